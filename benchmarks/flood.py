@@ -35,6 +35,7 @@ from omote.inputs.osc_packet import encode_bundle, encode_message
 from omote.model.cast import Cast
 from omote.server.devices.osc_listener import OscListener
 from omote.server.devices.rejection_log import RejectionLog
+from omote.server.supervision.early_tick import EarlyTicks
 from omote.server.supervision.listening_socket import listen_for_osc
 from omote.server.supervision.tick_loop import run_ticks
 from omote.show.messages import STATE_RATE, State
@@ -97,7 +98,9 @@ def flood_packets() -> list[bytes]:
     return [packet for n, each in enumerate(good) for packet in (each, bad[n % len(bad)])]
 
 
-async def measure_phase(listener: OscListener, session: ShowSession, said: list[str], *, flooded: bool) -> Phase:
+async def measure_phase(
+    listener: OscListener, session: ShowSession, said: list[str], early: EarlyTicks, *, flooded: bool
+) -> Phase:
     """Ticks for some seconds, with a flood or without."""
     phase, lines = Phase(), len(said)
     port = str(listener._sockets.datagrams.getsockname()[1])
@@ -114,7 +117,7 @@ async def measure_phase(listener: OscListener, session: ShowSession, said: list[
         listener.tell(session.tick(now), now)
         phase.spent.append(time.thread_time() - spent)
 
-    ticking = asyncio.create_task(run_ticks(tick))
+    ticking = asyncio.create_task(run_ticks(tick, early=early))
     printed, _ = await sender.communicate()
     ticking.cancel()
     phase.sent, phase.seconds = int(printed), time.monotonic() - started
@@ -124,13 +127,14 @@ async def measure_phase(listener: OscListener, session: ShowSession, said: list[
 
 async def measure_flood(cast: Cast, rounds: int) -> tuple[list[Phase], list[Phase]]:
     """Phases without a flood and with one, in turns."""
-    session, said, sockets = ShowSession(cast), list[str](), listen_for_osc(HOST, 0)
+    session, said, sockets, early = ShowSession(cast), list[str](), listen_for_osc(HOST, 0), EarlyTicks()
+    early.watch(sockets.datagrams)
     listener = OscListener(OscInput(lambda: session), sockets, RejectionLog(said.append))
     quiet, flooded = [], []
     gc.freeze()
     for _ in range(rounds):
-        quiet.append(await measure_phase(listener, session, said, flooded=False))
-        flooded.append(await measure_phase(listener, session, said, flooded=True))
+        quiet.append(await measure_phase(listener, session, said, early, flooded=False))
+        flooded.append(await measure_phase(listener, session, said, early, flooded=True))
     await listener.close()
     return quiet, flooded
 

@@ -83,9 +83,17 @@ def vmc_face(moment: float) -> list[bytes]:
     return encode_vmc(weights_at(moment), HEAD, GAZE, moment)
 
 
+def mediapipe_face(moment: float) -> list[bytes]:
+    """A result of MediaPipe."""
+    named = weights_at(moment).items()
+    categories = ",".join(f'{{"score":{value:.6f},"categoryName":"{name}"}}' for name, value in named)
+    return [f'{{"faceBlendshapes":[{{"categories":[{categories}]}}]}}'.encode()]
+
+
 FACES: dict[str, Face] = {
     "vmc": vmc_face, "vmc-performer": vmc_face, "livelink": link_face, "ifacialmocap": text_face,
     "facemotion3d": text_face, "openseeface": open_see_face, "vtubestudio": phone_face, "meowface": phone_face,
+    "mediapipe": mediapipe_face,
 }  # fmt: skip
 
 

@@ -34,6 +34,12 @@ CORNER = """() => {
     return window.omoteEditor.needles().sort((a, b) => away(a) - away(b))[0];
 }"""
 """The needle at the left corner of the mouth."""
+PORTRAYED = """(() => {
+    const list = document.querySelector("omote-editor").renderRoot.querySelector("omote-item-list").renderRoot;
+    const seen = [...list.querySelectorAll("canvas")].filter((one) => one.getBoundingClientRect().top < innerHeight);
+    return seen.every((one) => one.dataset.drawn && !one.style.opacity);
+})()"""
+"""Whether every picture in sight of the editor's list has come."""
 
 
 def wait_for(page: Page, condition: str) -> None:
@@ -86,7 +92,8 @@ def editor(browser: Browser, address: str) -> Page:
     page.mouse.down()
     page.mouse.move(x + 12, y - 22, steps=8)
     page.mouse.up()
-    wait_for(page, f"{store}.draft.undo === 1 && {settled}")
+    wait_for(page, f"{store}.draft.undo === 1 && {settled} && window.omoteEditor.refined()")
+    wait_for(page, PORTRAYED)
     return page
 
 

@@ -28,7 +28,13 @@ that a sender has play the channels of the cast that are called so, and are left
 def tracker_page() -> str:
     """The page: a row for each protocol, and the names."""
     rows = (
-        (f"`{each.name}`", each.title, each.port, each.phone_port or "", advise(each, "ADDRESS", each.port))
+        (
+            f"`{each.name}`",
+            each.title,
+            each.port or "of the pages",
+            each.phone_port or "",
+            advise(each, "ADDRESS", each.port),
+        )
         for each in TRACKER_PROTOCOLS.values()
     )
     table = "".join(f"| {' | '.join(map(str, row))} |\n" for row in rows)

@@ -56,6 +56,7 @@ FACES: dict[str, Callable[[], bytes]] = {
     "openseeface": lambda: open_see_face(features={"mouth_open": 0.5}),
     "vtubestudio": lambda: PHONE,
     "meowface": lambda: PHONE,
+    "mediapipe": lambda: b'{"faceBlendshapes":[{"categories":[{"score":0.5,"categoryName":"jawOpen"}]}]}',
     "vmc-performer": lambda: apply(jawopen=0.5),
 }
 
@@ -141,6 +142,28 @@ def test_a_source_drives_the_only_character_at_first_and_then_whom_it_is_routed_
     stage.trackers = again
     stage.play(0.0, FACES["livelink"]())
     assert stage.sources()[0].characters == []
+
+
+def test_a_second_tracker_does_not_take_the_layer_from_the_first(cast: Cast) -> None:
+    stage, packet = Stage(cast, "livelink"), FACES["livelink"]()
+    stage.play(0.0, packet)
+    stage.play(0.0, packet, host="10.0.0.8")
+    assert [each.characters for each in stage.sources()] == [["one"], []]
+
+
+def test_two_trackers_share_a_character_by_region_on_two_layers(cast: Cast) -> None:
+    stage = Stage(cast, "ifacialmocap")
+    lips, head = b"jawOpen&80|=head#0,5,0|", b"jawOpen&0|=head#0,30,0|"
+    stage.play(0.0, lips)
+    stage.play(0.0, head, host="10.0.0.8")
+    first, second = (each.name for each in stage.sources())
+    route = wire.RouteSource("r", second, ["one"], "playback", ["head"])
+    assert stage.session.receive("console", route, stage.now) == []
+    for _ in range(300):
+        stage.trackers.receive(HOST, lips, stage.now)
+        state = stage.play(0.0, head, host="10.0.0.8").characters["one"]
+    assert first != second
+    assert (state.channels["jawOpen"], state.head[0]) == pytest.approx((0.8, np.radians(30.0)), abs=1e-2)
 
 
 def test_of_several_characters_none_is_driven_by_surprise(cast: Cast) -> None:

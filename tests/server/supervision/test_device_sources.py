@@ -1,26 +1,33 @@
 """Devices of a server, on the sockets of its supervisor."""
 
+import asyncio
+import socket
 from pathlib import Path
 from typing import Any
 
 import pytest
 
+from omote.inputs.osc_packet import encode_message
 from omote.model.cast import Cast
 from omote.server.access.show_addresses import own_address
 from omote.server.devices.dmx_listener import DmxListener
 from omote.server.devices.face_output import FaceOutput
+from omote.server.devices.mediapipe_link import MediapipeLink
 from omote.server.devices.osc_listener import OscListener
 from omote.server.devices.page_device_source import PageDeviceSource
 from omote.server.devices.tracker_listener import TrackerListener
 from omote.server.supervision.device_sockets import DeviceOptions, listen_for_artnet
 from omote.server.supervision.device_sources import load_bindings, start_devices
+from omote.server.supervision.early_tick import EarlyTicks
 from omote.server.supervision.listening_socket import listen_for_osc
 from omote.server.supervision.tracker_sockets import listen_for_trackers, read_trackers
 from omote.show import messages as wire
 from omote.show.wire import encode
-from tests.server.conftest import ShowHarness, answer, open_edit_harness
+from tests.server.conftest import ShowHarness, answer, open_edit_harness, send_and_wait
 
 HOST = "127.0.0.1"
+LONG = 30.0
+"""Seconds for which nobody waits: something has been sent."""
 BOUND = '[[binding]]\ndevice = "Art-Net"\ncontrol = "3/1"\nto = "/omote/panic"\n'
 
 
@@ -55,22 +62,58 @@ async def test_trackers_are_heard_and_faces_sent(show_harness: ShowHarness) -> N
     osc = listen_for_osc(HOST, 0)
     descriptors = {name: each.fileno() for name, each in opened.items()}
     options = DeviceOptions(
-        osc.datagrams.fileno(), trackers=descriptors, listen="vmc:0,meowface:0@127.0.0.1",
+        osc.datagrams.fileno(), trackers=descriptors, listen="vmc:0,meowface:0@127.0.0.1,mediapipe",
         send="vmc:127.0.0.1:9,osc:127.0.0.1:9",
     )  # fmt: skip
     started = await start_devices(show_harness.show, options, lambda _: None)
-    surfaces, trackers, faces, pages = started
+    surfaces, trackers, browsers, faces, pages = started
+    assert isinstance(browsers, MediapipeLink)
+    assert show_harness.show._respond_to_trackers == browsers.respond
     assert isinstance(surfaces, OscListener)
     assert isinstance(trackers, TrackerListener)
     assert isinstance(faces, FaceOutput)
     assert isinstance(pages, PageDeviceSource)
-    assert [each.name for each in pages.devices.devices_now(0.0).devices] == ["OSC", "VMC", "MeowFace"]
+    assert [each.name for each in pages.devices.devices_now(0.0).devices] == ["OSC", "VMC", "MeowFace", "MediaPipe"]
     assert surfaces.osc.news(show_harness.show.session.tick(0.0), 1e6)  # a surface that was named is told for ever
     for closing in started:
         await closing.close()
     osc.close()
     for each in opened.values():
         each.close()
+
+
+@pytest.mark.asyncio
+async def test_what_comes_by_osc_is_seen_between_ticks(show_harness: ShowHarness) -> None:
+    osc, early = listen_for_osc(HOST, 0), EarlyTicks()
+    assert osc.connections is not None
+    options = DeviceOptions(osc.datagrams.fileno(), osc.connections.fileno())
+    started = await start_devices(show_harness.show, options, lambda _: None, early)
+    with socket.socket(type=socket.SOCK_DGRAM) as out:
+        out.sendto(encode_message("/omote/panic"), osc.datagrams.getsockname())
+        assert await early.spoke_within(LONG)
+    show_harness.tick()
+    early.forget()
+    assert not await early.spoke_within(0.0), "a tick has read it"
+    _, writer = await asyncio.open_connection(*osc.connections.getsockname()[:2])
+    writer.write(b"\xc0" + encode_message("/omote/panic") + b"\xc0")
+    assert await early.spoke_within(LONG)
+    writer.close()
+    for each in started:
+        await each.close()
+    osc.close()
+
+
+@pytest.mark.asyncio
+async def test_a_device_at_a_page_is_noted_and_a_hand_at_a_console_waits_for_the_beat(
+    show_harness: ShowHarness,
+) -> None:
+    noted: list[None] = []
+    show_harness.show.device_spoke = lambda: noted.append(None)
+    desk = await show_harness.link()
+    await send_and_wait(desk, wire.SetChannel("one", "jawOpen", 0.5))
+    assert not noted
+    await send_and_wait(desk, wire.Plug("pad", "midi"))
+    assert noted
 
 
 @pytest.mark.asyncio

@@ -10,7 +10,7 @@ from omote.model.cast import Cast
 from omote.server.http.app import ShowServer
 from omote.server.process.notice_board import NoticeBoard
 from omote.server.process.process_messages import PULSE_TICKS, TICK, read_pulse
-from omote.server.supervision.tick_loop import LATE_TICKS, RESTING_TICKS, ShowTick, run_ticks, send_pulse
+from omote.server.supervision.tick_loop import APART, LATE_TICKS, RESTING_TICKS, ShowTick, run_ticks, send_pulse
 from omote.show import messages as wire
 from omote.show.session import ShowSession
 from omote.showfile.show_file import JournalEntry
@@ -30,9 +30,27 @@ class Clock:
         self.slept += seconds
 
 
-def beaten(monkeypatch: pytest.MonkeyPatch, ticks: int, work: dict[int, float]) -> list[float]:
-    """The times of so many ticks, each of which takes as long as `run_order` says (else 1 ms)."""
-    clock, times = Clock(monkeypatch), []
+class Devices:
+    """Devices that speak at some times, by the same clock."""
+
+    def __init__(self, clock: Clock, times: list[float]) -> None:
+        self.clock, self.times = clock, times
+
+    def forget(self) -> None:
+        self.times = [each for each in self.times if each > self.clock.now]
+
+    async def spoke_within(self, seconds: float) -> bool:
+        spoken = [each for each in self.times if each <= self.clock.now + seconds]
+        self.clock.now = max(self.clock.now, min(spoken)) if spoken else self.clock.now + seconds
+        return bool(spoken)
+
+
+def beaten(
+    monkeypatch: pytest.MonkeyPatch, ticks: int, work: dict[int, float], spoken: list[float] | None = None
+) -> list[float]:
+    """The times of so many ticks, each as long as `work` says (else 1 ms); spoken: when devices speak."""
+    clock, times = Clock(monkeypatch), list[float]()
+    early = None if spoken is None else Devices(clock, spoken)
 
     def tick(number: int) -> None:
         if number == ticks:
@@ -41,7 +59,7 @@ def beaten(monkeypatch: pytest.MonkeyPatch, ticks: int, work: dict[int, float]) 
         clock.now += work.get(number, 0.001)
 
     with pytest.raises(KeyboardInterrupt):
-        asyncio.run(run_ticks(tick, clock=lambda: clock.now))
+        asyncio.run(run_ticks(tick, clock=lambda: clock.now, early=early))
     return times
 
 
@@ -65,6 +83,33 @@ def test_after_a_long_sleep_no_burst_follows(monkeypatch: pytest.MonkeyPatch) ->
 def test_a_delay_at_the_limit_is_the_longest_that_is_made_up_for(monkeypatch: pytest.MonkeyPatch) -> None:
     times = beaten(monkeypatch, 60, {10: (LATE_TICKS + 0.9) / 60})
     assert times[-1] == pytest.approx(59 / 60, abs=1e-6)
+
+
+def test_silent_devices_change_no_tick(monkeypatch: pytest.MonkeyPatch) -> None:
+    times = beaten(monkeypatch, 600, {}, spoken=[])
+    assert times == pytest.approx([number / 60 for number in range(600)], abs=1e-6)
+
+
+def test_a_device_is_on_air_as_soon_as_it_speaks(monkeypatch: pytest.MonkeyPatch) -> None:
+    times = beaten(monkeypatch, 60, {}, spoken=[10.5 / 60])
+    assert times == pytest.approx(sorted([10.5 / 60, *(number / 60 for number in range(59))]), abs=1e-6)
+
+
+@pytest.mark.parametrize(("part", "expected"), [(0.0625, APART), (0.9, 1.0)])
+def test_what_comes_near_a_tick_waits_a_part_of_a_beat(
+    monkeypatch: pytest.MonkeyPatch, part: float, expected: float
+) -> None:
+    spoken = (10 + part) / 60
+    times = beaten(monkeypatch, 60, {10: 0.0}, spoken=[spoken])
+    assert min(each for each in times if each >= spoken) == pytest.approx((10 + expected) / 60, abs=1e-6)
+
+
+def test_devices_that_never_rest_have_every_second_beat_and_move_none(monkeypatch: pytest.MonkeyPatch) -> None:
+    times = beaten(monkeypatch, 900, {}, spoken=[number / 1000 for number in range(20_000)])
+    assert len([each for each in times if each < 8.0]) == pytest.approx(8 * 90, abs=2)
+    beats = {round(each * 60) for each in times if abs(each * 60 - round(each * 60)) < 1e-6}
+    assert set(range(480)) <= beats, "every beat is kept"
+    assert min(after - before for before, after in itertools.pairwise(times)) >= APART / 60 - 1e-9
 
 
 class Kept:

@@ -20,6 +20,8 @@ VMC, PHONES = TRACKER_PROTOCOLS["vmc"], TRACKER_PROTOCOLS["ifacialmocap"]
 
 def test_a_list_is_read_as_it_is_typed() -> None:
     assert read_trackers("") == ()
+    assert [wish.word for wish in read_trackers("mediapipe")] == ["mediapipe"]
+    assert listen_for_trackers(read_trackers("mediapipe")) == {}
     assert read_trackers("vmc") == (TrackerWish(VMC, 39539),)
     typed = read_trackers(" VMC:5000 , ifacialmocap:0@phone.local")
     assert typed == (TrackerWish(VMC, 5000), TrackerWish(PHONES, 0, "phone.local"))
@@ -36,6 +38,7 @@ def test_a_list_is_read_as_it_is_typed() -> None:
         ("vmc:70000", "no port"),
         ("vmc@10.0.0.7", "asks no phone"),
         ("ifacialmocap@", "names no phone"),
+        ("mediapipe:80", "port of the pages"),
     ],
 )
 def test_what_is_no_list_is_said(text: str, why: str) -> None:

@@ -194,7 +194,7 @@ export class DrawnCharacter {
   settled(blender: Blender): boolean {
     const { residency } = this.parts;
     if (!this.sourceCrossfade.settled(this.called) || !residency.settled(this.pose, blender)) return false;
-    return this.whole && (!this.head.visible || (this.hair.settled && this.risen === 1));
+    return this.whole && this.risen === 1 && (!this.head.visible || this.hair.settled);
   }
 
   /** Waits for all of its hair. */

@@ -41,8 +41,6 @@ export interface FaceViewOptions {
   shot?: Shot;
 }
 
-const NOTHING: Coming = { faces: [], expressions: [] };
-
 const featuresHere = (level: Level): Features => featuresOf(level, drawsInSoftware());
 
 /** A level of quality that will be drawn, once its shaders are ready. */
@@ -66,11 +64,12 @@ export class FaceView {
   private template!: HeadTemplate;
   private called: ScenePose;
   private light: Pose["light"];
-  private drawnAt: number | undefined;
   private readonly crossfade: PictureCrossfade;
   private readonly smoothing: EdgeSmoothing;
   private next: NextLevel | undefined;
   private wanted: Level;
+  /** When the picture was last shown, in seconds: what comes later begins from here. */
+  shownAt: number | undefined;
   /** The level of quality that is drawn. */
   level: Level;
   /** False while the graphics context is lost. */
@@ -114,13 +113,8 @@ export class FaceView {
     return new FaceView(canvas, library, anatomy, layers, options);
   }
 
-  /** One character alone in the next `render`; `coming`: names that will be needed soon and are fetched ahead. */
-  show(pose: Pose, coming = NOTHING): void {
-    this.showScene(alone(pose), () => coming);
-  }
-
   /** What the next `render` draws; `coming`: names that a character will need soon. */
-  showScene(scene: ScenePose, coming: (name: string) => Coming = () => NOTHING): void {
+  showScene(scene: ScenePose, coming: (name: string) => Coming = () => ({ faces: [], expressions: [] })): void {
     this.called = scene;
     this.light = lightOf(scene) ?? this.light;
     for (const [name, character] of this.characters)
@@ -130,7 +124,7 @@ export class FaceView {
       }
     for (const [name, pose] of Object.entries(scene.characters)) {
       const character =
-        this.characters.get(name) ?? this.add(name, new DrawnCharacter(this.parts, pose, this.drawnAt === undefined));
+        this.characters.get(name) ?? this.add(name, new DrawnCharacter(this.parts, pose, this.shownAt === undefined));
       character.show(pose, coming(name));
     }
   }
@@ -159,8 +153,8 @@ export class FaceView {
   /** Draws; `atOnce` shows everything that is loaded in full, without catching up. False while the context is lost. */
   render(time = performance.now() / 1000, atOnce = false): boolean {
     if (!this.alive) return false;
-    const seconds = Math.min(0.1, Math.max(0, time - (this.drawnAt ?? time)));
-    this.drawnAt = time;
+    const seconds = Math.min(0.1, Math.max(0, time - (this.shownAt ?? time)));
+    this.shownAt = time;
     const characters = [...this.characters.values()];
     const poses = characters.map((character) => character.advance(seconds, this.blender, atOnce));
     this.parts.residency.advance(poses, this.blender, seconds, atOnce);
@@ -174,11 +168,6 @@ export class FaceView {
     this.paint(columns);
     this.crossfade.paint(seconds);
     return true;
-  }
-
-  /** The frame of `time`, in seconds, shows the picture that is there: what comes later begins from here. */
-  keep(time: number): void {
-    this.drawnAt = time;
   }
 
   /** Fetches all that a pose needs, then draws it in full, as at `time` in seconds; fetches for `next` meanwhile. */

@@ -145,7 +145,7 @@ export class Stage {
   private present(time: number): boolean {
     const settled = this.view.still && (this.qualityController?.settled ?? true);
     if (!this.redraw.needed(this.shown === undefined ? "" : sceneKey(this.shown), settled)) {
-      this.view.keep(time);
+      this.view.shownAt = time;
       return true;
     }
     if (!this.view.render(time)) return false;

@@ -22,6 +22,8 @@ from omote.show.session import ShowSession
 MOST_PERFORMERS = 8
 """Performers of one protocol at a time, by host and name; the one that was silent longest makes room."""
 LONGEST_NAME = 80
+LAYER = "tracker"
+"""The layer that a tracker drives until it is routed elsewhere."""
 MOST_BARS = 59
 """Channels of which a page is told, beside five angles."""
 
@@ -169,10 +171,13 @@ class TrackerInput:
         return [answer.message.reason for answer in answers if isinstance(answer.message, wire.Refused)]
 
     def _source(self, session: ShowSession, performer: Performer) -> wire.Source:
-        """The source of a performer. One that comes for the first time drives the character of a show that has one."""
-        alone = list(session.scene) if len(list(session.scene)) == 1 else []
+        """The source of a performer. One that comes for the first time drives the character of a show that has one, if
+        no other drives it: two on one layer would take it from each other with each frame."""
+        characters = list(session.scene)
         known = performer.name in session.sources.snapshot().routes
-        return wire.Source(performer.name, "tracker", list(performer.names), [] if known else alone)
+        driven = any(each.characters and each.layer == LAYER for each in session.sources.states({}))
+        alone = characters if len(characters) == 1 and not known and not driven else []
+        return wire.Source(performer.name, "tracker", list(performer.names), alone)
 
     def _reject(self, host: str, reason: str, now: float) -> None:
         self.rejected += 1

@@ -8,18 +8,21 @@ from types import MappingProxyType
 
 from omote.inputs.trackers.face_text import FACEMOTION3D_START, IFACIALMOCAP_START, decode_face_text
 from omote.inputs.trackers.live_link_face import decode_live_link_face
+from omote.inputs.trackers.mediapipe_frame import decode_mediapipe
 from omote.inputs.trackers.open_see_face import decode_open_see_face
 from omote.inputs.trackers.phone_frame import decode_phone_frame, request_frames
 from omote.inputs.trackers.tracker_frame import Decode
 from omote.inputs.trackers.vmc_messages import open_vmc
 
+MEDIAPIPE_PATH = "/mediapipe"
 Ask = Callable[[int], bytes]
 """What asks a phone for frames at a port of ours."""
 
 
 @dataclass(frozen=True)
 class TrackerProtocol:
-    """A protocol over UDP. name: as options spell it; title: as people know it; port: where it is heard.
+    """A protocol. name: as options spell it; title: as people know it; port: of UDP, where it is heard, None where it
+    comes by a WebSocket at the port of the pages.
 
     advice: what to do at the sender, with `{host}` and `{port}` of this machine. phone_port, ask: where a phone hears
     what asks it for frames, and what does; None where nothing is asked.
@@ -27,7 +30,7 @@ class TrackerProtocol:
 
     name: str
     title: str
-    port: int
+    port: int | None
     advice: str
     open: Callable[[], Decode]
     phone_port: int | None = None
@@ -74,12 +77,17 @@ _ALL = (
         "in the app type the address {host} and the port {port}, or name the phone here: --listen {name}@PHONE",
         _stateless(decode_phone_frame), 21412, request_frames,
     ),
+    TrackerProtocol(
+        "mediapipe", "MediaPipe", None,
+        "send each result of the face landmarker as JSON by WebSocket to the show's own address and " + MEDIAPIPE_PATH,
+        _stateless(decode_mediapipe),
+    ),
 )  # fmt: skip
 TRACKER_PROTOCOLS: Mapping[str, TrackerProtocol] = MappingProxyType({each.name: each for each in _ALL})
 """Every protocol, by the name that options spell."""
 TRACKER_TITLES = tuple(each.title for each in _ALL)
 
 
-def advise(protocol: TrackerProtocol, host: str, port: int) -> str:
+def advise(protocol: TrackerProtocol, host: str, port: int | None) -> str:
     """What to do at a sender of a protocol. host: this machine's address, as the sender reaches it."""
     return protocol.advice.format(host=host, port=port, name=protocol.name)

@@ -53,12 +53,17 @@ class OscSockets:
 
 
 class OscListener:
-    """OSC of one show. `dropped` counts packets that there was no time for."""
+    """OSC of one show. `dropped` counts packets that there was no time for. spoke: called when a connection sends."""
 
     def __init__(
-        self, osc: OscInput, sockets: OscSockets, log: RejectionLog, allowed: AllowedSenders = THIS_MACHINE
+        self,
+        osc: OscInput,
+        sockets: OscSockets,
+        log: RejectionLog,
+        allowed: AllowedSenders = THIS_MACHINE,
+        spoke: Callable[[], None] = lambda: None,
     ) -> None:
-        self.osc, self._sockets, self._log = osc, sockets, log
+        self.osc, self._sockets, self._log, self.spoke = osc, sockets, log, spoke
         self._reader = DatagramReader(sockets.datagrams, "OSC", allowed, log)
         self._waiting: deque[tuple[Place, bytes]] = deque()
         self._messages: deque[tuple[Place, OscMessage]] = deque()
@@ -198,6 +203,7 @@ class _Connection(asyncio.Protocol):
             return
         for packet in packets:
             self._listener.wait((self._name, 0), packet)
+            self._listener.spoke()
         if self._listener.full:
             self.transport.pause_reading()
 

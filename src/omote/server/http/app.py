@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import asyncio
 import time
-from collections.abc import Callable, Mapping
+from collections.abc import Awaitable, Callable, Mapping
 from dataclasses import replace
 from pathlib import Path
 from typing import Protocol
@@ -13,6 +13,7 @@ from aiohttp import WSCloseCode, WSMsgType, web
 
 from omote.edit.protocol.messages import EDITING_PATH
 from omote.edit.store.on_air_recipes import OnAir, read_on_air
+from omote.inputs.trackers.tracker_protocols import MEDIAPIPE_PATH
 from omote.server.access.access_control import AccessControl
 from omote.server.access.access_guard import guard_access, visitor_in
 from omote.server.access.people_routes import PeopleRoutes
@@ -67,7 +68,9 @@ class ShowServer:
         self.uploads: Uploads | None = None
         self.long_requests = LongRequests(self._send_progress)
         self.sources: list[Source] = []
+        self.device_spoke: Callable[[], None] = lambda: None
         self.oscquery: OscQuery | None = None
+        self._respond_to_trackers: Callable[[web.Request], Awaitable[web.StreamResponse]] | None = None
         self._surface_allowed: Callable[[str], bool] = lambda _: False
         self.access: AccessControl | None = None
         self.authority: bytes | None = None
@@ -108,6 +111,10 @@ class ShowServer:
         self._surface_allowed = allowed
         self.oscquery = OscQuery(lambda: (self.session.cast, self._state, tuple(self.session.scene)), port)
 
+    def enable_trackers(self, respond: Callable[[web.Request], Awaitable[web.StreamResponse]]) -> None:
+        """Adds the link of trackers that send by WebSocket."""
+        self._respond_to_trackers = respond
+
     def enable_access(self, control: AccessControl | None, authority: bytes | None = None) -> None:
         """Asks for tokens from now on, but for None; authority: the certificate that tablets may install."""
         self.access, self.authority = control, authority
@@ -138,13 +145,19 @@ class ShowServer:
             self.close_revoked,
             lambda: self.authority,
         ).add_routes(application)
-        layout = TouchoscLayout(lambda: (self.session.cast, tuple(self.session.scene)))
-        application.router.add_get(TOUCHOSC_PATH, layout.respond)
-        if self.oscquery is not None:
-            self.oscquery.add_routes(application, self.page)
+        self._add_device_routes(application)
         for path in (*PAGES, "/{page:.+}"):
             application.router.add_get(path, self.page)
         return application
+
+    def _add_device_routes(self, application: web.Application) -> None:
+        """Adds what surfaces read, and where trackers send."""
+        layout = TouchoscLayout(lambda: (self.session.cast, tuple(self.session.scene)))
+        application.router.add_get(TOUCHOSC_PATH, layout.respond)
+        if self._respond_to_trackers is not None:
+            application.router.add_get(MEDIAPIPE_PATH, self._respond_to_trackers)
+        if self.oscquery is not None:
+            self.oscquery.add_routes(application, self.page)
 
     def tick(self) -> None:
         """Advances the session by one tick and broadcasts the state."""
@@ -250,6 +263,8 @@ class ShowServer:
             await link.wait_turn(self.clock)
             if message.type is WSMsgType.BINARY:
                 self._deliver(self.session.receive_bytes(link.who, message.data, self.clock()))
+                if self.session.device_messages:
+                    self.device_spoke()
                 self._keep(self.session.take_keep_requests())
                 for each in self.session.take_cancelled():
                     self.long_requests.cancel(each)

@@ -27,6 +27,7 @@ from omote.interchange.formats.error_reasons import explain_error
 from omote.server.access.show_addresses import own_address
 from omote.server.devices.dmx_listener import DmxListener
 from omote.server.devices.face_output import FaceOutput
+from omote.server.devices.mediapipe_link import MediapipeLink
 from omote.server.devices.osc_listener import OscListener, OscSockets
 from omote.server.devices.page_device_source import PageDeviceSource
 from omote.server.devices.rejection_log import RejectionLog
@@ -34,6 +35,7 @@ from omote.server.devices.tracker_listener import TrackerListener, TrackerSocket
 from omote.server.http.app import ShowServer
 from omote.server.persistence.authored_work import AuthoredWork
 from omote.server.supervision.device_sockets import DeviceOptions
+from omote.server.supervision.early_tick import EarlyTicks
 from omote.server.supervision.tracker_sockets import read_trackers
 
 Report = Callable[[str], None]
@@ -46,28 +48,29 @@ class Closable(Protocol):
         """Closes it."""
 
 
-async def start_devices(server: ShowServer, options: DeviceOptions, report: Report) -> list[Closable]:
-    """Hears all devices that a show was opened with; returns what is to be closed."""
+async def start_devices(
+    server: ShowServer, options: DeviceOptions, report: Report, early: EarlyTicks | None = None
+) -> list[Closable]:
+    """Hears all devices that a show was opened with; returns what is to be closed. early: is told when OSC comes; desks
+    of light send without end, and wait for the beat."""
+    early = early or EarlyTicks()
     allowed = read_senders(options.allow) if options.allow else THIS_MACHINE
     allowed = allowed.with_host(own_address())  # a desk's program here sends to groups by a network card
     log = RejectionLog(report)
     bindings, commands = _open_bindings(server, options, report)
-    started: list[OscListener | DmxListener | TrackerListener | FaceOutput | PageDeviceSource] = []
+    started: list[OscListener | DmxListener | TrackerListener | MediapipeLink | FaceOutput | PageDeviceSource] = []
     if options.osc is not None:
         connections = None if options.osc_connections is None else _copy(options.osc_connections)
         sockets = OscSockets(_copy(options.osc), connections)
-        osc = OscListener(OscInput(lambda: server.session), sockets, log, allowed)
+        osc = OscListener(OscInput(lambda: server.session), sockets, log, allowed, spoke=early.note)
+        early.watch(sockets.datagrams)
         await osc.start()
         _tell_surfaces(osc, options, server.clock())
         server.enable_oscquery(sockets.datagrams.getsockname()[1], allowed.allows)
         started.append(osc)
     if options.sacn is not None or options.artnet is not None:
         started.append(_hear_dmx(bindings, options, log, allowed, report))
-    if options.trackers:
-        started.append(_hear_trackers(server, options, log, allowed))
-    targets = read_targets(options.send)
-    if faces := [target for target in targets if target.protocol != SURFACE]:
-        started.append(FaceOutput(faces, lambda: server.session))
+    started += _open_trackers(server, options, log, allowed)
     probes = [probe for each in started for probe in each.probes]
     devices = PageDevices(lambda: server.session, bindings, commands, InputLog(_wall() - server.clock()), probes)
     started.append(PageDeviceSource(devices, lambda: server.session, server.links.answer))
@@ -88,6 +91,22 @@ def _hear_dmx(
     sacn, artnet = (None if each is None else _copy(each) for each in (options.sacn, options.artnet))
     dmx = DmxInput(options.universes)
     return DmxListener(dmx, bindings, log, sacn=sacn, artnet=artnet, allowed=allowed, report=report)
+
+
+def _open_trackers(
+    server: ShowServer, options: DeviceOptions, log: RejectionLog, allowed: AllowedSenders
+) -> list[TrackerListener | MediapipeLink | FaceOutput]:
+    """What hears trackers, and what sends faces to other programs."""
+    started: list[TrackerListener | MediapipeLink | FaceOutput] = []
+    if options.trackers:
+        started.append(_hear_trackers(server, options, log, allowed))
+    if any(wish.protocol.port is None for wish in read_trackers(options.listen)):
+        link = MediapipeLink(lambda: server.session, log)
+        server.enable_trackers(link.respond)
+        started.append(link)
+    if faces := [target for target in read_targets(options.send) if target.protocol != SURFACE]:
+        started.append(FaceOutput(faces, lambda: server.session))
+    return started
 
 
 def _hear_trackers(

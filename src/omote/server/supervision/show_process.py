@@ -33,6 +33,7 @@ from omote.server.process.notice_board import NoticeBoard
 from omote.server.process.process_messages import Order, ShowMoved, write_notice
 from omote.server.supervision.device_sockets import NO_DEVICES, DeviceOptions
 from omote.server.supervision.device_sources import start_devices
+from omote.server.supervision.early_tick import EarlyTicks
 from omote.server.supervision.tick_loop import ShowTick, run_ticks, send_pulse
 from omote.server.workers.file_jobs import run_file_job
 from omote.server.workers.job_server import JobServer, open_job_server
@@ -114,10 +115,13 @@ async def play(
         server.enable_files(lambda: file.path, jobs.run)
     journal = JournalWriter(file, tell, gate) if file else None
     watch = FileWatch(file, gate, tell, partial(tell_moved, pipes.pulse)) if file else None
-    devices = await start_devices(server, pipes.devices, report)
+    early = EarlyTicks()
+    server.device_spoke = early.note
+    devices = await start_devices(server, pipes.devices, report, early)
     runner = await start_serving(server, pipes.listen, pipes.access)
     try:
-        await run_until_ended(run_ticks(ShowTick(server, journal, pipes.pulse, board).tick), pipes.control)
+        ticking = run_ticks(ShowTick(server, journal, pipes.pulse, board).tick, early=early)
+        await run_until_ended(ticking, pipes.control)
     finally:
         await asyncio.gather(server.close_all(), *(device.close() for device in devices))
         await runner.cleanup()
@@ -181,5 +185,6 @@ async def run_until_ended(ticking: Coroutine[object, object, None], control: int
     loop.remove_reader(control)
     for task in rest:
         task.cancel()
+    await asyncio.gather(*rest, return_exceptions=True)  # it lets go of sockets that are closed next
     for task in done:
         task.result()

@@ -20,16 +20,17 @@ OPTION = "--tracker-"
 
 @dataclass(frozen=True)
 class TrackerWish:
-    """A protocol that is to be heard, at a port. phone: the address of a phone that is asked for frames, or ""."""
+    """A protocol that is to be heard, at a port of UDP. phone: the address of one that is asked for frames, or ""."""
 
     protocol: TrackerProtocol
-    port: int
+    port: int | None
     phone: str = ""
 
     @property
     def word(self) -> str:
         """The wish as it is typed."""
-        return f"{self.protocol.name}:{self.port}" + (f"@{self.phone}" if self.phone else "")
+        port = "" if self.port is None else f":{self.port}"
+        return f"{self.protocol.name}{port}" + (f"@{self.phone}" if self.phone else "")
 
 
 def read_trackers(text: str) -> tuple[TrackerWish, ...]:
@@ -50,6 +51,8 @@ def _read_wish(word: str) -> TrackerWish:
         raise ValueError(f"{protocol.title} asks no phone; write {name} without @{phone[:40]}")
     if at and not phone.strip():
         raise ValueError(f"{word[:60]!r} names no phone; give its address, such as {name}@192.168.1.30")
+    if colon and protocol.port is None:
+        raise ValueError(f"{protocol.title} comes to the port of the pages; write {name} without :{port[:10]}")
     if colon and not (port.isascii() and port.isdecimal() and int(port[:9]) <= HIGHEST_PORT):
         raise ValueError(f"{word[:60]!r} has no port; give a number, such as {name}:{protocol.port}")
     return TrackerWish(protocol, int(port) if colon else protocol.port, phone.strip())
@@ -79,7 +82,7 @@ def listen_for_trackers(wishes: Iterable[TrackerWish]) -> dict[str, socket.socke
     addresses: who is heard, the list of allowed senders decides."""
     opened: dict[str, socket.socket] = {}
     try:
-        for wish in wishes:
+        for wish in (each for each in wishes if each.protocol.port is not None):
             opened[wish.protocol.name] = _listen(wish)
     except OSError:
         for each in opened.values():
@@ -89,15 +92,15 @@ def listen_for_trackers(wishes: Iterable[TrackerWish]) -> dict[str, socket.socke
 
 
 def _listen(wish: TrackerWish) -> socket.socket:
-    datagrams = socket.socket(socket.AF_INET, socket.SOCK_DGRAM)
+    datagrams, port = socket.socket(socket.AF_INET, socket.SOCK_DGRAM), wish.port or 0
     try:
-        datagrams.bind(("", wish.port))
+        datagrams.bind(("", port))
     except OSError as error:
         datagrams.close()
         taken = "another program has it" if error.errno == errno.EADDRINUSE else explain_error(error)
         raise OSError(
-            f"port {wish.port} cannot be opened for {wish.protocol.title} ({taken}): end that, or name another, "
-            f"--listen {wish.protocol.name}:{wish.port + 1}."
+            f"port {port} cannot be opened for {wish.protocol.title} ({taken}): end that, or name another, "
+            f"--listen {wish.protocol.name}:{port + 1}."
         ) from error
     return datagrams
 

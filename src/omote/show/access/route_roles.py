@@ -26,6 +26,7 @@ ROUTES: Mapping[tuple[str, str], AccessRole] = MappingProxyType(
         ("GET", "/tangents/{base}/{face}"): "view",
         ("GET", "/handles"): "view",
         ("GET", "/contents/{key}"): "view",
+        ("GET", "/mediapipe"): "operate",
         ("GET", "/omote"): "view",
         ("GET", "/omote/{path}"): "view",
         ("GET", "/touchosc/omote.tosc"): "view",

@@ -32,11 +32,5 @@ export function readIdentity(): Identity {
   return { editor, name: kept(NAME) ?? `Editor ${editor.slice(-3).toUpperCase()}` };
 }
 
-/** The names of those at an item but for one's own, once: another editor may bear the same. */
-export function othersOf(editors: readonly string[], name: string): string[] {
-  const own = editors.indexOf(name);
-  return editors.filter((_, at) => at !== own);
-}
-
 /** The name from the next greeting on. */
 export const saveName = (name: string): void => keep(NAME, name);

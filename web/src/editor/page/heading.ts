@@ -6,9 +6,8 @@ import type { DraftState, ItemDocument } from "../../link/editing_messages";
 import { base } from "../../ui/theme";
 import { controls } from "../controls/controls_style";
 import { EditorElement, textOf } from "../controls/editor_element";
-import { othersOf } from "../link/identity";
 import type { Topic } from "../session/draft_store";
-import { describe, redo, save, undo } from "../session/item_commands";
+import { describe, othersOf, redo, save, undo } from "../session/item_commands";
 import { style } from "./heading_style";
 
 /** The head of the page: what is open, whether it is saved, who else is at it. */

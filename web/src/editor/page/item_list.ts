@@ -9,7 +9,6 @@ import { base } from "../../ui/theme";
 import { THUMBNAIL_SIZE } from "../../ui/thumbnails";
 import { controls } from "../controls/controls_style";
 import { EditorElement, textOf } from "../controls/editor_element";
-import { othersOf } from "../link/identity";
 import type { Topic } from "../session/draft_store";
 import {
   describe,
@@ -18,6 +17,7 @@ import {
   matches,
   openItem,
   ordered,
+  othersOf,
   placeAt,
   remove,
   restore,

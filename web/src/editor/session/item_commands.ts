@@ -220,3 +220,9 @@ export function placeAt(others: readonly ItemDocument[], at: number): number {
   if (before === undefined) return (after ?? 1) - 1;
   return after === undefined ? before + 1 : (before + after) / 2;
 }
+
+/** The names of those at an item but for one's own, once: another editor may bear the same. */
+export function othersOf(editors: readonly string[], name: string): string[] {
+  const own = editors.indexOf(name);
+  return editors.filter((_, at) => at !== own);
+}

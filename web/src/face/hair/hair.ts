@@ -6,7 +6,8 @@ import type { Anatomy } from "../anatomy/anatomy";
 import type { HeadUniforms } from "../head/head";
 import type { Features } from "../quality/quality_levels";
 import { type ActiveStyle, HairAssignment, type HairStock } from "./hair_assignment";
-import { ribbons, type StyleUniforms, styleUniforms } from "./hair_geometry";
+import { ribbons, type StyleUniforms, strandsTexture, styleUniforms } from "./hair_geometry";
+import { drawnStrands } from "./hair_strands";
 
 /** Between styles, in the order of drawing: half way they lie on each other, and who is first shows there. */
 const ONE_AFTER_OTHER = 0.01;
@@ -110,7 +111,12 @@ export class Hair {
   private write(style: ActiveStyle, into: StyleUniforms): void {
     if (this.versions.get(style.name) === style.version) return;
     this.versions.set(style.name, style.version);
-    into.strands.value.needsUpdate = true;
+    const count = drawnStrands(style.hair, this.assignment.detail);
+    if (into.strands.value.image.height === count) into.strands.value.needsUpdate = true;
+    else {
+      into.strands.value.dispose();
+      into.strands.value = strandsTexture(style, count);
+    }
   }
 
   private uniformsOf(style: ActiveStyle): StyleUniforms {

@@ -50,6 +50,18 @@ describe("a blend of hair styles", () => {
     }
   });
 
+  it("shapes every strand as if it were alone", () => {
+    const both = [worn([forward, nape]), worn([aside, coil])] as const;
+    const weights = new Map(both.map((style) => [style, 0.5]));
+    const one = blend();
+    one.write(both[0], weights, both[0].into, 2);
+    const second = both[0].into.slice(both[0].into.length / 2);
+    one.write(both[0], weights, both[0].into, 1);
+    one.write(both[1], weights, both[1].into, 2);
+    one.write(both[0], weights, both[0].into, 2);
+    expect(both[0].into.slice(both[0].into.length / 2)).toEqual(second);
+  });
+
   it("of two styles leads every strand from one course to the other, over the scalp", () => {
     const [bob, crop] = [worn([forward]), worn([aside])];
     const last = bob.hair.stations - 1;

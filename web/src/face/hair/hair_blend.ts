@@ -3,7 +3,7 @@
 import { MathUtils } from "three";
 import type { HairStrands } from "../../link/strands";
 import { lengthAt, strandLength } from "./hair_strands";
-import { outward, type RadialMap, radiusOf, radiusUnder } from "./radial_map";
+import { moveOutward, type RadialMap, radiusOf, radiusUnder } from "./radial_map";
 import { type Matches, matchRoots, woundStrands } from "./root_matching";
 
 /** Of the weight of the heaviest style: where another begins to be drawn beside it, as the same hair by then. */
@@ -50,6 +50,7 @@ interface Source extends Matches {
 export class HairBlend {
   private readonly studies = new Map<HairStrands, Study>();
   private readonly matches = new Map<HairStrands, Map<HairStrands, Matches>>();
+  private places = new Float64Array();
 
   /** `scalp`: the generic head, over which all styles were grown; `painted`: the rows of its skin under hair, 0..1 each. */
   constructor(
@@ -95,42 +96,45 @@ export class HairBlend {
   private shape(style: CarriedStyle, strand: number, sources: readonly Source[], into: Float32Array): void {
     const { stations } = style.hair;
     const own = strand * stations;
-    const alone = sources.every(({ share }) => share === 0 || share === 1);
-    for (let place = 0; place < stations; place++) {
-      for (let axis = 0; axis < 3; axis++) {
-        let sum = style.carried[4 * own + axis] as number;
-        for (const { from, first, share } of sources) {
-          if (share === 0) continue;
-          const root = from.carried[4 * first + axis] as number;
-          sum += share * ((from.carried[4 * (first + place) + axis] as number) - root);
-        }
-        into[4 * (own + place) + axis] = sum;
-      }
-      if (!alone) this.lift(style, own, place, sources, into);
+    const mean = this.room(stations);
+    fillPlaces(mean, style.carried, 4 * own, stations);
+    let alone = true;
+    for (const { from, first, share } of sources) {
+      if (share === 0) continue;
+      alone &&= share === 1;
+      addCourse(mean, from.carried, 4, first, share, stations);
     }
+    for (let place = 0; place < stations; place++)
+      for (let axis = 0; axis < 3; axis++) into[4 * (own + place) + axis] = mean[4 * place + axis] as number;
+    if (!alone) this.lift(style, own, sources, into);
   }
 
   /**
    * Between two courses around the head the straight mean runs through the skull: it is moved out to where it lies as
    * high over the scalp as the courses do, on the generic head; faces carry it as they carry the courses.
    */
-  private lift(style: CarriedStyle, own: number, place: number, sources: readonly Source[], into: Float32Array): void {
-    const at = 4 * (own + place);
-    const { points } = style.hair;
-    let [x, y, z] = [points[3 * own] as number, points[3 * own + 1] as number, points[3 * own + 2] as number];
-    let height = 0;
+  private lift(style: CarriedStyle, own: number, sources: readonly Source[], into: Float32Array): void {
+    const { points, stations } = style.hair;
+    const [mean, scalp] = [this.room(stations), this.scalp()];
+    fillPlaces(mean, points, 3 * own, stations);
     for (const { from, heights, first, share } of sources) {
       if (share === 0) continue;
-      const [course, here, root] = [from.hair.points, 3 * (first + place), 3 * first];
-      x += share * ((course[here] as number) - (course[root] as number));
-      y += share * ((course[here + 1] as number) - (course[root + 1] as number));
-      z += share * ((course[here + 2] as number) - (course[root + 2] as number));
-      height += share * (heights[first + place] as number);
+      addCourse(mean, from.hair.points, 3, first, share, stations);
+      for (let place = 0; place < stations; place++)
+        mean[4 * place + 3] = (mean[4 * place + 3] as number) + share * (heights[first + place] as number);
     }
-    const more = (radiusUnder(this.scalp(), x, y, z) + height) / Math.max(radiusOf(x, y, z), 1e-6) - 1;
-    if (more <= 0) return;
-    const moved = outward(x, y, z, more);
-    for (let axis = 0; axis < 3; axis++) into[at + axis] = (into[at + axis] as number) + (moved[axis] as number);
+    for (let at = 0; at < 4 * stations; at += 4) {
+      const [x, y, z] = [mean[at] as number, mean[at + 1] as number, mean[at + 2] as number];
+      const high = radiusUnder(scalp, x, y, z) + (mean[at + 3] as number);
+      const more = high / Math.max(radiusOf(x, y, z), 1e-6) - 1;
+      if (more > 0) moveOutward(into, 4 * own + at, x, y, z, more);
+    }
+  }
+
+  /** Room for the places of a strand, four numbers each: nothing is made anew for thousands of strands a frame. */
+  private room(stations: number): Float64Array {
+    if (this.places.length < 4 * stations) this.places = new Float64Array(4 * stations);
+    return this.places;
   }
 
   private matched({ hair }: CarriedStyle, { hair: other }: CarriedStyle): Matches {
@@ -152,6 +156,32 @@ export class HairBlend {
     };
     this.studies.set(hair, study);
     return study;
+  }
+}
+
+/** Every place at the root, and 0 beside it. */
+function fillPlaces(places: Float64Array, values: Float32Array, root: number, stations: number): void {
+  for (let place = 0; place < stations; place++) {
+    for (let axis = 0; axis < 3; axis++) places[4 * place + axis] = values[root + axis] as number;
+    places[4 * place + 3] = 0;
+  }
+}
+
+/** Adds a share of a strand's course from its root; `width` numbers a place in `values`. */
+function addCourse(
+  places: Float64Array,
+  values: Float32Array,
+  width: number,
+  first: number,
+  share: number,
+  stations: number,
+): void {
+  const root = width * first;
+  for (let axis = 0; axis < 3; axis++) {
+    const from = values[root + axis] as number;
+    for (let place = 0; place < stations; place++)
+      places[4 * place + axis] =
+        (places[4 * place + axis] as number) + share * ((values[root + width * place + axis] as number) - from);
   }
 }
 

@@ -1,5 +1,6 @@
 import { describe, expect, it } from "vitest";
-import { outermostFirst } from "./hair_geometry";
+import { arcStyle } from "./arc_style";
+import { outermostFirst, strandsTexture } from "./hair_geometry";
 
 describe("the order of drawing", () => {
   const light = Uint8Array.from([10, 20, 200, 255, 90, 80, 255, 255]);
@@ -14,5 +15,24 @@ describe("the order of drawing", () => {
 
   it("leaves equal ones as they were, so that a picture is the same every time", () => {
     expect(outermostFirst({ light: new Uint8Array(6), stations: 2 }, 3)).toEqual([0, 1, 2]);
+  });
+});
+
+const hair = arcStyle([0, 0.02, 0.04].map((x) => ({ root: [0, 1, x], toward: [0.7, 0, 1], length: 1, height: 0.006 })));
+const strands = new Float32Array((4 * hair.points.length) / 3);
+
+describe("the texture of a style's strands", () => {
+  it("has a line for each strand that is drawn, and no more", () => {
+    for (const count of [1, 2, 3]) {
+      const { width, height, data } = strandsTexture({ hair, strands }, count).image;
+      expect([width, height]).toEqual([hair.stations, count]);
+      expect(data).toHaveLength(4 * hair.stations * count);
+    }
+  });
+
+  it("reads what is written to the strands afterwards", () => {
+    const { data } = strandsTexture({ hair, strands }, 2).image;
+    strands[5] = 0.25;
+    expect(data?.[5]).toBe(0.25);
   });
 });

@@ -38,12 +38,20 @@ const geometries = new WeakMap<HairStrands, Map<string, THREE.InstancedBufferGeo
 /** The uniforms of a style in this colour; `strands` as `HAIR_VERTEX` reads it, four numbers a place. */
 export function styleUniforms({ hair, strands }: RibbonStyle, tint: THREE.IUniform<THREE.Color>): StyleUniforms {
   return {
-    strands: { value: texture(strands, hair.stations, hair.anchors.length, THREE.FloatType) },
+    strands: { value: strandsTexture({ hair, strands }, hair.anchors.length) },
     shape: { value: shapeOf(hair) },
     stations: { value: hair.stations },
     width: { value: hair.width },
     tint,
   };
+}
+
+/** A style's first `count` strands as a texture, a line each: what is not drawn is not handed over every frame. */
+export function strandsTexture(
+  { hair, strands }: Pick<RibbonStyle, "hair" | "strands">,
+  count: number,
+): THREE.DataTexture {
+  return texture(strands.subarray(0, 4 * hair.stations * count), hair.stations, count, THREE.FloatType);
 }
 
 function shapeOf(hair: HairStrands): THREE.DataTexture {

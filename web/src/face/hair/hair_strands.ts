@@ -67,14 +67,28 @@ function carriedBy(hair: HairStrands, place: number, axis: number, generic: Floa
 
 /** Sums weight x offsets into `into`, four numbers a place, the last untouched. */
 export function mixOffsets(parts: readonly (readonly [Offsets, number])[], into: Float32Array): void {
-  const places = into.length / 4;
-  parts.forEach(([offsets, weight], part) => {
-    for (let place = 0; place < places; place++)
-      for (let axis = 0; axis < 3; axis++) {
-        const [at, more] = [4 * place + axis, weight * (offsets[3 * place + axis] as number)];
-        into[at] = part === 0 ? more : (into[at] as number) + more;
-      }
-  });
+  let begun = false;
+  for (const [offsets, weight] of parts) {
+    if (begun) addOffsets(offsets, weight, into);
+    else setOffsets(offsets, weight, into);
+    begun = true;
+  }
+}
+
+function setOffsets(offsets: Offsets, weight: number, into: Float32Array): void {
+  for (let [from, at] = [0, 0]; from < offsets.length; from += 3, at += 4) {
+    into[at] = weight * (offsets[from] as number);
+    into[at + 1] = weight * (offsets[from + 1] as number);
+    into[at + 2] = weight * (offsets[from + 2] as number);
+  }
+}
+
+function addOffsets(offsets: Offsets, weight: number, into: Float32Array): void {
+  for (let [from, at] = [0, 0]; from < offsets.length; from += 3, at += 4) {
+    into[at] = (into[at] as number) + weight * (offsets[from] as number);
+    into[at + 1] = (into[at + 1] as number) + weight * (offsets[from + 1] as number);
+    into[at + 2] = (into[at + 2] as number) + weight * (offsets[from + 2] as number);
+  }
 }
 
 /** Ribbons that a sparse style keeps where few are drawn: fewer and wider ones would lie on a bald head like chips. */

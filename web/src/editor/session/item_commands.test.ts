@@ -1,5 +1,5 @@
 import { expect, it } from "vitest";
-import { othersOf } from "./identity";
+import { othersOf } from "./item_commands";
 
 it("counts oneself among those at an item once, whoever bears the same name", () => {
   expect(othersOf(["Ann", "Ben"], "Ann")).toEqual(["Ben"]);
