@@ -115,22 +115,28 @@ async def play(
         server.enable_files(lambda: file.path, jobs.run)
     journal = JournalWriter(file, tell, gate) if file else None
     watch = FileWatch(file, gate, tell, partial(tell_moved, pipes.pulse)) if file else None
-    early = EarlyTicks()
-    server.device_spoke = early.note
-    devices = await start_devices(server, pipes.devices, report, early)
-    runner = await start_serving(server, pipes.listen, pipes.access)
     try:
-        ticking = run_ticks(ShowTick(server, journal, pipes.pulse, board).tick, early=early)
-        await run_until_ended(ticking, pipes.control)
+        await serve(server, ShowTick(server, journal, pipes.pulse, board).tick, pipes)
     finally:
-        await asyncio.gather(server.close_all(), *(device.close() for device in devices))
-        await runner.cleanup()
         documents.close()
         if journal:
             journal.offer(journal_entry(server.session))
         for each in (jobs, watch, authored_work and authored_work.committer, journal, backup):
             if each:
                 each.close()
+
+
+async def serve(server: ShowServer, tick: Callable[[], None], pipes: Pipes) -> None:
+    """Hears devices, answers pages and ticks until the control pipe ends or SIGTERM comes."""
+    early = EarlyTicks()
+    server.device_spoke = early.note
+    devices = await start_devices(server, pipes.devices, report, early)
+    runner = await start_serving(server, pipes.listen, pipes.access)
+    try:
+        await run_until_ended(run_ticks(tick, early=early), pipes.control)
+    finally:
+        await asyncio.gather(server.close_all(), *(device.close() for device in devices))
+        await runner.cleanup()
 
 
 def tell_moved(pulse: int, path: Path) -> None:
