@@ -126,7 +126,7 @@ async def play(
                 each.close()
 
 
-async def serve(server: ShowServer, tick: Callable[[], None], pipes: Pipes) -> None:
+async def serve(server: ShowServer, tick: Callable[[int], None], pipes: Pipes) -> None:
     """Hears devices, answers pages and ticks until the control pipe ends or SIGTERM comes."""
     early = EarlyTicks()
     server.device_spoke = early.note
