@@ -161,6 +161,7 @@ def test_the_name_of_a_dial_covers_none_of_the_degrees_of_a_pad(open_with_device
     page.keyboard.press("z")
     spot(page, "head yaw of One").click()
     page.evaluate(TURN, [60, 80, 120])
+    bound(page, 1)
     page.keyboard.press("Escape")
     chip = page.locator("omote-binding-marks .chip").get_by_text("cc7", exact=True)
     expect(chip).to_be_visible()
@@ -168,3 +169,5 @@ def test_the_name_of_a_dial_covers_none_of_the_degrees_of_a_pad(open_with_device
     assert all(boxes)
     name, degrees = (box for box in boxes if box)
     assert name["x"] >= degrees["x"] + degrees["width"]
+    page.evaluate(f"{DESK}.undo()")
+    bound(page, 0)
