@@ -39,7 +39,7 @@ class _Played:
 
 @dataclass(frozen=True, slots=True)
 class _Fader:
-    """What of a binding a fader needs at each reading. alone: its address has no other axis; near: how far a value on
+    """What of a binding a fader needs at each reading. alone: its address has no other axis, and is no switch; near: how far a value on
     air may be from what it has sent last."""
 
     path: str
@@ -260,7 +260,8 @@ class Bindings:
 
 def _fader_of(binding: Binding) -> _Fader:
     target, span = binding.target, binding.high - binding.low
-    alone, near = len(target.values) == 1, MOVED * abs(span)
+    alone = len(target.values) == 1 and target.values[0].kind != "switch"
+    near = MOVED * abs(span)
     return _Fader(target.path, target.axis, alone, binding.low, span, binding.curve, binding.pick_up, near)
 
 
