@@ -39,8 +39,9 @@ class _Played:
 
 @dataclass(frozen=True, slots=True)
 class _Fader:
-    """What of a binding a fader needs at each reading. alone: its address has no other axis, and is no switch; near: how far a value on
-    air may be from what it has sent last."""
+    """What of a binding a fader needs at each reading. alone: its address has no other axis, and is no switch; near:
+    how far a value on air may be from what it has sent last.
+    """
 
     path: str
     axis: int
