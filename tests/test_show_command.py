@@ -45,7 +45,7 @@ def test_a_show_begins_without_osc_where_another_program_has_its_usual_port(
 ) -> None:
     with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as taken:
         taken.bind(("127.0.0.1", 0))
-        monkeypatch.setattr("omote.show_command.OSC_PORT", taken.getsockname()[1])
+        monkeypatch.setattr("omote.show_sockets.OSC_PORT", taken.getsockname()[1])
         done = runner.invoke(app, ["show", str(tmp_path / "a.omote"), "--port", "0", "--no-open"])
     assert done.exit_code == 0
     assert "OSC is off: port" in done.stderr

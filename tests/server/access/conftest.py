@@ -5,6 +5,7 @@ from dataclasses import dataclass, field
 from pathlib import Path
 
 import pytest_asyncio
+from aiohttp import web
 from aiohttp.test_utils import TestClient, TestServer
 
 from omote.model.cast import Cast
@@ -31,6 +32,11 @@ class AccessHarness(EditHarness):
         return next((role for role in ACCESS_ROLES if role == credential), None)
 
 
+async def _hear(_: web.Request) -> web.StreamResponse:
+    """As a tracker at a page is heard."""
+    return web.Response()
+
+
 @pytest_asyncio.fixture
 async def access_harness(cast: Cast, tmp_path: Path) -> AsyncIterator[AccessHarness]:
     """The harness with a file, an OSC port and a list of people; `wall` is at 1000 seconds."""
@@ -45,6 +51,7 @@ async def access_harness(cast: Cast, tmp_path: Path) -> AsyncIterator[AccessHarn
                 control.people = add_person(control.people, person)
         tokens |= {"garbage": GARBAGE}
         opened.show.enable_oscquery(9000)
+        opened.show.enable_trackers(_hear)
         opened.show.enable_access(control, b"PEM")
         async with TestClient(TestServer(opened.show.application(own_names()))) as client:
             yield AccessHarness(
