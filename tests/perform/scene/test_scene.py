@@ -215,3 +215,25 @@ def test_another_cast_is_taken_by_all_or_by_none(cast: Cast) -> None:
 
 def test_a_frame_of_a_character_is_one_of_the_engine(cast: Cast) -> None:
     assert isinstance(Scene.begun(cast).advance(0.0).characters["one"].frame, Frame)
+
+
+def test_a_label_that_another_has_is_refused_and_nothing_changes(cast: Cast) -> None:
+    scene = Scene.begun(cast)
+    scene.add("two", label="Rex")
+    before = scene.snapshot()
+    with pytest.raises(ValueError, match="the character two is called 'Rex' already; give another label"):
+        scene.rename("one", " REX ")
+    with pytest.raises(ValueError, match="the character one is called 'One' already; give another label"):
+        scene.add("three", label="one")
+    assert scene.snapshot() == before
+    scene.rename("two", "REX")
+
+
+def test_who_was_removed_comes_back_with_a_label_that_another_has_meanwhile(cast: Cast) -> None:
+    scene = Scene.begun(cast)
+    scene.add("two", label="Rex")
+    scene.remove("two", seconds=0.0)
+    scene.advance(0.1)
+    scene.rename("one", "Rex")
+    scene.restore("two")
+    assert scene.labels == {"one": "Rex", "two": "Rex"}

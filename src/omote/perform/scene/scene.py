@@ -242,7 +242,8 @@ class Scene:
         Raises
         ------
         ValueError
-            On a name that no character can have or that one has, on a face that there is not, and beyond eight.
+            On a name that no character can have or that one has, on a label that another has, on a face that there is
+            not, and beyond eight.
 
         Examples
         --------
@@ -251,9 +252,9 @@ class Scene:
         True
         """
         check_character_name(name)
-        label = check_label(name if label is None else label)
-        check_known(face, self._cast.faces, "face")
         self._refuse_one_more(name)
+        label = check_label(name if label is None else label, self.labels)
+        check_known(face, self._cast.faces, "face")
         place = free_place(Place(**standing.place.goal) for standing in self._standings.values())
         self._characters[name] = SceneCharacter.new(self._cast, face, self._time, self.call_light)
         self._standings[name] = Standing(label, movement.Movement(vars(place)), AWAY)
@@ -361,7 +362,7 @@ class Scene:
         Raises
         ------
         ValueError
-            On a character that there is not, and on a label without letters or with more than 80.
+            On a character that there is not, and on a label without letters, with more than 80, or that another has.
 
         Examples
         --------
@@ -370,7 +371,7 @@ class Scene:
         >>> scene.advance(0.0).characters["one"].label
         'Kaori'
         """
-        self._stand(name, label=check_label(label))
+        self._stand(name, label=check_label(label, {n: each for n, each in self.labels.items() if n != name}))
 
     def place(
         self,

@@ -9,6 +9,7 @@ from dataclasses import dataclass, field, replace
 from omote.perform.axis import Axis
 from omote.perform.lights import FIRST_LIGHT, LIGHTS
 from omote.perform.limits import FOREVER, check_within
+from omote.perform.name_lookup import NO_LABELS
 from omote.perform.scene.character_names import ALL, MOST_CHARACTERS, check_character_name, framing_of, names_in
 from omote.perform.scene.movement import Movement, Ranges, check_movement
 from omote.perform.scene.scene_frame import PLACE_LIMITS, Place
@@ -115,12 +116,16 @@ def check_standing(standing: Standing, name: str) -> None:
     check_movement(standing.presence, PRESENCE_LIMITS, f"the presence of {name}:")
 
 
-def check_label(label: object) -> str:
-    """Returns the label of a character without spaces around it; ValueError for none and for one that is too long."""
+def check_label(label: object, others: Mapping[str, str] = NO_LABELS) -> str:
+    """Returns the label of a character without spaces around it; ValueError for none, for one that is too long, and for
+    one that another has, in any case. others: the labels of the other characters, by name."""
     text = label.strip() if isinstance(label, str) else ""
-    if 0 < len(text) <= LONGEST_LABEL:
-        return text
-    raise ValueError(f"the label of a character is {label!r:.100}; give 1 to {LONGEST_LABEL} letters")
+    if not 0 < len(text) <= LONGEST_LABEL:
+        raise ValueError(f"the label of a character is {label!r:.100}; give 1 to {LONGEST_LABEL} letters")
+    for name, other in others.items():
+        if other.casefold() == text.casefold():
+            raise ValueError(f"the character {name} is called {other!r} already; give another label")
+    return text
 
 
 def without_time(snapshot: SceneSnapshot) -> SceneSnapshot:

@@ -15,4 +15,11 @@ describe("the name of a character", () => {
     expect(freeLabel(called("One", "Two"))).toBe("Three");
     expect(freeLabel({ one: { label: "Kaori" } as CharacterState })).toBe("Two");
   });
+
+  it("is free where a label is taken in another case, and where all numbers are", () => {
+    expect(freeLabel(called("one", "TWO"), [])).toBe("Three");
+    const numbers = ["one", "two", "three", "four", "five", "six", "seven", "eight"];
+    expect(freeLabel(called("Rex"), numbers)).toBe("Character");
+    expect(freeLabel(called("Rex", "Character"), numbers)).toBe("Character 2");
+  });
 });

@@ -23,11 +23,17 @@ export function nameOf(label: string, taken: readonly string[]): string {
 
 const NUMBERS = ["One", "Two", "Three", "Four", "Five", "Six", "Seven", "Eight"] as const;
 
-/** What a new character is called that nobody has named: the first number that is free; `taken`: names that are not. */
+/** What a new character is called that nobody has named: the first number that is free, a label that no other has in any
+ * case; `taken`: names that are not free. */
 export function freeLabel(
   characters: Readonly<Record<string, CharacterState>>,
   taken: readonly string[] = Object.keys(characters),
 ): string {
-  const labels = new Set(Object.values(characters).map(({ label }) => label));
-  return NUMBERS.find((label) => !labels.has(label) && !taken.includes(nameOf(label, []))) ?? "Character";
+  const labels = new Set(Object.values(characters).map(({ label }) => label.toLowerCase()));
+  const free = (label: string): boolean => !labels.has(label.toLowerCase());
+  const found = NUMBERS.find((label) => free(label) && !taken.includes(nameOf(label, [])));
+  for (let number = 1; ; number++) {
+    const label = found ?? (number === 1 ? "Character" : `Character ${number}`);
+    if (free(label)) return label;
+  }
 }
