@@ -15,7 +15,7 @@ def play_take(
     address: Annotated[
         str, typer.Option("--show", metavar="ADDRESS", help="The running show, as `omote show` prints it.")
     ] = "http://127.0.0.1:8090",
-    character: Annotated[str, typer.Option(help="Whom it drives; the first one without it.")] = "",
+    character: Annotated[str, typer.Option(help="Whom it drives, by name or label; the first one without it.")] = "",
     layer: Annotated[str, typer.Option(help="The layer that it drives: playback, tracker, lips.")] = "playback",
     authority: Annotated[
         Path | None, typer.Option(help="What /certificate of a show with https gives, saved to a file (.pem).")
@@ -24,6 +24,7 @@ def play_take(
 ) -> None:
     """Plays a recorded face into a running show."""
     from omote.inputs.takes.live_link_take import read_live_link_take
+    from omote.perform.layers.layer_names import check_driven
     from omote.server.client.connect import connect
     from omote.server.client.take_player import play_take as play
 
@@ -34,7 +35,8 @@ def play_take(
     except (OSError, ValueError) as error:
         fail_with(error if isinstance(error, OSError) else ValueError(f"{take}: {error}"))
     with exit_on_refusal(), connect(address, name="take", authority=authority) as show:
-        drive = show[character or next(iter(show.state.characters))].drive
+        drive = show[show.find_character(character or show.characters[0])].drive
+        check_driven(layer)
         say(f"{take.name} plays: {len(read.times)} frames in {read.seconds:.1f} s.")
         while play(read, drive, layer=layer) and loop:
             pass

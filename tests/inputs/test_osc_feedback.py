@@ -29,7 +29,7 @@ def test_all_that_is_told_can_be_sent_back_and_changes_nothing() -> None:
         session.receive("a", message, 0.0)
     state = session.tick(0.0)
     for number, (address, values) in enumerate(tell_state(state).items()):
-        orders = read_orders(OscMessage(address, values), cast, ("one", "two"), f"c{number}")
+        orders = read_orders(OscMessage(address, values), cast, {"one": "One", "two": "Two"}, f"c{number}")
         assert len(orders) == 1
         assert session.receive("a", orders[0], 0.0) == []
     again = session.tick(5.0)
@@ -100,3 +100,11 @@ def test_on_air_tells_each_address_as_the_whole_list_does() -> None:
 def test_what_has_no_value_on_air_is_told_as_the_default(path: str) -> None:
     assert OnAir(ShowSession(synthetic.cast()).tick(0.0)).get(path) == ()
     assert OnAir().get(path, (1.0,)) == (1.0,)
+
+
+def test_on_air_tells_an_address_by_label_as_by_name() -> None:
+    session = ShowSession(synthetic.cast())
+    session.join("a", "Ana")
+    session.receive("a", wire.AddCharacter("1", "two", "Big Rex", "long"), 0.0)
+    session.receive("a", wire.SetChannel("two", "jawOpen", 0.25), 0.0)
+    assert OnAir(session.tick(0.0)).get("/omote/big_rex/channel/jawOpen") == (0.25,)

@@ -82,7 +82,7 @@ def test_of_a_bundle_each_message_stands_for_itself(session: ShowSession, osc: O
 def test_a_character_that_there_is_not_is_said(osc: OscInput, send: Send) -> None:
     send("/omote/bob/face", "broad")
     assert osc.last_rejection is not None
-    assert osc.last_rejection.reason == "there is no character 'bob'; there is one, and * for all"
+    assert osc.last_rejection.reason == "there is no character 'bob' in this scene, which has one, and * for all"
 
 
 def test_a_surface_hears_everything_once_then_what_is_new(session: ShowSession, osc: OscInput, send: Send) -> None:

@@ -48,7 +48,7 @@ def test_all_that_the_tree_offers_is_obeyed_at_both_ends_of_its_range(session: S
     for leaf in leaves(build_tree(CAST, None, ["one"])):
         for arguments in extremes(leaf):
             call = f"{leaf['FULL_PATH']}{arguments}"[-64:]
-            orders = read_orders(OscMessage(leaf["FULL_PATH"], tuple(arguments)), CAST, ["one"], call)
+            orders = read_orders(OscMessage(leaf["FULL_PATH"], tuple(arguments)), CAST, {"one": "One"}, call)
             assert orders
             assert [session.receive("osc", order, 0.0) for order in orders] == [[]] * len(orders)
 

@@ -6,11 +6,12 @@ import math
 from collections.abc import Callable, Mapping
 from functools import lru_cache
 
-from omote.inputs.character_patterns import matches
+from omote.inputs.character_patterns import characters_meant
 from omote.inputs.osc_addresses import CHANNEL, ROOT, find_address
-from omote.inputs.osc_packet import Argument
+from omote.inputs.osc_packet import Argument, OscError
 from omote.model.known_names import PLAY_REGIONS, PlayRegion
 from omote.perform.layers.layer_names import DEFAULT_SETTINGS, LAYER_PARTS
+from omote.perform.scene.character_names import ALL
 from omote.show.messages import CallState, CharacterState, HeldState, Place, State
 
 Told = Mapping[str, tuple[Argument, ...]]
@@ -69,7 +70,7 @@ class OnAir:
         if address.of_show:
             return OF_SHOW[address.path](self._state) if address.path in OF_SHOW else default
         characters = self._state.characters
-        who = pattern if pattern in characters else next((each for each in characters if matches(pattern, each)), None)
+        who = _first_meant(pattern, characters)
         if who is None:
             return default
         if address.path == CHANNEL:  # of a pattern
@@ -81,6 +82,15 @@ class OnAir:
             shown = {str(region): name for region, name in _named_in_regions(characters[who]).items()}
             return (shown[named[0]],) if named[0] in shown else default
         return OF_CHARACTER[address.path](characters[who]) if address.path in OF_CHARACTER else default
+
+
+def _first_meant(pattern: str, characters: Mapping[str, CharacterState]) -> str | None:
+    """The first character that a pattern or a label means; None for nobody."""
+    try:
+        meant = characters_meant(pattern, {name: each.label for name, each in characters.items()})
+    except OscError:
+        return None
+    return next(iter(characters)) if meant == (ALL,) else meant[0]
 
 
 class Feedback:

@@ -160,7 +160,7 @@ class OscInput:
         return [answer for reason in reasons for answer in self._reject(place, reason, now)]
 
     def _reader_of(self, session: ShowSession) -> OrderReader:
-        characters = tuple(session.scene)
+        characters = session.scene.labels
         if self._reader is None or not self._reader.fits(session.cast, characters):
             self._reader = OrderReader(session.cast, characters)
         return self._reader

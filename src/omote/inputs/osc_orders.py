@@ -13,9 +13,9 @@ from omote.inputs.osc_packet import Argument, OscError, OscMessage
 from omote.model.known_names import check_play_region
 from omote.perform.layers.layer_names import check_layer, check_part
 from omote.perform.lights import LIGHTS
-from omote.perform.limits import CHANNEL_HIGHEST, CHANNEL_LOWEST, check_known
+from omote.perform.limits import CHANNEL_HIGHEST, CHANNEL_LOWEST
 from omote.perform.name_lookup import find_name
-from omote.perform.scene.character_names import ALL
+from omote.perform.scene.character_names import ALL, find_character
 from omote.perform.snapshot import Playable
 from omote.show import messages as wire
 from omote.show.leases.leased_parts import find_part
@@ -32,10 +32,10 @@ LONGEST_REMEMBERED = 120
 
 
 class Names(NamedTuple):
-    """Whose names a message can have."""
+    """Whose names a message can have. characters: what people call each, by name."""
 
     cast: Playable
-    characters: Sequence[str]
+    characters: Mapping[str, str]
 
 
 class Level(NamedTuple):
@@ -52,13 +52,13 @@ class Level(NamedTuple):
 class OrderReader:
     """Reads messages for a cast and characters; what it has found once it finds again at once."""
 
-    def __init__(self, cast: Playable, characters: Sequence[str]) -> None:
-        self._names = Names(cast, tuple(characters))
+    def __init__(self, cast: Playable, characters: Mapping[str, str]) -> None:
+        self._names = Names(cast, dict(characters))
         self._meant: dict[str, tuple[str, ...]] = {}
         self._levels: dict[str, Level] = {}
         self._found: dict[tuple[str, str], str | ValueError] = {}
 
-    def fits(self, cast: Playable, characters: Sequence[str]) -> bool:
+    def fits(self, cast: Playable, characters: Mapping[str, str]) -> bool:
         """Whether it was made for these."""
         return self._names.cast is cast and self._names.characters == characters
 
@@ -162,7 +162,7 @@ class OrderReader:
 
 
 def read_orders(
-    message: OscMessage, cast: Playable, characters: Sequence[str], call: str
+    message: OscMessage, cast: Playable, characters: Mapping[str, str], call: str
 ) -> tuple[wire.FromClient, ...]:
     """What one message asks for, as `OrderReader.read`."""
     return OrderReader(cast, characters).read(message, call)
@@ -207,11 +207,11 @@ def _switch(value: Value, argument: Argument) -> float:
     raise ValueError(f"the {value.name} is {str(said)[:80]}; expected {_listed([value])}")
 
 
-def _characters(text: str, characters: Sequence[str]) -> list[str]:
+def _characters(text: str, characters: Mapping[str, str]) -> list[str]:
     """The characters of a framing: none for `*`."""
     if text.strip() == ALL:
         return []
-    return [check_known(name, characters, "character") for name in re.split(r"[+,\s]+", text.strip())]
+    return [find_character(name, characters) for name in re.split(r"[+,\s]+", text.strip())]
 
 
 def _listed(values: Sequence[Value]) -> str:

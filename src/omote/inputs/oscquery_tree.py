@@ -52,7 +52,7 @@ def build_tree(cast: Playable, state: State | None, characters: Iterable[str]) -
 def build_addresses(cast: Playable, characters: Iterable[str]) -> Node:
     """The tree of all addresses without values: the same as long as cast and characters are."""
     root = _container("/")
-    known = Names(cast, list(characters))
+    known = Names(cast, {name: name for name in characters})
     for address in ADDRESSES:
         for owner in [""] if address.of_show else known.characters:
             for path in _paths(address, owner, known):

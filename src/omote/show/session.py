@@ -47,7 +47,7 @@ class ShowSession:
         self._time = self.scene.snapshot().time
         self._eye_offsets: dict[str, EyeOffset] = {}
         self._hands, self._panics, self.sources = Hands(), Panics(), OpenSources()
-        self.leasing = Leasing(self.members)
+        self.leasing = Leasing(self.members, labels=lambda: self.scene.labels)
 
     @classmethod
     def restored(cls, cast: Playable, snapshot: SessionSnapshot, *, epoch: int, revision: int = 1) -> ShowSession:
@@ -57,7 +57,7 @@ class ShowSession:
         session = cls(cast, Scene.restored(cast, snapshot.scene), epoch=epoch, revision=revision)
         session._calls = dict.fromkeys(snapshot.calls)
         session.sources = OpenSources(snapshot.sources)
-        session.leasing = Leasing(session.members, snapshot.leases)
+        session.leasing = Leasing(session.members, snapshot.leases, lambda: session.scene.labels)
         return session
 
     def snapshot(self) -> SessionSnapshot:

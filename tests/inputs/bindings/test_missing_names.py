@@ -20,7 +20,7 @@ BINDINGS = [Binding("pad", str(at), read_target(path, given)) for at, (path, giv
 
 
 def missing(*characters: str) -> dict[str, str]:
-    reasons = list_missing(BINDINGS, OrderReader(synthetic.cast(), characters))
+    reasons = list_missing(BINDINGS, OrderReader(synthetic.cast(), dict(zip(characters, characters, strict=True))))
     return {path: reason for path, reason in zip(TARGETS, reasons, strict=True) if reason}
 
 
@@ -28,7 +28,7 @@ def test_what_is_not_there_is_named() -> None:
     found = missing("one")
     assert set(found) == {"/omote/*/expression", "/omote/two/panic", "/omote/one/channel/grin", "/omote/framing"}
     assert found["/omote/*/expression"].startswith("there is no expression 'grin' in this cast")
-    assert found["/omote/two/panic"] == "there is no character 'two'; there is one, and * for all"
+    assert found["/omote/two/panic"] == "there is no character 'two' in this scene, which has one, and * for all"
 
 
 def test_what_is_there_again_plays_again() -> None:

@@ -358,7 +358,7 @@ def test_a_binding_whose_character_has_gone_is_marked_with_the_reason_until_it_i
     room.say("a", wire.Bind("b1", wire.BindingDocument(PAD, "1/cc7", path, pick_up=False)))
     room.say("a", wire.Bind("b2", binding("1/cc8")))
     told = room.told(wire.BindingList, room.tick())["b"]
-    assert told.missing == ["there is no character 'two'; there is one, and * for all", ""]
+    assert told.missing == ["there is no character 'two' in this scene, which has one, and * for all", ""]
     room.session.receive("a", wire.AddCharacter("n", "two", "Two", "generic"), room.now)
     told = room.told(wire.BindingList, room.tick())["b"]
     assert told.missing == ["", ""]

@@ -39,7 +39,7 @@ def test_a_name_alone_does_not_make_a_device_of_another_kind() -> None:
 
 @pytest.mark.parametrize("preset", PRESETS.values(), ids=lambda preset: preset.name)
 def test_all_that_a_preset_binds_can_be_played_on_the_built_in_cast(preset: Preset) -> None:
-    reader = OrderReader(load_cast(), ("one", "two"))
+    reader = OrderReader(load_cast(), {"one": "One", "two": "Two"})
     for binding in preset.bindings("device", "*"):
         target = binding.target
         values = tuple(value.low for value in target.values) or target.arguments

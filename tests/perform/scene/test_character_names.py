@@ -4,7 +4,15 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from omote.perform.scene.character_names import ALL, LONGEST_NAME, check_character_name, framing_of, names_in
+from omote.perform.scene.character_names import (
+    ALL,
+    LONGEST_NAME,
+    check_character_name,
+    describe_character,
+    find_character,
+    framing_of,
+    names_in,
+)
 
 names = st.from_regex(rf"[a-z0-9_-]{{1,{LONGEST_NAME}}}", fullmatch=True)
 
@@ -33,3 +41,32 @@ def test_a_framing_of_a_stranger_or_of_a_text_is_rejected() -> None:
         framing_of(["one", "two"], ["one", "three"])
     with pytest.raises(TypeError, match="give a list"):
         framing_of("one", ["one"])
+
+
+LABELS = {"one": "Ana", "two": "Big Rex", "ana": "One", "four": "Bo", "five": "BO"}
+
+
+@pytest.mark.parametrize(
+    ("typed", "meant"),
+    [("two", "two"), ("Two", "two"), ("Big Rex", "two"), ("big_rex", "two"), ("BIG-REX", "two"), ("ana", "ana"),
+     ("Ana", "ana"), ("One", "one")],
+)  # fmt: skip
+def test_a_character_is_found_by_its_name_and_else_by_its_label(typed: str, meant: str) -> None:
+    assert find_character(typed, LABELS) == meant
+
+
+@pytest.mark.parametrize("typed", ["three", "", "*", "rex"])
+def test_nobody_is_refused_with_all_that_there_are(typed: str) -> None:
+    with pytest.raises(
+        ValueError, match=r"there is no character .* in this scene, which has one \(Ana\), two \(Big Rex\)"
+    ):
+        find_character(typed, LABELS)
+
+
+def test_a_label_that_several_have_is_refused_with_their_names() -> None:
+    with pytest.raises(ValueError, match="the character 'bo' could be four or five; give one of these names"):
+        find_character("bo", LABELS)
+
+
+def test_a_character_is_described_with_a_label_that_is_not_its_name() -> None:
+    assert [describe_character("two", label) for label in ("Two", "two", "Rex")] == ["two", "two", "two (Rex)"]

@@ -172,5 +172,5 @@ def test_characters_come_enter_move_are_framed_and_go(cast: Cast) -> None:
     assert show.characters == ("one",)
     with pytest.raises(ValueError, match="there is no character 'two' in this scene"):
         _ = two.frame
-    with pytest.raises(KeyError, match="there is no character 'two' in this scene; near are one"):
+    with pytest.raises(KeyError, match="there is no character 'two' in this scene, which has one"):
         _ = show["two"]

@@ -1,11 +1,18 @@
 """A recording into a show: each frame at its time, the last one too, none twice where time has gone on."""
 
+import asyncio
+from pathlib import Path
 from typing import Any
 
 import pytest
+from typer.testing import CliRunner
 
+from omote.cli import app
 from omote.inputs.takes.take import Take
 from omote.server.client.take_player import LONGEST_STEP, play_take
+from tests.inputs.takes.test_live_link_take import HEADER, row
+from tests.server.client.test_program_link import ticking
+from tests.server.conftest import ShowHarness
 
 TAKE = Take(("jawOpen",), (0.0, 0.1, 0.2, 0.3), ((0.0,), (0.25,), (0.5,), (0.75,)), gazes=((0.1, 0.2),) * 4)
 
@@ -37,3 +44,23 @@ def test_frames_are_played_at_their_times(seconds: float) -> None:
     assert character.options == {"layer": "tracker", "head": None, "gaze": (0.1, 0.2)}
     steps = [later - before for (before, _), (later, _) in zip(character.frames, character.frames[1:], strict=False)]
     assert all(step <= seconds + LONGEST_STEP + 1e-6 for step in steps)
+
+
+@pytest.mark.asyncio
+@pytest.mark.parametrize(
+    ("options", "said"),
+    [(["--character", "Rex"], "there is no character 'Rex' in this scene, which has one"),
+     (["--layer", "foo"], "there is no layer for a source 'foo'; expected one of breath")],
+)  # fmt: skip
+async def test_a_character_or_layer_that_there_is_not_is_one_sentence(
+    show_harness: ShowHarness, tmp_path: Path, options: list[str], said: str
+) -> None:
+    path = tmp_path / "take.csv"
+    path.write_text(HEADER + row("00:00:00:00", *[0.5] * 8))
+    command = ["play-take", str(path), "--show", str(show_harness.client.make_url("/")), *options]
+    async with ticking(show_harness):
+        done = await asyncio.to_thread(CliRunner().invoke, app, command)
+    assert isinstance(done.exception, SystemExit)
+    assert done.exit_code == 1
+    assert f"omote: {said}" in done.stderr
+    assert done.stderr.count("\n") == 1

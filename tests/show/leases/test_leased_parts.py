@@ -50,4 +50,8 @@ def test_an_expression_moves_its_regions_and_nothing_else_does() -> None:
 
 
 def test_parts_are_named_in_words() -> None:
-    assert [describe_key(key) for key in ("one/face", "*/light")] == ["the face of one", "the light"]
+    assert [describe_key(key, {"one": "One", "two": "Rex"}) for key in ("one/face", "two/channels", "*/light")] == [
+        "the face of one",
+        "the channels of two (Rex)",
+        "the light",
+    ]

@@ -115,6 +115,13 @@ def test_a_message_for_all_is_obeyed_for_all_or_for_none(show: ShowSession) -> N
     assert held(show) == {"one/face": "Ana", "two/face": "Ana"}
 
 
+def test_a_refusal_says_the_label_of_a_renamed_character(show: ShowSession) -> None:
+    show.receive("a", wire.RenameCharacter("r1", "two", "Rex"), 0.0)
+    show.receive("a", wire.FadeFace("two", 0.5), 0.0)
+    reason = refused(show.receive("b", wire.FadeFace("two", 0.7), 0.0)).reason
+    assert reason.startswith("Ana holds the face of two (Rex): ")
+
+
 def test_a_character_of_which_somebody_holds_a_part_is_not_removed(show: ShowSession) -> None:
     show.receive("b", wire.SetHead("two", 0.1, 0.0, 0.0), 0.0)
     assert refused(show.receive("a", wire.RemoveCharacter("r", "two"), 0.0)).held == ["two/head"]

@@ -83,7 +83,7 @@ class PageDevices:
 
     def _know_names(self) -> None:
         session = self._session()
-        characters = tuple(session.scene)
+        characters = session.scene.labels
         if self._reader is None or not self._reader.fits(session.cast, characters):
             self._reader = OrderReader(session.cast, characters)
             self._commands.know_names(self._reader)

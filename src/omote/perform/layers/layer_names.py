@@ -42,8 +42,10 @@ def check_layer(name: object) -> LayerName:
 
 def check_driven(name: object) -> LayerName:
     """The layer of this name that a source can drive; ValueError where there is none."""
-    found = check_known(name, DRIVEN, "layer for a source")
-    return next(layer for layer in DRIVEN if layer == found)
+    for layer in DRIVEN:
+        if layer == name:
+            return layer
+    raise ValueError(f"there is no layer for a source {str(name)[:80]!r}; expected one of {', '.join(DRIVEN)}")
 
 
 def check_part(name: object) -> LayerPart:

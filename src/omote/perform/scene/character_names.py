@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 
 from omote.perform.limits import check_known
+from omote.perform.name_lookup import fold
 
 FIRST_CHARACTER = "one"
 """The name of the first character of a new show."""
@@ -27,6 +28,30 @@ def check_character_name(name: object) -> str:
     raise ValueError(
         f"a character cannot be called {written}; give 1 to {LONGEST_NAME} lower case letters, digits, _ or -"
     )
+
+
+def find_character(typed: str, labels: Mapping[str, str]) -> str:
+    """Returns the name of the character that a person means: by its name, else by its label, both in any case.
+
+    labels: what people call each, by name. ValueError with all that there are where none is meant, and with the names
+    where several have the label.
+    """
+    if typed in labels:
+        return typed
+    meant = fold(typed)
+    found = [name for name in labels if meant and fold(name) == meant]
+    found = found or [name for name, label in labels.items() if meant and fold(label) == meant]
+    if len(found) == 1:
+        return found[0]
+    if found:
+        raise ValueError(f"the character {typed[:80]!r} could be {' or '.join(found)}; give one of these names")
+    there = ", ".join(describe_character(name, label) for name, label in labels.items())
+    raise ValueError(f"there is no character {typed[:80]!r} in this scene, which has {there}")
+
+
+def describe_character(name: str, label: str) -> str:
+    """A character in words: `two`, and with a label that is not its name in other letters `two (Rex)`."""
+    return name if fold(name) == fold(label) else f"{name} ({label})"
 
 
 def framing_of(characters: Iterable[str], known: Iterable[str]) -> str:

@@ -188,6 +188,22 @@ class Scene:
             character.recast(cast)
         self._cast = cast
 
+    @property
+    def labels(self) -> dict[str, str]:
+        """What people call each character, by its name.
+
+        Returns
+        -------
+        dict of str to str
+            In the order in which they were added.
+
+        Examples
+        --------
+        >>> omote.Scene.begun(cast).labels
+        {'one': 'One'}
+        """
+        return {name: standing.label for name, standing in self._standings.items()}
+
     def __getitem__(self, name: str) -> Performer:
         """The performer of a character."""
         if name not in self._characters:

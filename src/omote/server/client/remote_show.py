@@ -7,12 +7,12 @@ import struct
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from typing import Generic, TypeVar, get_args
 
-from omote.model.known_names import GENERIC, check_play_region, explain_unknown
+from omote.model.known_names import GENERIC, check_play_region
 from omote.perform.easing import DEFAULT_EASING
 from omote.perform.frame import Frame
 from omote.perform.layers.layer_names import check_driven, check_layer, check_part
 from omote.perform.limits import check_known
-from omote.perform.scene.character_names import ALL, framing_of, names_in
+from omote.perform.scene.character_names import ALL, find_character, framing_of, names_in
 from omote.server.client.remote_frame import frame_in
 from omote.server.client.remote_leases import RemoteLeases
 from omote.show import messages as wire
@@ -174,10 +174,19 @@ class RemoteShow(RemoteLeases[Sent]):
         return tuple(self.state.characters)
 
     def __getitem__(self, name: str) -> RemoteCharacter[Sent]:
-        """A character by name, or `*` for all; KeyError where there is none."""
-        if name != ALL and name not in self.state.characters:
-            raise KeyError(explain_unknown(name, list(self.state.characters), "character"))
-        return RemoteCharacter(name, self)
+        """A character by its name or its label, in any case, or `*` for all; KeyError where there is none."""
+        try:
+            return RemoteCharacter(self.find_character(name), self)
+        except ValueError as error:
+            raise KeyError(str(error)) from error
+
+    def find_character(self, name: str) -> str:
+        """The name of the character that a name or a label means, in any case, `*` for all; ValueError with those that
+        there are where none is meant, and where several are."""
+        if name == ALL:
+            return name
+        labels = {each: state.label for each, state in self.state.characters.items()}
+        return find_character(name, labels)
 
     def __iter__(self) -> Iterator[str]:
         """The names of the characters."""
@@ -222,7 +231,7 @@ class RemoteShow(RemoteLeases[Sent]):
         here = self[name].place
         x, depth = here.x if x is None else x, here.depth if depth is None else depth
         size, turn = here.size if size is None else size, here.turn if turn is None else turn
-        return self.send(wire.PlaceCharacter(name, x, depth, size, turn, seconds, self.next_id()))
+        return self.send(wire.PlaceCharacter(self.find_character(name), x, depth, size, turn, seconds, self.next_id()))
 
     def enter(self, name: str, *, seconds: float = 1.0) -> Sent:
         """Brings a character onto the stage."""

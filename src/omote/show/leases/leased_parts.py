@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from typing import get_args
 
 from omote.perform.limits import check_known
-from omote.perform.scene.character_names import ALL
+from omote.perform.scene.character_names import ALL, describe_character
 from omote.show import messages as wire
 
 SCENE_PARTS = ("light", "framing")
@@ -111,7 +111,9 @@ def expression_of(key: str) -> str:
     return key_of(character, "expression") if part in REGION_PARTS else ""
 
 
-def describe_key(key: str) -> str:
-    """A part in words: `the face of one`, `the light`."""
+def describe_key(key: str, labels: Mapping[str, str]) -> str:
+    """A part in words: `the face of one`, `the face of two (Rex)`, `the light`. labels: of the characters."""
     character, _, part = key.rpartition("/")
-    return f"the {part}" if character == ALL else f"the {part} of {character}"
+    if character == ALL:
+        return f"the {part}"
+    return f"the {part} of {describe_character(character, labels.get(character, character))}"

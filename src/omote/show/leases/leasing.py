@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Mapping, Sequence
+from collections.abc import Callable, Collection, Mapping, Sequence
 from dataclasses import dataclass, field
 
 from omote.perform.limits import check_known
@@ -41,15 +41,20 @@ class LeaseSnapshot:
 
 
 class Leasing:
-    """Who may command what. members: who is connected."""
+    """Who may command what. members: who is connected; labels: what people call the characters now, by name."""
 
-    def __init__(self, members: Members, snapshot: LeaseSnapshot | None = None) -> None:
+    def __init__(
+        self,
+        members: Members,
+        snapshot: LeaseSnapshot | None = None,
+        labels: Callable[[], Mapping[str, str]] = dict,
+    ) -> None:
         before = snapshot or LeaseSnapshot()
         self.seats = Seats(before.seats)
         held = {key: seat for key, seat in before.held.items() if seat in self.seats}
         self.table = LeaseTable(on=before.on, manager=before.manager, held=held)
         self._wishes = LeaseWishes()
-        self._members = members
+        self._members, self._labels = members, labels
         self._looked = -AGAIN_SECONDS
         self._changed = True
         self._told: dict[str, tuple[wire.Leases, float]] = {}
@@ -184,7 +189,9 @@ class Leasing:
 
     def _explain(self, held: Mapping[str, str]) -> str:
         """`Ana holds the face of one: take it over, or ask for it to be released.`"""
-        parts = {seat: [describe_key(key) for key, each in held.items() if each == seat] for seat in held.values()}
+        labels = self._labels()
+        words = {key: describe_key(key, labels) for key in held}
+        parts = {seat: [words[key] for key, each in held.items() if each == seat] for seat in held.values()}
         said = [f"{self.seats[seat].name} holds {', '.join(each)}" for seat, each in parts.items()]
         them = "it" if len(held) == 1 else "them"
         return f"{'; '.join(said)}: take {them} over, or ask for {them} to be released. Nothing has changed."
