@@ -127,7 +127,7 @@ function contextOf(link: () => ShowLink): ConsoleContext {
 
 async function start(): Promise<void> {
   const shown = new ShowNoticesView();
-  shown.classList.add("in-bar");
+  shown.classList.add("in-place");
   const context = contextOf(() => link);
   const link: ShowLink = connect(() => context, shown);
   const { store } = context;

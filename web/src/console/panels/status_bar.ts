@@ -93,7 +93,6 @@ export class StatusBar extends ConsoleElement {
           <omote-name-field .context=${this.context}></omote-name-field>
           <span class="offers">${viewOffers(offers, dismiss)}</span>
         </div>
-        <slot></slot>
       </div>
       <slot name="seat"></slot>
       ${this.#steps()}
