@@ -77,7 +77,8 @@ export class StatusBar extends ConsoleElement {
   get #said() {
     const { notice: text, tone, offers } = this.store;
     const notice = { text, tone, offers, dismiss: () => this.store.say(null) };
-    return text === null ? { ...notice, tone: "attention", ...this.context.leases.question } : notice;
+    const { leases, panicReturn } = this.context;
+    return text === null ? { ...notice, tone: "attention", ...(panicReturn.question ?? leases.question) } : notice;
   }
 
   override render() {
