@@ -31,8 +31,17 @@ SEEN = """async () => {
     void window.omoteStage.change("high");
     while (still < 8) {
         await new Promise(requestAnimationFrame);
-        look.fillRect(0, 0, canvas.width, canvas.height);
+        look.clearRect(0, 0, canvas.width, canvas.height);
         look.drawImage(canvas, 0, 0);
+        const drawn = look.getImageData(0, 0, canvas.width, canvas.height).data.some((value) => value > 0);
+        if (!drawn && seen.length > 0) { // a picture that stands still is not drawn again: the display keeps it
+            seen.push(seen.at(-1));
+            still = seen.at(-1)[1] === "high" ? still + 1 : 0;
+            continue;
+        }
+        look.globalCompositeOperation = "destination-over"; // on black
+        look.fillRect(0, 0, canvas.width, canvas.height);
+        look.globalCompositeOperation = "source-over";
         const { data } = look.getImageData(0, 0, canvas.width, canvas.height);
         first ??= data;
         const distance = data.reduce((sum, value, at) => sum + Math.abs(value - first[at]), 0);
