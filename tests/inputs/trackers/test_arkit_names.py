@@ -2,7 +2,7 @@
 
 import pytest
 
-from omote.inputs.trackers.arkit_names import ARKIT_CHANNELS, ARKIT_NAMES, ALIASES, ChannelNames, plain_spelling
+from omote.inputs.trackers.arkit_names import ALIASES, ARKIT_CHANNELS, ARKIT_NAMES, ChannelNames, plain_spelling
 from omote.model.action_units import ARKIT
 
 
