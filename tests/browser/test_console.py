@@ -322,6 +322,21 @@ def test_what_a_program_drives_is_seen_on_faders_and_mixed_by_layers(console: Co
     wait_for(page, "!('playback' in state.layers) && state.held === null")  # the program has gone, without a trace
 
 
+def test_a_tracker_that_is_lost_and_comes_back_is_told(console: Console, show: str) -> None:
+    page = console()
+    trusted = f"{DESK}.air.layers.tracker?.trust > 0.9995"
+    with omote.connect(show, name="Mira") as program:
+        for told in ("is lost.", "is back."):
+            while not page.evaluate(trusted):
+                program["one"].drive({"jawOpen": 0.6}, layer="tracker")
+            if told == "is lost.":
+                wait_for(page, "state.layers.tracker?.trust === 0")
+            expect(page.locator("omote-status .notice")).to_contain_text(told)
+    page.get_by_role("button", name="Log").click()
+    expect(page.locator("omote-message-log")).to_contain_text("tracker of One) is lost.")
+    wait_for(page, "!('tracker' in state.layers)")
+
+
 def test_liveliness_moves_the_face_by_itself_until_panic(console: Console) -> None:
     page = console()
     page.keyboard.press(";")
@@ -338,6 +353,38 @@ def test_liveliness_moves_the_face_by_itself_until_panic(console: Console) -> No
     page.keyboard.press("Shift+Backspace")
     wait_for(page, "state.motion.liveliness === 0 && Object.keys(state.layers).length === 0")
     expect(slider).to_have_value("0")
+    page.get_by_role("button", name="Sources on again").click()
+    wait_for(page, "state.motion.liveliness === 0.5")
+    expect(page.get_by_role("button", name="Sources on again")).to_have_count(0)
+    page.get_by_role("button", name="Undo", exact=True).first.click()
+    wait_for(page, "state.motion.liveliness === 0")
+
+
+def test_a_second_panic_offers_the_faces_of_before(console: Console) -> None:
+    page = console()
+    choose(page, "face", "0")
+    tile(page, "dog").click()
+    wait_for(page, "state.faces.dog === 1")
+    page.keyboard.press("Shift+Backspace")
+    wait_for(page, "state.home_next")
+    page.keyboard.press("Shift+Backspace")
+    page.get_by_role("button", name="Faces of before").click()
+    wait_for(page, "state.faces.dog === 1 && state.face_call === null")
+    page.get_by_role("button", name="Log").click()
+    expect(page.locator("omote-message-log")).to_contain_text("Home face: ")
+
+
+def test_strips_of_layers_keep_their_widths_when_a_source_starts(console: Console, show: str) -> None:
+    page = console()
+    page.keyboard.press(";")
+    strips = page.locator("omote-layer-panel .strip")
+    read = "(strips) => strips.map((strip) => strip.getBoundingClientRect().left)"
+    expect(page.locator(".strip[data-layer=playback]")).to_have_class("strip idle")
+    before = strips.evaluate_all(read)
+    with driving(show, jawOpen=0.6):
+        expect(page.locator(".strip[data-layer=playback]")).to_have_class("strip")
+        assert strips.evaluate_all(read) == before
+    wait_for(page, "!('playback' in state.layers) && state.held === null")
 
 
 def test_a_drag_with_shift_is_ten_times_finer(console: Console) -> None:

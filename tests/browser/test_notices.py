@@ -115,8 +115,13 @@ def test_a_notice_is_whole_on_every_screen_and_can_be_dismissed_by_a_finger(
 ) -> None:
     page = opened(open_page("/console", width=width, height=height, pictures=False))
     expect(notice(page)).to_be_visible()
-    box = notice(page).bounding_box()
+    words = notice(page).locator("span")
+    assert words.evaluate("(one) => one.clientHeight >= 2 * parseFloat(getComputedStyle(one).lineHeight)")
+    assert words.evaluate("(one) => one.scrollWidth <= one.clientWidth") is True
+    tally, box = page.locator("omote-monitor .tally").bounding_box(), notice(page).bounding_box()
     assert box is not None
+    assert tally is not None
+    assert tally["y"] + tally["height"] <= box["y"]
     assert box["x"] >= 0
     assert box["x"] + box["width"] <= width
     assert box["y"] + box["height"] <= height
@@ -137,3 +142,5 @@ def test_a_notice_is_whole_on_every_screen_and_can_be_dismissed_by_a_finger(
     button = notice(page).get_by_role("button", name="Dismiss").bounding_box()
     assert button is not None
     assert min(button["width"], button["height"]) >= 44
+    notice(page).get_by_role("button", name="All read").click()
+    expect(notice(page)).to_have_count(0)

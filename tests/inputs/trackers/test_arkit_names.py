@@ -2,7 +2,7 @@
 
 import pytest
 
-from omote.inputs.trackers.arkit_names import ARKIT_CHANNELS, ARKIT_NAMES, BOTH_SIDES, ChannelNames, plain_spelling
+from omote.inputs.trackers.arkit_names import ALIASES, ARKIT_CHANNELS, ARKIT_NAMES, ChannelNames, plain_spelling
 from omote.model.action_units import ARKIT
 
 
@@ -26,7 +26,7 @@ def test_each_is_found_by_every_spelling(name: str) -> None:
 
 def test_no_two_are_spelled_alike() -> None:
     assert len({plain_spelling(name) for name in ARKIT_NAMES}) == 52
-    assert not {plain_spelling(name) for name in ARKIT_NAMES} & set(BOTH_SIDES)
+    assert not {plain_spelling(name) for name in ARKIT_NAMES} & set(ALIASES)
 
 
 def test_a_cast_s_own_channels_are_found_too_and_what_it_lacks_is_not() -> None:
@@ -37,3 +37,12 @@ def test_a_cast_s_own_channels_are_found_too_and_what_it_lacks_is_not() -> None:
     assert names.find("Blink") == ("eyeBlinkLeft",)
     assert names.find("browInnerUpLeft") == ()
     assert names.find("") == ()
+
+
+def test_vowels_of_vrm_shape_the_mouth_in_both_versions() -> None:
+    for old, new in zip("AIUEO", ("aa", "ih", "ou", "ee", "oh"), strict=True):
+        shares = ARKIT_CHANNELS.shares(old)
+        assert shares == ARKIT_CHANNELS.shares(new)
+        assert 0.0 < shares["jawOpen"] < 1.0
+        assert set(shares) <= set(ARKIT_NAMES)
+    assert ChannelNames(["a"]).shares("A") == {"a": 1.0}  # a channel of the cast comes first

@@ -217,3 +217,18 @@ def test_damaged_packets_raise_nothing_and_put_no_nan_on_air(cast: Cast, protoco
             state = stage.play(0.0).characters["one"]
             sent = [*state.channels.values(), *state.head, *state.gaze]
             assert np.isfinite(sent).all()
+
+
+@pytest.mark.parametrize("names", [("JawOpen", "A"), ("A", "JawOpen")], ids=["first", "last"])
+def test_of_names_that_mean_the_same_the_largest_counts(cast: Cast, names: tuple[str, str]) -> None:
+    """Who sends all clips of a model says that those of VRM are 0 beside ARKit's."""
+    stage = Stage(cast, "vmc")
+    said = {name: 0.8 if name == "JawOpen" else 0.0 for name in names}
+    assert stage.play(4.0, apply(**said)).characters["one"].channels["jawOpen"] == pytest.approx(0.8, abs=0.01)
+    rest = stage.play(4.0, apply(**dict.fromkeys(names, 0.0)))
+    assert rest.characters["one"].channels.get("jawOpen", 0.0) < 0.01
+
+
+def test_a_vowel_opens_the_mouth_by_its_share(cast: Cast) -> None:
+    state = Stage(cast, "vmc").play(4.0, apply(A=0.5))
+    assert state.characters["one"].channels["jawOpen"] == pytest.approx(0.35, abs=0.01)

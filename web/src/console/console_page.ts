@@ -51,7 +51,7 @@ type Dialog = "devices" | "help" | "leases" | "log" | "setup";
 /** The instrument: faces on the left, expressions on the right, what is on air between them, hands and faders below. */
 @customElement("omote-console")
 export class ConsolePage extends ConsoleElement {
-  /** The notices of the show, which have their place in the bar. */
+  /** The notices of the show, which have their place on the picture. */
   @property({ attribute: false }) notices!: ShowNoticesView;
   @state() private dialog: Dialog | null = null;
   /** The own tile whose menu is open. */
@@ -108,7 +108,7 @@ export class ConsolePage extends ConsoleElement {
         @setup=${() => this.show("setup")}
         @log=${() => this.show("log")}
         @learn=${this.#learn}
-        >${this.notices}<omote-seat slot="seat" .context=${context} @leases=${this.#openLeases}></omote-seat></omote-status
+        ><omote-seat slot="seat" .context=${context} @leases=${this.#openLeases}></omote-seat></omote-status
       >
       <omote-palette class="panel faces live" .context=${context} .axis=${"face"} @menu=${this.#openMenu}></omote-palette>
       <omote-tbar class="panel facebar live" .context=${context} .axis=${"face"}></omote-tbar>
@@ -121,6 +121,7 @@ export class ConsolePage extends ConsoleElement {
           <omote-mix .context=${context} .axis=${"expression"}></omote-mix>
         </div>
       </section>
+      ${this.notices}
       <omote-lights class="panel live" .context=${context}></omote-lights>
       <omote-tbar class="panel exprbar live" .context=${context} .axis=${"expression"}></omote-tbar>
       <omote-palette class="panel expressions live" .context=${context} .axis=${"expression"} @menu=${this.#openMenu}></omote-palette>

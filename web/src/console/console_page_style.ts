@@ -57,6 +57,13 @@ export const style = css`
   :host(.alone) .air omote-characters {
     margin-left: 150px; /* which says who it is */
   }
+  /* on the picture, where words have room in every window; nothing that is played on is covered */
+  omote-show-notices {
+    grid-area: air;
+    z-index: 5;
+    align-self: start;
+    margin: 84px 8px 0;
+  }
   omote-lights {
     grid-area: lights;
   }
@@ -172,6 +179,11 @@ export const style = css`
       align-self: end; /* on the collar: the face stays in sight */
       margin-left: 0;
     }
+    omote-show-notices {
+      justify-self: center;
+      width: 44%; /* between the lists of what is on air */
+      margin: 36px 0 0;
+    }
     .mixes {
       display: contents;
     }
@@ -213,6 +225,11 @@ export const style = css`
     .air omote-characters {
       align-self: end;
       margin-left: 0;
+    }
+    omote-show-notices {
+      justify-self: stretch;
+      width: auto;
+      margin: 36px 4px 0;
     }
     .mixes {
       display: contents;

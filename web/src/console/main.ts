@@ -6,6 +6,7 @@ import { FaceView } from "../face/face_view";
 import { THUMBNAIL } from "../face/framing";
 import { restPose } from "../face/pose/pose";
 import { Library } from "../link/assets";
+import type { State } from "../link/messages";
 import { type LinkHandlers, ShowLink } from "../link/show_link";
 import { FramePainter } from "../ui/frame_painter";
 import { LongRequests } from "../ui/long_requests";
@@ -15,9 +16,11 @@ import { ConsoleName } from "./console_name";
 import { ConsolePage } from "./console_page";
 import type { ConsoleContext } from "./controls/console_element";
 import { ConsoleDevices } from "./devices/console_devices";
+import { LostSources } from "./layers/lost_sources";
 import { ConsoleLeases } from "./leases/console_leases";
 import { randomToken, seatToken } from "./leases/seat_token";
 import { keepChoice } from "./scene/choice_storage";
+import { PanicReturn } from "./scene/panic_return";
 import { FileImports } from "./show_file/file_imports";
 import { LayoutStorage, layoutName } from "./show_file/layout_storage";
 import { OwnItems } from "./show_file/own_items";
@@ -56,6 +59,7 @@ function connect(context: () => ConsoleContext, shown: ShowNoticesView): ShowLin
 /** Who hears what of the show's messages. */
 function handlersOf(context: () => ConsoleContext, shown: ShowNoticesView): LinkHandlers {
   const store = (): ConsoleStore => context().store;
+  const sources = new LostSources();
   return {
     welcome: ({ digest, name, show }) => {
       store().receiveShow(show);
@@ -64,7 +68,7 @@ function handlersOf(context: () => ConsoleContext, shown: ShowNoticesView): Link
       if (store().manifest !== null && store().manifest?.digest !== digest) void recast(store());
     },
     cast: () => void recast(store()),
-    state: (state) => store().receiveState(state),
+    state: (state) => hearState(context(), sources, state),
     crew: (crew) => store().receiveCrew(crew),
     kept: (kept) => store().receiveKept(kept),
     itemChanged: (changed) => store().receiveChanged(changed),
@@ -80,6 +84,15 @@ function handlersOf(context: () => ConsoleContext, shown: ShowNoticesView): Link
     revoked: () => location.reload(), // the server then asks for another token
     trip: (seconds) => store().receiveTrip(seconds * 1000),
   };
+}
+
+/** Takes a newer state in, and says what must be read of it. */
+function hearState({ store, panicReturn }: ConsoleContext, sources: LostSources, state: State): void {
+  const before = store.state;
+  store.receiveState(state);
+  panicReturn.receive(before, state);
+  const turned = sources.receive(state.characters);
+  if (turned !== "") store.say(turned, turned.includes("lost") ? "attention" : "done");
 }
 
 function hearRejection({ devices, leases }: ConsoleContext, reason: string, id: string, held: readonly string[]): void {
@@ -122,12 +135,13 @@ function contextOf(link: () => ShowLink): ConsoleContext {
   const imports = new FileImports(store, items, requests);
   const devices = new ConsoleDevices(store, (message) => link().send(message), PAGE);
   const [painter, thumbnails, leases] = [new FramePainter(), new Thumbnails(), new ConsoleLeases(store)];
-  return { store, painter, thumbnails, layouts, items, imports, devices, leases, rename };
+  const panicReturn = new PanicReturn(store);
+  return { store, painter, thumbnails, layouts, items, imports, devices, leases, panicReturn, rename };
 }
 
 async function start(): Promise<void> {
   const shown = new ShowNoticesView();
-  shown.classList.add("in-bar");
+  shown.classList.add("in-place");
   const context = contextOf(() => link);
   const link: ShowLink = connect(() => context, shown);
   const { store } = context;

@@ -19,7 +19,7 @@ function browserStorage(): Storage | null {
 export class ShowNoticesView extends LitElement {
   /** All of them are seen, not the newest alone. */
   @state() private all = false;
-  /** Opens what holds all of them, on a page that has it: then this shows the newest alone, in so much room as it has. */
+  /** Opens what holds all of them, on a page that has it: then this shows the newest alone. */
   openLog: (() => void) | null = null;
   readonly notices = new ShowNotices(browserStorage(), () => {
     this.requestUpdate();
@@ -39,9 +39,9 @@ export class ShowNoticesView extends LitElement {
         transform: translateX(-50%);
         pointer-events: none;
       }
-      :host(.in-bar),
+      :host(.in-place),
       :host(.in-page) {
-        position: static; /* where a page's bar, or the page itself, has a place for messages */
+        position: static; /* where the page has a place for messages */
         width: auto;
         transform: none;
       }
@@ -56,33 +56,42 @@ export class ShowNoticesView extends LitElement {
         line-height: 1.35;
         pointer-events: auto;
       }
-      :host(.in-bar) [role] {
-        padding: 0 0 0 10px;
-        box-shadow: none;
+      :host(.in-place) [role] {
+        max-height: none;
+        overflow: visible;
+        gap: 0;
       }
-      :host(.in-bar) span {
-        display: -webkit-box;
-        overflow: hidden;
-        -webkit-box-orient: vertical;
-        -webkit-line-clamp: 2;
+      :host(.in-place) span {
+        max-height: 5.4em; /* four lines: what is longer scrolls */
+        overflow: auto;
+        margin: 4px 0;
         cursor: pointer;
+      }
+      :host(.in-place) div > span:only-child {
+        grid-column: 1 / -1;
       }
       div div {
         display: grid;
-        grid-template-columns: minmax(0, 1fr) auto auto;
+        grid-template-columns: minmax(0, 1fr) auto;
         align-items: center;
         gap: 6px;
       }
-      div + div {
+      div .all {
+        grid-template-columns: auto 1fr auto;
+        justify-items: start;
+      }
+      div + div:not(.all) {
         border-top: 1px solid #ffc53d55;
       }
-      .more {
+      .all button:not(.dismiss) {
+        font-size: 11px;
         height: 28px;
         color: var(--text);
         white-space: nowrap;
       }
       @media (pointer: coarse) {
-        .more {
+        .all button:not(.dismiss) {
+          font-size: 11px;
           height: 44px;
         }
       }
@@ -107,24 +116,34 @@ export class ShowNoticesView extends LitElement {
     if (open.length === 0) return nothing;
     const newest = open.toReversed();
     const shown = this.all ? newest : newest.slice(0, 1);
-    return html`<div role="alert">${shown.map((notice, index) => this.#row(notice, index === 0 ? open.length - 1 : 0))}</div>`;
+    return html`<div role="alert">${shown.map((notice) => this.#row(notice, this.openLog === null || open.length === 1))}${open.length > 1 ? this.#others(open.length - 1, newest[0]) : nothing}</div>`;
   }
 
-  /** A notice; with the first goes what opens the others. */
-  #row(notice: Notice, more: number) {
-    const others = html`<button class="more" aria-expanded=${this.all} @click=${this.#toggle}>
-      <small>${this.all ? "the newest" : `${more} more`}</small>
-    </button>`;
-    return html`<div>
-      <span title=${notice.text} @click=${this.openLog}>${notice.text}</span>
-      ${more > 0 ? others : html`<i></i>`}
-      <button class="dismiss" title="I have read it" aria-label="Dismiss" @click=${() => this.#dismiss(notice.id)}>✕</button>
+  #row(notice: Notice, alone: boolean) {
+    return html`<div><span title=${notice.text} @click=${this.openLog}>${notice.text}</span>${alone ? this.#away(notice) : nothing}</div>`;
+  }
+
+  #away({ id }: Notice) {
+    return html`<button class="dismiss" title="I have read it" aria-label="Dismiss" @click=${() => this.#dismiss(id)}>✕</button>`;
+  }
+
+  /** Under the words, so that these keep their width: what opens the others, and what puts all away. */
+  #others(more: number, newest: Notice | undefined) {
+    return html`<div class="all">
+      <button class="more" aria-expanded=${this.all} @click=${this.#toggle}><small>${this.all ? "the newest" : `${more} more`}</small></button>
+      <button title="I have read all of them" @click=${this.#dismissAll}>All read</button>
+      ${this.openLog === null || newest === undefined ? nothing : this.#away(newest)}
     </div>`;
   }
 
   readonly #toggle = (): void => {
     if (this.openLog === null) this.all = !this.all;
     else this.openLog();
+  };
+
+  readonly #dismissAll = (): void => {
+    this.all = false;
+    this.notices.dismissAll();
   };
 
   #dismiss(id: string): void {

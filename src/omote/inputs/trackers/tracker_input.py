@@ -32,8 +32,8 @@ MOST_BARS = 59
 class Performer:
     """One performer before a tracker: a source of the session. names: its channels; values: what it sent last.
 
-    head, gaze: its angles as far as ours turn. sent: the names of its newest frame, of which those at `taken` are the
-    channels at `places`; cast: whose names.
+    head, gaze: its angles as far as ours turn. sent: the names of its newest frame, of which those at `taken` are, by
+    their `shares`, the channels at `places`; several: names mean the same channel; cast: whose names.
 
     turns, looks: whether its head and its eyes have ever turned: senders that know no angles send zeros for ever.
     """
@@ -52,6 +52,8 @@ class Performer:
     sent: tuple[str, ...] = ()
     taken: NDArray[np.intp] = field(default_factory=lambda: np.zeros(0, np.intp))
     places: NDArray[np.intp] = field(default_factory=lambda: np.zeros(0, np.intp))
+    shares: NDArray[np.float32] = field(default_factory=lambda: np.zeros(0, np.float32))
+    several: bool = False
 
 
 class TrackerInput:
@@ -133,7 +135,12 @@ class TrackerInput:
         if (performer.sent, performer.cast) != (sent, names):
             _take_names(performer, sent, names)
         values = np.fromiter(frame.weights.values(), np.float32, len(sent))
-        performer.values[performer.places] = values[performer.taken]
+        said = values[performer.taken] * performer.shares
+        if performer.several:  # where names mean the same the largest counts: VRM's `Blink` is 0 beside ARKit's
+            performer.values[performer.places] = -np.inf
+            np.maximum.at(performer.values, performer.places, said)
+        else:
+            performer.values[performer.places] = said
         if frame.head is not None:
             performer.head = limit_head(frame.head)
             performer.turns = performer.turns or any(performer.head)
@@ -186,14 +193,16 @@ class TrackerInput:
 
 def _take_names(performer: Performer, sent: tuple[str, ...], names: ChannelNames) -> None:
     """Finds the channels of the names that a frame has; with other channels it is another source."""
-    found = [(index, channel) for index, name in enumerate(sent) for channel in names.find(name)]
+    found = [(index, *each) for index, name in enumerate(sent) for each in names.shares(name).items()]
     known = performer.names if performer.cast is names else ()
-    channels = tuple(name for name in names.channels if name in {*known, *(channel for _, channel in found)})
+    channels = tuple(name for name in names.channels if name in {*known, *(channel for _, channel, _ in found)})
     if channels != performer.names:
         before = dict(zip(performer.names, performer.values.tolist(), strict=True))
         performer.names, performer.index = channels, None
         performer.values = np.array([before.get(name, 0.0) for name in channels], np.float32)
     order = {name: place for place, name in enumerate(channels)}
     performer.sent, performer.cast = sent, names
-    performer.taken = np.array([index for index, _ in found], np.intp)
-    performer.places = np.array([order[channel] for _, channel in found], np.intp)
+    performer.taken = np.array([index for index, _, _ in found], np.intp)
+    performer.places = np.array([order[channel] for _, channel, _ in found], np.intp)
+    performer.shares = np.array([share for _, _, share in found], np.float32)
+    performer.several = len({*performer.places.tolist()}) < len(found)

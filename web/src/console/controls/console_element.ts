@@ -6,6 +6,7 @@ import type { FramePainter, Paintable } from "../../ui/frame_painter";
 import type { Thumbnails } from "../../ui/thumbnails";
 import type { ConsoleDevices } from "../devices/console_devices";
 import type { ConsoleLeases } from "../leases/console_leases";
+import type { PanicReturn } from "../scene/panic_return";
 import type { FileImports } from "../show_file/file_imports";
 import type { LayoutStorage } from "../show_file/layout_storage";
 import type { OwnItems } from "../show_file/own_items";
@@ -21,6 +22,7 @@ export interface ConsoleContext {
   readonly imports: FileImports;
   readonly devices: ConsoleDevices;
   readonly leases: ConsoleLeases;
+  readonly panicReturn: PanicReturn;
   /** Gives this console another name, which the others read. */
   readonly rename: (name: string) => void;
 }

@@ -6,7 +6,15 @@ import { LAYER_PARTS, LAYERS } from "../../link/constants";
 import type { CharacterState } from "../../link/messages";
 import { base } from "../../ui/theme";
 import { AnimatedElement, StyleWriter } from "../controls/console_element";
-import { feedWords, followTrend, isDriven, type LayerName, layerOf, type Trend } from "../layers/layer_state";
+import {
+  feedWords,
+  followTrend,
+  isDriven,
+  type LayerName,
+  layerOf,
+  shownChannels,
+  type Trend,
+} from "../layers/layer_state";
 import type { Topic } from "../store/page_store";
 import { LayerCommands, layerLabel } from "./layer_commands";
 import { style } from "./layer_panel_style";
@@ -140,14 +148,11 @@ export class LayerPanel extends AnimatedElement {
     const on = strip.querySelector(".on") as HTMLElement;
     write.attribute(on, "aria-pressed", String(told.on));
     write.text(on, told.on ? "On" : "Off");
-    this.#paintBars(strip, told.strongest);
+    this.#paintBars(strip, shownChannels(told));
   }
 
-  #paintBars(strip: HTMLElement, strongest: Readonly<Record<string, number>>): void {
-    const [write, shown] = [
-      this.#written,
-      Object.entries(strongest).sort(([one], [other]) => ORDER.compare(one, other)),
-    ];
+  #paintBars(strip: HTMLElement, channels: readonly (readonly [string, number])[]): void {
+    const [write, shown] = [this.#written, channels.toSorted(([one], [other]) => ORDER.compare(one, other))];
     for (const [at, bar] of [...strip.querySelectorAll<HTMLElement>(".bar")].entries()) {
       const [name, weight] = shown[at] ?? ["", 0];
       const [fill, text] = bar.children as unknown as [HTMLElement, HTMLElement];

@@ -32,19 +32,12 @@ export const style = css`
     border: 1px solid var(--line);
     border-radius: 6px;
   }
-  .strip.idle {
-    flex: 0 0 70px; /* nothing to see but its fader */
-    min-width: 70px;
-  }
+  /* as wide as when a source plays: faders beside it stay where the hand is */
   .strip.idle .name {
     font-weight: 400;
   }
   .strip.idle .bars {
-    display: none;
-  }
-  .strip.idle .play {
-    justify-content: center;
-    grid-template-columns: auto;
+    visibility: hidden;
   }
   .strip.idle .name:not([aria-pressed="true"]),
   .strip.idle .feed {

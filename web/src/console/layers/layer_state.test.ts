@@ -1,7 +1,7 @@
 import { describe, expect, test } from "vitest";
 import { LAYERS } from "../../link/constants";
 import type { CharacterState, LayerState } from "../../link/messages";
-import { feedWords, followTrend, influenceOf, isDriven, layerOf } from "./layer_state";
+import { feedWords, followTrend, influenceOf, isDriven, layerOf, shownChannels } from "./layer_state";
 
 const tracker: LayerState = {
   influence: [1, 0.5, 0.25, 0, 1, 1],
@@ -44,6 +44,12 @@ test("a layer is as the state tells it, its whole where it shows most", () => {
   expect(layerOf(state, "tracker")).toBe(tracker);
   expect(influenceOf(state, "tracker", null)).toBe(1);
   expect(influenceOf(state, "tracker", "mouth")).toBe(0.25);
+});
+
+test("channels sink with the trust of their source, and none shows of one that is lost", () => {
+  expect(shownChannels({ ...tracker, trust: 0.5 })).toEqual([["jawOpen", 0.35]]);
+  expect(shownChannels({ ...tracker, trust: 0 })).toEqual([]);
+  expect(shownChannels({ ...tracker, source: "", trust: 1 })).toEqual([["jawOpen", 0.7]]);
 });
 
 test("who feeds a layer is told in words, also where it is lost and comes back", () => {

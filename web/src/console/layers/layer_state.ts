@@ -45,6 +45,16 @@ export function influenceOf(state: CharacterState, layer: LayerName, part: Layer
   return part === null ? Math.max(...influence) : (influence[LAYER_PARTS.indexOf(part)] ?? 0);
 }
 
+/** A source that is trusted so far sends no more, or all that it sends shows. */
+export const isLost = (trust: number): boolean => trust < NEAR;
+export const isTrusted = (trust: number): boolean => trust > 1 - NEAR;
+
+/** What a layer does now as far as its source is trusted: nothing of one that is lost. */
+export function shownChannels({ source, trust, strongest }: LayerState): readonly (readonly [string, number])[] {
+  if (source === "") return Object.entries(strongest);
+  return isLost(trust) ? [] : Object.entries(strongest).map(([name, weight]) => [name, trust * weight]);
+}
+
 /** Where the trust of a source goes: `rises` is kept while it stands still. */
 export interface Trend {
   readonly trust: number;
@@ -62,7 +72,7 @@ export function feedWords(layer: LayerName, { source }: LayerState, { trust, ris
   if (layer === "emotion") return "calls";
   if (layer === "hands") return "faders, pads";
   if (source === "") return "no source";
-  if (trust > 1 - NEAR) return source;
-  if (trust < NEAR) return `${source}: lost`;
+  if (isTrusted(trust)) return source;
+  if (isLost(trust)) return `${source}: lost`;
   return `${source}: ${rises ? "returning" : "fading"}`;
 }

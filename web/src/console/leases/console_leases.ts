@@ -3,7 +3,7 @@
 import { ALL } from "../../link/constants";
 import type { LeaseClaim, Leases, SeatState } from "../../link/messages";
 import type { ConsoleStore } from "../store/console_store";
-import type { Offer } from "../store/page_store";
+import type { Offer, Question } from "../store/page_store";
 import {
   explain,
   heldByOthers,
@@ -17,13 +17,6 @@ import {
   wordsOf,
 } from "./held_parts";
 import { askedHere, waited, wantedHere } from "./lease_wishes";
-
-/** What stands in the bar until it is answered; `dismiss`: what its cross does. */
-export interface Question {
-  readonly text: string;
-  readonly offers: readonly Offer[];
-  readonly dismiss: () => void;
-}
 
 export class ConsoleLeases {
   /** Who holds what, as the show told last. */

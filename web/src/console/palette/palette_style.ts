@@ -83,6 +83,13 @@ export const style = css`
         flex: 1 1 40px; /* with the regions three in a row */
         padding: 0 2px;
       }
+      /* no arrows: the names of the kinds are read in full */
+      :host(.expressions) .kinds {
+        appearance: none;
+      }
+      :host(.expressions) input {
+        flex: 0 0 40px;
+      }
     }
     @container (max-width: 420px) {
       .kinds {

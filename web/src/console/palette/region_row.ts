@@ -51,6 +51,13 @@ export class RegionRow extends ConsoleElement {
           display: block;
         }
       }
+      @container (max-width: 60px) {
+        select {
+          appearance: none; /* no arrow: the region is read in full */
+          padding: 0 3px;
+          text-align: center;
+        }
+      }
       @media (pointer: coarse) {
         .row {
           display: none;

@@ -77,7 +77,8 @@ export class StatusBar extends ConsoleElement {
   get #said() {
     const { notice: text, tone, offers } = this.store;
     const notice = { text, tone, offers, dismiss: () => this.store.say(null) };
-    return text === null ? { ...notice, tone: "attention", ...this.context.leases.question } : notice;
+    const { leases, panicReturn } = this.context;
+    return text === null ? { ...notice, tone: "attention", ...(panicReturn.question ?? leases.question) } : notice;
   }
 
   override render() {
@@ -93,7 +94,6 @@ export class StatusBar extends ConsoleElement {
           <omote-name-field .context=${this.context}></omote-name-field>
           <span class="offers">${viewOffers(offers, dismiss)}</span>
         </div>
-        <slot></slot>
       </div>
       <slot name="seat"></slot>
       ${this.#steps()}

@@ -85,12 +85,6 @@ export const style = css`
   :host([asks]) slot[name="seat"] {
     --words: none;
   }
-  slot:not([name]) {
-    display: block;
-    flex: 1 1 180px;
-    min-width: 0;
-    max-width: 640px;
-  }
   .notice.none {
     display: none;
   }
@@ -183,9 +177,6 @@ export const style = css`
     omote-name-field[open] ~ .offers {
       display: none; /* the keys for it are there */
     }
-    .notice:not(.none) ~ slot:not([name]) {
-      display: none; /* it is in the log too, whose button is yellow */
-    }
   }
   @media (max-width: 940px) {
     .learn {
@@ -213,7 +204,7 @@ export const style = css`
   @media (max-width: 699px) {
     .messages {
       position: fixed;
-      inset: 62px 88px auto; /* over the picture, between the T-bars */
+      inset: 92px 88px auto; /* over the picture, between the T-bars, below the tally */
       display: grid;
       gap: 4px;
       max-height: none;
@@ -229,8 +220,7 @@ export const style = css`
     .notice.done {
       background: var(--raised);
     }
-    omote-import-progress,
-    slot {
+    omote-import-progress {
       pointer-events: auto;
     }
     .log {

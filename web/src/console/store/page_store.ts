@@ -33,6 +33,13 @@ export type Offer =
   | { readonly label: string; readonly address: string }
   | { readonly label: string; readonly act: () => void };
 
+/** What stands in the bar until it is answered; `dismiss`: what its cross does. */
+export interface Question {
+  readonly text: string;
+  readonly offers: readonly Offer[];
+  readonly dismiss: () => void;
+}
+
 /** Something that the operator was told, and when: milliseconds since 1970. */
 export interface Told {
   readonly time: number;
@@ -189,8 +196,13 @@ export abstract class PageStore extends TopicStore<Topic> {
 
   say(notice: string | null, tone: PageStore["tone"] = "attention", offers: readonly Offer[] = []): void {
     [this.notice, this.tone, this.offers] = [notice, tone, offers];
-    if (notice !== null) this.told = [...this.told, { time: this.wall(), text: notice, tone }].slice(-MOST_TOLD);
+    if (notice !== null) this.log(notice, tone);
     this.tell("notice");
+  }
+
+  /** What the log says and the bar does not. */
+  log(text: string, tone: PageStore["tone"]): void {
+    this.told = [...this.told, { time: this.wall(), text, tone }].slice(-MOST_TOLD);
   }
 
   /** Says what was done, and offers to take it back. */

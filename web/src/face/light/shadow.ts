@@ -107,9 +107,13 @@ export class Shadow {
   }
 }
 
-/** The same mesh, moved by the same vertex shader as the lamp sees it, that leaves its height instead of its colour. */
+/**
+ * The same mesh, moved by the same vertex shader as the lamp sees it, that leaves its height instead of its colour. It
+ * must not read the shadow map, as hair does at its vertices: WebGL draws nothing that reads what it is drawn into.
+ */
 function caster(mesh: THREE.Mesh, lamp: THREE.Vector3): THREE.Mesh {
   const look = mesh.material as THREE.RawShaderMaterial;
+  const { SHADOW: _, ...defines } = look.defines ?? {};
   const depth = new THREE.RawShaderMaterial({
     glslVersion: THREE.GLSL3,
     vertexShader: look.vertexShader,
@@ -119,7 +123,7 @@ function caster(mesh: THREE.Mesh, lamp: THREE.Vector3): THREE.Mesh {
       viewPoint: { value: lamp },
       ...("pixel" in look.uniforms ? { pixel: { value: PIXEL } } : {}),
     },
-    defines: { ...look.defines, ...("strands" in look.uniforms ? { STRANDS: "" } : {}) },
+    defines: { ...defines, ...("strands" in look.uniforms ? { STRANDS: "" } : {}) },
     side: THREE.DoubleSide,
     blending: THREE.NoBlending,
   });

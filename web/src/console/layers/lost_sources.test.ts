@@ -1,0 +1,27 @@
+import { describe, expect, it } from "vitest";
+import type { State } from "../../link/messages";
+import { LostSources } from "./lost_sources";
+
+const rex = (trust: number, source = "Mira", layer = "tracker"): State["characters"] =>
+  ({ rex: { label: "Rex", layers: { [layer]: { source, trust } } } }) as never;
+
+describe("lost sources", () => {
+  it("are told once, and once when they are back", () => {
+    const sources = new LostSources();
+    const told = [1, 0.5, 0, 0, 0.5, 1, 1].map((trust) => sources.receive(rex(trust)));
+    const [lost, back] = ["Mira (tracker of Rex) is lost.", "Mira (tracker of Rex) is back."];
+    expect(told).toEqual(["", "", lost, "", "", back, ""]);
+  });
+
+  it("are not told where a source fades and returns before it is lost", () => {
+    const sources = new LostSources();
+    expect([1, 0.3, 1].map((trust) => sources.receive(rex(trust)))).toEqual(["", "", ""]);
+  });
+
+  it("are not told of one that comes, goes away for good, or ends by itself", () => {
+    const sources = new LostSources();
+    const told = [rex(0), rex(1), rex(0, ""), rex(0)].map((each) => sources.receive(each));
+    const recording = [rex(1, "take", "playback"), rex(0, "take", "playback")].map((each) => sources.receive(each));
+    expect([...told, ...recording].join("")).toBe("");
+  });
+});

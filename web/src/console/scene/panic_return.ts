@@ -1,0 +1,135 @@
+/** What a panic took off the air that can be brought back in one go: sources, liveliness, and faces for the home face. */
+
+import type { CharacterState, State } from "../../link/messages";
+import type { ConsoleStore } from "../store/console_store";
+import type { Offer, Question } from "../store/page_store";
+import type { Change, Step } from "../store/undo_history";
+
+type Layer = keyof CharacterState["layers"];
+type Found = readonly [string, CharacterState, CharacterState];
+
+export class PanicReturn {
+  #sources: Step | null = null;
+  #faces: Step | null = null;
+  #text = "";
+
+  constructor(private readonly store: ConsoleStore) {}
+
+  /** What is offered now; null for nothing. */
+  get question(): Question | null {
+    const offers: Offer[] = [];
+    if (this.#sources !== null) offers.push({ label: "Sources on again", act: () => this.#take("sources") });
+    if (this.#faces !== null) offers.push({ label: "Faces of before", act: () => this.#take("faces") });
+    return offers.length === 0 ? null : { text: this.#text, offers, dismiss: this.#dismiss };
+  }
+
+  /** Takes note of what panics ended from one state to the next: of those that this console plays, or of all at once. */
+  receive(before: State | null, after: State): void {
+    const all = Object.entries(after.characters);
+    const hit = all.flatMap(([name, now]): Found[] => {
+      const was = before?.characters[name];
+      return was !== undefined && was.panics < now.panics ? [[name, was, now]] : [];
+    });
+    const found = hit.length === all.length ? hit : hit.filter(([name]) => this.store.played.names.includes(name));
+    const stood = this.question !== null;
+    if (this.#sources?.redo.every((change) => isSo(change, after))) this.#sources = null;
+    if (this.#faces?.redo.some((change) => isRecast(change, after))) this.#faces = null;
+    if (found.length > 0) this.#note(found);
+    else if (stood && this.question === null) this.store.tell("notice");
+  }
+
+  #note(found: readonly Found[]): void {
+    const [sources, faces] = [found.filter((each) => sourcesOf(each).length > 0), found.filter(isSentHome)];
+    if (sources.length > 0) this.#sources = stepOf("sources on again", sources, sourcesOf);
+    if (faces.length > 0) {
+      const { seconds, easing } = this.store.timing.face;
+      this.#faces = stepOf("faces of before", faces, (each) => faceOf(each, seconds, easing));
+    } else if (sources.length > 0) this.#faces = null;
+    const told = [
+      ...(sources.length > 0 ? [`Panic: sources and liveliness of ${listed(sources)} are off.`] : []),
+      ...(faces.length > 0 ? [`Home face: ${listed(faces)}.`] : []),
+    ];
+    if (told.length === 0) return;
+    this.#text = told.join(" ");
+    this.store.log(this.#text, "attention");
+    this.store.say(null); // what was said before makes room
+  }
+
+  #take(which: "sources" | "faces"): void {
+    const step = which === "sources" ? this.#sources : this.#faces;
+    if (step === null || !this.store.takeStep(step, "redo", () => undefined)) return;
+    if (which === "sources") this.#sources = null;
+    else this.#faces = null;
+    this.store.offerUndo(which === "sources" ? "Sources are on again." : "The faces of before are called.", step);
+  }
+
+  readonly #dismiss = (): void => {
+    [this.#sources, this.#faces] = [null, null];
+    this.store.tell("notice");
+  };
+}
+
+/** Both ways of a step for some characters, each way of each made by `make`. */
+function stepOf(
+  what: string,
+  found: readonly Found[],
+  make: (each: Found) => readonly (readonly [Change, Change])[],
+): Step {
+  const changes = found.flatMap(make);
+  return { what, undo: changes.map(([undo]) => undo), redo: changes.map(([, redo]) => redo) };
+}
+
+/** The switches and the liveliness that a panic ended: as it left them, and as they were. */
+function sourcesOf([character, was, now]: Found): (readonly [Change, Change])[] {
+  const switched = (layer: Layer, on: boolean): Change => ({
+    type: "set_layer",
+    character,
+    layer,
+    region: null,
+    influence: null,
+    on,
+  });
+  const layers = Object.keys(was.layers) as Layer[];
+  const ended = layers.filter((layer) => was.layers[layer]?.on === true && now.layers[layer]?.on === false);
+  const changes = ended.map((layer) => [switched(layer, false), switched(layer, true)] as const);
+  const lively = was.motion?.liveliness ?? 0;
+  if (lively === 0 || (now.motion?.liveliness ?? 0) > 0) return changes;
+  return [...changes, [livened(character, 0), livened(character, lively)]];
+}
+
+const livened = (character: string, liveliness: number): Change => ({
+  type: "set_motion",
+  character,
+  liveliness,
+  blinks: null,
+  gaze: null,
+  breath: null,
+  seed: null,
+});
+
+/** Whether a source or the liveliness has been brought back already; also where its character has gone. */
+function isSo(change: Change, { characters }: State): boolean {
+  if (change.type === "set_motion") return (characters[change.character]?.motion?.liveliness ?? 1) > 0;
+  return change.type !== "set_layer" || characters[change.character]?.layers[change.layer]?.on !== false;
+}
+
+/** Whether somebody has called another face than the home face since. */
+function isRecast(change: Change, { characters }: State): boolean {
+  if (change.type !== "call_face") return false;
+  const now = characters[change.character];
+  return now === undefined || (now.face_call !== null && now.face_call.target !== now.home_face);
+}
+
+/** Whether the panic was a second one, which called the home face where another one was. */
+const isSentHome = ([, was, now]: Found): boolean => was.home_next && mainFace(was) !== now.home_face;
+
+function faceOf([character, was, now]: Found, seconds: number, easing: string): (readonly [Change, Change])[] {
+  const called = (name: string): Change => ({ type: "call_face", character, name, seconds, easing });
+  return [[called(now.home_face), called(mainFace(was))]];
+}
+
+/** The face that shows most. */
+const mainFace = ({ faces, home_face }: CharacterState): string =>
+  Object.entries(faces).reduce((most, one) => (one[1] > most[1] ? one : most), [home_face, 0] as [string, number])[0];
+
+const listed = (found: readonly Found[]): string => found.map(([name, { label }]) => label || name).join(", ");
