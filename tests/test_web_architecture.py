@@ -38,7 +38,8 @@ USED: dict[str, str] = {
     "console/show_file": "link ui console/store",
     "console/devices": "link ui console/store",
     "console/leases": "link console/store",
-    "console/controls": "link ui console/store console/show_file console/devices console/leases",
+    "console/panic": "link console/store",
+    "console/controls": "link ui console/store console/show_file console/devices console/leases console/panic",
     "console/palette": "link ui console/regions console/store console/show_file console/controls",
     "console/panels": (
         "link ui face/pose face/quality face console/layers console/regions console/store console/show_file "
@@ -52,7 +53,7 @@ USED: dict[str, str] = {
     "console": (
         "link ui access face/pose face console/regions console/store console/show_file console/controls "
         "console/palette console/panels console/scene console/layer_panel console/devices "
-        "console/device_panel console/learn console/leases console/lease_panel"
+        "console/device_panel console/learn console/leases console/lease_panel console/layers console/panic"
     ),
     "console/devices_page": (
         "link ui access console/store console/show_file console/leases console/panels console/devices "

@@ -95,6 +95,9 @@ export class ShowNoticesView extends LitElement {
           height: 44px;
         }
       }
+      .all small {
+        font-size: inherit;
+      }
       .dismiss {
         width: 44px;
         height: 44px;

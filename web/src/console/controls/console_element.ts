@@ -6,7 +6,7 @@ import type { FramePainter, Paintable } from "../../ui/frame_painter";
 import type { Thumbnails } from "../../ui/thumbnails";
 import type { ConsoleDevices } from "../devices/console_devices";
 import type { ConsoleLeases } from "../leases/console_leases";
-import type { PanicReturn } from "../scene/panic_return";
+import type { PanicReturn } from "../panic/panic_return";
 import type { FileImports } from "../show_file/file_imports";
 import type { LayoutStorage } from "../show_file/layout_storage";
 import type { OwnItems } from "../show_file/own_items";

@@ -86,6 +86,8 @@ export const style = css`
       /* no arrows: the names of the kinds are read in full */
       :host(.expressions) .kinds {
         appearance: none;
+        font-size: 11px;
+        letter-spacing: -0.03em;
       }
       :host(.expressions) input {
         flex: 0 0 40px;

@@ -220,6 +220,10 @@ export const style = css`
     .notice.done {
       background: var(--raised);
     }
+    .offers {
+      flex: 0 1 auto;
+      white-space: normal; /* never beyond the picture, over a T-bar */
+    }
     omote-import-progress {
       pointer-events: auto;
     }
