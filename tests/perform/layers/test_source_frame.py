@@ -64,3 +64,19 @@ def test_what_cannot_be_driven_is_refused_by_name(cast: Cast) -> None:
         check_frame(SourceFrame(("smile",), np.array([np.nan])), "tracker")
     with pytest.raises(ValueError, match=r"2 values came for 1 channels; send one for each"):
         check_frame(SourceFrame(("smile",), np.zeros(2), gaze=Gaze()), "tracker")
+
+
+@pytest.mark.parametrize(
+    "given", [(0.1, 0.2), (0.1, 0.2, 0.3, 0.4), (), 0.1, "abc"], ids=["two", "four", "none", "one", "text"]
+)
+def test_a_head_has_three_angles_and_a_gaze_two(cast: Cast, given: object) -> None:
+    with pytest.raises(ValueError, match="the head is .* give yaw, pitch, roll, radians"):
+        source_frame(cast.expressions, {}, given, None)  # type: ignore[arg-type]
+    if given != (0.1, 0.2):
+        with pytest.raises(ValueError, match="the gaze is .* give yaw, pitch, radians"):
+            source_frame(cast.expressions, {}, None, given)  # type: ignore[arg-type]
+
+
+def test_weights_come_by_name(cast: Cast) -> None:
+    with pytest.raises(TypeError, match="the channels are a list; give weights by name"):
+        source_frame(cast.expressions, [0.1], None, None)  # type: ignore[arg-type]

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -12,7 +12,7 @@ from omote.perform.frame import Gaze, Head
 from omote.perform.layers.columns import Columns
 from omote.perform.layers.follower import Values
 from omote.perform.layers.layer_names import LAYER_PARTS, RANGES, RULES, WHOLE, LayerName, LayerPart
-from omote.perform.limits import CHANNEL_HIGHEST, CHANNEL_LOWEST, check_known, check_within
+from omote.perform.limits import CHANNEL_HIGHEST, CHANNEL_LOWEST, GAZE_LIMITS, HEAD_LIMITS, check_known, check_within
 
 LONGEST_SMOOTHING = 2.0
 """Seconds; who wants slower moves wants another performer."""
@@ -109,10 +109,20 @@ def source_frame(
     smoothing: float = 0.0,
 ) -> SourceFrame:
     """The frame of a mapping of weights; ValueError and TypeError for names and numbers that cannot be played."""
+    if not isinstance(channels, Mapping):
+        raise TypeError(f"the channels are a {type(channels).__name__}; give weights by name, as {{'jawOpen': 0.4}}")
     names = check_names(channels, expressions)
     values = [check_within(channels[name], CHANNEL_LOWEST, CHANNEL_HIGHEST, f"the channel {name}") for name in names]
-    turned, looks = None if head is None else Head(*head), None if gaze is None else Gaze(*gaze)
+    turned = None if head is None else Head(*_angles(head, HEAD_LIMITS, "head"))
+    looks = None if gaze is None else Gaze(*_angles(gaze, GAZE_LIMITS, "gaze"))
     return SourceFrame(names, np.array(values, np.float64), turned, looks, found, smoothing=check_smoothing(smoothing))
+
+
+def _angles(given: object, limits: Mapping[str, float], what: str) -> tuple[float, ...]:
+    """The angles of a head or a gaze, as many as it has; Head and Gaze look at each of them."""
+    if not isinstance(given, Sequence) or isinstance(given, str) or len(given) != len(limits):
+        raise ValueError(f"the {what} is {given!r:.80}; give {', '.join(limits)}, radians")
+    return tuple(given)
 
 
 def check_smoothing(seconds: object) -> float:
