@@ -70,13 +70,18 @@ def test_what_cannot_be_driven_is_refused_by_name(cast: Cast) -> None:
     "given", [(0.1, 0.2), (0.1, 0.2, 0.3, 0.4), (), 0.1, "abc"], ids=["two", "four", "none", "one", "text"]
 )
 def test_a_head_has_three_angles_and_a_gaze_two(cast: Cast, given: object) -> None:
-    with pytest.raises(ValueError, match="the head is .* give yaw, pitch, roll, radians"):
+    with pytest.raises(ValueError, match=r"the head is .* give yaw, pitch, roll, radians"):
         source_frame(cast.expressions, {}, given, None)  # type: ignore[arg-type]
     if given != (0.1, 0.2):
-        with pytest.raises(ValueError, match="the gaze is .* give yaw, pitch, radians"):
+        with pytest.raises(ValueError, match=r"the gaze is .* give yaw, pitch, radians"):
             source_frame(cast.expressions, {}, None, given)  # type: ignore[arg-type]
 
 
 def test_weights_come_by_name(cast: Cast) -> None:
     with pytest.raises(TypeError, match="the channels are a list; give weights by name"):
         source_frame(cast.expressions, [0.1], None, None)  # type: ignore[arg-type]
+
+
+def test_angles_may_come_as_an_array(cast: Cast) -> None:
+    frame = source_frame(cast.expressions, {}, np.array([0.1, 0.2, 0.0]), None)  # type: ignore[arg-type]
+    assert frame.head == Head(0.1, 0.2, 0.0)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 
 import numpy as np
@@ -120,9 +120,10 @@ def source_frame(
 
 def _angles(given: object, limits: Mapping[str, float], what: str) -> tuple[float, ...]:
     """The angles of a head or a gaze, as many as it has; Head and Gaze look at each of them."""
-    if not isinstance(given, Sequence) or isinstance(given, str) or len(given) != len(limits):
-        raise ValueError(f"the {what} is {given!r:.80}; give {', '.join(limits)}, radians")
-    return tuple(given)
+    angles = tuple(given) if isinstance(given, Iterable) and not isinstance(given, str) else ()
+    if len(angles) != len(limits):
+        raise ValueError(f"the {what} is {str(given):.80}; give {', '.join(limits)}, radians")
+    return angles
 
 
 def check_smoothing(seconds: object) -> float:
