@@ -122,7 +122,7 @@ def _angles(given: object, limits: Mapping[str, float], what: str) -> tuple[floa
     """The angles of a head or a gaze, as many as it has; Head and Gaze look at each of them."""
     angles = tuple(given) if isinstance(given, Iterable) and not isinstance(given, str) else ()
     if len(angles) != len(limits):
-        raise ValueError(f"the {what} is {str(given):.80}; give {', '.join(limits)}, radians")
+        raise ValueError(f"the {what} is {given!s:.80}; give {', '.join(limits)}, radians")
     return angles
 
 
