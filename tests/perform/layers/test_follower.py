@@ -5,7 +5,15 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from omote.perform.layers.follower import LONGEST_STEP, SETTLED_SECONDS, Values, follow, rate_of, steps_of
+from omote.perform.layers.follower import (
+    LONGEST_STEP,
+    SETTLED_SECONDS,
+    Values,
+    follow,
+    follow_number,
+    rate_of,
+    steps_of,
+)
 
 numbers = st.floats(-2.0, 2.0)
 goals = st.lists(st.tuples(numbers, st.floats(0.0, 0.3)), min_size=1, max_size=20)
@@ -84,3 +92,13 @@ def test_the_bits_are_those_of_plain_arithmetic() -> None:
     one, two, three, rate, haste = (np.array([x]) for x in (first, second, goal, 8.0, 60.0))
     found = follow(one, two, three, rate, haste, dt)
     assert (float(found[0][0]), float(found[1][0])) == wanted
+
+
+@given(numbers, numbers, numbers, st.floats(0.5, 20.0), st.floats(0.0, LONGEST_STEP))
+def test_a_number_is_followed_as_a_vector_is_to_the_bit(
+    first: float, second: float, goal: float, rate: float, dt: float
+) -> None:
+    one, other = np.array([first]), np.array([second])
+    if dt:
+        one, other = follow(one, other, np.array([goal]), np.array([rate]), NO_HASTE, dt, settles=False)
+    assert follow_number(first, second, goal, rate, dt) == (one[0], other[0])

@@ -57,6 +57,16 @@ def follow(
     return np.where(there, goal, later_first), np.where(there, goal, later_second)
 
 
+def follow_number(first: float, second: float, goal: float, rate: float, dt: float) -> tuple[float, float]:
+    """The same for one number without haste, to the bit; a gap of any length is cut into steps."""
+    for step in steps_of(dt):
+        z = rate * step
+        left = 1.0 / (1.0 + z * (1.0 + z * (0.48 + z * 0.235)))
+        ahead = first - goal
+        first, second = goal + ahead * left, goal + ((second - goal) + ahead * z) * left
+    return first, second
+
+
 def _steps(distance: Values, rate: Values, haste: Values, dt: float) -> tuple[Values, Values]:
     """The rates times `dt` at some distances, and what is left of each distance after it.
 

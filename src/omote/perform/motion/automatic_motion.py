@@ -8,7 +8,7 @@ from dataclasses import dataclass, field, replace
 import numpy as np
 
 from omote.perform.frame import Gaze, Head, MotionSettings
-from omote.perform.layers.follower import rate_of, steps_of
+from omote.perform.layers.follower import follow_number, rate_of
 from omote.perform.layers.layer_names import RANGES, LayerName
 from omote.perform.layers.source_frame import AUTOMATIC, SourceFrame
 from omote.perform.limits import FOREVER, GAZE_LIMITS, check_within
@@ -102,7 +102,8 @@ def advance_motion(
         blinks = begin_blink(blinks, settings.seed, now, whole=True)
     head = follow_gaze(motion.head, looked_at(gaze, now), dt)
     breath = advance_breath(motion.breath, settings.seed, now)
-    return AutomaticMotion(settings, now, blinks, gaze, head, breath, _followed(motion.depth, settings.depth, dt))
+    depth = follow_number(*motion.depth, settings.depth, rate_of(DEPTH_SECONDS), dt)
+    return AutomaticMotion(settings, now, blinks, gaze, head, breath, depth)
 
 
 def motion_frames(motion: AutomaticMotion, names: Container[str]) -> dict[LayerName, SourceFrame]:
@@ -172,13 +173,3 @@ def _breath_head(motion: AutomaticMotion) -> Head:
     depth, seed, now = motion.depth[1], motion.settings.seed, motion.time
     yaw, pitch, roll = (depth * far * noise(seed, NOISES + at, now) for at, far in enumerate(NOISE_HEAD))
     return Head(yaw, pitch + depth * BREATH_PITCH * air(motion.breath, now), roll)
-
-
-def _followed(depth: tuple[float, float], goal: float, dt: float) -> tuple[float, float]:
-    """Two filters in a row, as in `layers.follower`."""
-    first, second = depth
-    for step in steps_of(dt):
-        z = rate_of(DEPTH_SECONDS) * step
-        left = 1.0 / (1.0 + z * (1.0 + z * (0.48 + z * 0.235)))
-        first, second = goal + (first - goal) * left, goal + ((second - goal) + (first - goal) * z) * left
-    return first, second

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from omote.perform.layers.follower import rate_of, steps_of
+from omote.perform.layers.follower import follow_number, rate_of
 
 EYES_ALONE = 0.30
 """Radians (17 degrees) that eyes turn without the head (Stahl 1999, *Experimental Brain Research* 126: 15 to 20)."""
@@ -53,14 +53,10 @@ def head_goal(looked: Turn) -> Turn:
 
 def follow_gaze(head: FollowingHead, looked: Turn, dt: float) -> FollowingHead:
     """The head `dt` seconds later, while the eyes look somewhere: two filters in a row, as in `layers.follower`."""
-    goal = head_goal(looked)
-    for step in steps_of(dt):
-        z = rate_of(HEAD_SECONDS) * step
-        left = 1.0 / (1.0 + z * (1.0 + z * (0.48 + z * 0.235)))
-        ahead = head.first - goal
-        second = goal + ((head.second - goal) + ahead.scale(z)).scale(left)
-        head = FollowingHead(goal + ahead.scale(left), second)
-    return head
+    goal, rate = head_goal(looked), rate_of(HEAD_SECONDS)
+    yaw = follow_number(head.first.yaw, head.second.yaw, goal.yaw, rate, dt)
+    pitch = follow_number(head.first.pitch, head.second.pitch, goal.pitch, rate, dt)
+    return FollowingHead(Turn(yaw[0], pitch[0]), Turn(yaw[1], pitch[1]))
 
 
 def _beyond(angle: float, alone: float) -> float:
