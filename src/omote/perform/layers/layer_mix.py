@@ -77,8 +77,11 @@ def with_layers(
 
 
 def influences(layers: Layers) -> Values:
-    """How much of each layer (8) shows on each part (6): influence and switch, and trust where a source drives it."""
+    """How much of each layer (8) shows on each part (6): influence and switch, and where a source drives it trust and
+    the share that it takes."""
     trust = [*layers.columns.rows(layers.second, "trust").tolist(), 1.0]
+    for layer, driver in layers.drivers.items():
+        trust[DRIVEN.index(layer)] *= driver.share
     shares: Values = layers.columns.rows(layers.second, "share") * np.array([[trust[row]] for row in _TRUST_OF])
     return shares
 

@@ -83,6 +83,8 @@ def drive(cast: HasExpressions, layers: Layers, layer: LayerName, frame: SourceF
         return replace(layers, drivers=drivers)
     if driver.smoothing != frame.smoothing:
         drivers = {**drivers, layer: replace(drivers[layer], smoothing=frame.smoothing)}
+    if driver.share != frame.share:
+        drivers = {**drivers, layer: with_fields(drivers[layer], share=frame.share)}
     return _streamed(cast, layers, drivers, layer, frame)
 
 
@@ -244,7 +246,15 @@ def _streamed(
         stream[columns.places(columns.eyes)] = [turned.get(unit, 0.0) for unit in columns.eyes]
     columns.rows(goal, "trust")[row] = 1.0
     later = with_fields(layers, goal=goal, drivers=drivers, calm=False)
+    if frame.share == 0.0:  # nothing of it shows, so it can be trusted at once: a first word is whole
+        later = _trusted(later, row)
     return later if _trust(later, layer) and not frame.direct else _from_there(later, row)
+
+
+def _trusted(layers: Layers, row: int) -> Layers:
+    columns, first, second = layers.columns, layers.first.copy(), layers.second.copy()
+    columns.rows(first, "trust")[row] = columns.rows(second, "trust")[row] = 1.0
+    return replace(layers, first=first, second=second)
 
 
 def _from_there(layers: Layers, row: int) -> Layers:

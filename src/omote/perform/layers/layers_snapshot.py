@@ -12,7 +12,7 @@ from omote.perform.layers.columns import GAZE_PART, Columns, HasExpressions, col
 from omote.perform.layers.follower import Values
 from omote.perform.layers.layer_names import LAYERS, LayerName, LayerSetting, check_driven
 from omote.perform.layers.layers import Layers, recast
-from omote.perform.layers.source_frame import LOSS_SECONDS, Driver, check_smoothing
+from omote.perform.layers.source_frame import LOSS_SECONDS, Driver, check_share, check_smoothing
 from omote.perform.limits import check_known, check_within
 
 SLACK = 1e-6
@@ -65,6 +65,7 @@ def restored(cast: HasExpressions, snapshot: LayersSnapshot | None) -> Layers | 
         check_driven(layer)
         check_within(driver.silent, 0.0, LOSS_SECONDS, "the silence of a source (seconds)")
         check_smoothing(driver.smoothing)
+        check_share(driver.share)
     columns = columns_of(cast, tuple(snapshot.names))
     goal, first, second = (_vector(each, columns) for each in (snapshot.goal, snapshot.first, snapshot.second))
     settings = {layer: snapshot.settings[layer] for layer in LAYERS}
