@@ -1,6 +1,7 @@
 """Writes what Python and the web share into `web/src/link`: `python tools/messages.py [--check]`.
 
-`messages.ts`, `editing_messages.ts` and `microphone_messages.ts` have the messages of the links, `constants.ts` the names, ranges and lengths.
+`messages.ts`, `editing_messages.ts` and `microphone_messages.ts` have the messages of the links, `constants.ts` the
+names, ranges and lengths.
 """
 
 from __future__ import annotations
@@ -18,6 +19,7 @@ import msgspec
 
 from omote.edit.protocol import messages as editing
 from omote.inputs.microphone import microphone_messages as microphone
+from omote.inputs.microphone.sound_features import SAMPLE_RATE
 from omote.interchange.part_textures import ARCH, ARCH_DEPTH, TOOTH_REACH
 from omote.interchange.skin_texture import HAIRLINE
 from omote.interchange.skin_texture import LAYERS as SKIN_LAYERS
@@ -87,7 +89,7 @@ def microphone_module() -> str:
     """The messages of the microphone page's link in TypeScript."""
     constants = [
         f"export const MICROPHONE_PATH = {_quote(microphone.MICROPHONE_PATH)};",
-        f"/** Samples per second. */\nexport const SAMPLE_RATE = {microphone.SAMPLE_RATE};",
+        f"/** Samples per second. */\nexport const SAMPLE_RATE = {SAMPLE_RATE};",
     ]
     unions = [
         _union("FromMicrophone", microphone.MICROPHONE_MESSAGES),

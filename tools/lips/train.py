@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import argparse
 import time
+from itertools import pairwise
 from pathlib import Path
 
 import numpy as np
@@ -24,7 +25,7 @@ from omote.perform.speech.visemes import VISEMES
 from tools.lips.corpus import make_recordings
 from tools.lips.spoken import UNKNOWN
 
-HIDDEN = (192, 96)
+HIDDEN = (256, 128)
 BATCH = 1024
 SMOOTHING = 0.04
 """Share of a label that is given to all visemes."""
@@ -62,7 +63,7 @@ def make_frames(path: Path, count: int, festival: int, seed: int) -> None:
             print(index, sum(len(each.labels) for each in made), flush=True)
     ends = np.cumsum([len(each.labels) for each in made])
     stacked = {name: np.concatenate([getattr(each, name) for each in made]) for name in ("frames", "floors", "labels")}
-    np.savez(path, ends=ends, **stacked)
+    np.savez(path, ends=ends, **stacked)  # type: ignore[arg-type]
 
 
 def train(frames: Frames, epochs: int, seed: int, out: Path) -> None:
@@ -102,12 +103,12 @@ def write_network(network: VisemeNetwork, path: Path) -> None:
     """Writes the weights in 16 bits."""
     stored = {f"weight_{i}": each.astype(np.float16) for i, each in enumerate(network.weights)}
     stored |= {f"bias_{i}": each.astype(np.float16) for i, each in enumerate(network.biases)}
-    np.savez_compressed(path, **stored)
+    np.savez_compressed(path, **stored)  # type: ignore[arg-type]
 
 
 def _begin(rng: np.random.Generator) -> VisemeNetwork:
     sizes = [INPUTS, *HIDDEN, len(VISEMES)]
-    weights = [rng.normal(0, np.sqrt(2 / a), (a, b)).astype(np.float32) for a, b in zip(sizes, sizes[1:], strict=False)]
+    weights = [rng.normal(0, np.sqrt(2 / a), (a, b)).astype(np.float32) for a, b in pairwise(sizes)]
     return VisemeNetwork(tuple(weights), tuple(np.zeros(size, np.float32) for size in sizes[1:]))
 
 

@@ -30,8 +30,8 @@ class SourceFrame:
 
     head, gaze: None where it sends none. found: False while it does not see its performer; all else is then ignored.
     parts: which parts of the face it may play. smoothing: seconds in which it is followed, where that is slower than
-    all sources are. direct: it is smooth already and knows what comes, so it shows as it is. share: of a direct one, how
-    much of its layer it takes, 0 to 1: a voice that is silent takes none, and what lies below shows.
+    all sources are. direct: it is smooth already and knows what comes, so it shows as it is. share: of a direct one,
+    how much of its layer it takes, 0 to 1: a voice that is silent takes none, and what lies below shows.
     """
 
     names: tuple[str, ...]

@@ -29,12 +29,12 @@ from omote.server.access.show_addresses import own_address
 from omote.server.devices.dmx_listener import DmxListener
 from omote.server.devices.face_output import FaceOutput
 from omote.server.devices.mediapipe_link import MediapipeLink
-from omote.server.devices.microphone_link import MicrophoneLink
 from omote.server.devices.osc_listener import OscListener, OscSockets
 from omote.server.devices.page_device_source import PageDeviceSource
 from omote.server.devices.rejection_log import RejectionLog
 from omote.server.devices.tracker_listener import TrackerListener, TrackerSocket
 from omote.server.http.app import ShowServer
+from omote.server.microphone.microphone_link import MicrophoneLink
 from omote.server.persistence.authored_work import AuthoredWork
 from omote.server.supervision.device_sockets import DeviceOptions
 from omote.server.supervision.early_tick import EarlyTicks
