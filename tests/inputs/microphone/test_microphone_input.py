@@ -4,6 +4,7 @@ import msgspec
 import numpy as np
 import pytest
 
+import omote
 from omote.inputs.microphone.microphone_input import MOST_MICROPHONES, MOST_WAITING, MicrophoneInput
 from omote.inputs.microphone.microphone_messages import Begin, Measured, Rejected, Sentence, Sound, Speak, ToMicrophone
 from omote.inputs.microphone.sound_features import BANDS, HOP, SAMPLE_RATE
@@ -53,8 +54,8 @@ class Stage:
 
 
 @pytest.fixture
-def stage(built: Cast) -> Stage:
-    return Stage(built)
+def stage() -> Stage:
+    return Stage(omote.load_cast())
 
 
 def test_a_vowel_opens_the_mouth_and_a_pause_shuts_it(stage: Stage) -> None:
@@ -106,8 +107,17 @@ def test_a_page_that_goes_lets_its_layer_go(stage: Stage) -> None:
     stage.microphones.leave("page")
     stage.tick(3.0)
     assert (len(stage.microphones), stage.session.sources.states({})) == (0, [])
-    assert "lips" not in stage.states[-1].characters["one"].layers
+    assert stage.jaw() < 0.01
     stage.microphones.leave("page")
+
+
+def test_a_page_that_is_loaded_anew_keeps_its_name(stage: Stage) -> None:
+    stage.say("page", Begin("Anna"))
+    stage.speak("page", vowel(0.3))
+    stage.microphones.leave("page")
+    stage.say("again", Begin("Anna"))
+    stage.speak("again", pause(0.1))
+    assert [source.name for source in stage.session.sources.states({})] == ["Anna"]
 
 
 def test_a_second_microphone_has_another_name_and_waits_to_be_routed(stage: Stage) -> None:

@@ -2,7 +2,7 @@
 
 import type { ToMicrophone, Voice } from "../link/microphone_messages";
 import { type Device, listDevices, MicrophoneCapture } from "./microphone_capture";
-import { MicrophoneLink } from "./microphone_link";
+import { VoiceLink } from "./voice_link";
 import { keepSettings, type MicrophoneSettings, type Mode, readSettings, withSpeaker } from "./microphone_settings";
 
 const store = (): Storage => localStorage;
@@ -24,10 +24,10 @@ export class MicrophoneSession {
     heard: (samples) => this.#send(samples),
     ended: (reason) => this.#say(reason),
   });
-  readonly #link: MicrophoneLink;
+  readonly #link: VoiceLink;
 
   constructor(private readonly changed: () => void) {
-    this.#link = new MicrophoneLink({
+    this.#link = new VoiceLink({
       greet: () => this.#greet(),
       received: (message) => this.#receive(message),
       connected: (up) => this.#connect(up),

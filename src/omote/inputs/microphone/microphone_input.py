@@ -46,7 +46,7 @@ KIND: wire.StreamKind = "lips"
 @dataclass
 class Microphone:
     """One microphone. who: its client at the session; heard, rested: when sound came, and when the mouth went on;
-    asked: when it last asked to be a source."""
+    asked: when it last asked to be a source; gone: its page has."""
 
     who: str
     name: str
@@ -60,6 +60,7 @@ class Microphone:
     rested: float = 0.0
     sent: float = 0.0
     asked: float = -RETRY_SECONDS
+    gone: bool = False
 
 
 class MicrophoneInput:
@@ -83,15 +84,18 @@ class MicrophoneInput:
             return [Rejected(str(error))]
 
     def leave(self, who: str) -> None:
-        """A page has gone: its layer lets go."""
-        if self._open.pop(who, None) is not None:
-            self._session().leave(who)
+        """A page has gone: its mouth comes to rest, then its source ends."""
+        if who in self._open:
+            self._open[who].gone = True
 
     def play(self, now: float) -> list[tuple[str, Rejected]]:
         """Drives the session by what has come since the last tick; returns what pages are told."""
         told = []
         for who, microphone in list(self._open.items()):
             _go_on(microphone, now)
+            if microphone.gone and not microphone.mouth.share:
+                self._end(who)
+                continue
             told += [(who, Rejected(reason)) for reason in self._drive(microphone, now)]
         self.rejected += len(told)
         return told
@@ -124,11 +128,17 @@ class MicrophoneInput:
             raise MicrophoneError(f"{MOST_MICROPHONES} microphones are open already; close one first")
         self._network = self._network or load_network()
         voice = VoiceVisemes(self._network, asked.profile)
-        self.leave(who)
+        self._end(who)
+        for gone in [each.who for each in self._open.values() if each.gone and each.name == asked.name]:
+            self._end(gone)  # a page that was loaded anew
         name = self._free_name(asked.name)
         self._open[who] = Microphone(who, name, voice, heard=now, rested=now)
         self._session().join(who, name[:24])
         return []
+
+    def _end(self, who: str) -> None:
+        if self._open.pop(who, None) is not None:
+            self._session().leave(who)
 
     def _free_name(self, asked: str) -> str:
         """The name, with a number behind it where another source has it."""

@@ -1,4 +1,4 @@
-"""Trains the network that reads visemes: `python -m tools.lips.train`. Needs espeak-ng, festival and its voices.
+"""Trains the network that reads visemes: `python -m tools.lips.viseme_training`. Needs espeak-ng, festival and its voices.
 
 The packages, and why the weights are committed: docs/decisions/0136-lips-from-a-microphone.md.
 """

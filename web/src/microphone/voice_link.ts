@@ -13,7 +13,7 @@ export interface LinkListener {
   revoked(): void;
 }
 
-export class MicrophoneLink {
+export class VoiceLink {
   readonly #socket: ReconnectingSocket<ToMicrophone, FromMicrophone>;
 
   constructor(listener: LinkListener) {
