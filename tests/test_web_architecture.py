@@ -97,7 +97,7 @@ def imports_in(text: str, module: str) -> set[str]:
 
 def _resolved(path: PurePosixPath) -> str:
     parts: list[str] = []
-    for part in path.parts:
+    for part in PurePosixPath(str(path).partition(".ts?")[0]).parts:  # `?worker&url`: the module as a file of its own
         if part == "..":
             parts.pop()
         else:

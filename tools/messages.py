@@ -1,4 +1,4 @@
-"""Writes what Python and the web share into `web/src/link`: `python tools/messages.py [--check]`.
+"""Writes what Python and the web share into `web/src`: `python tools/messages.py [--check]`.
 
 `messages.ts`, `editing_messages.ts` and `microphone_messages.ts` have the messages of the links, `constants.ts` the
 names, ranges and lengths.
@@ -147,7 +147,7 @@ def constants_module() -> str:
 MODULES = {
     "messages.ts": show_module,
     "editing_messages.ts": editing_module,
-    "microphone_messages.ts": microphone_module,
+    "../microphone/microphone_messages.ts": microphone_module,
     "constants.ts": constants_module,
 }
 

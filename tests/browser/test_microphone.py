@@ -1,4 +1,4 @@
-"""The microphone page in Chromium, whose microphone plays a file: the mouth opens on the vowel and shuts in the pause."""
+"""The microphone page in Chromium, whose microphone plays a file: the mouth opens on the vowel, shuts in the pause."""
 
 from __future__ import annotations
 

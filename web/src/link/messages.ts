@@ -372,7 +372,7 @@ export interface SetMotion {
  * that each of its frames has a value for. `characters`: whom it drives, where it says so; else the route that was
  * made for its name the last time. `performer`: whose face it sees, by whose calibration it is read; "" for one of its
  * own. `smoothing`: seconds, to 2, in which its steps are followed, where that is slower than of all sources.
- * `direct`: its frames are smooth already and show as they are. Answered with `source_is`; the link's end is its end.
+ * `direct`: its frames are smooth already and show as they are. Answered with `source_is`; it ends with its link.
  */
 export interface Source {
   type: "source";

@@ -81,10 +81,8 @@ def drive(cast: HasExpressions, layers: Layers, layer: LayerName, frame: SourceF
     drivers = layers.drivers if driver.silent == 0.0 else {**layers.drivers, layer: with_fields(driver, silent=0.0)}
     if driver.waits:
         return replace(layers, drivers=drivers)
-    if driver.smoothing != frame.smoothing:
-        drivers = {**drivers, layer: replace(drivers[layer], smoothing=frame.smoothing)}
-    if driver.share != frame.share:
-        drivers = {**drivers, layer: with_fields(drivers[layer], share=frame.share)}
+    if (driver.smoothing, driver.share) != (frame.smoothing, frame.share):
+        drivers = {**drivers, layer: replace(drivers[layer], smoothing=frame.smoothing, share=frame.share)}
     return _streamed(cast, layers, drivers, layer, frame)
 
 
@@ -247,21 +245,15 @@ def _streamed(
     columns.rows(goal, "trust")[row] = 1.0
     later = with_fields(layers, goal=goal, drivers=drivers, calm=False)
     if frame.share == 0.0:  # nothing of it shows, so it can be trusted at once: a first word is whole
-        later = _trusted(later, row)
-    return later if _trust(later, layer) and not frame.direct else _from_there(later, row)
+        return _from_there(later, row, "trust", "streams")
+    return later if _trust(later, layer) and not frame.direct else _from_there(later, row, "streams")
 
 
-def _trusted(layers: Layers, row: int) -> Layers:
+def _from_there(layers: Layers, row: int, *sections: str) -> Layers:
+    """Some of a layer that does not show, or that is smooth already, is where it goes."""
     columns, first, second = layers.columns, layers.first.copy(), layers.second.copy()
-    columns.rows(first, "trust")[row] = columns.rows(second, "trust")[row] = 1.0
-    return replace(layers, first=first, second=second)
-
-
-def _from_there(layers: Layers, row: int) -> Layers:
-    """The stream of a layer that does not show, or that is smooth already, is where it goes."""
-    columns, first, second = layers.columns, layers.first.copy(), layers.second.copy()
-    stream = columns.rows(layers.goal, "streams")[row]
-    columns.rows(first, "streams")[row] = columns.rows(second, "streams")[row] = stream
+    for section in sections:
+        columns.rows(first, section)[row] = columns.rows(second, section)[row] = columns.rows(layers.goal, section)[row]
     return replace(layers, first=first, second=second)
 
 

@@ -76,8 +76,7 @@ async def start_devices(
     if options.sacn is not None or options.artnet is not None:
         started.append(_hear_dmx(bindings, options, log, allowed, report))
     started += _open_trackers(server, options, log, allowed)
-    started.append(microphones := MicrophoneLink(lambda: server.session, server.clock, early.note, _holds(server)))
-    server.enable_sender(MICROPHONE_PATH, microphones.respond)
+    started.append(_open_microphones(server, early))
     probes = [probe for each in started for probe in each.probes]
     devices = PageDevices(lambda: server.session, bindings, commands, InputLog(_wall() - server.clock()), probes)
     started.append(PageDeviceSource(devices, lambda: server.session, server.links.answer))
@@ -116,9 +115,15 @@ def _open_trackers(
     return started
 
 
-def _holds(server: ShowServer) -> Callable[[Visitor], bool]:
-    """Whether somebody's token still counts."""
-    return lambda visitor: server.access is None or server.access.holds(visitor)
+def _open_microphones(server: ShowServer, early: EarlyTicks) -> MicrophoneLink:
+    """What hears pages that have a microphone."""
+
+    def holds(visitor: Visitor) -> bool:
+        return server.access is None or server.access.holds(visitor)
+
+    microphones = MicrophoneLink(lambda: server.session, server.clock, early.note, holds)
+    server.enable_sender(MICROPHONE_PATH, microphones.respond)
+    return microphones
 
 
 def _hear_trackers(
