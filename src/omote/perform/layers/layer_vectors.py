@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field, replace
+from functools import lru_cache
 
 import numpy as np
 from numpy.typing import NDArray
@@ -14,6 +15,8 @@ from omote.perform.layers.columns import Columns, HasExpressions, make_columns, 
 from omote.perform.layers.drivers import NOBODY, Driver, Owners
 from omote.perform.layers.follower import Values
 from omote.perform.layers.layer_names import DRIVEN, LAYER_PARTS, LAYERS, WHOLE, LayerName, LayerSetting
+
+UNTRUSTED = (0.0,) * len(NOBODY)
 
 
 @dataclass(frozen=True, eq=False)
@@ -44,16 +47,22 @@ def trust_of(layers: Layers, layer: LayerName) -> Values:
 def columns_of_source(layers: Layers, layer: LayerName, source: str) -> NDArray[np.bool_]:
     """The columns of a layer that show the frames of a source."""
     followed = layers.followed.get(layer, NOBODY)
-    return np.asarray(np.array([each == source for each in followed])[layers.columns.parts])
+    return layers.columns.in_parts(tuple(each == source for each in followed))
 
 
-def trust_goal(layers: Layers) -> list[list[float]]:
+def trust_goal(layers: Layers) -> list[tuple[float, ...]]:
     """Where the trust of each part of each driven layer goes: to 1 where it shows whom it belongs to."""
-    found = []
-    for layer in DRIVEN:
-        owners, followed = layers.owners.get(layer, NOBODY), layers.followed.get(layer, NOBODY)
-        found.append([float(one is not None and one == other) for one, other in zip(owners, followed, strict=True)])
-    return found
+    return [
+        _trust_goal(layers.owners.get(layer, NOBODY), layers.followed.get(layer, NOBODY))
+        if layer in layers.drivers
+        else UNTRUSTED
+        for layer in DRIVEN
+    ]
+
+
+@lru_cache(maxsize=256)
+def _trust_goal(owners: Owners, followed: Owners) -> tuple[float, ...]:
+    return tuple(float(one is not None and one == other) for one, other in zip(owners, followed, strict=True))
 
 
 def share_goal(layers: Layers) -> Values:
