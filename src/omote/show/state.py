@@ -12,7 +12,16 @@ from omote.perform.easing import DEFAULT_EASING, EASINGS
 from omote.perform.frame import CallStatus, Frame, Gaze, Held, LayerStatus
 from omote.perform.mix import mix_in
 from omote.perform.scene.scene_frame import CharacterFrame, SceneFrame
-from omote.show.messages import CallState, CharacterState, HeldState, LayerState, MotionState, Place, State
+from omote.show.messages import (
+    CallState,
+    CharacterState,
+    HeldState,
+    LayerSource,
+    LayerState,
+    MotionState,
+    Place,
+    State,
+)
 
 if TYPE_CHECKING:
     from omote.perform.snapshot import Playable
@@ -144,7 +153,8 @@ def _layers(frame: Frame) -> dict[str, Any]:
 
 def _layer_state(status: LayerStatus) -> LayerState:
     strongest = dict(status.strongest)
-    return LayerState(list(status.influence), status.on, status.trust, status.source, status.share, strongest)
+    sources = [LayerSource(each.source, each.trust, list(each.parts)) for each in status.sources]
+    return LayerState(list(status.influence), status.on, status.trust, status.source, status.share, strongest, sources)
 
 
 def _held_state(held: Held) -> HeldState:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import msgspec
 
-from omote.perform.frame import CallStatus, Frame, Gaze, Head, Held, Home, LayerStatus, MotionSettings
+from omote.perform.frame import CallStatus, Frame, Gaze, Head, Held, Home, LayerStatus, MotionSettings, SourceStatus
 from omote.show.messages import CallState, CharacterState, HeldState, LayerState, State
 
 
@@ -36,7 +36,10 @@ def frame_in(state: State, character: CharacterState) -> Frame:
 
 def layer_status(layer: LayerState) -> LayerStatus:
     """A layer of the wire as the engine's."""
-    return LayerStatus(tuple(layer.influence), layer.on, layer.trust, layer.source, layer.share, layer.strongest)
+    sources = tuple(SourceStatus(each.source, each.trust, tuple(each.parts)) for each in layer.sources)
+    return LayerStatus(
+        tuple(layer.influence), layer.on, layer.trust, layer.source, layer.share, layer.strongest, sources
+    )
 
 
 def held_by_hands(held: HeldState) -> Held:

@@ -28,7 +28,8 @@ PLAY_MESSAGES = _table(
         set_head set_gaze panic set_home
         add_character remove_character rename_character place_character enter_character leave_character call_framing
         restore_character set_layout rename_layout drop_layout cancel
-        source drive set_layer set_motion leave_source route_source tune_source calibrate_source
+        source drive set_layer set_motion leave_source route_source tune_source calibrate_source measure_source
+        watch_source
         plug unplug midi_bytes controls bind unbind learn load_preset choose_bank restore_bindings watch_devices
         lease release_lease
     """,
