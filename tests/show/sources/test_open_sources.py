@@ -276,8 +276,6 @@ def test_two_trackers_share_a_character_by_region_on_one_layer(cast: Cast) -> No
 
 routes = st.lists(
     st.tuples(
-        st.sampled_from("abc"), st.sets(st.sampled_from(["one", "two"])), st.sampled_from(["mouth", "brows"])
-    ),
         st.sampled_from(["a", "b", "c"]), st.sets(st.sampled_from(["one", "two"])), st.sampled_from(["mouth", "brows"])
     ),
     max_size=6,
