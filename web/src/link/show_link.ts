@@ -20,6 +20,7 @@ import type {
   Pong,
   Progress,
   SourceState,
+  SourceValues,
   State,
   Welcome,
 } from "./messages";
@@ -78,6 +79,8 @@ export interface LinkHandlers {
   hands?: (hands: Hands["hands"]) => void;
   /** All sources that send. */
   sources?: (sources: readonly SourceState[]) => void;
+  /** What the source that this page watches sends now. */
+  sourceValues?: (values: SourceValues) => void;
   /** News of devices. */
   devices?: (message: DeviceMessage) => void;
   /** How far a long request (an import, an export) is; those of other pages too. */
@@ -188,6 +191,9 @@ export class ShowLink {
     >,
   ): void {
     switch (message.type) {
+      case "source_values":
+        this.handlers.sourceValues?.(message);
+        break;
       case "crew":
         this.handlers.crew?.(message);
         break;

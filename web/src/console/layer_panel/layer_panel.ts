@@ -75,7 +75,7 @@ export class LayerPanel extends AnimatedElement {
         <header><h2>${layerLabel(this.#shown)}</h2><span class="of">${label}</span>
           <button class="reset" title="Its influence as at first" @click=${() => this.#commands.reset(this.#shown)}>Reset</button>
           <button class="close" aria-label="Close the layers" @click=${this.#close}>Close</button></header>
-        ${this.#parts()} <omote-motion-settings .context=${this.context}></omote-motion-settings> ${this.#sources()}
+        ${this.#sources()} ${this.#parts()} <omote-motion-settings .context=${this.context}></omote-motion-settings>
       </section>`;
   }
 

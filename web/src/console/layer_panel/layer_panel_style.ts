@@ -169,9 +169,22 @@ export const style = css`
       -webkit-line-clamp: 1;
     }
   }
-  @media (max-width: 1100px) {
+  @media (max-width: 1300px) {
     :host {
       grid-template-columns: minmax(0, 1fr) 262px;
+      gap: 6px;
+    }
+    .strips {
+      gap: 4px;
+    }
+    /* eight of them beside each other, what a layer does below its fader */
+    .strip {
+      flex: 1 1 0;
+      min-width: 0;
+    }
+    .play {
+      grid-template-columns: minmax(0, 1fr);
+      grid-template-rows: minmax(0, 1fr) auto;
     }
   }
   @media ${narrow} or ${low} {
@@ -184,6 +197,14 @@ export const style = css`
     }
     .strips {
       flex: 1 0 232px;
+    }
+    .strip {
+      flex: 1 1 118px;
+      min-width: 118px;
+    }
+    .play {
+      grid-template-columns: auto minmax(0, 1fr);
+      grid-template-rows: minmax(0, 1fr);
     }
     .detail {
       overflow: visible;

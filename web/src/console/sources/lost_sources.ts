@@ -1,7 +1,7 @@
 /** Sources that a performer feeds, trackers and lips: which were lost and which came back from one state to the next. */
 
 import type { CharacterState, State } from "../../link/messages";
-import { isLost, isTrusted } from "./layer_state";
+import { isLost, isTrusted } from "../layers/layer_state";
 
 /** Layers whose source goes on until somebody ends it; a recording ends by itself. */
 const WATCHED = ["tracker", "lips"] as const;
@@ -18,12 +18,14 @@ export class LostSources {
     const there = new Set<string>();
     for (const [name, character] of Object.entries(characters))
       for (const layer of WATCHED) {
-        const { source = "", trust = 0 } = character.layers[layer] ?? {};
-        const key = `${name}/${layer}/${source}`;
-        if (source === "") continue;
-        there.add(key);
-        const turned = this.#turn(key, trust);
-        if (turned !== null) told.push(`${source} (${layer} of ${labelOf(name, character)}) is ${turned}.`);
+        const { source: only = "", trust: its = 0, sources = [] } = character.layers[layer] ?? {};
+        for (const { source, trust } of sources.length > 0 ? sources : [{ source: only, trust: its }]) {
+          const key = `${name}/${layer}/${source}`;
+          if (source === "") continue;
+          there.add(key);
+          const turned = this.#turn(key, trust);
+          if (turned !== null) told.push(`${source} (${layer} of ${labelOf(name, character)}) is ${turned}.`);
+        }
       }
     for (const key of this.#lost.keys()) if (!there.has(key)) this.#lost.delete(key);
     return told.join(" ");
