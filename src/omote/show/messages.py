@@ -209,12 +209,14 @@ class AddCharacter(Message, frozen=True):
 
 
 class RemoveCharacter(Message, frozen=True):
-    """Takes a character out of the scene: it leaves the stage first, and no shot holds it any more; until it is gone an
-    `enter_character` keeps it. The last one stays. `key`: what `restore_character` finds it by, "" for its name."""
+    """Takes a character out of the scene: it leaves the stage first, in `seconds`, and no shot holds it any more; until
+    it is gone an `enter_character` keeps it. The last one stays. `key`: what `restore_character` finds it by, "" for
+    its name."""
 
     id: CallId
     character: CharacterName
     key: RequestId = ""
+    seconds: float = 1.0
 
 
 class RestoreCharacter(Message, frozen=True):

@@ -154,6 +154,16 @@ async def test_a_resting_show_is_kept_once_a_second(played: tuple[ShowServer, Ke
 
 
 @pytest.mark.asyncio
+async def test_ticks_that_come_early_are_not_counted(played: tuple[ShowServer, Kept, ShowTick, int]) -> None:
+    _, journal, playing, far = played
+    for number in range(2 * RESTING_TICKS):
+        playing.tick(number)
+        playing.tick(None)
+    assert len(journal.entries) == 2
+    assert os.read(far, 1000) == TICK * (2 * RESTING_TICKS // PULSE_TICKS)
+
+
+@pytest.mark.asyncio
 async def test_what_a_hand_does_is_kept_at_once(played: tuple[ShowServer, Kept, ShowTick, int]) -> None:
     show, journal, playing, _ = played
     for number in range(30):

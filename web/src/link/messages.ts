@@ -197,14 +197,16 @@ export interface AddCharacter {
 }
 
 /**
- * Takes a character out of the scene: it leaves the stage first, and no shot holds it any more; until it is gone an
- * `enter_character` keeps it. The last one stays. `key`: what `restore_character` finds it by, "" for its name.
+ * Takes a character out of the scene: it leaves the stage first, in `seconds`, and no shot holds it any more; until
+ * it is gone an `enter_character` keeps it. The last one stays. `key`: what `restore_character` finds it by, "" for
+ * its name.
  */
 export interface RemoveCharacter {
   type: "remove_character";
   id: string;
   character: string;
   key: string;
+  seconds: number;
 }
 
 /**
