@@ -249,7 +249,7 @@ def test_a_source_is_smoothed_as_its_performer_is_tuned_or_as_it_asks(cast: Cast
         index = show.open(smoothing=asked)
         show.play(1.0, index, [0.0, 0.0])
         show.change(wire.TuneSource("t", "face", False, 0.0, 0.0, 1.0, tuned))
-        show.play(5.0, index, [0.0, 0.0])  # it has let go and is back
+        show.play(1.0, index, [0.0, 0.0])
         shown.append(jaw(show.play(0.3, index, [0.75, 0.0])))
         assert show.told()[0].smoothing == tuned
     assert shown[0] > 0.7
@@ -358,3 +358,11 @@ def test_who_watches_a_source_sees_what_comes_and_what_is_made_of_it(cast: Cast)
     show.change(wire.WatchSource(""))
     assert show.watched() == []
     assert "there is no source 'gone'" in show.refused(wire.WatchSource("gone"), "console")
+
+
+def test_a_source_that_is_smoothed_otherwise_does_not_let_go(cast: Cast) -> None:
+    show = Show(cast)
+    index = show.open()
+    show.play(3.0, index, [0.75, 0.0])
+    show.change(wire.TuneSource("t", "face", False, 0.0, 0.0, 1.0, 1.0))
+    assert min(jaw(show.play(DT, index, [0.75, 0.0])) for _ in range(120)) > 0.74

@@ -25,7 +25,7 @@ import { LayoutStorage, layoutName } from "./show_file/layout_storage";
 import { OwnItems } from "./show_file/own_items";
 import { keepUndo } from "./show_file/undo_storage";
 import { ConsoleSources } from "./sources/console_sources";
-import { LostSources } from "./sources/lost_sources";
+import { LostSources, sendingOf } from "./sources/lost_sources";
 import { ConsoleStore } from "./store/console_store";
 
 /** A name for this console, so that its calls have their own ids. */
@@ -93,7 +93,7 @@ function hearState({ store, panicReturn }: ConsoleContext, sources: LostSources,
   const before = store.state;
   store.receiveState(state);
   panicReturn.receive(before, state);
-  const turned = sources.receive(state.characters);
+  const turned = sources.receive(state.characters, sendingOf(store.sources));
   if (turned !== "") store.say(turned, turned.includes("lost") ? "attention" : "done");
 }
 

@@ -20,6 +20,7 @@ import type {
   Pong,
   Progress,
   SourceState,
+  Sources,
   SourceValues,
   State,
   Welcome,
@@ -171,7 +172,8 @@ export class ShowLink {
         this.recast(message.revision);
         break;
       case "sources":
-        this.handlers.sources?.(message.sources);
+      case "source_values":
+        this.hearSources(message);
         break;
       case "leases":
       case "lease_claim":
@@ -183,17 +185,19 @@ export class ShowLink {
     }
   }
 
+  private hearSources(message: Sources | SourceValues): void {
+    if (message.type === "sources") this.handlers.sources?.(message.sources);
+    else this.handlers.sourceValues?.(message);
+  }
+
   /** What only the page itself has a use for. */
   private tell(
     message: Exclude<
       FromServer,
-      DeviceMessage | LeaseMessage | { type: "welcome" | "state" | "pong" | "cast" | "sources" }
+      DeviceMessage | LeaseMessage | { type: "welcome" | "state" | "pong" | "cast" | "sources" | "source_values" }
     >,
   ): void {
     switch (message.type) {
-      case "source_values":
-        this.handlers.sourceValues?.(message);
-        break;
       case "crew":
         this.handlers.crew?.(message);
         break;

@@ -31,6 +31,7 @@ from omote.server.devices.mediapipe_link import MediapipeLink
 from omote.server.devices.osc_listener import OscListener, OscSockets
 from omote.server.devices.page_device_source import PageDeviceSource
 from omote.server.devices.rejection_log import RejectionLog
+from omote.server.devices.source_report import SourceReport
 from omote.server.devices.tracker_listener import TrackerListener, TrackerSocket
 from omote.server.http.app import ShowServer
 from omote.server.persistence.authored_work import AuthoredWork
@@ -74,7 +75,7 @@ async def start_devices(
     probes = [probe for each in started for probe in each.probes]
     devices = PageDevices(lambda: server.session, bindings, commands, InputLog(_wall() - server.clock()), probes)
     started.append(PageDeviceSource(devices, lambda: server.session, server.links.answer))
-    server.sources.extend(started)
+    server.sources.extend([*started, SourceReport(lambda: server.session, report)])
     return list(started)
 
 

@@ -237,12 +237,16 @@ class OpenSources:
         self._calibrate(scene, source.performer, measured)
 
     def _calibrate(self, scene: Scene, performer: str, calibration: Calibration) -> None:
-        """Another measure of a performer: what it drives lets go before it follows again."""
+        """Another measure of a performer: what it drives lets go before it follows again, but not where it is smoothed
+        otherwise alone, which changes no value."""
+        same = replace(self._calibrations.get(performer, AS_IT_IS), smoothing=0.0) == replace(
+            calibration, smoothing=0.0
+        )
         self._calibrations, self._changed = _with(self._calibrations, performer, calibration), True
         for index, each in self._open.items():
             if each.performer == performer:
                 self._open[index] = replace(each, measure=measure_of(calibration, each.names))
-                for name in self._driven(scene, each.name):
+                for name in () if same else self._driven(scene, each.name):
                     scene[name].recalibrate_layer(self.route(each.name).layer, each.name)
 
 

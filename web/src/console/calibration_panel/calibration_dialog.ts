@@ -7,6 +7,8 @@ import { closeOutside, curtainBelowBar } from "../../ui/dialog_style";
 import { layerWhileShown } from "../../ui/key_presses";
 import { base } from "../../ui/theme";
 import { ConsoleElement } from "../controls/console_element";
+import { LayerCommands } from "../layer_panel/layer_commands";
+import "../layer_panel/source_tuning";
 import { type CalibrationStep, channelsOf, stepsFor } from "../sources/calibration_steps";
 import type { Topic } from "../store/page_store";
 import { calibrationStyle } from "./calibration_style";
@@ -87,7 +89,11 @@ export class CalibrationDialog extends ConsoleElement {
         <button class="main" @click=${() => this.#press(source, step)}>${words(source, step)}</button>
         <button @click=${() => this.#go(this.at + 1)} ?disabled=${this.at + 1 >= steps.length}>Next</button></div>
       <div class="bars"><omote-value-bars .context=${this.context} .names=${sorted(this.names, measured)} .wanted=${measured}></omote-value-bars></div>
-      <div class="row"><p class="key">Upper bar: as it comes. Lower, red: as it is read.</p>
+      <p class="key">Upper bar: as it comes. Lower, red: as it is read.</p>
+      <div class="tuning"><omote-source-tuning .context=${this.context} .source=${source}></omote-source-tuning>
+        <omote-source-tuning .context=${this.context} .source=${source} numbers></omote-source-tuning></div>
+      <div class="row"><button data-mirror aria-pressed=${source.mirror} title="Left and right are swapped"
+          @click=${() => new LayerCommands(this.store).tune(source, { mirror: !source.mirror })}>Mirror</button>
         <button ?disabled=${!source.calibrated} title="It is read as it sends; Undo brings it back"
           @click=${() => this.context.sources.calibrate(source, "reset")}>Forget all</button></div>`;
   }

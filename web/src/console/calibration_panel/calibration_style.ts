@@ -6,7 +6,7 @@ export const calibrationStyle = css`
     width: min(860px, 100%);
     max-height: 100%;
     display: grid;
-    grid-template-rows: auto auto auto minmax(80px, 1fr) auto;
+    grid-template-rows: auto auto auto minmax(80px, 1fr) auto auto auto;
     gap: 10px;
     padding: 14px 16px;
     overflow: hidden;
@@ -67,6 +67,23 @@ export const calibrationStyle = css`
   }
   .key {
     font-size: 12px;
+  }
+  .tuning {
+    display: grid;
+    grid-template-columns: repeat(auto-fit, minmax(min(300px, 100%), 1fr));
+    gap: 6px 16px;
+    align-items: start;
+  }
+  @media (max-width: 700px) {
+    section {
+      display: flex;
+      flex-direction: column;
+      overflow: auto;
+    }
+    .bars {
+      flex: none;
+      max-height: 34vh;
+    }
   }
   @media (pointer: coarse) {
     button,

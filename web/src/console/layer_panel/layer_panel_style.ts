@@ -186,6 +186,9 @@ export const style = css`
       grid-template-columns: minmax(0, 1fr);
       grid-template-rows: minmax(0, 1fr) auto;
     }
+    .bar + .bar {
+      display: none;
+    }
   }
   @media ${narrow} or ${low} {
     :host {
@@ -205,6 +208,9 @@ export const style = css`
     .play {
       grid-template-columns: auto minmax(0, 1fr);
       grid-template-rows: minmax(0, 1fr);
+    }
+    .bar + .bar {
+      display: block;
     }
     .detail {
       overflow: visible;

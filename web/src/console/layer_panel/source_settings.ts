@@ -6,17 +6,9 @@ import { ALL, DRIVEN_LAYERS, LAYER_PARTS } from "../../link/constants";
 import type { SourceState } from "../../link/messages";
 import { base } from "../../ui/theme";
 import { ConsoleElement, chosenIn } from "../controls/console_element";
-import { livelinessOf, secondsOf, smoothingWords } from "../sources/calm_scale";
 import type { Topic } from "../store/page_store";
-import { LayerCommands, layerLabel, type Tuning, withCharacter, withPart } from "./layer_commands";
-
-/** A number of a source: its range, and what it does. */
-const NUMBERS = [
-  ["gain", "Gain", 0, 4, 0.05, "Of all channels"],
-  ["lids", "Lids", 0, 4, 0.05, "Gain of those that shut the eyes: more, where yours do not quite close"],
-  ["curve", "Curve", -1, 1, 0.05, "Above 0 small moves grow, below they shrink"],
-  ["dead_zone", "Dead zone", 0, 0.5, 0.01, "Less is nothing: holds a trembling face still"],
-] as const satisfies readonly (readonly [keyof Tuning, string, number, number, number, string])[];
+import "./source_tuning";
+import { LayerCommands, layerLabel, withCharacter, withPart } from "./layer_commands";
 
 @customElement("omote-source-settings")
 export class SourceSettings extends ConsoleElement {
@@ -48,17 +40,11 @@ export class SourceSettings extends ConsoleElement {
       }
       label {
         display: grid;
-        grid-template-columns: 74px minmax(0, 1fr) 34px;
+        grid-template-columns: 74px minmax(0, 1fr);
         align-items: center;
         gap: 6px;
       }
-      label.calm {
-        grid-template-columns: auto minmax(0, 1fr) auto 42px;
-      }
-      label output {
-        text-align: right;
-      }
-      details label {
+      details > * + * {
         margin-top: 6px;
       }
       summary {
@@ -69,15 +55,7 @@ export class SourceSettings extends ConsoleElement {
         min-height: 30px;
         padding: 0 7px;
       }
-      input[type="range"] {
-        width: 100%;
-        margin: 0;
-        accent-color: var(--hand);
-      }
       @media (pointer: coarse) {
-        input[type="range"] {
-          height: var(--finger);
-        }
         .row button,
         summary {
           min-height: var(--finger);
@@ -99,9 +77,10 @@ export class SourceSettings extends ConsoleElement {
     const from = source.console === "" ? "" : ` at ${source.console}`;
     return html`<div class="row"><b>${source.name}</b>
         <span class="dim">${source.kind}${from}, ${source.found ? `${source.rate}/s` : "sees nobody"}</span></div>
-      ${this.#route()} ${this.#parts()} ${this.#smoothing()} ${this.#buttons()}
+      ${this.#route()} ${this.#parts()}
+      <omote-source-tuning .context=${this.context} .source=${source}></omote-source-tuning> ${this.#buttons()}
       <details><summary>Gain, lids, curve, layer</summary>
-        ${this.#layer()} ${NUMBERS.map((number) => this.#number(number))}</details>`;
+        ${this.#layer()} <omote-source-tuning .context=${this.context} .source=${source} numbers></omote-source-tuning></details>`;
   }
 
   #route() {
@@ -130,17 +109,6 @@ export class SourceSettings extends ConsoleElement {
     </div>`;
   }
 
-  #smoothing() {
-    const { smoothing } = this.source;
-    const set = (seconds: number): void => this.#commands.tune(this.source, { smoothing: seconds });
-    return html`<label class="calm" title="Calm: slow and still. Lively: every twitch. Double click: as usual">
-      <span class="dim">calm</span><input type="range" name="smoothing" aria-label="Smoothing of ${this.source.name}, calm to lively"
-        aria-valuetext=${smoothingWords(smoothing)} min="0" max="1" step="0.01" .value=${String(livelinessOf(smoothing))}
-        @dblclick=${() => set(secondsOf(null))}
-        @change=${(event: Event) => set(secondsOf(Number((event.target as HTMLInputElement).value)))} />
-      <span class="dim">lively</span><output>${smoothingWords(smoothing)}</output></label>`;
-  }
-
   #buttons() {
     const { source } = this;
     return html`<div class="row">
@@ -165,12 +133,5 @@ export class SourceSettings extends ConsoleElement {
   #relayer(chosen: string): void {
     const layer = DRIVEN_LAYERS.find((one) => one === chosen);
     if (layer !== undefined) this.#commands.route(this.source, { layer });
-  }
-
-  #number([name, label, low, high, step, title]: (typeof NUMBERS)[number]) {
-    const value = this.source[name];
-    return html`<label title=${title}>${label}<input type="range" name=${name} min=${low} max=${high} step=${step} .value=${String(value)}
-      @change=${(event: Event) => this.#commands.tune(this.source, { [name]: Number((event.target as HTMLInputElement).value) })}
-      /><output>${value.toFixed(2)}</output></label>`;
   }
 }
