@@ -239,9 +239,8 @@ class OpenSources:
     def _calibrate(self, scene: Scene, performer: str, calibration: Calibration) -> None:
         """Another measure of a performer: what it drives lets go before it follows again, but not where it is smoothed
         otherwise alone, which changes no value."""
-        same = replace(self._calibrations.get(performer, AS_IT_IS), smoothing=0.0) == replace(
-            calibration, smoothing=0.0
-        )
+        before = self._calibrations.get(performer, AS_IT_IS)
+        same = replace(before, smoothing=calibration.smoothing) == calibration
         self._calibrations, self._changed = _with(self._calibrations, performer, calibration), True
         for index, each in self._open.items():
             if each.performer == performer:
