@@ -25,6 +25,8 @@ from omote.perform.layers.source_frame import AUTOMATIC, LOSS_SECONDS, Driver, S
 UPRIGHT, STRAIGHT = Head(), Gaze()
 LET_GO = 0.01
 """A layer that weighs less has let go: another measure no longer shows."""
+FADED = 1e-6
+"""A layer that weighs less has faded out: who has left is forgotten, also while another source plays."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -128,7 +130,7 @@ def advance(cast: HasExpressions, layers: Layers, held: Held, dt: float, *, stil
         layers = _stepped(layers, step)
     if layers.calm:
         return layers
-    gone = {layer for layer, driver in layers.drivers.items() if driver.leaves and not _trust(layers, layer)}
+    gone = {layer for layer, driver in layers.drivers.items() if driver.leaves and _trust(layers, layer) < FADED}
     if gone:
         drivers = {layer: driver for layer, driver in layers.drivers.items() if layer not in gone}
         layers = _with_share_goal(replace(layers, drivers=drivers))
@@ -240,7 +242,7 @@ def _streamed(
         stream[HEAD] = frame.head.yaw, frame.head.pitch, frame.head.roll
     if frame.gaze is not None:
         stream[GAZE] = frame.gaze.yaw, frame.gaze.pitch
-        turned = gaze_channels(cast.expressions, frame.gaze)
+        turned = gaze_channels(cast.expressions, frame.gaze, frame.vergence)
         stream[columns.places(columns.eyes)] = [turned.get(unit, 0.0) for unit in columns.eyes]
     columns.rows(goal, "trust")[row] = 1.0
     later = with_fields(layers, goal=goal, drivers=drivers, calm=False)

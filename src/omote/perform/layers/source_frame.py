@@ -30,7 +30,8 @@ class SourceFrame:
 
     head, gaze: None where it sends none. found: False while it does not see its performer; all else is then ignored.
     parts: which parts of the face it may play. smoothing: seconds in which it is followed, where that is slower than
-    all sources are. direct: it is smooth already and knows what comes, so it shows as it is.
+    all sources are. direct: it is smooth already and knows what comes, so it shows as it is. vergence: radians by which
+    each eye turns in.
     """
 
     names: tuple[str, ...]
@@ -42,6 +43,7 @@ class SourceFrame:
     parts: tuple[LayerPart, ...] = LAYER_PARTS
     smoothing: float = 0.0
     direct: bool = False
+    vergence: float = 0.0
 
 
 @dataclass(frozen=True)
