@@ -30,6 +30,7 @@ from omote.perform.scene.gaze_targets import (
     Looker,
     check_point,
     check_point_name,
+    eyes_at,
     find_sight,
 )
 from omote.perform.scene.removal import framing_back, insert_at_rank, with_kept, with_removal, without_stay
@@ -692,7 +693,8 @@ class Scene:
     def _looker(self, name: str) -> Looker:
         character, at = self._characters[name], self._standings[name]
         motion, present = character.motion, at.presence.goal["presence"] > 0.0
-        return Looker(self._shown_at(name)[0], character.turned, motion.target, motion.seed, present)
+        place = self._shown_at(name)[0]
+        return Looker(place, eyes_at(place, character.turned), motion.target, motion.seed, present)
 
     def _check_target(self, looker: object, kind: str, name: str) -> None:
         if kind == "gaze_point":
