@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from omote.perform.layers.layer_names import DRIVEN, LayerName
-from omote.perform.layers.layers import Layers
+from omote.perform.layers.layer_vectors import Layers
 from omote.perform.layers.source_frame import AUTOMATIC
 
 SPOKEN = 0.1
@@ -12,14 +12,12 @@ SPOKEN = 0.1
 
 def is_free(layers: Layers, layer: LayerName) -> bool:
     """Whether no source drives a layer but the character's own motion."""
-    driver = layers.drivers.get(layer)
-    return driver is None or driver.source == AUTOMATIC
+    return all(driver.source == AUTOMATIC for driver in layers.drivers.get(layer, ()))
 
 
 def is_speaking(layers: Layers) -> bool:
     """Whether lips that a source drives move."""
-    driver = layers.drivers.get("lips")
-    if driver is None or not driver.is_trusted:
+    if not any(driver.is_trusted for driver in layers.drivers.get("lips", ())):
         return False
     lips = layers.columns.rows(layers.second, "streams")[DRIVEN.index("lips")]
     return bool(lips[: len(layers.columns.names)].max(initial=0.0) > SPOKEN)
