@@ -12,6 +12,7 @@ from typing import Annotated, Literal, get_args
 import msgspec
 
 from omote.model.known_names import PlayRegion
+from omote.perform.frame import TargetKind
 from omote.perform.layers.layer_names import LayerName, LayerPart
 from omote.perform.scene.character_names import MOST_CHARACTERS
 from omote.show.access.access_documents import (  # noqa: F401  (the mirror has all)
@@ -32,6 +33,8 @@ STATE_RATE = 60.0
 
 Name = Annotated[str, msgspec.Meta(min_length=1, max_length=80)]
 CharacterName = Annotated[str, msgspec.Meta(min_length=1, max_length=24)]
+PointName = Annotated[str, msgspec.Meta(min_length=1, max_length=40)]
+StageName = Annotated[str, msgspec.Meta(max_length=24)]
 CallId = Annotated[str, msgspec.Meta(min_length=1, max_length=64)]
 RequestId = Annotated[str, msgspec.Meta(max_length=64)]
 Role = Literal["stage", "console"]
@@ -351,7 +354,8 @@ class SetLayer(Message, frozen=True):
 
 class SetMotion(Message, frozen=True):
     """How much a character moves by itself: `liveliness` 0 (nothing) to 1, 0.5 as people move; `blinks`, `gaze` and
-    `breath` each beside the others, 0..2; `seed`: which of all ways to move. `None` leaves a setting as it is."""
+    `breath` each beside the others, 0..2; `seed`: which of all ways to move; `idle`: whether it moves as people do
+    while its tracker is lost, where the liveliness is 0 too. `None` leaves a setting as it is."""
 
     character: CharacterName
     liveliness: float | None = None
@@ -360,6 +364,42 @@ class SetMotion(Message, frozen=True):
     breath: float | None = None
     seed: int | None = None
     id: RequestId = ""
+    idle: bool | None = None
+
+
+class LookAt(Message, frozen=True):
+    """Whom or what the eyes of a character look at by its automatic motion: `ahead`, nothing; `direction`, `yaw` and
+    `pitch` of the house in radians, + to the picture's right and up; `point`, `x` metres to the picture's right, `y`
+    above the eyes, `z` before the front line; by `name`: a `gaze_point`, a `character`, the camera of a `stage` ("" for
+    any). Rejected where there is none of that name."""
+
+    character: CharacterName
+    kind: TargetKind
+    name: Annotated[str, msgspec.Meta(max_length=80)] = ""
+    yaw: float = 0.0
+    pitch: float = 0.0
+    x: float = 0.0
+    y: float = 0.0
+    z: float = 2.0
+    id: RequestId = ""
+
+
+class SetGazePoint(Message, frozen=True):
+    """Names a point of the house that eyes may look at, such as a seat, or moves it: metres as of `look_at`. It is kept
+    with the show. An `id` executes once, as of the one below."""
+
+    id: CallId
+    name: PointName
+    x: float
+    y: float
+    z: float
+
+
+class DeleteGazePoint(Message, frozen=True):
+    """Forgets a gaze point; who looked at it looks ahead."""
+
+    id: CallId
+    name: PointName
 
 
 class Source(Message, frozen=True):
@@ -444,10 +484,13 @@ class Ping(Message, frozen=True):
 
 
 class Drawing(Message, frozen=True):
-    """A stage's heartbeat, once a second: the rate of frames that it really drew, and its level of quality."""
+    """A stage's heartbeat, once a second: the rate of frames that it really drew, and its level of quality. `name`: as
+    its address has it; `camera`: where that is, metres as of `look_at`."""
 
     fps: float
     level: Level
+    name: StageName = ""
+    camera: tuple[float, float, float] | None = None
 
 
 # --- leases -----------------------------------------------------------------------------------------------------------
@@ -786,14 +829,28 @@ class HeldState(msgspec.Struct, frozen=True):
     gaze: tuple[float, float]
 
 
+class GazeTargetState(msgspec.Struct, frozen=True):
+    """Whom or what a character looks at, as of `look_at`."""
+
+    kind: TargetKind = "ahead"
+    name: str = ""
+    yaw: float = 0.0
+    pitch: float = 0.0
+    x: float = 0.0
+    y: float = 0.0
+    z: float = 2.0
+
+
 class MotionState(msgspec.Struct, frozen=True):
-    """What is set of a character's automatic motion, as of `set_motion`."""
+    """What is set of a character's automatic motion, as of `set_motion` and `look_at`."""
 
     liveliness: float
     blinks: float
     gaze: float
     breath: float
     seed: int
+    idle: bool = False
+    target: GazeTargetState = GazeTargetState()
 
 
 class CharacterState(msgspec.Struct, frozen=True):
@@ -840,6 +897,7 @@ class State(Message, frozen=True):
 
     `time`: the show's clock, seconds. `characters`: at least one, in the order in which they were added. `light` sums
     to one, and so does `framing`: a framing is `*`, all that are on the stage, or names joined by `+`, sorted.
+    `gaze_points`: the named points that eyes may look at, metres as of `look_at`.
     """
 
     epoch: int
@@ -851,6 +909,7 @@ class State(Message, frozen=True):
     light_call: CallState | None
     framing: dict[str, float]
     framing_call: CallState | None
+    gaze_points: dict[str, tuple[float, float, float]] = {}
 
 
 class Pong(Message, frozen=True):
@@ -895,10 +954,11 @@ class Progress(Message, frozen=True):
 
 
 class StageReport(msgspec.Struct, frozen=True):
-    """The last report of a stage: frames per second, and the level of quality."""
+    """The last report of a stage: frames per second, the level of quality, and its name, where its address has one."""
 
     fps: float
     level: Level
+    name: StageName = ""
 
 
 class Crew(Message, frozen=True):
@@ -1069,6 +1129,9 @@ FromClient = (
     | WatchDevices
     | SetLayer
     | SetMotion
+    | LookAt
+    | SetGazePoint
+    | DeleteGazePoint
     | Source
     | Drive
     | LeaveSource

@@ -42,6 +42,8 @@ from omote.perform.layers.source_frame import AUTOMATIC, SourceFrame
 
 LET_GO = 0.01
 """A part of a layer that weighs less has let go: another measure, or another source, no longer shows."""
+FADED = 1e-6
+"""A part that weighs less has faded out: who has left is forgotten, also while another source plays."""
 
 
 def begin(cast: HasExpressions, held: Held) -> Layers:
@@ -231,7 +233,7 @@ def _without_gone(layers: Layers) -> Layers:
 
 def _shows(layers: Layers, layer: LayerName, source: str) -> bool:
     followed, trust = layers.followed.get(layer, NOBODY), trust_of(layers, layer).tolist()
-    return any(each == source and part for each, part in zip(followed, trust, strict=True))
+    return any(each == source and part >= FADED for each, part in zip(followed, trust, strict=True))
 
 
 def _plugged(cast: HasExpressions, layers: Layers, layer: LayerName, frame: SourceFrame) -> Layers:
@@ -273,5 +275,5 @@ def _turn(cast: HasExpressions, columns: Columns, stream: Values, own: NDArray[n
         stream[HEAD] = frame.head.yaw, frame.head.pitch, frame.head.roll
     if frame.gaze is not None and own[GAZE].all():
         stream[GAZE] = frame.gaze.yaw, frame.gaze.pitch
-        turned = gaze_channels(cast.expressions, frame.gaze)
+        turned = gaze_channels(cast.expressions, frame.gaze, frame.vergence)
         stream[columns.places(columns.eyes)] = [turned.get(unit, 0.0) for unit in columns.eyes]

@@ -29,7 +29,7 @@ class SourceFrame:
 
     head, gaze: None where it sends none. found: False while it does not see its performer; all else is then ignored.
     parts: which parts of the face it may play. smoothing: seconds in which it is followed, 0 as its layer is. direct:
-    it is smooth already and knows what comes, so it shows as it is.
+    it is smooth already and knows what comes, so it shows as it is. vergence: radians by which each eye turns in.
     """
 
     names: tuple[str, ...]
@@ -41,6 +41,7 @@ class SourceFrame:
     parts: tuple[LayerPart, ...] = LAYER_PARTS
     smoothing: float = 0.0
     direct: bool = False
+    vergence: float = 0.0
 
 
 def check_frame(frame: SourceFrame, layer: LayerName) -> SourceFrame:
