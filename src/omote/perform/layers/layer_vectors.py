@@ -43,8 +43,12 @@ def trust_of(layers: Layers, layer: LayerName) -> Values:
 
 def columns_of_source(layers: Layers, layer: LayerName, source: str) -> NDArray[np.bool_]:
     """The columns of a layer that show the frames of a source."""
-    followed = layers.followed.get(layer, NOBODY)
-    return np.asarray(np.array([each == source for each in followed])[layers.columns.parts])
+    return np.asarray(places_of_source(layers, layer, source)[layers.columns.parts])
+
+
+def places_of_source(layers: Layers, layer: LayerName, source: str) -> NDArray[np.bool_]:
+    """The parts of a layer, and what acts on the whole face (7), that show the frames of a source."""
+    return np.array([each == source for each in layers.followed.get(layer, NOBODY)])
 
 
 def trust_goal(layers: Layers) -> list[list[float]]:

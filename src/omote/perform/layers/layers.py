@@ -30,6 +30,7 @@ from omote.perform.layers.layer_names import DEFAULT_SETTINGS, DRIVEN, LayerName
 from omote.perform.layers.layer_vectors import (
     Layers,
     columns_of_source,
+    places_of_source,
     plays,
     share_goal,
     trust_goal,
@@ -79,8 +80,8 @@ def drive(cast: HasExpressions, layers: Layers, layer: LayerName, frame: SourceF
     driver = find_driver(layers.drivers.get(layer, ()), frame.source)
     if driver is None or driver.leaves or not fits(driver, frame):
         layers = _plugged(cast, layers, layer, frame)
-    elif driver.silent or driver.smoothing != frame.smoothing:
-        heard = with_fields(driver, silent=0.0, smoothing=frame.smoothing)
+    elif driver.silent or (driver.smoothing, driver.share) != (frame.smoothing, frame.share):
+        heard = with_fields(driver, silent=0.0, smoothing=frame.smoothing, share=frame.share)
         layers = _with_drivers(layers, layer, replace_driver(layers.drivers[layer], heard))
         if not driver.is_trusted:
             layers = _owned(layers, layer)
@@ -260,6 +261,8 @@ def _streamed(cast: HasExpressions, layers: Layers, layer: LayerName, frame: Sou
     stream[places[shown]] = frame.values[shown]
     _turn(cast, columns, stream, own, frame)
     later = with_fields(layers, goal=goal, calm=False)
+    if frame.share == 0.0:  # nothing of it shows, so it can be trusted at once: a first word is whole
+        later = _trusted(later, layer, frame.source)
     at_once = own if frame.direct else own & (trust_of(layers, layer)[columns.parts] == 0.0)
     if not at_once.any():
         return later
@@ -267,6 +270,14 @@ def _streamed(cast: HasExpressions, layers: Layers, layer: LayerName, frame: Sou
     for vector in (first, second):
         np.copyto(columns.rows(vector, "streams")[row], stream, where=at_once)
     return with_fields(later, first=first, second=second)
+
+
+def _trusted(layers: Layers, layer: LayerName, source: str) -> Layers:
+    """The layers where what shows a source is trusted from now on."""
+    where, first, second = places_of_source(layers, layer, source), layers.first.copy(), layers.second.copy()
+    for vector in (first, second):
+        layers.columns.rows(vector, "trust")[DRIVEN.index(layer), where] = 1.0
+    return with_fields(layers, first=first, second=second)
 
 
 def _turn(cast: HasExpressions, columns: Columns, stream: Values, own: NDArray[np.bool_], frame: SourceFrame) -> None:
