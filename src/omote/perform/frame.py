@@ -229,9 +229,19 @@ class Held:
 
 
 @dataclass(frozen=True)
+class SourceStatus:
+    """One of the sources of a layer: how far it is trusted where it shows, 0 to 1, and the parts that it has."""
+
+    source: str
+    trust: float
+    parts: tuple[str, ...]
+
+
+@dataclass(frozen=True)
 class LayerStatus:
-    """A layer now: its influence by `LAYER_PARTS` and whether it is on, as set; its source and how far that is trusted;
-    share: how much of it is on air where it plays most, 0 to 1; strongest: what it does now, by channel."""
+    """A layer now: its influence by `LAYER_PARTS` and whether it is on, as set; its source, of several the one with the
+    most parts, and how far that is trusted; share: how much of it is on air where it plays most, 0 to 1; strongest:
+    what it does now, by channel; sources: all of them where there are several, the newest first."""
 
     influence: tuple[float, ...]
     on: bool
@@ -239,6 +249,7 @@ class LayerStatus:
     source: str
     share: float
     strongest: Mapping[str, float]
+    sources: tuple[SourceStatus, ...] = ()
 
 
 @dataclass(frozen=True)

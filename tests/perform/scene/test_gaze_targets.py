@@ -5,7 +5,8 @@ import math
 import pytest
 
 from omote.model.cast import Cast
-from omote.perform.frame import GAZE_LIMITS, Frame
+from omote.perform.frame import Frame
+from omote.perform.limits import GAZE_LIMITS
 from omote.perform.scene.gaze_targets import MOST_CAMERAS, MOST_POINTS
 from omote.perform.scene.scene import Scene
 

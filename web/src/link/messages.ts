@@ -412,8 +412,8 @@ export interface DeleteGazePoint {
  * Something that sends values all the time: a tracker, a microphone, a program. `names`: the expressions (channels)
  * that each of its frames has a value for. `characters`: whom it drives, where it says so; else the route that was
  * made for its name the last time. `performer`: whose face it sees, by whose calibration it is read; "" for one of its
- * own. `smoothing`: seconds, to 2, in which its steps are followed, where that is slower than of all sources. Answered
- * with `source_is`; the end of its link is its end.
+ * own. `smoothing`: seconds, to 2, in which its steps are followed, where that is slower than of all sources. `direct`: its
+ * frames are smooth already and show as they are. Answered with `source_is`; the end of its link is its end.
  */
 export interface Source {
   type: "source";
@@ -424,12 +424,14 @@ export interface Source {
   performer: string;
   id: string;
   smoothing: number;
+  direct: boolean;
 }
 
 /**
  * One frame of a source, the newest wins: `values` as float32, little-endian, in the order of its names, -0.5..1.5;
  * `head` (yaw, pitch, roll) and `gaze` (yaw, pitch) in radians, or `None`. `found`: false while it does not see its
- * performer. Half a second without one that is found, and its layers fade out.
+ * performer. Half a second without one that is found, and its layers fade out. `share`, of a direct source: how much of
+ * its layer it takes, 0..1; none while a voice is silent, so that what lies below shows.
  */
 export interface Drive {
   type: "drive";
@@ -438,6 +440,7 @@ export interface Drive {
   head: [number, number, number] | null;
   gaze: [number, number] | null;
   found: boolean;
+  share: number;
 }
 
 /** A source of this link ends; its layers fade out. */

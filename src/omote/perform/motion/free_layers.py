@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from omote.perform.layers.layer_names import DRIVEN, LayerName
-from omote.perform.layers.layers import Layers
+from omote.perform.layers.layer_vectors import Layers, trust_of
 from omote.perform.layers.source_frame import AUTOMATIC
 
 SPOKEN = 0.1
@@ -15,14 +15,12 @@ _TRACKER: LayerName = "tracker"
 
 def is_free(layers: Layers, layer: LayerName) -> bool:
     """Whether no source drives a layer but the character's own motion."""
-    driver = layers.drivers.get(layer)
-    return driver is None or driver.source == AUTOMATIC
+    return all(driver.source == AUTOMATIC for driver in layers.drivers.get(layer, ()))
 
 
 def is_speaking(layers: Layers) -> bool:
     """Whether lips that a source drives move."""
-    driver = layers.drivers.get("lips")
-    if driver is None or not driver.is_trusted:
+    if not any(driver.is_trusted for driver in layers.drivers.get("lips", ())):
         return False
     lips = layers.columns.rows(layers.second, "streams")[DRIVEN.index("lips")]
     return bool(lips[: len(layers.columns.names)].max(initial=0.0) > SPOKEN)
@@ -35,9 +33,9 @@ def is_tracker_lost(layers: Layers | None, lost: bool) -> bool:
         return lost
     if not layers.settings[_TRACKER].on:
         return False
-    driver = layers.drivers.get(_TRACKER)
-    if driver is None or driver.waits:
+    drivers = layers.drivers.get(_TRACKER, ())
+    if not drivers:
         return lost
-    if driver.is_trusted:
-        return lost and float(layers.columns.rows(layers.second, "trust")[DRIVEN.index(_TRACKER)]) < SHOWN
+    if any(driver.is_trusted for driver in drivers):
+        return lost and float(trust_of(layers, _TRACKER).max()) < SHOWN
     return True

@@ -27,6 +27,7 @@ ROUTES: Mapping[tuple[str, str], AccessRole] = MappingProxyType(
         ("GET", "/handles"): "view",
         ("GET", "/contents/{key}"): "view",
         ("GET", "/mediapipe"): "operate",
+        ("GET", "/voice"): "operate",
         ("GET", "/omote"): "view",
         ("GET", "/omote/{path}"): "view",
         ("GET", "/touchosc/omote.tosc"): "view",
@@ -35,6 +36,7 @@ ROUTES: Mapping[tuple[str, str], AccessRole] = MappingProxyType(
         ("GET", "/console"): "view",
         ("GET", "/editor"): "view",
         ("GET", "/devices"): "view",
+        ("GET", "/microphone"): "view",
         ("GET", "/{page}"): "view",
     }
 )
