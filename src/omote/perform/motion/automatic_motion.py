@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Container
 from dataclasses import dataclass, field, replace
 from functools import lru_cache
@@ -13,7 +14,7 @@ from omote.perform.frame import NO_TARGET, Gaze, Head, MotionSettings
 from omote.perform.layers.follower import follow_number, rate_of
 from omote.perform.layers.layer_names import RANGES, LayerName
 from omote.perform.layers.source_frame import AUTOMATIC, SourceFrame
-from omote.perform.limits import FOREVER, GAZE_LIMITS, check_within
+from omote.perform.limits import FOREVER, check_within
 from omote.perform.motion.blinks import Blinks, advance_blinks, begin_blink, lid_closure
 from omote.perform.motion.breathing import (
     BREATH_CHANNELS,
@@ -42,6 +43,9 @@ PURSUIT = 40.0 * DEGREE
 VERGENCE_SECONDS = 0.5
 """In which eyes converge (Hung et al. 1997: 0.4 to 0.6)."""
 MOST_VERGENCE = 0.5
+EYE_RANGE = Turn(0.6, 0.38)
+"""Radians (34 and 22 degrees) sideways and up that eyes turn in a head by themselves, less where they do both (Stahl
+2001, *Experimental Brain Research* 139: the customary range); the head brings what lies beyond."""
 MOTION_LAYERS: tuple[LayerName, ...] = ("breath", "gaze", "blink")
 
 
@@ -183,7 +187,8 @@ def _gaze_frame(motion: AutomaticMotion, drawn: Head) -> SourceFrame:
     """
     head = motion.head.second
     eyes = looked_at(motion.gaze, motion.time) - head
-    gaze = Gaze(_within(eyes.yaw, GAZE_LIMITS["yaw"]), _within(eyes.pitch, GAZE_LIMITS["pitch"]))
+    share = _share_in_range(eyes)
+    gaze = Gaze(share * eyes.yaw, share * eyes.pitch)
     return SourceFrame(
         (),
         np.zeros(0),
@@ -195,8 +200,11 @@ def _gaze_frame(motion: AutomaticMotion, drawn: Head) -> SourceFrame:
     )
 
 
-def _within(angle: float, limit: float) -> float:
-    return min(max(angle, -limit), limit)
+def _share_in_range(eyes: Turn) -> float:
+    """How much of a turn lies within the range of the eyes, an ellipse."""
+    side, height = eyes.yaw / EYE_RANGE.yaw, eyes.pitch / EYE_RANGE.pitch
+    beyond = side * side + height * height
+    return 1.0 if beyond <= 1.0 else 1.0 / math.sqrt(beyond)
 
 
 _CHANNELS = tuple(sorted({*BREATH_CHANNELS, *NOISE_CHANNELS}))

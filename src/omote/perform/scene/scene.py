@@ -493,7 +493,7 @@ class Scene:
             1 to 40 letters.
         x, y, z : float
             Metres: to the picture's right, -20 to 20; above the eyes of a head of size 1, -10 to 10; before the front
-            line, -20 to 50.
+            line, -20 to 200.
 
         Raises
         ------
