@@ -16,16 +16,20 @@ import os
 os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")  # read when NumPy is loaded
 
 import argparse
+import struct
 import sys
 import time
 from collections.abc import Callable
 
+import msgspec
 import numpy as np
 from rich.console import Console
 from rich.table import Table
 
 import omote
 from omote.inputs.trackers.arkit_names import ARKIT_NAMES
+from omote.inputs.trackers.face_motion.motion_message import Kind, MotionMessage
+from omote.inputs.trackers.face_motion.motion_receiver import REVISION, Schema
 from omote.inputs.trackers.face_text import encode_face_text
 from omote.inputs.trackers.live_link_face import encode_live_link_face
 from omote.inputs.trackers.tracker_input import TrackerInput
@@ -34,7 +38,7 @@ from omote.inputs.trackers.vmc_messages import encode_vmc
 from omote.show import messages as wire
 from omote.show.session import ShowSession
 
-RATE, BAR_CORE, HOST = 60, 0.03, "10.0.0.7"
+RATE, BAR_CORE, HOST, SESSION = 60, 0.03, "10.0.0.7", 7
 HEAD, GAZE = (0.2, -0.1, 0.05), (0.1, 0.05)
 PLAY_EVERY = 500
 """Damaged packets between two ticks."""
@@ -90,10 +94,27 @@ def mediapipe_face(moment: float) -> list[bytes]:
     return [f'{{"faceBlendshapes":[{{"categories":[{categories}]}}]}}'.encode()]
 
 
+def motion_face(moment: float) -> list[bytes]:
+    """The list of names and a frame of FMV3."""
+    values = [round(100.0 * value) for value in weights_at(moment).values()]
+    pose = struct.pack("<12f", 5.0, 10.0, 2.0, 0.0, 0.0, 0.3, 3.0, 4.0, 0.0, 3.0, 4.0, 0.0)
+    payload = struct.pack(f"<{len(values)}h", *values) + pose
+    number = int(RATE * moment)
+    frame = MotionMessage(Kind.FRAME, SESSION, 1, number, 1, payload=payload).encode()
+    start = struct.pack("<QHHII", 0, RATE, 1200, 10_000, REVISION)
+    schema = Schema(
+        1, "iFacialMocap", "ifacialmocap-stream", list(ARKIT_NAMES), "i16", "percent",
+        "head_rxyz_pxyz_rightEye_rxyz_leftEye_rxyz", "degree", "meter",
+    )  # fmt: skip
+    names = MotionMessage(Kind.SCHEMA, SESSION, 1, payload=start + msgspec.json.encode(schema)).encode()
+    return [names, frame]
+
+
 FACES: dict[str, Face] = {
     "vmc": vmc_face, "vmc-performer": vmc_face, "livelink": link_face, "ifacialmocap": text_face,
     "facemotion3d": text_face, "openseeface": open_see_face, "vtubestudio": phone_face, "meowface": phone_face,
-    "mediapipe": mediapipe_face,
+    "mediapipe": mediapipe_face, "ifacialmocap-v3": motion_face, "facemotion3d-v3": motion_face,
+    "ifacialmocap-tcp": text_face, "facemotion3d-tcp": text_face,
 }  # fmt: skip
 
 

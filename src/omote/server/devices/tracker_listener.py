@@ -17,6 +17,7 @@ from omote.inputs.trackers.tracker_protocols import TrackerProtocol, advise
 from omote.server.access.show_addresses import own_address
 from omote.server.devices.datagram_reader import DatagramReader
 from omote.server.devices.rejection_log import RejectionLog
+from omote.server.devices.stream_reader import StreamReader
 from omote.show.messages import State
 from omote.show.session import ShowSession
 
@@ -60,7 +61,7 @@ class TrackerListener:
             _Heard(
                 each,
                 TrackerInput(each.protocol, session),
-                DatagramReader(each.datagrams, each.protocol.title, allowed.with_host(each.phone or None), log),
+                _open_reader(each, allowed, log),
                 advise(each.protocol, host, each.datagrams.getsockname()[1]),
             )
             for each in sockets
@@ -80,8 +81,10 @@ class TrackerListener:
         """Takes what has come since the last tick, for a bounded time, and drives by the newest of it."""
         until = time.perf_counter() + HEAR_SECONDS
         for each in self._heard:
-            for (host, _), data in each.reader.read():
-                each.trackers.receive(host, data, now)
+            for place, data in each.reader.read():
+                for answer in each.trackers.receive(place[0], data, now):
+                    with contextlib.suppress(OSError):  # the phone is away
+                        each.reader.send(answer, place)
                 if time.perf_counter() > until:
                     break
         for each in self._heard:
@@ -98,18 +101,23 @@ class TrackerListener:
                 each.asked = now
                 with contextlib.suppress(OSError):  # the phone is away; it is asked again
                     own = each.tracker.datagrams.getsockname()[1]
-                    each.tracker.datagrams.sendto(ask(own), (each.tracker.phone, port))
+                    each.reader.send(ask(own), (each.tracker.phone, port))
 
     async def close(self) -> None:
         """Closes this process's copies of the sockets."""
         for each in self._heard:
-            each.tracker.datagrams.close()
+            each.reader.close()
 
     def _note_rejections(self, each: _Heard) -> None:
         new, newest = each.trackers.rejected - each.told_rejected, each.trackers.last_rejection
         if new and newest is not None:
             self._log.note(f"{newest.sender}: {newest.reason}", new)
             each.told_rejected = each.trackers.rejected
+
+
+def _open_reader(tracker: TrackerSocket, allowed: AllowedSenders, log: RejectionLog) -> DatagramReader:
+    kind = StreamReader if tracker.protocol.stream else DatagramReader
+    return kind(tracker.datagrams, tracker.protocol.title, allowed.with_host(tracker.phone or None), log)
 
 
 def _count(each: _Heard) -> SourceCounts:

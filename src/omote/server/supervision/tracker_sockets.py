@@ -92,9 +92,14 @@ def listen_for_trackers(wishes: Iterable[TrackerWish]) -> dict[str, socket.socke
 
 
 def _listen(wish: TrackerWish) -> socket.socket:
-    datagrams, port = socket.socket(socket.AF_INET, socket.SOCK_DGRAM), wish.port or 0
+    stream = wish.protocol.stream
+    datagrams, port = socket.socket(socket.AF_INET, socket.SOCK_STREAM if stream else socket.SOCK_DGRAM), wish.port or 0
     try:
+        if stream:
+            datagrams.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)  # connections of a show before linger
         datagrams.bind(("", port))
+        if stream:
+            datagrams.listen()
     except OSError as error:
         datagrams.close()
         taken = "another program has it" if error.errno == errno.EADDRINUSE else explain_error(error)
