@@ -1,4 +1,4 @@
-"""Frames of iFacialMocap and Facemotion3D in a stream of TCP: text frames end with a mark, binary ones say their size."""
+"""Frames of iFacialMocap and Facemotion3D in a stream of TCP: a mark ends a text frame, a binary one says its size."""
 
 from __future__ import annotations
 
