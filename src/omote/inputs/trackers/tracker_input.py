@@ -89,6 +89,12 @@ class TrackerInput:
                 for reason in self._drive(performer, frame, now):
                     self._reject(key[0], reason, now)
 
+    def leave(self) -> None:
+        """Takes its sources out of the session: what they drove is lost, and fades out."""
+        for performer in self._performers.values():
+            self._session().leave(performer.who)
+        self._performers.clear()
+
     def values(self) -> dict[str, float]:
         """What the newest performer sent last, by channel, and its angles; as far as bars show it."""
         last = self._last

@@ -19,7 +19,10 @@ from omote.inputs.trackers.open_see_face import decode_open_see_face
 from omote.inputs.trackers.phone_frame import decode_phone_frame, request_frames
 from omote.inputs.trackers.tracker_frame import Decode
 from omote.inputs.trackers.vmc_messages import open_vmc
+from omote.inputs.trackers.vtube_studio.api_message import API_PORT
+from omote.inputs.trackers.vtube_studio.api_session import ApiSession
 
+API_NAME = "vtubestudio-pc"
 MEDIAPIPE_PATH = "/mediapipe"
 Ask = Callable[[int], bytes]
 """What asks a phone for frames at a port of ours."""
@@ -32,7 +35,7 @@ class TrackerProtocol:
 
     advice: what to do at the sender, with `{host}` and `{port}` of this machine. open: makes a decoder for one sender,
     given what answers it. phone_port, ask: where a phone hears what asks it for frames, and what does; None where
-    nothing is asked. stream: whether it comes by TCP.
+    nothing is asked. stream: whether it comes by TCP; program: whether it is a program that we connect to.
     """
 
     name: str
@@ -43,6 +46,12 @@ class TrackerProtocol:
     phone_port: int | None = None
     ask: Ask | None = None
     stream: bool = False
+    program: bool = False
+
+    @property
+    def heard(self) -> bool:
+        """Whether it has a socket of its own here."""
+        return self.port is not None and not self.program
 
 
 def _stateless(decode: Decode) -> Callable[[Answer], Decode]:
@@ -59,6 +68,10 @@ def _open_stream(answer: Answer) -> Decode:
 
 def _open_vmc(_: Answer) -> Decode:
     return open_vmc()
+
+
+def _open_api(answer: Answer) -> Decode:
+    return ApiSession(answer).decode
 
 
 _PHONE = "in the app type the address {host}, or name the phone here: --listen {name}@PHONE"
@@ -104,6 +117,11 @@ _ALL = (
         "vtubestudio", "VTube Studio", 11125,
         "in the app turn 3rd Party PC Clients on, and name the phone here: --listen {name}@PHONE",
         _stateless(decode_phone_frame), 21412, request_frames,
+    ),
+    TrackerProtocol(
+        API_NAME, "VTube Studio PC", API_PORT,
+        "in VTube Studio turn Allow Plugin API access on, and allow Omote in its window when it asks",
+        _open_api, program=True,
     ),
     TrackerProtocol(
         "meowface", "MeowFace", 12345,

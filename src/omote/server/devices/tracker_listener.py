@@ -6,14 +6,14 @@ import contextlib
 import socket
 import time
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from functools import partial
 
 from omote.inputs.allowed_senders import THIS_MACHINE, AllowedSenders
 from omote.inputs.page_devices.device_health import SourceCounts
 from omote.inputs.rejection import Rejection
 from omote.inputs.trackers.tracker_input import TrackerInput
-from omote.inputs.trackers.tracker_protocols import TrackerProtocol, advise
+from omote.inputs.trackers.tracker_protocols import TRACKER_TITLES, TrackerProtocol, advise
 from omote.server.access.show_addresses import own_address
 from omote.server.devices.datagram_reader import DatagramReader
 from omote.server.devices.rejection_log import RejectionLog
@@ -44,6 +44,10 @@ class _Heard:
     advice: str
     told_rejected: int = 0
     asked: float = -ASK_SECONDS
+    count: Callable[[], SourceCounts] = field(init=False)
+
+    def __post_init__(self) -> None:
+        self.count = partial(_count, self)
 
 
 class TrackerListener:
@@ -56,21 +60,29 @@ class TrackerListener:
         log: RejectionLog,
         allowed: AllowedSenders = THIS_MACHINE,
     ) -> None:
-        self._log, host = log, own_address() or "127.0.0.1"
-        self._heard = [
-            _Heard(
-                each,
-                TrackerInput(each.protocol, session),
-                _open_reader(each, allowed, log),
-                advise(each.protocol, host, each.datagrams.getsockname()[1]),
-            )
-            for each in sockets
-        ]
+        self._log, self._session, self._allowed = log, session, allowed
+        self._heard: list[_Heard] = []
+        for each in sockets:
+            self.add(each)
+
+    def add(self, tracker: TrackerSocket) -> None:
+        """Hears a tracker from now on."""
+        advice = advise(tracker.protocol, own_address() or "127.0.0.1", tracker.datagrams.getsockname()[1])
+        reader = _open_reader(tracker, self._allowed, self._log)
+        self._heard.append(_Heard(tracker, TrackerInput(tracker.protocol, self._session), reader, advice))
+
+    def remove(self, name: str) -> None:
+        """Hears a tracker no more; name: its protocol's."""
+        for each in [each for each in self._heard if each.tracker.protocol.name == name]:
+            self._heard.remove(each)
+            each.trackers.leave()
+            each.reader.close()
 
     @property
     def probes(self) -> list[Callable[[], SourceCounts]]:
         """How pages are told of each protocol."""
-        return [partial(_count, each) for each in self._heard]
+        order = {title: place for place, title in enumerate(TRACKER_TITLES)}
+        return [each.count for each in sorted(self._heard, key=lambda each: order[each.tracker.protocol.title])]
 
     @property
     def inputs(self) -> list[TrackerInput]:
@@ -90,7 +102,7 @@ class TrackerListener:
         for each in self._heard:
             each.trackers.play(now)
             self._note_rejections(each)
-        self._heard.append(self._heard.pop(0))  # none of them waits for ever behind a flood
+        self._heard = self._heard[1:] + self._heard[:1]  # none of them waits for ever behind a flood
         self._log.tell(now)
 
     def tell(self, state: State, now: float) -> None:  # noqa: ARG002  (every source is told; phones are not)
