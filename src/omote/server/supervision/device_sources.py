@@ -83,6 +83,7 @@ async def start_devices(
     switched = _open_switched(server, options, log, allowed, notes, report)
     started += [switched.trackers, switched.mediapipe, switched.programs, switched.faces]
     switches = _open_switches(switched, options, notes, report)
+    server.enable_phone_page(lambda: switches.describe(server.clock()))
     sources = tuple(started)
     devices = PageDevices(
         lambda: server.session, bindings, commands, InputLog(_wall() - server.clock()),

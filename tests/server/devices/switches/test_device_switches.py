@@ -1,4 +1,4 @@
-"""Trackers and receivers of faces, switched on and off as pages ask: heard at once, kept, and what cannot be is said."""
+"""Trackers and receivers of faces, switched as pages ask: heard at once, kept, and what cannot be is said."""
 
 import asyncio
 import socket
@@ -64,8 +64,8 @@ async def room(show_harness: ShowHarness, tmp_path: Path) -> AsyncIterator[Room]
     faces = FaceOutput((), session, said.append)
     programs = ApiPrograms(session, log, DeviceFile(None), faces.weigh, ApiAnnouncements(0))
     switched = Switched(TrackerListener([], session, log), MediapipeLink(session, log), programs, faces)
-    sources = [switched.trackers, switched.mediapipe, switched.programs, switched.faces]
-    show_harness.show.sources.extend(sources)
+    sources = (switched.trackers, switched.mediapipe, switched.programs, switched.faces)
+    show_harness.show.sources += sources
     yield Room(show_harness, switched, tmp_path / "a.devices", said)
     for each in sources:
         await each.close()

@@ -8,6 +8,7 @@ from dataclasses import dataclass
 
 from omote.inputs.face_output.face_target import SEND_PORTS, SEND_TITLES, SURFACE, FaceTarget, read_targets
 from omote.inputs.trackers.tracker_protocols import API_NAME, TRACKER_PROTOCOLS, TrackerProtocol, advise
+from omote.server.access.phone_page import PHONE_PATH
 from omote.server.access.show_addresses import is_loopback, own_address
 from omote.server.devices.face_output import FaceOutput
 from omote.server.devices.mediapipe_link import MediapipeLink
@@ -18,7 +19,6 @@ from omote.server.persistence.device_file import DeviceFile
 from omote.show import messages as wire
 
 MOST_RECEIVERS = 16
-PHONE_PAGE = "/connect"
 WAYS = [wire.SendWay(name, SEND_TITLES[name], port) for name, port in SEND_PORTS.items() if name != SURFACE]
 Report = Callable[[str], None]
 
@@ -85,7 +85,7 @@ class DeviceSwitches:
             found,
             self._receivers(),
             WAYS,
-            PHONE_PAGE,
+            PHONE_PATH,
         )
 
     def _switch_on(self, direction: str, word: str) -> None:
