@@ -72,9 +72,16 @@ def open_usual_osc(host: str) -> OscSockets | None:
         return None
 
 
-def print_trackers(trackers: Sequence[str], allow: str) -> None:
-    """Prints a line for each tracker that is heard: its port, and what to do at its sender."""
+def print_trackers(trackers: Sequence[str], allow: str, page: str = "") -> None:
+    """Prints a line for each tracker that is heard: its port, and what to do at its sender; page: the address where a
+    phone copies that, with a picture that opens it, or ""."""
     for line in trackers:
         typer.echo(f"  tracker  {line}")
+    if trackers and page:
+        from omote.access_commands import read_code
+
+        typer.echo(
+            f"\n{read_code(page)}\n\n  A phone that reads this picture opens what to type into its app:\n  {page}"
+        )
     if trackers and not allow:
         say("trackers on other machines and phones are not heard: --allow 192.168.1.0/24 lets a network play.")

@@ -961,18 +961,22 @@ class PresetDocument(msgspec.Struct, frozen=True):
 
 class TrackerOffer(msgspec.Struct, frozen=True):
     """A tracker that can be heard. name: as `--listen` spells it; port: its usual one, or where it is heard, None where
-    it comes to the port of the pages; asks: what its word may name behind "@": a phone, a computer, or "".
+    it comes to the port of the pages; asks: what its word may name behind "@": a phone that is asked for frames, a
+    computer that we connect to, a sender that may play beside this machine, or "".
 
     word: what it is switched on by, "" while it is off; fixed: the command line has; advice: what to do at the sender.
+    stranger: a host that has sent and may not, or ""; strange: the word by which it may.
     """
 
     name: str
     title: str
     port: int | None
-    asks: Literal["", "phone", "computer"]
+    asks: Literal["", "phone", "computer", "sender"]
     word: str
     fixed: bool
     advice: str
+    stranger: str = ""
+    strange: str = ""
 
 
 class FoundTracker(msgspec.Struct, frozen=True):

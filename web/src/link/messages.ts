@@ -988,17 +988,21 @@ export interface PresetDocument {
 
 /**
  * A tracker that can be heard. name: as `--listen` spells it; port: its usual one, or where it is heard, None where
- * it comes to the port of the pages; asks: what its word may name behind "@": a phone, a computer, or "".
+ * it comes to the port of the pages; asks: what its word may name behind "@": a phone that is asked for frames, a
+ * computer that we connect to, a sender that may play beside this machine, or "".
  * word: what it is switched on by, "" while it is off; fixed: the command line has; advice: what to do at the sender.
+ * stranger: a host that has sent and may not, or ""; strange: the word by which it may.
  */
 export interface TrackerOffer {
   name: string;
   title: string;
   port: number | null;
-  asks: "" | "phone" | "computer";
+  asks: "" | "phone" | "computer" | "sender";
   word: string;
   fixed: boolean;
   advice: string;
+  stranger: string;
+  strange: string;
 }
 
 /** A program that has announced itself, and the word by which it is heard. */

@@ -29,7 +29,8 @@ ASK_SECONDS = 1.0
 
 @dataclass(frozen=True)
 class TrackerSocket:
-    """A protocol, the socket that hears it, and the address of a phone that is asked for frames, or ""."""
+    """A protocol, the socket that hears it, and the address of a phone that is asked for frames where its protocol has
+    that, and that may play in any case, or ""."""
 
     protocol: TrackerProtocol
     datagrams: socket.socket
@@ -77,6 +78,10 @@ class TrackerListener:
             self._heard.remove(each)
             each.trackers.leave()
             each.reader.close()
+
+    def stranger(self, name: str) -> str:
+        """The host that sent last to a protocol and may not play, or ""."""
+        return next((each.reader.foreign_host for each in self._heard if each.tracker.protocol.name == name), "")
 
     @property
     def probes(self) -> list[Callable[[], SourceCounts]]:

@@ -36,7 +36,7 @@ def test_a_list_is_read_as_it_is_typed() -> None:
         ("vmc,vmc:1", "twice"),
         ("vmc:", "no port"),
         ("vmc:70000", "no port"),
-        ("vmc@10.0.0.7", "asks no phone"),
+        ("mediapipe@10.0.0.7", "names nobody"),
         ("ifacialmocap@", "names nobody"),
         ("mediapipe:80", "port of the pages"),
     ],

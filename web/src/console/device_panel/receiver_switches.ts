@@ -31,7 +31,7 @@ export class ReceiverSwitches extends DevicesElement {
         min-width: 0;
       }
       input[name="port"] {
-        width: 64px;
+        width: 88px;
       }
     `,
   ];

@@ -9,6 +9,14 @@ import { DevicesElement, section } from "./devices_element";
 import { switchRows } from "./switch_rows";
 import { listenWord } from "./switch_words";
 
+/** What stands in the field of an address; it may be left empty. */
+const ASKS: Readonly<Record<TrackerOffer["asks"], string>> = {
+  phone: "Phone's address, if it is to be asked",
+  computer: "Its computer's address, if not this one",
+  sender: "Who may send, if not this machine",
+  "": "",
+};
+
 @customElement("omote-trackers")
 export class TrackerSwitches extends DevicesElement {
   @state() private chosen = "";
@@ -29,7 +37,7 @@ export class TrackerSwitches extends DevicesElement {
         min-width: 0;
       }
       input[name="port"] {
-        width: 64px;
+        width: 88px;
       }
       .phone {
         display: grid;
@@ -81,7 +89,6 @@ export class TrackerSwitches extends DevicesElement {
   }
 
   readonly #row = (one: TrackerOffer) => {
-    const advice = `${one.advice[0]?.toUpperCase() ?? ""}${one.advice.slice(1)}`;
     return html`<li data-tracker=${one.name}>
       <b class="name">${one.title}</b><span class="where">${one.port === null ? "" : `port ${one.port}`}</span>
       ${
@@ -89,17 +96,23 @@ export class TrackerSwitches extends DevicesElement {
           ? html`<span class="where" title="Started with --listen ${one.word}">from the command line</span>`
           : html`<button data-off=${one.name} @click=${() => this.#switch(one.word, false)}>Switch off</button>`
       }
-      <small>${advice}.</small></li>`;
+      ${one.stranger === "" ? nothing : this.#stranger(one)}</li>`;
   };
+
+  /** A phone that sends and may not: one press lets it play. */
+  #stranger({ stranger, strange, fixed, title }: TrackerOffer) {
+    return html`<small class="attention">${stranger} sends ${title}, and may not play.
+      ${fixed ? `Start the show with --allow ${stranger}.` : html`<button data-allow=${stranger} @click=${() => this.#switch(strange, true)}>Let it play</button>`}</small>`;
+  }
 
   #form(off: readonly TrackerOffer[]) {
     const chosen = off.find(({ name }) => name === this.chosen) ?? (off[0] as TrackerOffer);
-    const asks = { phone: "Address of the phone", computer: "Address of its computer", "": "" }[chosen.asks];
+    const asks = ASKS[chosen.asks];
     return html`<form class="row" @submit=${(event: Event) => this.#submit(event, chosen)}>
       <select name="tracker" aria-label="Tracker" @change=${this.#choose}>
         ${off.map(({ name, title }) => html`<option value=${name} .selected=${name === chosen.name}>${title}</option>`)}
       </select>
-      ${asks === "" ? nothing : html`<input name="host" placeholder="${asks} (or leave empty)" aria-label=${asks} autocomplete="off" spellcheck="false">`}
+      ${asks === "" ? nothing : html`<input name="host" placeholder=${asks} aria-label=${asks} autocomplete="off" spellcheck="false">`}
       ${chosen.port === null ? nothing : html`<input name="port" type="number" min="1" max="65535" aria-label="Port" .value=${String(chosen.port)}>`}
       <button data-on>Switch on</button></form>`;
   }

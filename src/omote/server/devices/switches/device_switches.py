@@ -164,14 +164,17 @@ class DeviceSwitches:
     def _offer(self, protocol: TrackerProtocol, host: str) -> wire.TrackerOffer:
         wish = self._heard.get(protocol.name)
         port = protocol.port if wish is None else wish.port
+        stranger = "" if wish is None else self._switched.trackers.stranger(protocol.name)
         return wire.TrackerOffer(
             name=protocol.name,
             title=protocol.title,
             port=port,
-            asks="computer" if protocol.program else "phone" if protocol.ask else "",
+            asks="computer" if protocol.program else "phone" if protocol.ask else "sender" if protocol.heard else "",
             word="" if wish is None else wish.word,
             fixed=protocol.name in self._fixed,
             advice=advise(protocol, host, port),
+            stranger=stranger,
+            strange=f"{protocol.name}:{port}@{stranger}" if stranger else "",
         )
 
     def _receivers(self) -> list[wire.ReceiverState]:

@@ -20,8 +20,8 @@ OPTION = "--tracker-"
 
 @dataclass(frozen=True)
 class TrackerWish:
-    """A protocol that is to be heard, at a port of ours, or of a program's. phone: the address of one that is asked for
-    frames, or of the program, or ""."""
+    """A protocol that is to be heard, at a port of ours, or of a program's. phone: the address of a phone that is asked
+    for frames, of a sender that may play, or of the program, or ""."""
 
     protocol: TrackerProtocol
     port: int | None
@@ -49,8 +49,8 @@ def read_wish(word: str) -> TrackerWish:
     where, at, phone = word.partition("@")
     name, colon, port = where.partition(":")
     protocol = TRACKER_PROTOCOLS[check_known(name.strip().lower(), TRACKER_PROTOCOLS, "tracker")]
-    if at and protocol.ask is None and not protocol.program:
-        raise ValueError(f"{protocol.title} asks no phone; write {name} without @{phone[:40]}")
+    if at and protocol.port is None:
+        raise ValueError(f"{protocol.title} names nobody; write {name} without @{phone[:40]}")
     if at and not phone.strip():
         raise ValueError(f"{word[:60]!r} names nobody; give its address, such as {name}@192.168.1.30")
     if colon and protocol.port is None:
