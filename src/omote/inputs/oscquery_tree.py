@@ -110,10 +110,14 @@ def _leaf(address: Address, path: str, known: Names) -> Node:
 def _range(value: Value, known: Names) -> dict[str, Any]:
     if value.kind in ("number", "time"):
         return {"MIN": value.low, "MAX": value.high}
+    if value.kind == "text":
+        return {}
     return {"VALS": [False, True] if value.kind == "switch" else _names(value, known)}
 
 
 def _names(value: Value, known: Names) -> list[str]:
+    if value.kind == "character":
+        return [*known.characters]
     if value.kind == "framing":
         return [ALL, *known.characters]
     listed: dict[str, Sequence[str]] = {

@@ -204,8 +204,10 @@ class ShowSession:
                 pong = wire.Pong(validate_number(message.sent, validation.SENT), self.clock(now))
                 return [Outgoing(who, pong)]
             case wire.Drawing():
-                report = wire.StageReport(validate_number(message.fps, validation.FPS), message.level)
+                report = wire.StageReport(validate_number(message.fps, validation.FPS), message.level, message.name)
                 self.members.report(who, report, now)
+                with refuse_errors(message):
+                    self.scene.note_camera(message.name, message.camera)
             case wire.Cancel():
                 self.members.refuse_a_stage(who, message)
                 self.cancelled.append(message.request)

@@ -68,7 +68,7 @@ async def test_trackers_are_heard_and_faces_sent(show_harness: ShowHarness) -> N
     started = await start_devices(show_harness.show, options, lambda _: None)
     surfaces, trackers, browsers, _, faces, pages = started
     assert isinstance(browsers, MediapipeLink)
-    assert show_harness.show._respond_to_trackers == browsers.respond
+    assert show_harness.show._heard["/mediapipe"] == browsers.respond
     assert isinstance(surfaces, OscListener)
     assert isinstance(trackers, TrackerListener)
     assert isinstance(faces, FaceOutput)

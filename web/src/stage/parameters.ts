@@ -19,11 +19,13 @@ export interface StageParameters {
   tile: Tile | undefined;
   /** The one character that is shown, alone; undefined: the scene. */
   character: string | undefined;
+  /** What the crew calls this stage; "" for none. */
+  name: string;
 }
 
 /** Letters of a label; the show keeps none that are longer. */
 const LONGEST_LABEL = 80;
-const KNOWN = ["transparent", "background", "light", "tile", "of", "bezel", "quality", "hud", "character"];
+const KNOWN = ["transparent", "background", "light", "tile", "of", "bezel", "quality", "hud", "character", "name"];
 const QUALITIES: readonly string[] = ["auto", ...LEVELS];
 
 /** A parameter that cannot be obeyed; its message is a sentence for the page. */
@@ -43,6 +45,7 @@ export function readParameters(query: string): StageParameters {
     quality: readQuality(given.get("quality")),
     tile: readTile(given),
     character: readCharacter(given.get("character")),
+    name: readName(given.get("name")),
   };
 }
 
@@ -59,6 +62,12 @@ function readCharacter(value: string | null): string | undefined {
   throw new ParameterError(
     `character=${value} names no character: give its name or its label, at most ${LONGEST_LABEL} letters, as in character=one.`,
   );
+}
+
+function readName(value: string | null): string {
+  const name = (value ?? "").trim();
+  if (value === null || (name.length > 0 && name.length <= 24)) return name;
+  throw new ParameterError(`name=${value} is no name of a stage: 1 to 24 letters, as in name=left.`);
 }
 
 /** A colour's name, or `#rrggbb`; an address may write it with its "#" as it is, or leave that out. */

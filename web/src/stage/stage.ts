@@ -231,7 +231,14 @@ export class Stage {
   private report(time: number): void {
     if (time - this.reported < 1) return;
     this.reported = time;
-    this.link.send({ type: "drawing", fps: this.rate.at(time), level: this.view.level });
+    const { camera } = this.view;
+    this.link.send({
+      type: "drawing",
+      fps: this.rate.at(time),
+      level: this.view.level,
+      name: this.parameters.name,
+      camera: camera.position.toArray(),
+    });
   }
 }
 

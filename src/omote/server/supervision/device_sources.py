@@ -18,16 +18,18 @@ from omote.inputs.bindings.bindings import Bindings
 from omote.inputs.bindings.control_binding import Binding
 from omote.inputs.dmx.dmx_input import DmxInput
 from omote.inputs.face_output.face_target import SURFACE, read_targets
+from omote.inputs.microphone.microphone_messages import MICROPHONE_PATH
 from omote.inputs.osc_input import OscInput
 from omote.inputs.page_devices.binding_commands import BindingCommands
 from omote.inputs.page_devices.input_log import InputLog
 from omote.inputs.page_devices.page_devices import PageDevices
-from omote.inputs.trackers.tracker_protocols import TRACKER_PROTOCOLS
+from omote.inputs.trackers.tracker_protocols import MEDIAPIPE_PATH, TRACKER_PROTOCOLS
 from omote.interchange.formats.error_reasons import explain_error
 from omote.server.access.show_addresses import own_address
 from omote.server.devices.dmx_listener import DmxListener
 from omote.server.devices.face_output import FaceOutput
 from omote.server.devices.mediapipe_link import MediapipeLink
+from omote.server.devices.microphone_link import MicrophoneLink
 from omote.server.devices.osc_listener import OscListener, OscSockets
 from omote.server.devices.page_device_source import PageDeviceSource
 from omote.server.devices.rejection_log import RejectionLog
@@ -40,10 +42,20 @@ from omote.server.persistence.authored_work import AuthoredWork
 from omote.server.persistence.device_file import DeviceFile, device_path
 from omote.server.supervision.device_sockets import DeviceOptions
 from omote.server.supervision.early_tick import EarlyTicks
+from omote.show.access.people_list import Visitor
 from omote.show.session import ShowSession
 
 Report = Callable[[str], None]
-Started = OscListener | DmxListener | TrackerListener | MediapipeLink | FaceOutput | ApiPrograms | PageDeviceSource
+Started = (
+    OscListener
+    | DmxListener
+    | TrackerListener
+    | MediapipeLink
+    | MicrophoneLink
+    | FaceOutput
+    | ApiPrograms
+    | PageDeviceSource
+)
 
 
 class Closable(Protocol):
@@ -69,14 +81,7 @@ async def start_devices(
     bindings, commands = _open_bindings(server, options, report)
     started: list[Started] = []
     if options.osc is not None:
-        connections = None if options.osc_connections is None else _copy(options.osc_connections)
-        sockets = OscSockets(_copy(options.osc), connections)
-        osc = OscListener(OscInput(lambda: server.session), sockets, log, allowed, spoke=early.note)
-        early.watch(sockets.datagrams)
-        await osc.start()
-        _tell_surfaces(osc, options, server.clock())
-        server.enable_oscquery(sockets.datagrams.getsockname()[1], allowed.allows)
-        started.append(osc)
+        started.append(await _hear_osc(server, _copy(options.osc), options, log, allowed, early))
     if options.sacn is not None or options.artnet is not None:
         started.append(_hear_dmx(bindings, options, log, allowed, report))
     notes = _open_notes(show, report)
@@ -84,6 +89,8 @@ async def start_devices(
     started += [switched.trackers, switched.mediapipe, switched.programs, switched.faces]
     switches = _open_switches(switched, options, notes, report)
     server.enable_phone_page(lambda: switches.describe(server.clock()))
+    started.append(microphones := MicrophoneLink(lambda: server.session, server.clock, early.note, _holds(server)))
+    server.enable_sender(MICROPHONE_PATH, microphones.respond)
     sources = tuple(started)
     devices = PageDevices(
         lambda: server.session, bindings, commands, InputLog(_wall() - server.clock()),
@@ -92,6 +99,20 @@ async def start_devices(
     started.append(PageDeviceSource(devices, lambda: server.session, server.links.answer))
     server.sources.extend(started)
     return list(started)
+
+
+async def _hear_osc(
+    server: ShowServer, datagrams: socket.socket, options: DeviceOptions, log: RejectionLog, allowed: AllowedSenders,
+    early: EarlyTicks,
+) -> OscListener:  # fmt: skip
+    connections = None if options.osc_connections is None else _copy(options.osc_connections)
+    sockets = OscSockets(datagrams, connections)
+    osc = OscListener(OscInput(lambda: server.session), sockets, log, allowed, spoke=early.note)
+    early.watch(datagrams)
+    await osc.start()
+    _tell_surfaces(osc, options, server.clock())
+    server.enable_oscquery(datagrams.getsockname()[1], allowed.allows)
+    return osc
 
 
 def _tell_surfaces(osc: OscListener, options: DeviceOptions, now: float) -> None:
@@ -130,7 +151,7 @@ def _open_switched(
         return server.session
 
     mediapipe, faces = MediapipeLink(session, log), FaceOutput((), session, report)
-    server.enable_trackers(mediapipe.respond)
+    server.enable_sender(MEDIAPIPE_PATH, mediapipe.respond)
     trackers = _hear_trackers(server, options, log, allowed)
     return Switched(trackers, mediapipe, ApiPrograms(session, log, notes, faces.weigh), faces)
 
@@ -140,6 +161,11 @@ def _open_switches(switched: Switched, options: DeviceOptions, notes: DeviceFile
     switches = DeviceSwitches(switched, read_trackers(options.listen), read_targets(options.send), notes, report)
     switches.restore()
     return switches
+
+
+def _holds(server: ShowServer) -> Callable[[Visitor], bool]:
+    """Whether somebody's token still counts."""
+    return lambda visitor: server.access is None or server.access.holds(visitor)
 
 
 def _hear_trackers(

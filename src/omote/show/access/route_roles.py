@@ -29,6 +29,7 @@ ROUTES: Mapping[tuple[str, str], AccessRole] = MappingProxyType(
         ("GET", "/mediapipe"): "operate",
         ("GET", "/connect"): "view",
         ("GET", "/connect/{page}.svg"): "operate",  # it may hold the token that operators share
+        ("GET", "/voice"): "operate",
         ("GET", "/omote"): "view",
         ("GET", "/omote/{path}"): "view",
         ("GET", "/touchosc/omote.tosc"): "view",
@@ -37,6 +38,7 @@ ROUTES: Mapping[tuple[str, str], AccessRole] = MappingProxyType(
         ("GET", "/console"): "view",
         ("GET", "/editor"): "view",
         ("GET", "/devices"): "view",
+        ("GET", "/microphone"): "view",
         ("GET", "/{page}"): "view",
     }
 )
