@@ -23,7 +23,8 @@ GAP_SECONDS = 0.2
 class Driver:
     """What drives a layer: a source with its channels. silent: seconds since it was last found, no more than count.
 
-    leaves: it has gone. steady: seconds since its frames come without a gap, no more than count.
+    leaves: it has gone. steady: seconds since its frames come without a gap, no more than count. share: how much of its
+    layer it takes.
     """
 
     source: str
@@ -35,6 +36,7 @@ class Driver:
     leaves: bool = False
     smoothing: float = 0.0
     steady: float = 0.0
+    share: float = 1.0
 
     @property
     def is_trusted(self) -> bool:
@@ -46,7 +48,7 @@ def driver_of(frame: SourceFrame) -> Driver:
     """What drives a layer by such frames."""
     return Driver(
         frame.source, frame.names, frame.head is not None, frame.gaze is not None, frame.parts,
-        smoothing=frame.smoothing,
+        smoothing=frame.smoothing, share=frame.share,
     )  # fmt: skip
 
 

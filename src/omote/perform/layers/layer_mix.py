@@ -14,7 +14,7 @@ from omote.perform.layers.columns import GAZE, HEAD
 from omote.perform.layers.drivers import NOBODY
 from omote.perform.layers.follower import Values
 from omote.perform.layers.layer_names import DEFAULT_SETTINGS, DRIVEN, LAYER_PARTS, LAYERS, RULES, WHOLE, LayerName
-from omote.perform.layers.layer_vectors import Layers, trust_of
+from omote.perform.layers.layer_vectors import Layers, places_of_source, trust_of
 from omote.perform.layers.worn_units import worn_by
 from omote.perform.panic import Settling, with_settling_channels, with_settling_gaze, with_settling_head
 
@@ -78,10 +78,14 @@ def with_layers(
 
 
 def influences(layers: Layers) -> Values:
-    """How much of each layer (8) shows on each part and on the whole face (7): influence and switch, and trust where a
-    source drives it."""
+    """How much of each layer (8) shows on each part and on the whole face (7): influence and switch, and where a source
+    drives it trust and the share that it takes."""
     shares: Values = layers.columns.rows(layers.second, "share").copy()
     shares[_DRIVEN_ROWS] *= layers.columns.rows(layers.second, "trust")
+    for layer, drivers in layers.drivers.items():
+        for driver in drivers:
+            if driver.share != 1.0:
+                shares[LAYERS.index(layer)][places_of_source(layers, layer, driver.source)] *= driver.share
     return shares
 
 
@@ -129,8 +133,12 @@ def sources_of(layers: Layers, layer: LayerName) -> tuple[SourceStatus, ...]:
 
 
 def _strongest(names: tuple[str, ...], values: Values) -> dict[str, float]:
-    places, numbers = np.argsort(-np.abs(values), kind="stable")[:MOST_SHOWN].tolist(), values.tolist()
-    return {names[place]: numbers[place] for place in places if abs(numbers[place]) >= LEAST_SHOWN}
+    sizes = np.abs(values)
+    seen = np.flatnonzero(sizes >= LEAST_SHOWN)
+    if not len(seen):
+        return {}
+    places = seen[np.argsort(-sizes[seen], kind="stable")[:MOST_SHOWN]].tolist()
+    return {names[place]: float(values[place]) for place in places}
 
 
 def _mixed_values(layers: Layers, shares: Values, closed: Values | None) -> Values:

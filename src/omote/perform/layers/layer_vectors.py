@@ -50,6 +50,19 @@ def columns_of_source(layers: Layers, layer: LayerName, source: str) -> NDArray[
     return layers.columns.in_parts(tuple(each == source for each in followed))
 
 
+def places_of_source(layers: Layers, layer: LayerName, source: str) -> NDArray[np.bool_]:
+    """The parts of a layer, and what acts on the whole face (7), that show the frames of a source."""
+    return _places_in(layers.followed.get(layer, NOBODY), source)
+
+
+@lru_cache(maxsize=256)
+def _places_in(followed: Owners, source: str) -> NDArray[np.bool_]:
+    """The same for all that have the same order of sources: found once, never changed."""
+    found = np.array([each == source for each in followed])
+    found.flags.writeable = False
+    return found
+
+
 def trust_goal(layers: Layers) -> list[tuple[float, ...]]:
     """Where the trust of each part of each driven layer goes: to 1 where it shows whom it belongs to."""
     return [

@@ -30,6 +30,7 @@ from omote.perform.layers.layer_names import DEFAULT_SETTINGS, DRIVEN, LayerName
 from omote.perform.layers.layer_vectors import (
     Layers,
     columns_of_source,
+    places_of_source,
     plays,
     share_goal,
     trust_goal,
@@ -42,6 +43,8 @@ from omote.perform.layers.source_frame import AUTOMATIC, SourceFrame
 
 LET_GO = 0.01
 """A part of a layer that weighs less has let go: another measure, or another source, no longer shows."""
+FADED = 1e-6
+"""A part that weighs less has faded out: who has left is forgotten, also while another source plays."""
 
 
 def begin(cast: HasExpressions, held: Held) -> Layers:
@@ -77,8 +80,8 @@ def drive(cast: HasExpressions, layers: Layers, layer: LayerName, frame: SourceF
     driver = find_driver(layers.drivers.get(layer, ()), frame.source)
     if driver is None or driver.leaves or not fits(driver, frame):
         layers = _plugged(cast, layers, layer, frame)
-    elif driver.silent or driver.smoothing != frame.smoothing:
-        heard = with_fields(driver, silent=0.0, smoothing=frame.smoothing)
+    elif driver.silent or (driver.smoothing, driver.share) != (frame.smoothing, frame.share):
+        heard = with_fields(driver, silent=0.0, smoothing=frame.smoothing, share=frame.share)
         layers = _with_drivers(layers, layer, replace_driver(layers.drivers[layer], heard))
         if not driver.is_trusted:
             layers = _owned(layers, layer)
@@ -231,7 +234,7 @@ def _without_gone(layers: Layers) -> Layers:
 
 def _shows(layers: Layers, layer: LayerName, source: str) -> bool:
     followed, trust = layers.followed.get(layer, NOBODY), trust_of(layers, layer).tolist()
-    return any(each == source and part for each, part in zip(followed, trust, strict=True))
+    return any(each == source and part >= FADED for each, part in zip(followed, trust, strict=True))
 
 
 def _plugged(cast: HasExpressions, layers: Layers, layer: LayerName, frame: SourceFrame) -> Layers:
@@ -257,7 +260,9 @@ def _streamed(cast: HasExpressions, layers: Layers, layer: LayerName, frame: Sou
         stream[places] = np.where(own[places], frame.values, stream[places])
     _turn(cast, columns, stream, own, frame)
     later = with_fields(layers, goal=goal, calm=False)
-    trust = trust_of(layers, layer).tolist()
+    if frame.share == 0.0:  # nothing of it shows, so it can be trusted at once: a first word is whole
+        later = _trusted(later, layer, frame.source)
+    trust = trust_of(later, layer).tolist()
     unseen = tuple(
         name == frame.source and (frame.direct or part == 0.0) for name, part in zip(followed, trust, strict=True)
     )
@@ -273,11 +278,19 @@ def _from_there(layers: Layers, row: int, where: NDArray[np.bool_]) -> Layers:
     return with_fields(layers, first=first, second=second)
 
 
+def _trusted(layers: Layers, layer: LayerName, source: str) -> Layers:
+    """The layers where what shows a source is trusted from now on."""
+    where, first, second = places_of_source(layers, layer, source), layers.first.copy(), layers.second.copy()
+    for vector in (first, second):
+        layers.columns.rows(vector, "trust")[DRIVEN.index(layer), where] = 1.0
+    return with_fields(layers, first=first, second=second)
+
+
 def _turn(cast: HasExpressions, columns: Columns, stream: Values, own: NDArray[np.bool_], frame: SourceFrame) -> None:
     """Writes the head and the gaze of a frame, where its source plays them."""
     if frame.head is not None and own[HEAD].all():
         stream[HEAD] = frame.head.yaw, frame.head.pitch, frame.head.roll
     if frame.gaze is not None and own[GAZE].all():
         stream[GAZE] = frame.gaze.yaw, frame.gaze.pitch
-        turned = gaze_channels(cast.expressions, frame.gaze)
+        turned = gaze_channels(cast.expressions, frame.gaze, frame.vergence)
         stream[columns.places(columns.eyes)] = [turned.get(unit, 0.0) for unit in columns.eyes]

@@ -36,7 +36,9 @@ class SourceFrame:
 
     head, gaze: None where it sends none. found: False while it does not see its performer; all else is then ignored.
     parts: which parts of the face it may play. smoothing: seconds in which it is followed, 0 as its layer is. direct:
-    it is smooth already and knows what comes, so it shows as it is.
+    it is smooth already and knows what comes, so it shows as it is. vergence: radians by which each eye turns in.
+    share: of a direct one, how much of its layer it takes, 0 to 1: a voice that is silent takes none, and what lies
+    below shows.
     """
 
     names: tuple[str, ...]
@@ -48,6 +50,8 @@ class SourceFrame:
     parts: tuple[LayerPart, ...] = LAYER_PARTS
     smoothing: float = 0.0
     direct: bool = False
+    vergence: float = 0.0
+    share: float = 1.0
 
 
 def check_frame(frame: SourceFrame, layer: LayerName) -> SourceFrame:
@@ -55,6 +59,9 @@ def check_frame(frame: SourceFrame, layer: LayerName) -> SourceFrame:
     low, high = RANGES.get(RULES[layer], (CHANNEL_LOWEST, CHANNEL_HIGHEST))
     if len(frame.values) != len(frame.names):
         raise ValueError(f"{len(frame.values)} values came for {len(frame.names)} channels; send one for each")
+    check_share(frame.share)
+    if frame.share != 1.0 and not frame.direct:
+        raise ValueError("only a source that is smooth already (direct) takes less than all of its layer")
     wrong = ~((frame.values >= low) & (frame.values <= high))
     if wrong.any():
         place = int(np.argmax(wrong))
@@ -115,6 +122,11 @@ def _angles(given: object, limits: Mapping[str, float], what: str) -> tuple[floa
 def check_smoothing(seconds: object) -> float:
     """Returns the seconds in which a source is followed; ValueError and TypeError for what cannot be."""
     return check_within(seconds, 0.0, LONGEST_SMOOTHING, "the smoothing of a source (seconds)")
+
+
+def check_share(share: object) -> float:
+    """Returns how much of its layer a source takes; ValueError and TypeError for what cannot be."""
+    return check_within(share, 0.0, 1.0, "the share of its layer that a source takes")
 
 
 def check_names(names: Iterable[str], expressions: Mapping[str, object]) -> tuple[str, ...]:

@@ -51,6 +51,9 @@ FREE: tuple[type[wire.Message], ...] = (
     *get_args(wire.DeviceMessage),
     wire.SetLayer,  # an influence is followed: it takes nothing out of a hand
     wire.SetMotion,
+    wire.LookAt,
+    wire.SetGazePoint,
+    wire.DeleteGazePoint,
     wire.Source,
     wire.Drive,
     wire.LeaveSource,

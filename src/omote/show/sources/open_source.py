@@ -9,6 +9,7 @@ import numpy as np
 
 from omote.perform.frame import with_fields
 from omote.perform.layers.layer_names import LayerName
+from omote.perform.layers.source_frame import check_share
 from omote.perform.limits import CHANNEL_HIGHEST, CHANNEL_LOWEST, check_known, check_within
 from omote.show import messages as wire
 from omote.show.sources.calibration import Calibration, Measure, Values
@@ -30,7 +31,8 @@ REST_SHARE = 0.1
 class OpenSource:
     """A source that is open. who: the client whose link it comes by; sent: its newest values as it sent them; rest:
     their running mean; ranging: the largest of each since it has been listened to, of the channels ranged (none: all);
-    frames: since the consoles were last told; smoothing: what it asks for itself, seconds."""
+    frames: since the consoles were last told; smoothing: what it asks for itself, seconds; direct: it is smooth
+    already; share: how much of its layer it takes."""
 
     name: str
     kind: wire.StreamKind
@@ -45,6 +47,8 @@ class OpenSource:
     frames: int = 0
     found: bool = False
     smoothing: float = 0.0
+    direct: bool = False
+    share: float = 1.0
 
 
 def read_values(source: OpenSource, frame: wire.Drive) -> Values | None:
@@ -63,13 +67,24 @@ def read_values(source: OpenSource, frame: wire.Drive) -> Values | None:
     return sent
 
 
-def hear_values(source: OpenSource, sent: Values | None, *, found: bool) -> OpenSource:
+def read_share(source: OpenSource, frame: wire.Drive) -> float:
+    """How much of its layer a source takes; Refusal where it is not direct and takes less than all: it would jump."""
+    if frame.share != 1.0 and not source.direct:
+        raise Refusal(
+            f"{source.name} takes {frame.share} of its layer; only a source that is direct takes less than 1."
+        )
+    return check_share(frame.share)
+
+
+def hear_values(source: OpenSource, sent: Values | None, *, found: bool, share: float) -> OpenSource:
     """The source after a frame."""
     ranging, rest = source.ranging, source.rest
     if found and sent is not None:
         ranging = None if ranging is None else np.maximum(ranging, sent)
         rest = sent if rest is None else rest + REST_SHARE * (sent - rest)
-    return with_fields(source, sent=sent, rest=rest, ranging=ranging, frames=source.frames + 1, found=found)
+    return with_fields(
+        source, sent=sent, rest=rest, ranging=ranging, frames=source.frames + 1, found=found, share=share
+    )
 
 
 def check_channels(source: OpenSource, channels: list[str]) -> tuple[str, ...]:

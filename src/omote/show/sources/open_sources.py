@@ -23,6 +23,7 @@ from omote.show.sources.open_source import (
     check_channels,
     hear_values,
     measured_by,
+    read_share,
     read_values,
     source_state,
     source_values,
@@ -57,7 +58,7 @@ class OpenSources:
     def hear(
         self,
         who: str,
-        message: wire.Source | wire.Drive | wire.LeaveSource | wire.WatchSource,
+        message: wire.SourceMessage,
         scene: Scene,
         cast: Playable,
     ) -> wire.SourceIs | None:
@@ -89,7 +90,9 @@ class OpenSources:
         measure = measure_of(self._calibrations.get(performer, AS_IT_IS), names)
         index = same[0] if same else self._next()
         smoothing = check_smoothing(asked.smoothing)
-        self._open[index] = OpenSource(asked.name, asked.kind, who, names, performer, measure, smoothing=smoothing)
+        self._open[index] = OpenSource(
+            asked.name, asked.kind, who, names, performer, measure, smoothing=smoothing, direct=asked.direct
+        )
         self._changed = True
         if asked.characters or asked.name not in self._routes:
             layer = self._routes[asked.name].layer if asked.name in self._routes else LAYER_OF[asked.kind]
@@ -104,9 +107,10 @@ class OpenSources:
         head = None if frame.head is None else Head(*frame.head)
         gaze = None if frame.gaze is None else Gaze(*frame.gaze)
         self._changed = self._changed or frame.found != source.found
-        self._open[frame.index] = hear_values(source, sent, found=frame.found)
+        share = read_share(source, frame)
+        self._open[frame.index] = hear_values(source, sent, found=frame.found, share=share)
         if frame.found and sent is not None:
-            self._play(scene, source, sent, head, gaze)
+            self._play(scene, self._open[frame.index], sent, head, gaze)
 
     def end(self, who: str, index: int, scene: Scene) -> None:
         """A source ends: its layers let go. Refusal where this link has none of that index."""
@@ -197,9 +201,10 @@ class OpenSources:
         values = source.measure.weights(sent, low, high)
         head, gaze = source.measure.turn(head, gaze)
         turned = RULES[route.layer] != "fill"  # what fills closes what is open, and turns nothing
+        smoothing = source.measure.calibration.smoothing or source.smoothing
         frame = SourceFrame(
-            source.names, values, head if turned else None, gaze if turned else None, True, source.name, route.parts,
-            source.measure.calibration.smoothing or source.smoothing,
+            source.names, values, head if turned else None, gaze if turned else None, source=source.name,
+            parts=route.parts, smoothing=smoothing, direct=source.direct, share=source.share,
         )  # fmt: skip
         for name in self._driven(scene, source.name):
             scene[name].drive_layer(route.layer, frame)
