@@ -12,6 +12,7 @@ from omote.perform.axis import Axis
 from omote.perform.channels import with_channels
 from omote.perform.easing import DEFAULT_EASING, find_easing
 from omote.perform.frame import NO_TARGET, Frame, Gaze, GazeTarget, Head, Held, Home, check_target_kind, with_fields
+from omote.perform.layers.direct_frames import drive_direct
 from omote.perform.layers.layer_mix import influences, kept_of_mix, with_layers
 from omote.perform.layers.layer_names import RULES, LayerName, check_driven, check_layer, check_part
 from omote.perform.layers.layer_vectors import Layers
@@ -815,8 +816,10 @@ class Performer:
         for layer in MOTION_LAYERS:
             if layer not in frames:
                 self.leave_layer(layer, AUTOMATIC)
-            elif self._layers is None or is_free(self._layers, layer):
-                self.drive_layer(layer, frames[layer])
+        before = self._layers
+        free = {layer: each for layer, each in frames.items() if before is None or is_free(before, layer)}
+        if free:
+            self._layers = drive_direct(self._cast, self._begun_layers(), free)
 
     def _find_sight(self, target: GazeTarget) -> Sight:
         """What the eyes look at; others are nowhere for a performer that is in no scene."""

@@ -181,7 +181,9 @@ def _owned(layers: Layers, layer: LayerName) -> Layers:
 def _waits(layers: Layers, layer: LayerName) -> bool:
     """Whether a part of a layer shows another than it belongs to."""
     owners, followed = layers.owners.get(layer, NOBODY), layers.followed.get(layer, NOBODY)
-    return any(one is not None and one != other for one, other in zip(owners, followed, strict=True))
+    return owners != followed and any(
+        one is not None and one != other for one, other in zip(owners, followed, strict=True)
+    )
 
 
 def _stepped(layers: Layers, dt: float) -> Layers:
@@ -258,7 +260,7 @@ def _streamed(cast: HasExpressions, layers: Layers, layer: LayerName, frame: Sou
     stream[own] = 0.0
     if len(frame.names):
         stream[places] = np.where(own[places], frame.values, stream[places])
-    _turn(cast, columns, stream, own, frame)
+    write_turn(cast, columns, stream, own, frame)
     later = with_fields(layers, goal=goal, calm=False)
     if frame.share == 0.0:  # nothing of it shows, so it can be trusted at once: a first word is whole
         later = _trusted(later, layer, frame.source)
@@ -286,7 +288,9 @@ def _trusted(layers: Layers, layer: LayerName, source: str) -> Layers:
     return with_fields(layers, first=first, second=second)
 
 
-def _turn(cast: HasExpressions, columns: Columns, stream: Values, own: NDArray[np.bool_], frame: SourceFrame) -> None:
+def write_turn(
+    cast: HasExpressions, columns: Columns, stream: Values, own: NDArray[np.bool_], frame: SourceFrame
+) -> None:
     """Writes the head and the gaze of a frame, where its source plays them."""
     if frame.head is not None and own[HEAD].all():
         stream[HEAD] = frame.head.yaw, frame.head.pitch, frame.head.roll
