@@ -15,7 +15,7 @@ Owners = tuple[str | None, ...]
 NOBODY: Owners = (None,) * (WHOLE + 1)
 STEADY_SECONDS = 0.5
 """Of frames without a gap, after which a source is followed as fast as its layer is."""
-GAP_SECONDS = 0.2
+GAP_SECONDS = 0.08
 """Of silence, after which it no longer counts as steady: what comes then may be a jump."""
 
 
