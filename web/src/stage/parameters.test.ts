@@ -13,7 +13,14 @@ describe("a stage's address", () => {
       quality: "auto",
       tile: undefined,
       character: undefined,
+      name: "",
     });
+  });
+
+  it("has a name that can be read, or none", () => {
+    expect(readParameters("?name=left").name).toBe("left");
+    expect(() => readParameters("?name=")).toThrow("no name of a stage");
+    expect(() => readParameters(`?name=${"x".repeat(25)}`)).toThrow("no name of a stage");
   });
 
   it("switches with or without =1", () => {

@@ -231,14 +231,9 @@ export class Stage {
   private report(time: number): void {
     if (time - this.reported < 1) return;
     this.reported = time;
-    const { camera } = this.view;
-    this.link.send({
-      type: "drawing",
-      fps: this.rate.at(time),
-      level: this.view.level,
-      name: this.parameters.name,
-      camera: camera.position.toArray(),
-    });
+    const { camera, level } = this.view;
+    const stands = camera.position.z > 0 ? camera.position.toArray() : null; // at the origin until a head is framed
+    this.link.send({ type: "drawing", fps: this.rate.at(time), level, name: this.parameters.name, camera: stands });
   }
 }
 

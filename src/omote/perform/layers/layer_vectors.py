@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field, replace
+from functools import lru_cache
 
 import numpy as np
 from numpy.typing import NDArray
@@ -14,6 +15,8 @@ from omote.perform.layers.columns import Columns, HasExpressions, make_columns, 
 from omote.perform.layers.drivers import NOBODY, Driver, Owners
 from omote.perform.layers.follower import Values
 from omote.perform.layers.layer_names import DRIVEN, LAYER_PARTS, LAYERS, WHOLE, LayerName, LayerSetting
+
+UNTRUSTED = (0.0,) * len(NOBODY)
 
 
 @dataclass(frozen=True, eq=False)
@@ -43,21 +46,36 @@ def trust_of(layers: Layers, layer: LayerName) -> Values:
 
 def columns_of_source(layers: Layers, layer: LayerName, source: str) -> NDArray[np.bool_]:
     """The columns of a layer that show the frames of a source."""
-    return np.asarray(places_of_source(layers, layer, source)[layers.columns.parts])
+    followed = layers.followed.get(layer, NOBODY)
+    return layers.columns.in_parts(tuple(each == source for each in followed))
 
 
 def places_of_source(layers: Layers, layer: LayerName, source: str) -> NDArray[np.bool_]:
     """The parts of a layer, and what acts on the whole face (7), that show the frames of a source."""
-    return np.array([each == source for each in layers.followed.get(layer, NOBODY)])
+    return _places_in(layers.followed.get(layer, NOBODY), source)
 
 
-def trust_goal(layers: Layers) -> list[list[float]]:
-    """Where the trust of each part of each driven layer goes: to 1 where it shows whom it belongs to."""
-    found = []
-    for layer in DRIVEN:
-        owners, followed = layers.owners.get(layer, NOBODY), layers.followed.get(layer, NOBODY)
-        found.append([float(one is not None and one == other) for one, other in zip(owners, followed, strict=True)])
+@lru_cache(maxsize=256)
+def _places_in(followed: Owners, source: str) -> NDArray[np.bool_]:
+    """The same for all that have the same order of sources: found once, never changed."""
+    found = np.array([each == source for each in followed])
+    found.flags.writeable = False
     return found
+
+
+def trust_goal(layers: Layers) -> list[tuple[float, ...]]:
+    """Where the trust of each part of each driven layer goes: to 1 where it shows whom it belongs to."""
+    return [
+        _trust_goal(layers.owners.get(layer, NOBODY), layers.followed.get(layer, NOBODY))
+        if layer in layers.drivers
+        else UNTRUSTED
+        for layer in DRIVEN
+    ]
+
+
+@lru_cache(maxsize=256)
+def _trust_goal(owners: Owners, followed: Owners) -> tuple[float, ...]:
+    return tuple(float(one is not None and one == other) for one, other in zip(owners, followed, strict=True))
 
 
 def share_goal(layers: Layers) -> Values:

@@ -33,6 +33,7 @@ from omote.server.devices.microphone_link import MicrophoneLink
 from omote.server.devices.osc_listener import OscListener, OscSockets
 from omote.server.devices.page_device_source import PageDeviceSource
 from omote.server.devices.rejection_log import RejectionLog
+from omote.server.devices.source_report import SourceReport
 from omote.server.devices.switches.device_switches import DeviceSwitches, Switched
 from omote.server.devices.switches.tracker_sockets import read_trackers
 from omote.server.devices.tracker_listener import TrackerListener, TrackerSocket
@@ -97,7 +98,7 @@ async def start_devices(
         lambda: [probe for each in sources for probe in each.probes], switches,
     )  # fmt: skip
     started.append(PageDeviceSource(devices, lambda: server.session, server.links.answer))
-    server.sources.extend(started)
+    server.sources.extend([*started, SourceReport(lambda: server.session, report)])
     return list(started)
 
 
