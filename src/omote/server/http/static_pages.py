@@ -12,6 +12,7 @@ PAGES = {
     "/stage": "stage.html",
     "/console": "console.html",
     "/devices": "devices.html",
+    "/camera": "camera.html",
     "/editor": "editor.html",
 }
 TYPES = {".js": "text/javascript", ".mjs": "text/javascript", ".css": "text/css", ".html": "text/html"}

@@ -35,6 +35,7 @@ ROUTES: Mapping[tuple[str, str], AccessRole] = MappingProxyType(
         ("GET", "/console"): "view",
         ("GET", "/editor"): "view",
         ("GET", "/devices"): "view",
+        ("GET", "/camera"): "view",
         ("GET", "/{page}"): "view",
     }
 )
