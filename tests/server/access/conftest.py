@@ -52,6 +52,7 @@ async def access_harness(cast: Cast, tmp_path: Path) -> AsyncIterator[AccessHarn
         tokens |= {"garbage": GARBAGE}
         opened.show.enable_oscquery(9000)
         opened.show.enable_trackers(_hear)
+        opened.show.enable_cameras(_hear)
         opened.show.enable_access(control, b"PEM")
         async with TestClient(TestServer(opened.show.application(own_names()))) as client:
             yield AccessHarness(

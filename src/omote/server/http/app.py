@@ -13,6 +13,7 @@ from aiohttp import WSCloseCode, WSMsgType, web
 
 from omote.edit.protocol.messages import EDITING_PATH
 from omote.edit.store.on_air_recipes import OnAir, read_on_air
+from omote.inputs.performers.camera_messages import CAMERA_PATH
 from omote.inputs.trackers.tracker_protocols import MEDIAPIPE_PATH
 from omote.server.access.access_control import AccessControl
 from omote.server.access.access_guard import guard_access, visitor_in
@@ -71,6 +72,7 @@ class ShowServer:
         self.device_spoke: Callable[[], None] = lambda: None
         self.oscquery: OscQuery | None = None
         self._respond_to_trackers: Callable[[web.Request], Awaitable[web.StreamResponse]] | None = None
+        self._respond_to_cameras: Callable[[web.Request], Awaitable[web.StreamResponse]] | None = None
         self._surface_allowed: Callable[[str], bool] = lambda _: False
         self.access: AccessControl | None = None
         self.authority: bytes | None = None
@@ -115,6 +117,10 @@ class ShowServer:
         """Adds the link of trackers that send by WebSocket."""
         self._respond_to_trackers = respond
 
+    def enable_cameras(self, respond: Callable[[web.Request], Awaitable[web.StreamResponse]]) -> None:
+        """Adds the link of camera pages."""
+        self._respond_to_cameras = respond
+
     def enable_access(self, control: AccessControl | None, authority: bytes | None = None) -> None:
         """Asks for tokens from now on, but for None; authority: the certificate that tablets may install."""
         self.access, self.authority = control, authority
@@ -156,6 +162,8 @@ class ShowServer:
         application.router.add_get(TOUCHOSC_PATH, layout.respond)
         if self._respond_to_trackers is not None:
             application.router.add_get(MEDIAPIPE_PATH, self._respond_to_trackers)
+        if self._respond_to_cameras is not None:
+            application.router.add_get(CAMERA_PATH, self._respond_to_cameras)
         if self.oscquery is not None:
             self.oscquery.add_routes(application, self.page)
 
@@ -253,7 +261,7 @@ class ShowServer:
         page = self._pages.get(request.path)
         if page is None:
             raise web.HTTPNotFound(
-                text="there is no such page; there are /stage, /console, /devices (dials, pads) and /editor."
+                text="there is no such page; there are /stage, /console, /devices (dials, pads), /camera and /editor."
             )
         keep = CACHE_FOREVER if page.immutable else NO_CACHE
         return web.Response(body=page.body, content_type=page.content_type, headers={"Cache-Control": keep})

@@ -55,7 +55,7 @@ class AuthoredWork:
         self, documents: Mapping[str, bytes], dropped: Iterable[str], report: Callable[[str], None]
     ) -> None:
         """Commits how the faces of performers are read, and who is known no more; report: as above."""
-        changes = [*map(DropPerformer, dropped), *(PutPerformer(*each) for each in documents.items())]
+        changes: list[Change] = [*map(DropPerformer, dropped), *(PutPerformer(*each) for each in documents.items())]
         self._keep(changes, "a performer's calibration", report)
 
     def _keep(self, changes: Sequence[Change], what: str, report: Callable[[str], None]) -> None:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import os
 import socket
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from pathlib import Path
 from typing import Protocol
 
@@ -22,9 +22,11 @@ from omote.inputs.osc_input import OscInput
 from omote.inputs.page_devices.binding_commands import BindingCommands
 from omote.inputs.page_devices.input_log import InputLog
 from omote.inputs.page_devices.page_devices import PageDevices
+from omote.inputs.performers.performer_list import PerformerList
 from omote.inputs.trackers.tracker_protocols import TRACKER_PROTOCOLS
 from omote.interchange.formats.error_reasons import explain_error
 from omote.server.access.show_addresses import own_address
+from omote.server.camera.camera_link import CameraLinks
 from omote.server.devices.dmx_listener import DmxListener
 from omote.server.devices.face_output import FaceOutput
 from omote.server.devices.mediapipe_link import MediapipeLink
@@ -58,7 +60,9 @@ async def start_devices(
     allowed = allowed.with_host(own_address())  # a desk's program here sends to groups by a network card
     log = RejectionLog(report)
     bindings, commands = _open_bindings(server, options, report)
-    started: list[OscListener | DmxListener | TrackerListener | MediapipeLink | FaceOutput | PageDeviceSource] = []
+    started: list[
+        OscListener | DmxListener | TrackerListener | MediapipeLink | CameraLinks | FaceOutput | PageDeviceSource
+    ] = []
     if options.osc is not None:
         connections = None if options.osc_connections is None else _copy(options.osc_connections)
         sockets = OscSockets(_copy(options.osc), connections)
@@ -71,6 +75,7 @@ async def start_devices(
     if options.sacn is not None or options.artnet is not None:
         started.append(_hear_dmx(bindings, options, log, allowed, report))
     started += _open_trackers(server, options, log, allowed)
+    started.append(_open_cameras(server, log, report))
     probes = [probe for each in started for probe in each.probes]
     devices = PageDevices(lambda: server.session, bindings, commands, InputLog(_wall() - server.clock()), probes)
     started.append(PageDeviceSource(devices, lambda: server.session, server.links.answer))
@@ -109,6 +114,27 @@ def _open_trackers(
     return started
 
 
+def _open_cameras(server: ShowServer, log: RejectionLog, report: Report) -> CameraLinks:
+    """The camera pages of the show; without a show file their performers are known until its end."""
+    work = _find_work(server)
+
+    def keep(documents: Mapping[str, bytes], gone: list[str]) -> None:
+        if (kept := work()) is not None:
+            kept.keep_performers(documents, gone, report)
+
+    stored = work()
+    performers = PerformerList({} if stored is None else stored.performers, keep)
+    cameras = CameraLinks(
+        lambda: server.session, performers, log, lambda visitor: server.access is None or server.access.holds(visitor)
+    )
+    server.enable_cameras(cameras.respond)
+    return cameras
+
+
+def _find_work(server: ShowServer) -> Callable[[], AuthoredWork | None]:
+    return lambda: None if server.editing is None else server.editing.authored_work
+
+
 def _hear_trackers(
     server: ShowServer, options: DeviceOptions, log: RejectionLog, allowed: AllowedSenders
 ) -> TrackerListener:
@@ -123,8 +149,7 @@ def _hear_trackers(
 def _open_bindings(server: ShowServer, options: DeviceOptions, report: Report) -> tuple[BindingInput, BindingCommands]:
     """The bindings of the show file, with those of the file of the command line before them."""
 
-    def work() -> AuthoredWork | None:
-        return None if server.editing is None else server.editing.authored_work
+    work = _find_work(server)
 
     def keep(document: bytes) -> None:
         if (kept := work()) is not None:

@@ -27,6 +27,7 @@ ROUTES: Mapping[tuple[str, str], AccessRole] = MappingProxyType(
         ("GET", "/handles"): "view",
         ("GET", "/contents/{key}"): "view",
         ("GET", "/mediapipe"): "operate",
+        ("GET", "/camera/link"): "operate",
         ("GET", "/omote"): "view",
         ("GET", "/omote/{path}"): "view",
         ("GET", "/touchosc/omote.tosc"): "view",
