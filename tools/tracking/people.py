@@ -71,7 +71,7 @@ class Person:
 
 def random_person(draw: np.random.Generator, sources: tuple[str, ...]) -> Person:
     """A person mixed from some of the sources, warped by millimetres, in a random look."""
-    count = int(draw.integers(1, 5))
+    count = min(int(draw.integers(1, 5)), len(sources))
     chosen = draw.choice(len(sources), count, replace=False)
     shares = draw.dirichlet(np.full(count, 1.2))
     faces = {sources[row]: float(share) for row, share in zip(chosen, shares, strict=True)}
