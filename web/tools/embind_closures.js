@@ -3,8 +3,8 @@
 // (face_mesh_assets.ts); all that they call is the glue's own.
 
 export function createNamedFunction(name, body) {
-  const named = function () {
-    return body.apply(this, arguments);
+  const named = function (...given) {
+    return body.apply(this, given);
   };
   Object.defineProperty(named, "name", { value: makeLegalFunctionName(name) });
   return named;

@@ -1,16 +1,28 @@
-import { LandmarkClient } from "./landmark_client";
-import warmUp from "./warm_up_face.jpg?no-inline";
+/** The camera page: a performer's face, found in the browser, plays characters of the show. */
 
-const worker = new Worker(new URL("./landmark_worker.ts", import.meta.url));
-const log: unknown[] = [];
-Object.assign(window, { log });
-const client = new LandmarkClient(worker as never, {
-  loading: (what, share) => log.push(["loading", what, share]),
-  ready: (backend, cost) => log.push(["ready", backend, cost]),
-  landmarks: (found) =>
-    log.push(["landmarks", found.points.length, found.cost, found.light, Array.from(found.points.slice(0, 6))]),
-  failed: (reason) => log.push(["failed", reason]),
-});
-const picture = async () => createImageBitmap(await (await fetch(warmUp)).blob());
-client.start(await picture());
-Object.assign(window, { look: async () => client.look(await picture(), performance.now()) });
+import { showAccess } from "../access/access_banner";
+import { missingRole, readAccess } from "../access/page_access";
+import { CameraPage } from "./camera_page";
+import { CameraSession } from "./camera_session";
+import warmUpFace from "./landmarks/warm_up_face.jpg?no-inline";
+
+/** A name that two browsers seldom share, until the performer types one. */
+const fallbackName = `Performer ${100 + Math.floor(900 * Math.random())}`;
+
+async function start(): Promise<void> {
+  const worker = new Worker(new URL("./landmarks/landmark_worker.ts", import.meta.url), { name: "landmarks" });
+  const page = new CameraPage();
+  page.session = new CameraSession(
+    worker,
+    localStorage,
+    () => page.changed(),
+    (found) => page.draw(found),
+    () => location.reload(), // the server then asks for another token
+  );
+  document.body.append(page);
+  void readAccess().then((access) => showAccess(missingRole(access, "operate", "playing by a camera")));
+  const face = await (await fetch(warmUpFace)).blob();
+  await page.session.start(await createImageBitmap(face), fallbackName);
+}
+
+void start();
