@@ -5,6 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from omote.inputs.camera.landmark_frame import LANDMARKS, LandmarkFrame, write_landmark_frame
+from omote.inputs.trackers.tracker_frame import TrackerFrame
 
 _ROWS = np.arange(LANDMARKS)
 _RING = np.stack(
@@ -22,3 +23,15 @@ def landmarks(time: float, *, found: bool = True, jaw: float = 0.0) -> LandmarkF
 def packet(time: float, *, found: bool = True, jaw: float = 0.0) -> bytes:
     """The same as a page sends it."""
     return write_landmark_frame(landmarks(time, found=found, jaw=jaw))
+
+
+class PlainTracker:
+    """In place of the tracker: a jaw as open as `jaw` was, ten times; what is tested here is not how faces are read."""
+
+    def __init__(self, calibration: object) -> None:
+        assert calibration is not None
+
+    def step(self, frame: LandmarkFrame) -> TrackerFrame:
+        if frame.points is None:
+            return TrackerFrame(found=False, time=frame.time)
+        return TrackerFrame({"jawOpen": float(10.0 * (frame.points[14, 1] - _RING[14, 1]))}, time=frame.time)

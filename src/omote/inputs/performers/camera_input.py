@@ -162,8 +162,10 @@ class CameraInput:
         came = [name for name in after if name not in before]
         if performer.name not in after and len(came) == 1:  # renamed, or a new name taken back
             self.begin(link, wire.Perform(wire.CAMERA_VERSION, came[0]))
-        for each in self._links.values():
-            if before.get(each.name) != after.get(each.name) and each.name not in came:
+        elif before.get(performer.name) != after.get(performer.name):
+            self._load(performer)
+        for each in (other for other in self._links.values() if other is not self._links[link]):
+            if before.get(each.name) != after.get(each.name):
                 self._load(each)
 
     def _choices(self, performer: CameraPerformer) -> list[wire.CharacterChoice]:
