@@ -143,7 +143,7 @@ def constants_module() -> str:
 MODULES = {
     "messages.ts": show_module,
     "editing_messages.ts": editing_module,
-    "../camera/camera_messages.ts": camera_module,
+    "../camera/session/camera_messages.ts": camera_module,
     "constants.ts": constants_module,
 }
 

@@ -2,7 +2,7 @@
 
 import { LitElement } from "lit";
 import { property } from "lit/decorators.js";
-import type { CameraSession } from "./camera_session";
+import type { CameraSession } from "./session/camera_session";
 
 export abstract class CameraElement extends LitElement {
   @property({ attribute: false }) session!: CameraSession;

@@ -3,8 +3,8 @@
 import { showAccess } from "../access/access_banner";
 import { missingRole, readAccess } from "../access/page_access";
 import { CameraPage } from "./camera_page";
-import { CameraSession } from "./camera_session";
 import warmUpFace from "./landmarks/warm_up_face.jpg?no-inline";
+import { CameraSession } from "./session/camera_session";
 
 /** A name that two browsers seldom share, until the performer types one. */
 const fallbackName = `Performer ${100 + Math.floor(900 * Math.random())}`;

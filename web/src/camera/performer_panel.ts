@@ -4,7 +4,7 @@ import { css, html, nothing } from "lit";
 import { customElement, state } from "lit/decorators.js";
 import { base, entry, palette } from "../ui/theme";
 import { CameraElement } from "./camera_element";
-import type { CameraStatus } from "./camera_messages";
+import type { CameraStatus } from "./session/camera_messages";
 import { drawStep } from "./step_picture";
 
 const READ_BY = {

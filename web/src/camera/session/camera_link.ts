@@ -1,6 +1,6 @@
 /** The camera page's link to the show: landmarks and wishes out, what the show makes of them in. */
 
-import { ReconnectingSocket } from "../link/reconnecting_socket";
+import { ReconnectingSocket } from "../../link/reconnecting_socket";
 import { CAMERA_PATH, CAMERA_VERSION, type CameraStatus, type FromCamera, type ToCamera } from "./camera_messages";
 
 /** What the page is told. */

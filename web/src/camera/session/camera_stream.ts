@@ -65,7 +65,7 @@ export class CameraStream {
 
   constructor(
     private readonly listener: CameraListener,
-    private readonly cameras: Cameras | undefined = navigator.mediaDevices,
+    private readonly cameras: Cameras | null = navigator.mediaDevices ?? null,
   ) {
     cameras?.addEventListener("devicechange", () => void this.#look());
   }
@@ -74,7 +74,7 @@ export class CameraStream {
   async open(device: string): Promise<void> {
     this.#wanted = device;
     this.close();
-    if (this.cameras === undefined) {
+    if (this.cameras === null) {
       this.listener.trouble(INSECURE);
       return;
     }

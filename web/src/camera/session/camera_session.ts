@@ -1,12 +1,13 @@
 /** What happens at the camera page: pictures go to the landmark worker, landmarks to the show, news to the page. */
 
+import { LandmarkClient, type Messenger } from "../landmarks/landmark_client";
+import { writeLandmarkFrame } from "../landmarks/landmark_frame";
+import type { Backend, Landmarks } from "../landmarks/landmark_messages";
 import { CameraLink } from "./camera_link";
 import type { CameraStatus, FromCamera } from "./camera_messages";
 import { type CameraDevice, CameraStream, type CameraTrouble } from "./camera_stream";
 import { type HealthLine, judgeFace, Rate } from "./face_health";
-import { LandmarkClient, type Messenger } from "./landmarks/landmark_client";
-import { writeLandmarkFrame } from "./landmarks/landmark_frame";
-import type { Backend, Landmarks } from "./landmarks/landmark_messages";
+import { takePictures } from "./picture_stream";
 
 /** How far the model is. */
 export type ModelState =
@@ -27,7 +28,7 @@ export class CameraSession {
   /** What the show said no to last, until it is dismissed or something is accepted. */
   notice = "";
   readonly video = document.createElement("video");
-  #newest: Landmarks | null = null;
+  #endPictures: () => void = () => undefined;
   #noticed = 0;
   readonly #rate = new Rate();
   readonly #client: LandmarkClient;
@@ -102,43 +103,35 @@ export class CameraSession {
 
   #setModel(model: ModelState): void {
     this.#set({ model });
-    if (model.kind === "ready") this.#look();
   }
 
   #opened(stream: MediaStream, device: string): void {
+    this.#endPictures();
     this.video.srcObject = stream;
     this.#set({ trouble: null, device });
-    void this.video.play().then(() => this.#look());
+    void this.video.play().catch(() => undefined); // another camera was chosen before it began
+    this.#endPictures = takePictures(stream, this.video, (grab, time) => this.#look(grab, time));
   }
 
   #lose(trouble: CameraTrouble): void {
+    this.#endPictures();
     this.video.srcObject = null;
-    this.#newest = null;
     this.#set({ trouble, health: [] });
   }
 
-  /** Has each new picture looked at, as soon as the worker is free. */
-  #look(): void {
-    this.video.requestVideoFrameCallback((time) => void this.#grab(time));
-  }
-
-  async #grab(time: number): Promise<void> {
-    if (this.video.srcObject === null) return; // the next camera begins anew
-    if (this.#client.free) {
-      const picture = await createImageBitmap(this.video).catch(() => null); // a picture that has gone
-      if (picture !== null) this.#client.look(picture, time);
-    }
-    this.#look();
+  /** Has a picture looked at, where the worker is free: the newest counts. */
+  async #look(grab: () => Promise<ImageBitmap | null>, time: number): Promise<void> {
+    const picture = this.#client.free ? await grab() : null;
+    if (picture !== null) this.#client.look(picture, time);
   }
 
   #receive(found: Landmarks): void {
-    this.#newest = found;
     this.#link.sendFrame(writeLandmarkFrame(found));
     this.drawn(found);
     const rate = this.#rate.count(found.time);
     if (found.time - this.#noticed > HEALTH_MS) {
       this.#noticed = found.time;
-      this.#set({ health: judgeFace(this.#newest, rate) });
+      this.#set({ health: judgeFace(found, rate) });
     }
   }
 
