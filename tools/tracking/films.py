@@ -10,6 +10,7 @@ from pathlib import Path
 import numpy as np
 
 from omote.builtin import load_cast
+from omote.inputs.trackers.arkit_names import plain_spelling
 from omote.inputs.takes.live_link_take import read_live_link_take
 from tools.tracking.motions import UNITS, Moment, bound, random_mixture, random_pose, random_talk, spread
 from tools.tracking.picture import Pose
@@ -141,9 +142,11 @@ def real_take(draw: np.random.Generator, path: Path, frames: int) -> list[Moment
 def _take_rows(path: Path) -> list[Moment]:
     take = read_live_link_take(path.read_text())
     looks = {name: load_cast().expressions[f"eyeLook{name}"].eyes for name in ("UpLeft", "DownLeft", "InLeft", "OutLeft")}
+    names = [plain_spelling(name) for name in take.names]
     rows = []
-    for frame in take.frames:
-        weights = {name: float(np.clip(frame.weights.get(name, 0.0), 0.0, 1.0)) for name in UNITS}
-        gaze = sum(frame.weights.get(f"eyeLook{name}", 0.0) * eyes[0] for name, eyes in looks.items())
+    for values in take.values:
+        said = dict(zip(names, values, strict=True))
+        weights = {name: float(np.clip(said.get(plain_spelling(name), 0.0), 0.0, 1.0)) for name in UNITS}
+        gaze = sum(said.get(plain_spelling(f"eyeLook{name}"), 0.0) * eyes[0] for name, eyes in looks.items())
         rows.append(Moment(weights, (float(gaze[0]), float(gaze[1]))))
     return rows
