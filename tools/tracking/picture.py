@@ -46,9 +46,9 @@ class Setting:
 
 def random_setting(draw: np.random.Generator) -> Setting:
     """A camera in a room."""
-    focal = float(np.exp(draw.uniform(np.log(0.75), np.log(2.6))))
     fill = draw.uniform(0.48, 0.8)  # the head's height in the picture
-    distance = 0.24 * focal / fill
+    distance = float(np.exp(draw.uniform(np.log(0.38), np.log(1.0))))
+    focal = distance * fill / 0.24
     key = _direction(draw.uniform(-1.2, 1.2), draw.uniform(-0.1, 1.0))
     fill_in = _direction(draw.uniform(-1.5, 1.5), draw.uniform(-0.3, 0.6))
     warm = draw.uniform(0.75, 1.0)

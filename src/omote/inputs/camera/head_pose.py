@@ -14,6 +14,10 @@ from omote.inputs.trackers.head_angles import HeadAngles
 
 Values = NDArray[np.float64]
 ROUNDS = 4
+DEPTH = 0.8
+"""Of the model's z, so that heads turn as far as they do."""
+LENS = 1.2
+"""Focal length of a camera that nobody knows, in widths of its picture."""
 _PRIOR = np.full(LANDMARKS, 0.05)
 _PRIOR[STEADY] = 1.0
 _PRIOR[468:] = 0.0
@@ -49,7 +53,9 @@ def metric_points(frame: LandmarkFrame) -> Values:
         raise ValueError("no face was found in this frame; ask `found` first")
     points = frame.points.astype(np.float64)
     high = frame.height / frame.width
-    return np.stack([points[:, 0] - 0.5, high * (0.5 - points[:, 1]), -points[:, 2]], axis=1)
+    depth = -DEPTH * points[:, 2]
+    near = 1.0 - depth / LENS  # what is near looks large: perspective is undone
+    return np.stack([(points[:, 0] - 0.5) * near, high * (0.5 - points[:, 1]) * near, depth], axis=1)
 
 
 def normal_face(points: Values) -> Values:
