@@ -43,6 +43,9 @@ from omote.server.supervision.tracker_sockets import read_trackers
 Report = Callable[[str], None]
 
 
+Device = OscListener | DmxListener | TrackerListener | MediapipeLink | CameraLinks | FaceOutput | PageDeviceSource
+
+
 class Closable(Protocol):
     """What is to be closed at the end of a show."""
 
@@ -60,9 +63,7 @@ async def start_devices(
     allowed = allowed.with_host(own_address())  # a desk's program here sends to groups by a network card
     log = RejectionLog(report)
     bindings, commands = _open_bindings(server, options, report)
-    started: list[
-        OscListener | DmxListener | TrackerListener | MediapipeLink | CameraLinks | FaceOutput | PageDeviceSource
-    ] = []
+    started: list[Device] = []
     if options.osc is not None:
         connections = None if options.osc_connections is None else _copy(options.osc_connections)
         sockets = OscSockets(_copy(options.osc), connections)
@@ -74,8 +75,7 @@ async def start_devices(
         started.append(osc)
     if options.sacn is not None or options.artnet is not None:
         started.append(_hear_dmx(bindings, options, log, allowed, report))
-    started += _open_trackers(server, options, log, allowed)
-    started.append(_open_cameras(server, log, report))
+    started += [*_open_trackers(server, options, log, allowed), _open_cameras(server, log, report)]
     probes = [probe for each in started for probe in each.probes]
     devices = PageDevices(lambda: server.session, bindings, commands, InputLog(_wall() - server.clock()), probes)
     started.append(PageDeviceSource(devices, lambda: server.session, server.links.answer))
