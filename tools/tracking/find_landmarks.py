@@ -8,12 +8,12 @@ import os
 import sys
 
 os.environ["GLOG_minloglevel"] = "3"
-import numpy as np  # noqa: E402
+import numpy as np
 
 
 def main() -> None:
     """Reads until the input ends."""
-    import mediapipe  # noqa: PLC0415
+    import mediapipe
 
     size = int(sys.argv[1])
     out = os.fdopen(os.dup(1), "wb")

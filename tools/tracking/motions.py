@@ -11,7 +11,9 @@ from tools.tracking.picture import Pose
 
 UNITS = tuple(name for name in ARKIT_NAMES if not name.startswith("eyeLook"))
 """The units that are worn; the eight others turn the eyes."""
-PAIRS = tuple(name.removesuffix("Left") for name in UNITS if name.endswith("Left") and name.replace("Left", "Right") in UNITS)
+PAIRS = tuple(
+    name.removesuffix("Left") for name in UNITS if name.endswith("Left") and name.replace("Left", "Right") in UNITS
+)
 SINGLES = tuple(name for name in UNITS if name.removesuffix("Left").removesuffix("Right") not in PAIRS)
 OPPOSED = {"jaw", "mouth"}
 """Pairs of which a face does one side at a time."""

@@ -34,7 +34,10 @@ class Finder:
         python = os.environ.get("OMOTE_MEDIAPIPE", "/tmp/map/mpenv/bin/python")
         script = Path(__file__).with_name("find_landmarks.py")
         self._process = subprocess.Popen(
-            [python, str(script), str(SIZE), "film"], stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL
+            [python, str(script), str(SIZE), "film"],
+            stdin=subprocess.PIPE,
+            stdout=subprocess.PIPE,
+            stderr=subprocess.DEVNULL,
         )
 
     def find(self, picture: NDArray[np.uint8]) -> NDArray[np.float32] | None:
@@ -111,9 +114,14 @@ def main() -> None:
                 points.append(np.zeros((LANDMARKS, 3), np.float32) if found is None else found)
                 truth.append(row_of(moment))
                 whose.append(number)
-            about.append([person.shares.get(name, 0.0) for name in HUMANS] + [photographer.setting.focal, photographer.setting.distance, photographer.setting.tilt])
+            about.append(
+                [person.shares.get(name, 0.0) for name in HUMANS]
+                + [photographer.setting.focal, photographer.setting.distance, photographer.setting.tilt]
+            )
         path = asked.folder / f"{asked.seed}-{first:05}.npz"
-        np.savez_compressed(path, points=np.array(points), truth=np.array(truth), whose=whose, about=np.array(about, np.float32))
+        np.savez_compressed(
+            path, points=np.array(points), truth=np.array(truth), whose=whose, about=np.array(about, np.float32)
+        )
         print(path, "missed", missed, flush=True)
     finder.close()
 
