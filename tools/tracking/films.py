@@ -10,9 +10,10 @@ import numpy as np
 
 from omote.builtin import load_cast
 from omote.inputs.camera.guided_steps import GUIDED, LOOKS, NEUTRAL, STEPS
+from omote.inputs.camera.landmark_map import UNITS
 from omote.inputs.takes.live_link_take import read_live_link_take
 from omote.inputs.trackers.arkit_names import plain_spelling
-from tools.tracking.motions import UNITS, Moment, bound, random_mixture, random_pose, random_talk, spread
+from tools.tracking.motions import Moment, bound, random_mixture, random_pose, random_talk, spread
 from tools.tracking.picture import Pose
 
 RATE = 30
