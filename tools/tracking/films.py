@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
 from dataclasses import replace
 from functools import cache
 from pathlib import Path
@@ -10,32 +9,32 @@ from pathlib import Path
 import numpy as np
 
 from omote.builtin import load_cast
-from omote.inputs.trackers.arkit_names import plain_spelling
+from omote.inputs.camera.guided_steps import GUIDED, LOOKS, NEUTRAL, STEPS
+from omote.inputs.camera.landmark_map import UNITS
 from omote.inputs.takes.live_link_take import read_live_link_take
-from tools.tracking.motions import UNITS, Moment, bound, random_mixture, random_pose, random_talk, spread
+from omote.inputs.trackers.arkit_names import plain_spelling
+from tools.tracking.motions import Moment, bound, random_mixture, random_pose, random_talk, spread
 from tools.tracking.picture import Pose
 
 RATE = 30
 """Frames a second."""
-GUIDED: Mapping[str, Mapping[str, float]] = {
-    "shut": {"eyeBlink": 1.0}, "wide": {"eyeWide": 1.0, "browInnerUp": 0.15},
-    "smile": {"mouthSmile": 0.9, "cheekSquint": 0.3, "eyeSquint": 0.1}, "pucker": {"mouthPucker": 0.95},
-    "aa": {"jawOpen": 0.7, "mouthLowerDown": 0.15}, "ee": {"mouthStretch": 0.5, "mouthSmile": 0.4, "mouthLowerDown": 0.3, "jawOpen": 0.12},
-    "oo": {"mouthFunnel": 0.6, "mouthPucker": 0.5, "jawOpen": 0.25}, "browsUp": {"browInnerUp": 0.9, "browOuterUp": 0.9},
-    "browsDown": {"browDown": 0.9}, "puff": {"cheekPuff": 0.9, "mouthPress": 0.1}, "left": {}, "right": {}, "up": {}, "down": {},
-}  # fmt: skip
-"""What a performer does at each step of the guided minute, about."""
-LOOKS = {"left": (25.0, 0.0), "right": (-25.0, 0.0), "up": (0.0, 15.0), "down": (0.0, -15.0)}
-"""Where the eyes go in the steps for the gaze, degrees."""
 
 
-def film(draw: np.random.Generator, take: Path | None, *, take_frames: int = 150, mixtures: int = 40) -> list[tuple[str, Moment]]:
+def film(
+    draw: np.random.Generator, take: Path | None, *, take_frames: int = 150, mixtures: int = 40
+) -> list[tuple[str, Moment]]:
     """Frames of one performer: the name of the scene, and what they do."""
     scenes = [("neutral", still(draw, Pose(tuple(draw.normal(0, 0.03, 3)), (0.0, 0.0, 0.0)))) for _ in range(20)]
     scenes += guided(draw)
     scenes += [("take", moment) for moment in (real_take(draw, take, take_frames) if take else talk(draw, take_frames))]
-    scenes += [("mixtures", Moment(random_mixture(draw), random_look(draw), random_pose(draw))) for _ in range(mixtures)]
-    held = Moment(bound(random_talk(draw) | {"eyeBlinkLeft": 0.0, "eyeBlinkRight": 0.0}, draw), random_look(draw), small_pose(draw))
+    scenes += [
+        ("mixtures", Moment(random_mixture(draw), random_look(draw), random_pose(draw))) for _ in range(mixtures)
+    ]
+    held = Moment(
+        bound(random_talk(draw) | {"eyeBlinkLeft": 0.0, "eyeBlinkRight": 0.0}, draw),
+        random_look(draw),
+        small_pose(draw),
+    )
     scenes += [("still", held)] * 30
     scenes += [("blinks", moment) for moment in blinks(draw, take_frames)]
     return scenes
@@ -60,13 +59,16 @@ def random_look(draw: np.random.Generator) -> tuple[float, float]:
 def guided(draw: np.random.Generator) -> list[tuple[str, Moment]]:
     """The steps of the guided minute: nobody does them quite as asked."""
     frames = []
-    for step, groups in GUIDED.items():
+    for step in (name for name in STEPS if name != NEUTRAL):
+        groups = GUIDED.get(step, {})
         strength = float(draw.uniform(0.85, 1.1))
         weights = spread({name: strength * weight for name, weight in groups.items()}, draw, 0.06)
         weights = {name: min(1.0, weight + float(draw.exponential(0.02))) for name, weight in weights.items()}
-        yaw, pitch = np.radians(LOOKS.get(step, (0.0, 0.0))) * draw.uniform(0.92, 1.08) + draw.normal(0, 0.015, 2)
+        yaw, pitch = np.array(LOOKS.get(step, (0.0, 0.0))) * draw.uniform(0.92, 1.08) + draw.normal(0, 0.015, 2)
         for _ in range(6):
-            frames.append((step, replace(still(draw, small_pose_of(draw)), weights=weights, gaze=(float(yaw), float(pitch)))))
+            frames.append(
+                (step, replace(still(draw, small_pose_of(draw)), weights=weights, gaze=(float(yaw), float(pitch))))
+            )
     return frames
 
 
@@ -82,7 +84,9 @@ def head_path(draw: np.random.Generator, frames: int) -> list[Pose]:
     turns = np.zeros((frames, 3))
     for axis in range(3):
         for rate in (0.11, 0.23, 0.41):
-            turns[:, axis] += draw.uniform(0.1, 0.55) * np.sin(2 * np.pi * (rate * at * draw.uniform(0.7, 1.3) + draw.uniform()))
+            turns[:, axis] += draw.uniform(0.1, 0.55) * np.sin(
+                2 * np.pi * (rate * at * draw.uniform(0.7, 1.3) + draw.uniform())
+            )
     moves = np.stack([0.012 * np.sin(2 * np.pi * (0.13 * at + draw.uniform())) for _ in range(3)], 1)
     turns = np.clip(turns, -1, 1) * most
     return [Pose(tuple(turn), tuple(move)) for turn, move in zip(turns.tolist(), moves.tolist(), strict=True)]
@@ -117,7 +121,9 @@ def blinks(draw: np.random.Generator, frames: int) -> list[Moment]:
     at = int(draw.integers(8, 25))
     while at < frames - 12:
         down, up = int(draw.integers(2, 5)), int(draw.integers(4, 8))
-        shape = np.concatenate([np.linspace(0, 1, down + 1)[1:], np.ones(int(draw.integers(1, 3))), np.linspace(1, 0, up + 1)[1:]])
+        shape = np.concatenate(
+            [np.linspace(0, 1, down + 1)[1:], np.ones(int(draw.integers(1, 3))), np.linspace(1, 0, up + 1)[1:]]
+        )
         lids[at : at + len(shape)] = shape[: frames - at]
         at += int(draw.integers(28, 60))
     found = []
@@ -141,7 +147,9 @@ def real_take(draw: np.random.Generator, path: Path, frames: int) -> list[Moment
 @cache
 def _take_rows(path: Path) -> list[Moment]:
     take = read_live_link_take(path.read_text())
-    looks = {name: load_cast().expressions[f"eyeLook{name}"].eyes for name in ("UpLeft", "DownLeft", "InLeft", "OutLeft")}
+    looks = {
+        name: load_cast().expressions[f"eyeLook{name}"].eyes for name in ("UpLeft", "DownLeft", "InLeft", "OutLeft")
+    }
     names = [plain_spelling(name) for name in take.names]
     rows = []
     for values in take.values:

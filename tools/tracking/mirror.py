@@ -59,7 +59,9 @@ def mirror_features(moved: Values, rest: Values) -> tuple[Rows, Values]:
     """The same for features. moved (k,), rest (m,): the sign of each component, which is even (1) or odd (-1)."""
     measures, signs = mirror_measures()
     first = len(moved)
-    rows = np.concatenate([np.arange(first), first + measures, first + len(measures) + np.arange(POSE_TERMS + len(rest))])
+    rows = np.concatenate(
+        [np.arange(first), first + measures, first + len(measures) + np.arange(POSE_TERMS + len(rest))]
+    )
     return rows, np.concatenate([moved, signs, mirror_pose(), rest])
 
 

@@ -5,31 +5,50 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 
 import numpy as np
+from numpy.typing import NDArray
 
-from omote.inputs.trackers.arkit_names import ARKIT_NAMES
+from omote.inputs.camera.landmark_map import UNITS
 from tools.tracking.picture import Pose
 
-UNITS = tuple(name for name in ARKIT_NAMES if not name.startswith("eyeLook"))
-"""The units that are worn; the eight others turn the eyes."""
-PAIRS = tuple(name.removesuffix("Left") for name in UNITS if name.endswith("Left") and name.replace("Left", "Right") in UNITS)
+LEFTS = [name for name in UNITS if name.endswith("Left") and name.replace("Left", "Right") in UNITS]
+PAIRS = tuple(name.removesuffix("Left") for name in LEFTS)
+"""Groups of units that faces have on both sides; SINGLES: all others."""
 SINGLES = tuple(name for name in UNITS if name.removesuffix("Left").removesuffix("Right") not in PAIRS)
 OPPOSED = {"jaw", "mouth"}
 """Pairs of which a face does one side at a time."""
 TALK = (
-    {"jawOpen": 0.55, "mouthLowerDown": 0.3}, {"jawOpen": 0.2, "mouthStretch": 0.4, "mouthSmile": 0.2},
-    {"jawOpen": 0.35, "mouthFunnel": 0.7}, {"jawOpen": 0.15, "mouthPucker": 0.8}, {"mouthPress": 0.4, "mouthRollUpper": 0.3},
-    {"mouthRollLower": 0.5, "mouthUpperUp": 0.15, "jawOpen": 0.08}, {"jawOpen": 0.12, "mouthLowerDown": 0.4, "mouthShrugUpper": 0.15},
-    {"jawOpen": 0.25, "mouthClose": 0.15, "mouthFunnel": 0.2}, {"jawOpen": 0.3, "mouthUpperUp": 0.3, "mouthLowerDown": 0.4, "tongueOut": 0.15},
+    {"jawOpen": 0.55, "mouthLowerDown": 0.3},
+    {"jawOpen": 0.2, "mouthStretch": 0.4, "mouthSmile": 0.2},
+    {"jawOpen": 0.35, "mouthFunnel": 0.7},
+    {"jawOpen": 0.15, "mouthPucker": 0.8},
+    {"mouthPress": 0.4, "mouthRollUpper": 0.3},
+    {"mouthRollLower": 0.5, "mouthUpperUp": 0.15, "jawOpen": 0.08},
+    {"jawOpen": 0.12, "mouthLowerDown": 0.4, "mouthShrugUpper": 0.15},
+    {"jawOpen": 0.25, "mouthClose": 0.15, "mouthFunnel": 0.2},
+    {"jawOpen": 0.3, "mouthUpperUp": 0.3, "mouthLowerDown": 0.4, "tongueOut": 0.15},
     {"jawOpen": 0.15, "mouthClose": 0.14, "mouthPress": 0.2},
-)  # fmt: skip
-FEELINGS = (
-    {"mouthSmile": 0.8, "cheekSquint": 0.5, "eyeSquint": 0.3, "mouthDimple": 0.15}, {"mouthFrown": 0.6, "browInnerUp": 0.6, "mouthShrugLower": 0.4},
-    {"browDown": 0.8, "noseSneer": 0.4, "eyeSquint": 0.4, "mouthPress": 0.3}, {"browInnerUp": 0.7, "browOuterUp": 0.7, "eyeWide": 0.6, "jawOpen": 0.3},
-    {"noseSneer": 0.7, "mouthUpperUp": 0.5, "browDown": 0.3}, {"mouthPucker": 0.7, "mouthFunnel": 0.1}, {"cheekPuff": 0.8, "mouthPucker": 0.2, "mouthClose": 0.03},
-    {"browOuterUp": 0.8, "browInnerUp": 0.3}, {"mouthSmile": 0.5, "jawOpen": 0.4, "mouthUpperUp": 0.3, "cheekSquint": 0.4}, {"mouthShrugLower": 0.6, "mouthShrugUpper": 0.4, "mouthFrown": 0.3},
-    {"mouthRollLower": 0.5, "mouthRollUpper": 0.5}, {"jawForward": 0.7}, {"eyeSquint": 0.7, "browDown": 0.4}, {"jawOpen": 0.8}, {"mouthStretch": 0.7, "eyeWide": 0.4},
-    {"tongueOut": 0.8, "jawOpen": 0.4}, {},
-)  # fmt: skip
+)
+"""Mouths of speech."""
+FEELINGS: tuple[dict[str, float], ...] = (
+    {"mouthSmile": 0.8, "cheekSquint": 0.5, "eyeSquint": 0.3, "mouthDimple": 0.15},
+    {"mouthFrown": 0.6, "browInnerUp": 0.6, "mouthShrugLower": 0.4},
+    {"browDown": 0.8, "noseSneer": 0.4, "eyeSquint": 0.4, "mouthPress": 0.3},
+    {"browInnerUp": 0.7, "browOuterUp": 0.7, "eyeWide": 0.6, "jawOpen": 0.3},
+    {"noseSneer": 0.7, "mouthUpperUp": 0.5, "browDown": 0.3},
+    {"mouthPucker": 0.7, "mouthFunnel": 0.1},
+    {"cheekPuff": 0.8, "mouthPucker": 0.2, "mouthClose": 0.03},
+    {"browOuterUp": 0.8, "browInnerUp": 0.3},
+    {"mouthSmile": 0.5, "jawOpen": 0.4, "mouthUpperUp": 0.3, "cheekSquint": 0.4},
+    {"mouthShrugLower": 0.6, "mouthShrugUpper": 0.4, "mouthFrown": 0.3},
+    {"mouthRollLower": 0.5, "mouthRollUpper": 0.5},
+    {"jawForward": 0.7},
+    {"eyeSquint": 0.7, "browDown": 0.4},
+    {"jawOpen": 0.8},
+    {"mouthStretch": 0.7, "eyeWide": 0.4},
+    {"tongueOut": 0.8, "jawOpen": 0.4},
+    {},
+)
+"""What faces do for longer."""
 
 
 @dataclass(frozen=True)
@@ -141,3 +160,9 @@ def random_pose(draw: np.random.Generator) -> Pose:
     yaw, pitch, roll = np.clip(draw.normal(0.0, wide * np.radians([15.0, 10.0, 8.0])), -most, most).tolist()
     x, y, z = draw.normal(0.0, [0.015, 0.012, 0.025]).tolist()
     return Pose((yaw, pitch, roll), (x, y, z))
+
+
+def row_of(moment: Moment) -> NDArray[np.float32]:
+    """Weights of UNITS, gaze, head, move."""
+    weights = [moment.weights.get(name, 0.0) for name in UNITS]
+    return np.array([*weights, *moment.gaze, *moment.pose.head, *moment.pose.move], np.float32)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from itertools import pairwise
 
 import numpy as np
 from numpy.typing import NDArray
@@ -33,7 +34,7 @@ class Network:
     def __init__(self, inputs: int, outputs: int, schedule: Schedule, draw: np.random.Generator) -> None:
         sizes = (inputs, *schedule.hidden, outputs)
         self.weights = [
-            (draw.standard_normal((a, b)) * np.sqrt(1.5 / a)).astype(np.float32) for a, b in zip(sizes, sizes[1:], strict=False)
+            (draw.standard_normal((a, b)) * np.sqrt(1.5 / a)).astype(np.float32) for a, b in pairwise(sizes)
         ]
         self.weights[-1] *= np.float32(0.1)
         self.offsets = [np.zeros(size, np.float32) for size in sizes[1:]]

@@ -60,7 +60,8 @@ def random_setting(draw: np.random.Generator) -> Setting:
     coarse = draw.uniform(0.0, 0.7, (int(draw.integers(2, 9)), int(draw.integers(2, 9)), 1)) * draw.uniform(0.3, 1, 3)
     return Setting(
         focal=focal, distance=distance, centre=draw.normal(0.0, 0.03, 2), lamps=lamps, room=coarse,
-        clothes=draw.uniform(0.02, 0.6, 3), exposure=float(draw.uniform(0.8, 1.25)), noise=float(draw.uniform(1.0, 7.0)),
+        clothes=draw.uniform(0.02, 0.6, 3), exposure=float(draw.uniform(0.8, 1.25)),
+        noise=float(draw.uniform(1.0, 7.0)),
         tilt=float(draw.normal(0.0, 0.07)),
     )  # fmt: skip
 
@@ -104,7 +105,7 @@ class Photographer:
         self._shares = np.empty((side, side, 2), np.float32)
 
     def view(self, points: NDArray[np.floating], pose: Pose) -> Values:
-        """Points (n, 3) of the head in the camera's frame: x right in the picture, y up, z towards the camera, from it."""
+        """Points (n, 3) of the head in the camera's frame: x right, y up, z from the camera."""
         turned = (points - NECK) @ pose.rotation().T + NECK + np.asarray(pose.move)
         tilted = turned @ turn("x", self.setting.tilt).T  # a camera that looks up or down at them
         centred = tilted - np.array([0.0, -0.012, 0.10])
@@ -135,7 +136,7 @@ class Photographer:
             screen, mesh.triangles, mesh.material, self.person.look.lashes, self._depth, self._hit, self._shares
         )
         picture = self._behind(pose)
-        self._draw_hair(pose, picture, rotation)
+        self._draw_hair(pose, picture)
         raster.shade_pixels(
             self._hit, self._shares, mesh.triangles, mesh.material, facing.astype(np.float32),
             seen.astype(np.float32), mesh.uv, mesh.openness, local, mesh.mask, _colours(self.person),
@@ -143,7 +144,7 @@ class Photographer:
         )  # fmt: skip
         return self._develop(picture, draw)
 
-    def _draw_hair(self, pose: Pose, picture: Floats, rotation: Values) -> None:
+    def _draw_hair(self, pose: Pose, picture: Floats) -> None:
         if self._hair is None:
             return
         places, light = self._hair

@@ -31,10 +31,13 @@ def normals_of(points, triangles, out):  # type: ignore[no-untyped-def]
 
 
 @njit(cache=True)  # type: ignore[misc]
-def draw_triangles(screen, triangles, material, lashes, depth, hit, weights):  # type: ignore[no-untyped-def]
+def draw_triangles(  # type: ignore[no-untyped-def]  # noqa: C901 - one loop over pixels
+    screen, triangles, material, lashes, depth, hit, weights
+):
     """Finds for each pixel the nearest triangle: depth (H, W), hit (H, W) its row, weights (H, W, 2) in space.
 
-    screen (V, 3): pixels right, pixels down, metres from the camera. lashes: the share of a lash's pixels that is drawn.
+    screen (V, 3): pixels right, pixels down, metres from the camera. lashes: the share of a lash's pixels that is
+    drawn.
     """
     height, width = depth.shape
     for f in range(triangles.shape[0]):
@@ -92,7 +95,7 @@ def draw_strands(screen, shade, colour, thick, depth, hit, picture):  # type: ig
 
 
 @njit(cache=True)  # type: ignore[misc]
-def shade_pixels(  # type: ignore[no-untyped-def]
+def shade_pixels(  # type: ignore[no-untyped-def]  # noqa: C901 - one loop over pixels
     hit, weights, triangles, material, normals, space, uv, openness, local, mask, colours, traits, lamps, picture
 ):
     """Lights what was hit, linear colours into picture (H, W, 3).
@@ -138,7 +141,7 @@ def shade_pixels(  # type: ignore[no-untyped-def]
                 green += brow * (colours[2, 1] - green)
                 blue += brow * (colours[2, 2] - blue)
                 gloss = 0.15 + 0.5 * lips * traits[4]
-            elif kind == EYE_LEFT or kind == EYE_RIGHT:
+            elif kind in (EYE_LEFT, EYE_RIGHT):
                 lx = wa * local[a, 0] + wb * local[b, 0] + wc * local[c, 0]
                 ly = wa * local[a, 1] + wb * local[b, 1] + wc * local[c, 1]
                 lz = wa * local[a, 2] + wb * local[b, 2] + wc * local[c, 2]

@@ -14,7 +14,7 @@ from omote.inputs.trackers.head_angles import HeadAngles
 
 Values = NDArray[np.float64]
 ROUNDS = 4
-DEPTH = 0.8
+DEPTH = 0.55
 """Of the model's z, so that heads turn as far as they do."""
 LENS = 1.2
 """Focal length of a camera that nobody knows, in widths of its picture."""

@@ -65,9 +65,17 @@ class LandmarkMap:
 
     def estimate(self, features: Values) -> Values:
         """Weights of UNITS, gaze and head (radians): (..., OUTPUTS). Nothing is clipped."""
-        hidden = features
+        return self.outputs(self.hidden(features), features)
+
+    def hidden(self, features: Values) -> Values:
+        """The values of the last layer but the outputs."""
+        values = features
         for weights, offsets in self.layers[:-1]:
-            hidden = swish(hidden @ weights + offsets)
+            values = swish(values @ weights + offsets)
+        return values
+
+    def outputs(self, hidden: Values, features: Values) -> Values:
+        """The outputs from the last layer and the features."""
         weights, offsets = self.layers[-1]
         result: Values = hidden @ weights + offsets + features @ self.linear
         return result
@@ -105,7 +113,9 @@ def _read(arrays: dict[str, NDArray[np.float32]]) -> LandmarkMap:
         raise ValueError(f"it has format {int(arrays['format'])}, this version reads {FORMAT}")
     named = {name: arrays[name].astype(np.float32) for name in Compression.__dataclass_fields__}
     count = sum(name.startswith("weights") for name in arrays)
-    layers = [(arrays[f"weights{k}"].astype(np.float32), arrays[f"offsets{k}"].astype(np.float32)) for k in range(count)]
+    layers = [
+        (arrays[f"weights{k}"].astype(np.float32), arrays[f"offsets{k}"].astype(np.float32)) for k in range(count)
+    ]
     linear = arrays["linear"].astype(np.float32)
     if linear.shape != (len(named["centre"]), OUTPUTS):
         raise ValueError(f"its linear part has shape {linear.shape}; expected {(len(named['centre']), OUTPUTS)}")
