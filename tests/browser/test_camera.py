@@ -16,7 +16,7 @@ pytestmark = pytest.mark.long
 
 OpenPage = Callable[..., Page]
 REST, JAW = {"faces": {"man": 1}}, {"faces": {"man": 1}, "channels": {"jawOpen": 0.9}}
-SECONDS = ((REST, 4), (JAW, 2), (REST, 1), (None, 2))
+SECONDS = ((REST, 4.0), (JAW, 0.7), (REST, 1.0), (None, 1.5))
 """What the film shows, and how long: mostly a face at rest, so that a start anywhere finds it; at its end nobody."""
 CAMERA = "--use-fake-device-for-media-stream", "--use-fake-ui-for-media-stream"
 SESSION = "const session = document.querySelector('omote-camera-page').session; const status = session.status"
@@ -36,7 +36,7 @@ def film(browser: Browser, show: str, tmp_path_factory: pytest.TempPathFactory) 
             page.goto("about:blank")
         else:
             page.evaluate("pose => window.omoteStage.hold(pose)", pose)
-        pictures += 30 * seconds * page.screenshot(type="jpeg", quality=85)
+        pictures += round(30 * seconds) * page.screenshot(type="jpeg", quality=85)
     page.close()
     path = tmp_path_factory.mktemp("film") / "face.mjpeg"
     path.write_bytes(pictures)

@@ -102,7 +102,7 @@ class CameraLinks:
             return
         try:
             displaced = self.cameras.obey(link, message_in(data, _from_camera, wire.LONGEST_MESSAGE))
-        except ValueError as error:  # a Refusal is one
+        except (OSError, ValueError) as error:  # a Refusal is one; the map of landmarks may be missing
             self._answer(link, wire.CameraRefused(f"{error}".rstrip(".") + "."))
             return
         if displaced is not None:
@@ -112,7 +112,7 @@ class CameraLinks:
         try:
             calibration = await asyncio.to_thread(fit.fit)
             self.cameras.receive_fit(link, fit, calibration)
-        except ValueError as error:
+        except (OSError, ValueError) as error:
             self.cameras.receive_fit(link, fit, None)
             self._answer(link, wire.CameraRefused(f"the calibration was not made: {error}."))
 
