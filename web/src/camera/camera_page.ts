@@ -43,11 +43,12 @@ export class CameraPage extends CameraElement {
 
   override render() {
     const { session, count } = this;
+    const guided = session.trouble === null && session.model.kind === "ready" && session.status?.guide;
     return html`${this.#header()}
       <main>
         <div class="left">
-          <figure>${session.video}<canvas aria-hidden="true"></canvas>${this.#cover()}
-            <omote-guide .session=${session} .count=${count}></omote-guide></figure>
+          <figure class=${guided ? "guided" : ""}>${session.video}<canvas aria-hidden="true"></canvas>${this.#cover()}</figure>
+          <omote-guide ?hidden=${!guided} .session=${session} .count=${count}></omote-guide>
           ${this.#health()}
         </div>
         <div class="right">

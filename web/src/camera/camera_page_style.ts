@@ -86,9 +86,9 @@ export const cameraPageStyle = css`
     object-fit: contain;
     transform: scaleX(-1);
   }
-  omote-guide {
-    align-self: end;
-    z-index: 1;
+  /* The face stays seen while the guide says below what it is to do. */
+  figure.guided {
+    max-height: calc(100dvh - 320px);
   }
   .cover {
     z-index: 2;
@@ -153,9 +153,9 @@ export const cameraPageStyle = css`
     main {
       grid-template-columns: minmax(0, 1fr);
     }
-    figure {
+    figure,
+    figure.guided {
       max-height: 62dvh;
-      justify-self: stretch;
     }
   }
 `;

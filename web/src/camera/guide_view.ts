@@ -1,4 +1,4 @@
-/** The step of a calibration over the picture: a drawn face, what to do, and how long. */
+/** The step of a calibration, under the picture: a drawn face, what to do, and how long. */
 
 import { css, html, nothing, svg } from "lit";
 import { customElement } from "lit/decorators.js";
@@ -18,8 +18,10 @@ export class GuideView extends CameraElement {
         gap: 4px 14px;
         align-items: center;
         padding: 10px 14px;
-        background: #08090ae6;
+        background: var(--panel);
+        border: 1px solid var(--line);
         border-top: 2px solid var(--coming);
+        border-radius: 6px;
       }
       .ready {
         border-top-color: var(--attention);
