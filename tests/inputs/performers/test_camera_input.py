@@ -174,22 +174,24 @@ def test_a_face_that_is_lost_is_told_to_the_show(stage: Stage) -> None:
 
 
 def test_what_cannot_be_done_is_rejected_with_a_reason(stage: Stage) -> None:
-    for message, reason in (
+    before: tuple[tuple[wire.FromCamera, str], ...] = (
         (wire.Perform(99, "Ada"), "speaks version 99, the show 1"),
         (wire.Perform(wire.CAMERA_VERSION, " "), "give a name"),
         (wire.BeginGuide(), "nobody performs at this page yet"),
-    ):
+    )
+    for message, reason in before:
         with pytest.raises(ValueError, match=reason):
-            stage.cameras.obey("1", message)  # type: ignore[arg-type]
+            stage.cameras.obey("1", message)
     stage.begin()
-    for message, reason in (
+    later: tuple[tuple[wire.FromCamera, str], ...] = (
         (wire.PlayCharacters(["nobody"]), "no character 'nobody'"),
         (wire.RedoStep("aa"), "begin the guided minute"),
         (wire.DeletePerformer(), "no performer 'Ada'"),
         (wire.UndoPerformer(), "nothing to undo"),
-    ):
+    )
+    for message, reason in later:
         with pytest.raises(ValueError, match=reason):
-            stage.cameras.obey("1", message)  # type: ignore[arg-type]
+            stage.cameras.obey("1", message)
     for number in range(MOST_CAMERAS - 1):
         stage.begin(f"more {number}", f"Performer {number}")
     with pytest.raises(ValueError, match="close the page of one"):

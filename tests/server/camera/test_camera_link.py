@@ -10,6 +10,7 @@ import pytest
 import pytest_asyncio
 from aiohttp import web
 from aiohttp.test_utils import TestClient, TestServer
+from aiohttp.typedefs import Handler
 
 from omote.inputs.performers import camera_messages as wire
 from omote.inputs.performers.performer_list import PerformerList
@@ -58,11 +59,11 @@ async def room(show_harness: ShowHarness) -> AsyncIterator[Room]:
 @pytest_asyncio.fixture
 async def sender(room: Room) -> AsyncIterator[Sender]:
     @web.middleware
-    async def let_in(request: web.Request, handler: web.RequestHandler) -> web.StreamResponse:  # type: ignore[type-arg]
+    async def let_in(request: web.Request, handler: Handler) -> web.StreamResponse:
         request[VISITOR] = Visitor(ANYBODY.role, "Ada")
-        return await handler(request)  # type: ignore[operator,no-any-return]
+        return await handler(request)
 
-    application = web.Application(middlewares=[let_in])  # type: ignore[list-item]
+    application = web.Application(middlewares=[let_in])
     application.router.add_get(wire.CAMERA_PATH, room.links.respond)
     async with TestClient(TestServer(application)) as client:
         yield client

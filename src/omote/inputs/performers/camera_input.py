@@ -10,6 +10,7 @@ from omote.inputs.performers import camera_messages as wire
 from omote.inputs.performers.camera_performer import CalibrationFit, CameraPerformer
 from omote.inputs.performers.performer_list import PerformerList, check_performer_name
 from omote.inputs.rejection import PacketError
+from omote.inputs.trackers.tracker_frame import TrackerFrame
 from omote.inputs.trackers.tracker_input import TrackerInput
 from omote.inputs.trackers.tracker_protocols import TrackerProtocol
 from omote.perform.layers.layer_names import LayerName
@@ -18,9 +19,15 @@ from omote.perform.scene.character_names import ALL
 from omote.show.messages import Refused, RouteSource
 from omote.show.session import ShowSession
 
+
+def _decode_nothing(_: bytes) -> list[TrackerFrame]:
+    """Its frames come as landmarks, each read by its performer."""
+    return []
+
+
 CAMERA = TrackerProtocol(
     "camera", "Camera", None, "open the page /camera of this show in the performer's browser, or run: omote track --to "
-    "{host}", lambda: lambda _: [],
+    "{host}", lambda _: _decode_nothing,
 )  # fmt: skip
 MOST_CAMERAS = 8
 

@@ -14,6 +14,7 @@ PAGES = {
     "/devices": "devices.html",
     "/camera": "camera.html",
     "/editor": "editor.html",
+    "/microphone": "microphone.html",
 }
 TYPES = {".js": "text/javascript", ".mjs": "text/javascript", ".css": "text/css", ".html": "text/html"}
 

@@ -28,6 +28,9 @@ ROUTES: Mapping[tuple[str, str], AccessRole] = MappingProxyType(
         ("GET", "/contents/{key}"): "view",
         ("GET", "/mediapipe"): "operate",
         ("GET", "/camera/link"): "operate",
+        ("GET", "/connect"): "view",
+        ("GET", "/connect/{page}.svg"): "operate",  # it may hold the token that operators share
+        ("GET", "/voice"): "operate",
         ("GET", "/omote"): "view",
         ("GET", "/omote/{path}"): "view",
         ("GET", "/touchosc/omote.tosc"): "view",
@@ -37,6 +40,7 @@ ROUTES: Mapping[tuple[str, str], AccessRole] = MappingProxyType(
         ("GET", "/editor"): "view",
         ("GET", "/devices"): "view",
         ("GET", "/camera"): "view",
+        ("GET", "/microphone"): "view",
         ("GET", "/{page}"): "view",
     }
 )
