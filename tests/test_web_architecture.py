@@ -60,6 +60,9 @@ USED: dict[str, str] = {
         "console/device_panel console"
     ),
     "microphone": "link ui access",
+    "camera/landmarks": "",
+    "camera/session": "link camera/landmarks",
+    "camera": "ui access camera/landmarks camera/session",
     "editor/link": "link",
     "editor/session": "link ui face/pose face/gpu face editor/link",
     "editor/controls": "ui editor/session",
