@@ -118,7 +118,7 @@ def main() -> int:
         parts = [pause(0.9, rate=RATE), vowel(0.3, rate=RATE)] * 5
         wavfile.write(sound, RATE, np.frombuffer(pcm(np.concatenate(parts)), "<i2"))
         log, card = record(next(show), sound, 1.2 * vowels + 2.0)
-        show.close()
+        next(show, None)  # ends it
     jaws = jaws_of(log)
     lags = []
     for onset in onsets_of(log)[1:]:

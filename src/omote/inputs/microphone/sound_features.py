@@ -70,7 +70,8 @@ def _measure(frames: FloatArray) -> SoundFeatures:
 
 
 def _decibels(power: NDArray[np.floating]) -> FloatArray:
-    return (10.0 * np.log10(np.maximum(power, 10.0 ** (QUIETEST / 10.0)))).astype(np.float32)
+    bands: FloatArray = (10.0 * np.log10(np.maximum(power, 10.0 ** (QUIETEST / 10.0)))).astype(np.float32)
+    return bands
 
 
 def _triangles() -> FloatArray:

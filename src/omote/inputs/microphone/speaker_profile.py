@@ -15,6 +15,8 @@ TYPICAL_BANDS = np.interp(np.arange(BANDS), [0, 4, 10, 16, 23], [-8, -6, -16, -2
 """dB of each band of speech above its level: the long-term mean, which falls towards the treble."""
 CALIBRATED_FRAMES, TYPICAL_FRAMES, MOST_FRAMES = 300.0, 15.0, 600.0
 """What a calibration, and the typical voice, count for beside frames that are heard; and the most of them together."""
+FIRST_FRAMES = 3
+"""Frames at the begin whose window is not full of sound yet: they are quieter than the noise is."""
 CHANGE, LEAST_CHANGE = 4.0, 0.05
 """dB of mean change from frame to frame at which a frame counts in full, and what one that stays counts: who holds one
 vowel says nothing of the voice's mean."""
@@ -60,12 +62,14 @@ class SpeakerState:
         self.level = TYPICAL_LEVEL if profile is None else profile.level
         self.frames = TYPICAL_FRAMES if profile is None else CALIBRATED_FRAMES
         self._before: FloatArray | None = None
+        self._heard = 0
         self.floor: FloatArray | None = None
         self.floor_level = 0.0
 
     def follow(self, bands: FloatArray, level: float) -> FloatArray:
         """Takes one frame into account; returns the floor of each band, dB."""
-        if self.floor is None:
+        self._heard += 1
+        if self.floor is None or self._heard <= FIRST_FRAMES:
             self.floor, self.floor_level = bands.copy(), min(level, self.level - 2 * ABOVE_FLOOR)
         down = bands < self.floor
         self.floor += np.where(down, FLOOR_FALL * (bands - self.floor), FLOOR_RISE)
