@@ -139,9 +139,8 @@ def main() -> None:
     arrays |= {"angles": np.rint(1e4 * truth[:, len(UNITS) :]).astype(np.int16)}
     np.savez_compressed(OBSERVATIONS, **arrays)
     digest = hashlib.blake2b(OBSERVATIONS.read_bytes(), digest_size=8).hexdigest()
-    print(
-        f"{OBSERVATIONS}: {len(people)} people, {len(truth)} frames, {OBSERVATIONS.stat().st_size / 1e6:.2f} MB, {digest}"
-    )
+    size = OBSERVATIONS.stat().st_size / 1e6
+    print(f"{OBSERVATIONS}: {len(people)} people, {len(truth)} frames, {size:.2f} MB, {digest}")
 
 
 if __name__ == "__main__":

@@ -234,7 +234,7 @@ def _stretch(room: Values, side: int) -> Floats:
     ty, tx = (ys - y0)[:, None, None], (xs - x0)[None, :, None]
     top = room[y0][:, x0] * (1 - tx) + room[y0][:, x0 + 1] * tx
     low = room[y0 + 1][:, x0] * (1 - tx) + room[y0 + 1][:, x0 + 1] * tx
-    return (top * (1 - ty) + low * ty).astype(np.float32)
+    return np.asarray(top * (1 - ty) + low * ty, np.float32)
 
 
 def _normals(points: Floats, triangles: NDArray[np.int32]) -> Floats:
@@ -245,7 +245,7 @@ def _normals(points: Floats, triangles: NDArray[np.int32]) -> Floats:
 
 def _ball_axes(ball: Floats) -> Floats:
     offset = ball - ball.mean(0)
-    return (offset / np.linalg.norm(offset, axis=1, keepdims=True)).astype(np.float32)
+    return np.asarray(offset / np.linalg.norm(offset, axis=1, keepdims=True), np.float32)
 
 
 def _linear(colour: str) -> Values:
