@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from omote.access_commands import note_place, print_shared
-from omote.show_sockets import OFF, open_devices, open_usual_osc, print_trackers, read_options
+from omote.show_sockets import OFF, list_others, open_devices, open_usual_osc, print_trackers, read_options
 from omote.terminal import complete_show, fail, fail_with, has_screen, say
 
 if TYPE_CHECKING:
@@ -119,7 +119,7 @@ def show(
     stack = context.with_resource(contextlib.ExitStack())
     opened = partial(announce, host, port, browser=browser, osc=devices.osc, find=path.stem if find else None)
     opened = partial(opened, stack=stack, allow=allow, people=people, scheme=scheme)
-    opened = partial(opened, heard=devices.heard, trackers=devices.advice)
+    opened = partial(opened, heard=devices.heard, trackers=devices.advice + list_others(options))
     words, handed = (*PROGRAM, *options.words, *access.words), devices.handed
     supervisor = Supervisor(
         listening, lock, path, report=say, opened=opened, program=words, notices=board.notices, handed=handed
@@ -227,13 +227,20 @@ def announce(
         typer.echo(f"  OSC      port {number}")
         if find is not None and stack is not None:
             start_announcement(stack, host, port, number, find)
-    print_trackers(trackers, allow)
+    print_trackers(trackers, allow, phone_address(people, addresses[-1]))
     if people is not None:
         say_who_is_heard(allow, heard)
     typer.echo("  Ctrl-C ends the show.")
     if browser and has_screen():
         for page in own_entries(local_address(host, port, scheme), people):
             webbrowser.open(page)
+
+
+def phone_address(people: People | None, base: str) -> str:
+    """Where a phone reads what to type into a tracker's app; "" where only this machine reaches the show."""
+    from omote.server.access.phone_page import PHONE_PATH, goal_address
+
+    return "" if people is None else goal_address(base, PHONE_PATH, "view", people)
 
 
 def say_who_is_heard(allow: str, heard: Sequence[str]) -> None:

@@ -107,13 +107,18 @@ def _leaf(address: Address, path: str, known: Names) -> Node:
     return node
 
 
-def _range(value: Value, known: Names) -> dict[str, Any]:
+def _range(value: Value, known: Names) -> dict[str, Any] | None:
+    """What a value may be; None for a text of any kind."""
     if value.kind in ("number", "time"):
         return {"MIN": value.low, "MAX": value.high}
+    if value.kind == "text":
+        return None
     return {"VALS": [False, True] if value.kind == "switch" else _names(value, known)}
 
 
 def _names(value: Value, known: Names) -> list[str]:
+    if value.kind == "character":
+        return [*known.characters]
     if value.kind == "framing":
         return [ALL, *known.characters]
     listed: dict[str, Sequence[str]] = {

@@ -49,7 +49,7 @@ ACTIONS: dict[type[wire.Message], Callable[[Performer, Any], None]] = {
         asked.layer, region=asked.region, influence=asked.influence, on=asked.on
     ),
     wire.SetMotion: lambda performer, asked: performer.set_motion(
-        asked.liveliness, blinks=asked.blinks, gaze=asked.gaze, breath=asked.breath, seed=asked.seed
+        asked.liveliness, blinks=asked.blinks, gaze=asked.gaze, breath=asked.breath, seed=asked.seed, idle=asked.idle
     ),
     wire.Panic: lambda performer, _: performer.panic(),
     wire.SetHome: lambda performer, home: performer.set_home(home.face, seconds=home.seconds),
@@ -73,7 +73,7 @@ def _remove(scene: Scene, asked: wire.RemoveCharacter) -> None:
     check_known(asked.character, standing, "character")
     if all(each.leaves for name, each in standing.items() if name != asked.character):
         raise Refusal(f"{standing[asked.character].label} is the last character: add another one first.")
-    scene.remove(asked.character, key=asked.key)
+    scene.remove(asked.character, seconds=asked.seconds, key=asked.key)
 
 
 def _place(scene: Scene, asked: wire.PlaceCharacter) -> None:
@@ -92,6 +92,14 @@ def _leave(scene: Scene, asked: wire.LeaveCharacter) -> None:
         scene.leave(name, seconds=asked.seconds)
 
 
+def _look_at(scene: Scene, asked: wire.LookAt) -> None:
+    """Of all, the one that is looked at is left out."""
+    for name in characters_of(scene, asked.character):
+        if (asked.character, asked.kind, asked.name) != (ALL, "character", name):
+            at = {"yaw": asked.yaw, "pitch": asked.pitch, "x": asked.x, "y": asked.y, "z": asked.z}
+            scene[name].look_at(asked.kind, asked.name, **at)
+
+
 SCENE_ACTIONS: dict[type[wire.Message], Callable[[Scene, Any], Any]] = {
     wire.CallLight: lambda scene, call: scene.call_light(call.name, seconds=_seconds(call.seconds), easing=call.easing),
     wire.CallFraming: lambda scene, call: scene.call_framing(call.characters, seconds=call.seconds, easing=call.easing),
@@ -102,6 +110,9 @@ SCENE_ACTIONS: dict[type[wire.Message], Callable[[Scene, Any], Any]] = {
     wire.PlaceCharacter: _place,
     wire.EnterCharacter: _enter,
     wire.LeaveCharacter: _leave,
+    wire.LookAt: _look_at,
+    wire.SetGazePoint: lambda scene, asked: scene.set_gaze_point(asked.name, x=asked.x, y=asked.y, z=asked.z),
+    wire.DeleteGazePoint: lambda scene, asked: scene.delete_gaze_point(asked.name),
 }
 """The action of each command on the scene."""
 

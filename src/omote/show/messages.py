@@ -12,6 +12,7 @@ from typing import Annotated, Literal, get_args
 import msgspec
 
 from omote.model.known_names import PlayRegion
+from omote.perform.frame import TargetKind
 from omote.perform.layers.layer_names import LayerName, LayerPart
 from omote.perform.scene.character_names import MOST_CHARACTERS
 from omote.show.access.access_documents import (  # noqa: F401  (the mirror has all)
@@ -32,6 +33,8 @@ STATE_RATE = 60.0
 
 Name = Annotated[str, msgspec.Meta(min_length=1, max_length=80)]
 CharacterName = Annotated[str, msgspec.Meta(min_length=1, max_length=24)]
+PointName = Annotated[str, msgspec.Meta(min_length=1, max_length=40)]
+StageName = Annotated[str, msgspec.Meta(max_length=24)]
 CallId = Annotated[str, msgspec.Meta(min_length=1, max_length=64)]
 RequestId = Annotated[str, msgspec.Meta(max_length=64)]
 Role = Literal["stage", "console"]
@@ -209,12 +212,14 @@ class AddCharacter(Message, frozen=True):
 
 
 class RemoveCharacter(Message, frozen=True):
-    """Takes a character out of the scene: it leaves the stage first, and no shot holds it any more; until it is gone an
-    `enter_character` keeps it. The last one stays. `key`: what `restore_character` finds it by, "" for its name."""
+    """Takes a character out of the scene: it leaves the stage first, in `seconds`, and no shot holds it any more; until
+    it is gone an `enter_character` keeps it. The last one stays. `key`: what `restore_character` finds it by, "" for
+    its name."""
 
     id: CallId
     character: CharacterName
     key: RequestId = ""
+    seconds: float = 1.0
 
 
 class RestoreCharacter(Message, frozen=True):
@@ -351,7 +356,8 @@ class SetLayer(Message, frozen=True):
 
 class SetMotion(Message, frozen=True):
     """How much a character moves by itself: `liveliness` 0 (nothing) to 1, 0.5 as people move; `blinks`, `gaze` and
-    `breath` each beside the others, 0..2; `seed`: which of all ways to move. `None` leaves a setting as it is."""
+    `breath` each beside the others, 0..2; `seed`: which of all ways to move; `idle`: whether it moves as people do
+    while its tracker is lost, where the liveliness is 0 too. `None` leaves a setting as it is."""
 
     character: CharacterName
     liveliness: float | None = None
@@ -360,14 +366,50 @@ class SetMotion(Message, frozen=True):
     breath: float | None = None
     seed: int | None = None
     id: RequestId = ""
+    idle: bool | None = None
+
+
+class LookAt(Message, frozen=True):
+    """Whom or what the eyes of a character look at by its automatic motion: `ahead`, nothing; `direction`, `yaw` and
+    `pitch` of the house in radians, + to the picture's right and up; `point`, `x` metres to the picture's right, `y`
+    above the eyes, `z` before the front line; by `name`: a `gaze_point`, a `character`, the camera of a `stage` ("" for
+    any). Rejected where there is none of that name."""
+
+    character: CharacterName
+    kind: TargetKind
+    name: Annotated[str, msgspec.Meta(max_length=80)] = ""
+    yaw: float = 0.0
+    pitch: float = 0.0
+    x: float = 0.0
+    y: float = 0.0
+    z: float = 2.0
+    id: RequestId = ""
+
+
+class SetGazePoint(Message, frozen=True):
+    """Names a point of the house that eyes may look at, such as a seat, or moves it: metres as of `look_at`. It is kept
+    with the show. An `id` executes once, as of the one below."""
+
+    id: CallId
+    name: PointName
+    x: float
+    y: float
+    z: float
+
+
+class DeleteGazePoint(Message, frozen=True):
+    """Forgets a gaze point; who looked at it looks ahead."""
+
+    id: CallId
+    name: PointName
 
 
 class Source(Message, frozen=True):
     """Something that sends values all the time: a tracker, a microphone, a program. `names`: the expressions (channels)
     that each of its frames has a value for. `characters`: whom it drives, where it says so; else the route that was
     made for its name the last time. `performer`: whose face it sees, by whose calibration it is read; "" for one of its
-    own. `smoothing`: seconds, to 2, in which its steps are followed, where that is slower than of all sources. Answered
-    with `source_is`; the end of its link is its end."""
+    own. `smoothing`: seconds, to 2, in which its steps are followed, 0 as its layer is. `direct`: its frames are smooth
+    already and show as they are. Answered with `source_is`; the end of its link is its end."""
 
     name: Name
     kind: StreamKind
@@ -376,18 +418,21 @@ class Source(Message, frozen=True):
     performer: Annotated[str, msgspec.Meta(max_length=80)] = ""
     id: RequestId = ""
     smoothing: float = 0.0
+    direct: bool = False
 
 
 class Drive(Message, frozen=True):
     """One frame of a source, the newest wins: `values` as float32, little-endian, in the order of its names, -0.5..1.5;
     `head` (yaw, pitch, roll) and `gaze` (yaw, pitch) in radians, or `None`. `found`: false while it does not see its
-    performer. Half a second without one that is found, and its layers fade out."""
+    performer. Half a second without one that is found, and its layers fade out. `share`, of a direct source: how much
+    of its layer it takes, 0..1; none while a voice is silent, so that what lies below shows."""
 
     index: int
     values: Annotated[bytes, msgspec.Meta(max_length=4 * MOST_NAMES)]
     head: tuple[float, float, float] | None = None
     gaze: tuple[float, float] | None = None
     found: bool = True
+    share: float = 1.0
 
 
 class LeaveSource(Message, frozen=True):
@@ -409,17 +454,29 @@ class RouteSource(Message, frozen=True):
 
 class CalibrateSource(Message, frozen=True):
     """Measures the performer before a source: `neutral` takes what it sends now as the face at rest, `range` listens to
-    the performer's largest moves until `done`, `reset` forgets both. It stays with the show under the performer."""
+    the performer's largest moves until `done`, `reset` forgets both. `channels`: those that a range is of; none named:
+    all. It stays with the show under the performer."""
 
     id: CallId
     source: Name
     step: CalibrationStep
+    channels: Annotated[list[Name], msgspec.Meta(max_length=MOST_NAMES)] = []
+
+
+class MeasureSource(Message, frozen=True):
+    """Sets what was measured of the performer before a source, by channel: the face at rest and the largest moves, as
+    `SourceState` tells them. So a measure is taken back, or comes from a program."""
+
+    id: CallId
+    source: Name
+    neutral: dict[str, float]
+    highest: dict[str, float]
 
 
 class TuneSource(Message, frozen=True):
     """How a source is read: `mirror` swaps left and right; less than `dead_zone` (0..0.5) is nothing; `curve` -1..1:
-    above 0 small moves grow, below they shrink; `gain` 0..4 of all channels; `smoothing` 0..2: seconds in which a step
-    is followed, where that is slower than of all sources."""
+    above 0 small moves grow, below they shrink; `gain` 0..4 of all channels, `lids` 0..4 beside it of those that shut
+    the eyes; `smoothing` 0..2: seconds in which a step is followed, 0 as the source asks or its layer is."""
 
     id: CallId
     source: Name
@@ -428,6 +485,13 @@ class TuneSource(Message, frozen=True):
     curve: float
     gain: float
     smoothing: float = 0.0
+    lids: float = 1.0
+
+
+class WatchSource(Message, frozen=True):
+    """Asks for what a source sends, as it comes (`SourceValues`): for a page that shows it; "" ends it."""
+
+    source: Annotated[str, msgspec.Meta(max_length=80)]
 
 
 class Cancel(Message, frozen=True):
@@ -444,10 +508,13 @@ class Ping(Message, frozen=True):
 
 
 class Drawing(Message, frozen=True):
-    """A stage's heartbeat, once a second: the rate of frames that it really drew, and its level of quality."""
+    """A stage's heartbeat, once a second: the rate of frames that it really drew, and its level of quality. `name`: as
+    its address has it; `camera`: where that is, metres as of `look_at`."""
 
     fps: float
     level: Level
+    name: StageName = ""
+    camera: tuple[float, float, float] | None = None
 
 
 # --- leases -----------------------------------------------------------------------------------------------------------
@@ -603,6 +670,16 @@ class WatchDevices(Message, frozen=True):
     on: bool
 
 
+class SwitchDevice(Message, frozen=True):
+    """Switches on or off what is heard (`listen`: a tracker) or told (`send`: a receiver of faces), by the word that
+    stands after `--listen` or `--send`."""
+
+    direction: Literal["listen", "send"]
+    word: Annotated[str, msgspec.Meta(min_length=1, max_length=200)]
+    on: bool
+    id: RequestId = ""
+
+
 # --- server to client -------------------------------------------------------------------------------------------------
 
 
@@ -714,7 +791,8 @@ class SourceIs(Message, frozen=True):
 
 class SourceState(msgspec.Struct, frozen=True):
     """A source that sends: `console` is the name of the link that it comes by; its route; `rate`: frames in the last
-    second; `found`: whether it sees its performer. `ranging`: it listens to the performer's largest moves."""
+    second; `found`: whether it sees its performer. `ranging`: it listens to the performer's largest moves. `neutral`,
+    `highest`: what was measured, by channel."""
 
     name: str
     kind: StreamKind
@@ -732,12 +810,25 @@ class SourceState(msgspec.Struct, frozen=True):
     curve: float
     gain: float
     smoothing: float = 0.0
+    lids: float = 1.0
+    neutral: dict[str, float] = {}
+    highest: dict[str, float] = {}
 
 
 class Sources(Message, frozen=True):
     """All sources that send: complete, to consoles once a second and with each change."""
 
     sources: list[SourceState]
+
+
+class SourceValues(Message, frozen=True):
+    """What a source that is watched sends now, and what its measure makes of it: `sent` and `weights` as float32,
+    little-endian, in the order of `names`; up to twenty times a second."""
+
+    source: str
+    names: list[str]
+    sent: bytes
+    weights: bytes
 
 
 class CallState(msgspec.Struct, frozen=True):
@@ -765,10 +856,19 @@ class Place(msgspec.Struct, frozen=True):
     turn: float = 0.0
 
 
+class LayerSource(msgspec.Struct, frozen=True):
+    """One of the sources of a layer: how far it is trusted, and the parts that it has."""
+
+    source: str
+    trust: float
+    parts: list[str]
+
+
 class LayerState(msgspec.Struct, frozen=True):
     """A layer: its influence on brows, eyes, mouth, rest, head and gaze, and its switch, as set. `source`: what drives
-    it, "" for nothing; `trust`: 0 lost, 1 followed. `share`: how much of it is on air where it shows most, 0..1;
-    `strongest`: the few channels that it moves most now."""
+    it, of several the one with the most parts, "" for nothing; `trust`: 0 lost, 1 followed. `share`: how much of it is
+    on air where it shows most, 0..1; `strongest`: the few channels that it moves most now. `sources`: all of them where
+    there are several, the newest first."""
 
     influence: list[float]
     on: bool
@@ -776,6 +876,7 @@ class LayerState(msgspec.Struct, frozen=True):
     source: str
     share: float
     strongest: dict[str, float]
+    sources: list[LayerSource] = []
 
 
 class HeldState(msgspec.Struct, frozen=True):
@@ -786,14 +887,28 @@ class HeldState(msgspec.Struct, frozen=True):
     gaze: tuple[float, float]
 
 
+class GazeTargetState(msgspec.Struct, frozen=True):
+    """Whom or what a character looks at, as of `look_at`."""
+
+    kind: TargetKind = "ahead"
+    name: str = ""
+    yaw: float = 0.0
+    pitch: float = 0.0
+    x: float = 0.0
+    y: float = 0.0
+    z: float = 2.0
+
+
 class MotionState(msgspec.Struct, frozen=True):
-    """What is set of a character's automatic motion, as of `set_motion`."""
+    """What is set of a character's automatic motion, as of `set_motion` and `look_at`."""
 
     liveliness: float
     blinks: float
     gaze: float
     breath: float
     seed: int
+    idle: bool = False
+    target: GazeTargetState = GazeTargetState()
 
 
 class CharacterState(msgspec.Struct, frozen=True):
@@ -840,6 +955,7 @@ class State(Message, frozen=True):
 
     `time`: the show's clock, seconds. `characters`: at least one, in the order in which they were added. `light` sums
     to one, and so does `framing`: a framing is `*`, all that are on the stage, or names joined by `+`, sorted.
+    `gaze_points`: the named points that eyes may look at, metres as of `look_at`.
     """
 
     epoch: int
@@ -851,6 +967,7 @@ class State(Message, frozen=True):
     light_call: CallState | None
     framing: dict[str, float]
     framing_call: CallState | None
+    gaze_points: dict[str, tuple[float, float, float]] = {}
 
 
 class Pong(Message, frozen=True):
@@ -895,10 +1012,11 @@ class Progress(Message, frozen=True):
 
 
 class StageReport(msgspec.Struct, frozen=True):
-    """The last report of a stage: frames per second, and the level of quality."""
+    """The last report of a stage: frames per second, the level of quality, and its name, where its address has one."""
 
     fps: float
     level: Level
+    name: StageName = ""
 
 
 class Crew(Message, frozen=True):
@@ -949,11 +1067,66 @@ class PresetDocument(msgspec.Struct, frozen=True):
     matches: list[str]
 
 
+class TrackerOffer(msgspec.Struct, frozen=True):
+    """A tracker that can be heard. name: as `--listen` spells it; port: its usual one, or where it is heard, None where
+    it comes to the port of the pages; asks: what its word may name behind "@": a phone that is asked for frames, a
+    computer that we connect to, a sender that may play beside this machine, or "".
+
+    word: what it is switched on by, "" while it is off; fixed: the command line has; advice: what to do at the sender.
+    stranger: a host that has sent and may not, or ""; strange: the word by which it may.
+    """
+
+    name: str
+    title: str
+    port: int | None
+    asks: Literal["", "phone", "computer", "sender"]
+    word: str
+    fixed: bool
+    advice: str
+    stranger: str = ""
+    strange: str = ""
+
+
+class FoundTracker(msgspec.Struct, frozen=True):
+    """A program that has announced itself, and the word by which it is heard."""
+
+    word: str
+    title: str
+    where: str
+
+
+class ReceiverState(msgspec.Struct, frozen=True):
+    """A program that faces are sent to. word: as after `--send`; character: whose face, "" where nobody is called so;
+    sent: packets since it was switched on; fault: why it does not arrive, or ""; fixed: the command line has it."""
+
+    word: str
+    title: str
+    where: str
+    character: str
+    sent: int
+    fault: str
+    fixed: bool
+
+
+class SendWay(msgspec.Struct, frozen=True):
+    """A way to send a face: its name as `--send` spells it, and the port where receivers usually hear it."""
+
+    name: str
+    title: str
+    port: int
+
+
 class Devices(Message, frozen=True):
     """All sources: complete, to consoles when one comes or goes and once a second, to pages that watch ten times a
-    second."""
+    second. trackers: what can be heard; found: what has announced itself; receivers: to whom faces are sent, in one of
+    these ways; phone_page: the address that a phone opens to copy what to type."""
 
     devices: list[DeviceState]
+    trackers: list[TrackerOffer] = []
+    found: list[FoundTracker] = []
+    receivers: list[ReceiverState] = []
+    ways: list[SendWay] = []
+    phone_page: str = ""
 
 
 class LearningState(msgspec.Struct, frozen=True):
@@ -1021,9 +1194,11 @@ KeepMessage = (
 """What a console asks of the show file."""
 LeaseMessage = Lease | ReleaseLease | SetLeases | AppointManager
 """What a console or a program asks of leases."""
+SourceMessage = Source | Drive | LeaveSource | WatchSource
+"""What comes of a source, and who asks to see it."""
 BindingMessage = Bind | Unbind | Learn | LoadPreset | RestoreBindings
 """What a page asks of bindings; each executes once."""
-DeviceMessage = Plug | Unplug | MidiBytes | Controls | BindingMessage | ChooseBank | WatchDevices
+DeviceMessage = Plug | Unplug | MidiBytes | Controls | BindingMessage | ChooseBank | WatchDevices | SwitchDevice
 """What pages say of devices; `inputs/` plays them."""
 FromClient = (
     Hello
@@ -1067,14 +1242,20 @@ FromClient = (
     | RestoreBindings
     | ChooseBank
     | WatchDevices
+    | SwitchDevice
     | SetLayer
     | SetMotion
+    | LookAt
+    | SetGazePoint
+    | DeleteGazePoint
     | Source
     | Drive
     | LeaveSource
     | RouteSource
     | CalibrateSource
+    | MeasureSource
     | TuneSource
+    | WatchSource
     | Cancel
     | Ping
     | Drawing
@@ -1096,6 +1277,7 @@ FromServer = (
     | Hands
     | SourceIs
     | Sources
+    | SourceValues
     | Progress
     | Crew
     | Leases

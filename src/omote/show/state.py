@@ -4,15 +4,26 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass
+from functools import lru_cache
 from types import MappingProxyType
 from typing import TYPE_CHECKING, Any
 
 from omote.perform.channels import channels_of, eye_turns
 from omote.perform.easing import DEFAULT_EASING, EASINGS
-from omote.perform.frame import CallStatus, Frame, Gaze, Held, LayerStatus
+from omote.perform.frame import CallStatus, Frame, Gaze, Held, LayerStatus, MotionSettings
 from omote.perform.mix import mix_in
 from omote.perform.scene.scene_frame import CharacterFrame, SceneFrame
-from omote.show.messages import CallState, CharacterState, HeldState, LayerState, MotionState, Place, State
+from omote.show.messages import (
+    CallState,
+    CharacterState,
+    GazeTargetState,
+    HeldState,
+    LayerSource,
+    LayerState,
+    MotionState,
+    Place,
+    State,
+)
 
 if TYPE_CHECKING:
     from omote.perform.snapshot import Playable
@@ -76,6 +87,7 @@ def state_of(
         light_call=call_state(frame.light_call),
         framing=dict(frame.framing),
         framing_call=call_state(frame.framing_call),
+        gaze_points=dict(frame.gaze_points),
     )
 
 
@@ -98,7 +110,7 @@ def character_state(cast: Playable, character: CharacterFrame, eye_offset: EyeOf
         panics=frame.panics,
         **_home(frame),
         **_layers(frame),
-        motion=None if frame.motion is None else MotionState(**vars(frame.motion)),
+        motion=None if frame.motion is None else _motion_state(frame.motion),
         label=character.label,
         place=Place(place.x, place.depth, place.size, place.turn),
         presence=character.presence,
@@ -142,9 +154,15 @@ def _layers(frame: Frame) -> dict[str, Any]:
     return {"layers": layers, "held": None if frame.held is None else _held_state(frame.held)}
 
 
+@lru_cache(maxsize=64)
+def _motion_state(settings: MotionSettings) -> MotionState:
+    return MotionState(**{**vars(settings), "target": GazeTargetState(**vars(settings.target))})
+
+
 def _layer_state(status: LayerStatus) -> LayerState:
     strongest = dict(status.strongest)
-    return LayerState(list(status.influence), status.on, status.trust, status.source, status.share, strongest)
+    sources = [LayerSource(each.source, each.trust, list(each.parts)) for each in status.sources]
+    return LayerState(list(status.influence), status.on, status.trust, status.source, status.share, strongest, sources)
 
 
 def _held_state(held: Held) -> HeldState:

@@ -197,14 +197,16 @@ export interface AddCharacter {
 }
 
 /**
- * Takes a character out of the scene: it leaves the stage first, and no shot holds it any more; until it is gone an
- * `enter_character` keeps it. The last one stays. `key`: what `restore_character` finds it by, "" for its name.
+ * Takes a character out of the scene: it leaves the stage first, in `seconds`, and no shot holds it any more; until
+ * it is gone an `enter_character` keeps it. The last one stays. `key`: what `restore_character` finds it by, "" for
+ * its name.
  */
 export interface RemoveCharacter {
   type: "remove_character";
   id: string;
   character: string;
   key: string;
+  seconds: number;
 }
 
 /**
@@ -354,7 +356,8 @@ export interface SetLayer {
 
 /**
  * How much a character moves by itself: `liveliness` 0 (nothing) to 1, 0.5 as people move; `blinks`, `gaze` and
- * `breath` each beside the others, 0..2; `seed`: which of all ways to move. `None` leaves a setting as it is.
+ * `breath` each beside the others, 0..2; `seed`: which of all ways to move; `idle`: whether it moves as people do
+ * while its tracker is lost, where the liveliness is 0 too. `None` leaves a setting as it is.
  */
 export interface SetMotion {
   type: "set_motion";
@@ -365,14 +368,54 @@ export interface SetMotion {
   breath: number | null;
   seed: number | null;
   id: string;
+  idle: boolean | null;
+}
+
+/**
+ * Whom or what the eyes of a character look at by its automatic motion: `ahead`, nothing; `direction`, `yaw` and
+ * `pitch` of the house in radians, + to the picture's right and up; `point`, `x` metres to the picture's right, `y`
+ * above the eyes, `z` before the front line; by `name`: a `gaze_point`, a `character`, the camera of a `stage` ("" for
+ * any). Rejected where there is none of that name.
+ */
+export interface LookAt {
+  type: "look_at";
+  character: string;
+  kind: "ahead" | "direction" | "point" | "gaze_point" | "character" | "stage";
+  name: string;
+  yaw: number;
+  pitch: number;
+  x: number;
+  y: number;
+  z: number;
+  id: string;
+}
+
+/**
+ * Names a point of the house that eyes may look at, such as a seat, or moves it: metres as of `look_at`. It is kept
+ * with the show. An `id` executes once, as of the one below.
+ */
+export interface SetGazePoint {
+  type: "set_gaze_point";
+  id: string;
+  name: string;
+  x: number;
+  y: number;
+  z: number;
+}
+
+/** Forgets a gaze point; who looked at it looks ahead. */
+export interface DeleteGazePoint {
+  type: "delete_gaze_point";
+  id: string;
+  name: string;
 }
 
 /**
  * Something that sends values all the time: a tracker, a microphone, a program. `names`: the expressions (channels)
  * that each of its frames has a value for. `characters`: whom it drives, where it says so; else the route that was
  * made for its name the last time. `performer`: whose face it sees, by whose calibration it is read; "" for one of its
- * own. `smoothing`: seconds, to 2, in which its steps are followed, where that is slower than of all sources. Answered
- * with `source_is`; the end of its link is its end.
+ * own. `smoothing`: seconds, to 2, in which its steps are followed, 0 as its layer is. `direct`: its frames are smooth
+ * already and show as they are. Answered with `source_is`; the end of its link is its end.
  */
 export interface Source {
   type: "source";
@@ -383,12 +426,14 @@ export interface Source {
   performer: string;
   id: string;
   smoothing: number;
+  direct: boolean;
 }
 
 /**
  * One frame of a source, the newest wins: `values` as float32, little-endian, in the order of its names, -0.5..1.5;
  * `head` (yaw, pitch, roll) and `gaze` (yaw, pitch) in radians, or `None`. `found`: false while it does not see its
- * performer. Half a second without one that is found, and its layers fade out.
+ * performer. Half a second without one that is found, and its layers fade out. `share`, of a direct source: how much
+ * of its layer it takes, 0..1; none while a voice is silent, so that what lies below shows.
  */
 export interface Drive {
   type: "drive";
@@ -397,6 +442,7 @@ export interface Drive {
   head: [number, number, number] | null;
   gaze: [number, number] | null;
   found: boolean;
+  share: number;
 }
 
 /** A source of this link ends; its layers fade out. */
@@ -420,19 +466,33 @@ export interface RouteSource {
 
 /**
  * Measures the performer before a source: `neutral` takes what it sends now as the face at rest, `range` listens to
- * the performer's largest moves until `done`, `reset` forgets both. It stays with the show under the performer.
+ * the performer's largest moves until `done`, `reset` forgets both. `channels`: those that a range is of; none named:
+ * all. It stays with the show under the performer.
  */
 export interface CalibrateSource {
   type: "calibrate_source";
   id: string;
   source: string;
   step: "neutral" | "range" | "done" | "reset";
+  channels: string[];
+}
+
+/**
+ * Sets what was measured of the performer before a source, by channel: the face at rest and the largest moves, as
+ * `SourceState` tells them. So a measure is taken back, or comes from a program.
+ */
+export interface MeasureSource {
+  type: "measure_source";
+  id: string;
+  source: string;
+  neutral: Record<string, number>;
+  highest: Record<string, number>;
 }
 
 /**
  * How a source is read: `mirror` swaps left and right; less than `dead_zone` (0..0.5) is nothing; `curve` -1..1:
- * above 0 small moves grow, below they shrink; `gain` 0..4 of all channels; `smoothing` 0..2: seconds in which a step
- * is followed, where that is slower than of all sources.
+ * above 0 small moves grow, below they shrink; `gain` 0..4 of all channels, `lids` 0..4 beside it of those that shut
+ * the eyes; `smoothing` 0..2: seconds in which a step is followed, 0 as the source asks or its layer is.
  */
 export interface TuneSource {
   type: "tune_source";
@@ -443,6 +503,13 @@ export interface TuneSource {
   curve: number;
   gain: number;
   smoothing: number;
+  lids: number;
+}
+
+/** Asks for what a source sends, as it comes (`SourceValues`): for a page that shows it; "" ends it. */
+export interface WatchSource {
+  type: "watch_source";
+  source: string;
 }
 
 /**
@@ -460,11 +527,16 @@ export interface Ping {
   sent: number;
 }
 
-/** A stage's heartbeat, once a second: the rate of frames that it really drew, and its level of quality. */
+/**
+ * A stage's heartbeat, once a second: the rate of frames that it really drew, and its level of quality. `name`: as
+ * its address has it; `camera`: where that is, metres as of `look_at`.
+ */
 export interface Drawing {
   type: "drawing";
   fps: number;
   level: "lowest" | "low" | "medium" | "high";
+  name: string;
+  camera: [number, number, number] | null;
 }
 
 /**
@@ -624,6 +696,18 @@ export interface WatchDevices {
 }
 
 /**
+ * Switches on or off what is heard (`listen`: a tracker) or told (`send`: a receiver of faces), by the word that
+ * stands after `--listen` or `--send`.
+ */
+export interface SwitchDevice {
+  type: "switch_device";
+  direction: "listen" | "send";
+  word: string;
+  on: boolean;
+  id: string;
+}
+
+/**
  * Answers hello: `epoch` rises with each server start, `revision` with each change of the documents. `name`: what
  * the others call this console. `show`: which show file is played, "" for none; another one has another.
  */
@@ -739,7 +823,8 @@ export interface SourceIs {
 
 /**
  * A source that sends: `console` is the name of the link that it comes by; its route; `rate`: frames in the last
- * second; `found`: whether it sees its performer. `ranging`: it listens to the performer's largest moves.
+ * second; `found`: whether it sees its performer. `ranging`: it listens to the performer's largest moves. `neutral`,
+ * `highest`: what was measured, by channel.
  */
 export interface SourceState {
   name: string;
@@ -758,12 +843,27 @@ export interface SourceState {
   curve: number;
   gain: number;
   smoothing: number;
+  lids: number;
+  neutral: Record<string, number>;
+  highest: Record<string, number>;
 }
 
 /** All sources that send: complete, to consoles once a second and with each change. */
 export interface Sources {
   type: "sources";
   sources: SourceState[];
+}
+
+/**
+ * What a source that is watched sends now, and what its measure makes of it: `sent` and `weights` as float32,
+ * little-endian, in the order of `names`; up to twenty times a second.
+ */
+export interface SourceValues {
+  type: "source_values";
+  source: string;
+  names: string[];
+  sent: Uint8Array;
+  weights: Uint8Array;
 }
 
 /**
@@ -791,10 +891,18 @@ export interface Place {
   turn: number;
 }
 
+/** One of the sources of a layer: how far it is trusted, and the parts that it has. */
+export interface LayerSource {
+  source: string;
+  trust: number;
+  parts: string[];
+}
+
 /**
  * A layer: its influence on brows, eyes, mouth, rest, head and gaze, and its switch, as set. `source`: what drives
- * it, "" for nothing; `trust`: 0 lost, 1 followed. `share`: how much of it is on air where it shows most, 0..1;
- * `strongest`: the few channels that it moves most now.
+ * it, of several the one with the most parts, "" for nothing; `trust`: 0 lost, 1 followed. `share`: how much of it is
+ * on air where it shows most, 0..1; `strongest`: the few channels that it moves most now. `sources`: all of them where
+ * there are several, the newest first.
  */
 export interface LayerState {
   influence: number[];
@@ -803,6 +911,7 @@ export interface LayerState {
   source: string;
   share: number;
   strongest: Record<string, number>;
+  sources: LayerSource[];
 }
 
 /** What hands hold, where layers mix it with what sources send: channels, head and gaze as faders stand. */
@@ -812,13 +921,26 @@ export interface HeldState {
   gaze: [number, number];
 }
 
-/** What is set of a character's automatic motion, as of `set_motion`. */
+/** Whom or what a character looks at, as of `look_at`. */
+export interface GazeTargetState {
+  kind: "ahead" | "direction" | "point" | "gaze_point" | "character" | "stage";
+  name: string;
+  yaw: number;
+  pitch: number;
+  x: number;
+  y: number;
+  z: number;
+}
+
+/** What is set of a character's automatic motion, as of `set_motion` and `look_at`. */
 export interface MotionState {
   liveliness: number;
   blinks: number;
   gaze: number;
   breath: number;
   seed: number;
+  idle: boolean;
+  target: GazeTargetState;
 }
 
 /**
@@ -863,6 +985,7 @@ export interface CharacterState {
  * All that is on air: complete and absolute; the highest (epoch, number) wins, any may be lost.
  * `time`: the show's clock, seconds. `characters`: at least one, in the order in which they were added. `light` sums
  * to one, and so does `framing`: a framing is `*`, all that are on the stage, or names joined by `+`, sorted.
+ * `gaze_points`: the named points that eyes may look at, metres as of `look_at`.
  */
 export interface State {
   type: "state";
@@ -875,6 +998,7 @@ export interface State {
   light_call: CallState | null;
   framing: Record<string, number>;
   framing_call: CallState | null;
+  gaze_points: Record<string, [number, number, number]>;
 }
 
 /** Answers ping: `time` is the show's clock at that moment, as in `State.time`. */
@@ -923,10 +1047,11 @@ export interface Progress {
   what: string;
 }
 
-/** The last report of a stage: frames per second, and the level of quality. */
+/** The last report of a stage: frames per second, the level of quality, and its name, where its address has one. */
 export interface StageReport {
   fps: number;
   level: "lowest" | "low" | "medium" | "high";
+  name: string;
 }
 
 /**
@@ -975,12 +1100,65 @@ export interface PresetDocument {
 }
 
 /**
+ * A tracker that can be heard. name: as `--listen` spells it; port: its usual one, or where it is heard, None where
+ * it comes to the port of the pages; asks: what its word may name behind "@": a phone that is asked for frames, a
+ * computer that we connect to, a sender that may play beside this machine, or "".
+ * word: what it is switched on by, "" while it is off; fixed: the command line has; advice: what to do at the sender.
+ * stranger: a host that has sent and may not, or ""; strange: the word by which it may.
+ */
+export interface TrackerOffer {
+  name: string;
+  title: string;
+  port: number | null;
+  asks: "" | "phone" | "computer" | "sender";
+  word: string;
+  fixed: boolean;
+  advice: string;
+  stranger: string;
+  strange: string;
+}
+
+/** A program that has announced itself, and the word by which it is heard. */
+export interface FoundTracker {
+  word: string;
+  title: string;
+  where: string;
+}
+
+/**
+ * A program that faces are sent to. word: as after `--send`; character: whose face, "" where nobody is called so;
+ * sent: packets since it was switched on; fault: why it does not arrive, or ""; fixed: the command line has it.
+ */
+export interface ReceiverState {
+  word: string;
+  title: string;
+  where: string;
+  character: string;
+  sent: number;
+  fault: string;
+  fixed: boolean;
+}
+
+/** A way to send a face: its name as `--send` spells it, and the port where receivers usually hear it. */
+export interface SendWay {
+  name: string;
+  title: string;
+  port: number;
+}
+
+/**
  * All sources: complete, to consoles when one comes or goes and once a second, to pages that watch ten times a
- * second.
+ * second. trackers: what can be heard; found: what has announced itself; receivers: to whom faces are sent, in one of
+ * these ways; phone_page: the address that a phone opens to copy what to type.
  */
 export interface Devices {
   type: "devices";
   devices: DeviceState[];
+  trackers: TrackerOffer[];
+  found: FoundTracker[];
+  receivers: ReceiverState[];
+  ways: SendWay[];
+  phone_page: string;
 }
 
 /** What the next control that moves will be bound to, and who asked for it (a console's name). */
@@ -1313,14 +1491,20 @@ export type FromClient =
   | RestoreBindings
   | ChooseBank
   | WatchDevices
+  | SwitchDevice
   | SetLayer
   | SetMotion
+  | LookAt
+  | SetGazePoint
+  | DeleteGazePoint
   | Source
   | Drive
   | LeaveSource
   | RouteSource
   | CalibrateSource
+  | MeasureSource
   | TuneSource
+  | WatchSource
   | Cancel
   | Ping
   | Drawing
@@ -1342,6 +1526,7 @@ export type FromServer =
   | Hands
   | SourceIs
   | Sources
+  | SourceValues
   | Progress
   | Crew
   | Leases

@@ -20,6 +20,8 @@ import type {
   Pong,
   Progress,
   SourceState,
+  Sources,
+  SourceValues,
   State,
   Welcome,
 } from "./messages";
@@ -78,6 +80,8 @@ export interface LinkHandlers {
   hands?: (hands: Hands["hands"]) => void;
   /** All sources that send. */
   sources?: (sources: readonly SourceState[]) => void;
+  /** What the source that this page watches sends now. */
+  sourceValues?: (values: SourceValues) => void;
   /** News of devices. */
   devices?: (message: DeviceMessage) => void;
   /** How far a long request (an import, an export) is; those of other pages too. */
@@ -168,7 +172,8 @@ export class ShowLink {
         this.recast(message.revision);
         break;
       case "sources":
-        this.handlers.sources?.(message.sources);
+      case "source_values":
+        this.hearSources(message);
         break;
       case "leases":
       case "lease_claim":
@@ -180,11 +185,16 @@ export class ShowLink {
     }
   }
 
+  private hearSources(message: Sources | SourceValues): void {
+    if (message.type === "sources") this.handlers.sources?.(message.sources);
+    else this.handlers.sourceValues?.(message);
+  }
+
   /** What only the page itself has a use for. */
   private tell(
     message: Exclude<
       FromServer,
-      DeviceMessage | LeaseMessage | { type: "welcome" | "state" | "pong" | "cast" | "sources" }
+      DeviceMessage | LeaseMessage | { type: "welcome" | "state" | "pong" | "cast" | "sources" | "source_values" }
     >,
   ): void {
     switch (message.type) {

@@ -19,9 +19,13 @@ export interface StageParameters {
   tile: Tile | undefined;
   /** The one character that is shown, alone; undefined: the scene. */
   character: string | undefined;
+  /** What the crew calls this stage; "" for none. */
+  name: string;
 }
 
-const KNOWN = ["transparent", "background", "light", "tile", "of", "bezel", "quality", "hud", "character"];
+/** Letters of a label; the show keeps none that are longer. */
+const LONGEST_LABEL = 80;
+const KNOWN = ["transparent", "background", "light", "tile", "of", "bezel", "quality", "hud", "character", "name"];
 const QUALITIES: readonly string[] = ["auto", ...LEVELS];
 
 /** A parameter that cannot be obeyed; its message is a sentence for the page. */
@@ -41,6 +45,7 @@ export function readParameters(query: string): StageParameters {
     quality: readQuality(given.get("quality")),
     tile: readTile(given),
     character: readCharacter(given.get("character")),
+    name: readName(given.get("name")),
   };
 }
 
@@ -52,10 +57,17 @@ function readSwitch(given: URLSearchParams, name: string): boolean {
 }
 
 function readCharacter(value: string | null): string | undefined {
-  if (value === null || /^[a-z0-9_-]{1,24}$/.test(value)) return value ?? undefined;
+  if (value === null) return undefined;
+  if (value.trim() !== "" && value.length <= LONGEST_LABEL) return value.trim();
   throw new ParameterError(
-    `character=${value} is no name of a character: 1 to 24 of a to z, 0 to 9, "_" and "-", as in character=one.`,
+    `character=${value} names no character: give its name or its label, at most ${LONGEST_LABEL} letters, as in character=one.`,
   );
+}
+
+function readName(value: string | null): string {
+  const name = (value ?? "").trim();
+  if (value === null || (name.length > 0 && name.length <= 24)) return name;
+  throw new ParameterError(`name=${value} is no name of a stage: 1 to 24 letters, as in name=left.`);
 }
 
 /** A colour's name, or `#rrggbb`; an address may write it with its "#" as it is, or leave that out. */

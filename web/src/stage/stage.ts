@@ -13,6 +13,7 @@ import { Library } from "../link/assets";
 import { now } from "../link/clock";
 import type { CallState, State } from "../link/messages";
 import { ShowLink } from "../link/show_link";
+import { findCharacter } from "./named_character";
 import type { StageParameters } from "./parameters";
 import { RedrawPolicy } from "./redraw_policy";
 
@@ -133,7 +134,7 @@ export class Stage {
   get missing(): string | undefined {
     const { character } = this.parameters;
     if (character === undefined || this.state === undefined) return undefined;
-    return this.state.characters[character] === undefined ? character : undefined;
+    return findCharacter(character, this.state.characters) === undefined ? character : undefined;
   }
 
   /** The names of the characters of the show. */
@@ -195,7 +196,8 @@ export class Stage {
     this.received += 1;
     this.state = state;
     const time = now();
-    const scene = sceneIn(state, this.parameters.character);
+    const { character } = this.parameters;
+    const scene = sceneIn(state, character && (findCharacter(character, state.characters) ?? character));
     const air = sceneKey(scene);
     const moved = air !== this.air;
     this.playout.arrived(state.time, !moved);
@@ -229,7 +231,9 @@ export class Stage {
   private report(time: number): void {
     if (time - this.reported < 1) return;
     this.reported = time;
-    this.link.send({ type: "drawing", fps: this.rate.at(time), level: this.view.level });
+    const { camera, level } = this.view;
+    const stands = camera.position.z > 0 ? camera.position.toArray() : null; // at the origin until a head is framed
+    this.link.send({ type: "drawing", fps: this.rate.at(time), level, name: this.parameters.name, camera: stands });
   }
 }
 

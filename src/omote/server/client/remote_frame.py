@@ -4,8 +4,19 @@ from __future__ import annotations
 
 import msgspec
 
-from omote.perform.frame import CallStatus, Frame, Gaze, Head, Held, Home, LayerStatus, MotionSettings
-from omote.show.messages import CallState, CharacterState, HeldState, LayerState, State
+from omote.perform.frame import (
+    CallStatus,
+    Frame,
+    Gaze,
+    GazeTarget,
+    Head,
+    Held,
+    Home,
+    LayerStatus,
+    MotionSettings,
+    SourceStatus,
+)
+from omote.show.messages import CallState, CharacterState, HeldState, LayerState, MotionState, State
 
 
 def frame_in(state: State, character: CharacterState) -> Frame:
@@ -30,13 +41,22 @@ def frame_in(state: State, character: CharacterState) -> Frame:
         region_calls={region: call_status_of(call) for region, call in character.region_calls.items()},
         layers={layer: layer_status(each) for layer, each in character.layers.items()},
         held=None if character.held is None else held_by_hands(character.held),
-        motion=None if character.motion is None else MotionSettings(**msgspec.structs.asdict(character.motion)),
+        motion=None if character.motion is None else motion_settings(character.motion),
     )
+
+
+def motion_settings(motion: MotionState) -> MotionSettings:
+    """What is set of the automatic motion, on the wire, as the engine's."""
+    target = GazeTarget(**msgspec.structs.asdict(motion.target))
+    return MotionSettings(**{**msgspec.structs.asdict(motion), "target": target})
 
 
 def layer_status(layer: LayerState) -> LayerStatus:
     """A layer of the wire as the engine's."""
-    return LayerStatus(tuple(layer.influence), layer.on, layer.trust, layer.source, layer.share, layer.strongest)
+    sources = tuple(SourceStatus(each.source, each.trust, tuple(each.parts)) for each in layer.sources)
+    return LayerStatus(
+        tuple(layer.influence), layer.on, layer.trust, layer.source, layer.share, layer.strongest, sources
+    )
 
 
 def held_by_hands(held: HeldState) -> Held:

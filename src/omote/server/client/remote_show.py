@@ -9,12 +9,13 @@ from typing import Generic, TypeVar, get_args
 
 from omote.model.known_names import GENERIC, check_play_region
 from omote.perform.easing import DEFAULT_EASING
-from omote.perform.frame import Frame
+from omote.perform.frame import Frame, check_target_kind
 from omote.perform.layers.layer_names import check_driven, check_layer, check_part
 from omote.perform.limits import check_known
 from omote.perform.scene.character_names import ALL, find_character, framing_of, names_in
 from omote.server.client.remote_frame import frame_in
 from omote.server.client.remote_leases import RemoteLeases
+from omote.server.client.remote_sources import RemoteSources
 from omote.show import messages as wire
 
 STREAM_KINDS: tuple[wire.StreamKind, ...] = get_args(wire.StreamKind)
@@ -102,7 +103,7 @@ class RemoteCharacter(Generic[Sent]):
     ) -> Sent:
         """One frame of a source of this program: the newest wins, and the layer follows it without a jump. The same
         names in each frame; radians for head and gaze; after half a second without a frame the layer fades out.
-        smoothing: seconds, to 2, in which a step is followed, where that is slower than of all sources."""
+        smoothing: seconds, to 2, in which a step is followed, 0 as its layer is."""
         kind = next(each for each in STREAM_KINDS if each == check_driven(layer))
         source = wire.Source(f"{layer} {self.name}", kind, list(channels), [self.name], smoothing=smoothing)
         values = struct.pack(f"<{len(channels)}f", *channels.values())
@@ -123,9 +124,26 @@ class RemoteCharacter(Generic[Sent]):
         gaze: float | None = None,
         breath: float | None = None,
         seed: int | None = None,
+        idle: bool | None = None,
     ) -> Sent:
-        """Sets how much the character moves by itself: 0 nothing, 0.5 as people move, 1 lively; the details 0 to 2."""
-        return self._send(wire.SetMotion(self.name, liveliness, blinks, gaze, breath, seed))
+        """Sets how much the character moves by itself: 0 nothing, 0.5 as people move, 1 lively; the details 0 to 2;
+        idle: whether it moves as people do while its tracker is lost."""
+        return self._send(wire.SetMotion(self.name, liveliness, blinks, gaze, breath, seed, idle=idle))
+
+    def look_at(
+        self,
+        kind: str = "ahead",
+        name: str = "",
+        *,
+        yaw: float = 0.0,
+        pitch: float = 0.0,
+        x: float = 0.0,
+        y: float = 0.0,
+        z: float = 2.0,
+    ) -> Sent:
+        """Chooses whom or what the eyes look at: `ahead`, a `direction` of the house (radians), a `point` (metres), or
+        by name a `gaze_point`, a `character`, the camera of a `stage`."""
+        return self._send(wire.LookAt(self.name, check_target_kind(kind), name, yaw, pitch, x, y, z))
 
     def set_home(self, face: str, *, seconds: float = 2.0) -> Sent:
         """Chooses the face that a second panic brings on air."""
@@ -149,7 +167,7 @@ class RemoteCharacter(Generic[Sent]):
         return self._show.send(message)
 
 
-class RemoteShow(RemoteLeases[Sent]):
+class RemoteShow(RemoteLeases[Sent], RemoteSources[Sent]):
     """A running show: `show["one"]` is a character, `show["*"]` all of them; light and framing are the show's."""
 
     def __init__(
@@ -204,9 +222,10 @@ class RemoteShow(RemoteLeases[Sent]):
         """Adds a character, which waits off stage until it enters."""
         return self.send(wire.AddCharacter(self.next_id(), name, name if label is None else label, face))
 
-    def remove(self, name: str, *, key: str = "") -> Sent:
-        """Takes a character out of the scene: it leaves the stage, then it is gone; `restore` brings it back."""
-        return self.send(wire.RemoveCharacter(self.next_id(), name, key))
+    def remove(self, name: str, *, seconds: float = 1.0, key: str = "") -> Sent:
+        """Takes a character out of the scene: it leaves the stage in `seconds`, then it is gone; `restore` brings it
+        back."""
+        return self.send(wire.RemoveCharacter(self.next_id(), name, key, seconds))
 
     def restore(self, key: str, *, seconds: float = 1.0) -> Sent:
         """Brings back who was removed with this key, or of this name: all that it had on air, its place, its shot."""
@@ -232,6 +251,15 @@ class RemoteShow(RemoteLeases[Sent]):
         x, depth = here.x if x is None else x, here.depth if depth is None else depth
         size, turn = here.size if size is None else size, here.turn if turn is None else turn
         return self.send(wire.PlaceCharacter(self.find_character(name), x, depth, size, turn, seconds, self.next_id()))
+
+    def set_gaze_point(self, name: str, *, x: float, y: float, z: float) -> Sent:
+        """Names a point of the house that characters may look at, or moves it: metres to the picture's right, above the
+        eyes, before the front line."""
+        return self.send(wire.SetGazePoint(self.next_id(), name, x, y, z))
+
+    def delete_gaze_point(self, name: str) -> Sent:
+        """Forgets a gaze point; who looked at it looks ahead."""
+        return self.send(wire.DeleteGazePoint(self.next_id(), name))
 
     def enter(self, name: str, *, seconds: float = 1.0) -> Sent:
         """Brings a character onto the stage."""

@@ -13,10 +13,10 @@ from aiohttp import WSCloseCode, WSMsgType, web
 
 from omote.edit.protocol.messages import EDITING_PATH
 from omote.edit.store.on_air_recipes import OnAir, read_on_air
-from omote.inputs.trackers.tracker_protocols import MEDIAPIPE_PATH
 from omote.server.access.access_control import AccessControl
 from omote.server.access.access_guard import guard_access, visitor_in
 from omote.server.access.people_routes import PeopleRoutes
+from omote.server.access.phone_page import PHONE_PATH, PhonePage
 from omote.server.access.security import add_headers, guard, silence_bad_requests
 from omote.server.http.cast_documents import CastDocuments
 from omote.server.http.cast_reload import CastReload
@@ -30,7 +30,7 @@ from omote.server.http.static_pages import PAGES, Page
 from omote.server.http.touchosc import TOUCHOSC_PATH, TouchoscLayout
 from omote.server.http.uploads import RunFileJob, Uploads
 from omote.server.persistence.authored_work import AuthoredWork
-from omote.show.messages import LINK_PATH, MESSAGE_LIMIT, FromServer, Notice, Notices, Progress, Refused, State
+from omote.show.messages import LINK_PATH, MESSAGE_LIMIT, Devices, FromServer, Notice, Notices, Progress, Refused, State
 from omote.show.outgoing import KeepRequest, Outgoing
 from omote.show.session import ShowSession
 from omote.show.wire import encode
@@ -39,6 +39,7 @@ PAGE_CLOSED = (WSCloseCode.OK, WSCloseCode.GOING_AWAY)
 """How a browser ends the link of a page that is closed or loaded anew."""
 
 Clock = Callable[[], float]
+Respond = Callable[[web.Request], Awaitable[web.StreamResponse]]
 
 
 class Source(Protocol):
@@ -70,7 +71,8 @@ class ShowServer:
         self.sources: list[Source] = []
         self.device_spoke: Callable[[], None] = lambda: None
         self.oscquery: OscQuery | None = None
-        self._respond_to_trackers: Callable[[web.Request], Awaitable[web.StreamResponse]] | None = None
+        self._heard: dict[str, Respond] = {}
+        self._describe_devices: Callable[[], Devices] = lambda: Devices([])
         self._surface_allowed: Callable[[str], bool] = lambda _: False
         self.access: AccessControl | None = None
         self.authority: bytes | None = None
@@ -111,9 +113,13 @@ class ShowServer:
         self._surface_allowed = allowed
         self.oscquery = OscQuery(lambda: (self.session.cast, self._state, tuple(self.session.scene)), port)
 
-    def enable_trackers(self, respond: Callable[[web.Request], Awaitable[web.StreamResponse]]) -> None:
-        """Adds the link of trackers that send by WebSocket."""
-        self._respond_to_trackers = respond
+    def enable_sender(self, path: str, respond: Respond) -> None:
+        """Adds a link by which trackers, cameras or microphones send."""
+        self._heard[path] = respond
+
+    def enable_phone_page(self, describe: Callable[[], Devices]) -> None:
+        """Tells phones what to type into the apps of trackers; describe: what is switched on."""
+        self._describe_devices = describe
 
     def enable_access(self, control: AccessControl | None, authority: bytes | None = None) -> None:
         """Asks for tokens from now on, but for None; authority: the certificate that tablets may install."""
@@ -129,7 +135,10 @@ class ShowServer:
     def application(self, names: frozenset[str]) -> web.Application:
         """Builds the aiohttp application; `names` are the host names it answers to, beside numeric addresses."""
         silence_bad_requests()
-        guards = [guard(names), guard_access(lambda: self.access, frozenset(PAGES), self._surface_allowed)]
+        guards = [
+            guard(names),
+            guard_access(lambda: self.access, frozenset((*PAGES, PHONE_PATH)), self._surface_allowed),
+        ]
         application = web.Application(middlewares=guards, client_max_size=MESSAGE_LIMIT)
         application.on_response_prepare.append(add_headers)
         application.router.add_get(LINK_PATH, self.link)
@@ -146,6 +155,7 @@ class ShowServer:
             lambda: self.authority,
         ).add_routes(application)
         self._add_device_routes(application)
+        PhonePage(lambda: self._describe_devices(), lambda: self.access, self._pages).add_routes(application)
         for path in (*PAGES, "/{page:.+}"):
             application.router.add_get(path, self.page)
         return application
@@ -154,8 +164,8 @@ class ShowServer:
         """Adds what surfaces read, and where trackers send."""
         layout = TouchoscLayout(lambda: (self.session.cast, tuple(self.session.scene)))
         application.router.add_get(TOUCHOSC_PATH, layout.respond)
-        if self._respond_to_trackers is not None:
-            application.router.add_get(MEDIAPIPE_PATH, self._respond_to_trackers)
+        for path, respond in self._heard.items():
+            application.router.add_get(path, respond)
         if self.oscquery is not None:
             self.oscquery.add_routes(application, self.page)
 
@@ -253,7 +263,7 @@ class ShowServer:
         page = self._pages.get(request.path)
         if page is None:
             raise web.HTTPNotFound(
-                text="there is no such page; there are /stage, /console, /devices (dials, pads) and /editor."
+                text="there is no such page; there are /stage, /console, /devices, /camera, /microphone and /editor."
             )
         keep = CACHE_FOREVER if page.immutable else NO_CACHE
         return web.Response(body=page.body, content_type=page.content_type, headers={"Cache-Control": keep})

@@ -12,7 +12,9 @@ PAGES = {
     "/stage": "stage.html",
     "/console": "console.html",
     "/devices": "devices.html",
+    "/camera": "camera.html",
     "/editor": "editor.html",
+    "/microphone": "microphone.html",
 }
 TYPES = {".js": "text/javascript", ".mjs": "text/javascript", ".css": "text/css", ".html": "text/html"}
 

@@ -34,7 +34,7 @@ from omote.server.process.process_messages import Order, ShowMoved, write_notice
 from omote.server.supervision.device_sockets import NO_DEVICES, DeviceOptions
 from omote.server.supervision.device_sources import start_devices
 from omote.server.supervision.early_tick import EarlyTicks
-from omote.server.supervision.tick_loop import ShowTick, run_ticks, send_pulse
+from omote.server.supervision.tick_loop import ShowTick, Tick, run_ticks, send_pulse
 from omote.server.workers.file_jobs import run_file_job
 from omote.server.workers.job_server import JobServer, open_job_server
 from omote.server.workers.workshop import open_workshop
@@ -116,7 +116,7 @@ async def play(
     journal = JournalWriter(file, tell, gate) if file else None
     watch = FileWatch(file, gate, tell, partial(tell_moved, pipes.pulse)) if file else None
     try:
-        await serve(server, ShowTick(server, journal, pipes.pulse, board).tick, pipes)
+        await serve(server, ShowTick(server, journal, pipes.pulse, board).tick, pipes, show if file else None)
     finally:
         documents.close()
         if journal:
@@ -126,11 +126,11 @@ async def play(
                 each.close()
 
 
-async def serve(server: ShowServer, tick: Callable[[int], None], pipes: Pipes) -> None:
-    """Hears devices, answers pages and ticks until the control pipe ends or SIGTERM comes."""
+async def serve(server: ShowServer, tick: Tick, pipes: Pipes, show: Path | None = None) -> None:
+    """Hears devices, answers pages and ticks until the control pipe ends or SIGTERM comes. show: its file."""
     early = EarlyTicks()
     server.device_spoke = early.note
-    devices = await start_devices(server, pipes.devices, report, early)
+    devices = await start_devices(server, pipes.devices, report, early, show)
     runner = await start_serving(server, pipes.listen, pipes.access)
     try:
         await run_until_ended(run_ticks(tick, early=early), pipes.control)

@@ -51,12 +51,17 @@ FREE: tuple[type[wire.Message], ...] = (
     *get_args(wire.DeviceMessage),
     wire.SetLayer,  # an influence is followed: it takes nothing out of a hand
     wire.SetMotion,
+    wire.LookAt,
+    wire.SetGazePoint,
+    wire.DeleteGazePoint,
     wire.Source,
     wire.Drive,
     wire.LeaveSource,
     wire.RouteSource,
     wire.CalibrateSource,
+    wire.MeasureSource,
     wire.TuneSource,
+    wire.WatchSource,
 )
 """Messages that pass whoever holds what."""
 

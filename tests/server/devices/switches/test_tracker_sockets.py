@@ -6,7 +6,7 @@ import pytest
 
 from omote.inputs.face_output.face_target import read_targets
 from omote.inputs.trackers.tracker_protocols import TRACKER_PROTOCOLS
-from omote.server.supervision.tracker_sockets import (
+from omote.server.devices.switches.tracker_sockets import (
     TrackerWish,
     explain_trackers,
     find_phones,
@@ -36,8 +36,8 @@ def test_a_list_is_read_as_it_is_typed() -> None:
         ("vmc,vmc:1", "twice"),
         ("vmc:", "no port"),
         ("vmc:70000", "no port"),
-        ("vmc@10.0.0.7", "asks no phone"),
-        ("ifacialmocap@", "names no phone"),
+        ("mediapipe@10.0.0.7", "names nobody"),
+        ("ifacialmocap@", "names nobody"),
         ("mediapipe:80", "port of the pages"),
     ],
 )
@@ -62,8 +62,8 @@ def test_sockets_are_opened_and_explained_and_one_that_is_taken_is_said() -> Non
     opened = listen_for_trackers(read_trackers("vmc:0,livelink:0"))
     port = opened["vmc"].getsockname()[1]
     first, second = explain_trackers(opened)
-    assert first.startswith(f"VMC: port {port}; ")
-    assert second.startswith("Live Link Face: port")
+    assert first.startswith(f"tracker  VMC: port {port}; ")
+    assert second.startswith("tracker  Live Link Face: port")
     with pytest.raises(OSError, match=rf"port {port} cannot be opened for VMC \(another program has it\)"):
         listen_for_trackers(read_trackers(f"livelink:0,vmc:{port}"))
     for each in opened.values():

@@ -1,0 +1,1 @@
+"""Speech: mouth shapes in time."""
