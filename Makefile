@@ -70,7 +70,7 @@ $(CAST): $(CAST_FROM) | $(PACKAGES)
 
 $(MAP): $(MAP_FROM) $(CAST)
 	@echo "== Map of the camera's landmarks (src/omote/builtin/landmark_map.npz)"
-	@$(RUN) -m tools.tracking.train
+	@$(RUN) -m tools.tracking.train_map
 	@touch $@
 
 # ---- checks and tests

@@ -29,9 +29,9 @@ from tools.tracking.films import RATE, film
 from tools.tracking.gather import EVEN, OBSERVATIONS, ODD, seen_turns
 from tools.tracking.landmark_finder import Looks, find, open_finder
 from tools.tracking.motions import row_of
-from tools.tracking.people import HUMANS, LEFT_OUT, Person, Warp, random_person
 from tools.tracking.picture import SIZE, Photographer, random_setting
-from tools.tracking.train import read_observations
+from tools.tracking.random_people import HUMANS, LEFT_OUT, Person, Warp, random_person
+from tools.tracking.train_map import read_observations
 
 Values = NDArray[np.float64]
 TAKE = Path(__file__).resolve().parents[2] / "shared" / "data" / "livelinkface" / "alex_rom_3.csv"

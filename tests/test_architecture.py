@@ -28,13 +28,17 @@ LONG_MODULES: dict[str, str] = {
     "web/src/console/store/console_store.test.ts": "one store, a test for each of its promises",
     "web/src/editor/session/draft_store.test.ts": "one store, a test for each of its promises",
     "web/src/link/messages.ts": "written by tools/messages.py from show/messages.py",
+    "benchmarks/tracking.py": "the films of one claim, four ways to track them, and nine measures of each",
     "benchmarks/interruptions.py": "one claim with its bound, its search for the maximum and its picture",
     "src/omote/model/controls/control_net.py": "public: parameters, errors and an example of each method",
     "src/omote/model/space/parameter_space.py": "public: parameters, errors and an example of each method",
     "src/omote/perform/scene/scene.py": "public: parameters, errors and an example of each method",
     "src/omote/perform/performer.py": "public: parameters, errors and an example of each method",
 }
-LONG_BODIES: dict[str, str] = {}
+LONG_BODIES: dict[str, str] = {
+    "tools/tracking/rasterizer.py:draw_triangles": "one loop over the pixels of triangles, compiled",
+    "tools/tracking/rasterizer.py:shade_pixels": "one loop over the pixels of a picture, compiled",
+}
 
 EMPTY_NAMES = re.compile(r"utils?|helpers?|common|core|misc|stuff|base")
 # Which modules need no test file of their own, and why.

@@ -18,7 +18,7 @@ from omote.inputs.camera.face_features import pose_row
 from omote.inputs.camera.head_pose import HeadPose, fit_pose, metric_points, normal_face
 from omote.inputs.camera.landmark_frame import LandmarkFrame
 from omote.inputs.camera.landmark_map import OUTPUTS, UNITS, Compression
-from tools.tracking.mirror import find_mirror, mirror_face, mirror_features
+from tools.tracking.face_mirror import find_mirror, mirror_face, mirror_features
 from tools.tracking.picture import SIZE, Pose, turn
 
 Values = NDArray[np.float64]

@@ -2,8 +2,8 @@
 
 import numpy as np
 
-from tools.tracking.people import HUMANS, LEFT_OUT, random_person
 from tools.tracking.picture import SIZE, Photographer, Pose, random_setting
+from tools.tracking.random_people import HUMANS, LEFT_OUT, random_person
 
 
 def take(seed: int, pose: Pose | None = None, **weights: float) -> np.ndarray:

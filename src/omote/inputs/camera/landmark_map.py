@@ -77,7 +77,7 @@ class LandmarkMap:
         other = self._outputs(features[..., self.order] * self.sign)
         return 0.5 * (self._outputs(features) + other[..., rows] * signs)
 
-    def hidden(self, features: Values) -> Values:
+    def read_hidden(self, features: Values) -> Values:
         """The values of the last layer but the outputs."""
         values = features
         for weights, offsets in self.layers[:-1]:
@@ -86,7 +86,7 @@ class LandmarkMap:
 
     def _outputs(self, features: Values) -> Values:
         weights, offsets = self.layers[-1]
-        result: Values = self.hidden(features) @ weights + offsets + features @ self.linear
+        result: Values = self.read_hidden(features) @ weights + offsets + features @ self.linear
         return result
 
 

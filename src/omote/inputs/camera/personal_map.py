@@ -52,7 +52,7 @@ class PersonalMap:
 
     def _read(self, one: FaceInStep) -> tuple[Values, Values]:
         features = self._map.compression.features(one.face, self._rest, one.pose)
-        return self._map.hidden(features), self._map.estimate(features)
+        return self._map.read_hidden(features), self._map.estimate(features)
 
     def _correct(self, calibration: PerformerCalibration) -> Values | None:
         steps = [name for name in GUIDED if name in calibration.steps]

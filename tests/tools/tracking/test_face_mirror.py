@@ -7,7 +7,7 @@ from omote.inputs.camera.face_features import measures, pose_row, pose_terms
 from omote.inputs.camera.head_pose import HeadPose
 from omote.inputs.camera.landmark_map import load_landmark_map
 from tests.inputs.camera.heads import mean_face, rotation
-from tools.tracking.mirror import find_mirror, mirror_face, mirror_measures, mirror_pose
+from tools.tracking.face_mirror import find_mirror, mirror_face, mirror_measures, mirror_pose
 
 
 def crooked_face() -> np.ndarray:

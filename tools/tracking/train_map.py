@@ -1,6 +1,6 @@
 """Trains the map of the camera's landmarks from the observations: `make setup` calls it; under a minute.
 
-python -m tools.tracking.train
+python -m tools.tracking.train_map
 """
 
 from __future__ import annotations
