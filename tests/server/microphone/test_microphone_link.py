@@ -9,7 +9,7 @@ import pytest_asyncio
 from aiohttp import WSMsgType, web
 from aiohttp.test_utils import TestClient, TestServer
 
-from omote.inputs.microphone.microphone_messages import LONGEST_MESSAGE, Begin, Rejected, Sound, ToMicrophone
+from omote.inputs.microphone.microphone_messages import LONGEST_MESSAGE, Begin, Rejected, Sound, ToMicrophone, Voice
 from omote.server.access.access_guard import VISITOR
 from omote.server.microphone.microphone_link import MicrophoneLink
 from omote.show.access.access_documents import REVOKED_CODE
@@ -70,7 +70,7 @@ async def test_a_microphone_plays_and_is_told(show_harness: ShowHarness, link: M
         for _ in range(8):
             show_harness.tick()
         told = _DECODER.decode(await socket.receive_bytes())
-        assert told.type == "voice" if isinstance(told, dict) else told is not None
+        assert isinstance(told, Voice)
         assert [source.name for source in show_harness.show.session.sources.states({})] == ["Anna"]
         await socket.send_bytes(b"hello")
         while not isinstance(told, Rejected):

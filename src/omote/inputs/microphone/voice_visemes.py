@@ -29,7 +29,7 @@ DELAY_SECONDS = AHEAD * FRAME_SECONDS + 0.5 * WINDOW / SAMPLE_RATE
 """How far a decision is behind the sound: the frames that it waits for, and half a window."""
 MARGIN, CERTAIN = 4.0, 9.0
 """dB above the noise at which sound begins to count as speech, and does in full."""
-LIPS_SHUT = 1.6
+LIPS_SHUT = 2.5
 """How much more a bilabial counts than the network says: lips that miss a closure are seen, those that close too
 often are not."""
 LONGEST_SENTENCE = 15.0
