@@ -169,6 +169,21 @@ class LayerStatus:
 
 
 @dataclass(frozen=True)
+class SpeechStatus:
+    """What is said now. number: counts all that was said; text: its beginning; elapsed: seconds since its sound began,
+    below 0 before that; seconds: its length; sound: the key of what the stage plays, "" for none; waiting: how many
+    speeches come after it, next_sound: the key of the next one's sound."""
+
+    number: int
+    text: str
+    elapsed: float
+    seconds: float
+    sound: str
+    waiting: int
+    next_sound: str
+
+
+@dataclass(frozen=True)
 class Frame:
     """The mixes of faces, expressions and lights (each sums to one), the channels, head and gaze, at `time` seconds.
 
@@ -177,7 +192,8 @@ class Frame:
     show another than the rest of the face does, each sums to one; `region_calls`: their own calls. `held`: what hands
     hold where layers mix it with what sources send, None where `channels`, `head` and `gaze` are theirs alone; layers
     mix the gaze as the channels that turn the eyes. `layers`: those that a source drives or that are set otherwise than
-    at first. `motion`: what is set of the automatic motion, None where nothing is.
+    at first. `motion`: what is set of the automatic motion, None where nothing is. `speech`: what is said, None where
+    nothing is.
     """
 
     faces: Mapping[str, float]
@@ -200,6 +216,7 @@ class Frame:
     layers: Mapping[str, LayerStatus] = field(default_factory=dict)
     held: Held | None = None
     motion: MotionSettings | None = None
+    speech: SpeechStatus | None = None
 
 
 def with_fields(frozen: Frozen, **changes: Any) -> Frozen:

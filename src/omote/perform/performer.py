@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
 
 from omote.model.known_names import GENERIC, NEUTRAL, check_play_region
@@ -12,6 +12,7 @@ from omote.perform.axis import Axis
 from omote.perform.channels import with_channels
 from omote.perform.easing import DEFAULT_EASING, find_easing
 from omote.perform.frame import Frame, Gaze, Head, Held, Home, with_fields
+from omote.perform.gestures.gesturing import advance_gestures, begin_gesture, release_gestures, with_gestures
 from omote.perform.layers.layer_mix import influences, kept_of_mix, with_layers
 from omote.perform.layers.layer_names import LayerName, check_driven, check_layer, check_part
 from omote.perform.layers.layers import (
@@ -26,9 +27,9 @@ from omote.perform.layers.layers import (
     switch_off,
 )
 from omote.perform.layers.layers_snapshot import restored, snapshot_of
-from omote.perform.layers.source_frame import AUTOMATIC, SourceFrame, check_frame, source_frame
+from omote.perform.layers.source_frame import AUTOMATIC, SPEECH, SourceFrame, check_frame, source_frame
 from omote.perform.lights import check_light
-from omote.perform.limits import FOREVER, check_call_seconds, check_known, check_within
+from omote.perform.limits import FOREVER, check_call_seconds, check_known, check_switch, check_within
 from omote.perform.motion.automatic_motion import (
     MOTION_LAYERS,
     AutomaticMotion,
@@ -36,7 +37,7 @@ from omote.perform.motion.automatic_motion import (
     motion_frames,
     set_motion,
 )
-from omote.perform.motion.free_layers import is_free, is_speaking
+from omote.perform.motion.free_layers import is_free, is_speaking, mouth_shown
 from omote.perform.panic import (
     PANIC_EASING,
     PANIC_SECONDS,
@@ -49,6 +50,16 @@ from omote.perform.panic import (
 )
 from omote.perform.region_axes import advance_regions, call_regions, move_with_face
 from omote.perform.snapshot import Playable, Snapshot, check_snapshot, is_home_next, refuse_no_cast
+from omote.perform.speech.speaking import (
+    advance_speaking,
+    make_speech,
+    mouth_of_speaking,
+    say,
+    speech_status,
+    stop,
+)
+from omote.perform.speech.speech_timing import make_track
+from omote.perform.speech.visemes import speech_frame
 
 
 class Performer:
@@ -586,6 +597,113 @@ class Performer:
         given = {"liveliness": liveliness, "blinks": blinks, "gaze": gaze, "breath": breath, "seed": seed}
         self._play(motion=set_motion(motion, motion.settings.change(**given)))
 
+    def say(
+        self,
+        text: str = "",
+        *,
+        timing: str = "text",
+        marks: Sequence[str] = (),
+        times: Sequence[float] = (),
+        language: str = "en",
+        seconds: float | None = None,
+        sound: str = "",
+        delay: float = 0.0,
+        offset: float = 0.0,
+        queue: bool = False,
+    ) -> None:
+        """Speaks: lips move in time with a sound that something else plays, on the layer *lips*.
+
+        What is said now is interrupted without a jump, and takes the lips from any other source until it ends.
+
+        Parameters
+        ----------
+        text : str
+            What is said, to 2000 characters; read where the timing is "text".
+        timing : {"text", "words", "characters", "visemes", "azure", "rhubarb"}
+            What the marks are; "text": there are none, and the time of each letter is estimated.
+        marks : sequence of str
+            Words, single characters, or names of mouth shapes.
+        times : sequence of float
+            When each mark begins, seconds from the beginning of the sound; one more: the end of the last.
+        language : {"en", "de"}
+            By whose rules letters are read.
+        seconds : float, optional
+            The length of the sound, to 600.
+        sound : str
+            The key of a sound that the stage plays with it.
+        delay : float
+            Seconds until the sound begins, to 3600; at least 0.15, or 0.4 with a sound of the stage.
+        offset : float
+            Seconds by which the mouth is later than the sound, -1 to 1.
+        queue : bool
+            After all that is said already, instead of in its place.
+
+        Raises
+        ------
+        ValueError
+            On names that there are not, on times that go back, on numbers out of range.
+        TypeError
+            On what is no number, no text or no switch.
+
+        Examples
+        --------
+        >>> performer = omote.Performer(cast)
+        >>> performer.say("Hello", timing="words", marks=["Hello"], times=[0.0, 0.4])
+        >>> speech = performer.advance(0.2).speech
+        >>> speech.text, round(speech.elapsed, 2), speech.seconds
+        ('Hello', 0.05, 0.4)
+
+        References
+        ----------
+        docs/method.md, "Speech".
+        """
+        track = make_track(timing, text, marks, times, language=language, seconds=seconds)
+        number, after = self._now.said + 1, check_switch(queue, "the switch queue")
+        speech = make_speech(track, text=text, sound=sound, delay=delay, offset=offset, number=number)
+        mouth = () if self._layers is None else mouth_shown(self._layers)
+        self._play(speaking=say(self._now.speaking, speech, queue=after, mouth=mouth), said=number)
+
+    def stop_speaking(self) -> None:
+        """Stops what is said, and forgets what waits: the mouth goes to rest.
+
+        Examples
+        --------
+        >>> performer = omote.Performer(cast)
+        >>> performer.say("Hello")
+        >>> performer.stop_speaking()
+        >>> performer.advance(0.0).speech is None
+        True
+        """
+        self._play(speaking=stop(self._now.speaking))
+
+    def gesture(self, name: str, *, amplitude: float = 1.0, seconds: float | None = None) -> None:
+        """Makes a short motion of head or brows, on top of all that plays; one that runs makes way for it.
+
+        Parameters
+        ----------
+        name : {"nod", "shake", "tilt", "bow", "shrug", "brows", "wink"}
+            Which.
+        amplitude : float
+            -2 to 2: 1 as it is, below 0 to the other side (a nod: up).
+        seconds : float, optional
+            How long it takes, 0.2 to 10; as it takes by itself without it.
+
+        Raises
+        ------
+        ValueError
+            On a name that there is not, on numbers out of range.
+        TypeError
+            On what is no number.
+
+        Examples
+        --------
+        >>> performer = omote.Performer(cast)
+        >>> performer.gesture("nod")
+        >>> performer.advance(0.25).head.pitch < -0.1
+        True
+        """
+        self._play(gestures=begin_gesture(self._now.gestures, name, amplitude, seconds))
+
     def set_home(self, face: str, *, seconds: float = 2.0) -> None:
         """Chooses the face that a second panic brings on air.
 
@@ -679,6 +797,7 @@ class Performer:
             time=now.time + dt,
         )
         self._move(dt)
+        self._speak(dt)
         self._layers = self._advance_layers(self._layers, dt)
         return self._frame()
 
@@ -700,6 +819,8 @@ class Performer:
         >>> list(performer.advance(0.0).layers)
         ['lips']
         """
+        if layer == "lips" and frame.source != SPEECH and self._now.speaking is not None:
+            return  # what is said has the lips
         self._layers = drive(self._cast, self._begun_layers(), layer, frame)
 
     def leave_layer(self, layer: LayerName, source: str) -> None:
@@ -756,6 +877,19 @@ class Performer:
             if self._layers is None or is_free(self._layers, layer):
                 self.drive_layer(layer, frame)
 
+    def _speak(self, dt: float) -> None:
+        """What is said plays the layer of the lips, and gestures go on."""
+        if self._now.gestures:
+            self._now = with_fields(self._now, gestures=advance_gestures(self._now.gestures, dt))
+        if self._now.speaking is None:
+            return
+        speaking = advance_speaking(self._now.speaking, dt)
+        self._now = with_fields(self._now, speaking=speaking)
+        if speaking is None:
+            self.leave_layer("lips", SPEECH)
+        elif speaking.moves:
+            self.drive_layer("lips", speech_frame(mouth_of_speaking(speaking), self._cast.expressions, source=SPEECH))
+
     def _begun_layers(self) -> Layers:
         return begin(self._cast, self._held()) if self._layers is None else self._layers
 
@@ -774,9 +908,9 @@ class Performer:
 
     def _frame(self) -> Frame:
         frame = _frame(self._now)
-        if self._layers is None:
-            return frame
-        return with_layers(frame, self._layers, self._cast.expressions, self._held(), self._now.settling)
+        if self._layers is not None:
+            frame = with_layers(frame, self._layers, self._cast.expressions, self._held(), self._now.settling)
+        return with_gestures(frame, self._now.gestures, self._cast.expressions, self._held())
 
     def _without_layers(self, rested: Snapshot) -> Snapshot:
         """A panic where layers play: all that they had on air eases to rest, and sources are off."""
@@ -821,6 +955,8 @@ def _at_rest(now: Snapshot) -> Snapshot:
         gaze=Gaze(),
         settling=settling,
         motion=None if now.motion is None else set_motion(now.motion, now.motion.settings.change(liveliness=0.0)),
+        speaking=None,
+        gestures=release_gestures(now.gestures),
     )
 
 
@@ -848,4 +984,5 @@ def _frame(now: Snapshot) -> Frame:
         regions={region: axis.weights(on) for region, on in now.regions.items()},
         region_calls={region: found for region, on in now.regions.items() if (found := axis.status(on)) is not None},
         motion=None if now.motion is None else now.motion.settings,
+        speech=speech_status(now.speaking),
     )

@@ -3,7 +3,7 @@ vector each follower lies."""
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Protocol
 
@@ -32,6 +32,8 @@ HAND_SECONDS = 0.3
 SHARE_SECONDS = 0.5
 """In which an influence, a switch and the hold of a hand are followed."""
 TRUST_SECONDS = 1.0
+QUICK_SECONDS = 0.15
+"""In which a layer comes that knows beforehand what it will do."""
 
 MOST_REMEMBERED = 64
 """Sequences of channels whose places are remembered: those of sources, and what hands hold as it changes."""
@@ -87,13 +89,14 @@ class Columns:
         found = vector[self.sections[section]]
         return found.reshape(self.shapes[section]) if section in self.shapes else found
 
-    def stream_rates(self, smoothing: Mapping[int, float]) -> tuple[Values, Values]:
+    def stream_rates(self, smoothing: Mapping[int, float], quick: Sequence[int] = ()) -> tuple[Values, Values]:
         """The rate and the haste of all followers where some streams are smoothed more: by row, in how many seconds.
-        Never less than all are, so that nothing can jump."""
+        Never less than all are, so that nothing can jump. quick: rows that are trusted sooner."""
         slower = {row: STREAM_SECONDS / seconds for row, seconds in smoothing.items() if seconds > STREAM_SECONDS}
-        if not slower:
+        if not slower and not quick:
             return self.rate, self.haste
         rate, haste = self.rate.copy(), self.haste.copy()
+        self.rows(rate, "trust")[list(quick)] *= TRUST_SECONDS / QUICK_SECONDS
         for row, share in slower.items():
             self.rows(rate, "streams")[row] *= share
             self.rows(haste, "streams")[row] *= share

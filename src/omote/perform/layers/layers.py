@@ -20,7 +20,7 @@ from omote.perform.layers.layer_names import (
     LayerPart,
     LayerSetting,
 )
-from omote.perform.layers.source_frame import AUTOMATIC, LOSS_SECONDS, Driver, SourceFrame, fits, parts_of
+from omote.perform.layers.source_frame import LOSS_SECONDS, OWN_SOURCES, SPEECH, Driver, SourceFrame, fits, parts_of
 
 UPRIGHT, STRAIGHT = Head(), Gaze()
 LET_GO = 0.01
@@ -108,7 +108,7 @@ def switch_off(layers: Layers, kept: Sequence[float]) -> Layers:
 
     What was on air of them the caller eases to rest.
     """
-    sources = {layer: driver for layer, driver in layers.drivers.items() if driver.source != AUTOMATIC}
+    sources = {layer: driver for layer, driver in layers.drivers.items() if driver.source not in OWN_SOURCES}
     settings = {layer: replace(each, on=each.on and layer not in sources) for layer, each in layers.settings.items()}
     layers = _with_share_goal(replace(layers, settings=settings, drivers=sources))
     columns, goal = layers.columns, layers.goal.copy()
@@ -202,7 +202,9 @@ def _stepped(layers: Layers, dt: float) -> Layers:
         goal = goal.copy()
         columns.rows(goal, "trust")[:] = wanted
     settles = not any(driver.is_trusted for driver in drivers.values())  # while a source plays nothing comes to rest
-    rate, haste = columns.stream_rates({DRIVEN.index(layer): driver.smoothing for layer, driver in drivers.items()})
+    quick = [DRIVEN.index(layer) for layer, driver in drivers.items() if driver.is_quick]
+    slow = {DRIVEN.index(layer): driver.smoothing for layer, driver in drivers.items()}
+    rate, haste = columns.stream_rates(slow, quick)
     first, second = follow(layers.first, layers.second, goal, rate, haste, dt, settles=settles)
     return with_fields(layers, goal=goal, first=first, second=second, drivers=drivers)
 
@@ -218,14 +220,10 @@ def _plugged(cast: HasExpressions, layers: Layers, layer: LayerName, frame: Sour
     layers = _with_names(cast, layers, frame.names)
     before = layers.drivers.get(layer)
     other = before is not None and (before.source, before.names) != (frame.source, frame.names)
-    driver = Driver(
-        frame.source,
-        frame.names,
-        frame.head is not None,
-        frame.gaze is not None,
-        frame.parts,
-        waits=_trust(layers, layer) >= LET_GO and (other or (before is not None and before.waits)),
-    )
+    shows = frame.source != SPEECH and _trust(layers, layer) >= LET_GO
+    waits = shows and (other or (before is not None and before.waits))
+    turns = frame.head is not None, frame.gaze is not None
+    driver = Driver(frame.source, frame.names, *turns, frame.parts, waits=waits)
     return _with_share_goal(replace(layers, drivers={**layers.drivers, layer: driver}))
 
 

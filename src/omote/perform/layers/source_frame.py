@@ -20,8 +20,9 @@ LOSS_SECONDS = 0.5
 """Seconds of silence, or of a performer who is not found, after which a source counts as lost."""
 
 
-AUTOMATIC = "automatic"
-"""The source of a character's own motion; no other has this name."""
+AUTOMATIC, SPEECH = "automatic", "speech"
+OWN_SOURCES = (AUTOMATIC, SPEECH)
+"""The sources of a character's own motion, and of what it says; no other has these names."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -60,6 +61,11 @@ class Driver:
     waits: bool = False
     leaves: bool = False
     smoothing: float = 0.0
+
+    @property
+    def is_quick(self) -> bool:
+        """Whether its layer comes at once: what is said knows when it begins, and does so with a mouth at rest."""
+        return self.source == SPEECH and self.is_trusted
 
     @property
     def is_trusted(self) -> bool:
