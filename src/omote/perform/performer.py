@@ -201,7 +201,13 @@ class Performer:
         self._play(face=_start_call(self._now.face, self._cast.faces, name, "face", seconds, easing))
 
     def call_expression(
-        self, name: str, *, seconds: float = 1.0, easing: str = DEFAULT_EASING, region: str | None = None
+        self,
+        name: str,
+        *,
+        seconds: float = 1.0,
+        easing: str = DEFAULT_EASING,
+        region: str | None = None,
+        strength: float = 1.0,
     ) -> None:
         """Brings an expression on air from whatever is showing, on the whole face or in one region of it.
 
@@ -217,17 +223,22 @@ class Performer:
             The curve of the way.
         region : {"brows", "eyes", "mouth", "rest"}, optional
             Where alone it is called, in its own time: no T-bar moves it, so `math.inf` is none for it.
+        strength : float
+            How much of it, 0 (neutral) to 1; no T-bar moves a call of less than all.
 
         Raises
         ------
         ValueError
-            On a name, an easing or a region that there is not, and on seconds out of range.
+            On a name, an easing or a region that there is not, and on seconds or a strength out of range.
         TypeError
-            On seconds that are no number.
+            On seconds and a strength that are no number.
 
         Examples
         --------
         >>> performer = omote.Performer(cast)
+        >>> performer.call_expression("joy", seconds=0, strength=0.75)
+        >>> dict(performer.advance(0.0).expressions)
+        {'neutral': 0.25, 'joy': 0.75}
         >>> performer.call_expression("smile", seconds=0)
         >>> dict(performer.advance(0.0).expressions)
         {'smile': 1.0}
@@ -241,9 +252,11 @@ class Performer:
         """
 
         def call(on: Axis) -> Axis:
-            return _start_call(on, self._cast.expressions, name, "expression", seconds, easing)
+            return _start_call(on, self._cast.expressions, name, "expression", seconds, easing, goal)
 
-        now = self._now
+        goal, now = _part_of(name, strength), self._now
+        if goal is not None:
+            check_call_seconds(seconds)  # no T-bar moves it
         if region is None:
             self._play(expression=call(now.expression), regions=call_regions(now.regions, now.expression, call))
             return
@@ -927,12 +940,28 @@ class Performer:
         self._now = with_fields(self._now, panicked=None, **changes)
 
 
-def _start_call(on: Axis, names: Mapping[str, object], name: str, what: str, seconds: float, easing: str) -> Axis:
+def _part_of(expression: str, strength: float) -> dict[str, float] | None:
+    """The mix of an expression that is called in part; None for all of it."""
+    share = check_within(strength, 0.0, 1.0, "the strength of an expression")
+    if share == 1.0 or expression == NEUTRAL:
+        return None
+    return {NEUTRAL: 1.0 - share, expression: share} if share else {NEUTRAL: 1.0}
+
+
+def _start_call(
+    on: Axis,
+    names: Mapping[str, object],
+    name: str,
+    what: str,
+    seconds: float,
+    easing: str,
+    goal: Mapping[str, float] | None = None,
+) -> Axis:
     check_known(name, names, what)
     find_easing(easing)
     if isinstance(seconds, float) and seconds == math.inf:
         return axis.called(on, name, None, easing)
-    return axis.called(on, name, check_call_seconds(seconds), easing)
+    return axis.called(on, name, check_call_seconds(seconds), easing, goal)
 
 
 def _at_rest(now: Snapshot) -> Snapshot:

@@ -12,7 +12,7 @@ from omote.perform.easing import DEFAULT_EASING, EASINGS
 from omote.perform.frame import CallStatus, Frame, Gaze, Held, LayerStatus
 from omote.perform.mix import mix_in
 from omote.perform.scene.scene_frame import CharacterFrame, SceneFrame
-from omote.show.messages import CallState, CharacterState, HeldState, LayerState, MotionState, Place, State
+from omote.show.messages import CallState, CharacterState, HeldState, LayerState, MotionState, Place, SpeechState, State
 
 if TYPE_CHECKING:
     from omote.perform.snapshot import Playable
@@ -98,6 +98,7 @@ def character_state(cast: Playable, character: CharacterFrame, eye_offset: EyeOf
         panics=frame.panics,
         **_home(frame),
         **_layers(frame),
+        speech=None if frame.speech is None else SpeechState(**vars(frame.speech)),
         motion=None if frame.motion is None else MotionState(**vars(frame.motion)),
         label=character.label,
         place=Place(place.x, place.depth, place.size, place.turn),

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import msgspec
 
-from omote.perform.frame import CallStatus, Frame, Gaze, Head, Held, Home, LayerStatus, MotionSettings
+from omote.perform.frame import CallStatus, Frame, Gaze, Head, Held, Home, LayerStatus, MotionSettings, SpeechStatus
 from omote.show.messages import CallState, CharacterState, HeldState, LayerState, State
 
 
@@ -30,6 +30,7 @@ def frame_in(state: State, character: CharacterState) -> Frame:
         region_calls={region: call_status_of(call) for region, call in character.region_calls.items()},
         layers={layer: layer_status(each) for layer, each in character.layers.items()},
         held=None if character.held is None else held_by_hands(character.held),
+        speech=None if character.speech is None else SpeechStatus(**msgspec.structs.asdict(character.speech)),
         motion=None if character.motion is None else MotionSettings(**msgspec.structs.asdict(character.motion)),
     )
 

@@ -30,6 +30,7 @@ from omote.server.http.static_pages import PAGES, Page
 from omote.server.http.touchosc import TOUCHOSC_PATH, TouchoscLayout
 from omote.server.http.uploads import RunFileJob, Uploads
 from omote.server.persistence.authored_work import AuthoredWork
+from omote.server.sounds.sound_routes import Sounds
 from omote.show.messages import LINK_PATH, MESSAGE_LIMIT, FromServer, Notice, Notices, Progress, Refused, State
 from omote.show.outgoing import KeepRequest, Outgoing
 from omote.show.session import ShowSession
@@ -68,6 +69,7 @@ class ShowServer:
         self.uploads: Uploads | None = None
         self.long_requests = LongRequests(self._send_progress)
         self.sources: list[Source] = []
+        self.sounds = Sounds(session.sounds.set)
         self.device_spoke: Callable[[], None] = lambda: None
         self.oscquery: OscQuery | None = None
         self._respond_to_trackers: Callable[[web.Request], Awaitable[web.StreamResponse]] | None = None
@@ -139,6 +141,7 @@ class ShowServer:
         application.router.add_get("/exports/{file}", self.export)
         application.router.add_post("/imports/{file}", self.take_in)
         DocumentRoutes(self.documents).add_routes(application)
+        self.sounds.add_routes(application)
         PeopleRoutes(
             lambda: self.access,
             lambda: [link.visitor for link in self._all_links()],

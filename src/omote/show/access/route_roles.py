@@ -27,6 +27,8 @@ ROUTES: Mapping[tuple[str, str], AccessRole] = MappingProxyType(
         ("GET", "/handles"): "view",
         ("GET", "/contents/{key}"): "view",
         ("GET", "/mediapipe"): "operate",
+        ("POST", "/sounds"): "operate",
+        ("GET", "/sounds/{key}"): "view",
         ("GET", "/omote"): "view",
         ("GET", "/omote/{path}"): "view",
         ("GET", "/touchosc/omote.tosc"): "view",
