@@ -80,6 +80,8 @@ export interface LinkHandlers {
   sources?: (sources: readonly SourceState[]) => void;
   /** News of devices. */
   devices?: (message: DeviceMessage) => void;
+  /** Whether this stage is the one that plays sounds. */
+  playsSound?: (on: boolean) => void;
   /** How far a long request (an import, an export) is; those of other pages too. */
   progress?: (progress: Progress) => void;
   /** Everything that the crew must know: all of it, each time. */
@@ -167,6 +169,17 @@ export class ShowLink {
       case "cast":
         this.recast(message.revision);
         break;
+      default:
+        this.pass(message);
+    }
+  }
+
+  /** What is not of the link itself. */
+  private pass(message: Exclude<FromServer, { type: "welcome" | "state" | "pong" | "cast" }>): void {
+    switch (message.type) {
+      case "plays_sound":
+        this.handlers.playsSound?.(message.on);
+        break;
       case "sources":
         this.handlers.sources?.(message.sources);
         break;
@@ -184,7 +197,7 @@ export class ShowLink {
   private tell(
     message: Exclude<
       FromServer,
-      DeviceMessage | LeaseMessage | { type: "welcome" | "state" | "pong" | "cast" | "sources" }
+      DeviceMessage | LeaseMessage | { type: "welcome" | "state" | "pong" | "cast" | "sources" | "plays_sound" }
     >,
   ): void {
     switch (message.type) {

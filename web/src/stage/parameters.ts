@@ -5,6 +5,7 @@ import type { Triple } from "../face/light/tone";
 import { decodeSrgb } from "../face/light/tone";
 import type { Level } from "../face/quality/quality_levels";
 import { BACKGROUNDS, LEVELS, LIGHT_NAMES } from "../link/constants";
+import type { SoundWish } from "./stage_sound";
 
 /** Everything a stage is told by its address. */
 export interface StageParameters {
@@ -17,11 +18,13 @@ export interface StageParameters {
   /** What the picture may cost; "auto": as much as the machine draws in time. */
   quality: Level | "auto";
   tile: Tile | undefined;
+  /** Whether this stage plays the sounds that characters speak with. */
+  sound: SoundWish;
   /** The one character that is shown, alone; undefined: the scene. */
   character: string | undefined;
 }
 
-const KNOWN = ["transparent", "background", "light", "tile", "of", "bezel", "quality", "hud", "character"];
+const KNOWN = ["transparent", "background", "light", "tile", "of", "bezel", "quality", "hud", "character", "sound"];
 const QUALITIES: readonly string[] = ["auto", ...LEVELS];
 
 /** A parameter that cannot be obeyed; its message is a sentence for the page. */
@@ -41,6 +44,7 @@ export function readParameters(query: string): StageParameters {
     quality: readQuality(given.get("quality")),
     tile: readTile(given),
     character: readCharacter(given.get("character")),
+    sound: !given.has("sound") ? "may" : readSwitch(given, "sound") ? "here" : "never",
   };
 }
 

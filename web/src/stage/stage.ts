@@ -13,8 +13,10 @@ import { Library } from "../link/assets";
 import { now } from "../link/clock";
 import type { CallState, State } from "../link/messages";
 import { ShowLink } from "../link/show_link";
+import { FrameRate } from "./frame_rate";
 import type { StageParameters } from "./parameters";
 import { RedrawPolicy } from "./redraw_policy";
+import { StageSound } from "./stage_sound";
 
 /** Seconds behind the server at most, of a stage alone. */
 const LONGEST_DELAY = 0.06;
@@ -49,6 +51,8 @@ export class Stage {
   private readonly redraw = new RedrawPolicy();
   private readonly rate = new FrameRate();
   private readonly link: ShowLink;
+  /** What characters speak with. */
+  readonly sound: StageSound;
   private state: State | undefined;
   private last = now();
   private reported = 0;
@@ -75,9 +79,13 @@ export class Stage {
   ) {
     if (parameters.quality === "auto") this.qualityController = new QualityController(view.level);
     this.frameHeadroom = new FrameHeadroom(view.context);
+    this.sound = new StageSound(parameters.sound, () => this.heartbeat());
     this.link = new ShowLink("stage", {
       state: (state) => this.receive(state),
+      playsSound: (on) => this.sound.choose(on),
       welcome: (welcome) => {
+        this.sound.relinked(now());
+        this.heartbeat();
         if (welcome.digest !== this.view.library.manifest.digest) void this.recast();
       },
       cast: () => void this.recast(),
@@ -187,6 +195,7 @@ export class Stage {
     const server = this.link.clock.at(time) ?? 0;
     const alone = this.parameters.tile === undefined;
     const due = alone ? this.playout.at(server, time - this.last) : server - WALL_DELAY;
+    this.sound.play(server - (alone ? this.playout.delay : WALL_DELAY));
     const scene = this.timeline.at(due, time);
     return scene && this.breath.on(scene, this.timeline.silence(time) > ALONE, time - this.last);
   }
@@ -202,6 +211,7 @@ export class Stage {
     if (moved) this.movedAt = time;
     this.air = air;
     this.timeline.push(scene, time);
+    this.sound.follow(state, this.parameters.character, time);
     if (moved) this.showEarly(time);
   }
 
@@ -229,7 +239,14 @@ export class Stage {
   private report(time: number): void {
     if (time - this.reported < 1) return;
     this.reported = time;
-    this.link.send({ type: "drawing", fps: this.rate.at(time), level: this.view.level });
+    this.heartbeat();
+  }
+
+  /** Tells the show what is drawn, and whether sounds can be played. */
+  private heartbeat(): void {
+    const [fps, sound] = [this.rate.at(now()), this.sound.state];
+    const here = this.parameters.sound === "here";
+    this.link.send({ type: "drawing", fps, level: this.view.level, sound, sound_here: here });
   }
 }
 
@@ -253,21 +270,4 @@ function coming(state: State | undefined, name: string): { faces: string[]; expr
   const character = state?.characters[name];
   const regional = Object.values(character?.region_calls ?? {}).flatMap(names);
   return { faces: names(character?.face_call), expressions: [...names(character?.expression_call), ...regional] };
-}
-
-/** Counts frames: how many in the last second, and how long the last ones took. */
-class FrameRate {
-  private times: number[] = [];
-
-  tick(time: number): void {
-    this.times.push(time);
-    while (this.times.length > 2 && (this.times[0] as number) <= time - 1) this.times.shift();
-  }
-
-  /** Frames in the second before `time`; a part of one where frames take longer than that. */
-  at(time: number): number {
-    const [last, before] = [this.times.at(-1), this.times.at(-2)];
-    const interval = last === undefined || before === undefined ? 0 : Math.max(last - before, time - last);
-    return interval > 1 ? 1 / interval : this.times.filter((drawn) => drawn > time - 1).length;
-  }
 }
