@@ -3,8 +3,11 @@
 import { fetchWithRetry } from "../link/assets";
 import type { Drawing, State } from "../link/messages";
 
-/** Seconds that a sound may be away from its lips before it is started anew at the right place. */
-const FARTHEST = 0.08;
+/** Seconds within which sounds that begin are one. */
+const TOGETHER = 0.08;
+/** Seconds that a sound may be away from its lips, and for how long, before it is started anew at the right place. */
+const FARTHEST = 0.12;
+const PATIENCE = 1;
 /** Seconds in which a sound that is interrupted fades. */
 const FADE = 0.03;
 /** Seconds in which the show says again that this stage plays. */
@@ -28,7 +31,7 @@ export function wantedSounds(state: State, only: string | undefined): WantedSoun
   for (const [name, { speech }] of Object.entries(state.characters)) {
     if (!speech || speech.sound === "" || (only !== undefined && only !== name)) continue;
     const begin = state.time - speech.elapsed;
-    const twin = found.some((each) => each.key === speech.sound && Math.abs(each.begin - begin) < FARTHEST);
+    const twin = found.some((each) => each.key === speech.sound && Math.abs(each.begin - begin) < TOGETHER);
     if (!twin) found.push({ id: `${name} ${speech.number}`, key: speech.sound, begin });
   }
   return found;
@@ -48,6 +51,15 @@ interface Playing {
   gain: GainNode;
   /** The context's time of the sound's first sample. */
   origin: number;
+  /** The context's time since when it has been too far away. */
+  away: number | undefined;
+}
+
+/** Whether a sound has been too far from where it should be for too long: a busy machine is behind for a moment. */
+function isAway(playing: Playing, origin: number, time: number): boolean {
+  const near = Math.abs(playing.origin - origin) < FARTHEST;
+  playing.away = near ? undefined : (playing.away ?? time);
+  return playing.away !== undefined && time - playing.away > PATIENCE;
 }
 
 /** What tests ask of the sounds of a stage. */
@@ -126,7 +138,7 @@ export class StageSound {
       if (!(buffer instanceof AudioBuffer)) continue;
       const origin = context.currentTime - (place - begin) - (context.outputLatency || 0);
       const playing = this.playing.get(id);
-      if (playing !== undefined && Math.abs(playing.origin - origin) < FARTHEST) continue;
+      if (playing !== undefined && !isAway(playing, origin, context.currentTime)) continue;
       if (playing !== undefined) this.stop(id, playing);
       if (origin + buffer.duration > context.currentTime) this.begin(context, id, key, buffer, origin);
     }
@@ -146,7 +158,7 @@ export class StageSound {
     source.connect(gain).connect(this.analyser as AnalyserNode);
     source.start(Math.max(origin, 0), Math.max(context.currentTime - origin, 0));
     source.onended = () => this.playing.get(id)?.source === source && this.playing.delete(id);
-    this.playing.set(id, { key, source, gain, origin });
+    this.playing.set(id, { key, source, gain, origin, away: undefined });
     this.begun += 1;
   }
 

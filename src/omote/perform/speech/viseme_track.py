@@ -18,8 +18,9 @@ LONGEST_SPEECH = 600.0
 MOST_VISEMES = 8000
 LEAD_SECONDS = 0.15
 """How long before its time a mouth begins to form the first viseme, and so the least that a speech begins before."""
-VOWEL_LEAD, VOWEL_LAG = 0.12, 0.1
-CONSONANT_LEAD, CONSONANT_LAG = 0.06, 0.06
+VOWEL_LEAD, VOWEL_LAG = 0.13, 0.07
+CONSONANT_LEAD, CONSONANT_LAG = 0.07, 0.05
+SILENCE_LEAD, SILENCE_LAG = 0.08, 0.0
 """How long before a viseme a mouth begins to form it, and how long after it that is seen, seconds."""
 INSET, LONGEST_INSET = 0.3, 0.05
 """A viseme is in full this share of its length within its borders, at most so many seconds."""
@@ -126,7 +127,11 @@ def _around(track: VisemeTrack, time: float) -> Iterator[tuple[int, float, float
 
 
 def _weight(viseme: int, start: float, end: float, time: float) -> float:
-    lead, lag = (VOWEL_LEAD, VOWEL_LAG) if viseme in _VOWELS else (CONSONANT_LEAD, CONSONANT_LAG)
+    lead, lag = (CONSONANT_LEAD, CONSONANT_LAG)
+    if viseme in _VOWELS:
+        lead, lag = VOWEL_LEAD, VOWEL_LAG
+    elif viseme == SIL:
+        lead, lag = SILENCE_LEAD, SILENCE_LAG
     inset = _inset(start, end)
     return _bump(time, start - lead, start + inset, end - inset, end + lag)
 
