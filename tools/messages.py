@@ -1,6 +1,6 @@
 """Writes what Python and the web share into `web/src/link`: `python tools/messages.py [--check]`.
 
-`messages.ts` and `editing_messages.ts` have the messages of both links, `constants.ts` the names, ranges and lengths.
+`messages.ts`, `editing_messages.ts` and `microphone_messages.ts` have the messages of the links, `constants.ts` the names, ranges and lengths.
 """
 
 from __future__ import annotations
@@ -17,6 +17,7 @@ from types import ModuleType
 import msgspec
 
 from omote.edit.protocol import messages as editing
+from omote.inputs.microphone import microphone_messages as microphone
 from omote.interchange.part_textures import ARCH, ARCH_DEPTH, TOOTH_REACH
 from omote.interchange.skin_texture import HAIRLINE
 from omote.interchange.skin_texture import LAYERS as SKIN_LAYERS
@@ -82,6 +83,19 @@ def editing_module() -> str:
     return _module(editing, constants, structs_of(editing), unions)
 
 
+def microphone_module() -> str:
+    """The messages of the microphone page's link in TypeScript."""
+    constants = [
+        f"export const MICROPHONE_PATH = {_quote(microphone.MICROPHONE_PATH)};",
+        f"/** Samples per second. */\nexport const SAMPLE_RATE = {microphone.SAMPLE_RATE};",
+    ]
+    unions = [
+        _union("FromMicrophone", microphone.MICROPHONE_MESSAGES),
+        _union("ToMicrophone", microphone.PAGE_MESSAGES),
+    ]
+    return _module(microphone, constants, structs_of(microphone), unions)
+
+
 CONSTANTS: Mapping[str, tuple[str, object]] = {
     "FIRST_CHARACTER": ("The name of the first character of a new show.", FIRST_CHARACTER),
     "ALL": ("In the place of a character: all of them; a framing: of all that are on the stage.", ALL),
@@ -128,7 +142,12 @@ def constants_module() -> str:
     return HEAD.format("the Python tables that it imports") + "\n" + "\n".join(lines) + "\n"
 
 
-MODULES = {"messages.ts": show_module, "editing_messages.ts": editing_module, "constants.ts": constants_module}
+MODULES = {
+    "messages.ts": show_module,
+    "editing_messages.ts": editing_module,
+    "microphone_messages.ts": microphone_module,
+    "constants.ts": constants_module,
+}
 
 
 def structs_of(module: ModuleType) -> list[type[msgspec.Struct]]:

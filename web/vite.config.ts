@@ -3,7 +3,7 @@ import { resolve } from "node:path";
 import { defineConfig, type Plugin } from "vite";
 
 /** Pages and their files; "/assets/" belongs to the cast, so the bundle's own files live under "/static/". */
-const PAGES = ["index", "stage", "console", "devices", "editor"];
+const PAGES = ["index", "stage", "console", "devices", "microphone", "editor"];
 const page = (name: string): string => resolve(import.meta.dirname, `${name}.html`);
 
 /** What the heads of console, devices and editor share. */

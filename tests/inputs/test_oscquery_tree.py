@@ -39,8 +39,8 @@ def nodes(node: Node) -> list[Node]:
 def extremes(leaf: Node) -> list[list[Argument]]:
     """The arguments at both ends of what a leaf says that it takes."""
     ranges = leaf.get("RANGE", [])
-    lows = [each["VALS"][0] if "VALS" in each else each["MIN"] for each in ranges]
-    highs = [each["VALS"][-1] if "VALS" in each else each["MAX"] for each in ranges]
+    lows = [each["VALS"][0] if "VALS" in each else each.get("MIN", "") for each in ranges]
+    highs = [each["VALS"][-1] if "VALS" in each else each.get("MAX", "") for each in ranges]
     return [lows, highs] if ranges else [[True]]
 
 
@@ -62,8 +62,8 @@ def test_every_address_and_every_name_of_the_cast_has_its_leaf() -> None:
         for owner in ["one"] if address.of_show else ["one", "two"]:
             written = address.pattern.replace("{character}", owner)
             layered = address.path.startswith("layer")
-            known = set(LAYERS) if layered else set(CAST.expressions) - {"neutral"}
-            known = set(GESTURES) if address.path.startswith("gesture") else known
+            known: set[str] = {*LAYERS} if layered else set(CAST.expressions) - {"neutral"}
+            known = {*GESTURES} if address.path.startswith("gesture") else known
             names = known if "{name}" in written else {""}
             languages = LANGUAGES if "{language}" in written else [""]
             regions = (LAYER_PARTS if layered else PLAY_REGIONS) if "{region}" in written else [""]

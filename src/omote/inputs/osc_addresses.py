@@ -13,11 +13,12 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
 from functools import lru_cache
 
-from omote.inputs.addresses.address import PRESS, ROOT, SECONDS, Address, Kind, Value
+from omote.inputs.addresses.address import PRESS, ROOT, SECONDS, Address, Value
+from omote.inputs.addresses.lease_addresses import lease_addresses
 from omote.inputs.addresses.speech_addresses import SPEECH_ADDRESSES, STRENGTH
 from omote.inputs.osc_packet import OscError
 from omote.perform.easing import DEFAULT_EASING
-from omote.perform.frame import DETAIL_LIMIT, DETAILS
+from omote.perform.frame import DETAIL_LIMIT, DETAILS, DIRECTION_LIMITS, POINT_LIMITS, TargetKind
 from omote.perform.limits import CHANNEL_HIGHEST, CHANNEL_LOWEST, GAZE_LIMITS, HEAD_LIMITS
 from omote.perform.scene.character_names import ALL
 from omote.perform.scene.scene_frame import PLACE_LIMITS
@@ -59,40 +60,23 @@ def _motion_detail(detail: str) -> Callable[..., wire.FromClient]:
     return lambda who, _, value: wire.SetMotion(who, **{detail: value})
 
 
+_LOOKED_AT: Mapping[TargetKind, str] = {
+    "gaze_point": "a named point of the house",
+    "character": "another character",
+    "stage": "the camera of a stage, by the name in its address",
+}
+
+
+def _look_at(kind: TargetKind) -> Callable[..., wire.FromClient]:
+    return lambda who, _, name: wire.LookAt(who, kind, name)
+
+
 def _turn(message: Callable[..., wire.FromClient], angles: Sequence[Value]) -> Callable[..., wire.FromClient]:
     return lambda who, _, *degrees: message(who, *map(_radians, angles, degrees))
 
 
-def _leases(kind: Kind, *, of_show: bool) -> tuple[Address, ...]:
-    """The addresses by which a sender holds, takes over and releases parts: of a character, or of the scene."""
-    part = Value("part", kind)
-    whose = "of the scene (light, framing, or all of all characters)" if of_show else "of it (face, head ..., or all)"
-    return (
-        Address(
-            "lease/{part}",
-            f"holds a part {whose}: nobody else plays it, while leases are on",
-            (part, PRESS),
-            lambda who, call, part: wire.Lease(call, who, part),
-            of_show,
-        ),
-        Address(
-            "take_over/{part}",
-            f"takes over a part {whose} that another holds",
-            (part, PRESS),
-            lambda who, call, part: wire.Lease(call, who, part, take_over=True),
-            of_show,
-        ),
-        Address(
-            "release_lease/{part}",
-            f"releases a part {whose}, or wants no more what another holds",
-            (part, PRESS),
-            lambda who, call, part: wire.ReleaseLease(call, who, part),
-            of_show,
-        ),
-    )
-
-
-HEAD, GAZE = _angles(HEAD_LIMITS), _angles(GAZE_LIMITS)
+HEAD, GAZE, DIRECTION = _angles(HEAD_LIMITS), _angles(GAZE_LIMITS), _angles(DIRECTION_LIMITS)
+POINT = tuple(Value(name, low=low, high=high, unit="m") for name, (low, high) in POINT_LIMITS.items())
 ADDRESSES: tuple[Address, ...] = (
     Address(
         "face",
@@ -153,6 +137,36 @@ ADDRESSES: tuple[Address, ...] = (
         )
         for detail in DETAILS
     ),
+    Address(
+        "motion/idle",
+        "whether it moves as people do (1 or true) while its tracker is lost, where it holds still otherwise",
+        (Value("on", "switch"),),
+        lambda who, _, on: wire.SetMotion(who, idle=on == 1.0),
+    ),
+    Address("look_ahead", "its eyes look at nothing", (PRESS,), lambda who, _: wire.LookAt(who, "ahead")),
+    Address(
+        "look_at/direction",
+        "its eyes look in a direction of the house: to the picture's right, up",
+        DIRECTION,
+        lambda who, _, *degrees: wire.LookAt(
+            who, "direction", yaw=_radians(DIRECTION[0], degrees[0]), pitch=_radians(DIRECTION[1], degrees[1])
+        ),
+    ),
+    Address(
+        "look_at/point",
+        "its eyes look at a point: to the picture's right, above the eyes, before the front line",
+        POINT,
+        lambda who, _, x, y, z: wire.LookAt(who, "point", x=x, y=y, z=z),
+    ),
+    *(
+        Address(
+            f"look_at/{kind}",
+            f"its eyes look at {what}",
+            (Value("name", "character" if kind == "character" else "text"),),
+            _look_at(kind),
+        )
+        for kind, what in _LOOKED_AT.items()
+    ),
     Address("head", "turns the head", HEAD, _turn(wire.SetHead, HEAD)),
     Address("gaze", "turns the eyes, relative to the head", GAZE, _turn(wire.SetGaze, GAZE)),
     Address("fade/face", "moves the T-bar of the faces", (FADER,), lambda who, _, x: wire.FadeFace(who, x)),
@@ -190,7 +204,7 @@ ADDRESSES: tuple[Address, ...] = (
         ),
     ),
     *SPEECH_ADDRESSES,
-    *_leases("lease", of_show=False),
+    *lease_addresses("lease", of_show=False),
     Address(
         "light",
         "brings a light on air",
@@ -212,7 +226,21 @@ ADDRESSES: tuple[Address, ...] = (
         lambda _, __: wire.Panic(ALL),
         of_show=True,
     ),
-    *_leases("scene_lease", of_show=True),
+    Address(
+        "gaze_point",
+        "names a point of the house that eyes may look at, or moves it",
+        (Value("name", "text"), *POINT),
+        lambda _, call, name, x, y, z: wire.SetGazePoint(call, name, x, y, z),
+        of_show=True,
+    ),
+    Address(
+        "delete_gaze_point",
+        "forgets a named point of the house",
+        (Value("name", "text"),),
+        lambda _, call, name: wire.DeleteGazePoint(call, name),
+        of_show=True,
+    ),
+    *lease_addresses("scene_lease", of_show=True),
 )
 
 

@@ -153,10 +153,10 @@ class OrderReader:
             raise ValueError(
                 f"the {value.name} is {str(argument)[:80]!r}; expected the name of a {value.kind}, as text"
             )
-        if value.kind == "framing":
-            return _characters(argument, self._names.characters)
-        if value.kind == "text":
+        if value.kind == "speech":
             return argument
+        if value.kind in SCENE_NAMES:
+            return SCENE_NAMES[value.kind](argument, self._names.characters)
         if value.kind in CHECKS:
             return CHECKS[value.kind](argument.lower())
         found = self._found.get((value.kind, argument))
@@ -220,6 +220,12 @@ def _characters(text: str, characters: Mapping[str, str]) -> list[str]:
     if text.strip() == ALL:
         return []
     return [find_character(name, characters) for name in re.split(r"[+,\s]+", text.strip())]
+
+
+SCENE_NAMES: Mapping[str, Callable[[str, Mapping[str, str]], str | list[str]]] = {
+    "framing": _characters, "character": find_character, "text": lambda text, _: text,
+}  # fmt: skip
+"""What finds the names of a scene, by its characters' names and labels."""
 
 
 def _listed(values: Sequence[Value]) -> str:

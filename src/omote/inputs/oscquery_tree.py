@@ -94,7 +94,7 @@ def _leaf(address: Address, path: str, known: Names) -> Node:
     """The node of an address: what it takes but for times behind others, which may be left out."""
     own = address.values[address.path.count("{") :]
     taken = [value for value in own if value.kind not in ("seconds", "time") and value.default is None] or list(own)
-    press = all(value.kind in ("press", "time", "text") for value in taken)
+    press = all(value.kind in ("press", "time", "speech") for value in taken)
     more = " (seconds may follow)" if len(taken) < len(address.values) - address.path.count("{") else ""
     node: Node = {
         "FULL_PATH": path,
@@ -111,14 +111,18 @@ def _leaf(address: Address, path: str, known: Names) -> Node:
 
 
 def _range(value: Value, known: Names) -> dict[str, Any]:
-    if value.kind == "text":
+    if value.kind == "speech":
         return {}
     if value.kind in ("number", "time"):
         return {"MIN": value.low, "MAX": value.high}
+    if value.kind == "text":
+        return {}
     return {"VALS": [False, True] if value.kind == "switch" else _names(value, known)}
 
 
 def _names(value: Value, known: Names) -> list[str]:
+    if value.kind == "character":
+        return [*known.characters]
     if value.kind == "framing":
         return [ALL, *known.characters]
     listed: dict[str, Sequence[str]] = {

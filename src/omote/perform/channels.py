@@ -62,18 +62,19 @@ def with_channels(
     return {unit: kept[unit] for unit in sorted(kept) if kept[unit]}
 
 
-def gaze_channels(expressions: Mapping[str, Expression], gaze: Gaze) -> dict[str, float]:
-    """The `eyeLook*` weights that turn both eyeballs by the gaze: its angle over the unit's own."""
-    if not gaze.yaw and not gaze.pitch:
-        return {}
+def gaze_channels(expressions: Mapping[str, Expression], gaze: Gaze, vergence: float = 0.0) -> dict[str, float]:
+    """The `eyeLook*` weights that turn both eyeballs by the gaze: its angle over the unit's own. vergence: radians by
+    which each eye turns in, as far as an eye can."""
     turned: dict[str, float] = {}
-    if not (gaze.yaw or gaze.pitch):
+    if not (gaze.yaw or gaze.pitch or vergence):
         return turned
-    angles = gaze.yaw, gaze.pitch
+    widest = GAZE_LIMITS["yaw"]
+    yaws = (gaze.yaw - vergence, gaze.yaw + vergence) if vergence else (gaze.yaw, gaze.yaw)
     for name, (eye, direction) in GAZE_UNITS.items():
+        angle = min(max(yaws[eye], -widest), widest) if direction == YAW else gaze.pitch
         own = expressions[name].eye_turns[2 * eye + direction] if name in expressions else 0.0
-        if own * angles[direction] > 0.0:
-            turned[name] = angles[direction] / own
+        if own * angle > 0.0:
+            turned[name] = angle / own
     return turned
 
 

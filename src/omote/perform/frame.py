@@ -5,11 +5,11 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
-from typing import Any, TypeVar
+from typing import Any, Literal, TypeVar, get_args
 
 from omote.model.known_names import GENERIC, PlayRegion
 from omote.perform.lights import FIRST_LIGHT
-from omote.perform.limits import GAZE_LIMITS, HEAD_LIMITS, LONGEST_CALL, check_within
+from omote.perform.limits import GAZE_LIMITS, HEAD_LIMITS, LONGEST_CALL, check_known, check_switch, check_within
 
 Frozen = TypeVar("Frozen")
 MOST_SEED = 2**31 - 1
@@ -70,6 +70,72 @@ class Home:
         object.__setattr__(self, "seconds", check_within(self.seconds, 0.0, LONGEST_CALL, what))
 
 
+TargetKind = Literal["ahead", "direction", "point", "gaze_point", "character", "stage"]
+TARGET_KINDS: tuple[TargetKind, ...] = get_args(TargetKind)
+DIRECTION_LIMITS: Mapping[str, float] = {"yaw": math.pi, "pitch": math.pi / 2}
+POINT_LIMITS: Mapping[str, tuple[float, float]] = {"x": (-20.0, 20.0), "y": (-10.0, 10.0), "z": (-20.0, 50.0)}
+"""Metres to the picture's right, above the eyes of a head of size 1, before the front line."""
+LONGEST_TARGET = 80
+
+
+@dataclass(frozen=True)
+class GazeTarget:
+    """Whom or what the eyes of a character look at.
+
+    Parameters
+    ----------
+    kind : {"ahead", "direction", "point", "gaze_point", "character", "stage"}
+        Nothing; a direction of the house; a point of the scene; a named one; another character; a stage's camera.
+    name : str
+        Of the gaze point, the character or the stage; "" for any stage.
+    yaw, pitch : float
+        The direction, radians: + is to the picture's right, up.
+    x, y, z : float
+        The point, metres: to the picture's right, above the eyes, before the front line.
+
+    Raises
+    ------
+    ValueError
+        On a kind that there is not, a name that is too long and on numbers out of range.
+    TypeError
+        On what is no number.
+    """
+
+    kind: TargetKind = "ahead"
+    name: str = ""
+    yaw: float = 0.0
+    pitch: float = 0.0
+    x: float = 0.0
+    y: float = 0.0
+    z: float = 2.0
+
+    def __post_init__(self) -> None:
+        """Rejects what nobody can look at."""
+        check_target_kind(self.kind)
+        if not isinstance(self.name, str) or len(self.name) > LONGEST_TARGET:
+            raise ValueError(
+                f"the name of what eyes look at is {self.name!r:.100}; give {LONGEST_TARGET} letters at most"
+            )
+        for name, limit in DIRECTION_LIMITS.items():
+            self._check(name, -limit, limit, "radians")
+        for name, (low, high) in POINT_LIMITS.items():
+            self._check(name, low, high, "metres")
+
+    def _check(self, name: str, low: float, high: float, unit: str) -> None:
+        object.__setattr__(
+            self, name, check_within(getattr(self, name), low, high, f"the {name} of what eyes look at ({unit})")
+        )
+
+
+def check_target_kind(kind: object) -> TargetKind:
+    """The kind of what eyes look at of this name; ValueError where there is none."""
+    found = check_known(kind, TARGET_KINDS, "kind of what eyes look at")
+    return next(each for each in TARGET_KINDS if each == found)
+
+
+NO_TARGET = GazeTarget()
+
+
 @dataclass(frozen=True)
 class MotionSettings:
     """How much a character moves by itself.
@@ -83,6 +149,10 @@ class MotionSettings:
         the breath.
     seed : int
         Which of all ways to move, 0 to 2147483647: the same seed moves the same.
+    idle : bool
+        Whether it moves as people do while its tracker is lost, where the liveliness is 0 too.
+    target : GazeTarget
+        Whom or what the eyes look at.
 
     Raises
     ------
@@ -97,9 +167,12 @@ class MotionSettings:
     gaze: float = 1.0
     breath: float = 1.0
     seed: int = 0
+    idle: bool = False
+    target: GazeTarget = NO_TARGET
 
     def __post_init__(self) -> None:
         """Rejects what is out of range."""
+        check_switch(self.idle, "the switch of the idle motion")
         object.__setattr__(self, "liveliness", check_within(self.liveliness, 0.0, 1.0, "the liveliness"))
         for name in DETAILS:
             value = check_within(getattr(self, name), 0.0, DETAIL_LIMIT, f"the {name} of the automatic motion")
@@ -124,7 +197,7 @@ class MotionSettings:
         """How much breath and noise move, 1 as they are stated."""
         return self.breath * 2.0 * self.liveliness
 
-    def change(self, **given: float | None) -> MotionSettings:
+    def change(self, **given: float | GazeTarget | None) -> MotionSettings:
         """The same with what is given; None leaves a setting as it is."""
         return replace(self, **{name: value for name, value in given.items() if value is not None})  # type: ignore[arg-type]
 
@@ -156,9 +229,19 @@ class Held:
 
 
 @dataclass(frozen=True)
+class SourceStatus:
+    """One of the sources of a layer: how far it is trusted where it shows, 0 to 1, and the parts that it has."""
+
+    source: str
+    trust: float
+    parts: tuple[str, ...]
+
+
+@dataclass(frozen=True)
 class LayerStatus:
-    """A layer now: its influence by `LAYER_PARTS` and whether it is on, as set; its source and how far that is trusted;
-    share: how much of it is on air where it plays most, 0 to 1; strongest: what it does now, by channel."""
+    """A layer now: its influence by `LAYER_PARTS` and whether it is on, as set; its source, of several the one with the
+    most parts, and how far that is trusted; share: how much of it is on air where it plays most, 0 to 1; strongest:
+    what it does now, by channel; sources: all of them where there are several, the newest first."""
 
     influence: tuple[float, ...]
     on: bool
@@ -166,6 +249,7 @@ class LayerStatus:
     source: str
     share: float
     strongest: Mapping[str, float]
+    sources: tuple[SourceStatus, ...] = ()
 
 
 @dataclass(frozen=True)

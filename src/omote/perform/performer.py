@@ -11,12 +11,12 @@ from omote.perform import axis
 from omote.perform.axis import Axis
 from omote.perform.channels import with_channels
 from omote.perform.easing import DEFAULT_EASING, find_easing
-from omote.perform.frame import Frame, Gaze, Head, Held, Home, with_fields
+from omote.perform.frame import NO_TARGET, Frame, Gaze, GazeTarget, Head, Held, Home, check_target_kind, with_fields
 from omote.perform.gestures.gesturing import advance_gestures, begin_gesture, release_gestures, with_gestures
 from omote.perform.layers.layer_mix import influences, kept_of_mix, with_layers
 from omote.perform.layers.layer_names import LayerName, check_driven, check_layer, check_part
+from omote.perform.layers.layer_vectors import Layers
 from omote.perform.layers.layers import (
-    Layers,
     advance,
     begin,
     drive,
@@ -34,10 +34,12 @@ from omote.perform.motion.automatic_motion import (
     MOTION_LAYERS,
     AutomaticMotion,
     advance_motion,
+    is_moving,
     motion_frames,
     set_motion,
 )
-from omote.perform.motion.free_layers import is_free, is_speaking, mouth_shown
+from omote.perform.motion.free_layers import is_free, is_speaking, is_tracker_lost
+from omote.perform.motion.sight import Sight, sight_alone
 from omote.perform.panic import (
     PANIC_EASING,
     PANIC_SECONDS,
@@ -55,6 +57,7 @@ from omote.perform.speech.speaking import (
     make_speech,
     mouth_of_speaking,
     say,
+    share_of_lips,
     speech_status,
     stop,
 )
@@ -504,7 +507,8 @@ class Performer:
         found : bool
             False while the source does not see its performer.
         smoothing : float
-            Seconds, to 2, in which the layer goes nine tenths of a step; without it 0.2, and less where it moves fast.
+            Seconds, to 2, in which the layer goes nine tenths of a step; without it 0.1, of the mouth 0.06, on the
+            layer lips 0.04, and less where it moves fast.
 
         Raises
         ------
@@ -573,6 +577,7 @@ class Performer:
         gaze: float | None = None,
         breath: float | None = None,
         seed: int | None = None,
+        idle: bool | None = None,
     ) -> None:
         """Sets how much the character moves by itself: lids, eyes, the head that follows them, breath and small noise.
 
@@ -587,6 +592,8 @@ class Performer:
             Each beside the others, 0 to 2; 1 at first.
         seed : int, optional
             Which of all ways to move, 0 to 2147483647: the same seed and steps give the same bits.
+        idle : bool, optional
+            Whether it moves as people do while its tracker is lost, where the liveliness is 0 too.
 
         Raises
         ------
@@ -608,7 +615,59 @@ class Performer:
         """
         motion = AutomaticMotion() if self._now.motion is None else self._now.motion
         given = {"liveliness": liveliness, "blinks": blinks, "gaze": gaze, "breath": breath, "seed": seed}
-        self._play(motion=set_motion(motion, motion.settings.change(**given)))
+        self._play(motion=set_motion(motion, motion.settings.change(**given, idle=idle)))
+
+    def look_at(
+        self,
+        kind: str = "ahead",
+        name: str = "",
+        *,
+        yaw: float = 0.0,
+        pitch: float = 0.0,
+        x: float = 0.0,
+        y: float = 0.0,
+        z: float = 2.0,
+    ) -> None:
+        """Chooses whom or what the eyes look at, beyond 17 degrees the head too; they look away between, as people do.
+
+        It plays the layer *gaze*, as all that the character does by itself; without liveliness the look is steady. Two
+        who look at one another meet each other's eyes in spells of 1 to 5 s.
+
+        Parameters
+        ----------
+        kind : {"ahead", "direction", "point", "gaze_point", "character", "stage"}
+            Nothing; a direction of the house; a point of the scene; a named one; another character; a stage's camera.
+            The last three are known in a scene alone.
+        name : str
+            Of the gaze point, the character or the stage; "" for any stage.
+        yaw, pitch : float
+            The direction, radians: + is to the picture's right, up.
+        x, y, z : float
+            The point, metres: to the picture's right, above the eyes, before the front line.
+
+        Raises
+        ------
+        ValueError
+            On a kind or a name that there is not, and on numbers out of range.
+        TypeError
+            On what is no number.
+
+        Examples
+        --------
+        >>> performer = omote.Performer(cast)
+        >>> performer.look_at("direction", yaw=0.2)
+        >>> for _ in range(240):
+        ...     frame = performer.advance(1 / 60)
+        >>> round(frame.gaze.yaw, 2)
+        0.2
+
+        References
+        ----------
+        docs/method.md, "Automatic motion".
+        """
+        motion = AutomaticMotion() if self._now.motion is None else self._now.motion
+        target = GazeTarget(check_target_kind(kind), name, yaw, pitch, x, y, z)
+        self._play(motion=set_motion(motion, motion.settings.change(target=target)))
 
     def say(
         self,
@@ -673,8 +732,7 @@ class Performer:
         track = make_track(timing, text, marks, times, language=language, seconds=seconds)
         number, after = self._now.said + 1, check_switch(queue, "the switch queue")
         speech = make_speech(track, text=text, sound=sound, delay=delay, offset=offset, number=number)
-        mouth = () if self._layers is None else mouth_shown(self._layers)
-        self._play(speaking=say(self._now.speaking, speech, queue=after, mouth=mouth), said=number)
+        self._play(speaking=say(self._now.speaking, speech, queue=after), said=number)
 
     def stop_speaking(self) -> None:
         """Stops what is said, and forgets what waits: the mouth goes to rest.
@@ -832,8 +890,6 @@ class Performer:
         >>> list(performer.advance(0.0).layers)
         ['lips']
         """
-        if layer == "lips" and frame.source != SPEECH and self._now.speaking is not None:
-            return  # what is said has the lips
         self._layers = drive(self._cast, self._begun_layers(), layer, frame)
 
     def leave_layer(self, layer: LayerName, source: str) -> None:
@@ -879,16 +935,21 @@ class Performer:
         motion = self._now.motion
         if motion is None:
             return
-        if motion.settings.liveliness == 0.0:
-            for layer in MOTION_LAYERS:
-                self.leave_layer(layer, AUTOMATIC)
-            return
-        speaking = self._layers is not None and is_speaking(self._layers)
-        motion = advance_motion(motion, dt, speaking=speaking)
+        motion = with_fields(motion, lost=is_tracker_lost(self._layers, motion.lost))
+        if is_moving(motion):
+            speaking = self._layers is not None and is_speaking(self._layers)
+            motion = advance_motion(motion, dt, sight=self._find_sight(motion.settings.target), speaking=speaking)
         self._now = with_fields(self._now, motion=motion)
-        for layer, frame in motion_frames(motion, self._cast.expressions).items():
-            if self._layers is None or is_free(self._layers, layer):
-                self.drive_layer(layer, frame)
+        frames = motion_frames(motion, self._cast.expressions)
+        for layer in MOTION_LAYERS:
+            if layer not in frames:
+                self.leave_layer(layer, AUTOMATIC)
+            elif self._layers is None or is_free(self._layers, layer):
+                self.drive_layer(layer, frames[layer])
+
+    def _find_sight(self, target: GazeTarget) -> Sight:
+        """What the eyes look at; others are nowhere for a performer that is in no scene."""
+        return sight_alone(target)
 
     def _speak(self, dt: float) -> None:
         """What is said plays the layer of the lips, and gestures go on."""
@@ -896,12 +957,15 @@ class Performer:
             self._now = with_fields(self._now, gestures=advance_gestures(self._now.gestures, dt))
         if self._now.speaking is None:
             return
+        share = share_of_lips(self._now.speaking)  # none at first, so that its layer is trusted at once
         speaking = advance_speaking(self._now.speaking, dt)
         self._now = with_fields(self._now, speaking=speaking)
         if speaking is None:
             self.leave_layer("lips", SPEECH)
         elif speaking.moves:
-            self.drive_layer("lips", speech_frame(mouth_of_speaking(speaking), self._cast.expressions, source=SPEECH))
+            mouth = mouth_of_speaking(speaking)
+            frame = speech_frame(mouth, self._cast.expressions, source=SPEECH, share=share)
+            self.drive_layer("lips", frame)
 
     def _begun_layers(self) -> Layers:
         return begin(self._cast, self._held()) if self._layers is None else self._layers
@@ -983,7 +1047,9 @@ def _at_rest(now: Snapshot) -> Snapshot:
         head=Head(),
         gaze=Gaze(),
         settling=settling,
-        motion=None if now.motion is None else set_motion(now.motion, now.motion.settings.change(liveliness=0.0)),
+        motion=None
+        if now.motion is None
+        else set_motion(now.motion, now.motion.settings.change(liveliness=0.0, target=NO_TARGET)),
         speaking=None,
         gestures=release_gestures(now.gestures),
     )

@@ -73,7 +73,7 @@ ACTIONS: dict[type[wire.Message], Callable[[Performer, Any], None]] = {
         asked.layer, region=asked.region, influence=asked.influence, on=asked.on
     ),
     wire.SetMotion: lambda performer, asked: performer.set_motion(
-        asked.liveliness, blinks=asked.blinks, gaze=asked.gaze, breath=asked.breath, seed=asked.seed
+        asked.liveliness, blinks=asked.blinks, gaze=asked.gaze, breath=asked.breath, seed=asked.seed, idle=asked.idle
     ),
     wire.Say: _say,
     wire.StopSpeaking: lambda performer, _: performer.stop_speaking(),
@@ -121,6 +121,14 @@ def _leave(scene: Scene, asked: wire.LeaveCharacter) -> None:
         scene.leave(name, seconds=asked.seconds)
 
 
+def _look_at(scene: Scene, asked: wire.LookAt) -> None:
+    """Of all, the one that is looked at is left out."""
+    for name in characters_of(scene, asked.character):
+        if (asked.character, asked.kind, asked.name) != (ALL, "character", name):
+            at = {"yaw": asked.yaw, "pitch": asked.pitch, "x": asked.x, "y": asked.y, "z": asked.z}
+            scene[name].look_at(asked.kind, asked.name, **at)
+
+
 SCENE_ACTIONS: dict[type[wire.Message], Callable[[Scene, Any], Any]] = {
     wire.CallLight: lambda scene, call: scene.call_light(call.name, seconds=_seconds(call.seconds), easing=call.easing),
     wire.CallFraming: lambda scene, call: scene.call_framing(call.characters, seconds=call.seconds, easing=call.easing),
@@ -131,6 +139,9 @@ SCENE_ACTIONS: dict[type[wire.Message], Callable[[Scene, Any], Any]] = {
     wire.PlaceCharacter: _place,
     wire.EnterCharacter: _enter,
     wire.LeaveCharacter: _leave,
+    wire.LookAt: _look_at,
+    wire.SetGazePoint: lambda scene, asked: scene.set_gaze_point(asked.name, x=asked.x, y=asked.y, z=asked.z),
+    wire.DeleteGazePoint: lambda scene, asked: scene.delete_gaze_point(asked.name),
 }
 """The action of each command on the scene."""
 

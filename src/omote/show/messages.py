@@ -12,6 +12,7 @@ from typing import Annotated, Literal, get_args
 import msgspec
 
 from omote.model.known_names import PlayRegion
+from omote.perform.frame import TargetKind
 from omote.perform.gestures.gesture_curves import GestureName
 from omote.perform.layers.layer_names import LayerName, LayerPart
 from omote.perform.scene.character_names import MOST_CHARACTERS
@@ -35,6 +36,8 @@ STATE_RATE = 60.0
 
 Name = Annotated[str, msgspec.Meta(min_length=1, max_length=80)]
 CharacterName = Annotated[str, msgspec.Meta(min_length=1, max_length=24)]
+PointName = Annotated[str, msgspec.Meta(min_length=1, max_length=40)]
+StageName = Annotated[str, msgspec.Meta(max_length=24)]
 CallId = Annotated[str, msgspec.Meta(min_length=1, max_length=64)]
 RequestId = Annotated[str, msgspec.Meta(max_length=64)]
 Role = Literal["stage", "console"]
@@ -359,7 +362,8 @@ class SetLayer(Message, frozen=True):
 
 class SetMotion(Message, frozen=True):
     """How much a character moves by itself: `liveliness` 0 (nothing) to 1, 0.5 as people move; `blinks`, `gaze` and
-    `breath` each beside the others, 0..2; `seed`: which of all ways to move. `None` leaves a setting as it is."""
+    `breath` each beside the others, 0..2; `seed`: which of all ways to move; `idle`: whether it moves as people do
+    while its tracker is lost, where the liveliness is 0 too. `None` leaves a setting as it is."""
 
     character: CharacterName
     liveliness: float | None = None
@@ -368,6 +372,42 @@ class SetMotion(Message, frozen=True):
     breath: float | None = None
     seed: int | None = None
     id: RequestId = ""
+    idle: bool | None = None
+
+
+class LookAt(Message, frozen=True):
+    """Whom or what the eyes of a character look at by its automatic motion: `ahead`, nothing; `direction`, `yaw` and
+    `pitch` of the house in radians, + to the picture's right and up; `point`, `x` metres to the picture's right, `y`
+    above the eyes, `z` before the front line; by `name`: a `gaze_point`, a `character`, the camera of a `stage` ("" for
+    any). Rejected where there is none of that name."""
+
+    character: CharacterName
+    kind: TargetKind
+    name: Annotated[str, msgspec.Meta(max_length=80)] = ""
+    yaw: float = 0.0
+    pitch: float = 0.0
+    x: float = 0.0
+    y: float = 0.0
+    z: float = 2.0
+    id: RequestId = ""
+
+
+class SetGazePoint(Message, frozen=True):
+    """Names a point of the house that eyes may look at, such as a seat, or moves it: metres as of `look_at`. It is kept
+    with the show. An `id` executes once, as of the one below."""
+
+    id: CallId
+    name: PointName
+    x: float
+    y: float
+    z: float
+
+
+class DeleteGazePoint(Message, frozen=True):
+    """Forgets a gaze point; who looked at it looks ahead."""
+
+    id: CallId
+    name: PointName
 
 
 class Say(Message, frozen=True):
@@ -414,8 +454,8 @@ class Source(Message, frozen=True):
     """Something that sends values all the time: a tracker, a microphone, a program. `names`: the expressions (channels)
     that each of its frames has a value for. `characters`: whom it drives, where it says so; else the route that was
     made for its name the last time. `performer`: whose face it sees, by whose calibration it is read; "" for one of its
-    own. `smoothing`: seconds, to 2, in which its steps are followed, where that is slower than of all sources. Answered
-    with `source_is`; the end of its link is its end."""
+    own. `smoothing`: seconds, to 2, in which its steps are followed, where that is slower than of all sources. `direct`: its
+    frames are smooth already and show as they are. Answered with `source_is`; the end of its link is its end."""
 
     name: Name
     kind: StreamKind
@@ -424,18 +464,21 @@ class Source(Message, frozen=True):
     performer: Annotated[str, msgspec.Meta(max_length=80)] = ""
     id: RequestId = ""
     smoothing: float = 0.0
+    direct: bool = False
 
 
 class Drive(Message, frozen=True):
     """One frame of a source, the newest wins: `values` as float32, little-endian, in the order of its names, -0.5..1.5;
     `head` (yaw, pitch, roll) and `gaze` (yaw, pitch) in radians, or `None`. `found`: false while it does not see its
-    performer. Half a second without one that is found, and its layers fade out."""
+    performer. Half a second without one that is found, and its layers fade out. `share`, of a direct source: how much of
+    its layer it takes, 0..1; none while a voice is silent, so that what lies below shows."""
 
     index: int
     values: Annotated[bytes, msgspec.Meta(max_length=4 * MOST_NAMES)]
     head: tuple[float, float, float] | None = None
     gaze: tuple[float, float] | None = None
     found: bool = True
+    share: float = 1.0
 
 
 class LeaveSource(Message, frozen=True):
@@ -492,12 +535,14 @@ class Ping(Message, frozen=True):
 
 
 class Drawing(Message, frozen=True):
-    """A stage's heartbeat, once a second: the rate of frames that it really drew, and its level of quality. `sound`:
-    whether it can play sounds: "" never, `blocked` until somebody clicks it, `ready`; `sound_here`: its address asks
-    that it plays them."""
+    """A stage's heartbeat, once a second: the rate of frames that it really drew, and its level of quality. `name`: as
+    its address has it; `camera`: where that is, metres as of `look_at`. `sound`: whether it can play sounds: "" never,
+    `blocked` until somebody clicks it, `ready`; `sound_here`: its address asks that it plays them."""
 
     fps: float
     level: Level
+    name: StageName = ""
+    camera: tuple[float, float, float] | None = None
     sound: SoundState = ""
     sound_here: bool = False
 
@@ -858,14 +903,28 @@ class HeldState(msgspec.Struct, frozen=True):
     gaze: tuple[float, float]
 
 
+class GazeTargetState(msgspec.Struct, frozen=True):
+    """Whom or what a character looks at, as of `look_at`."""
+
+    kind: TargetKind = "ahead"
+    name: str = ""
+    yaw: float = 0.0
+    pitch: float = 0.0
+    x: float = 0.0
+    y: float = 0.0
+    z: float = 2.0
+
+
 class MotionState(msgspec.Struct, frozen=True):
-    """What is set of a character's automatic motion, as of `set_motion`."""
+    """What is set of a character's automatic motion, as of `set_motion` and `look_at`."""
 
     liveliness: float
     blinks: float
     gaze: float
     breath: float
     seed: int
+    idle: bool = False
+    target: GazeTargetState = GazeTargetState()
 
 
 class CharacterState(msgspec.Struct, frozen=True):
@@ -914,6 +973,7 @@ class State(Message, frozen=True):
 
     `time`: the show's clock, seconds. `characters`: at least one, in the order in which they were added. `light` sums
     to one, and so does `framing`: a framing is `*`, all that are on the stage, or names joined by `+`, sorted.
+    `gaze_points`: the named points that eyes may look at, metres as of `look_at`.
     """
 
     epoch: int
@@ -925,6 +985,7 @@ class State(Message, frozen=True):
     light_call: CallState | None
     framing: dict[str, float]
     framing_call: CallState | None
+    gaze_points: dict[str, tuple[float, float, float]] = {}
 
 
 class Pong(Message, frozen=True):
@@ -969,10 +1030,12 @@ class Progress(Message, frozen=True):
 
 
 class StageReport(msgspec.Struct, frozen=True):
-    """The last report of a stage: frames per second, the level of quality; of sounds as in `drawing`."""
+    """The last report of a stage: frames per second, the level of quality, and its name, where its address has one; of
+    sounds as in `drawing`."""
 
     fps: float
     level: Level
+    name: StageName = ""
     sound: SoundState = ""
     sound_here: bool = False
 
@@ -1148,6 +1211,9 @@ FromClient = (
     | Say
     | StopSpeaking
     | MakeGesture
+    | LookAt
+    | SetGazePoint
+    | DeleteGazePoint
     | Source
     | Drive
     | LeaveSource

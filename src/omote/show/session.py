@@ -12,7 +12,7 @@ from omote.show import validation
 from omote.show.access.message_roles import PLAY_MESSAGES, check_message
 from omote.show.commands import carry_out, find_addressed, refuse_errors, refuse_unknown
 from omote.show.crew.contention import Hands, Panics
-from omote.show.crew.members import Member, Members
+from omote.show.crew.members import Member, Members, report_in
 from omote.show.leases.leasing import HeldByOthersRefusal, Leasing
 from omote.show.outgoing import KeepRequest, Outgoing
 from omote.show.session_snapshot import SessionSnapshot
@@ -205,9 +205,9 @@ class ShowSession:
                 pong = wire.Pong(validate_number(message.sent, validation.SENT), self.clock(now))
                 return [Outgoing(who, pong)]
             case wire.Drawing():
-                fps = validate_number(message.fps, validation.FPS)
-                report = wire.StageReport(fps, message.level, message.sound, message.sound_here)
-                self.members.report(who, report, now)
+                self.members.report(who, report_in(message), now)
+                with refuse_errors(message):
+                    self.scene.note_camera(message.name, message.camera)
             case wire.Cancel():
                 self.members.refuse_a_stage(who, message)
                 self.cancelled.append(message.request)

@@ -9,10 +9,20 @@ from typing import TYPE_CHECKING, Any
 
 from omote.perform.channels import channels_of, eye_turns
 from omote.perform.easing import DEFAULT_EASING, EASINGS
-from omote.perform.frame import CallStatus, Frame, Gaze, Held, LayerStatus
+from omote.perform.frame import NO_TARGET, CallStatus, Frame, Gaze, Held, LayerStatus, MotionSettings
 from omote.perform.mix import mix_in
 from omote.perform.scene.scene_frame import CharacterFrame, SceneFrame
-from omote.show.messages import CallState, CharacterState, HeldState, LayerState, MotionState, Place, SpeechState, State
+from omote.show.messages import (
+    CallState,
+    CharacterState,
+    GazeTargetState,
+    HeldState,
+    LayerState,
+    MotionState,
+    Place,
+    SpeechState,
+    State,
+)
 
 if TYPE_CHECKING:
     from omote.perform.snapshot import Playable
@@ -76,6 +86,7 @@ def state_of(
         light_call=call_state(frame.light_call),
         framing=dict(frame.framing),
         framing_call=call_state(frame.framing_call),
+        gaze_points=dict(frame.gaze_points),
     )
 
 
@@ -99,7 +110,7 @@ def character_state(cast: Playable, character: CharacterFrame, eye_offset: EyeOf
         **_home(frame),
         **_layers(frame),
         speech=None if frame.speech is None else SpeechState(**vars(frame.speech)),
-        motion=None if frame.motion is None else MotionState(**vars(frame.motion)),
+        motion=None if frame.motion is None else _motion_state(frame.motion),
         label=character.label,
         place=Place(place.x, place.depth, place.size, place.turn),
         presence=character.presence,
@@ -141,6 +152,15 @@ def _layers(frame: Frame) -> dict[str, Any]:
     """What a state tells of layers, by field."""
     layers = {layer: _layer_state(status) for layer, status in frame.layers.items()}
     return {"layers": layers, "held": None if frame.held is None else _held_state(frame.held)}
+
+
+def _motion_state(settings: MotionSettings) -> MotionState:
+    target = settings.target
+    told = _NO_TARGET if target is NO_TARGET else GazeTargetState(**vars(target))
+    return MotionState(**{**vars(settings), "target": told})
+
+
+_NO_TARGET = GazeTargetState()
 
 
 def _layer_state(status: LayerStatus) -> LayerState:

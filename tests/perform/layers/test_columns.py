@@ -5,8 +5,8 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from omote.model.cast import Cast
-from omote.perform.layers.columns import ANGLES, SECTIONS, make_columns, moved_to
-from omote.perform.layers.layer_names import DRIVEN, LAYER_PARTS, LAYERS
+from omote.perform.layers.columns import ANGLES, PLACES, SECTIONS, make_columns, moved_to
+from omote.perform.layers.layer_names import DRIVEN, LAYERS
 from tests.synthetic import EXPRESSIONS
 
 some = st.sets(st.sampled_from(EXPRESSIONS[1:]))
@@ -19,7 +19,8 @@ def test_every_follower_lies_in_one_section(cast: Cast) -> None:
         counts[columns.sections[section]] += 1
     assert (counts == 1.0).all()
     assert columns.rows(counts, "streams").shape == (len(DRIVEN), columns.width)
-    assert columns.rows(counts, "share").shape == (len(LAYERS), len(LAYER_PARTS))
+    assert columns.rows(counts, "share").shape == (len(LAYERS), PLACES)
+    assert columns.rows(counts, "trust").shape == (len(DRIVEN), PLACES)
     assert len(columns.parts) == columns.width == len(columns.names) + len(ANGLES)
 
 

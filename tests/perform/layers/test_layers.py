@@ -1,5 +1,6 @@
 """Sources, calls and hands on one face: nothing jumps or leaves its range, and without a source all is as ever."""
 
+import math
 from collections.abc import Callable, Iterator
 from dataclasses import replace
 from typing import Any
@@ -11,6 +12,7 @@ from hypothesis import strategies as st
 
 from omote.model.cast import Cast
 from omote.model.known_names import PLAY_REGIONS
+from omote.model.space.expression import Title
 from omote.perform.blending.evaluate import check_playable, evaluate, evaluate_parts
 from omote.perform.channels import GAZE_UNITS, channels_of, effective_channels
 from omote.perform.frame import Frame, Held
@@ -352,3 +354,40 @@ def test_a_smoothed_source_goes_nine_tenths_of_a_step_in_its_seconds(cast: Cast)
     assert 0.85 <= frame.channels["jawOpen"] / 0.8 <= 0.97
     with pytest.raises(ValueError, match=r"the smoothing of a source \(seconds\) is 3.0; give a number from 0 to 2"):
         performer.drive({"jawOpen": 0.8}, smoothing=3.0)
+
+
+@pytest.mark.parametrize(("layer", "least"), [("lips", (0.9, 0.85)), ("tracker", (0.8, 0.65))])
+def test_speech_arrives(cast: Cast, layer: str, least: tuple[float, float]) -> None:
+    """Mouths that open and close four and six times a second; the layer of lips shows seven tenths of them."""
+    titled = replace(cast, titles={**cast.titles, "jawOpen": Title("jaw", region="jaw")})
+    for hertz, share in zip((4.0, 6.0), least, strict=True):
+        performer = Performer(titled)
+        performer.set_layer(layer, influence=1.0)
+
+        def speak(n: int, performer: Performer = performer, hertz: float = hertz) -> None:
+            opened = 0.4 + 0.3 * math.sin(math.tau * hertz * n * DT)
+            performer.drive({"jawOpen": opened}, layer=layer)
+
+        shown = [f.channels.get("jawOpen", 0.0) for f in played(titled, performer, 4.0, speak)][120:]
+        assert max(shown) - min(shown) > share * 0.6
+
+
+@given(st.floats(0.01, 0.5), st.floats(1.0, 4.0))
+@settings(max_examples=5)
+def test_calmer_is_slower_and_livelier_is_sooner(cast: Cast, smoothing: float, ratio: float) -> None:
+    ways = []
+    for seconds in (smoothing, ratio * smoothing):
+        performer = Performer(cast)
+        last(played(cast, performer, 1.0, lambda _, p=performer, s=seconds: p.drive({"jawOpen": 0.2}, smoothing=s)))  # type: ignore[misc]
+        frames = played(cast, performer, 0.1, lambda _, p=performer, s=seconds: p.drive({"jawOpen": 0.4}, smoothing=s))  # type: ignore[misc]
+        ways.append(last(frames).channels["jawOpen"])
+    assert ways[1] <= ways[0] + 1e-9
+
+
+def test_what_comes_back_elsewhere_after_a_gap_is_no_jump(cast: Cast) -> None:
+    performer = Performer(cast)
+    before = list(played(cast, performer, 2.0, lambda _: performer.drive({"jawOpen": 0.0}, layer="lips")))
+    before += played(cast, performer, 0.3)
+    back = before + list(played(cast, performer, 1.0, lambda _: performer.drive({"jawOpen": 1.0}, layer="lips")))
+    shown = [frame.channels.get("jawOpen", 0.0) for frame in back]
+    assert np.abs(np.diff(shown, 2)).max() < 0.08

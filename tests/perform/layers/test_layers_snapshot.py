@@ -9,6 +9,9 @@ import numpy as np
 import pytest
 
 from omote.model.cast import Cast
+from omote.perform.layers.columns import PLACES, columns_of
+from omote.perform.layers.drivers import Driver
+from omote.perform.layers.layer_names import LAYER_PARTS, LayerName
 from omote.perform.layers.layers_snapshot import LayersSnapshot
 from omote.perform.performer import Performer
 from omote.perform.snapshot import Snapshot, names_held
@@ -41,6 +44,42 @@ def test_a_snapshot_from_before_layers_has_none(cast: Cast) -> None:
     assert msgspec.convert(old, Snapshot) == Performer(cast).snapshot()
 
 
+def several(layers: LayersSnapshot) -> dict[LayerName, tuple[Driver, ...]]:
+    """The drivers of each layer."""
+    return {layer: each for layer, each in layers.drivers.items() if isinstance(each, tuple)}
+
+
+def with_one_driver(cast: Cast, layers: LayersSnapshot) -> LayersSnapshot:
+    """The same as it was written when a layer had one source, and one trust for all its parts."""
+    columns = columns_of(cast, layers.names)
+
+    def of_before(data: bytes) -> bytes:
+        vector = np.frombuffer(data, "<f8")
+        shares = columns.rows(vector, "share")[:, : len(LAYER_PARTS)]
+        trusts = columns.rows(vector, "trust").max(axis=1)
+        sections = vector[: columns.sections["share"].start], shares, trusts, vector[columns.sections["yielded"]]
+        return np.concatenate([each.ravel() for each in sections]).tobytes()
+
+    drivers = {layer: each[0] for layer, each in several(layers).items()}
+    vectors = {name: of_before(getattr(layers, name)) for name in ("goal", "first", "second")}
+    return replace(layers, drivers=drivers, followed={}, **vectors)  # type: ignore[arg-type]
+
+
+def test_layers_of_one_source_each_go_on(cast: Cast) -> None:
+    snapshot = driven(cast)
+    performer = Performer.restored(cast, snapshot)
+    old = replace(snapshot, layers=with_one_driver(cast, layers_of(snapshot)))
+    read = msgspec.msgpack.decode(msgspec.msgpack.encode(old), type=Snapshot)
+    other = Performer.restored(cast, read)
+    assert other.advance(0.0).channels == performer.advance(0.0).channels
+    for _ in range(60):
+        for each in (performer, other):
+            each.drive({"jawOpen": 0.5, "smile": 0.1}, head=(0.1, 0.0, 0.0))
+        frame, same = performer.advance(1 / 60), other.advance(1 / 60)
+        assert dict(same.channels) == pytest.approx(dict(frame.channels))
+        assert (same.head, same.layers) == (frame.head, frame.layers)
+
+
 def beyond(data: bytes) -> bytes:
     values = np.frombuffer(data, "<f8").copy()
     values[-1] = 2.0
@@ -57,11 +96,15 @@ BROKEN: dict[str, Callable[[LayersSnapshot], LayersSnapshot]] = {
         one, settings={"breath": one.settings["breath"]}
     ),
     "the silence of a source": lambda one: replace(
-        one, drivers={layer: replace(each, silent=9.0) for layer, each in one.drivers.items()}
+        one, drivers={layer: replace(each[0], silent=9.0) for layer, each in several(one).items()}
     ),
     "there is no channel 'gone'": lambda one: replace(
-        one, drivers={layer: replace(each, names=("gone",)) for layer, each in one.drivers.items()}
+        one, drivers={layer: replace(each[0], names=("gone",)) for layer, each in several(one).items()}
     ),
+    "the steady frames of a source": lambda one: replace(
+        one, drivers={layer: (replace(each[0], steady=9.0),) for layer, each in several(one).items()}
+    ),
+    "the layer playback of the snapshot shows": lambda one: replace(one, followed={"playback": ("gone",) * PLACES}),
 }
 
 

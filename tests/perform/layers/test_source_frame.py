@@ -1,52 +1,11 @@
-"""A frame of a source is checked, and covers the parts in which its channels act."""
+"""A frame of a source is checked."""
 
 import numpy as np
 import pytest
 
 from omote.model.cast import Cast
-from omote.model.space.expression import Title
 from omote.perform.frame import Gaze, Head
-from omote.perform.layers.columns import make_columns
-from omote.perform.layers.layer_names import LAYER_PARTS
-from omote.perform.layers.source_frame import (
-    Driver,
-    SourceFrame,
-    check_frame,
-    check_names,
-    fits,
-    parts_of,
-    source_frame,
-)
-
-
-def test_it_covers_the_parts_of_its_channels_as_far_as_it_may(cast: Cast) -> None:
-    titles = {**cast.titles, "jawOpen": Title("jaw", region="jaw"), "browInnerUp": Title("brows", region="brows")}
-    columns = make_columns(_titled(cast, titles), ("jawOpen", "browInnerUp", "smile"))
-    assert parts_of(Driver("a", ("jawOpen",)), columns) == ("mouth",)
-    assert parts_of(Driver("a", ("jawOpen", "browInnerUp"), head=True), columns) == ("brows", "mouth", "head")
-    assert parts_of(Driver("a", ("smile",)), columns) == ("brows", "eyes", "mouth", "rest")
-    assert parts_of(Driver("a", ("smile",), parts=("mouth", "gaze")), columns) == ("mouth",)
-    assert parts_of(Driver("a", (), gaze=True), columns) == ("gaze",)
-
-
-def _titled(cast: Cast, titles: dict[str, Title]) -> Cast:
-    found = cast.with_expressions()
-    object.__setattr__(found, "titles", titles)
-    return found
-
-
-def test_what_drives_a_layer_is_the_same_while_it_sends_the_same_channels() -> None:
-    frame = SourceFrame(("jawOpen",), np.zeros(1), head=Head(), source="phone")
-    driver = Driver("phone", ("jawOpen",), head=True)
-    assert fits(driver, frame)
-    for other in (
-        Driver("tablet", ("jawOpen",), head=True),
-        Driver("phone", ("smile",), head=True),
-        Driver("phone", ("jawOpen",)),
-        Driver("phone", ("jawOpen",), head=True, gaze=True),
-        Driver("phone", ("jawOpen",), head=True, parts=LAYER_PARTS[:2]),
-    ):
-        assert not fits(other, frame)
+from omote.perform.layers.source_frame import SourceFrame, check_frame, check_names, source_frame
 
 
 def test_what_cannot_be_driven_is_refused_by_name(cast: Cast) -> None:

@@ -25,6 +25,7 @@ from omote.perform.motion.blinks import Blinks
 from omote.perform.motion.breathing import BREATH_CHANNELS, NOISE_CHANNELS, Breath
 from omote.perform.motion.gaze_motion import GazeMotion
 from omote.perform.motion.head_following import Turn
+from omote.perform.motion.sight import Sight
 from omote.perform.performer import Performer
 
 NAMES = {*LIDS, *BREATH_CHANNELS, *NOISE_CHANNELS}
@@ -107,7 +108,7 @@ def test_eyes_and_head_together_look_at_what_is_seen(yaw: float) -> None:
     """The eyes turn back by what the head has come, so that the look stays."""
     motion, seen = set_motion(AutomaticMotion(), MotionSettings(0.5, gaze=0.0, breath=0.0)), Turn(yaw)
     for _ in range(240):
-        motion = advance_motion(motion, 1 / 60, seen=seen)
+        motion = advance_motion(motion, 1 / 60, sight=Sight(seen))
     shown = motion_frames(motion, NAMES)["gaze"]
     assert shown.head is not None
     assert shown.gaze is not None
@@ -118,7 +119,7 @@ def test_eyes_and_head_together_look_at_what_is_seen(yaw: float) -> None:
 def test_lids_lead_a_far_shift_of_the_gaze() -> None:
     motion = set_motion(AutomaticMotion(), PEOPLE)
     motion = advance_motion(motion, 0.5)
-    shifted = advance_motion(motion, 1 / 60, seen=Turn(0.7))
+    shifted = advance_motion(motion, 1 / 60, sight=Sight(Turn(0.7)))
     assert shifted.blinks.count > motion.blinks.count
     assert shifted.blinks.began < shifted.gaze.saccade.began
 
@@ -218,3 +219,69 @@ def test_a_snapshot_that_none_can_have_written_is_rejected(cast: Cast, broken: d
     assert snapshot.motion is not None
     with pytest.raises(ValueError, match=r"expected|between|finite|is"):
         Performer.restored(cast, replace(snapshot, motion=replace(snapshot.motion, **broken)))
+
+
+def looks(performer: Performer, steps: int) -> list[list[float]]:
+    """Head and eyes of some frames."""
+    frames = [performer.advance(1 / 60) for _ in range(steps)]
+    return [[each.head.yaw, each.head.pitch, each.channels.get("jawOpen", 0.0)] for each in frames]
+
+
+def track(performer: Performer, steps: int) -> list[list[float]]:
+    """The same, while a tracker sends."""
+    shown = []
+    for _ in range(steps):
+        performer.drive({"jawOpen": 0.8}, layer="tracker", head=(0.5, 0.1, 0.0), gaze=(0.1, 0.0))
+        shown += looks(performer, 1)
+    return shown
+
+
+@pytest.mark.parametrize("leaves", [False, True], ids=["silent", "gone"])
+def test_a_character_idles_while_its_tracker_is_lost_and_gives_way_upon_return(cast: Cast, leaves: bool) -> None:
+    performer = Performer(cast)
+    performer.set_motion(idle=True)
+    shown = track(performer, 240)
+    assert set(performer.advance(0.0).layers) == {"tracker"}
+    if leaves:
+        performer.leave_layer("tracker", "")
+    shown += looks(performer, 600)
+    frame = performer.advance(0.0)
+    assert frame.layers["gaze"].source == AUTOMATIC
+    assert frame.layers["gaze"].trust == pytest.approx(1.0)
+    assert frame.channels["browInnerUp"] != 0.0
+    shown += track(performer, 600)
+    assert set(performer.advance(0.0).layers) == {"tracker"}
+    assert np.abs(np.diff(shown, n=2, axis=0)).max() < 0.01
+
+
+def test_what_is_not_to_idle_holds_still(cast: Cast) -> None:
+    performer = Performer(cast)
+    performer.set_motion(idle=False)
+    track(performer, 240)
+    looks(performer, 600)
+    frame = performer.advance(0.0)
+    assert set(frame.layers) == {"tracker"}
+    assert (frame.head, dict(frame.channels)) == (Head(), {})
+
+
+def test_panic_ends_the_idle_motion_and_the_look(cast: Cast) -> None:
+    performer = Performer(cast)
+    performer.set_motion(idle=True)
+    performer.look_at("direction", yaw=0.4)
+    track(performer, 240)
+    looks(performer, 300)
+    performer.panic()
+    looks(performer, 120)
+    frame = performer.advance(0.0)
+    assert (frame.head, frame.gaze, dict(frame.channels)) == (Head(), Gaze(), {})
+    assert frame.motion == MotionSettings(idle=True)
+
+
+def test_what_moves_in_small_steps_is_followed_without_a_step(cast: Cast) -> None:
+    """A camera that a stage tells of once a second."""
+    performer, shown = Performer(cast), []
+    for second in range(6):
+        performer.look_at("direction", yaw=0.04 * second)
+        shown += [performer.advance(1 / 60).gaze.yaw for _ in range(60)]
+    assert np.abs(np.diff(shown)).max() < 0.02
+    assert shown[-1] == pytest.approx(0.2, abs=1e-3)

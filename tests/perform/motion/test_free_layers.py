@@ -5,7 +5,8 @@ import pytest
 from omote.model.cast import Cast
 from omote.perform.frame import Held, with_fields
 from omote.perform.layers.layer_names import DRIVEN
-from omote.perform.layers.layers import Layers, begin, drive
+from omote.perform.layers.layer_vectors import Layers
+from omote.perform.layers.layers import begin, drive
 from omote.perform.layers.source_frame import AUTOMATIC, source_frame
 from omote.perform.motion.free_layers import is_free, is_speaking
 from omote.perform.performer import Performer

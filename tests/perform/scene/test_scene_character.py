@@ -12,7 +12,7 @@ def test_a_new_one_is_a_performer_who_was_called_to_its_face(cast: Cast) -> None
     performer.call_face("broad", seconds=0.0)
     performer.set_home("broad")
     scene = Scene(cast)
-    character = SceneCharacter.new(cast, "broad", 2.0, scene.call_light)
+    character = SceneCharacter.new(cast, "broad", 2.0, scene.call_light, scene._check_target)
     assert character.snapshot() == performer.snapshot()
 
 

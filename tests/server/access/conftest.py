@@ -8,6 +8,8 @@ import pytest_asyncio
 from aiohttp import web
 from aiohttp.test_utils import TestClient, TestServer
 
+from omote.inputs.microphone.microphone_messages import MICROPHONE_PATH
+from omote.inputs.trackers.tracker_protocols import MEDIAPIPE_PATH
 from omote.model.cast import Cast
 from omote.server.access.access_control import AccessControl
 from omote.server.access.people_file import new_person, open_people, people_path
@@ -51,7 +53,8 @@ async def access_harness(cast: Cast, tmp_path: Path) -> AsyncIterator[AccessHarn
                 control.people = add_person(control.people, person)
         tokens |= {"garbage": GARBAGE}
         opened.show.enable_oscquery(9000)
-        opened.show.enable_trackers(_hear)
+        for path in (MEDIAPIPE_PATH, MICROPHONE_PATH):
+            opened.show.enable_sender(path, _hear)
         opened.show.enable_access(control, b"PEM")
         async with TestClient(TestServer(opened.show.application(own_names()))) as client:
             yield AccessHarness(

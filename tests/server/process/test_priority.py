@@ -1,10 +1,18 @@
 """The show goes first where the system allows it, and plays on where it does not."""
 
 import os
+import threading
 
 import pytest
 
-from omote.server.process.priority import LOWERED, RAISED, lower_priority, raise_priority, waiting_seconds
+from omote.server.process.priority import (
+    LOWERED,
+    RAISED,
+    lower_priority,
+    others_waiting_seconds,
+    raise_priority,
+    waiting_seconds,
+)
 
 
 def test_a_process_goes_first_or_says_that_it_may_not() -> None:
@@ -39,4 +47,21 @@ def test_waiting_for_a_processor_only_grows_and_what_is_not_there_waits_for_none
     if pid == 0:
         os._exit(0)
     os.waitpid(pid, 0)
-    assert waiting_seconds(pid) == 0.0
+    assert waiting_seconds(pid) == others_waiting_seconds(pid) == 0.0
+
+
+def test_other_threads_are_told_apart_from_the_main_one() -> None:
+    """Of a process of one thread there are none; of one with more what they waited only grows."""
+    pid, begun, done = os.getpid(), threading.Event(), threading.Event()
+
+    def count() -> None:
+        begun.set()
+        done.wait()
+
+    thread = threading.Thread(target=count)
+    thread.start()
+    begun.wait()
+    assert 0.0 <= (first := others_waiting_seconds(pid)) <= others_waiting_seconds(pid) + 1e-9
+    assert first >= 0.0
+    done.set()
+    thread.join()

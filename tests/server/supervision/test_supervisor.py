@@ -350,3 +350,24 @@ def test_a_server_that_other_programs_keep_from_the_processors_does_not_hang(mon
     assert server.hangs(104.1)
     server.hear(104.1)
     assert server.hangs(105.2), "what it waited before it was heard counts no more"
+
+
+def test_starved_threads_and_a_starved_supervisor_excuse_a_silence_but_not_for_ever(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    """Another thread may hold what the main one needs; a server that hangs is found on a starved machine too."""
+    locked = 10.0
+    monkeypatch.setattr(supervisor, "waiting_seconds", lambda _: 0.0)
+    monkeypatch.setattr(supervisor, "others_waiting_seconds", lambda _: locked)
+    server = Server(control=-1, pulse=-1, pid=1, playing=True)
+    server.hear(100.0)
+    locked += 0.6
+    server.late += 0.5
+    assert not server.hangs(102.0)
+    assert server.hangs(102.2)
+    locked += 100.0
+    assert not server.hangs(104.9)
+    assert server.hangs(105.1)
+    locked = 0.0  # threads have ended
+    assert server.hangs(101.6)
+    assert not server.hangs(101.4)

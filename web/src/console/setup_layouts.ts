@@ -105,7 +105,9 @@ export class SetupLayouts extends ConsoleElement {
 
   async #choose(name: string): Promise<void> {
     const before = this.store.layout;
-    if (!(await this.context.layouts.choose(name))) {
+    const choice = await this.context.layouts.choose(name);
+    if (choice === "overtaken") return;
+    if (choice === "missing") {
       this.store.say(`There is no layout ${name} any more, or the show does not answer.`);
       return;
     }

@@ -53,7 +53,7 @@ interface NextLevel {
 /** A scene on a canvas, or one face: shows any poses of the cast, blended on the GPU; survives a lost context. */
 export class FaceView {
   private readonly renderer: THREE.WebGLRenderer;
-  private readonly camera = portraitCamera();
+  readonly camera = portraitCamera();
   private readonly parts: SharedParts;
   private readonly size = new THREE.Vector2();
   private readonly characters = new Map<string, DrawnCharacter>();

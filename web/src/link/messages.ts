@@ -356,7 +356,8 @@ export interface SetLayer {
 
 /**
  * How much a character moves by itself: `liveliness` 0 (nothing) to 1, 0.5 as people move; `blinks`, `gaze` and
- * `breath` each beside the others, 0..2; `seed`: which of all ways to move. `None` leaves a setting as it is.
+ * `breath` each beside the others, 0..2; `seed`: which of all ways to move; `idle`: whether it moves as people do
+ * while its tracker is lost, where the liveliness is 0 too. `None` leaves a setting as it is.
  */
 export interface SetMotion {
   type: "set_motion";
@@ -367,6 +368,46 @@ export interface SetMotion {
   breath: number | null;
   seed: number | null;
   id: string;
+  idle: boolean | null;
+}
+
+/**
+ * Whom or what the eyes of a character look at by its automatic motion: `ahead`, nothing; `direction`, `yaw` and
+ * `pitch` of the house in radians, + to the picture's right and up; `point`, `x` metres to the picture's right, `y`
+ * above the eyes, `z` before the front line; by `name`: a `gaze_point`, a `character`, the camera of a `stage` ("" for
+ * any). Rejected where there is none of that name.
+ */
+export interface LookAt {
+  type: "look_at";
+  character: string;
+  kind: "ahead" | "direction" | "point" | "gaze_point" | "character" | "stage";
+  name: string;
+  yaw: number;
+  pitch: number;
+  x: number;
+  y: number;
+  z: number;
+  id: string;
+}
+
+/**
+ * Names a point of the house that eyes may look at, such as a seat, or moves it: metres as of `look_at`. It is kept
+ * with the show. An `id` executes once, as of the one below.
+ */
+export interface SetGazePoint {
+  type: "set_gaze_point";
+  id: string;
+  name: string;
+  x: number;
+  y: number;
+  z: number;
+}
+
+/** Forgets a gaze point; who looked at it looks ahead. */
+export interface DeleteGazePoint {
+  type: "delete_gaze_point";
+  id: string;
+  name: string;
 }
 
 /**
@@ -417,8 +458,8 @@ export interface MakeGesture {
  * Something that sends values all the time: a tracker, a microphone, a program. `names`: the expressions (channels)
  * that each of its frames has a value for. `characters`: whom it drives, where it says so; else the route that was
  * made for its name the last time. `performer`: whose face it sees, by whose calibration it is read; "" for one of its
- * own. `smoothing`: seconds, to 2, in which its steps are followed, where that is slower than of all sources. Answered
- * with `source_is`; the end of its link is its end.
+ * own. `smoothing`: seconds, to 2, in which its steps are followed, where that is slower than of all sources. `direct`: its
+ * frames are smooth already and show as they are. Answered with `source_is`; the end of its link is its end.
  */
 export interface Source {
   type: "source";
@@ -429,12 +470,14 @@ export interface Source {
   performer: string;
   id: string;
   smoothing: number;
+  direct: boolean;
 }
 
 /**
  * One frame of a source, the newest wins: `values` as float32, little-endian, in the order of its names, -0.5..1.5;
  * `head` (yaw, pitch, roll) and `gaze` (yaw, pitch) in radians, or `None`. `found`: false while it does not see its
- * performer. Half a second without one that is found, and its layers fade out.
+ * performer. Half a second without one that is found, and its layers fade out. `share`, of a direct source: how much of
+ * its layer it takes, 0..1; none while a voice is silent, so that what lies below shows.
  */
 export interface Drive {
   type: "drive";
@@ -443,6 +486,7 @@ export interface Drive {
   head: [number, number, number] | null;
   gaze: [number, number] | null;
   found: boolean;
+  share: number;
 }
 
 /** A source of this link ends; its layers fade out. */
@@ -507,14 +551,16 @@ export interface Ping {
 }
 
 /**
- * A stage's heartbeat, once a second: the rate of frames that it really drew, and its level of quality. `sound`:
- * whether it can play sounds: "" never, `blocked` until somebody clicks it, `ready`; `sound_here`: its address asks
- * that it plays them.
+ * A stage's heartbeat, once a second: the rate of frames that it really drew, and its level of quality. `name`: as
+ * its address has it; `camera`: where that is, metres as of `look_at`. `sound`: whether it can play sounds: "" never,
+ * `blocked` until somebody clicks it, `ready`; `sound_here`: its address asks that it plays them.
  */
 export interface Drawing {
   type: "drawing";
   fps: number;
   level: "lowest" | "low" | "medium" | "high";
+  name: string;
+  camera: [number, number, number] | null;
   sound: "" | "blocked" | "ready";
   sound_here: boolean;
 }
@@ -885,13 +931,26 @@ export interface HeldState {
   gaze: [number, number];
 }
 
-/** What is set of a character's automatic motion, as of `set_motion`. */
+/** Whom or what a character looks at, as of `look_at`. */
+export interface GazeTargetState {
+  kind: "ahead" | "direction" | "point" | "gaze_point" | "character" | "stage";
+  name: string;
+  yaw: number;
+  pitch: number;
+  x: number;
+  y: number;
+  z: number;
+}
+
+/** What is set of a character's automatic motion, as of `set_motion` and `look_at`. */
 export interface MotionState {
   liveliness: number;
   blinks: number;
   gaze: number;
   breath: number;
   seed: number;
+  idle: boolean;
+  target: GazeTargetState;
 }
 
 /**
@@ -938,6 +997,7 @@ export interface CharacterState {
  * All that is on air: complete and absolute; the highest (epoch, number) wins, any may be lost.
  * `time`: the show's clock, seconds. `characters`: at least one, in the order in which they were added. `light` sums
  * to one, and so does `framing`: a framing is `*`, all that are on the stage, or names joined by `+`, sorted.
+ * `gaze_points`: the named points that eyes may look at, metres as of `look_at`.
  */
 export interface State {
   type: "state";
@@ -950,6 +1010,7 @@ export interface State {
   light_call: CallState | null;
   framing: Record<string, number>;
   framing_call: CallState | null;
+  gaze_points: Record<string, [number, number, number]>;
 }
 
 /** Answers ping: `time` is the show's clock at that moment, as in `State.time`. */
@@ -998,10 +1059,14 @@ export interface Progress {
   what: string;
 }
 
-/** The last report of a stage: frames per second, the level of quality; of sounds as in `drawing`. */
+/**
+ * The last report of a stage: frames per second, the level of quality, and its name, where its address has one; of
+ * sounds as in `drawing`.
+ */
 export interface StageReport {
   fps: number;
   level: "lowest" | "low" | "medium" | "high";
+  name: string;
   sound: "" | "blocked" | "ready";
   sound_here: boolean;
 }
@@ -1395,6 +1460,9 @@ export type FromClient =
   | Say
   | StopSpeaking
   | MakeGesture
+  | LookAt
+  | SetGazePoint
+  | DeleteGazePoint
   | Source
   | Drive
   | LeaveSource

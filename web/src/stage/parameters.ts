@@ -22,9 +22,23 @@ export interface StageParameters {
   sound: SoundWish;
   /** The one character that is shown, alone; undefined: the scene. */
   character: string | undefined;
+  /** What the crew calls this stage; "" for none. */
+  name: string;
 }
 
-const KNOWN = ["transparent", "background", "light", "tile", "of", "bezel", "quality", "hud", "character", "sound"];
+const KNOWN = [
+  "transparent",
+  "background",
+  "light",
+  "tile",
+  "of",
+  "bezel",
+  "quality",
+  "hud",
+  "character",
+  "name",
+  "sound",
+];
 const QUALITIES: readonly string[] = ["auto", ...LEVELS];
 
 /** A parameter that cannot be obeyed; its message is a sentence for the page. */
@@ -45,6 +59,7 @@ export function readParameters(query: string): StageParameters {
     tile: readTile(given),
     character: readCharacter(given.get("character")),
     sound: !given.has("sound") ? "may" : readSwitch(given, "sound") ? "here" : "never",
+    name: readName(given.get("name")),
   };
 }
 
@@ -60,6 +75,12 @@ function readCharacter(value: string | null): string | undefined {
   throw new ParameterError(
     `character=${value} is no name of a character: 1 to 24 of a to z, 0 to 9, "_" and "-", as in character=one.`,
   );
+}
+
+function readName(value: string | null): string {
+  const name = (value ?? "").trim();
+  if (value === null || (name.length > 0 && name.length <= 24)) return name;
+  throw new ParameterError(`name=${value} is no name of a stage: 1 to 24 letters, as in name=left.`);
 }
 
 /** A colour's name, or `#rrggbb`; an address may write it with its "#" as it is, or leave that out. */

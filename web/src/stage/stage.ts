@@ -242,11 +242,18 @@ export class Stage {
     this.heartbeat();
   }
 
-  /** Tells the show what is drawn, and whether sounds can be played. */
+  /** Tells the show what is drawn, from where, and whether sounds can be played. */
   private heartbeat(): void {
-    const [fps, sound] = [this.rate.at(now()), this.sound.state];
-    const here = this.parameters.sound === "here";
-    this.link.send({ type: "drawing", fps, level: this.view.level, sound, sound_here: here });
+    const { camera, level } = this.view;
+    this.link.send({
+      type: "drawing",
+      fps: this.rate.at(now()),
+      level,
+      name: this.parameters.name,
+      camera: camera.position.toArray(),
+      sound: this.sound.state,
+      sound_here: this.parameters.sound === "here",
+    });
   }
 }
 

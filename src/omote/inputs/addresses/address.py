@@ -13,7 +13,7 @@ ROOT = "omote"
 
 Kind = Literal[
     "face", "expression", "region", "channel", "light", "framing", "layer", "part", "lease", "scene_lease",
-    "number", "switch", "seconds", "time", "press", "text", "language", "gesture",
+    "character", "text", "number", "switch", "seconds", "time", "press", "speech", "language", "gesture",
 ]  # fmt: skip
 
 

@@ -8,7 +8,7 @@ from omote.perform.speech.speaking import LONGEST_DELAY
 from omote.show import messages as wire
 
 STRENGTH = Value("strength", default=1.0)
-TEXT = Value("text", "text")
+TEXT = Value("text", "speech")
 DELAY = Value("delay", low=0.0, high=LONGEST_DELAY, unit="s", default=0.0)
 AMPLITUDE = Value("amplitude", low=-AMPLITUDE_LIMIT, high=AMPLITUDE_LIMIT, default=1.0)
 SPEECH_ADDRESSES: tuple[Address, ...] = (

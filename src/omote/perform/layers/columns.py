@@ -14,7 +14,7 @@ from omote.model.known_names import PLAY_REGIONS
 from omote.model.space.expression import Expression, Title
 from omote.perform.channels import GAZE_UNITS, highest_weight
 from omote.perform.layers.follower import Values, rate_of
-from omote.perform.layers.layer_names import DRIVEN, LAYER_PARTS, LAYERS, WHOLE, part_of_channel
+from omote.perform.layers.layer_names import DRIVEN, LAYER_PARTS, LAYERS, WHOLE, LayerName, part_of_channel
 from omote.perform.limits import CHANNEL_LOWEST, GAZE_LIMITS, HEAD_LIMITS
 
 ANGLES = (*(f"head {name}" for name in HEAD_LIMITS), *(f"gaze {name}" for name in GAZE_LIMITS))
@@ -23,8 +23,16 @@ _ANGLE_LIMITS = [*HEAD_LIMITS.values(), *GAZE_LIMITS.values()]
 HEAD, GAZE = slice(-5, -2), slice(-2, None)
 HEAD_PART, GAZE_PART = LAYER_PARTS.index("head"), LAYER_PARTS.index("gaze")
 
-STREAM_SECONDS = 0.2
+STREAM_SECONDS = 0.12
 """In which what a source sends is followed while it trembles; what moves is followed sooner, by `STREAM_HASTE`."""
+MOUTH_SECONDS = 0.07
+"""In which a mouth is: speech opens and closes it four to six times a second."""
+LIPS_SECONDS = 0.04
+"""In which the layer of speech is."""
+RETURN_SECONDS = 0.2
+"""In which a source is followed that has just come, or come back: what it sends then may be a jump."""
+LEAST_SECONDS = 0.03
+"""In which the liveliest source is followed: two ticks."""
 STREAM_HASTE = 60.0
 """1/s and unit: a lid that closes in a tenth of a second is some 40 ms behind."""
 HAND_SECONDS = 0.3
@@ -32,12 +40,24 @@ HAND_SECONDS = 0.3
 SHARE_SECONDS = 0.5
 """In which an influence, a switch and the hold of a hand are followed."""
 TRUST_SECONDS = 1.0
-QUICK_SECONDS = 0.15
-"""In which a layer comes that knows beforehand what it will do."""
+
+PLACES = WHOLE + 1
+"""Of an influence and of a trust: the parts, and what acts on the whole face."""
 
 MOST_REMEMBERED = 64
 """Sequences of channels whose places are remembered: those of sources, and what hands hold as it changes."""
 SECTIONS = ("streams", "hands", "hold", "share", "trust", "yielded")
+
+
+@dataclass(frozen=True, eq=False)
+class Pace:
+    """How a source is followed, in the columns of a layer (its row) that show it: in how many seconds, 0 as its layer
+    is; steady: 0 where it has just come, 1 where its frames have come without a gap for a while."""
+
+    row: int
+    own: NDArray[np.bool_]
+    seconds: float
+    steady: float
 
 
 @dataclass(frozen=True, eq=False)
@@ -65,19 +85,24 @@ class Columns:
     def __post_init__(self) -> None:
         object.__setattr__(self, "width", len(self.names) + len(ANGLES))
         sizes = {"streams": len(DRIVEN) * self.width, "hands": self.width, "hold": self.width}
-        sizes |= {"share": len(LAYERS) * len(LAYER_PARTS), "trust": len(DRIVEN), "yielded": len(PLAY_REGIONS)}
+        sizes |= {"share": len(LAYERS) * PLACES, "trust": len(DRIVEN) * PLACES, "yielded": len(PLAY_REGIONS)}
         ends = np.cumsum([sizes[name] for name in SECTIONS]).tolist()
         sections = {name: slice(end - sizes[name], end) for name, end in zip(SECTIONS, ends, strict=True)}
-        seconds = (STREAM_SECONDS, HAND_SECONDS, SHARE_SECONDS, SHARE_SECONDS, TRUST_SECONDS, SHARE_SECONDS)
+        seconds = (HAND_SECONDS, SHARE_SECONDS, SHARE_SECONDS, TRUST_SECONDS, SHARE_SECONDS)
         counts = [sizes[name] for name in SECTIONS]
+        streams = [rate_of(each) for layer in DRIVEN for each in _stream_seconds(layer, self.parts)]
         made = {
             "of_face": (self.parts < len(PLAY_REGIONS)) | (self.parts == WHOLE),
             "eyes": tuple(unit for unit in GAZE_UNITS if unit in self.names),
             "index": {name: place for place, name in enumerate(self.names)},
             "sections": sections,
             "size": ends[-1],
-            "shapes": {"streams": (len(DRIVEN), self.width), "share": (len(LAYERS), len(LAYER_PARTS))},
-            "rate": np.repeat([rate_of(each) for each in seconds], counts),
+            "shapes": {
+                "streams": (len(DRIVEN), self.width),
+                "share": (len(LAYERS), PLACES),
+                "trust": (len(DRIVEN), PLACES),
+            },
+            "rate": np.concatenate([streams, np.repeat([rate_of(each) for each in seconds], counts[1:])]),
             "haste": np.repeat([STREAM_HASTE, 0.0, 0.0, 0.0, 0.0, 0.0], counts),
             "lowest": np.concatenate([np.full(len(self.names), CHANNEL_LOWEST), -self.highest[len(self.names) :]]),
         }
@@ -85,21 +110,23 @@ class Columns:
             object.__setattr__(self, name, value)
 
     def rows(self, vector: Values, section: str) -> Values:
-        """A section of a vector of all followers: (6, width) streams, (8, 6) shares, else flat; a view."""
+        """A section of a vector of all followers: (6, width) streams, (8, 7) shares, (6, 7) trusts, else
+        flat; a view."""
         found = vector[self.sections[section]]
         return found.reshape(self.shapes[section]) if section in self.shapes else found
 
-    def stream_rates(self, smoothing: Mapping[int, float], quick: Sequence[int] = ()) -> tuple[Values, Values]:
-        """The rate and the haste of all followers where some streams are smoothed more: by row, in how many seconds.
-        Never less than all are, so that nothing can jump. quick: rows that are trusted sooner."""
-        slower = {row: STREAM_SECONDS / seconds for row, seconds in smoothing.items() if seconds > STREAM_SECONDS}
-        if not slower and not quick:
+    def stream_rates(self, paces: Sequence[Pace]) -> tuple[Values, Values]:
+        """The rate and the haste of all followers where some streams are followed otherwise than their layers."""
+        if not paces:
             return self.rate, self.haste
-        rate, haste = self.rate.copy(), self.haste.copy()
-        self.rows(rate, "trust")[list(quick)] *= TRUST_SECONDS / QUICK_SECONDS
-        for row, share in slower.items():
-            self.rows(rate, "streams")[row] *= share
-            self.rows(haste, "streams")[row] *= share
+        rate, haste, slow = self.rate.copy(), self.haste.copy(), rate_of(RETURN_SECONDS)
+        for pace in paces:
+            row, hastes = self.rows(rate, "streams")[pace.row], self.rows(haste, "streams")[pace.row]
+            if pace.seconds:
+                row[pace.own] = rate_of(max(pace.seconds, LEAST_SECONDS))
+                hastes[pace.own] *= min(RETURN_SECONDS / pace.seconds, 1.0)
+            near = np.minimum(row[pace.own], slow)
+            row[pace.own] = near + pace.steady * (row[pace.own] - near)
         return rate, haste
 
     def places(self, names: tuple[str, ...]) -> NDArray[np.intp]:
@@ -135,6 +162,14 @@ def columns_of(cast: HasExpressions, wanted: tuple[str, ...]) -> Columns:
     parts = [_part(cast.titles, name) for name in wanted] + [HEAD_PART] * 3 + [GAZE_PART] * 2
     highest = [highest_weight(cast.expressions, name) for name in wanted]
     return Columns(wanted, np.array(parts, np.intp), np.array(highest + _ANGLE_LIMITS))
+
+
+def _stream_seconds(layer: LayerName, parts: NDArray[np.intp]) -> list[float]:
+    """In how many seconds each column of a layer is followed."""
+    if layer == "lips":
+        return [LIPS_SECONDS] * len(parts)
+    mouth = LAYER_PARTS.index("mouth")
+    return [MOUTH_SECONDS if part == mouth else STREAM_SECONDS for part in parts.tolist()]
 
 
 def _part(titles: Mapping[str, Title], name: str) -> int:

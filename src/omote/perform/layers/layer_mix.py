@@ -9,11 +9,12 @@ import numpy as np
 
 from omote.model.known_names import NEUTRAL, PLAY_REGIONS, PlayRegion
 from omote.model.space.expression import Expression
-from omote.perform.frame import Frame, Gaze, Head, Held, LayerStatus, with_fields
-from omote.perform.layers.columns import GAZE, HEAD, Columns
+from omote.perform.frame import Frame, Gaze, Head, Held, LayerStatus, SourceStatus, with_fields
+from omote.perform.layers.columns import GAZE, HEAD
+from omote.perform.layers.drivers import NOBODY
 from omote.perform.layers.follower import Values
-from omote.perform.layers.layer_names import DEFAULT_SETTINGS, DRIVEN, LAYERS, RULES, LayerName
-from omote.perform.layers.layers import Layers
+from omote.perform.layers.layer_names import DEFAULT_SETTINGS, DRIVEN, LAYER_PARTS, LAYERS, RULES, WHOLE, LayerName
+from omote.perform.layers.layer_vectors import Layers, places_of_source, trust_of
 from omote.perform.layers.worn_units import worn_by
 from omote.perform.panic import Settling, with_settling_channels, with_settling_gaze, with_settling_head
 
@@ -23,7 +24,7 @@ Mixes = Mapping[PlayRegion, Mix]
 MOST_SHOWN = 3
 LEAST_SHOWN = 0.02
 """Channels by which a layer shows what it does now: the strongest few, none that can hardly be seen."""
-_TRUST_OF = [DRIVEN.index(layer) if layer in DRIVEN else len(DRIVEN) for layer in LAYERS]
+_DRIVEN_ROWS = [LAYERS.index(layer) for layer in DRIVEN]
 _EMOTION = LAYERS.index("emotion")
 _ABOVE_EMOTION = [LAYERS.index(layer) for layer in DRIVEN if RULES[layer] == "replace" and layer != "gaze"]
 UPRIGHT, STRAIGHT = Head(), Gaze()
@@ -77,9 +78,14 @@ def with_layers(
 
 
 def influences(layers: Layers) -> Values:
-    """How much of each layer (8) shows on each part (6): influence and switch, and trust where a source drives it."""
-    trust = [*layers.columns.rows(layers.second, "trust").tolist(), 1.0]
-    shares: Values = layers.columns.rows(layers.second, "share") * np.array([[trust[row]] for row in _TRUST_OF])
+    """How much of each layer (8) shows on each part and on the whole face (7): influence and switch, and where a source
+    drives it trust and the share that it takes."""
+    shares: Values = layers.columns.rows(layers.second, "share").copy()
+    shares[_DRIVEN_ROWS] *= layers.columns.rows(layers.second, "trust")
+    for layer, drivers in layers.drivers.items():
+        for driver in drivers:
+            if driver.share != 1.0:
+                shares[LAYERS.index(layer)][places_of_source(layers, layer, driver.source)] *= driver.share
     return shares
 
 
@@ -98,19 +104,32 @@ def statuses(layers: Layers, shares: Values) -> dict[str, LayerStatus]:
     for row, layer in enumerate(LAYERS):
         setting, first = layers.settings[layer], DEFAULT_SETTINGS[layer]
         if layer in layers.drivers or (setting is not first and setting != first):
-            found[layer] = _status(layers, layer, max(shares[row].tolist()))
+            found[layer] = _status(layers, layer, max(shares[row].tolist()[:WHOLE]))
     return found
 
 
 def _status(layers: Layers, layer: LayerName, share: float) -> LayerStatus:
-    setting, driver = layers.settings[layer], layers.drivers.get(layer)
-    trust, strongest = 1.0, dict[str, float]()
-    if layer in DRIVEN:
-        row = DRIVEN.index(layer)
-        trust = float(layers.columns.rows(layers.second, "trust")[row])
-        values = layers.columns.rows(layers.second, "streams")[row, : len(layers.columns.names)]
-        strongest = {} if driver is None else _strongest(layers.columns.names, values)
-    return LayerStatus(setting.by_part, setting.on, trust, "" if driver is None else driver.source, share, strongest)
+    setting = layers.settings[layer]
+    if layer not in layers.drivers:
+        return LayerStatus(setting.by_part, setting.on, 0.0 if layer in DRIVEN else 1.0, "", share, {})
+    values = layers.columns.rows(layers.second, "streams")[DRIVEN.index(layer), : len(layers.columns.names)]
+    sources = sources_of(layers, layer)
+    first = max(sources, key=lambda each: len(each.parts))
+    strongest = _strongest(layers.columns.names, values)
+    told = sources if len(sources) > 1 else ()
+    return LayerStatus(setting.by_part, setting.on, first.trust, first.source, share, strongest, told)
+
+
+def sources_of(layers: Layers, layer: LayerName) -> tuple[SourceStatus, ...]:
+    """The sources of a layer, the newest first: the parts that each has, and how far it is trusted there."""
+    followed, owners = layers.followed.get(layer, NOBODY), layers.owners.get(layer, NOBODY)
+    trust = trust_of(layers, layer).tolist()
+    found = []
+    for driver in reversed(layers.drivers[layer]):
+        shows = [part for name, part in zip(followed, trust, strict=True) if name == driver.source]
+        parts = [part for part, owner in zip(LAYER_PARTS, owners, strict=False) if owner == driver.source]
+        found.append(SourceStatus(driver.source, max(shows, default=0.0), tuple(parts)))
+    return tuple(found)
 
 
 def _strongest(names: tuple[str, ...], values: Values) -> dict[str, float]:
@@ -125,7 +144,7 @@ def _mixed_values(layers: Layers, shares: Values, closed: Values | None) -> Valu
     for row, layer in enumerate(DRIVEN):
         if layer not in layers.drivers:
             continue
-        part, value = _by_column(columns, shares, layer), streams[row]
+        part, value = shares[LAYERS.index(layer)][columns.parts], streams[row]
         if RULES[layer] == "replace":
             mixed = (1.0 - part) * mixed + part * value
         elif RULES[layer] == "offset":
@@ -133,16 +152,8 @@ def _mixed_values(layers: Layers, shares: Values, closed: Values | None) -> Valu
         else:
             open_yet = 1.0 - mixed if closed is None else (1.0 - mixed) * (1.0 - closed)
             mixed = mixed + part * value * open_yet
-    part = _by_column(columns, shares, "hands") * columns.rows(layers.second, "hold")
+    part = shares[LAYERS.index("hands")][columns.parts] * columns.rows(layers.second, "hold")
     return _in_range(layers, (1.0 - part) * mixed + part * columns.rows(layers.second, "hands"))
-
-
-def _by_column(columns: Columns, shares: Values, layer: LayerName) -> Values:
-    """How much of a layer shows in each column; of what acts on the whole face the mean of the four regions."""
-    parts = shares[LAYERS.index(layer)].tolist()
-    parts.append((parts[0] + parts[1] + parts[2] + parts[3]) / 4.0)
-    found: Values = np.array(parts)[columns.parts]
-    return found
 
 
 def _in_range(layers: Layers, values: Values) -> Values:
@@ -153,11 +164,11 @@ def _in_range(layers: Layers, values: Values) -> Values:
 def _closed(layers: Layers, expressions: Mapping[str, Expression], mix: Mix) -> Values | None:
     """How much of each channel of the fills the mix wears already; None where nothing fills."""
     found: Values | None = None
-    for layer, driver in layers.drivers.items():
+    for layer, drivers in layers.drivers.items():
         if RULES[layer] != "fill":
             continue
         found = np.zeros(layers.columns.width) if found is None else found
-        for name in driver.names:
+        for name in {name for driver in drivers for name in driver.names}:
             found[layers.columns.index[name]] = worn_by(expressions[name], mix, expressions)
     return found
 

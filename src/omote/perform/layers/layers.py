@@ -1,47 +1,50 @@
-"""The layers of a character: what drives them, what an operator has chosen, and where each follower is."""
+"""The layers of a character: driving, setting, holding, time."""
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass, replace
+from collections.abc import Mapping, Sequence
+from dataclasses import replace
 
 import numpy as np
+from numpy.typing import NDArray
 
-from omote.perform.channels import effective_channels, gaze_channels
-from omote.perform.frame import Gaze, Head, Held, with_fields
-from omote.perform.layers.columns import GAZE, HEAD, Columns, HasExpressions, make_columns, moved_to
-from omote.perform.layers.follower import Values, follow, steps_of
-from omote.perform.layers.layer_names import (
-    DEFAULT_SETTINGS,
-    DRIVEN,
-    LAYER_PARTS,
-    LAYERS,
-    LayerName,
-    LayerPart,
-    LayerSetting,
+from omote.perform.channels import gaze_channels
+from omote.perform.frame import Held, with_fields
+from omote.perform.layers.columns import GAZE, HEAD, Columns, HasExpressions, Pace, make_columns
+from omote.perform.layers.drivers import (
+    NOBODY,
+    STEADY_SECONDS,
+    Driver,
+    Owners,
+    advance_driver,
+    driver_of,
+    find_driver,
+    fits,
+    owners_of,
+    replace_driver,
+    with_driver,
 )
-from omote.perform.layers.source_frame import LOSS_SECONDS, OWN_SOURCES, SPEECH, Driver, SourceFrame, fits, parts_of
+from omote.perform.layers.follower import Values, follow, steps_of
+from omote.perform.layers.held_columns import are_hands_settled, hold_by
+from omote.perform.layers.layer_names import DEFAULT_SETTINGS, DRIVEN, LayerName, LayerPart
+from omote.perform.layers.layer_vectors import (
+    Layers,
+    columns_of_source,
+    places_of_source,
+    plays,
+    share_goal,
+    trust_goal,
+    trust_of,
+    under,
+    with_names,
+    with_share_goal,
+)
+from omote.perform.layers.source_frame import OWN_SOURCES, SourceFrame
 
-UPRIGHT, STRAIGHT = Head(), Gaze()
 LET_GO = 0.01
-"""A layer that weighs less has let go: another measure no longer shows."""
-
-
-@dataclass(frozen=True, eq=False)
-class Layers:
-    """All layers of a character; the vectors hold every follower, in the order of `columns`, and are never changed.
-
-    calm: nothing plays below the hands, so that they are immediate.
-    """
-
-    columns: Columns
-    goal: Values
-    first: Values
-    second: Values
-    settings: Mapping[LayerName, LayerSetting]
-    drivers: Mapping[LayerName, Driver]
-    held: Held
-    calm: bool = True
+"""A part of a layer that weighs less has let go: another measure, or another source, no longer shows."""
+FADED = 1e-6
+"""A part that weighs less has faded out: who has left is forgotten, also while another source plays."""
 
 
 def begin(cast: HasExpressions, held: Held) -> Layers:
@@ -49,8 +52,8 @@ def begin(cast: HasExpressions, held: Held) -> Layers:
     columns = make_columns(cast, held.channels)
     still = np.zeros(columns.size)
     layers = Layers(columns, still, still, still, DEFAULT_SETTINGS, {}, Held())
-    columns.rows(goal := _share_goal(layers), "trust")[:] = 0.0
-    return _held_by(cast, replace(layers, goal=goal, first=goal, second=goal), held)
+    goal = share_goal(layers)
+    return hold_by(cast, replace(layers, goal=goal, first=goal, second=goal), held)
 
 
 def is_at_rest(layers: Layers) -> bool:
@@ -67,39 +70,39 @@ def set_layer(
 ) -> Layers:
     """The layers with another influence of one of them, or with it switched: what shows follows."""
     settings = {**layers.settings, layer: layers.settings[layer].change(part, influence, on)}
-    return _with_share_goal(replace(layers, settings=settings))
+    return with_share_goal(replace(layers, settings=settings))
 
 
 def drive(cast: HasExpressions, layers: Layers, layer: LayerName, frame: SourceFrame) -> Layers:
     """The layers after a source has sent one of them a frame, which is checked (`check_frame`)."""
-    driver = layers.drivers.get(layer)
     if not frame.found:
         return layers  # silence counts from the last frame in which it was found
+    driver = find_driver(layers.drivers.get(layer, ()), frame.source)
     if driver is None or driver.leaves or not fits(driver, frame):
         layers = _plugged(cast, layers, layer, frame)
-        driver = layers.drivers[layer]
-    drivers = layers.drivers if driver.silent == 0.0 else {**layers.drivers, layer: with_fields(driver, silent=0.0)}
-    if driver.waits:
-        return replace(layers, drivers=drivers)
-    if driver.smoothing != frame.smoothing:
-        drivers = {**drivers, layer: replace(drivers[layer], smoothing=frame.smoothing)}
-    return _streamed(cast, layers, drivers, layer, frame)
+    elif driver.silent or (driver.smoothing, driver.share) != (frame.smoothing, frame.share):
+        heard = with_fields(driver, silent=0.0, smoothing=frame.smoothing, share=frame.share)
+        layers = _with_drivers(layers, layer, replace_driver(layers.drivers[layer], heard))
+        if not driver.is_trusted:
+            layers = _owned(layers, layer)
+    return _streamed(cast, layers, layer, frame)
 
 
 def recalibrate(layers: Layers, layer: LayerName, source: str) -> Layers:
-    """The layers where a source begins to send by another measure: its layer lets go first."""
-    driver = layers.drivers.get(layer)
-    if driver is None or driver.source != source:
+    """The layers where a source begins to send by another measure: what it plays of a layer lets go first."""
+    followed = layers.followed.get(layer, NOBODY)
+    if find_driver(layers.drivers.get(layer, ()), source) is None:
         return layers
-    return replace(layers, drivers={**layers.drivers, layer: replace(driver, waits=True)})
+    return _with_followed(layers, layer, tuple(None if each == source else each for each in followed))
 
 
 def leave(layers: Layers, layer: LayerName, source: str) -> Layers:
-    """The layers after a source has gone: its layer lets go."""
-    driver = layers.drivers.get(layer)
-    if driver is None or driver.source != source:
+    """The layers after a source has gone: what it plays of a layer lets go."""
+    drivers = layers.drivers.get(layer, ())
+    driver = find_driver(drivers, source)
+    if driver is None:
         return layers
-    return replace(layers, drivers={**layers.drivers, layer: replace(driver, leaves=True)})
+    return _owned(_with_drivers(layers, layer, replace_driver(drivers, replace(driver, leaves=True))), layer)
 
 
 def switch_off(layers: Layers, kept: Sequence[float]) -> Layers:
@@ -108,9 +111,13 @@ def switch_off(layers: Layers, kept: Sequence[float]) -> Layers:
 
     What was on air of them the caller eases to rest.
     """
-    sources = {layer: driver for layer, driver in layers.drivers.items() if driver.source not in OWN_SOURCES}
+    drivers = {
+        layer: tuple(one for one in each if one.source not in OWN_SOURCES) for layer, each in layers.drivers.items()
+    }
+    sources = {layer: each for layer, each in drivers.items() if each}
     settings = {layer: replace(each, on=each.on and layer not in sources) for layer, each in layers.settings.items()}
-    layers = _with_share_goal(replace(layers, settings=settings, drivers=sources))
+    layers = replace(layers, settings=settings, drivers=sources, owners=_known(layers.owners, sources))
+    layers = with_share_goal(replace(layers, followed=_known(layers.followed, sources)))
     columns, goal = layers.columns, layers.goal.copy()
     for section in ("streams", "hands", "hold", "trust"):
         goal[columns.sections[section]] = 0.0
@@ -121,176 +128,165 @@ def switch_off(layers: Layers, kept: Sequence[float]) -> Layers:
 def advance(cast: HasExpressions, layers: Layers, held: Held, dt: float, *, still: bool) -> Layers:
     """The layers `dt` seconds later, under what hands hold now. still: False while a panic eases to rest."""
     if held is not layers.held and held != layers.held:
-        layers = _held_by(cast, layers, held)
+        layers = hold_by(cast, layers, held)
     if still and layers.columns.rows(layers.goal, "yielded").any():
-        layers = replace(layers, goal=_with(layers, "yielded", 0.0))
+        goal = layers.goal.copy()
+        goal[layers.columns.sections["yielded"]] = 0.0
+        layers = replace(layers, goal=goal)
     for step in steps_of(dt):
         layers = _stepped(layers, step)
     if layers.calm:
         return layers
-    gone = {layer for layer, driver in layers.drivers.items() if driver.leaves and not _trust(layers, layer)}
-    if gone:
-        drivers = {layer: driver for layer, driver in layers.drivers.items() if layer not in gone}
-        layers = _with_share_goal(replace(layers, drivers=drivers))
-    calm = not _plays(layers) and _are_hands_settled(layers)
+    layers = _without_gone(layers)
+    calm = not plays(layers) and are_hands_settled(layers)
     return replace(layers, calm=True) if calm else layers
 
 
 def recast(cast: HasExpressions, layers: Layers) -> Layers:
     """The layers under another cast, which has all that is on air."""
-    return _under(layers, make_columns(cast, layers.columns.names))
+    later = under(layers, make_columns(cast, layers.columns.names))
+    owners = {layer: owners_of(each, later.columns) for layer, each in later.drivers.items()}
+    return replace(later, owners=owners)
 
 
-def _with(layers: Layers, section: str, value: float) -> Values:
-    goal = layers.goal.copy()
-    goal[layers.columns.sections[section]] = value
-    return goal
+def _with_drivers(layers: Layers, layer: LayerName, drivers: tuple[Driver, ...]) -> Layers:
+    return with_fields(layers, drivers={**layers.drivers, layer: drivers})
 
 
-def _share_goal(layers: Layers) -> Values:
-    goal = layers.goal.copy()
-    shares = layers.columns.rows(goal, "share")
-    for row, layer in enumerate(LAYERS):
-        setting, driver = layers.settings[layer], layers.drivers.get(layer)
-        parts = LAYER_PARTS if layer not in DRIVEN else () if driver is None else parts_of(driver, layers.columns)
-        shares[row] = [setting.influence[part] if setting.on and part in parts else 0.0 for part in LAYER_PARTS]
-    return goal
+def _with_followed(layers: Layers, layer: LayerName, followed: Owners) -> Layers:
+    return with_share_goal(replace(layers, followed={**layers.followed, layer: followed}))
 
 
-def _with_share_goal(layers: Layers) -> Layers:
-    return _woken(replace(layers, goal=_share_goal(layers)))
+def _known(
+    names: Mapping[LayerName, Owners], drivers: Mapping[LayerName, tuple[Driver, ...]]
+) -> dict[LayerName, Owners]:
+    """The same without sources that drive no more."""
+    found = dict[LayerName, Owners]()
+    for layer, each in drivers.items():
+        sources = {driver.source for driver in each}
+        found[layer] = tuple(name if name in sources else None for name in names.get(layer, NOBODY))
+    return found
 
 
-def _woken(layers: Layers) -> Layers:
-    """What goes anywhere is no longer calm; the shares of layers that nothing drives yet are there at once."""
-    shares = layers.columns.rows(layers.goal, "share")
-    first, second = layers.first.copy(), layers.second.copy()
-    for row, layer in enumerate(LAYERS):
-        if layer in DRIVEN and not _trust(layers, layer):
-            layers.columns.rows(first, "share")[row] = layers.columns.rows(second, "share")[row] = shares[row]
-    return replace(layers, first=first, second=second, calm=layers.calm and not _plays(layers))
-
-
-def _trust(layers: Layers, layer: LayerName) -> float:
-    return float(layers.columns.rows(layers.second, "trust")[DRIVEN.index(layer)])
-
-
-def _plays(layers: Layers) -> bool:
-    """Whether anything below the hands shows, or is about to."""
-    settings, columns = layers.settings, layers.columns
-    if any(each.is_trusted and settings[layer].plays for layer, each in layers.drivers.items()):
-        return True
-    trust = columns.rows(layers.second, "trust") + columns.rows(layers.goal, "trust")
-    rows = [LAYERS.index(layer) for layer in DRIVEN]
-    shares = (columns.rows(layers.second, "share") + columns.rows(layers.goal, "share"))[rows]
-    return bool(((shares != 0.0).any(axis=1) & (trust != 0.0)).any())
-
-
-def _are_hands_settled(layers: Layers) -> bool:
-    begin, end = layers.columns.sections["hands"].start, layers.columns.sections["hold"].stop
-    where = slice(begin, end)
-    return np.array_equal(layers.first[where], layers.goal[where]) and np.array_equal(
-        layers.second[where], layers.goal[where]
+def _owned(layers: Layers, layer: LayerName) -> Layers:
+    """The layers where who has each part of one is decided anew; who comes is followed where the last has let go."""
+    owners = owners_of(layers.drivers[layer], layers.columns)
+    layers = with_fields(layers, owners={**layers.owners, layer: owners})
+    followed = layers.followed.get(layer, NOBODY)
+    low = (trust_of(layers, layer) < LET_GO).tolist()
+    later = tuple(
+        owner if owner is not None and free else other for owner, other, free in zip(owners, followed, low, strict=True)
     )
+    return layers if later == followed else _with_followed(layers, layer, later)
+
+
+def _waits(layers: Layers, layer: LayerName) -> bool:
+    """Whether a part of a layer shows another than it belongs to."""
+    owners, followed = layers.owners.get(layer, NOBODY), layers.followed.get(layer, NOBODY)
+    return any(one is not None and one != other for one, other in zip(owners, followed, strict=True))
 
 
 def _stepped(layers: Layers, dt: float) -> Layers:
-    drivers = {layer: _later(layers, layer, driver, dt) for layer, driver in layers.drivers.items()}
+    before = layers.drivers
+    drivers = {layer: tuple(advance_driver(one, dt) for one in each) for layer, each in before.items()}
+    layers = with_fields(layers, drivers=drivers)
+    for layer, each in drivers.items():
+        lost = any(one.is_trusted != other.is_trusted for one, other in zip(each, before[layer], strict=True))
+        if lost or _waits(layers, layer):
+            layers = _owned(layers, layer)
     goal, columns = layers.goal, layers.columns
-    wanted = [float(layer in drivers and drivers[layer].is_trusted) for layer in DRIVEN]
+    wanted = trust_goal(layers)
     if columns.rows(goal, "trust").tolist() != wanted:
         goal = goal.copy()
         columns.rows(goal, "trust")[:] = wanted
-    settles = not any(driver.is_trusted for driver in drivers.values())  # while a source plays nothing comes to rest
-    quick = [DRIVEN.index(layer) for layer, driver in drivers.items() if driver.is_quick]
-    slow = {DRIVEN.index(layer): driver.smoothing for layer, driver in drivers.items()}
-    rate, haste = columns.stream_rates(slow, quick)
+    settles = not any(one.is_trusted for each in drivers.values() for one in each)  # nothing rests while one plays
+    rate, haste = columns.stream_rates(_paces(layers))
     first, second = follow(layers.first, layers.second, goal, rate, haste, dt, settles=settles)
-    return with_fields(layers, goal=goal, first=first, second=second, drivers=drivers)
+    return with_fields(layers, goal=goal, first=first, second=second)
 
 
-def _later(layers: Layers, layer: LayerName, driver: Driver, dt: float) -> Driver:
-    """What drives a layer, `dt` seconds later."""
-    silent, waits = min(driver.silent + dt, LOSS_SECONDS), driver.waits and _trust(layers, layer) >= LET_GO
-    return with_fields(driver, silent=silent, waits=waits)
+def _paces(layers: Layers) -> list[Pace]:
+    """How sources are followed that are smoothed otherwise than their layers, or have only just come."""
+    return [
+        Pace(DRIVEN.index(layer), columns_of_source(layers, layer, one.source), one.smoothing,
+             one.steady / STEADY_SECONDS)
+        for layer, each in layers.drivers.items()
+        for one in each
+        if one.smoothing or one.steady < STEADY_SECONDS
+    ]  # fmt: skip
+
+
+def _without_gone(layers: Layers) -> Layers:
+    """The layers without the sources that have gone and of which nothing shows any more."""
+    gone = {
+        (layer, one.source)
+        for layer, each in layers.drivers.items()
+        for one in each
+        if one.leaves and not _shows(layers, layer, one.source)
+    }
+    if not gone:
+        return layers
+    drivers = {
+        layer: tuple(one for one in each if (layer, one.source) not in gone) for layer, each in layers.drivers.items()
+    }
+    drivers = {layer: each for layer, each in drivers.items() if each}
+    owners, followed = _known(layers.owners, drivers), _known(layers.followed, drivers)
+    return with_share_goal(replace(layers, drivers=drivers, owners=owners, followed=followed))
+
+
+def _shows(layers: Layers, layer: LayerName, source: str) -> bool:
+    followed, trust = layers.followed.get(layer, NOBODY), trust_of(layers, layer).tolist()
+    return any(each == source and part >= FADED for each, part in zip(followed, trust, strict=True))
 
 
 def _plugged(cast: HasExpressions, layers: Layers, layer: LayerName, frame: SourceFrame) -> Layers:
-    """The layers where something else begins to drive one: where the last has not let go yet it waits."""
-    layers = _with_names(cast, layers, frame.names)
-    before = layers.drivers.get(layer)
-    other = before is not None and (before.source, before.names) != (frame.source, frame.names)
-    shows = frame.source != SPEECH and _trust(layers, layer) >= LET_GO
-    waits = shows and (other or (before is not None and before.waits))
-    turns = frame.head is not None, frame.gaze is not None
-    driver = Driver(frame.source, frame.names, *turns, frame.parts, waits=waits)
-    return _with_share_goal(replace(layers, drivers={**layers.drivers, layer: driver}))
+    """The layers where something begins to drive one, or to drive it by other channels, which lets go first."""
+    layers = with_names(cast, layers, frame.names)
+    drivers = layers.drivers.get(layer, ())
+    before = find_driver(drivers, frame.source)
+    layers = _with_drivers(layers, layer, with_driver(drivers, driver_of(frame)))
+    if before is not None and before.names != frame.names:
+        layers = recalibrate(layers, layer, frame.source)
+    return _owned(layers, layer)
 
 
-def _streamed(
-    cast: HasExpressions, layers: Layers, drivers: Mapping[LayerName, Driver], layer: LayerName, frame: SourceFrame
-) -> Layers:
+def _streamed(cast: HasExpressions, layers: Layers, layer: LayerName, frame: SourceFrame) -> Layers:
+    """The layers where a frame is the goal of the parts that show its source; what these do not send is at rest."""
     columns, row, goal = layers.columns, DRIVEN.index(layer), layers.goal.copy()
-    stream = columns.rows(goal, "streams")[row]
-    stream[columns.of_face] = 0.0
-    stream[columns.places(frame.names)] = frame.values
-    if frame.head is not None:
-        stream[HEAD] = frame.head.yaw, frame.head.pitch, frame.head.roll
-    if frame.gaze is not None:
-        stream[GAZE] = frame.gaze.yaw, frame.gaze.pitch
-        turned = gaze_channels(cast.expressions, frame.gaze)
-        stream[columns.places(columns.eyes)] = [turned.get(unit, 0.0) for unit in columns.eyes]
-    columns.rows(goal, "trust")[row] = 1.0
-    later = with_fields(layers, goal=goal, drivers=drivers, calm=False)
-    return later if _trust(later, layer) and not frame.direct else _from_there(later, row)
-
-
-def _from_there(layers: Layers, row: int) -> Layers:
-    """The stream of a layer that does not show, or that is smooth already, is where it goes."""
-    columns, first, second = layers.columns, layers.first.copy(), layers.second.copy()
-    stream = columns.rows(layers.goal, "streams")[row]
-    columns.rows(first, "streams")[row] = columns.rows(second, "streams")[row] = stream
-    return replace(layers, first=first, second=second)
-
-
-def _held_by(cast: HasExpressions, layers: Layers, held: Held) -> Layers:
-    """The layers under what hands hold now; what a hand lets go keeps its value while the hold goes."""
-    layers = _with_names(cast, layers, held.channels)
-    columns, goal = layers.columns, layers.goal.copy()
-    hands, hold = columns.sections["hands"], columns.sections["hold"]
-    holds, wanted = _hold_of(cast, columns, held)
-    goal[hold] = holds
-    np.copyto(goal[hands], wanted, where=holds > 0.0)
-    first, second = layers.first.copy(), layers.second.copy()
-    free = layers.calm | ((first[hold] == 0.0) & (second[hold] == 0.0))
-    for vector in (first, second):
-        np.copyto(vector[hands], goal[hands], where=free)
-        if layers.calm:
-            vector[hold] = holds
-    return with_fields(layers, goal=goal, first=first, second=second, held=held)
-
-
-def _hold_of(cast: HasExpressions, columns: Columns, held: Held) -> tuple[Values, Values]:
-    holds, wanted = np.zeros(columns.width), np.zeros(columns.width)
-    channels = effective_channels(cast.expressions, held.channels, held.gaze)
-    places = columns.places(tuple(channels))
-    holds[places], wanted[places] = 1.0, list(channels.values())
-    if held.head != UPRIGHT:
-        holds[HEAD], wanted[HEAD] = 1.0, (held.head.yaw, held.head.pitch, held.head.roll)
-    if held.gaze != STRAIGHT:
-        holds[columns.places(columns.eyes)] = 1.0
-        holds[GAZE], wanted[GAZE] = 1.0, (held.gaze.yaw, held.gaze.pitch)
-    return holds, wanted
-
-
-def _with_names(cast: HasExpressions, layers: Layers, names: Iterable[str]) -> Layers:
-    if layers.columns.index.keys() >= set(names):
+    own = columns_of_source(layers, layer, frame.source)
+    if not own.any():
         return layers
-    return _under(layers, make_columns(cast, (*layers.columns.names, *names)))
+    stream = columns.rows(goal, "streams")[row]
+    stream[own] = 0.0
+    places = columns.places(frame.names)
+    shown = own[places]
+    stream[places[shown]] = frame.values[shown]
+    _turn(cast, columns, stream, own, frame)
+    later = with_fields(layers, goal=goal, calm=False)
+    if frame.share == 0.0:  # nothing of it shows, so it can be trusted at once: a first word is whole
+        later = _trusted(later, layer, frame.source)
+    at_once = own if frame.direct else own & (trust_of(layers, layer)[columns.parts] == 0.0)
+    if not at_once.any():
+        return later
+    first, second = later.first.copy(), later.second.copy()
+    for vector in (first, second):
+        np.copyto(columns.rows(vector, "streams")[row], stream, where=at_once)
+    return with_fields(later, first=first, second=second)
 
 
-def _under(layers: Layers, columns: Columns) -> Layers:
-    goal, first, second = (
-        moved_to(each, layers.columns, columns) for each in (layers.goal, layers.first, layers.second)
-    )
-    return replace(layers, columns=columns, goal=goal, first=first, second=second)
+def _trusted(layers: Layers, layer: LayerName, source: str) -> Layers:
+    """The layers where what shows a source is trusted from now on."""
+    where, first, second = places_of_source(layers, layer, source), layers.first.copy(), layers.second.copy()
+    for vector in (first, second):
+        layers.columns.rows(vector, "trust")[DRIVEN.index(layer), where] = 1.0
+    return with_fields(layers, first=first, second=second)
+
+
+def _turn(cast: HasExpressions, columns: Columns, stream: Values, own: NDArray[np.bool_], frame: SourceFrame) -> None:
+    """Writes the head and the gaze of a frame, where its source plays them."""
+    if frame.head is not None and own[HEAD].all():
+        stream[HEAD] = frame.head.yaw, frame.head.pitch, frame.head.roll
+    if frame.gaze is not None and own[GAZE].all():
+        stream[GAZE] = frame.gaze.yaw, frame.gaze.pitch
+        turned = gaze_channels(cast.expressions, frame.gaze, frame.vergence)
+        stream[columns.places(columns.eyes)] = [turned.get(unit, 0.0) for unit in columns.eyes]

@@ -3,16 +3,19 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 import numpy as np
 
+from omote.model.known_names import PLAY_REGIONS
 from omote.perform.frame import Held
-from omote.perform.layers.columns import GAZE_PART, Columns, HasExpressions, columns_of
+from omote.perform.layers.columns import GAZE_PART, PLACES, Columns, HasExpressions, columns_of
+from omote.perform.layers.drivers import NOBODY, STEADY_SECONDS, Driver, Owners, owners_of
 from omote.perform.layers.follower import Values
-from omote.perform.layers.layer_names import LAYERS, LayerName, LayerSetting, check_driven
-from omote.perform.layers.layers import Layers, recast
-from omote.perform.layers.source_frame import LOSS_SECONDS, Driver, check_smoothing
+from omote.perform.layers.layer_names import DRIVEN, LAYER_PARTS, LAYERS, LayerName, LayerSetting, check_driven
+from omote.perform.layers.layer_vectors import Layers, with_share_goal
+from omote.perform.layers.layers import recast
+from omote.perform.layers.source_frame import LOSS_SECONDS, check_share, check_smoothing
 from omote.perform.limits import check_known, check_within
 
 SLACK = 1e-6
@@ -23,7 +26,8 @@ SLACK = 1e-6
 class LayersSnapshot:
     """The layers of a character: plain values, so msgspec writes and reads them exactly.
 
-    names: of the columns; goal, first, second: every follower as little-endian float64.
+    names: of the columns; goal, first, second: every follower as little-endian float64. drivers: the sources of each
+    layer; one alone as it was written when a layer had one. followed: whom each part of a layer shows.
     """
 
     names: tuple[str, ...]
@@ -31,9 +35,10 @@ class LayersSnapshot:
     first: bytes
     second: bytes
     settings: Mapping[LayerName, LayerSetting]
-    drivers: Mapping[LayerName, Driver]
+    drivers: Mapping[LayerName, tuple[Driver, ...] | Driver]
     held: Held
     calm: bool
+    followed: Mapping[LayerName, Owners] = field(default_factory=dict)
 
 
 def snapshot_of(layers: Layers | None) -> LayersSnapshot | None:
@@ -50,6 +55,7 @@ def snapshot_of(layers: Layers | None) -> LayersSnapshot | None:
         drivers=dict(layers.drivers),
         held=layers.held,
         calm=layers.calm,
+        followed=dict(layers.followed),
     )
 
 
@@ -61,21 +67,43 @@ def restored(cast: HasExpressions, snapshot: LayersSnapshot | None) -> Layers | 
         raise ValueError(f"the snapshot has the layers {', '.join(snapshot.settings)}; expected {', '.join(LAYERS)}")
     for name in names_driven(snapshot):
         check_known(name, cast.expressions, "channel")
-    for layer, driver in snapshot.drivers.items():
-        check_driven(layer)
-        check_within(driver.silent, 0.0, LOSS_SECONDS, "the silence of a source (seconds)")
-        check_smoothing(driver.smoothing)
+    drivers = {check_driven(layer): _several(each) for layer, each in snapshot.drivers.items()}
+    _check_drivers(drivers, snapshot.followed)
     columns = columns_of(cast, tuple(snapshot.names))
-    goal, first, second = (_vector(each, columns) for each in (snapshot.goal, snapshot.first, snapshot.second))
+    owners = {layer: owners_of(each, columns) for layer, each in drivers.items()}
+    goal, first, second = (_vector(each, columns, owners) for each in (snapshot.goal, snapshot.first, snapshot.second))
     settings = {layer: snapshot.settings[layer] for layer in LAYERS}
-    layers = Layers(columns, goal, first, second, settings, dict(snapshot.drivers), snapshot.held, snapshot.calm)
-    return recast(cast, layers)
+    is_old = len(snapshot.goal) != 8 * columns.size
+    layers = Layers(
+        columns, goal, first, second, settings, drivers, snapshot.held, snapshot.calm, owners,
+        owners if is_old else dict(snapshot.followed),
+    )  # fmt: skip
+    return recast(cast, with_share_goal(layers) if is_old else layers)
 
 
-def _vector(data: bytes, columns: Columns) -> Values:
-    if len(data) != 8 * columns.size:
+def _several(drivers: tuple[Driver, ...] | Driver) -> tuple[Driver, ...]:
+    return (drivers,) if isinstance(drivers, Driver) else tuple(drivers)
+
+
+def _check_drivers(drivers: Mapping[LayerName, tuple[Driver, ...]], followed: Mapping[LayerName, Owners]) -> None:
+    for driver in (one for each in drivers.values() for one in each):
+        check_within(driver.silent, 0.0, LOSS_SECONDS, "the silence of a source (seconds)")
+        check_within(driver.steady, 0.0, STEADY_SECONDS, "the steady frames of a source (seconds)")
+        check_smoothing(driver.smoothing)
+        check_share(driver.share)
+    for layer, names in followed.items():
+        sources = {driver.source for driver in drivers.get(layer, ())}
+        if len(names) != PLACES or not sources.issuperset(name for name in names if name is not None):
+            raise ValueError(f"the layer {layer} of the snapshot shows {names}; expected {PLACES} of its sources")
+
+
+def _vector(data: bytes, columns: Columns, owners: Mapping[LayerName, Owners]) -> Values:
+    single = columns.size - (len(LAYERS) + len(DRIVEN) * len(LAYER_PARTS))
+    if len(data) not in (8 * columns.size, 8 * single):
         raise ValueError(f"the layers in the snapshot have {len(data)} bytes; expected {8 * columns.size}")
     vector = np.frombuffer(data, "<f8").astype(np.float64)
+    if len(vector) == single:
+        vector = _by_part(vector, columns, owners)
     for section in ("hold", "share", "trust", "yielded"):
         _check_range(vector[columns.sections[section]], np.zeros(1), np.ones(1), section)
     widest, units = columns.highest.copy(), slice(len(columns.names))
@@ -83,6 +111,19 @@ def _vector(data: bytes, columns: Columns) -> Values:
     for row in (*columns.rows(vector, "streams"), columns.rows(vector, "hands")):
         _check_range(row, columns.lowest, widest, "value")
     return vector
+
+
+def _by_part(vector: Values, columns: Columns, owners: Mapping[LayerName, Owners]) -> Values:
+    """A vector from when a layer had one source, and one trust for all its parts."""
+    later, begin = np.zeros(columns.size), columns.sections["share"].start
+    later[:begin] = vector[:begin]
+    end = begin + len(LAYERS) * len(LAYER_PARTS)
+    shares, trusts = vector[begin:end].reshape(len(LAYERS), -1), vector[end : end + len(DRIVEN)].tolist()
+    columns.rows(later, "share")[:] = np.column_stack([shares, shares[:, : len(PLAY_REGIONS)].mean(axis=1)])
+    for row, (layer, trust) in enumerate(zip(DRIVEN, trusts, strict=True)):
+        columns.rows(later, "trust")[row] = [trust if each is not None else 0.0 for each in owners.get(layer, NOBODY)]
+    later[columns.sections["yielded"]] = vector[end + len(DRIVEN) :]
+    return later
 
 
 def _check_range(values: Values, lowest: Values, highest: Values, what: str) -> None:
@@ -94,4 +135,6 @@ def names_driven(snapshot: LayersSnapshot | None) -> frozenset[str]:
     """The channels that layers cannot be played without: those that sources send, and those that hands hold."""
     if snapshot is None:
         return frozenset()
-    return frozenset(snapshot.held.channels).union(*(driver.names for driver in snapshot.drivers.values()))
+    return frozenset(snapshot.held.channels).union(
+        *(driver.names for each in snapshot.drivers.values() for driver in _several(each))
+    )

@@ -1,4 +1,4 @@
-"""What a source sends at one instant, and what drives a layer."""
+"""What a source sends at one instant."""
 
 from __future__ import annotations
 
@@ -9,9 +9,8 @@ import numpy as np
 
 from omote.model.known_names import NEUTRAL
 from omote.perform.frame import Gaze, Head
-from omote.perform.layers.columns import Columns
 from omote.perform.layers.follower import Values
-from omote.perform.layers.layer_names import LAYER_PARTS, RANGES, RULES, WHOLE, LayerName, LayerPart
+from omote.perform.layers.layer_names import LAYER_PARTS, RANGES, RULES, LayerName, LayerPart
 from omote.perform.limits import CHANNEL_HIGHEST, CHANNEL_LOWEST, GAZE_LIMITS, HEAD_LIMITS, check_known, check_within
 
 LONGEST_SMOOTHING = 2.0
@@ -30,8 +29,10 @@ class SourceFrame:
     """One frame of a source: the weights of its channels, float64 in the order of `names`, checked by `check_frame`.
 
     head, gaze: None where it sends none. found: False while it does not see its performer; all else is then ignored.
-    parts: which parts of the face it may play. smoothing: seconds in which it is followed, where that is slower than
-    all sources are. direct: it is smooth already and knows what comes, so it shows as it is.
+    parts: which parts of the face it may play. smoothing: seconds in which it is followed, 0 as its layer is. direct:
+    it is smooth already and knows what comes, so it shows as it is. vergence: radians by which each eye turns in.
+    share: of a direct one, how much of its layer it takes, 0 to 1: a voice that is silent takes none, and what lies
+    below shows.
     """
 
     names: tuple[str, ...]
@@ -43,52 +44,8 @@ class SourceFrame:
     parts: tuple[LayerPart, ...] = LAYER_PARTS
     smoothing: float = 0.0
     direct: bool = False
-
-
-@dataclass(frozen=True)
-class Driver:
-    """What drives a layer: a source with its channels. silent: seconds since it was last found, no more than count.
-
-    waits: it sends by another measure than before and is followed once the layer has let go. leaves: it has gone.
-    """
-
-    source: str
-    names: tuple[str, ...]
-    head: bool = False
-    gaze: bool = False
-    parts: tuple[LayerPart, ...] = LAYER_PARTS
-    silent: float = 0.0
-    waits: bool = False
-    leaves: bool = False
-    smoothing: float = 0.0
-
-    @property
-    def is_quick(self) -> bool:
-        """Whether its layer comes at once: what is said knows when it begins, and does so with a mouth at rest."""
-        return self.source == SPEECH and self.is_trusted
-
-    @property
-    def is_trusted(self) -> bool:
-        """Whether its layer goes to where it can be seen."""
-        return self.silent < LOSS_SECONDS and not self.waits and not self.leaves
-
-
-def fits(driver: Driver, frame: SourceFrame) -> bool:
-    """Whether a frame comes from what drives the layer already, with the same channels for the same parts."""
-    same = frame.names is driver.names or frame.names == driver.names
-    turns = (frame.head is not None, frame.gaze is not None) == (driver.head, driver.gaze)
-    return same and (turns or not frame.found) and (frame.source, frame.parts) == (driver.source, driver.parts)
-
-
-def parts_of(driver: Driver, columns: Columns) -> tuple[LayerPart, ...]:
-    """The parts of the face that it plays: those where its channels act, as far as it may."""
-    places = {int(place) for place in columns.parts[columns.places(driver.names)]}
-    if WHOLE in places:
-        places |= set(range(4))
-    plays = {part for place, part in enumerate(LAYER_PARTS) if place in places}
-    plays |= {"head"} if driver.head else set()
-    plays |= {"gaze"} if driver.gaze else set()
-    return tuple(part for part in driver.parts if part in plays)
+    vergence: float = 0.0
+    share: float = 1.0
 
 
 def check_frame(frame: SourceFrame, layer: LayerName) -> SourceFrame:
@@ -96,6 +53,9 @@ def check_frame(frame: SourceFrame, layer: LayerName) -> SourceFrame:
     low, high = RANGES.get(RULES[layer], (CHANNEL_LOWEST, CHANNEL_HIGHEST))
     if len(frame.values) != len(frame.names):
         raise ValueError(f"{len(frame.values)} values came for {len(frame.names)} channels; send one for each")
+    check_share(frame.share)
+    if frame.share != 1.0 and not frame.direct:
+        raise ValueError("only a source that is smooth already (direct) takes less than all of its layer")
     wrong = ~((frame.values >= low) & (frame.values <= high))
     if wrong.any():
         place = int(np.argmax(wrong))
@@ -135,6 +95,11 @@ def _angles(given: object, limits: Mapping[str, float], what: str) -> tuple[floa
 def check_smoothing(seconds: object) -> float:
     """Returns the seconds in which a source is followed; ValueError and TypeError for what cannot be."""
     return check_within(seconds, 0.0, LONGEST_SMOOTHING, "the smoothing of a source (seconds)")
+
+
+def check_share(share: object) -> float:
+    """Returns how much of its layer a source takes; ValueError and TypeError for what cannot be."""
+    return check_within(share, 0.0, 1.0, "the share of its layer that a source takes")
 
 
 def check_names(names: Iterable[str], expressions: Mapping[str, object]) -> tuple[str, ...]:

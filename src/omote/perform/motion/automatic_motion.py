@@ -4,10 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Container
 from dataclasses import dataclass, field, replace
+from functools import lru_cache
 
 import numpy as np
 
-from omote.perform.frame import Gaze, Head, MotionSettings
+from omote.perform.frame import NO_TARGET, Gaze, Head, MotionSettings
 from omote.perform.layers.follower import follow_number, rate_of
 from omote.perform.layers.layer_names import RANGES, LayerName
 from omote.perform.layers.source_frame import AUTOMATIC, SourceFrame
@@ -24,20 +25,29 @@ from omote.perform.motion.breathing import (
     air,
     noise,
 )
-from omote.perform.motion.gaze_motion import GazeMotion, advance_gaze, looked_at
-from omote.perform.motion.head_following import AHEAD, FollowingHead, Turn, follow_gaze
+from omote.perform.motion.gaze_motion import DEGREE, OTHER_GOAL, GazeMotion, advance_gaze, looked_at
+from omote.perform.motion.head_following import FollowingHead, Turn, follow_gaze
+from omote.perform.motion.sight import NOTHING, Sight
 
 LIDS = ("eyeBlinkLeft", "eyeBlinkRight")
 MOST_OFFSET = RANGES["offset"][1]
 SHORTEST_SPAN, FARTHEST, DEEPEST = 1e-3, 8.0, 4.0 + 1e-6
 DEPTH_SECONDS = 1.0
 """In which breath and noise follow what is set."""
+IDLE_LIVELINESS = 0.5
+"""How much a character idles that holds still otherwise: as people move."""
+PURSUIT = 40.0 * DEGREE
+"""Radians a second at which eyes follow what moves (Meyer, Lasker and Robinson 1985, *Vision Research* 25: to 90)."""
+VERGENCE_SECONDS = 0.5
+"""In which eyes converge (Hung et al. 1997: 0.4 to 0.6)."""
+MOST_VERGENCE = 0.5
 MOTION_LAYERS: tuple[LayerName, ...] = ("breath", "gaze", "blink")
 
 
 @dataclass(frozen=True)
 class AutomaticMotion:
-    """What a character does by itself. time: seconds since it began; depth: of breath and noise, after both filters."""
+    """What a character does by itself. time: seconds since it began; depth: of breath and noise, after both filters;
+    vergence: how far each eye turns in, radians, after both filters; lost: its tracker is lost."""
 
     settings: MotionSettings = field(default_factory=MotionSettings)
     time: float = 0.0
@@ -46,6 +56,24 @@ class AutomaticMotion:
     head: FollowingHead = field(default_factory=FollowingHead)
     breath: Breath = field(default_factory=Breath)
     depth: tuple[float, float] = (0.0, 0.0)
+    vergence: tuple[float, float] = (0.0, 0.0)
+    lost: bool = False
+
+    @property
+    def acting(self) -> MotionSettings:
+        """The settings by which it moves now: where it idles, those of people."""
+        idles = self.lost and self.settings.idle and self.settings.liveliness == 0.0
+        return _idle(self.settings) if idles else self.settings
+
+
+@lru_cache(maxsize=64)
+def _idle(settings: MotionSettings) -> MotionSettings:
+    return settings.change(liveliness=IDLE_LIVELINESS)
+
+
+def is_moving(motion: AutomaticMotion) -> bool:
+    """Whether it does anything by itself."""
+    return motion.acting.liveliness > 0.0 or motion.settings.target != NO_TARGET
 
 
 def set_motion(motion: AutomaticMotion, settings: MotionSettings) -> AutomaticMotion:
@@ -67,6 +95,8 @@ def check_motion(motion: AutomaticMotion | None) -> AutomaticMotion | None:
     for turn in turns:
         for angle in (turn.yaw, turn.pitch):
             check_within(angle, -FARTHEST, FARTHEST, "an angle of the automatic motion (radians)")
+    for turned in motion.vergence:
+        check_within(turned, -MOST_VERGENCE, MOST_VERGENCE, "the vergence of the eyes (radians)")
     for depth in motion.depth:
         check_within(depth, 0.0, DEEPEST, "the depth of the breath")
     for at in (blinks.began, blinks.due, gaze.spell, gaze.fixation, gaze.saccade.began, breath.began):
@@ -75,7 +105,7 @@ def check_motion(motion: AutomaticMotion | None) -> AutomaticMotion | None:
 
 
 def advance_motion(
-    motion: AutomaticMotion, dt: float, *, seen: Turn = AHEAD, speaking: bool = False
+    motion: AutomaticMotion, dt: float, *, sight: Sight = NOTHING, speaking: bool = False
 ) -> AutomaticMotion:
     """The motion `dt` seconds later.
 
@@ -85,8 +115,8 @@ def advance_motion(
         As it is.
     dt : float
         Seconds, 0 or more.
-    seen : Turn
-        The direction of what is looked at, from the body, radians.
+    sight : Sight
+        What is looked at.
     speaking : bool
         Whether the character speaks: it blinks oftener then, and most of all when it ends.
 
@@ -95,15 +125,27 @@ def advance_motion(
     AutomaticMotion
         Frozen; the same motion and steps give the same bits.
     """
-    settings, now = motion.settings, motion.time + dt
-    gaze = advance_gaze(motion.gaze, settings.seed, now, seen, reach=settings.reach)
+    settings, now = motion.acting, motion.time + dt
+    seen = _pursued(motion.gaze.seen, sight.turn, dt)
+    gaze = advance_gaze(motion.gaze, settings.seed, now, seen, reach=settings.reach, contact=sight.contact)
     blinks = advance_blinks(motion.blinks, settings.seed, now, dt, rate=settings.blink_rate, speaking=speaking)
     if gaze.lids and settings.blink_rate > 0.0:
         blinks = begin_blink(blinks, settings.seed, now, whole=True)
     head = follow_gaze(motion.head, looked_at(gaze, now), dt)
     breath = advance_breath(motion.breath, settings.seed, now)
     depth = follow_number(*motion.depth, settings.depth, rate_of(DEPTH_SECONDS), dt)
-    return AutomaticMotion(settings, now, blinks, gaze, head, breath, depth)
+    wanted = sight.vergence if gaze.contact else 0.0
+    vergence = follow_number(*motion.vergence, wanted, rate_of(VERGENCE_SECONDS), dt)
+    return AutomaticMotion(motion.settings, now, blinks, gaze, head, breath, depth, vergence, motion.lost)
+
+
+def _pursued(before: Turn, seen: Turn, dt: float) -> Turn:
+    """Where the eyes are that follow what moves: what is far off is reached by a saccade, not by pursuit."""
+    way = seen - before
+    far = abs(way.yaw) + abs(way.pitch)
+    if far > OTHER_GOAL or far <= PURSUIT * dt:
+        return seen
+    return before + way.scale(PURSUIT * dt / far)
 
 
 def motion_frames(motion: AutomaticMotion, names: Container[str]) -> dict[LayerName, SourceFrame]:
@@ -119,10 +161,10 @@ def motion_frames(motion: AutomaticMotion, names: Container[str]) -> dict[LayerN
     Returns
     -------
     dict of SourceFrame
-        One for each of the layers breath, gaze and blink; empty without liveliness.
+        One for each of the layers breath, gaze and blink; without liveliness only the gaze, where it has a target.
     """
-    if motion.settings.liveliness == 0.0:
-        return {}
+    if motion.acting.liveliness == 0.0:
+        return {} if motion.settings.target == NO_TARGET else {"gaze": _gaze_frame(motion)}
     has = tuple(name for name in _CHANNELS if name in names)
     lids = tuple(name for name in LIDS if name in names)
     shut = lid_closure(motion.blinks, motion.time)
@@ -148,6 +190,7 @@ def _gaze_frame(motion: AutomaticMotion) -> SourceFrame:
         gaze,
         source=AUTOMATIC,
         direct=True,
+        vergence=motion.vergence[1],
     )
 
 

@@ -3,34 +3,39 @@
 from __future__ import annotations
 
 from omote.perform.layers.layer_names import DRIVEN, LayerName
-from omote.perform.layers.layers import Layers
-from omote.perform.layers.source_frame import AUTOMATIC, SPEECH
-from omote.perform.speech.visemes import MOUTH_UNITS
+from omote.perform.layers.layer_vectors import Layers, trust_of
+from omote.perform.layers.source_frame import AUTOMATIC
 
 SPOKEN = 0.1
 """Lips that are moved by more speak."""
+SHOWN = 0.99
+"""A tracker that is trusted by more hides what lies below."""
+_TRACKER: LayerName = "tracker"
 
 
 def is_free(layers: Layers, layer: LayerName) -> bool:
     """Whether no source drives a layer but the character's own motion."""
-    driver = layers.drivers.get(layer)
-    return driver is None or driver.source == AUTOMATIC
+    return all(driver.source == AUTOMATIC for driver in layers.drivers.get(layer, ()))
 
 
 def is_speaking(layers: Layers) -> bool:
     """Whether lips that a source drives move."""
-    driver = layers.drivers.get("lips")
-    if driver is None or not driver.is_trusted:
+    if not any(driver.is_trusted for driver in layers.drivers.get("lips", ())):
         return False
     lips = layers.columns.rows(layers.second, "streams")[DRIVEN.index("lips")]
     return bool(lips[: len(layers.columns.names)].max(initial=0.0) > SPOKEN)
 
 
-def mouth_shown(layers: Layers) -> tuple[float, ...]:
-    """The units of the mouth as a source moves the lips now; empty where none does."""
-    driver = layers.drivers.get("lips")
-    if driver is None or not driver.is_trusted or driver.source == SPEECH:
-        return ()
-    lips, index = layers.columns.rows(layers.second, "streams")[DRIVEN.index("lips")], layers.columns.index
-    shown = [float(lips[index[unit]]) if unit in index else 0.0 for unit in MOUTH_UNITS]
-    return tuple(min(max(weight, 0.0), 1.0) for weight in shown)
+def is_tracker_lost(layers: Layers | None, lost: bool) -> bool:
+    """Whether the tracker that played is lost: silent, blind or gone, until another shows altogether; not while an
+    operator, or a panic, has switched its layer off. lost: whether it was before."""
+    if layers is None:
+        return lost
+    if not layers.settings[_TRACKER].on:
+        return False
+    drivers = layers.drivers.get(_TRACKER, ())
+    if not drivers:
+        return lost
+    if any(driver.is_trusted for driver in drivers):
+        return lost and float(trust_of(layers, _TRACKER).max()) < SHOWN
+    return True

@@ -67,12 +67,17 @@ def looked_at(motion: GazeMotion, now: float) -> Turn:
     return motion.seen + motion.saccade.at(now)
 
 
-def advance_gaze(motion: GazeMotion, seed: int, now: float, seen: Turn, *, reach: float) -> GazeMotion:
-    """The eyes at `now`. seen: the direction of what is looked at; reach: how far they go elsewhere, 1 as people do."""
+def advance_gaze(
+    motion: GazeMotion, seed: int, now: float, seen: Turn, *, reach: float, contact: bool | None = None
+) -> GazeMotion:
+    """The eyes at `now`. seen: the direction of what is looked at; reach: how far they go elsewhere, 1 as people do;
+    contact: whether they are to be at what is looked at, None where their own spells decide."""
     motion = replace(_moved_to(motion, now, seen), lids=False)
-    if now < motion.fixation:
+    other = now >= motion.spell if contact is None else contact != motion.contact
+    arrived = now >= motion.saccade.began + motion.saccade.seconds
+    if now < motion.fixation and not (other and arrived and contact is not None):
         return motion
-    if now >= motion.spell:
+    if other:
         motion = _other_spell(motion, seed, now)
     return _shifted(motion, seed, now, reach)
 

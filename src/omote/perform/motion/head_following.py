@@ -11,6 +11,8 @@ EYES_ALONE = 0.30
 EYES_ALONE_PITCH = 0.17
 SHARE = 0.85
 """How much of what lies beyond the head takes over."""
+FARTHEST_YAW, FARTHEST_PITCH = 1.3, 0.7
+"""Radians (74 and 40 degrees) that a neck turns a head at most."""
 HEAD_SECONDS = 0.45
 """In which the head has gone nine tenths of its way."""
 
@@ -48,7 +50,8 @@ class FollowingHead:
 
 def head_goal(looked: Turn) -> Turn:
     """Where the head comes to rest when somebody looks there."""
-    return Turn(_beyond(looked.yaw, EYES_ALONE), _beyond(looked.pitch, EYES_ALONE_PITCH))
+    yaw, pitch = _beyond(looked.yaw, EYES_ALONE), _beyond(looked.pitch, EYES_ALONE_PITCH)
+    return Turn(min(max(yaw, -FARTHEST_YAW), FARTHEST_YAW), min(max(pitch, -FARTHEST_PITCH), FARTHEST_PITCH))
 
 
 def follow_gaze(head: FollowingHead, looked: Turn, dt: float) -> FollowingHead:

@@ -13,6 +13,7 @@ from omote.perform.easing import DEFAULT_EASING, find_easing
 from omote.perform.frame import Frame, with_fields
 from omote.perform.lights import FIRST_LIGHT, check_light
 from omote.perform.limits import FOREVER, check_call_seconds, check_known, check_within
+from omote.perform.motion.sight import Point
 from omote.perform.performer import Performer
 from omote.perform.scene import movement
 from omote.perform.scene.character_names import (
@@ -22,6 +23,14 @@ from omote.perform.scene.character_names import (
     check_character_name,
     framing_of,
     names_in,
+)
+from omote.perform.scene.gaze_targets import (
+    MOST_CAMERAS,
+    MOST_POINTS,
+    Looker,
+    check_point,
+    check_point_name,
+    find_sight,
 )
 from omote.perform.scene.removal import framing_back, insert_at_rank, with_kept, with_removal, without_stay
 from omote.perform.scene.scene_character import SceneCharacter
@@ -45,7 +54,7 @@ class Scene:
     """Characters on one stage: each is a performer with a place; the light and the framing are the scene's.
 
     It owns no clock and no thread; the same commands and steps give the same frames. What one character plays changes
-    nothing of another.
+    nothing of another, but where that looks at it.
 
     Parameters
     ----------
@@ -80,6 +89,8 @@ class Scene:
         self._standings: dict[str, Standing] = {}
         self._shown: dict[str, tuple[Standing, Place, float]] = {}
         self._removals: dict[str, Removal] = {}
+        self._gaze_points: dict[str, Point] = {}
+        self._cameras: dict[str, Point] = {}
         self._light, self._framing, self._time = Axis(FIRST_LIGHT), Axis(ALL), 0.0
 
     @classmethod
@@ -141,8 +152,11 @@ class Scene:
         check_scene(snapshot, cast)
         scene._light, scene._framing, scene._time = snapshot.light, snapshot.framing, snapshot.time
         scene._removals = dict(snapshot.removals)
+        scene._gaze_points, scene._cameras = dict(snapshot.gaze_points), dict(snapshot.cameras)
         for name, character in snapshot.characters.items():
-            scene._characters[name] = SceneCharacter.of(cast, character.performer, scene.call_light)
+            scene._characters[name] = SceneCharacter.of(
+                cast, character.performer, scene.call_light, scene._check_target
+            )
             scene._standings[name] = character.standing
         return scene
 
@@ -161,7 +175,8 @@ class Scene:
         """
         standings = self._standings
         characters = {n: CharacterSnapshot(each.snapshot(), standings[n]) for n, each in self._characters.items()}
-        return SceneSnapshot(characters, self._light, self._framing, self._time, dict(self._removals))
+        points, cameras = dict(self._gaze_points), dict(self._cameras)
+        return SceneSnapshot(characters, self._light, self._framing, self._time, dict(self._removals), points, cameras)
 
     def recast(self, cast: Playable) -> None:
         """Plays another cast from now on; what is on air stays.
@@ -256,7 +271,7 @@ class Scene:
         label = check_label(name if label is None else label, self.labels)
         check_known(face, self._cast.faces, "face")
         place = free_place(Place(**standing.place.goal) for standing in self._standings.values())
-        self._characters[name] = SceneCharacter.new(self._cast, face, self._time, self.call_light)
+        self._characters[name] = SceneCharacter.new(self._cast, face, self._time, self.call_light, self._check_target)
         self._standings[name] = Standing(label, movement.Movement(vars(place)), AWAY)
         return self._characters[name]
 
@@ -341,7 +356,7 @@ class Scene:
         name = removal.character
         self._refuse_one_more(name)
         snapshot = check_snapshot(replace(kept.performer, time=self._time), self._cast)
-        character = SceneCharacter.of(self._cast, snapshot, self.call_light)
+        character = SceneCharacter.of(self._cast, snapshot, self.call_light, self._check_target)
         self._characters = insert_at_rank(self._characters, name, character, removal.before)
         self._standings = insert_at_rank(self._standings, name, kept.standing, removal.before)
 
@@ -468,6 +483,91 @@ class Scene:
         """
         self._move_presence(name, 0.0, seconds, leaves=self._standing(name).leaves)
 
+    def set_gaze_point(self, name: str, *, x: float, y: float, z: float) -> None:
+        """Names a point of the house that characters may look at (`look_at`), such as a seat; one of that name moves.
+
+        Parameters
+        ----------
+        name : str
+            1 to 40 letters.
+        x, y, z : float
+            Metres: to the picture's right, -20 to 20; above the eyes of a head of size 1, -10 to 10; before the front
+            line, -20 to 50.
+
+        Raises
+        ------
+        ValueError
+            On a name that none can have, on numbers out of range, and beyond thirty-two points.
+        TypeError
+            On what is no number.
+
+        Examples
+        --------
+        >>> scene = omote.Scene.begun(cast)
+        >>> scene.set_gaze_point("front row", x=0.5, y=-0.4, z=3.0)
+        >>> scene["one"].look_at("gaze_point", "front row")
+        >>> dict(scene.advance(0.0).gaze_points)
+        {'front row': (0.5, -0.4, 3.0)}
+        """
+        name = check_point_name(name)
+        if name not in self._gaze_points and len(self._gaze_points) >= MOST_POINTS:
+            raise ValueError(f"there are {MOST_POINTS} gaze points, which is as many as a show keeps; delete one")
+        self._gaze_points = {**self._gaze_points, name: check_point(x, y, z, f"the gaze point {name}")}
+
+    def delete_gaze_point(self, name: str) -> None:
+        """Forgets a gaze point; who looked at it looks ahead.
+
+        Parameters
+        ----------
+        name : str
+            The point.
+
+        Raises
+        ------
+        ValueError
+            On a point that there is not.
+
+        Examples
+        --------
+        >>> scene = omote.Scene.begun(cast)
+        >>> scene.set_gaze_point("front row", x=0.5, y=-0.4, z=3.0)
+        >>> scene.delete_gaze_point("front row")
+        >>> dict(scene.advance(0.0).gaze_points)
+        {}
+        """
+        check_known(name, self._gaze_points, "gaze point")
+        self._gaze_points = {each: point for each, point in self._gaze_points.items() if each != name}
+        for character in self._characters.values():
+            if (character.motion.target.kind, character.motion.target.name) == ("gaze_point", name):
+                character.look_at()
+
+    def note_camera(self, stage: str, camera: Point | None) -> None:
+        """Where the camera of a stage is, for those who look at it.
+
+        Parameters
+        ----------
+        stage : str
+            The name of the stage; "" for one without a name.
+        camera : tuple of float, optional
+            Metres as of `set_gaze_point`; None where the stage does not say.
+
+        Raises
+        ------
+        ValueError
+            On numbers out of range.
+        TypeError
+            On what is no number.
+
+        Examples
+        --------
+        >>> scene = omote.Scene.begun(cast)
+        >>> scene.note_camera("left", (-0.5, 0.1, 1.2))
+        >>> scene["one"].look_at("stage", "left")
+        """
+        if camera is None or (stage not in self._cameras and len(self._cameras) >= MOST_CAMERAS):
+            return
+        self._cameras[stage] = check_point(*camera, f"the camera of the stage {stage!r}")
+
     def call_framing(
         self, characters: Iterable[str] = (), *, seconds: float = 1.0, easing: str = DEFAULT_EASING
     ) -> None:
@@ -565,6 +665,7 @@ class Scene:
             place, presence = movement.proceed(at.place, dt), movement.proceed(at.presence, dt)
             if place is not at.place or presence is not at.presence:
                 self._standings[name] = replace(at, place=place, presence=presence)
+        self._find_sights()
         frames = {name: character.advance(dt) for name, character in self._characters.items()}
         self._let_go()
         light, call = axis.weights(self._light), axis.status(self._light)
@@ -575,7 +676,29 @@ class Scene:
             self._time,
             call,
             axis.status(self._framing),
+            self._gaze_points,
         )
+
+    def _find_sights(self) -> None:
+        """Each character is told what it sees of whom or what it looks at."""
+        looking = [n for n, each in self._characters.items() if each.motion.target.kind != "ahead"]
+        if not looking:
+            return
+        lookers = {name: self._looker(name) for name in self._characters}
+        for name in looking:
+            sight = find_sight(name, lookers, self._gaze_points, self._cameras, self._time)
+            self._characters[name].sight = sight
+
+    def _looker(self, name: str) -> Looker:
+        character, at = self._characters[name], self._standings[name]
+        motion, present = character.motion, at.presence.goal["presence"] > 0.0
+        return Looker(self._shown_at(name)[0], character.turned, motion.target, motion.seed, present)
+
+    def _check_target(self, looker: object, kind: str, name: str) -> None:
+        if kind == "gaze_point":
+            check_known(name, self._gaze_points, "gaze point")
+        if kind == "character" and self._characters[check_known(name, self._characters, "character")] is looker:
+            raise ValueError(f"{name} cannot look at itself; give another character")
 
     def _let_go(self) -> None:
         """Forgets characters that were removed, once they have left and no shot holds them."""
@@ -596,11 +719,16 @@ class Scene:
             raise ValueError(f"there are {MOST_CHARACTERS} characters, which is as many as a scene holds; remove one")
 
     def _frame(self, name: str, frame: Frame) -> CharacterFrame:
+        at, (place, presence) = self._standings[name], self._shown_at(name)
+        return CharacterFrame(frame, place, presence, at.label, at.leaves)
+
+    def _shown_at(self, name: str) -> tuple[Place, float]:
+        """The place and the presence of a character now."""
         at, shown = self._standings[name], self._shown.get(name)
         if shown is None or shown[0] is not at:
             place = Place(**movement.values(at.place, PLACE_LIMITS))
             shown = self._shown[name] = (at, place, movement.values(at.presence, PRESENCE_LIMITS)["presence"])
-        return CharacterFrame(frame, shown[1], shown[2], at.label, at.leaves)
+        return shown[1:]
 
     def _standing(self, name: str) -> Standing:
         return self._standings[check_known(name, self._characters, "character")]

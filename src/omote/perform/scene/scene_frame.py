@@ -4,10 +4,11 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterable, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 from omote.perform.frame import CallStatus, Frame
 from omote.perform.limits import check_within
+from omote.perform.motion.sight import Point
 from omote.perform.scene.movement import Ranges
 
 PLACE_LIMITS: Ranges = {"x": (-10.0, 10.0), "depth": (0.0, 20.0), "size": (0.25, 4.0), "turn": (-math.pi, math.pi)}
@@ -56,6 +57,7 @@ class SceneFrame:
     """The characters by name in the order in which they were added, and the mixes of lights and of framings at `time`.
 
     A framing is `*`, a shot of all that are on the stage, or the names of its characters, sorted and joined by `+`.
+    gaze_points: the named points that eyes may look at, metres.
     """
 
     characters: Mapping[str, CharacterFrame]
@@ -64,6 +66,7 @@ class SceneFrame:
     time: float = 0.0
     light_call: CallStatus | None = None
     framing_call: CallStatus | None = None
+    gaze_points: Mapping[str, Point] = field(default_factory=dict)
 
 
 def free_place(taken: Iterable[Place]) -> Place:

@@ -9,8 +9,10 @@ from dataclasses import dataclass, field, replace
 from omote.perform.axis import Axis
 from omote.perform.lights import FIRST_LIGHT, LIGHTS
 from omote.perform.limits import FOREVER, check_within
+from omote.perform.motion.sight import Point
 from omote.perform.name_lookup import NO_LABELS
 from omote.perform.scene.character_names import ALL, MOST_CHARACTERS, check_character_name, framing_of, names_in
+from omote.perform.scene.gaze_targets import MOST_POINTS, check_point
 from omote.perform.scene.movement import Movement, Ranges, check_movement
 from omote.perform.scene.scene_frame import PLACE_LIMITS, Place
 from omote.perform.snapshot import ROUNDING, Playable, Snapshot, axis_names, check_axis, check_snapshot, names_held
@@ -58,7 +60,8 @@ class Removal:
 class SceneSnapshot:
     """The state of a scene: plain values, so msgspec writes and reads it exactly. `time`: of all performers too.
 
-    `removals`: by their keys, oldest first.
+    `removals`: by their keys, oldest first. `gaze_points`, `cameras`: points that eyes may look at, by name, and where
+    stages' cameras are, metres.
     """
 
     characters: Mapping[str, CharacterSnapshot] = field(default_factory=dict)
@@ -66,6 +69,8 @@ class SceneSnapshot:
     framing: Axis = field(default_factory=lambda: Axis(ALL))
     time: float = 0.0
     removals: Mapping[str, Removal] = field(default_factory=dict)
+    gaze_points: Mapping[str, Point] = field(default_factory=dict)
+    cameras: Mapping[str, Point] = field(default_factory=dict)
 
 
 def check_scene(snapshot: SceneSnapshot, cast: Playable) -> SceneSnapshot:
@@ -83,6 +88,9 @@ def check_scene(snapshot: SceneSnapshot, cast: Playable) -> SceneSnapshot:
     check_axis(snapshot.light, LIGHTS, "light")
     check_axis(snapshot.framing, known_framings(snapshot.framing, snapshot.characters), "framing")
     check_removals(snapshot)
+    check_within(len(snapshot.gaze_points), 0, MOST_POINTS, "the number of gaze points")
+    for name, point in (*snapshot.gaze_points.items(), *snapshot.cameras.items()):
+        check_point(*point, f"the point {name!r:.80}")
     return snapshot
 
 

@@ -17,8 +17,10 @@ from omote.perform.speech.visemes import MOUTH_UNITS
 
 SOUND_LEAD_SECONDS = 0.4
 """How long before its first sound a speech begins whose sound the stage plays: it must fetch and decode it first."""
-ABOUT_TO_SPEAK = 0.5
+ABOUT_TO_SPEAK = 0.2
 """How long before its sound a speech takes the lips."""
+TAKE_SECONDS, GIVE_SECONDS = 0.12, 0.35
+"""In which the lips are taken from what lies below, a smile, and given back to it."""
 LONGEST_DELAY = 3600.0
 LONGEST_OFFSET = 1.0
 MOST_WAITING = 16
@@ -80,22 +82,29 @@ class Speech:
 @dataclass(frozen=True)
 class Speaking:
     """What a character says now, and what it says after. mouth: that which showed when something else was said or it
-    was stopped, `since` seconds ago; speech: None once it is stopped."""
+    was stopped, `since` seconds ago; speech: None once it is stopped. lips: how far they have been taken from what
+    lies below, as a share of the time for it."""
 
     speech: Speech | None = None
     waiting: tuple[Speech, ...] = ()
     mouth: tuple[float, ...] = ()
     since: float = 0.0
+    lips: float = 0.0
 
     @property
     def moves(self) -> bool:
         """Whether the mouth moves, or is about to."""
-        return self.speech is None or self.speech.elapsed > -ABOUT_TO_SPEAK or bool(self.mouth)
+        return self.lips > 0.0 or self.takes_lips
+
+    @property
+    def takes_lips(self) -> bool:
+        """Whether something is said, or about to be."""
+        return self.speech is not None and self.speech.elapsed > -ABOUT_TO_SPEAK
 
     @property
     def ended(self) -> bool:
-        """Whether nothing is said and the mouth is at rest."""
-        return self.speech is None and (not self.mouth or self.since >= RELEASE_SECONDS)
+        """Whether nothing is said and the lips are given back."""
+        return self.speech is None and self.lips <= 0.0
 
 
 def make_speech(track: VisemeTrack, *, text: str, sound: str, delay: float, offset: float, number: int) -> Speech:
@@ -107,13 +116,13 @@ def make_speech(track: VisemeTrack, *, text: str, sound: str, delay: float, offs
     return Speech(track, text, sound, trim, -max(lead, LEAD_SECONDS - trim), number)
 
 
-def say(speaking: Speaking | None, speech: Speech, *, queue: bool, mouth: tuple[float, ...] = ()) -> Speaking:
+def say(speaking: Speaking | None, speech: Speech, *, queue: bool) -> Speaking:
     """What is said from now on: a speech instead of all others, or, by `queue`, after them; ValueError where too many
-    wait. mouth: that of whatever moved the lips, where nothing was said."""
+    wait."""
     if speaking is None:
-        return Speaking(speech, (), mouth)
+        return Speaking(speech)
     if not queue or speaking.speech is None:
-        return Speaking(speech, (), _shown(speaking))
+        return Speaking(speech, (), _shown(speaking), lips=speaking.lips)
     if len(speaking.waiting) >= MOST_WAITING:
         raise ValueError(f"{MOST_WAITING} speeches wait already; wait for one to end, or say this without queue")
     return replace(speaking, waiting=(*speaking.waiting, speech))
@@ -121,7 +130,7 @@ def say(speaking: Speaking | None, speech: Speech, *, queue: bool, mouth: tuple[
 
 def stop(speaking: Speaking | None) -> Speaking | None:
     """Nothing is said any more: the mouth goes to rest."""
-    return None if speaking is None else Speaking(None, (), _shown(speaking))
+    return None if speaking is None else Speaking(None, (), _shown(speaking), lips=speaking.lips)
 
 
 def advance_speaking(speaking: Speaking, dt: float) -> Speaking | None:
@@ -132,8 +141,15 @@ def advance_speaking(speaking: Speaking, dt: float) -> Speaking | None:
         late = later.elapsed - (later.track.seconds + max(later.offset, 0.0) + LEAD_SECONDS)
         later = replace(waiting[0], elapsed=waiting[0].elapsed + late) if waiting else None
         waiting = waiting[1:]
-    found = replace(speaking, speech=later, waiting=waiting, since=min(since, RELEASE_SECONDS))
+    lips = speaking.lips + dt / TAKE_SECONDS if speaking.takes_lips else speaking.lips - dt / GIVE_SECONDS
+    lips = min(max(lips, 0.0), 1.0)
+    found = replace(speaking, speech=later, waiting=waiting, since=min(since, RELEASE_SECONDS), lips=lips)
     return None if found.ended else found
+
+
+def share_of_lips(speaking: Speaking) -> float:
+    """How much of the layer of the lips is taken now, 0 to 1."""
+    return _RELEASE.value(speaking.lips)
 
 
 def mouth_of_speaking(speaking: Speaking) -> Values:
@@ -172,6 +188,7 @@ def check_speaking(speaking: Speaking | None) -> Speaking | None:
         raise ValueError(f"a mouth has {len(MOUTH_UNITS)} weights, and at most {MOST_WAITING} speeches wait")
     for weight in speaking.mouth:
         check_within(weight, 0.0, 1.0, "the weight of a mouth")
+    check_within(speaking.lips, 0.0, 1.0, "how far lips are taken")
     check_within(speaking.since, 0.0, FOREVER, "the time since a speech was interrupted (seconds)")
     return speaking
 

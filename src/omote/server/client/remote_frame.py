@@ -4,8 +4,19 @@ from __future__ import annotations
 
 import msgspec
 
-from omote.perform.frame import CallStatus, Frame, Gaze, Head, Held, Home, LayerStatus, MotionSettings, SpeechStatus
-from omote.show.messages import CallState, CharacterState, HeldState, LayerState, State
+from omote.perform.frame import (
+    CallStatus,
+    Frame,
+    Gaze,
+    GazeTarget,
+    Head,
+    Held,
+    Home,
+    LayerStatus,
+    MotionSettings,
+    SpeechStatus,
+)
+from omote.show.messages import CallState, CharacterState, HeldState, LayerState, MotionState, State
 
 
 def frame_in(state: State, character: CharacterState) -> Frame:
@@ -31,8 +42,14 @@ def frame_in(state: State, character: CharacterState) -> Frame:
         layers={layer: layer_status(each) for layer, each in character.layers.items()},
         held=None if character.held is None else held_by_hands(character.held),
         speech=None if character.speech is None else SpeechStatus(**msgspec.structs.asdict(character.speech)),
-        motion=None if character.motion is None else MotionSettings(**msgspec.structs.asdict(character.motion)),
+        motion=None if character.motion is None else motion_settings(character.motion),
     )
+
+
+def motion_settings(motion: MotionState) -> MotionSettings:
+    """What is set of the automatic motion, on the wire, as the engine's."""
+    target = GazeTarget(**msgspec.structs.asdict(motion.target))
+    return MotionSettings(**{**msgspec.structs.asdict(motion), "target": target})
 
 
 def layer_status(layer: LayerState) -> LayerStatus:

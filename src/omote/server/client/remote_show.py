@@ -9,7 +9,7 @@ from typing import TypeVar, get_args
 
 from omote.model.known_names import GENERIC, check_play_region
 from omote.perform.easing import DEFAULT_EASING
-from omote.perform.frame import Frame
+from omote.perform.frame import Frame, check_target_kind
 from omote.perform.layers.layer_names import check_driven, check_layer, check_part
 from omote.perform.limits import check_known
 from omote.perform.scene.character_names import ALL, find_character, framing_of, names_in
@@ -131,9 +131,26 @@ class RemoteCharacter(RemoteSpeech[Sent]):
         gaze: float | None = None,
         breath: float | None = None,
         seed: int | None = None,
+        idle: bool | None = None,
     ) -> Sent:
-        """Sets how much the character moves by itself: 0 nothing, 0.5 as people move, 1 lively; the details 0 to 2."""
-        return self._send(wire.SetMotion(self.name, liveliness, blinks, gaze, breath, seed))
+        """Sets how much the character moves by itself: 0 nothing, 0.5 as people move, 1 lively; the details 0 to 2;
+        idle: whether it moves as people do while its tracker is lost."""
+        return self._send(wire.SetMotion(self.name, liveliness, blinks, gaze, breath, seed, idle=idle))
+
+    def look_at(
+        self,
+        kind: str = "ahead",
+        name: str = "",
+        *,
+        yaw: float = 0.0,
+        pitch: float = 0.0,
+        x: float = 0.0,
+        y: float = 0.0,
+        z: float = 2.0,
+    ) -> Sent:
+        """Chooses whom or what the eyes look at: `ahead`, a `direction` of the house (radians), a `point` (metres), or
+        by name a `gaze_point`, a `character`, the camera of a `stage`."""
+        return self._send(wire.LookAt(self.name, check_target_kind(kind), name, yaw, pitch, x, y, z))
 
     def set_home(self, face: str, *, seconds: float = 2.0) -> Sent:
         """Chooses the face that a second panic brings on air."""
@@ -237,6 +254,15 @@ class RemoteShow(RemoteLeases[Sent]):
         x, depth = here.x if x is None else x, here.depth if depth is None else depth
         size, turn = here.size if size is None else size, here.turn if turn is None else turn
         return self.send(wire.PlaceCharacter(self.find_character(name), x, depth, size, turn, seconds, self.next_id()))
+
+    def set_gaze_point(self, name: str, *, x: float, y: float, z: float) -> Sent:
+        """Names a point of the house that characters may look at, or moves it: metres to the picture's right, above the
+        eyes, before the front line."""
+        return self.send(wire.SetGazePoint(self.next_id(), name, x, y, z))
+
+    def delete_gaze_point(self, name: str) -> Sent:
+        """Forgets a gaze point; who looked at it looks ahead."""
+        return self.send(wire.DeleteGazePoint(self.next_id(), name))
 
     def enter(self, name: str, *, seconds: float = 1.0) -> Sent:
         """Brings a character onto the stage."""

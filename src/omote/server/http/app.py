@@ -13,7 +13,6 @@ from aiohttp import WSCloseCode, WSMsgType, web
 
 from omote.edit.protocol.messages import EDITING_PATH
 from omote.edit.store.on_air_recipes import OnAir, read_on_air
-from omote.inputs.trackers.tracker_protocols import MEDIAPIPE_PATH
 from omote.server.access.access_control import AccessControl
 from omote.server.access.access_guard import guard_access, visitor_in
 from omote.server.access.people_routes import PeopleRoutes
@@ -40,6 +39,7 @@ PAGE_CLOSED = (WSCloseCode.OK, WSCloseCode.GOING_AWAY)
 """How a browser ends the link of a page that is closed or loaded anew."""
 
 Clock = Callable[[], float]
+Respond = Callable[[web.Request], Awaitable[web.StreamResponse]]
 
 
 class Source(Protocol):
@@ -72,7 +72,7 @@ class ShowServer:
         self.sounds = Sounds(session.sounds.set)
         self.device_spoke: Callable[[], None] = lambda: None
         self.oscquery: OscQuery | None = None
-        self._respond_to_trackers: Callable[[web.Request], Awaitable[web.StreamResponse]] | None = None
+        self._heard: dict[str, Respond] = {}
         self._surface_allowed: Callable[[str], bool] = lambda _: False
         self.access: AccessControl | None = None
         self.authority: bytes | None = None
@@ -113,9 +113,9 @@ class ShowServer:
         self._surface_allowed = allowed
         self.oscquery = OscQuery(lambda: (self.session.cast, self._state, tuple(self.session.scene)), port)
 
-    def enable_trackers(self, respond: Callable[[web.Request], Awaitable[web.StreamResponse]]) -> None:
-        """Adds the link of trackers that send by WebSocket."""
-        self._respond_to_trackers = respond
+    def enable_sender(self, path: str, respond: Respond) -> None:
+        """Adds a link by which trackers, cameras or microphones send."""
+        self._heard[path] = respond
 
     def enable_access(self, control: AccessControl | None, authority: bytes | None = None) -> None:
         """Asks for tokens from now on, but for None; authority: the certificate that tablets may install."""
@@ -157,8 +157,8 @@ class ShowServer:
         """Adds what surfaces read, and where trackers send."""
         layout = TouchoscLayout(lambda: (self.session.cast, tuple(self.session.scene)))
         application.router.add_get(TOUCHOSC_PATH, layout.respond)
-        if self._respond_to_trackers is not None:
-            application.router.add_get(MEDIAPIPE_PATH, self._respond_to_trackers)
+        for path, respond in self._heard.items():
+            application.router.add_get(path, respond)
         if self.oscquery is not None:
             self.oscquery.add_routes(application, self.page)
 
@@ -256,7 +256,7 @@ class ShowServer:
         page = self._pages.get(request.path)
         if page is None:
             raise web.HTTPNotFound(
-                text="there is no such page; there are /stage, /console, /devices (dials, pads) and /editor."
+                text="there is no such page; there are /stage, /console, /devices (dials, pads), /microphone and /editor."
             )
         keep = CACHE_FOREVER if page.immutable else NO_CACHE
         return web.Response(body=page.body, content_type=page.content_type, headers={"Cache-Control": keep})

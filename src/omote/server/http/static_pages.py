@@ -13,6 +13,7 @@ PAGES = {
     "/console": "console.html",
     "/devices": "devices.html",
     "/editor": "editor.html",
+    "/microphone": "microphone.html",
 }
 TYPES = {".js": "text/javascript", ".mjs": "text/javascript", ".css": "text/css", ".html": "text/html"}
 

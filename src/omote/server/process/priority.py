@@ -29,6 +29,17 @@ def lower_priority() -> None:
 def waiting_seconds(pid: int) -> float:
     """Seconds that the main thread of a process has been ready and waited for a processor; 0 where the system does not
     tell (macOS), or there is no such process."""
+    return _waited(Path(f"/proc/{pid}/schedstat"))
+
+
+def others_waiting_seconds(pid: int) -> float:
+    """Seconds that the other threads of a process have been ready and waited for a processor, in sum: one of them may
+    hold what the main thread needs (the interpreter's lock), which then waits without being ready; 0 as above."""
+    threads = Path(f"/proc/{pid}/task").glob("*/schedstat")
+    return sum(_waited(each) for each in threads if each.parent.name != str(pid))
+
+
+def _waited(schedstat: Path) -> float:
     with suppress(OSError, ValueError, IndexError):
-        return int(Path(f"/proc/{pid}/schedstat").read_text().split()[1]) / 1e9
+        return int(schedstat.read_text().split()[1]) / 1e9
     return 0.0

@@ -18,16 +18,18 @@ from omote.inputs.bindings.bindings import Bindings
 from omote.inputs.bindings.control_binding import Binding
 from omote.inputs.dmx.dmx_input import DmxInput
 from omote.inputs.face_output.face_target import SURFACE, read_targets
+from omote.inputs.microphone.microphone_messages import MICROPHONE_PATH
 from omote.inputs.osc_input import OscInput
 from omote.inputs.page_devices.binding_commands import BindingCommands
 from omote.inputs.page_devices.input_log import InputLog
 from omote.inputs.page_devices.page_devices import PageDevices
-from omote.inputs.trackers.tracker_protocols import TRACKER_PROTOCOLS
+from omote.inputs.trackers.tracker_protocols import MEDIAPIPE_PATH, TRACKER_PROTOCOLS
 from omote.interchange.formats.error_reasons import explain_error
 from omote.server.access.show_addresses import own_address
 from omote.server.devices.dmx_listener import DmxListener
 from omote.server.devices.face_output import FaceOutput
 from omote.server.devices.mediapipe_link import MediapipeLink
+from omote.server.devices.microphone_link import MicrophoneLink
 from omote.server.devices.osc_listener import OscListener, OscSockets
 from omote.server.devices.page_device_source import PageDeviceSource
 from omote.server.devices.rejection_log import RejectionLog
@@ -37,6 +39,7 @@ from omote.server.persistence.authored_work import AuthoredWork
 from omote.server.supervision.device_sockets import DeviceOptions
 from omote.server.supervision.early_tick import EarlyTicks
 from omote.server.supervision.tracker_sockets import read_trackers
+from omote.show.access.people_list import Visitor
 
 Report = Callable[[str], None]
 
@@ -58,7 +61,9 @@ async def start_devices(
     allowed = allowed.with_host(own_address())  # a desk's program here sends to groups by a network card
     log = RejectionLog(report)
     bindings, commands = _open_bindings(server, options, report)
-    started: list[OscListener | DmxListener | TrackerListener | MediapipeLink | FaceOutput | PageDeviceSource] = []
+    started: list[
+        OscListener | DmxListener | TrackerListener | MediapipeLink | MicrophoneLink | FaceOutput | PageDeviceSource
+    ] = []
     if options.osc is not None:
         connections = None if options.osc_connections is None else _copy(options.osc_connections)
         sockets = OscSockets(_copy(options.osc), connections)
@@ -71,6 +76,8 @@ async def start_devices(
     if options.sacn is not None or options.artnet is not None:
         started.append(_hear_dmx(bindings, options, log, allowed, report))
     started += _open_trackers(server, options, log, allowed)
+    started.append(microphones := MicrophoneLink(lambda: server.session, server.clock, early.note, _holds(server)))
+    server.enable_sender(MICROPHONE_PATH, microphones.respond)
     probes = [probe for each in started for probe in each.probes]
     devices = PageDevices(lambda: server.session, bindings, commands, InputLog(_wall() - server.clock()), probes)
     started.append(PageDeviceSource(devices, lambda: server.session, server.links.answer))
@@ -102,11 +109,16 @@ def _open_trackers(
         started.append(_hear_trackers(server, options, log, allowed))
     if any(wish.protocol.port is None for wish in read_trackers(options.listen)):
         link = MediapipeLink(lambda: server.session, log)
-        server.enable_trackers(link.respond)
+        server.enable_sender(MEDIAPIPE_PATH, link.respond)
         started.append(link)
     if faces := [target for target in read_targets(options.send) if target.protocol != SURFACE]:
         started.append(FaceOutput(faces, lambda: server.session))
     return started
+
+
+def _holds(server: ShowServer) -> Callable[[Visitor], bool]:
+    """Whether somebody's token still counts."""
+    return lambda visitor: server.access is None or server.access.holds(visitor)
 
 
 def _hear_trackers(

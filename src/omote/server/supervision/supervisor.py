@@ -22,7 +22,7 @@ from pathlib import Path
 from types import MappingProxyType
 
 from omote.server.process.notice_board import MOST_NOTICES
-from omote.server.process.priority import raise_priority, waiting_seconds
+from omote.server.process.priority import others_waiting_seconds, raise_priority, waiting_seconds
 from omote.server.process.process_messages import (
     Ended,
     Failover,
@@ -47,6 +47,9 @@ START_SECONDS = 10.0
 END_SECONDS = 3.0
 """How long servers may take to end when told to."""
 WAIT_SECONDS = 0.25
+LONGEST_EXCUSE = 4.0
+"""Seconds of silence at most that the starving of others than a server's main thread excuses: one that hangs on a
+starved machine is found by then."""
 
 Report = Callable[[str], None]
 
@@ -71,19 +74,32 @@ class Server:
     rest: bytes = b""
     heard: float = field(default_factory=time.monotonic)
     waited: float = 0.0
+    locked: float = 0.0
+    late: float = 0.0
 
     def hear(self, now: float) -> None:
         """Notes a sign of life."""
-        self.heard, self.waited = now, self._waiting()
+        self.heard, self.late = now, 0.0
+        self.waited, self.locked = self._waiting()
 
     def hangs(self, now: float) -> bool:
         """Whether it has been silent for too long, without the time in which other programs had all processors: one
-        that takes over would get no more."""
-        silent, most = now - self.heard, HANG_SECONDS if self.playing else START_SECONDS
-        return silent > most and silent - (self._waiting() - self.waited) > most
+        that takes over would get no more.
 
-    def _waiting(self) -> float:
-        return 0.0 if self.pid is None else waiting_seconds(self.pid)
+        That is when its main thread was ready and waited; when another of its threads did, which may hold what the main
+        one needs; and when the supervisor itself came late.
+        """
+        silent, most = now - self.heard, HANG_SECONDS if self.playing else START_SECONDS
+        if silent <= most:
+            return False
+        waited, locked = self._waiting()
+        around = max(0.0, locked - self.locked) + self.late
+        return silent - (waited - self.waited) - min(around, LONGEST_EXCUSE) > most
+
+    def _waiting(self) -> tuple[float, float]:
+        if self.pid is None:
+            return 0.0, 0.0
+        return waiting_seconds(self.pid), others_waiting_seconds(self.pid)
 
 
 class Supervisor:
@@ -149,6 +165,8 @@ class Supervisor:
     def _keep_playing(self, now: float) -> None:
         if self._server is not None and now - self._checked > HANG_SECONDS / 2:
             self._server.hear(now)  # we got no time ourselves, so its silence proves nothing
+        elif self._server is not None:
+            self._server.late += max(0.0, now - self._checked - WAIT_SECONDS)
         self._checked = now
         if self._server is not None and self._server.hangs(now):
             self._report("the server hangs; another one takes over.")

@@ -29,6 +29,7 @@ ROUTES: Mapping[tuple[str, str], AccessRole] = MappingProxyType(
         ("GET", "/mediapipe"): "operate",
         ("POST", "/sounds"): "operate",
         ("GET", "/sounds/{key}"): "view",
+        ("GET", "/voice"): "operate",
         ("GET", "/omote"): "view",
         ("GET", "/omote/{path}"): "view",
         ("GET", "/touchosc/omote.tosc"): "view",
@@ -37,6 +38,7 @@ ROUTES: Mapping[tuple[str, str], AccessRole] = MappingProxyType(
         ("GET", "/console"): "view",
         ("GET", "/editor"): "view",
         ("GET", "/devices"): "view",
+        ("GET", "/microphone"): "view",
         ("GET", "/{page}"): "view",
     }
 )

@@ -54,6 +54,9 @@ FREE: tuple[type[wire.Message], ...] = (
     wire.Say,  # lips are a layer, too, and a gesture is added to what hands hold
     wire.StopSpeaking,
     wire.MakeGesture,
+    wire.LookAt,
+    wire.SetGazePoint,
+    wire.DeleteGazePoint,
     wire.Source,
     wire.Drive,
     wire.LeaveSource,

@@ -10,7 +10,7 @@ import numpy as np
 
 from omote.perform.frame import Gaze, Head
 from omote.perform.layers.layer_names import LAYER_PARTS, RANGES, RULES, LayerName, check_driven
-from omote.perform.layers.source_frame import AUTOMATIC, SourceFrame, check_names, check_smoothing
+from omote.perform.layers.source_frame import AUTOMATIC, SourceFrame, check_names, check_share, check_smoothing
 from omote.perform.limits import CHANNEL_HIGHEST, CHANNEL_LOWEST, check_known, check_within
 from omote.perform.scene.character_names import ALL
 from omote.perform.scene.scene import Scene
@@ -36,7 +36,7 @@ Kept = TypeVar("Kept")
 class OpenSource:
     """A source that is open. who: the client whose link it comes by; sent: its newest values as it sent them; ranging:
     the largest of each since it has been listened to; frames: since the consoles were last told; smoothing:
-    what it asks for itself, seconds."""
+    what it asks for itself, seconds; direct: it is smooth already; share: how much of its layer it takes."""
 
     name: str
     kind: wire.StreamKind
@@ -49,6 +49,8 @@ class OpenSource:
     frames: int = 0
     found: bool = False
     smoothing: float = 0.0
+    direct: bool = False
+    share: float = 1.0
 
 
 class OpenSources:
@@ -94,7 +96,9 @@ class OpenSources:
         measure = measure_of(self._calibrations.get(performer, AS_IT_IS), names)
         index = same[0] if same else self._next()
         smoothing = check_smoothing(asked.smoothing)
-        self._open[index] = OpenSource(asked.name, asked.kind, who, names, performer, measure, smoothing=smoothing)
+        self._open[index] = OpenSource(
+            asked.name, asked.kind, who, names, performer, measure, smoothing=smoothing, direct=asked.direct
+        )
         self._changed = True
         if asked.characters or asked.name not in self._routes:
             layer = self._routes[asked.name].layer if asked.name in self._routes else LAYER_OF[asked.kind]
@@ -118,10 +122,10 @@ class OpenSources:
         self._changed = self._changed or frame.found != source.found
         self._open[frame.index] = OpenSource(
             source.name, source.kind, source.who, source.names, source.performer, source.measure, sent, ranging,
-            source.frames + 1, frame.found, source.smoothing,
+            source.frames + 1, frame.found, source.smoothing, source.direct, _share(frame, source),
         )  # fmt: skip
         if frame.found and sent is not None:
-            self._play(scene, source, sent, head, gaze)
+            self._play(scene, self._open[frame.index], sent, head, gaze)
 
     def end(self, who: str, index: int, scene: Scene) -> None:
         """A source ends: its layers let go. Refusal where this link has none of that index."""
@@ -192,7 +196,7 @@ class OpenSources:
         turned = RULES[route.layer] != "fill"  # what fills closes what is open, and turns nothing
         frame = SourceFrame(
             source.names, values, head if turned else None, gaze if turned else None, True, source.name, route.parts,
-            max(source.smoothing, source.measure.calibration.smoothing),
+            max(source.smoothing, source.measure.calibration.smoothing), source.direct, source.share,
         )  # fmt: skip
         for name in self._driven(scene, source.name):
             scene[name].drive_layer(route.layer, frame)
@@ -277,6 +281,15 @@ def _check(sent: Values, source: OpenSource) -> None:
     if wrong.any():
         place = int(np.argmax(wrong))
         check_within(float(sent[place]), CHANNEL_LOWEST, CHANNEL_HIGHEST, f"{source.names[place]} of {source.name}")
+
+
+def _share(frame: wire.Drive, source: OpenSource) -> float:
+    """How much of its layer a source takes; Refusal where it is not direct and takes less than all: it would jump."""
+    if frame.share != 1.0 and not source.direct:
+        raise Refusal(
+            f"{source.name} takes {frame.share} of its layer; only a source that is direct takes less than 1."
+        )
+    return check_share(frame.share)
 
 
 def _with(kept: Mapping[str, Kept], name: str, value: Kept) -> dict[str, Kept]:

@@ -19,6 +19,7 @@ import type { Topic } from "../store/page_store";
 import { LayerCommands, layerLabel } from "./layer_commands";
 import { style } from "./layer_panel_style";
 import "./layer_fader";
+import "./gaze_target_settings";
 import "./motion_settings";
 import "./source_settings";
 
@@ -75,7 +76,8 @@ export class LayerPanel extends AnimatedElement {
         <header><h2>${layerLabel(this.#shown)}</h2><span class="of">${label}</span>
           <button class="reset" title="Its influence as at first" @click=${() => this.#commands.reset(this.#shown)}>Reset</button>
           <button class="close" aria-label="Close the layers" @click=${this.#close}>Close</button></header>
-        ${this.#parts()} <omote-motion-settings .context=${this.context}></omote-motion-settings> ${this.#sources()}
+        ${this.#parts()} <omote-motion-settings .context=${this.context}></omote-motion-settings>
+        <omote-gaze-target-settings .context=${this.context}></omote-gaze-target-settings> ${this.#sources()}
       </section>`;
   }
 

@@ -1,6 +1,7 @@
 /** What a panic took off the air that can be brought back in one go: sources, liveliness, and faces for the home face. */
 
-import type { CharacterState, State } from "../../link/messages";
+import type { CharacterState, GazeTargetState, State } from "../../link/messages";
+import { AHEAD } from "../layer_panel/gaze_target_commands";
 import type { ConsoleStore } from "../store/console_store";
 import type { Offer, Question } from "../store/page_store";
 import type { Change, Step } from "../store/undo_history";
@@ -93,9 +94,15 @@ function sourcesOf([character, was, now]: Found): (readonly [Change, Change])[] 
   const ended = layers.filter((layer) => was.layers[layer]?.on === true && now.layers[layer]?.on === false);
   const changes = ended.map((layer) => [switched(layer, false), switched(layer, true)] as const);
   const lively = was.motion?.liveliness ?? 0;
-  if (lively === 0 || (now.motion?.liveliness ?? 0) > 0) return changes;
-  return [...changes, [livened(character, 0), livened(character, lively)]];
+  const target = was.motion?.target ?? AHEAD;
+  const [ends, looks] = [lively > 0 && (now.motion?.liveliness ?? 0) === 0, target.kind !== "ahead"];
+  const motion = ends ? [[livened(character, 0), livened(character, lively)] as const] : [];
+  const aside = looks && (now.motion?.target ?? AHEAD).kind === "ahead";
+  const gaze = aside ? [[looking(character, AHEAD), looking(character, target)] as const] : [];
+  return [...changes, ...motion, ...gaze];
 }
+
+const looking = (character: string, target: GazeTargetState): Change => ({ type: "look_at", character, ...target });
 
 const livened = (character: string, liveliness: number): Change => ({
   type: "set_motion",
@@ -105,11 +112,13 @@ const livened = (character: string, liveliness: number): Change => ({
   gaze: null,
   breath: null,
   seed: null,
+  idle: null,
 });
 
 /** Whether a source or the liveliness has been brought back already; also where its character has gone. */
 function isSo(change: Change, { characters }: State): boolean {
   if (change.type === "set_motion") return (characters[change.character]?.motion?.liveliness ?? 1) > 0;
+  if (change.type === "look_at") return (characters[change.character]?.motion?.target.kind ?? "") !== "ahead";
   return change.type !== "set_layer" || characters[change.character]?.layers[change.layer]?.on !== false;
 }
 

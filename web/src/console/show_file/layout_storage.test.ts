@@ -111,6 +111,19 @@ describe("a layout", () => {
     expect(second.store.layout).toEqual(FIRST);
   });
 
+  it("that was chosen last is laid out, whichever answer comes first", async () => {
+    const { store } = consoleOf(new Map());
+    const answers = new Map<string, (document: string | null) => void>();
+    const slow = (name: string) => new Promise<string | null>((answer) => answers.set(name, answer));
+    const layouts = new LayoutStorage(store, DEFAULT_LAYOUT, slow);
+    const [first, second] = [layouts.choose("left"), layouts.choose(DEFAULT_LAYOUT)];
+    answers.get(DEFAULT_LAYOUT)?.(null);
+    expect(await second).toBe("chosen");
+    answers.get("left")?.(written(LEFT));
+    expect(await first).toBe("overtaken");
+    expect([store.layout, layouts.chosen]).toEqual([FIRST, DEFAULT_LAYOUT]);
+  });
+
   it("that cannot be read is told and ignored, and so is a server that does not answer", async () => {
     saved.set(DEFAULT_LAYOUT, "{}");
     const { store, layouts } = consoleOf(new Map());
@@ -168,7 +181,7 @@ describe("a layout", () => {
   it("that another console deleted meanwhile changes nothing", async () => {
     const { store, layouts } = consoleOf(new Map());
     store.arrange(LEFT);
-    expect([await layouts.choose("gone"), layouts.chosen, store.layout]).toEqual([false, DEFAULT_LAYOUT, LEFT]);
+    expect([await layouts.choose("gone"), layouts.chosen, store.layout]).toEqual(["missing", DEFAULT_LAYOUT, LEFT]);
   });
 
   it("goes by the name in the address", () => {

@@ -22,8 +22,12 @@ export const readLayout: ReadLayout = async (name) => {
 /** What this browser keeps. */
 export type OwnStore = Pick<Storage, "getItem" | "setItem">;
 
+/** What has become of a choice: laid out, no such layout, or another was chosen before the show had answered. */
+export type Choice = "chosen" | "missing" | "overtaken";
+
 export class LayoutStorage {
   readonly #key: string;
+  #choices = 0;
 
   constructor(
     private readonly store: ConsoleStore,
@@ -47,13 +51,16 @@ export class LayoutStorage {
     this.store.listen("layout", () => this.#keep());
   }
 
-  /** Lays the console out as it was saved under a name; false: there is none, and the console stays as it is. */
-  async choose(name: string): Promise<boolean> {
+  /** Lays the console out as it was saved under a name; the newest choice wins, in whatever order the answers come. */
+  async choose(name: string): Promise<Choice> {
+    this.#choices += 1;
+    const choice = this.#choices;
     const document = await this.#document(name);
-    if (document === null && name !== DEFAULT_LAYOUT) return false;
+    if (choice !== this.#choices) return "overtaken";
+    if (document === null && name !== DEFAULT_LAYOUT) return "missing";
     this.store.chosenLayout = name;
     this.#apply(document ?? written(FIRST));
-    return true;
+    return "chosen";
   }
 
   /** The names to choose from, the default first. */

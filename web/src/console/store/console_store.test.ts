@@ -41,6 +41,7 @@ const REST: State = {
   light_call: null,
   framing: { "*": 1 },
   framing_call: null,
+  gaze_points: {},
 };
 /** A state in which the first character has something else on air. */
 const withOne = (change: Partial<CharacterState>): State => ({ ...REST, characters: { one: { ...CALM, ...change } } });

@@ -33,7 +33,7 @@ export type GazePart = "yaw" | "pitch";
 export type MotionDetail = "liveliness" | "blinks" | "gaze" | "breath";
 /** As at first: nothing moves by itself. */
 export const STILL: Readonly<Record<MotionDetail, number>> = { liveliness: 0, blinks: 1, gaze: 1, breath: 1 };
-const UNSET = { liveliness: null, blinks: null, gaze: null, breath: null, seed: null };
+const UNSET = { liveliness: null, blinks: null, gaze: null, breath: null, seed: null, idle: null };
 export const HEAD: readonly HeadPart[] = ["yaw", "pitch", "roll"];
 export const GAZE: readonly GazePart[] = ["yaw", "pitch"];
 

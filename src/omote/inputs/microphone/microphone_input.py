@@ -1,0 +1,198 @@
+"""Microphones at a show session: sound and times in; each is a source of the kind *lips*, driven once a tick."""
+
+from __future__ import annotations
+
+from collections import deque
+from collections.abc import Callable
+from dataclasses import dataclass, field
+
+from omote.inputs.microphone.microphone_messages import (
+    Begin,
+    Measured,
+    MicrophoneError,
+    Rejected,
+    Sentence,
+    Sound,
+    Speak,
+    ToMicrophone,
+    Voice,
+    read_message,
+)
+from omote.inputs.microphone.sound_features import SAMPLE_RATE, read_pcm
+from omote.inputs.microphone.spoken_mouth import SpokenMouth
+from omote.inputs.microphone.viseme_frame import VisemeFrame
+from omote.inputs.microphone.viseme_network import VisemeNetwork, load_network
+from omote.inputs.microphone.voice_visemes import VoiceVisemes
+from omote.perform.speech.visemes import SIL, VISEMES, speech_frame
+from omote.show import messages as wire
+from omote.show.session import ShowSession
+from omote.show.sources.open_sources import LAYER_OF
+
+MOST_MICROPHONES = 8
+MOST_WAITING = 0.25
+"""Seconds of sound that wait for a tick; what is older is left out, for a mouth that is late is worse than one that
+misses a sound."""
+PAUSE_SECONDS = 0.15
+"""Without a packet, after which the voice counts as silent."""
+LET_GO_SECONDS = 1.0
+"""Without a packet, after which the source says that it hears nobody."""
+KIND: wire.StreamKind = "lips"
+
+
+@dataclass
+class Microphone:
+    """One microphone. who: its client at the session; heard, rested: when sound came, and when the mouth went on."""
+
+    who: str
+    name: str
+    voice: VoiceVisemes
+    mouth: SpokenMouth = field(default_factory=SpokenMouth)
+    waiting: deque[Sound] = field(default_factory=deque)
+    names: tuple[str, ...] = ()
+    index: int | None = None
+    newest: VisemeFrame | None = None
+    heard: float = 0.0
+    rested: float = 0.0
+    sent: float = 0.0
+
+
+class MicrophoneInput:
+    """All microphones of a show. rejected: how much was not obeyed."""
+
+    def __init__(self, session: Callable[[], ShowSession], network: VisemeNetwork | None = None) -> None:
+        self._session, self._network = session, network
+        self._open: dict[str, Microphone] = {}
+        self.rejected = 0
+
+    def __len__(self) -> int:
+        return len(self._open)
+
+    def hear(self, who: str, data: bytes, now: float) -> list[ToMicrophone]:
+        """Does what a page says; its sound is played at the next tick. Returns what the page is told."""
+        try:
+            message = read_message(data)
+            return self._begin(who, message, now) if isinstance(message, Begin) else self._obey(who, message, now)
+        except MicrophoneError as error:
+            self.rejected += 1
+            return [Rejected(str(error))]
+
+    def leave(self, who: str) -> None:
+        """A page has gone: its layer lets go."""
+        if self._open.pop(who, None) is not None:
+            self._session().leave(who)
+
+    def play(self, now: float) -> list[tuple[str, Rejected]]:
+        """Drives the session by what has come since the last tick; returns what pages are told."""
+        told = []
+        for who, microphone in list(self._open.items()):
+            _go_on(microphone, now)
+            told += [(who, Rejected(reason)) for reason in self._drive(microphone, now)]
+        self.rejected += len(told)
+        return told
+
+    def voice(self, who: str) -> Voice | None:
+        """What a page is told of its microphone; None of one that has not begun."""
+        microphone = self._open.get(who)
+        if microphone is None:
+            return None
+        newest, session = microphone.newest, self._session()
+        return Voice(
+            level=round(microphone.voice.level, 1),
+            speaks=0.0 if newest is None else round(newest.speaks, 2),
+            viseme=VISEMES[SIL] if newest is None else newest.strongest,
+            characters=list(session.sources.route(microphone.name).characters),
+            there={name: session.scene.labels.get(name, name) for name in session.scene},
+            calibrated=microphone.voice.profile is not None,
+            calibrating=microphone.voice.calibrating,
+            sent=microphone.sent,
+        )
+
+    def _of(self, who: str) -> Microphone:
+        if who not in self._open:
+            raise MicrophoneError("the microphone has no name yet: send begin first")
+        return self._open[who]
+
+    def _begin(self, who: str, asked: Begin, now: float) -> list[ToMicrophone]:
+        """A microphone begins, or goes on under another name."""
+        if who not in self._open and len(self._open) >= MOST_MICROPHONES:
+            raise MicrophoneError(f"{MOST_MICROPHONES} microphones are open already; close one first")
+        self._network = self._network or load_network()
+        voice = VoiceVisemes(self._network, asked.profile)
+        self.leave(who)
+        self._open[who] = Microphone(who, asked.name, voice, heard=now, rested=now)
+        self._session().join(who, asked.name[:24])
+        return []
+
+    def _obey(self, who: str, message: Sentence | Speak | Sound, now: float) -> list[ToMicrophone]:
+        microphone = self._of(who)
+        if isinstance(message, Sound):
+            _wait(microphone, message, now)
+            return []
+        if isinstance(message, Speak):
+            characters = [message.character] if message.character else []
+            call = wire.RouteSource(f"voice {who} {now}", microphone.name, characters, LAYER_OF[KIND], [])
+            answers = self._session().receive(who, call, now)
+            return [Rejected(a.message.reason) for a in answers if isinstance(a.message, wire.Refused)]
+        if message.step == "start":
+            microphone.voice.start_sentence()
+            return []
+        if message.step == "forget":
+            microphone.voice = VoiceVisemes(self._network or load_network())
+            return [Measured([], 0.0)]
+        try:
+            profile = microphone.voice.finish_sentence()
+        except ValueError as error:
+            raise MicrophoneError(str(error)) from error
+        return [Measured(list(profile.bands), profile.level)]
+
+    def _drive(self, microphone: Microphone, now: float) -> list[str]:
+        """Sends the mouth to the session; returns the reasons of rejections."""
+        session = self._session()
+        names = session.cast.expressions
+        if microphone.who not in session.crew:
+            session.join(microphone.who, microphone.name[:24])
+            microphone.index = None
+        frame = speech_frame(microphone.mouth.mouth, names, source=microphone.name)
+        if microphone.index is None or frame.names != microphone.names:
+            answers = session.receive(microphone.who, self._source(session, microphone, frame.names), now)
+            found = [answer.message for answer in answers if isinstance(answer.message, wire.SourceIs)]
+            if not found:
+                return [answer.message.reason for answer in answers if isinstance(answer.message, wire.Refused)]
+            microphone.index, microphone.names = found[0].index, frame.names
+        values = frame.values.astype("<f4").tobytes()
+        hears = now - microphone.heard < LET_GO_SECONDS
+        drive = wire.Drive(microphone.index, values, found=hears, share=microphone.mouth.share)
+        answers = session.receive(microphone.who, drive, now)
+        return [answer.message.reason for answer in answers if isinstance(answer.message, wire.Refused)]
+
+    def _source(self, session: ShowSession, microphone: Microphone, names: tuple[str, ...]) -> wire.Source:
+        """The source of a microphone. One that comes for the first time speaks through the character of a show that
+        has one, if no other voice does."""
+        characters = list(session.scene)
+        known = microphone.name in session.sources.snapshot().routes
+        driven = any(each.characters and each.layer == LAYER_OF[KIND] for each in session.sources.states({}))
+        alone = characters if len(characters) == 1 and not known and not driven else []
+        return wire.Source(microphone.name, KIND, list(names), alone, direct=True)
+
+
+def _wait(microphone: Microphone, sound: Sound, now: float) -> None:
+    """Keeps sound for the next tick."""
+    microphone.waiting.append(sound)
+    microphone.heard = now
+    while sum(len(each.samples) for each in microphone.waiting) > 2 * MOST_WAITING * SAMPLE_RATE:
+        microphone.waiting.popleft()
+
+
+def _go_on(microphone: Microphone, now: float) -> None:
+    """Reads what has come; the mouth goes to rest where nothing comes."""
+    if microphone.waiting:
+        microphone.rested = now
+    while microphone.waiting:
+        packet = microphone.waiting.popleft()
+        frames = microphone.voice.push(read_pcm(packet.samples))
+        microphone.mouth.follow(frames)
+        microphone.newest = frames[-1] if frames else microphone.newest
+        microphone.sent = packet.sent
+    if now - microphone.heard > PAUSE_SECONDS:
+        microphone.mouth.rest(max(0.0, now - microphone.rested))
+        microphone.rested, microphone.newest = now, None

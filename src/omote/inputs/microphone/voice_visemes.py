@@ -1,0 +1,108 @@
+"""A voice as it comes in, as visemes: features, the network, and a gate that opens for speech alone."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from omote.inputs.microphone.sound_features import (
+    BANDS,
+    FRAME_SECONDS,
+    HOP,
+    SAMPLE_RATE,
+    WINDOW,
+    FeatureStream,
+    FloatArray,
+    SoundFeatures,
+)
+from omote.inputs.microphone.speaker_profile import SpeakerProfile, SpeakerState, measure_speaker
+from omote.inputs.microphone.viseme_frame import VisemeFrame
+from omote.inputs.microphone.viseme_network import (
+    AHEAD,
+    FRAME_INPUTS,
+    HISTORY,
+    VisemeNetwork,
+    frame_inputs,
+    stack_frames,
+)
+from omote.perform.speech.visemes import PP
+
+DELAY_SECONDS = AHEAD * FRAME_SECONDS + 0.5 * WINDOW / SAMPLE_RATE
+"""How far a decision is behind the sound: the frames that it waits for, and half a window."""
+MARGIN, CERTAIN = 4.0, 9.0
+"""dB above the noise at which sound begins to count as speech, and does in full."""
+LIPS_SHUT = 1.6
+"""How much more a bilabial counts than the network says: lips that miss a closure are seen, those that close too
+often are not."""
+LONGEST_SENTENCE = 15.0
+"""Seconds of a calibration that are kept."""
+
+
+class VoiceVisemes:
+    """One voice. level: dB of full scale of the newest frame; calibrating: whether a sentence is being measured."""
+
+    def __init__(self, network: VisemeNetwork, profile: SpeakerProfile | None = None) -> None:
+        self._network = network
+        self.profile = profile
+        self._features, self._speaker = FeatureStream(), SpeakerState(profile)
+        self._frames = np.zeros((HISTORY - 1, FRAME_INPUTS), np.float32)
+        self._floors = np.zeros((HISTORY - 1, BANDS), np.float32)
+        self._levels = np.full(AHEAD, -200.0, np.float32)
+        self._heard = 0
+        self._sentence: list[SoundFeatures] | None = None
+        self.level = -100.0
+
+    @property
+    def calibrating(self) -> bool:
+        """Whether a sentence is being measured."""
+        return self._sentence is not None
+
+    @property
+    def loudness(self) -> float:
+        """dB of the speaker's speech so far."""
+        return self._speaker.level
+
+    def push(self, samples: FloatArray) -> list[VisemeFrame]:
+        """The visemes of the frames that these samples (-1..1, 16 kHz) complete; a decision is `DELAY_SECONDS` late."""
+        sound = self._features.push(samples)
+        if not len(sound):
+            return []
+        self.level = float(sound.level[-1])
+        if self._sentence is not None and len(self._sentence) * HOP < LONGEST_SENTENCE * SAMPLE_RATE:
+            self._sentence.append(sound)
+        frames, floors = frame_inputs(sound, self._speaker)
+        self._frames = np.concatenate([self._frames, frames])
+        self._floors = np.concatenate([self._floors, floors])
+        shares = self._network.run(stack_frames(self._frames, self._floors))
+        self._frames, self._floors = self._frames[1 - HISTORY :], self._floors[1 - HISTORY :]
+        self._levels = np.concatenate([self._levels, sound.level])
+        decided, self._levels = self._levels[: len(sound)], self._levels[len(sound) :]
+        return [self._frame(share, level) for share, level in zip(shares, decided.tolist(), strict=True)]
+
+    def start_sentence(self) -> None:
+        """Measures the speaker from now on."""
+        self._sentence = []
+
+    def finish_sentence(self) -> SpeakerProfile:
+        """The profile of the speaker, which counts from now on; ValueError where no sentence was heard."""
+        sentence, self._sentence = self._sentence or [], None
+        parts = [np.concatenate([getattr(s, name) for s in sentence] or [_NONE[name]]) for name in _NONE]
+        self.profile = measure_speaker(SoundFeatures(*parts))
+        floor, level = self._speaker.floor, self._speaker.floor_level
+        self._speaker = SpeakerState(self.profile)
+        self._speaker.floor, self._speaker.floor_level = floor, level
+        return self.profile
+
+    def _frame(self, shares: FloatArray, level: float) -> VisemeFrame:
+        self._heard += 1
+        opened = (level - self._speaker.floor_level - MARGIN) / (CERTAIN - MARGIN)
+        weights = shares.astype(float)
+        weights[PP] *= LIPS_SHUT
+        weights /= weights.sum()
+        return VisemeFrame(self._heard * FRAME_SECONDS, tuple(weights.tolist()), level, min(max(opened, 0.0), 1.0))
+
+
+_NONE = {
+    "bands": np.zeros((0, BANDS), np.float32),
+    "level": np.zeros(0, np.float32),
+    "voicing": np.zeros(0, np.float32),
+}

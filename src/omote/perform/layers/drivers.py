@@ -1,0 +1,113 @@
+"""Who drives which part of a layer: several sources share one, each in the parts where it may play."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+from omote.perform.frame import with_fields
+from omote.perform.layers.columns import Columns
+from omote.perform.layers.layer_names import LAYER_PARTS, WHOLE, LayerPart
+from omote.perform.layers.source_frame import AUTOMATIC, LOSS_SECONDS, SourceFrame
+
+Owners = tuple[str | None, ...]
+"""Of each part, and of what acts on the whole face, the name of a source; None where none plays."""
+NOBODY: Owners = (None,) * (WHOLE + 1)
+STEADY_SECONDS = 0.5
+"""Of frames without a gap, after which a source is followed as fast as its layer is."""
+GAP_SECONDS = 0.2
+"""Of silence, after which it no longer counts as steady: what comes then may be a jump."""
+
+
+@dataclass(frozen=True)
+class Driver:
+    """What drives a layer: a source with its channels. silent: seconds since it was last found, no more than count.
+
+    leaves: it has gone. steady: seconds since its frames come without a gap, no more than count. share: how much of its
+    layer it takes.
+    """
+
+    source: str
+    names: tuple[str, ...]
+    head: bool = False
+    gaze: bool = False
+    parts: tuple[LayerPart, ...] = LAYER_PARTS
+    silent: float = 0.0
+    leaves: bool = False
+    smoothing: float = 0.0
+    steady: float = 0.0
+    share: float = 1.0
+
+    @property
+    def is_trusted(self) -> bool:
+        """Whether its layer goes to where it can be seen."""
+        return self.silent < LOSS_SECONDS and not self.leaves
+
+
+def driver_of(frame: SourceFrame) -> Driver:
+    """What drives a layer by such frames."""
+    return Driver(
+        frame.source, frame.names, frame.head is not None, frame.gaze is not None, frame.parts,
+        smoothing=frame.smoothing, share=frame.share,
+    )  # fmt: skip
+
+
+def find_driver(drivers: Sequence[Driver], source: str) -> Driver | None:
+    """The driver of a source, None where it drives none of these."""
+    return next((each for each in drivers if each.source == source), None)
+
+
+def fits(driver: Driver, frame: SourceFrame) -> bool:
+    """Whether a frame comes from what drives the layer already, with the same channels for the same parts."""
+    same = frame.names is driver.names or frame.names == driver.names
+    turns = (frame.head is not None, frame.gaze is not None) == (driver.head, driver.gaze)
+    return same and (turns or not frame.found) and (frame.source, frame.parts) == (driver.source, driver.parts)
+
+
+def parts_of(driver: Driver, columns: Columns) -> tuple[LayerPart, ...]:
+    """The parts of the face that it plays: those where its channels act, as far as it may."""
+    places = {int(place) for place in columns.parts[columns.places(driver.names)]}
+    if WHOLE in places:
+        places |= set(range(4))
+    plays = {part for place, part in enumerate(LAYER_PARTS) if place in places}
+    plays |= {"head"} if driver.head else set()
+    plays |= {"gaze"} if driver.gaze else set()
+    return tuple(part for part in driver.parts if part in plays)
+
+
+def owners_of(drivers: Sequence[Driver], columns: Columns) -> Owners:
+    """Who has each part of a layer: of those that play it and are not lost, the one that may play the fewest parts, of
+    equals the newest. What acts on the whole face is of the one that has the most regions."""
+    owners = list(NOBODY)
+    ranked = sorted((each for each in drivers if each.is_trusted), key=lambda each: -len(each.parts))
+    for driver in ranked:
+        for part in parts_of(driver, columns):
+            owners[LAYER_PARTS.index(part)] = driver.source
+    regions = owners[:4]
+    whole = [each.source for each in ranked if WHOLE in columns.parts[columns.places(each.names)]]
+    owners[WHOLE] = max(
+        (each for each in reversed(whole) if each in regions), key=lambda each: regions.count(each), default=None
+    )
+    return tuple(owners)
+
+
+def with_driver(drivers: Sequence[Driver], driver: Driver) -> tuple[Driver, ...]:
+    """The drivers with one more, the newest last; one of the same source and parts keeps its place. A character's own
+    motion makes way for any other."""
+    others = [each for each in drivers if each.source != AUTOMATIC or driver.source == AUTOMATIC]
+    before = find_driver(others, driver.source)
+    if before is not None and before.parts == driver.parts and not before.leaves:
+        return tuple(driver if each is before else each for each in others)
+    return (*(each for each in others if each is not before), driver)
+
+
+def replace_driver(drivers: Sequence[Driver], driver: Driver) -> tuple[Driver, ...]:
+    """The drivers with another state of one of them."""
+    return tuple(driver if each.source == driver.source else each for each in drivers)
+
+
+def advance_driver(driver: Driver, dt: float) -> Driver:
+    """A driver `dt` seconds later."""
+    silent = min(driver.silent + dt, LOSS_SECONDS)
+    steady = min(driver.steady + dt, STEADY_SECONDS) if silent < GAP_SECONDS else 0.0
+    return with_fields(driver, silent=silent, steady=steady)

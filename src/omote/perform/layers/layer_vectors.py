@@ -1,0 +1,117 @@
+"""The state of a character's layers: every follower in one vector, what an operator has chosen, who drives what."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass, field, replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from omote.model.known_names import PLAY_REGIONS
+from omote.perform.frame import Held
+from omote.perform.layers.columns import Columns, HasExpressions, make_columns, moved_to
+from omote.perform.layers.drivers import NOBODY, Driver, Owners
+from omote.perform.layers.follower import Values
+from omote.perform.layers.layer_names import DRIVEN, LAYER_PARTS, LAYERS, WHOLE, LayerName, LayerSetting
+
+
+@dataclass(frozen=True, eq=False)
+class Layers:
+    """All layers of a character; the vectors hold every follower, in the order of `columns`, and are never changed.
+
+    drivers: the sources of each layer. owners: who has each part of it now; followed: whose frames each part shows,
+    which is another as long as one lets go. calm: nothing plays below the hands, so that they are immediate.
+    """
+
+    columns: Columns
+    goal: Values
+    first: Values
+    second: Values
+    settings: Mapping[LayerName, LayerSetting]
+    drivers: Mapping[LayerName, tuple[Driver, ...]]
+    held: Held
+    calm: bool = True
+    owners: Mapping[LayerName, Owners] = field(default_factory=dict)
+    followed: Mapping[LayerName, Owners] = field(default_factory=dict)
+
+
+def trust_of(layers: Layers, layer: LayerName) -> Values:
+    """How far each part of a layer, and what acts on the whole face, is trusted now."""
+    return np.asarray(layers.columns.rows(layers.second, "trust")[DRIVEN.index(layer)])
+
+
+def columns_of_source(layers: Layers, layer: LayerName, source: str) -> NDArray[np.bool_]:
+    """The columns of a layer that show the frames of a source."""
+    return np.asarray(places_of_source(layers, layer, source)[layers.columns.parts])
+
+
+def places_of_source(layers: Layers, layer: LayerName, source: str) -> NDArray[np.bool_]:
+    """The parts of a layer, and what acts on the whole face (7), that show the frames of a source."""
+    return np.array([each == source for each in layers.followed.get(layer, NOBODY)])
+
+
+def trust_goal(layers: Layers) -> list[list[float]]:
+    """Where the trust of each part of each driven layer goes: to 1 where it shows whom it belongs to."""
+    found = []
+    for layer in DRIVEN:
+        owners, followed = layers.owners.get(layer, NOBODY), layers.followed.get(layer, NOBODY)
+        found.append([float(one is not None and one == other) for one, other in zip(owners, followed, strict=True)])
+    return found
+
+
+def share_goal(layers: Layers) -> Values:
+    """All goals with those of the shares as they are set: of what acts on the whole face the mean of its regions."""
+    goal = layers.goal.copy()
+    shares = layers.columns.rows(goal, "share")
+    for row, layer in enumerate(LAYERS):
+        setting = layers.settings[layer]
+        parts = [setting.influence[part] if setting.on else 0.0 for part in LAYER_PARTS]
+        followed = layers.followed.get(layer, NOBODY)
+        same = [layer not in DRIVEN or followed[place] == followed[WHOLE] for place in range(len(PLAY_REGIONS))]
+        whole = [part if of_it else 0.0 for part, of_it in zip(parts[: len(PLAY_REGIONS)], same, strict=True)]
+        shares[row] = [*parts, (whole[0] + whole[1] + whole[2] + whole[3]) / len(PLAY_REGIONS)]
+    return goal
+
+
+def with_share_goal(layers: Layers) -> Layers:
+    """The layers on their way to the shares that are set."""
+    return _woken(replace(layers, goal=share_goal(layers)))
+
+
+def plays(layers: Layers) -> bool:
+    """Whether anything below the hands shows, or is about to."""
+    settings, columns = layers.settings, layers.columns
+    if any(settings[layer].plays and any(d.is_trusted for d in each) for layer, each in layers.drivers.items()):
+        return True
+    trust = columns.rows(layers.second, "trust") + columns.rows(layers.goal, "trust")
+    rows = [LAYERS.index(layer) for layer in DRIVEN]
+    shares = (columns.rows(layers.second, "share") + columns.rows(layers.goal, "share"))[rows]
+    return bool(((shares != 0.0) & (trust != 0.0)).any())
+
+
+def with_names(cast: HasExpressions, layers: Layers, names: Iterable[str]) -> Layers:
+    """The layers with columns for these channels too."""
+    if layers.columns.index.keys() >= set(names):
+        return layers
+    return under(layers, make_columns(cast, (*layers.columns.names, *names)))
+
+
+def under(layers: Layers, columns: Columns) -> Layers:
+    """The layers under other columns: every follower keeps where it is."""
+    goal, first, second = (
+        moved_to(each, layers.columns, columns) for each in (layers.goal, layers.first, layers.second)
+    )
+    return replace(layers, columns=columns, goal=goal, first=first, second=second)
+
+
+def _woken(layers: Layers) -> Layers:
+    """What goes anywhere is no longer calm; shares of parts that nothing plays yet are there at once."""
+    shares = layers.columns.rows(layers.goal, "share")
+    first, second = layers.first.copy(), layers.second.copy()
+    for row, layer in enumerate(LAYERS):
+        if layer in DRIVEN:
+            unseen = trust_of(layers, layer) == 0.0
+            for vector in (first, second):
+                np.copyto(layers.columns.rows(vector, "share")[row], shares[row], where=unseen)
+    return replace(layers, first=first, second=second, calm=layers.calm and not plays(layers))

@@ -1,0 +1,125 @@
+"""Which viseme a phone looks like: IPA as espeak-ng writes it, and the names that festival's and flite's voices use."""
+
+from __future__ import annotations
+
+import re
+
+from omote.perform.speech.visemes import VISEMES
+
+Shapes = tuple[str, ...]
+"""Visemes of a phone, one after the other; two of a diphthong, none where the phone takes the shape of its neighbours."""
+
+_CONSONANTS = {
+    "PP": "p b m ɓ ɸ β",
+    "FF": "f v ʋ ɱ",
+    "TH": "θ ð",
+    "DD": "t d ʈ ɖ ɗ ɾ ɟ c ʔd",
+    "kk": "k g ɡ ŋ x ɣ q χ ɠ ʁ ʀ ɰ ɢ ħ ʕ",
+    "CH": "tʃ dʒ ʃ ʒ tɕ dʑ ɕ ʑ ʂ ʐ tʂ dʐ ç ʝ",
+    "SS": "s z ts dz",
+    "nn": "n l ɲ ʎ ɳ ɫ ɭ ɬ",
+    "RR": "r ɹ ɻ ɚ ɝ ɽ",
+    "U": "w ɥ",
+    "I": "j",
+}
+_VOWELS = {
+    "aa": "a ɑ ɐ ʌ æ ɒ̃ ɑ̃",
+    "E": "e ɛ ə ɜ ɘ ɛ̃ ẽ ɤ œ̃",
+    "I": "i ɪ ɨ ɯ ĩ ᵻ",
+    "O": "o ɔ ɒ õ ɔ̃ œ ø ɵ",
+    "U": "u ʊ y ʏ ʉ ũ",
+}
+_IPA = {phone: shape for table in (_CONSONANTS, _VOWELS) for shape, phones in table.items() for phone in phones.split()}
+_MARKS = re.compile("[ːˑˈˌʰʲʷˤ̩̯̪̝̞̃ˠ'ˀ̥̬̟̠̤̰~.|\u200d͡0-9-]")
+_PHONES = sorted(_IPA, key=len, reverse=True)
+
+_RADIO = {  # of the English voices
+    "PP": "p b m em",
+    "FF": "f v",
+    "TH": "th dh",
+    "DD": "t d dx",
+    "kk": "k g ng",
+    "CH": "ch jh sh zh",
+    "SS": "s z",
+    "nn": "n l el en nx",
+    "RR": "r er axr",
+    "U": "w uw uh",
+    "I": "y iy ih ix",
+    "aa": "aa ae ah",
+    "E": "eh ax",
+    "O": "ao",
+    "aa I": "ay",
+    "E I": "ey",
+    "O I": "oy",
+    "O U": "ow",
+    "aa U": "aw",
+}
+_LATIN = {  # of the other voices; what is missing stays without a viseme
+    "PP": "p b m pp bb mm b^",
+    "FF": "f v ff vv",
+    "TH": "T D",
+    "DD": "t d tt dd d' t' dy ty d^",
+    "kk": "k g kk gg ng N x G kh gh",
+    "CH": "ch dz^ c^ s^ z^ S Z sh zh tS dZ ts^ zz",
+    "SS": "s z ts dz ss c",
+    "nn": "n l nn ll n~ n* L J gn ny n^ ly",
+    "RR": "r rr r^",
+    "I": "j i I i1 yy y^",
+    "U": "w u u1 U uu",
+    "aa": "a a1 aa A",
+    "E": "e e1 E E1 ax ee ae @",
+    "O": "o o1 O O1 oo",
+}
+_CYRILLIC = {**_LATIN, "CH": "ch sh sch zh", "SS": "s z c", "kk": "k g h", "I": "i ii y j yy", "FF": "f v"}
+_FINNISH = {**_LATIN, "U": "u y w", "O": "o 7", "aa": "a @", "E": "e", "I": "i j"}
+_CZECH = {**_LATIN, "CH": "c~ s~ z~ r~ r~*", "SS": "s z c dz", "kk": "k g ch n*", "nn": "n l n~", "DD": "t d t~ d~"}
+
+
+def _by_name(table: dict[str, str]) -> dict[str, Shapes]:
+    return {name: tuple(shapes.split()) for shapes, names in table.items() for name in names.split()}
+
+
+NAMED = {name: _by_name(table) for name, table in
+         {"radio": _RADIO, "latin": _LATIN, "russian": _CYRILLIC, "finnish": _FINNISH, "czech": _CZECH}.items()}  # fmt: skip
+SILENT = {"", "pau", "#", "sil", "brth", "_", "_:", "h#", "ssil"}
+
+
+def shapes_of_ipa(phone: str) -> Shapes | None:
+    """The visemes of a phone in IPA; ("sil",) of a pause, () of one without a shape of its own (h, a glottal stop),
+    None of one that is unknown."""
+    rest = _MARKS.sub("", phone)
+    if not rest.strip("_: "):
+        return ("sil",)
+    found: list[str] = []
+    while rest:
+        match = next((each for each in _PHONES if rest.startswith(each)), None)
+        if match is None:
+            if rest[0] not in "hɦʔ":
+                return None
+            rest = rest[1:]
+            continue
+        found.append(_IPA[match])
+        rest = rest[len(match) :]
+    return tuple(found[:2])
+
+
+def shapes_of_name(phone_set: str, name: str) -> Shapes | None:
+    """The visemes of a phone by its name in a voice's phone set ("radio", "latin", "russian", "finnish", "czech")."""
+    if name in SILENT:
+        return ("sil",)
+    table = NAMED[phone_set]
+    plain = name.rstrip(":")
+    return table.get(plain) or table.get(plain.lower()) or (() if plain in ("h", "hh", "hv") else None)
+
+
+_VOICELESS = ("p", "t", "k", "f", "s", "ʃ", "x", "h", "θ", "ç", "c", "q", "χ", "ħ", "ɕ", "ʂ", "hh", "th", "sh", "ch")
+_VOICED_NAMES = ("dh", "jh", "zh")
+
+
+def is_voiced(name: str) -> bool:
+    """Whether vocal cords swing in a phone, by its name in IPA or in the English voices' phone set."""
+    plain = _MARKS.sub("", name)
+    return plain not in SILENT and (plain in _VOICED_NAMES or not plain.startswith(_VOICELESS))
+
+
+assert {shape for shapes in (*_CONSONANTS, *_VOWELS) for shape in shapes.split()} <= set(VISEMES)
