@@ -23,7 +23,7 @@ def test_trackers_are_read_opened_and_printed(capsys: pytest.CaptureFixture[str]
     assert capsys.readouterr().out == ""
 
 
-@pytest.mark.parametrize("text", ["vcm", "vmc@10.0.0.7"])
+@pytest.mark.parametrize("text", ["vcm", "mediapipe@10.0.0.7"])
 def test_what_is_no_tracker_ends_the_command(text: str, capsys: pytest.CaptureFixture[str]) -> None:
     with pytest.raises(typer.Exit):
         read_options("off", None, "", text)

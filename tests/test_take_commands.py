@@ -7,7 +7,10 @@ import pytest
 from typer.testing import CliRunner
 
 from omote.cli import app
+from omote.inputs.takes.packet_capture import Packet, encode_capture
+from omote.take_commands import read_take
 from tests.inputs.takes.test_live_link_take import HEADER, row
+from tests.inputs.trackers.packets import live_link_face
 
 
 @pytest.mark.parametrize(
@@ -35,3 +38,23 @@ def test_a_show_that_is_not_there_is_said(tmp_path: Path, monkeypatch: pytest.Mo
         done = CliRunner().invoke(app, ["play-take", str(path), "--show", f"http://127.0.0.1:{taken.getsockname()[1]}"])
     assert done.exit_code == 1
     assert "no show" in done.stderr
+
+
+def test_a_take_is_recorded_by_name_and_read_by_its_suffix(tmp_path: Path) -> None:
+    path = tmp_path / "take.pcap"
+    packets = [Packet(0.1 * count, "10.0.0.7", 11111, live_link_face([0.25] * 61)) for count in range(3)]
+    path.write_bytes(b"".join(encode_capture(packets)))
+    assert len(read_take(path).times) == 3
+    for word, said in (("mediapipe", "cannot be recorded"), ("vcm", "vmc")):
+        done = CliRunner().invoke(app, ["record-take", str(path), "--listen", word])
+        assert done.exit_code == 1
+        assert said in done.stderr
+
+
+def test_a_capture_that_cannot_be_read_is_said(tmp_path: Path) -> None:
+    path = tmp_path / "take.pcap"
+    path.write_bytes(b"hello")
+    done = CliRunner().invoke(app, ["play-take", str(path)])
+    assert done.exit_code == 1
+    assert "take.pcap" in done.stderr
+    assert "no capture" in done.stderr

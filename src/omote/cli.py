@@ -15,7 +15,7 @@ from omote.access_commands import access_app
 from omote.file_commands import file_app
 from omote.picture_commands import ShowOption, grid, redraw, render
 from omote.show_command import show
-from omote.take_commands import play_take
+from omote.take_commands import play_take, record_take
 from omote.terminal import complete_name, exit_on_refusal, fail, fail_with, say
 
 if TYPE_CHECKING:
@@ -72,6 +72,7 @@ app.command()(render)
 app.command()(grid)
 app.command()(redraw)
 app.command("play-take")(play_take)
+app.command("record-take")(record_take)
 
 
 @app.command()

@@ -227,13 +227,20 @@ def announce(
         typer.echo(f"  OSC      port {number}")
         if find is not None and stack is not None:
             start_announcement(stack, host, port, number, find)
-    print_trackers(trackers, allow)
+    print_trackers(trackers, allow, phone_address(people, addresses[-1]))
     if people is not None:
         say_who_is_heard(allow, heard)
     typer.echo("  Ctrl-C ends the show.")
     if browser and has_screen():
         for page in own_entries(local_address(host, port, scheme), people):
             webbrowser.open(page)
+
+
+def phone_address(people: People | None, base: str) -> str:
+    """Where a phone reads what to type into a tracker's app; "" where only this machine reaches the show."""
+    from omote.server.access.phone_page import PHONE_PATH, goal_address
+
+    return "" if people is None else goal_address(base, PHONE_PATH, "view", people)
 
 
 def say_who_is_heard(allow: str, heard: Sequence[str]) -> None:

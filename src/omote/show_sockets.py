@@ -21,8 +21,8 @@ def read_options(sacn: str, bindings: Path | None, allow: str, listen: str = "",
     """What the operator asks for of devices, validated; ends the command where it cannot be."""
     from omote.inputs.allowed_senders import read_senders
     from omote.inputs.face_output.face_target import read_targets
+    from omote.server.devices.switches.tracker_sockets import find_phones, find_receivers, read_trackers
     from omote.server.supervision.device_sockets import DeviceOptions, read_universes
-    from omote.server.supervision.tracker_sockets import find_phones, find_receivers, read_trackers
 
     try:
         wishes, targets = find_phones(read_trackers(listen)), find_receivers(read_targets(send))
@@ -46,9 +46,9 @@ def read_options(sacn: str, bindings: Path | None, allow: str, listen: str = "",
 def open_devices(host: str, osc: int | None, options: DeviceOptions, artnet: int) -> DeviceSockets:
     """The sockets that were asked for; ends the command where one cannot be had. Without any (`OFF`, None for OSC at
     its usual port) there is none."""
+    from omote.server.devices.switches.tracker_sockets import listen_for_trackers, read_trackers
     from omote.server.supervision.device_sockets import DeviceSockets, listen_for_artnet, listen_for_sacn
     from omote.server.supervision.listening_socket import listen_for_osc
-    from omote.server.supervision.tracker_sockets import listen_for_trackers, read_trackers
 
     try:
         return DeviceSockets(
@@ -72,9 +72,16 @@ def open_usual_osc(host: str) -> OscSockets | None:
         return None
 
 
-def print_trackers(trackers: Sequence[str], allow: str) -> None:
-    """Prints a line for each tracker that is heard: its port, and what to do at its sender."""
+def print_trackers(trackers: Sequence[str], allow: str, page: str = "") -> None:
+    """Prints a line for each tracker that is heard: its port, and what to do at its sender; page: the address where a
+    phone copies that, with a picture that opens it, or ""."""
     for line in trackers:
         typer.echo(f"  tracker  {line}")
+    if trackers and page:
+        from omote.access_commands import read_code
+
+        typer.echo(
+            f"\n{read_code(page)}\n\n  A phone that reads this picture opens what to type into its app:\n  {page}"
+        )
     if trackers and not allow:
         say("trackers on other machines and phones are not heard: --allow 192.168.1.0/24 lets a network play.")

@@ -1,17 +1,25 @@
-"""The command `omote play-take`: plays a recording of a tracker into a running show."""
+"""The commands `omote play-take`, which plays a recording of a tracker into a running show, and `omote record-take`."""
 
 from __future__ import annotations
 
+import contextlib
 from pathlib import Path
-from typing import Annotated
+from typing import TYPE_CHECKING, Annotated
 
 import typer
 
 from omote.terminal import exit_on_refusal, fail_with, say
 
+if TYPE_CHECKING:
+    from omote.inputs.takes.take import Take
+
+CAPTURES = (".pcap", ".pcapng", ".cap", ".json")
+
 
 def play_take(
-    take: Annotated[Path, typer.Argument(help="A recording of Live Link Face (.csv).")],
+    take: Annotated[
+        Path, typer.Argument(help="A recording: Live Link Face (.csv), packets (.pcap, .pcapng), VMC packets (.json).")
+    ],
     address: Annotated[
         str, typer.Option("--show", metavar="ADDRESS", help="The running show, as `omote show` prints it.")
     ] = "http://127.0.0.1:8090",
@@ -21,22 +29,69 @@ def play_take(
         Path | None, typer.Option(help="What /certificate of a show with https gives, saved to a file (.pem).")
     ] = None,
     loop: Annotated[bool, typer.Option("--loop", help="Play it again and again, until Ctrl-C.")] = False,
+    start: Annotated[float, typer.Option("--from", min=0.0, help="Seconds from its beginning.")] = 0.0,
+    speed: Annotated[float, typer.Option(min=0.05, max=20.0, help="1 is as it was recorded.")] = 1.0,
+    protocol: Annotated[
+        str, typer.Option(help="What packets are, as --listen spells it; by their port without it.")
+    ] = "",
 ) -> None:
     """Plays a recorded face into a running show."""
-    from omote.inputs.takes.live_link_take import read_live_link_take
     from omote.perform.layers.layer_names import check_driven
     from omote.server.client.connect import connect
     from omote.server.client.take_player import play_take as play
 
-    try:
-        read = read_live_link_take(take.read_text(encoding="utf-8-sig"))
-    except UnicodeDecodeError:
-        fail_with(ValueError(f"{take} is no text of Live Link Face (.csv)"))
-    except (OSError, ValueError) as error:
-        fail_with(error if isinstance(error, OSError) else ValueError(f"{take}: {error}"))
+    read = read_take(take, protocol)
     with exit_on_refusal(), connect(address, name="take", authority=authority) as show:
         drive = show[show.find_character(character or show.characters[0])].drive
         check_driven(layer)
         say(f"{take.name} plays: {len(read.times)} frames in {read.seconds:.1f} s.")
-        while play(read, drive, layer=layer) and loop:
+        while play(read, drive, layer=layer, start=min(start, read.seconds), speed=speed) and loop:
             pass
+
+
+def read_take(path: Path, protocol: str = "") -> Take:
+    """The recording in a file; ends the command where it cannot be read."""
+    from omote.inputs.takes.live_link_take import read_live_link_take
+    from omote.inputs.takes.packet_capture import read_packets
+    from omote.inputs.takes.packet_take import choose_protocol, read_packet_take
+
+    try:
+        if path.suffix.lower() in CAPTURES:
+            packets = read_packets(path.read_bytes())
+            return read_packet_take(packets, choose_protocol(packets, protocol))
+        return read_live_link_take(path.read_text(encoding="utf-8-sig"))
+    except UnicodeDecodeError:
+        fail_with(ValueError(f"{path} is no text of Live Link Face (.csv)"))
+    except (OSError, ValueError) as error:
+        fail_with(error if isinstance(error, OSError) else ValueError(f"{path}: {error}"))
+
+
+def record_take(
+    take: Annotated[Path, typer.Argument(help="The file to write (.pcap).")],
+    listen: Annotated[
+        str, typer.Option(metavar="TRACKER", help="What to record, as of omote show: vmc, livelink:11112.")
+    ],
+    seconds: Annotated[
+        float | None, typer.Option(min=0.1, help="For how long from the first packet; until Ctrl-C without it.")
+    ] = None,
+) -> None:
+    """Records what a tracker sends, to be played into a show later."""
+    from omote.server.devices.switches.tracker_sockets import find_phones, read_wish
+    from omote.server.devices.take_recorder import check_recordable, count_packets
+    from omote.server.devices.take_recorder import record_take as record
+
+    path = take if take.suffix else take.with_suffix(".pcap")
+    try:
+        (wish,) = find_phones([read_wish(listen.strip())])
+        check_recordable(wish)
+        say(f"{wish.protocol.title} at port {wish.port} is recorded into {path.name}; Ctrl-C ends it.")
+        with contextlib.suppress(KeyboardInterrupt):
+            record(path, wish, seconds=float("inf") if seconds is None else seconds, tell=_tell)
+        count = count_packets(path)
+    except (OSError, ValueError) as error:
+        fail_with(error)
+    say(f"{path.name} holds {count} packets: omote play-take {path.name} --protocol {wish.protocol.name}")
+
+
+def _tell(count: int, host: str) -> None:
+    typer.echo(f"  {count} packets, the newest from {host}")

@@ -39,8 +39,10 @@ def nodes(node: Node) -> list[Node]:
 def extremes(leaf: Node) -> list[list[Argument]]:
     """The arguments at both ends of what a leaf says that it takes."""
     ranges = leaf.get("RANGE", [])
-    lows = [each["VALS"][0] if "VALS" in each else each.get("MIN", "") for each in ranges]
-    highs = [each["VALS"][-1] if "VALS" in each else each.get("MAX", "") for each in ranges]
+    if None in ranges or "/look_at/character" in leaf["FULL_PATH"]:
+        return []  # names of what there is not yet: there is one character here, which cannot look at itself
+    lows = [each["VALS"][0] if "VALS" in each else each["MIN"] for each in ranges]
+    highs = [each["VALS"][-1] if "VALS" in each else each["MAX"] for each in ranges]
     return [lows, highs] if ranges else [[True]]
 
 
@@ -53,6 +55,13 @@ def test_all_that_the_tree_offers_is_obeyed_at_both_ends_of_its_range(session: S
             orders = read_orders(OscMessage(leaf["FULL_PATH"], tuple(arguments)), CAST, {"one": "One"}, call)
             assert orders
             assert [session.receive("osc", order, 0.0) for order in orders] == [[]] * len(orders)
+
+
+def test_a_text_has_no_range_and_another_character_is_one_of_those_that_there_are() -> None:
+    told = {leaf["FULL_PATH"]: leaf for leaf in leaves(build_tree(CAST, None, ["one", "two"]))}
+    assert told["/omote/one/look_at/gaze_point"]["RANGE"] == [None]
+    assert told["/omote/gaze_point"]["TYPE"] == "sfff"
+    assert told["/omote/one/look_at/character"]["RANGE"] == [{"VALS": ["one", "two"]}]
 
 
 def test_every_address_and_every_name_of_the_cast_has_its_leaf() -> None:

@@ -3,12 +3,15 @@
 import math
 from typing import get_args
 
+import msgspec
 import pytest
 
 from omote.model.cast import Cast
 from omote.perform.scene.scene import Scene
 from omote.show import messages as wire
 from omote.show.commands import ACTIONS, SCENE_ACTIONS, carry_out, characters_of, refuse_unknown
+from omote.show.session import ShowSession
+from omote.show.session_snapshot import read_session_snapshot
 from omote.show.sources.open_sources import SOURCE_CHANGES
 from omote.show.validation import Refusal
 
@@ -106,3 +109,47 @@ def test_a_removed_character_comes_back_by_its_key_or_its_name(cast: Cast) -> No
         assert scene.advance(5.0).characters["two"].frame.faces == {"broad": 1.0}
     with pytest.raises(ValueError, match="there is no removed character 'two'"):
         carry_out(scene, wire.RestoreCharacter("3", "two", 0.5))
+
+
+def test_all_look_at_one_but_that_one_itself(cast: Cast) -> None:
+    session = ShowSession(cast)
+    session.receive("c", wire.Hello("console", wire.PROTOCOL_VERSION, "c"), 0.0)
+    session.receive("c", wire.AddCharacter("1", "two", "Two", "generic"), 0.0)
+    session.receive("c", wire.LookAt("two", "direction", yaw=0.5), 0.0)
+    assert session.receive("c", wire.LookAt("*", "character", "two"), 0.0) == []
+    characters = session.tick(0.0).characters
+    motions = [each.motion for each in characters.values()]
+    assert [None if each is None else each.target.kind for each in motions] == ["character", "direction"]
+    (refused,) = session.receive("c", wire.LookAt("two", "character", "two"), 0.0)
+    assert "cannot look at itself" in str(refused.message)
+
+
+def test_gaze_points_are_kept_with_the_show_and_an_order_executes_once(cast: Cast) -> None:
+    session = ShowSession(cast)
+    session.receive("c", wire.Hello("console", wire.PROTOCOL_VERSION, "c"), 0.0)
+    assert session.receive("c", wire.SetGazePoint("1", "box", 1.0, 2.0, 3.0), 0.0) == []
+    session.receive("c", wire.SetGazePoint("1", "box", 9.0, 9.0, 9.0), 0.0)
+    session.receive("c", wire.LookAt("one", "gaze_point", "box"), 0.0)
+    session.tick(0.0)
+    saved = msgspec.msgpack.decode(msgspec.msgpack.encode(session.snapshot()))
+    restored = ShowSession.restored(cast, read_session_snapshot(saved)[0], epoch=2)
+    state = restored.tick(0.0)
+    assert state.gaze_points == {"box": (1.0, 2.0, 3.0)}
+    assert state.characters["one"].motion is not None
+    assert state.characters["one"].motion.target.name == "box"
+    restored.receive("c", wire.Hello("console", wire.PROTOCOL_VERSION, "c"), 0.0)
+    assert restored.receive("c", wire.DeleteGazePoint("2", "box"), 0.0) == []
+    assert restored.tick(0.0).gaze_points == {}
+    (refused,) = restored.receive("c", wire.DeleteGazePoint("3", "box"), 0.0)
+    assert "gaze point" in str(refused.message)
+
+
+def test_a_stage_says_where_its_camera_is(cast: Cast) -> None:
+    session = ShowSession(cast)
+    session.receive("s", wire.Hello("stage", wire.PROTOCOL_VERSION), 0.0)
+    assert session.receive("s", wire.Drawing(60.0, "high", "left", (-0.5, 0.1, 1.5)), 0.0) == []
+    session.receive("s", wire.Drawing(60.0, "high", "left"), 0.0)
+    assert session.snapshot().scene.cameras == {"left": (-0.5, 0.1, 1.5)}
+    assert session.crew_now(0.0).stages == [wire.StageReport(60.0, "high", "left")]
+    (refused,) = session.receive("s", wire.Drawing(60.0, "high", "left", (0.0, 0.0, 1e9)), 0.0)
+    assert "camera of the stage" in str(refused.message)

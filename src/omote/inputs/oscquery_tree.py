@@ -110,13 +110,14 @@ def _leaf(address: Address, path: str, known: Names) -> Node:
     return node
 
 
-def _range(value: Value, known: Names) -> dict[str, Any]:
+def _range(value: Value, known: Names) -> dict[str, Any] | None:
+    """What a value may be; None for a text of any kind."""
     if value.kind == "speech":
-        return {}
+        return None
     if value.kind in ("number", "time"):
         return {"MIN": value.low, "MAX": value.high}
     if value.kind == "text":
-        return {}
+        return None
     return {"VALS": [False, True] if value.kind == "switch" else _names(value, known)}
 
 

@@ -73,7 +73,7 @@ class Home:
 TargetKind = Literal["ahead", "direction", "point", "gaze_point", "character", "stage"]
 TARGET_KINDS: tuple[TargetKind, ...] = get_args(TargetKind)
 DIRECTION_LIMITS: Mapping[str, float] = {"yaw": math.pi, "pitch": math.pi / 2}
-POINT_LIMITS: Mapping[str, tuple[float, float]] = {"x": (-20.0, 20.0), "y": (-10.0, 10.0), "z": (-20.0, 50.0)}
+POINT_LIMITS: Mapping[str, tuple[float, float]] = {"x": (-20.0, 20.0), "y": (-10.0, 10.0), "z": (-20.0, 200.0)}
 """Metres to the picture's right, above the eyes of a head of size 1, before the front line."""
 LONGEST_TARGET = 80
 

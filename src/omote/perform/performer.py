@@ -935,7 +935,8 @@ class Performer:
         motion = self._now.motion
         if motion is None:
             return
-        motion = with_fields(motion, lost=is_tracker_lost(self._layers, motion.lost))
+        if (lost := is_tracker_lost(self._layers, motion.lost)) != motion.lost:
+            motion = with_fields(motion, lost=lost)
         if is_moving(motion):
             speaking = self._layers is not None and is_speaking(self._layers)
             motion = advance_motion(motion, dt, sight=self._find_sight(motion.settings.target), speaking=speaking)

@@ -700,6 +700,16 @@ class WatchDevices(Message, frozen=True):
     on: bool
 
 
+class SwitchDevice(Message, frozen=True):
+    """Switches on or off what is heard (`listen`: a tracker) or told (`send`: a receiver of faces), by the word that
+    stands after `--listen` or `--send`."""
+
+    direction: Literal["listen", "send"]
+    word: Annotated[str, msgspec.Meta(min_length=1, max_length=200)]
+    on: bool
+    id: RequestId = ""
+
+
 # --- server to client -------------------------------------------------------------------------------------------------
 
 
@@ -1088,11 +1098,66 @@ class PresetDocument(msgspec.Struct, frozen=True):
     matches: list[str]
 
 
+class TrackerOffer(msgspec.Struct, frozen=True):
+    """A tracker that can be heard. name: as `--listen` spells it; port: its usual one, or where it is heard, None where
+    it comes to the port of the pages; asks: what its word may name behind "@": a phone that is asked for frames, a
+    computer that we connect to, a sender that may play beside this machine, or "".
+
+    word: what it is switched on by, "" while it is off; fixed: the command line has; advice: what to do at the sender.
+    stranger: a host that has sent and may not, or ""; strange: the word by which it may.
+    """
+
+    name: str
+    title: str
+    port: int | None
+    asks: Literal["", "phone", "computer", "sender"]
+    word: str
+    fixed: bool
+    advice: str
+    stranger: str = ""
+    strange: str = ""
+
+
+class FoundTracker(msgspec.Struct, frozen=True):
+    """A program that has announced itself, and the word by which it is heard."""
+
+    word: str
+    title: str
+    where: str
+
+
+class ReceiverState(msgspec.Struct, frozen=True):
+    """A program that faces are sent to. word: as after `--send`; character: whose face, "" where nobody is called so;
+    sent: packets since it was switched on; fault: why it does not arrive, or ""; fixed: the command line has it."""
+
+    word: str
+    title: str
+    where: str
+    character: str
+    sent: int
+    fault: str
+    fixed: bool
+
+
+class SendWay(msgspec.Struct, frozen=True):
+    """A way to send a face: its name as `--send` spells it, and the port where receivers usually hear it."""
+
+    name: str
+    title: str
+    port: int
+
+
 class Devices(Message, frozen=True):
     """All sources: complete, to consoles when one comes or goes and once a second, to pages that watch ten times a
-    second."""
+    second. trackers: what can be heard; found: what has announced itself; receivers: to whom faces are sent, in one of
+    these ways; phone_page: the address that a phone opens to copy what to type."""
 
     devices: list[DeviceState]
+    trackers: list[TrackerOffer] = []
+    found: list[FoundTracker] = []
+    receivers: list[ReceiverState] = []
+    ways: list[SendWay] = []
+    phone_page: str = ""
 
 
 class LearningState(msgspec.Struct, frozen=True):
@@ -1162,7 +1227,7 @@ LeaseMessage = Lease | ReleaseLease | SetLeases | AppointManager
 """What a console or a program asks of leases."""
 BindingMessage = Bind | Unbind | Learn | LoadPreset | RestoreBindings
 """What a page asks of bindings; each executes once."""
-DeviceMessage = Plug | Unplug | MidiBytes | Controls | BindingMessage | ChooseBank | WatchDevices
+DeviceMessage = Plug | Unplug | MidiBytes | Controls | BindingMessage | ChooseBank | WatchDevices | SwitchDevice
 """What pages say of devices; `inputs/` plays them."""
 FromClient = (
     Hello
@@ -1206,6 +1271,7 @@ FromClient = (
     | RestoreBindings
     | ChooseBank
     | WatchDevices
+    | SwitchDevice
     | SetLayer
     | SetMotion
     | Say

@@ -4,12 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass
+from functools import lru_cache
 from types import MappingProxyType
 from typing import TYPE_CHECKING, Any
 
 from omote.perform.channels import channels_of, eye_turns
 from omote.perform.easing import DEFAULT_EASING, EASINGS
-from omote.perform.frame import NO_TARGET, CallStatus, Frame, Gaze, Held, LayerStatus, MotionSettings
+from omote.perform.frame import CallStatus, Frame, Gaze, Held, LayerStatus, MotionSettings
 from omote.perform.mix import mix_in
 from omote.perform.scene.scene_frame import CharacterFrame, SceneFrame
 from omote.show.messages import (
@@ -154,13 +155,9 @@ def _layers(frame: Frame) -> dict[str, Any]:
     return {"layers": layers, "held": None if frame.held is None else _held_state(frame.held)}
 
 
+@lru_cache(maxsize=64)
 def _motion_state(settings: MotionSettings) -> MotionState:
-    target = settings.target
-    told = _NO_TARGET if target is NO_TARGET else GazeTargetState(**vars(target))
-    return MotionState(**{**vars(settings), "target": told})
-
-
-_NO_TARGET = GazeTargetState()
+    return MotionState(**{**vars(settings), "target": GazeTargetState(**vars(settings.target))})
 
 
 def _layer_state(status: LayerStatus) -> LayerState:

@@ -4,7 +4,7 @@ from pathlib import Path
 
 import pytest
 
-from omote.inputs.takes.live_link_take import read_live_link_take, read_time_code
+from omote.inputs.takes.live_link_take import TimeCode, find_rate, read_live_link_take, read_time_code
 from omote.inputs.trackers.arkit_names import ARKIT_NAMES
 
 TAKES = Path(__file__).resolve().parents[4] / "shared" / "data" / "livelinkface"
@@ -27,7 +27,23 @@ def test_times_are_seconds_from_the_first_frame_over_midnight_too() -> None:
     times = ("23:59:59:30.0", "23:59:59:45.5", "00:00:00:00.0", "00:00:01:00.0")
     take = read_live_link_take(HEADER + "".join(row(time, *[0.1] * 8) for time in times))
     assert list(take.times) == pytest.approx([0.0, 15.5 / 60, 0.5, 1.5])
-    assert read_time_code("1:02:03;04") == pytest.approx(3723 + 4 / 60)
+    assert read_time_code("1:02:03:04").at(60) == pytest.approx(3723 + 4 / 60)
+
+
+@pytest.mark.parametrize(("counted", "step"), [(60, 1), (60, 2), (30, 1), (25, 1), (24, 1), (50, 1)])
+def test_the_rate_is_read_from_where_the_seconds_change(counted: int, step: int) -> None:
+    codes = [TimeCode(n // counted, n % counted + 0.65) for n in range(0, 3 * counted, step)]
+    assert find_rate(codes) == counted
+    assert find_rate(codes[:5]) == 60
+
+
+@pytest.mark.parametrize("rate", [30, 60])
+def test_numbers_that_are_dropped_take_no_time(rate: int) -> None:
+    """SMPTE 12M: numbers 0 and 1 (0 to 3 of 60) of each minute are left out, but for each tenth."""
+    before, after = f"00:00:59;{rate - 1}", f"00:01:00;{rate // 15:02}"
+    assert read_time_code(after).at(rate) - read_time_code(before).at(rate) == pytest.approx(1.001 / rate)
+    hour = read_time_code("01:00:00;00").at(rate)
+    assert hour == pytest.approx(3600.0, abs=0.01)
 
 
 def test_dropped_frames_and_angles_that_were_not_recorded_are_left_out() -> None:

@@ -3,11 +3,15 @@
 import struct
 from collections.abc import Mapping
 
+import msgspec
 import numpy as np
 from numpy.typing import NDArray
 
+from omote.inputs.trackers.face_motion.motion_message import Kind, MotionMessage
 from omote.inputs.trackers.open_see_face import NAMES
 
+SESSION = 0x0102030405060708
+MOTION_POSE = (1.25, -2.5, 3.75, 0.1, -0.2, 0.3, 4.0, 5.0, 6.0, 7.0, 8.0, 9.0)
 Matrix = NDArray[np.float64]
 EYEBALL = np.array([0.2, 0.3, -0.3])
 
@@ -67,3 +71,29 @@ def open_see_face(
     begin = struct.pack("<diffffBf4f", 12.5, number, 640.0, 480.0, *eyes, fitted, 3.0, *rotation)
     middle = bytes(889 - len(begin)) + sent.astype("<f4").tobytes()
     return begin + middle + struct.pack("<14f", *((features or {}).get(name, 0.0) for name in NAMES))
+
+
+def motion_schema(
+    names: list[str], number: int = 1, nonce: int = 0, revision: int = 4, rate: int = 30, **changed: object
+) -> bytes:
+    """The list of names that a phone sends before its frames over FMV3."""
+    document = {
+        "schema_version": 1,
+        "app": "iFacialMocap",
+        "profile": "ifacialmocap-stream",
+        "blend_names": names,
+        "blend_encoding": "i16",
+        "blend_unit": "percent",
+        "pose_layout": "head_rxyz_pxyz_rightEye_rxyz_leftEye_rxyz",
+        "rotation_unit": "degree",
+        "position_unit": "meter",
+        **changed,
+    }
+    payload = struct.pack("<QHHII", nonce, rate, 1200, 10_000, revision) + msgspec.json.encode(document)
+    return MotionMessage(Kind.SCHEMA, SESSION, number, payload=payload).encode()
+
+
+def motion_frame(values: tuple[int, ...], sequence: int = 1, number: int = 1, flags: int = 1) -> bytes:
+    """A frame of FMV3: percents by the names of its list, and angles."""
+    payload = struct.pack(f"<{len(values)}h12f", *values, *MOTION_POSE)
+    return MotionMessage(Kind.FRAME, SESSION, number, sequence, flags, payload=payload).encode()

@@ -68,7 +68,6 @@ def test_what_is_written_is_read_as_it_was(
         (b"", "no coefficient"),
         (b"hello", "no coefficient"),
         (IFACIALMOCAP_START, "no coefficient"),
-        (b"FMV3" + bytes(60), "version 3"),
         (b"\xff\xfe", "no text"),
         (b"jawOpen-1|" * 300, "300 fields"),
         (b"a" * (LONGEST_FRAME + 1), "bytes, but at most"),

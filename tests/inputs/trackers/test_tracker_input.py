@@ -13,7 +13,7 @@ from omote.inputs.trackers.vmc_messages import encode_vmc
 from omote.model.cast import Cast
 from omote.show import messages as wire
 from omote.show.session import ShowSession
-from tests.inputs.trackers.packets import live_link_face, open_see_face
+from tests.inputs.trackers.packets import live_link_face, motion_frame, motion_schema, open_see_face
 
 TICK = 1.0 / 60.0
 HOST = "10.0.0.7"
@@ -58,7 +58,13 @@ FACES: dict[str, Callable[[], bytes]] = {
     "meowface": lambda: PHONE,
     "mediapipe": lambda: b'{"faceBlendshapes":[{"categories":[{"score":0.5,"categoryName":"jawOpen"}]}]}',
     "vmc-performer": lambda: apply(jawopen=0.5),
+    "ifacialmocap-v3": lambda: motion_frame((25, 50)),
+    "facemotion3d-v3": lambda: motion_frame((25, 50)),
+    "ifacialmocap-tcp": lambda: encode_face_text({"jawOpen": 0.5}, (0.1, 0.0, 0.0), (0.0, 0.0)),
+    "facemotion3d-tcp": lambda: encode_face_text({"jawOpen": 0.5}, (0.1, 0.0, 0.0), (0.0, 0.0)),
 }
+BEFORE = {name: motion_schema(["eyeBlinkLeft", "jawOpen"]) for name in TRACKER_PROTOCOLS if name.endswith("-v3")}
+"""What comes before the first frame."""
 
 
 def test_there_is_a_packet_of_every_protocol() -> None:
@@ -68,7 +74,7 @@ def test_there_is_a_packet_of_every_protocol() -> None:
 @pytest.mark.parametrize("protocol", TRACKER_PROTOCOLS)
 def test_a_packet_is_on_air_with_the_next_tick(cast: Cast, protocol: str) -> None:
     stage = Stage(cast, protocol)
-    state = stage.play(0.0, FACES[protocol]())
+    state = stage.play(0.0, *([BEFORE[protocol]] if protocol in BEFORE else []), FACES[protocol]())
     assert stage.trackers.rejected == 0
     assert state.characters["one"].layers["tracker"].strongest["jawOpen"] > 0.0
     assert state.characters["one"].layers["tracker"].source == stage.sources()[0].name
@@ -207,6 +213,8 @@ def test_another_name_of_the_same_source_is_rejected_with_the_session_s_reason(c
 @pytest.mark.parametrize("protocol", TRACKER_PROTOCOLS)
 def test_damaged_packets_raise_nothing_and_put_no_nan_on_air(cast: Cast, protocol: str) -> None:
     generator, stage, golden = np.random.default_rng(5), Stage(cast, protocol), FACES[protocol]()
+    if protocol in BEFORE:
+        assert stage.trackers.receive(HOST, BEFORE[protocol], stage.now), "the names are acknowledged"
     for count in range(600):
         damaged = bytearray(golden)
         for place in generator.integers(0, len(damaged), generator.integers(1, 5)):

@@ -7,6 +7,7 @@ import pytest
 from omote.model.cast import Cast
 from omote.perform.frame import Frame
 from omote.perform.limits import GAZE_LIMITS
+from omote.perform.motion.automatic_motion import EYE_RANGE
 from omote.perform.scene.gaze_targets import MOST_CAMERAS, MOST_POINTS
 from omote.perform.scene.scene import Scene
 
@@ -39,9 +40,9 @@ def test_a_character_looks_at_another_whatever_way_it_stands(cast: Cast, turn: f
     if abs(wanted) < 1.7:
         assert shown.head.yaw + shown.gaze.yaw == pytest.approx(wanted, abs=0.02)
     else:
-        assert abs(shown.gaze.yaw) == pytest.approx(GAZE_LIMITS["yaw"], abs=0.01)
+        assert abs(shown.gaze.yaw) == pytest.approx(EYE_RANGE.yaw, abs=0.01)
         assert shown.gaze.yaw * wanted > 0.0
-    assert abs(shown.gaze.yaw) <= GAZE_LIMITS["yaw"]
+    assert abs(shown.gaze.yaw) <= EYE_RANGE.yaw < GAZE_LIMITS["yaw"]
 
 
 def test_a_named_point_a_camera_and_a_direction(cast: Cast) -> None:

@@ -3,7 +3,7 @@
 import pytest
 import segno
 
-from omote.server.access.qr_code import DARK, NORMAL, QUIET, draw_qr_code, qr_picture
+from omote.server.access.qr_code import DARK, NORMAL, QUIET, draw_qr_code, draw_svg, qr_picture
 
 ADDRESS = "http://192.168.178.123:8090/console?token=" + "aZ_-" * 7
 
@@ -45,3 +45,7 @@ def test_a_terminal_without_blocks_shows_two_characters_a_module(encoding: str) 
 
 def test_a_page_gets_a_picture() -> None:
     assert qr_picture(ADDRESS).startswith("data:image/svg+xml")
+
+
+def test_a_file_holds_a_picture() -> None:
+    assert b"<svg" in draw_svg(ADDRESS)

@@ -27,6 +27,7 @@ NO_CALLS = {
     "drive_layer",
     "leave_layer",
     "recalibrate_layer",
+    "note_camera",  # stages say where theirs are
 }
 """What is the server's, and the scene's."""
 
@@ -57,6 +58,8 @@ CALLS: dict[str, Callable[[Any], Any]] = {
     ),
     "set_layer": lambda one: one.set_layer("emotion", region="mouth", influence=0.5),
     "set_motion": lambda one: one.set_motion(0.5, blinks=1.5, seed=3),
+    "look_at": lambda one: one.look_at("direction", yaw=0.02, pitch=-0.01),
+    "look_at a point, idle": lambda one: (one.look_at("point", z=1.5), one.set_motion(idle=True)),
     "set_layer off": lambda one: one.set_layer("emotion", on=False),
     "set_home": lambda one: one.set_home("broad", seconds=3),
     "panic": lambda one: (one.set_channel("jawOpen", 0.4), one.panic()),

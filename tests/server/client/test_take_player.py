@@ -46,6 +46,14 @@ def test_frames_are_played_at_their_times(seconds: float) -> None:
     assert all(step <= seconds + LONGEST_STEP + 1e-6 for step in steps)
 
 
+def test_a_part_is_played_at_another_speed() -> None:
+    character = Character(0.0)
+    play_take(TAKE, character.drive, clock=lambda: character.now, sleep=character.sleep, start=0.2, speed=0.5)
+    assert character.frames[0] == (0.0, 0.5)
+    assert character.frames[-1][1] == 0.75
+    assert character.frames[-1][0] == pytest.approx(0.2, abs=LONGEST_STEP)
+
+
 @pytest.mark.asyncio
 @pytest.mark.parametrize(
     ("options", "said"),

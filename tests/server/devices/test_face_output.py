@@ -7,7 +7,7 @@ import pytest
 
 from omote.inputs.face_output.face_target import FaceTarget
 from omote.inputs.trackers.live_link_face import decode_live_link_face
-from omote.server.devices.face_output import FaceOutput
+from omote.server.devices.face_output import FAULT_SECONDS, FaceOutput
 from omote.show import messages as wire
 from tests.server.conftest import ShowHarness
 
@@ -21,7 +21,8 @@ async def test_a_target_is_sent_its_character_with_each_tick(show_harness: ShowH
         receiver.bind((HOST, 0))
         receiver.setblocking(False)
         port = receiver.getsockname()[1]
-        targets = [FaceTarget("livelink", HOST, port), FaceTarget("livelink", HOST, port, "gone")]
+        label = session.tick(0.0).characters["one"].label
+        targets = [FaceTarget("livelink", HOST, port, label.upper()), FaceTarget("livelink", HOST, port, "gone")]
         output = FaceOutput(targets, lambda: session)
         show_harness.show.sources.append(output)
         session.join("hand", "hand")
@@ -33,6 +34,11 @@ async def test_a_target_is_sent_its_character_with_each_tick(show_harness: ShowH
         with pytest.raises(BlockingIOError):
             receiver.recv(2000)
         assert output.probes == []
+        assert [(each.sent, each.character, each.fault) for each in output.receivers] == [(2, label, ""), (0, "", "")]
+        output.remove(targets[0].word)
+        show_harness.tick()
+        with pytest.raises(BlockingIOError):
+            receiver.recv(2000)
         await output.close()
 
 
@@ -42,4 +48,27 @@ async def test_a_receiver_that_is_nowhere_holds_nothing_up(show_harness: ShowHar
     show_harness.show.sources.append(output)
     for _ in range(3):
         show_harness.tick()
+    await output.close()
+
+
+async def test_a_receiver_that_is_not_there_is_said_once_and_shown_until_it_is(show_harness: ShowHarness) -> None:
+    said: list[str] = []
+    with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as taken:
+        taken.bind((HOST, 0))
+        port = taken.getsockname()[1]
+    output = FaceOutput([FaceTarget("livelink", HOST, port)], lambda: show_harness.show.session, said.append)
+    show_harness.show.sources.append(output)
+    (receiver,) = output.receivers
+    while not receiver.fault:
+        show_harness.tick()
+    for _ in range(20):
+        show_harness.tick()
+    assert said == [
+        f"nobody hears the face that is sent to livelink:{HOST}:{port}: is the program there, and its receiver on."
+    ]
+    with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as program:
+        program.bind((HOST, port))
+        while receiver.fault:
+            show_harness.tick()
+            show_harness.clock.now += FAULT_SECONDS
     await output.close()

@@ -25,6 +25,7 @@ def said() -> list[str]:
 @pytest_asyncio.fixture
 async def link(show_harness: ShowHarness, said: list[str]) -> AsyncIterator[MediapipeLink]:
     made = MediapipeLink(lambda: show_harness.show.session, RejectionLog(said.append))
+    made.on = True
     show_harness.show.sources.append(made)
     yield made
     await made.close()

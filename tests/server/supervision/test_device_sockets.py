@@ -7,6 +7,7 @@ import pytest
 
 from omote.inputs.dmx.sacn_packet import HIGHEST_UNIVERSE
 from omote.server.access.show_addresses import own_address
+from omote.server.devices.switches.tracker_sockets import listen_for_trackers, read_trackers
 from omote.server.supervision.device_sockets import (
     MOST_UNIVERSES,
     DeviceOptions,
@@ -18,7 +19,6 @@ from omote.server.supervision.device_sockets import (
     read_universes,
 )
 from omote.server.supervision.listening_socket import listen_for_osc
-from omote.server.supervision.tracker_sockets import listen_for_trackers, read_trackers
 
 HOST = "127.0.0.1"
 

@@ -15,12 +15,12 @@ from omote.server.devices.face_output import FaceOutput
 from omote.server.devices.mediapipe_link import MediapipeLink
 from omote.server.devices.osc_listener import OscListener
 from omote.server.devices.page_device_source import PageDeviceSource
+from omote.server.devices.switches.tracker_sockets import listen_for_trackers, read_trackers
 from omote.server.devices.tracker_listener import TrackerListener
 from omote.server.supervision.device_sockets import DeviceOptions, listen_for_artnet
 from omote.server.supervision.device_sources import load_bindings, start_devices
 from omote.server.supervision.early_tick import EarlyTicks
 from omote.server.supervision.listening_socket import listen_for_osc
-from omote.server.supervision.tracker_sockets import listen_for_trackers, read_trackers
 from omote.show import messages as wire
 from omote.show.wire import encode
 from tests.server.conftest import ShowHarness, answer, open_edit_harness, send_and_wait
@@ -41,7 +41,7 @@ async def test_what_was_asked_for_is_heard(show_harness: ShowHarness, tmp_path: 
         )
         started = await start_devices(show_harness.show, options, lambda _: None)
         assert [id(each) for each in show_harness.show.sources] == [id(each) for each in started]
-        heard, dmx, pages = started
+        heard, dmx, *_, pages = started
         assert isinstance(heard, OscListener)
         assert isinstance(dmx, DmxListener)
         assert isinstance(pages, PageDeviceSource)
@@ -66,9 +66,9 @@ async def test_trackers_are_heard_and_faces_sent(show_harness: ShowHarness) -> N
         send="vmc:127.0.0.1:9,osc:127.0.0.1:9",
     )  # fmt: skip
     started = await start_devices(show_harness.show, options, lambda _: None)
-    surfaces, trackers, browsers, faces, pages = started
+    surfaces, trackers, browsers, _, faces, pages = started
     assert isinstance(browsers, MediapipeLink)
-    assert show_harness.show._respond_to_trackers == browsers.respond
+    assert show_harness.show._heard["/mediapipe"] == browsers.respond
     assert isinstance(surfaces, OscListener)
     assert isinstance(trackers, TrackerListener)
     assert isinstance(faces, FaceOutput)
@@ -128,9 +128,12 @@ async def test_a_file_of_bindings_that_is_gone_does_not_stop_the_show(show_harne
 
 @pytest.mark.asyncio
 async def test_pages_alone_have_devices_where_nothing_else_was_asked_for(show_harness: ShowHarness) -> None:
-    (pages,) = await start_devices(show_harness.show, DeviceOptions(), lambda _: None)
+    started = await start_devices(show_harness.show, DeviceOptions(), lambda _: None)
+    pages = started[-1]
     assert isinstance(pages, PageDeviceSource)
-    await pages.close()
+    assert pages.devices.devices_now(0.0).devices == []
+    for each in started:
+        await each.close()
 
 
 @pytest.mark.asyncio
@@ -138,7 +141,7 @@ async def test_what_a_page_binds_lies_in_the_show_file_and_plays_after_a_restart
     bound = wire.BindingDocument("pad", "1/cc7", "/omote/one/channel/jawOpen", pick_up=False)
     for expected in (0.0, 1.0):
         async with open_edit_harness(cast, tmp_path / "a.omote") as harness:
-            (pages,) = await start_devices(harness.show, DeviceOptions(), harness.said.append)
+            started = await start_devices(harness.show, DeviceOptions(), harness.said.append)
             desk = await harness.link()
             said = (
                 wire.Plug("pad", "midi"),
@@ -156,7 +159,8 @@ async def test_what_a_page_binds_lies_in_the_show_file_and_plays_after_a_restart
             assert heard[wire.State].characters["one"].channels.get("jawOpen", 0.0) == expected
             assert heard[wire.BindingList].bindings == heard[wire.BindingsChanged].added
             assert harness.said == []
-            await pages.close()
+            for closing in started:
+                await closing.close()
 
 
 def test_what_is_wrong_with_a_file_names_it(tmp_path: Path) -> None:

@@ -722,6 +722,18 @@ export interface WatchDevices {
 }
 
 /**
+ * Switches on or off what is heard (`listen`: a tracker) or told (`send`: a receiver of faces), by the word that
+ * stands after `--listen` or `--send`.
+ */
+export interface SwitchDevice {
+  type: "switch_device";
+  direction: "listen" | "send";
+  word: string;
+  on: boolean;
+  id: string;
+}
+
+/**
  * Answers hello: `epoch` rises with each server start, `revision` with each change of the documents. `name`: what
  * the others call this console. `show`: which show file is played, "" for none; another one has another.
  */
@@ -1117,12 +1129,65 @@ export interface PresetDocument {
 }
 
 /**
+ * A tracker that can be heard. name: as `--listen` spells it; port: its usual one, or where it is heard, None where
+ * it comes to the port of the pages; asks: what its word may name behind "@": a phone that is asked for frames, a
+ * computer that we connect to, a sender that may play beside this machine, or "".
+ * word: what it is switched on by, "" while it is off; fixed: the command line has; advice: what to do at the sender.
+ * stranger: a host that has sent and may not, or ""; strange: the word by which it may.
+ */
+export interface TrackerOffer {
+  name: string;
+  title: string;
+  port: number | null;
+  asks: "" | "phone" | "computer" | "sender";
+  word: string;
+  fixed: boolean;
+  advice: string;
+  stranger: string;
+  strange: string;
+}
+
+/** A program that has announced itself, and the word by which it is heard. */
+export interface FoundTracker {
+  word: string;
+  title: string;
+  where: string;
+}
+
+/**
+ * A program that faces are sent to. word: as after `--send`; character: whose face, "" where nobody is called so;
+ * sent: packets since it was switched on; fault: why it does not arrive, or ""; fixed: the command line has it.
+ */
+export interface ReceiverState {
+  word: string;
+  title: string;
+  where: string;
+  character: string;
+  sent: number;
+  fault: string;
+  fixed: boolean;
+}
+
+/** A way to send a face: its name as `--send` spells it, and the port where receivers usually hear it. */
+export interface SendWay {
+  name: string;
+  title: string;
+  port: number;
+}
+
+/**
  * All sources: complete, to consoles when one comes or goes and once a second, to pages that watch ten times a
- * second.
+ * second. trackers: what can be heard; found: what has announced itself; receivers: to whom faces are sent, in one of
+ * these ways; phone_page: the address that a phone opens to copy what to type.
  */
 export interface Devices {
   type: "devices";
   devices: DeviceState[];
+  trackers: TrackerOffer[];
+  found: FoundTracker[];
+  receivers: ReceiverState[];
+  ways: SendWay[];
+  phone_page: string;
 }
 
 /** What the next control that moves will be bound to, and who asked for it (a console's name). */
@@ -1455,6 +1520,7 @@ export type FromClient =
   | RestoreBindings
   | ChooseBank
   | WatchDevices
+  | SwitchDevice
   | SetLayer
   | SetMotion
   | Say

@@ -14,7 +14,14 @@ describe("a stage's address", () => {
       quality: "auto",
       tile: undefined,
       character: undefined,
+      name: "",
     });
+  });
+
+  it("has a name that can be read, or none", () => {
+    expect(readParameters("?name=left").name).toBe("left");
+    expect(() => readParameters("?name=")).toThrow("no name of a stage");
+    expect(() => readParameters(`?name=${"x".repeat(25)}`)).toThrow("no name of a stage");
   });
 
   it("switches with or without =1", () => {
@@ -49,11 +56,12 @@ describe("a stage's address", () => {
 
   it("shows one character of the scene", () => {
     expect(readParameters("?character=kaori_2").character).toBe("kaori_2");
+    expect(readParameters("?character=The%20Dog").character).toBe("The Dog");
   });
 
   it.each([
-    ["?character=", "is no name of a character"],
-    ["?character=One", "character=One"],
+    ["?character=", "names no character"],
+    [`?character=${"x".repeat(81)}`, "names no character"],
     ["?colour=red", "colour"],
     ["?hud=maybe", "hud=maybe"],
     ["?background=gren", "background=gren is no colour; write green, blue"],

@@ -26,6 +26,8 @@ export interface StageParameters {
   name: string;
 }
 
+/** Letters of a label; the show keeps none that are longer. */
+const LONGEST_LABEL = 80;
 const KNOWN = [
   "transparent",
   "background",
@@ -71,9 +73,10 @@ function readSwitch(given: URLSearchParams, name: string): boolean {
 }
 
 function readCharacter(value: string | null): string | undefined {
-  if (value === null || /^[a-z0-9_-]{1,24}$/.test(value)) return value ?? undefined;
+  if (value === null) return undefined;
+  if (value.trim() !== "" && value.length <= LONGEST_LABEL) return value.trim();
   throw new ParameterError(
-    `character=${value} is no name of a character: 1 to 24 of a to z, 0 to 9, "_" and "-", as in character=one.`,
+    `character=${value} names no character: give its name or its label, at most ${LONGEST_LABEL} letters, as in character=one.`,
   );
 }
 

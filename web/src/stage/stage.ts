@@ -14,6 +14,7 @@ import { now } from "../link/clock";
 import type { CallState, State } from "../link/messages";
 import { ShowLink } from "../link/show_link";
 import { FrameRate } from "./frame_rate";
+import { findCharacter } from "./named_character";
 import type { StageParameters } from "./parameters";
 import { RedrawPolicy } from "./redraw_policy";
 import { StageSound } from "./stage_sound";
@@ -141,7 +142,7 @@ export class Stage {
   get missing(): string | undefined {
     const { character } = this.parameters;
     if (character === undefined || this.state === undefined) return undefined;
-    return this.state.characters[character] === undefined ? character : undefined;
+    return findCharacter(character, this.state.characters) === undefined ? character : undefined;
   }
 
   /** The names of the characters of the show. */
@@ -204,14 +205,16 @@ export class Stage {
     this.received += 1;
     this.state = state;
     const time = now();
-    const scene = sceneIn(state, this.parameters.character);
+    const { character } = this.parameters;
+    const only = character && (findCharacter(character, state.characters) ?? character);
+    const scene = sceneIn(state, only);
     const air = sceneKey(scene);
     const moved = air !== this.air;
     this.playout.arrived(state.time, !moved);
     if (moved) this.movedAt = time;
     this.air = air;
     this.timeline.push(scene, time);
-    this.sound.follow(state, this.parameters.character, time);
+    this.sound.follow(state, only, time);
     if (moved) this.showEarly(time);
   }
 
@@ -245,12 +248,13 @@ export class Stage {
   /** Tells the show what is drawn, from where, and whether sounds can be played. */
   private heartbeat(): void {
     const { camera, level } = this.view;
+    const stands = camera.position.z > 0 ? camera.position.toArray() : null; // at the origin until a head is framed
     this.link.send({
       type: "drawing",
       fps: this.rate.at(now()),
       level,
       name: this.parameters.name,
-      camera: camera.position.toArray(),
+      camera: stands,
       sound: this.sound.state,
       sound_here: this.parameters.sound === "here",
     });

@@ -8,14 +8,22 @@ from dataclasses import dataclass
 from omote.inputs.trackers.arkit_names import ARKIT_NAMES
 from omote.inputs.trackers.head_angles import GazeAngles
 from omote.inputs.trackers.live_link_face import FRAME_RATE, encode_live_link_face
+from omote.inputs.trackers.tracker_protocols import API_NAME
 from omote.inputs.trackers.vmc_messages import encode_vmc
+from omote.inputs.trackers.vtube_studio.api_message import API_PORT
 from omote.perform.limits import check_known
+from omote.perform.scene.character_names import find_character
 from omote.show.messages import CharacterState
 
 SURFACE = "osc"
 """A surface that is told by OSC what is on air, as one that has subscribed."""
-SEND_PORTS: Mapping[str, int] = {"vmc": 39539, "livelink": 11111, SURFACE: 9001}
+SEND_PORTS: Mapping[str, int] = {"vmc": 39539, "livelink": 11111, API_NAME: API_PORT, SURFACE: 9001}
 """What can be sent, and the port where receivers usually hear it."""
+SEND_TITLES: Mapping[str, str] = {
+    "vmc": "VMC (VSeeFace, Warudo, Unity)", "livelink": "Live Link Face (Unreal)", API_NAME: "VTube Studio PC",
+    SURFACE: "OSC",
+}  # fmt: skip
+"""The same for people."""
 HIGHEST_PORT = 65535
 DEVICE = "OMOTE000-0000-0000-0000-000000000000"
 """The id by which a receiver of Live Link Face knows this sender."""
@@ -34,6 +42,23 @@ class FaceTarget:
     def word(self) -> str:
         """The target as it is typed."""
         return f"{self.protocol}:{self.host}:{self.port}" + (f"={self.character}" if self.character else "")
+
+
+def mean_gaze(character: CharacterState) -> GazeAngles:
+    """Where both eyes look in the mean."""
+    left_yaw, left_pitch, right_yaw, right_pitch = character.eyes
+    return 0.5 * (left_yaw + right_yaw), 0.5 * (left_pitch + right_pitch)
+
+
+def find_sent(name: str, characters: Mapping[str, CharacterState]) -> CharacterState | None:
+    """The character that a target names, by name or label in any case, the first where it names none; None where there
+    is none, or several are meant."""
+    if not name:
+        return next(iter(characters.values()), None)
+    try:
+        return characters[find_character(name, {each: state.label for each, state in characters.items()})]
+    except ValueError:
+        return None
 
 
 def read_targets(text: str) -> tuple[FaceTarget, ...]:
@@ -58,8 +83,7 @@ def encode_face(
     target: FaceTarget, character: CharacterState, weights: Mapping[str, float], time: float
 ) -> list[bytes]:
     """The packets of a character for a target; none where it is told otherwise. weights: of all of ARKit's units."""
-    left_yaw, left_pitch, right_yaw, right_pitch = character.eyes
-    gaze: GazeAngles = (0.5 * (left_yaw + right_yaw), 0.5 * (left_pitch + right_pitch))
+    gaze = mean_gaze(character)
     if target.protocol == "vmc":
         return encode_vmc(
             {name[0].upper() + name[1:]: weights[name] for name in ARKIT_NAMES}, character.head, gaze, time

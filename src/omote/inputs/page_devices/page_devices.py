@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterable
 from functools import partial
+from typing import Protocol
 
 import msgspec
 
@@ -26,8 +27,34 @@ FEEDBACK_TICKS, WATCHED_TICKS, TOLD_TICKS = 2, 6, 60
 """Ticks between what devices are sent, what pages that watch are told, and what all consoles are."""
 
 
+Probe = Callable[[], SourceCounts]
+
+
+class Switches(Protocol):
+    """What pages switch on and off beside the devices at them: trackers, and receivers of faces."""
+
+    def switch(self, message: wire.SwitchDevice, now: float) -> None:
+        """Does what a page asks for; ValueError where it cannot be, and nothing has changed."""
+
+    def describe(self, now: float) -> wire.Devices:
+        """What can be switched, and how it does; no devices."""
+
+
+class NoSwitches:
+    """Nothing can be switched."""
+
+    def switch(self, message: wire.SwitchDevice, now: float) -> None:  # noqa: ARG002
+        """There is nothing to switch."""
+        raise ValueError(f"nothing can be switched here, {message.word[:60]} neither")
+
+    def describe(self, now: float) -> wire.Devices:  # noqa: ARG002
+        """Nothing."""
+        return wire.Devices([])
+
+
 class PageDevices:
-    """All devices of a show. bindings: play readings; commands: change bindings; probes: other sources, such as OSC."""
+    """All devices of a show. bindings: play readings; commands: change bindings; probes: of other sources, such as OSC;
+    switches: what can be switched beside them."""
 
     def __init__(
         self,
@@ -35,10 +62,12 @@ class PageDevices:
         bindings: BindingInput,
         commands: BindingCommands,
         log: InputLog | None = None,
-        probes: Sequence[Callable[[], SourceCounts]] = (),
+        probes: Callable[[], Iterable[Probe]] = tuple,
+        switches: Switches | None = None,
     ) -> None:
         self._session, self._bindings, self._commands = session, bindings, commands
-        self.log, self._sources = log or InputLog(), [SourceHealth(probe) for probe in probes]
+        self.log, self._probes, self._switches = log or InputLog(), probes, switches or NoSwitches()
+        self._sources: dict[Probe, SourceHealth] = {}
         self.devices: dict[str, PluggedDevice] = {}
         self._watching: set[str] = set()
         self._told: dict[str, tuple[int, int]] = {}
@@ -114,6 +143,11 @@ class PageDevices:
             case wire.WatchDevices(on):
                 (self._watching.add if on else self._watching.discard)(who)
                 self._log_told.pop(who, None)
+            case wire.SwitchDevice():
+                self._switches.switch(message, now)
+                self._plugs += 1
+                verb = "switched on" if message.on else "switched off"
+                self.log.note(message.word.partition(":")[0], f"{verb} at {self._name_of(who)}", now)
             case wire.Bind() | wire.Unbind() | wire.LoadPreset() | wire.RestoreBindings():
                 changed = self._commands.carry_out(message)
                 if isinstance(message, wire.LoadPreset) and message.device in self.devices:
@@ -244,14 +278,16 @@ class PageDevices:
 
     def devices_now(self, now: float) -> wire.Devices:
         """All sources: what plays beside the pages, devices at pages, and those for which bindings wait."""
-        sources = [source.look(now, self.log) for source in self._sources]
+        self._sources = {probe: self._sources.get(probe) or SourceHealth(probe) for probe in self._probes()}
+        sources = [source.look(now, self.log) for source in self._sources.values()]
         bindings, known = self._bindings.bindings, {*self.devices, *RESERVED}
         waiting = {each.device: each.control for each in bindings.bindings if each.device not in known}
         absent = [
             wire.DeviceState(name, _kind_of(control), "", plugged=False, rate=0.0, heard=0, rejected=0, values={})
             for name, control in waiting.items()
         ]
-        return wire.Devices([*sources, *(self._state(device, now) for device in self.devices.values()), *absent])
+        devices = [*sources, *(self._state(device, now) for device in self.devices.values()), *absent]
+        return msgspec.structs.replace(self._switches.describe(now), devices=devices)
 
     def _state(self, device: PluggedDevice, now: float) -> wire.DeviceState:
         bindings = self._bindings.bindings

@@ -1,7 +1,9 @@
 """The CSV files of the app Live Link Face: one row a frame, found by its header, never by the place of a column.
 
-`Timecode` is `hours:minutes:seconds:frame.part` at 60 frames a second, whatever rate it was recorded at. Rows of
-dropped frames have no values; they are left out.
+`Timecode` is `hours:minutes:seconds:frame.part`. The app counts frames at 60 a second, whatever rate it records at; a
+time code of its own or of a Tentacle counts at 24, 25, 30 or others, and drops numbers with `;` (SMPTE 12M). So the
+rate is read from where the seconds change, and is 60 where they do not. Rows of dropped frames have no values; they are
+left out.
 """
 
 from __future__ import annotations
@@ -9,8 +11,9 @@ from __future__ import annotations
 import csv
 import io
 import re
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from itertools import pairwise
+from typing import NamedTuple
 
 from omote.inputs.takes.take import Take
 from omote.inputs.trackers.arkit_names import ARKIT_CHANNELS
@@ -21,8 +24,12 @@ from omote.inputs.trackers.tracker_frame import TrackerError, TrackerFrame
 TIME, COUNT = "Timecode", "BlendShapeCount"
 DAY = 86400.0
 MOST_ROWS = 1_000_000
+RATES = (24, 25, 30, 48, 50, 60, 120)
+"""Frames that a time code counts in a second."""
+NEAR = 2.0
+"""Frames by which what was counted may be off a rate; where it is further from all, frames are missing."""
 ANGLES = {who: tuple(f"{who}{axis}" for axis in ("Yaw", "Pitch", "Roll")) for who in ("Head", "LeftEye", "RightEye")}
-_TIME_CODE = re.compile(r"(\d{1,2}):(\d{1,2}):(\d{1,2})[:;](\d{1,3}(?:\.\d+)?)")
+_TIME_CODE = re.compile(r"(\d{1,2}):(\d{1,2}):(\d{1,2})([:;])(\d{1,3}(?:\.\d+)?)")
 
 
 def read_live_link_take(text: str) -> Take:
@@ -32,26 +39,57 @@ def read_live_link_take(text: str) -> Take:
     names = {column: ARKIT_CHANNELS.find(column)[0] for column in columns if ARKIT_CHANNELS.find(column)}
     if TIME not in columns or not names:
         raise ValueError(f"the file has no column {TIME} or none of ARKit's; expected one of Live Link Face")
-    times, frames = list[float](), list[TrackerFrame]()
+    codes, frames = list[TimeCode](), list[TrackerFrame]()
     for number, row in enumerate(rows, 2):
         if number > MOST_ROWS:
             raise ValueError(f"the file has more than {MOST_ROWS} rows")
         if all(row[column] for column in names):
             try:
-                times.append(read_time_code(row[TIME] or ""))
+                codes.append(read_time_code(row[TIME] or ""))
                 frames.append(_read_row(row, names))
             except (TrackerError, ValueError) as error:
                 raise ValueError(f"row {number}: {error}") from error
-    return _make_take(tuple(names.values()), times, frames)
+    rate = find_rate(codes)
+    return _make_take(tuple(names.values()), [code.at(rate) for code in codes], frames)
 
 
-def read_time_code(text: str) -> float:
-    """The seconds of a time code; ValueError where it is none."""
+class TimeCode(NamedTuple):
+    """A time code: whole seconds of the day, frames with their part, and whether it drops numbers."""
+
+    seconds: int
+    frame: float
+    drops: bool = False
+
+    def at(self, rate: int) -> float:
+        """The seconds of the day; rate: frames of a second, which are 1000 of 1001 where it drops numbers."""
+        if not self.drops:
+            return self.seconds + self.frame / rate
+        minutes = self.seconds // 60
+        dropped = rate // 15 * (minutes - minutes // 10)
+        return (self.seconds * rate + self.frame - dropped) * 1.001 / rate
+
+
+def find_rate(codes: Sequence[TimeCode]) -> int:
+    """The frames that time codes count in a second: what lies between two, where the second changes; 60 where none
+    does."""
+    pairs = list(pairwise(codes))
+    steps = sorted(later.frame - before.frame for before, later in pairs if later.seconds == before.seconds)
+    turns = [before.frame - later.frame for before, later in pairs if later.seconds == before.seconds + 1]
+    if not steps or not turns:
+        return FRAME_RATE
+    counted = sorted(turns)[len(turns) // 2] + steps[len(steps) // 2]
+    most = max(code.frame for code in codes)
+    near = [rate for rate in RATES if rate > most and abs(rate - counted) <= NEAR]
+    return min(near, key=lambda rate: abs(rate - counted), default=FRAME_RATE)
+
+
+def read_time_code(text: str) -> TimeCode:
+    """A time code as it is written; ValueError where it is none."""
     found = _TIME_CODE.fullmatch(text.strip())
     if found is None:
         raise ValueError(f"{text[:40]!r} is no time code such as 13:13:04:31.652")
-    hours, minutes, seconds, frame = map(float, found.groups())
-    return 3600.0 * hours + 60.0 * minutes + seconds + frame / FRAME_RATE
+    hours, minutes, seconds = (int(found[part]) for part in (1, 2, 3))
+    return TimeCode(3600 * hours + 60 * minutes + seconds, float(found[5]), found[4] == ";")
 
 
 def _read_row(row: Mapping[str, str | None], names: Mapping[str, str]) -> TrackerFrame:

@@ -13,17 +13,17 @@ from omote.inputs.trackers.head_angles import GazeAngles, HeadAngles, average_ey
 from omote.inputs.trackers.tracker_frame import TrackerError, TrackerFrame
 
 IFACIALMOCAP_START = b"iFacialMocap_sahuasouryya9218sauhuiayeta91555dy3719|sendDataVersion=v2"
+IFACIALMOCAP_STREAM = IFACIALMOCAP_START.replace(b"Mocap_", b"Mocap_UDPTCP_", 1)
 FACEMOTION3D_START = b"FACEMOTION3D_OtherStreaming"
+FACEMOTION3D_STREAM = FACEMOTION3D_START + b"|protocol=tcp"
+"""What asks the apps for frames: over UDP, and over TCP, which they open to us."""
 LONGEST_FRAME = 16384
 MOST_FIELDS = 256
 STATUS = "trackingstatus"
-BINARY = b"FMV3"
 
 
 def decode_face_text(data: bytes) -> list[TrackerFrame]:
     """The frame of a packet; TrackerError where it is none."""
-    if data.startswith(BINARY):
-        raise TrackerError("the packet is of the binary version 3; turn that off in the app, or name the phone here")
     if len(data) > LONGEST_FRAME:
         raise TrackerError(f"the frame has {len(data)} bytes, but at most {LONGEST_FRAME} are read")
     try:

@@ -68,15 +68,18 @@ class TrackerInput:
         self.where = ""
         self.last_rejection: Rejection | None = None
         self._last: Performer | None = None
+        self._answers: list[bytes] = []
 
-    def receive(self, host: str, data: bytes, now: float) -> None:
-        """Reads a packet; what cannot be read is rejected and counted."""
+    def receive(self, host: str, data: bytes, now: float) -> list[bytes]:
+        """Reads a packet; what cannot be read is rejected and counted. Returns the packets that answer it."""
         self.heard, self.where = self.heard + 1, host
         try:
             for frame in self._decoder(host)(data):
                 self._note(host, frame)
         except PacketError as error:
             self._reject(host, str(error), now)
+        answers, self._answers = self._answers, []
+        return answers
 
     def play(self, now: float) -> None:
         """Drives the session by the newest frame of each performer."""
@@ -85,6 +88,12 @@ class TrackerInput:
                 performer.newest = None
                 for reason in self._drive(performer, frame, now):
                     self._reject(key[0], reason, now)
+
+    def leave(self) -> None:
+        """Takes its sources out of the session: what they drove is lost, and fades out."""
+        for performer in self._performers.values():
+            self._session().leave(performer.who)
+        self._performers.clear()
 
     def values(self) -> dict[str, float]:
         """What the newest performer sent last, by channel, and its angles; as far as bars show it."""
@@ -110,7 +119,7 @@ class TrackerInput:
         if host not in self._decoders:
             if len(self._decoders) >= MOST_PERFORMERS:
                 del self._decoders[next(iter(self._decoders))]
-            self._decoders[host] = self.protocol.open()
+            self._decoders[host] = self.protocol.open(lambda packet: self._answers.append(packet))
         return self._decoders[host]
 
     def _note(self, host: str, frame: TrackerFrame) -> None:

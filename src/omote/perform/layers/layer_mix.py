@@ -133,8 +133,12 @@ def sources_of(layers: Layers, layer: LayerName) -> tuple[SourceStatus, ...]:
 
 
 def _strongest(names: tuple[str, ...], values: Values) -> dict[str, float]:
-    places, numbers = np.argsort(-np.abs(values), kind="stable")[:MOST_SHOWN].tolist(), values.tolist()
-    return {names[place]: numbers[place] for place in places if abs(numbers[place]) >= LEAST_SHOWN}
+    sizes = np.abs(values)
+    seen = np.flatnonzero(sizes >= LEAST_SHOWN)
+    if not len(seen):
+        return {}
+    places = seen[np.argsort(-sizes[seen], kind="stable")[:MOST_SHOWN]].tolist()
+    return {names[place]: float(values[place]) for place in places}
 
 
 def _mixed_values(layers: Layers, shares: Values, closed: Values | None) -> Values:

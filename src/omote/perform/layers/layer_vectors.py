@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field, replace
+from functools import lru_cache
 
 import numpy as np
 from numpy.typing import NDArray
@@ -48,7 +49,15 @@ def columns_of_source(layers: Layers, layer: LayerName, source: str) -> NDArray[
 
 def places_of_source(layers: Layers, layer: LayerName, source: str) -> NDArray[np.bool_]:
     """The parts of a layer, and what acts on the whole face (7), that show the frames of a source."""
-    return np.array([each == source for each in layers.followed.get(layer, NOBODY)])
+    return _places_in(layers.followed.get(layer, NOBODY), source)
+
+
+@lru_cache(maxsize=256)
+def _places_in(followed: Owners, source: str) -> NDArray[np.bool_]:
+    """The same for all that have the same order of sources: found once, never changed."""
+    found = np.array([each == source for each in followed])
+    found.flags.writeable = False
+    return found
 
 
 def trust_goal(layers: Layers) -> list[list[float]]:
@@ -56,8 +65,14 @@ def trust_goal(layers: Layers) -> list[list[float]]:
     found = []
     for layer in DRIVEN:
         owners, followed = layers.owners.get(layer, NOBODY), layers.followed.get(layer, NOBODY)
-        found.append([float(one is not None and one == other) for one, other in zip(owners, followed, strict=True)])
+        found.append(_trust_in(owners, followed))
     return found
+
+
+@lru_cache(maxsize=256)
+def _trust_in(owners: Owners, followed: Owners) -> list[float]:
+    """Where the trust of each part of a layer goes; never changed."""
+    return [float(one is not None and one == other) for one, other in zip(owners, followed, strict=True)]
 
 
 def share_goal(layers: Layers) -> Values:

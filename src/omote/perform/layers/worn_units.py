@@ -29,10 +29,13 @@ def worn_share(unit: Expression, expression: Expression) -> float:
 
     Summed exactly (`math.fsum`), so that every machine finds the same.
     """
-    known = _worn.setdefault(unit, WeakKeyDictionary())
-    if expression not in known:
-        known[expression] = _share(unit, expression)
-    return known[expression]
+    known = _worn.get(unit)
+    if known is None:
+        known = _worn[unit] = WeakKeyDictionary()
+    found = known.get(expression)
+    if found is None:
+        found = known[expression] = _share(unit, expression)
+    return found
 
 
 def _share(unit: Expression, expression: Expression) -> float:

@@ -2,17 +2,19 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Container
 from dataclasses import dataclass, field, replace
 from functools import lru_cache
 
 import numpy as np
+from numpy.typing import NDArray
 
 from omote.perform.frame import NO_TARGET, Gaze, Head, MotionSettings
 from omote.perform.layers.follower import follow_number, rate_of
 from omote.perform.layers.layer_names import RANGES, LayerName
 from omote.perform.layers.source_frame import AUTOMATIC, SourceFrame
-from omote.perform.limits import FOREVER, GAZE_LIMITS, check_within
+from omote.perform.limits import FOREVER, check_within
 from omote.perform.motion.blinks import Blinks, advance_blinks, begin_blink, lid_closure
 from omote.perform.motion.breathing import (
     BREATH_CHANNELS,
@@ -41,6 +43,9 @@ PURSUIT = 40.0 * DEGREE
 VERGENCE_SECONDS = 0.5
 """In which eyes converge (Hung et al. 1997: 0.4 to 0.6)."""
 MOST_VERGENCE = 0.5
+EYE_RANGE = Turn(0.6, 0.38)
+"""Radians (34 and 22 degrees) sideways and up that eyes turn in a head by themselves, less where they do both (Stahl
+2001, *Experimental Brain Research* 139: the customary range); the head brings what lies beyond."""
 MOTION_LAYERS: tuple[LayerName, ...] = ("breath", "gaze", "blink")
 
 
@@ -164,25 +169,26 @@ def motion_frames(motion: AutomaticMotion, names: Container[str]) -> dict[LayerN
         One for each of the layers breath, gaze and blink; without liveliness only the gaze, where it has a target.
     """
     if motion.acting.liveliness == 0.0:
-        return {} if motion.settings.target == NO_TARGET else {"gaze": _gaze_frame(motion)}
+        return {} if motion.settings.target == NO_TARGET else {"gaze": _gaze_frame(motion, _breath_head(motion))}
     has = tuple(name for name in _CHANNELS if name in names)
     lids = tuple(name for name in LIDS if name in names)
-    shut = lid_closure(motion.blinks, motion.time)
+    shut, drawn = lid_closure(motion.blinks, motion.time), _breath_head(motion)
     return {
-        "breath": SourceFrame(has, _breath_values(motion, has), _breath_head(motion), source=AUTOMATIC, direct=True),
-        "gaze": _gaze_frame(motion),
+        "breath": SourceFrame(has, _breath_values(motion, has), drawn, source=AUTOMATIC, direct=True),
+        "gaze": _gaze_frame(motion, drawn),
         "blink": SourceFrame(lids, np.full(len(lids), shut), source=AUTOMATIC, direct=True),
     }
 
 
-def _gaze_frame(motion: AutomaticMotion) -> SourceFrame:
-    """Eyes and head: the eyes turn back by what the head has come (the vestibulo-ocular reflex).
+def _gaze_frame(motion: AutomaticMotion, drawn: Head) -> SourceFrame:
+    """Eyes and head: the eyes turn back by what the head has come (the vestibulo-ocular reflex). drawn: the breath's.
 
     The layer replaces what lies below, so that the head has breath and noise in it here too.
     """
-    head, drawn = motion.head.second, _breath_head(motion)
+    head = motion.head.second
     eyes = looked_at(motion.gaze, motion.time) - head
-    gaze = Gaze(_within(eyes.yaw, GAZE_LIMITS["yaw"]), _within(eyes.pitch, GAZE_LIMITS["pitch"]))
+    share = _share_in_range(eyes)
+    gaze = Gaze(share * eyes.yaw, share * eyes.pitch)
     return SourceFrame(
         (),
         np.zeros(0),
@@ -194,8 +200,11 @@ def _gaze_frame(motion: AutomaticMotion) -> SourceFrame:
     )
 
 
-def _within(angle: float, limit: float) -> float:
-    return min(max(angle, -limit), limit)
+def _share_in_range(eyes: Turn) -> float:
+    """How much of a turn lies within the range of the eyes, an ellipse."""
+    side, height = eyes.yaw / EYE_RANGE.yaw, eyes.pitch / EYE_RANGE.pitch
+    beyond = side * side + height * height
+    return 1.0 if beyond <= 1.0 else 1.0 / math.sqrt(beyond)
 
 
 _CHANNELS = tuple(sorted({*BREATH_CHANNELS, *NOISE_CHANNELS}))
@@ -203,13 +212,18 @@ _CHANNELS = tuple(sorted({*BREATH_CHANNELS, *NOISE_CHANNELS}))
 
 def _breath_values(motion: AutomaticMotion, names: tuple[str, ...]) -> np.ndarray:
     depth, drawn = motion.depth[1], air(motion.breath, motion.time)
-    moved = [noise(motion.settings.seed, kind, motion.time) for kind in range(NOISES)]
-    added = [
-        BREATH_CHANNELS.get(name, 0.0) * drawn + moved[kind] * far
-        for name in names
-        for kind, far in [NOISE_CHANNELS.get(name, (0, 0.0))]
-    ]
-    return np.array([_within(depth * value, MOST_OFFSET) for value in added])
+    moved = np.array([noise(motion.settings.seed, kind, motion.time) for kind in range(NOISES)])
+    breathed, kinds, far = _shares(names)
+    added = depth * (breathed * drawn + far * moved[kinds])
+    return np.minimum(np.maximum(added, -MOST_OFFSET), MOST_OFFSET)
+
+
+@lru_cache(maxsize=64)
+def _shares(names: tuple[str, ...]) -> tuple[NDArray[np.float64], NDArray[np.intp], NDArray[np.float64]]:
+    """Of each channel how far a whole breath moves it, which noise does, and how far."""
+    noises = [NOISE_CHANNELS.get(name, (0, 0.0)) for name in names]
+    breathed = np.array([BREATH_CHANNELS.get(name, 0.0) for name in names])
+    return breathed, np.array([kind for kind, _ in noises], np.intp), np.array([far for _, far in noises])
 
 
 def _breath_head(motion: AutomaticMotion) -> Head:

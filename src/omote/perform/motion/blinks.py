@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
 from omote.perform.easing import EASINGS
+from omote.perform.frame import with_fields
 from omote.perform.motion.counter_hash import uniform
 from omote.perform.motion.quantiles import BLINK_DEPTH, BLINK_DOWN, BLINK_PAUSE, BLINK_UP, SPEECH_BLINKS
 
@@ -65,7 +66,7 @@ def advance_blinks(blinks: Blinks, seed: int, now: float, dt: float, *, rate: fl
     ended = blinks.speaking and not speaking and rate > 0.0
     drawn = ended and uniform(seed, _END, blinks.count) < PHRASE_END
     due = blinks.due - passed
-    later = replace(blinks, due=due, speaking=speaking)
+    later = with_fields(blinks, due=due, speaking=speaking)
     if not drawn and due > 0.0:
         return later
     return begin_blink(later, seed, now)

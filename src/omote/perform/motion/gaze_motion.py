@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
 from omote.perform.easing import EASINGS
+from omote.perform.frame import with_fields
 from omote.perform.motion.counter_hash import uniform
 from omote.perform.motion.head_following import AHEAD, Turn
 from omote.perform.motion.quantiles import (
@@ -72,7 +73,7 @@ def advance_gaze(
 ) -> GazeMotion:
     """The eyes at `now`. seen: the direction of what is looked at; reach: how far they go elsewhere, 1 as people do;
     contact: whether they are to be at what is looked at, None where their own spells decide."""
-    motion = replace(_moved_to(motion, now, seen), lids=False)
+    motion = _moved_to(motion, now, seen)
     other = now >= motion.spell if contact is None else contact != motion.contact
     arrived = now >= motion.saccade.began + motion.saccade.seconds
     if now < motion.fixation and not (other and arrived and contact is not None):
@@ -84,16 +85,20 @@ def advance_gaze(
 
 def _moved_to(motion: GazeMotion, now: float, seen: Turn) -> GazeMotion:
     """What is looked at is elsewhere: a small way is gone with it, a large one is caught up by a saccade at once."""
+    if seen == motion.seen and not motion.lids:
+        return motion
     way = seen - motion.seen
     if abs(way.yaw) + abs(way.pitch) <= OTHER_GOAL:
-        return replace(motion, seen=seen)
-    stays = replace(motion.saccade, origin=motion.saccade.at(now) - way, goal=motion.saccade.at(now) - way, began=now)
-    return replace(motion, seen=seen, saccade=stays, contact=False, spell=now, fixation=now)
+        return with_fields(motion, seen=seen, lids=False)
+    stays = with_fields(
+        motion.saccade, origin=motion.saccade.at(now) - way, goal=motion.saccade.at(now) - way, began=now
+    )
+    return with_fields(motion, seen=seen, saccade=stays, contact=False, spell=now, fixation=now, lids=False)
 
 
 def _other_spell(motion: GazeMotion, seed: int, now: float) -> GazeMotion:
     spell = AWAY_SPELL if motion.contact else CONTACT_SPELL
-    return replace(motion, contact=not motion.contact, spell=now + spell.at(uniform(seed, _SPELL, motion.count)))
+    return with_fields(motion, contact=not motion.contact, spell=now + spell.at(uniform(seed, _SPELL, motion.count)))
 
 
 def _shifted(motion: GazeMotion, seed: int, now: float, reach: float) -> GazeMotion:
@@ -108,7 +113,7 @@ def _shifted(motion: GazeMotion, seed: int, now: float, reach: float) -> GazeMot
     began = now + (LEAD_SECONDS if lids else 0.0)
     saccade = Saccade(origin, goal, began, SACCADE_SECONDS + SACCADE_PER_DEGREE * amplitude / DEGREE)
     rest = began + saccade.seconds + rests.at(uniform(seed, _FIXATION, count))
-    return replace(motion, count=count, saccade=saccade, fixation=rest, lids=lids)
+    return with_fields(motion, count=count, saccade=saccade, fixation=rest, lids=lids)
 
 
 def blink_share(amplitude: float) -> float:

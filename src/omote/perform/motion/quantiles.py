@@ -69,7 +69,7 @@ BLINK_DEPTH = Quantiles((0.55, 0.9, 1.0, 1.0, 1.0, 1.0))
 CONTACT_SPELL = lognormal(2.6, 0.5, 1.0, 5.0)
 AWAY_SPELL = lognormal(1.5, 0.6, 0.5, 4.0)
 """Seconds of eye contact, and of looking elsewhere (Argyle and Ingham 1972: mutual gaze of 1 to 5 s)."""
-MUTUAL_SPELL = lognormal(2.7, 0.45, 1.0, 5.0)
+MUTUAL_SPELL = lognormal(2.7, 0.45, 1.15, 4.9)
 """Seconds for which two who look at one another meet each other's eyes (the same)."""
 CONTACT_FIXATION = lognormal(0.9, 0.5, 0.25, 3.0)
 AWAY_FIXATION = lognormal(0.6, 0.5, 0.2, 2.5)

@@ -20,11 +20,11 @@ CAMERA: Point = (0.0, 0.0, 1.5)
 
 @dataclass(frozen=True)
 class Looker:
-    """A character as others see it. turned: radians by which its head has gone with its gaze; seed: of its motion;
-    present: whether it is on the stage, or on its way there."""
+    """A character as others see it. eyes: where they are; seed: of its motion; present: whether it is on the stage, or
+    on its way there."""
 
     place: Place
-    turned: float
+    eyes: Point
     target: GazeTarget
     seed: int
     present: bool = True
@@ -76,7 +76,7 @@ def _sight_of_other(name: str, lookers: Mapping[str, Looker], time: float) -> Si
     own, other = lookers[name], lookers.get(lookers[name].target.name)
     if other is None or not other.present:
         return NOTHING
-    seen = _sight(own, _eyes(other))
+    seen = _sight(own, other.eyes)
     back = other.target
     if back.kind != "character" or back.name != name or not own.present:
         return seen
@@ -86,9 +86,9 @@ def _sight_of_other(name: str, lookers: Mapping[str, Looker], time: float) -> Si
 
 
 def _sight(own: Looker, point: Point) -> Sight:
-    return sight_of_point(point, _eyes(own), body=own.place.turn, size=own.place.size)
+    return sight_of_point(point, own.eyes, body=own.place.turn, size=own.place.size)
 
 
-def _eyes(looker: Looker) -> Point:
-    place = looker.place
-    return eyes_of(place.x, place.depth, place.size, place.turn + looker.turned)
+def eyes_at(place: Place, turned: float) -> Point:
+    """Where the eyes of a character are. turned: radians by which its head has gone with its gaze."""
+    return eyes_of(place.x, place.depth, place.size, place.turn + turned)

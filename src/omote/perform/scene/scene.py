@@ -30,6 +30,7 @@ from omote.perform.scene.gaze_targets import (
     Looker,
     check_point,
     check_point_name,
+    eyes_at,
     find_sight,
 )
 from omote.perform.scene.removal import framing_back, insert_at_rank, with_kept, with_removal, without_stay
@@ -492,7 +493,7 @@ class Scene:
             1 to 40 letters.
         x, y, z : float
             Metres: to the picture's right, -20 to 20; above the eyes of a head of size 1, -10 to 10; before the front
-            line, -20 to 50.
+            line, -20 to 200.
 
         Raises
         ------
@@ -692,7 +693,8 @@ class Scene:
     def _looker(self, name: str) -> Looker:
         character, at = self._characters[name], self._standings[name]
         motion, present = character.motion, at.presence.goal["presence"] > 0.0
-        return Looker(self._shown_at(name)[0], character.turned, motion.target, motion.seed, present)
+        place = self._shown_at(name)[0]
+        return Looker(place, eyes_at(place, character.turned), motion.target, motion.seed, present)
 
     def _check_target(self, looker: object, kind: str, name: str) -> None:
         if kind == "gaze_point":

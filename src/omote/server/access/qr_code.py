@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import io
+
 import segno
 
 QUIET = 2
@@ -28,6 +30,13 @@ def draw_qr_code(text: str, *, encoding: str = "utf-8", colour: bool = False) ->
 def qr_picture(text: str) -> str:
     """A QR code as an SVG picture, in an address that a page can show (`data:`)."""
     return segno.make(text, error="m").svg_data_uri(scale=6, border=4, light="#fff")
+
+
+def draw_svg(text: str) -> bytes:
+    """A QR code as an SVG picture."""
+    drawn = io.BytesIO()
+    segno.make(text, error="m").save(drawn, kind="svg", scale=6, border=4, light="#fff")
+    return drawn.getvalue()
 
 
 def _draw_blocks(rows: list[list[bool]], *, colour: bool) -> str:

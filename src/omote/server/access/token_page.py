@@ -15,6 +15,12 @@ _STYLE = (
     "color:inherit}form{display:flex;gap:.5rem;margin:1.2rem 0}input{flex:1;min-width:0}button{background:#2c5d8f;"
     "cursor:pointer}small{color:#9aa2aa}code{color:#d8dce0}"
 )
+_PHONE_STYLE = (
+    "h2{font-size:1.05rem;margin:0}section{margin:1.2rem 0;padding:.8rem 1rem;border:1px solid #4a5058;"
+    "border-radius:.4rem}section p{margin:.3rem 0}label{display:block;margin:.5rem 0;color:#9aa2aa}"
+    "label input{display:block;width:100%;box-sizing:border-box;font:600 1.3rem ui-monospace,monospace;color:#d8dce0;"
+    "user-select:all;-webkit-user-select:all}a{color:#8fc0f0}small{display:block;margin:.8rem 0}"
+)
 _HEAD = (
     '<!doctype html><html lang="en"><head><meta charset="utf-8"><title>Omote</title>'
     '<meta name="viewport" content="width=device-width, initial-scale=1"><link rel="icon" href="data:,">'
@@ -51,6 +57,11 @@ def leave_address(address: str, status: HTTPStatus = HTTPStatus.OK) -> web.Respo
         f'<body><main><a href="{goal}" style="color:inherit">Go on</a></main></body></html>',
         status,
     )
+
+
+def show_page(body: str, status: HTTPStatus) -> web.Response:
+    """A small page of the same kind, which a phone reads; body: what stands in it (HTML)."""
+    return _page(f"{_HEAD}<style>{_STYLE}{_PHONE_STYLE}</style></head><body><main>{body}</main></body></html>", status)
 
 
 def _page(text: str, status: HTTPStatus) -> web.Response:

@@ -16,17 +16,20 @@ def play_take(
     drive: Callable[..., object],
     *,
     layer: str = "playback",
+    start: float = 0.0,
+    speed: float = 1.0,
     clock: Callable[[], float] = time.monotonic,
     sleep: Callable[[float], None] = time.sleep,
 ) -> int:
-    """Plays a recording once, to its end; returns how many frames were sent. drive: of a character of a running show.
+    """Plays a recording once, to its end; returns how many frames were sent. drive: of a character of a running show;
+    start: seconds from its beginning; speed: 1 is as it was recorded.
 
     A frame that is late is left out for the newer one; one that lasts is sent again, so that the layer does not count
     as lost.
     """
     begun, sent = clock(), 0
     while True:
-        now = clock() - begun
+        now = start + speed * (clock() - begun)
         frame = take.frame_at(now)
         weights = dict(zip(take.names, take.values[frame], strict=True))
         drive(weights, layer=layer, head=take.head(frame), gaze=take.gaze(frame))

@@ -36,6 +36,14 @@ class DatagramReader:
             if self.hears(host):
                 yield (host, port), data
 
+    def send(self, packet: bytes, place: tuple[str, int]) -> None:
+        """Sends a packet to a host and port; OSError where that cannot be."""
+        self.socket.sendto(packet, place)
+
+    def close(self) -> None:
+        """Closes the socket."""
+        self.socket.close()
+
     def hears(self, host: str) -> bool:
         """Whether a host may play; who may not is counted and named."""
         if self._allowed.allows(host):

@@ -2,25 +2,82 @@
 
 from __future__ import annotations
 
-import contextlib
 import socket
 from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, field
 
-from omote.inputs.face_output.face_target import FaceTarget, encode_face
+from omote.inputs.face_output.face_target import FaceTarget, encode_face, find_sent
 from omote.inputs.face_output.unit_weights import UnitWeights
 from omote.inputs.page_devices.device_health import SourceCounts
+from omote.interchange.formats.error_reasons import explain_error
 from omote.show.messages import CharacterState, State
 from omote.show.session import ShowSession
 
+FAULT_SECONDS = 2.0
+"""For which a fault is told after it was seen last: of two packets to nobody every other one is answered."""
+
+
+def _open() -> socket.socket:
+    datagrams = socket.socket(socket.AF_INET, socket.SOCK_DGRAM)
+    datagrams.setblocking(False)
+    return datagrams
+
+
+@dataclass(eq=False)
+class FaceReceiver:
+    """A program that a face is sent to, by a socket of its own, which hears that nobody is there (ICMP).
+
+    sent: packets; fault: why they do not arrive, or "", and since when it was not seen; character: whose face, "" where
+    nobody is called so.
+    """
+
+    target: FaceTarget
+    sent: int = 0
+    fault: str = ""
+    character: str = ""
+    seen: float = 0.0
+    datagrams: socket.socket = field(default_factory=_open)
+
+    def send(self, packets: Sequence[bytes], now: float) -> str:
+        """Sends packets; returns a fault that is new, or ""."""
+        before = self.fault
+        if self.fault and now - self.seen > FAULT_SECONDS:
+            self.fault = ""
+        for packet in packets:
+            try:
+                if not self.sent:
+                    self.datagrams.connect((self.target.host, self.target.port))
+                self.datagrams.send(packet)
+                self.sent += 1
+            except BlockingIOError:
+                pass  # the network is slower than we are
+            except OSError as error:
+                self.fault, self.seen = _explain(self.target, error), now
+        return self.fault if self.fault and not before else ""
+
 
 class FaceOutput:
-    """The programs that faces are sent to. session: the one that plays."""
+    """The programs that faces are sent to. session: the one that plays; report: says on the terminal what is wrong."""
 
-    def __init__(self, targets: Sequence[FaceTarget], session: Callable[[], ShowSession]) -> None:
-        self._targets, self._session = tuple(targets), session
-        self._datagrams = socket.socket(socket.AF_INET, socket.SOCK_DGRAM)
-        self._datagrams.setblocking(False)
+    def __init__(
+        self,
+        targets: Sequence[FaceTarget],
+        session: Callable[[], ShowSession],
+        report: Callable[[str], None] = lambda _: None,
+    ) -> None:
+        self._session, self._report = session, report
+        self.receivers = [FaceReceiver(target) for target in targets]
         self._units: tuple[object, UnitWeights] | None = None
+
+    def add(self, target: FaceTarget) -> None:
+        """Sends a face there from now on."""
+        self.receivers.append(FaceReceiver(target))
+
+    def remove(self, word: str) -> None:
+        """Sends a target no more."""
+        for each in [each for each in self.receivers if each.target.word == word]:
+            self.receivers.remove(each)
+            each.datagrams.close()
 
     @property
     def probes(self) -> list[Callable[[], SourceCounts]]:
@@ -32,24 +89,32 @@ class FaceOutput:
 
     def tell(self, state: State, now: float) -> None:
         """Sends each target its character; one that has gone is not sent."""
-        weights: dict[str, Mapping[str, float]] = {}
-        for target in self._targets:
-            name = target.character or next(iter(state.characters), "")
-            character = state.characters.get(name)
+        weights: dict[int, Mapping[str, float]] = {}
+        for receiver in self.receivers:
+            character = find_sent(receiver.target.character, state.characters)
+            receiver.character = character.label if character else ""
             if character is None:
                 continue
-            if name not in weights:
-                weights[name] = self._weigh(character)
-            for packet in encode_face(target, character, weights[name], now):
-                with contextlib.suppress(OSError):  # full, or there is no way to that host
-                    self._datagrams.sendto(packet, (target.host, target.port))
+            if id(character) not in weights:
+                weights[id(character)] = self.weigh(character)
+            packets = encode_face(receiver.target, character, weights[id(character)], now)
+            if fault := receiver.send(packets, now):
+                self._report(f"{fault}.")
 
     async def close(self) -> None:
-        """Closes the socket."""
-        self._datagrams.close()
+        """Closes the sockets."""
+        for each in self.receivers:
+            each.datagrams.close()
 
-    def _weigh(self, character: CharacterState) -> Mapping[str, float]:
+    def weigh(self, character: CharacterState) -> Mapping[str, float]:
+        """What a character has on air, as weights of all of ARKit's units."""
         cast = self._session().cast
         if self._units is None or self._units[0] is not cast:
             self._units = cast, UnitWeights(cast.expressions)
         return self._units[1].weigh(character.expressions, character.channels)
+
+
+def _explain(target: FaceTarget, error: OSError) -> str:
+    if isinstance(error, ConnectionRefusedError):
+        return f"nobody hears the face that is sent to {target.word}: is the program there, and its receiver on"
+    return f"the face cannot be sent to {target.word} ({explain_error(error)})"

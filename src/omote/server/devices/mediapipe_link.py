@@ -23,24 +23,32 @@ HEARTBEAT = 8.0
 
 
 class MediapipeLink:
-    """Results of MediaPipe at one show. session: the one that plays."""
+    """Results of MediaPipe at one show. session: the one that plays. on: whether they are heard."""
 
     def __init__(self, session: Callable[[], ShowSession], log: RejectionLog) -> None:
         self.trackers = TrackerInput(TRACKER_PROTOCOLS["mediapipe"], session)
-        self._log, self._told_rejected = log, 0
+        self._log, self._told_rejected, self.on = log, 0, False
         self._waiting: deque[tuple[str, bytes]] = deque(maxlen=MOST_WAITING)
 
     async def respond(self, request: web.Request) -> web.WebSocketResponse:
         """Takes the results of one sender until it closes."""
+        if not self.on:
+            raise web.HTTPNotFound(text="results of MediaPipe are not heard: switch MediaPipe on at the page Devices.")
         link = web.WebSocketResponse(compress=False, max_msg_size=LONGEST_RESULT, heartbeat=HEARTBEAT)
         await link.prepare(request)
         host = request.remote or ""
         async for message in link:
+            if not self.hears():
+                break
             if message.type is WSMsgType.TEXT:
                 self._waiting.append((host, message.data.encode()))
             elif message.type is WSMsgType.BINARY:
                 self._waiting.append((host, message.data))
         return link
+
+    def hears(self) -> bool:
+        """Whether results are heard."""
+        return self.on
 
     def hear(self, now: float) -> None:
         """Takes what has come since the last tick, for a bounded time, and drives by the newest of it."""
@@ -60,7 +68,7 @@ class MediapipeLink:
     @property
     def probes(self) -> list[Callable[[], SourceCounts]]:
         """How pages are told of it."""
-        return [self._count]
+        return [self._count] if self.on else []
 
     async def close(self) -> None:
         """There is nothing to close: links end with the server."""

@@ -6,17 +6,18 @@ import contextlib
 import socket
 import time
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from functools import partial
 
 from omote.inputs.allowed_senders import THIS_MACHINE, AllowedSenders
 from omote.inputs.page_devices.device_health import SourceCounts
 from omote.inputs.rejection import Rejection
 from omote.inputs.trackers.tracker_input import TrackerInput
-from omote.inputs.trackers.tracker_protocols import TrackerProtocol, advise
+from omote.inputs.trackers.tracker_protocols import TRACKER_TITLES, TrackerProtocol, advise
 from omote.server.access.show_addresses import own_address
 from omote.server.devices.datagram_reader import DatagramReader
 from omote.server.devices.rejection_log import RejectionLog
+from omote.server.devices.stream_reader import StreamReader
 from omote.show.messages import State
 from omote.show.session import ShowSession
 
@@ -28,7 +29,8 @@ ASK_SECONDS = 1.0
 
 @dataclass(frozen=True)
 class TrackerSocket:
-    """A protocol, the socket that hears it, and the address of a phone that is asked for frames, or ""."""
+    """A protocol, the socket that hears it, and the address of a phone that is asked for frames where its protocol has
+    that, and that may play in any case, or ""."""
 
     protocol: TrackerProtocol
     datagrams: socket.socket
@@ -43,6 +45,10 @@ class _Heard:
     advice: str
     told_rejected: int = 0
     asked: float = -ASK_SECONDS
+    count: Callable[[], SourceCounts] = field(init=False)
+
+    def __post_init__(self) -> None:
+        self.count = partial(_count, self)
 
 
 class TrackerListener:
@@ -55,21 +61,33 @@ class TrackerListener:
         log: RejectionLog,
         allowed: AllowedSenders = THIS_MACHINE,
     ) -> None:
-        self._log, host = log, own_address() or "127.0.0.1"
-        self._heard = [
-            _Heard(
-                each,
-                TrackerInput(each.protocol, session),
-                DatagramReader(each.datagrams, each.protocol.title, allowed.with_host(each.phone or None), log),
-                advise(each.protocol, host, each.datagrams.getsockname()[1]),
-            )
-            for each in sockets
-        ]
+        self._log, self._session, self._allowed = log, session, allowed
+        self._heard: list[_Heard] = []
+        for each in sockets:
+            self.add(each)
+
+    def add(self, tracker: TrackerSocket) -> None:
+        """Hears a tracker from now on."""
+        advice = advise(tracker.protocol, own_address() or "127.0.0.1", tracker.datagrams.getsockname()[1])
+        reader = _open_reader(tracker, self._allowed, self._log)
+        self._heard.append(_Heard(tracker, TrackerInput(tracker.protocol, self._session), reader, advice))
+
+    def remove(self, name: str) -> None:
+        """Hears a tracker no more; name: its protocol's."""
+        for each in [each for each in self._heard if each.tracker.protocol.name == name]:
+            self._heard.remove(each)
+            each.trackers.leave()
+            each.reader.close()
+
+    def stranger(self, name: str) -> str:
+        """The host that sent last to a protocol and may not play, or ""."""
+        return next((each.reader.foreign_host for each in self._heard if each.tracker.protocol.name == name), "")
 
     @property
     def probes(self) -> list[Callable[[], SourceCounts]]:
         """How pages are told of each protocol."""
-        return [partial(_count, each) for each in self._heard]
+        order = {title: place for place, title in enumerate(TRACKER_TITLES)}
+        return [each.count for each in sorted(self._heard, key=lambda each: order[each.tracker.protocol.title])]
 
     @property
     def inputs(self) -> list[TrackerInput]:
@@ -80,14 +98,16 @@ class TrackerListener:
         """Takes what has come since the last tick, for a bounded time, and drives by the newest of it."""
         until = time.perf_counter() + HEAR_SECONDS
         for each in self._heard:
-            for (host, _), data in each.reader.read():
-                each.trackers.receive(host, data, now)
+            for place, data in each.reader.read():
+                for answer in each.trackers.receive(place[0], data, now):
+                    with contextlib.suppress(OSError):  # the phone is away
+                        each.reader.send(answer, place)
                 if time.perf_counter() > until:
                     break
         for each in self._heard:
             each.trackers.play(now)
             self._note_rejections(each)
-        self._heard.append(self._heard.pop(0))  # none of them waits for ever behind a flood
+        self._heard = self._heard[1:] + self._heard[:1]  # none of them waits for ever behind a flood
         self._log.tell(now)
 
     def tell(self, state: State, now: float) -> None:  # noqa: ARG002  (every source is told; phones are not)
@@ -98,18 +118,23 @@ class TrackerListener:
                 each.asked = now
                 with contextlib.suppress(OSError):  # the phone is away; it is asked again
                     own = each.tracker.datagrams.getsockname()[1]
-                    each.tracker.datagrams.sendto(ask(own), (each.tracker.phone, port))
+                    each.reader.send(ask(own), (each.tracker.phone, port))
 
     async def close(self) -> None:
         """Closes this process's copies of the sockets."""
         for each in self._heard:
-            each.tracker.datagrams.close()
+            each.reader.close()
 
     def _note_rejections(self, each: _Heard) -> None:
         new, newest = each.trackers.rejected - each.told_rejected, each.trackers.last_rejection
         if new and newest is not None:
             self._log.note(f"{newest.sender}: {newest.reason}", new)
             each.told_rejected = each.trackers.rejected
+
+
+def _open_reader(tracker: TrackerSocket, allowed: AllowedSenders, log: RejectionLog) -> DatagramReader:
+    kind = StreamReader if tracker.protocol.stream else DatagramReader
+    return kind(tracker.datagrams, tracker.protocol.title, allowed.with_host(tracker.phone or None), log)
 
 
 def _count(each: _Heard) -> SourceCounts:

@@ -16,6 +16,7 @@ from omote.edit.store.on_air_recipes import OnAir, read_on_air
 from omote.server.access.access_control import AccessControl
 from omote.server.access.access_guard import guard_access, visitor_in
 from omote.server.access.people_routes import PeopleRoutes
+from omote.server.access.phone_page import PHONE_PATH, PhonePage
 from omote.server.access.security import add_headers, guard, silence_bad_requests
 from omote.server.http.cast_documents import CastDocuments
 from omote.server.http.cast_reload import CastReload
@@ -30,7 +31,7 @@ from omote.server.http.touchosc import TOUCHOSC_PATH, TouchoscLayout
 from omote.server.http.uploads import RunFileJob, Uploads
 from omote.server.persistence.authored_work import AuthoredWork
 from omote.server.sounds.sound_routes import Sounds
-from omote.show.messages import LINK_PATH, MESSAGE_LIMIT, FromServer, Notice, Notices, Progress, Refused, State
+from omote.show.messages import LINK_PATH, MESSAGE_LIMIT, Devices, FromServer, Notice, Notices, Progress, Refused, State
 from omote.show.outgoing import KeepRequest, Outgoing
 from omote.show.session import ShowSession
 from omote.show.wire import encode
@@ -69,10 +70,10 @@ class ShowServer:
         self.uploads: Uploads | None = None
         self.long_requests = LongRequests(self._send_progress)
         self.sources: list[Source] = []
-        self.sounds = Sounds(session.sounds.set)
         self.device_spoke: Callable[[], None] = lambda: None
         self.oscquery: OscQuery | None = None
         self._heard: dict[str, Respond] = {}
+        self._describe_devices: Callable[[], Devices] = lambda: Devices([])
         self._surface_allowed: Callable[[str], bool] = lambda _: False
         self.access: AccessControl | None = None
         self.authority: bytes | None = None
@@ -117,6 +118,10 @@ class ShowServer:
         """Adds a link by which trackers, cameras or microphones send."""
         self._heard[path] = respond
 
+    def enable_phone_page(self, describe: Callable[[], Devices]) -> None:
+        """Tells phones what to type into the apps of trackers; describe: what is switched on."""
+        self._describe_devices = describe
+
     def enable_access(self, control: AccessControl | None, authority: bytes | None = None) -> None:
         """Asks for tokens from now on, but for None; authority: the certificate that tablets may install."""
         self.access, self.authority = control, authority
@@ -131,7 +136,10 @@ class ShowServer:
     def application(self, names: frozenset[str]) -> web.Application:
         """Builds the aiohttp application; `names` are the host names it answers to, beside numeric addresses."""
         silence_bad_requests()
-        guards = [guard(names), guard_access(lambda: self.access, frozenset(PAGES), self._surface_allowed)]
+        guards = [
+            guard(names),
+            guard_access(lambda: self.access, frozenset((*PAGES, PHONE_PATH)), self._surface_allowed),
+        ]
         application = web.Application(middlewares=guards, client_max_size=MESSAGE_LIMIT)
         application.on_response_prepare.append(add_headers)
         application.router.add_get(LINK_PATH, self.link)
@@ -141,7 +149,7 @@ class ShowServer:
         application.router.add_get("/exports/{file}", self.export)
         application.router.add_post("/imports/{file}", self.take_in)
         DocumentRoutes(self.documents).add_routes(application)
-        self.sounds.add_routes(application)
+        Sounds(self.session.sounds.set).add_routes(application)
         PeopleRoutes(
             lambda: self.access,
             lambda: [link.visitor for link in self._all_links()],
@@ -149,6 +157,7 @@ class ShowServer:
             lambda: self.authority,
         ).add_routes(application)
         self._add_device_routes(application)
+        PhonePage(lambda: self._describe_devices(), lambda: self.access, self._pages).add_routes(application)
         for path in (*PAGES, "/{page:.+}"):
             application.router.add_get(path, self.page)
         return application

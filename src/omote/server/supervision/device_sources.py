@@ -33,15 +33,29 @@ from omote.server.devices.microphone_link import MicrophoneLink
 from omote.server.devices.osc_listener import OscListener, OscSockets
 from omote.server.devices.page_device_source import PageDeviceSource
 from omote.server.devices.rejection_log import RejectionLog
+from omote.server.devices.switches.device_switches import DeviceSwitches, Switched
+from omote.server.devices.switches.tracker_sockets import read_trackers
 from omote.server.devices.tracker_listener import TrackerListener, TrackerSocket
+from omote.server.devices.vtube_studio.api_programs import ApiPrograms
 from omote.server.http.app import ShowServer
 from omote.server.persistence.authored_work import AuthoredWork
+from omote.server.persistence.device_file import DeviceFile, device_path
 from omote.server.supervision.device_sockets import DeviceOptions
 from omote.server.supervision.early_tick import EarlyTicks
-from omote.server.supervision.tracker_sockets import read_trackers
 from omote.show.access.people_list import Visitor
+from omote.show.session import ShowSession
 
 Report = Callable[[str], None]
+Started = (
+    OscListener
+    | DmxListener
+    | TrackerListener
+    | MediapipeLink
+    | MicrophoneLink
+    | FaceOutput
+    | ApiPrograms
+    | PageDeviceSource
+)
 
 
 class Closable(Protocol):
@@ -52,37 +66,53 @@ class Closable(Protocol):
 
 
 async def start_devices(
-    server: ShowServer, options: DeviceOptions, report: Report, early: EarlyTicks | None = None
+    server: ShowServer,
+    options: DeviceOptions,
+    report: Report,
+    early: EarlyTicks | None = None,
+    show: Path | None = None,
 ) -> list[Closable]:
     """Hears all devices that a show was opened with; returns what is to be closed. early: is told when OSC comes; desks
-    of light send without end, and wait for the beat."""
+    of light send without end, and wait for the beat. show: its file, beside which lies what pages switch on."""
     early = early or EarlyTicks()
     allowed = read_senders(options.allow) if options.allow else THIS_MACHINE
     allowed = allowed.with_host(own_address())  # a desk's program here sends to groups by a network card
     log = RejectionLog(report)
     bindings, commands = _open_bindings(server, options, report)
-    started: list[
-        OscListener | DmxListener | TrackerListener | MediapipeLink | MicrophoneLink | FaceOutput | PageDeviceSource
-    ] = []
+    started: list[Started] = []
     if options.osc is not None:
-        connections = None if options.osc_connections is None else _copy(options.osc_connections)
-        sockets = OscSockets(_copy(options.osc), connections)
-        osc = OscListener(OscInput(lambda: server.session), sockets, log, allowed, spoke=early.note)
-        early.watch(sockets.datagrams)
-        await osc.start()
-        _tell_surfaces(osc, options, server.clock())
-        server.enable_oscquery(sockets.datagrams.getsockname()[1], allowed.allows)
-        started.append(osc)
+        started.append(await _hear_osc(server, _copy(options.osc), options, log, allowed, early))
     if options.sacn is not None or options.artnet is not None:
         started.append(_hear_dmx(bindings, options, log, allowed, report))
-    started += _open_trackers(server, options, log, allowed)
+    notes = _open_notes(show, report)
+    switched = _open_switched(server, options, log, allowed, notes, report)
+    started += [switched.trackers, switched.mediapipe, switched.programs, switched.faces]
+    switches = _open_switches(switched, options, notes, report)
+    server.enable_phone_page(lambda: switches.describe(server.clock()))
     started.append(microphones := MicrophoneLink(lambda: server.session, server.clock, early.note, _holds(server)))
     server.enable_sender(MICROPHONE_PATH, microphones.respond)
-    probes = [probe for each in started for probe in each.probes]
-    devices = PageDevices(lambda: server.session, bindings, commands, InputLog(_wall() - server.clock()), probes)
+    sources = tuple(started)
+    devices = PageDevices(
+        lambda: server.session, bindings, commands, InputLog(_wall() - server.clock()),
+        lambda: [probe for each in sources for probe in each.probes], switches,
+    )  # fmt: skip
     started.append(PageDeviceSource(devices, lambda: server.session, server.links.answer))
     server.sources.extend(started)
     return list(started)
+
+
+async def _hear_osc(
+    server: ShowServer, datagrams: socket.socket, options: DeviceOptions, log: RejectionLog, allowed: AllowedSenders,
+    early: EarlyTicks,
+) -> OscListener:  # fmt: skip
+    connections = None if options.osc_connections is None else _copy(options.osc_connections)
+    sockets = OscSockets(datagrams, connections)
+    osc = OscListener(OscInput(lambda: server.session), sockets, log, allowed, spoke=early.note)
+    early.watch(datagrams)
+    await osc.start()
+    _tell_surfaces(osc, options, server.clock())
+    server.enable_oscquery(datagrams.getsockname()[1], allowed.allows)
+    return osc
 
 
 def _tell_surfaces(osc: OscListener, options: DeviceOptions, now: float) -> None:
@@ -100,20 +130,37 @@ def _hear_dmx(
     return DmxListener(dmx, bindings, log, sacn=sacn, artnet=artnet, allowed=allowed, report=report)
 
 
-def _open_trackers(
-    server: ShowServer, options: DeviceOptions, log: RejectionLog, allowed: AllowedSenders
-) -> list[TrackerListener | MediapipeLink | FaceOutput]:
+def _open_notes(show: Path | None, report: Report) -> DeviceFile:
+    """What pages have switched on; nothing, with a word on the terminal, where that cannot be read."""
+    notes = DeviceFile(None if show is None else device_path(show), report)
+    notes.load()
+    return notes
+
+
+def _open_switched(
+    server: ShowServer,
+    options: DeviceOptions,
+    log: RejectionLog,
+    allowed: AllowedSenders,
+    notes: DeviceFile,
+    report: Report,
+) -> Switched:
     """What hears trackers, and what sends faces to other programs."""
-    started: list[TrackerListener | MediapipeLink | FaceOutput] = []
-    if options.trackers:
-        started.append(_hear_trackers(server, options, log, allowed))
-    if any(wish.protocol.port is None for wish in read_trackers(options.listen)):
-        link = MediapipeLink(lambda: server.session, log)
-        server.enable_sender(MEDIAPIPE_PATH, link.respond)
-        started.append(link)
-    if faces := [target for target in read_targets(options.send) if target.protocol != SURFACE]:
-        started.append(FaceOutput(faces, lambda: server.session))
-    return started
+
+    def session() -> ShowSession:
+        return server.session
+
+    mediapipe, faces = MediapipeLink(session, log), FaceOutput((), session, report)
+    server.enable_sender(MEDIAPIPE_PATH, mediapipe.respond)
+    trackers = _hear_trackers(server, options, log, allowed)
+    return Switched(trackers, mediapipe, ApiPrograms(session, log, notes, faces.weigh), faces)
+
+
+def _open_switches(switched: Switched, options: DeviceOptions, notes: DeviceFile, report: Report) -> DeviceSwitches:
+    """What is on: what the command line asks for, and what pages have switched on before."""
+    switches = DeviceSwitches(switched, read_trackers(options.listen), read_targets(options.send), notes, report)
+    switches.restore()
+    return switches
 
 
 def _holds(server: ShowServer) -> Callable[[Visitor], bool]:

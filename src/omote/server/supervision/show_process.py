@@ -116,7 +116,7 @@ async def play(
     journal = JournalWriter(file, tell, gate) if file else None
     watch = FileWatch(file, gate, tell, partial(tell_moved, pipes.pulse)) if file else None
     try:
-        await serve(server, ShowTick(server, journal, pipes.pulse, board).tick, pipes)
+        await serve(server, ShowTick(server, journal, pipes.pulse, board).tick, pipes, show if file else None)
     finally:
         documents.close()
         if journal:
@@ -126,11 +126,11 @@ async def play(
                 each.close()
 
 
-async def serve(server: ShowServer, tick: Callable[[int], None], pipes: Pipes) -> None:
-    """Hears devices, answers pages and ticks until the control pipe ends or SIGTERM comes."""
+async def serve(server: ShowServer, tick: Callable[[int], None], pipes: Pipes, show: Path | None = None) -> None:
+    """Hears devices, answers pages and ticks until the control pipe ends or SIGTERM comes. show: its file."""
     early = EarlyTicks()
     server.device_spoke = early.note
-    devices = await start_devices(server, pipes.devices, report, early)
+    devices = await start_devices(server, pipes.devices, report, early, show)
     runner = await start_serving(server, pipes.listen, pipes.access)
     try:
         await run_until_ended(run_ticks(tick, early=early), pipes.control)

@@ -31,6 +31,7 @@ PLAY_MESSAGES = _table(
         source drive set_layer set_motion leave_source route_source tune_source calibrate_source
         look_at set_gaze_point delete_gaze_point
         plug unplug midi_bytes controls bind unbind learn load_preset choose_bank restore_bindings watch_devices
+        switch_device
         lease release_lease
     """,
     edit="keep_face keep_expression rename_item delete_item restore_item copy_item",

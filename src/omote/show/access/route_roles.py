@@ -29,6 +29,8 @@ ROUTES: Mapping[tuple[str, str], AccessRole] = MappingProxyType(
         ("GET", "/mediapipe"): "operate",
         ("POST", "/sounds"): "operate",
         ("GET", "/sounds/{key}"): "view",
+        ("GET", "/connect"): "view",
+        ("GET", "/connect/{page}.svg"): "operate",  # it may hold the token that operators share
         ("GET", "/voice"): "operate",
         ("GET", "/omote"): "view",
         ("GET", "/omote/{path}"): "view",

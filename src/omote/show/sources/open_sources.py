@@ -194,9 +194,10 @@ class OpenSources:
         values = source.measure.weights(sent, low, high)
         head, gaze = source.measure.turn(head, gaze)
         turned = RULES[route.layer] != "fill"  # what fills closes what is open, and turns nothing
+        smoothing = max(source.smoothing, source.measure.calibration.smoothing)
         frame = SourceFrame(
-            source.names, values, head if turned else None, gaze if turned else None, True, source.name, route.parts,
-            max(source.smoothing, source.measure.calibration.smoothing), source.direct, source.share,
+            source.names, values, head if turned else None, gaze if turned else None, source=source.name,
+            parts=route.parts, smoothing=smoothing, direct=source.direct, share=source.share,
         )  # fmt: skip
         for name in self._driven(scene, source.name):
             scene[name].drive_layer(route.layer, frame)

@@ -9,7 +9,9 @@ import type { ControlPicked } from "./source_list";
 import "./binding_table";
 import "./browser_ports";
 import "./input_lines";
+import "./receiver_switches";
 import "./source_list";
+import "./tracker_switches";
 
 @customElement("omote-devices")
 export class DevicesPanel extends DevicesElement {
@@ -20,10 +22,9 @@ export class DevicesPanel extends DevicesElement {
     css`
       :host {
         display: grid;
-        grid-template: "ports bindings" auto "sources bindings" minmax(0, 1fr) "sources lines" minmax(0, 0.6fr) / minmax(
-            300px,
-            0.8fr
-          ) minmax(0, 1.4fr);
+        grid-template:
+          "ports bindings" auto "trackers bindings" minmax(0, 1fr) "trackers lines" minmax(0, 0.6fr)
+          / minmax(300px, 0.8fr) minmax(0, 1.4fr);
         gap: 8px;
         min-height: 0;
       }
@@ -35,8 +36,11 @@ export class DevicesPanel extends DevicesElement {
       omote-browser-ports {
         grid-area: ports;
       }
-      omote-sources {
-        grid-area: sources;
+      .heard {
+        grid-area: trackers;
+        display: grid;
+        gap: 16px;
+        align-content: start;
       }
       omote-bindings {
         grid-area: bindings;
@@ -78,7 +82,11 @@ export class DevicesPanel extends DevicesElement {
     const { context } = this;
     return html`
       <omote-browser-ports class="panel" .context=${context}></omote-browser-ports>
-      <omote-sources class="panel" .context=${context} @bind=${this.#bind}></omote-sources>
+      <div class="panel heard">
+        <omote-trackers .context=${context}></omote-trackers>
+        <omote-sources .context=${context} @bind=${this.#bind}></omote-sources>
+        <omote-receivers .context=${context}></omote-receivers>
+      </div>
       <omote-bindings class="panel" .context=${context}></omote-bindings>
       <omote-input-lines class="panel" .context=${context}></omote-input-lines>
     `;

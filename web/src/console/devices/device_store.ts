@@ -6,11 +6,15 @@ import type {
   BindingsChanged,
   DeviceState,
   Devices,
+  FoundTracker,
   FromClient,
   InputLine,
   InputLog,
   LearningState,
   PresetDocument,
+  ReceiverState,
+  SendWay,
+  TrackerOffer,
 } from "../../link/messages";
 import { TopicStore } from "../../link/topics";
 import type { Axis } from "../store/axis";
@@ -39,6 +43,13 @@ const NOT_SENT = "Not sent: the link to the show is lost.";
 
 export class DeviceStore extends TopicStore<"devices" | "bindings" | "log"> {
   devices: readonly DeviceState[] = [];
+  /** Trackers that can be heard, programs that have announced themselves, and to whom faces are sent, in which ways. */
+  trackers: readonly TrackerOffer[] = [];
+  found: readonly FoundTracker[] = [];
+  receivers: readonly ReceiverState[] = [];
+  ways: readonly SendWay[] = [];
+  /** The page that a phone opens to copy what to type; "" where there is none. */
+  phonePage = "";
   bindings: readonly BindingDocument[] = [];
   /** Those of the bindings that a file has made. */
   fixed: readonly BindingDocument[] = [];
@@ -61,7 +72,8 @@ export class DeviceStore extends TopicStore<"devices" | "bindings" | "log"> {
 
   receive(news: DeviceNews): void {
     if (news.type === "devices") {
-      this.devices = news.devices;
+      ({ devices: this.devices, trackers: this.trackers, found: this.found } = news);
+      ({ receivers: this.receivers, ways: this.ways, phone_page: this.phonePage } = news);
       this.tell("devices");
     } else if (news.type === "input_log") {
       this.lines = news.lines;
@@ -117,8 +129,10 @@ export class DeviceStore extends TopicStore<"devices" | "bindings" | "log"> {
   /** The link came up or was lost: what this page shows of devices has to be asked for again. */
   setOnline(online: boolean): void {
     this.#asked.clear();
-    if (!online) [this.devices, this.learning, this.lines] = [[], null, []];
-    else if (this.#watched) this.send({ type: "watch_devices", on: true });
+    if (!online) {
+      [this.devices, this.learning, this.lines] = [[], null, []];
+      [this.trackers, this.found, this.receivers] = [[], [], []];
+    } else if (this.#watched) this.send({ type: "watch_devices", on: true });
     for (const topic of ["devices", "bindings", "log"] as const) this.tell(topic);
   }
 
@@ -163,6 +177,11 @@ export class DeviceStore extends TopicStore<"devices" | "bindings" | "log"> {
   loadPreset(device: string, preset: PresetDocument, character: string): void {
     const done = `${device} plays as ${preset.label}.`;
     this.#ask({ type: "load_preset", id: "", device, preset: preset.name, character }, done);
+  }
+
+  /** Switches a tracker that is heard (`listen`) or a receiver of faces (`send`) on or off, by its word. */
+  switchDevice(direction: "listen" | "send", word: string, on: boolean): void {
+    this.#ask({ type: "switch_device", id: "", direction, word, on }, "");
   }
 
   chooseBank(device: string, bank: string): void {

@@ -4,7 +4,10 @@ import { ConsoleStore } from "../store/console_store";
 import { AHEAD, choicesFor, GazeTargetCommands, isSame, targetOf } from "./gaze_target_commands";
 
 const character = (label: string, target = AHEAD) =>
-  ({ label, presence: 1, panics: 0, regions: {}, channels: {}, layers: {}, motion: { idle: false, target } }) as never;
+  ({
+    ...{ label, presence: 1, panics: 0, regions: {}, channels: {}, layers: {}, motion: { idle: false, target } },
+    ...{ face_call: null, expression_call: null, home_face: "generic", held: null },
+  }) as never;
 const SEAT = targetOf({ kind: "gaze_point", name: "seat" });
 
 let sent: FromClient[];

@@ -112,6 +112,7 @@ describe("what moves by itself", () => {
     const unset = {
       character: "*",
       type: "set_motion",
+      idle: null,
       liveliness: null,
       blinks: null,
       gaze: null,

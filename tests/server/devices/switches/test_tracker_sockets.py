@@ -6,7 +6,7 @@ import pytest
 
 from omote.inputs.face_output.face_target import read_targets
 from omote.inputs.trackers.tracker_protocols import TRACKER_PROTOCOLS
-from omote.server.supervision.tracker_sockets import (
+from omote.server.devices.switches.tracker_sockets import (
     TrackerWish,
     explain_trackers,
     find_phones,
@@ -36,8 +36,8 @@ def test_a_list_is_read_as_it_is_typed() -> None:
         ("vmc,vmc:1", "twice"),
         ("vmc:", "no port"),
         ("vmc:70000", "no port"),
-        ("vmc@10.0.0.7", "asks no phone"),
-        ("ifacialmocap@", "names no phone"),
+        ("mediapipe@10.0.0.7", "names nobody"),
+        ("ifacialmocap@", "names nobody"),
         ("mediapipe:80", "port of the pages"),
     ],
 )

@@ -20,7 +20,8 @@ OPTION = "--tracker-"
 
 @dataclass(frozen=True)
 class TrackerWish:
-    """A protocol that is to be heard, at a port of UDP. phone: the address of one that is asked for frames, or ""."""
+    """A protocol that is to be heard, at a port of ours, or of a program's. phone: the address of a phone that is asked
+    for frames, of a sender that may play, or of the program, or ""."""
 
     protocol: TrackerProtocol
     port: int | None
@@ -36,21 +37,22 @@ class TrackerWish:
 def read_trackers(text: str) -> tuple[TrackerWish, ...]:
     """The protocols of a list as it is typed, `vmc,livelink:11112,ifacialmocap@192.168.1.30`; none for ""; ValueError
     with what is wrong."""
-    wishes = [_read_wish(word.strip()) for word in text.split(",")] if text.strip() else []
+    wishes = [read_wish(word.strip()) for word in text.split(",")] if text.strip() else []
     names = [wish.protocol.name for wish in wishes]
     if len(set(names)) != len(names):
         raise ValueError(f"{text[:80]!r} names a tracker twice; name each once")
     return tuple(wishes)
 
 
-def _read_wish(word: str) -> TrackerWish:
+def read_wish(word: str) -> TrackerWish:
+    """One of them, `ifacialmocap:49983@192.168.1.30`; ValueError with what is wrong."""
     where, at, phone = word.partition("@")
     name, colon, port = where.partition(":")
     protocol = TRACKER_PROTOCOLS[check_known(name.strip().lower(), TRACKER_PROTOCOLS, "tracker")]
-    if at and protocol.ask is None:
-        raise ValueError(f"{protocol.title} asks no phone; write {name} without @{phone[:40]}")
+    if at and protocol.port is None:
+        raise ValueError(f"{protocol.title} names nobody; write {name} without @{phone[:40]}")
     if at and not phone.strip():
-        raise ValueError(f"{word[:60]!r} names no phone; give its address, such as {name}@192.168.1.30")
+        raise ValueError(f"{word[:60]!r} names nobody; give its address, such as {name}@192.168.1.30")
     if colon and protocol.port is None:
         raise ValueError(f"{protocol.title} comes to the port of the pages; write {name} without :{port[:10]}")
     if colon and not (port.isascii() and port.isdecimal() and int(port[:9]) <= HIGHEST_PORT):
@@ -82,8 +84,8 @@ def listen_for_trackers(wishes: Iterable[TrackerWish]) -> dict[str, socket.socke
     addresses: who is heard, the list of allowed senders decides."""
     opened: dict[str, socket.socket] = {}
     try:
-        for wish in (each for each in wishes if each.protocol.port is not None):
-            opened[wish.protocol.name] = _listen(wish)
+        for wish in (each for each in wishes if each.protocol.heard):
+            opened[wish.protocol.name] = open_tracker(wish)
     except OSError:
         for each in opened.values():
             each.close()
@@ -91,10 +93,16 @@ def listen_for_trackers(wishes: Iterable[TrackerWish]) -> dict[str, socket.socke
     return opened
 
 
-def _listen(wish: TrackerWish) -> socket.socket:
-    datagrams, port = socket.socket(socket.AF_INET, socket.SOCK_DGRAM), wish.port or 0
+def open_tracker(wish: TrackerWish) -> socket.socket:
+    """The socket of one that is heard; OSError with a message where it cannot be had."""
+    stream = wish.protocol.stream
+    datagrams, port = socket.socket(socket.AF_INET, socket.SOCK_STREAM if stream else socket.SOCK_DGRAM), wish.port or 0
     try:
+        if stream:
+            datagrams.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)  # connections of a show before linger
         datagrams.bind(("", port))
+        if stream:
+            datagrams.listen()
     except OSError as error:
         datagrams.close()
         taken = "another program has it" if error.errno == errno.EADDRINUSE else explain_error(error)

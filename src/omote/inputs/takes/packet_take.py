@@ -1,0 +1,78 @@
+"""A recording of a tracker from a capture of its packets, whatever it speaks."""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Sequence
+
+from omote.inputs.rejection import PacketError
+from omote.inputs.takes.packet_capture import Packet
+from omote.inputs.takes.take import Take
+from omote.inputs.trackers.arkit_names import ARKIT_CHANNELS
+from omote.inputs.trackers.head_angles import GazeAngles, HeadAngles
+from omote.inputs.trackers.tracker_frame import TrackerFrame
+from omote.inputs.trackers.tracker_protocols import TRACKER_PROTOCOLS, TrackerProtocol
+from omote.perform.limits import check_known
+
+
+def choose_protocol(packets: Sequence[Packet], name: str = "") -> TrackerProtocol:
+    """The protocol that packets are read by: the named one, else that of the port to which most have come, VMC where a
+    capture does not say; ValueError where there is none."""
+    if name:
+        return TRACKER_PROTOCOLS[check_known(name.strip().lower(), TRACKER_PROTOCOLS, "tracker")]
+    usual = {each.port: each for each in reversed(list(TRACKER_PROTOCOLS.values())) if each.heard and not each.stream}
+    for port, _ in Counter(packet.port for packet in packets).most_common():
+        if port in usual:
+            return usual[port]
+    if all(packet.port == 0 for packet in packets):
+        return TRACKER_PROTOCOLS["vmc"]
+    raise ValueError("no packet went to a tracker's usual port; say what it is, such as --protocol vmc")
+
+
+def read_packet_take(packets: Sequence[Packet], protocol: TrackerProtocol) -> Take:
+    """The recording of the sender that sent most; ValueError where none of its packets is a face."""
+    ports = {packet.port for packet in packets}
+    spoken = [packet for packet in packets if packet.port == protocol.port] if protocol.port in ports else packets
+    hosts = Counter(packet.host for packet in spoken)
+    decode, frames = protocol.open(lambda _: None), list[tuple[float, TrackerFrame]]()
+    newest = ""
+    for packet in spoken:
+        if packet.host != hosts.most_common(1)[0][0]:
+            continue
+        try:
+            frames += [(packet.time, frame) for frame in decode(packet.data) if frame.found]
+        except PacketError as error:
+            newest = str(error)
+    if not frames:
+        raise ValueError(f"no packet of the capture is a face of {protocol.title}{newest and f': {newest}'}")
+    begun = next((at for at, (_, frame) in enumerate(frames) if frame.weights), 0)
+    return _gather(frames[begun:])  # bones that come before the first values of VMC are no frame yet
+
+
+def _gather(frames: Sequence[tuple[float, TrackerFrame]]) -> Take:
+    """Frames one after the other; what one lacks is as it was."""
+    weights: dict[str, float] = {}
+    head: HeadAngles = (0.0, 0.0, 0.0)
+    gaze: GazeAngles = (0.0, 0.0)
+    times, rows = list[float](), list[dict[str, float]]()
+    heads, gazes = list[HeadAngles](), list[GazeAngles]()
+    for time, frame in frames:
+        weights |= _read_channels(frame)
+        head, gaze = frame.head or head, frame.gaze or gaze
+        times.append(max(time - frames[0][0], times[-1] if times else 0.0))
+        rows.append(dict(weights))
+        heads.append(head)
+        gazes.append(gaze)
+    names = tuple(weights)
+    values = [tuple(row.get(name, 0.0) for name in names) for row in rows]
+    turned, looked = any(map(any, heads)), any(map(any, gazes))
+    return Take(names, times, values, heads if turned else (), gazes if looked else ())
+
+
+def _read_channels(frame: TrackerFrame) -> dict[str, float]:
+    """A frame's weights by ARKit's names; of several that mean the same the largest."""
+    found: dict[str, float] = {}
+    for name, value in frame.weights.items():
+        for channel, share in ARKIT_CHANNELS.shares(name).items():
+            found[channel] = max(found.get(channel, -1.0), share * value)
+    return found

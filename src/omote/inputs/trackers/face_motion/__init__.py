@@ -1,0 +1,1 @@
+"""The binary protocol of iFacialMocap and Facemotion3D."""

@@ -1,0 +1,140 @@
+/** Trackers on and off: what is heard and what to do at each sender, what has announced itself, and what a phone reads. */
+
+import { css, html, nothing } from "lit";
+import { customElement, query, state } from "lit/decorators.js";
+import { repeat } from "lit/directives/repeat.js";
+import type { TrackerOffer } from "../../link/messages";
+import { base, entry } from "../../ui/theme";
+import { DevicesElement, section } from "./devices_element";
+import { switchRows } from "./switch_rows";
+import { listenWord } from "./switch_words";
+
+/** What stands in the field of an address; it may be left empty. */
+const ASKS: Readonly<Record<TrackerOffer["asks"], string>> = {
+  phone: "Phone's address, if it is to be asked",
+  computer: "Its computer's address, if not this one",
+  sender: "Who may send, if not this machine",
+  "": "",
+};
+
+@customElement("omote-trackers")
+export class TrackerSwitches extends DevicesElement {
+  @state() private chosen = "";
+  @query("form") private form!: HTMLFormElement;
+  #shape = "";
+
+  static override styles = [
+    base,
+    section,
+    switchRows,
+    css`
+      form input {
+        ${entry}
+        min-height: 26px;
+      }
+      input[name="host"] {
+        flex: 1 1 120px;
+        min-width: 0;
+      }
+      input[name="port"] {
+        width: 88px;
+      }
+      .phone {
+        display: grid;
+        grid-template-columns: 116px minmax(0, 1fr);
+        gap: 10px;
+        align-items: center;
+        margin: 8px 0 0;
+      }
+      .phone img {
+        width: 116px;
+        background: #fff;
+      }
+      .phone p {
+        margin: 0;
+      }
+      a {
+        color: var(--focus);
+      }
+    `,
+  ];
+
+  /** It renders again where something is switched; counts move elsewhere. */
+  protected override listen(changed: () => void): (() => void)[] {
+    const heard = (): void => {
+      const shape = JSON.stringify([this.devices.trackers, this.devices.found]);
+      if (shape === this.#shape) return;
+      this.#shape = shape;
+      changed();
+    };
+    return [this.devices.listen("devices", heard)];
+  }
+
+  override render() {
+    const { trackers, found, phonePage } = this.devices;
+    const on = trackers.filter(({ word }) => word !== "");
+    const off = trackers.filter(({ word }) => word === "");
+    return html`<h2>Face trackers</h2>
+      ${on.length === 0 ? html`<p class="none">None is heard. Switch on the one that your phone or program speaks.</p>` : nothing}
+      <ul>${repeat(on, ({ name }) => name, this.#row)}</ul>
+      ${found
+        .filter(({ word }) => !on.some((one) => one.word === word))
+        .map(
+          ({ word, title, where }) => html`<div class="row found"><span class="lamp on"></span>
+            <span class="name">${title || "VTube Studio"} runs at ${where}</span>
+            <button data-found=${word} @click=${() => this.#switch(word, true)}>Hear it</button></div>`,
+        )}
+      ${off.length === 0 ? nothing : this.#form(off)}
+      ${phonePage === "" || !on.some(({ asks, port }) => asks !== "computer" && port !== null) ? nothing : this.#phone(phonePage)}`;
+  }
+
+  readonly #row = (one: TrackerOffer) => {
+    return html`<li data-tracker=${one.name}>
+      <b class="name">${one.title}</b><span class="where">${one.port === null ? "" : `port ${one.port}`}</span>
+      ${
+        one.fixed
+          ? html`<span class="where" title="Started with --listen ${one.word}">from the command line</span>`
+          : html`<button data-off=${one.name} @click=${() => this.#switch(one.word, false)}>Switch off</button>`
+      }
+      ${one.stranger === "" ? nothing : this.#stranger(one)}</li>`;
+  };
+
+  /** A phone that sends and may not: one press lets it play. */
+  #stranger({ stranger, strange, fixed, title }: TrackerOffer) {
+    return html`<small class="attention">${stranger} sends ${title}, and may not play.
+      ${fixed ? `Start the show with --allow ${stranger}.` : html`<button data-allow=${stranger} @click=${() => this.#switch(strange, true)}>Let it play</button>`}</small>`;
+  }
+
+  #form(off: readonly TrackerOffer[]) {
+    const chosen = off.find(({ name }) => name === this.chosen) ?? (off[0] as TrackerOffer);
+    const asks = ASKS[chosen.asks];
+    return html`<form class="row" @submit=${(event: Event) => this.#submit(event, chosen)}>
+      <select name="tracker" aria-label="Tracker" @change=${this.#choose}>
+        ${off.map(({ name, title }) => html`<option value=${name} .selected=${name === chosen.name}>${title}</option>`)}
+      </select>
+      ${asks === "" ? nothing : html`<input name="host" placeholder=${asks} aria-label=${asks} autocomplete="off" spellcheck="false">`}
+      ${chosen.port === null ? nothing : html`<input name="port" type="number" min="1" max="65535" aria-label="Port" .value=${String(chosen.port)}>`}
+      <button data-on>Switch on</button></form>`;
+  }
+
+  #phone(page: string) {
+    return html`<div class="phone"><img src="${page}/phone.svg" alt="QR code">
+      <p>A phone that reads this picture opens <a href=${page} target="omote-phone">what to type into the app</a>: the
+        address and the port, to be copied. No app of a tracker reads them from a picture itself.</p></div>`;
+  }
+
+  readonly #choose = (event: Event): void => {
+    this.chosen = (event.target as HTMLSelectElement).value;
+  };
+
+  #submit(event: Event, chosen: TrackerOffer): void {
+    event.preventDefault();
+    const given = new FormData(this.form);
+    const port = chosen.port === null ? null : Number(given.get("port") ?? chosen.port);
+    this.#switch(listenWord(chosen.name, port, chosen.port, String(given.get("host") ?? "")), true);
+  }
+
+  #switch(word: string, on: boolean): void {
+    this.devices.switchDevice("listen", word, on);
+  }
+}
