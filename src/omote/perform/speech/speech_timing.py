@@ -130,7 +130,8 @@ def _of_text(text: str, language: Language, seconds: float | None) -> list[Mark]
         after = text[begin + len(word) : words[place + 1][0]] if place + 1 < len(words) else ""
         at = end + max((_PAUSES.get(each, 0.0) for each in after), default=0.0)
     stretch = 1.0 if seconds is None or at == 0.0 else seconds / at
-    return [Mark(mark.viseme, mark.start * stretch, mark.end * stretch) for mark in found]
+    latest = LONGEST_SPEECH if seconds is None else seconds
+    return [Mark(each.viseme, min(each.start * stretch, latest), min(each.end * stretch, latest)) for each in found]
 
 
 def _of_words(marks: Sequence[str], starts: Sequence[float], end: float, language: Language) -> list[Mark]:

@@ -39,9 +39,6 @@ from omote.show.wire import encode
 PAGE_CLOSED = (WSCloseCode.OK, WSCloseCode.GOING_AWAY)
 """How a browser ends the link of a page that is closed or loaded anew."""
 
-Clock = Callable[[], float]
-Respond = Callable[[web.Request], Awaitable[web.StreamResponse]]
-
 
 class Source(Protocol):
     """What plays the show beside the pages; neither call waits, and both take a bounded time."""
@@ -62,7 +59,7 @@ class ShowServer:
         documents: CastDocuments,
         pages: Mapping[str, Page],
         *,
-        clock: Clock = time.monotonic,
+        clock: Callable[[], float] = time.monotonic,
     ) -> None:
         self.session, self.documents, self.links, self.clock = session, documents, Links(), clock
         self.editing: EditorLinks | None = None
