@@ -22,6 +22,7 @@ import "./layer_fader";
 import "./gaze_target_settings";
 import "./motion_settings";
 import "./source_settings";
+import "./speech_line";
 
 /** What a layer is, and how it adds to those below it. */
 const TITLES: Readonly<Record<LayerName, string>> = {
@@ -77,7 +78,8 @@ export class LayerPanel extends AnimatedElement {
           <button class="reset" title="Its influence as at first" @click=${() => this.#commands.reset(this.#shown)}>Reset</button>
           <button class="close" aria-label="Close the layers" @click=${this.#close}>Close</button></header>
         ${this.#parts()} <omote-motion-settings .context=${this.context}></omote-motion-settings>
-        <omote-gaze-target-settings .context=${this.context}></omote-gaze-target-settings> ${this.#sources()}
+        <omote-gaze-target-settings .context=${this.context}></omote-gaze-target-settings>
+        ${this.#shown === "lips" ? html`<omote-speech-line .context=${this.context}></omote-speech-line>` : nothing} ${this.#sources()}
       </section>`;
   }
 
