@@ -10,6 +10,7 @@ from typing import Any, Literal, TypeVar, get_args
 from omote.model.known_names import GENERIC, PlayRegion
 from omote.perform.lights import FIRST_LIGHT
 from omote.perform.limits import GAZE_LIMITS, HEAD_LIMITS, LONGEST_CALL, check_known, check_switch, check_within
+from omote.perform.status.speech_status import SpeechStatus
 
 Frozen = TypeVar("Frozen")
 MOST_SEED = 2**31 - 1
@@ -250,21 +251,6 @@ class LayerStatus:
     share: float
     strongest: Mapping[str, float]
     sources: tuple[SourceStatus, ...] = ()
-
-
-@dataclass(frozen=True)
-class SpeechStatus:
-    """What is said now. number: counts all that was said; text: its beginning; elapsed: seconds since its sound began,
-    below 0 before that; seconds: its length; sound: the key of what the stage plays, "" for none; waiting: how many
-    speeches come after it, next_sound: the key of the next one's sound."""
-
-    number: int
-    text: str
-    elapsed: float
-    seconds: float
-    sound: str
-    waiting: int
-    next_sound: str
 
 
 @dataclass(frozen=True)

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from omote.perform.gestures.gesture_curves import CURVES, GESTURES, check_gesture, mirrored, value_at
+from omote.perform.gestures.gesture_curves import CURVES, GESTURES, check_gesture, mirror_channel, value_at
 
 
 @pytest.mark.parametrize("name", GESTURES)
@@ -25,7 +25,7 @@ def test_a_nod_goes_down_and_a_shake_to_both_sides() -> None:
 
 
 def test_sides_are_mirrored() -> None:
-    assert [mirrored(name) for name in ("eyeBlinkLeft", "eyeBlinkRight", "jawOpen")] == [
+    assert [mirror_channel(name) for name in ("eyeBlinkLeft", "eyeBlinkRight", "jawOpen")] == [
         "eyeBlinkRight", "eyeBlinkLeft", "jawOpen",
     ]  # fmt: skip
 

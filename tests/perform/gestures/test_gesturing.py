@@ -56,7 +56,8 @@ def test_a_head_stays_in_its_range() -> None:
 
 def test_gestures_that_interrupt_each_other_do_not_pop() -> None:
     random = np.random.default_rng(2)
-    running, ways = (), []
+    running: tuple[Gesture, ...] = ()
+    ways = []
     for step in range(2000):
         if step % 37 == 0:
             running = begin_gesture(running, random.choice(GESTURES), float(random.uniform(-2, 2)), None)

@@ -80,7 +80,7 @@ def test_an_interruption_and_a_stop_do_not_jump() -> None:
     for interrupt in (lambda spoken: say(spoken, _speech(2), queue=False), stop):
         speaking: Speaking | None = _later(say(None, _speech(), queue=False), 0.5)
         ways = [mouth_of_speaking(speaking)] if speaking else []
-        speaking = interrupt(speaking)  # type: ignore[no-untyped-call]
+        speaking = interrupt(speaking)
         for _ in range(100):
             if speaking is not None:
                 ways.append(mouth_of_speaking(speaking))

@@ -69,7 +69,7 @@ def value_at(curve: Curve, share: float) -> float:
     return 0.0
 
 
-def mirrored(channel: str) -> str:
+def mirror_channel(channel: str) -> str:
     """The channel of the other side of the face."""
     if channel.endswith("Left"):
         return channel.removesuffix("Left") + "Right"

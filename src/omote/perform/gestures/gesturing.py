@@ -7,7 +7,7 @@ from dataclasses import dataclass, replace
 
 from omote.perform.easing import EASINGS
 from omote.perform.frame import Frame, Head, Held, with_fields
-from omote.perform.gestures.gesture_curves import CURVES, GestureName, check_gesture, mirrored, value_at
+from omote.perform.gestures.gesture_curves import CURVES, GestureName, check_gesture, mirror_channel, value_at
 from omote.perform.limits import FOREVER, HEAD_LIMITS, check_within
 
 AMPLITUDE_LIMIT = 2.0
@@ -106,7 +106,7 @@ def with_gestures(frame: Frame, running: tuple[Gesture, ...], names: Container[s
         for angle, curve in (("yaw", curves.yaw), ("pitch", curves.pitch), ("roll", curves.roll)):
             angles[angle] += strength * value_at(curve, share)
         for name, curve in curves.channels.items():
-            where = name if each.amplitude >= 0.0 else mirrored(name)
+            where = name if each.amplitude >= 0.0 else mirror_channel(name)
             added = min(abs(strength) * value_at(curve, share), 1.0)
             before = channels.get(where, 0.0)
             if where in names and added:

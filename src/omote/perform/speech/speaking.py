@@ -8,12 +8,12 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from omote.perform.easing import EASINGS
-from omote.perform.frame import SpeechStatus
 from omote.perform.layers.follower import Values
 from omote.perform.limits import FOREVER, check_within
 from omote.perform.speech.speech_timing import LONGEST_TEXT
 from omote.perform.speech.viseme_track import EMPTY_TRACK, LEAD_SECONDS, VisemeTrack, mouth_at
 from omote.perform.speech.visemes import MOUTH_UNITS
+from omote.perform.status.speech_status import SpeechStatus
 
 SOUND_LEAD_SECONDS = 0.4
 """How long before its first sound a speech begins whose sound the stage plays: it must fetch and decode it first."""

@@ -14,8 +14,8 @@ from omote.perform.frame import (
     Home,
     LayerStatus,
     MotionSettings,
-    SpeechStatus,
 )
+from omote.perform.status.speech_status import SpeechStatus
 from omote.show.messages import CallState, CharacterState, HeldState, LayerState, MotionState, State
 
 

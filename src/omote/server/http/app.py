@@ -40,6 +40,9 @@ PAGE_CLOSED = (WSCloseCode.OK, WSCloseCode.GOING_AWAY)
 """How a browser ends the link of a page that is closed or loaded anew."""
 
 
+Respond = Callable[[web.Request], Awaitable[web.StreamResponse]]
+
+
 class Source(Protocol):
     """What plays the show beside the pages; neither call waits, and both take a bounded time."""
 
@@ -146,7 +149,6 @@ class ShowServer:
         application.router.add_get("/exports/{file}", self.export)
         application.router.add_post("/imports/{file}", self.take_in)
         DocumentRoutes(self.documents).add_routes(application)
-        Sounds(self.session.sounds.set).add_routes(application)
         PeopleRoutes(
             lambda: self.access,
             lambda: [link.visitor for link in self._all_links()],
@@ -160,7 +162,8 @@ class ShowServer:
         return application
 
     def _add_device_routes(self, application: web.Application) -> None:
-        """Adds what surfaces read, and where trackers send."""
+        """Adds what surfaces read, and where trackers and sounds are sent."""
+        Sounds(self.session.sounds.set).add_routes(application)
         layout = TouchoscLayout(lambda: (self.session.cast, tuple(self.session.scene)))
         application.router.add_get(TOUCHOSC_PATH, layout.respond)
         for path, respond in self._heard.items():
