@@ -108,7 +108,7 @@ async def measure_phase(
     sender = await asyncio.create_subprocess_exec(sys.executable, "-c", SENDER, *words, stdout=subprocess.PIPE)
     started = before = time.monotonic()
 
-    def tick(_: int) -> None:
+    def tick(_: int | None) -> None:
         nonlocal before
         spent, now = time.thread_time(), time.monotonic()
         phase.late.append(now - before - 1.0 / STATE_RATE)

@@ -73,7 +73,7 @@ def note_saccade(heard: Heard, before: AutomaticMotion, motion: AutomaticMotion)
 
 def spells(flags: Sequence[bool], rate: float) -> list[float]:
     """The lengths of the spells of True but the first and the last, seconds."""
-    ends = np.flatnonzero(np.diff(np.asarray(flags, np.int8))) + 1
+    ends = (np.flatnonzero(np.diff(np.asarray(flags, np.int8))) + 1).tolist()
     return [(end - begin) / rate for begin, end in itertools.pairwise(ends) if flags[begin]]
 
 

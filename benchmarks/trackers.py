@@ -35,6 +35,8 @@ from omote.inputs.trackers.live_link_face import encode_live_link_face
 from omote.inputs.trackers.tracker_input import TrackerInput
 from omote.inputs.trackers.tracker_protocols import TRACKER_PROTOCOLS
 from omote.inputs.trackers.vmc_messages import encode_vmc
+from omote.inputs.trackers.vtube_studio.api_message import API_NAME
+from omote.inputs.trackers.vtube_studio.api_parameters import write_parameters
 from omote.show import messages as wire
 from omote.show.session import ShowSession
 
@@ -87,6 +89,15 @@ def vmc_face(moment: float) -> list[bytes]:
     return encode_vmc(weights_at(moment), HEAD, GAZE, moment)
 
 
+def api_face(moment: float) -> list[bytes]:
+    """The parameters of VTube Studio on a computer."""
+    values = {**write_parameters(weights_at(moment), HEAD, GAZE), **weights_at(moment)}
+    listed = [{"name": name, "value": round(value, 6)} for name, value in values.items()]
+    data = {"modelLoaded": True, "customParameters": [], "defaultParameters": listed}
+    message = {"apiName": API_NAME, "messageType": "InputParameterListResponse", "requestID": "omote", "data": data}
+    return [msgspec.json.encode(message)]
+
+
 def mediapipe_face(moment: float) -> list[bytes]:
     """A result of MediaPipe."""
     named = weights_at(moment).items()
@@ -114,7 +125,7 @@ FACES: dict[str, Face] = {
     "vmc": vmc_face, "vmc-performer": vmc_face, "livelink": link_face, "ifacialmocap": text_face,
     "facemotion3d": text_face, "openseeface": open_see_face, "vtubestudio": phone_face, "meowface": phone_face,
     "mediapipe": mediapipe_face, "ifacialmocap-v3": motion_face, "facemotion3d-v3": motion_face,
-    "ifacialmocap-tcp": text_face, "facemotion3d-tcp": text_face,
+    "ifacialmocap-tcp": text_face, "facemotion3d-tcp": text_face, "vtubestudio-pc": api_face,
 }  # fmt: skip
 
 

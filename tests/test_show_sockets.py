@@ -3,7 +3,7 @@
 import pytest
 import typer
 
-from omote.show_sockets import OFF, open_devices, print_trackers, read_options
+from omote.show_sockets import OFF, list_others, open_devices, print_trackers, read_options
 
 
 def test_trackers_are_read_opened_and_printed(capsys: pytest.CaptureFixture[str]) -> None:
@@ -21,6 +21,17 @@ def test_trackers_are_read_opened_and_printed(capsys: pytest.CaptureFixture[str]
     devices.close()
     print_trackers([], "")
     assert capsys.readouterr().out == ""
+
+
+def test_what_has_no_socket_here_is_listed_and_receivers_are() -> None:
+    options = read_options(
+        "off", None, "", "vmc,mediapipe,vtubestudio-pc@127.0.0.1", "livelink:10.0.0.5=dog,vmc:10.0.0.6"
+    )
+    first, second, third, fourth = list_others(options)
+    assert first.startswith("tracker  VTube Studio PC: in VTube Studio turn") or first.startswith("tracker  MediaPipe")
+    assert second.startswith("tracker  ")
+    assert third == "sends    Live Link Face (Unreal) at 10.0.0.5:11111: dog"
+    assert fourth == "sends    VMC (VSeeFace, Warudo, Unity) at 10.0.0.6:39539: the first character"
 
 
 @pytest.mark.parametrize("text", ["vcm", "mediapipe@10.0.0.7"])

@@ -59,6 +59,9 @@ USED: dict[str, str] = {
         "link ui access console/store console/show_file console/leases console/panels console/devices "
         "console/device_panel console"
     ),
+    "camera/landmarks": "",
+    "camera/session": "link camera/landmarks",
+    "camera": "ui access camera/landmarks camera/session",
     "editor/link": "link",
     "editor/session": "link ui face/pose face/gpu face editor/link",
     "editor/controls": "ui editor/session",

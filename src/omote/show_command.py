@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from omote.access_commands import note_place, print_shared
-from omote.show_sockets import OFF, open_devices, open_usual_osc, print_trackers, read_options
+from omote.show_sockets import OFF, list_others, open_devices, open_usual_osc, print_trackers, read_options
 from omote.terminal import complete_show, fail, fail_with, has_screen, say
 
 if TYPE_CHECKING:
@@ -119,7 +119,7 @@ def show(
     stack = context.with_resource(contextlib.ExitStack())
     opened = partial(announce, host, port, browser=browser, osc=devices.osc, find=path.stem if find else None)
     opened = partial(opened, stack=stack, allow=allow, people=people, scheme=scheme)
-    opened = partial(opened, heard=devices.heard, trackers=devices.advice)
+    opened = partial(opened, heard=devices.heard, trackers=devices.advice + list_others(options))
     words, handed = (*PROGRAM, *options.words, *access.words), devices.handed
     supervisor = Supervisor(
         listening, lock, path, report=say, opened=opened, program=words, notices=board.notices, handed=handed

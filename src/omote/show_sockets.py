@@ -61,6 +61,14 @@ def open_devices(host: str, osc: int | None, options: DeviceOptions, artnet: int
         fail_with(error)
 
 
+def list_others(options: DeviceOptions) -> list[str]:
+    """A line for each tracker that has no socket of its own, and for each receiver of faces."""
+    from omote.inputs.face_output.face_target import read_targets
+    from omote.server.devices.switches.tracker_sockets import explain_others, read_trackers
+
+    return explain_others(read_trackers(options.listen), read_targets(options.send))
+
+
 def open_usual_osc(host: str) -> OscSockets | None:
     """The sockets of OSC at its usual port; None, with a word, where another program has that."""
     from omote.server.supervision.listening_socket import listen_for_osc
@@ -73,15 +81,18 @@ def open_usual_osc(host: str) -> OscSockets | None:
 
 
 def print_trackers(trackers: Sequence[str], allow: str, page: str = "") -> None:
-    """Prints a line for each tracker that is heard: its port, and what to do at its sender; page: the address where a
-    phone copies that, with a picture that opens it, or ""."""
+    """Prints a line for each tracker that is heard, with what to do at its sender, and for each receiver of faces.
+
+    page: the address where a phone copies what to type, with a picture that opens it, or "".
+    """
     for line in trackers:
-        typer.echo(f"  tracker  {line}")
-    if trackers and page:
+        typer.echo(f"  {line}")
+    heard = [line for line in trackers if line.startswith("tracker")]
+    if heard and page:
         from omote.access_commands import read_code
 
         typer.echo(
             f"\n{read_code(page)}\n\n  A phone that reads this picture opens what to type into its app:\n  {page}"
         )
-    if trackers and not allow:
+    if heard and not allow:
         say("trackers on other machines and phones are not heard: --allow 192.168.1.0/24 lets a network play.")

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import socket
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any
@@ -13,6 +14,7 @@ from playwright.sync_api import Locator, Page, expect
 from tests.browser.pictures import picture
 from tests.browser.test_console import DESK, TWO_FRAMES, wait_for
 from tests.browser.waiting import wait_until
+from tests.inputs.trackers.packets import live_link_face
 
 OpenPage = Callable[..., Page]
 
@@ -56,6 +58,36 @@ def bound(page: Page, count: int) -> None:
     """Waits until so many controls are bound to the first character; presets bind pads to all."""
     learned = f"{BINDINGS}.filter(({{ to }}) => to.startsWith('/omote/one/'))"
     wait_until(page, f"{learned}.length === {count}", told=learned)
+
+
+def test_a_tracker_is_switched_on_heard_and_off_again(open_page: OpenPage) -> None:
+    """What is typed for a phone stands at the page, and its picture; what a receiver hears is counted."""
+    page = open_page("/devices", pictures=False)
+    trackers, receivers = page.locator("omote-trackers"), page.locator("omote-receivers")
+    with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as phone:
+        phone.bind(("127.0.0.1", 0))
+        phone.settimeout(20.0)
+        free = phone.getsockname()[1]
+        trackers.get_by_label("Tracker").select_option("livelink")
+        with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as taken:
+            taken.bind(("127.0.0.1", 0))
+            port = taken.getsockname()[1]
+        trackers.get_by_label("Port").fill(str(port))
+        trackers.get_by_role("button", name="Switch on").click()
+        expect(trackers.locator("[data-tracker=livelink]")).to_contain_text(f"port {port}")
+        expect(trackers.get_by_role("img", name="QR code")).to_be_visible()
+        phone.sendto(live_link_face([0.5] * 61), ("127.0.0.1", port))
+        source = page.locator("omote-sources [data-device='Live Link Face']")
+        expect(source).to_contain_text("1 heard")
+        receivers.get_by_label("Way").select_option("livelink")
+        receivers.get_by_label("Address of the program").fill("127.0.0.1")
+        receivers.get_by_label("Port").fill(str(free))
+        receivers.get_by_role("button", name="Send").click()
+        assert phone.recv(2000).startswith(b"\x06")
+        receivers.locator("li").get_by_role("button", name="Stop").click()
+        expect(receivers.locator("li")).to_have_count(0)
+    trackers.locator("[data-off=livelink]").click()
+    expect(trackers.locator("[data-tracker=livelink]")).to_have_count(0)
 
 
 def spot(page: Page, name: str) -> Locator:

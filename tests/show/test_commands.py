@@ -92,6 +92,7 @@ def test_every_message_that_plays_has_an_action() -> None:
         wire.Source,
         wire.Drive,
         wire.LeaveSource,
+        wire.WatchSource,
         wire.Hello,
         wire.Cancel,
         wire.Ping,

@@ -7,7 +7,8 @@ from omote.inputs.trackers.tracker_protocols import TRACKER_PROTOCOLS, advise
 
 INTRODUCTION = """# Trackers
 
-What `omote show --listen` hears: face trackers, each over UDP at a port of its own. How to use them:
+What `omote show --listen` hears: face trackers, each over UDP at a port of its own; `-tcp` over TCP, and
+`vtubestudio-pc` is a program that the show connects to. How to use them:
 [Your own face](../howto/trackers.md).
 
 A packet that cannot be read is rejected with a reason and counted, and changes nothing. What a frame lacks stays as it

@@ -19,6 +19,8 @@ MOST_MESSAGES = 256
 MOST_BUNDLES = 64
 """Bundles of one packet: nobody nests more, and each is read anew."""
 BUNDLE = b"#bundle\0"
+SIZE = struct.Struct(">i")
+"""What stands before each element of a bundle: trackers send a hundred bundles a second."""
 IMMEDIATELY = b"\0\0\0\0\0\0\0\1"
 """The time tag "now"."""
 
@@ -71,10 +73,13 @@ def split_bundle(bundle: bytes) -> list[bytes]:
     """The packets within a bundle; OscError where its lengths are wrong."""
     if len(bundle) < len(BUNDLE) + 8:
         raise OscError("a bundle ends within its time tag")
-    found, at = [], len(BUNDLE) + 8
-    while at < len(bundle):
-        size, at = _number(">i", bundle, at)
-        if size < 0 or size % 4 or at + size > len(bundle):
+    found, at, end = [], len(BUNDLE) + 8, len(bundle)
+    while at < end:
+        if at + SIZE.size > end:
+            raise OscError("the packet ends within a number")
+        (size,) = SIZE.unpack_from(bundle, at)
+        at += SIZE.size
+        if size < 0 or size % 4 or at + size > end:
             raise OscError(f"an element of a bundle has {size} bytes, which are not there or no multiple of 4")
         found.append(bundle[at : at + size])
         at += size

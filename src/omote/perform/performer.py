@@ -13,8 +13,9 @@ from omote.perform.channels import with_channels
 from omote.perform.easing import DEFAULT_EASING, find_easing
 from omote.perform.frame import NO_TARGET, Frame, Gaze, GazeTarget, Head, Held, Home, check_target_kind, with_fields
 from omote.perform.gestures.gesturing import advance_gestures, begin_gesture, release_gestures, with_gestures
+from omote.perform.layers.direct_frames import drive_direct
 from omote.perform.layers.layer_mix import influences, kept_of_mix, with_layers
-from omote.perform.layers.layer_names import LayerName, check_driven, check_layer, check_part
+from omote.perform.layers.layer_names import RULES, LayerName, check_driven, check_layer, check_part
 from omote.perform.layers.layer_vectors import Layers
 from omote.perform.layers.layers import (
     advance,
@@ -27,7 +28,14 @@ from omote.perform.layers.layers import (
     switch_off,
 )
 from omote.perform.layers.layers_snapshot import restored, snapshot_of
-from omote.perform.layers.source_frame import AUTOMATIC, SPEECH, SourceFrame, check_frame, source_frame
+from omote.perform.layers.source_frame import (
+    AUTOMATIC,
+    SPEECH,
+    SourceFrame,
+    check_frame,
+    source_frame,
+    with_gaze_of_units,
+)
 from omote.perform.lights import check_light
 from omote.perform.limits import FOREVER, check_call_seconds, check_known, check_switch, check_within
 from omote.perform.motion.automatic_motion import (
@@ -890,7 +898,9 @@ class Performer:
         >>> list(performer.advance(0.0).layers)
         ['lips']
         """
-        self._layers = drive(self._cast, self._begun_layers(), layer, frame)
+        turns = RULES[layer] != "fill"  # what fills closes what is open, and turns nothing
+        played = with_gaze_of_units(frame) if turns else frame
+        self._layers = drive(self._cast, self._begun_layers(), layer, played)
 
     def leave_layer(self, layer: LayerName, source: str) -> None:
         """A source has gone: its layer fades out.
@@ -945,8 +955,10 @@ class Performer:
         for layer in MOTION_LAYERS:
             if layer not in frames:
                 self.leave_layer(layer, AUTOMATIC)
-            elif self._layers is None or is_free(self._layers, layer):
-                self.drive_layer(layer, frames[layer])
+        before = self._layers
+        free = {layer: each for layer, each in frames.items() if before is None or is_free(before, layer)}
+        if free:
+            self._layers = drive_direct(self._cast, self._begun_layers(), free)
 
     def _find_sight(self, target: GazeTarget) -> Sight:
         """What the eyes look at; others are nowhere for a performer that is in no scene."""

@@ -102,7 +102,7 @@ def _remove(scene: Scene, asked: wire.RemoveCharacter) -> None:
     check_known(asked.character, standing, "character")
     if all(each.leaves for name, each in standing.items() if name != asked.character):
         raise Refusal(f"{standing[asked.character].label} is the last character: add another one first.")
-    scene.remove(asked.character, key=asked.key)
+    scene.remove(asked.character, seconds=asked.seconds, key=asked.key)
 
 
 def _place(scene: Scene, asked: wire.PlaceCharacter) -> None:

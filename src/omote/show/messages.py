@@ -220,12 +220,14 @@ class AddCharacter(Message, frozen=True):
 
 
 class RemoveCharacter(Message, frozen=True):
-    """Takes a character out of the scene: it leaves the stage first, and no shot holds it any more; until it is gone an
-    `enter_character` keeps it. The last one stays. `key`: what `restore_character` finds it by, "" for its name."""
+    """Takes a character out of the scene: it leaves the stage first, in `seconds`, and no shot holds it any more; until
+    it is gone an `enter_character` keeps it. The last one stays. `key`: what `restore_character` finds it by, "" for
+    its name."""
 
     id: CallId
     character: CharacterName
     key: RequestId = ""
+    seconds: float = 1.0
 
 
 class RestoreCharacter(Message, frozen=True):
@@ -454,8 +456,8 @@ class Source(Message, frozen=True):
     """Something that sends values all the time: a tracker, a microphone, a program. `names`: the expressions (channels)
     that each of its frames has a value for. `characters`: whom it drives, where it says so; else the route that was
     made for its name the last time. `performer`: whose face it sees, by whose calibration it is read; "" for one of its
-    own. `smoothing`: seconds, to 2, in which its steps are followed, where that is slower than of all sources. `direct`: its
-    frames are smooth already and show as they are. Answered with `source_is`; the end of its link is its end."""
+    own. `smoothing`: seconds, to 2, in which its steps are followed, 0 as its layer is. `direct`: its frames are smooth
+    already and show as they are. Answered with `source_is`; the end of its link is its end."""
 
     name: Name
     kind: StreamKind
@@ -470,8 +472,8 @@ class Source(Message, frozen=True):
 class Drive(Message, frozen=True):
     """One frame of a source, the newest wins: `values` as float32, little-endian, in the order of its names, -0.5..1.5;
     `head` (yaw, pitch, roll) and `gaze` (yaw, pitch) in radians, or `None`. `found`: false while it does not see its
-    performer. Half a second without one that is found, and its layers fade out. `share`, of a direct source: how much of
-    its layer it takes, 0..1; none while a voice is silent, so that what lies below shows."""
+    performer. Half a second without one that is found, and its layers fade out. `share`, of a direct source: how much
+    of its layer it takes, 0..1; none while a voice is silent, so that what lies below shows."""
 
     index: int
     values: Annotated[bytes, msgspec.Meta(max_length=4 * MOST_NAMES)]
@@ -500,17 +502,29 @@ class RouteSource(Message, frozen=True):
 
 class CalibrateSource(Message, frozen=True):
     """Measures the performer before a source: `neutral` takes what it sends now as the face at rest, `range` listens to
-    the performer's largest moves until `done`, `reset` forgets both. It stays with the show under the performer."""
+    the performer's largest moves until `done`, `reset` forgets both. `channels`: those that a range is of; none named:
+    all. It stays with the show under the performer."""
 
     id: CallId
     source: Name
     step: CalibrationStep
+    channels: Annotated[list[Name], msgspec.Meta(max_length=MOST_NAMES)] = []
+
+
+class MeasureSource(Message, frozen=True):
+    """Sets what was measured of the performer before a source, by channel: the face at rest and the largest moves, as
+    `SourceState` tells them. So a measure is taken back, or comes from a program."""
+
+    id: CallId
+    source: Name
+    neutral: dict[str, float]
+    highest: dict[str, float]
 
 
 class TuneSource(Message, frozen=True):
     """How a source is read: `mirror` swaps left and right; less than `dead_zone` (0..0.5) is nothing; `curve` -1..1:
-    above 0 small moves grow, below they shrink; `gain` 0..4 of all channels; `smoothing` 0..2: seconds in which a step
-    is followed, where that is slower than of all sources."""
+    above 0 small moves grow, below they shrink; `gain` 0..4 of all channels, `lids` 0..4 beside it of those that shut
+    the eyes; `smoothing` 0..2: seconds in which a step is followed, 0 as the source asks or its layer is."""
 
     id: CallId
     source: Name
@@ -519,6 +533,13 @@ class TuneSource(Message, frozen=True):
     curve: float
     gain: float
     smoothing: float = 0.0
+    lids: float = 1.0
+
+
+class WatchSource(Message, frozen=True):
+    """Asks for what a source sends, as it comes (`SourceValues`): for a page that shows it; "" ends it."""
+
+    source: Annotated[str, msgspec.Meta(max_length=80)]
 
 
 class Cancel(Message, frozen=True):
@@ -821,7 +842,8 @@ class SourceIs(Message, frozen=True):
 
 class SourceState(msgspec.Struct, frozen=True):
     """A source that sends: `console` is the name of the link that it comes by; its route; `rate`: frames in the last
-    second; `found`: whether it sees its performer. `ranging`: it listens to the performer's largest moves."""
+    second; `found`: whether it sees its performer. `ranging`: it listens to the performer's largest moves. `neutral`,
+    `highest`: what was measured, by channel."""
 
     name: str
     kind: StreamKind
@@ -839,6 +861,9 @@ class SourceState(msgspec.Struct, frozen=True):
     curve: float
     gain: float
     smoothing: float = 0.0
+    lids: float = 1.0
+    neutral: dict[str, float] = {}
+    highest: dict[str, float] = {}
 
 
 class Sources(Message, frozen=True):
@@ -867,6 +892,16 @@ class SpeechState(msgspec.Struct, frozen=True):
     next_sound: str = ""
 
 
+class SourceValues(Message, frozen=True):
+    """What a source that is watched sends now, and what its measure makes of it: `sent` and `weights` as float32,
+    little-endian, in the order of `names`; up to twenty times a second."""
+
+    source: str
+    names: list[str]
+    sent: bytes
+    weights: bytes
+
+
 class CallState(msgspec.Struct, frozen=True):
     """A running call: `progress` 0..1, `remaining` seconds (`None`: the T-bar decides).
 
@@ -892,10 +927,19 @@ class Place(msgspec.Struct, frozen=True):
     turn: float = 0.0
 
 
+class LayerSource(msgspec.Struct, frozen=True):
+    """One of the sources of a layer: how far it is trusted, and the parts that it has."""
+
+    source: str
+    trust: float
+    parts: list[str]
+
+
 class LayerState(msgspec.Struct, frozen=True):
     """A layer: its influence on brows, eyes, mouth, rest, head and gaze, and its switch, as set. `source`: what drives
-    it, "" for nothing; `trust`: 0 lost, 1 followed. `share`: how much of it is on air where it shows most, 0..1;
-    `strongest`: the few channels that it moves most now."""
+    it, of several the one with the most parts, "" for nothing; `trust`: 0 lost, 1 followed. `share`: how much of it is
+    on air where it shows most, 0..1; `strongest`: the few channels that it moves most now. `sources`: all of them where
+    there are several, the newest first."""
 
     influence: list[float]
     on: bool
@@ -903,6 +947,7 @@ class LayerState(msgspec.Struct, frozen=True):
     source: str
     share: float
     strongest: dict[str, float]
+    sources: list[LayerSource] = []
 
 
 class HeldState(msgspec.Struct, frozen=True):
@@ -1225,6 +1270,8 @@ KeepMessage = (
 """What a console asks of the show file."""
 LeaseMessage = Lease | ReleaseLease | SetLeases | AppointManager
 """What a console or a program asks of leases."""
+SourceMessage = Source | Drive | LeaveSource | WatchSource
+"""What comes of a source, and who asks to see it."""
 BindingMessage = Bind | Unbind | Learn | LoadPreset | RestoreBindings
 """What a page asks of bindings; each executes once."""
 DeviceMessage = Plug | Unplug | MidiBytes | Controls | BindingMessage | ChooseBank | WatchDevices | SwitchDevice
@@ -1285,7 +1332,9 @@ FromClient = (
     | LeaveSource
     | RouteSource
     | CalibrateSource
+    | MeasureSource
     | TuneSource
+    | WatchSource
     | Cancel
     | Ping
     | Drawing
@@ -1308,6 +1357,7 @@ FromServer = (
     | Hands
     | SourceIs
     | Sources
+    | SourceValues
     | Progress
     | Crew
     | Leases

@@ -191,8 +191,9 @@ class ShowSession:
         """What consoles must be told of each other's hands, of who holds what, and of the sources."""
         consoles, sources = self.members.consoles(), self.members.sources()
         hands, leases = self._hands.tell(consoles, now, sources), self.leasing.tell(now)
-        found = [Outgoing(*told) for each in (hands, leases) for told in each.items()]
-        news, found = self.sources.news(consoles, now), [*found, *self._sound_stage.tell(self.crew, now)]
+        news, found = self.sources.news(consoles, now), self._sound_stage.tell(self.crew, now)
+        found += [Outgoing(*told) for each in (hands, leases) for told in each.items()]
+        found += [Outgoing(who, values) for who, values in self.sources.watched(now)]
         return found if news is None else [*found, *self.for_consoles(news)]
 
     def _answer(self, who: str, message: wire.FromClient, now: float) -> list[Outgoing]:
@@ -221,7 +222,7 @@ class ShowSession:
                 return self._obey(who, message, now)
         return []
 
-    def _hear_source(self, who: str, message: wire.Source | wire.Drive | wire.LeaveSource) -> list[Outgoing]:
+    def _hear_source(self, who: str, message: wire.SourceMessage) -> list[Outgoing]:
         self.members.refuse_a_stage(who, message)
         with refuse_errors(message):
             answer = self.sources.hear(who, message, self.scene, self.cast)
@@ -257,7 +258,7 @@ class ShowSession:
         self.members.refuse_a_stage(who, message)
         if isinstance(message, wire.LeaseMessage):
             return self._lease(who, message)
-        if isinstance(message, wire.Source | wire.Drive | wire.LeaveSource):
+        if isinstance(message, wire.SourceMessage):
             return self._hear_source(who, message)
         self._panics.refuse_late(who, message, meant := find_addressed(self.scene, message), now)
         self.leasing.check(who, message, meant)

@@ -18,6 +18,7 @@ from omote.show.messages import (
     CharacterState,
     GazeTargetState,
     HeldState,
+    LayerSource,
     LayerState,
     MotionState,
     Place,
@@ -163,7 +164,8 @@ def _motion_state(settings: MotionSettings) -> MotionState:
 
 def _layer_state(status: LayerStatus) -> LayerState:
     strongest = dict(status.strongest)
-    return LayerState(list(status.influence), status.on, status.trust, status.source, status.share, strongest)
+    sources = [LayerSource(each.source, each.trust, list(each.parts)) for each in status.sources]
+    return LayerState(list(status.influence), status.on, status.trust, status.source, status.share, strongest, sources)
 
 
 def _held_state(held: Held) -> HeldState:

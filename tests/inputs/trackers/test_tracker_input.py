@@ -21,6 +21,11 @@ PHONE = (
     b'{"FaceFound":true,"Rotation":{"x":1,"y":2,"z":3},"BlendShapes":[{"k":"JawOpen","v":0.25},{"k":"smile","v":1}]}'
 )
 
+PARAMETERS = (
+    b'{"apiName":"VTubeStudioPublicAPI","apiVersion":"1.0","messageType":"InputParameterListResponse","requestID":"a",'
+    b'"data":{"modelLoaded":true,"customParameters":[],"defaultParameters":[{"name":"MouthOpen","value":0.5}]}}'
+)
+
 
 class Stage:
     """A session with one character, trackers of a protocol, and a clock."""
@@ -60,6 +65,7 @@ FACES: dict[str, Callable[[], bytes]] = {
     "vmc-performer": lambda: apply(jawopen=0.5),
     "ifacialmocap-v3": lambda: motion_frame((25, 50)),
     "facemotion3d-v3": lambda: motion_frame((25, 50)),
+    "vtubestudio-pc": lambda: PARAMETERS,
     "ifacialmocap-tcp": lambda: encode_face_text({"jawOpen": 0.5}, (0.1, 0.0, 0.0), (0.0, 0.0)),
     "facemotion3d-tcp": lambda: encode_face_text({"jawOpen": 0.5}, (0.1, 0.0, 0.0), (0.0, 0.0)),
 }

@@ -120,7 +120,7 @@ def test_the_loss_of_one_leaves_the_part_of_the_other_alone(people: Cast) -> Non
 
 def test_eyes_of_one_with_angles_do_not_stay_when_another_without_takes_them(people: Cast) -> None:
     performer, other = Performer(people), Sender("other", {**dict.fromkeys(GAZE_UNITS, 0.0), **FACE})
-    for _ in range(120):
+    for _ in range(240):
         performer.drive_layer("tracker", Sender("eyes", FACE).frame(people, gaze=(0.4, 0.2)))
         frame = performer.advance(DT)
     assert frame.gaze.yaw == pytest.approx(0.4, abs=1e-3)

@@ -66,7 +66,7 @@ async def test_trackers_are_heard_and_faces_sent(show_harness: ShowHarness) -> N
         send="vmc:127.0.0.1:9,osc:127.0.0.1:9",
     )  # fmt: skip
     started = await start_devices(show_harness.show, options, lambda _: None)
-    surfaces, trackers, browsers, _, faces, pages = started
+    surfaces, trackers, browsers, _, faces, _, pages = started
     assert isinstance(browsers, MediapipeLink)
     assert show_harness.show._heard["/mediapipe"] == browsers.respond
     assert isinstance(surfaces, OscListener)

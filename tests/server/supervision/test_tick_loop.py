@@ -52,11 +52,11 @@ def beaten(
     clock, times = Clock(monkeypatch), list[float]()
     early = None if spoken is None else Devices(clock, spoken)
 
-    def tick(number: int) -> None:
-        if number == ticks:
+    def tick(_: int | None) -> None:
+        if len(times) == ticks:
             raise KeyboardInterrupt
         times.append(clock.now)
-        clock.now += work.get(number, 0.001)
+        clock.now += work.get(len(times) - 1, 0.001)
 
     with pytest.raises(KeyboardInterrupt):
         asyncio.run(run_ticks(tick, clock=lambda: clock.now, early=early))
@@ -151,6 +151,16 @@ async def test_a_resting_show_is_kept_once_a_second(played: tuple[ShowServer, Ke
     for number in range(10 * RESTING_TICKS):
         playing.tick(number)
     assert len(journal.entries) == 10
+
+
+@pytest.mark.asyncio
+async def test_ticks_that_come_early_are_not_counted(played: tuple[ShowServer, Kept, ShowTick, int]) -> None:
+    _, journal, playing, far = played
+    for number in range(2 * RESTING_TICKS):
+        playing.tick(number)
+        playing.tick(None)
+    assert len(journal.entries) == 2
+    assert os.read(far, 1000) == TICK * (2 * RESTING_TICKS // PULSE_TICKS)
 
 
 @pytest.mark.asyncio

@@ -78,3 +78,9 @@ def test_what_is_out_of_range_is_refused() -> None:
         Calibration(curve=-2.0)
     with pytest.raises(ValueError, match=r"the gain of a source is 9.0"):
         Calibration(gain=9.0)
+
+
+def test_lids_have_a_gain_of_their_own() -> None:
+    assert weights(Calibration(gain=0.5, lids=3.0), [0.2, 0.2, 0.4, 0, 0])[:3] == pytest.approx([0.1, 0.3, 0.6])
+    with pytest.raises(ValueError, match=r"the gain of the lids of a source is 5.0; give a number from 0 to 4"):
+        Calibration(lids=5.0)

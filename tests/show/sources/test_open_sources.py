@@ -1,12 +1,16 @@
 """Sources of a session: opened once, driven by the frame, routed, measured, and gone with their link."""
 
+from dataclasses import replace
 from typing import Any
 
 import msgspec
 import numpy as np
 import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
 
 from omote.model.cast import Cast
+from omote.model.space.expression import Title
 from omote.show import messages as wire
 from omote.show.session import ShowSession
 from omote.show.session_snapshot import read_session_snapshot
@@ -30,9 +34,9 @@ class Show:
         assert isinstance(answer.message, wire.SourceIs), answer.message
         return answer.message.index
 
-    def drive(self, index: int, values: list[float], **more: Any) -> None:
+    def drive(self, index: int, values: list[float], who: str = "phone", **more: Any) -> None:
         frame = wire.Drive(index, np.array(values, "<f4").tobytes(), **more)
-        assert self.session.receive_bytes("phone", encode(frame), self.now) == []
+        assert self.session.receive_bytes(who, encode(frame), self.now) == []
 
     def play(self, seconds: float, index: int = 0, values: list[float] | None = None, **more: Any) -> wire.State:
         for _ in range(round(seconds / DT)):
@@ -53,6 +57,18 @@ class Show:
     def told(self) -> list[wire.SourceState]:
         self.now += 1.0
         return self.news()[-1].sources
+
+    def watched(self) -> list[wire.SourceValues]:
+        told = [each.message for each in self.session.hands_now(self.now) if each.who == "console"]
+        return [each for each in told if isinstance(each, wire.SourceValues)]
+
+    def play_all(self, seconds: float, frames: dict[int, list[float]]) -> wire.State:
+        for _ in range(round(seconds / DT)):
+            for index, values in frames.items():
+                self.drive(index, values)
+            self.now += DT
+            state = self.session.tick(self.now)
+        return state
 
     def news(self) -> list[wire.Sources]:
         told = [each.message for each in self.session.hands_now(self.now) if each.who == "console"]
@@ -233,7 +249,7 @@ def test_a_source_is_smoothed_as_its_performer_is_tuned_or_as_it_asks(cast: Cast
         index = show.open(smoothing=asked)
         show.play(1.0, index, [0.0, 0.0])
         show.change(wire.TuneSource("t", "face", False, 0.0, 0.0, 1.0, tuned))
-        show.play(5.0, index, [0.0, 0.0])  # it has let go and is back
+        show.play(1.0, index, [0.0, 0.0])
         shown.append(jaw(show.play(0.3, index, [0.75, 0.0])))
         assert show.told()[0].smoothing == tuned
     assert shown[0] > 0.7
@@ -242,3 +258,111 @@ def test_a_source_is_smoothed_as_its_performer_is_tuned_or_as_it_asks(cast: Cast
     assert "the smoothing of a source (seconds) is 9" in show.refused(
         wire.TuneSource("u", "face", False, 0.0, 0.0, 1.0, 9.0), "console"
     )
+
+
+def test_two_trackers_share_a_character_by_region_on_one_layer(cast: Cast) -> None:
+    titles = {"jawOpen": Title("jaw", region="jaw"), "smile": Title("brow", region="brows")}
+    show = Show(replace(cast, titles={**cast.titles, **titles}))
+    frames = {show.open(name="lips"): [0.75, 0.75], show.open(name="brows"): [0.25, 0.25]}
+    show.change(wire.RouteSource("r1", "lips", ["one"], "tracker", ["mouth"]))
+    show.change(wire.RouteSource("r2", "brows", ["one"], "tracker", ["brows"]))
+    one = show.play_all(5.0, frames).characters["one"]
+    assert [one.channels["jawOpen"], one.channels["smile"]] == pytest.approx([0.75, 0.25], abs=1e-3)
+    assert {each.source: each.parts for each in one.layers["tracker"].sources} == {
+        "lips": ["mouth"],
+        "brows": ["brows"],
+    }
+
+
+routes = st.lists(
+    st.tuples(
+        st.sampled_from(["a", "b", "c"]), st.sets(st.sampled_from(["one", "two"])), st.sampled_from(["mouth", "brows"])
+    ),
+    max_size=6,
+)
+
+
+@given(routes)
+@settings(max_examples=6)
+def test_each_part_of_each_character_is_played_by_one_that_is_routed_to_it(
+    cast: Cast, asked: list[tuple[str, set[str], Any]]
+) -> None:
+    titles = {"jawOpen": Title("jaw", region="jaw"), "smile": Title("brow", region="brows")}
+    show = Show(replace(cast, titles={**cast.titles, **titles}))
+    sent = {"a": 0.25, "b": 0.5, "c": 0.75}
+    index = {name: show.open(name=name, characters=[]) for name in sent}
+    frames, routed = {index[name]: [value] * 2 for name, value in sent.items()}, dict[str, tuple[set[str], str]]()
+    for n, (name, characters, part) in enumerate(asked):
+        show.change(wire.RouteSource(f"r{n}", name, sorted(characters), "tracker", [part]))
+        routed[name] = characters, part
+        show.play_all(0.2, frames)
+    state = show.play_all(7.0, frames)
+    for character in ("one", "two"):
+        for channel, part in (("jawOpen", "mouth"), ("smile", "brows")):
+            may = [sent[name] for name, (who, of) in routed.items() if character in who and of == part]
+            shown = state.characters[character].channels.get(channel, 0.0)
+            assert any(shown == pytest.approx(each, abs=0.01) for each in may or [0.0])
+
+
+def test_a_range_is_measured_of_some_channels_and_the_others_stay(cast: Cast) -> None:
+    show = Show(cast)
+    index = show.open()
+    for number, (names, values) in enumerate([(["jawOpen"], [0.5, 0.9]), (["smile"], [0.1, 0.4])]):
+        show.play(0.2, index, [0.0, 0.0])
+        show.change(wire.CalibrateSource(f"r{number}", "face", "range", names))
+        show.play(0.5, index, values)
+        show.change(wire.CalibrateSource(f"d{number}", "face", "done"))
+    assert show.told()[0].highest == pytest.approx({"jawOpen": 0.5, "smile": 0.4})
+    assert jaw(show.play(6.0, index, [0.25, 0.0])) == pytest.approx(0.5, abs=1e-3)
+    assert "there is no channel of face 'tongueOut'" in show.refused(
+        wire.CalibrateSource("x", "face", "range", ["tongueOut"]), "console"
+    )
+
+
+def test_a_face_at_rest_is_the_mean_of_some_frames(cast: Cast) -> None:
+    show = Show(cast)
+    index = show.open()
+    for n in range(120):
+        show.drive(index, [0.3 + 0.1 * (-1) ** n, 0.0])
+    show.change(wire.CalibrateSource("n", "face", "neutral"))
+    assert show.told()[0].neutral["jawOpen"] == pytest.approx(0.3, abs=0.01)
+
+
+def test_a_measure_is_taken_back_and_done_again(cast: Cast) -> None:
+    show = Show(cast)
+    index = show.open()
+    show.play(1.0, index, [0.25, 0.0])
+    show.change(wire.CalibrateSource("n", "face", "neutral"))
+    after = show.told()[0]
+    show.change(wire.MeasureSource("m", "face", {}, {}))
+    assert not show.told()[0].calibrated
+    show.change(wire.MeasureSource("o", "face", after.neutral, after.highest))
+    assert show.told()[0].neutral == after.neutral
+    wrong = show.refused(wire.MeasureSource("p", "face", {"jawOpen": 3.0}, {}), "console")
+    assert "jawOpen in the face at rest of a performer is 3.0; give a number from -0.5 to 1.5" in wrong
+
+
+def test_who_watches_a_source_sees_what_comes_and_what_is_made_of_it(cast: Cast) -> None:
+    show = Show(cast)
+    index = show.open()
+    show.change(wire.WatchSource("face"))
+    assert show.watched() == [], "nothing has come"
+    show.play(1.0, index, [0.5, 0.0])
+    show.change(wire.TuneSource("t", "face", False, 0.0, 0.0, 2.0))
+    (told,) = show.watched()
+    assert (told.source, told.names) == ("face", ["jawOpen", "smile"])
+    assert np.frombuffer(told.sent, "<f4").tolist() == [0.5, 0.0]
+    assert np.frombuffer(told.weights, "<f4").tolist() == [1.0, 0.0]
+    assert show.watched() == [], "not oftener than it can be seen"
+    show.now += 1.0
+    show.change(wire.WatchSource(""))
+    assert show.watched() == []
+    assert "there is no source 'gone'" in show.refused(wire.WatchSource("gone"), "console")
+
+
+def test_a_source_that_is_smoothed_otherwise_does_not_let_go(cast: Cast) -> None:
+    show = Show(cast)
+    index = show.open()
+    show.play(3.0, index, [0.75, 0.0])
+    show.change(wire.TuneSource("t", "face", False, 0.0, 0.0, 1.0, 1.0))
+    assert min(jaw(show.play(DT, index, [0.75, 0.0])) for _ in range(120)) > 0.74

@@ -30,6 +30,7 @@ import "./lease_panel/lease_dialog";
 import "./lease_panel/lease_marks";
 import "./lease_panel/seat_key";
 import "./panels/bank";
+import "./calibration_panel/calibration_dialog";
 import "./device_panel/devices_dialog";
 import "./help";
 import "./learn/binding_marks";
@@ -54,6 +55,8 @@ export class ConsolePage extends ConsoleElement {
   /** The notices of the show, which have their place on the picture. */
   @property({ attribute: false }) notices!: ShowNoticesView;
   @state() private dialog: Dialog | null = null;
+  /** The source whose calibration is open, "" for none. */
+  @state() private calibrated = "";
   /** The own tile whose menu is open. */
   @state() private menu: MenuRequest | null = null;
   /** What is touched is bound, not played. */
@@ -131,7 +134,7 @@ export class ConsolePage extends ConsoleElement {
       </section>
       <omote-bank class="panel live" .context=${context}></omote-bank>
       ${shown === "scene" ? html`<omote-scene-panel class="panel live" .context=${context} @close=${() => this.#toggle("scene")}></omote-scene-panel>` : nothing}
-      ${shown === "layers" ? html`<omote-layer-panel class="panel live" .context=${context} @close=${() => this.#toggle("layers")}></omote-layer-panel>` : nothing}
+      ${shown === "layers" ? html`<omote-layer-panel class="panel live" .context=${context} @calibrate=${this.#calibrate} @close=${() => this.#toggle("layers")}></omote-layer-panel>` : nothing}
       <nav class="views live" role="tablist" aria-label="What is shown below">
         ${VIEWS.map(
           (view) => html`<button role="tab" data-view=${view} aria-selected=${view === shown}
@@ -150,6 +153,7 @@ export class ConsolePage extends ConsoleElement {
       <omote-binding-marks .context=${context} .page=${this.renderRoot}></omote-binding-marks>
       ${this.learning ? html`<omote-learn-mode .context=${context} .page=${this.renderRoot} @close=${this.#learn} @devices=${this.#openDevices}></omote-learn-mode>` : nothing}
       ${dialog === "devices" ? html`<omote-devices-dialog .context=${context} @close=${this.#close}></omote-devices-dialog>` : nothing}
+      ${this.calibrated === "" ? nothing : html`<omote-calibration-dialog .context=${context} .name=${this.calibrated} @close=${this.#close}></omote-calibration-dialog>`}
       ${dialog === "help" ? html`<omote-help .context=${context} @close=${this.#close}></omote-help>` : nothing}
       ${dialog === "leases" ? html`<omote-lease-dialog .context=${context} @close=${this.#close}></omote-lease-dialog>` : nothing}
       ${dialog === "log" ? html`<omote-message-log .context=${context} .notices=${this.notices.notices} @close=${this.#close}></omote-message-log>` : nothing}
@@ -201,10 +205,15 @@ export class ConsolePage extends ConsoleElement {
     this.menu = null;
   };
 
+  readonly #calibrate = (event: CustomEvent<string>): void => {
+    this.calibrated = event.detail;
+  };
+
   readonly #openLeases = (): void => this.show("leases");
 
   readonly #close = (): void => {
     this.dialog = null;
+    this.calibrated = "";
   };
 
   /** Panic: also over what is open, but not in a field. */

@@ -16,7 +16,6 @@ import { ConsoleName } from "./console_name";
 import { ConsolePage } from "./console_page";
 import type { ConsoleContext } from "./controls/console_element";
 import { ConsoleDevices } from "./devices/console_devices";
-import { LostSources } from "./layers/lost_sources";
 import { ConsoleLeases } from "./leases/console_leases";
 import { randomToken, seatToken } from "./leases/seat_token";
 import { PanicReturn } from "./panic/panic_return";
@@ -25,6 +24,8 @@ import { FileImports } from "./show_file/file_imports";
 import { LayoutStorage, layoutName } from "./show_file/layout_storage";
 import { OwnItems } from "./show_file/own_items";
 import { keepUndo } from "./show_file/undo_storage";
+import { ConsoleSources } from "./sources/console_sources";
+import { LostSources, sendingOf } from "./sources/lost_sources";
 import { ConsoleStore } from "./store/console_store";
 
 /** A name for this console, so that its calls have their own ids. */
@@ -73,7 +74,8 @@ function handlersOf(context: () => ConsoleContext, shown: ShowNoticesView): Link
     kept: (kept) => store().receiveKept(kept),
     itemChanged: (changed) => store().receiveChanged(changed),
     layouts: (names) => store().receiveLayouts(names),
-    sources: (sources) => store().receiveSources(sources),
+    sources: (sources) => context().sources.receive(sources),
+    sourceValues: (values) => context().sources.receiveValues(values),
     hands: (hands) => store().receiveHands(hands),
     progress: (progress) => context().imports.requests.receive(progress),
     refused: (...rejection) => hearRejection(context(), ...rejection),
@@ -91,7 +93,7 @@ function hearState({ store, panicReturn }: ConsoleContext, sources: LostSources,
   const before = store.state;
   store.receiveState(state);
   panicReturn.receive(before, state);
-  const turned = sources.receive(state.characters);
+  const turned = sources.receive(state.characters, sendingOf(store.sources));
   if (turned !== "") store.say(turned, turned.includes("lost") ? "attention" : "done");
 }
 
@@ -136,7 +138,8 @@ function contextOf(link: () => ShowLink): ConsoleContext {
   const devices = new ConsoleDevices(store, (message) => link().send(message), PAGE);
   const [painter, thumbnails, leases] = [new FramePainter(), new Thumbnails(), new ConsoleLeases(store)];
   const panicReturn = new PanicReturn(store);
-  return { store, painter, thumbnails, layouts, items, imports, devices, leases, panicReturn, rename };
+  const sources = new ConsoleSources(store, (message) => link().send(message));
+  return { store, painter, thumbnails, layouts, items, imports, devices, leases, panicReturn, sources, rename };
 }
 
 async function start(): Promise<void> {

@@ -199,14 +199,16 @@ export interface AddCharacter {
 }
 
 /**
- * Takes a character out of the scene: it leaves the stage first, and no shot holds it any more; until it is gone an
- * `enter_character` keeps it. The last one stays. `key`: what `restore_character` finds it by, "" for its name.
+ * Takes a character out of the scene: it leaves the stage first, in `seconds`, and no shot holds it any more; until
+ * it is gone an `enter_character` keeps it. The last one stays. `key`: what `restore_character` finds it by, "" for
+ * its name.
  */
 export interface RemoveCharacter {
   type: "remove_character";
   id: string;
   character: string;
   key: string;
+  seconds: number;
 }
 
 /**
@@ -458,8 +460,8 @@ export interface MakeGesture {
  * Something that sends values all the time: a tracker, a microphone, a program. `names`: the expressions (channels)
  * that each of its frames has a value for. `characters`: whom it drives, where it says so; else the route that was
  * made for its name the last time. `performer`: whose face it sees, by whose calibration it is read; "" for one of its
- * own. `smoothing`: seconds, to 2, in which its steps are followed, where that is slower than of all sources. `direct`: its
- * frames are smooth already and show as they are. Answered with `source_is`; the end of its link is its end.
+ * own. `smoothing`: seconds, to 2, in which its steps are followed, 0 as its layer is. `direct`: its frames are smooth
+ * already and show as they are. Answered with `source_is`; the end of its link is its end.
  */
 export interface Source {
   type: "source";
@@ -476,8 +478,8 @@ export interface Source {
 /**
  * One frame of a source, the newest wins: `values` as float32, little-endian, in the order of its names, -0.5..1.5;
  * `head` (yaw, pitch, roll) and `gaze` (yaw, pitch) in radians, or `None`. `found`: false while it does not see its
- * performer. Half a second without one that is found, and its layers fade out. `share`, of a direct source: how much of
- * its layer it takes, 0..1; none while a voice is silent, so that what lies below shows.
+ * performer. Half a second without one that is found, and its layers fade out. `share`, of a direct source: how much
+ * of its layer it takes, 0..1; none while a voice is silent, so that what lies below shows.
  */
 export interface Drive {
   type: "drive";
@@ -510,19 +512,33 @@ export interface RouteSource {
 
 /**
  * Measures the performer before a source: `neutral` takes what it sends now as the face at rest, `range` listens to
- * the performer's largest moves until `done`, `reset` forgets both. It stays with the show under the performer.
+ * the performer's largest moves until `done`, `reset` forgets both. `channels`: those that a range is of; none named:
+ * all. It stays with the show under the performer.
  */
 export interface CalibrateSource {
   type: "calibrate_source";
   id: string;
   source: string;
   step: "neutral" | "range" | "done" | "reset";
+  channels: string[];
+}
+
+/**
+ * Sets what was measured of the performer before a source, by channel: the face at rest and the largest moves, as
+ * `SourceState` tells them. So a measure is taken back, or comes from a program.
+ */
+export interface MeasureSource {
+  type: "measure_source";
+  id: string;
+  source: string;
+  neutral: Record<string, number>;
+  highest: Record<string, number>;
 }
 
 /**
  * How a source is read: `mirror` swaps left and right; less than `dead_zone` (0..0.5) is nothing; `curve` -1..1:
- * above 0 small moves grow, below they shrink; `gain` 0..4 of all channels; `smoothing` 0..2: seconds in which a step
- * is followed, where that is slower than of all sources.
+ * above 0 small moves grow, below they shrink; `gain` 0..4 of all channels, `lids` 0..4 beside it of those that shut
+ * the eyes; `smoothing` 0..2: seconds in which a step is followed, 0 as the source asks or its layer is.
  */
 export interface TuneSource {
   type: "tune_source";
@@ -533,6 +549,13 @@ export interface TuneSource {
   curve: number;
   gain: number;
   smoothing: number;
+  lids: number;
+}
+
+/** Asks for what a source sends, as it comes (`SourceValues`): for a page that shows it; "" ends it. */
+export interface WatchSource {
+  type: "watch_source";
+  source: string;
 }
 
 /**
@@ -849,7 +872,8 @@ export interface SourceIs {
 
 /**
  * A source that sends: `console` is the name of the link that it comes by; its route; `rate`: frames in the last
- * second; `found`: whether it sees its performer. `ranging`: it listens to the performer's largest moves.
+ * second; `found`: whether it sees its performer. `ranging`: it listens to the performer's largest moves. `neutral`,
+ * `highest`: what was measured, by channel.
  */
 export interface SourceState {
   name: string;
@@ -868,6 +892,9 @@ export interface SourceState {
   curve: number;
   gain: number;
   smoothing: number;
+  lids: number;
+  neutral: Record<string, number>;
+  highest: Record<string, number>;
 }
 
 /** All sources that send: complete, to consoles once a second and with each change. */
@@ -898,6 +925,18 @@ export interface SpeechState {
 }
 
 /**
+ * What a source that is watched sends now, and what its measure makes of it: `sent` and `weights` as float32,
+ * little-endian, in the order of `names`; up to twenty times a second.
+ */
+export interface SourceValues {
+  type: "source_values";
+  source: string;
+  names: string[];
+  sent: Uint8Array;
+  weights: Uint8Array;
+}
+
+/**
  * A running call: `progress` 0..1, `remaining` seconds (`None`: the T-bar decides).
  * `fader`: where its T-bar stands; `pickup`: where that takes over. Both 0..1. `start`: the mix that it left.
  */
@@ -922,10 +961,18 @@ export interface Place {
   turn: number;
 }
 
+/** One of the sources of a layer: how far it is trusted, and the parts that it has. */
+export interface LayerSource {
+  source: string;
+  trust: number;
+  parts: string[];
+}
+
 /**
  * A layer: its influence on brows, eyes, mouth, rest, head and gaze, and its switch, as set. `source`: what drives
- * it, "" for nothing; `trust`: 0 lost, 1 followed. `share`: how much of it is on air where it shows most, 0..1;
- * `strongest`: the few channels that it moves most now.
+ * it, of several the one with the most parts, "" for nothing; `trust`: 0 lost, 1 followed. `share`: how much of it is
+ * on air where it shows most, 0..1; `strongest`: the few channels that it moves most now. `sources`: all of them where
+ * there are several, the newest first.
  */
 export interface LayerState {
   influence: number[];
@@ -934,6 +981,7 @@ export interface LayerState {
   source: string;
   share: number;
   strongest: Record<string, number>;
+  sources: LayerSource[];
 }
 
 /** What hands hold, where layers mix it with what sources send: channels, head and gaze as faders stand. */
@@ -1534,7 +1582,9 @@ export type FromClient =
   | LeaveSource
   | RouteSource
   | CalibrateSource
+  | MeasureSource
   | TuneSource
+  | WatchSource
   | Cancel
   | Ping
   | Drawing
@@ -1557,6 +1607,7 @@ export type FromServer =
   | Hands
   | SourceIs
   | Sources
+  | SourceValues
   | Progress
   | Crew
   | Leases

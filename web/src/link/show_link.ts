@@ -20,6 +20,8 @@ import type {
   Pong,
   Progress,
   SourceState,
+  Sources,
+  SourceValues,
   State,
   Welcome,
 } from "./messages";
@@ -78,6 +80,8 @@ export interface LinkHandlers {
   hands?: (hands: Hands["hands"]) => void;
   /** All sources that send. */
   sources?: (sources: readonly SourceState[]) => void;
+  /** What the source that this page watches sends now. */
+  sourceValues?: (values: SourceValues) => void;
   /** News of devices. */
   devices?: (message: DeviceMessage) => void;
   /** Whether this stage is the one that plays sounds. */
@@ -181,7 +185,8 @@ export class ShowLink {
         this.handlers.playsSound?.(message.on);
         break;
       case "sources":
-        this.handlers.sources?.(message.sources);
+      case "source_values":
+        this.hearSources(message);
         break;
       case "leases":
       case "lease_claim":
@@ -193,11 +198,18 @@ export class ShowLink {
     }
   }
 
+  private hearSources(message: Sources | SourceValues): void {
+    if (message.type === "sources") this.handlers.sources?.(message.sources);
+    else this.handlers.sourceValues?.(message);
+  }
+
   /** What only the page itself has a use for. */
   private tell(
     message: Exclude<
       FromServer,
-      DeviceMessage | LeaseMessage | { type: "welcome" | "state" | "pong" | "cast" | "sources" | "plays_sound" }
+      | DeviceMessage
+      | LeaseMessage
+      | { type: "welcome" | "state" | "pong" | "cast" | "sources" | "plays_sound" | "source_values" }
     >,
   ): void {
     switch (message.type) {

@@ -26,7 +26,7 @@ from omote.inputs.microphone.voice_visemes import VoiceVisemes
 from omote.perform.speech.visemes import SIL, VISEMES, speech_frame
 from omote.show import messages as wire
 from omote.show.session import ShowSession
-from omote.show.sources.open_sources import LAYER_OF
+from omote.show.sources.open_source import LAYER_OF
 
 MOST_MICROPHONES = 8
 MOST_WAITING = 0.25

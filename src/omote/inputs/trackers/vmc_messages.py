@@ -32,6 +32,7 @@ from omote.inputs.trackers.head_angles import (
     write_unity_quaternion,
 )
 from omote.inputs.trackers.tracker_frame import TrackerError, TrackerFrame, check_weight
+from omote.perform.limits import CHANNEL_HIGHEST, CHANNEL_LOWEST
 
 VALUE, APPLY = "/VMC/Ext/Blend/Val", "/VMC/Ext/Blend/Apply"
 BONE, OK, TIME = "/VMC/Ext/Bone/Pos", "/VMC/Ext/OK", "/VMC/Ext/T"
@@ -94,13 +95,14 @@ class VmcDecoder:
         before = self._said
         said = _Said(dict(before.weights), dict(before.bones), before.found, before.time)
         elements = split_bundle(data) if data.startswith(BUNDLE) else [data]
+        names, weights, read = self._names, said.weights, FLOAT.unpack
         for element in elements if len(elements) <= MOST_MESSAGES else [data]:
-            name = self._names.get(element[: -FLOAT.size])
+            name = names.get(element[:-4])
             if name is None:
                 self._hear(element, said)
                 continue
-            (value,) = FLOAT.unpack_from(element, len(element) - FLOAT.size)
-            said.weights[name] = check_weight(name, value)
+            (value,) = read(element[-4:])
+            weights[name] = value if CHANNEL_LOWEST <= value <= CHANNEL_HIGHEST else check_weight(name, value)
         if len(said.weights) > MOST_NAMES:
             raise TrackerError(
                 f"the sender has named {len(said.weights)} expressions, but at most {MOST_NAMES} are kept"

@@ -80,6 +80,7 @@ class Columns:
     rate: Values = field(init=False)
     haste: Values = field(init=False)
     lowest: Values = field(init=False)
+    _in_parts: dict[tuple[bool, ...], NDArray[np.bool_]] = field(init=False, default_factory=dict)
     _places: dict[tuple[str, ...], NDArray[np.intp]] = field(init=False, default_factory=dict)
 
     def __post_init__(self) -> None:
@@ -128,6 +129,13 @@ class Columns:
             near = np.minimum(row[pace.own], slow)
             row[pace.own] = near + pace.steady * (row[pace.own] - near)
         return rate, haste
+
+    def in_parts(self, parts: tuple[bool, ...]) -> NDArray[np.bool_]:
+        """Whether each column is of these parts, given as one switch for each and one for the whole face."""
+        found = self._in_parts.get(parts)
+        if found is None:
+            found = self._in_parts[parts] = np.array(parts)[self.parts]
+        return found
 
     def places(self, names: tuple[str, ...]) -> NDArray[np.intp]:
         """The columns of some channels."""

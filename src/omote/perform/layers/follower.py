@@ -59,7 +59,7 @@ def follow(
 
 def follow_number(first: float, second: float, goal: float, rate: float, dt: float) -> tuple[float, float]:
     """The same for one number without haste, to the bit; a gap of any length is cut into steps."""
-    for step in steps_of(dt):
+    for step in (dt,) if 0.0 < dt <= LONGEST_STEP else steps_of(dt):  # nearly always one
         z = rate * step
         left = 1.0 / (1.0 + z * (1.0 + z * (0.48 + z * 0.235)))
         ahead = first - goal

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from functools import lru_cache
 
 import numpy as np
 
@@ -11,9 +12,18 @@ from omote.model.known_names import NEUTRAL, PLAY_REGIONS, PlayRegion
 from omote.model.space.expression import Expression
 from omote.perform.frame import Frame, Gaze, Head, Held, LayerStatus, SourceStatus, with_fields
 from omote.perform.layers.columns import GAZE, HEAD
-from omote.perform.layers.drivers import NOBODY
+from omote.perform.layers.drivers import NOBODY, Owners
 from omote.perform.layers.follower import Values
-from omote.perform.layers.layer_names import DEFAULT_SETTINGS, DRIVEN, LAYER_PARTS, LAYERS, RULES, WHOLE, LayerName
+from omote.perform.layers.layer_names import (
+    DEFAULT_SETTINGS,
+    DRIVEN,
+    LAYER_PARTS,
+    LAYERS,
+    RULES,
+    WHOLE,
+    LayerName,
+    LayerPart,
+)
 from omote.perform.layers.layer_vectors import Layers, places_of_source, trust_of
 from omote.perform.layers.worn_units import worn_by
 from omote.perform.panic import Settling, with_settling_channels, with_settling_gaze, with_settling_head
@@ -100,22 +110,20 @@ def kept_of_mix(layers: Layers, shares: Values) -> list[float]:
 
 def statuses(layers: Layers, shares: Values) -> dict[str, LayerStatus]:
     """The layers that differ from what they are at first, or that a source drives; lowest first."""
-    found = dict[str, LayerStatus]()
+    found, strongest, most = dict[str, LayerStatus](), _strongest(layers), shares[:, :WHOLE].max(axis=1).tolist()
     for row, layer in enumerate(LAYERS):
         setting, first = layers.settings[layer], DEFAULT_SETTINGS[layer]
         if layer in layers.drivers or (setting is not first and setting != first):
-            found[layer] = _status(layers, layer, max(shares[row].tolist()[:WHOLE]))
+            found[layer] = _status(layers, layer, most[row], strongest.get(layer, {}))
     return found
 
 
-def _status(layers: Layers, layer: LayerName, share: float) -> LayerStatus:
+def _status(layers: Layers, layer: LayerName, share: float, strongest: Mapping[str, float]) -> LayerStatus:
     setting = layers.settings[layer]
     if layer not in layers.drivers:
         return LayerStatus(setting.by_part, setting.on, 0.0 if layer in DRIVEN else 1.0, "", share, {})
-    values = layers.columns.rows(layers.second, "streams")[DRIVEN.index(layer), : len(layers.columns.names)]
     sources = sources_of(layers, layer)
     first = max(sources, key=lambda each: len(each.parts))
-    strongest = _strongest(layers.columns.names, values)
     told = sources if len(sources) > 1 else ()
     return LayerStatus(setting.by_part, setting.on, first.trust, first.source, share, strongest, told)
 
@@ -126,19 +134,32 @@ def sources_of(layers: Layers, layer: LayerName) -> tuple[SourceStatus, ...]:
     trust = trust_of(layers, layer).tolist()
     found = []
     for driver in reversed(layers.drivers[layer]):
-        shows = [part for name, part in zip(followed, trust, strict=True) if name == driver.source]
-        parts = [part for part, owner in zip(LAYER_PARTS, owners, strict=False) if owner == driver.source]
-        found.append(SourceStatus(driver.source, max(shows, default=0.0), tuple(parts)))
+        shows = max([trust[place] for place in _places(followed, driver.source)], default=0.0)
+        found.append(SourceStatus(driver.source, shows, _parts(owners, driver.source)))
     return tuple(found)
 
 
-def _strongest(names: tuple[str, ...], values: Values) -> dict[str, float]:
-    sizes = np.abs(values)
-    seen = np.flatnonzero(sizes >= LEAST_SHOWN)
-    if not len(seen):
-        return {}
-    places = seen[np.argsort(-sizes[seen], kind="stable")[:MOST_SHOWN]].tolist()
-    return {names[place]: float(values[place]) for place in places}
+@lru_cache(maxsize=256)
+def _places(followed: Owners, source: str) -> tuple[int, ...]:
+    return tuple(place for place, name in enumerate(followed) if name == source)
+
+
+@lru_cache(maxsize=256)
+def _parts(owners: Owners, source: str) -> tuple[LayerPart, ...]:
+    return tuple(part for part, owner in zip(LAYER_PARTS, owners, strict=False) if owner == source)
+
+
+def _strongest(layers: Layers) -> dict[LayerName, dict[str, float]]:
+    """The few channels that each driven layer moves most, of all layers at once."""
+    names = layers.columns.names
+    streams = layers.columns.rows(layers.second, "streams")[:, : len(names)]
+    order = np.argsort(-np.abs(streams), axis=1, kind="stable")[:, :MOST_SHOWN]
+    values, places = np.take_along_axis(streams, order, axis=1).tolist(), order.tolist()
+    return {
+        layer: {names[place]: value for place, value in zip(*both, strict=True) if abs(value) >= LEAST_SHOWN}
+        for layer, both in zip(DRIVEN, zip(places, values, strict=True), strict=True)
+        if layer in layers.drivers
+    }
 
 
 def _mixed_values(layers: Layers, shares: Values, closed: Values | None) -> Values:

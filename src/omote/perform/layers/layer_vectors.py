@@ -16,6 +16,8 @@ from omote.perform.layers.drivers import NOBODY, Driver, Owners
 from omote.perform.layers.follower import Values
 from omote.perform.layers.layer_names import DRIVEN, LAYER_PARTS, LAYERS, WHOLE, LayerName, LayerSetting
 
+UNTRUSTED = (0.0,) * len(NOBODY)
+
 
 @dataclass(frozen=True, eq=False)
 class Layers:
@@ -44,7 +46,8 @@ def trust_of(layers: Layers, layer: LayerName) -> Values:
 
 def columns_of_source(layers: Layers, layer: LayerName, source: str) -> NDArray[np.bool_]:
     """The columns of a layer that show the frames of a source."""
-    return np.asarray(places_of_source(layers, layer, source)[layers.columns.parts])
+    followed = layers.followed.get(layer, NOBODY)
+    return layers.columns.in_parts(tuple(each == source for each in followed))
 
 
 def places_of_source(layers: Layers, layer: LayerName, source: str) -> NDArray[np.bool_]:
@@ -60,19 +63,19 @@ def _places_in(followed: Owners, source: str) -> NDArray[np.bool_]:
     return found
 
 
-def trust_goal(layers: Layers) -> list[list[float]]:
+def trust_goal(layers: Layers) -> list[tuple[float, ...]]:
     """Where the trust of each part of each driven layer goes: to 1 where it shows whom it belongs to."""
-    found = []
-    for layer in DRIVEN:
-        owners, followed = layers.owners.get(layer, NOBODY), layers.followed.get(layer, NOBODY)
-        found.append(_trust_in(owners, followed))
-    return found
+    return [
+        _trust_goal(layers.owners.get(layer, NOBODY), layers.followed.get(layer, NOBODY))
+        if layer in layers.drivers
+        else UNTRUSTED
+        for layer in DRIVEN
+    ]
 
 
 @lru_cache(maxsize=256)
-def _trust_in(owners: Owners, followed: Owners) -> list[float]:
-    """Where the trust of each part of a layer goes; never changed."""
-    return [float(one is not None and one == other) for one, other in zip(owners, followed, strict=True)]
+def _trust_goal(owners: Owners, followed: Owners) -> tuple[float, ...]:
+    return tuple(float(one is not None and one == other) for one, other in zip(owners, followed, strict=True))
 
 
 def share_goal(layers: Layers) -> Values:

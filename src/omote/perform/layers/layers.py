@@ -111,10 +111,8 @@ def switch_off(layers: Layers, kept: Sequence[float]) -> Layers:
 
     What was on air of them the caller eases to rest.
     """
-    drivers = {
-        layer: tuple(one for one in each if one.source not in OWN_SOURCES) for layer, each in layers.drivers.items()
-    }
-    sources = {layer: each for layer, each in drivers.items() if each}
+    others = ((layer, [one for one in each if one.source not in OWN_SOURCES]) for layer, each in layers.drivers.items())
+    sources = {layer: tuple(each) for layer, each in others if each}
     settings = {layer: replace(each, on=each.on and layer not in sources) for layer, each in layers.settings.items()}
     layers = replace(layers, settings=settings, drivers=sources, owners=_known(layers.owners, sources))
     layers = with_share_goal(replace(layers, followed=_known(layers.followed, sources)))
@@ -183,12 +181,14 @@ def _owned(layers: Layers, layer: LayerName) -> Layers:
 def _waits(layers: Layers, layer: LayerName) -> bool:
     """Whether a part of a layer shows another than it belongs to."""
     owners, followed = layers.owners.get(layer, NOBODY), layers.followed.get(layer, NOBODY)
-    return any(one is not None and one != other for one, other in zip(owners, followed, strict=True))
+    return owners != followed and any(
+        one is not None and one != other for one, other in zip(owners, followed, strict=True)
+    )
 
 
 def _stepped(layers: Layers, dt: float) -> Layers:
     before = layers.drivers
-    drivers = {layer: tuple(advance_driver(one, dt) for one in each) for layer, each in before.items()}
+    drivers = {layer: tuple(advance_driver(one, dt, layer) for one in each) for layer, each in before.items()}
     layers = with_fields(layers, drivers=drivers)
     for layer, each in drivers.items():
         lost = any(one.is_trusted != other.is_trusted for one, other in zip(each, before[layer], strict=True))
@@ -196,7 +196,7 @@ def _stepped(layers: Layers, dt: float) -> Layers:
             layers = _owned(layers, layer)
     goal, columns = layers.goal, layers.columns
     wanted = trust_goal(layers)
-    if columns.rows(goal, "trust").tolist() != wanted:
+    if list(map(tuple, columns.rows(goal, "trust").tolist())) != wanted:
         goal = goal.copy()
         columns.rows(goal, "trust")[:] = wanted
     settles = not any(one.is_trusted for each in drivers.values() for one in each)  # nothing rests while one plays
@@ -253,25 +253,31 @@ def _plugged(cast: HasExpressions, layers: Layers, layer: LayerName, frame: Sour
 def _streamed(cast: HasExpressions, layers: Layers, layer: LayerName, frame: SourceFrame) -> Layers:
     """The layers where a frame is the goal of the parts that show its source; what these do not send is at rest."""
     columns, row, goal = layers.columns, DRIVEN.index(layer), layers.goal.copy()
-    own = columns_of_source(layers, layer, frame.source)
-    if not own.any():
+    own, followed = columns_of_source(layers, layer, frame.source), layers.followed.get(layer, NOBODY)
+    if frame.source not in followed:
         return layers
-    stream = columns.rows(goal, "streams")[row]
+    stream, places = columns.rows(goal, "streams")[row], columns.places(frame.names)
     stream[own] = 0.0
-    places = columns.places(frame.names)
-    shown = own[places]
-    stream[places[shown]] = frame.values[shown]
-    _turn(cast, columns, stream, own, frame)
+    if len(frame.names):
+        stream[places] = np.where(own[places], frame.values, stream[places])
+    write_turn(cast, columns, stream, own, frame)
     later = with_fields(layers, goal=goal, calm=False)
     if frame.share == 0.0:  # nothing of it shows, so it can be trusted at once: a first word is whole
         later = _trusted(later, layer, frame.source)
-    at_once = own if frame.direct else own & (trust_of(layers, layer)[columns.parts] == 0.0)
-    if not at_once.any():
-        return later
-    first, second = later.first.copy(), later.second.copy()
+    trust = trust_of(later, layer).tolist()
+    unseen = tuple(
+        name == frame.source and (frame.direct or part == 0.0) for name, part in zip(followed, trust, strict=True)
+    )
+    return _from_there(later, row, columns.in_parts(unseen)) if any(unseen) else later
+
+
+def _from_there(layers: Layers, row: int, where: NDArray[np.bool_]) -> Layers:
+    """Columns of a layer that do not show, or that are smooth already, are where they go."""
+    columns, first, second = layers.columns, layers.first.copy(), layers.second.copy()
+    stream = columns.rows(layers.goal, "streams")[row]
     for vector in (first, second):
-        np.copyto(columns.rows(vector, "streams")[row], stream, where=at_once)
-    return with_fields(later, first=first, second=second)
+        np.copyto(columns.rows(vector, "streams")[row], stream, where=where)
+    return with_fields(layers, first=first, second=second)
 
 
 def _trusted(layers: Layers, layer: LayerName, source: str) -> Layers:
@@ -282,7 +288,9 @@ def _trusted(layers: Layers, layer: LayerName, source: str) -> Layers:
     return with_fields(layers, first=first, second=second)
 
 
-def _turn(cast: HasExpressions, columns: Columns, stream: Values, own: NDArray[np.bool_], frame: SourceFrame) -> None:
+def write_turn(
+    cast: HasExpressions, columns: Columns, stream: Values, own: NDArray[np.bool_], frame: SourceFrame
+) -> None:
     """Writes the head and the gaze of a frame, where its source plays them."""
     if frame.head is not None and own[HEAD].all():
         stream[HEAD] = frame.head.yaw, frame.head.pitch, frame.head.roll

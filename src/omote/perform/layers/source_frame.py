@@ -2,13 +2,17 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
+from functools import lru_cache
 
 import numpy as np
+from numpy.typing import NDArray
 
 from omote.model.known_names import NEUTRAL
-from omote.perform.frame import Gaze, Head
+from omote.perform.channels import GAZE_UNITS
+from omote.perform.frame import Gaze, Head, with_fields
 from omote.perform.layers.follower import Values
 from omote.perform.layers.layer_names import LAYER_PARTS, RANGES, RULES, LayerName, LayerPart
 from omote.perform.limits import CHANNEL_HIGHEST, CHANNEL_LOWEST, GAZE_LIMITS, HEAD_LIMITS, check_known, check_within
@@ -19,6 +23,9 @@ LOSS_SECONDS = 0.5
 """Seconds of silence, or of a performer who is not found, after which a source counts as lost."""
 
 
+DEVICE_YAW, DEVICE_UP, DEVICE_DOWN = math.radians(35.0), math.radians(25.0), math.radians(35.0)
+"""By what a full coefficient of ARKit's turns an eye to the side, up and down: in three takes of Live Link Face, which
+sends both, angles follow their coefficients by these slopes (correlation above .98)."""
 AUTOMATIC, SPEECH = "automatic", "speech"
 OWN_SOURCES = (AUTOMATIC, SPEECH)
 """The sources of a character's own motion, and of what it says; no other has these names."""
@@ -63,6 +70,27 @@ def check_frame(frame: SourceFrame, layer: LayerName) -> SourceFrame:
     if RULES[layer] == "fill" and not (frame.head is None and frame.gaze is None):
         raise ValueError(f"the layer {layer} closes what is open; it takes no head and no gaze")
     return frame
+
+
+def with_gaze_of_units(frame: SourceFrame) -> SourceFrame:
+    """The frame with the gaze that its coefficients of the eyes mean, where it has all of them and sends no angles: the
+    mean of both eyes, as far as a gaze goes. Rejects nothing."""
+    places = _eye_places(frame.names)
+    if frame.gaze is not None or places is None:
+        return frame
+    out_left, in_left, up_left, down_left, out_right, in_right, up_right, down_right = frame.values[places].tolist()
+    yaw = DEVICE_YAW * (out_left - in_left + in_right - out_right) / 2.0
+    pitch = (DEVICE_UP * (up_left + up_right) - DEVICE_DOWN * (down_left + down_right)) / 2.0
+    widest, highest = GAZE_LIMITS["yaw"], GAZE_LIMITS["pitch"]
+    gaze = Gaze(min(max(yaw, -widest), widest), min(max(pitch, -highest), highest))
+    return with_fields(frame, gaze=gaze)
+
+
+@lru_cache(maxsize=64)
+def _eye_places(names: tuple[str, ...]) -> NDArray[np.intp] | None:
+    if not GAZE_UNITS.keys() <= set(names):
+        return None
+    return np.array([names.index(unit) for unit in GAZE_UNITS], np.intp)
 
 
 def source_frame(

@@ -215,7 +215,7 @@ def _breath_values(motion: AutomaticMotion, names: tuple[str, ...]) -> np.ndarra
     moved = np.array([noise(motion.settings.seed, kind, motion.time) for kind in range(NOISES)])
     breathed, kinds, far = _shares(names)
     added = depth * (breathed * drawn + far * moved[kinds])
-    return np.minimum(np.maximum(added, -MOST_OFFSET), MOST_OFFSET)
+    return np.asarray(np.minimum(np.maximum(added, -MOST_OFFSET), MOST_OFFSET))
 
 
 @lru_cache(maxsize=64)

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from functools import lru_cache
+
 from omote.perform.motion.counter_hash import uniform
 from omote.perform.motion.quantiles import MUTUAL_SPELL
 
@@ -16,6 +18,7 @@ AFTER = 0.4
 _LENGTH, _BEGIN, _WHO, _BOTH = 31, 32, 33, 34
 
 
+@lru_cache(maxsize=64)
 def contacts(seeds: tuple[int, int], time: float) -> tuple[bool, bool]:
     """Whether each of two who look at one another is at the other's eyes.
 
@@ -45,6 +48,7 @@ def contacts(seeds: tuple[int, int], time: float) -> tuple[bool, bool]:
     return (False, not other) if first_leads else (not other, False)
 
 
+@lru_cache(maxsize=256)
 def _spell(seed: int, slot: int) -> tuple[float, float]:
     """When the spell of a slot begins and ends."""
     length = MUTUAL_SPELL.at(uniform(seed, _LENGTH, slot))

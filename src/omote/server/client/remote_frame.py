@@ -14,6 +14,7 @@ from omote.perform.frame import (
     Home,
     LayerStatus,
     MotionSettings,
+    SourceStatus,
 )
 from omote.perform.status.speech_status import SpeechStatus
 from omote.show.messages import CallState, CharacterState, HeldState, LayerState, MotionState, State
@@ -54,7 +55,10 @@ def motion_settings(motion: MotionState) -> MotionSettings:
 
 def layer_status(layer: LayerState) -> LayerStatus:
     """A layer of the wire as the engine's."""
-    return LayerStatus(tuple(layer.influence), layer.on, layer.trust, layer.source, layer.share, layer.strongest)
+    sources = tuple(SourceStatus(each.source, each.trust, tuple(each.parts)) for each in layer.sources)
+    return LayerStatus(
+        tuple(layer.influence), layer.on, layer.trust, layer.source, layer.share, layer.strongest, sources
+    )
 
 
 def held_by_hands(held: HeldState) -> Held:

@@ -15,6 +15,7 @@ from omote.perform.limits import check_known
 from omote.perform.scene.character_names import ALL, find_character, framing_of, names_in
 from omote.server.client.remote_frame import frame_in
 from omote.server.client.remote_leases import RemoteLeases
+from omote.server.client.remote_sources import RemoteSources
 from omote.server.client.remote_speech import RemoteSpeech
 from omote.show import messages as wire
 
@@ -110,7 +111,7 @@ class RemoteCharacter(RemoteSpeech[Sent]):
     ) -> Sent:
         """One frame of a source of this program: the newest wins, and the layer follows it without a jump. The same
         names in each frame; radians for head and gaze; after half a second without a frame the layer fades out.
-        smoothing: seconds, to 2, in which a step is followed, where that is slower than of all sources."""
+        smoothing: seconds, to 2, in which a step is followed, 0 as its layer is."""
         kind = next(each for each in STREAM_KINDS if each == check_driven(layer))
         source = wire.Source(f"{layer} {self.name}", kind, list(channels), [self.name], smoothing=smoothing)
         values = struct.pack(f"<{len(channels)}f", *channels.values())
@@ -171,7 +172,7 @@ class RemoteCharacter(RemoteSpeech[Sent]):
         return characters[check_known(self.name, characters, "character")]
 
 
-class RemoteShow(RemoteLeases[Sent]):
+class RemoteShow(RemoteLeases[Sent], RemoteSources[Sent]):
     """A running show: `show["one"]` is a character, `show["*"]` all of them; light and framing are the show's."""
 
     def __init__(
@@ -226,9 +227,10 @@ class RemoteShow(RemoteLeases[Sent]):
         """Adds a character, which waits off stage until it enters."""
         return self.send(wire.AddCharacter(self.next_id(), name, name if label is None else label, face))
 
-    def remove(self, name: str, *, key: str = "") -> Sent:
-        """Takes a character out of the scene: it leaves the stage, then it is gone; `restore` brings it back."""
-        return self.send(wire.RemoveCharacter(self.next_id(), name, key))
+    def remove(self, name: str, *, seconds: float = 1.0, key: str = "") -> Sent:
+        """Takes a character out of the scene: it leaves the stage in `seconds`, then it is gone; `restore` brings it
+        back."""
+        return self.send(wire.RemoveCharacter(self.next_id(), name, key, seconds))
 
     def restore(self, key: str, *, seconds: float = 1.0) -> Sent:
         """Brings back who was removed with this key, or of this name: all that it had on air, its place, its shot."""

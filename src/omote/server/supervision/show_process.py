@@ -34,7 +34,7 @@ from omote.server.process.process_messages import Order, ShowMoved, write_notice
 from omote.server.supervision.device_sockets import NO_DEVICES, DeviceOptions
 from omote.server.supervision.device_sources import start_devices
 from omote.server.supervision.early_tick import EarlyTicks
-from omote.server.supervision.tick_loop import ShowTick, run_ticks, send_pulse
+from omote.server.supervision.tick_loop import ShowTick, Tick, run_ticks, send_pulse
 from omote.server.workers.file_jobs import run_file_job
 from omote.server.workers.job_server import JobServer, open_job_server
 from omote.server.workers.workshop import open_workshop
@@ -126,7 +126,7 @@ async def play(
                 each.close()
 
 
-async def serve(server: ShowServer, tick: Callable[[int], None], pipes: Pipes, show: Path | None = None) -> None:
+async def serve(server: ShowServer, tick: Tick, pipes: Pipes, show: Path | None = None) -> None:
     """Hears devices, answers pages and ticks until the control pipe ends or SIGTERM comes. show: its file."""
     early = EarlyTicks()
     server.device_spoke = early.note

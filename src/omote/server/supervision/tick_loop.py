@@ -29,7 +29,8 @@ RESTING_TICKS = 60
 APART = 0.25
 """Of a beat, between an early tick and the ticks on either side of it."""
 
-Tick = Callable[[int], None]
+Tick = Callable[[int | None], None]
+"""A tick by the number of its beat; None for an early one, so that what is done every so many beats is done in time."""
 
 
 class Early(Protocol):
@@ -49,20 +50,19 @@ async def run_ticks(
     clock: Callable[[], float] = time.monotonic,
     early: Early | None = None,
 ) -> None:
-    """Calls `tick(number)` `rate` times a second, for ever; early: in every second beat at most once more, as soon as a
-    device speaks there."""
-    start, count, number, extra = clock(), 0, 0, False
+    """Calls `tick(beat)` `rate` times a second, for ever; early: in every second beat at most once more, with None, as
+    soon as a device speaks there."""
+    start, count, beat, extra = clock(), 0, 0, False
     while True:
-        tick(number)
-        number += 1
+        tick(beat)
+        beat += 1
         count += 1
         wait = start + count / rate - clock()
         if wait < -LATE_TICKS / rate:
             start, count = clock(), 0
         extra = early is not None and not extra and await _is_early(early, wait, APART / rate)
         if extra:
-            tick(number)
-            number += 1
+            tick(None)
         await asyncio.sleep(max(0.0, start + count / rate - clock()))
 
 
@@ -82,17 +82,20 @@ class ShowTick:
         self._server, self._journal, self._pulse, self._board = server, journal, pulse, board
         self._kept: tuple[SceneSnapshot, LeaseSnapshot] | None = None
 
-    def tick(self, number: int) -> None:
-        """Broadcasts the state, sends the heartbeat, writes the journal, broadcasts notices and who is connected."""
+    def tick(self, beat: int | None) -> None:
+        """Broadcasts the state and notices; on a beat sends the heartbeat, writes the journal, broadcasts who is
+        connected."""
         self._server.tick()
         for notice in self._board.take_new():
             self._server.post(self._board.notices)
             send_pulse(self._pulse, write_notice(notice))  # so that the next server knows it too
-        if number % PULSE_TICKS == 0:
+        if beat is None:
+            return
+        if beat % PULSE_TICKS == 0:
             send_pulse(self._pulse, TICK)
-        if self._journal and number % JOURNAL_TICKS == 0:
-            self._keep(self._journal, even_resting=number % RESTING_TICKS == 0)
-        if number % RESTING_TICKS == 0:
+        if self._journal and beat % JOURNAL_TICKS == 0:
+            self._keep(self._journal, even_resting=beat % RESTING_TICKS == 0)
+        if beat % RESTING_TICKS == 0:
             self._server.broadcast_crew()
             self._server.broadcast_notices()
 

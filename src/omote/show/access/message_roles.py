@@ -28,8 +28,8 @@ PLAY_MESSAGES = _table(
         set_head set_gaze panic set_home say stop_speaking make_gesture
         add_character remove_character rename_character place_character enter_character leave_character call_framing
         restore_character set_layout rename_layout drop_layout cancel
-        source drive set_layer set_motion leave_source route_source tune_source calibrate_source
-        look_at set_gaze_point delete_gaze_point
+        source drive set_layer set_motion leave_source route_source tune_source calibrate_source measure_source
+        watch_source look_at set_gaze_point delete_gaze_point
         plug unplug midi_bytes controls bind unbind learn load_preset choose_bank restore_bindings watch_devices
         switch_device
         lease release_lease

@@ -29,6 +29,7 @@ ROUTES: Mapping[tuple[str, str], AccessRole] = MappingProxyType(
         ("GET", "/mediapipe"): "operate",
         ("POST", "/sounds"): "operate",
         ("GET", "/sounds/{key}"): "view",
+        ("GET", "/camera/link"): "operate",
         ("GET", "/connect"): "view",
         ("GET", "/connect/{page}.svg"): "operate",  # it may hold the token that operators share
         ("GET", "/voice"): "operate",
@@ -40,6 +41,7 @@ ROUTES: Mapping[tuple[str, str], AccessRole] = MappingProxyType(
         ("GET", "/console"): "view",
         ("GET", "/editor"): "view",
         ("GET", "/devices"): "view",
+        ("GET", "/camera"): "view",
         ("GET", "/microphone"): "view",
         ("GET", "/{page}"): "view",
     }

@@ -62,7 +62,9 @@ FREE: tuple[type[wire.Message], ...] = (
     wire.LeaveSource,
     wire.RouteSource,
     wire.CalibrateSource,
+    wire.MeasureSource,
     wire.TuneSource,
+    wire.WatchSource,
 )
 """Messages that pass whoever holds what."""
 

@@ -25,7 +25,8 @@ _SIDES = {"Left": "Right", "Right": "Left"}
 class Calibration:
     """A performer's measure. neutral: what a source sends of the face at rest; highest: of the largest moves, by
     channel. mirror: left and right are swapped. dead_zone: less is nothing. curve: above 0 small moves grow. gain: of
-    all channels. smoothing: seconds in which a step is followed, where that is slower than of all sources."""
+    all channels; lids: beside it, of those that shut the eyes. smoothing: seconds in which a step is followed, 0 as the
+    source asks or its layer is."""
 
     neutral: Mapping[str, float] = field(default_factory=dict)
     highest: Mapping[str, float] = field(default_factory=dict)
@@ -34,6 +35,7 @@ class Calibration:
     curve: float = 0.0
     gain: float = 1.0
     smoothing: float = 0.0
+    lids: float = 1.0
 
     def __post_init__(self) -> None:
         """Rejects what is out of range."""
@@ -43,6 +45,7 @@ class Calibration:
         check_within(self.dead_zone, 0.0, 0.5, "the dead zone of a source")
         check_within(self.curve, -1.0, 1.0, "the curve of a source")
         check_within(self.gain, 0.0, 4.0, "the gain of a source")
+        check_within(self.lids, 0.0, 4.0, "the gain of the lids of a source")
         check_smoothing(self.smoothing)
 
 
@@ -51,11 +54,13 @@ AS_IT_IS = Calibration()
 
 @dataclass(frozen=True, eq=False)
 class Measure:
-    """A calibration for the channels of one source: of each the zero, the scale, and the place that it is read from."""
+    """A calibration for the channels of one source: of each the zero, the scale, the gain, and the place that it is
+    read from."""
 
     calibration: Calibration
     zero: Values
     scale: Values
+    gain: Values
     places: NDArray[np.intp]
 
     def weights(self, sent: Values, low: float, high: float) -> Values:
@@ -68,7 +73,7 @@ class Measure:
             size = np.where(size > dead, (size - dead) / (1.0 - dead), 0.0)
         if self.calibration.curve:
             size = np.where(size < 1.0, size + self.calibration.curve * size * (1.0 - size), size)
-        found = np.where(moved < 0.0, -size, size) * self.calibration.gain
+        found = np.where(moved < 0.0, -size, size) * self.gain
         found = np.where(found > high, high, found)
         return np.where(found < low, low, found)
 
@@ -87,7 +92,9 @@ def measure_of(calibration: Calibration, names: tuple[str, ...]) -> Measure:
     zero = [0.0 if name.startswith(SHUTTING) else calibration.neutral.get(name, 0.0) for name in read]
     spans = [_span(calibration, name, start) for name, start in zip(read, zero, strict=True)]
     places = np.array([names.index(name) for name in read], np.intp)
-    return Measure(calibration, np.array(zero), 1.0 / np.array(spans), places)
+    lids = [calibration.lids if name.startswith(SHUTTING) else 1.0 for name in read]
+    gain = calibration.gain * np.array(lids)
+    return Measure(calibration, np.array(zero), 1.0 / np.array(spans), gain, places)
 
 
 def _span(calibration: Calibration, name: str, start: float) -> float:

@@ -3,54 +3,41 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from typing import TypeVar
 
-import numpy as np
-
 from omote.perform.frame import Gaze, Head
-from omote.perform.layers.layer_names import LAYER_PARTS, RANGES, RULES, LayerName, check_driven
-from omote.perform.layers.source_frame import AUTOMATIC, SourceFrame, check_names, check_share, check_smoothing
-from omote.perform.limits import CHANNEL_HIGHEST, CHANNEL_LOWEST, check_known, check_within
+from omote.perform.layers.layer_names import LAYER_PARTS, RANGES, RULES, check_driven
+from omote.perform.layers.source_frame import AUTOMATIC, SourceFrame, check_names, check_smoothing
+from omote.perform.limits import CHANNEL_HIGHEST, CHANNEL_LOWEST, check_known
 from omote.perform.scene.character_names import ALL
 from omote.perform.scene.scene import Scene
 from omote.perform.snapshot import Playable
 from omote.show import messages as wire
-from omote.show.sources.calibration import AS_IT_IS, Calibration, Measure, Values, measure_of
+from omote.show.sources.calibration import AS_IT_IS, Calibration, Values, measure_of
+from omote.show.sources.open_source import (
+    LAYER_OF,
+    TUNED,
+    OpenSource,
+    begin_range,
+    check_channels,
+    hear_values,
+    measured_by,
+    read_share,
+    read_values,
+    source_state,
+    source_values,
+)
 from omote.show.sources.sources_snapshot import MOST_REMEMBERED, Route, SourcesSnapshot
 from omote.show.validation import Refusal
 
-SOURCE_CHANGES = wire.RouteSource, wire.CalibrateSource, wire.TuneSource
+SOURCE_CHANGES = wire.RouteSource, wire.CalibrateSource, wire.MeasureSource, wire.TuneSource
 """What an operator changes of a source."""
 MOST_SOURCES = 32
 TOLD_SECONDS = 1.0
-LAYER_OF: Mapping[wire.StreamKind, LayerName] = {
-    "tracker": "tracker", "lips": "lips", "playback": "playback", "program": "playback", "breath": "breath",
-    "gaze": "gaze", "blink": "blink",
-}  # fmt: skip
-"""The layer that a source of a kind drives until it is routed elsewhere."""
+WATCH_SECONDS = 0.05
+"""Between two reports of what a source sends, to who watches it."""
 Kept = TypeVar("Kept")
-
-
-@dataclass(frozen=True, eq=False)
-class OpenSource:
-    """A source that is open. who: the client whose link it comes by; sent: its newest values as it sent them; ranging:
-    the largest of each since it has been listened to; frames: since the consoles were last told; smoothing:
-    what it asks for itself, seconds; direct: it is smooth already; share: how much of its layer it takes."""
-
-    name: str
-    kind: wire.StreamKind
-    who: str
-    names: tuple[str, ...]
-    performer: str
-    measure: Measure
-    sent: Values | None = None
-    ranging: Values | None = None
-    frames: int = 0
-    found: bool = False
-    smoothing: float = 0.0
-    direct: bool = False
-    share: float = 1.0
 
 
 class OpenSources:
@@ -62,19 +49,26 @@ class OpenSources:
         self._routes, self._calibrations = dict(kept.routes), dict(kept.calibrations)
         self._count = 0
         self._told, self._changed = 0.0, False
+        self._watchers, self._watched = dict[str, str](), 0.0
 
     def snapshot(self) -> SourcesSnapshot:
         """What stays with the show."""
         return SourcesSnapshot(dict(self._routes), dict(self._calibrations))
 
     def hear(
-        self, who: str, message: wire.Source | wire.Drive | wire.LeaveSource, scene: Scene, cast: Playable
+        self,
+        who: str,
+        message: wire.SourceMessage,
+        scene: Scene,
+        cast: Playable,
     ) -> wire.SourceIs | None:
         """What a source says of itself; the answer where there is one. Errors as of the methods below."""
         if isinstance(message, wire.Source):
             return self.begin(who, message, scene, cast)
         if isinstance(message, wire.Drive):
             self.drive(who, message, scene)
+        elif isinstance(message, wire.WatchSource):
+            self._watch(who, message.source)
         else:
             self.end(who, message.index, scene)
         return None
@@ -109,21 +103,12 @@ class OpenSources:
         """A frame of a source: every layer that it drives follows it. Refusal, ValueError or TypeError where it cannot
         be, and nothing has changed."""
         source = self._of(who, frame.index)
-        if len(frame.values) != 4 * len(source.names):
-            raise Refusal(
-                f"{source.name} sent {len(frame.values)} bytes for {len(source.names)} channels; send 4 for each."
-            )
-        sent = np.frombuffer(frame.values, "<f4").astype(np.float64) if frame.found else source.sent
-        if frame.found and sent is not None:
-            _check(sent, source)
+        sent = read_values(source, frame)
         head = None if frame.head is None else Head(*frame.head)
         gaze = None if frame.gaze is None else Gaze(*frame.gaze)
-        ranging = source.ranging if source.ranging is None or sent is None else np.maximum(source.ranging, sent)
         self._changed = self._changed or frame.found != source.found
-        self._open[frame.index] = OpenSource(
-            source.name, source.kind, source.who, source.names, source.performer, source.measure, sent, ranging,
-            source.frames + 1, frame.found, source.smoothing, source.direct, _share(frame, source),
-        )  # fmt: skip
+        share = read_share(source, frame)
+        self._open[frame.index] = hear_values(source, sent, found=frame.found, share=share)
         if frame.found and sent is not None:
             self._play(scene, self._open[frame.index], sent, head, gaze)
 
@@ -136,6 +121,7 @@ class OpenSources:
 
     def leave(self, who: str, scene: Scene) -> None:
         """The end of a link is the end of its sources."""
+        self._watchers.pop(who, None)
         for index in [index for index, each in self._open.items() if each.who == who]:
             self.end(who, index, scene)
 
@@ -143,23 +129,38 @@ class OpenSources:
         """Whom a source drives."""
         return self._routes.get(name, Route())
 
-    def change(self, asked: wire.RouteSource | wire.CalibrateSource | wire.TuneSource, scene: Scene) -> None:
+    def change(
+        self, asked: wire.RouteSource | wire.CalibrateSource | wire.MeasureSource | wire.TuneSource, scene: Scene
+    ) -> None:
         """Routes or measures a source; ValueError where it cannot be."""
         if isinstance(asked, wire.RouteSource):
             self._route(asked, scene)
             return
         index = self._index_of(asked.source)
-        source = self._open[index]
+        performer = self._open[index].performer
+        before = self._calibrations.get(performer, AS_IT_IS)
         if isinstance(asked, wire.TuneSource):
-            before = self._calibrations.get(source.performer, AS_IT_IS)
-            tuned = {each: getattr(asked, each) for each in ("mirror", "dead_zone", "curve", "gain", "smoothing")}
-            self._calibrate(scene, source.performer, replace(before, **tuned))
-            return
-        self._step(scene, index, asked.step)
+            tuned = {each: getattr(asked, each) for each in TUNED}
+            self._calibrate(scene, performer, replace(before, **tuned))
+        elif isinstance(asked, wire.MeasureSource):
+            measured = replace(before, neutral=dict(asked.neutral), highest=dict(asked.highest))
+            self._calibrate(scene, performer, measured)
+        else:
+            self._step(scene, index, asked)
 
     def states(self, consoles: Mapping[str, str]) -> list[wire.SourceState]:
         """All open sources; consoles: the names of links."""
-        return [self._state(each, consoles) for each in self._open.values()]
+        return [source_state(each, self.route(each.name), consoles.get(each.who, "")) for each in self._open.values()]
+
+    def watched(self, now: float) -> list[tuple[str, wire.SourceValues]]:
+        """What each watcher is told of its source, as often as `WATCH_SECONDS` says."""
+        if not self._watchers or now - self._watched < WATCH_SECONDS:
+            return []
+        self._watched = now
+        values = {
+            each.name: source_values(each) for each in self._open.values() if each.name in self._watchers.values()
+        }
+        return [(who, told) for who, name in self._watchers.items() if (told := values.get(name)) is not None]
 
     def news(self, consoles: Mapping[str, str], now: float) -> wire.Sources | None:
         """What consoles are told: with each change, and once a second while there are any; None for nothing new."""
@@ -169,6 +170,12 @@ class OpenSources:
         self._told, self._changed = now, False
         self._open = {index: replace(each, frames=0) for index, each in self._open.items()}
         return wire.Sources(states)
+
+    def _watch(self, who: str, name: str) -> None:
+        if name:
+            self._watchers[who] = self._open[self._index_of(name)].name
+        else:
+            self._watchers.pop(who, None)
 
     def _next(self) -> int:
         self._count += 1
@@ -194,7 +201,7 @@ class OpenSources:
         values = source.measure.weights(sent, low, high)
         head, gaze = source.measure.turn(head, gaze)
         turned = RULES[route.layer] != "fill"  # what fills closes what is open, and turns nothing
-        smoothing = max(source.smoothing, source.measure.calibration.smoothing)
+        smoothing = source.measure.calibration.smoothing or source.smoothing
         frame = SourceFrame(
             source.names, values, head if turned else None, gaze if turned else None, source=source.name,
             parts=route.parts, smoothing=smoothing, direct=source.direct, share=source.share,
@@ -223,74 +230,28 @@ class OpenSources:
         for each in sorted(gone - stay):
             scene[each].leave_layer(before.layer, name)
 
-    def _step(self, scene: Scene, index: int, step: wire.CalibrationStep) -> None:
-        source = self._open[index]
+    def _step(self, scene: Scene, index: int, asked: wire.CalibrateSource) -> None:
+        source, channels = self._open[index], check_channels(self._open[index], asked.channels)
+        if asked.step == "range" and source.sent is not None:
+            self._open[index], self._changed = begin_range(source, channels), True
+            return
         before = self._calibrations.get(source.performer, AS_IT_IS)
-        if step == "reset":
+        measured = measured_by(source, before, asked.step)
+        if asked.step != "neutral":
             self._open[index] = replace(source, ranging=None)
-            self._calibrate(scene, source.performer, replace(before, neutral={}, highest={}))
-        elif source.sent is None:
-            raise ValueError(f"{source.name} has not sent a frame yet; show it a face first")
-        elif step == "neutral":
-            self._calibrate(scene, source.performer, replace(before, neutral=_by_name(source, source.sent)))
-        elif step == "range":
-            self._open[index], self._changed = replace(source, ranging=source.sent), True
-        elif source.ranging is None:
-            raise ValueError(f"{source.name} is not listened to; send the step range first")
-        else:
-            self._open[index] = replace(source, ranging=None)
-            self._calibrate(scene, source.performer, replace(before, highest=_by_name(source, source.ranging)))
+        self._calibrate(scene, source.performer, measured)
 
     def _calibrate(self, scene: Scene, performer: str, calibration: Calibration) -> None:
-        """Another measure of a performer: what it drives lets go before it follows again."""
+        """Another measure of a performer: what it drives lets go before it follows again, but not where it is smoothed
+        otherwise alone, which changes no value."""
+        before = self._calibrations.get(performer, AS_IT_IS)
+        same = replace(before, smoothing=calibration.smoothing) == calibration
         self._calibrations, self._changed = _with(self._calibrations, performer, calibration), True
         for index, each in self._open.items():
             if each.performer == performer:
                 self._open[index] = replace(each, measure=measure_of(calibration, each.names))
-                for name in self._driven(scene, each.name):
+                for name in () if same else self._driven(scene, each.name):
                     scene[name].recalibrate_layer(self.route(each.name).layer, each.name)
-
-    def _state(self, source: OpenSource, consoles: Mapping[str, str]) -> wire.SourceState:
-        route, measure = self.route(source.name), source.measure.calibration
-        return wire.SourceState(
-            name=source.name,
-            kind=source.kind,
-            console=consoles.get(source.who, ""),
-            characters=list(route.characters),
-            layer=route.layer,
-            regions=list(route.parts),
-            performer=source.performer,
-            rate=source.frames,
-            found=source.found,
-            calibrated=bool(measure.neutral or measure.highest),
-            ranging=source.ranging is not None,
-            mirror=measure.mirror,
-            dead_zone=measure.dead_zone,
-            curve=measure.curve,
-            gain=measure.gain,
-            smoothing=measure.smoothing,
-        )
-
-
-def _by_name(source: OpenSource, values: Values) -> dict[str, float]:
-    return dict(zip(source.names, values.tolist(), strict=True))
-
-
-def _check(sent: Values, source: OpenSource) -> None:
-    """Rejects values out of range, by the channel's name."""
-    wrong = ~((sent >= CHANNEL_LOWEST) & (sent <= CHANNEL_HIGHEST))
-    if wrong.any():
-        place = int(np.argmax(wrong))
-        check_within(float(sent[place]), CHANNEL_LOWEST, CHANNEL_HIGHEST, f"{source.names[place]} of {source.name}")
-
-
-def _share(frame: wire.Drive, source: OpenSource) -> float:
-    """How much of its layer a source takes; Refusal where it is not direct and takes less than all: it would jump."""
-    if frame.share != 1.0 and not source.direct:
-        raise Refusal(
-            f"{source.name} takes {frame.share} of its layer; only a source that is direct takes less than 1."
-        )
-    return check_share(frame.share)
 
 
 def _with(kept: Mapping[str, Kept], name: str, value: Kept) -> dict[str, Kept]:

@@ -62,8 +62,8 @@ def test_sockets_are_opened_and_explained_and_one_that_is_taken_is_said() -> Non
     opened = listen_for_trackers(read_trackers("vmc:0,livelink:0"))
     port = opened["vmc"].getsockname()[1]
     first, second = explain_trackers(opened)
-    assert first.startswith(f"VMC: port {port}; ")
-    assert second.startswith("Live Link Face: port")
+    assert first.startswith(f"tracker  VMC: port {port}; ")
+    assert second.startswith("tracker  Live Link Face: port")
     with pytest.raises(OSError, match=rf"port {port} cannot be opened for VMC \(another program has it\)"):
         listen_for_trackers(read_trackers(f"livelink:0,vmc:{port}"))
     for each in opened.values():

@@ -10,6 +10,7 @@ import type { PanicReturn } from "../panic/panic_return";
 import type { FileImports } from "../show_file/file_imports";
 import type { LayoutStorage } from "../show_file/layout_storage";
 import type { OwnItems } from "../show_file/own_items";
+import type { ConsoleSources } from "../sources/console_sources";
 import type { ConsoleStore } from "../store/console_store";
 import type { Topic } from "../store/page_store";
 
@@ -23,6 +24,7 @@ export interface ConsoleContext {
   readonly devices: ConsoleDevices;
   readonly leases: ConsoleLeases;
   readonly panicReturn: PanicReturn;
+  readonly sources: ConsoleSources;
   /** Gives this console another name, which the others read. */
   readonly rename: (name: string) => void;
 }

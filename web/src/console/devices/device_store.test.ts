@@ -105,6 +105,25 @@ it("asks again to be told when the link is back", () => {
   expect(sent.map((message) => message.type === "watch_devices" && message.on)).toEqual([true, true, false]);
 });
 
+it("knows what can be switched, and says why something was not", () => {
+  const { host, sent, made } = store();
+  const way = { name: "vmc", title: "VMC", port: 39539 };
+  made.receive({
+    type: "devices",
+    devices: [],
+    trackers: [],
+    found: [],
+    receivers: [],
+    ways: [way],
+    phone_page: "/connect",
+  });
+  expect([made.ways, made.phonePage]).toEqual([[way], "/connect"]);
+  made.switchDevice("listen", "vmc:39539", true);
+  expect(sent[0]).toMatchObject({ type: "switch_device", direction: "listen", word: "vmc:39539", on: true });
+  expect(made.receiveRefused("port 39539 cannot be opened.", idOf(sent[0]))).toBe(true);
+  expect(host.said).toEqual(["port 39539 cannot be opened."]);
+});
+
 it("makes of each change one that takes it back, and one that does it again", () => {
   const [old, one, other] = [binding("a"), binding("b"), binding("c")];
   const edited = stepOf("edit", [one], [old]);

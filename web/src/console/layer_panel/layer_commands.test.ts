@@ -2,7 +2,7 @@ import { beforeEach, describe, expect, it } from "vitest";
 import { LAYER_PARTS } from "../../link/constants";
 import type { CharacterState, FromClient, LayerState, SourceState, State } from "../../link/messages";
 import { ConsoleStore } from "../store/console_store";
-import { LayerCommands, withCharacter } from "./layer_commands";
+import { LayerCommands, withCharacter, withPart } from "./layer_commands";
 
 const SET: LayerState = {
   influence: [1, 0.5, 0.2, 0, 1, 1],
@@ -11,6 +11,7 @@ const SET: LayerState = {
   source: "phone",
   share: 1,
   strongest: {},
+  sources: [],
 };
 const character = (layers: CharacterState["layers"]): CharacterState =>
   ({
@@ -42,6 +43,9 @@ const SOURCE: SourceState = {
   smoothing: 0.5,
   curve: 0,
   gain: 1,
+  lids: 1,
+  neutral: {},
+  highest: {},
 };
 
 let sent: FromClient[];
@@ -141,6 +145,7 @@ describe("a source", () => {
     curve: 0,
     gain: 1,
     smoothing: 0.5,
+    lids: 1,
   };
 
   it("is routed elsewhere in the same parts, and back", () => {
@@ -159,12 +164,18 @@ describe("a source", () => {
     expect(said()).toEqual([tuning]);
   });
 
-  it("is measured without a way back", () => {
-    commands.calibrate(SOURCE, "neutral");
-    expect(said()).toEqual([{ type: "calibrate_source", source: "phone", step: "neutral" }]);
-    expect(store.history.next("undo")).toBeNull();
-    expect(store.notice).toContain("at rest");
+  it("plays other parts, and back", () => {
+    commands.route(SOURCE, { regions: withPart(SOURCE.regions, "brows") });
+    expect(said()).toEqual([{ ...route, regions: ["brows", "mouth"] }]);
+    expect(store.notice).toBe("phone plays brows, mouth now.");
+    store.undo();
+    expect(said()).toEqual([route]);
   });
+});
+
+it("a press on a part takes it into a route or out of it; where none is left all are in it", () => {
+  expect(withPart(["mouth", "brows"], "mouth")).toEqual(["brows"]);
+  expect(withPart(["mouth"], "mouth")).toEqual([...LAYER_PARTS]);
 });
 
 it("a press on a character takes it into a route, or out of it, also of all", () => {

@@ -1,8 +1,8 @@
 /** What an operator does to layers and to what feeds them, each to be taken back where it can be. */
 
 import { LAYER_PARTS } from "../../link/constants";
-import type { CalibrateSource, SourceState } from "../../link/messages";
-import { firstInfluence, type LayerName, layerOf } from "../layers/layer_state";
+import type { SourceState } from "../../link/messages";
+import { firstInfluence, type LayerName, type LayerPart, layerOf } from "../layers/layer_state";
 import type { ConsoleStore } from "../store/console_store";
 import type { Change } from "../store/undo_history";
 
@@ -10,7 +10,7 @@ import type { Change } from "../store/undo_history";
 export const layerLabel = (layer: LayerName): string => `${layer[0]?.toUpperCase()}${layer.slice(1)}`;
 
 /** How a source is read. */
-export type Tuning = Pick<SourceState, "mirror" | "dead_zone" | "curve" | "gain" | "smoothing">;
+export type Tuning = Pick<SourceState, "mirror" | "dead_zone" | "curve" | "gain" | "smoothing" | "lids">;
 /** Whom a source drives, and on which layer. */
 export type Route = Pick<SourceState, "characters" | "layer" | "regions">;
 
@@ -18,6 +18,12 @@ export type Route = Pick<SourceState, "characters" | "layer" | "regions">;
 export const withCharacter = (characters: readonly string[], one: string, all: readonly string[]): string[] => {
   const now = characters.includes("*") ? all : characters;
   return now.includes(one) ? now.filter((other) => other !== one) : [...now, one];
+};
+
+/** The parts of a route after a press on one: in it or not any more; all of them where none would be left. */
+export const withPart = (parts: SourceState["regions"], one: LayerPart): SourceState["regions"] => {
+  const left = LAYER_PARTS.filter((part) => parts.includes(part) !== (part === one));
+  return left.length === 0 ? [...LAYER_PARTS] : left;
 };
 
 export class LayerCommands {
@@ -55,7 +61,12 @@ export class LayerCommands {
     const to = ({ characters, layer, regions }: Route): Change[] => [
       { type: "route_source", source: source.name, characters, layer, regions },
     ];
-    const does = change.layer === undefined ? "drives others now" : `drives ${change.layer} now`;
+    const does =
+      change.layer !== undefined
+        ? `drives ${change.layer} now`
+        : change.regions !== undefined
+          ? `plays ${change.regions.length === LAYER_PARTS.length ? "all parts" : change.regions.join(", ")} now`
+          : "drives others now";
     this.#do(`${source.name} ${does}.`, `route ${source.name}`, {
       undo: to(source),
       redo: to({ ...source, ...change }),
@@ -64,19 +75,13 @@ export class LayerCommands {
 
   /** How a source is read. */
   tune(source: SourceState, change: Partial<Tuning>): void {
-    const to = ({ mirror, dead_zone, curve, gain, smoothing }: Tuning): Change[] => [
-      { type: "tune_source", source: source.name, mirror, dead_zone, curve, gain, smoothing },
+    const to = ({ mirror, dead_zone, curve, gain, smoothing, lids }: Tuning): Change[] => [
+      { type: "tune_source", source: source.name, mirror, dead_zone, curve, gain, smoothing, lids },
     ];
     this.#do(`${source.name} is read otherwise.`, `tune ${source.name}`, {
       undo: to(source),
       redo: to({ ...source, ...change }),
     });
-  }
-
-  /** Measures the performer before a source: the show does not keep the measure of before, so it is not taken back. */
-  calibrate({ name }: SourceState, step: CalibrateSource["step"]): void {
-    if (this.store.ask({ type: "calibrate_source", source: name, step }))
-      this.store.say(CALIBRATED[step](name), "done");
   }
 
   /** Changes for each character that is played; its name, its switch and its influence are given. */
@@ -111,10 +116,3 @@ const influenced = (
   region: (typeof LAYER_PARTS)[number] | null,
   influence: number,
 ): Change => ({ type: "set_layer", character, layer, region, influence, on: null });
-
-const CALIBRATED: Readonly<Record<CalibrateSource["step"], (name: string) => string>> = {
-  neutral: (name) => `What ${name} sends now is the face at rest.`,
-  range: (name) => `${name} is listened to: make your largest faces, then press Done.`,
-  done: (name) => `The largest faces of ${name} are known.`,
-  reset: (name) => `${name} is read as it sends.`,
-};

@@ -77,10 +77,10 @@ export class LayerPanel extends AnimatedElement {
         <header><h2>${layerLabel(this.#shown)}</h2><span class="of">${label}</span>
           <button class="reset" title="Its influence as at first" @click=${() => this.#commands.reset(this.#shown)}>Reset</button>
           <button class="close" aria-label="Close the layers" @click=${this.#close}>Close</button></header>
-        ${this.#parts()} ${this.#shown === "lips" ? html`<omote-speech-line .context=${this.context}></omote-speech-line>` : nothing}
+        ${this.#sources()} ${this.#parts()}
+        ${this.#shown === "lips" ? html`<omote-speech-line .context=${this.context}></omote-speech-line>` : nothing}
         <omote-motion-settings .context=${this.context}></omote-motion-settings>
         <omote-gaze-target-settings .context=${this.context}></omote-gaze-target-settings>
-        ${this.#sources()}
       </section>`;
   }
 

@@ -169,9 +169,25 @@ export const style = css`
       -webkit-line-clamp: 1;
     }
   }
-  @media (max-width: 1100px) {
+  @media (max-width: 1300px) {
     :host {
       grid-template-columns: minmax(0, 1fr) 262px;
+      gap: 6px;
+    }
+    .strips {
+      gap: 4px;
+    }
+    /* eight of them beside each other, what a layer does below its fader */
+    .strip {
+      flex: 1 1 0;
+      min-width: 0;
+    }
+    .play {
+      grid-template-columns: minmax(0, 1fr);
+      grid-template-rows: minmax(0, 1fr) auto;
+    }
+    .bar + .bar {
+      display: none;
     }
   }
   @media ${narrow} or ${low} {
@@ -184,6 +200,17 @@ export const style = css`
     }
     .strips {
       flex: 1 0 232px;
+    }
+    .strip {
+      flex: 1 1 118px;
+      min-width: 118px;
+    }
+    .play {
+      grid-template-columns: auto minmax(0, 1fr);
+      grid-template-rows: minmax(0, 1fr);
+    }
+    .bar + .bar {
+      display: block;
     }
     .detail {
       overflow: visible;

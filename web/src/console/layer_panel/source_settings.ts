@@ -1,21 +1,14 @@
-/** What feeds a layer, and how it is read: whom it drives, on which layer, mirror, gain, curve, dead zone, smoothing, the performer at rest. */
+/** What feeds a layer: whom it drives, in which parts, how calmly, and how it is read. Tells `calibrate`. */
 
 import { css, html } from "lit";
 import { customElement, property } from "lit/decorators.js";
-import { ALL, DRIVEN_LAYERS } from "../../link/constants";
+import { ALL, DRIVEN_LAYERS, LAYER_PARTS } from "../../link/constants";
 import type { SourceState } from "../../link/messages";
 import { base } from "../../ui/theme";
 import { ConsoleElement, chosenIn } from "../controls/console_element";
 import type { Topic } from "../store/page_store";
-import { LayerCommands, layerLabel, type Tuning, withCharacter } from "./layer_commands";
-
-/** A number of a source: its range, and what it does. */
-const NUMBERS = [
-  ["gain", "Gain", 0, 4, 0.05, "Of all channels"],
-  ["curve", "Curve", -1, 1, 0.05, "Above 0 small moves grow, below they shrink"],
-  ["dead_zone", "Dead zone", 0, 0.5, 0.01, "Less is nothing: holds a trembling face still"],
-  ["smoothing", "Smoothing", 0, 2, 0.05, "Seconds in which a step is followed, beyond what all sources are smoothed"],
-] as const satisfies readonly (readonly [keyof Tuning, string, number, number, number, string])[];
+import "./source_tuning";
+import { LayerCommands, layerLabel, withCharacter, withPart } from "./layer_commands";
 
 @customElement("omote-source-settings")
 export class SourceSettings extends ConsoleElement {
@@ -47,21 +40,25 @@ export class SourceSettings extends ConsoleElement {
       }
       label {
         display: grid;
-        grid-template-columns: 74px minmax(0, 1fr) 34px;
+        grid-template-columns: 74px minmax(0, 1fr);
         align-items: center;
         gap: 6px;
       }
-      label output {
-        text-align: right;
+      details > * + * {
+        margin-top: 6px;
       }
-      input[type="range"] {
-        width: 100%;
-        margin: 0;
-        accent-color: var(--hand);
+      summary {
+        color: var(--dim);
+        cursor: pointer;
+      }
+      .row button {
+        min-height: 30px;
+        padding: 0 7px;
       }
       @media (pointer: coarse) {
-        input[type="range"] {
-          height: var(--finger);
+        .row button,
+        summary {
+          min-height: var(--finger);
         }
       }
     `,
@@ -80,14 +77,17 @@ export class SourceSettings extends ConsoleElement {
     const from = source.console === "" ? "" : ` at ${source.console}`;
     return html`<div class="row"><b>${source.name}</b>
         <span class="dim">${source.kind}${from}, ${source.found ? `${source.rate}/s` : "sees nobody"}</span></div>
-      ${this.#route()} ${NUMBERS.map((number) => this.#number(number))} ${this.#measure()}`;
+      ${this.#route()} ${this.#parts()}
+      <omote-source-tuning .context=${this.context} .source=${source}></omote-source-tuning> ${this.#buttons()}
+      <details><summary>Gain, lids, curve, layer</summary>
+        ${this.#layer()} <omote-source-tuning .context=${this.context} .source=${source} numbers></omote-source-tuning></details>`;
   }
 
   #route() {
     const { source } = this;
     const characters = Object.entries(this.store.state?.characters ?? {});
     const names = characters.map(([name]) => name);
-    return html`<div class="row" role="group" aria-label="Whom ${source.name} drives">
+    return html`<div class="row" role="group" aria-label="Whom ${source.name} drives"><span class="dim">plays</span>
       ${characters.map(
         ([
           name,
@@ -95,34 +95,43 @@ export class SourceSettings extends ConsoleElement {
         ]) => html`<button data-drives=${name} aria-pressed=${source.characters.includes(ALL) || source.characters.includes(name)}
           @click=${() => this.#commands.route(source, { characters: withCharacter(source.characters, name, names) })}>${label}</button>`,
       )}
-      <select aria-label="Layer of ${source.name}" @change=${(event: Event) => this.#relayer(chosenIn(event))}>
-        ${DRIVEN_LAYERS.map((layer) => html`<option value=${layer} .selected=${layer === source.layer}>${layerLabel(layer)}</option>`)}
-      </select>
+    </div>`;
+  }
+
+  #parts() {
+    const { source } = this;
+    return html`<div class="row" role="group" aria-label="Parts that ${source.name} plays"><span class="dim">in</span>
+      ${LAYER_PARTS.map(
+        (part) => html`<button data-part=${part} aria-pressed=${source.regions.includes(part)}
+          title="Of two sources of a layer the one with fewer parts has them"
+          @click=${() => this.#commands.route(source, { regions: withPart(source.regions, part) })}>${part}</button>`,
+      )}
+    </div>`;
+  }
+
+  #buttons() {
+    const { source } = this;
+    return html`<div class="row">
+      <button class="calibrate" title="Face at rest, and the largest of each move: seen as bars" @click=${this.#calibrate}>${source.calibrated ? "Calibrated…" : "Calibrate…"}</button>
       <button data-mirror aria-pressed=${source.mirror} title="Left and right are swapped"
         @click=${() => this.#commands.tune(source, { mirror: !source.mirror })}>Mirror</button>
     </div>`;
   }
 
+  readonly #calibrate = (): void => {
+    const detail = this.source.name;
+    this.dispatchEvent(new CustomEvent("calibrate", { detail, bubbles: true, composed: true }));
+  };
+
+  #layer() {
+    const { source } = this;
+    return html`<label>Layer<select aria-label="Layer of ${source.name}" @change=${(event: Event) => this.#relayer(chosenIn(event))}>
+        ${DRIVEN_LAYERS.map((layer) => html`<option value=${layer} .selected=${layer === source.layer}>${layerLabel(layer)}</option>`)}
+      </select></label>`;
+  }
+
   #relayer(chosen: string): void {
     const layer = DRIVEN_LAYERS.find((one) => one === chosen);
     if (layer !== undefined) this.#commands.route(this.source, { layer });
-  }
-
-  #number([name, label, low, high, step, title]: (typeof NUMBERS)[number]) {
-    const value = this.source[name];
-    return html`<label title=${title}>${label}<input type="range" name=${name} min=${low} max=${high} step=${step} .value=${String(value)}
-      @change=${(event: Event) => this.#commands.tune(this.source, { [name]: Number((event.target as HTMLInputElement).value) })}
-      /><output>${value.toFixed(2)}</output></label>`;
-  }
-
-  #measure() {
-    const { calibrated, ranging } = this.source;
-    const step = (at: "neutral" | "range" | "done" | "reset") => () => this.#commands.calibrate(this.source, at);
-    return html`<div class="row" role="group" aria-label="Measure of ${this.source.performer}">
-      <button data-step="neutral" title="Hold the face still and at rest, then press" @click=${step("neutral")}>At rest now</button>
-      <button data-step=${ranging ? "done" : "range"} aria-pressed=${ranging} title="Press, make the largest faces, press again"
-        @click=${step(ranging ? "done" : "range")}>${ranging ? "Done" : "Largest faces"}</button>
-      <button data-step="reset" ?disabled=${!calibrated} title="It is read as it sends" @click=${step("reset")}>Forget</button>
-    </div>`;
   }
 }

@@ -10,6 +10,7 @@ const tracker: LayerState = {
   source: "phone",
   share: 0.4,
   strongest: { jawOpen: 0.7 },
+  sources: [],
 };
 const air = (layers: CharacterState["layers"] = {}): CharacterState =>
   ({
@@ -65,4 +66,9 @@ test("who feeds a layer is told in words, also where it is lost and comes back",
   const at = { trust: 1, rises: false };
   expect(feedWords("tracker", { ...tracker, source: "" }, at)).toBe("no source");
   expect(feedWords("emotion", tracker, at)).toBe("calls");
+  const shared = [
+    { source: "phone", trust: 1, parts: ["mouth"] },
+    { source: "webcam", trust: 0, parts: [] },
+  ];
+  expect(feedWords("tracker", { ...tracker, sources: shared }, at)).toBe("phone: mouth, webcam: lost");
 });

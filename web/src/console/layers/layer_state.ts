@@ -27,7 +27,7 @@ export function layerOf(state: CharacterState, layer: LayerName): LayerState {
 
 function first(layer: LayerName): LayerState {
   const share = isDriven(layer) ? 0 : 1;
-  return { influence: [...firstInfluence(layer)], on: true, trust: 1, source: "", share, strongest: {} };
+  return { influence: [...firstInfluence(layer)], on: true, trust: 1, source: "", share, strongest: {}, sources: [] };
 }
 
 /** What calls and hands play. */
@@ -68,11 +68,16 @@ export function followTrend(before: Trend | null, trust: number): Trend {
 }
 
 /** Who feeds a layer, in words: calls and hands, or its source and how far that is trusted. */
-export function feedWords(layer: LayerName, { source }: LayerState, { trust, rises }: Trend): string {
+export function feedWords(layer: LayerName, { source, sources }: LayerState, { trust, rises }: Trend): string {
   if (layer === "emotion") return "calls";
   if (layer === "hands") return "faders, pads";
   if (source === "") return "no source";
+  if (sources.length > 1) return sources.map(sharedWords).join(", ");
   if (isTrusted(trust)) return source;
   if (isLost(trust)) return `${source}: lost`;
   return `${source}: ${rises ? "returning" : "fading"}`;
 }
+
+/** One of several sources of a layer, and the parts that it has. */
+const sharedWords = ({ source, trust, parts }: LayerState["sources"][number]): string =>
+  `${source}: ${parts.length > 0 ? parts.join(" ") : isLost(trust) ? "lost" : "waits"}`;

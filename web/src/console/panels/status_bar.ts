@@ -77,8 +77,9 @@ export class StatusBar extends ConsoleElement {
   get #said() {
     const { notice: text, tone, offers } = this.store;
     const notice = { text, tone, offers, dismiss: () => this.store.say(null) };
-    const { leases, panicReturn } = this.context;
-    return text === null ? { ...notice, tone: "attention", ...(panicReturn.question ?? leases.question) } : notice;
+    const { leases, panicReturn, sources } = this.context;
+    const question = panicReturn.question ?? leases.question ?? sources.question;
+    return text === null ? { ...notice, tone: "attention", ...question } : notice;
   }
 
   override render() {

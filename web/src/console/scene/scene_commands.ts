@@ -32,7 +32,7 @@ export class SceneCommands {
     const [character, key, seconds] = [nameOf(label, played.taken), freshKey(), this.seconds];
     const step: Step = {
       what: `add ${label}`,
-      undo: [{ type: "remove_character", character, key }],
+      undo: [{ type: "remove_character", character, key, seconds: 1 }],
       redo: [{ type: "restore_character", key, seconds }],
     };
     const refused = (reason: string): void => this.#refused(character, step, reason);
@@ -58,7 +58,7 @@ export class SceneCommands {
     const before = this.characters[character];
     if (before === undefined) return;
     const [key, seconds] = [freshKey(), this.seconds];
-    const redo: Change[] = [{ type: "remove_character", character, key }];
+    const redo: Change[] = [{ type: "remove_character", character, key, seconds: 1 }];
     const undo: Change[] = [{ type: "restore_character", key, seconds }];
     if (this.#ask(redo))
       this.store.offerUndo(`Removed ${before.label}.`, { what: `remove ${before.label}`, undo, redo });

@@ -47,7 +47,7 @@ describe("the steps of a console", () => {
     const first = open(kept);
     const step = (what: string, redo: "remove_character" | "restore_character"): void => {
       const back = { type: "restore_character", key: what, seconds: 1 } as const;
-      const away = { type: "remove_character", character: "two", key: what } as const;
+      const away = { type: "remove_character", character: "two", key: what, seconds: 1 } as const;
       const [done, undone] = redo === "remove_character" ? [away, back] : [back, away];
       first.store.offerUndo("", { what, undo: [undone], redo: [done] });
     };

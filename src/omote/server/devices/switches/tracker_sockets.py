@@ -7,7 +7,7 @@ import socket
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, replace
 
-from omote.inputs.face_output.face_target import FaceTarget
+from omote.inputs.face_output.face_target import SEND_TITLES, FaceTarget
 from omote.inputs.trackers.tracker_protocols import TRACKER_PROTOCOLS, TrackerProtocol, advise
 from omote.interchange.formats.error_reasons import explain_error
 from omote.perform.limits import check_known
@@ -113,10 +113,24 @@ def open_tracker(wish: TrackerWish) -> socket.socket:
     return datagrams
 
 
+def explain_others(wishes: Iterable[TrackerWish], targets: Iterable[FaceTarget]) -> list[str]:
+    """A line for each tracker that has no socket here, and for each receiver of faces."""
+    heard = [
+        f"tracker  {wish.protocol.title}: {advise(wish.protocol, '', None)}"
+        for wish in wishes
+        if not wish.protocol.heard
+    ]
+    sent = [
+        f"sends    {SEND_TITLES[each.protocol]} at {each.host}:{each.port}: {each.character or 'the first character'}"
+        for each in targets
+    ]
+    return heard + sent
+
+
 def explain_trackers(sockets: Mapping[str, socket.socket]) -> list[str]:
     """A line for each protocol that is heard: its port, and what to do at the sender."""
     return [
-        f"{protocol.title}: port {port}; {advise(protocol, own_address() or '127.0.0.1', port)}"
+        f"tracker  {protocol.title}: port {port}; {advise(protocol, own_address() or '127.0.0.1', port)}"
         for name, each in sockets.items()
         for protocol, port in [(TRACKER_PROTOCOLS[name], each.getsockname()[1])]
     ]

@@ -1,6 +1,6 @@
 import { describe, expect, it } from "vitest";
 import type { State } from "../../link/messages";
-import { LostSources } from "./lost_sources";
+import { LostSources, sendingOf } from "./lost_sources";
 
 const rex = (trust: number, source = "Mira", layer = "tracker"): State["characters"] =>
   ({ rex: { label: "Rex", layers: { [layer]: { source, trust } } } }) as never;
@@ -23,5 +23,13 @@ describe("lost sources", () => {
     const told = [rex(0), rex(1), rex(0, ""), rex(0)].map((each) => sources.receive(each));
     const recording = [rex(1, "take", "playback"), rex(0, "take", "playback")].map((each) => sources.receive(each));
     expect([...told, ...recording].join("")).toBe("");
+  });
+
+  it("are not told while their source sends, as with another measure", () => {
+    const sources = new LostSources();
+    const sending = sendingOf([{ name: "Mira", found: true, rate: 30 }] as never);
+    expect([1, 0, 1].map((trust) => sources.receive(rex(trust), sending))).toEqual(["", "", ""]);
+    const blind = sendingOf([{ name: "Mira", found: false, rate: 30 }] as never);
+    expect([1, 0].map((trust) => sources.receive(rex(trust), blind))).toEqual(["", "Mira (tracker of Rex) is lost."]);
   });
 });

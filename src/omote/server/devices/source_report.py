@@ -1,0 +1,50 @@
+"""Says on the terminal which performers play whom: as they come, and by each other route; those without too."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+from omote.perform.scene.character_names import ALL
+from omote.show.messages import SourceState, State
+from omote.show.session import ShowSession
+
+LOOK_SECONDS = 1.0
+"""Between two looks: who comes and is routed at once is told once."""
+TOLD_KINDS = "tracker", "lips"
+"""Kinds of sources whose performers look for their face on the stage; a program knows whom it plays."""
+
+
+class SourceReport:
+    """What sends of its own accord. session: the one that plays; report: prints a sentence."""
+
+    def __init__(self, session: Callable[[], ShowSession], report: Callable[[str], None]) -> None:
+        self._session, self._report = session, report
+        self._told: dict[str, str] = {}
+        self._looked = -LOOK_SECONDS
+
+    def hear(self, now: float) -> None:
+        """Nothing comes by this way."""
+
+    def tell(self, state: State, now: float) -> None:
+        """Says what has changed since the last look."""
+        if now - self._looked < LOOK_SECONDS:
+            return
+        self._looked = now
+        sources = [each for each in self._session().sources.states({}) if each.kind in TOLD_KINDS]
+        labels = {name: each.label or name for name, each in state.characters.items()}
+        told = {each.name: _sentence(each, labels) for each in sources}
+        for name, sentence in told.items():
+            if self._told.get(name) != sentence:
+                self._report(sentence)
+        self._told = told
+
+
+def _sentence(source: SourceState, labels: dict[str, str]) -> str:
+    """Whom a source plays, in words."""
+    if ALL in source.characters:
+        return f"{source.name} plays all characters."
+    if not source.characters:
+        whom = " or ".join(labels.values())
+        return f"{source.name} sends and plays nobody: say at the console whom it plays ({whom})."
+    played = " and ".join(labels.get(name, name) for name in source.characters)
+    return f"{source.name} plays {played}."

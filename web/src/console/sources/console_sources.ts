@@ -1,0 +1,72 @@
+/** Sources at this console: what they send now, their measures as steps, and those that play nobody. */
+
+import { aligned } from "../../link/arrays";
+import type { CalibrateSource, SourceState, SourceValues, WatchSource } from "../../link/messages";
+import type { ConsoleStore } from "../store/console_store";
+import type { Question } from "../store/page_store";
+import { MeasureSteps } from "./measure_step";
+import { UnroutedSources } from "./unrouted_sources";
+
+/** What a source sends now, and what its measure makes of it, by channel. */
+export interface WatchedValues {
+  readonly names: readonly string[];
+  readonly sent: Float32Array;
+  readonly weights: Float32Array;
+}
+
+export class ConsoleSources {
+  /** What the source that is watched sends now; null before it has. */
+  watched: WatchedValues | null = null;
+  readonly #measures = new MeasureSteps();
+  readonly #unrouted = new UnroutedSources(
+    (source, character) => this.#route(source, character),
+    () => this.store.tell("notice"),
+  );
+  #asked = "";
+
+  constructor(
+    private readonly store: ConsoleStore,
+    private readonly send: (message: WatchSource) => void,
+  ) {}
+
+  /** What is asked about a source that plays nobody; null for nothing. */
+  get question(): Question | null {
+    return this.#unrouted.question(this.store.sources, this.store.state?.characters ?? {});
+  }
+
+  /** All sources, as the show tells them. */
+  receive(sources: readonly SourceState[]): void {
+    const text = this.question?.text;
+    this.store.receiveSources(sources);
+    for (const step of this.#measures.receive(sources)) this.store.offerUndo(`Done: ${step.what}.`, step);
+    if (this.question?.text !== text) this.store.tell("notice");
+  }
+
+  /** Newer values of the source that is watched. */
+  receiveValues({ source, names, sent, weights }: SourceValues): void {
+    if (source === this.#asked) this.watched = { names, sent: floatsOf(sent), weights: floatsOf(weights) };
+  }
+
+  /** Watches a source from now on, "" for none; again after the link was lost. */
+  watch(source: string): void {
+    if (source !== this.#asked) this.watched = null;
+    this.#asked = source;
+    this.send({ type: "watch_source", source });
+  }
+
+  /** A step of a calibration, for all channels or for some; the measure that comes of it can be taken back. */
+  calibrate(source: SourceState, step: CalibrateSource["step"], channels: readonly string[] = []): boolean {
+    if (step !== "range") this.#measures.ask(source);
+    return this.store.ask({ type: "calibrate_source", source: source.name, step, channels: [...channels] });
+  }
+
+  #route(source: SourceState, character: string): void {
+    const { name, layer, regions } = source;
+    const to = (characters: string[]) => ({ type: "route_source", source: name, characters, layer, regions }) as const;
+    const step = { what: `route ${name}`, undo: [to([])], redo: [to([character])] };
+    const label = this.store.state?.characters[character]?.label ?? character;
+    if (this.store.takeStep(step, "redo", () => undefined)) this.store.offerUndo(`${name} plays ${label}.`, step);
+  }
+}
+
+const floatsOf = (bytes: Uint8Array): Float32Array => new Float32Array(aligned(bytes));

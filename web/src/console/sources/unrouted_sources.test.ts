@@ -1,0 +1,32 @@
+import { expect, test, vi } from "vitest";
+import type { SourceState, State } from "../../link/messages";
+import { UnroutedSources } from "./unrouted_sources";
+
+const source = (name: string, characters: string[], kind = "tracker"): SourceState =>
+  ({ name, characters, kind }) as never;
+const characters = { one: { label: "One" }, rex: { label: "Rex" } } as unknown as State["characters"];
+
+test("a tracker that plays nobody is said, with each character that it may play", () => {
+  const route = vi.fn();
+  const question = new UnroutedSources(route, vi.fn()).question([source("phone", [])], characters);
+  expect(question?.text).toBe("phone sends and plays nobody.");
+  expect(question?.offers.map(({ label }) => label)).toEqual(["Play One", "Play Rex"]);
+  const [, second] = question?.offers ?? [];
+  if (second && "act" in second) second.act();
+  expect(route).toHaveBeenCalledWith(source("phone", []), "rex");
+});
+
+test("who plays somebody, and a program, is not said", () => {
+  const sources = new UnroutedSources(vi.fn(), vi.fn());
+  expect(sources.question([source("phone", ["one"]), source("bot", [], "program")], characters)).toBeNull();
+});
+
+test("what was put away is not said again until it has played somebody", () => {
+  const dismissed = vi.fn();
+  const sources = new UnroutedSources(vi.fn(), dismissed);
+  sources.question([source("phone", [])], characters)?.dismiss();
+  expect(dismissed).toHaveBeenCalled();
+  expect(sources.question([source("phone", [])], characters)).toBeNull();
+  expect(sources.question([source("phone", ["one"])], characters)).toBeNull();
+  expect(sources.question([source("phone", [])], characters)).not.toBeNull();
+});

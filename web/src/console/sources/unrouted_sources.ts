@@ -1,0 +1,38 @@
+/** Sources that send and play nobody: each is said once, with a button for whom it may play. */
+
+import type { SourceState, State } from "../../link/messages";
+import type { Question } from "../store/page_store";
+
+/** Characters that a question offers; the mixer has all. */
+const MOST_OFFERED = 4;
+
+/** What an operator may do about a source: let it play a character. */
+export type RouteTo = (source: SourceState, character: string) => void;
+
+export class UnroutedSources {
+  /** Those whose question was put away, until they play somebody or have gone. */
+  readonly #answered = new Set<string>();
+
+  constructor(
+    private readonly route: RouteTo,
+    private readonly dismissed: () => void,
+  ) {}
+
+  /** What to ask about the first source that plays nobody; null where each plays somebody. */
+  question(sources: readonly SourceState[], characters: State["characters"]): Question | null {
+    const idle = sources.filter(({ characters }) => characters.length === 0).map(({ name }) => name);
+    for (const name of this.#answered) if (!idle.includes(name)) this.#answered.delete(name);
+    const source = sources.find(
+      ({ name, kind }) => kind !== "program" && idle.includes(name) && !this.#answered.has(name),
+    );
+    if (source === undefined) return null;
+    const offers = Object.entries(characters)
+      .slice(0, MOST_OFFERED)
+      .map(([name, { label }]) => ({ label: `Play ${label}`, act: () => this.route(source, name) }));
+    const dismiss = (): void => {
+      this.#answered.add(source.name);
+      this.dismissed();
+    };
+    return { text: `${source.name} sends and plays nobody.`, offers, dismiss };
+  }
+}
