@@ -145,6 +145,18 @@ async def test_what_the_command_line_asks_for_no_page_takes_away(room: Room) -> 
     assert room.switched.mediapipe.on
 
 
+async def test_who_sends_and_may_not_is_told_with_the_word_that_lets_it_play(room: Room) -> None:
+    switches, port = room.open(), free_port()
+    switches.switch(listen(f"livelink:{port}"), 0.0)
+    assert offer(switches, "livelink").stranger == ""
+    assert not room.switched.trackers._heard[0].reader.hears("10.9.8.7")
+    found = offer(switches, "livelink")
+    assert (found.stranger, found.strange) == ("10.9.8.7", f"livelink:{port}@10.9.8.7")
+    switches.switch(listen(found.strange), 0.0)
+    assert room.switched.trackers._heard[0].reader.hears("10.9.8.7")
+    assert offer(switches, "livelink").stranger == ""
+
+
 async def test_mediapipe_and_a_phone_are_switched_as_others_are(room: Room) -> None:
     switches, port = room.open(), free_port()
     switches.switch(listen("mediapipe"), 0.0)
