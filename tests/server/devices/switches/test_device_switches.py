@@ -14,8 +14,8 @@ from omote.server.devices.face_output import FaceOutput
 from omote.server.devices.mediapipe_link import MediapipeLink
 from omote.server.devices.rejection_log import RejectionLog
 from omote.server.devices.switches.device_switches import DeviceSwitches, Switched
-from omote.server.devices.switches.tracker_sockets import read_trackers
-from omote.server.devices.tracker_listener import TrackerListener
+from omote.server.devices.trackers.tracker_listener import TrackerListener
+from omote.server.devices.trackers.tracker_sockets import read_trackers
 from omote.server.devices.vtube_studio.api_announcements import ApiAnnouncements
 from omote.server.devices.vtube_studio.api_programs import ApiPrograms
 from omote.server.persistence.device_file import DeviceFile, DeviceNotes, read_notes, write_notes
