@@ -16,9 +16,11 @@ SITE_PACKAGES := .venv/website.stamp
 MODULES := web/node_modules/installed.stamp
 PAGES := src/omote/server/web/stage.html
 CAST := src/omote/builtin/cast.npz
+MAP := src/omote/builtin/landmark_map.npz
 
 PAGES_FROM := $(wildcard web/*.html web/*.json web/*.ts) $(shell find web/src web/public -type f 2>/dev/null)
 CAST_FROM := tools/bake.py src/omote/interchange/formats/sculpt_toml.py $(shell find tools/baking src/omote/geometry src/omote/model src/omote/builtin -name "*.py" -o -name "*.toml")
+MAP_FROM := $(wildcard tools/tracking/*.npz tools/tracking/*.py src/omote/inputs/camera/*.py)
 
 .PHONY: help demo test setup bake web check check-python check-web tests tests-and-wheel browser-tests wheel-test format bench gallery docs wheel clean
 .DELETE_ON_ERROR:
@@ -38,9 +40,9 @@ demo: setup
 
 # ---- set-up
 
-# The pages are built beside the cast: neither needs the other.
+# The pages are built beside the cast and the map of the camera, which needs the cast.
 setup: $(PACKAGES)
-	@$(MAKE) --jobs=2 $(PAGES) $(CAST)
+	@$(MAKE) --jobs=2 $(PAGES) $(MAP)
 
 bake: $(CAST)
 
@@ -64,6 +66,11 @@ $(PAGES): $(PAGES_FROM) $(MODULES)
 $(CAST): $(CAST_FROM) | $(PACKAGES)
 	@echo "== Cast (src/omote/builtin/cast.npz)"
 	@$(RUN) -m tools.bake
+	@touch $@
+
+$(MAP): $(MAP_FROM) $(CAST)
+	@echo "== Map of the camera's landmarks (src/omote/builtin/landmark_map.npz)"
+	@$(RUN) -m tools.tracking.train
 	@touch $@
 
 # ---- checks and tests

@@ -10,7 +10,9 @@ NEEDED = (
     "src/omote/server/web/stage.html",
     "src/omote/server/web/console.html",
     "src/omote/server/web/editor.html",
+    "src/omote/server/web/camera.html",
     "src/omote/builtin/cast.npz",
+    "src/omote/builtin/landmark_map.npz",
     "src/omote/builtin/mask.png",
     "src/omote/builtin/NOTICE-CC0.md",
 )

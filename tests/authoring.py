@@ -25,6 +25,7 @@ from omote.showfile.changes import (
     Draft,
     DropDraft,
     DropLayout,
+    DropPerformer,
     Edit,
     Item,
     Kind,
@@ -34,6 +35,7 @@ from omote.showfile.changes import (
     PutEdit,
     PutItem,
     PutLayout,
+    PutPerformer,
     PutRevision,
     Revision,
     Stored,
@@ -95,6 +97,9 @@ def make_baked(order: EditOrder) -> Baked:
     return Baked(recipe, content_key(data), made | {content_key(data): data}, net, miss)
 
 
+Document = PutLayout | DropLayout | PutBindings | PutPerformer | DropPerformer
+
+
 @dataclass
 class Tables:
     """A show file in memory: what `files.showfile` keeps, by the words of `files.changes` alone."""
@@ -105,6 +110,7 @@ class Tables:
     edits: dict[tuple[int, str, int], Edit] = field(default_factory=dict)
     layouts: dict[str, bytes] = field(default_factory=dict)
     bindings: bytes = b""
+    performers: dict[str, bytes] = field(default_factory=dict)
     contents: dict[str, bytes] = field(default_factory=dict)
 
     def apply(self, changes: Iterable[Change]) -> None:
@@ -124,11 +130,10 @@ class Tables:
             tuple(self.edits[key] for key in sorted(self.edits)),
             dict(self.layouts),
             self.bindings,
+            dict(self.performers),
         )
 
-    def _apply_to_items(
-        self, change: PutContent | PutItem | PutRevision | PutLayout | DropLayout | PutBindings
-    ) -> None:
+    def _apply_to_items(self, change: PutContent | PutItem | PutRevision | Document) -> None:
         match change:
             case PutContent(key, data):
                 assert self.contents.setdefault(key, data) == data
@@ -137,12 +142,21 @@ class Tables:
             case PutRevision(revision):
                 assert (revision.item, revision.number) not in self.revisions, "revisions are never replaced"
                 self.revisions[revision.item, revision.number] = revision
+            case _:
+                self._apply_to_documents(change)
+
+    def _apply_to_documents(self, change: Document) -> None:
+        match change:
             case PutLayout(name, document):
                 self.layouts[name] = document
             case DropLayout(name):
                 self.layouts.pop(name, None)
             case PutBindings(document):
                 self.bindings = document
+            case PutPerformer(name, document):
+                self.performers[name] = document
+            case DropPerformer(name):
+                self.performers.pop(name, None)
 
     def _apply_to_drafts(self, change: PutDraft | PutEdit | DropDraft) -> None:
         match change:

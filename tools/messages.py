@@ -1,6 +1,7 @@
-"""Writes what Python and the web share into `web/src/link`: `python tools/messages.py [--check]`.
+"""Writes what Python and the web share into `web/src`: `python tools/messages.py [--check]`.
 
-`messages.ts`, `editing_messages.ts` and `microphone_messages.ts` have the messages of the links, `constants.ts` the names, ranges and lengths.
+`messages.ts`, `editing_messages.ts`, `microphone_messages.ts` and `camera_messages.ts` have the messages of the links,
+`constants.ts` the names, ranges and lengths.
 """
 
 from __future__ import annotations
@@ -18,6 +19,8 @@ import msgspec
 
 from omote.edit.protocol import messages as editing
 from omote.inputs.microphone import microphone_messages as microphone
+from omote.inputs.microphone.sound_features import SAMPLE_RATE
+from omote.inputs.performers import camera_messages as camera
 from omote.interchange.part_textures import ARCH, ARCH_DEPTH, TOOTH_REACH
 from omote.interchange.skin_texture import HAIRLINE
 from omote.interchange.skin_texture import LAYERS as SKIN_LAYERS
@@ -83,11 +86,21 @@ def editing_module() -> str:
     return _module(editing, constants, structs_of(editing), unions)
 
 
+def camera_module() -> str:
+    """The messages of the camera page's link in TypeScript."""
+    constants = [
+        f"export const CAMERA_VERSION = {camera.CAMERA_VERSION};",
+        f"export const CAMERA_PATH = {_quote(camera.CAMERA_PATH)};",
+    ]
+    unions = [_union("FromCamera", camera.CAMERA_MESSAGES), _union("ToCamera", camera.CAMERA_ANSWERS)]
+    return _module(camera, constants, structs_of(camera), unions)
+
+
 def microphone_module() -> str:
     """The messages of the microphone page's link in TypeScript."""
     constants = [
         f"export const MICROPHONE_PATH = {_quote(microphone.MICROPHONE_PATH)};",
-        f"/** Samples per second. */\nexport const SAMPLE_RATE = {microphone.SAMPLE_RATE};",
+        f"/** Samples per second. */\nexport const SAMPLE_RATE = {SAMPLE_RATE};",
     ]
     unions = [
         _union("FromMicrophone", microphone.MICROPHONE_MESSAGES),
@@ -145,7 +158,8 @@ def constants_module() -> str:
 MODULES = {
     "messages.ts": show_module,
     "editing_messages.ts": editing_module,
-    "microphone_messages.ts": microphone_module,
+    "../microphone/microphone_messages.ts": microphone_module,
+    "../camera/session/camera_messages.ts": camera_module,
     "constants.ts": constants_module,
 }
 

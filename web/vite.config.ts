@@ -1,9 +1,10 @@
 import { readFileSync } from "node:fs";
 import { resolve } from "node:path";
 import { defineConfig, type Plugin } from "vite";
+import { faceMeshAssets } from "./tools/face_mesh_assets.ts";
 
 /** Pages and their files; "/assets/" belongs to the cast, so the bundle's own files live under "/static/". */
-const PAGES = ["index", "stage", "console", "devices", "microphone", "editor"];
+const PAGES = ["index", "stage", "console", "devices", "camera", "microphone", "editor"];
 const page = (name: string): string => resolve(import.meta.dirname, `${name}.html`);
 
 /** What the heads of console, devices and editor share. */
@@ -17,7 +18,12 @@ const toolHead: Plugin = {
 
 export default defineConfig({
   base: "/",
-  plugins: [toolHead],
+  plugins: [toolHead, faceMeshAssets("pages")],
+  worker: {
+    plugins: () => [faceMeshAssets("worker")],
+    // The server gives this folder, and no other, the right to compile WebAssembly.
+    rolldownOptions: { output: { entryFileNames: "static/wasm_workers/[name]-[hash].js" } },
+  },
   build: {
     target: "chrome120", // OBS embeds an old Chromium
     outDir: resolve(import.meta.dirname, "../src/omote/server/web"),

@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from omote.access_commands import access_app
+from omote.camera_commands import track
 from omote.file_commands import file_app
 from omote.picture_commands import ShowOption, grid, redraw, render
 from omote.show_command import show
@@ -72,6 +73,7 @@ app.command()(render)
 app.command()(grid)
 app.command()(redraw)
 app.command("play-take")(play_take)
+app.command()(track)
 app.command("record-take")(record_take)
 
 

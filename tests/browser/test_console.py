@@ -360,6 +360,33 @@ def test_liveliness_moves_the_face_by_itself_until_panic(console: Console) -> No
     wait_for(page, "state.motion.liveliness === 0")
 
 
+def test_eyes_look_at_a_camera_and_at_a_point_that_is_named_and_deleted(console: Console) -> None:
+    page = console()
+    page.keyboard.press(";")
+    targets = page.locator("omote-gaze-target-settings")
+    targets.get_by_role("button", name="Camera").click()
+    wait_for(page, "state.motion?.target.kind === 'stage'")
+    targets.get_by_role("button", name="Point …").click()
+    across = targets.get_by_role("slider", name="Across")
+    across.focus()
+    for _ in range(20):
+        across.press("ArrowRight")
+    wait_for(page, "state.motion.target.kind === 'point' && state.gaze[0] + state.head[0] > 0.4")
+    targets.get_by_label("Name of the point").fill("front row")
+    targets.get_by_role("button", name="Keep").click()
+    wait_for(page, "state.motion.target.name === 'front row'")
+    targets.get_by_role("button", name="Delete the point front row").click()
+    wait_for(page, "state.motion.target.kind === 'ahead'")
+    page.get_by_role("button", name="Undo", exact=True).first.click()
+    expect(targets.get_by_role("button", name="front row", exact=True)).to_have_attribute("aria-pressed", "true")
+    targets.get_by_role("button", name="Idles").click()
+    wait_for(page, "state.motion.idle")
+    page.keyboard.press("Shift+Backspace")
+    wait_for(page, "state.motion.target.kind === 'ahead' && Object.keys(state.layers).length === 0")
+    page.get_by_role("button", name="Sources on again").click()
+    wait_for(page, "state.motion.target.name === 'front row'")
+
+
 def test_a_second_panic_offers_the_faces_of_before(console: Console) -> None:
     page = console()
     choose(page, "face", "0")

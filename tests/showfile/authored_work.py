@@ -8,6 +8,7 @@ from omote.showfile.changes import (
     Change,
     Draft,
     DropDraft,
+    DropPerformer,
     Edit,
     Item,
     PutBindings,
@@ -16,6 +17,7 @@ from omote.showfile.changes import (
     PutEdit,
     PutItem,
     PutLayout,
+    PutPerformer,
     PutRevision,
     Revision,
     Stored,
@@ -82,6 +84,8 @@ puts: st.SearchStrategy[Change] = st.one_of(
     st.builds(DropDraft, ids, editors),
     st.builds(PutLayout, texts, st.binary(max_size=5)),
     st.builds(PutBindings, st.binary(max_size=5)),
+    st.builds(PutPerformer, texts, st.binary(max_size=5)),
+    st.builds(DropPerformer, texts),
 )
 
 
@@ -95,6 +99,7 @@ class AuthoredTables:
         self.edits: dict[tuple[int, str, int], Edit] = {}
         self.layouts: dict[str, bytes] = {}
         self.bindings: dict[int, bytes] = {}
+        self.performers: dict[str, bytes] = {}
         self.contents: dict[str, bytes] = {}
 
     def copy(self) -> AuthoredTables:
@@ -117,6 +122,10 @@ class AuthoredTables:
                 self.layouts[name] = document
             case PutBindings(document):
                 self.bindings[1] = document
+            case PutPerformer(name, document):
+                self.performers[name] = document
+            case DropPerformer(name):
+                self.performers.pop(name, None)
             case _:
                 self._make_in_draft(change)
         return True
@@ -147,5 +156,5 @@ class AuthoredTables:
     def stored(self) -> Stored:
         """The rows in order."""
         rows = {name: tuple(map(rows.__getitem__, sorted(rows))) for name, rows in vars(self).items()}
-        del rows["layouts"], rows["contents"], rows["bindings"]
-        return Stored(**rows, layouts=self.layouts, bindings=self.bindings.get(1, b""))
+        del rows["layouts"], rows["contents"], rows["bindings"], rows["performers"]
+        return Stored(**rows, layouts=self.layouts, bindings=self.bindings.get(1, b""), performers=self.performers)

@@ -18,6 +18,7 @@ from omote.showfile.changes import (
     PutEdit,
     PutItem,
     PutLayout,
+    PutPerformer,
     PutRevision,
     Stored,
 )
@@ -167,7 +168,8 @@ def test_rows_that_are_not_what_was_written_make_a_file_corrupt(
 @pytest.mark.parametrize("table", TABLES, ids=lambda table: table.name)
 def test_every_column_of_every_row_is_sealed(show: ShowFile, table: Table) -> None:
     draft, edit = Draft(1, "ada", 1, 0), Edit(1, "ada", 0, b"{}", "")
-    show.apply([*FIRST, PutDraft(draft), PutEdit(edit), PutLayout("console", b"{}"), PutBindings(b"[]")])
+    documents = PutLayout("console", b"{}"), PutBindings(b"[]"), PutPerformer("Ada", b"{}")
+    show.apply([*FIRST, PutDraft(draft), PutEdit(edit), *documents])
     connection = show._connection
     connection.execute("PRAGMA foreign_keys = OFF")
     connection.execute("PRAGMA ignore_check_constraints = ON")

@@ -6,7 +6,7 @@ from pathlib import Path
 import pytest
 
 from omote.showfile import schema
-from omote.showfile.changes import PutLayout, Stored
+from omote.showfile.changes import DropPerformer, PutLayout, PutPerformer, Stored
 from omote.showfile.schema import APPLICATION_ID, SCHEMA_VERSION, CorruptShowFileError, ShowFileError
 from omote.showfile.show_file import JournalEntry, open_show
 
@@ -65,6 +65,15 @@ def test_a_file_of_before_gains_is_brought_up_so_that_an_older_omote_says_update
     path = as_of(tmp_path / "second.omote", 2)
     open_show(path).close()
     assert version(path) == SCHEMA_VERSION > 2
+
+
+def test_a_file_of_before_performers_keeps_what_it_has_and_takes_them(tmp_path: Path) -> None:
+    show = open_show(as_of(tmp_path / "fifth.omote", 5))
+    show.apply([PutLayout("console", b"{}"), PutPerformer("Ada", b"1"), PutPerformer("Bo", b"2")])
+    show.apply([DropPerformer("Bo")])
+    assert show.stored() == Stored(layouts={"console": b"{}"}, performers={"Ada": b"1"})
+    show.close()
+    assert version(tmp_path / "fifth.omote") == SCHEMA_VERSION > 5
 
 
 def test_a_file_of_the_first_version_is_brought_up_and_keeps_its_state(first: Path) -> None:

@@ -17,6 +17,7 @@ PURPOSES = {
     "edit": "Its steps, which undo and redo walk.",
     "identity": "Which show this is: one row, made at random with the file.",
     "binding_list": "What controls of devices play: one row.",
+    "performer": "How the landmarks of a performer's face are read, by the performer's name.",
     "layout": "Documents of pages (a console's layout) by name.",
 }
 HEAD = f"""# The show file

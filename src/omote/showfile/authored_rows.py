@@ -20,6 +20,7 @@ from omote.showfile.changes import (
     Draft,
     DropDraft,
     DropLayout,
+    DropPerformer,
     Edit,
     Item,
     PutBindings,
@@ -28,6 +29,7 @@ from omote.showfile.changes import (
     PutEdit,
     PutItem,
     PutLayout,
+    PutPerformer,
     PutRevision,
     Revision,
     Stored,
@@ -38,6 +40,13 @@ from omote.showfile.database_errors import DamageError, WrongRowError
 
 class Layout(msgspec.Struct, frozen=True):
     """A page's document by name."""
+
+    name: str
+    document: bytes
+
+
+class PerformerDocument(msgspec.Struct, frozen=True):
+    """How the landmarks of a performer's face are read, by the performer's name."""
 
     name: str
     document: bytes
@@ -70,7 +79,10 @@ DRAFTS = Table("draft", Draft, ("item", "editor"))
 EDITS = Table("edit", Edit, ("item", "editor", "number"))
 LAYOUTS = Table("layout", Layout, ("name",))
 BINDINGS = Table("binding_list", BindingDocuments, ("slot",))
-TABLES = (ITEMS, REVISIONS, DRAFTS, EDITS, LAYOUTS, BINDINGS)
+PERFORMERS = Table("performer", PerformerDocument, ("name",))
+TABLES = (ITEMS, REVISIONS, DRAFTS, EDITS, LAYOUTS, BINDINGS, PERFORMERS)
+ADDED_LATER = (BINDINGS, PERFORMERS)
+"""Tables that a file of an older Omote, which is read as it is, may not have yet."""
 
 
 def apply_changes(connection: sqlite3.Connection, changes: Iterable[Change]) -> None:
@@ -101,6 +113,7 @@ def read_all(connection: sqlite3.Connection) -> Stored:
         edits=tuple(rows["edit"]),
         layouts={layout.name: layout.document for layout in rows["layout"]},
         bindings=b"".join(each.document for each in rows["binding_list"]),
+        performers={each.name: each.document for each in rows["performer"]},
     )
 
 
@@ -133,8 +146,8 @@ def _rows(connection: sqlite3.Connection, table: Table, where: str = "", *values
 
 
 def _rows_of(connection: sqlite3.Connection, table: Table, there: Collection[str]) -> Iterable[Sequence[Any]]:
-    """All rows of a table; none where a file of an older Omote, which is read as it is, has no bindings yet."""
-    return () if table is BINDINGS and table.name not in there else _rows(connection, table)
+    """All rows of a table; none where the file has it not yet."""
+    return () if table in ADDED_LATER and table.name not in there else _rows(connection, table)
 
 
 def _prove_row(table: Table, columns: Sequence[Any]) -> Any:
@@ -170,22 +183,26 @@ def _make(connection: sqlite3.Connection, change: Change) -> None:
             after = "DELETE FROM edit WHERE item = ? AND editor = ? AND number >= ?"
             connection.execute(after, (edit.item, edit.editor, edit.number))
             _put(connection, EDITS, edit)
-        case PutLayout() | PutBindings():
+        case PutLayout() | PutBindings() | PutPerformer():
             _put_document(connection, change)
-        case DropDraft() | DropLayout():
+        case DropDraft() | DropLayout() | DropPerformer():
             _drop(connection, change)
 
 
-def _put_document(connection: sqlite3.Connection, change: PutLayout | PutBindings) -> None:
+def _put_document(connection: sqlite3.Connection, change: PutLayout | PutBindings | PutPerformer) -> None:
     if isinstance(change, PutLayout):
         _put(connection, LAYOUTS, Layout(change.name, change.document))
+    elif isinstance(change, PutPerformer):
+        _put(connection, PERFORMERS, PerformerDocument(change.name, change.document))
     else:
         _put(connection, BINDINGS, BindingDocuments(1, change.document))
 
 
-def _drop(connection: sqlite3.Connection, change: DropDraft | DropLayout) -> None:
+def _drop(connection: sqlite3.Connection, change: DropDraft | DropLayout | DropPerformer) -> None:
     if isinstance(change, DropDraft):
         connection.execute("DELETE FROM draft WHERE item = ? AND editor = ?", (change.item, change.editor))
+    elif isinstance(change, DropPerformer):
+        connection.execute("DELETE FROM performer WHERE name = ?", (change.name,))
     else:
         connection.execute("DELETE FROM layout WHERE name = ?", (change.name,))
 

@@ -127,7 +127,32 @@ class PutBindings(msgspec.Struct, frozen=True, tag=True):
     document: bytes
 
 
-Change = PutContent | PutItem | PutRevision | PutDraft | PutEdit | DropDraft | PutLayout | DropLayout | PutBindings
+class PutPerformer(msgspec.Struct, frozen=True, tag=True):
+    """Stores how the landmarks of a performer's face are read, as a document (JSON) by the performer's name."""
+
+    name: str
+    document: bytes
+
+
+class DropPerformer(msgspec.Struct, frozen=True, tag=True):
+    """Removes a performer."""
+
+    name: str
+
+
+Change = (
+    PutContent
+    | PutItem
+    | PutRevision
+    | PutDraft
+    | PutEdit
+    | DropDraft
+    | PutLayout
+    | DropLayout
+    | PutBindings
+    | PutPerformer
+    | DropPerformer
+)
 
 
 class Stored(msgspec.Struct, frozen=True):
@@ -139,6 +164,7 @@ class Stored(msgspec.Struct, frozen=True):
     edits: tuple[Edit, ...] = ()
     layouts: dict[str, bytes] = {}
     bindings: bytes = b""
+    performers: dict[str, bytes] = {}
 
 
 def content_key(data: bytes, /) -> str:

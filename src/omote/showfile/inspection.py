@@ -119,7 +119,9 @@ def _check_authored(found: Inspection) -> Iterator[tuple[bool, str]]:
         for kind in ("face", "expression")
     )
     yield True, f"{', '.join(counts)}, {len(stored.revisions)} revisions"
-    yield True, f"{len(stored.drafts)} drafts with {len(stored.edits)} steps, {len(stored.layouts)} layouts"
+    layouts, performers = len(stored.layouts), len(stored.performers)
+    drafts = f"{len(stored.drafts)} drafts with {len(stored.edits)} steps"
+    yield True, f"{drafts}, {layouts} layouts, {performers} performers"
     for sentence in wrong:
         yield False, sentence
 

@@ -105,7 +105,15 @@ CREATE TABLE binding_list (
     sum TEXT NOT NULL
 ) STRICT;
 """
-MIGRATIONS = (_JOURNAL, _AUTHORED, _GAINS, _IDENTITY, _BINDINGS)
+# How the landmarks of a performer's face are read, as JSON: a guided minute before a camera.
+_PERFORMERS = """
+CREATE TABLE performer (
+    name TEXT PRIMARY KEY,
+    document BLOB NOT NULL,
+    sum TEXT NOT NULL
+) STRICT;
+"""
+MIGRATIONS = (_JOURNAL, _AUTHORED, _GAINS, _IDENTITY, _BINDINGS, _PERFORMERS)
 """Statements that migrate version n to n + 1; never changed once released."""
 SCHEMA_VERSION = len(MIGRATIONS)
 

@@ -95,7 +95,7 @@ def test_a_characters_own_motion_makes_way(columns: Columns) -> None:
 def test_a_source_is_steady_while_its_frames_have_no_gap() -> None:
     driver = Driver("a", ALL_NAMES)
     for _ in range(100):
-        driver = advance_driver(driver, 0.01)
+        driver = advance_driver(driver, 0.01, "tracker")
         assert driver.steady <= STEADY_SECONDS
         assert (driver.steady > 0.0) == (driver.silent < GAP_SECONDS)
     assert driver.silent == LOSS_SECONDS

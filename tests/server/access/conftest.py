@@ -9,6 +9,7 @@ from aiohttp import web
 from aiohttp.test_utils import TestClient, TestServer
 
 from omote.inputs.microphone.microphone_messages import MICROPHONE_PATH
+from omote.inputs.performers.camera_messages import CAMERA_PATH
 from omote.inputs.trackers.tracker_protocols import MEDIAPIPE_PATH
 from omote.model.cast import Cast
 from omote.server.access.access_control import AccessControl
@@ -53,7 +54,7 @@ async def access_harness(cast: Cast, tmp_path: Path) -> AsyncIterator[AccessHarn
                 control.people = add_person(control.people, person)
         tokens |= {"garbage": GARBAGE}
         opened.show.enable_oscquery(9000)
-        for path in (MEDIAPIPE_PATH, MICROPHONE_PATH):
+        for path in (MEDIAPIPE_PATH, MICROPHONE_PATH, CAMERA_PATH):
             opened.show.enable_sender(path, _hear)
         opened.show.enable_access(control, b"PEM")
         async with TestClient(TestServer(opened.show.application(own_names()))) as client:

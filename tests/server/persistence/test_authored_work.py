@@ -1,13 +1,26 @@
 """The authored work of a show file: opened as an edit session, or reported as unreadable."""
 
+from collections.abc import Callable, Sequence
 from pathlib import Path
 
 import pytest
 
 from omote.model.cast import Cast
 from omote.server.persistence.authored_work import open_authored_work
+from omote.server.persistence.commit_thread import CommitOutcome
 from omote.server.workers.order_worker import OrderWorker
-from omote.showfile.changes import Item, PutContent, PutItem, PutLayout, PutRevision, Revision, content_key
+from omote.showfile.changes import (
+    Change,
+    DropPerformer,
+    Item,
+    PutContent,
+    PutItem,
+    PutLayout,
+    PutPerformer,
+    PutRevision,
+    Revision,
+    content_key,
+)
 from omote.showfile.contents import pack_expression
 from omote.showfile.database_errors import DamageError
 from omote.showfile.show_file import ShowFile, open_show
@@ -51,4 +64,27 @@ def test_work_that_cannot_be_read_does_not_stop_the_show(
     said: list[str] = []
     assert open_authored_work(show, FakeCommitter(), OrderWorker(cast), said.append) is None
     assert "its item 1 is damaged); the show goes on without them" in said[0]
+    show.close()
+
+
+def test_performers_are_kept_and_dropped_together(cast: Cast, tmp_path: Path) -> None:
+    class Refusing:
+        def commit(self, changes: Sequence[Change], told: Callable[[CommitOutcome], None]) -> None:
+            made.append(tuple(changes))
+            told(CommitOutcome("refused", "the disk is full"))
+
+        def close(self) -> None:
+            pass
+
+    made: list[tuple[Change, ...]] = []
+    said: list[str] = []
+    show = open_show(tmp_path / "a.omote")
+    show.apply((PutPerformer("Ada", b"1"),))
+    work = open_authored_work(show, Refusing(), OrderWorker(cast), said.append)
+    assert work is not None
+    assert work.performers == {"Ada": b"1"}
+    work.keep_performers({"Bo": b"1"}, ["Ada"], said.append)
+    assert work.performers == {"Bo": b"1"}
+    assert made == [(DropPerformer("Ada"), PutPerformer("Bo", b"1"))]
+    assert said == ["a performer's calibration is not kept: the disk is full"]
     show.close()

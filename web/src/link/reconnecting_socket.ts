@@ -7,6 +7,9 @@ import { REVOKED_CODE } from "./constants";
 /** What the server answers to a token that is not valid, or to none. */
 const UNAUTHORIZED = 401;
 
+/** Bytes that wait in a connection that is slow: newer ones are dropped, so that what arrives is never old. */
+const MOST_UNSENT = 32768;
+
 /** What a link does with its socket. */
 export interface SocketOwner<Incoming> {
   /** Seconds without a message after which the connection counts as dead; those in which the page itself was busy, so
@@ -75,6 +78,12 @@ export class ReconnectingSocket<Incoming, Outgoing> {
     if (this.#socket?.readyState !== WebSocket.OPEN) return false;
     this.#socket.send(encode(message));
     return true;
+  }
+
+  /** Sends bytes that are no message; where no connection is open they are dropped. */
+  sendBytes(data: ArrayBuffer): void {
+    if (this.#socket?.readyState === WebSocket.OPEN && this.#socket.bufferedAmount < MOST_UNSENT)
+      this.#socket.send(data);
   }
 
   /** Gives up the present connection; another one is opened after a pause. */

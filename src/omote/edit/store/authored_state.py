@@ -11,6 +11,7 @@ from omote.showfile.changes import (
     Change,
     DropDraft,
     DropLayout,
+    DropPerformer,
     Edit,
     Item,
     PutBindings,
@@ -19,6 +20,7 @@ from omote.showfile.changes import (
     PutEdit,
     PutItem,
     PutLayout,
+    PutPerformer,
     PutRevision,
     Revision,
     Stored,
@@ -44,6 +46,7 @@ class AuthoredState:
         }
         self.layouts = dict(stored.layouts)
         self.bindings = stored.bindings
+        self.performers = dict(stored.performers)
 
     def apply(self, changes: Iterable[Change]) -> None:
         """Applies changes, in order."""
@@ -59,6 +62,7 @@ class AuthoredState:
             edits=tuple(edit for key in sorted(self.edits) for edit in self.edits[key]),
             layouts=self.layouts,
             bindings=self.bindings,
+            performers=self.performers,
         )
 
     def head(self, item: Item) -> Revision | None:
@@ -132,6 +136,14 @@ class AuthoredState:
     @_apply.register
     def _(self, change: PutBindings) -> None:
         self.bindings = change.document
+
+    @_apply.register
+    def _(self, change: PutPerformer) -> None:
+        self.performers[change.name] = change.document
+
+    @_apply.register
+    def _(self, change: DropPerformer) -> None:
+        self.performers.pop(change.name, None)
 
 
 def _complete_steps(edits: Iterable[Edit]) -> dict[DraftKey, list[Edit]]:

@@ -7,7 +7,6 @@ import numpy as np
 from omote.inputs.microphone.sound_features import (
     BANDS,
     FRAME_SECONDS,
-    HOP,
     SAMPLE_RATE,
     WINDOW,
     FeatureStream,
@@ -67,7 +66,7 @@ class VoiceVisemes:
         if not len(sound):
             return []
         self.level = float(sound.level[-1])
-        if self._sentence is not None and len(self._sentence) * HOP < LONGEST_SENTENCE * SAMPLE_RATE:
+        if self._sentence is not None and sum(map(len, self._sentence)) * FRAME_SECONDS < LONGEST_SENTENCE:
             self._sentence.append(sound)
         frames, floors = frame_inputs(sound, self._speaker)
         self._frames = np.concatenate([self._frames, frames])

@@ -75,9 +75,9 @@ class TrackerInput:
         self.heard, self.where = self.heard + 1, host
         try:
             for frame in self._decoder(host)(data):
-                self._note(host, frame)
+                self.note(host, frame)
         except PacketError as error:
-            self._reject(host, str(error), now)
+            self.reject(host, str(error), now)
         answers, self._answers = self._answers, []
         return answers
 
@@ -87,7 +87,22 @@ class TrackerInput:
             if (frame := performer.newest) is not None:
                 performer.newest = None
                 for reason in self._drive(performer, frame, now):
-                    self._reject(key[0], reason, now)
+                    self.reject(key[0], reason, now)
+
+    def title(self, host: str, subject: str) -> str:
+        """The name of the source of a performer."""
+        return " ".join(part for part in (self.protocol.title, subject, host) if part)[:LONGEST_NAME]
+
+    def client(self, host: str, subject: str) -> str | None:
+        """The client by which a performer's source is at the session; None while there is no such source."""
+        performer = self._performers.get((host, subject))
+        return None if performer is None or performer.index is None else performer.who
+
+    def end(self, host: str, subject: str) -> None:
+        """A performer has gone, and the source with them; of one who is unknown nothing happens."""
+        performer = self._performers.pop((host, subject), None)
+        if performer is not None:
+            self._session().leave(performer.who)
 
     def leave(self) -> None:
         """Takes its sources out of the session: what they drove is lost, and fades out."""
@@ -122,7 +137,8 @@ class TrackerInput:
             self._decoders[host] = self.protocol.open(lambda packet: self._answers.append(packet))
         return self._decoders[host]
 
-    def _note(self, host: str, frame: TrackerFrame) -> None:
+    def note(self, host: str, frame: TrackerFrame) -> None:
+        """Takes a frame that was decoded; host: "" for a performer who is told by the subject alone."""
         key = (host, frame.subject)
         performer = self._performers.pop(key, None) or self._begin(host, frame.subject)
         self._performers[key] = self._last = performer  # to the end: who was silent longest stands first
@@ -134,8 +150,7 @@ class TrackerInput:
         while len(self._performers) >= MOST_PERFORMERS:
             oldest = next(iter(self._performers))
             self._session().leave(self._performers.pop(oldest).who)
-        title = f"{self.protocol.title} {subject} {host}" if subject else f"{self.protocol.title} {host}"
-        return Performer(title[:LONGEST_NAME], f"{self.protocol.name} {host} {subject}")
+        return Performer(self.title(host, subject), f"{self.protocol.name} {host} {subject}")
 
     def _keep(self, performer: Performer, frame: TrackerFrame) -> None:
         """Notes the values that a frame has; others stay as they were."""
@@ -195,7 +210,8 @@ class TrackerInput:
         alone = characters if len(characters) == 1 and not known and not driven else []
         return wire.Source(performer.name, "tracker", list(performer.names), alone)
 
-    def _reject(self, host: str, reason: str, now: float) -> None:
+    def reject(self, host: str, reason: str, now: float) -> None:
+        """Counts what was not obeyed."""
         self.rejected += 1
         self.last_rejection = Rejection(now, f"{self.protocol.title} from {host}", reason)
 

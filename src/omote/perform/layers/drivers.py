@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 from omote.perform.frame import with_fields
 from omote.perform.layers.columns import Columns
-from omote.perform.layers.layer_names import LAYER_PARTS, WHOLE, LayerPart
+from omote.perform.layers.layer_names import LAYER_PARTS, WHOLE, LayerName, LayerPart
 from omote.perform.layers.source_frame import AUTOMATIC, LOSS_SECONDS, SourceFrame
 
 Owners = tuple[str | None, ...]
@@ -15,8 +15,10 @@ Owners = tuple[str | None, ...]
 NOBODY: Owners = (None,) * (WHOLE + 1)
 STEADY_SECONDS = 0.5
 """Of frames without a gap, after which a source is followed as fast as its layer is."""
-GAP_SECONDS = 0.2
-"""Of silence, after which it no longer counts as steady: what comes then may be a jump."""
+GAP_SECONDS = 0.08
+LIPS_GAP_SECONDS = 0.06
+"""Of silence, after which it no longer counts as steady: what comes then may be a jump. Lips are followed
+soonest; thirty frames a second have no gap."""
 
 
 @dataclass(frozen=True)
@@ -106,8 +108,8 @@ def replace_driver(drivers: Sequence[Driver], driver: Driver) -> tuple[Driver, .
     return tuple(driver if each.source == driver.source else each for each in drivers)
 
 
-def advance_driver(driver: Driver, dt: float) -> Driver:
-    """A driver `dt` seconds later."""
-    silent = min(driver.silent + dt, LOSS_SECONDS)
-    steady = min(driver.steady + dt, STEADY_SECONDS) if silent < GAP_SECONDS else 0.0
+def advance_driver(driver: Driver, dt: float, layer: LayerName) -> Driver:
+    """A driver of a layer `dt` seconds later."""
+    silent, gap = min(driver.silent + dt, LOSS_SECONDS), LIPS_GAP_SECONDS if layer == "lips" else GAP_SECONDS
+    steady = min(driver.steady + dt, STEADY_SECONDS) if silent < gap else 0.0
     return with_fields(driver, silent=silent, steady=steady)

@@ -188,7 +188,7 @@ def _waits(layers: Layers, layer: LayerName) -> bool:
 
 def _stepped(layers: Layers, dt: float) -> Layers:
     before = layers.drivers
-    drivers = {layer: tuple(advance_driver(one, dt) for one in each) for layer, each in before.items()}
+    drivers = {layer: tuple(advance_driver(one, dt, layer) for one in each) for layer, each in before.items()}
     layers = with_fields(layers, drivers=drivers)
     for layer, each in drivers.items():
         lost = any(one.is_trusted != other.is_trusted for one, other in zip(each, before[layer], strict=True))

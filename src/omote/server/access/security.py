@@ -21,6 +21,9 @@ HEADERS = {
     "Cross-Origin-Resource-Policy": "same-origin",
 }
 
+WASM_FOLDER = "/static/wasm_workers/"
+"""Scripts of workers that compile WebAssembly (the camera page's face model): these alone may, no page may."""
+
 
 def silence_bad_requests() -> None:
     """Drops log records of malformed HTTP requests (answered with 400), which would fill the operator's terminal."""
@@ -76,8 +79,11 @@ def guard(names: frozenset[str]) -> Middleware:
     return middleware
 
 
-async def add_headers(_: web.Request, response: web.StreamResponse) -> None:
+async def add_headers(request: web.Request, response: web.StreamResponse) -> None:
     """Adds `HEADERS` to a response (an `on_response_prepare` signal)."""
+    if request.path.startswith(WASM_FOLDER):
+        allowed = f"{HEADERS['Content-Security-Policy']}; script-src 'self' 'wasm-unsafe-eval'"
+        response.headers.setdefault("Content-Security-Policy", allowed)
     for name, value in HEADERS.items():
         response.headers.setdefault(name, value)
 

@@ -12,6 +12,7 @@ PAGES = {
     "/stage": "stage.html",
     "/console": "console.html",
     "/devices": "devices.html",
+    "/camera": "camera.html",
     "/editor": "editor.html",
     "/microphone": "microphone.html",
 }

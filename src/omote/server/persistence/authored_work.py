@@ -3,14 +3,14 @@
 from __future__ import annotations
 
 import sqlite3
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Protocol
 
 from omote.edit.session.edit_session import EditSession
 from omote.server.persistence.commit_thread import CommitOutcome
 from omote.server.workers.order_worker import OrderWorker
-from omote.showfile.changes import Change, PutBindings
+from omote.showfile.changes import Change, DropPerformer, PutBindings, PutPerformer
 from omote.showfile.database_errors import explain_database_error
 from omote.showfile.show_file import ShowFile
 
@@ -44,14 +44,28 @@ class AuthoredWork:
 
     def keep_bindings(self, document: bytes, report: Callable[[str], None]) -> None:
         """Commits what controls of devices play; report: says on the terminal where it cannot be kept."""
-        change = PutBindings(document)
-        self.session.authored.state.apply([change])
+        self._keep([PutBindings(document)], "a binding", report)
+
+    @property
+    def performers(self) -> Mapping[str, bytes]:
+        """How the faces of performers are read (JSON), by their names."""
+        return self.session.authored.state.performers
+
+    def keep_performers(
+        self, documents: Mapping[str, bytes], dropped: Iterable[str], report: Callable[[str], None]
+    ) -> None:
+        """Commits how the faces of performers are read, and who is known no more; report: as above."""
+        changes: list[Change] = [*map(DropPerformer, dropped), *(PutPerformer(*each) for each in documents.items())]
+        self._keep(changes, "a performer's calibration", report)
+
+    def _keep(self, changes: Sequence[Change], what: str, report: Callable[[str], None]) -> None:
+        self.session.authored.state.apply(changes)
 
         def report_outcome(outcome: CommitOutcome) -> None:
             if outcome.state == "refused":
-                report(f"a binding is not kept: {outcome.sentence}")
+                report(f"{what} is not kept: {outcome.sentence}")
 
-        self.committer.commit([change], report_outcome)
+        self.committer.commit(changes, report_outcome)
 
 
 def open_authored_work(

@@ -5,7 +5,7 @@ from __future__ import annotations
 import os
 import socket
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from pathlib import Path
 from typing import Protocol
 
@@ -23,26 +23,29 @@ from omote.inputs.osc_input import OscInput
 from omote.inputs.page_devices.binding_commands import BindingCommands
 from omote.inputs.page_devices.input_log import InputLog
 from omote.inputs.page_devices.page_devices import PageDevices
+from omote.inputs.performers.camera_messages import CAMERA_PATH
+from omote.inputs.performers.performer_list import PerformerList
 from omote.inputs.trackers.tracker_protocols import MEDIAPIPE_PATH, TRACKER_PROTOCOLS
 from omote.interchange.formats.error_reasons import explain_error
 from omote.server.access.show_addresses import own_address
+from omote.server.camera.camera_link import CameraLinks
 from omote.server.devices.dmx_listener import DmxListener
 from omote.server.devices.face_output import FaceOutput
 from omote.server.devices.mediapipe_link import MediapipeLink
-from omote.server.devices.microphone_link import MicrophoneLink
 from omote.server.devices.osc_listener import OscListener, OscSockets
 from omote.server.devices.page_device_source import PageDeviceSource
 from omote.server.devices.rejection_log import RejectionLog
-from omote.server.devices.source_report import SourceReport
 from omote.server.devices.switches.device_switches import DeviceSwitches, Switched
 from omote.server.devices.trackers.tracker_listener import TrackerListener, TrackerSocket
 from omote.server.devices.trackers.tracker_sockets import read_trackers
 from omote.server.devices.vtube_studio.api_programs import ApiPrograms
 from omote.server.http.app import ShowServer
+from omote.server.microphone.microphone_link import MicrophoneLink
 from omote.server.persistence.authored_work import AuthoredWork
 from omote.server.persistence.device_file import DeviceFile, device_path
 from omote.server.supervision.device_sockets import DeviceOptions
 from omote.server.supervision.early_tick import EarlyTicks
+from omote.server.supervision.source_report import SourceReport
 from omote.show.access.people_list import Visitor
 from omote.show.session import ShowSession
 
@@ -53,6 +56,7 @@ Started = (
     | TrackerListener
     | MediapipeLink
     | MicrophoneLink
+    | CameraLinks
     | FaceOutput
     | ApiPrograms
     | PageDeviceSource
@@ -90,8 +94,7 @@ async def start_devices(
     started += [switched.trackers, switched.mediapipe, switched.programs, switched.faces]
     switches = _open_switches(switched, options, notes, report)
     server.enable_phone_page(lambda: switches.describe(server.clock()))
-    started.append(microphones := MicrophoneLink(lambda: server.session, server.clock, early.note, _holds(server)))
-    server.enable_sender(MICROPHONE_PATH, microphones.respond)
+    started += [_open_microphones(server, early), _open_cameras(server, log, report)]
     sources = tuple(started)
     devices = PageDevices(
         lambda: server.session, bindings, commands, InputLog(_wall() - server.clock()),
@@ -169,6 +172,32 @@ def _holds(server: ShowServer) -> Callable[[Visitor], bool]:
     return lambda visitor: server.access is None or server.access.holds(visitor)
 
 
+def _open_microphones(server: ShowServer, early: EarlyTicks) -> MicrophoneLink:
+    """The microphone pages of the show."""
+    microphones = MicrophoneLink(lambda: server.session, server.clock, early.note, _holds(server))
+    server.enable_sender(MICROPHONE_PATH, microphones.respond)
+    return microphones
+
+
+def _open_cameras(server: ShowServer, log: RejectionLog, report: Report) -> CameraLinks:
+    """The camera pages of the show; without a show file their performers are known until its end."""
+    work = _find_work(server)
+
+    def keep(documents: Mapping[str, bytes], gone: list[str]) -> None:
+        if (kept := work()) is not None:
+            kept.keep_performers(documents, gone, report)
+
+    stored = work()
+    performers = PerformerList({} if stored is None else stored.performers, keep)
+    cameras = CameraLinks(lambda: server.session, performers, log, _holds(server))
+    server.enable_sender(CAMERA_PATH, cameras.respond)
+    return cameras
+
+
+def _find_work(server: ShowServer) -> Callable[[], AuthoredWork | None]:
+    return lambda: None if server.editing is None else server.editing.authored_work
+
+
 def _hear_trackers(
     server: ShowServer, options: DeviceOptions, log: RejectionLog, allowed: AllowedSenders
 ) -> TrackerListener:
@@ -183,8 +212,7 @@ def _hear_trackers(
 def _open_bindings(server: ShowServer, options: DeviceOptions, report: Report) -> tuple[BindingInput, BindingCommands]:
     """The bindings of the show file, with those of the file of the command line before them."""
 
-    def work() -> AuthoredWork | None:
-        return None if server.editing is None else server.editing.authored_work
+    work = _find_work(server)
 
     def keep(document: bytes) -> None:
         if (kept := work()) is not None:

@@ -27,6 +27,7 @@ ROUTES: Mapping[tuple[str, str], AccessRole] = MappingProxyType(
         ("GET", "/handles"): "view",
         ("GET", "/contents/{key}"): "view",
         ("GET", "/mediapipe"): "operate",
+        ("GET", "/camera/link"): "operate",
         ("GET", "/connect"): "view",
         ("GET", "/connect/{page}.svg"): "operate",  # it may hold the token that operators share
         ("GET", "/voice"): "operate",
@@ -38,6 +39,7 @@ ROUTES: Mapping[tuple[str, str], AccessRole] = MappingProxyType(
         ("GET", "/console"): "view",
         ("GET", "/editor"): "view",
         ("GET", "/devices"): "view",
+        ("GET", "/camera"): "view",
         ("GET", "/microphone"): "view",
         ("GET", "/{page}"): "view",
     }

@@ -70,7 +70,7 @@ export class Answers extends AnimatedElement {
         grid-template-columns: 1fr auto;
         gap: 3px 14px;
         width: 216px;
-        max-height: 60vh;
+        box-sizing: border-box;
         overflow: auto;
         padding: 10px 12px;
         border: 1px solid var(--edge);
@@ -109,8 +109,11 @@ export class Answers extends AnimatedElement {
   }
 
   #list() {
-    const { left, bottom } = this.getBoundingClientRect();
-    const place = `left: ${Math.max(4, Math.min(left, innerWidth - 220))}px; top: ${bottom + 4}px`;
+    const { left, top, bottom } = this.getBoundingClientRect();
+    const below = innerHeight - bottom >= top; // on the side with more room, and no higher than that
+    const side = below ? `top: ${bottom + 4}px` : `bottom: ${innerHeight - top + 4}px`;
+    const room = (below ? innerHeight - bottom : top) - 12;
+    const place = `left: ${Math.max(4, Math.min(left, innerWidth - 220))}px; ${side}; max-height: ${room}px`;
     return html`<div class="list" role="dialog" aria-label="How ${this.faces} answers" style=${place}>
       <h3>${this.faces} answers</h3>
       ${this.gains.map((gain) => html`<span>${this.#where(gain)}</span><b>${times(gain)}</b>`)}

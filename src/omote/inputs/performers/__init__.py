@@ -1,0 +1,1 @@
+"""Performers before a camera: who they are, how their faces are read, and whom they play."""

@@ -1,0 +1,198 @@
+"""Performers before cameras at a show session: each is a source named after the performer."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from uuid import uuid4
+
+from omote.inputs.camera.performer_calibration import PerformerCalibration
+from omote.inputs.performers import camera_messages as wire
+from omote.inputs.performers.camera_performer import CalibrationFit, CameraPerformer
+from omote.inputs.performers.performer_list import PerformerList, check_performer_name
+from omote.inputs.rejection import PacketError
+from omote.inputs.trackers.tracker_frame import TrackerFrame
+from omote.inputs.trackers.tracker_input import TrackerInput
+from omote.inputs.trackers.tracker_protocols import TrackerProtocol
+from omote.perform.layers.layer_names import LayerName
+from omote.perform.limits import check_known
+from omote.perform.scene.character_names import ALL
+from omote.show.messages import Refused, RouteSource
+from omote.show.session import ShowSession
+
+
+def _decode_nothing(_: bytes) -> list[TrackerFrame]:
+    """Its frames come as landmarks, each read by its performer."""
+    return []
+
+
+CAMERA = TrackerProtocol(
+    "camera", "Camera", None, "open the page /camera of this show in the performer's browser, or run: omote track --to "
+    "{host}", lambda _: _decode_nothing,
+)  # fmt: skip
+MOST_CAMERAS = 8
+
+
+class CameraInput:
+    """All performers before cameras. session: the show that plays; performers: those of the show file; heard: frames of
+    landmarks."""
+
+    def __init__(self, session: Callable[[], ShowSession], performers: PerformerList) -> None:
+        self.trackers = TrackerInput(CAMERA, session)
+        self.performers = performers
+        self._session = session
+        self._links: dict[str, CameraPerformer] = {}
+        self.heard = 0
+
+    def begin(self, link: str, asked: wire.Perform) -> str | None:
+        """Somebody performs at a link; returns the link of a page that played as the same performer and has ended.
+        ValueError for another version, a name that cannot be, or one camera too many."""
+        if asked.version != wire.CAMERA_VERSION:
+            raise ValueError(
+                f"this page speaks version {asked.version}, the show {wire.CAMERA_VERSION}: load the page again; with "
+                "omote track install the same Omote on both machines"
+            )
+        name = check_performer_name(asked.name)
+        displaced = next((other for other, each in self._links.items() if each.name == name and other != link), None)
+        if link not in self._links and displaced is None and len(self._links) >= MOST_CAMERAS:
+            raise ValueError(f"{MOST_CAMERAS} cameras play already; close the page of one")
+        for each in (link, displaced):
+            if each is not None:
+                self.end(each)
+        performer = self._links[link] = CameraPerformer(name)
+        self._load(performer)
+        return displaced
+
+    def end(self, link: str) -> None:
+        """The end of a link is the end of its source."""
+        performer = self._links.pop(link, None)
+        if performer is not None:
+            self.trackers.end("", performer.name)
+
+    def receive(self, link: str, data: bytes) -> None:
+        """Takes a frame of landmarks, for the next tick; one of a link without a performer is dropped."""
+        if (performer := self._links.get(link)) is not None:
+            self.heard += 1
+            performer.receive(data)
+
+    def obey(self, link: str, message: wire.FromCamera) -> str | None:
+        """Does what a page asks; returns what `begin` does. ValueError with the reason where it cannot be done."""
+        if isinstance(message, wire.Perform):
+            return self.begin(link, message)
+        performer = self._links.get(link)
+        if performer is None:
+            raise ValueError("nobody performs at this page yet; say first who does")
+        match message:
+            case wire.PlayCharacters(characters):
+                performer.chosen = [check_known(name, self._session().scene, "character") for name in characters]
+            case wire.BeginGuide(rest):
+                performer.begin_guide(rest=rest)
+            case wire.RedoStep(step):
+                performer.redo(step)
+            case wire.CancelGuide():
+                performer.cancel_guide()
+            case _:
+                self._change_list(link, performer, message)
+        return None
+
+    def play(self, now: float) -> list[tuple[str, str]]:
+        """Drives the session by what has come; returns the links that sent what cannot be read, and why."""
+        wrong = []
+        for link, performer in self._links.items():
+            try:
+                for frame in performer.read(now):
+                    self.trackers.note("", frame)
+            except PacketError as error:
+                self.trackers.reject(performer.name, str(error), now)
+                wrong.append((link, str(error)))
+        self.trackers.play(now)
+        for performer in self._links.values():
+            self._route(performer, now)
+        return wrong
+
+    def take_fits(self) -> list[tuple[str, CalibrationFit]]:
+        """The calibrations that are to be fitted now, by their links."""
+        found = [(link, performer.take_fit()) for link, performer in self._links.items()]
+        return [(link, fit) for link, fit in found if fit is not None]
+
+    def receive_fit(self, link: str, fit: CalibrationFit, calibration: PerformerCalibration | None) -> None:
+        """Reads a performer's face by a calibration that was fitted (None: it could not be), and stores it; ValueError
+        where it cannot be stored."""
+        performer = self._links.get(link)
+        if performer is not None and performer.name == fit.performer:
+            if calibration is None:
+                performer.fitting = False
+                performer.cancel_guide()
+            else:
+                performer.use(calibration, "guided" if fit.guided else "rest")
+        if calibration is not None:
+            self.performers.store(fit.performer, calibration.to_json().encode(), guided=fit.guided)
+
+    def status(self, link: str) -> wire.CameraStatus | None:
+        """What the page of a link shows; None before somebody performs there."""
+        performer = self._links.get(link)
+        if performer is None:
+            return None
+        return wire.CameraStatus(
+            performer=performer.name,
+            performers=self.performers.names,
+            calibrated=performer.calibrated,
+            characters=self._choices(performer),
+            guide=performer.guide_step(),
+            redoable=performer.redoable,
+            fitting=performer.fitting,
+            heard=performer.heard,
+            found=performer.found,
+            undo=self.performers.undo_label,
+            weights={name: round(value, 3) for name, value in performer.weights.items()},
+        )
+
+    def _load(self, performer: CameraPerformer) -> None:
+        """Reads a performer's face as the show file says; what cannot be read counts as unknown."""
+        try:
+            document = self.performers.find(performer.name)
+            stored = None if document is None else PerformerCalibration.from_json(bytes(document.calibration).decode())
+        except ValueError:
+            document, stored = None, None
+        performer.use(stored, "no" if document is None else "guided" if document.guided else "rest")
+
+    def _change_list(self, link: str, performer: CameraPerformer, message: wire.FromCamera) -> None:
+        before = self.performers.documents
+        match message:
+            case wire.RenamePerformer(name):
+                other = check_performer_name(name)
+                self.performers.rename(performer.name, other)
+            case wire.DeletePerformer():
+                self.performers.delete(performer.name)
+            case wire.UndoPerformer():
+                self.performers.undo()
+        after = self.performers.documents
+        came = [name for name in after if name not in before]
+        if performer.name not in after and len(came) == 1:  # renamed, or a new name taken back
+            self.begin(link, wire.Perform(wire.CAMERA_VERSION, came[0]))
+        elif before.get(performer.name) != after.get(performer.name):
+            self._load(performer)
+        for each in (other for other in self._links.values() if other is not self._links[link]):
+            if before.get(each.name) != after.get(each.name):
+                self._load(each)
+
+    def _choices(self, performer: CameraPerformer) -> list[wire.CharacterChoice]:
+        scene = self._session().scene
+        played = self._session().sources.route(self.trackers.title("", performer.name)).characters
+        chosen = played if performer.chosen is None else performer.chosen
+        return [
+            wire.CharacterChoice(name, label, name in chosen or ALL in chosen) for name, label in scene.labels.items()
+        ]
+
+    def _route(self, performer: CameraPerformer, now: float) -> None:
+        """Plays the characters that a page has chosen, once there is a source."""
+        who = self.trackers.client("", performer.name)
+        if performer.chosen is None or who is None:
+            return
+        session, title = self._session(), self.trackers.title("", performer.name)
+        before = session.sources.route(title)
+        layer: LayerName = before.layer if before.characters else "tracker"
+        asked = RouteSource(uuid4().hex, title, performer.chosen, layer, list(before.parts))
+        performer.chosen = None
+        for answer in session.receive(who, asked, now):
+            if isinstance(answer.message, Refused):
+                self.trackers.reject(performer.name, answer.message.reason, now)

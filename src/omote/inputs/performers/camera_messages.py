@@ -1,0 +1,120 @@
+"""Every message of the camera page's link (MessagePack); landmarks come beside them (`camera/landmark_frame.py`).
+
+`tools/messages.py` writes them in TypeScript.
+"""
+
+from __future__ import annotations
+
+from typing import Annotated, Literal
+
+import msgspec
+
+from omote.inputs.trackers.tracker_frame import LONGEST_SUBJECT
+from omote.perform.scene.character_names import MOST_CHARACTERS
+from omote.show.messages import Message
+
+CAMERA_VERSION = 1
+CAMERA_PATH = "/camera/link"
+LONGEST_MESSAGE = 8192
+PerformerName = Annotated[str, msgspec.Meta(max_length=4 * LONGEST_SUBJECT)]
+Calibrated = Literal["no", "rest", "guided"]
+"""How a face is read: not yet, by a moment at rest, by the guided minute."""
+
+
+class Perform(Message, frozen=True):
+    """Says who performs before this camera: the first message of a link, and again for another performer."""
+
+    version: int
+    name: PerformerName
+
+
+class PlayCharacters(Message, frozen=True):
+    """Chooses the characters that this performer plays, by name; none: it plays nobody."""
+
+    characters: Annotated[list[str], msgspec.Meta(max_length=MOST_CHARACTERS)]
+
+
+class BeginGuide(Message, frozen=True):
+    """Begins the guided minute, or with `rest` only a moment of the face at rest."""
+
+    rest: bool = False
+
+
+class RedoStep(Message, frozen=True):
+    """Makes a step of the guided minute again, now or when all are done."""
+
+    step: str
+
+
+class CancelGuide(Message, frozen=True):
+    """Ends the guided minute; the calibration before it stays."""
+
+
+class RenamePerformer(Message, frozen=True):
+    """Gives this performer another name, calibration included."""
+
+    name: PerformerName
+
+
+class DeletePerformer(Message, frozen=True):
+    """Forgets the calibration of this performer."""
+
+
+class UndoPerformer(Message, frozen=True):
+    """Takes the last change of the show's performers back."""
+
+
+class CharacterChoice(msgspec.Struct, frozen=True):
+    """A character of the show, and whether this performer plays it."""
+
+    name: str
+    label: str
+    played: bool
+
+
+class GuideStep(msgspec.Struct, frozen=True):
+    """The step of a guide that is being made. left: seconds of its phase, of `seconds`; done: steps that are made."""
+
+    step: str
+    advice: str
+    phase: Literal["ready", "hold"]
+    left: float
+    seconds: float
+    number: int
+    of: int
+    done: list[str]
+
+
+class CameraStatus(Message, frozen=True):
+    """All that the page shows of the show: complete, ten times a second. `performers`: those that the show knows;
+    `heard`: frames so far; `undo`: what an undo takes back, "" for nothing; `weights`: what the face is read as."""
+
+    performer: str
+    performers: list[str]
+    calibrated: Calibrated
+    characters: list[CharacterChoice]
+    guide: GuideStep | None
+    redoable: list[str]
+    fitting: bool
+    heard: int
+    found: bool
+    undo: str
+    weights: dict[str, float]
+
+
+class CameraRefused(Message, frozen=True):
+    """Why something was not done."""
+
+    reason: str
+
+
+class Displaced(Message, frozen=True):
+    """Another page plays as this performer now; this one has ended."""
+
+
+FromCamera = (
+    Perform | PlayCharacters | BeginGuide | RedoStep | CancelGuide | RenamePerformer | DeletePerformer | UndoPerformer
+)
+ToCamera = CameraStatus | CameraRefused | Displaced
+CAMERA_MESSAGES: tuple[type[Message], ...] = FromCamera.__args__
+CAMERA_ANSWERS: tuple[type[Message], ...] = ToCamera.__args__

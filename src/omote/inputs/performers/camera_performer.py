@@ -1,0 +1,125 @@
+"""One performer before the camera of one page: landmarks in, frames of a tracker out, and the guide in between."""
+
+from __future__ import annotations
+
+from collections import deque
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field, replace
+
+from omote.inputs.camera.landmark_frame import LandmarkFrame, read_landmark_frame
+from omote.inputs.camera.performer_calibration import PerformerCalibration, fit_calibration
+from omote.inputs.camera.performer_tracker import PerformerTracker
+from omote.inputs.performers.calibration_steps import CALIBRATION_STEPS, READY_SECONDS
+from omote.inputs.performers.camera_messages import Calibrated, GuideStep
+from omote.inputs.performers.guided_calibration import GuidedCalibration
+from omote.inputs.trackers.tracker_frame import TrackerFrame
+
+MOST_WAITING = 8
+"""Packets that wait for the next tick; the newest push the oldest out."""
+
+
+@dataclass(frozen=True)
+class CalibrationFit:
+    """Frames of a guide that has ended, for `fit`, which may take longer than a tick."""
+
+    performer: str
+    frames: Mapping[str, Sequence[LandmarkFrame]]
+    guided: bool
+
+    def fit(self) -> PerformerCalibration:
+        """The calibration; ValueError with what to do where the frames give none."""
+        return fit_calibration(self.frames)
+
+
+@dataclass(eq=False)
+class CameraPerformer:
+    """name: whose face it is. calibrated: how it is read. chosen: the characters that a page wants it to play, until
+    they are routed. heard, rejected: counts of packets."""
+
+    name: str
+    tracker: PerformerTracker | None = None
+    calibrated: Calibrated = "no"
+    guide: GuidedCalibration | None = None
+    fitting: bool = False
+    chosen: list[str] | None = None
+    heard: int = 0
+    found: bool = False
+    weights: dict[str, float] = field(default_factory=dict)
+    _made: GuidedCalibration | None = None
+    _waiting: deque[bytes] = field(default_factory=lambda: deque(maxlen=MOST_WAITING))
+
+    def use(self, calibration: PerformerCalibration | None, calibrated: Calibrated) -> None:
+        """Reads the face by a calibration from now on; with none it is first looked at for a moment at rest."""
+        self.tracker = None if calibration is None else PerformerTracker(calibration)
+        self.calibrated, self.fitting = calibrated, False
+        if calibration is None:
+            self.begin_guide(rest=True)
+
+    def begin_guide(self, *, rest: bool) -> None:
+        """Begins to collect frames: of the guided minute, or of the face at rest alone."""
+        self.guide = GuidedCalibration(guided=not rest)
+
+    def redo(self, step: str) -> None:
+        """Makes a step again; ValueError where none has been made, or for a name that is no step."""
+        guide = self.guide if self.guide is not None and self.guide.guided else self._made
+        if guide is None:
+            raise ValueError("no step has been made yet; begin the guided minute")
+        guide.redo([step])
+        self.guide = guide
+
+    def cancel_guide(self) -> None:
+        """Ends a guide; without a calibration the face at rest is still needed."""
+        self.guide = None
+        if self.tracker is None:
+            self.begin_guide(rest=True)
+
+    @property
+    def redoable(self) -> list[str]:
+        """The steps that can be made again without the others."""
+        guide = self.guide if self.guide is not None and self.guide.guided else self._made
+        return [] if guide is None else list(guide.frames())
+
+    def receive(self, data: bytes) -> None:
+        """Keeps a packet for the next tick."""
+        self.heard += 1
+        self._waiting.append(data)
+
+    def read(self, now: float) -> list[TrackerFrame]:
+        """The frames that have come since the last tick; PacketError for one that cannot be read, with the reason."""
+        frames = []
+        while self._waiting:
+            frame = read_landmark_frame(self._waiting.popleft())
+            self.found = frame.found
+            if self.guide is not None:
+                self.guide.hear(frame, now)
+            if self.tracker is not None:
+                frames.append(replace(self.tracker.step(frame), subject=self.name))
+        if frames:
+            self.weights = dict(frames[-1].weights) or self.weights
+        return frames
+
+    def take_fit(self) -> CalibrationFit | None:
+        """What is to be fitted, once the guide has all its frames."""
+        guide = self.guide
+        if guide is None or not guide.done:
+            return None
+        self.guide, self.fitting = None, True
+        self._made = guide if guide.guided else self._made
+        return CalibrationFit(self.name, guide.frames(), guide.guided)
+
+    def guide_step(self) -> GuideStep | None:
+        """The step that is being made, for the page."""
+        state = None if self.guide is None else self.guide.state()
+        if state is None or self.guide is None:
+            return None
+        of = len(CALIBRATION_STEPS) if self.guide.guided else 1
+        return GuideStep(
+            step=state.step.name,
+            advice=state.step.advice,
+            phase=state.phase,
+            left=round(state.left, 2),
+            seconds=READY_SECONDS if state.phase == "ready" else state.step.hold,
+            number=len(state.done) + 1,
+            of=of,
+            done=list(state.done),
+        )

@@ -1,0 +1,155 @@
+"""The links of camera pages: landmarks and messages in, ten times a second what the page shows out."""
+
+from __future__ import annotations
+
+import asyncio
+import contextlib
+import itertools
+from collections.abc import Callable
+
+import msgspec
+from aiohttp import WSMsgType, web
+
+from omote.inputs.page_devices.device_health import SourceCounts
+from omote.inputs.performers import camera_messages as wire
+from omote.inputs.performers.camera_input import CameraInput
+from omote.inputs.performers.camera_performer import CalibrationFit
+from omote.inputs.performers.performer_list import PerformerList
+from omote.inputs.trackers.tracker_protocols import advise
+from omote.server.access.access_guard import visitor_in
+from omote.server.access.show_addresses import own_address
+from omote.server.devices.rejection_log import RejectionLog
+from omote.server.http.links import HEARTBEAT, LinkSocket
+from omote.show.access.people_list import Visitor
+from omote.show.messages import State
+from omote.show.session import ShowSession
+from omote.show.wire import encode, message_in
+
+LANDMARKS_BEGIN = b"OMLM"
+"""How a frame of landmarks begins; no message begins so."""
+TOLD_SECONDS = 0.1
+_from_camera: msgspec.msgpack.Decoder[wire.FromCamera] = msgspec.msgpack.Decoder(wire.FromCamera)
+
+
+class CameraLinks:
+    """The camera pages of one show. session: the one that plays; performers: those of the show file; holds: whether
+    somebody who came in may stay."""
+
+    def __init__(
+        self,
+        session: Callable[[], ShowSession],
+        performers: PerformerList,
+        log: RejectionLog,
+        holds: Callable[[Visitor], bool] = lambda _: True,
+    ) -> None:
+        self.cameras = CameraInput(session, performers)
+        self._log, self._holds, self._told_rejected = log, holds, 0
+        self._links: dict[str, LinkSocket] = {}
+        self._names = map(str, itertools.count(1))
+        self._tasks: set[asyncio.Task[None]] = set()
+
+    async def respond(self, request: web.Request) -> web.WebSocketResponse:
+        """Hears one page until it closes."""
+        socket = LinkSocket(
+            heartbeat=HEARTBEAT, limit=wire.LONGEST_MESSAGE, refusal=lambda reason: encode(wire.CameraRefused(reason))
+        )
+        if await socket.accept(request) is None:
+            return socket
+        name = next(self._names)
+        self._links[name] = socket
+        telling = asyncio.create_task(self._tell_page(name, socket, visitor_in(request)))
+        try:
+            async for message in socket:
+                if message.type is WSMsgType.BINARY:
+                    await self._hear(name, message.data)
+        finally:
+            telling.cancel()
+            self._links.pop(name, None)
+            self.cameras.end(name)
+        return socket
+
+    def hear(self, now: float) -> None:
+        """Drives by what has come since the last tick, and begins to fit what is complete."""
+        for link, reason in self.cameras.play(now):
+            self._answer(link, wire.CameraRefused(f"a frame was not read: {reason}"))
+        for link, fit in self.cameras.take_fits():
+            task = asyncio.get_running_loop().create_task(self._fit(link, fit))
+            self._tasks.add(task)
+            task.add_done_callback(self._tasks.discard)
+        trackers = self.cameras.trackers
+        new, newest = trackers.rejected - self._told_rejected, trackers.last_rejection
+        if new and newest is not None:
+            self._log.note(f"{newest.sender}: {newest.reason}", new)
+            self._told_rejected = trackers.rejected
+        self._log.tell(now)
+
+    def tell(self, state: State, now: float) -> None:
+        """There is nothing to tell: pages are told at their own pace."""
+
+    @property
+    def probes(self) -> list[Callable[[], SourceCounts]]:
+        """How pages are told of it."""
+        return [self._count]
+
+    async def close(self) -> None:
+        """Ends all links."""
+        closing = [socket.close(message=b"the show ends") for socket in self._links.values()]
+        await asyncio.gather(*closing, return_exceptions=True)
+
+    async def _hear(self, link: str, data: bytes) -> None:
+        if data.startswith(LANDMARKS_BEGIN):
+            self.cameras.receive(link, data)
+            return
+        try:
+            displaced = self.cameras.obey(link, message_in(data, _from_camera, wire.LONGEST_MESSAGE))
+        except (OSError, ValueError) as error:  # a Refusal is one; the map of landmarks may be missing
+            self._answer(link, wire.CameraRefused(f"{error}".rstrip(".") + "."))
+            return
+        if displaced is not None:
+            self._answer(displaced, wire.Displaced())
+
+    async def _fit(self, link: str, fit: CalibrationFit) -> None:
+        try:
+            calibration = await asyncio.to_thread(fit.fit)
+            self.cameras.receive_fit(link, fit, calibration)
+        except (OSError, ValueError) as error:
+            self.cameras.receive_fit(link, fit, None)
+            self._answer(link, wire.CameraRefused(f"the calibration was not made: {error}."))
+
+    async def _tell_page(self, link: str, socket: LinkSocket, visitor: Visitor) -> None:
+        with contextlib.suppress(ConnectionError):
+            while not socket.closed:
+                if not self._holds(visitor):
+                    socket.revoke()
+                    return
+                status = self.cameras.status(link)
+                if status is not None:
+                    await socket.send_bytes(encode(status))
+                await asyncio.sleep(TOLD_SECONDS)
+
+    def _answer(self, link: str, message: wire.ToCamera) -> None:
+        """Answers one page soon; one that has gone is told nothing."""
+        socket = self._links.get(link)
+        if socket is not None:
+            task = asyncio.get_running_loop().create_task(_send(socket, encode(message)))
+            self._tasks.add(task)
+            task.add_done_callback(self._tasks.discard)
+
+    def _count(self) -> SourceCounts:
+        trackers = self.cameras.trackers
+        return SourceCounts(
+            name=trackers.protocol.title,
+            kind="tracker",
+            where=trackers.where,
+            heard=self.cameras.heard,
+            rejected=trackers.rejected,
+            newest=trackers.newest,
+            last_rejection=trackers.last_rejection,
+            values=trackers.values(),
+            advice=advise(trackers.protocol, own_address() or "127.0.0.1", None),
+        )
+
+
+async def _send(socket: LinkSocket, data: bytes) -> None:
+    with contextlib.suppress(ConnectionError):
+        await socket.send_bytes(data)

@@ -1,0 +1,90 @@
+"""The camera page on the performer's own machine, where browsers give it a camera; the show is elsewhere."""
+
+from __future__ import annotations
+
+import asyncio
+import errno
+import socket
+from collections.abc import Callable, Mapping
+from pathlib import Path
+
+from aiohttp import web
+
+from omote.inputs.performers.camera_messages import CAMERA_PATH
+from omote.interchange.formats.error_reasons import explain_error
+from omote.server.access.certificates import trusted_context
+from omote.server.access.security import add_headers, guard, silence_bad_requests
+from omote.server.camera.show_relay import ShowRelay, ShowTarget
+from omote.server.client.show_address import base_address, check_token
+from omote.server.http.static_pages import Page, read_pages
+
+LOCALHOST = "127.0.0.1"
+SHOW_PORT = 8090
+PAGE = "/camera"
+"""What is served at the root too."""
+
+
+def find_target(address: str, token: str | None, authority: Path | None) -> ShowTarget:
+    """The show that a performer names, as `HOST`, `HOST:PORT` or the address that `omote show` prints; ValueError for
+    what is no address or no token, OSError for a certificate that cannot be read."""
+    text = address.strip()
+    found = base_address(text)
+    if "//" not in text and ":" not in text.partition("/")[0]:
+        found = f"{found}:{SHOW_PORT}"
+    trusted = trusted_context(authority) if found.startswith("https:") else None
+    return ShowTarget(found, check_token(token, text), trusted)
+
+
+def application(target: ShowTarget, pages: Mapping[str, Page]) -> web.Application:
+    """The pages' files and the link that is passed on; only this machine is answered."""
+    silence_bad_requests()
+    made = web.Application(middlewares=[guard(frozenset({"localhost"}))])
+    made.on_response_prepare.append(add_headers)
+    made.router.add_get(CAMERA_PATH, ShowRelay(target).respond)
+
+    async def respond(request: web.Request) -> web.Response:
+        page = pages.get(PAGE if request.path == "/" else request.path)
+        if page is None:
+            raise web.HTTPNotFound(text=f"there is only {PAGE} here; the show's pages are at {target.address}.")
+        return web.Response(body=page.body, content_type=page.content_type)
+
+    made.router.add_get("/{page:.*}", respond)
+    return made
+
+
+def listen(port: int) -> socket.socket:
+    """A socket for this machine alone; OSError with a message where the port cannot be had. port: 0 for any."""
+    opened = socket.socket(socket.AF_INET, socket.SOCK_STREAM)
+    try:
+        opened.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
+        opened.bind((LOCALHOST, port))
+    except OSError as error:
+        opened.close()
+        taken = "another program has it" if error.errno == errno.EADDRINUSE else explain_error(error)
+        raise OSError(f"port {port} cannot be opened ({taken}): name another, --port {port + 1}") from error
+    return opened
+
+
+def track(target: ShowTarget, port: int, announce: Callable[[str, str], None]) -> None:
+    """Serves the camera page until Ctrl-C. announce: is told the page's address, and why the show cannot be reached,
+    "" where it can. OSError where the port cannot be had, FileNotFoundError where the pages are not built."""
+    pages, opened = read_pages(), listen(port)
+    asyncio.run(_serve(target, pages, opened, announce))
+
+
+async def _serve(
+    target: ShowTarget, pages: Mapping[str, Page], opened: socket.socket, announce: Callable[[str, str], None]
+) -> None:
+    runner = web.AppRunner(application(target, pages), access_log=None, shutdown_timeout=1.0)
+    await runner.setup()
+    await web.SockSite(runner, opened).start()
+    reason = ""
+    try:
+        await ShowRelay(target).reach()
+    except ConnectionError as error:
+        reason = str(error)
+    try:
+        announce(f"http://localhost:{opened.getsockname()[1]}{PAGE}", reason)
+        await asyncio.Event().wait()
+    finally:
+        await runner.cleanup()

@@ -1,0 +1,209 @@
+"""Performers before cameras at a session: a source each, routed, calibrated, stored, displaced by a second page."""
+
+from collections.abc import Mapping
+
+import pytest
+
+from omote.inputs.performers import camera_messages as wire
+from omote.inputs.performers.camera_input import MOST_CAMERAS, CameraInput
+from omote.inputs.performers.performer_list import PerformerList
+from omote.model.cast import Cast
+from omote.show import messages as show_wire
+from omote.show.session import ShowSession
+from tests.inputs.performers.landmarks import packet
+
+TICK = 1.0 / 60.0
+
+
+class Stage:
+    """A session, its cameras, a show file's performers, and a clock."""
+
+    def __init__(self, cast: Cast) -> None:
+        self.session, self.now = ShowSession(cast), 0.0
+        self.stored: dict[str, bytes] = {}
+        self.cameras = self.open()
+        self.session.receive("console", show_wire.Hello("console", show_wire.PROTOCOL_VERSION, "console"), 0.0)
+
+    def open(self) -> CameraInput:
+        return CameraInput(lambda: self.session, PerformerList(dict(self.stored), self._keep))
+
+    def _keep(self, documents: Mapping[str, bytes], gone: list[str]) -> None:
+        for name in gone:
+            del self.stored[name]
+        self.stored.update(documents)
+
+    def begin(self, link: str = "1", name: str = "Ada") -> str | None:
+        return self.cameras.obey(link, wire.Perform(wire.CAMERA_VERSION, name))
+
+    def play(self, seconds: float, link: str = "1", **face: float | bool) -> show_wire.State:
+        for count in range(max(1, round(seconds / TICK))):
+            if count % 2 == 0:
+                self.cameras.receive(link, packet(self.now, **face))  # type: ignore[arg-type]
+            self.cameras.play(self.now)
+            for each, fit in self.cameras.take_fits():
+                self.cameras.receive_fit(each, fit, fit.fit())
+            self.now += TICK
+            state = self.session.tick(self.now)
+        return state
+
+    def status(self, link: str = "1") -> wire.CameraStatus:
+        status = self.cameras.status(link)
+        assert status is not None
+        return status
+
+    def jaw(self, character: str = "one") -> float:
+        return self.session.tick(self.now).characters[character].layers["tracker"].strongest.get("jawOpen", 0.0)
+
+    def sources(self) -> list[str]:
+        return [each.name for each in self.session.sources.states({})]
+
+
+@pytest.fixture
+def stage(cast: Cast) -> Stage:
+    return Stage(cast)
+
+
+def test_a_performer_at_rest_for_two_seconds_drives_the_only_character(stage: Stage) -> None:
+    stage.begin()
+    assert stage.status().calibrated == "no"
+    stage.play(2.2)
+    assert stage.status().calibrated == "rest"
+    stage.play(2.0, jaw=0.06)
+    assert stage.sources() == ["Camera Ada"]
+    assert stage.session.tick(stage.now).characters["one"].layers["tracker"].source == "Camera Ada"
+    assert stage.jaw() > 0.2
+    assert [(each.name, each.played) for each in stage.status().characters] == [("one", True)]
+
+
+def test_a_performer_who_comes_again_is_known_at_once(stage: Stage) -> None:
+    stage.begin()
+    stage.play(2.5)
+    stage.cameras.end("1")
+    assert stage.sources() == []
+    stage.cameras = stage.open()  # the next server
+    stage.begin()
+    assert (stage.status().calibrated, stage.status().performers) == ("rest", ["Ada"])
+    stage.play(1.0, jaw=0.06)
+    assert stage.jaw() > 0.2
+
+
+def test_what_is_stored_and_cannot_be_read_counts_as_unknown(stage: Stage) -> None:
+    stage.stored["Ada"] = b'{"calibration":{"version":99},"guided":true}'
+    stage.cameras = stage.open()
+    stage.begin()
+    assert (stage.status().calibrated, stage.status().performers) == ("no", ["Ada"])
+
+
+def test_the_guided_minute_is_stored_as_such(stage: Stage) -> None:
+    stage.begin()
+    stage.cameras.obey("1", wire.BeginGuide())
+    stage.play(70.0)
+    assert (stage.status().calibrated, stage.status().guide) == ("guided", None)
+    assert b'"guided":true' in stage.stored["Ada"]
+    stage.cameras.obey("1", wire.RedoStep("puff"))
+    guide = stage.status().guide
+    assert guide is not None
+    assert guide.step == "puff"
+    stage.cameras.obey("1", wire.CancelGuide())
+    assert stage.status().guide is None
+
+
+def test_a_fit_that_fails_leaves_what_was(stage: Stage) -> None:
+    stage.begin()
+    stage.play(2.5)
+    stage.cameras.obey("1", wire.BeginGuide(rest=True))
+    for count in range(200):
+        stage.now += TICK
+        stage.cameras.receive("1", packet(count * TICK))
+        stage.cameras.play(stage.now)
+    ((link, fit),) = stage.cameras.take_fits()
+    before = dict(stage.stored)
+    stage.cameras.receive_fit(link, fit, None)
+    assert (stage.status().fitting, stage.status().calibrated, stage.stored) == (False, "rest", before)
+
+
+def test_a_page_chooses_whom_it_plays_before_and_after_its_first_frame(stage: Stage) -> None:
+    stage.session.receive("console", show_wire.AddCharacter("a", "two", "Two", "broad"), 0.0)
+    stage.begin()
+    stage.cameras.obey("1", wire.PlayCharacters(["two"]))
+    assert [each.played for each in stage.status().characters] == [False, True]
+    stage.play(2.3)
+    stage.play(1.0, jaw=0.06)
+    assert stage.jaw("two") > 0.2
+    assert "tracker" not in stage.session.tick(stage.now).characters["one"].layers
+    stage.cameras.obey("1", wire.PlayCharacters([]))
+    stage.play(0.1)
+    assert not any(each.played for each in stage.status().characters)
+
+
+def test_a_performer_is_renamed_and_deleted_and_both_are_undone(stage: Stage) -> None:
+    stage.begin()
+    stage.play(2.5)
+    stage.cameras.obey("1", wire.RenamePerformer("Bo"))
+    assert (stage.status().performer, stage.status().calibrated) == ("Bo", "rest")
+    stage.play(0.2)
+    assert stage.sources() == ["Camera Bo"]
+    stage.cameras.obey("1", wire.UndoPerformer())
+    assert (stage.status().performer, list(stage.stored)) == ("Ada", ["Ada"])
+    stage.cameras.obey("1", wire.DeletePerformer())
+    assert (stage.status().calibrated, stage.stored) == ("no", {})
+    stage.cameras.obey("1", wire.UndoPerformer())
+    assert (stage.status().calibrated, list(stage.stored)) == ("rest", ["Ada"])
+
+
+def test_a_second_page_of_the_same_performer_takes_over(stage: Stage) -> None:
+    stage.begin("1")
+    stage.play(2.5)
+    assert stage.begin("2") == "1"
+    assert stage.cameras.status("1") is None
+    stage.play(0.5, link="2", jaw=0.06)
+    assert stage.sources() == ["Camera Ada"]
+    assert stage.begin("2") is None
+    assert stage.begin("3", "Bo") is None
+
+
+def test_a_face_that_is_lost_is_told_to_the_show(stage: Stage) -> None:
+    stage.begin()
+    stage.play(2.5)
+    stage.play(0.5, jaw=0.06)
+    stage.play(0.1, found=False)
+    assert not stage.status().found
+    assert [each.found for each in stage.session.sources.states({})] == [False]
+    stage.play(0.1)
+    assert stage.status().found
+
+
+def test_what_cannot_be_done_is_rejected_with_a_reason(stage: Stage) -> None:
+    before: tuple[tuple[wire.FromCamera, str], ...] = (
+        (wire.Perform(99, "Ada"), "speaks version 99, the show 1"),
+        (wire.Perform(wire.CAMERA_VERSION, " "), "give a name"),
+        (wire.BeginGuide(), "nobody performs at this page yet"),
+    )
+    for message, reason in before:
+        with pytest.raises(ValueError, match=reason):
+            stage.cameras.obey("1", message)
+    stage.begin()
+    later: tuple[tuple[wire.FromCamera, str], ...] = (
+        (wire.PlayCharacters(["nobody"]), "no character 'nobody'"),
+        (wire.RedoStep("aa"), "begin the guided minute"),
+        (wire.DeletePerformer(), "no performer 'Ada'"),
+        (wire.UndoPerformer(), "nothing to undo"),
+    )
+    for message, reason in later:
+        with pytest.raises(ValueError, match=reason):
+            stage.cameras.obey("1", message)
+    for number in range(MOST_CAMERAS - 1):
+        stage.begin(f"more {number}", f"Performer {number}")
+    with pytest.raises(ValueError, match="close the page of one"):
+        stage.begin("one too many", "Zoe")
+    assert stage.begin("another page", "Ada") == "1"
+
+
+def test_a_frame_that_cannot_be_read_is_told_and_counted(stage: Stage) -> None:
+    stage.begin()
+    stage.cameras.receive("1", b"OMLM")
+    ((link, reason),) = stage.cameras.play(0.0)
+    assert (link, stage.cameras.trackers.rejected) == ("1", 1)
+    assert "4 bytes" in reason
+    stage.cameras.receive("nobody", b"OMLM")
+    assert stage.cameras.play(0.0) == []

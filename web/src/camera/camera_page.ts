@@ -1,0 +1,130 @@
+/** The camera page: the picture with the landmarks, its health, the performer and the calibration. */
+
+import { html, nothing } from "lit";
+import { customElement } from "lit/decorators.js";
+import { listenToKeys } from "../ui/key_presses";
+import { base, palette } from "../ui/theme";
+import { CameraElement } from "./camera_element";
+import { cameraPageStyle } from "./camera_page_style";
+import type { Landmarks } from "./landmarks/landmark_messages";
+import { drawLandmarks } from "./preview";
+import "./guide_view";
+import "./performer_panel";
+
+/** Bars of what the face is read as: the rest would not be read. */
+const BARS = 52;
+
+@customElement("omote-camera-page")
+export class CameraPage extends CameraElement {
+  #deaf: () => void = () => undefined;
+
+  static override styles = [palette, base, cameraPageStyle];
+
+  /** Draws the page anew: the session has changed. */
+  changed(): void {
+    this.count += 1;
+  }
+
+  /** Draws the landmarks of a picture. */
+  draw(found: Landmarks): void {
+    const canvas = this.renderRoot.querySelector("canvas");
+    if (canvas) drawLandmarks(canvas, found);
+  }
+
+  override connectedCallback(): void {
+    super.connectedCallback();
+    this.#deaf = listenToKeys({ everywhere: () => false, page: this.#key });
+  }
+
+  override disconnectedCallback(): void {
+    super.disconnectedCallback();
+    this.#deaf();
+  }
+
+  override render() {
+    const { session, count } = this;
+    const guided = session.trouble === null && session.model.kind === "ready" && session.status?.guide;
+    return html`${this.#header()}
+      <main>
+        <div class="left">
+          <figure class=${guided ? "guided" : ""}>${session.video}<canvas aria-hidden="true"></canvas>${this.#cover()}</figure>
+          <omote-guide ?hidden=${!guided} .session=${session} .count=${count}></omote-guide>
+          ${this.#health()}
+        </div>
+        <div class="right">
+          <omote-performer .session=${session} .count=${count}></omote-performer>
+          ${this.#bars()}
+        </div>
+      </main>`;
+  }
+
+  #header() {
+    const { session } = this;
+    return html`<header>
+      <h1>CAMERA</h1>
+      <label>Camera
+        <select @change=${(event: Event) => session.choose((event.target as HTMLSelectElement).value)}>
+          ${session.devices.length === 0 ? html`<option>none</option>` : nothing}
+          ${session.devices.map(({ id, label }) => html`<option value=${id} ?selected=${id === session.device}>${label}</option>`)}
+        </select></label>
+      ${this.#linkState()}
+      ${
+        session.notice
+          ? html`<span class="notice" role="alert">${session.notice}
+        <button aria-label="Dismiss" @click=${() => session.dismiss()}>✕</button></span>`
+          : nothing
+      }
+    </header>`;
+  }
+
+  #linkState() {
+    const { online, displaced, name } = this.session;
+    if (displaced) {
+      return html`<span class="lost" role="alert">Another page plays as ${name} now
+        <button @click=${() => this.session.perform(name)}>Take it back</button></span>`;
+    }
+    if (online) return html`<span class="online" role="status">The show hears you</span>`;
+    return html`<span class="lost" role="alert">No link to the show – trying again</span>`;
+  }
+
+  /** What lies over the picture while there is none. */
+  #cover() {
+    const { trouble, model, device } = this.session;
+    if (trouble) {
+      return html`<div class="cover" role="alert"><h2>${trouble.title}</h2><p>${trouble.advice}</p>
+        <button @click=${() => this.session.choose(device)}>Try again</button></div>`;
+    }
+    if (model.kind === "failed") {
+      return html`<div class="cover" role="alert"><h2>The face model does not run here</h2>
+        <p>${model.reason}. Load the page again; a current Chrome, Edge, Firefox or Safari can.</p></div>`;
+    }
+    if (model.kind === "loading") {
+      return html`<div class="cover" role="status"><p>Loading ${model.what} …</p>
+        <progress max="1" .value=${model.share}></progress></div>`;
+    }
+    return nothing;
+  }
+
+  #health() {
+    const { health, model } = this.session;
+    const where = model.kind === "ready" ? `${model.backend}, ${model.cost.toFixed(0)} ms` : "";
+    return html`<ul class="health" aria-label="Health">${health.map(
+      ({ what, good, advice }) => html`<li class=${good ? "good" : "bad"}><b>${what}</b> ${advice}</li>`,
+    )}${where ? html`<li class="where">${where}</li>` : nothing}</ul>`;
+  }
+
+  #bars() {
+    const weights = Object.entries(this.session.status?.weights ?? {}).slice(0, BARS);
+    if (weights.length === 0) return nothing;
+    return html`<details class="panel"><summary>What is read of your face</summary>
+      <div class="bars">${weights.map(
+        ([name, value]) => html`<span>${name}</span><meter min="0" max="1" .value=${value} aria-label=${name}></meter>`,
+      )}</div></details>`;
+  }
+
+  readonly #key = (event: KeyboardEvent, typing: boolean): void => {
+    if (typing || event.key !== "Escape" || (this.session.status?.guide?.of ?? 0) < 2) return;
+    event.preventDefault();
+    this.session.send({ type: "cancel_guide" });
+  };
+}

@@ -1,0 +1,92 @@
+/** The step of a calibration, under the picture: a drawn face, what to do, and how long. */
+
+import { css, html, nothing, svg } from "lit";
+import { customElement } from "lit/decorators.js";
+import { base, palette } from "../ui/theme";
+import { CameraElement } from "./camera_element";
+import { drawStep } from "./step_picture";
+
+@customElement("omote-guide")
+export class GuideView extends CameraElement {
+  static override styles = [
+    palette,
+    base,
+    css`
+      section {
+        display: grid;
+        grid-template-columns: auto minmax(0, 1fr) auto;
+        gap: 4px 14px;
+        align-items: center;
+        padding: 10px 14px;
+        background: var(--panel);
+        border: 1px solid var(--line);
+        border-top: 2px solid var(--coming);
+        border-radius: 6px;
+      }
+      .ready {
+        border-top-color: var(--attention);
+      }
+      svg {
+        height: clamp(84px, 17vh, 128px);
+        color: var(--hand);
+      }
+      p {
+        margin: 0;
+        font-size: clamp(16px, 2.2vw, 22px);
+        line-height: 1.2;
+      }
+      small {
+        color: var(--dim);
+        font-size: 13px;
+      }
+      progress {
+        width: 100%;
+        height: 8px;
+        accent-color: var(--coming);
+      }
+      .count {
+        min-width: 2ch;
+        font-size: clamp(28px, 5vw, 46px);
+        font-weight: 700;
+        text-align: right;
+      }
+      .buttons {
+        grid-column: 1 / -1;
+        display: flex;
+        flex-wrap: wrap;
+        gap: 6px;
+        align-items: center;
+      }
+      .buttons progress {
+        flex: 1 1 120px;
+        width: auto;
+      }
+    `,
+  ];
+
+  override render() {
+    const guide = this.session.status?.guide ?? null;
+    if (guide === null) return nothing;
+    const [last, only] = [guide.done.at(-1), guide.of === 1];
+    const share = 1 - guide.left / guide.seconds;
+    const word = guide.phase === "ready" ? "Get ready" : "Hold it";
+    return html`<section class=${guide.phase} aria-label="Calibration">
+      <svg viewBox="0 0 120 140" role="img" aria-label=${guide.advice}>${svg`${drawStep(guide.step)}`}</svg>
+      <div>
+        <p role="status" aria-live="polite">${guide.advice}</p>
+        <small>${this.session.status?.found ? word : "Your face is not seen: the step waits"}${only ? "" : ` – ${guide.number} of ${guide.of}`}</small>
+        <progress max="1" .value=${guide.phase === "hold" ? share : 0} aria-label="This step"></progress>
+      </div>
+      <span class="count" aria-hidden="true">${Math.max(1, Math.ceil(guide.left))}</span>
+      ${
+        only
+          ? nothing
+          : html`<div class="buttons">
+        <progress max=${guide.of} .value=${guide.done.length} aria-label="The whole minute"></progress>
+        <button ?disabled=${last === undefined} @click=${() => last && this.session.send({ type: "redo_step", step: last })}>The last one again</button>
+        <button @click=${() => this.session.send({ type: "cancel_guide" })}>Cancel (Esc)</button>
+      </div>`
+      }
+    </section>`;
+  }
+}

@@ -1,0 +1,62 @@
+/** The page's side of the landmark worker: the newest picture is looked at, those that came meanwhile are not. */
+
+import type { Backend, FromWorker, Landmarks, ToWorker } from "./landmark_messages";
+
+/** What the page is told. */
+export interface LandmarkListener {
+  loading(what: string, share: number): void;
+  ready(backend: Backend, cost: number): void;
+  landmarks(found: Landmarks): void;
+  failed(reason: string): void;
+}
+
+/** The part of a worker that is used. */
+export interface Messenger {
+  postMessage(message: ToWorker, transfer: Transferable[]): void;
+  onmessage: ((event: MessageEvent<FromWorker>) => void) | null;
+  onerror: ((event: ErrorEvent) => void) | null;
+}
+
+/** The worker's state: nothing is sent to one that loads or looks. */
+export class LandmarkClient {
+  #busy = true;
+
+  constructor(
+    private readonly worker: Messenger,
+    private readonly listener: LandmarkListener,
+  ) {
+    worker.onmessage = ({ data }) => this.#receive(data);
+    worker.onerror = (event) => listener.failed(event.message || "its script could not be loaded");
+  }
+
+  /** Loads the model and has it look at a picture of a face. */
+  start(picture: ImageBitmap): void {
+    this.worker.postMessage({ kind: "start", picture }, [picture]);
+  }
+
+  /** Whether a picture would be looked at now. */
+  get free(): boolean {
+    return !this.#busy;
+  }
+
+  /** Has a picture looked at; time: when it was taken, ms. It is closed unseen where the worker is busy. */
+  look(picture: ImageBitmap, time: number): void {
+    if (this.#busy) {
+      picture.close();
+      return;
+    }
+    this.#busy = true;
+    this.worker.postMessage({ kind: "picture", picture, time }, [picture]);
+  }
+
+  #receive(message: FromWorker): void {
+    if (message.kind === "loading") {
+      this.listener.loading(message.what, message.share);
+      return;
+    }
+    this.#busy = message.kind === "failed";
+    if (message.kind === "ready") this.listener.ready(message.backend, message.cost);
+    else if (message.kind === "landmarks") this.listener.landmarks(message);
+    else this.listener.failed(message.reason);
+  }
+}

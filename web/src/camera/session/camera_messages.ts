@@ -1,0 +1,111 @@
+// Written by tools/messages.py from src/omote/inputs/performers/camera_messages.py. Do not edit: run `python tools/messages.py`.
+
+export const CAMERA_VERSION = 1;
+export const CAMERA_PATH = "/camera/link";
+
+/** Says who performs before this camera: the first message of a link, and again for another performer. */
+export interface Perform {
+  type: "perform";
+  version: number;
+  name: string;
+}
+
+/** Chooses the characters that this performer plays, by name; none: it plays nobody. */
+export interface PlayCharacters {
+  type: "play_characters";
+  characters: string[];
+}
+
+/** Begins the guided minute, or with `rest` only a moment of the face at rest. */
+export interface BeginGuide {
+  type: "begin_guide";
+  rest: boolean;
+}
+
+/** Makes a step of the guided minute again, now or when all are done. */
+export interface RedoStep {
+  type: "redo_step";
+  step: string;
+}
+
+/** Ends the guided minute; the calibration before it stays. */
+export interface CancelGuide {
+  type: "cancel_guide";
+}
+
+/** Gives this performer another name, calibration included. */
+export interface RenamePerformer {
+  type: "rename_performer";
+  name: string;
+}
+
+/** Forgets the calibration of this performer. */
+export interface DeletePerformer {
+  type: "delete_performer";
+}
+
+/** Takes the last change of the show's performers back. */
+export interface UndoPerformer {
+  type: "undo_performer";
+}
+
+/** A character of the show, and whether this performer plays it. */
+export interface CharacterChoice {
+  name: string;
+  label: string;
+  played: boolean;
+}
+
+/** The step of a guide that is being made. left: seconds of its phase, of `seconds`; done: steps that are made. */
+export interface GuideStep {
+  step: string;
+  advice: string;
+  phase: "ready" | "hold";
+  left: number;
+  seconds: number;
+  number: number;
+  of: number;
+  done: string[];
+}
+
+/**
+ * All that the page shows of the show: complete, ten times a second. `performers`: those that the show knows;
+ * `heard`: frames so far; `undo`: what an undo takes back, "" for nothing; `weights`: what the face is read as.
+ */
+export interface CameraStatus {
+  type: "camera_status";
+  performer: string;
+  performers: string[];
+  calibrated: "no" | "rest" | "guided";
+  characters: CharacterChoice[];
+  guide: GuideStep | null;
+  redoable: string[];
+  fitting: boolean;
+  heard: number;
+  found: boolean;
+  undo: string;
+  weights: Record<string, number>;
+}
+
+/** Why something was not done. */
+export interface CameraRefused {
+  type: "camera_refused";
+  reason: string;
+}
+
+/** Another page plays as this performer now; this one has ended. */
+export interface Displaced {
+  type: "displaced";
+}
+
+export type FromCamera =
+  | Perform
+  | PlayCharacters
+  | BeginGuide
+  | RedoStep
+  | CancelGuide
+  | RenamePerformer
+  | DeletePerformer
+  | UndoPerformer;
+
+export type ToCamera = CameraStatus | CameraRefused | Displaced;

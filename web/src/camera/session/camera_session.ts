@@ -1,0 +1,156 @@
+/** What happens at the camera page: pictures go to the landmark worker, landmarks to the show, news to the page. */
+
+import { LandmarkClient, type Messenger } from "../landmarks/landmark_client";
+import { writeLandmarkFrame } from "../landmarks/landmark_frame";
+import type { Backend, Landmarks } from "../landmarks/landmark_messages";
+import { CameraLink } from "./camera_link";
+import type { CameraStatus, FromCamera } from "./camera_messages";
+import { type CameraDevice, CameraStream, type CameraTrouble } from "./camera_stream";
+import { type HealthLine, judgeFace, Rate } from "./face_health";
+import { takePictures } from "./picture_stream";
+
+/** How far the model is. */
+export type ModelState =
+  | { kind: "loading"; what: string; share: number }
+  | { kind: "ready"; backend: Backend; cost: number }
+  | { kind: "failed"; reason: string };
+
+/** The state of the page; `changed` is called with each change of what is shown as words. */
+export class CameraSession {
+  trouble: CameraTrouble | null = null;
+  devices: CameraDevice[] = [];
+  device = "";
+  model: ModelState = { kind: "loading", what: "the face model", share: 0 };
+  health: HealthLine[] = [];
+  status: CameraStatus | null = null;
+  online = false;
+  displaced = false;
+  /** What the show said no to last, until it is dismissed or something is accepted. */
+  notice = "";
+  readonly video = document.createElement("video");
+  #endPictures: () => void = () => undefined;
+  #noticed = 0;
+  readonly #rate = new Rate();
+  readonly #client: LandmarkClient;
+  readonly #stream: CameraStream;
+  readonly #link: CameraLink;
+
+  constructor(
+    worker: Messenger,
+    private readonly storage: Storage,
+    private readonly changed: () => void,
+    private readonly drawn: (found: Landmarks) => void,
+    reload: () => void,
+  ) {
+    this.#client = new LandmarkClient(worker, {
+      loading: (what, share) => this.#setModel({ kind: "loading", what, share }),
+      ready: (backend, cost) => this.#setModel({ kind: "ready", backend, cost }),
+      landmarks: (found) => this.#receive(found),
+      failed: (reason) => this.#setModel({ kind: "failed", reason }),
+    });
+    this.#stream = new CameraStream({
+      opened: (stream, device) => this.#opened(stream, device),
+      devices: (found) => this.#set({ devices: found }),
+      trouble: (trouble) => this.#lose(trouble),
+    });
+    this.#link = new CameraLink({
+      status: (status) => this.#follow(status),
+      refused: (reason) => this.#note(reason),
+      displaced: () => this.#set({ displaced: true, online: false, status: null }),
+      connected: (online) => this.#set({ online }),
+      revoked: reload,
+    });
+  }
+
+  /** The name under which this browser's performer plays. */
+  get name(): string {
+    return this.storage.getItem(NAME_KEY) ?? "";
+  }
+
+  /** Loads the model, asks for the camera and greets the show. */
+  async start(face: ImageBitmap, fallbackName: string): Promise<void> {
+    if (this.name === "") this.storage.setItem(NAME_KEY, fallbackName);
+    this.#client.start(face);
+    this.#link.perform(this.name);
+    await this.#stream.open(this.storage.getItem(DEVICE_KEY) ?? "");
+  }
+
+  /** Performs as somebody else. */
+  perform(name: string): void {
+    const trimmed = name.trim();
+    if (trimmed === "") return;
+    this.storage.setItem(NAME_KEY, trimmed);
+    this.#set({ displaced: false, notice: "" });
+    this.#link.perform(trimmed);
+  }
+
+  /** Opens a camera, or the same again. */
+  async choose(device: string): Promise<void> {
+    if (device) this.storage.setItem(DEVICE_KEY, device);
+    this.#set({ trouble: null });
+    await this.#stream.open(device);
+  }
+
+  /** Sends a wish to the show. */
+  send(message: FromCamera): void {
+    if (message.type === "rename_performer") this.#link.rename(message.name);
+    if (!this.#link.send(message)) this.#note("The show does not hear this page now; try again when it does.");
+  }
+
+  dismiss(): void {
+    this.#set({ notice: "" });
+  }
+
+  #setModel(model: ModelState): void {
+    this.#set({ model });
+  }
+
+  #opened(stream: MediaStream, device: string): void {
+    this.#endPictures();
+    this.video.srcObject = stream;
+    this.#set({ trouble: null, device });
+    void this.video.play().catch(() => undefined); // another camera was chosen before it began
+    this.#endPictures = takePictures(stream, this.video, (grab, time) => this.#look(grab, time));
+  }
+
+  #lose(trouble: CameraTrouble): void {
+    this.#endPictures();
+    this.video.srcObject = null;
+    this.#set({ trouble, health: [] });
+  }
+
+  /** Has a picture looked at, where the worker is free: the newest counts. */
+  async #look(grab: () => Promise<ImageBitmap | null>, time: number): Promise<void> {
+    const picture = this.#client.free ? await grab() : null;
+    if (picture !== null) this.#client.look(picture, time);
+  }
+
+  #receive(found: Landmarks): void {
+    this.#link.sendFrame(writeLandmarkFrame(found));
+    this.drawn(found);
+    const rate = this.#rate.count(found.time);
+    if (found.time - this.#noticed > HEALTH_MS) {
+      this.#noticed = found.time;
+      this.#set({ health: judgeFace(found, rate) });
+    }
+  }
+
+  #follow(status: CameraStatus): void {
+    if (status.performer !== this.name) this.storage.setItem(NAME_KEY, status.performer);
+    this.#link.rename(status.performer);
+    this.#set({ status, displaced: false });
+  }
+
+  #note(notice: string): void {
+    this.#set({ notice });
+  }
+
+  #set(values: Partial<CameraSession>): void {
+    Object.assign(this, values);
+    this.changed();
+  }
+}
+
+const NAME_KEY = "omote.performer";
+const DEVICE_KEY = "omote.camera";
+const HEALTH_MS = 400;

@@ -1,0 +1,6 @@
+/** Modules that the build makes. */
+
+declare module "virtual:face_mesh" {
+  /** The folder of MediaPipe's files at the server, with a slash at its end. */
+  export const FACE_MESH: string;
+}
