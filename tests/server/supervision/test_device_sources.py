@@ -15,8 +15,8 @@ from omote.server.devices.face_output import FaceOutput
 from omote.server.devices.mediapipe_link import MediapipeLink
 from omote.server.devices.osc_listener import OscListener
 from omote.server.devices.page_device_source import PageDeviceSource
-from omote.server.devices.switches.tracker_sockets import listen_for_trackers, read_trackers
-from omote.server.devices.tracker_listener import TrackerListener
+from omote.server.devices.trackers.tracker_listener import TrackerListener
+from omote.server.devices.trackers.tracker_sockets import listen_for_trackers, read_trackers
 from omote.server.supervision.device_sockets import DeviceOptions, listen_for_artnet
 from omote.server.supervision.device_sources import load_bindings, start_devices
 from omote.server.supervision.early_tick import EarlyTicks

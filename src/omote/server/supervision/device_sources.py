@@ -36,8 +36,8 @@ from omote.server.devices.osc_listener import OscListener, OscSockets
 from omote.server.devices.page_device_source import PageDeviceSource
 from omote.server.devices.rejection_log import RejectionLog
 from omote.server.devices.switches.device_switches import DeviceSwitches, Switched
-from omote.server.devices.switches.tracker_sockets import read_trackers
-from omote.server.devices.tracker_listener import TrackerListener, TrackerSocket
+from omote.server.devices.trackers.tracker_listener import TrackerListener, TrackerSocket
+from omote.server.devices.trackers.tracker_sockets import read_trackers
 from omote.server.devices.vtube_studio.api_programs import ApiPrograms
 from omote.server.http.app import ShowServer
 from omote.server.microphone.microphone_link import MicrophoneLink
