@@ -67,7 +67,10 @@ def main() -> None:
 def write_part(folder: Path, seed: int, numbers: range, frames: int, finder: Looks) -> None:
     """Writes the observations of some people into one file."""
     sources = tuple(name for name in HUMANS if name not in LEFT_OUT)
-    points, truth, whose, about = [], [], [], []
+    points: list[NDArray[np.float32]] = []
+    truth: list[NDArray[np.float32]] = []
+    whose: list[int] = []
+    about: list[list[float]] = []
     for number in numbers:
         draw = np.random.default_rng([seed, number])
         photographer = Photographer(random_person(draw, sources), random_setting(draw))
@@ -75,7 +78,9 @@ def write_part(folder: Path, seed: int, numbers: range, frames: int, finder: Loo
         points, truth, whose = points + found, truth + did, whose + [number] * len(did)
         about.append(describe(photographer))
     path = folder / f"{seed}-{numbers.start:05}.npz"
-    np.savez_compressed(path, points=np.array(points), truth=np.array(truth), whose=whose, about=np.float32(about))
+    np.savez_compressed(
+        path, points=np.array(points), truth=np.array(truth), whose=whose, about=np.array(about, np.float32)
+    )
     print(path, flush=True)
 
 
