@@ -172,7 +172,7 @@ def test_the_page_of_addresses_names_what_the_server_and_the_stage_know() -> Non
     page = text_of(DOCS / "reference" / "addresses.md")
     routes = {route.split("/")[1] for _, route in ROUTES if re.match(r"/\w", route)}
     stage = next((ROOT / "web" / "src").rglob("parameters.ts")).read_text()
-    known = re.findall(r'"(\w+)"', re.findall(r"KNOWN = \[(.*?)\]", stage)[0])
+    known = re.findall(r'"(\w+)"', re.findall(r"KNOWN = \[(.*?)\]", stage, re.DOTALL)[0])
     assert len(routes) >= 5
     assert [route for route in sorted(routes) if f"`/{route}" not in page] == []
     assert sorted(

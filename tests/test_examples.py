@@ -207,3 +207,15 @@ def test_a_console_hears_its_call_arrive(folder: Path) -> None:
     weights = [state["faces"].get("dog", 0.0) for state in states]
     assert weights == sorted(weights)
     assert (folder / "talk.omote").is_file()
+
+
+def test_a_chat_speaks_with_a_voice_that_needs_nothing(folder: Path) -> None:
+    command = [sys.executable, str(ROOT / "examples" / "chat_speaks.py"), str(folder), "--voice", "humming"]
+    done = subprocess.run(command, cwd=folder.parent, capture_output=True, text=True, check=False)
+    assert done.returncode == 0, done.stderr
+    rows = list(csv.DictReader((folder / "spoken.csv").open()))
+    for text in ("Hello! Nice to meet you.", "My answer is maybe. Please believe me."):
+        jaws = [float(row["jaw"]) for row in rows if row["text"] == text]
+        assert max(jaws) > 0.15
+        assert jaws[0] < 0.05  # it begins with a mouth at rest
+    assert min(float(row["pitch"]) for row in rows) < -0.1  # it nods

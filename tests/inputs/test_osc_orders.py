@@ -7,7 +7,8 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from omote.inputs.osc_addresses import ADDRESSES, Address
+from omote.inputs.addresses.address import Address
+from omote.inputs.osc_addresses import ADDRESSES
 from omote.inputs.osc_orders import OrderReader, read_orders
 from omote.inputs.osc_packet import Argument, OscError, OscMessage
 from omote.perform.limits import GAZE_LIMITS

@@ -10,8 +10,10 @@ from omote.inputs.osc_packet import Argument, OscMessage
 from omote.inputs.oscquery_tree import NO_ACCESS, READ_WRITE, WRITE, Node, build_tree, find_node, host_info
 from omote.model.known_names import PLAY_REGIONS
 from omote.perform.easing import DEFAULT_EASING
+from omote.perform.gestures.gesture_curves import GESTURES
 from omote.perform.layers.layer_names import LAYER_PARTS, LAYERS
 from omote.perform.lights import LIGHTS
+from omote.perform.speech.spelling import LANGUAGES
 from omote.show import messages as wire
 from omote.show.leases.leased_parts import CHARACTER_PARTS, SCENE_PARTS
 from omote.show.session import ShowSession
@@ -69,13 +71,18 @@ def test_every_address_and_every_name_of_the_cast_has_its_leaf() -> None:
         for owner in ["one"] if address.of_show else ["one", "two"]:
             written = address.pattern.replace("{character}", owner)
             layered = address.path.startswith("layer")
-            known = set(LAYERS) if layered else set(CAST.expressions) - {"neutral"}
+            known: set[str] = {*LAYERS} if layered else set(CAST.expressions) - {"neutral"}
+            known = {*GESTURES} if address.path.startswith("gesture") else known
             names = known if "{name}" in written else {""}
+            languages = LANGUAGES if "{language}" in written else [""]
             regions = (LAYER_PARTS if layered else PLAY_REGIONS) if "{region}" in written else [""]
             held = SCENE_PARTS if address.of_show else CHARACTER_PARTS
             parts = [*held, "all"] if "{part}" in written else [""]
-            places = product(names, regions, parts)
-            wanted |= {written.format(name=name, region=region, part=part) for name, region, part in places}
+            places = product(names, regions, parts, languages)
+            wanted |= {
+                written.format(name=name, region=region, part=part, language=language)
+                for name, region, part, language in places
+            }
     assert paths == wanted
 
 
@@ -83,7 +90,9 @@ def test_each_node_says_where_it_stands_and_what_may_be_done() -> None:
     root = build_tree(CAST, None, ["one"])
     for node in nodes(root):
         assert find_node(root, node["FULL_PATH"]) is node
-        told = node.get("TYPE") not in (None, "I") and not node["FULL_PATH"].endswith(("/enter", "/leave"))
+        told = node.get("TYPE") not in (None, "I") and not node["FULL_PATH"].endswith(
+            ("/enter", "/leave", "/say", "/say/en", "/say/de")
+        )
         assert node["ACCESS"] == (NO_ACCESS if "TYPE" not in node else READ_WRITE if told else WRITE)
         assert node["ACCESS"] != READ_WRITE or len(node["TYPE"]) == len(node["RANGE"])
     assert find_node(root, "/omote/nobody/face") is None

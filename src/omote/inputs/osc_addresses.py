@@ -10,19 +10,20 @@ from __future__ import annotations
 import difflib
 import math
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from functools import lru_cache
-from typing import Literal
 
+from omote.inputs.addresses.address import PRESS, ROOT, SECONDS, Address, Value
+from omote.inputs.addresses.lease_addresses import lease_addresses
+from omote.inputs.addresses.speech_addresses import SPEECH_ADDRESSES, STRENGTH
 from omote.inputs.osc_packet import OscError
 from omote.perform.easing import DEFAULT_EASING
 from omote.perform.frame import DETAIL_LIMIT, DETAILS, DIRECTION_LIMITS, POINT_LIMITS, TargetKind
-from omote.perform.limits import CHANNEL_HIGHEST, CHANNEL_LOWEST, GAZE_LIMITS, HEAD_LIMITS, LONGEST_CALL
+from omote.perform.limits import CHANNEL_HIGHEST, CHANNEL_LOWEST, GAZE_LIMITS, HEAD_LIMITS
 from omote.perform.scene.character_names import ALL
 from omote.perform.scene.scene_frame import PLACE_LIMITS
 from omote.show import messages as wire
 
-ROOT = "omote"
 CALL_SECONDS = 1.0
 """How long a call takes that names no time."""
 CHANNEL = "channel/{name}"
@@ -32,49 +33,6 @@ BY_HAND = "hand"
 REMEMBERED_LENGTH = 120
 """Characters of an address that is remembered when it was found: a fader sends the same one again and again."""
 
-Kind = Literal[
-    "face", "expression", "region", "channel", "light", "framing", "layer", "part", "lease", "scene_lease",
-    "character", "text", "number", "switch", "seconds", "time", "press",
-]  # fmt: skip
-
-
-@dataclass(frozen=True)
-class Value:
-    """A value of an address: what it is, its unit, and its range where it is a number (both ends included)."""
-
-    name: str
-    kind: Kind = "number"
-    low: float = 0.0
-    high: float = 1.0
-    unit: str = ""
-
-    @property
-    def may_be_left_out(self) -> bool:
-        """Whether a message may end before it."""
-        return self.kind in ("seconds", "time", "press")
-
-
-@dataclass(frozen=True)
-class Address:
-    """An address, what it does, and the message that it becomes.
-
-    path: behind the character, or behind the root where it is the whole show's; a part in braces is a value.
-    """
-
-    path: str
-    tells: str
-    values: tuple[Value, ...]
-    make: Callable[..., wire.FromClient]
-    of_show: bool = False
-
-    @property
-    def pattern(self) -> str:
-        """The address as people write it."""
-        return f"/{ROOT}/{self.path}" if self.of_show else f"/{ROOT}/{{character}}/{self.path}"
-
-
-SECONDS = Value("seconds", "seconds", 0.0, LONGEST_CALL, "s")
-PRESS = Value("press", "press")
 FADER = Value("position")
 INFLUENCE = Value("influence")
 WAY = replace(SECONDS, kind="time")
@@ -117,35 +75,6 @@ def _turn(message: Callable[..., wire.FromClient], angles: Sequence[Value]) -> C
     return lambda who, _, *degrees: message(who, *map(_radians, angles, degrees))
 
 
-def _leases(kind: Kind, *, of_show: bool) -> tuple[Address, ...]:
-    """The addresses by which a sender holds, takes over and releases parts: of a character, or of the scene."""
-    part = Value("part", kind)
-    whose = "of the scene (light, framing, or all of all characters)" if of_show else "of it (face, head ..., or all)"
-    return (
-        Address(
-            "lease/{part}",
-            f"holds a part {whose}: nobody else plays it, while leases are on",
-            (part, PRESS),
-            lambda who, call, part: wire.Lease(call, who, part),
-            of_show,
-        ),
-        Address(
-            "take_over/{part}",
-            f"takes over a part {whose} that another holds",
-            (part, PRESS),
-            lambda who, call, part: wire.Lease(call, who, part, take_over=True),
-            of_show,
-        ),
-        Address(
-            "release_lease/{part}",
-            f"releases a part {whose}, or wants no more what another holds",
-            (part, PRESS),
-            lambda who, call, part: wire.ReleaseLease(call, who, part),
-            of_show,
-        ),
-    )
-
-
 HEAD, GAZE, DIRECTION = _angles(HEAD_LIMITS), _angles(GAZE_LIMITS), _angles(DIRECTION_LIMITS)
 POINT = tuple(Value(name, low=low, high=high, unit="m") for name, (low, high) in POINT_LIMITS.items())
 ADDRESSES: tuple[Address, ...] = (
@@ -157,9 +86,11 @@ ADDRESSES: tuple[Address, ...] = (
     ),
     Address(
         "expression",
-        "brings an expression on air",
-        (Value("name", "expression"), SECONDS),
-        lambda who, call, name, seconds: wire.CallExpression(who, call, name, seconds, DEFAULT_EASING),
+        "brings an expression on air, all of it or a part (strength)",
+        (Value("name", "expression"), SECONDS, STRENGTH),
+        lambda who, call, name, seconds, strength: wire.CallExpression(
+            who, call, name, seconds, DEFAULT_EASING, strength=strength
+        ),
     ),
     Address(
         "expression/{region}",
@@ -272,7 +203,8 @@ ADDRESSES: tuple[Address, ...] = (
             who, x, depth, size, _radians(PLACE[3], turn), seconds, call
         ),
     ),
-    *_leases("lease", of_show=False),
+    *SPEECH_ADDRESSES,
+    *lease_addresses("lease", of_show=False),
     Address(
         "light",
         "brings a light on air",
@@ -308,7 +240,7 @@ ADDRESSES: tuple[Address, ...] = (
         lambda _, call, name: wire.DeleteGazePoint(call, name),
         of_show=True,
     ),
-    *_leases("scene_lease", of_show=True),
+    *lease_addresses("scene_lease", of_show=True),
 )
 
 

@@ -6,7 +6,7 @@ import itertools
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass, field
 
-from omote.inputs.osc_addresses import ROOT
+from omote.inputs.addresses.address import ROOT
 from omote.inputs.osc_feedback import Feedback, tell_state
 from omote.inputs.osc_orders import OrderReader
 from omote.inputs.osc_packet import Argument, OscError, OscMessage, decode_packet, encode_message

@@ -7,22 +7,26 @@ from collections.abc import Callable, Mapping, Sequence
 from functools import partial
 from typing import Any, NamedTuple
 
+from omote.inputs.addresses.address import Value
 from omote.inputs.character_patterns import characters_meant
-from omote.inputs.osc_addresses import BY_HAND, CALL_SECONDS, CHANNEL, Value, find_address
+from omote.inputs.osc_addresses import BY_HAND, CALL_SECONDS, CHANNEL, find_address
 from omote.inputs.osc_packet import Argument, OscError, OscMessage
 from omote.model.known_names import check_play_region
+from omote.perform.gestures.gesture_curves import check_gesture
 from omote.perform.layers.layer_names import check_layer, check_part
 from omote.perform.lights import LIGHTS
 from omote.perform.limits import CHANNEL_HIGHEST, CHANNEL_LOWEST
 from omote.perform.name_lookup import find_name
 from omote.perform.scene.character_names import ALL, find_character
 from omote.perform.snapshot import Playable
+from omote.perform.speech.spelling import check_language
 from omote.show import messages as wire
 from omote.show.leases.leased_parts import find_part
 
 NUMBER = re.compile(r"[+-]?(\d+\.?\d*|\.\d+)([eE][+-]?\d+)?")
 CHECKS: Mapping[str, Callable[[str], str]] = {
     "region": check_play_region, "layer": check_layer, "part": check_part,
+    "gesture": check_gesture, "language": check_language,
     "lease": partial(find_part, of_scene=False), "scene_lease": partial(find_part, of_scene=True),
 }  # fmt: skip
 """What finds the names that every show has."""
@@ -132,6 +136,8 @@ class OrderReader:
     def _read_value(self, value: Value, argument: Argument) -> Any:
         if value.kind == "number" and type(argument) is float:
             return argument
+        if argument is None and value.default is not None:
+            return value.default
         if argument is None and not value.may_be_left_out:
             raise ValueError(f"the {value.name} is missing; expected {_listed([value])}")
         if value.kind == "seconds":
@@ -147,6 +153,8 @@ class OrderReader:
             raise ValueError(
                 f"the {value.name} is {str(argument)[:80]!r}; expected the name of a {value.kind}, as text"
             )
+        if value.kind == "speech":
+            return argument
         if value.kind in SCENE_NAMES:
             return SCENE_NAMES[value.kind](argument, self._names.characters)
         if value.kind in CHECKS:

@@ -8,14 +8,17 @@ from functools import reduce
 from itertools import product
 from typing import Any, Literal
 
-from omote.inputs.osc_addresses import ADDRESSES, ROOT, Address, Value
+from omote.inputs.addresses.address import ROOT, Address, Value
+from omote.inputs.osc_addresses import ADDRESSES
 from omote.inputs.osc_feedback import REST, OnAir
 from omote.inputs.osc_orders import Names
 from omote.model.known_names import NEUTRAL, PLAY_REGIONS
+from omote.perform.gestures.gesture_curves import GESTURES
 from omote.perform.layers.layer_names import LAYER_PARTS, LAYERS
 from omote.perform.lights import LIGHTS
 from omote.perform.scene.character_names import ALL
 from omote.perform.snapshot import Playable
+from omote.perform.speech.spelling import LANGUAGES
 from omote.show.leases.leased_parts import CHARACTER_PARTS, SCENE_PARTS, WORD_FOR_ALL
 from omote.show.messages import State
 
@@ -90,8 +93,8 @@ def _paths(address: Address, owner: str, known: Names) -> list[str]:
 def _leaf(address: Address, path: str, known: Names) -> Node:
     """The node of an address: what it takes but for times behind others, which may be left out."""
     own = address.values[address.path.count("{") :]
-    taken = [value for value in own if value.kind not in ("seconds", "time")] or list(own)
-    press = all(value.kind in ("press", "time") for value in taken)
+    taken = [value for value in own if value.kind not in ("seconds", "time") and value.default is None] or list(own)
+    press = all(value.kind in ("press", "time", "speech") for value in taken)
     more = " (seconds may follow)" if len(taken) < len(address.values) - address.path.count("{") else ""
     node: Node = {
         "FULL_PATH": path,
@@ -109,6 +112,8 @@ def _leaf(address: Address, path: str, known: Names) -> Node:
 
 def _range(value: Value, known: Names) -> dict[str, Any] | None:
     """What a value may be; None for a text of any kind."""
+    if value.kind == "speech":
+        return None
     if value.kind in ("number", "time"):
         return {"MIN": value.low, "MAX": value.high}
     if value.kind == "text":
@@ -122,7 +127,7 @@ def _names(value: Value, known: Names) -> list[str]:
     if value.kind == "framing":
         return [ALL, *known.characters]
     listed: dict[str, Sequence[str]] = {
-        "region": PLAY_REGIONS, "layer": LAYERS, "part": LAYER_PARTS,
+        "language": LANGUAGES, "gesture": GESTURES, "region": PLAY_REGIONS, "layer": LAYERS, "part": LAYER_PARTS,
         "lease": (*CHARACTER_PARTS, WORD_FOR_ALL), "scene_lease": (*SCENE_PARTS, WORD_FOR_ALL),
     }  # fmt: skip
     if value.kind in listed:

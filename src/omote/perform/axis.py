@@ -123,18 +123,22 @@ def rates(axis: Axis) -> dict[str, float]:
     return {} if axis.call is None else _mix_at(axis.call, slot_rates(axis))
 
 
-def called(axis: Axis, target: str, seconds: float | None, easing: str) -> Axis:
-    """The axis with a call to `target` from whatever is showing: 0 seconds cut, None wait for the T-bar.
+def called(
+    axis: Axis, target: str, seconds: float | None, easing: str, goal: Mapping[str, float] | None = None
+) -> Axis:
+    """The axis with a call to `target` from whatever is showing: 0 seconds cut, None wait for the T-bar. goal: the mix
+    with other things that it comes to, where that is not the target alone; no T-bar moves such a call.
 
     The end nearest to the hand becomes the start of the call, so a T-bar left at either end picks up at once.
     """
-    if axis.call is None and axis.stands is None and axis.on_air == target:
+    if axis.call is None and axis.stands == goal and axis.on_air == target:
         return axis
     if seconds == 0.0:
-        return replace(axis, on_air=target, call=None, stands=None)
+        return replace(axis, on_air=target, call=None, stands=goal)
     start, velocity = weights(axis), rates(axis)
-    decay = decay_seconds(start, velocity, mix_of_one(target), seconds, find_easing(easing))
-    call = Call(target, start, velocity, decay, easing, seconds)
+    end = mix_of_one(target) if goal is None else goal
+    decay = decay_seconds(start, velocity, end, seconds, find_easing(easing))
+    call = Call(target, start, velocity, decay, easing, seconds, goal=goal)
     return replace(axis, call=call, flipped=axis.hand > 0.5)
 
 

@@ -10,6 +10,7 @@ from typing import Any, Literal, TypeVar, get_args
 from omote.model.known_names import GENERIC, PlayRegion
 from omote.perform.lights import FIRST_LIGHT
 from omote.perform.limits import GAZE_LIMITS, HEAD_LIMITS, LONGEST_CALL, check_known, check_switch, check_within
+from omote.perform.status.speech_status import SpeechStatus
 
 Frozen = TypeVar("Frozen")
 MOST_SEED = 2**31 - 1
@@ -261,7 +262,8 @@ class Frame:
     show another than the rest of the face does, each sums to one; `region_calls`: their own calls. `held`: what hands
     hold where layers mix it with what sources send, None where `channels`, `head` and `gaze` are theirs alone; layers
     mix the gaze as the channels that turn the eyes. `layers`: those that a source drives or that are set otherwise than
-    at first. `motion`: what is set of the automatic motion, None where nothing is.
+    at first. `motion`: what is set of the automatic motion, None where nothing is. `speech`: what is said, None where
+    nothing is.
     """
 
     faces: Mapping[str, float]
@@ -284,6 +286,7 @@ class Frame:
     layers: Mapping[str, LayerStatus] = field(default_factory=dict)
     held: Held | None = None
     motion: MotionSettings | None = None
+    speech: SpeechStatus | None = None
 
 
 def with_fields(frozen: Frozen, **changes: Any) -> Frozen:

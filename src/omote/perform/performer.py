@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
 
 from omote.model.known_names import GENERIC, NEUTRAL, check_play_region
@@ -12,6 +12,7 @@ from omote.perform.axis import Axis
 from omote.perform.channels import with_channels
 from omote.perform.easing import DEFAULT_EASING, find_easing
 from omote.perform.frame import NO_TARGET, Frame, Gaze, GazeTarget, Head, Held, Home, check_target_kind, with_fields
+from omote.perform.gestures.gesturing import advance_gestures, begin_gesture, release_gestures, with_gestures
 from omote.perform.layers.direct_frames import drive_direct
 from omote.perform.layers.layer_mix import influences, kept_of_mix, with_layers
 from omote.perform.layers.layer_names import RULES, LayerName, check_driven, check_layer, check_part
@@ -27,9 +28,16 @@ from omote.perform.layers.layers import (
     switch_off,
 )
 from omote.perform.layers.layers_snapshot import restored, snapshot_of
-from omote.perform.layers.source_frame import AUTOMATIC, SourceFrame, check_frame, source_frame, with_gaze_of_units
+from omote.perform.layers.source_frame import (
+    AUTOMATIC,
+    SPEECH,
+    SourceFrame,
+    check_frame,
+    source_frame,
+    with_gaze_of_units,
+)
 from omote.perform.lights import check_light
-from omote.perform.limits import FOREVER, check_call_seconds, check_known, check_within
+from omote.perform.limits import FOREVER, check_call_seconds, check_known, check_switch, check_within
 from omote.perform.motion.automatic_motion import (
     MOTION_LAYERS,
     AutomaticMotion,
@@ -52,6 +60,17 @@ from omote.perform.panic import (
 )
 from omote.perform.region_axes import advance_regions, call_regions, move_with_face
 from omote.perform.snapshot import Playable, Snapshot, check_snapshot, is_home_next, refuse_no_cast
+from omote.perform.speech.speaking import (
+    advance_speaking,
+    make_speech,
+    mouth_of_speaking,
+    say,
+    share_of_lips,
+    speech_status,
+    stop,
+)
+from omote.perform.speech.speech_timing import make_track
+from omote.perform.speech.visemes import speech_frame
 
 
 class Performer:
@@ -193,7 +212,13 @@ class Performer:
         self._play(face=_start_call(self._now.face, self._cast.faces, name, "face", seconds, easing))
 
     def call_expression(
-        self, name: str, *, seconds: float = 1.0, easing: str = DEFAULT_EASING, region: str | None = None
+        self,
+        name: str,
+        *,
+        seconds: float = 1.0,
+        easing: str = DEFAULT_EASING,
+        region: str | None = None,
+        strength: float = 1.0,
     ) -> None:
         """Brings an expression on air from whatever is showing, on the whole face or in one region of it.
 
@@ -209,17 +234,22 @@ class Performer:
             The curve of the way.
         region : {"brows", "eyes", "mouth", "rest"}, optional
             Where alone it is called, in its own time: no T-bar moves it, so `math.inf` is none for it.
+        strength : float
+            How much of it, 0 (neutral) to 1; no T-bar moves a call of less than all.
 
         Raises
         ------
         ValueError
-            On a name, an easing or a region that there is not, and on seconds out of range.
+            On a name, an easing or a region that there is not, and on seconds or a strength out of range.
         TypeError
-            On seconds that are no number.
+            On seconds and a strength that are no number.
 
         Examples
         --------
         >>> performer = omote.Performer(cast)
+        >>> performer.call_expression("joy", seconds=0, strength=0.75)
+        >>> dict(performer.advance(0.0).expressions)
+        {'neutral': 0.25, 'joy': 0.75}
         >>> performer.call_expression("smile", seconds=0)
         >>> dict(performer.advance(0.0).expressions)
         {'smile': 1.0}
@@ -233,9 +263,11 @@ class Performer:
         """
 
         def call(on: Axis) -> Axis:
-            return _start_call(on, self._cast.expressions, name, "expression", seconds, easing)
+            return _start_call(on, self._cast.expressions, name, "expression", seconds, easing, goal)
 
-        now = self._now
+        goal, now = _part_of(name, strength), self._now
+        if goal is not None:
+            check_call_seconds(seconds)  # no T-bar moves it
         if region is None:
             self._play(expression=call(now.expression), regions=call_regions(now.regions, now.expression, call))
             return
@@ -645,6 +677,112 @@ class Performer:
         target = GazeTarget(check_target_kind(kind), name, yaw, pitch, x, y, z)
         self._play(motion=set_motion(motion, motion.settings.change(target=target)))
 
+    def say(
+        self,
+        text: str = "",
+        *,
+        timing: str = "text",
+        marks: Sequence[str] = (),
+        times: Sequence[float] = (),
+        language: str = "en",
+        seconds: float | None = None,
+        sound: str = "",
+        delay: float = 0.0,
+        offset: float = 0.0,
+        queue: bool = False,
+    ) -> None:
+        """Speaks: lips move in time with a sound that something else plays, on the layer *lips*.
+
+        What is said now is interrupted without a jump, and takes the lips from any other source until it ends.
+
+        Parameters
+        ----------
+        text : str
+            What is said, to 2000 characters; read where the timing is "text".
+        timing : {"text", "words", "characters", "visemes", "azure", "rhubarb"}
+            What the marks are; "text": there are none, and the time of each letter is estimated.
+        marks : sequence of str
+            Words, single characters, or names of mouth shapes.
+        times : sequence of float
+            When each mark begins, seconds from the beginning of the sound; one more: the end of the last.
+        language : {"en", "de"}
+            By whose rules letters are read.
+        seconds : float, optional
+            The length of the sound, to 600.
+        sound : str
+            The key of a sound that the stage plays with it.
+        delay : float
+            Seconds until the sound begins, to 3600; at least 0.15, or 0.4 with a sound of the stage.
+        offset : float
+            Seconds by which the mouth is later than the sound, -1 to 1.
+        queue : bool
+            After all that is said already, instead of in its place.
+
+        Raises
+        ------
+        ValueError
+            On names that there are not, on times that go back, on numbers out of range.
+        TypeError
+            On what is no number, no text or no switch.
+
+        Examples
+        --------
+        >>> performer = omote.Performer(cast)
+        >>> performer.say("Hello", timing="words", marks=["Hello"], times=[0.0, 0.4])
+        >>> speech = performer.advance(0.2).speech
+        >>> speech.text, round(speech.elapsed, 2), speech.seconds
+        ('Hello', 0.05, 0.4)
+
+        References
+        ----------
+        docs/method.md, "Speech".
+        """
+        track = make_track(timing, text, marks, times, language=language, seconds=seconds)
+        number, after = self._now.said + 1, check_switch(queue, "the switch queue")
+        speech = make_speech(track, text=text, sound=sound, delay=delay, offset=offset, number=number)
+        self._play(speaking=say(self._now.speaking, speech, queue=after), said=number)
+
+    def stop_speaking(self) -> None:
+        """Stops what is said, and forgets what waits: the mouth goes to rest.
+
+        Examples
+        --------
+        >>> performer = omote.Performer(cast)
+        >>> performer.say("Hello")
+        >>> performer.stop_speaking()
+        >>> performer.advance(0.0).speech is None
+        True
+        """
+        self._play(speaking=stop(self._now.speaking))
+
+    def gesture(self, name: str, *, amplitude: float = 1.0, seconds: float | None = None) -> None:
+        """Makes a short motion of head or brows, on top of all that plays; one that runs makes way for it.
+
+        Parameters
+        ----------
+        name : {"nod", "shake", "tilt", "bow", "shrug", "brows", "wink"}
+            Which.
+        amplitude : float
+            -2 to 2: 1 as it is, below 0 to the other side (a nod: up).
+        seconds : float, optional
+            How long it takes, 0.2 to 10; as it takes by itself without it.
+
+        Raises
+        ------
+        ValueError
+            On a name that there is not, on numbers out of range.
+        TypeError
+            On what is no number.
+
+        Examples
+        --------
+        >>> performer = omote.Performer(cast)
+        >>> performer.gesture("nod")
+        >>> performer.advance(0.25).head.pitch < -0.1
+        True
+        """
+        self._play(gestures=begin_gesture(self._now.gestures, name, amplitude, seconds))
+
     def set_home(self, face: str, *, seconds: float = 2.0) -> None:
         """Chooses the face that a second panic brings on air.
 
@@ -738,6 +876,7 @@ class Performer:
             time=now.time + dt,
         )
         self._move(dt)
+        self._speak(dt)
         self._layers = self._advance_layers(self._layers, dt)
         return self._frame()
 
@@ -825,6 +964,22 @@ class Performer:
         """What the eyes look at; others are nowhere for a performer that is in no scene."""
         return sight_alone(target)
 
+    def _speak(self, dt: float) -> None:
+        """What is said plays the layer of the lips, and gestures go on."""
+        if self._now.gestures:
+            self._now = with_fields(self._now, gestures=advance_gestures(self._now.gestures, dt))
+        if self._now.speaking is None:
+            return
+        share = share_of_lips(self._now.speaking)  # none at first, so that its layer is trusted at once
+        speaking = advance_speaking(self._now.speaking, dt)
+        self._now = with_fields(self._now, speaking=speaking)
+        if speaking is None:
+            self.leave_layer("lips", SPEECH)
+        elif speaking.moves:
+            mouth = mouth_of_speaking(speaking)
+            frame = speech_frame(mouth, self._cast.expressions, source=SPEECH, share=share)
+            self.drive_layer("lips", frame)
+
     def _begun_layers(self) -> Layers:
         return begin(self._cast, self._held()) if self._layers is None else self._layers
 
@@ -843,9 +998,9 @@ class Performer:
 
     def _frame(self) -> Frame:
         frame = _frame(self._now)
-        if self._layers is None:
-            return frame
-        return with_layers(frame, self._layers, self._cast.expressions, self._held(), self._now.settling)
+        if self._layers is not None:
+            frame = with_layers(frame, self._layers, self._cast.expressions, self._held(), self._now.settling)
+        return with_gestures(frame, self._now.gestures, self._cast.expressions, self._held())
 
     def _without_layers(self, rested: Snapshot) -> Snapshot:
         """A panic where layers play: all that they had on air eases to rest, and sources are off."""
@@ -862,12 +1017,28 @@ class Performer:
         self._now = with_fields(self._now, panicked=None, **changes)
 
 
-def _start_call(on: Axis, names: Mapping[str, object], name: str, what: str, seconds: float, easing: str) -> Axis:
+def _part_of(expression: str, strength: float) -> dict[str, float] | None:
+    """The mix of an expression that is called in part; None for all of it."""
+    share = check_within(strength, 0.0, 1.0, "the strength of an expression")
+    if share == 1.0 or expression == NEUTRAL:
+        return None
+    return {NEUTRAL: 1.0 - share, expression: share} if share else {NEUTRAL: 1.0}
+
+
+def _start_call(
+    on: Axis,
+    names: Mapping[str, object],
+    name: str,
+    what: str,
+    seconds: float,
+    easing: str,
+    goal: Mapping[str, float] | None = None,
+) -> Axis:
     check_known(name, names, what)
     find_easing(easing)
     if isinstance(seconds, float) and seconds == math.inf:
         return axis.called(on, name, None, easing)
-    return axis.called(on, name, check_call_seconds(seconds), easing)
+    return axis.called(on, name, check_call_seconds(seconds), easing, goal)
 
 
 def _at_rest(now: Snapshot) -> Snapshot:
@@ -892,6 +1063,8 @@ def _at_rest(now: Snapshot) -> Snapshot:
         motion=None
         if now.motion is None
         else set_motion(now.motion, now.motion.settings.change(liveliness=0.0, target=NO_TARGET)),
+        speaking=None,
+        gestures=release_gestures(now.gestures),
     )
 
 
@@ -919,4 +1092,5 @@ def _frame(now: Snapshot) -> Frame:
         regions={region: axis.weights(on) for region, on in now.regions.items()},
         region_calls={region: found for region, on in now.regions.items() if (found := axis.status(on)) is not None},
         motion=None if now.motion is None else now.motion.settings,
+        speech=speech_status(now.speaking),
     )

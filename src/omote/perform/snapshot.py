@@ -13,6 +13,7 @@ from omote.perform.axis import Axis, Call
 from omote.perform.channels import highest_weight, with_channel
 from omote.perform.easing import DECAY_SECONDS, Glide, find_easing
 from omote.perform.frame import Gaze, Head, Home
+from omote.perform.gestures.gesturing import Gesture, check_gestures
 from omote.perform.layers.layers_snapshot import LayersSnapshot, names_driven, restored
 from omote.perform.lights import FIRST_LIGHT, LIGHTS
 from omote.perform.limits import (
@@ -27,6 +28,7 @@ from omote.perform.limits import (
 from omote.perform.mix import HIGHEST, LOWEST, Weights
 from omote.perform.motion.automatic_motion import AutomaticMotion, check_motion
 from omote.perform.panic import PANIC_SECONDS, SAME_PRESS, Settling
+from omote.perform.speech.speaking import Speaking, check_speaking
 
 
 class Playable(Protocol):
@@ -59,7 +61,8 @@ class Snapshot:
 
     `panicked`: the time of the last panic, None once something has been played after it; `panics` counts all of them.
     `regions`: the expressions of the regions that go their own way; all others go with `expression`. `layers`: None
-    while nothing but calls and hands plays. `motion`: the automatic one, None while none has been set.
+    while nothing but calls and hands plays. `motion`: the automatic one, None while none has been set. `speaking`: what
+    is said; `said` counts all that was. `gestures`: those that run.
     """
 
     face: Axis
@@ -76,6 +79,9 @@ class Snapshot:
     regions: Mapping[PlayRegion, Axis] = field(default_factory=dict)
     layers: LayersSnapshot | None = None
     motion: AutomaticMotion | None = None
+    speaking: Speaking | None = None
+    said: int = 0
+    gestures: tuple[Gesture, ...] = ()
 
 
 def refuse_no_cast(cast: object) -> None:
@@ -113,6 +119,8 @@ def check_snapshot(snapshot: Snapshot, cast: Playable) -> Snapshot:
         check_within(value, CHANNEL_LOWEST, highest_weight(cast.expressions, name), f"the channel {name}")
     restored(cast, snapshot.layers)
     check_motion(snapshot.motion)
+    check_speaking(snapshot.speaking)
+    check_gestures(snapshot.gestures)
     check_known(snapshot.home.face, cast.faces, "face")
     check_within(snapshot.time, 0.0, FOREVER, "the snapshot's time (seconds)")
     if snapshot.settling is not None:

@@ -8,6 +8,7 @@ from contextlib import contextmanager
 from typing import Any
 
 import msgspec
+import numpy as np
 
 from omote.perform.limits import check_known
 from omote.perform.performer import Performer
@@ -24,7 +25,30 @@ def _call_face(performer: Performer, call: wire.CallFace) -> None:
 def _call_expression(performer: Performer, call: wire.CallExpression) -> None:
     if call.region is not None and call.seconds is None:
         raise Refusal("a region of a face has no T-bar: give the seconds of the call, or call the whole face.")
-    performer.call_expression(call.name, seconds=_seconds(call.seconds), easing=call.easing, region=call.region)
+    performer.call_expression(
+        call.name,
+        seconds=_seconds(call.seconds),
+        easing=call.easing,
+        region=call.region,
+        strength=call.strength,
+    )
+
+
+def _say(performer: Performer, asked: wire.Say) -> None:
+    if len(asked.times) % 4:
+        raise Refusal(f"the times have {len(asked.times)} bytes; send float32 numbers of 4 bytes each.")
+    performer.say(
+        asked.text,
+        timing=asked.timing,
+        marks=asked.marks,
+        times=np.frombuffer(asked.times, "<f4").astype(np.float64).tolist(),
+        language=asked.language,
+        seconds=asked.seconds,
+        sound=asked.sound,
+        delay=asked.delay,
+        offset=asked.offset,
+        queue=asked.queue,
+    )
 
 
 def _seconds(seconds: float | None) -> float:
@@ -50,6 +74,11 @@ ACTIONS: dict[type[wire.Message], Callable[[Performer, Any], None]] = {
     ),
     wire.SetMotion: lambda performer, asked: performer.set_motion(
         asked.liveliness, blinks=asked.blinks, gaze=asked.gaze, breath=asked.breath, seed=asked.seed, idle=asked.idle
+    ),
+    wire.Say: _say,
+    wire.StopSpeaking: lambda performer, _: performer.stop_speaking(),
+    wire.MakeGesture: lambda performer, asked: performer.gesture(
+        asked.name, amplitude=asked.amplitude, seconds=asked.seconds
     ),
     wire.Panic: lambda performer, _: performer.panic(),
     wire.SetHome: lambda performer, home: performer.set_home(home.face, seconds=home.seconds),

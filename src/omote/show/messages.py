@@ -13,8 +13,11 @@ import msgspec
 
 from omote.model.known_names import PlayRegion
 from omote.perform.frame import TargetKind
+from omote.perform.gestures.gesture_curves import GestureName
 from omote.perform.layers.layer_names import LayerName, LayerPart
 from omote.perform.scene.character_names import MOST_CHARACTERS
+from omote.perform.speech.speech_timing import TimingKind
+from omote.perform.speech.spelling import Language
 from omote.show.access.access_documents import (  # noqa: F401  (the mirror has all)
     ACCESS_DOCUMENTS,
     AccessDocument,
@@ -53,6 +56,9 @@ DeviceKind = Literal["midi", "gamepad", "space_mouse"]
 SourceKind = Literal["midi", "gamepad", "space_mouse", "osc", "sacn", "artnet", "tracker"]
 StreamKind = Literal["tracker", "lips", "playback", "program", "breath", "gaze", "blink"]
 CalibrationStep = Literal["neutral", "range", "done", "reset"]
+SoundState = Literal["", "blocked", "ready"]
+MOST_MARKS = 1000
+"""Words, characters or mouth shapes of one message."""
 MOST_NAMES = 200
 """Channels of a source."""
 
@@ -96,7 +102,8 @@ class CallFace(Message, frozen=True):
 class CallExpression(Message, frozen=True):
     """Brings an expression on air in `seconds`, or by hand (`None`: the T-bar moves it). An `id` executes once.
 
-    `region`: where alone it is called, in its own time, which no T-bar moves; `None`: on the whole face.
+    `region`: where alone it is called, in its own time, which no T-bar moves; `None`: on the whole face. `strength`:
+    how much of it, 0 (neutral) to 1; no T-bar moves a call of less than all.
     """
 
     character: CharacterName
@@ -105,6 +112,7 @@ class CallExpression(Message, frozen=True):
     seconds: float | None
     easing: Name
     region: PlayRegion | None = None
+    strength: float = 1.0
 
 
 class CallLight(Message, frozen=True):
@@ -404,6 +412,46 @@ class DeleteGazePoint(Message, frozen=True):
     name: PointName
 
 
+class Say(Message, frozen=True):
+    """A character speaks: its lips move in time with a sound. `timing`: what `marks` are, each beginning at its place
+    of `times` (float32, little-endian, seconds from the beginning of the sound; one more is the end of the last):
+    words, characters, visemes (Oculus), azure (ids), rhubarb (letters); `text`: none, the text's letters are timed by
+    rule, in `language`. `seconds`: the length, where it is known. `sound`: the key of one that was sent to `/sounds`,
+    which one stage plays; "": something else does. `delay`: seconds until the sound begins; `offset`: by which the
+    mouth is later. `queue`: after all that is said already, else in its place. An `id` executes once."""
+
+    character: CharacterName
+    id: CallId
+    text: Annotated[str, msgspec.Meta(max_length=2000)] = ""
+    timing: TimingKind = "text"
+    marks: Annotated[list[Annotated[str, msgspec.Meta(max_length=80)]], msgspec.Meta(max_length=MOST_MARKS)] = []
+    times: Annotated[bytes, msgspec.Meta(max_length=4 * (MOST_MARKS + 1))] = b""
+    language: Language = "en"
+    seconds: float | None = None
+    sound: Annotated[str, msgspec.Meta(max_length=64)] = ""
+    delay: float = 0.0
+    offset: float = 0.0
+    queue: bool = False
+
+
+class StopSpeaking(Message, frozen=True):
+    """Ends what a character says, and all that it would say after: its mouth goes to rest."""
+
+    character: CharacterName
+    id: RequestId = ""
+
+
+class MakeGesture(Message, frozen=True):
+    """A short motion on top of all that plays: nod, shake, tilt, bow, shrug, brows or wink. `amplitude`: -2..2, 1 as it
+    is, below 0 to the other side; `seconds`: 0.2..10, `None` as long as it takes. An `id` executes once."""
+
+    character: CharacterName
+    id: CallId
+    name: GestureName
+    amplitude: float = 1.0
+    seconds: float | None = None
+
+
 class Source(Message, frozen=True):
     """Something that sends values all the time: a tracker, a microphone, a program. `names`: the expressions (channels)
     that each of its frames has a value for. `characters`: whom it drives, where it says so; else the route that was
@@ -509,12 +557,15 @@ class Ping(Message, frozen=True):
 
 class Drawing(Message, frozen=True):
     """A stage's heartbeat, once a second: the rate of frames that it really drew, and its level of quality. `name`: as
-    its address has it; `camera`: where that is, metres as of `look_at`."""
+    its address has it; `camera`: where that is, metres as of `look_at`. `sound`: whether it can play sounds: "" never,
+    `blocked` until somebody clicks it, `ready`; `sound_here`: its address asks that it plays them."""
 
     fps: float
     level: Level
     name: StageName = ""
     camera: tuple[float, float, float] | None = None
+    sound: SoundState = ""
+    sound_here: bool = False
 
 
 # --- leases -----------------------------------------------------------------------------------------------------------
@@ -821,6 +872,26 @@ class Sources(Message, frozen=True):
     sources: list[SourceState]
 
 
+class PlaysSound(Message, frozen=True):
+    """To a stage: whether it is the one that plays sounds, when that changes. One does at a time."""
+
+    on: bool
+
+
+class SpeechState(msgspec.Struct, frozen=True):
+    """What a character says. `number`: counts all that it has said; `text`: its first 120 characters; `elapsed`:
+    seconds since its sound began, below 0 before; `seconds`: its length. `sound`: the key of what a stage plays, ""
+    for none; `waiting`: how many speeches follow, `next_sound`: the key of the next one's."""
+
+    number: int
+    text: str
+    elapsed: float
+    seconds: float
+    sound: str = ""
+    waiting: int = 0
+    next_sound: str = ""
+
+
 class SourceValues(Message, frozen=True):
     """What a source that is watched sends now, and what its measure makes of it: `sent` and `weights` as float32,
     little-endian, in the order of `names`; up to twenty times a second."""
@@ -921,7 +992,8 @@ class CharacterState(msgspec.Struct, frozen=True):
     been removed and will be gone. `regions`: the mixes of the regions that show another expression than the face does;
     `region_calls`: their own calls. `layers`: those that a source drives or that are set otherwise than at first, the
     lowest first; all else is what they make together. `held`: what hands hold, `None` where that is what is on air.
-    `motion`: what is set of its automatic motion, `None` where nothing was.
+    `motion`: what is set of its automatic motion, `None` where nothing was. `speech`: what it says, `None` while it
+    says nothing.
     """
 
     faces: dict[str, float]
@@ -948,6 +1020,7 @@ class CharacterState(msgspec.Struct, frozen=True):
     layers: dict[LayerName, LayerState] = {}
     held: HeldState | None = None
     motion: MotionState | None = None
+    speech: SpeechState | None = None
 
 
 class State(Message, frozen=True):
@@ -1012,11 +1085,14 @@ class Progress(Message, frozen=True):
 
 
 class StageReport(msgspec.Struct, frozen=True):
-    """The last report of a stage: frames per second, the level of quality, and its name, where its address has one."""
+    """The last report of a stage: frames per second, the level of quality, and its name, where its address has one; of
+    sounds as in `drawing`."""
 
     fps: float
     level: Level
     name: StageName = ""
+    sound: SoundState = ""
+    sound_here: bool = False
 
 
 class Crew(Message, frozen=True):
@@ -1245,6 +1321,9 @@ FromClient = (
     | SwitchDevice
     | SetLayer
     | SetMotion
+    | Say
+    | StopSpeaking
+    | MakeGesture
     | LookAt
     | SetGazePoint
     | DeleteGazePoint
@@ -1266,6 +1345,7 @@ FromClient = (
 )
 FromServer = (
     Welcome
+    | PlaysSound
     | CastChanged
     | State
     | Pong

@@ -12,11 +12,13 @@ from omote.show import validation
 from omote.show.access.message_roles import PLAY_MESSAGES, check_message
 from omote.show.commands import carry_out, find_addressed, refuse_errors, refuse_unknown
 from omote.show.crew.contention import Hands, Panics
-from omote.show.crew.members import Member, Members
+from omote.show.crew.members import Member, Members, report_in
 from omote.show.leases.leasing import HeldByOthersRefusal, Leasing
 from omote.show.outgoing import KeepRequest, Outgoing
 from omote.show.session_snapshot import SessionSnapshot
 from omote.show.sources.open_sources import SOURCE_CHANGES, OpenSources
+from omote.show.speech.known_sounds import KnownSounds
+from omote.show.speech.sound_stage import SoundStage
 from omote.show.state import EyeOffset, offset_between, state_of
 from omote.show.validation import Refusal, validate_number
 from omote.show.wire import decode, id_in
@@ -47,6 +49,7 @@ class ShowSession:
         self._time = self.scene.snapshot().time
         self._eye_offsets: dict[str, EyeOffset] = {}
         self._hands, self._panics, self.sources = Hands(), Panics(), OpenSources()
+        self.sounds, self._sound_stage = KnownSounds(), SoundStage()
         self.leasing = Leasing(self.members, labels=lambda: self.scene.labels)
 
     @classmethod
@@ -188,9 +191,9 @@ class ShowSession:
         """What consoles must be told of each other's hands, of who holds what, and of the sources."""
         consoles, sources = self.members.consoles(), self.members.sources()
         hands, leases = self._hands.tell(consoles, now, sources), self.leasing.tell(now)
-        news, found = self.sources.news(consoles, now), list[Outgoing]()
+        news, found = self.sources.news(consoles, now), self._sound_stage.tell(self.crew, now)
         found += [Outgoing(*told) for each in (hands, leases) for told in each.items()]
-        found += [Outgoing(who, values) for who, values in self.sources.watched(now)]
+        found += [Outgoing(who, values) for who, values in self.sources.tell_watchers(now)]
         return found if news is None else [*found, *self.for_consoles(news)]
 
     def _answer(self, who: str, message: wire.FromClient, now: float) -> list[Outgoing]:
@@ -203,8 +206,7 @@ class ShowSession:
                 pong = wire.Pong(validate_number(message.sent, validation.SENT), self.clock(now))
                 return [Outgoing(who, pong)]
             case wire.Drawing():
-                report = wire.StageReport(validate_number(message.fps, validation.FPS), message.level, message.name)
-                self.members.report(who, report, now)
+                self.members.report(who, report_in(message), now)
                 with refuse_errors(message):
                     self.scene.note_camera(message.name, message.camera)
             case wire.Cancel():
@@ -264,7 +266,7 @@ class ShowSession:
             if isinstance(message, SOURCE_CHANGES):
                 self.sources.change(message, self.scene)
             else:
-                carry_out(self.scene, message)
+                carry_out(self.scene, self.sounds.complete(message))
         self.commands += 1
         self._hands.note(who, message, characters := find_addressed(self.scene, message), now)
         self.leasing.note(who, message, characters)

@@ -22,6 +22,7 @@ from omote.show.messages import (
     LayerState,
     MotionState,
     Place,
+    SpeechState,
     State,
 )
 
@@ -144,8 +145,10 @@ def call_state_of(status: CallStatus) -> CallState:
 
 
 def _home(frame: Frame) -> dict[str, Any]:
-    """What a state tells of the home face, by field."""
-    return {"home_face": frame.home.face, "home_seconds": frame.home.seconds, "home_next": frame.home_next}
+    """What a state tells of the home face and of speech, by field."""
+    speech = None if frame.speech is None else SpeechState(**vars(frame.speech))
+    home = frame.home
+    return {"home_face": home.face, "home_seconds": home.seconds, "home_next": frame.home_next, "speech": speech}
 
 
 def _layers(frame: Frame) -> dict[str, Any]:

@@ -8,11 +8,12 @@ from omote.inputs.osc_addresses import ADDRESSES
 
 def test_every_address_is_a_target() -> None:
     for address in ADDRESSES:
-        path = address.pattern.replace("{character}", "one").replace("{name}", "jawOpen")
-        kinds = [value.kind for value in address.values[address.path.count("{") :]]
-        numbers = [value.name for value in address.values if value.kind == "number"]
+        path = address.pattern.replace("{character}", "one").replace("{name}", "jawOpen").replace("{language}", "de")
+        kinds = [value.kind for value in address.values[address.path.count("{") :] if value.default is None]
+        numbers = [value.name for value in address.values if value.kind == "number" and value.default is None]
         axis = numbers[-1] if len(numbers) > 1 else None
-        arguments = ["dog"] if {"face", "expression", "light", "framing"} & set(kinds) else []
+        named = {"face", "expression", "light", "framing", "text", "character", "speech"} & set(kinds)
+        arguments = ["dog"] if named and not numbers else []
         target = read_target(path, arguments, axis)
         assert target.is_level == bool({"number", "switch"} & set(kinds))
         assert target.path == path

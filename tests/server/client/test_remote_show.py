@@ -61,6 +61,11 @@ CALLS: dict[str, Callable[[Any], Any]] = {
     "look_at": lambda one: one.look_at("direction", yaw=0.02, pitch=-0.01),
     "look_at a point, idle": lambda one: (one.look_at("point", z=1.5), one.set_motion(idle=True)),
     "set_layer off": lambda one: one.set_layer("emotion", on=False),
+    "call_expression in part": lambda one: one.call_expression("smile", seconds=0.5, strength=0.75),
+    "say": lambda one: one.say("Ah", timing="words", marks=["Papa"], times=[0.0, 0.5], delay=0.25, offset=0.125),
+    "say after": lambda one: (one.say("Papa"), one.say("Mama", language="de", seconds=2.0, queue=True)),
+    "stop_speaking": lambda one: one.stop_speaking(),
+    "gesture": lambda one: one.gesture("nod", amplitude=0.5, seconds=1.0),
     "set_home": lambda one: one.set_home("broad", seconds=3),
     "panic": lambda one: (one.set_channel("jawOpen", 0.4), one.panic()),
 }

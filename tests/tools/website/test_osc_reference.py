@@ -2,7 +2,8 @@
 
 import pytest
 
-from omote.inputs.osc_addresses import ADDRESSES, Address
+from omote.inputs.addresses.address import Address
+from omote.inputs.osc_addresses import ADDRESSES
 from tools.website.osc_reference import osc_page
 
 ROWS = {row.split("|")[1].strip(): row for row in osc_page().splitlines() if row.startswith("| `/")}

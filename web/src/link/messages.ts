@@ -74,7 +74,8 @@ export interface CallFace {
 
 /**
  * Brings an expression on air in `seconds`, or by hand (`None`: the T-bar moves it). An `id` executes once.
- * `region`: where alone it is called, in its own time, which no T-bar moves; `None`: on the whole face.
+ * `region`: where alone it is called, in its own time, which no T-bar moves; `None`: on the whole face. `strength`:
+ * how much of it, 0 (neutral) to 1; no T-bar moves a call of less than all.
  */
 export interface CallExpression {
   type: "call_expression";
@@ -84,6 +85,7 @@ export interface CallExpression {
   seconds: number | null;
   easing: string;
   region: "brows" | "eyes" | "mouth" | "rest" | null;
+  strength: number;
 }
 
 /** Brings a light on air in `seconds`, from whatever light shows. An `id` executes once. */
@@ -411,6 +413,50 @@ export interface DeleteGazePoint {
 }
 
 /**
+ * A character speaks: its lips move in time with a sound. `timing`: what `marks` are, each beginning at its place
+ * of `times` (float32, little-endian, seconds from the beginning of the sound; one more is the end of the last):
+ * words, characters, visemes (Oculus), azure (ids), rhubarb (letters); `text`: none, the text's letters are timed by
+ * rule, in `language`. `seconds`: the length, where it is known. `sound`: the key of one that was sent to `/sounds`,
+ * which one stage plays; "": something else does. `delay`: seconds until the sound begins; `offset`: by which the
+ * mouth is later. `queue`: after all that is said already, else in its place. An `id` executes once.
+ */
+export interface Say {
+  type: "say";
+  character: string;
+  id: string;
+  text: string;
+  timing: "text" | "words" | "characters" | "visemes" | "azure" | "rhubarb";
+  marks: string[];
+  times: Uint8Array;
+  language: "en" | "de";
+  seconds: number | null;
+  sound: string;
+  delay: number;
+  offset: number;
+  queue: boolean;
+}
+
+/** Ends what a character says, and all that it would say after: its mouth goes to rest. */
+export interface StopSpeaking {
+  type: "stop_speaking";
+  character: string;
+  id: string;
+}
+
+/**
+ * A short motion on top of all that plays: nod, shake, tilt, bow, shrug, brows or wink. `amplitude`: -2..2, 1 as it
+ * is, below 0 to the other side; `seconds`: 0.2..10, `None` as long as it takes. An `id` executes once.
+ */
+export interface MakeGesture {
+  type: "make_gesture";
+  character: string;
+  id: string;
+  name: "nod" | "shake" | "tilt" | "bow" | "shrug" | "brows" | "wink";
+  amplitude: number;
+  seconds: number | null;
+}
+
+/**
  * Something that sends values all the time: a tracker, a microphone, a program. `names`: the expressions (channels)
  * that each of its frames has a value for. `characters`: whom it drives, where it says so; else the route that was
  * made for its name the last time. `performer`: whose face it sees, by whose calibration it is read; "" for one of its
@@ -529,7 +575,8 @@ export interface Ping {
 
 /**
  * A stage's heartbeat, once a second: the rate of frames that it really drew, and its level of quality. `name`: as
- * its address has it; `camera`: where that is, metres as of `look_at`.
+ * its address has it; `camera`: where that is, metres as of `look_at`. `sound`: whether it can play sounds: "" never,
+ * `blocked` until somebody clicks it, `ready`; `sound_here`: its address asks that it plays them.
  */
 export interface Drawing {
   type: "drawing";
@@ -537,6 +584,8 @@ export interface Drawing {
   level: "lowest" | "low" | "medium" | "high";
   name: string;
   camera: [number, number, number] | null;
+  sound: "" | "blocked" | "ready";
+  sound_here: boolean;
 }
 
 /**
@@ -854,6 +903,27 @@ export interface Sources {
   sources: SourceState[];
 }
 
+/** To a stage: whether it is the one that plays sounds, when that changes. One does at a time. */
+export interface PlaysSound {
+  type: "plays_sound";
+  on: boolean;
+}
+
+/**
+ * What a character says. `number`: counts all that it has said; `text`: its first 120 characters; `elapsed`:
+ * seconds since its sound began, below 0 before; `seconds`: its length. `sound`: the key of what a stage plays, ""
+ * for none; `waiting`: how many speeches follow, `next_sound`: the key of the next one's.
+ */
+export interface SpeechState {
+  number: number;
+  text: string;
+  elapsed: number;
+  seconds: number;
+  sound: string;
+  waiting: number;
+  next_sound: string;
+}
+
 /**
  * What a source that is watched sends now, and what its measure makes of it: `sent` and `weights` as float32,
  * little-endian, in the order of `names`; up to twenty times a second.
@@ -952,7 +1022,8 @@ export interface MotionState {
  * been removed and will be gone. `regions`: the mixes of the regions that show another expression than the face does;
  * `region_calls`: their own calls. `layers`: those that a source drives or that are set otherwise than at first, the
  * lowest first; all else is what they make together. `held`: what hands hold, `None` where that is what is on air.
- * `motion`: what is set of its automatic motion, `None` where nothing was.
+ * `motion`: what is set of its automatic motion, `None` where nothing was. `speech`: what it says, `None` while it
+ * says nothing.
  */
 export interface CharacterState {
   faces: Record<string, number>;
@@ -979,6 +1050,7 @@ export interface CharacterState {
   layers: Partial<Record<"breath" | "gaze" | "emotion" | "blink" | "tracker" | "lips" | "playback" | "hands", LayerState>>;
   held: HeldState | null;
   motion: MotionState | null;
+  speech: SpeechState | null;
 }
 
 /**
@@ -1047,11 +1119,16 @@ export interface Progress {
   what: string;
 }
 
-/** The last report of a stage: frames per second, the level of quality, and its name, where its address has one. */
+/**
+ * The last report of a stage: frames per second, the level of quality, and its name, where its address has one; of
+ * sounds as in `drawing`.
+ */
 export interface StageReport {
   fps: number;
   level: "lowest" | "low" | "medium" | "high";
   name: string;
+  sound: "" | "blocked" | "ready";
+  sound_here: boolean;
 }
 
 /**
@@ -1494,6 +1571,9 @@ export type FromClient =
   | SwitchDevice
   | SetLayer
   | SetMotion
+  | Say
+  | StopSpeaking
+  | MakeGesture
   | LookAt
   | SetGazePoint
   | DeleteGazePoint
@@ -1515,6 +1595,7 @@ export type FromClient =
 
 export type FromServer =
   | Welcome
+  | PlaysSound
   | CastChanged
   | State
   | Pong

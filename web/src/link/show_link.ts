@@ -84,6 +84,8 @@ export interface LinkHandlers {
   sourceValues?: (values: SourceValues) => void;
   /** News of devices. */
   devices?: (message: DeviceMessage) => void;
+  /** Whether this stage is the one that plays sounds. */
+  playsSound?: (on: boolean) => void;
   /** How far a long request (an import, an export) is; those of other pages too. */
   progress?: (progress: Progress) => void;
   /** Everything that the crew must know: all of it, each time. */
@@ -171,6 +173,17 @@ export class ShowLink {
       case "cast":
         this.recast(message.revision);
         break;
+      default:
+        this.pass(message);
+    }
+  }
+
+  /** What is not of the link itself. */
+  private pass(message: Exclude<FromServer, { type: "welcome" | "state" | "pong" | "cast" }>): void {
+    switch (message.type) {
+      case "plays_sound":
+        this.handlers.playsSound?.(message.on);
+        break;
       case "sources":
       case "source_values":
         this.hearSources(message);
@@ -194,7 +207,9 @@ export class ShowLink {
   private tell(
     message: Exclude<
       FromServer,
-      DeviceMessage | LeaseMessage | { type: "welcome" | "state" | "pong" | "cast" | "sources" | "source_values" }
+      | DeviceMessage
+      | LeaseMessage
+      | { type: "welcome" | "state" | "pong" | "cast" | "sources" | "plays_sound" | "source_values" }
     >,
   ): void {
     switch (message.type) {

@@ -15,7 +15,7 @@ async function open(parameters: StageParameters): Promise<void> {
   exposeProbe(stage);
   const tick = (): void => {
     stage.frame(now());
-    const told = missingNotice(stage);
+    const told = missingNotice(stage) || stage.sound.notice;
     if (notice.textContent !== told) notice.textContent = told;
     requestAnimationFrame(tick);
   };

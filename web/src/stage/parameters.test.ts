@@ -7,6 +7,7 @@ describe("a stage's address", () => {
   it("needs no parameter", () => {
     expect(readParameters("")).toEqual({
       background: undefined,
+      sound: "may",
       light: undefined,
       transparent: false,
       hud: false,

@@ -5,6 +5,7 @@ import type { Triple } from "../face/light/tone";
 import { decodeSrgb } from "../face/light/tone";
 import type { Level } from "../face/quality/quality_levels";
 import { BACKGROUNDS, LEVELS, LIGHT_NAMES } from "../link/constants";
+import type { SoundWish } from "./stage_sound";
 
 /** Everything a stage is told by its address. */
 export interface StageParameters {
@@ -17,6 +18,8 @@ export interface StageParameters {
   /** What the picture may cost; "auto": as much as the machine draws in time. */
   quality: Level | "auto";
   tile: Tile | undefined;
+  /** Whether this stage plays the sounds that characters speak with. */
+  sound: SoundWish;
   /** The one character that is shown, alone; undefined: the scene. */
   character: string | undefined;
   /** What the crew calls this stage; "" for none. */
@@ -25,7 +28,19 @@ export interface StageParameters {
 
 /** Letters of a label; the show keeps none that are longer. */
 const LONGEST_LABEL = 80;
-const KNOWN = ["transparent", "background", "light", "tile", "of", "bezel", "quality", "hud", "character", "name"];
+const KNOWN = [
+  "transparent",
+  "background",
+  "light",
+  "tile",
+  "of",
+  "bezel",
+  "quality",
+  "hud",
+  "character",
+  "name",
+  "sound",
+];
 const QUALITIES: readonly string[] = ["auto", ...LEVELS];
 
 /** A parameter that cannot be obeyed; its message is a sentence for the page. */
@@ -45,6 +60,7 @@ export function readParameters(query: string): StageParameters {
     quality: readQuality(given.get("quality")),
     tile: readTile(given),
     character: readCharacter(given.get("character")),
+    sound: !given.has("sound") ? "may" : readSwitch(given, "sound") ? "here" : "never",
     name: readName(given.get("name")),
   };
 }

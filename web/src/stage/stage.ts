@@ -13,9 +13,11 @@ import { Library } from "../link/assets";
 import { now } from "../link/clock";
 import type { CallState, State } from "../link/messages";
 import { ShowLink } from "../link/show_link";
+import { FrameRate } from "./frame_rate";
 import { findCharacter } from "./named_character";
 import type { StageParameters } from "./parameters";
 import { RedrawPolicy } from "./redraw_policy";
+import { StageSound } from "./stage_sound";
 
 /** Seconds behind the server at most, of a stage alone. */
 const LONGEST_DELAY = 0.06;
@@ -50,6 +52,8 @@ export class Stage {
   private readonly redraw = new RedrawPolicy();
   private readonly rate = new FrameRate();
   private readonly link: ShowLink;
+  /** What characters speak with. */
+  readonly sound: StageSound;
   private state: State | undefined;
   private last = now();
   private reported = 0;
@@ -76,9 +80,13 @@ export class Stage {
   ) {
     if (parameters.quality === "auto") this.qualityController = new QualityController(view.level);
     this.frameHeadroom = new FrameHeadroom(view.context);
+    this.sound = new StageSound(parameters.sound, () => this.heartbeat());
     this.link = new ShowLink("stage", {
       state: (state) => this.receive(state),
+      playsSound: (on) => this.sound.choose(on),
       welcome: (welcome) => {
+        this.sound.relinked(now());
+        this.heartbeat();
         if (welcome.digest !== this.view.library.manifest.digest) void this.recast();
       },
       cast: () => void this.recast(),
@@ -188,6 +196,7 @@ export class Stage {
     const server = this.link.clock.at(time) ?? 0;
     const alone = this.parameters.tile === undefined;
     const due = alone ? this.playout.at(server, time - this.last) : server - WALL_DELAY;
+    this.sound.play(server - (alone ? this.playout.delay : WALL_DELAY));
     const scene = this.timeline.at(due, time);
     return scene && this.breath.on(scene, this.timeline.silence(time) > ALONE, time - this.last);
   }
@@ -197,13 +206,15 @@ export class Stage {
     this.state = state;
     const time = now();
     const { character } = this.parameters;
-    const scene = sceneIn(state, character && (findCharacter(character, state.characters) ?? character));
+    const only = character && (findCharacter(character, state.characters) ?? character);
+    const scene = sceneIn(state, only);
     const air = sceneKey(scene);
     const moved = air !== this.air;
     this.playout.arrived(state.time, !moved);
     if (moved) this.movedAt = time;
     this.air = air;
     this.timeline.push(scene, time);
+    this.sound.follow(state, only, time);
     if (moved) this.showEarly(time);
   }
 
@@ -231,9 +242,22 @@ export class Stage {
   private report(time: number): void {
     if (time - this.reported < 1) return;
     this.reported = time;
+    this.heartbeat();
+  }
+
+  /** Tells the show what is drawn, from where, and whether sounds can be played. */
+  private heartbeat(): void {
     const { camera, level } = this.view;
     const stands = camera.position.z > 0 ? camera.position.toArray() : null; // at the origin until a head is framed
-    this.link.send({ type: "drawing", fps: this.rate.at(time), level, name: this.parameters.name, camera: stands });
+    this.link.send({
+      type: "drawing",
+      fps: this.rate.at(now()),
+      level,
+      name: this.parameters.name,
+      camera: stands,
+      sound: this.sound.state,
+      sound_here: this.parameters.sound === "here",
+    });
   }
 }
 
@@ -257,21 +281,4 @@ function coming(state: State | undefined, name: string): { faces: string[]; expr
   const character = state?.characters[name];
   const regional = Object.values(character?.region_calls ?? {}).flatMap(names);
   return { faces: names(character?.face_call), expressions: [...names(character?.expression_call), ...regional] };
-}
-
-/** Counts frames: how many in the last second, and how long the last ones took. */
-class FrameRate {
-  private times: number[] = [];
-
-  tick(time: number): void {
-    this.times.push(time);
-    while (this.times.length > 2 && (this.times[0] as number) <= time - 1) this.times.shift();
-  }
-
-  /** Frames in the second before `time`; a part of one where frames take longer than that. */
-  at(time: number): number {
-    const [last, before] = [this.times.at(-1), this.times.at(-2)];
-    const interval = last === undefined || before === undefined ? 0 : Math.max(last - before, time - last);
-    return interval > 1 ? 1 / interval : this.times.filter((drawn) => drawn > time - 1).length;
-  }
 }

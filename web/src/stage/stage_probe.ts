@@ -7,6 +7,7 @@ import type { Level } from "../face/quality/quality_levels";
 import { ALL } from "../link/constants";
 import { drawPictureGrid, type PictureGrid, SheetComposer } from "./picture_grid";
 import type { Counters, Stage } from "./stage";
+import type { SoundReport } from "./stage_sound";
 
 /** A scene of which parts may be left out. */
 export interface PartialScene {
@@ -46,6 +47,8 @@ export interface StageProbe {
   pose(): Pose | undefined;
   /** The scene last drawn. */
   scene(): ScenePose | undefined;
+  /** What is heard. */
+  sound(): SoundReport;
   /** Whether all of the pose shows in full: nothing is being fetched or caught up with. */
   settled(): boolean;
 }
@@ -86,6 +89,7 @@ export function exposeProbe(stage: Stage): void {
     counters: () => stage.counters(),
     pose: () => stage.pose,
     scene: () => stage.shown,
+    sound: () => stage.sound.report(),
     settled: () => stage.view.settled,
   };
 }

@@ -5,7 +5,8 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-from omote.inputs.osc_addresses import Value, find_address
+from omote.inputs.addresses.address import Value
+from omote.inputs.osc_addresses import find_address
 from omote.inputs.osc_packet import Argument
 
 BANK = "bank:"
@@ -56,10 +57,10 @@ def read_target(path: str, arguments: Sequence[Argument] = (), axis: str | None 
         return Target(path)
     address, character, named = find_address(path)
     left = address.values[len(named) :]
-    numbers = tuple(value for value in left if value.kind in ("number", "switch"))
+    numbers = tuple(value for value in left if value.kind in ("number", "switch") and value.default is None)
     if not numbers:
         most = [value for value in left if value.kind != "press"]
-        least = sum(value.kind not in ("seconds", "time") for value in most)
+        least = sum(not value.may_be_left_out for value in most)
         if axis is not None or not least <= len(arguments) <= len(most):
             wanted = ", ".join(value.name for value in most) or "nothing"
             raise ValueError(f"{path} takes {wanted} as arguments, and no axis")

@@ -9,7 +9,7 @@ from typing import Any
 import py2tosc
 from py2tosc import Control, ControlType, OscMessage, ui
 
-from omote.inputs.osc_addresses import ROOT
+from omote.inputs.addresses.address import ROOT
 from omote.inputs.oscquery_tree import Node, build_addresses, find_node
 from omote.perform.scene.character_names import ALL
 from omote.perform.snapshot import Playable

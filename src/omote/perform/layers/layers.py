@@ -39,7 +39,7 @@ from omote.perform.layers.layer_vectors import (
     with_names,
     with_share_goal,
 )
-from omote.perform.layers.source_frame import AUTOMATIC, SourceFrame
+from omote.perform.layers.source_frame import OWN_SOURCES, SourceFrame
 
 LET_GO = 0.01
 """A part of a layer that weighs less has let go: another measure, or another source, no longer shows."""
@@ -111,8 +111,8 @@ def switch_off(layers: Layers, kept: Sequence[float]) -> Layers:
 
     What was on air of them the caller eases to rest.
     """
-    drivers = {layer: tuple(one for one in each if one.source != AUTOMATIC) for layer, each in layers.drivers.items()}
-    sources = {layer: each for layer, each in drivers.items() if each}
+    others = ((layer, [one for one in each if one.source not in OWN_SOURCES]) for layer, each in layers.drivers.items())
+    sources = {layer: tuple(each) for layer, each in others if each}
     settings = {layer: replace(each, on=each.on and layer not in sources) for layer, each in layers.settings.items()}
     layers = replace(layers, settings=settings, drivers=sources, owners=_known(layers.owners, sources))
     layers = with_share_goal(replace(layers, followed=_known(layers.followed, sources)))

@@ -26,8 +26,9 @@ LOSS_SECONDS = 0.5
 DEVICE_YAW, DEVICE_UP, DEVICE_DOWN = math.radians(35.0), math.radians(25.0), math.radians(35.0)
 """By what a full coefficient of ARKit's turns an eye to the side, up and down: in three takes of Live Link Face, which
 sends both, angles follow their coefficients by these slopes (correlation above .98)."""
-AUTOMATIC = "automatic"
-"""The source of a character's own motion; no other has this name."""
+AUTOMATIC, SPEECH = "automatic", "speech"
+OWN_SOURCES = (AUTOMATIC, SPEECH)
+"""The sources of a character's own motion, and of what it says; no other has these names."""
 
 
 @dataclass(frozen=True, eq=False)

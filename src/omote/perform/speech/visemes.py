@@ -113,14 +113,15 @@ def mouth_of(weights: Values) -> Values:
     return mouth
 
 
-def speech_frame(mouth: Values, names: Container[str], *, source: str) -> SourceFrame:
+def speech_frame(mouth: Values, names: Container[str], *, source: str, share: float = 1.0) -> SourceFrame:
     """The frame that plays a mouth on the layer *lips*; units that are not among the channels' names are left out.
 
     It is smooth already, so the layer shows it as it is (`direct`); the layer's influence of 0.7 on the mouth leaves a
-    smile what it needs.
+    smile what it needs. share: how much of the layer is taken, 0 to 1.
     """
     has = [place for place, unit in enumerate(MOUTH_UNITS) if unit in names]
-    return SourceFrame(tuple(MOUTH_UNITS[place] for place in has), mouth[has], source=source, direct=True)
+    units = tuple(MOUTH_UNITS[place] for place in has)
+    return SourceFrame(units, mouth[has], source=source, direct=True, share=share)
 
 
 def _sum(values: Values) -> float:

@@ -59,6 +59,11 @@ class ConnectedShow(RemoteShow[None]):
         """The next state after the newest: the show sends sixty a second. ConnectionError where none comes."""
         return self._run(self._link.wait_for_state(self.state.number))
 
+    def send_sound(self, sound: bytes | Path) -> str:
+        """Sends a sound (WAV, MP3 or Ogg, to 16 MiB), or a file of one, and returns the key for `say(sound=...)`;
+        ValueError where it is none."""
+        return self._run(self._link.send_sound(read_bytes(sound)))
+
     @property
     def leases(self) -> wire.Leases:
         """Who holds what, as the show told last."""
@@ -99,6 +104,11 @@ class AsyncConnectedShow(RemoteShow[Awaitable[None]]):
     async def wait(self) -> wire.State:
         """The next state after the newest: the show sends sixty a second. ConnectionError where none comes."""
         return await self._link.wait_for_state(self.state.number)
+
+    async def send_sound(self, sound: bytes | Path) -> str:
+        """Sends a sound (WAV, MP3 or Ogg, to 16 MiB), or a file of one, and returns the key for `say(sound=...)`;
+        ValueError where it is none."""
+        return await self._link.send_sound(read_bytes(sound))
 
     @property
     def leases(self) -> wire.Leases:
@@ -235,6 +245,15 @@ async def connect_async(
     link = await _make(_checked(url, name, timeout, token, authority))
     await link.open()
     return AsyncConnectedShow(link)
+
+
+def read_bytes(sound: bytes | Path) -> bytes:
+    """The bytes of a sound, or of its file; TypeError for something else."""
+    if isinstance(sound, Path):
+        return sound.read_bytes()
+    if not isinstance(sound, bytes):
+        raise TypeError(f"the sound is a {type(sound).__name__}; give the bytes of a file, or its Path")
+    return sound
 
 
 def _checked(url: str, name: str, timeout: float, token: str | None, authority: str | Path | None) -> _Wanted:

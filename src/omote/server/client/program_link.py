@@ -43,6 +43,12 @@ def explain_https_error(error: aiohttp.ClientSSLError, show: str) -> str:
     )
 
 
+class SentSound(msgspec.Struct, frozen=True):
+    """What a show answers to a sound."""
+
+    sound: str
+
+
 class ProgramLink:
     """A console's link without a page; to be used in one event loop.
 
@@ -133,6 +139,23 @@ class ProgramLink:
                     raise
                 continue  # linked again meanwhile: there it has not been opened yet
             return
+
+    async def send_sound(self, data: bytes) -> str:
+        """Sends a sound and returns its key; ValueError with the reason where it is none, ConnectionError where the
+        show does not answer."""
+        address = f"{self._show}/sounds"
+        try:
+            async with (
+                aiohttp.ClientSession(headers=self._headers) as session,
+                session.post(address, data=data, ssl=self._trusted) as response,
+            ):
+                if response.status >= 500:
+                    raise ConnectionError(f"the show at {self._show} took no sound: {await response.text()}")
+                if response.status != 200:
+                    raise ValueError(await response.text())
+                return msgspec.json.decode(await response.read(), type=SentSound).sound
+        except aiohttp.ClientError as error:
+            raise ConnectionError(f"the show at {self._show} took no sound: {error}") from error
 
     async def wait_for_state(self, number: int) -> wire.State:
         """The first state after that of `number`."""

@@ -16,6 +16,7 @@ from omote.perform.frame import (
     MotionSettings,
     SourceStatus,
 )
+from omote.perform.status.speech_status import SpeechStatus
 from omote.show.messages import CallState, CharacterState, HeldState, LayerState, MotionState, State
 
 
@@ -41,6 +42,7 @@ def frame_in(state: State, character: CharacterState) -> Frame:
         region_calls={region: call_status_of(call) for region, call in character.region_calls.items()},
         layers={layer: layer_status(each) for layer, each in character.layers.items()},
         held=None if character.held is None else held_by_hands(character.held),
+        speech=None if character.speech is None else SpeechStatus(**msgspec.structs.asdict(character.speech)),
         motion=None if character.motion is None else motion_settings(character.motion),
     )
 

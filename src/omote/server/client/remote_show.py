@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 import struct
 from collections.abc import Callable, Iterable, Iterator, Mapping
-from typing import Generic, TypeVar, get_args
+from typing import TypeVar, get_args
 
 from omote.model.known_names import GENERIC, check_play_region
 from omote.perform.easing import DEFAULT_EASING
@@ -16,6 +16,7 @@ from omote.perform.scene.character_names import ALL, find_character, framing_of,
 from omote.server.client.remote_frame import frame_in
 from omote.server.client.remote_leases import RemoteLeases
 from omote.server.client.remote_sources import RemoteSources
+from omote.server.client.remote_speech import RemoteSpeech
 from omote.show import messages as wire
 
 STREAM_KINDS: tuple[wire.StreamKind, ...] = get_args(wire.StreamKind)
@@ -23,7 +24,7 @@ Sent = TypeVar("Sent")
 """What a call gives: None where it blocks until the show has obeyed, something to await under asyncio."""
 
 
-class RemoteCharacter(Generic[Sent]):
+class RemoteCharacter(RemoteSpeech[Sent]):
     """A character of a running show: what `omote.Performer` has, over the wire.
 
     Each call raises ValueError with the show's reason where it is rejected, ConnectionError where the show does not
@@ -31,7 +32,7 @@ class RemoteCharacter(Generic[Sent]):
     """
 
     def __init__(self, name: str, show: RemoteShow[Sent]) -> None:
-        self.name = name
+        super().__init__(name, show.next_id, show.send)
         self._show = show
 
     @property
@@ -55,13 +56,20 @@ class RemoteCharacter(Generic[Sent]):
         return self._send(wire.CallFace(self.name, self._show.next_id(), name, _or_by_hand(seconds), easing))
 
     def call_expression(
-        self, name: str, *, seconds: float = 1.0, easing: str = DEFAULT_EASING, region: str | None = None
+        self,
+        name: str,
+        *,
+        seconds: float = 1.0,
+        easing: str = DEFAULT_EASING,
+        region: str | None = None,
+        strength: float = 1.0,
     ) -> Sent:
         """Brings an expression on air from whatever is showing, on the whole face or in one region of it alone;
-        `math.inf` seconds wait for `fade_expression`, which moves no region that goes its own way."""
+        `math.inf` seconds wait for `fade_expression`, which moves no region that goes its own way. strength: how much
+        of it, 0 to 1."""
         where = None if region is None else check_play_region(region)
-        call = wire.CallExpression(self.name, self._show.next_id(), name, _or_by_hand(seconds), easing, where)
-        return self._send(call)
+        by_hand = _or_by_hand(seconds)
+        return self._send(wire.CallExpression(self.name, self._show.next_id(), name, by_hand, easing, where, strength))
 
     def fade_face(self, x: float) -> Sent:
         """Moves the T-bar of the faces, 0 to 1."""
@@ -162,9 +170,6 @@ class RemoteCharacter(Generic[Sent]):
         if self.name == ALL:
             raise ValueError(f"{ALL} means all characters; what is on air is of one: {', '.join(characters)}")
         return characters[check_known(self.name, characters, "character")]
-
-    def _send(self, message: wire.FromClient) -> Sent:
-        return self._show.send(message)
 
 
 class RemoteShow(RemoteLeases[Sent], RemoteSources[Sent]):

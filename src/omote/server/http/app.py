@@ -30,6 +30,7 @@ from omote.server.http.static_pages import PAGES, Page
 from omote.server.http.touchosc import TOUCHOSC_PATH, TouchoscLayout
 from omote.server.http.uploads import RunFileJob, Uploads
 from omote.server.persistence.authored_work import AuthoredWork
+from omote.server.sounds.sound_routes import Sounds
 from omote.show.messages import LINK_PATH, MESSAGE_LIMIT, Devices, FromServer, Notice, Notices, Progress, Refused, State
 from omote.show.outgoing import KeepRequest, Outgoing
 from omote.show.session import ShowSession
@@ -38,7 +39,7 @@ from omote.show.wire import encode
 PAGE_CLOSED = (WSCloseCode.OK, WSCloseCode.GOING_AWAY)
 """How a browser ends the link of a page that is closed or loaded anew."""
 
-Clock = Callable[[], float]
+
 Respond = Callable[[web.Request], Awaitable[web.StreamResponse]]
 
 
@@ -61,7 +62,7 @@ class ShowServer:
         documents: CastDocuments,
         pages: Mapping[str, Page],
         *,
-        clock: Clock = time.monotonic,
+        clock: Callable[[], float] = time.monotonic,
     ) -> None:
         self.session, self.documents, self.links, self.clock = session, documents, Links(), clock
         self.editing: EditorLinks | None = None
@@ -161,7 +162,8 @@ class ShowServer:
         return application
 
     def _add_device_routes(self, application: web.Application) -> None:
-        """Adds what surfaces read, and where trackers send."""
+        """Adds what surfaces read, and where trackers and sounds are sent."""
+        Sounds(self.session.sounds.set).add_routes(application)
         layout = TouchoscLayout(lambda: (self.session.cast, tuple(self.session.scene)))
         application.router.add_get(TOUCHOSC_PATH, layout.respond)
         for path, respond in self._heard.items():

@@ -8,7 +8,7 @@ from typing import Any
 import msgspec
 from aiohttp import web
 
-from omote.inputs.osc_addresses import ROOT
+from omote.inputs.addresses.address import ROOT
 from omote.inputs.osc_feedback import OnAir
 from omote.inputs.oscquery_tree import (
     ATTRIBUTES,

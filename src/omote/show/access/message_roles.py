@@ -25,7 +25,7 @@ PLAY_MESSAGES = _table(
     view="hello ping drawing",
     operate="""
         call_face call_expression call_light fade_face release_face fade_expression release_expression set_channel
-        set_head set_gaze panic set_home
+        set_head set_gaze panic set_home say stop_speaking make_gesture
         add_character remove_character rename_character place_character enter_character leave_character call_framing
         restore_character set_layout rename_layout drop_layout cancel
         source drive set_layer set_motion leave_source route_source tune_source calibrate_source measure_source

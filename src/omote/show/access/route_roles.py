@@ -27,6 +27,8 @@ ROUTES: Mapping[tuple[str, str], AccessRole] = MappingProxyType(
         ("GET", "/handles"): "view",
         ("GET", "/contents/{key}"): "view",
         ("GET", "/mediapipe"): "operate",
+        ("POST", "/sounds"): "operate",
+        ("GET", "/sounds/{key}"): "view",
         ("GET", "/camera/link"): "operate",
         ("GET", "/connect"): "view",
         ("GET", "/connect/{page}.svg"): "operate",  # it may hold the token that operators share

@@ -9,7 +9,7 @@ from typing import Literal
 from omote.show import messages as wire
 from omote.show.access.people_list import ANYBODY, Visitor
 from omote.show.crew.contention import name_apart
-from omote.show.validation import Refusal
+from omote.show.validation import FPS, Refusal, validate_number
 
 LOST_SECONDS = 600.0
 """How long a stage that does not come back is missed: after that somebody has put it away."""
@@ -32,6 +32,12 @@ class Member:
     claims: bool = False
     page: str = ""
     seat: str = ""
+
+
+def report_in(message: wire.Drawing) -> wire.StageReport:
+    """What a stage reports; Refusal for a rate that none has."""
+    fps = validate_number(message.fps, FPS)
+    return wire.StageReport(fps, message.level, message.name, message.sound, message.sound_here)
 
 
 class Members:

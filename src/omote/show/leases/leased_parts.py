@@ -51,6 +51,9 @@ FREE: tuple[type[wire.Message], ...] = (
     *get_args(wire.DeviceMessage),
     wire.SetLayer,  # an influence is followed: it takes nothing out of a hand
     wire.SetMotion,
+    wire.Say,  # lips are a layer, too, and a gesture is added to what hands hold
+    wire.StopSpeaking,
+    wire.MakeGesture,
     wire.LookAt,
     wire.SetGazePoint,
     wire.DeleteGazePoint,

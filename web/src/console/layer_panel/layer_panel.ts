@@ -22,6 +22,7 @@ import "./layer_fader";
 import "./gaze_target_settings";
 import "./motion_settings";
 import "./source_settings";
+import "./speech_line";
 
 /** What a layer is, and how it adds to those below it. */
 const TITLES: Readonly<Record<LayerName, string>> = {
@@ -76,7 +77,9 @@ export class LayerPanel extends AnimatedElement {
         <header><h2>${layerLabel(this.#shown)}</h2><span class="of">${label}</span>
           <button class="reset" title="Its influence as at first" @click=${() => this.#commands.reset(this.#shown)}>Reset</button>
           <button class="close" aria-label="Close the layers" @click=${this.#close}>Close</button></header>
-        ${this.#sources()} ${this.#parts()} <omote-motion-settings .context=${this.context}></omote-motion-settings>
+        ${this.#sources()} ${this.#parts()}
+        ${this.#shown === "lips" ? html`<omote-speech-line .context=${this.context}></omote-speech-line>` : nothing}
+        <omote-motion-settings .context=${this.context}></omote-motion-settings>
         <omote-gaze-target-settings .context=${this.context}></omote-gaze-target-settings>
       </section>`;
   }

@@ -7,8 +7,13 @@ const AIR = { expressions: { joy: 1 }, regions: { brows: { surprise: 0.75, joy: 
 
 describe("the message of a call", () => {
   it("names the region of an expression, none for the whole face, and has none for a face", () => {
-    expect(callMessage("expression", CALL, "brows")).toEqual({ type: "call_expression", ...CALL, region: "brows" });
-    expect(callMessage("expression", CALL)).toEqual({ type: "call_expression", ...CALL, region: null });
+    expect(callMessage("expression", CALL, "brows")).toEqual({
+      type: "call_expression",
+      ...CALL,
+      region: "brows",
+      strength: 1,
+    });
+    expect(callMessage("expression", CALL)).toEqual({ type: "call_expression", ...CALL, region: null, strength: 1 });
     expect(callMessage("face", CALL, "brows")).toEqual({ type: "call_face", ...CALL });
   });
 });

@@ -14,7 +14,7 @@ export function callMessage(
   call: Omit<CallFace, "type">,
   region: PlayRegion | null = null,
 ): CallFace | CallExpression {
-  return axis === "face" ? { type: "call_face", ...call } : { type: "call_expression", ...call, region };
+  return axis === "face" ? { type: "call_face", ...call } : { type: "call_expression", ...call, region, strength: 1 };
 }
 
 /** The place of the next key press after `place`, round and round. */

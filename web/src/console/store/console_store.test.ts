@@ -28,6 +28,7 @@ const CALM: CharacterState = {
   layers: {},
   held: null,
   motion: null,
+  speech: null,
 };
 const REST: State = {
   type: "state",

@@ -55,7 +55,7 @@ export class PlayoutClock {
     const newest = this.#rests.at(-1)?.to ?? server;
     this.#note(server - newest);
     const due = this.#due === undefined || server - this.#due > LOST ? -Infinity : this.#afterRest(this.#due);
-    const aim = server - this.#delay();
+    const aim = server - this.delay;
     this.#due = Math.min(newest, due === -Infinity ? aim : due + seconds * this.#speed(aim, due + seconds, seconds));
     return this.#due;
   }
@@ -68,8 +68,8 @@ export class PlayoutClock {
     this.#fresh = false;
   }
 
-  /** The delay that is wanted. */
-  #delay(): number {
+  /** The delay that is wanted, seconds: how far behind the server what moves is drawn. */
+  get delay(): number {
     const waits = [...this.#waits].sort((a, b) => a - b);
     const usual = waits[Math.floor(COVERED * waits.length)] ?? this.longest;
     return Math.min(this.longest, Math.max(0, usual) + SPARE);
@@ -86,7 +86,7 @@ export class PlayoutClock {
   #speed(aim: number, next: number, seconds: number): number {
     if (seconds <= 0) return 1;
     const wanted = ((aim - next) * -Math.expm1(-seconds / GLIDE)) / seconds;
-    const late = aim - next + this.#delay() - this.longest;
+    const late = aim - next + this.delay - this.longest;
     const faster = Math.min(CATCHING_UP, Math.max(FASTER, late / GLIDE));
     return 1 + Math.min(faster, Math.max(-SLOWER, wanted));
   }

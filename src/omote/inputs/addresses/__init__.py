@@ -1,0 +1,1 @@
+"""What addresses of OSC are made of, and those of speech."""

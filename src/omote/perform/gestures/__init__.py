@@ -1,0 +1,1 @@
+"""Gestures: short motions of head and brows that are called by name."""

@@ -1,0 +1,66 @@
+"""Which visemes English letters stand for: rules, the first that fits wins, and words that no rule gets right."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from types import MappingProxyType
+
+_SILENT_E = "(?=[bcdfgklmnpqrstvwz]e[sd]?$)"
+RULES: tuple[tuple[str, str], ...] = (
+    # a
+    ("augh|aw|au", "O"), ("air|are$", "E RR"), ("ai|ay", "E I"), ("all", "O nn"), ("al(?=k)", "O"), ("arr?", "aa RR"),
+    ("a(?=tion)", "E I"), ("a" + _SILENT_E, "E I"), ("a", "aa"),
+    # b, c, d
+    ("bt$", "DD"), ("bb?", "PP"),
+    ("ch", "CH"), ("ck", "kk"), ("ci(?=[ao])", "CH"), ("cc(?=[ei])", "kk SS"), ("c(?=[eiy])", "SS"), ("cc?", "kk"),
+    ("dge?", "CH"), ("dd?", "DD"),
+    # e
+    ("eigh", "E I"), ("earn?", "RR"), ("eau", "O"), ("eer|ere$", "I RR"), ("ee|ea", "I"), ("ew|eu", "U"), ("ey", "I"),
+    ("(?<=[td])ed$", "E DD"), ("(?<=..)ed$", "DD"), ("(?<=[aeiouy][bcdfgklmnpqrtvw])es$", "SS"),
+    ("err?", "RR"), ("e" + _SILENT_E, "I"), ("(?<=..)e$", ""), ("^..?e$", "I"), ("e", "E"),
+    # f, g, h
+    ("ff?", "FF"), ("gh(?=t)|(?<=.)gh$", ""), ("^gn|gn$", "nn"), ("g(?=e[sd]?$)|g(?=y$)", "CH"), ("gg?", "kk"),
+    ("h", ""),
+    # i
+    ("igh", "aa I"), ("i(?=nd$|ld$)", "aa I"), ("ie(?=[sd]?$)", "aa I"), ("ie", "I"), ("irr?", "RR"),
+    ("i" + _SILENT_E, "aa I"), ("i", "I"),
+    # j to n
+    ("j", "CH"), ("^kn", "nn"), ("k+", "kk"), ("l(?=k$|ks$)", ""), ("ll?e?$", "nn"), ("ll?", "nn"), ("mb$", "PP"),
+    ("mm?", "PP"), ("ngl?", "nn kk"), ("nn?", "nn"),
+    # o
+    ("ough(?=t)", "O"), ("ough$", "O U"), ("ould$", "U DD"), ("oo", "U"), ("ow$", "O U"), ("ou|ow", "aa U"),
+    ("oa", "O U"), ("oi|oy", "O I"), ("orr?e?", "O RR"), ("o" + _SILENT_E, "O U"), ("(?<=.)o$", "O U"), ("o", "O"),
+    # p to t
+    ("ph", "FF"), ("^ps", "SS"), ("pp?", "PP"), ("qu?", "kk U"), ("rh|rr?", "RR"), ("sh", "CH"),
+    ("(?<=.)s?sion", "CH nn"),
+    ("sch", "SS kk"), ("sc(?=[eiy])", "SS"), ("ss?", "SS"), ("(?<=.)ti(?=on|al|en)", "CH"), ("tch", "CH"),
+    ("th", "TH"),
+    ("(?<=.)ture$", "CH RR"), ("tt?", "DD"),
+    # u to z
+    ("ui|ue$", "U"), ("urr?e?", "RR"), ("u" + _SILENT_E, "U"), ("(?<=[jlr])u", "U"), ("u", "aa"), ("v", "FF"),
+    ("^wr", "RR"), ("wh|w", "U"), ("^x", "SS"), ("x", "kk SS"), ("^y", "I"), ("y", "I"),
+    ("zz?", "SS"),
+)  # fmt: skip
+"""A pattern at a place in a word (a regular expression, in lower case), and what it stands for."""
+
+WORDS: Mapping[str, str] = MappingProxyType(
+    {
+        "a": "aa", "the": "TH aa", "of": "O FF", "to": "DD U", "do": "DD U", "who": "U", "two": "DD U", "you": "I U",
+        "your": "I O RR", "one": "U aa nn", "once": "U aa nn SS", "was": "U aa SS", "what": "U aa DD", "are": "aa RR",
+        "were": "U RR", "have": "aa FF", "has": "aa SS", "give": "kk I FF", "live": "nn I FF", "love": "nn aa FF",
+        "come": "kk aa PP", "some": "SS aa PP", "done": "DD aa nn", "does": "DD aa SS", "said": "SS E DD",
+        "says": "SS E SS", "my": "PP aa I", "by": "PP aa I", "why": "U aa I", "i": "aa I", "i'm": "aa I PP",
+        "eye": "aa I", "be": "PP I", "he": "I", "she": "CH I", "we": "U I", "me": "PP I", "they": "TH E I",
+        "their": "TH E RR", "there": "TH E RR", "where": "U E RR", "here": "I RR", "people": "PP I PP nn",
+        "could": "kk U DD", "would": "U U DD", "should": "CH U DD", "good": "kk U DD", "put": "PP U DD",
+        "through": "TH RR U", "though": "TH O U", "enough": "E nn aa FF", "laugh": "nn aa FF", "know": "nn O U",
+        "so": "SS O U", "no": "nn O U", "go": "kk O U", "hello": "E nn O U", "show": "CH O U",
+        "friend": "FF RR E nn DD",
+        "get": "kk E DD", "very": "FF E RR I", "any": "E nn I", "many": "PP E nn I", "great": "kk RR E I DD",
+        "four": "FF O RR", "eight": "E I DD", "heart": "aa RR DD", "world": "U RR nn DD", "word": "U RR DD",
+        "work": "U RR kk", "mother": "PP aa TH RR", "brother": "PP RR aa TH RR", "other": "aa TH RR",
+        "fly": "FF nn aa I", "try": "DD RR aa I", "sky": "SS kk aa I", "cry": "kk RR aa I", "eyes": "aa I SS",
+        "mr": "PP I SS DD RR", "dr": "DD O kk DD RR",
+    }
+)  # fmt: skip
+"""Frequent words that the rules get wrong."""

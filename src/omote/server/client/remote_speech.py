@@ -1,0 +1,59 @@
+"""What a program has a character say, and its gestures: each one message on the wire."""
+
+from __future__ import annotations
+
+import struct
+from collections.abc import Callable, Sequence
+from typing import Generic, TypeVar
+
+from msgspec import structs
+
+from omote.perform.gestures.gesture_curves import check_gesture
+from omote.perform.limits import check_known, check_switch
+from omote.perform.speech.speech_timing import TIMING_KINDS
+from omote.perform.speech.spelling import check_language
+from omote.show import messages as wire
+
+Sent = TypeVar("Sent")
+
+
+class RemoteSpeech(Generic[Sent]):
+    """A character of a running show that speaks. next_id: names a message that is to be obeyed once; send: sends it."""
+
+    def __init__(self, name: str, next_id: Callable[[], str], send: Callable[[wire.FromClient], Sent]) -> None:
+        self.name = name
+        self._next_id, self._send = next_id, send
+
+    def say(
+        self,
+        text: str = "",
+        *,
+        timing: str = "text",
+        marks: Sequence[str] = (),
+        times: Sequence[float] = (),
+        language: str = "en",
+        seconds: float | None = None,
+        sound: str = "",
+        delay: float = 0.0,
+        offset: float = 0.0,
+        queue: bool = False,
+    ) -> Sent:
+        """Speaks: lips move in time with a sound that something else plays, or, by the key that `send_sound` gave, a
+        stage. Marks are words, characters, or mouth shapes (visemes, azure, rhubarb), each with the time at which it
+        begins; with text alone the times are estimated. `frame.speech` tells how far it is, None once it has ended."""
+        found = check_known(timing, TIMING_KINDS, "kind of timing")
+        kind = next(each for each in TIMING_KINDS if each == found)
+        packed, after = struct.pack(f"<{len(times)}f", *times), check_switch(queue, "the switch queue")
+        message = wire.Say(self.name, self._next_id(), text, kind, list(marks), packed, check_language(language))
+        rest = {"seconds": seconds, "sound": sound, "delay": delay, "offset": offset, "queue": after}
+        return self._send(structs.replace(message, **rest))
+
+    def stop_speaking(self) -> Sent:
+        """Ends what is said, and what would be said after: the mouth goes to rest."""
+        return self._send(wire.StopSpeaking(self.name, self._next_id()))
+
+    def gesture(self, name: str, *, amplitude: float = 1.0, seconds: float | None = None) -> Sent:
+        """Makes a short motion on top of all that plays: nod, shake, tilt, bow, shrug, brows or wink; amplitude -2 to
+        2, below 0 to the other side."""
+        known = check_gesture(name)
+        return self._send(wire.MakeGesture(self.name, self._next_id(), known, amplitude, seconds))

@@ -1,0 +1,1 @@
+"""Sounds that characters speak with, kept for stages."""

@@ -1,0 +1,56 @@
+"""The sounds that programs send for characters to speak with; kept in memory while there is room."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+from aiohttp import web
+
+from omote.inputs.sounds.sound_file import LARGEST_SOUND, SoundFile, read_sound
+
+SOUNDS_PATH = "/sounds"
+MOST_SOUNDS, MOST_BYTES = 256, 2**26
+CHUNK = 2**16
+KEPT = "private, max-age=31536000, immutable"
+
+
+class Sounds:
+    """Takes in sounds and gives them to stages; known: is told the keys of all that there are with their seconds."""
+
+    def __init__(self, known: Callable[[dict[str, float]], None]) -> None:
+        self._sounds: dict[str, SoundFile] = {}
+        self._known = known
+
+    def add_routes(self, application: web.Application) -> None:
+        """Adds where sounds are sent to, and where each is fetched."""
+        application.router.add_post(SOUNDS_PATH, self.take_in)
+        application.router.add_get(f"{SOUNDS_PATH}/{{key}}", self.respond)
+
+    async def take_in(self, request: web.Request) -> web.Response:
+        """Keeps the sound that is the body; responds with its key and its seconds (JSON), 400 with a sentence."""
+        data = bytearray()
+        async for chunk in request.content.iter_chunked(CHUNK):
+            data += chunk
+            if len(data) > LARGEST_SOUND:
+                break
+        try:
+            sound = read_sound(bytes(data))
+        except ValueError as error:
+            raise web.HTTPBadRequest(text=f"{error}.") from error
+        self._keep(sound)
+        return web.json_response({"sound": sound.key, "seconds": sound.seconds, "type": sound.type})
+
+    async def respond(self, request: web.Request) -> web.Response:
+        """Responds with a sound by its key."""
+        sound = self._sounds.get(request.match_info["key"])
+        if sound is None:
+            raise web.HTTPNotFound(text="there is no such sound any more: send it to /sounds again.")
+        return web.Response(body=sound.data, content_type=sound.type, headers={"Cache-Control": KEPT})
+
+    def _keep(self, sound: SoundFile) -> None:
+        """Keeps a sound as the newest, in the place of the oldest where there is no room."""
+        self._sounds.pop(sound.key, None)
+        self._sounds[sound.key] = sound
+        while len(self._sounds) > MOST_SOUNDS or sum(len(each.data) for each in self._sounds.values()) > MOST_BYTES:
+            del self._sounds[next(iter(self._sounds))]
+        self._known({key: each.seconds for key, each in self._sounds.items()})

@@ -1,0 +1,1 @@
+"""Sounds that characters speak with: which are there, and which stage plays them."""

@@ -1,0 +1,104 @@
+/** A line to say by hand, to try lips and sound; gestures, and what is said now. */
+
+import { css, html } from "lit";
+import { customElement, state } from "lit/decorators.js";
+import type { MakeGesture, Say } from "../../link/messages";
+import { base, entry } from "../../ui/theme";
+import { AnimatedElement, StyleWriter } from "../controls/console_element";
+import { sayMessage, speechWords } from "./say_message";
+
+/** The gestures of the engine, with what they are. */
+const GESTURES: readonly (readonly [MakeGesture["name"], string])[] = [
+  ["nod", "Nods"],
+  ["shake", "Shakes its head"],
+  ["tilt", "Tilts its head"],
+  ["bow", "Bows"],
+  ["shrug", "Shrugs with brows and mouth"],
+  ["brows", "Flashes its brows"],
+  ["wink", "Winks"],
+];
+/** The longest line that a message takes. */
+const LONGEST = 2000;
+
+@customElement("omote-speech-line")
+export class SpeechLine extends AnimatedElement {
+  @state() private language: Say["language"] = "en";
+  readonly #written = new StyleWriter();
+
+  static override styles = [
+    base,
+    css`
+      :host {
+        display: grid;
+        gap: 6px;
+        flex: none;
+        font-size: 12px;
+      }
+      h3 {
+        margin: 0;
+        font-size: 12px;
+        color: var(--dim);
+      }
+      form,
+      .row {
+        display: flex;
+        flex-wrap: wrap;
+        gap: 4px;
+        align-items: center;
+      }
+      input {
+        ${entry}
+        flex: 1 1 120px;
+        min-width: 0;
+        min-height: 28px;
+      }
+      .said {
+        color: var(--dim);
+        overflow: hidden;
+        text-overflow: ellipsis;
+        white-space: nowrap;
+        font-variant-numeric: tabular-nums;
+      }
+    `,
+  ];
+
+  override render() {
+    return html`<h3>Says</h3>
+      <form @submit=${this.#say}>
+        <input name="text" maxlength=${LONGEST} aria-label="A line to say" placeholder="A line, to try its lips" />
+        <button type="button" title="The language whose letters are read" @click=${this.#turn}>${this.language}</button>
+        <button type="submit">Say</button>
+        <button type="button" title="Ends what is said, and what waits" @click=${this.#stop}>Stop</button>
+      </form>
+      <div class="said" role="status"></div>
+      <div class="row" role="group" aria-label="Gestures">${GESTURES.map(
+        ([name, title]) => html`<button title=${title} @click=${() => this.#gesture(name)}>${name}</button>`,
+      )}</div>`;
+  }
+
+  readonly #say = (event: SubmitEvent): void => {
+    event.preventDefault();
+    const text = String(new FormData(event.target as HTMLFormElement).get("text") ?? "").trim();
+    if (text === "") return;
+    for (const character of this.store.played.names) this.store.ask(sayMessage(character, text, this.language));
+  };
+
+  readonly #turn = (): void => {
+    this.language = this.language === "en" ? "de" : "en";
+  };
+
+  readonly #stop = (): void => {
+    for (const character of this.store.played.names) this.store.ask({ type: "stop_speaking", character });
+  };
+
+  #gesture(name: MakeGesture["name"]): void {
+    for (const character of this.store.played.names)
+      this.store.ask({ type: "make_gesture", character, name, amplitude: 1, seconds: null });
+  }
+
+  paint(): void {
+    if (this.store.air === null || this.offsetParent === null) return;
+    const said = this.renderRoot.querySelector(".said") as HTMLElement | null;
+    if (said !== null) this.#written.text(said, speechWords(this.store.air.speech));
+  }
+}

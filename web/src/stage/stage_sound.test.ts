@@ -1,0 +1,43 @@
+import { describe, expect, it } from "vitest";
+import type { CharacterState, SpeechState, State } from "../link/messages";
+import { comingSounds, wantedSounds } from "./stage_sound";
+
+const speech = (given: Partial<SpeechState>): SpeechState => ({
+  number: 1,
+  text: "",
+  elapsed: 0,
+  seconds: 1,
+  sound: "",
+  waiting: 0,
+  next_sound: "",
+  ...given,
+});
+
+const state = (time: number, spoken: Record<string, SpeechState | null>): State => {
+  const characters = Object.entries(spoken).map(([name, each]) => [name, { speech: each } as CharacterState] as const);
+  return { time, characters: Object.fromEntries(characters) } as unknown as State;
+};
+
+describe("the sounds of a state", () => {
+  it("begin at the server's time of their first sample, before it too", () => {
+    const found = wantedSounds(state(10, { one: speech({ sound: "a", elapsed: -0.4, number: 7 }) }), undefined);
+    expect(found).toEqual([{ id: "one 7", key: "a", begin: 10.4 }]);
+  });
+
+  it("are none of silent lips, and none of a character that is not shown", () => {
+    const shown = state(1, { one: speech({}), two: speech({ sound: "b" }), three: null });
+    expect(wantedSounds(shown, "one")).toEqual([]);
+    expect(wantedSounds(shown, undefined).map((each) => each.key)).toEqual(["b"]);
+  });
+
+  it("are one where several characters speak with the same at once, two where one is later", () => {
+    const chorus = { one: speech({ sound: "a", elapsed: 0.5 }), two: speech({ sound: "a", elapsed: 0.51 }) };
+    expect(wantedSounds(state(1, chorus), undefined)).toHaveLength(1);
+    const canon = { ...chorus, two: speech({ sound: "a", elapsed: 0.1 }) };
+    expect(wantedSounds(state(1, canon), undefined)).toHaveLength(2);
+  });
+
+  it("are fetched before they are due, those that wait too", () => {
+    expect(comingSounds(state(1, { one: speech({ sound: "a", next_sound: "b" }), two: null }))).toEqual(["a", "b"]);
+  });
+});

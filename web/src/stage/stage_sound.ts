@@ -1,0 +1,196 @@
+/** The sounds that characters speak with, played on the stage's playout clock: in time with the lips that it draws. */
+
+import { fetchWithRetry } from "../link/assets";
+import type { Drawing, State } from "../link/messages";
+
+/** Seconds within which sounds that begin are one. */
+const TOGETHER = 0.08;
+/** Seconds that a sound may be away from its lips, and for how long, before it is started anew at the right place. */
+const FARTHEST = 0.12;
+const PATIENCE = 1;
+/** Seconds in which a sound that is interrupted fades. */
+const FADE = 0.03;
+/** Seconds in which the show says again that this stage plays. */
+const CONFIRMATION = 1.5;
+/** Sounds that are kept decoded. */
+const KEPT = 16;
+
+/** A sound that is to be heard: `begin` is the server's time of its first sample. */
+export interface WantedSound {
+  id: string;
+  key: string;
+  begin: number;
+}
+
+/** Whether this stage may play sounds: never, where the show asks it to, or before all others. */
+export type SoundWish = "never" | "may" | "here";
+
+/** The sounds of a state; several characters that speak with one sound at once make one. `only`: the one that is shown. */
+export function wantedSounds(state: State, only: string | undefined): WantedSound[] {
+  const found: WantedSound[] = [];
+  for (const [name, { speech }] of Object.entries(state.characters)) {
+    if (!speech || speech.sound === "" || (only !== undefined && only !== name)) continue;
+    const begin = state.time - speech.elapsed;
+    const twin = found.some((each) => each.key === speech.sound && Math.abs(each.begin - begin) < TOGETHER);
+    if (!twin) found.push({ id: `${name} ${speech.number}`, key: speech.sound, begin });
+  }
+  return found;
+}
+
+/** The sounds that a state will need. */
+export function comingSounds(state: State): string[] {
+  const keys = Object.values(state.characters).flatMap(({ speech }) =>
+    speech ? [speech.sound, speech.next_sound] : [],
+  );
+  return keys.filter((key) => key !== "");
+}
+
+interface Playing {
+  key: string;
+  source: AudioBufferSourceNode;
+  gain: GainNode;
+  /** The context's time of the sound's first sample. */
+  origin: number;
+  /** The context's time since when it has been too far away. */
+  away: number | undefined;
+}
+
+/** Whether a sound has been too far from where it should be for too long: a busy machine is behind for a moment. */
+function isAway(playing: Playing, origin: number, time: number): boolean {
+  const near = Math.abs(playing.origin - origin) < FARTHEST;
+  playing.away = near ? undefined : (playing.away ?? time);
+  return playing.away !== undefined && time - playing.away > PATIENCE;
+}
+
+/** What tests ask of the sounds of a stage. */
+export interface SoundReport {
+  state: Drawing["sound"];
+  plays: boolean;
+  /** How many sounds were begun. */
+  begun: number;
+  playing: string[];
+  /** How loud it is now: the largest sample of the last few milliseconds. */
+  level: number;
+}
+
+/** Plays sounds while the show says that this stage does; `changed`: it can play now, or cannot any more. */
+export class StageSound {
+  /** Whether this is the stage that plays. */
+  plays = false;
+  private context: AudioContext | undefined;
+  private analyser: AnalyserNode | undefined;
+  private readonly buffers = new Map<string, Promise<void> | AudioBuffer>();
+  private readonly playing = new Map<string, Playing>();
+  private wanted: WantedSound[] = [];
+  private begun = 0;
+  /** Until when the show must say again that this stage plays, after the link broke. */
+  private confirmed = Infinity;
+
+  constructor(
+    private readonly wish: SoundWish,
+    private readonly changed: () => void,
+  ) {
+    const unblock = (): void => void this.context?.resume();
+    for (const event of ["pointerdown", "keydown"] as const) addEventListener(event, unblock);
+  }
+
+  /** Whether it can play, as a heartbeat says it. Before the first sound nobody knows: a click would make sure. */
+  get state(): Drawing["sound"] {
+    if (this.wish === "never") return "";
+    const allowed = this.context ? this.context.state === "running" : navigator.userActivation?.hasBeenActive;
+    return allowed ? "ready" : "blocked";
+  }
+
+  /** Why nothing is heard here that should be; "" where all is well. */
+  get notice(): string {
+    if (!this.plays || this.wanted.length === 0 || this.context === undefined || this.state !== "blocked") return "";
+    return "This page may play sound only after a click: click it once. (Where nobody can click, open another stage with ?sound=1.)";
+  }
+
+  /** The show says whether this stage plays. */
+  choose(on: boolean): void {
+    this.plays = on;
+    this.confirmed = Infinity;
+  }
+
+  /** The link is back: what plays goes on, unless the show has chosen another stage meanwhile. */
+  relinked(time: number): void {
+    this.confirmed = time + CONFIRMATION;
+  }
+
+  /** A state has come: fetches what will be needed, and stops what is no longer said. */
+  follow(state: State, only: string | undefined, time: number): void {
+    if (this.wish === "never") return;
+    if (time > this.confirmed) this.choose(false);
+    this.wanted = wantedSounds(state, only);
+    for (const key of comingSounds(state)) this.load(key);
+    for (const [id, playing] of this.playing) {
+      if (!this.plays || !this.wanted.some((each) => each.id === id)) this.stop(id, playing);
+    }
+  }
+
+  /** Begins what is due; `place`: where in server time the picture is that is seen now, seconds. */
+  play(place: number): void {
+    const { context } = this;
+    if (!this.plays || context === undefined || context.state !== "running") return;
+    for (const { id, key, begin } of this.wanted) {
+      const buffer = this.buffers.get(key);
+      if (!(buffer instanceof AudioBuffer)) continue;
+      const origin = context.currentTime - (place - begin) - (context.outputLatency || 0);
+      const playing = this.playing.get(id);
+      if (playing !== undefined && !isAway(playing, origin, context.currentTime)) continue;
+      if (playing !== undefined) this.stop(id, playing);
+      if (origin + buffer.duration > context.currentTime) this.begin(context, id, key, buffer, origin);
+    }
+  }
+
+  report(): SoundReport {
+    const samples = new Float32Array(this.analyser?.fftSize ?? 0);
+    this.analyser?.getFloatTimeDomainData(samples);
+    const level = samples.reduce((most, sample) => Math.max(most, Math.abs(sample)), 0);
+    const playing = [...this.playing.keys()];
+    return { state: this.state, plays: this.plays, begun: this.begun, playing, level };
+  }
+
+  private begin(context: AudioContext, id: string, key: string, buffer: AudioBuffer, origin: number): void {
+    const source = new AudioBufferSourceNode(context, { buffer });
+    const gain = new GainNode(context);
+    source.connect(gain).connect(this.analyser as AnalyserNode);
+    source.start(Math.max(origin, 0), Math.max(context.currentTime - origin, 0));
+    source.onended = () => this.playing.get(id)?.source === source && this.playing.delete(id);
+    this.playing.set(id, { key, source, gain, origin, away: undefined });
+    this.begun += 1;
+  }
+
+  private stop(id: string, { source, gain }: Playing): void {
+    this.playing.delete(id);
+    const at = this.context?.currentTime ?? 0;
+    gain.gain.setTargetAtTime(0, at, FADE / 3);
+    source.stop(at + FADE * 2);
+  }
+
+  /** Fetches and decodes a sound, once. */
+  private load(key: string): void {
+    const context = this.open();
+    if (this.buffers.has(key)) return;
+    const loading = fetchWithRetry(`/sounds/${encodeURIComponent(key)}`)
+      .then((bytes) => context.decodeAudioData(bytes.slice().buffer))
+      .then((buffer) => void this.buffers.set(key, buffer))
+      .catch((error: unknown) => console.warn(`The sound ${key} cannot be played: ${String(error)}`));
+    this.buffers.set(key, loading);
+    const oldest = this.buffers.keys().next().value;
+    if (this.buffers.size > KEPT && oldest !== undefined) this.buffers.delete(oldest);
+  }
+
+  /** The context, made with the first sound: a page that never plays one needs no leave. */
+  private open(): AudioContext {
+    if (this.context !== undefined) return this.context;
+    const context = new AudioContext({ latencyHint: "interactive" });
+    this.analyser = new AnalyserNode(context, { fftSize: 256 });
+    this.analyser.connect(context.destination);
+    this.context = context;
+    context.onstatechange = () => this.changed();
+    this.changed();
+    return context;
+  }
+}
