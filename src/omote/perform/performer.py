@@ -730,7 +730,7 @@ class Performer:
         >>> performer = omote.Performer(cast)
         >>> performer.say("Hello", timing="words", marks=["Hello"], times=[0.0, 0.5])
         >>> speech = performer.advance(0.2).speech
-        >>> speech.text, round(speech.elapsed, 2), speech.seconds
+        >>> speech.text, round(speech.elapsed, 2), round(speech.seconds, 2)
         ('Hello', 0.05, 0.5)
 
         References
