@@ -20,7 +20,7 @@ MAP := src/omote/builtin/landmark_map.npz
 
 PAGES_FROM := $(wildcard web/*.html web/*.json web/*.ts) $(shell find web/src web/public -type f 2>/dev/null)
 CAST_FROM := tools/bake.py src/omote/interchange/formats/sculpt_toml.py $(shell find tools/baking src/omote/geometry src/omote/model src/omote/builtin -name "*.py" -o -name "*.toml")
-MAP_FROM := $(wildcard tools/tracking/*.npz tools/tracking/*.py src/omote/inputs/camera/*.py)
+MAP_FROM := tools/tracking/observations.npz tools/tracking/train_map.py tools/tracking/network.py src/omote/inputs/camera/landmark_map.py
 
 .PHONY: help demo test setup bake web check check-python check-web tests tests-and-wheel browser-tests wheel-test format bench gallery docs wheel clean
 .DELETE_ON_ERROR:
@@ -70,7 +70,7 @@ $(CAST): $(CAST_FROM) | $(PACKAGES)
 
 $(MAP): $(MAP_FROM) $(CAST)
 	@echo "== Map of the camera's landmarks (src/omote/builtin/landmark_map.npz)"
-	@$(RUN) -m tools.tracking.train
+	@$(RUN) -m tools.tracking.train_map
 	@touch $@
 
 # ---- checks and tests

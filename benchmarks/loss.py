@@ -6,8 +6,8 @@ breaks) and comes back. An operator calls expressions of all characters meanwhil
 largest change of step from one frame to the next (second difference) of any channel or angle:
 
 * cutting: what a source sends shows while it is there, and nothing while it is not;
-* ours: at most 1/30 of that beyond what the motion does that is never lost. Of the sources here that is nothing; of a
-  character that moves by itself, with lids and saccades, it is measured on another one of the same seed.
+* ours: at most 1/30 of that. Of a character that moves by itself (lids, saccades), and of lips, whose noise shows, what
+  is more than the same does that is never lost, which is measured beside it.
 
 Ten seconds after all have gone each character shows what one shows that nothing ever played, to the bit.
 
@@ -146,6 +146,22 @@ class Speech(Tracker):
 
     kind, rate, names = "lips", 100, MOUTH
 
+    def move(self, now: float) -> None:
+        """As of all; `twin` hears it too, and is never lost: lips are followed so soon that their noise shows."""
+        super().move(now)
+        if not hasattr(self, "twin"):
+            self.twin = Performer(self.session.cast)
+        sent = dict(zip(NAMES, self.weights.tolist(), strict=True))
+        self.twin.drive({name: sent[name] for name in MOUTH}, layer="lips")
+
+    @property
+    def never(self) -> Values:
+        """What the twin shows."""
+        if not hasattr(self, "twin"):
+            return self.cut
+        channels = self.twin.advance(1 / RATE).channels
+        return np.array([*(channels.get(name, 0.0) for name in NAMES), *np.zeros(7)])
+
     @property
     def cut(self) -> Values:
         """The mouth alone, by the influence of lips."""
@@ -269,14 +285,15 @@ class Trial:
                 self.way, self.count = str(kind.rng.choice(kind.ways)), self.count + 1
                 kind.lose(self.way, now)
             self.until = now + kind.rng.exponential(MEAN_PLAY if self.plays else MEAN_LOSS)
-        while self.plays and self.due <= now:
-            kind.send(now)
+        while self.due <= now:
+            (kind.send if self.plays else kind.move)(now)
             self.due = max(self.due, now - 1 / RATE) + 1 / kind.rate
 
     def note(self, shown: Values, now: float) -> None:
         """What shows now."""
-        never = self.kind.cut
-        told = {"cut": never if self.plays else np.zeros_like(never), "ours": shown, "never lost": never}
+        sent = self.kind.cut
+        never = self.kind.never if isinstance(self.kind, Speech) else sent
+        told = {"cut": sent if self.plays else np.zeros_like(sent), "ours": shown, "never lost": never}
         for name, value in told.items():
             first, second = self.last[name]
             if now > 2.0:  # all begin at rest
@@ -285,8 +302,8 @@ class Trial:
 
     @property
     def share(self) -> float:
-        """Our change of step beside cutting; of the automatic motion what is more than its own."""
-        own = self.worst["never lost"] if isinstance(self.kind, Automatic) else 0.0
+        """Our change of step beside cutting; of automatic motion and of lips what is more than their own."""
+        own = self.worst["never lost"] if isinstance(self.kind, Automatic | Speech) else 0.0
         return max(0.0, self.worst["ours"] - own) / self.worst["cut"]
 
 

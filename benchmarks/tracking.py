@@ -1,7 +1,7 @@
-"""How well a webcam tracks: people left out of the training, pictures of ours with known weights, the page's own model.
+"""How well a webcam tracks: people left out of the training, pictures of known weights, the camera page's own model.
 
-Each person holds still, does the guided minute, a piece of a real take (a synthetic one where the data is absent) with a
-head that turns to 30 degrees, random mixtures, a still, and blinks. Explained: the share of the skin's squared motion
+Each person holds still, does the guided minute, a piece of a real take (a synthetic one where the data is absent) with
+a head that turns to 30 degrees, random mixtures, a still, and blinks. Explained: the share of the skin's squared motion
 that is gone when what was tracked is taken off. Native landmarks: see tools/tracking/landmark_finder.py.
 
 python -m benchmarks.tracking [--people 8] [--frames 150] [--seed 9000] [--folder FOLDER]
@@ -29,9 +29,9 @@ from tools.tracking.films import RATE, film
 from tools.tracking.gather import EVEN, OBSERVATIONS, ODD, seen_turns
 from tools.tracking.landmark_finder import Looks, find, open_finder
 from tools.tracking.motions import row_of
-from tools.tracking.people import HUMANS, LEFT_OUT, Person, Warp, random_person
 from tools.tracking.picture import SIZE, Photographer, random_setting
-from tools.tracking.train import read_observations
+from tools.tracking.random_people import HUMANS, LEFT_OUT, Person, Warp, random_person
+from tools.tracking.train_map import read_observations
 
 Values = NDArray[np.float64]
 TAKE = Path(__file__).resolve().parents[2] / "shared" / "data" / "livelinkface" / "alex_rom_3.csv"
@@ -164,8 +164,9 @@ class LinearWays:
         known = self._known(features.astype(np.float64))
         ridge = 0.003 * len(known) * np.eye(known.shape[1]) * np.var(known[:, 0]) * 1e-2
         self._answers = np.linalg.solve(known.T @ known + ridge, known.T @ targets.astype(np.float64))
-        moved, weights = known[:, :120], targets[:, :COUNT].astype(np.float64)
-        self._moves = np.linalg.solve(weights.T @ weights + 0.1 * np.eye(COUNT), weights.T @ moved)
+        moved, worn = known[:, :120], np.concatenate([targets[:, :COUNT], np.ones((len(targets), 1))], axis=1)
+        rows = np.linalg.solve(worn.T @ worn + 0.1 * np.eye(COUNT + 1), worn.T @ moved)
+        self._moves, self._rest = rows[:COUNT], rows[COUNT]
 
     def _known(self, features: Values) -> Values:
         raw = features * self._scale + self._centre
@@ -184,7 +185,7 @@ class LinearWays:
         rows, features = seen_features(performer)
         found = np.full((len(performer.frames), COUNT + 5), np.nan)
         for row, moved in zip(rows, self._known(features)[:, :120], strict=True):
-            found[row, :COUNT] = np.minimum(nnls(self._moves.T, moved)[0], 1.0)
+            found[row, :COUNT] = np.minimum(nnls(self._moves.T, moved - self._rest)[0], 1.0)
         return found
 
 
@@ -206,9 +207,13 @@ def correlation(performers: Sequence[Performer], tracked: Sequence[Values], scen
     """The mean correlation over the units that move."""
     did = np.concatenate([one.truth[one.of(scene), :COUNT] for one in performers])
     found = np.concatenate([each[one.of(scene), :COUNT] for one, each in zip(performers, tracked, strict=True)])
-    moving = [unit for unit in range(COUNT) if did[:, unit].std() > MOVES]
-    pairs = [(did[:, unit], found[:, unit]) for unit in moving]
-    return float(np.mean([np.corrcoef(a, b)[0, 1] if b.std() > 0.0 else 0.0 for a, b in pairs]))
+    return float(np.mean(correlations(did, found)))
+
+
+def correlations(did: Values, found: Values) -> list[float]:
+    """The correlation of each unit (a column) that moves; 0 for one that was not seen to."""
+    pairs = [(a, b) for a, b in zip(did.T, found.T, strict=True) if a.std() > MOVES]
+    return [float(np.corrcoef(a, b)[0, 1]) if b.std() > 0.0 else 0.0 for a, b in pairs]
 
 
 def gaze_error(performers: Sequence[Performer], tracked: Sequence[Values]) -> Values:
@@ -219,7 +224,8 @@ def gaze_error(performers: Sequence[Performer], tracked: Sequence[Values]) -> Va
         lids = one.truth[rows][:, [UNITS.index("eyeBlinkLeft"), UNITS.index("eyeBlinkRight")]].mean(axis=1)
         rows = rows[lids < OPEN]
         errors.append(found[rows, COUNT : COUNT + 2] - one.truth[rows, COUNT : COUNT + 2])
-    return np.degrees(np.abs(np.concatenate(errors)).mean(axis=0))
+    result: Values = np.degrees(np.abs(np.concatenate(errors)).mean(axis=0))
+    return result
 
 
 def head_error(performers: Sequence[Performer], tracked: Sequence[Values]) -> Values:
@@ -228,7 +234,8 @@ def head_error(performers: Sequence[Performer], tracked: Sequence[Values]) -> Va
     for one, found in zip(performers, tracked, strict=True):
         rows = np.concatenate([one.of(scene) for scene in PLAYED])
         errors.append(found[rows, -3:] - one.truth[rows, -3:])
-    return np.degrees(np.abs(np.concatenate(errors)).mean(axis=0))
+    result: Values = np.degrees(np.abs(np.concatenate(errors)).mean(axis=0))
+    return result
 
 
 def shaking(performers: Sequence[Performer], tracked: Sequence[Values]) -> float:
@@ -267,16 +274,11 @@ def lag(performers: Sequence[Performer], tracked: Sequence[Values]) -> int:
     """The frames by which weights are late: where they correlate best with what was done."""
     scores = []
     for late in range(5):
-        pairs = []
+        pairs: list[float] = []
         for one, found in zip(performers, tracked, strict=True):
             rows = one.of("blinks")
             rows = rows[rows >= rows[0] + late]
-            did, seen = one.truth[rows - late, :COUNT], found[rows, :COUNT]
-            pairs += [
-                np.corrcoef(did[:, u], seen[:, u])[0, 1]
-                for u in range(COUNT)
-                if did[:, u].std() > MOVES and seen[:, u].std() > 0
-            ]
+            pairs += correlations(one.truth[rows - late, :COUNT], found[rows, :COUNT])
         scores.append(float(np.mean(pairs)))
     return int(np.argmax(scores))
 
@@ -291,7 +293,7 @@ def report(name: str, performers: Sequence[Performer], tracked: Sequence[Values]
     done, hit, false, minutes = blink_counts(performers, tracked)
     print(f"  blinks within two frames: {hit} of {done}; false ones a minute: {false / minutes:.2f}")
     print(f"  shaking on a still {shaking(performers, tracked):.4f}; late by {lag(performers, tracked)} frames")
-    if not np.isnan(tracked[0]).all(axis=0)[-1]:
+    if not np.isnan(tracked[0][:, -1]).all():
         print("  gaze: yaw {:.1f}, pitch {:.1f} degrees".format(*gaze_error(performers, tracked)), end="; ")
         print("head: yaw {:.2f}, pitch {:.2f}, roll {:.2f} degrees".format(*head_error(performers, tracked)))
 
@@ -312,9 +314,8 @@ def main() -> None:
         paths = [record(folder, asked.seed, number, asked.frames, finder) for number in range(asked.people)]
         finder.close()
     performers = [load(path) for path in paths]
-    frames, found = (
-        sum(map(each, performers)) for each in (lambda p: len(p.frames), lambda p: sum(f.found for f in p.frames))
-    )
+    frames = sum(len(one.frames) for one in performers)
+    found = sum(frame.found for one in performers for frame in one.frames)
     print(f"{asked.people} people left out of the training, {frames} frames, a face found in {found}")
     print(f"take: {TAKE.name if TAKE.exists() else 'a synthetic one: the data is absent'}")
     linear = LinearWays()

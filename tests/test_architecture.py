@@ -17,6 +17,9 @@ SCRIPTS = sorted((ROOT / "web" / "src").rglob("*.ts"))
 LONGEST_MODULE, LONGEST_BODY = 300, 25
 LONG_MODULES: dict[str, str] = {
     "benchmarks/evaluate.py": "one claim of four ratios at three sizes, and the peers they are measured against",
+    "benchmarks/loss.py": "one claim for seven kinds of source, each played by its own messages or packets",
+    "src/omote/inputs/osc_addresses.py": "every address of OSC once, in one table",
+    "src/omote/server/supervision/supervisor.py": "what keeps the show going must be seen at one place",
     "src/omote/show/messages.py": "every message and document once, in one file",
     "tools/baking/heads/people.py": "one recipe for each person, line by line",
     "src/omote/edit/protocol/messages.py": "every message of an editor's link once, in one file",
@@ -25,13 +28,17 @@ LONG_MODULES: dict[str, str] = {
     "web/src/console/store/console_store.test.ts": "one store, a test for each of its promises",
     "web/src/editor/session/draft_store.test.ts": "one store, a test for each of its promises",
     "web/src/link/messages.ts": "written by tools/messages.py from show/messages.py",
+    "benchmarks/tracking.py": "the films of one claim, four ways to track them, and nine measures of each",
     "benchmarks/interruptions.py": "one claim with its bound, its search for the maximum and its picture",
     "src/omote/model/controls/control_net.py": "public: parameters, errors and an example of each method",
     "src/omote/model/space/parameter_space.py": "public: parameters, errors and an example of each method",
     "src/omote/perform/scene/scene.py": "public: parameters, errors and an example of each method",
     "src/omote/perform/performer.py": "public: parameters, errors and an example of each method",
 }
-LONG_BODIES: dict[str, str] = {}
+LONG_BODIES: dict[str, str] = {
+    "tools/tracking/rasterizer.py:draw_triangles": "one loop over the pixels of triangles, compiled",
+    "tools/tracking/rasterizer.py:shade_pixels": "one loop over the pixels of a picture, compiled",
+}
 
 EMPTY_NAMES = re.compile(r"utils?|helpers?|common|core|misc|stuff|base")
 # Which modules need no test file of their own, and why.

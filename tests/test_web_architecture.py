@@ -59,6 +59,7 @@ USED: dict[str, str] = {
         "link ui access console/store console/show_file console/leases console/panels console/devices "
         "console/device_panel console"
     ),
+    "microphone": "link ui access",
     "camera/landmarks": "",
     "camera/session": "link camera/landmarks",
     "camera": "ui access camera/landmarks camera/session",
@@ -99,7 +100,7 @@ def imports_in(text: str, module: str) -> set[str]:
 
 def _resolved(path: PurePosixPath) -> str:
     parts: list[str] = []
-    for part in path.parts:
+    for part in PurePosixPath(str(path).partition(".ts?")[0]).parts:  # `?worker&url`: the module as a file of its own
         if part == "..":
             parts.pop()
         else:

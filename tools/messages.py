@@ -1,4 +1,4 @@
-"""Writes what Python and the web share into `web/src/link`: `python tools/messages.py [--check]`.
+"""Writes what Python and the web share into `web/src`: `python tools/messages.py [--check]`.
 
 `messages.ts`, `editing_messages.ts`, `microphone_messages.ts` and `camera_messages.ts` have the messages of the links,
 `constants.ts` the names, ranges and lengths.
@@ -19,6 +19,7 @@ import msgspec
 
 from omote.edit.protocol import messages as editing
 from omote.inputs.microphone import microphone_messages as microphone
+from omote.inputs.microphone.sound_features import SAMPLE_RATE
 from omote.inputs.performers import camera_messages as camera
 from omote.interchange.part_textures import ARCH, ARCH_DEPTH, TOOTH_REACH
 from omote.interchange.skin_texture import HAIRLINE
@@ -99,7 +100,7 @@ def microphone_module() -> str:
     """The messages of the microphone page's link in TypeScript."""
     constants = [
         f"export const MICROPHONE_PATH = {_quote(microphone.MICROPHONE_PATH)};",
-        f"/** Samples per second. */\nexport const SAMPLE_RATE = {microphone.SAMPLE_RATE};",
+        f"/** Samples per second. */\nexport const SAMPLE_RATE = {SAMPLE_RATE};",
     ]
     unions = [
         _union("FromMicrophone", microphone.MICROPHONE_MESSAGES),
@@ -157,8 +158,8 @@ def constants_module() -> str:
 MODULES = {
     "messages.ts": show_module,
     "editing_messages.ts": editing_module,
+    "../microphone/microphone_messages.ts": microphone_module,
     "../camera/session/camera_messages.ts": camera_module,
-    "microphone_messages.ts": microphone_module,
     "constants.ts": constants_module,
 }
 

@@ -21,7 +21,7 @@ def read_options(sacn: str, bindings: Path | None, allow: str, listen: str = "",
     """What the operator asks for of devices, validated; ends the command where it cannot be."""
     from omote.inputs.allowed_senders import read_senders
     from omote.inputs.face_output.face_target import read_targets
-    from omote.server.devices.switches.tracker_sockets import find_phones, find_receivers, read_trackers
+    from omote.server.devices.trackers.tracker_sockets import find_phones, find_receivers, read_trackers
     from omote.server.supervision.device_sockets import DeviceOptions, read_universes
 
     try:
@@ -46,7 +46,7 @@ def read_options(sacn: str, bindings: Path | None, allow: str, listen: str = "",
 def open_devices(host: str, osc: int | None, options: DeviceOptions, artnet: int) -> DeviceSockets:
     """The sockets that were asked for; ends the command where one cannot be had. Without any (`OFF`, None for OSC at
     its usual port) there is none."""
-    from omote.server.devices.switches.tracker_sockets import listen_for_trackers, read_trackers
+    from omote.server.devices.trackers.tracker_sockets import listen_for_trackers, read_trackers
     from omote.server.supervision.device_sockets import DeviceSockets, listen_for_artnet, listen_for_sacn
     from omote.server.supervision.listening_socket import listen_for_osc
 
@@ -64,7 +64,7 @@ def open_devices(host: str, osc: int | None, options: DeviceOptions, artnet: int
 def list_others(options: DeviceOptions) -> list[str]:
     """A line for each tracker that has no socket of its own, and for each receiver of faces."""
     from omote.inputs.face_output.face_target import read_targets
-    from omote.server.devices.switches.tracker_sockets import explain_others, read_trackers
+    from omote.server.devices.trackers.tracker_sockets import explain_others, read_trackers
 
     return explain_others(read_trackers(options.listen), read_targets(options.send))
 

@@ -76,9 +76,9 @@ def record_take(
     ] = None,
 ) -> None:
     """Records what a tracker sends, to be played into a show later."""
-    from omote.server.devices.switches.tracker_sockets import find_phones, read_wish
-    from omote.server.devices.take_recorder import check_recordable, count_packets
-    from omote.server.devices.take_recorder import record_take as record
+    from omote.server.devices.trackers.take_recorder import check_recordable, count_packets
+    from omote.server.devices.trackers.take_recorder import record_take as record
+    from omote.server.devices.trackers.tracker_sockets import find_phones, read_wish
 
     path = take if take.suffix else take.with_suffix(".pcap")
     try:

@@ -8,20 +8,22 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from omote.inputs.microphone.sound_features import SAMPLE_RATE, FeatureStream
+from omote.inputs.microphone.sound_features import SAMPLE_RATE, FeatureStream, SoundFeatures
 from omote.inputs.microphone.speaker_profile import SpeakerState, measure_speaker
 from omote.inputs.microphone.viseme_network import frame_inputs
 from tools.lips.espeak_voice import Espeak, EspeakVoice
-from tools.lips.named_voices import FESTIVAL_VOICES, speak_festival
+from tools.lips.named_voices import FESTIVAL_VOICES, FLITE_VOICES, speak_festival, speak_flite
 from tools.lips.sentences import make_sentence
 from tools.lips.sound_conditions import apply_condition, draw_condition
 from tools.lips.spoken import Segment, Spoken, label_frames
 
 LANGUAGES = {
-    "en": "american-english", "en-us": "american-english", "en-gb-scotland": "american-english", "fr": "french",
+    "en": "american-english", "en-us": "american-english", "en-gb-x-rp": "american-english",
+    "en-us-nyc": "american-english", "en-gb-scotland": "american-english", "fr": "french",
     "pl": "polish", "sv": "swedish", "nl": "dutch", "pt": "portuguese", "pt-br": "portuguese", "it": "italian",
     "da": "danish", "uk": "ukrainian", "ca": "catalan", "nb": "bokmaal", "bg": "bulgarian",
-    "tr": "", "fi": "", "hu": "", "cs": "", "ro": "", "id": "", "sw": "", "et": "", "eo": "", "sk": "", "hr": "", "eu": "",
+    "tr": "", "fi": "", "hu": "", "cs": "", "ro": "", "id": "", "sw": "", "et": "", "eo": "", "sk": "", "hr": "",
+    "eu": "",
 }  # fmt: skip
 """Languages of espeak-ng that are trained on, and their dictionaries."""
 LEFT_OUT_LANGUAGES = {"de": "ngerman", "es": "spanish"}
@@ -29,12 +31,15 @@ LEFT_OUT_VARIANTS = ("f4", "m7", "Andrea")
 """Never trained on: `benchmarks/lips.py` speaks with them."""
 VARIANTS = (
     "", "m1", "m2", "m3", "m4", "m5", "m6", "m8", "f1", "f2", "f3", "f5", "Alex", "Alicia", "Andy", "Annie",
-    "Denis", "Diogo", "Gene", "Hugo", "Jacky", "Lee", "Marco", "Mario", "Michael", "Mike", "adam", "anika", "antonio",
-    "aunty", "belinda", "benjamin", "boris", "caleb", "david", "ed", "edward", "grandma", "grandpa", "gustave", "iven",
-    "john", "kaukovalta", "klatt", "klatt2", "klatt3", "klatt4", "klatt5", "linda", "max", "michel", "miguel", "norbert", "pablo",
-    "paul", "pedro", "quincy", "rob", "robert", "sandro", "shelby", "steph", "travis", "victor", "zac",
+    "Denis", "Diogo", "Gene", "Hugo", "Jacky", "Lee", "Marco", "Mario", "Michael", "Mike", "adam", "anika",
+    "antonio", "aunty", "belinda", "benjamin", "boris", "caleb", "david", "ed", "edward", "grandma", "grandpa",
+    "gustave", "iven", "john", "kaukovalta", "klatt", "klatt2", "klatt3", "klatt4", "klatt5", "linda", "max",
+    "michel", "miguel", "norbert", "pablo", "paul", "pedro", "quincy", "rob", "robert", "sandro", "shelby",
+    "steph", "travis", "victor", "zac",
 )  # fmt: skip
 SENTENCES = 6
+TAKES = 4
+"""Conditions under which each of the slower voices is heard."""
 CALIBRATED_SHARE = 0.4
 CALIBRATION_SECONDS = 4
 
@@ -49,18 +54,20 @@ class Recording:
 
 
 def make_recordings(count: int, festival: int, rng: np.random.Generator) -> Iterator[Recording]:
-    """`count` recordings of voices of espeak-ng, and `festival` of each of festival's under as many conditions."""
+    """`count` recordings of voices of espeak-ng, and `festival` of each slower voice, under several conditions each."""
     espeak = Espeak()
     babble: np.ndarray | None = None
     for _ in range(count):
         spoken = change_speed(join_speech(speak_some(espeak, rng), rng), rng)
         yield make_recording(spoken, rng, babble)
         babble = spoken.sound
-    for voice in FESTIVAL_VOICES:
+    for voice in (*FESTIVAL_VOICES, *FLITE_VOICES):
         for _ in range(festival):
-            texts = [_plain(make_sentence(voice.words, rng), voice.words) for _ in range(SENTENCES)]
-            said = speak_festival(voice, texts)
-            for _ in range(3 if said else 0):
+            texts = [_plain(make_sentence(voice.words, rng, words=4), voice.words) for _ in range(SENTENCES)]
+            said = (
+                [speak_flite(voice, text) for text in texts] if voice in FLITE_VOICES else speak_festival(voice, texts)
+            )
+            for _ in range(TAKES if said else 0):
                 yield make_recording(change_speed(join_speech(said, rng), rng), rng, babble)
 
 
@@ -80,7 +87,7 @@ def join_speech(parts: Sequence[Spoken], rng: np.random.Generator) -> Spoken:
     segments: list[Segment] = []
     start = 0
     for part in parts:
-        pause = int(rng.uniform(0.15, 0.9) * SAMPLE_RATE)
+        pause = int((rng.uniform(1.5, 4.0) if rng.random() < 0.08 else rng.uniform(0.15, 0.9)) * SAMPLE_RATE)
         segments.append(Segment(start / SAMPLE_RATE, (start + pause) / SAMPLE_RATE, "", ("sil",)))
         start += pause
         shift = start / SAMPLE_RATE
@@ -108,9 +115,8 @@ def make_recording(spoken: Spoken, rng: np.random.Generator, babble: np.ndarray 
         first = int(rng.integers(0, max(1, len(heard) - 100 * CALIBRATION_SECONDS)))
         part = slice(first, first + 100 * CALIBRATION_SECONDS)
         try:
-            speaker = SpeakerState(
-                measure_speaker(type(heard)(heard.bands[part], heard.level[part], heard.voicing[part]))
-            )
+            sentence = SoundFeatures(heard.bands[part], heard.level[part], heard.voicing[part])
+            speaker = SpeakerState(measure_speaker(sentence))
         except ValueError:
             speaker = SpeakerState()
     frames, floors = frame_inputs(heard, speaker)

@@ -74,7 +74,7 @@ class Espeak:
 
     def _take(self, samples: object, count: int, events: object) -> int:
         if count > 0 and samples:
-            self._sound.append(np.ctypeslib.as_array(samples, (count,)).copy())  # type: ignore[call-overload]
+            self._sound.append(np.ctypeslib.as_array(samples, (count,)).copy())
         index = 0
         while events[index].type != 0:  # type: ignore[index]
             event = events[index]  # type: ignore[index]

@@ -29,6 +29,7 @@ class NamedVoice:
 
 FESTIVAL_VOICES = (
     NamedVoice("voice_ked_diphone", "radio", "american-english"),
+    NamedVoice("voice_cmu_us_slt_arctic_hts", "radio", "american-english"),
     NamedVoice("voice_suo_fi_lj_diphone", "finnish", "finnish"),
     NamedVoice("voice_hy_fi_mv_diphone", "finnish", "finnish"),
     NamedVoice("voice_lp_diphone", "latin", "italian"),
@@ -39,8 +40,9 @@ FESTIVAL_VOICES = (
     NamedVoice("voice_upc_ca_ona_hts", "latin", "catalan"),
     NamedVoice("voice_msu_ru_nsh_clunits", "russian", "ukrainian"),
 )
-FLITE_VOICES = tuple(NamedVoice(name, "radio", "american-english") for name in ("awb", "kal16", "rms", "slt"))
-"""Of flite; none of them, and no voice of the same speakers, is trained on."""
+FLITE_VOICES = tuple(NamedVoice(name, "radio", "american-english") for name in ("rms", "slt"))
+LEFT_OUT_FLITE = tuple(NamedVoice(name, "radio", "american-english") for name in ("awb", "kal16"))
+"""Never trained on, nor any other voice of these speakers."""
 
 
 def speak_festival(voice: NamedVoice, texts: Sequence[str]) -> list[Spoken]:
@@ -57,7 +59,7 @@ def speak_festival(voice: NamedVoice, texts: Sequence[str]) -> list[Spoken]:
         script.write_text("\n".join(lines))
         subprocess.run(["festival", "-b", str(script)], check=False, capture_output=True, timeout=SECONDS)
         return [
-            _read(Path(folder) / f"{index}.wav", _lines((Path(folder) / f"{index}.lab").read_text(errors="replace")), voice)
+            _read(Path(folder) / f"{index}.wav", _lines(Path(folder) / f"{index}.lab"), voice)
             for index in range(len(texts))
             if (Path(folder) / f"{index}.lab").exists() and (Path(folder) / f"{index}.wav").exists()
         ]  # fmt: skip
@@ -73,10 +75,10 @@ def speak_flite(voice: NamedVoice, text: str) -> Spoken:
         return _read(sound, [(name, float(end)) for name, end in pairs], voice)
 
 
-def _lines(labels: str) -> list[tuple[str, float]]:
+def _lines(path: Path) -> list[tuple[str, float]]:
     """Names and ends of the phones of a file of xwaves."""
     found = []
-    for line in labels.splitlines():
+    for line in path.read_text(errors="replace").splitlines():
         parts = line.split()
         if len(parts) >= 3:
             found.append((parts[2], float(parts[0])))

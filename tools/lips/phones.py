@@ -7,7 +7,7 @@ import re
 from omote.perform.speech.visemes import VISEMES
 
 Shapes = tuple[str, ...]
-"""Visemes of a phone, one after the other; two of a diphthong, none where the phone takes the shape of its neighbours."""
+"""Visemes of a phone, one after the other; two of a diphthong, none where it takes the shape of its neighbours."""
 
 _CONSONANTS = {
     "PP": "p b m ɓ ɸ β",
@@ -80,7 +80,8 @@ def _by_name(table: dict[str, str]) -> dict[str, Shapes]:
 
 
 NAMED = {name: _by_name(table) for name, table in
-         {"radio": _RADIO, "latin": _LATIN, "russian": _CYRILLIC, "finnish": _FINNISH, "czech": _CZECH}.items()}  # fmt: skip
+         {"radio": _RADIO, "latin": _LATIN, "russian": _CYRILLIC, "finnish": _FINNISH,
+          "czech": _CZECH}.items()}  # fmt: skip
 SILENT = {"", "pau", "#", "sil", "brth", "_", "_:", "h#", "ssil"}
 
 
@@ -112,7 +113,7 @@ def shapes_of_name(phone_set: str, name: str) -> Shapes | None:
     return table.get(plain) or table.get(plain.lower()) or (() if plain in ("h", "hh", "hv") else None)
 
 
-_VOICELESS = ("p", "t", "k", "f", "s", "ʃ", "x", "h", "θ", "ç", "c", "q", "χ", "ħ", "ɕ", "ʂ", "hh", "th", "sh", "ch")
+_VOICELESS = tuple("p t k f s ʃ x h θ ç c q χ ħ ɕ ʂ hh th sh ch".split())
 _VOICED_NAMES = ("dh", "jh", "zh")
 
 

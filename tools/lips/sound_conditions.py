@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from dataclasses import dataclass
 
 import numpy as np
@@ -41,18 +40,21 @@ def apply_condition(sound: Sound, condition: Condition, rng: np.random.Generator
         heard = heard + noise * np.sqrt(level / max(np.mean(noise**2), 1e-12)) * 10 ** (condition.noise / 20)
     heard = heard * (10 ** (condition.peak / 20) / max(np.max(np.abs(heard)), 1e-6))
     dither = rng.uniform(-0.5, 0.5, len(heard)) / 32768
-    return np.clip(heard + dither, -1.0, 1.0).astype(np.float32)
+    clipped: Sound = np.clip(heard + dither, -1.0, 1.0).astype(np.float32)
+    return clipped
 
 
 def draw_condition(rng: np.random.Generator) -> Condition:
     """A condition for training, drawn at random."""
-    noise = None if rng.random() < 0.12 else float(-rng.uniform(5, 45))
+    noise = None if rng.random() < 0.12 else float(-rng.uniform(5, 16) if rng.random() < 0.5 else -rng.uniform(16, 45))
     return Condition(
         noise=noise,
-        kind=str(rng.choice(["white", "pink", "brown", "hum", "babble"], p=[0.25, 0.35, 0.15, 0.05, 0.2])),
+        kind=str(
+            rng.choice(["white", "pink", "brown", "hum", "clicks", "babble"], p=[0.2, 0.3, 0.15, 0.05, 0.08, 0.22])
+        ),
         peak=float(rng.uniform(-36, 3)),
         room=float(rng.uniform(0.08, 0.5)) if rng.random() < 0.35 else 0.0,
-        whisper=bool(rng.random() < 0.1),
+        whisper=bool(rng.random() < 0.13),
         tilt=tuple(rng.normal(0, 5, 5).tolist()) if rng.random() < 0.7 else (),
         lowest=float(rng.uniform(50, 250)) if rng.random() < 0.3 else 0.0,
         highest=float(rng.uniform(3400, 7900)) if rng.random() < 0.25 else 8000.0,
@@ -67,7 +69,7 @@ def speech_power(sound: Sound) -> float:
 
 
 def make_noise(kind: str, count: int, rng: np.random.Generator, babble: Sound | None = None) -> Sound:
-    """Noise of a kind: white, pink, brown, hum (of the mains), babble (others who speak)."""
+    """Noise of a kind: white, pink, brown, hum (of the mains), clicks, babble (others who speak)."""
     if kind == "babble" and babble is not None and len(babble):
         starts = rng.integers(0, len(babble), 4)
         return sum((np.resize(np.roll(babble, -start), count) for start in starts), np.zeros(count))
@@ -75,6 +77,11 @@ def make_noise(kind: str, count: int, rng: np.random.Generator, babble: Sound | 
         time = np.arange(count) / SAMPLE_RATE
         base = float(rng.choice([50.0, 60.0]))
         return sum((np.sin(2 * np.pi * base * n * time + n) / n for n in range(1, 9)), 0.02 * rng.normal(size=count))
+    if kind == "clicks":  # keys, cups, steps
+        struck = (rng.random(count) < 4.0 / SAMPLE_RATE) * rng.normal(size=count)
+        fall = rng.normal(size=800) * np.exp(-np.arange(800) / rng.uniform(40, 250))
+        clicks: Sound = fftconvolve(struck, fall)[:count] + 1e-3 * rng.normal(size=count)
+        return clicks
     slope = {"white": 0.0, "pink": -0.5, "brown": -1.0}.get(kind, -0.5)
     spectrum = np.fft.rfft(rng.normal(size=count))
     return np.fft.irfft(spectrum * np.maximum(np.fft.rfftfreq(count, 1 / SAMPLE_RATE), 20.0) ** slope, count)
@@ -106,7 +113,8 @@ def _room(sound: Sound, decay: float, rng: np.random.Generator) -> Sound:
     tail[: int(0.002 * SAMPLE_RATE)] = 0.0
     tail *= rng.uniform(0.1, 0.6) / np.sqrt(np.sum(tail**2))
     tail[0] = 1.0
-    return fftconvolve(sound, tail)[: len(sound)]
+    heard: Sound = fftconvolve(sound, tail)[: len(sound)]
+    return heard
 
 
 def _color(sound: Sound, condition: Condition) -> Sound:
@@ -120,6 +128,3 @@ def _color(sound: Sound, condition: Condition) -> Sound:
     if condition.highest < 7950.0:
         sound = sosfilt(butter(4, condition.highest, "low", fs=SAMPLE_RATE, output="sos"), sound)
     return sound
-
-
-Draw = Callable[[np.random.Generator], Condition]

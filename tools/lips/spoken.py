@@ -46,7 +46,8 @@ def resample(sound: np.ndarray, rate: int) -> np.ndarray:
     if rate == SAMPLE_RATE:
         return sound.astype(np.float32)
     step = gcd(rate, SAMPLE_RATE)
-    return resample_poly(sound, SAMPLE_RATE // step, rate // step).astype(np.float32)
+    made: np.ndarray = resample_poly(sound, SAMPLE_RATE // step, rate // step).astype(np.float32)
+    return made
 
 
 def claim_closures(segments: Sequence[Segment], sound: np.ndarray, rate: int) -> list[Segment]:

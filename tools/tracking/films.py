@@ -65,10 +65,9 @@ def guided(draw: np.random.Generator) -> list[tuple[str, Moment]]:
         weights = spread({name: strength * weight for name, weight in groups.items()}, draw, 0.06)
         weights = {name: min(1.0, weight + float(draw.exponential(0.02))) for name, weight in weights.items()}
         yaw, pitch = np.array(LOOKS.get(step, (0.0, 0.0))) * draw.uniform(0.92, 1.08) + draw.normal(0, 0.015, 2)
-        for _ in range(6):
-            frames.append(
-                (step, replace(still(draw, small_pose_of(draw)), weights=weights, gaze=(float(yaw), float(pitch))))
-            )
+        look = (float(yaw), float(pitch))
+        poses = [still(draw, small_pose_of(draw)) for _ in range(6)]
+        frames += [(step, replace(pose, weights=weights, gaze=look)) for pose in poses]
     return frames
 
 
@@ -89,7 +88,10 @@ def head_path(draw: np.random.Generator, frames: int) -> list[Pose]:
             )
     moves = np.stack([0.012 * np.sin(2 * np.pi * (0.13 * at + draw.uniform())) for _ in range(3)], 1)
     turns = np.clip(turns, -1, 1) * most
-    return [Pose(tuple(turn), tuple(move)) for turn, move in zip(turns.tolist(), moves.tolist(), strict=True)]
+    return [
+        Pose((turn[0], turn[1], turn[2]), (move[0], move[1], move[2]))
+        for turn, move in zip(turns.tolist(), moves.tolist(), strict=True)
+    ]
 
 
 def talk(draw: np.random.Generator, frames: int) -> list[Moment]:

@@ -18,7 +18,7 @@ from omote.inputs.camera.face_features import pose_row
 from omote.inputs.camera.head_pose import HeadPose, fit_pose, metric_points, normal_face
 from omote.inputs.camera.landmark_frame import LandmarkFrame
 from omote.inputs.camera.landmark_map import OUTPUTS, UNITS, Compression
-from tools.tracking.mirror import find_mirror, mirror_face, mirror_features
+from tools.tracking.face_mirror import find_mirror, mirror_face, mirror_features
 from tools.tracking.picture import SIZE, Pose, turn
 
 Values = NDArray[np.float64]
@@ -139,9 +139,8 @@ def main() -> None:
     arrays |= {"angles": np.rint(1e4 * truth[:, len(UNITS) :]).astype(np.int16)}
     np.savez_compressed(OBSERVATIONS, **arrays)
     digest = hashlib.blake2b(OBSERVATIONS.read_bytes(), digest_size=8).hexdigest()
-    print(
-        f"{OBSERVATIONS}: {len(people)} people, {len(truth)} frames, {OBSERVATIONS.stat().st_size / 1e6:.2f} MB, {digest}"
-    )
+    size = OBSERVATIONS.stat().st_size / 1e6
+    print(f"{OBSERVATIONS}: {len(people)} people, {len(truth)} frames, {size:.2f} MB, {digest}")
 
 
 if __name__ == "__main__":

@@ -1,7 +1,7 @@
 """Finds landmarks in pictures by the camera page's own model: in Chromium, or natively, twenty times as fast.
 
-Native: `python -m venv ENV; ENV/bin/pip install mediapipe==0.10.9 "numpy<2"`, then OMOTE_MEDIAPIPE=ENV/bin/python; it is
-given the model's files of the page's npm package, so that both find the same points (within 0.1 to 0.4 pixels of 288).
+Native: `python -m venv ENV; ENV/bin/pip install mediapipe==0.10.9 "numpy<2"`, then OMOTE_MEDIAPIPE=ENV/bin/python; it
+is given the models of the page's npm package, so that both find the same points (within .05 to .44 pixels of 288).
 """
 
 from __future__ import annotations

@@ -88,7 +88,7 @@ def train(features: Floats, targets: Floats, metric: Floats, schedule: Schedule)
             seen = features[rows]
             seen = seen + draw.standard_normal(seen.shape, np.float32) * np.float32(schedule.noise)
             error = network.forward(seen, draw, schedule.drop) - targets[rows]
-            gradients = network.backward((error @ metric) / np.float32(BATCH))
+            gradients = network.backward(((error @ metric) / np.float32(BATCH)).astype(np.float32))
             rate = schedule.rate * 0.5 * (1.0 + np.cos(np.pi * step / steps)) * min(1.0, step / 50)
             _adam(parameters, gradients, means, squares, step, rate, schedule.decay)
     return network

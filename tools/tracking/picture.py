@@ -10,17 +10,22 @@ from numpy.typing import NDArray
 
 from omote.builtin import load_mask, load_meshes
 from omote.interchange.formats.png import read_png
-from tools.tracking import raster
-from tools.tracking.people import Floats, Person, Values
+from tools.tracking import rasterizer
+from tools.tracking.random_people import Floats, Person, Values
 
 SIZE = 288
 """Width and height of a picture, pixels."""
 FINE = 2
 """Pixels are drawn so many times as fine, along each axis."""
 KINDS = {
-    "skin": raster.SKIN, "eye_left": raster.EYE_LEFT, "eye_right": raster.EYE_RIGHT, "teeth_upper": raster.TEETH,
-    "teeth_lower": raster.TEETH, "tongue": raster.TONGUE, "lashes": raster.LASHES,
-}  # fmt: skip
+    "skin": rasterizer.SKIN,
+    "eye_left": rasterizer.EYE_LEFT,
+    "eye_right": rasterizer.EYE_RIGHT,
+    "teeth_upper": rasterizer.TEETH,
+    "teeth_lower": rasterizer.TEETH,
+    "tongue": rasterizer.TONGUE,
+    "lashes": rasterizer.LASHES,
+}
 NECK = np.array([0.0, -0.09, 0.02])
 """Where heads turn, metres."""
 
@@ -29,7 +34,7 @@ NECK = np.array([0.0, -0.09, 0.02])
 class Setting:
     """Lens, place, light and noise of somebody's camera, the same for all their pictures.
 
-    focal: of the lens, in widths of the picture; distance: metres from the face; lamps (4, 6): as `raster`;
+    focal: of the lens, in widths of the picture; distance: metres from the face; lamps (4, 6): as `rasterizer`;
     room (h, w, 3): what is behind; clothes (3,): their colour; exposure; noise: of a pixel, 0 to 255; blur: pixels.
     """
 
@@ -131,13 +136,13 @@ class Photographer:
         facing = normals[mesh.source] @ rotation.T
         screen = np.concatenate([self.project(seen) * side, -seen[:, 2:]], 1).astype(np.float32)
         local = self._sight(both)
-        self._depth[:], self._hit[:] = raster.FAR, -1
-        raster.draw_triangles(
+        self._depth[:], self._hit[:] = rasterizer.FAR, -1
+        rasterizer.draw_triangles(
             screen, mesh.triangles, mesh.material, self.person.look.lashes, self._depth, self._hit, self._shares
         )
         picture = self._behind(pose)
         self._draw_hair(pose, picture)
-        raster.shade_pixels(
+        rasterizer.shade_pixels(
             self._hit, self._shares, mesh.triangles, mesh.material, facing.astype(np.float32),
             seen.astype(np.float32), mesh.uv, mesh.openness, local, mesh.mask, _colours(self.person),
             _traits(self.person), self.setting.lamps.astype(np.float32), picture,
@@ -153,7 +158,7 @@ class Photographer:
         lamps = self.setting.lamps
         shade = (light * float(lamps[0, 3:].mean() * 0.7 + lamps[2, 3:].mean())).astype(np.float32)
         thick = max(1.5, 0.0028 * self.setting.focal * SIZE * FINE / self.setting.distance)
-        raster.draw_strands(
+        rasterizer.draw_strands(
             screen.reshape(*places.shape), shade, _linear(self.person.look.hair).astype(np.float32), thick,
             self._depth, self._hit, picture,
         )  # fmt: skip
@@ -234,18 +239,18 @@ def _stretch(room: Values, side: int) -> Floats:
     ty, tx = (ys - y0)[:, None, None], (xs - x0)[None, :, None]
     top = room[y0][:, x0] * (1 - tx) + room[y0][:, x0 + 1] * tx
     low = room[y0 + 1][:, x0] * (1 - tx) + room[y0 + 1][:, x0 + 1] * tx
-    return (top * (1 - ty) + low * ty).astype(np.float32)
+    return np.asarray(top * (1 - ty) + low * ty, np.float32)
 
 
 def _normals(points: Floats, triangles: NDArray[np.int32]) -> Floats:
     found = np.empty_like(points)
-    raster.normals_of(points, triangles, found)
+    rasterizer.normals_of(points, triangles, found)
     return found
 
 
 def _ball_axes(ball: Floats) -> Floats:
     offset = ball - ball.mean(0)
-    return (offset / np.linalg.norm(offset, axis=1, keepdims=True)).astype(np.float32)
+    return np.asarray(offset / np.linalg.norm(offset, axis=1, keepdims=True), np.float32)
 
 
 def _linear(colour: str) -> Values:

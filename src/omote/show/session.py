@@ -193,7 +193,7 @@ class ShowSession:
         hands, leases = self._hands.tell(consoles, now, sources), self.leasing.tell(now)
         news, found = self.sources.news(consoles, now), self._sound_stage.tell(self.crew, now)
         found += [Outgoing(*told) for each in (hands, leases) for told in each.items()]
-        found += [Outgoing(who, values) for who, values in self.sources.watched(now)]
+        found += [Outgoing(who, values) for who, values in self.sources.tell_watchers(now)]
         return found if news is None else [*found, *self.for_consoles(news)]
 
     def _answer(self, who: str, message: wire.FromClient, now: float) -> list[Outgoing]:

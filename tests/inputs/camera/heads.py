@@ -10,7 +10,7 @@ from omote.inputs.trackers.head_angles import HeadAngles
 
 def mean_face() -> np.ndarray:
     """The mean face (478, 3) of all who were seen in the training."""
-    return load_landmark_map().compression.rest_mean.astype(np.float64).reshape(LANDMARKS, 3)
+    return np.array(load_landmark_map().compression.rest_mean, np.float64).reshape(LANDMARKS, 3)
 
 
 def rotation(head: HeadAngles) -> np.ndarray:
@@ -19,12 +19,12 @@ def rotation(head: HeadAngles) -> np.ndarray:
     y = np.array([[np.cos(yaw), 0, np.sin(yaw)], [0, 1, 0], [-np.sin(yaw), 0, np.cos(yaw)]])
     x = np.array([[1, 0, 0], [0, np.cos(pitch), -np.sin(pitch)], [0, np.sin(pitch), np.cos(pitch)]])
     z = np.array([[np.cos(roll), -np.sin(roll), 0], [np.sin(roll), np.cos(roll), 0], [0, 0, 1]])
-    return y @ x @ z
+    return np.asarray(y @ x @ z)
 
 
 def frame_of(
-    face: np.ndarray, head: HeadAngles = (0.0, 0.0, 0.0), *, scale: float = 0.12, place: tuple[float, float] = (0.0, 0.0),
-    time: float = 0.0, width: int = 640, height: int = 480,
+    face: np.ndarray, head: HeadAngles = (0.0, 0.0, 0.0), *, scale: float = 0.12, time: float = 0.0,
+    place: tuple[float, float] = (0.0, 0.0), width: int = 640, height: int = 480,
 ) -> LandmarkFrame:  # fmt: skip
     """A face (478, 3) as the camera page would send it: turned, so large (in widths of the picture), at a place."""
     points = scale * face @ rotation(head).T + [*place, 0.0]

@@ -58,7 +58,8 @@ def test_what_cannot_calibrate_is_rejected(steps: dict[str, list[LandmarkFrame]]
 
 @pytest.mark.parametrize(("text", "reason"), [
     ("", "no calibration"), ("[]", "no calibration"), ('{"version": 7, "faces": {}}', "version 7"),
-    ('{"version": 1, "faces": {}}', "neutral"), ('{"version": 1, "faces": {"neutral": {"face": "!", "pose": []}}}', "no calibration"),
+    ('{"version": 1, "faces": {}}', "neutral"),
+    ('{"version": 1, "faces": {"neutral": {"face": "!", "pose": []}}}', "no calibration"),
     ('{"version": 1, "faces": {"neutral": {"face": "", "pose": [0,0,0,0,0,0]}}}', "shape"),
 ])  # fmt: skip
 def test_text_that_is_no_calibration_is_rejected(text: str, reason: str) -> None:

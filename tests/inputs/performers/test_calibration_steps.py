@@ -1,6 +1,6 @@
 """The guided minute: the steps that the fit knows, and a minute together."""
 
-from omote.inputs.camera.performer_calibration import STEPS
+from omote.inputs.camera.guided_steps import STEPS
 from omote.inputs.performers.calibration_steps import CALIBRATION_STEPS, NEUTRAL_STEP, READY_SECONDS, REST_STEP
 
 

@@ -1,6 +1,6 @@
 """Performers of a show: stored, renamed, deleted, each of these undone; what cannot be is rejected."""
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 
 import pytest
 
@@ -73,12 +73,13 @@ def test_only_the_last_changes_can_be_undone(performers: PerformerList) -> None:
 def test_what_cannot_be_changed_is_rejected_and_stays(performers: PerformerList, file: File) -> None:
     performers.store("Bo", b"2", guided=False)
     before = dict(file.documents)
-    for wrong, reason in (
+    cases: tuple[tuple[Callable[[], None], str], ...] = (
         (lambda: performers.rename("Nobody", "Cy"), "no performer 'Nobody'"),
         (lambda: performers.rename("Ada", "Bo"), "Bo is a performer already"),
         (lambda: performers.delete("Nobody"), "no performer 'Nobody'"),
         (lambda: performers.store("Ada", b'"' + b"x" * LONGEST_DOCUMENT + b'"', guided=True), "too long"),
-    ):
+    )
+    for wrong, reason in cases:
         with pytest.raises(ValueError, match=reason):
             wrong()
     assert file.documents == before

@@ -7,7 +7,7 @@ import pytest
 
 from omote.inputs.dmx.sacn_packet import HIGHEST_UNIVERSE
 from omote.server.access.show_addresses import own_address
-from omote.server.devices.switches.tracker_sockets import listen_for_trackers, read_trackers
+from omote.server.devices.trackers.tracker_sockets import listen_for_trackers, read_trackers
 from omote.server.supervision.device_sockets import (
     MOST_UNIVERSES,
     DeviceOptions,

@@ -15,12 +15,13 @@ from omote.server.devices.face_output import FaceOutput
 from omote.server.devices.mediapipe_link import MediapipeLink
 from omote.server.devices.osc_listener import OscListener
 from omote.server.devices.page_device_source import PageDeviceSource
-from omote.server.devices.switches.tracker_sockets import listen_for_trackers, read_trackers
-from omote.server.devices.tracker_listener import TrackerListener
+from omote.server.devices.trackers.tracker_listener import TrackerListener
+from omote.server.devices.trackers.tracker_sockets import listen_for_trackers, read_trackers
 from omote.server.supervision.device_sockets import DeviceOptions, listen_for_artnet
 from omote.server.supervision.device_sources import load_bindings, start_devices
 from omote.server.supervision.early_tick import EarlyTicks
 from omote.server.supervision.listening_socket import listen_for_osc
+from omote.server.supervision.source_report import SourceReport
 from omote.show import messages as wire
 from omote.show.wire import encode
 from tests.server.conftest import ShowHarness, answer, open_edit_harness, send_and_wait
@@ -40,7 +41,9 @@ async def test_what_was_asked_for_is_heard(show_harness: ShowHarness, tmp_path: 
             osc.datagrams.fileno(), artnet=artnet.fileno(), allow="10.0.0.7", bindings=str(tmp_path / "desk.toml")
         )
         started = await start_devices(show_harness.show, options, lambda _: None)
-        assert [id(each) for each in show_harness.show.sources] == [id(each) for each in started]
+        *heard_first, report = show_harness.show.sources
+        assert isinstance(report, SourceReport)
+        assert [id(each) for each in heard_first] == [id(each) for each in started]
         heard, dmx, *_, pages = started
         assert isinstance(heard, OscListener)
         assert isinstance(dmx, DmxListener)

@@ -110,6 +110,7 @@ export class Setup extends ConsoleElement {
       <div class="row">
         <button data-open="learn" @click=${() => this.dispatchEvent(new CustomEvent("learn"))}>Learn</button>
         <button data-open="devices" @click=${() => this.dispatchEvent(new CustomEvent("devices"))}>Devices and bindings</button>
+        <a href="/microphone" target="omote-microphone">Speak through a character by a microphone</a>
       </div>
       <h2>Bring in files</h2>
       <p>Expressions (.json, .glb, .obj) and heads of our topology (.glb, .obj) come under Own; the show goes on meanwhile.</p>

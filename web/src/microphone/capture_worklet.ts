@@ -1,7 +1,7 @@
 /** Runs in the thread of the sound: hands chunks of 10 ms to the page. Its output stays
  * silent, so nothing reaches a speaker. */
 
-import { SAMPLE_RATE } from "../link/microphone_messages";
+import { SAMPLE_RATE } from "./microphone_messages";
 import { SoundChunks } from "./sound_chunks";
 
 declare const sampleRate: number;

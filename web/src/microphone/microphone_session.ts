@@ -1,9 +1,9 @@
 /** One microphone at one show: capture, link and settings together, as the page shows them. */
 
-import type { ToMicrophone, Voice } from "../link/microphone_messages";
 import { type Device, listDevices, MicrophoneCapture } from "./microphone_capture";
-import { MicrophoneLink } from "./microphone_link";
+import type { ToMicrophone, Voice } from "./microphone_messages";
 import { keepSettings, type MicrophoneSettings, type Mode, readSettings, withSpeaker } from "./microphone_settings";
+import { VoiceLink } from "./voice_link";
 
 const store = (): Storage => localStorage;
 /** In which a sentence is read. */
@@ -24,10 +24,10 @@ export class MicrophoneSession {
     heard: (samples) => this.#send(samples),
     ended: (reason) => this.#say(reason),
   });
-  readonly #link: MicrophoneLink;
+  readonly #link: VoiceLink;
 
   constructor(private readonly changed: () => void) {
-    this.#link = new MicrophoneLink({
+    this.#link = new VoiceLink({
       greet: () => this.#greet(),
       received: (message) => this.#receive(message),
       connected: (up) => this.#connect(up),

@@ -57,28 +57,52 @@ class Compression:
 @dataclass(frozen=True, eq=False)
 class LandmarkMap:
     """Features to outputs: a linear part (f, OUTPUTS) and a network of layers, each weights and offsets; swish between
-    them (Ramachandran, Zoph and Le 2017)."""
+    them (Ramachandran, Zoph and Le 2017).
+
+    order, sign (f,): which feature, and with which sign, is each feature of the face in the mirror.
+    """
 
     compression: Compression
+    order: NDArray[np.intp]
+    sign: NDArray[np.float32]
     linear: NDArray[np.float32]
     layers: Sequence[tuple[NDArray[np.float32], NDArray[np.float32]]]
 
     def estimate(self, features: Values) -> Values:
-        """Weights of UNITS, gaze and head (radians): (..., OUTPUTS). Nothing is clipped."""
-        return self.outputs(self.hidden(features), features)
+        """Weights of UNITS, gaze and head (radians): (..., OUTPUTS). Nothing is clipped.
 
-    def hidden(self, features: Values) -> Values:
+        The mean of what the face gives and of what it gives in the mirror, turned back: a face has no better side.
+        """
+        rows, signs = mirror_outputs()
+        other = self._outputs(features[..., self.order] * self.sign)
+        return 0.5 * (self._outputs(features) + other[..., rows] * signs)
+
+    def read_hidden(self, features: Values) -> Values:
         """The values of the last layer but the outputs."""
         values = features
         for weights, offsets in self.layers[:-1]:
             values = swish(values @ weights + offsets)
         return values
 
-    def outputs(self, hidden: Values, features: Values) -> Values:
-        """The outputs from the last layer and the features."""
+    def _outputs(self, features: Values) -> Values:
         weights, offsets = self.layers[-1]
-        result: Values = hidden @ weights + offsets + features @ self.linear
+        result: Values = self.read_hidden(features) @ weights + offsets + features @ self.linear
         return result
+
+
+@cache
+def mirror_outputs() -> tuple[NDArray[np.intp], Values]:
+    """Which output, and with which sign, is each output of the face in the mirror: units of the other side; yaw of the
+    gaze, yaw and roll of the head turn round."""
+    other = [UNITS.index(_swap(name)) for name in UNITS]
+    rows = np.array([*other, *range(len(UNITS), OUTPUTS)], np.intp)
+    return rows, np.array([*np.ones(len(UNITS)), -1.0, 1.0, -1.0, 1.0, -1.0])
+
+
+def _swap(name: str) -> str:
+    if name.endswith("Left"):
+        return name.removesuffix("Left") + "Right"
+    return name.removesuffix("Right") + "Left" if name.endswith("Right") else name
 
 
 def swish(values: Values) -> Values:
@@ -119,4 +143,5 @@ def _read(arrays: dict[str, NDArray[np.float32]]) -> LandmarkMap:
     linear = arrays["linear"].astype(np.float32)
     if linear.shape != (len(named["centre"]), OUTPUTS):
         raise ValueError(f"its linear part has shape {linear.shape}; expected {(len(named['centre']), OUTPUTS)}")
-    return LandmarkMap(Compression(**named), linear, layers)
+    order, sign = arrays["order"].astype(np.intp), arrays["sign"].astype(np.float32)
+    return LandmarkMap(Compression(**named), order, sign, linear, layers)

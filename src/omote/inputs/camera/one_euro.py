@@ -19,9 +19,9 @@ LONGEST_GAP = 0.5
 class Smoothing:
     """calm: cut-off at rest, Hz; lively: Hz more for each unit a second; slope: cut-off of the speed, Hz."""
 
-    calm: float = 1.0
-    lively: float = 4.0
-    slope: float = 1.5
+    calm: float = 3.0
+    lively: float = 8.0
+    slope: float = 2.0
 
 
 class OneEuroFilter:

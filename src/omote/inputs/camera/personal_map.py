@@ -10,9 +10,11 @@ from omote.inputs.camera.landmark_map import UNITS, LandmarkMap
 from omote.inputs.camera.performer_calibration import FaceInStep, PerformerCalibration
 
 Values = NDArray[np.float64]
-DOUBT = 1.0
+DOUBT = 3.0
 """How little the guided steps count against the map, over their own size (the ridge of the correction)."""
 GAZE = slice(len(UNITS), len(UNITS) + 2)
+TRUST = 0.3
+"""How far the slope of the gaze goes to what the guided looks say: nobody looks just where they are asked to."""
 SLOPES = (0.6, 1.8)
 """How much less or more than on average a performer's eyes may show where they look."""
 BLINKS = [UNITS.index(f"eyeBlink{side}") for side in ("Left", "Right")]
@@ -23,8 +25,8 @@ WEAKEST_SHUT = 0.5
 class PersonalMap:
     """Faces of one performer to weights, gaze and head.
 
-    The correction is a ridge regression on the network's last layer, from what the map lacks at the guided steps; that
-    of the gaze is a line through where the eyes were asked to look.
+    The correction is a ridge regression on the network's last layer, from what the map lacks at the guided steps; the
+    gaze is stretched towards where the eyes were asked to look, about where they look at rest.
     """
 
     def __init__(self, general: LandmarkMap, calibration: PerformerCalibration) -> None:
@@ -34,9 +36,9 @@ class PersonalMap:
         self._outputs[len(UNITS) + 2 :] = 0.0  # the head's own angles are absolute
         self._correction = self._correct(calibration)
         self._lids = self._stretch_lids(calibration)
-        self._gaze = [
-            self._line(calibration, axis, *steps) for axis, steps in ((0, ("left", "right")), (1, ("up", "down")))
-        ]
+        self._looks = np.array(
+            [self._slope(calibration, 0, "left", "right"), self._slope(calibration, 1, "up", "down")]
+        )
 
     def estimate(self, face: Values, pose: Values) -> Values:
         """Outputs of the map (weights, gaze, head) for a face (478, 3) and the row (6,) of its pose."""
@@ -45,14 +47,12 @@ class PersonalMap:
         if self._correction is not None:
             outputs[: len(UNITS)] += (hidden - self._hidden) @ self._correction
         outputs[BLINKS] *= self._lids
-        for axis, (slope, offset) in enumerate(self._gaze):
-            outputs[GAZE.start + axis] = slope * outputs[GAZE.start + axis] + offset
+        outputs[GAZE] *= self._looks
         return outputs
 
     def _read(self, one: FaceInStep) -> tuple[Values, Values]:
         features = self._map.compression.features(one.face, self._rest, one.pose)
-        hidden = self._map.hidden(features)
-        return hidden, self._map.outputs(hidden, features)
+        return self._map.read_hidden(features), self._map.estimate(features)
 
     def _correct(self, calibration: PerformerCalibration) -> Values | None:
         steps = [name for name in GUIDED if name in calibration.steps]
@@ -77,12 +77,11 @@ class PersonalMap:
         result: Values = 1.0 / np.clip(shut, WEAKEST_SHUT, 1.2)
         return result
 
-    def _line(self, calibration: PerformerCalibration, axis: int, first: str, second: str) -> tuple[float, float]:
-        """Slope and offset that carry what the map reads at two steps to where the eyes were asked to look."""
+    def _slope(self, calibration: PerformerCalibration, axis: int, first: str, second: str) -> float:
+        """What carries the map's reading of the eyes at two steps towards where they were asked to look."""
         if not {first, second} <= set(calibration.steps):
-            return 1.0, 0.0
-        column = GAZE.start + axis
-        a, b = (float((self._read(calibration.steps[name])[1] - self._outputs)[column]) for name in (first, second))
-        asked = LOOKS[first][axis], LOOKS[second][axis]
-        slope = float(np.clip((asked[0] - asked[1]) / max(a - b, 1e-3), *SLOPES))
-        return slope, 0.5 * (asked[0] + asked[1] - slope * (a + b))
+            return 1.0
+        read = [self._read(calibration.steps[name])[1][GAZE.start + axis] for name in (first, second)]
+        asked = LOOKS[first][axis] - LOOKS[second][axis]
+        slope = float(np.clip(asked / max(float(read[0] - read[1]), 1e-3), *SLOPES))
+        return 1.0 + TRUST * (slope - 1.0)

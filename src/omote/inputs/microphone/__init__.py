@@ -1,0 +1,1 @@
+"""Lips from a voice."""

@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 from collections import deque
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from dataclasses import dataclass, field
+from itertools import chain, count
 
 from omote.inputs.microphone.microphone_messages import (
     Begin,
@@ -25,6 +26,7 @@ from omote.inputs.microphone.viseme_network import VisemeNetwork, load_network
 from omote.inputs.microphone.voice_visemes import VoiceVisemes
 from omote.perform.speech.visemes import SIL, VISEMES, speech_frame
 from omote.show import messages as wire
+from omote.show.outgoing import Outgoing
 from omote.show.session import ShowSession
 from omote.show.sources.open_source import LAYER_OF
 
@@ -34,6 +36,8 @@ MOST_WAITING = 0.25
 misses a sound."""
 PAUSE_SECONDS = 0.15
 """Without a packet, after which the voice counts as silent."""
+RETRY_SECONDS = 1.0
+"""Between two tries to become a source, where the show refused the first."""
 LET_GO_SECONDS = 1.0
 """Without a packet, after which the source says that it hears nobody."""
 KIND: wire.StreamKind = "lips"
@@ -41,7 +45,8 @@ KIND: wire.StreamKind = "lips"
 
 @dataclass
 class Microphone:
-    """One microphone. who: its client at the session; heard, rested: when sound came, and when the mouth went on."""
+    """One microphone. who: its client at the session; heard, rested: when sound came, and when the mouth went on;
+    asked: when it last asked to be a source; gone: its page has."""
 
     who: str
     name: str
@@ -54,6 +59,8 @@ class Microphone:
     heard: float = 0.0
     rested: float = 0.0
     sent: float = 0.0
+    asked: float = -RETRY_SECONDS
+    gone: bool = False
 
 
 class MicrophoneInput:
@@ -77,15 +84,18 @@ class MicrophoneInput:
             return [Rejected(str(error))]
 
     def leave(self, who: str) -> None:
-        """A page has gone: its layer lets go."""
-        if self._open.pop(who, None) is not None:
-            self._session().leave(who)
+        """A page has gone: its mouth comes to rest, then its source ends."""
+        if who in self._open:
+            self._open[who].gone = True
 
     def play(self, now: float) -> list[tuple[str, Rejected]]:
         """Drives the session by what has come since the last tick; returns what pages are told."""
         told = []
         for who, microphone in list(self._open.items()):
             _go_on(microphone, now)
+            if microphone.gone and not microphone.mouth.share:
+                self._end(who)
+                continue
             told += [(who, Rejected(reason)) for reason in self._drive(microphone, now)]
         self.rejected += len(told)
         return told
@@ -118,10 +128,22 @@ class MicrophoneInput:
             raise MicrophoneError(f"{MOST_MICROPHONES} microphones are open already; close one first")
         self._network = self._network or load_network()
         voice = VoiceVisemes(self._network, asked.profile)
-        self.leave(who)
-        self._open[who] = Microphone(who, asked.name, voice, heard=now, rested=now)
-        self._session().join(who, asked.name[:24])
+        self._end(who)
+        for gone in [each.who for each in self._open.values() if each.gone and each.name == asked.name]:
+            self._end(gone)  # a page that was loaded anew
+        name = self._free_name(asked.name)
+        self._open[who] = Microphone(who, name, voice, heard=now, rested=now)
+        self._session().join(who, name[:24])
         return []
+
+    def _end(self, who: str) -> None:
+        if self._open.pop(who, None) is not None:
+            self._session().leave(who)
+
+    def _free_name(self, asked: str) -> str:
+        """The name, with a number behind it where another source has it."""
+        taken = {each.name for each in self._session().sources.states({})} | {each.name for each in self._open.values()}
+        return next(name for name in chain([asked], (f"{asked} {number}" for number in count(2))) if name not in taken)
 
     def _obey(self, who: str, message: Sentence | Speak | Sound, now: float) -> list[ToMicrophone]:
         microphone = self._of(who)
@@ -131,8 +153,7 @@ class MicrophoneInput:
         if isinstance(message, Speak):
             characters = [message.character] if message.character else []
             call = wire.RouteSource(f"voice {who} {now}", microphone.name, characters, LAYER_OF[KIND], [])
-            answers = self._session().receive(who, call, now)
-            return [Rejected(a.message.reason) for a in answers if isinstance(a.message, wire.Refused)]
+            return [Rejected(reason) for reason in _refusals(self._session().receive(who, call, now))]
         if message.step == "start":
             microphone.voice.start_sentence()
             return []
@@ -154,16 +175,18 @@ class MicrophoneInput:
             microphone.index = None
         frame = speech_frame(microphone.mouth.mouth, names, source=microphone.name)
         if microphone.index is None or frame.names != microphone.names:
+            if now - microphone.asked < RETRY_SECONDS:
+                return []
+            microphone.asked = now
             answers = session.receive(microphone.who, self._source(session, microphone, frame.names), now)
             found = [answer.message for answer in answers if isinstance(answer.message, wire.SourceIs)]
             if not found:
-                return [answer.message.reason for answer in answers if isinstance(answer.message, wire.Refused)]
+                return _refusals(answers)
             microphone.index, microphone.names = found[0].index, frame.names
         values = frame.values.astype("<f4").tobytes()
         hears = now - microphone.heard < LET_GO_SECONDS
         drive = wire.Drive(microphone.index, values, found=hears, share=microphone.mouth.share)
-        answers = session.receive(microphone.who, drive, now)
-        return [answer.message.reason for answer in answers if isinstance(answer.message, wire.Refused)]
+        return _refusals(session.receive(microphone.who, drive, now))
 
     def _source(self, session: ShowSession, microphone: Microphone, names: tuple[str, ...]) -> wire.Source:
         """The source of a microphone. One that comes for the first time speaks through the character of a show that
@@ -173,6 +196,10 @@ class MicrophoneInput:
         driven = any(each.characters and each.layer == LAYER_OF[KIND] for each in session.sources.states({}))
         alone = characters if len(characters) == 1 and not known and not driven else []
         return wire.Source(microphone.name, KIND, list(names), alone, direct=True)
+
+
+def _refusals(answers: Iterable[Outgoing]) -> list[str]:
+    return [answer.message.reason for answer in answers if isinstance(answer.message, wire.Refused)]
 
 
 def _wait(microphone: Microphone, sound: Sound, now: float) -> None:

@@ -53,7 +53,7 @@ class Speak(msgspec.Struct, frozen=True, tag="speak"):
 
 class Sound(msgspec.Struct, frozen=True, tag="sound"):
     """What was heard: `samples` of 16 bits at 16 kHz, mono, little-endian, at most half a second; `sent`: the page's
-    clock when the last of them was heard, ms."""
+    clock when the last was heard, ms."""
 
     samples: Annotated[bytes, msgspec.Meta(max_length=LONGEST_SOUND)]
     sent: float = 0.0
@@ -64,9 +64,9 @@ _DECODER = msgspec.msgpack.Decoder(FromMicrophone)
 
 
 class Voice(msgspec.Struct, frozen=True, tag="voice"):
-    """What is heard now. `level`: dB of full scale; `speaks`: 0..1; `viseme`: the strongest; `characters`: who speaks by
-    it; `there`: who there is, by name and label; `calibrated`, `calibrating`: of the speaker; `sent`: the clock of the
-    newest sound that this is of, ms."""
+    """What is heard now. `level`: dB of full scale; `speaks`: 0..1; `viseme`: the strongest; `characters`: who speaks
+    by it; `there`: who there is, by name and label; `calibrated`, `calibrating`: of the speaker; `sent`: the clock of
+    the newest sound that this is of, ms."""
 
     level: float
     speaks: float
@@ -101,7 +101,7 @@ PAGE_MESSAGES: tuple[type[msgspec.Struct], ...] = get_args(ToMicrophone)
 def read_message(data: bytes) -> FromMicrophone:
     """What a page says; MicrophoneError where it is nothing that there is."""
     try:
-        message = _DECODER.decode(data)
+        message: FromMicrophone = _DECODER.decode(data)
     except (msgspec.MsgspecError, UnicodeDecodeError, RecursionError) as error:
         raise MicrophoneError(f"this is nothing that a microphone says: {str(error)[:200]}") from error
     if isinstance(message, Sound):

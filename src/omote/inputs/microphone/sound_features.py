@@ -55,7 +55,8 @@ class FeatureStream:
 
 def read_pcm(data: bytes) -> FloatArray:
     """Samples of 16 bits, little-endian, as numbers from -1 to 1."""
-    return np.frombuffer(data, "<i2").astype(np.float32) / 32768.0
+    samples: FloatArray = np.frombuffer(data, "<i2").astype(np.float32) / np.float32(32768.0)
+    return samples
 
 
 def _measure(frames: FloatArray) -> SoundFeatures:
@@ -79,7 +80,8 @@ def _triangles() -> FloatArray:
     hertz = np.fft.rfftfreq(TRANSFORM, 1.0 / SAMPLE_RATE)[:, None]
     rising = (hertz - edges[:-2]) / (edges[1:-1] - edges[:-2])
     falling = (edges[2:] - hertz) / (edges[2:] - edges[1:-1])
-    return (np.maximum(0.0, np.minimum(rising, falling)) * 2.0 / (TRANSFORM * _HANN_POWER)).astype(np.float32)
+    bands: FloatArray = (np.maximum(0.0, np.minimum(rising, falling)) * 2.0 / (TRANSFORM * _HANN_POWER)).astype("f4")
+    return bands
 
 
 _HANN = np.hanning(WINDOW).astype(np.float32)

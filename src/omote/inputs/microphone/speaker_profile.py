@@ -13,8 +13,11 @@ TYPICAL_LEVEL = -34.0
 """dB of the level of speech before any was heard."""
 TYPICAL_BANDS = np.interp(np.arange(BANDS), [0, 4, 10, 16, 23], [-8, -6, -16, -22, -27]).astype(np.float32)
 """dB of each band of speech above its level: the long-term mean, which falls towards the treble."""
-CALIBRATED_FRAMES, TYPICAL_FRAMES, MOST_FRAMES = 300.0, 25.0, 800.0
+CALIBRATED_FRAMES, TYPICAL_FRAMES, MOST_FRAMES = 300.0, 15.0, 600.0
 """What a calibration, and the typical voice, count for beside frames that are heard; and the most of them together."""
+CHANGE, LEAST_CHANGE = 4.0, 0.05
+"""dB of mean change from frame to frame at which a frame counts in full, and what one that stays counts: who holds one
+vowel says nothing of the voice's mean."""
 ABOVE_FLOOR = 9.0
 """dB above the noise from which a frame counts as speech."""
 FLOOR_FALL, FLOOR_RISE = 0.25, 0.03
@@ -56,6 +59,7 @@ class SpeakerState:
         self.bands = TYPICAL_BANDS + TYPICAL_LEVEL if profile is None else np.array(profile.bands, np.float32)
         self.level = TYPICAL_LEVEL if profile is None else profile.level
         self.frames = TYPICAL_FRAMES if profile is None else CALIBRATED_FRAMES
+        self._before: FloatArray | None = None
         self.floor: FloatArray | None = None
         self.floor_level = 0.0
 
@@ -67,10 +71,13 @@ class SpeakerState:
         self.floor += np.where(down, FLOOR_FALL * (bands - self.floor), FLOOR_RISE)
         self.floor_level += FLOOR_FALL * (level - self.floor_level) if level < self.floor_level else FLOOR_RISE
         if level > self.floor_level + ABOVE_FLOOR and level > self.level - 25.0:
-            share = 1.0 / (self.frames + 1.0)
+            change = 0.0 if self._before is None else float(np.abs(bands - self._before).mean())
+            counts = max(LEAST_CHANGE, min(change / CHANGE, 1.0))
+            share = counts / (self.frames + counts)
             self.bands = self.bands + share * (bands - self.bands)
             self.level += share * (level - self.level)
-            self.frames = min(self.frames + 1.0, MOST_FRAMES)
+            self.frames = min(self.frames + counts, MOST_FRAMES)
+        self._before = bands
         return self.floor
 
 

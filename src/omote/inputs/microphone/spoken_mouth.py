@@ -12,11 +12,11 @@ from omote.perform.layers.follower import Values, follow_number, rate_of
 from omote.perform.speech.viseme_stream import VisemeStream, follow_visemes
 from omote.perform.speech.visemes import SIL, VISEMES
 
-RISE_SECONDS, FALL_SECONDS = 0.05, 0.4
+RISE_SECONDS, FALL_SECONDS = 0.03, 0.4
 """In which a voice takes its layer when it begins, and lets it go."""
 HOLD_SECONDS = 0.3
 """The longest pause in which the layer is not let go: a closure, a breath between words."""
-SPEAKS = 0.5
+SPEAKS = 0.35
 GONE = 1e-3
 """A share that cannot be seen."""
 _SILENCE = np.array([float(place == SIL) for place in range(len(VISEMES))])

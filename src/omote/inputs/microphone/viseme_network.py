@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from itertools import pairwise
 from pathlib import Path
 
 import numpy as np
@@ -32,7 +33,7 @@ class VisemeNetwork:
         """Rejects layers that do not fit each other; ValueError with their shapes."""
         sizes = [INPUTS, *(len(bias) for bias in self.biases)]
         shapes = [weight.shape for weight in self.weights]
-        if shapes != list(zip(sizes, sizes[1:], strict=False)) or sizes[-1] != len(VISEMES):
+        if shapes != list(pairwise(sizes)) or sizes[-1] != len(VISEMES):
             raise ValueError(f"the layers are {shapes}; they lead from {INPUTS} inputs to {len(VISEMES)} visemes")
 
     def run(self, inputs: FloatArray) -> FloatArray:

@@ -7,7 +7,6 @@ import numpy as np
 from omote.inputs.microphone.sound_features import (
     BANDS,
     FRAME_SECONDS,
-    HOP,
     SAMPLE_RATE,
     WINDOW,
     FeatureStream,
@@ -30,7 +29,7 @@ DELAY_SECONDS = AHEAD * FRAME_SECONDS + 0.5 * WINDOW / SAMPLE_RATE
 """How far a decision is behind the sound: the frames that it waits for, and half a window."""
 MARGIN, CERTAIN = 4.0, 9.0
 """dB above the noise at which sound begins to count as speech, and does in full."""
-LIPS_SHUT = 1.6
+LIPS_SHUT = 2.5
 """How much more a bilabial counts than the network says: lips that miss a closure are seen, those that close too
 often are not."""
 LONGEST_SENTENCE = 15.0
@@ -67,7 +66,7 @@ class VoiceVisemes:
         if not len(sound):
             return []
         self.level = float(sound.level[-1])
-        if self._sentence is not None and len(self._sentence) * HOP < LONGEST_SENTENCE * SAMPLE_RATE:
+        if self._sentence is not None and sum(map(len, self._sentence)) * FRAME_SECONDS < LONGEST_SENTENCE:
             self._sentence.append(sound)
         frames, floors = frame_inputs(sound, self._speaker)
         self._frames = np.concatenate([self._frames, frames])

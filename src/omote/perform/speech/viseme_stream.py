@@ -10,7 +10,7 @@ from omote.perform.layers.follower import Values, rate_of, steps_of
 from omote.perform.limits import FOREVER, check_within
 from omote.perform.speech.visemes import FF, PP, SIL, VISEMES, mouth_of
 
-VOWEL_SECONDS, CLOSURE_SECONDS = 0.1, 0.06
+VOWEL_SECONDS, CLOSURE_SECONDS = 0.08, 0.05
 """In which the weight of a viseme goes nine tenths of its way: lips that close are quicker than a jaw that opens."""
 _RATES = np.full(len(VISEMES), rate_of(VOWEL_SECONDS))
 _RATES[[PP, FF]] = rate_of(CLOSURE_SECONDS)

@@ -13,7 +13,7 @@ from omote.inputs.trackers.tracker_protocols import TRACKER_PROTOCOLS
 from omote.interchange.formats.error_reasons import explain_error
 from omote.server.access.show_addresses import ANYWHERE, is_loopback, own_address
 from omote.server.devices.osc_listener import OscSockets
-from omote.server.devices.switches.tracker_sockets import OPTION, explain_trackers
+from omote.server.devices.trackers.tracker_sockets import OPTION, explain_trackers
 
 MOST_UNIVERSES = 16
 """Universes of sACN: Linux joins twenty groups with one socket."""

@@ -32,20 +32,20 @@ from omote.server.camera.camera_link import CameraLinks
 from omote.server.devices.dmx_listener import DmxListener
 from omote.server.devices.face_output import FaceOutput
 from omote.server.devices.mediapipe_link import MediapipeLink
-from omote.server.devices.microphone_link import MicrophoneLink
 from omote.server.devices.osc_listener import OscListener, OscSockets
 from omote.server.devices.page_device_source import PageDeviceSource
 from omote.server.devices.rejection_log import RejectionLog
-from omote.server.devices.source_report import SourceReport
 from omote.server.devices.switches.device_switches import DeviceSwitches, Switched
-from omote.server.devices.switches.tracker_sockets import read_trackers
-from omote.server.devices.tracker_listener import TrackerListener, TrackerSocket
+from omote.server.devices.trackers.tracker_listener import TrackerListener, TrackerSocket
+from omote.server.devices.trackers.tracker_sockets import read_trackers
 from omote.server.devices.vtube_studio.api_programs import ApiPrograms
 from omote.server.http.app import ShowServer
+from omote.server.microphone.microphone_link import MicrophoneLink
 from omote.server.persistence.authored_work import AuthoredWork
 from omote.server.persistence.device_file import DeviceFile, device_path
 from omote.server.supervision.device_sockets import DeviceOptions
 from omote.server.supervision.early_tick import EarlyTicks
+from omote.server.supervision.source_report import SourceReport
 from omote.show.access.people_list import Visitor
 from omote.show.session import ShowSession
 

@@ -152,7 +152,7 @@ class OpenSources:
         """All open sources; consoles: the names of links."""
         return [source_state(each, self.route(each.name), consoles.get(each.who, "")) for each in self._open.values()]
 
-    def watched(self, now: float) -> list[tuple[str, wire.SourceValues]]:
+    def tell_watchers(self, now: float) -> list[tuple[str, wire.SourceValues]]:
         """What each watcher is told of its source, as often as `WATCH_SECONDS` says."""
         if not self._watchers or now - self._watched < WATCH_SECONDS:
             return []

@@ -14,8 +14,8 @@ from omote.server.devices.face_output import FaceOutput
 from omote.server.devices.mediapipe_link import MediapipeLink
 from omote.server.devices.rejection_log import RejectionLog
 from omote.server.devices.switches.device_switches import DeviceSwitches, Switched
-from omote.server.devices.switches.tracker_sockets import read_trackers
-from omote.server.devices.tracker_listener import TrackerListener
+from omote.server.devices.trackers.tracker_listener import TrackerListener
+from omote.server.devices.trackers.tracker_sockets import read_trackers
 from omote.server.devices.vtube_studio.api_announcements import ApiAnnouncements
 from omote.server.devices.vtube_studio.api_programs import ApiPrograms
 from omote.server.persistence.device_file import DeviceFile, DeviceNotes, read_notes, write_notes
@@ -143,6 +143,18 @@ async def test_what_the_command_line_asks_for_no_page_takes_away(room: Room) -> 
         with pytest.raises(ValueError, match="asked for on the command line"):
             switches.switch(message, 0.0)
     assert room.switched.mediapipe.on
+
+
+async def test_who_sends_and_may_not_is_told_with_the_word_that_lets_it_play(room: Room) -> None:
+    switches, port = room.open(), free_port()
+    switches.switch(listen(f"livelink:{port}"), 0.0)
+    assert offer(switches, "livelink").stranger == ""
+    assert not room.switched.trackers._heard[0].reader.hears("10.9.8.7")
+    found = offer(switches, "livelink")
+    assert (found.stranger, found.strange) == ("10.9.8.7", f"livelink:{port}@10.9.8.7")
+    switches.switch(listen(found.strange), 0.0)
+    assert room.switched.trackers._heard[0].reader.hears("10.9.8.7")
+    assert offer(switches, "livelink").stranger == ""
 
 
 async def test_mediapipe_and_a_phone_are_switched_as_others_are(room: Room) -> None:

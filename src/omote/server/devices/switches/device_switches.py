@@ -12,8 +12,8 @@ from omote.server.access.phone_page import PHONE_PATH
 from omote.server.access.show_addresses import is_loopback, own_address
 from omote.server.devices.face_output import FaceOutput
 from omote.server.devices.mediapipe_link import MediapipeLink
-from omote.server.devices.switches.tracker_sockets import TrackerWish, open_tracker, read_wish
-from omote.server.devices.tracker_listener import TrackerListener, TrackerSocket
+from omote.server.devices.trackers.tracker_listener import TrackerListener, TrackerSocket
+from omote.server.devices.trackers.tracker_sockets import TrackerWish, open_tracker, read_wish
 from omote.server.devices.vtube_studio.api_programs import ApiPrograms
 from omote.server.persistence.device_file import DeviceFile
 from omote.show import messages as wire

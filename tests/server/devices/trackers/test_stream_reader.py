@@ -8,9 +8,9 @@ import pytest
 
 from omote.inputs.allowed_senders import THIS_MACHINE
 from omote.inputs.trackers.face_motion.face_stream import END
-from omote.server.devices import stream_reader
 from omote.server.devices.rejection_log import RejectionLog
-from omote.server.devices.stream_reader import StreamReader
+from omote.server.devices.trackers import stream_reader
+from omote.server.devices.trackers.stream_reader import StreamReader
 
 HOST = "127.0.0.1"
 LONG = 10.0

@@ -26,7 +26,7 @@ export interface Speak {
 
 /**
  * What was heard: `samples` of 16 bits at 16 kHz, mono, little-endian, at most half a second; `sent`: the page's
- * clock when the last of them was heard, ms.
+ * clock when the last was heard, ms.
  */
 export interface Sound {
   type: "sound";
@@ -35,9 +35,9 @@ export interface Sound {
 }
 
 /**
- * What is heard now. `level`: dB of full scale; `speaks`: 0..1; `viseme`: the strongest; `characters`: who speaks by
- * it; `there`: who there is, by name and label; `calibrated`, `calibrating`: of the speaker; `sent`: the clock of the
- * newest sound that this is of, ms.
+ * What is heard now. `level`: dB of full scale; `speaks`: 0..1; `viseme`: the strongest; `characters`: who speaks
+ * by it; `there`: who there is, by name and label; `calibrated`, `calibrating`: of the speaker; `sent`: the clock of
+ * the newest sound that this is of, ms.
  */
 export interface Voice {
   type: "voice";

@@ -1,24 +1,25 @@
 """Trains the map of the camera's landmarks from the observations: `make setup` calls it; under a minute.
 
-python -m tools.tracking.train
+python -m tools.tracking.train_map
 """
 
 from __future__ import annotations
 
 import time
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from omote.builtin import load_cast
-from omote.inputs.camera.landmark_map import ANGLES, FORMAT, MAP, UNITS, Compression
+from omote.inputs.camera.landmark_map import ANGLES, FORMAT, MAP, UNITS, Compression, mirror_outputs
 from omote.perform.blending.evaluate import evaluate
 from omote.perform.frame import Frame
 from tools.tracking.gather import OBSERVATIONS, STEPS
-from tools.tracking.mirror import mirror_outputs
 from tools.tracking.network import Floats, Network, Schedule, train
 
+COMPRESSION = tuple(Compression.__dataclass_fields__)
 ANGLE_COST = 9.0
 """Of a radian's error, over that of a weight's."""
 FACES = ("generic", "old", "man", "round")
@@ -36,18 +37,20 @@ def unit_metric() -> NDArray[np.float64]:
         moved = [evaluate(cast, Frame({face: 1.0}, {"neutral": 1.0}, {unit: 1.0})) - rest for unit in UNITS]
         flat = np.array(moved, np.float64).reshape(len(UNITS), -1)
         total += flat @ flat.T
-    return total * len(UNITS) / np.trace(total)
+    result: NDArray[np.float64] = total * len(UNITS) / np.trace(total)
+    return result
 
 
 def read_observations(path: Path) -> tuple[dict[str, NDArray[np.float32]], Floats, Floats]:
-    """The arrays of the compression, and features and targets of all frames, each of them in the mirror too."""
+    """The arrays of the compression and of its mirror; features and targets of all frames, each in the mirror too."""
     with np.load(path) as stored:
-        arrays = {name: stored[name].astype(np.float32) for name in Compression.__dataclass_fields__}
+        arrays = {
+            name: stored[name].astype(np.float32) for name in (*Compression.__dataclass_fields__, "order", "sign")
+        }
         features = stored["features"].astype(np.float32) / np.float32(STEPS)
         angles = stored["angles"].astype(np.float32) / np.float32(1e4)
         targets = np.concatenate([stored["weights"].astype(np.float32) / np.float32(255), angles], axis=1)
-        order, sign = stored["order"].astype(np.intp), stored["sign"].astype(np.float32)
-    other = features[:, order] * sign
+    other = features[:, arrays["order"].astype(np.intp)] * arrays["sign"]
     swap, turn = mirror_outputs()
     both = np.concatenate([features, other.astype(np.float32)])
     return arrays, both, np.concatenate([targets, targets[:, swap] * turn.astype(np.float32)])
@@ -55,11 +58,12 @@ def read_observations(path: Path) -> tuple[dict[str, NDArray[np.float32]], Float
 
 def write_map(path: Path, arrays: dict[str, NDArray[np.float32]], network: Network) -> None:
     """Writes the map: half precision is finer than what the network knows."""
-    parts = {name: value.astype(np.float16) for name, value in arrays.items()}
-    parts |= {"centre": arrays["centre"], "spread": arrays["spread"]}
+    parts: dict[str, NDArray[Any]] = {name: value.astype(np.float16) for name, value in arrays.items()}
+    parts |= {name: arrays[name] for name in ("centre", "spread")} | {"order": arrays["order"].astype(np.int16)}
     parts |= {f"weights{row}": each.astype(np.float16) for row, each in enumerate(network.weights)}
     parts |= {f"offsets{row}": each for row, each in enumerate(network.offsets)}
-    np.savez(path, format=np.array(FORMAT), linear=network.linear.astype(np.float16), **parts)
+    parts |= {"format": np.array(FORMAT), "linear": network.linear.astype(np.float16)}
+    np.savez(path, **parts)  # type: ignore[arg-type]
 
 
 def main() -> None:

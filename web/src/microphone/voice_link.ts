@@ -1,8 +1,8 @@
 /** The link of a page that has a microphone. */
 
-import type { FromMicrophone, ToMicrophone } from "../link/microphone_messages";
-import { MICROPHONE_PATH } from "../link/microphone_messages";
 import { ReconnectingSocket } from "../link/reconnecting_socket";
+import type { FromMicrophone, ToMicrophone } from "./microphone_messages";
+import { MICROPHONE_PATH } from "./microphone_messages";
 
 /** What the page wants to hear. */
 export interface LinkListener {
@@ -13,7 +13,7 @@ export interface LinkListener {
   revoked(): void;
 }
 
-export class MicrophoneLink {
+export class VoiceLink {
   readonly #socket: ReconnectingSocket<ToMicrophone, FromMicrophone>;
 
   constructor(listener: LinkListener) {

@@ -6,7 +6,7 @@ import pytest
 
 from omote.inputs.face_output.face_target import read_targets
 from omote.inputs.trackers.tracker_protocols import TRACKER_PROTOCOLS
-from omote.server.devices.switches.tracker_sockets import (
+from omote.server.devices.trackers.tracker_sockets import (
     TrackerWish,
     explain_trackers,
     find_phones,

@@ -1,7 +1,7 @@
 """Who plays whom is said on the terminal when it changes, and only then."""
 
 from omote.model.cast import Cast
-from omote.server.devices.source_report import SourceReport
+from omote.server.supervision.source_report import SourceReport
 from omote.show import messages as wire
 from omote.show.session import ShowSession
 

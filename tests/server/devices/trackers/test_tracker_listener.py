@@ -9,9 +9,9 @@ import pytest_asyncio
 
 from omote.inputs.allowed_senders import AllowedSenders
 from omote.inputs.trackers.tracker_protocols import TRACKER_PROTOCOLS
-from omote.server.devices import tracker_listener
 from omote.server.devices.rejection_log import RejectionLog
-from omote.server.devices.tracker_listener import TrackerListener, TrackerSocket
+from omote.server.devices.trackers import tracker_listener
+from omote.server.devices.trackers.tracker_listener import TrackerListener, TrackerSocket
 from tests.inputs.trackers.packets import live_link_face
 from tests.server.conftest import ShowHarness
 

@@ -1,4 +1,4 @@
-"""Faces seen in a mirror: the left half's points, features and units for the right half's, and back."""
+"""Faces seen in a mirror: the left half's points and features for the right half's, and back."""
 
 from __future__ import annotations
 
@@ -7,7 +7,6 @@ from numpy.typing import NDArray
 from scipy.optimize import linear_sum_assignment
 
 from omote.inputs.camera.face_features import POSE_TERMS
-from omote.inputs.camera.landmark_map import UNITS
 
 Values = NDArray[np.float64]
 Rows = NDArray[np.intp]
@@ -48,13 +47,6 @@ def mirror_pose() -> Values:
     return np.array([yaw, pitch, roll, -1.0, 1.0, 1.0, 1.0, 1.0, 1.0, yaw * pitch, yaw * roll, pitch * roll])
 
 
-def mirror_outputs() -> tuple[Rows, Values]:
-    """The same for outputs: units of the other side; yaw of the gaze, yaw and roll of the head turn round."""
-    other = [UNITS.index(_swap(name)) for name in UNITS]
-    count = len(UNITS)
-    return np.array([*other, *range(count, count + 5)]), np.array([*np.ones(count), -1.0, 1.0, -1.0, 1.0, -1.0])
-
-
 def mirror_features(moved: Values, rest: Values) -> tuple[Rows, Values]:
     """The same for features. moved (k,), rest (m,): the sign of each component, which is even (1) or odd (-1)."""
     measures, signs = mirror_measures()
@@ -63,9 +55,3 @@ def mirror_features(moved: Values, rest: Values) -> tuple[Rows, Values]:
         [np.arange(first), first + measures, first + len(measures) + np.arange(POSE_TERMS + len(rest))]
     )
     return rows, np.concatenate([moved, signs, mirror_pose(), rest])
-
-
-def _swap(name: str) -> str:
-    if name.endswith("Left"):
-        return name.removesuffix("Left") + "Right"
-    return name.removesuffix("Right") + "Left" if name.endswith("Right") else name

@@ -9,8 +9,8 @@ import pytest
 from omote.inputs.takes.packet_capture import read_packets
 from omote.inputs.takes.packet_take import choose_protocol, read_packet_take
 from omote.inputs.trackers.tracker_protocols import TRACKER_PROTOCOLS
-from omote.server.devices.switches.tracker_sockets import TrackerWish, read_wish
-from omote.server.devices.take_recorder import check_recordable, count_packets, record_take
+from omote.server.devices.trackers.take_recorder import check_recordable, count_packets, record_take
+from omote.server.devices.trackers.tracker_sockets import TrackerWish, read_wish
 from tests.inputs.trackers.packets import live_link_face
 
 HOST = "127.0.0.1"

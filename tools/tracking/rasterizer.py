@@ -12,7 +12,7 @@ SKIN, EYE_LEFT, EYE_RIGHT, TEETH, TONGUE, LASHES, HAIR = range(7)
 FAR = np.float32(1e9)
 
 
-@njit(cache=True)  # type: ignore[misc]
+@njit(cache=True)
 def normals_of(points, triangles, out):  # type: ignore[no-untyped-def]
     """Vertex normals (V, 3), weighted by area."""
     out[:] = 0.0
@@ -30,7 +30,7 @@ def normals_of(points, triangles, out):  # type: ignore[no-untyped-def]
         out[v] /= length
 
 
-@njit(cache=True)  # type: ignore[misc]
+@njit(cache=True)
 def draw_triangles(  # type: ignore[no-untyped-def]  # noqa: C901 - one loop over pixels
     screen, triangles, material, lashes, depth, hit, weights
 ):
@@ -72,7 +72,7 @@ def draw_triangles(  # type: ignore[no-untyped-def]  # noqa: C901 - one loop ove
                     weights[y, x, 1] = wc / cz * z
 
 
-@njit(cache=True)  # type: ignore[misc]
+@njit(cache=True)
 def draw_strands(screen, shade, colour, thick, depth, hit, picture):  # type: ignore[no-untyped-def]
     """Draws strands (n, k, 3) of screen as lines of a few pixels; shade (n, k) their light, colour (3,)."""
     height, width = depth.shape
@@ -94,7 +94,7 @@ def draw_strands(screen, shade, colour, thick, depth, hit, picture):  # type: ig
                                 picture[y, x, i] = colour[i] * light
 
 
-@njit(cache=True)  # type: ignore[misc]
+@njit(cache=True)
 def shade_pixels(  # type: ignore[no-untyped-def]  # noqa: C901 - one loop over pixels
     hit, weights, triangles, material, normals, space, uv, openness, local, mask, colours, traits, lamps, picture
 ):

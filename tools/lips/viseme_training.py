@@ -1,4 +1,4 @@
-"""Trains the network that reads visemes: `python -m tools.lips.train`. Needs espeak-ng, festival and its voices.
+"""Trains the network that reads visemes: `python -m tools.lips.viseme_training`. Needs espeak-ng, festival, flite.
 
 The packages, and why the weights are committed: docs/decisions/0136-lips-from-a-microphone.md.
 """
@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import argparse
 import time
+from itertools import pairwise
 from pathlib import Path
 
 import numpy as np
@@ -24,7 +25,7 @@ from omote.perform.speech.visemes import VISEMES
 from tools.lips.corpus import make_recordings
 from tools.lips.spoken import UNKNOWN
 
-HIDDEN = (192, 96)
+HIDDEN = (256, 128)
 BATCH = 1024
 SMOOTHING = 0.04
 """Share of a label that is given to all visemes."""
@@ -62,39 +63,47 @@ def make_frames(path: Path, count: int, festival: int, seed: int) -> None:
             print(index, sum(len(each.labels) for each in made), flush=True)
     ends = np.cumsum([len(each.labels) for each in made])
     stacked = {name: np.concatenate([getattr(each, name) for each in made]) for name in ("frames", "floors", "labels")}
-    np.savez(path, ends=ends, **stacked)
+    np.savez(path, ends=ends, **stacked)  # type: ignore[arg-type]
+
+
+class Adam:
+    """Steps of Adam with a falling rate and a little decay of weights; changes the values that it is given."""
+
+    def __init__(self, values: list[np.ndarray], steps: int) -> None:
+        self._values, self._steps, self._step = values, steps, 0
+        self._means, self._squares = ([np.zeros_like(each) for each in values] for _ in range(2))
+
+    def take(self, gradients: list[np.ndarray]) -> None:
+        """One step against these gradients."""
+        self._step += 1
+        step = self._step
+        rate = 2e-3 * min(1.0, step / 200) * (0.5 + 0.5 * np.cos(np.pi * step / self._steps)) + 1e-5
+        for value, gradient, mean, square in zip(self._values, gradients, self._means, self._squares, strict=True):
+            mean += 0.1 * (gradient - mean)
+            square += 0.001 * (gradient**2 - square)
+            way = (mean / (1 - 0.9**step)) / (np.sqrt(square / (1 - 0.999**step)) + 1e-8)
+            value -= (rate * way).astype(np.float32)
+            value *= 1.0 - 1e-2 * rate
 
 
 def train(frames: Frames, epochs: int, seed: int, out: Path) -> None:
-    """Trains by Adam with a falling rate; writes the network after each epoch."""
+    """Trains, and writes the network after each epoch."""
     rng = np.random.default_rng(seed)
     network = _begin(rng)
-    values = [*network.weights, *network.biases]
-    means, squares = [np.zeros_like(each) for each in values], [np.zeros_like(each) for each in values]
+    adam = Adam([*network.weights, *network.biases], epochs * (len(frames.places) // BATCH))
     shares = np.bincount(frames.labels, minlength=len(VISEMES)) / len(frames.labels)
     importance = np.clip((1 / len(VISEMES) / np.maximum(shares, 1e-4)) ** 0.5, 0.5, 3.0).astype(np.float32)
-    steps = epochs * (len(frames.places) // BATCH)
-    step = 0
     for epoch in range(epochs):
         order = rng.permutation(len(frames.places))
-        began, lost, right = time.process_time(), 0.0, 0.0
+        began, told = time.process_time(), []
         for start in range(0, len(order) - BATCH + 1, BATCH):
             chosen = order[start : start + BATCH]
-            labels = frames.labels[chosen]
-            gradients, loss, hits = _gradients(network, frames.inputs(frames.places[chosen]), labels, importance, rng)
-            step += 1
-            rate = 2e-3 * min(1.0, step / 200) * (0.5 + 0.5 * np.cos(np.pi * step / steps)) + 1e-5
-            for value, gradient, mean, square in zip(values, gradients, means, squares, strict=True):
-                mean += 0.1 * (gradient - mean)
-                square += 0.001 * (gradient**2 - square)
-                value -= (rate * (mean / (1 - 0.9**step)) / (np.sqrt(square / (1 - 0.999**step)) + 1e-8)).astype(
-                    np.float32
-                )
-                value *= 1.0 - 1e-2 * rate
-            lost, right = lost + loss, right + hits
-        count = len(order) // BATCH
-        print(f"epoch {epoch}: loss {lost / count:.4f}, right {right / count:.4f}, {time.process_time() - began:.0f} s",
-              flush=True)  # fmt: skip
+            inputs = frames.inputs(frames.places[chosen])
+            gradients, loss, right = _gradients(network, inputs, frames.labels[chosen], importance, rng)
+            adam.take(gradients)
+            told.append((loss, right))
+        loss, right = np.mean(told, axis=0)
+        print(f"epoch {epoch}: loss {loss:.4f}, right {right:.4f}, {time.process_time() - began:.0f} s", flush=True)
         write_network(network, out)
 
 
@@ -102,12 +111,12 @@ def write_network(network: VisemeNetwork, path: Path) -> None:
     """Writes the weights in 16 bits."""
     stored = {f"weight_{i}": each.astype(np.float16) for i, each in enumerate(network.weights)}
     stored |= {f"bias_{i}": each.astype(np.float16) for i, each in enumerate(network.biases)}
-    np.savez_compressed(path, **stored)
+    np.savez_compressed(path, **stored)  # type: ignore[arg-type]
 
 
 def _begin(rng: np.random.Generator) -> VisemeNetwork:
     sizes = [INPUTS, *HIDDEN, len(VISEMES)]
-    weights = [rng.normal(0, np.sqrt(2 / a), (a, b)).astype(np.float32) for a, b in zip(sizes, sizes[1:], strict=False)]
+    weights = [rng.normal(0, np.sqrt(2 / a), (a, b)).astype(np.float32) for a, b in pairwise(sizes)]
     return VisemeNetwork(tuple(weights), tuple(np.zeros(size, np.float32) for size in sizes[1:]))
 
 

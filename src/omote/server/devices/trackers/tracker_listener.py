@@ -17,7 +17,7 @@ from omote.inputs.trackers.tracker_protocols import TRACKER_TITLES, TrackerProto
 from omote.server.access.show_addresses import own_address
 from omote.server.devices.datagram_reader import DatagramReader
 from omote.server.devices.rejection_log import RejectionLog
-from omote.server.devices.stream_reader import StreamReader
+from omote.server.devices.trackers.stream_reader import StreamReader
 from omote.show.messages import State
 from omote.show.session import ShowSession
 

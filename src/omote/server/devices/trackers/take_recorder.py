@@ -7,7 +7,7 @@ from collections.abc import Callable
 from pathlib import Path
 
 from omote.inputs.takes.packet_capture import Packet, encode_capture, encode_packet, read_packets
-from omote.server.devices.switches.tracker_sockets import TrackerWish, open_tracker
+from omote.server.devices.trackers.tracker_sockets import TrackerWish, open_tracker
 
 ASK_SECONDS, WAIT_SECONDS = 1.0, 0.1
 LONGEST_DATAGRAM = 65507

@@ -1,0 +1,103 @@
+"""A microphone over a real WebSocket: it plays, is told what is heard, and ends with its token."""
+
+import asyncio
+from collections.abc import AsyncIterator
+
+import msgspec
+import pytest
+import pytest_asyncio
+from aiohttp import WSMsgType, web
+from aiohttp.test_utils import TestClient, TestServer
+
+from omote.inputs.microphone.microphone_messages import LONGEST_MESSAGE, Begin, Rejected, Sound, ToMicrophone, Voice
+from omote.server.access.access_guard import VISITOR
+from omote.server.microphone.microphone_link import MicrophoneLink
+from omote.show.access.access_documents import REVOKED_CODE
+from omote.show.access.people_list import ANYBODY
+from tests.inputs.microphone.voices import pcm, vowel
+from tests.server.conftest import ShowHarness
+
+pytestmark = pytest.mark.asyncio
+Client = TestClient[web.Request, web.Application]
+_DECODER = msgspec.msgpack.Decoder(ToMicrophone)
+
+
+class Guest:
+    """Whether the one who came in may stay."""
+
+    stays = True
+
+
+@pytest.fixture
+def guest() -> Guest:
+    return Guest()
+
+
+@pytest_asyncio.fixture
+async def link(show_harness: ShowHarness, guest: Guest) -> AsyncIterator[MicrophoneLink]:
+    made = MicrophoneLink(
+        lambda: show_harness.show.session, show_harness.clock, holds=lambda visitor: visitor is ANYBODY and guest.stays
+    )
+    show_harness.show.sources.append(made)
+    yield made
+    await made.close()
+
+
+@pytest_asyncio.fixture
+async def sender(link: MicrophoneLink) -> AsyncIterator[Client]:
+    async def respond(request: web.Request) -> web.StreamResponse:
+        request[VISITOR] = ANYBODY
+        return await link.respond(request)
+
+    application = web.Application()
+    application.router.add_get("/voice", respond)
+    async with TestClient(TestServer(application)) as client:
+        yield client
+
+
+async def tick_until(harness: ShowHarness, link: MicrophoneLink, count: int) -> None:
+    """Ticks until so many microphones are open."""
+    while len(link.microphones) != count:
+        harness.tick()
+        await asyncio.sleep(0.001)
+
+
+async def test_a_microphone_plays_and_is_told(show_harness: ShowHarness, link: MicrophoneLink, sender: Client) -> None:
+    async with sender.ws_connect("/voice") as socket:
+        await socket.send_bytes(msgspec.msgpack.encode(Begin("Anna")))
+        await socket.send_bytes(msgspec.msgpack.encode(Sound(pcm(vowel(0.2)))))
+        await tick_until(show_harness, link, 1)
+        for _ in range(8):
+            show_harness.tick()
+        told = _DECODER.decode(await socket.receive_bytes())
+        assert isinstance(told, Voice)
+        assert [source.name for source in show_harness.show.session.sources.states({})] == ["Anna"]
+        await socket.send_bytes(b"hello")
+        while not isinstance(told, Rejected):
+            show_harness.tick()
+            told = _DECODER.decode(await socket.receive_bytes())
+        assert "nothing that a microphone says" in told.reason
+    await tick_until(show_harness, link, 0)
+
+
+async def test_a_message_that_is_too_long_ends_the_link(sender: Client) -> None:
+    async with sender.ws_connect("/voice") as socket:
+        await socket.send_bytes(b"x" * (LONGEST_MESSAGE + 1))
+        told = _DECODER.decode(await socket.receive_bytes())
+        assert isinstance(told, Rejected)
+        assert (await socket.receive()).type is WSMsgType.CLOSE
+
+
+async def test_a_token_that_ends_ends_the_link(
+    show_harness: ShowHarness, link: MicrophoneLink, sender: Client, guest: Guest
+) -> None:
+    async with sender.ws_connect("/voice") as socket:
+        await socket.send_bytes(msgspec.msgpack.encode(Begin("Anna")))
+        await tick_until(show_harness, link, 1)
+        guest.stays = False
+        message = None
+        while message is None or message.type is WSMsgType.BINARY:
+            show_harness.clock.now += 1.0
+            show_harness.tick()
+            message = await socket.receive()
+        assert (message.type, message.data) == (WSMsgType.CLOSE, REVOKED_CODE)
