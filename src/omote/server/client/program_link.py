@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import asyncio
 import contextlib
+import io
 import ssl
 from collections.abc import Callable
 from uuid import uuid4
@@ -147,7 +148,7 @@ class ProgramLink:
         try:
             async with (
                 aiohttp.ClientSession(headers=self._headers) as session,
-                session.post(address, data=data, ssl=self._trusted) as response,
+                session.post(address, data=io.BytesIO(data), ssl=self._trusted) as response,
             ):
                 if response.status >= 500:
                     raise ConnectionError(f"the show at {self._show} took no sound: {await response.text()}")
