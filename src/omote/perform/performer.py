@@ -627,7 +627,7 @@ class Performer:
 
     def look_at(
         self,
-        kind: str = "ahead",
+        kind: str,
         name: str = "",
         *,
         yaw: float = 0.0,

@@ -540,7 +540,7 @@ class Scene:
         self._gaze_points = {each: point for each, point in self._gaze_points.items() if each != name}
         for character in self._characters.values():
             if (character.motion.target.kind, character.motion.target.name) == ("gaze_point", name):
-                character.look_at()
+                character.look_at("ahead")
 
     def note_camera(self, stage: str, camera: Point | None) -> None:
         """Where the camera of a stage is, for those who look at it.

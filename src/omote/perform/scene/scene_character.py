@@ -57,7 +57,7 @@ class SceneCharacter(Performer):
 
     def look_at(
         self,
-        kind: str = "ahead",
+        kind: str,
         name: str = "",
         *,
         yaw: float = 0.0,

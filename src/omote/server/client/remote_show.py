@@ -140,7 +140,7 @@ class RemoteCharacter(RemoteSpeech[Sent]):
 
     def look_at(
         self,
-        kind: str = "ahead",
+        kind: str,
         name: str = "",
         *,
         yaw: float = 0.0,
