@@ -41,22 +41,26 @@ USED: dict[str, str] = {
     "console/show_file": "link ui console/store",
     "console/devices": "link ui console/store",
     "console/leases": "link console/store",
-    "console/panic": "link console/store",
-    "console/controls": "link ui console/store console/show_file console/devices console/leases console/panic",
+    "console/panic": "link console/layers console/store",
+    "console/sources": "link console/layers console/store",
+    "console/controls": (
+        "link ui console/store console/show_file console/devices console/leases console/panic console/sources"
+    ),
     "console/palette": "link ui console/regions console/store console/show_file console/controls",
     "console/panels": (
         "link ui face/pose face/quality face console/layers console/regions console/store console/show_file "
         "console/controls"
     ),
     "console/scene": "link ui console/characters console/store console/controls",
-    "console/layer_panel": "link ui console/layers console/store console/controls",
+    "console/layer_panel": "link ui console/layers console/store console/controls console/sources",
+    "console/calibration_panel": ("link ui console/store console/controls console/layer_panel console/sources"),
     "console/lease_panel": "link ui console/leases console/store console/controls",
     "console/device_panel": "link ui console/store console/controls console/devices",
     "console/learn": "link ui console/store console/controls console/devices console/layer_panel console/palette",
     "console": (
         "link ui access face/pose face console/regions console/store console/show_file console/controls "
         "console/palette console/panels console/scene console/layer_panel console/devices "
-        "console/device_panel console/learn console/leases console/lease_panel console/layers console/panic"
+        "console/device_panel console/learn console/leases console/lease_panel console/panic console/sources console/calibration_panel"
     ),
     "console/devices_page": (
         "link ui access console/store console/show_file console/leases console/panels console/devices "

@@ -1,7 +1,7 @@
 import { describe, expect, it } from "vitest";
 import { FrameRate } from "./frame_rate";
 
-function after(times: readonly number[]): FrameRate {
+function ticked(times: readonly number[]): FrameRate {
   const rate = new FrameRate();
   for (const time of times) rate.tick(time);
   return rate;
@@ -10,14 +10,14 @@ function after(times: readonly number[]): FrameRate {
 describe("the rate of frames", () => {
   it("counts those of the last second", () => {
     const times = Array.from({ length: 200 }, (_, at) => at / 50);
-    expect(after(times).at(times.at(-1) as number)).toBe(50);
+    expect(ticked(times).at(times.at(-1) as number)).toBe(50);
   });
 
   it("is a part of one where frames take longer than a second", () => {
-    expect(after([0, 4]).at(4)).toBe(0.25);
+    expect(ticked([0, 4]).at(4)).toBe(0.25);
   });
 
   it("falls while no frame comes", () => {
-    expect(after([0, 0.5, 1]).at(11)).toBe(0.1);
+    expect(ticked([0, 0.5, 1]).at(11)).toBe(0.1);
   });
 });

@@ -39,7 +39,6 @@ from omote.show.wire import encode
 PAGE_CLOSED = (WSCloseCode.OK, WSCloseCode.GOING_AWAY)
 """How a browser ends the link of a page that is closed or loaded anew."""
 
-
 Respond = Callable[[web.Request], Awaitable[web.StreamResponse]]
 
 

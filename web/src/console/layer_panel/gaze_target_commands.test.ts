@@ -1,7 +1,8 @@
 import { beforeEach, describe, expect, it } from "vitest";
 import type { FromClient, State } from "../../link/messages";
+import { AHEAD } from "../layers/layer_state";
 import { ConsoleStore } from "../store/console_store";
-import { AHEAD, choicesFor, GazeTargetCommands, isSame, targetOf } from "./gaze_target_commands";
+import { choicesFor, GazeTargetCommands, isSame, targetOf } from "./gaze_target_commands";
 
 const character = (label: string, target = AHEAD) =>
   ({

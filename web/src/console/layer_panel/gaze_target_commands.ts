@@ -1,10 +1,10 @@
 /** Whom or what characters look at, and the points of the house that have a name: what an operator does, with undo. */
 
 import type { GazeTargetState } from "../../link/messages";
+import { AHEAD } from "../layers/layer_state";
 import type { ConsoleStore } from "../store/console_store";
 import type { Change } from "../store/undo_history";
 
-export const AHEAD: GazeTargetState = { kind: "ahead", name: "", yaw: 0, pitch: 0, x: 0, y: 0, z: 2 };
 /** A target as it differs from nothing. */
 export const targetOf = (given: Partial<GazeTargetState>): GazeTargetState => ({ ...AHEAD, ...given });
 

@@ -4,8 +4,9 @@ import { css, html } from "lit";
 import { customElement, state } from "lit/decorators.js";
 import { base } from "../../ui/theme";
 import { AnimatedElement } from "../controls/console_element";
+import { AHEAD } from "../layers/layer_state";
 import type { Topic } from "../store/page_store";
-import { AHEAD, choicesFor, GazeTargetCommands, isSame, type TargetChoice, targetOf } from "./gaze_target_commands";
+import { choicesFor, GazeTargetCommands, isSame, type TargetChoice, targetOf } from "./gaze_target_commands";
 
 /** Where a point is: its label, lowest, highest, and in words. */
 const SLIDERS = [

@@ -1,11 +1,14 @@
 /** The layers of a character as a console shows them: also those of which the state says nothing, which are as at first. */
 
 import { DRIVEN_LAYERS, LAYER_PARTS, type LAYERS, LIPS_INFLUENCE } from "../../link/constants";
-import type { CharacterState, LayerState } from "../../link/messages";
+import type { CharacterState, GazeTargetState, LayerState } from "../../link/messages";
 import { handsOf } from "./held_state";
 
 export type LayerName = (typeof LAYERS)[number];
 export type LayerPart = (typeof LAYER_PARTS)[number];
+
+/** The target of eyes that look at nothing. */
+export const AHEAD: GazeTargetState = { kind: "ahead", name: "", yaw: 0, pitch: 0, x: 0, y: 0, z: 2 };
 
 /** Channels by which a layer shows what it does now. */
 const MOST_SHOWN = 3;

@@ -1,7 +1,7 @@
 /** What a panic took off the air that can be brought back in one go: sources, liveliness, and faces for the home face. */
 
 import type { CharacterState, GazeTargetState, State } from "../../link/messages";
-import { AHEAD } from "../layer_panel/gaze_target_commands";
+import { AHEAD } from "../layers/layer_state";
 import type { ConsoleStore } from "../store/console_store";
 import type { Offer, Question } from "../store/page_store";
 import type { Change, Step } from "../store/undo_history";
