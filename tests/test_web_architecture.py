@@ -60,7 +60,8 @@ USED: dict[str, str] = {
     "console": (
         "link ui access face/pose face console/regions console/store console/show_file console/controls "
         "console/palette console/panels console/scene console/layer_panel console/devices "
-        "console/device_panel console/learn console/leases console/lease_panel console/panic console/sources console/calibration_panel"
+        "console/device_panel console/learn console/leases console/lease_panel console/panic console/sources "
+        "console/calibration_panel"
     ),
     "console/devices_page": (
         "link ui access console/store console/show_file console/leases console/panels console/devices "
