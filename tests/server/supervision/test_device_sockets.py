@@ -42,6 +42,18 @@ def test_each_socket_is_handed_under_its_option_and_closed() -> None:
     sockets = DeviceSockets(
         listen_for_osc(HOST, 0), listen_for_sacn(HOST, [1, 2], port=0), listen_for_artnet(HOST, 0), trackers
     )
+    try:
+        check_handed(sockets)
+    finally:
+        sockets.close()
+    assert sockets.trackers["vmc-performer"].fileno() == -1
+    assert sockets.sacn is not None
+    assert sockets.sacn.fileno() == -1
+    assert DeviceSockets().handed == {}
+    assert DeviceSockets().heard == []
+
+
+def check_handed(sockets: DeviceSockets) -> None:
     words = [word for name, number in sockets.handed.items() for word in (name, str(number))]
     options = parse(words)
     assert sockets.osc is not None
@@ -51,12 +63,7 @@ def test_each_socket_is_handed_under_its_option_and_closed() -> None:
     assert (options.sacn, options.artnet) == (sockets.sacn.fileno(), sockets.artnet.fileno())
     assert options.trackers == {"vmc-performer": sockets.trackers["vmc-performer"].fileno()}
     assert sockets.heard == ["OSC", "sACN", "Art-Net", "VMC performer"]
-    assert sockets.advice[0].startswith("VMC performer: port")
-    sockets.close()
-    assert sockets.trackers["vmc-performer"].fileno() == -1
-    assert sockets.sacn.fileno() == -1
-    assert DeviceSockets().handed == {}
-    assert DeviceSockets().heard == []
+    assert sockets.advice[0].startswith("tracker  VMC performer: port")
 
 
 @pytest.mark.parametrize(
