@@ -212,7 +212,8 @@ def test_a_console_hears_its_call_arrive(folder: Path) -> None:
 
 def test_a_chat_speaks_and_nods(folder: Path) -> None:
     assert "Hello! Nice to meet you." in run("chat_speaks", folder)
-    rows = list(csv.DictReader((folder / "spoken.csv").open()))
+    with (folder / "spoken.csv").open() as file:
+        rows = list(csv.DictReader(file))
     for text in ("Hello! Nice to meet you.", "My answer is maybe. Please believe me."):
         jaws = [float(row["jaw"]) for row in rows if row["text"] == text]
         assert max(jaws) > 0.15

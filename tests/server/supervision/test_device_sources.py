@@ -48,7 +48,7 @@ async def test_what_was_asked_for_is_heard(show_harness: ShowHarness, tmp_path: 
         assert isinstance(heard, OscListener)
         assert isinstance(dmx, DmxListener)
         assert isinstance(pages, PageDeviceSource)
-        assert [each.name for each in pages.devices.devices_now(0.0).devices] == ["OSC", "Art-Net"]
+        assert [each.name for each in pages.devices.devices_now(0.0).devices] == ["OSC", "Art-Net", "Camera"]
         assert heard._reader.hears("10.0.0.7")
         assert heard._reader.hears(own_address() or HOST)
         assert not heard._reader.hears("10.0.0.8")
@@ -69,14 +69,15 @@ async def test_trackers_are_heard_and_faces_sent(show_harness: ShowHarness) -> N
         send="vmc:127.0.0.1:9,osc:127.0.0.1:9",
     )  # fmt: skip
     started = await start_devices(show_harness.show, options, lambda _: None)
-    surfaces, trackers, browsers, _, faces, _, pages = started
+    surfaces, trackers, browsers, _, faces, *_, pages = started
     assert isinstance(browsers, MediapipeLink)
     assert show_harness.show._heard["/mediapipe"] == browsers.respond
     assert isinstance(surfaces, OscListener)
     assert isinstance(trackers, TrackerListener)
     assert isinstance(faces, FaceOutput)
     assert isinstance(pages, PageDeviceSource)
-    assert [each.name for each in pages.devices.devices_now(0.0).devices] == ["OSC", "VMC", "MeowFace", "MediaPipe"]
+    heard = [each.name for each in pages.devices.devices_now(0.0).devices]
+    assert heard == ["OSC", "VMC", "MeowFace", "MediaPipe", "Camera"]
     assert surfaces.osc.news(show_harness.show.session.tick(0.0), 1e6)  # a surface that was named is told for ever
     for closing in started:
         await closing.close()
@@ -134,7 +135,7 @@ async def test_pages_alone_have_devices_where_nothing_else_was_asked_for(show_ha
     started = await start_devices(show_harness.show, DeviceOptions(), lambda _: None)
     pages = started[-1]
     assert isinstance(pages, PageDeviceSource)
-    assert pages.devices.devices_now(0.0).devices == []
+    assert [each.name for each in pages.devices.devices_now(0.0).devices] == ["Camera"]  # a page of the show
     for each in started:
         await each.close()
 
