@@ -190,7 +190,16 @@ export const style = css`
       display: none;
     }
   }
+  /* a fader that a finger can hold comes before what a layer does, which its own bar shows too */
+  @media (max-width: 1300px) and (max-height: 900px) {
+    .bars {
+      display: none;
+    }
+  }
   @media ${narrow} or ${low} {
+    .bars {
+      display: grid;
+    }
     :host {
       display: flex;
       flex-direction: column;
