@@ -48,7 +48,7 @@ export class CameraPage extends CameraElement {
     return html`${this.#header()}
       <main>
         <div class="left">
-          <figure class=${guided ? "guided" : ""}>${session.video}<canvas aria-hidden="true"></canvas>${this.#cover()}</figure>
+          <figure class=${guided || offered ? "guided" : ""}>${session.video}<canvas aria-hidden="true"></canvas>${this.#cover()}</figure>
           <omote-guide ?hidden=${!guided && !offered} .session=${session} .count=${count}></omote-guide>
           ${this.#health()}
         </div>

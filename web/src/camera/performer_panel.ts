@@ -135,7 +135,7 @@ export class PerformerPanel extends CameraElement {
     return html`<section class="panel" aria-label="Calibration"><h2>How your face is read</h2>
       <p role="status">${sayCalibration(status)}</p>
       <div class="row">
-        <button class=${status.calibrated === "guided" ? "" : "main"} ?disabled=${busy || noPicture !== ""} title=${noPicture} @click=${() => begin(false)}>
+        <button class=${status.calibrated === "guided" || status.unused ? "" : "main"} ?disabled=${busy || noPicture !== ""} title=${noPicture} @click=${() => begin(false)}>
           ${status.calibrated === "guided" ? "Guided minute again" : "Guided minute"}</button>
         <button ?disabled=${status.guide !== null || noPicture !== ""} title=${noPicture} @click=${() => begin(true)}>At rest now</button>
       </div>
