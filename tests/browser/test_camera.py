@@ -107,6 +107,15 @@ def test_the_guided_minute_begins_shows_its_step_and_is_cancelled_by_a_key(filme
     wait_for(page, "status.guide?.step === 'neutral'")
     page.keyboard.press("Escape")
     wait_for(page, "status.guide === null && status.calibrated === 'rest'")
+    expect(guide).to_contain_text("1 of 15 faces made")
+    guide.get_by_role("button", name="Go on at 2").click()
+    wait_for(page, "status.guide?.step === 'shut'")
+    guide.get_by_role("button", name="Stop").click()
+    page.get_by_role("combobox", name="Performer").fill("Bea")
+    page.get_by_role("button", name="Rename Bo to Bea").click()
+    wait_for(page, "status.performer === 'Bea' && status.unused && !status.performers.includes('Bo')")
+    page.get_by_role("button", name="Undo").click()
+    wait_for(page, "status.performer === 'Bo' && status.unused")
     page.get_by_role("button", name="Forget this face").click()
     wait_for(page, "status.calibrated === 'no' && !status.performers.includes('Bo')")
     page.get_by_role("button", name="Undo").click()
@@ -121,3 +130,7 @@ def test_a_page_that_may_not_use_the_camera_says_what_to_do(open_page: OpenPage)
         "The browser may not use the camera",
         "There is no camera",  # a machine that has none says so first
     )
+    expect(page.get_by_role("status").filter(has_text="No camera")).to_be_visible()
+    for name in ("Guided minute", "At rest now"):
+        expect(page.get_by_role("button", name=name)).to_be_disabled()
+    expect(page.get_by_role("list", name="Health")).not_to_contain_text("ms")

@@ -108,6 +108,27 @@ def test_the_guided_minute_is_stored_as_such(stage: Stage) -> None:
     assert stage.status().guide is None
 
 
+def test_a_guided_minute_that_is_ended_goes_on_or_is_used_as_far_as_it_is_made(stage: Stage) -> None:
+    stage.begin()
+    stage.play(2.5)
+    stage.cameras.obey("1", wire.BeginGuide())
+    stage.play(12.0)
+    stage.cameras.obey("1", wire.CancelGuide())
+    stage.play(0.1)
+    status = stage.status()
+    assert (status.guide, status.calibrated, status.unused) == (None, "rest", True)
+    stage.cameras.obey("1", wire.ContinueGuide())
+    guide = stage.status().guide
+    assert guide is not None
+    assert guide.step == status.missing[0]
+    stage.cameras.obey("1", wire.RenamePerformer("Bea"))
+    assert (stage.status().performer, stage.status().missing, stage.status().unused) == ("Bea", status.missing, True)
+    stage.cameras.obey("1", wire.UseFaces())
+    stage.play(0.1)
+    used = stage.status()
+    assert (used.calibrated, used.unused, used.missing) == ("guided", False, status.missing)
+
+
 def test_a_fit_that_fails_leaves_what_was(stage: Stage) -> None:
     stage.begin()
     stage.play(2.5)

@@ -8,7 +8,13 @@ from omote.inputs.performers import camera_messages as wire
 
 
 def test_every_message_comes_back_and_is_no_frame() -> None:
-    for message in (wire.Perform(1, "Ada"), wire.PlayCharacters(["one"]), wire.BeginGuide(), wire.RedoStep("aa")):
+    for message in (
+        wire.Perform(1, "Ada"),
+        wire.PlayCharacters(["one"]),
+        wire.BeginGuide(),
+        wire.RedoStep("aa"),
+        wire.UseFaces(),
+    ):
         data = msgspec.msgpack.encode(message)
         assert msgspec.msgpack.decode(data, type=wire.FromCamera) == message
         assert not data.startswith(write_landmark_frame(LandmarkFrame(None, 640, 480, 0.0))[:4])

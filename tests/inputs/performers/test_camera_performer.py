@@ -91,6 +91,54 @@ def test_the_guided_minute_is_shown_and_a_step_made_again(performer: CameraPerfo
     assert again.frames["ee"] == fit.frames["ee"]
 
 
+def test_a_guided_minute_that_is_ended_keeps_its_faces_and_goes_on(performer: CameraPerformer) -> None:
+    performer.begin_guide(rest=False)
+    assert (performer.redoable, performer.missing, performer.unused) == ([], [], False)
+    now = show(performer, 12.0)
+    made = performer.redoable
+    assert 0 < len(made) < len(CALIBRATION_STEPS)
+    performer.cancel_guide()
+    assert (performer.redoable, performer.unused) == (made, True)
+    assert [*made, *performer.missing] == list(CALIBRATION_STEPS)
+    performer.continue_guide()
+    step = performer.guide_step()
+    assert step is not None
+    assert (step.step, step.number, step.done) == (performer.missing[0], len(made) + 1, made)
+    show(performer, 70.0, now)
+    fit = performer.take_fit()
+    assert fit is not None
+    assert list(fit.frames) == list(CALIBRATION_STEPS)
+    assert (performer.missing, performer.unused) == ([], False)
+    with pytest.raises(ValueError, match="all faces are made"):
+        performer.continue_guide()
+
+
+def test_a_guided_minute_is_used_only_when_it_is_whole_or_asked_for(performer: CameraPerformer) -> None:
+    with pytest.raises(ValueError, match="begin the guided minute"):
+        performer.use_faces()
+    performer.begin_guide(rest=False)
+    with pytest.raises(ValueError, match="no face is made yet"):
+        performer.use_faces()
+    show(performer, 12.0)
+    made = performer.redoable
+    performer.cancel_guide()
+    assert performer.take_fit() is None
+    performer.use_faces()
+    fit = performer.take_fit()
+    assert fit is not None
+    assert (fit.guided, list(fit.frames), performer.unused) == (True, made, False)
+
+
+def test_a_step_that_is_made_again_and_given_up_stays_as_it_was(performer: CameraPerformer) -> None:
+    performer.begin_guide(rest=False)
+    show(performer, 70.0)
+    assert performer.take_fit() is not None
+    performer.redo("aa")
+    performer.cancel_guide()
+    assert performer.redoable == list(CALIBRATION_STEPS)
+    assert not performer.unused
+
+
 def test_what_is_no_frame_is_said(performer: CameraPerformer) -> None:
     performer.receive(b"OMLM but no more")
     with pytest.raises(LandmarkError):

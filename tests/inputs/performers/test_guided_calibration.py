@@ -89,6 +89,19 @@ def test_a_step_is_made_again_when_all_are_done() -> None:
     assert session.guide.done
 
 
+def test_what_is_left_out_stays_to_be_made_and_what_was_made_stays() -> None:
+    session = Session()
+    session.make(3)
+    kept = session.guide.frames()
+    session.guide.redo(["shut"])
+    session.guide.finish()
+    assert session.guide.done
+    assert session.guide.frames() == kept
+    assert session.guide.missing == list(CALIBRATION_STEPS)[3:]
+    session.guide.redo([])
+    assert session.step() == session.guide.missing[0]
+
+
 def test_a_step_that_nobody_knows_is_rejected() -> None:
     with pytest.raises(ValueError, match="no step 'wink'"):
         GuidedCalibration(guided=True).redo(["wink"])

@@ -44,11 +44,12 @@ export class CameraPage extends CameraElement {
   override render() {
     const { session, count } = this;
     const guided = session.trouble === null && session.model.kind === "ready" && session.status?.guide;
+    const offered = session.status?.unused;
     return html`${this.#header()}
       <main>
         <div class="left">
-          <figure class=${guided ? "guided" : ""}>${session.video}<canvas aria-hidden="true"></canvas>${this.#cover()}</figure>
-          <omote-guide ?hidden=${!guided} .session=${session} .count=${count}></omote-guide>
+          <figure class=${guided || offered ? "guided" : ""}>${session.video}<canvas aria-hidden="true"></canvas>${this.#cover()}</figure>
+          <omote-guide ?hidden=${!guided && !offered} .session=${session} .count=${count}></omote-guide>
           ${this.#health()}
         </div>
         <div class="right">
@@ -78,10 +79,13 @@ export class CameraPage extends CameraElement {
   }
 
   #linkState() {
-    const { online, displaced, name } = this.session;
+    const { online, displaced, name, trouble, noPicture } = this.session;
     if (displaced) {
       return html`<span class="lost" role="alert">Another page plays as ${name} now
         <button @click=${() => this.session.perform(name)}>Take it back</button></span>`;
+    }
+    if (online && noPicture) {
+      return html`<span class="waiting" role="status">${trouble ? "No camera" : noPicture}: the show gets no face</span>`;
     }
     if (online) return html`<span class="online" role="status">The show hears you</span>`;
     return html`<span class="lost" role="alert">No link to the show – trying again</span>`;
@@ -106,8 +110,8 @@ export class CameraPage extends CameraElement {
   }
 
   #health() {
-    const { health, model } = this.session;
-    const where = model.kind === "ready" ? `${model.backend}, ${model.cost.toFixed(0)} ms` : "";
+    const { health, model, noPicture } = this.session;
+    const where = model.kind === "ready" && !noPicture ? `${model.backend}, ${model.cost.toFixed(0)} ms` : "";
     return html`<ul class="health" aria-label="Health">${health.map(
       ({ what, good, advice }) => html`<li class=${good ? "good" : "bad"}><b>${what}</b> ${advice}</li>`,
     )}${where ? html`<li class="where">${where}</li>` : nothing}</ul>`;

@@ -36,6 +36,9 @@ export const cameraPageStyle = css`
   .online {
     color: var(--coming);
   }
+  .waiting {
+    color: var(--attention);
+  }
   .lost {
     padding: 4px 10px;
     border-radius: 4px;

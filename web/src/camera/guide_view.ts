@@ -23,6 +23,16 @@ export class GuideView extends CameraElement {
         border-top: 2px solid var(--coming);
         border-radius: 6px;
       }
+      .offer {
+        grid-template-columns: minmax(0, 1fr);
+        border-top-color: var(--attention);
+      }
+      .main {
+        color: var(--ground);
+        background: var(--coming);
+        border-color: var(--coming);
+        font-weight: 700;
+      }
       .ready {
         border-top-color: var(--attention);
       }
@@ -66,7 +76,7 @@ export class GuideView extends CameraElement {
 
   override render() {
     const guide = this.session.status?.guide ?? null;
-    if (guide === null) return nothing;
+    if (guide === null || (guide.of === 1 && this.session.status?.unused)) return this.#offer();
     const [last, only] = [guide.done.at(-1), guide.of === 1];
     const share = 1 - guide.left / guide.seconds;
     const word = guide.phase === "ready" ? "Get ready" : "Hold it";
@@ -84,9 +94,24 @@ export class GuideView extends CameraElement {
           : html`<div class="buttons">
         <progress max=${guide.of} .value=${guide.done.length} aria-label="The whole minute"></progress>
         <button ?disabled=${last === undefined} @click=${() => last && this.session.send({ type: "redo_step", step: last })}>The last one again</button>
-        <button @click=${() => this.session.send({ type: "cancel_guide" })}>Cancel (Esc)</button>
+        <button title="The faces made so far are kept" @click=${() => this.session.send({ type: "cancel_guide" })}>Stop (Esc)</button>
       </div>`
       }
+    </section>`;
+  }
+
+  /** What can be done with the faces of a minute that was ended. */
+  #offer() {
+    const { status, noPicture } = this.session;
+    if (!status?.unused) return nothing;
+    const made = status.redoable.length;
+    return html`<section class="offer" aria-label="Calibration">
+      <div><p role="status">${made} of ${made + status.missing.length} faces made</p>
+        <small>They are kept while this page is open, and not used yet.</small></div>
+      <div class="buttons">
+        <button class="main" ?disabled=${noPicture !== ""} title=${noPicture} @click=${() => this.session.send({ type: "continue_guide" })}>Go on at ${made + 1}</button>
+        <button @click=${() => this.session.send({ type: "use_faces" })}>Use the ${made === 1 ? "face" : `${made} faces`} made</button>
+      </div>
     </section>`;
   }
 }

@@ -13,9 +13,21 @@ const READ_BY = {
   guided: "Read by your guided minute.",
 } as const;
 
+/** How the face is read now, and how far a guided minute is. */
+function sayCalibration(status: CameraStatus): string {
+  const { fitting, calibrated, redoable, missing, unused, guide } = status;
+  if (fitting) return "Reading what you showed …";
+  const made = `${redoable.length} of ${redoable.length + missing.length} faces made`;
+  if (missing.length > 0 && guide !== null && guide.of > 1) return `${made}.`;
+  if (unused) return `${made}, not used yet. ${READ_BY[calibrated]}`;
+  if (missing.length > 0 && calibrated === "guided") return `Read by your guided minute: ${made}.`;
+  return READ_BY[calibrated];
+}
+
 @customElement("omote-performer")
 export class PerformerPanel extends CameraElement {
-  @state() private renaming = false;
+  /** The name in the field, "" until it is typed. */
+  @state() private typed = "";
 
   static override styles = [
     palette,
@@ -79,24 +91,25 @@ export class PerformerPanel extends CameraElement {
 
   #name() {
     const { name, status } = this.session;
-    const label = this.renaming ? "New name" : "Performer";
-    return html`<h2>${label}</h2>
+    return html`<h2>Performer</h2>
       <form class="row" @submit=${this.#submit}>
-        <input name="performer" aria-label=${label} maxlength="40" autocomplete="off" .value=${name}
-          list="performers" @keydown=${(event: KeyboardEvent) => event.key === "Escape" && this.#endRenaming(event)} />
+        <input name="performer" aria-label="Performer" maxlength="40" autocomplete="off" .value=${name} list="performers"
+          @input=${this.#type} @keydown=${(event: KeyboardEvent) => event.key === "Escape" && this.#restore(event)} />
         <datalist id="performers">${(status?.performers ?? []).map((each) => html`<option value=${each}></option>`)}</datalist>
-        <button>${this.renaming ? "Rename" : "Perform"}</button>
+        <button>Perform</button>
       </form>`;
   }
 
   #list(status: CameraStatus) {
-    const known = status.performers.includes(status.performer);
-    const forget = () => this.session.send({ type: "delete_performer" });
+    const { performer, performers, undo } = status;
+    const [known, another] = [performers.includes(performer), this.typed !== "" && this.typed !== performer];
+    const title = known ? "Type the new name above" : "The show does not know this face yet";
     return html`<div class="row">
-      <button ?disabled=${!known} aria-pressed=${this.renaming} @click=${() => this.#startRenaming()}>Rename</button>
-      <button ?disabled=${!known} title="Forgets how this face is read" @click=${forget}>Forget this face</button>
-      <button ?disabled=${status.undo === ""} title=${status.undo} @click=${() => this.session.send({ type: "undo_performer" })}>
-        Undo${status.undo ? `: ${status.undo}` : ""}</button>
+      <button ?disabled=${!known || !another} title=${title} @click=${() => this.#rename()}>
+        Rename ${performer}${another ? ` to ${this.typed}` : ""}</button>
+      <button ?disabled=${!known} title="Forgets how this face is read" @click=${() => this.session.send({ type: "delete_performer" })}>Forget this face</button>
+      <button ?disabled=${undo === ""} title=${undo} @click=${() => this.session.send({ type: "undo_performer" })}>
+        Undo${undo ? `: ${undo}` : ""}</button>
     </div>`;
   }
 
@@ -111,18 +124,20 @@ export class PerformerPanel extends CameraElement {
         ({ name, label, played: on }) =>
           html`<button aria-pressed=${on} @click=${() => toggle(name)}>${label}</button>`,
       )}</div>
+      <p>Its face, a person's or the dog's, is chosen at the <a href="/console" target="_blank">console</a>.</p>
       ${played.length ? nothing : html`<p>Nobody yet: choose a character, and it follows your face.</p>`}</section>`;
   }
 
   #calibration(status: CameraStatus) {
     const busy = status.guide !== null && status.guide.of > 1;
+    const { noPicture } = this.session;
     const begin = (rest: boolean) => this.session.send({ type: "begin_guide", rest });
     return html`<section class="panel" aria-label="Calibration"><h2>How your face is read</h2>
-      <p role="status">${status.fitting ? "Reading what you showed …" : READ_BY[status.calibrated]}</p>
+      <p role="status">${sayCalibration(status)}</p>
       <div class="row">
-        <button class=${status.calibrated === "guided" ? "" : "main"} ?disabled=${busy} @click=${() => begin(false)}>
+        <button class=${status.calibrated === "guided" || status.unused ? "" : "main"} ?disabled=${busy || noPicture !== ""} title=${noPicture} @click=${() => begin(false)}>
           ${status.calibrated === "guided" ? "Guided minute again" : "Guided minute"}</button>
-        <button ?disabled=${status.guide !== null} @click=${() => begin(true)}>At rest now</button>
+        <button ?disabled=${status.guide !== null || noPicture !== ""} title=${noPicture} @click=${() => begin(true)}>At rest now</button>
       </div>
       ${status.redoable.length ? this.#steps(status, busy) : nothing}</section>`;
   }
@@ -131,26 +146,28 @@ export class PerformerPanel extends CameraElement {
     return html`<p>One of them again:</p><div class="steps">${redoable.map(
       (
         step,
-      ) => html`<button aria-label="Again: ${step}" ?disabled=${busy} @click=${() => this.session.send({ type: "redo_step", step })}>
+      ) => html`<button aria-label="Again: ${step}" ?disabled=${busy || this.session.noPicture !== ""} title=${this.session.noPicture} @click=${() => this.session.send({ type: "redo_step", step })}>
         <svg viewBox="0 0 120 140" aria-hidden="true">${drawStep(step)}</svg>${step}</button>`,
     )}</div>`;
   }
 
-  readonly #submit = (event: SubmitEvent): void => {
-    event.preventDefault();
-    const name = String(new FormData(event.target as HTMLFormElement).get("performer") ?? "");
-    if (this.renaming) this.session.send({ type: "rename_performer", name });
-    else this.session.perform(name);
-    this.renaming = false;
+  readonly #type = (event: InputEvent): void => {
+    this.typed = (event.target as HTMLInputElement).value.trim();
   };
 
-  #startRenaming(): void {
-    this.renaming = !this.renaming;
-    if (this.renaming) this.renderRoot.querySelector("input")?.select();
+  readonly #submit = (event: SubmitEvent): void => {
+    event.preventDefault();
+    this.session.perform(String(new FormData(event.target as HTMLFormElement).get("performer") ?? ""));
+    this.typed = "";
+  };
+
+  #rename(): void {
+    this.session.send({ type: "rename_performer", name: this.typed });
+    this.typed = "";
   }
 
-  #endRenaming(event: KeyboardEvent): void {
-    this.renaming = false;
+  #restore(event: KeyboardEvent): void {
+    this.typed = "";
     (event.target as HTMLInputElement).value = this.session.name;
   }
 }

@@ -25,6 +25,20 @@ def _decode_nothing(_: bytes) -> list[TrackerFrame]:
     return []
 
 
+def _guide(performer: CameraPerformer, message: wire.FromCamera) -> None:
+    match message:
+        case wire.BeginGuide(rest):
+            performer.begin_guide(rest=rest)
+        case wire.RedoStep(step):
+            performer.redo(step)
+        case wire.CancelGuide():
+            performer.cancel_guide()
+        case wire.ContinueGuide():
+            performer.continue_guide()
+        case wire.UseFaces():
+            performer.use_faces()
+
+
 CAMERA = TrackerProtocol(
     "camera", "Camera", None, "open the page /camera of this show in the performer's browser, or run: omote track --to "
     "{host}", lambda _: _decode_nothing,
@@ -84,12 +98,8 @@ class CameraInput:
         match message:
             case wire.PlayCharacters(characters):
                 performer.chosen = [check_known(name, self._session().scene, "character") for name in characters]
-            case wire.BeginGuide(rest):
-                performer.begin_guide(rest=rest)
-            case wire.RedoStep(step):
-                performer.redo(step)
-            case wire.CancelGuide():
-                performer.cancel_guide()
+            case wire.BeginGuide() | wire.RedoStep() | wire.CancelGuide() | wire.ContinueGuide() | wire.UseFaces():
+                _guide(performer, message)
             case _:
                 self._change_list(link, performer, message)
         return None
@@ -139,6 +149,8 @@ class CameraInput:
             characters=self._choices(performer),
             guide=performer.guide_step(),
             redoable=performer.redoable,
+            missing=performer.missing,
+            unused=performer.unused,
             fitting=performer.fitting,
             heard=performer.heard,
             found=performer.found,
@@ -169,6 +181,7 @@ class CameraInput:
         came = [name for name in after if name not in before]
         if performer.name not in after and len(came) == 1:  # renamed, or a new name taken back
             self.begin(link, wire.Perform(wire.CAMERA_VERSION, came[0]))
+            self._links[link].take_faces(performer)
         elif before.get(performer.name) != after.get(performer.name):
             self._load(performer)
         for each in (other for other in self._links.values() if other is not self._links[link]):

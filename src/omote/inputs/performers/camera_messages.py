@@ -47,7 +47,15 @@ class RedoStep(Message, frozen=True):
 
 
 class CancelGuide(Message, frozen=True):
-    """Ends the guided minute; the calibration before it stays."""
+    """Ends the guided minute; the calibration before it stays, and so do the faces that were made."""
+
+
+class ContinueGuide(Message, frozen=True):
+    """Goes on with a guided minute that was ended, at the next face that is missing."""
+
+
+class UseFaces(Message, frozen=True):
+    """Reads the performer by the faces that were made, though others are missing."""
 
 
 class RenamePerformer(Message, frozen=True):
@@ -87,7 +95,9 @@ class GuideStep(msgspec.Struct, frozen=True):
 
 class CameraStatus(Message, frozen=True):
     """All that the page shows of the show: complete, ten times a second. `performers`: those that the show knows;
-    `heard`: frames so far; `undo`: what an undo takes back, "" for nothing; `weights`: what the face is read as."""
+    `redoable`, `missing`: steps of the guided minute that were made and were not, both empty before the first;
+    `unused`: whether faces were made by which the performer is not read; `heard`: frames so far; `undo`: what an undo
+    takes back, "" for nothing; `weights`: what the face is read as."""
 
     performer: str
     performers: list[str]
@@ -95,6 +105,8 @@ class CameraStatus(Message, frozen=True):
     characters: list[CharacterChoice]
     guide: GuideStep | None
     redoable: list[str]
+    missing: list[str]
+    unused: bool
     fitting: bool
     heard: int
     found: bool
@@ -113,7 +125,16 @@ class Displaced(Message, frozen=True):
 
 
 FromCamera = (
-    Perform | PlayCharacters | BeginGuide | RedoStep | CancelGuide | RenamePerformer | DeletePerformer | UndoPerformer
+    Perform
+    | PlayCharacters
+    | BeginGuide
+    | RedoStep
+    | CancelGuide
+    | ContinueGuide
+    | UseFaces
+    | RenamePerformer
+    | DeletePerformer
+    | UndoPerformer
 )
 ToCamera = CameraStatus | CameraRefused | Displaced
 CAMERA_MESSAGES: tuple[type[Message], ...] = FromCamera.__args__

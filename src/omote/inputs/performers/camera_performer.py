@@ -34,13 +34,15 @@ class CalibrationFit:
 @dataclass(eq=False)
 class CameraPerformer:
     """name: whose face it is. calibrated: how it is read. chosen: the characters that a page wants it to play, until
-    they are routed. heard, rejected: counts of packets."""
+    they are routed. unused: whether faces were made that no calibration is fitted to. heard, rejected: counts of
+    packets."""
 
     name: str
     tracker: PerformerTracker | None = None
     calibrated: Calibrated = "no"
     guide: GuidedCalibration | None = None
     fitting: bool = False
+    unused: bool = False
     chosen: list[str] | None = None
     heard: int = 0
     found: bool = False
@@ -61,22 +63,50 @@ class CameraPerformer:
 
     def redo(self, step: str) -> None:
         """Makes a step again; ValueError where none has been made, or for a name that is no step."""
-        guide = self.guide if self.guide is not None and self.guide.guided else self._made
-        if guide is None:
-            raise ValueError("no step has been made yet; begin the guided minute")
+        guide = self._open_guide()
         guide.redo([step])
         self.guide = guide
 
     def cancel_guide(self) -> None:
-        """Ends a guide; without a calibration the face at rest is still needed."""
-        self.guide = None
+        """Ends a guide; the faces that were made stay. Without a calibration the face at rest is still needed."""
+        if self.guide is not None and self.guide.guided and self.guide.frames():
+            self.guide.finish()
+            self._made = self.guide
+        self.guide, self.unused = None, bool(self.missing)
         if self.tracker is None:
             self.begin_guide(rest=True)
+
+    def continue_guide(self) -> None:
+        """Goes on with a guided minute that was ended, at the next face; ValueError where none is missing."""
+        guide = self._open_guide()
+        if not guide.missing:
+            raise ValueError("all faces are made; make one of them again, or the whole minute")
+        guide.redo([])
+        self.guide = guide
+
+    def take_faces(self, other: CameraPerformer) -> None:
+        """Keeps the faces that were made under another name."""
+        other.cancel_guide()
+        self._made, self.unused = other._made, other.unused
+
+    def use_faces(self) -> None:
+        """Has the calibration fitted to the faces that were made; ValueError where none were."""
+        guide = self._open_guide()
+        if not guide.frames():
+            raise ValueError("no face is made yet; look straight ahead until the first one is")
+        guide.finish()
+        self.guide = guide
+
+    @property
+    def missing(self) -> list[str]:
+        """The steps of a guided minute that were not made, where others were."""
+        guide = self._guided()
+        return guide.missing if guide is not None and guide.frames() else []
 
     @property
     def redoable(self) -> list[str]:
         """The steps that can be made again without the others."""
-        guide = self.guide if self.guide is not None and self.guide.guided else self._made
+        guide = self._guided()
         return [] if guide is None else list(guide.frames())
 
     def receive(self, data: bytes) -> None:
@@ -104,6 +134,7 @@ class CameraPerformer:
         if guide is None or not guide.done:
             return None
         self.guide, self.fitting = None, True
+        self.unused = self.unused and not guide.guided
         self._made = guide if guide.guided else self._made
         return CalibrationFit(self.name, guide.frames(), guide.guided)
 
@@ -123,3 +154,14 @@ class CameraPerformer:
             of=of,
             done=list(state.done),
         )
+
+    def _guided(self) -> GuidedCalibration | None:
+        """The guided minute that runs, or the last that was made."""
+        return self.guide if self.guide is not None and self.guide.guided else self._made
+
+    def _open_guide(self) -> GuidedCalibration:
+        """The same; ValueError where there is none."""
+        guide = self._guided()
+        if guide is None:
+            raise ValueError("no step has been made yet; begin the guided minute")
+        return guide

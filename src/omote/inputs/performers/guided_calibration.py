@@ -53,20 +53,28 @@ class GuidedCalibration:
         step = self._steps[self._order[0]]
         ready = self._elapsed < self._ready
         end = self._ready if ready else self._ready + step.hold
-        done = tuple(name for name in self._steps if name in self._kept)
+        done = tuple(name for name in self._steps if name in self._kept and name not in self._order)
         return StepState(step, "ready" if ready else "hold", max(end - self._elapsed, 0.0), done)
 
     def frames(self) -> dict[str, tuple[LandmarkFrame, ...]]:
-        """The frames of each step that is done."""
-        return dict(self._kept)
+        """The frames of each step that was made, in the order of the steps."""
+        return {name: self._kept[name] for name in self._steps if name in self._kept}
+
+    @property
+    def missing(self) -> list[str]:
+        """The steps that have no frames yet."""
+        return [name for name in self._steps if name not in self._kept]
 
     def redo(self, names: Iterable[str]) -> None:
-        """Makes steps again, next; ValueError for a name that is none of them."""
+        """Makes steps again, next, then those that are missing; a step's frames stay until it has others. ValueError
+        for a name that is none of them."""
         again = [check_known(name, self._steps, "step") for name in names]
-        for name in again:
-            self._kept.pop(name, None)
-        self._order = [*again, *(name for name in self._steps if name not in self._kept and name not in again)]
+        self._order = [*again, *(name for name in self.missing if name not in again)]
         self._elapsed, self._held = 0.0, []
+
+    def finish(self) -> None:
+        """Leaves out the steps that are not made; the one that is being made counts as before it began."""
+        self._order, self._elapsed, self._held = [], 0.0, []
 
     def hear(self, frame: LandmarkFrame, now: float) -> None:
         """Takes a frame; time passes while the face is seen. now: seconds of a clock that never jumps back."""

@@ -28,9 +28,19 @@ export interface RedoStep {
   step: string;
 }
 
-/** Ends the guided minute; the calibration before it stays. */
+/** Ends the guided minute; the calibration before it stays, and so do the faces that were made. */
 export interface CancelGuide {
   type: "cancel_guide";
+}
+
+/** Goes on with a guided minute that was ended, at the next face that is missing. */
+export interface ContinueGuide {
+  type: "continue_guide";
+}
+
+/** Reads the performer by the faces that were made, though others are missing. */
+export interface UseFaces {
+  type: "use_faces";
 }
 
 /** Gives this performer another name, calibration included. */
@@ -70,7 +80,9 @@ export interface GuideStep {
 
 /**
  * All that the page shows of the show: complete, ten times a second. `performers`: those that the show knows;
- * `heard`: frames so far; `undo`: what an undo takes back, "" for nothing; `weights`: what the face is read as.
+ * `redoable`, `missing`: steps of the guided minute that were made and were not, both empty before the first;
+ * `unused`: whether faces were made by which the performer is not read; `heard`: frames so far; `undo`: what an undo
+ * takes back, "" for nothing; `weights`: what the face is read as.
  */
 export interface CameraStatus {
   type: "camera_status";
@@ -80,6 +92,8 @@ export interface CameraStatus {
   characters: CharacterChoice[];
   guide: GuideStep | null;
   redoable: string[];
+  missing: string[];
+  unused: boolean;
   fitting: boolean;
   heard: number;
   found: boolean;
@@ -104,6 +118,8 @@ export type FromCamera =
   | BeginGuide
   | RedoStep
   | CancelGuide
+  | ContinueGuide
+  | UseFaces
   | RenamePerformer
   | DeletePerformer
   | UndoPerformer;

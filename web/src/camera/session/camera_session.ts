@@ -67,6 +67,14 @@ export class CameraSession {
     return this.storage.getItem(NAME_KEY) ?? "";
   }
 
+  /** Why no picture is read; "" where they are. */
+  get noPicture(): string {
+    if (this.trouble !== null) return this.trouble.title;
+    if (this.model.kind === "failed") return "The face model does not run here";
+    if (this.model.kind === "loading") return "The face model is loading";
+    return this.health.length === 0 ? "No picture has come yet" : "";
+  }
+
   /** Loads the model, asks for the camera and greets the show. */
   async start(face: ImageBitmap, fallbackName: string): Promise<void> {
     if (this.name === "") this.storage.setItem(NAME_KEY, fallbackName);

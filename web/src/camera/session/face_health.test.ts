@@ -34,6 +34,7 @@ it("says what is wrong, and what to do", () => {
   expect(bad(face({ half: 0.499 }))).toEqual(["Too near"]);
   expect(bad(face({ turn: 0.9 }))).toEqual(["Turned away"]);
   expect(bad(face(), 5)).toEqual(["5 pictures a second"]);
+  expect(bad(face(), 1.2)).toEqual(["1 picture a second"]);
   for (const found of [null, face({ light: 0.05 }), face({ turn: 0.9 }), face({ count: 0, light: 0.01 })]) {
     expect(judgeFace(found, 1).every(({ good, advice }) => good || advice.length > 5)).toBe(true);
   }

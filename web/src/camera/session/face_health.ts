@@ -30,7 +30,7 @@ const TURNED = 0.62;
 export function judgeFace(found: Landmarks | null, rate: number): HealthLine[] {
   const seen = found !== null && found.points.length === 3 * LANDMARK_COUNT;
   const speed = {
-    what: `${Math.round(rate)} pictures a second`,
+    what: `${Math.round(rate)} ${Math.round(rate) === 1 ? "picture" : "pictures"} a second`,
     good: rate >= SLOW,
     advice: rate >= SLOW ? "" : SLOWLY,
   };
