@@ -10,10 +10,11 @@ from typer.testing import CliRunner
 from omote.cli import app
 from omote.server.access.people_file import new_people, read_people
 from omote.server.access.show_addresses import FIRST_PAGES
+from omote.server.http.static_pages import PAGES as STATIC_PAGES
 from omote.server.supervision.supervisor import Supervisor
 from omote.show.access.access_role import ACCESS_ROLES
 from omote.show.access.people_list import token_of
-from omote.show_command import announce, say_who_is_heard
+from omote.show_command import PAGES, announce, say_who_is_heard
 
 runner = CliRunner()
 pytestmark = pytest.mark.usefixtures("announcements_made")
@@ -91,6 +92,7 @@ def test_off_loopback_it_prints_an_address_for_each_role_and_a_picture(
         (role, FIRST_PAGES[role], token_of(people, person))
         for role, person in zip(ACCESS_ROLES, people.people, strict=True)
     ]
+    assert re.search(r"^  The pages http://\S+/camera, /microphone and /devices open", done.stdout, re.MULTILINE)
     assert "heard" not in done.stderr
     words[1:2] = [str(tmp_path / "b.omote"), "--artnet", "0"]
     assert "Art-Net is heard from this machine alone" in runner.invoke(app, words).stderr
@@ -114,7 +116,7 @@ def test_https_is_handed_on_and_said(
     monkeypatch.setenv("XDG_STATE_HOME", str(tmp_path))
     words = ["show", str(tmp_path / "a.omote"), "--port", "0", "--no-open", "--osc", "off"]
     done = runner.invoke(app, [*words, "--https"])
-    assert (done.exit_code, "stage    https://127.0.0.1:" in done.stdout) == (0, True)
+    assert (done.exit_code, "stage       https://127.0.0.1:" in done.stdout) == (0, True)
     folder = tmp_path / "omote" / "https"
     named = ["--certificate", f"{folder}/certificate.pem", "--key", f"{folder}/key.pem"]
     assert list(no_show[0]._program[-6:]) == [*named, "--authority", f"{folder}/authority.pem"]
@@ -127,6 +129,14 @@ def test_https_is_handed_on_and_said(
     ):
         done = runner.invoke(app, [*words, *wrong])
         assert (done.exit_code, why in done.stderr) == (1, True)
+
+
+def test_each_page_is_printed_in_one_column(capsys: pytest.CaptureFixture[str]) -> None:
+    announce("127.0.0.1", 8090, browser=False)
+    lines = [line for line in capsys.readouterr().out.splitlines() if "http" in line]
+    assert [line.split() for line in lines] == [[page, f"http://127.0.0.1:8090/{page}"] for page in PAGES]
+    assert set(PAGES) == {path[1:] for path in STATIC_PAGES} - {""}
+    assert len({line.index("http") for line in lines}) == 1
 
 
 @pytest.mark.parametrize("screen", [True, False])
@@ -165,9 +175,15 @@ def test_what_was_asked_of_devices_is_handed_on(tmp_path: Path, no_show: list[Su
 
 @pytest.mark.parametrize(
     ("allow", "said"),
-    [("", "are heard from this machine alone: --allow"), ("10.0.0.0/8", "from this machine and from 10.0.0.0/8")],
+    [
+        ("", "are heard from this machine alone: --allow 192.0.2.0/24 lets"),
+        ("10.0.0.0/8", "from this machine and from 10.0.0.0/8"),
+    ],
 )
-def test_off_loopback_it_says_who_is_heard(capsys: pytest.CaptureFixture[str], allow: str, said: str) -> None:
+def test_off_loopback_it_says_who_is_heard(
+    capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch, allow: str, said: str
+) -> None:
+    monkeypatch.setattr("omote.server.access.show_addresses.own_address", lambda: "192.0.2.2")
     say_who_is_heard(allow, ["OSC", "Art-Net"])
     heard = capsys.readouterr().err
     assert said in heard

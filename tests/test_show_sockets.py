@@ -6,7 +6,10 @@ import typer
 from omote.show_sockets import OFF, list_others, open_devices, print_trackers, read_options
 
 
-def test_trackers_are_read_opened_and_printed(capsys: pytest.CaptureFixture[str]) -> None:
+def test_trackers_are_read_opened_and_printed(
+    capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr("omote.server.access.show_addresses.own_address", lambda: "192.0.2.2")
     options = read_options("off", None, "", "vmc:0,ifacialmocap:0@localhost")
     assert options.listen == "vmc:0,ifacialmocap:0@127.0.0.1"
     devices = open_devices("127.0.0.1", OFF, options, OFF)
@@ -14,8 +17,8 @@ def test_trackers_are_read_opened_and_printed(capsys: pytest.CaptureFixture[str]
     assert devices.heard == ["VMC", "iFacialMocap"]
     print_trackers(devices.advice, "")
     said = capsys.readouterr()
-    assert "  tracker  VMC: port " in said.out
-    assert "--allow 192.168.1.0/24" in said.err
+    assert "  tracker     VMC: port " in said.out
+    assert "--allow 192.0.2.0/24" in said.err
     print_trackers(devices.advice, "any")
     assert capsys.readouterr().err == ""
     devices.close()
@@ -34,11 +37,14 @@ def test_what_has_no_socket_here_is_listed_and_receivers_are() -> None:
     assert fourth == "sends    VMC (VSeeFace, Warudo, Unity) at 10.0.0.6:39539: the first character"
 
 
-@pytest.mark.parametrize("text", ["vcm", "mediapipe@10.0.0.7"])
-def test_what_is_no_tracker_ends_the_command(text: str, capsys: pytest.CaptureFixture[str]) -> None:
+@pytest.mark.parametrize(
+    ("text", "why"),
+    [("livlink", "there is no tracker 'livlink'; did you mean livelink"), ("mediapipe@10.0.0.7", "names nobody")],
+)
+def test_what_is_no_tracker_ends_the_command(text: str, why: str, capsys: pytest.CaptureFixture[str]) -> None:
     with pytest.raises(typer.Exit):
         read_options("off", None, "", text)
-    assert capsys.readouterr().err
+    assert why in capsys.readouterr().err
 
 
 def test_where_faces_are_sent_is_read_and_never_to_the_show_itself(capsys: pytest.CaptureFixture[str]) -> None:

@@ -126,6 +126,7 @@ def print_shared(people: People, base: str) -> None:
     if "operate" in shared:
         typer.echo(f"\n{read_code(entry_address(base, 'operate', token_of(people, shared['operate'])))}\n")
         typer.echo("  A phone or a tablet that reads this picture opens the console (operate).")
+    typer.echo(f"  The pages {base}/camera, /microphone and /devices open in the same browser (operate).")
     typer.echo("  omote access, and People on a console of an admin, list, make and revoke tokens.")
 
 

@@ -14,7 +14,15 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from omote.access_commands import note_place, print_shared
-from omote.show_sockets import OFF, list_others, open_devices, open_usual_osc, print_trackers, read_options
+from omote.show_sockets import (
+    OFF,
+    list_others,
+    open_devices,
+    open_usual_osc,
+    print_line,
+    print_trackers,
+    read_options,
+)
 from omote.terminal import complete_show, fail, fail_with, has_screen, say
 
 if TYPE_CHECKING:
@@ -26,6 +34,8 @@ if TYPE_CHECKING:
     from omote.show.access.people_list import People
 
 HIGHEST_PORT = 65535
+PAGES = "stage", "console", "editor", "camera", "microphone", "devices"
+"""What a browser opens of a show, as the start lists it."""
 
 
 def read_port_or_off(text: str | int) -> int:
@@ -217,14 +227,10 @@ def announce(
     from omote.server.access.show_addresses import local_address, own_entries, reachable_addresses
 
     addresses = reachable_addresses(host, port, scheme)
-    if people is not None:
-        print_shared(people, addresses[-1])
-    else:
-        for url in addresses:
-            typer.echo(f"  stage    {url}/stage\n  console  {url}/console\n  editor   {url}/editor")
+    print_pages(addresses, people)
     if osc is not None:
         number = osc.datagrams.getsockname()[1]
-        typer.echo(f"  OSC      port {number}")
+        print_line("OSC", f"port {number}")
         if find is not None and stack is not None:
             start_announcement(stack, host, port, number, find)
     print_trackers(trackers, allow, phone_address(people, addresses[-1]))
@@ -236,6 +242,16 @@ def announce(
             webbrowser.open(page)
 
 
+def print_pages(addresses: Sequence[str], people: People | None) -> None:
+    """Prints the address of each page; where the show asks for tokens, the addresses by which people enter."""
+    if people is not None:
+        print_shared(people, addresses[-1])
+        return
+    for url in addresses:
+        for page in PAGES:
+            print_line(page, f"{url}/{page}")
+
+
 def phone_address(people: People | None, base: str) -> str:
     """Where a phone reads what to type into a tracker's app; "" where only this machine reaches the show."""
     from omote.server.access.phone_page import PHONE_PATH, goal_address
@@ -245,13 +261,15 @@ def phone_address(people: People | None, base: str) -> str:
 
 def say_who_is_heard(allow: str, heard: Sequence[str]) -> None:
     """Says whose OSC, sACN and Art-Net play, which ask for no token; heard: those of them that are on."""
+    from omote.server.access.show_addresses import own_network
+
     if not heard:
         return
     what = f"{' and '.join(heard)} {'is' if len(heard) == 1 else 'are'} heard from this machine"
     say(
         f"{what} and from {allow}, without a token."
         if allow
-        else f"{what} alone: --allow 192.168.1.0/24 lets a network play."
+        else f"{what} alone: --allow {own_network()} lets a network play."
     )
 
 

@@ -15,6 +15,8 @@ if TYPE_CHECKING:
     from omote.server.supervision.device_sockets import DeviceOptions, DeviceSockets
 
 OSC_PORT, OFF = 9000, -1
+COLUMN = len("microphone") + 2
+"""Letters of the first column of what the start prints."""
 
 
 def read_options(sacn: str, bindings: Path | None, allow: str, listen: str = "", send: str = "") -> DeviceOptions:
@@ -80,13 +82,19 @@ def open_usual_osc(host: str) -> OscSockets | None:
         return None
 
 
+def print_line(word: str, text: str) -> None:
+    """Prints a line of the start: what it is, and where; all in two columns."""
+    typer.echo(f"  {word:<{COLUMN}}{text}")
+
+
 def print_trackers(trackers: Sequence[str], allow: str, page: str = "") -> None:
     """Prints a line for each tracker that is heard, with what to do at its sender, and for each receiver of faces.
 
     page: the address where a phone copies what to type, with a picture that opens it, or "".
     """
     for line in trackers:
-        typer.echo(f"  {line}")
+        word, _, text = line.partition(" ")
+        print_line(word, text.lstrip())
     heard = [line for line in trackers if line.startswith("tracker")]
     if heard and page:
         from omote.access_commands import read_code
@@ -95,4 +103,6 @@ def print_trackers(trackers: Sequence[str], allow: str, page: str = "") -> None:
             f"\n{read_code(page)}\n\n  A phone that reads this picture opens what to type into its app:\n  {page}"
         )
     if heard and not allow:
-        say("trackers on other machines and phones are not heard: --allow 192.168.1.0/24 lets a network play.")
+        from omote.server.access.show_addresses import own_network
+
+        say(f"trackers on other machines and phones are not heard: --allow {own_network()} lets a network play.")

@@ -5,7 +5,7 @@ from types import MappingProxyType
 import pytest
 
 from omote.model.cast import Cast
-from omote.model.known_names import KnownNames, UnknownNameError
+from omote.model.known_names import KnownNames, UnknownNameError, explain_unknown
 
 
 def test_an_unknown_name_is_a_sentence_with_near_ones_and_a_key_error() -> None:
@@ -29,6 +29,19 @@ def test_a_cast_is_asked_by_names(cast: Cast) -> None:
             mapping["nobody"]
     with pytest.raises(KeyError, match="there is no expression 'smil' in this cast; near are smile"):
         cast.expressions["smil"]
+
+
+@pytest.mark.parametrize(
+    ("name", "names", "what", "said"),
+    [
+        ("livlink", ["vmc", "livelink"], "tracker", "there is no tracker 'livlink'; did you mean livelink?"),
+        ("xyz", ["vmc", "osc"], "way to send a face", "there is no way to send a face 'xyz'; there are vmc, osc"),
+        ("tow", ["one", "two"], "character", "there is no character 'tow' in this scene; near are two"),
+        ("Mria", ["Mira"], "performer", "there is no performer 'Mria' in this show; near are Mira"),
+    ],
+)
+def test_where_a_name_is_not_depends_on_its_kind(name: str, names: list[str], what: str, said: str) -> None:
+    assert explain_unknown(name, names, what) == said
 
 
 def test_an_action_unit_is_told_which_expression_it_is(cast: Cast) -> None:

@@ -15,6 +15,16 @@ GENERIC, NEUTRAL = "generic", "neutral"
 """The face and the expression that every cast has."""
 UNIT_NOUNS = ("expression", "channel")
 """What may be named by an action unit of FACS too."""
+_FIXED = (
+    "gesture", "kind of timing", "kind of what eyes look at", "language", "layer", "part", "region of a layer",
+    "part of a character to hold", "step", "tracker", "viseme", "way to send a face",
+)  # fmt: skip
+PLACES: Mapping[str, str] = {
+    **dict.fromkeys(("character", "removed character", "gaze point"), " in this scene"),
+    **dict.fromkeys(("performer", "source"), " in this show"),
+    **dict.fromkeys(_FIXED, ""),
+}
+"""Where names of each kind are, as messages say it; "" for those that are the same everywhere; else in the cast."""
 Value = TypeVar("Value")
 
 
@@ -38,12 +48,16 @@ class KnownNames(dict[str, Value]):
 
 def explain_unknown(name: object, names: Iterable[str], what: str) -> str:
     """A clause that says that a name is not one of `names`, and which of them are near."""
-    choices, where = list(names), "scene" if what == "character" else "cast"
+    choices, where = list(names), PLACES.get(what, " in this cast")
     if what in UNIT_NOUNS and (told := explain_action_unit(str(name)[:80], choices)):
-        return f"there is no {what} {str(name)[:80]!r} in this {where}; {told}"
-    near = difflib.get_close_matches(str(name)[:80], choices, n=3, cutoff=0.4) or sorted(choices)[:3]
-    there = f"near are {', '.join(near)}" if near else "there are none"
-    return f"there is no {what} {str(name)[:80]!r} in this {where}; {there}"
+        return f"there is no {what} {str(name)[:80]!r}{where}; {told}"
+    near = difflib.get_close_matches(str(name)[:80], choices, n=3, cutoff=0.4)
+    if where:
+        near = near or sorted(choices)[:3]
+        there = f"near are {', '.join(near)}" if near else "there are none"
+    else:
+        there = f"did you mean {' or '.join(near)}?" if near else f"there are {', '.join(choices)}"
+    return f"there is no {what} {str(name)[:80]!r}{where}; {there}"
 
 
 def check_play_region(name: str, /) -> PlayRegion:

@@ -12,6 +12,7 @@ from omote.server.access.show_addresses import (
     local_address,
     own_address,
     own_entries,
+    own_network,
     reachable_addresses,
     split_url,
     url,
@@ -51,6 +52,14 @@ def test_for_the_network_there_is_the_outer_address_too() -> None:
     outer = own_address()
     expected = ["http://127.0.0.1:1"] if outer is None else ["http://127.0.0.1:1", url(outer, 1)]
     assert reachable_addresses("0.0.0.0", 1) == expected
+
+
+@pytest.mark.parametrize(("address", "network"), [("192.0.2.2", "192.0.2.0/24"), (None, "192.168.1.0/24")])
+def test_the_network_that_is_offered_holds_the_own_address(
+    monkeypatch: pytest.MonkeyPatch, address: str | None, network: str
+) -> None:
+    monkeypatch.setattr("omote.server.access.show_addresses.own_address", lambda: address)
+    assert own_network() == network
 
 
 def test_the_outer_address_is_one_that_others_can_use() -> None:

@@ -26,7 +26,11 @@ def test_performers_and_whom_they_play_are_said_once(cast: Cast) -> None:
     assert hear(wire.AddCharacter("a", "two", "Rex", "generic"), wire.Source("bot", "program", [])) == []
     nobody = ["Mira sends and plays nobody: say at the console whom it plays (One or Rex)."]
     assert hear(wire.Source("Mira", "tracker", ["jawOpen"])) == nobody
+    assert hear(wire.AddCharacter("d", "three", "Three", "generic")) == []  # it waits as before: nothing new to do
     assert hear(wire.RouteSource("b", "Mira", ["one", "two"], "tracker")) == ["Mira plays One and Rex."]
     assert hear(wire.RouteSource("c", "Mira", ["*"], "tracker")) == ["Mira plays all characters."]
+    waits = "Mira sends and plays nobody: say at the console whom it plays (One or Rex or Three)."
+    assert hear(wire.RouteSource("e", "Mira", [], "tracker")) == [waits]
+    assert hear(wire.RouteSource("f", "Mira", ["*"], "tracker")) == ["Mira plays all characters."]
     assert hear(wire.LeaveSource(2)) == []
     assert hear(wire.Source("Mira", "tracker", ["jawOpen"])) == ["Mira plays all characters."]

@@ -26,6 +26,7 @@ import "./scene/character_row";
 import "./scene/head_frames";
 import "./scene/scene_panel";
 import "./layer_panel/layer_panel";
+import "./layer_panel/unrouted_mark";
 import "./lease_panel/lease_dialog";
 import "./lease_panel/lease_marks";
 import "./lease_panel/seat_key";
@@ -138,7 +139,7 @@ export class ConsolePage extends ConsoleElement {
       <nav class="views live" role="tablist" aria-label="What is shown below">
         ${VIEWS.map(
           (view) => html`<button role="tab" data-view=${view} aria-selected=${view === shown}
-            @click=${() => this.store.arrange({ view })}>${VIEW_LABELS[view][0]}<span>${VIEW_LABELS[view][1]}</span></button>`,
+            @click=${() => this.store.arrange({ view })}>${VIEW_LABELS[view][0]}<span>${VIEW_LABELS[view][1]}</span>${view === "layers" ? html`<omote-unrouted-mark .context=${context}></omote-unrouted-mark>` : nothing}</button>`,
         )}
       </nav>
       ${this.#overlays()}

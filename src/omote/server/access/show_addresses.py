@@ -11,6 +11,8 @@ from omote.show.access.access_role import HIGHEST, AccessRole
 from omote.show.access.people_list import People, token_of
 
 ANYWHERE = ("0.0.0.0", "::")
+HOME_BITS = 24
+"""Bits that addresses of a usual network at home or on a stage share; the route does not tell them."""
 FIRST_PAGES: dict[AccessRole, str] = {"view": "/stage", "operate": "/console", "edit": "/editor", "admin": "/console"}
 """The page that somebody of a role opens first."""
 
@@ -83,6 +85,12 @@ def own_address() -> str | None:
         except OSError:
             return None
     return None if address.startswith(("127.", "0.")) else address
+
+
+def own_network() -> str:
+    """The network that this machine's address is most likely of, as an operator lets it play: 192.168.1.0/24."""
+    address = own_address() or "192.168.1.7"
+    return str(ipaddress.ip_network(f"{address}/{HOME_BITS}", strict=False))
 
 
 def _addresses_of(name: str) -> list[str]:

@@ -19,7 +19,7 @@ class SourceReport:
 
     def __init__(self, session: Callable[[], ShowSession], report: Callable[[str], None]) -> None:
         self._session, self._report = session, report
-        self._told: dict[str, str] = {}
+        self._told: dict[str, frozenset[str]] = {}
         self._looked = -LOOK_SECONDS
 
     def hear(self, now: float) -> None:
@@ -32,11 +32,10 @@ class SourceReport:
         self._looked = now
         sources = [each for each in self._session().sources.states({}) if each.kind in TOLD_KINDS]
         labels = {name: each.label or name for name, each in state.characters.items()}
-        told = {each.name: _sentence(each, labels) for each in sources}
-        for name, sentence in told.items():
-            if self._told.get(name) != sentence:
-                self._report(sentence)
-        self._told = told
+        for source in sources:
+            if self._told.get(source.name) != frozenset(source.characters):
+                self._report(_sentence(source, labels))
+        self._told = {each.name: frozenset(each.characters) for each in sources}
 
 
 def _sentence(source: SourceState, labels: dict[str, str]) -> str:

@@ -100,10 +100,13 @@ export class SourceSettings extends ConsoleElement {
 
   #parts() {
     const { source } = this;
+    const idle = source.characters.length === 0;
     return html`<div class="row" role="group" aria-label="Parts that ${source.name} plays"><span class="dim">in</span>
       ${LAYER_PARTS.map(
-        (part) => html`<button data-part=${part} aria-pressed=${source.regions.includes(part)}
-          title="Of two sources of a layer the one with fewer parts has them"
+        (
+          part,
+        ) => html`<button data-part=${part} aria-pressed=${!idle && source.regions.includes(part)} ?disabled=${idle}
+          title=${idle ? "Press first whom it plays" : "Of two sources of a layer the one with fewer parts has them"}
           @click=${() => this.#commands.route(source, { regions: withPart(source.regions, part) })}>${part}</button>`,
       )}
     </div>`;

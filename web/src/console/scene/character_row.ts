@@ -111,8 +111,8 @@ export class CharacterRow extends ConsoleElement {
     const why = commands.whyFull;
     return html`<div class="row" role="group" aria-label="Characters">
       ${characters.length > 1 ? this.#choice(characters) : nothing}
-      <button class="view layers" aria-label="Layers" title="Layers as a mixer (;)" aria-pressed=${this.store.layout.view === "layers"}
-        @click=${() => this.dispatchEvent(new CustomEvent("layers"))}>Layers</button>
+      <button class="view layers" title="Layers as a mixer (;)" aria-pressed=${this.store.layout.view === "layers"}
+        @click=${() => this.dispatchEvent(new CustomEvent("layers"))}>Layers<omote-unrouted-mark .context=${this.context}></omote-unrouted-mark></button>
       <button class="add" aria-label="Add a character" title=${why ?? "Add a character"} ?disabled=${why !== null}
         @click=${(event: MouseEvent) => event.detail < 2 && commands.add()}>+</button>
     </div>`;

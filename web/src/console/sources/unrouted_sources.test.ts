@@ -1,6 +1,6 @@
 import { expect, test, vi } from "vitest";
 import type { SourceState, State } from "../../link/messages";
-import { UnroutedSources } from "./unrouted_sources";
+import { countUnrouted, UnroutedSources, unrouted } from "./unrouted_sources";
 
 const source = (name: string, characters: string[], kind = "tracker"): SourceState =>
   ({ name, characters, kind }) as never;
@@ -14,6 +14,17 @@ test("a tracker that plays nobody is said, with each character that it may play"
   const [, second] = question?.offers ?? [];
   if (second && "act" in second) second.act();
   expect(route).toHaveBeenCalledWith(source("phone", []), "rex");
+});
+
+test("who plays nobody is counted, without programs, also where the question was put away", () => {
+  const sources = [
+    source("phone", []),
+    source("lips", [], "lips"),
+    source("Mira", ["one"]),
+    source("bot", [], "program"),
+  ];
+  expect(unrouted(sources).map(({ name }) => name)).toEqual(["phone", "lips"]);
+  expect([1, 2].map(countUnrouted)).toEqual(["1 source plays nobody", "2 sources play nobody"]);
 });
 
 test("who plays somebody, and a program, is not said", () => {

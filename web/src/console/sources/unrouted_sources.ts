@@ -9,6 +9,14 @@ const MOST_OFFERED = 4;
 /** What an operator may do about a source: let it play a character. */
 export type RouteTo = (source: SourceState, character: string) => void;
 
+/** Those that play nobody, though somebody is to say whom; a program says it itself. */
+export const unrouted = (sources: readonly SourceState[]): readonly SourceState[] =>
+  sources.filter(({ characters, kind }) => kind !== "program" && characters.length === 0);
+
+/** How many play nobody, in words. */
+export const countUnrouted = (count: number): string =>
+  count === 1 ? "1 source plays nobody" : `${count} sources play nobody`;
+
 export class UnroutedSources {
   /** Those whose question was put away, until they play somebody or have gone. */
   readonly #answered = new Set<string>();
@@ -20,11 +28,9 @@ export class UnroutedSources {
 
   /** What to ask about the first source that plays nobody; null where each plays somebody. */
   question(sources: readonly SourceState[], characters: State["characters"]): Question | null {
-    const idle = sources.filter(({ characters }) => characters.length === 0).map(({ name }) => name);
-    for (const name of this.#answered) if (!idle.includes(name)) this.#answered.delete(name);
-    const source = sources.find(
-      ({ name, kind }) => kind !== "program" && idle.includes(name) && !this.#answered.has(name),
-    );
+    const idle = unrouted(sources);
+    for (const name of this.#answered) if (idle.every((source) => source.name !== name)) this.#answered.delete(name);
+    const source = idle.find(({ name }) => !this.#answered.has(name));
     if (source === undefined) return null;
     const offers = Object.entries(characters)
       .slice(0, MOST_OFFERED)
