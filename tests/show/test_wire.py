@@ -7,7 +7,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from omote.show.messages import MESSAGE_LIMIT, SetChannel
+from omote.show.messages import MESSAGE_LIMIT, MOST_MARKS, SPEECH_LIMIT, MeasureSource, Say, SetChannel
 from omote.show.validation import Refusal
 from omote.show.wire import decode, encode, id_in
 
@@ -26,7 +26,7 @@ BAD = {
     "a name without end": msgspec.msgpack.encode({"type": "set_channel", "name": "x" * 81, "value": 0.5}),
     "a deep nest": b"\x91" * 3000,
     "broken UTF-8": b"\x81\xa4type\xa4\xff\xff\xff\xff",
-    "too many bytes": bytes(MESSAGE_LIMIT + 1),
+    "too many bytes": bytes(SPEECH_LIMIT + 1),
     "a promise of 4 GB": b"\xdf\xff\xff\xff\xff",
     "JSON": b'{"type": "panic"}',
 }
@@ -38,6 +38,18 @@ def test_what_is_no_message_is_refused_with_a_sentence(data: bytes) -> None:
         decode(data)
     assert str(refused.value).endswith(".")
     assert len(str(refused.value)) < 300
+
+
+def test_the_longest_text_of_any_script_with_the_times_of_all_its_characters_is_read() -> None:
+    said = Say("one", "id" * 32, "😀" * 2000, "characters", ["😀"] * MOST_MARKS, bytes(4 * (MOST_MARKS + 1)))
+    assert decode(encode(said)) == said
+    words = Say("one", "id", "ä" * 2000, "words", ["Straßenbahn"] * MOST_MARKS, bytes(4 * (MOST_MARKS + 1)))
+    assert decode(encode(words)) == words
+
+
+def test_what_is_no_speech_is_read_no_further_than_ever() -> None:
+    with pytest.raises(Refusal, match=f"at most {MESSAGE_LIMIT} are read"):
+        decode(encode(MeasureSource("a", "b", {"n" * MESSAGE_LIMIT: 0.0}, {})))
 
 
 @given(st.binary(max_size=200))

@@ -26,6 +26,8 @@ Messages are [MessagePack](https://msgpack.org) maps in binary WebSocket frames;
 | `{show.LINK_PATH}` | stages and consoles | `hello` with version {show.PROTOCOL_VERSION} | {show.MESSAGE_LIMIT} bytes |
 | `{editing.EDITING_PATH}` | editors | `greet` with version {editing.EDITING_VERSION} | {editing.EDITING_LIMIT} bytes |
 
+A `say` may have {show.SPEECH_LIMIT} bytes.
+
 A state comes {show.STATE_RATE:g} times a second, complete and absolute: any may be lost. A message that cannot be
 obeyed is answered with `refused` and the reason, and changes nothing. Numbers are checked where they are used: a value
 out of range is refused, never clamped.

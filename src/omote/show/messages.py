@@ -29,8 +29,8 @@ from omote.show.access.access_documents import (  # noqa: F401  (the mirror has 
 
 PROTOCOL_VERSION = 6
 LINK_PATH = "/link"
-MESSAGE_LIMIT = 4096
-"""Bytes; no message of a client is longer."""
+MESSAGE_LIMIT, SPEECH_LIMIT = 4096, 32768
+"""Bytes; no message of a client is longer, and no `say`: 2000 characters of any script and the times of 1000 words."""
 STATE_RATE = 60.0
 """States per second."""
 

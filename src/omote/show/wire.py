@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from omote.interchange.formats.error_reasons import explain_error
-from omote.show.messages import MESSAGE_LIMIT, FromClient, FromServer, RequestId
+from omote.show.messages import MESSAGE_LIMIT, SPEECH_LIMIT, FromClient, FromServer, RequestId, Say
 from omote.show.validation import Refusal
 
 Said = TypeVar("Said")
@@ -25,20 +25,31 @@ def encode(message: msgspec.Struct) -> bytes:
 
 
 def decode(data: bytes) -> FromClient:
-    """Decodes a client's message; Refusal for invalid bytes."""
-    return message_in(data, _from_client, MESSAGE_LIMIT)
+    """Decodes a client's message; Refusal for invalid bytes, and for more than its kind may have."""
+    message = message_in(data, _from_client, SPEECH_LIMIT)
+    _check_size(data, limit_of(message))
+    return message
+
+
+def limit_of(message: FromClient) -> int:
+    """The most bytes that a client's message may have."""
+    return SPEECH_LIMIT if isinstance(message, Say) else MESSAGE_LIMIT
+
+
+def _check_size(data: bytes, limit: int) -> None:
+    if len(data) > limit:
+        raise Refusal(f"the message has {len(data)} bytes, but at most {limit} are read.")
 
 
 def message_in(data: bytes, decoder: msgspec.msgpack.Decoder[Said], limit: int) -> Said:
     """Decodes `data`; Refusal for more bytes than `limit`, and for invalid bytes."""
-    if len(data) > limit:
-        raise Refusal(f"the message has {len(data)} bytes, but at most {limit} are read.")
+    _check_size(data, limit)
     try:
         return decoder.decode(data)
     except (msgspec.DecodeError, UnicodeDecodeError, RecursionError, OverflowError) as error:
         raise Refusal(
             f"the message cannot be read: {explain_error(error)[:200]}. "
-            "Reload the page or mend the program that sent it."
+            "Mend the program that sent it; a page: reload it."
         ) from error
 
 
@@ -54,7 +65,7 @@ _identified = msgspec.msgpack.Decoder(_Identified)
 def id_in(data: bytes) -> str:
     """The id of a message that was rejected, so that its page knows which; "" where none can be read."""
     try:
-        return message_in(data, _identified, MESSAGE_LIMIT).id
+        return message_in(data, _identified, SPEECH_LIMIT).id
     except Refusal:
         return ""
 

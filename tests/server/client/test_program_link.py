@@ -106,3 +106,50 @@ async def test_a_show_of_another_version_says_so(show_harness: ShowHarness, monk
         monkeypatch.setattr(link, "_greet", greet)
         with pytest.raises(ConnectionError, match="takes no program in: the page speaks version"):
             await link.open()
+
+
+def _say(link: ProgramLink, text: str, marks: int = 0) -> wire.Say:
+    if marks == 0:
+        return wire.Say("one", link.next_id(), text)
+    return wire.Say("one", link.next_id(), text, "words", ["Straßenbahnen"] * marks, bytes(4 * marks))
+
+
+@pytest.mark.asyncio
+@pytest.mark.parametrize(("text", "marks"), [("ä" * 2000, 0), ("words " * 300, 300)])
+async def test_a_long_speech_is_said(show_harness: ShowHarness, text: str, marks: int) -> None:
+    async with linked(show_harness, timeout=20.0) as link:
+        await link.send(_say(link, text, marks))
+
+
+@pytest.mark.asyncio
+async def test_a_message_longer_than_a_show_reads_is_rejected_before_it_is_sent(show_harness: ShowHarness) -> None:
+    async with linked(show_harness, timeout=20.0) as link:
+        with pytest.raises(ValueError, match=r"takes \d+ bytes.*at most 32768.*queue=True"):
+            await link.send(_say(link, "a" * 40_000))
+        measure = wire.MeasureSource(link.next_id(), "a", {"n" * 5000: 0.0}, {})
+        with pytest.raises(ValueError, match=r"at most 4096 of one message: send less at once"):
+            await link.send(measure)
+        await link.send(call(link, "broad"))
+
+
+@pytest.mark.asyncio
+async def test_a_show_that_reads_less_says_so_at_the_call(
+    show_harness: ShowHarness, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr("omote.server.http.app.SPEECH_LIMIT", 4096)
+    async with linked(show_harness, timeout=20.0) as link:
+        with pytest.raises(ValueError, match="longer than 4096 bytes"):
+            await link.send(_say(link, "ä" * 2000))
+        await link.send(call(link, "broad"))
+
+
+@pytest.mark.asyncio
+async def test_no_call_waits_longer_than_its_time_for_an_answer(
+    show_harness: ShowHarness, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    async with linked(show_harness, timeout=0.5) as link:
+        monkeypatch.setattr(show_harness.show.session, "receive_bytes", lambda *_: [])
+        with pytest.raises(ConnectionError, match=r"no answer of the show .* for 0\.5 s: it does not answer"):
+            await asyncio.wait_for(link.send(call(link, "nobody")), 20.0)
+        monkeypatch.undo()
+        await link.send(wire.ReleaseFace("one"))

@@ -58,10 +58,10 @@ async def test_a_link_survives_everything_it_says_wrong(show_harness: ShowHarnes
 
 async def test_a_message_too_long_closes_its_link_and_no_other(show_harness: ShowHarness) -> None:
     link, other = await show_harness.link(), await show_harness.link()
-    await link.send_bytes(bytes(wire.MESSAGE_LIMIT + 1))
+    await link.send_bytes(bytes(wire.SPEECH_LIMIT + 1))
     refused = await answer(link)
     assert isinstance(refused, wire.Refused)
-    assert f"longer than {wire.MESSAGE_LIMIT} bytes" in refused.reason
+    assert f"longer than {wire.SPEECH_LIMIT} bytes" in refused.reason
     closed = await link.receive()
     assert (closed.data, closed.extra) == (1009, refused.reason)  # message too big
     show_harness.tick()

@@ -14,7 +14,7 @@ import msgspec
 from msgspec import structs
 
 from omote.show import messages as wire
-from omote.show.wire import decode_answer, encode
+from omote.show.wire import decode_answer, encode, limit_of
 
 FIRST_PAUSE, LONGEST_PAUSE = 0.05, 1.0
 """Seconds between two attempts to link again: each twice the one before."""
@@ -44,6 +44,15 @@ def explain_https_error(error: aiohttp.ClientSSLError, show: str) -> str:
     )
 
 
+def _encode_checked(message: wire.FromClient) -> bytes:
+    """The bytes of a message; ValueError for more than a show reads, which would end the link."""
+    data, limit = encode(message), limit_of(message)
+    if len(data) <= limit:
+        return data
+    advice = "say it in several sentences, with queue=True" if isinstance(message, wire.Say) else "send less at once"
+    raise ValueError(f"this takes {len(data)} bytes, and a show reads at most {limit} of one message: {advice}")
+
+
 class SentSound(msgspec.Struct, frozen=True):
     """What a show answers to a sound."""
 
@@ -66,6 +75,7 @@ class ProgramLink:
         self._show = address.removesuffix(wire.LINK_PATH)
         self._headers = {"Authorization": f"Bearer {token}"} if token else {}
         self._trusted = True if trusted is None else trusted
+        self._ends = aiohttp.ClientWSTimeout(ws_close=min(timeout, 10.0))
         self._page = uuid4().hex
         self._calls = self._pings = 0
         self._turn = asyncio.Lock()
@@ -108,21 +118,29 @@ class ProgramLink:
     async def send(self, message: wire.FromClient) -> None:
         """Sends a message and waits until the show has obeyed it; one with an id until the newest state knows of it.
 
-        ValueError with the show's reason where it was rejected; ConnectionError where the link does not come back in
-        time: then it may have been obeyed or not.
+        ValueError with the show's reason where it was rejected, and where it is longer than a show reads;
+        ConnectionError where the link does not come back in time, or no answer: then it may have been obeyed or not.
         """
+        data = _encode_checked(message)
+        try:
+            async with asyncio.timeout(self._timeout):
+                await self._send_confirmed(data)
+                if getattr(message, "id", ""):
+                    await self.wait_for_state(-1 if self.state is None else self.state.number)
+        except TimeoutError as error:
+            raise self._explain_silence("no answer of the show") from error
+
+    async def _send_confirmed(self, data: bytes) -> None:
         async with self._turn:
             while True:
                 await self._wait(lambda: self._socket is not None, "lost the show")
                 try:
-                    reason = await self._confirm(message)
+                    reason = await self._confirm(data)
                     break
                 except ConnectionError:
                     self._socket = None  # it takes nothing more; the reader may not have seen that yet
         if reason is not None:
             raise ValueError(reason)
-        if getattr(message, "id", ""):
-            await self.wait_for_state(-1 if self.state is None else self.state.number)
 
     async def drive(self, source: wire.Source, frame: wire.Drive) -> None:
         """Sends a frame of a source, which opens first where this link has not opened it as it is now; errors as of
@@ -147,7 +165,7 @@ class ProgramLink:
         address = f"{self._show}/sounds"
         try:
             async with (
-                aiohttp.ClientSession(headers=self._headers) as session,
+                aiohttp.ClientSession(headers=self._headers, timeout=aiohttp.ClientTimeout(self._timeout)) as session,
                 session.post(address, data=io.BytesIO(data), ssl=self._trusted) as response,
             ):
                 if response.status >= 500:
@@ -155,6 +173,11 @@ class ProgramLink:
                 if response.status != 200:
                     raise ValueError(await response.text())
                 return msgspec.json.decode(await response.read(), type=SentSound).sound
+        except TimeoutError as error:
+            raise ConnectionError(
+                f"the show at {self._show} took no sound of {len(data)} bytes within {self._timeout:g} s; connect with "
+                "a longer timeout="
+            ) from error
         except aiohttp.ClientError as error:
             raise ConnectionError(f"the show at {self._show} took no sound: {error}") from error
 
@@ -164,7 +187,7 @@ class ProgramLink:
         assert self.state is not None
         return self.state
 
-    async def _confirm(self, message: wire.FromClient) -> str | None:
+    async def _confirm(self, data: bytes) -> str | None:
         """Sends a message with a ping behind it; the reason of its rejection, None where it was obeyed."""
         if self._reader is None:
             raise ConnectionError("the connection is closed; open another one")
@@ -174,7 +197,7 @@ class ProgramLink:
         self._pings, self._refused = self._pings + 1, None
         answer: asyncio.Future[str | None] = asyncio.get_running_loop().create_future()
         self._answer = answer
-        await socket.send_bytes(encode(message))
+        await socket.send_bytes(data)
         await socket.send_bytes(encode(wire.Ping(float(self._pings))))
         return await answer
 
@@ -185,9 +208,12 @@ class ProgramLink:
             async with asyncio.timeout(self._timeout), self._news:
                 await self._news.wait_for(ready)
         except TimeoutError as error:
-            raise ConnectionError(
-                f"{what} at {self._show} for {self._timeout:g} s: {self._reason}; start it with omote show"
-            ) from error
+            raise self._explain_silence(what) from error
+
+    def _explain_silence(self, what: str) -> ConnectionError:
+        """What is not there within the time that this link waits."""
+        reason = "it does not answer" if self._socket is not None else self._reason
+        return ConnectionError(f"{what} at {self._show} for {self._timeout:g} s: {reason}; start it with omote show")
 
     async def _keep_linked(self) -> None:
         pause = FIRST_PAUSE
@@ -195,14 +221,14 @@ class ProgramLink:
             while True:
                 try:
                     opened = session.ws_connect(
-                        self._address, heartbeat=HEARTBEAT, headers=self._headers, ssl=self._trusted
+                        self._address, heartbeat=HEARTBEAT, headers=self._headers, ssl=self._trusted, timeout=self._ends
                     )
                     async with opened as socket:
                         await self._greet(socket)
                         async for message in socket:
                             await self._hear(socket, message)
                             pause = FIRST_PAUSE
-                    self._reason = "the link was closed"
+                    self._hear_end(socket.close_code)
                 except aiohttp.WSServerHandshakeError as error:
                     await self._hear_denial(error.status)
                 except aiohttp.ClientSSLError as error:
@@ -215,6 +241,12 @@ class ProgramLink:
                     self._break()
                 await asyncio.sleep(pause)
                 pause = min(2.0 * pause, LONGEST_PAUSE)
+
+    def _hear_end(self, code: int | None) -> None:
+        """A message that is too long for this show would be so again: its sender is told."""
+        self._reason = "the link was closed"
+        if code == aiohttp.WSCloseCode.MESSAGE_TOO_BIG and self._answer is not None and not self._answer.done():
+            self._answer.set_result(self._refused or "the message is longer than this show reads")
 
     async def _hear_denial(self, status: int) -> None:
         """Another try would be answered as this one: whoever waits for the show is told."""
@@ -245,12 +277,18 @@ class ProgramLink:
                 self.leases = leases
             case wire.Refused(reason=reason):
                 self._refused = reason
-            case wire.Pong(sent=sent) if sent == self._pings and self._answer is not None and not self._answer.done():
-                self._answer.set_result(self._refused)
+            case wire.Pong(sent=sent):
+                self._hear_pong(sent)
             case _:
                 return
         async with self._news:
             self._news.notify_all()
+
+    def _hear_pong(self, sent: float) -> None:
+        if sent < self._pings:
+            self._refused = None  # of a call that has waited long enough
+        elif self._answer is not None and not self._answer.done():
+            self._answer.set_result(self._refused)
 
     def _is_welcome(self) -> bool:
         return self._socket is not None and self.state is not None

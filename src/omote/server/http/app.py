@@ -31,7 +31,18 @@ from omote.server.http.touchosc import TOUCHOSC_PATH, TouchoscLayout
 from omote.server.http.uploads import RunFileJob, Uploads
 from omote.server.persistence.authored_work import AuthoredWork
 from omote.server.sounds.sound_routes import Sounds
-from omote.show.messages import LINK_PATH, MESSAGE_LIMIT, Devices, FromServer, Notice, Notices, Progress, Refused, State
+from omote.show.messages import (
+    LINK_PATH,
+    MESSAGE_LIMIT,
+    SPEECH_LIMIT,
+    Devices,
+    FromServer,
+    Notice,
+    Notices,
+    Progress,
+    Refused,
+    State,
+)
 from omote.show.outgoing import KeepRequest, Outgoing
 from omote.show.session import ShowSession
 from omote.show.wire import encode
@@ -227,7 +238,7 @@ class ShowServer:
 
     async def link(self, request: web.Request) -> web.WebSocketResponse:
         """Handles one page's WebSocket link until it closes."""
-        ws = LinkSocket(heartbeat=HEARTBEAT)
+        ws = LinkSocket(heartbeat=HEARTBEAT, limit=SPEECH_LIMIT)
         transport = await ws.accept(request)
         if transport is None:
             return ws
@@ -271,7 +282,7 @@ class ShowServer:
 
     async def _listen(self, link: Link) -> None:
         async for message in link.socket:
-            await link.wait_turn(self.clock)
+            await link.wait_turn(self.clock, len(message.data) if message.type is WSMsgType.BINARY else 0)
             if message.type is WSMsgType.BINARY:
                 self._deliver(self.session.receive_bytes(link.who, message.data, self.clock()))
                 if self.session.device_messages:

@@ -92,10 +92,14 @@ class Link:
     behind_since: float | None = None
     skipped: int = 0
 
-    async def wait_turn(self, clock: Callable[[], float]) -> None:
-        """Waits until the rate limit allows this link one more message; meanwhile the socket fills, not our memory."""
-        while not self.bucket.take(clock()):
-            await asyncio.sleep(1.0 / self.bucket.rate)
+    async def wait_turn(self, clock: Callable[[], float], size: int = 0) -> None:
+        """Waits until the rate limit allows this link one more message; meanwhile the socket fills, not our memory.
+
+        size: its bytes; a long one, which only a speech may be, counts as often as it is longer than others may be.
+        """
+        for _ in range(1 + size // MESSAGE_LIMIT):
+            while not self.bucket.take(clock()):
+                await asyncio.sleep(1.0 / self.bucket.rate)
 
     def send(self, data: bytes, limit: int) -> bool:
         """Sends at once, or drops the data when more than `limit` bytes are unsent; returns whether it was sent."""
