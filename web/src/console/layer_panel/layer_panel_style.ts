@@ -174,6 +174,8 @@ export const style = css`
       grid-template-columns: minmax(0, 1fr) 262px;
       gap: 6px;
     }
+  }
+  @media (min-width: 900px) and (max-width: 1300px) {
     .strips {
       gap: 4px;
     }
@@ -191,7 +193,7 @@ export const style = css`
     }
   }
   /* a fader that a finger can hold comes before what a layer does, which its own bar shows too */
-  @media (max-width: 1300px) and (max-height: 900px) {
+  @media (min-width: 900px) and (max-width: 1300px) and (max-height: 900px) {
     .bars {
       display: none;
     }
