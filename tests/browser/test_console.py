@@ -385,6 +385,10 @@ def test_eyes_look_at_a_camera_and_at_a_point_that_is_named_and_deleted(console:
     wait_for(page, "state.motion.target.kind === 'ahead' && Object.keys(state.layers).length === 0")
     page.get_by_role("button", name="Sources on again").click()
     wait_for(page, "state.motion.target.name === 'front row'")
+    targets.get_by_role("button", name="Delete the point front row").click()
+    wait_for(page, "state.motion.target.kind === 'ahead'")
+    targets.get_by_role("button", name="Idles").click()
+    wait_for(page, "!state.motion.idle")  # the show goes on with other files: a lost tracker would move its face
 
 
 def test_a_second_panic_offers_the_faces_of_before(console: Console) -> None:

@@ -80,6 +80,7 @@ def test_a_tracker_is_switched_on_heard_and_off_again(open_page: OpenPage) -> No
         source = page.locator("omote-sources [data-device='Live Link Face']")
         expect(source).to_contain_text("1 heard")
         mixer = open_page("/console", pictures=False)
+        wait_for(mixer, "desk.online && desk.faces.length > 0")
         mixer.keyboard.press(";")
         settings = mixer.locator("omote-source-settings", has_text="Live Link Face")
         one, part = settings.locator("[data-drives=one]"), settings.locator("[data-part=mouth]")
