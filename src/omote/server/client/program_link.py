@@ -13,6 +13,7 @@ import aiohttp
 import msgspec
 from msgspec import structs
 
+from omote.server.client.sent_sounds import SentSounds
 from omote.show import messages as wire
 from omote.show.wire import decode_answer, encode, limit_of
 
@@ -88,6 +89,7 @@ class ProgramLink:
         self._called = name
         self._opened: dict[str, wire.Source] = {}
         self._indices: dict[str, int] = {}
+        self._sounds = SentSounds()
 
     async def open(self) -> None:
         """Links; ConnectionError with the reason where no show answers in time."""
@@ -124,7 +126,14 @@ class ProgramLink:
         data = _encode_checked(message)
         try:
             async with asyncio.timeout(self._timeout):
-                await self._send_confirmed(data)
+                try:
+                    await self._send_confirmed(data)
+                except ValueError as error:  # a show that was started again has no sounds
+                    sound = self._sounds.missing(message, str(error))
+                    if sound is None:
+                        raise
+                    await self.send_sound(sound)
+                    await self._send_confirmed(data)
                 if getattr(message, "id", ""):
                     await self.wait_for_state(-1 if self.state is None else self.state.number)
         except TimeoutError as error:
@@ -172,7 +181,9 @@ class ProgramLink:
                     raise ConnectionError(f"the show at {self._show} took no sound: {await response.text()}")
                 if response.status != 200:
                     raise ValueError(await response.text())
-                return msgspec.json.decode(await response.read(), type=SentSound).sound
+                key = msgspec.json.decode(await response.read(), type=SentSound).sound
+                self._sounds.keep(key, data)
+                return key
         except TimeoutError as error:
             raise ConnectionError(
                 f"the show at {self._show} took no sound of {len(data)} bytes within {self._timeout:g} s; connect with "
