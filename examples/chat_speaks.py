@@ -15,7 +15,7 @@ import subprocess
 import sys
 import wave
 from collections.abc import Callable, Iterator, Sequence
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from pathlib import Path
 from typing import Any, NamedTuple
 
@@ -137,6 +137,12 @@ def talk(speaker: Speaker, lines: Iterator[str]) -> list[dict[str, Any]]:
     return seen
 
 
+def typed_lines() -> Iterator[str]:
+    """What is typed, until an empty line or the end (Ctrl-D)."""
+    with suppress(EOFError):
+        yield from iter(lambda: input("you: "), "")
+
+
 options = argparse.ArgumentParser()
 options.add_argument("folder", nargs="?", type=Path, default=Path("out"))
 options.add_argument("--show", default="", help="the address of a running show")
@@ -147,7 +153,7 @@ given = options.parse_args()
 voice: Voice = {"espeak": espeak_voice, "humming": humming_voice}[given.voice]
 if given.show:
     with omote.connect(given.show, name="chat") as show:
-        talk(Speaker(show, voice), iter(lambda: input("you: "), ""))
+        talk(Speaker(show, voice), typed_lines())
 else:
     with own_show(given.folder) as address, omote.connect(address, name="chat") as show:
         seen = talk(Speaker(show, voice), iter(["Hello there", "Do you like the theatre?"]))

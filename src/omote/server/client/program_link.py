@@ -13,6 +13,8 @@ import aiohttp
 import msgspec
 from msgspec import structs
 
+from omote.server.client.link_denials import DENIALS, NO_ANSWER, explain_https_error
+from omote.server.client.sent_sounds import SentSounds
 from omote.show import messages as wire
 from omote.show.wire import decode_answer, encode, limit_of
 
@@ -21,27 +23,6 @@ FIRST_PAUSE, LONGEST_PAUSE = 0.05, 1.0
 HEARTBEAT = 10.0
 GOODBYE_SECONDS = 0.25
 """How long the goodbye of https takes, for which no closing of aiohttp waits."""
-DENIALS = {
-    401: "it asks for a token, and this one is not valid: give token=, as `omote show` or `omote access` prints it",
-    403: "this token does not allow it",
-    429: "too many wrong tokens came from this address: wait a minute, or show a right one, which is let in at once",
-}
-"""What a show means that does not let a program in."""
-NO_ANSWER = "it ends the connection without an answer; one that was started with --https has an address with https://"
-OTHER_NAME = (62, 64)
-"""What OpenSSL calls a certificate for another host, for another address (X509_V_ERR_HOSTNAME_MISMATCH)."""
-
-
-def explain_https_error(error: aiohttp.ClientSSLError, show: str) -> str:
-    """Why https does not come about, and what to do. show: the address."""
-    if not isinstance(error, aiohttp.ClientConnectorCertificateError):
-        return f"it speaks no https; where it was started without --https, give http{show.removeprefix('https')}"
-    if getattr(error.certificate_error, "verify_code", None) in OTHER_NAME:
-        return "its certificate is for other names and addresses: give the address that `omote show` prints"
-    return (
-        f"its certificate is not trusted by this machine: save what {show}/certificate gives in a browser, and name "
-        "that file with authority="
-    )
 
 
 def _encode_checked(message: wire.FromClient) -> bytes:
@@ -88,6 +69,7 @@ class ProgramLink:
         self._called = name
         self._opened: dict[str, wire.Source] = {}
         self._indices: dict[str, int] = {}
+        self._sounds = SentSounds()
 
     async def open(self) -> None:
         """Links; ConnectionError with the reason where no show answers in time."""
@@ -124,7 +106,14 @@ class ProgramLink:
         data = _encode_checked(message)
         try:
             async with asyncio.timeout(self._timeout):
-                await self._send_confirmed(data)
+                try:
+                    await self._send_confirmed(data)
+                except ValueError as error:  # a show that was started again has no sounds
+                    sound = self._sounds.missing(message, str(error))
+                    if sound is None:
+                        raise
+                    await self.send_sound(sound)
+                    await self._send_confirmed(data)
                 if getattr(message, "id", ""):
                     await self.wait_for_state(-1 if self.state is None else self.state.number)
         except TimeoutError as error:
@@ -172,7 +161,9 @@ class ProgramLink:
                     raise ConnectionError(f"the show at {self._show} took no sound: {await response.text()}")
                 if response.status != 200:
                     raise ValueError(await response.text())
-                return msgspec.json.decode(await response.read(), type=SentSound).sound
+                key = msgspec.json.decode(await response.read(), type=SentSound).sound
+                self._sounds.keep(key, data)
+                return key
         except TimeoutError as error:
             raise ConnectionError(
                 f"the show at {self._show} took no sound of {len(data)} bytes within {self._timeout:g} s; connect with "

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-import struct
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from typing import TypeVar, get_args
 
@@ -17,6 +16,7 @@ from omote.server.client.remote_frame import frame_in
 from omote.server.client.remote_leases import RemoteLeases
 from omote.server.client.remote_sources import RemoteSources
 from omote.server.client.remote_speech import RemoteSpeech
+from omote.server.client.single_floats import pack_numbers
 from omote.show import messages as wire
 
 STREAM_KINDS: tuple[wire.StreamKind, ...] = get_args(wire.StreamKind)
@@ -112,9 +112,11 @@ class RemoteCharacter(RemoteSpeech[Sent]):
         """One frame of a source of this program: the newest wins, and the layer follows it without a jump. The same
         names in each frame; radians for head and gaze; after half a second without a frame the layer fades out.
         smoothing: seconds, to 2, in which a step is followed, 0 as its layer is."""
+        if not isinstance(channels, Mapping):
+            raise TypeError(f"the channels are {channels!r}; give their weights by name, as {{'jawOpen': 0.5}}")
         kind = next(each for each in STREAM_KINDS if each == check_driven(layer))
         source = wire.Source(f"{layer} {self.name}", kind, list(channels), [self.name], smoothing=smoothing)
-        values = struct.pack(f"<{len(channels)}f", *channels.values())
+        values = pack_numbers(channels.values(), "the weight of a channel")
         return self._show.drive(source, wire.Drive(0, values, head, gaze, found))
 
     def set_layer(

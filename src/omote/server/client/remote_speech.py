@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import struct
 from collections.abc import Callable, Sequence
 from typing import Generic, TypeVar
 
@@ -12,6 +11,7 @@ from omote.perform.gestures.gesture_curves import check_gesture
 from omote.perform.limits import check_known, check_switch
 from omote.perform.speech.speech_timing import TIMING_KINDS
 from omote.perform.speech.spelling import check_language
+from omote.server.client.single_floats import pack_numbers
 from omote.show import messages as wire
 
 Sent = TypeVar("Sent")
@@ -43,7 +43,7 @@ class RemoteSpeech(Generic[Sent]):
         begins; with text alone the times are estimated. `frame.speech` tells how far it is, None once it has ended."""
         found = check_known(timing, TIMING_KINDS, "kind of timing")
         kind = next(each for each in TIMING_KINDS if each == found)
-        packed, after = struct.pack(f"<{len(times)}f", *times), check_switch(queue, "the switch queue")
+        packed, after = pack_numbers(times, "a time (seconds)"), check_switch(queue, "the switch queue")
         message = wire.Say(self.name, self._next_id(), text, kind, list(marks), packed, check_language(language))
         rest = {"seconds": seconds, "sound": sound, "delay": delay, "offset": offset, "queue": after}
         return self._send(structs.replace(message, **rest))

@@ -6,6 +6,9 @@ from msgspec import structs
 
 from omote.show import messages as wire
 
+NO_SOUND = "there is no sound"
+"""How the reason begins that a speech is rejected for, where its sound is not there."""
+
 
 class KnownSounds:
     """The keys of all sounds with their lengths in seconds."""
@@ -25,7 +28,7 @@ class KnownSounds:
         if not isinstance(message, wire.Say) or not message.sound:
             return message
         if message.sound not in self._seconds:
-            raise ValueError(f"there is no sound {message.sound!r} any more, or not yet: send it to /sounds first")
+            raise ValueError(f"{NO_SOUND} {message.sound!r} any more, or not yet: send it to /sounds first")
         if message.seconds is not None:
             return message
         return structs.replace(message, seconds=self._seconds[message.sound])
