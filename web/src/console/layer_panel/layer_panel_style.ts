@@ -197,6 +197,20 @@ export const style = css`
     .bars {
       display: none;
     }
+    .strip {
+      grid-template-rows: auto 15px minmax(84px, 1fr) auto;
+    }
+    .feed {
+      -webkit-line-clamp: 1;
+    }
+  }
+  @media (min-width: 900px) and (max-width: 1300px) and (max-height: 600px) {
+    .strip {
+      grid-template-rows: auto minmax(84px, 1fr) auto;
+    }
+    .feed {
+      display: none;
+    }
   }
   @media ${narrow} or ${low} {
     .bars {
