@@ -137,12 +137,6 @@ def talk(speaker: Speaker, lines: Iterator[str]) -> list[dict[str, Any]]:
     return seen
 
 
-def typed_lines() -> Iterator[str]:
-    """What is typed, until an empty line or the end (Ctrl-D)."""
-    with suppress(EOFError):
-        yield from iter(lambda: input("you: "), "")
-
-
 options = argparse.ArgumentParser()
 options.add_argument("folder", nargs="?", type=Path, default=Path("out"))
 options.add_argument("--show", default="", help="the address of a running show")
@@ -152,8 +146,8 @@ options.add_argument(
 given = options.parse_args()
 voice: Voice = {"espeak": espeak_voice, "humming": humming_voice}[given.voice]
 if given.show:
-    with omote.connect(given.show, name="chat") as show:
-        talk(Speaker(show, voice), typed_lines())
+    with suppress(EOFError), omote.connect(given.show, name="chat") as show:  # until an empty line or Ctrl-D
+        talk(Speaker(show, voice), iter(lambda: input("you: "), ""))
 else:
     with own_show(given.folder) as address, omote.connect(address, name="chat") as show:
         seen = talk(Speaker(show, voice), iter(["Hello there", "Do you like the theatre?"]))
