@@ -18,7 +18,6 @@ LONGEST_MODULE, LONGEST_BODY = 300, 25
 LONG_MODULES: dict[str, str] = {
     "benchmarks/evaluate.py": "one claim of four ratios at three sizes, and the peers they are measured against",
     "benchmarks/loss.py": "one claim for seven kinds of source, each played by its own messages or packets",
-    "src/omote/server/http/app.py": "everything that one show serves, put together at one place",
     "src/omote/server/supervision/supervisor.py": "what keeps the show going must be seen at one place",
     "src/omote/show/messages.py": "every message and document once, in one file",
     "tools/baking/heads/people.py": "one recipe for each person, line by line",

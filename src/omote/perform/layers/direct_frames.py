@@ -9,7 +9,7 @@ from omote.perform.layers.columns import HasExpressions
 from omote.perform.layers.drivers import Driver, find_driver, fits, replace_driver
 from omote.perform.layers.layer_names import DRIVEN, LayerName
 from omote.perform.layers.layer_vectors import Layers, columns_of_source
-from omote.perform.layers.layers import drive, write_turn
+from omote.perform.layers.layers import drive, write_frame
 from omote.perform.layers.source_frame import SourceFrame
 
 
@@ -26,13 +26,9 @@ def drive_direct(cast: HasExpressions, layers: Layers, frames: Mapping[LayerName
         if driver is None:
             continue
         drivers[layer] = replace_driver(drivers[layer], with_fields(driver, silent=0.0, smoothing=frame.smoothing))
-        columns, own = layers.columns, columns_of_source(layers, layer, frame.source)
-        row, places = DRIVEN.index(layer), columns.places(frame.names)
-        stream = columns.rows(goal, "streams")[row]
-        stream[own] = 0.0
-        shown = own[places]
-        stream[places[shown]] = frame.values[shown]
-        write_turn(cast, columns, stream, own, frame)
+        columns, row = layers.columns, DRIVEN.index(layer)
+        own, stream = columns_of_source(layers, layer, frame.source), columns.rows(goal, "streams")[row]
+        write_frame(cast, columns, stream, own, frame)
         for vector in (first, second):
             columns.rows(vector, "streams")[row][own] = stream[own]
     return with_fields(layers, goal=goal, first=first, second=second, drivers=drivers, calm=False)

@@ -256,11 +256,7 @@ def _streamed(cast: HasExpressions, layers: Layers, layer: LayerName, frame: Sou
     own, followed = columns_of_source(layers, layer, frame.source), layers.followed.get(layer, NOBODY)
     if frame.source not in followed:
         return layers
-    stream, places = columns.rows(goal, "streams")[row], columns.places(frame.names)
-    stream[own] = 0.0
-    if len(frame.names):
-        stream[places] = np.where(own[places], frame.values, stream[places])
-    write_turn(cast, columns, stream, own, frame)
+    write_frame(cast, columns, columns.rows(goal, "streams")[row], own, frame)
     later = with_fields(layers, goal=goal, calm=False)
     if frame.share == 0.0:  # nothing of it shows, so it can be trusted at once: a first word is whole
         later = _trusted(later, layer, frame.source)
@@ -288,10 +284,14 @@ def _trusted(layers: Layers, layer: LayerName, source: str) -> Layers:
     return with_fields(layers, first=first, second=second)
 
 
-def write_turn(
+def write_frame(
     cast: HasExpressions, columns: Columns, stream: Values, own: NDArray[np.bool_], frame: SourceFrame
 ) -> None:
-    """Writes the head and the gaze of a frame, where its source plays them."""
+    """Writes a frame into those columns of a layer that show its source; what it does not send there is at rest."""
+    places = columns.places(frame.names)
+    stream[own] = 0.0
+    if len(frame.names):
+        stream[places] = np.where(own[places], frame.values, stream[places])
     if frame.head is not None and own[HEAD].all():
         stream[HEAD] = frame.head.yaw, frame.head.pitch, frame.head.roll
     if frame.gaze is not None and own[GAZE].all():

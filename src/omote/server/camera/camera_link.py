@@ -6,6 +6,7 @@ import asyncio
 import contextlib
 import itertools
 from collections.abc import Callable
+from dataclasses import replace
 
 import msgspec
 from aiohttp import WSMsgType, web
@@ -137,17 +138,8 @@ class CameraLinks:
 
     def _count(self) -> SourceCounts:
         trackers = self.cameras.trackers
-        return SourceCounts(
-            name=trackers.protocol.title,
-            kind="tracker",
-            where=trackers.where,
-            heard=self.cameras.heard,
-            rejected=trackers.rejected,
-            newest=trackers.newest,
-            last_rejection=trackers.last_rejection,
-            values=trackers.values(),
-            advice=advise(trackers.protocol, own_address() or "127.0.0.1", None),
-        )
+        advice = advise(trackers.protocol, own_address() or "127.0.0.1", None)
+        return replace(trackers.count(advice), heard=self.cameras.heard)
 
 
 async def _send(socket: LinkSocket, data: bytes) -> None:

@@ -74,15 +74,4 @@ class MediapipeLink:
         """There is nothing to close: links end with the server."""
 
     def _count(self) -> SourceCounts:
-        trackers = self.trackers
-        return SourceCounts(
-            name=trackers.protocol.title,
-            kind="tracker",
-            where=trackers.where,
-            heard=trackers.heard,
-            rejected=trackers.rejected,
-            newest=trackers.newest,
-            last_rejection=trackers.last_rejection,
-            values=trackers.values(),
-            advice=advise(trackers.protocol, "", None),
-        )
+        return self.trackers.count(advise(self.trackers.protocol, "", None))

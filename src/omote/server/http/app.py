@@ -31,18 +31,7 @@ from omote.server.http.touchosc import TOUCHOSC_PATH, TouchoscLayout
 from omote.server.http.uploads import RunFileJob, Uploads
 from omote.server.persistence.authored_work import AuthoredWork
 from omote.server.sounds.sound_routes import Sounds
-from omote.show.messages import (
-    LINK_PATH,
-    MESSAGE_LIMIT,
-    SPEECH_LIMIT,
-    Devices,
-    FromServer,
-    Notice,
-    Notices,
-    Progress,
-    Refused,
-    State,
-)
+from omote.show import messages as wire
 from omote.show.outgoing import KeepRequest, Outgoing
 from omote.show.session import ShowSession
 from omote.show.wire import encode
@@ -59,7 +48,7 @@ class Source(Protocol):
     def hear(self, now: float) -> None:
         """Obeys what has come since the last tick."""
 
-    def tell(self, state: State, now: float) -> None:
+    def tell(self, state: wire.State, now: float) -> None:
         """Tells its devices what is on air."""
 
 
@@ -83,12 +72,12 @@ class ShowServer:
         self.device_spoke: Callable[[], None] = lambda: None
         self.oscquery: OscQuery | None = None
         self._heard: dict[str, Respond] = {}
-        self._describe_devices: Callable[[], Devices] = lambda: Devices([])
+        self._describe_devices: Callable[[], wire.Devices] = lambda: wire.Devices([])
         self._surface_allowed: Callable[[str], bool] = lambda _: False
         self.access: AccessControl | None = None
         self.authority: bytes | None = None
         self._pages = pages
-        self._state: State | None = None
+        self._state: wire.State | None = None
 
     def enable_editing(
         self,
@@ -128,7 +117,7 @@ class ShowServer:
         """Adds a link by which trackers, cameras or microphones send."""
         self._heard[path] = respond
 
-    def enable_phone_page(self, describe: Callable[[], Devices]) -> None:
+    def enable_phone_page(self, describe: Callable[[], wire.Devices]) -> None:
         """Tells phones what to type into the apps of trackers; describe: what is switched on."""
         self._describe_devices = describe
 
@@ -150,9 +139,9 @@ class ShowServer:
             guard(names),
             guard_access(lambda: self.access, frozenset((*PAGES, PHONE_PATH)), self._surface_allowed),
         ]
-        application = web.Application(middlewares=guards, client_max_size=MESSAGE_LIMIT)
+        application = web.Application(middlewares=guards, client_max_size=wire.MESSAGE_LIMIT)
         application.on_response_prepare.append(add_headers)
-        application.router.add_get(LINK_PATH, self.link)
+        application.router.add_get(wire.LINK_PATH, self.link)
         if self.editing is not None:
             application.router.add_get(EDITING_PATH, self.editing.link)
         application.router.add_get("/layouts/{name}", self.layout)
@@ -201,7 +190,7 @@ class ShowServer:
             self.close_revoked()
         self.announce(self.session.crew_now(now))
 
-    def post(self, notices: list[Notice]) -> None:
+    def post(self, notices: list[wire.Notice]) -> None:
         """Sends all notices to consoles and editors; later ones get them with their welcome."""
         self.session.notices = notices
         self.broadcast_notices()
@@ -211,14 +200,14 @@ class ShowServer:
         for who in self.session.crew:
             self._deliver(self.session.notices_for(who))
         if self.editing is not None and self.session.notices:
-            self.editing.send_news(Notices(self.session.notices))
+            self.editing.send_news(wire.Notices(self.session.notices))
 
     def post_layouts(self, names: list[str]) -> None:
         """Tells all consoles the names of the layouts; later ones get them with their welcome."""
         self.session.layouts = names
         self._deliver(self.session.layouts_now())
 
-    def announce(self, message: FromServer) -> None:
+    def announce(self, message: wire.FromServer) -> None:
         """Sends one message to every link."""
         data = encode(message)
         for link in self.links:
@@ -238,7 +227,7 @@ class ShowServer:
 
     async def link(self, request: web.Request) -> web.WebSocketResponse:
         """Handles one page's WebSocket link until it closes."""
-        ws = LinkSocket(heartbeat=HEARTBEAT, limit=SPEECH_LIMIT)
+        ws = LinkSocket(heartbeat=HEARTBEAT, limit=wire.SPEECH_LIMIT)
         transport = await ws.accept(request)
         if transport is None:
             return ws
@@ -292,16 +281,16 @@ class ShowServer:
                     self.long_requests.cancel(each)
             elif message.type is WSMsgType.TEXT:
                 reason = "text came, but messages are binary MessagePack."
-                self._deliver([Outgoing(link.who, Refused(reason))])
+                self._deliver([Outgoing(link.who, wire.Refused(reason))])
 
     def _keep(self, requests: list[KeepRequest]) -> None:
         for request in requests:
             if self.editing is None:
-                self._deliver([Outgoing(request.who, Refused(NO_FILE))])
+                self._deliver([Outgoing(request.who, wire.Refused(NO_FILE))])
             else:
                 self.editing.request_keep(request)
 
-    def _send_progress(self, progress: Progress) -> None:
+    def _send_progress(self, progress: wire.Progress) -> None:
         self._deliver(self.session.for_consoles(progress))
         if self.editing is not None:
             self.editing.send_news(progress)

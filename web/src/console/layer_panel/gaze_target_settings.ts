@@ -7,6 +7,7 @@ import { AnimatedElement } from "../controls/console_element";
 import { AHEAD } from "../layers/layer_state";
 import type { Topic } from "../store/page_store";
 import { choicesFor, GazeTargetCommands, isSame, type TargetChoice, targetOf } from "./gaze_target_commands";
+import { groupStyle } from "./layer_panel_style";
 
 /** Where a point is: its label, lowest, highest, and in words. */
 const SLIDERS = [
@@ -24,18 +25,8 @@ export class GazeTargetSettings extends AnimatedElement {
 
   static override styles = [
     base,
+    groupStyle,
     css`
-      :host {
-        display: grid;
-        gap: 6px;
-        flex: none;
-        font-size: 12px;
-      }
-      h3 {
-        margin: 0;
-        font-size: 12px;
-        color: var(--dim);
-      }
       .row {
         display: flex;
         flex-wrap: wrap;

@@ -1,6 +1,21 @@
 import { css } from "lit";
 import { low, narrow } from "../controls/screen_sizes";
 
+/** A group of settings under the parts of a layer: its heading, and rows below each other. */
+export const groupStyle = css`
+  :host {
+    display: grid;
+    gap: 6px;
+    flex: none;
+    font-size: 12px;
+  }
+  h3 {
+    margin: 0;
+    font-size: 12px;
+    color: var(--dim);
+  }
+`;
+
 /** Strips beside each other, which scroll sideways where there is no room, and beside them what belongs to one. */
 export const style = css`
   :host {

@@ -5,6 +5,7 @@ import { customElement, state } from "lit/decorators.js";
 import type { MakeGesture, Say } from "../../link/messages";
 import { base, entry } from "../../ui/theme";
 import { AnimatedElement, StyleWriter } from "../controls/console_element";
+import { groupStyle } from "./layer_panel_style";
 import { sayMessage, speechWords } from "./say_message";
 
 /** The gestures of the engine, with what they are. */
@@ -27,18 +28,8 @@ export class SpeechLine extends AnimatedElement {
 
   static override styles = [
     base,
+    groupStyle,
     css`
-      :host {
-        display: grid;
-        gap: 6px;
-        flex: none;
-        font-size: 12px;
-      }
-      h3 {
-        margin: 0;
-        font-size: 12px;
-        color: var(--dim);
-      }
       form,
       .row {
         display: flex;

@@ -6,7 +6,7 @@ import contextlib
 import socket
 import time
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import partial
 
 from omote.inputs.allowed_senders import THIS_MACHINE, AllowedSenders
@@ -142,14 +142,5 @@ def _count(each: _Heard) -> SourceCounts:
     rejection = trackers.last_rejection
     if foreign and rejection is None:
         rejection = Rejection(0.0, each.reader.foreign_host, "is not heard: --allow and its address let it play")
-    return SourceCounts(
-        name=trackers.protocol.title,
-        kind="tracker",
-        where=trackers.where,
-        heard=trackers.heard,
-        rejected=trackers.rejected + foreign,
-        newest=trackers.newest,
-        last_rejection=rejection,
-        values=trackers.values(),
-        advice=each.advice,
-    )
+    counts = trackers.count(each.advice)
+    return replace(counts, rejected=counts.rejected + foreign, last_rejection=rejection)

@@ -155,14 +155,4 @@ class ApiPrograms:
     def _count(self) -> SourceCounts:
         reader, trackers = self.reader, self.trackers
         fault = "" if reader is None else reader.fault or ("" if reader.session is None else reader.session.waits)
-        return SourceCounts(
-            name=trackers.protocol.title,
-            kind="tracker",
-            where=trackers.where,
-            heard=trackers.heard,
-            rejected=trackers.rejected,
-            newest=trackers.newest,
-            last_rejection=trackers.last_rejection,
-            values=trackers.values(),
-            advice=fault or advise(trackers.protocol, "", None),
-        )
+        return trackers.count(fault or advise(trackers.protocol, "", None))
