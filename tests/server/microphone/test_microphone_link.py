@@ -101,3 +101,10 @@ async def test_a_token_that_ends_ends_the_link(
             show_harness.tick()
             message = await socket.receive()
         assert (message.type, message.data) == (WSMsgType.CLOSE, REVOKED_CODE)
+
+
+async def test_what_is_rejected_of_a_page_that_has_gone_stops_no_tick(
+    show_harness: ShowHarness, link: MicrophoneLink, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(link.microphones, "play", lambda now: [("microphone 7", Rejected("its mouth comes to rest"))])
+    link.hear(show_harness.clock())

@@ -65,7 +65,8 @@ class MicrophoneLink:
         """Plays what has come since the last tick; pages are told now and then."""
         links = {who: link for link, who in self._who.items()}
         for who, rejected in self.microphones.play(now):
-            self._answer(links[who], [rejected])
+            if who in links:  # a page that has gone is told nothing while its mouth comes to rest
+                self._answer(links[who], [rejected])
         if now - self._told >= TELL_SECONDS:
             self._told = now
             close_revoked(self.links, self._holds)
