@@ -1,6 +1,15 @@
 """The terminal hears of rejections once a second."""
 
+from dataclasses import dataclass
+
+from omote.inputs.rejection import Rejection
 from omote.server.devices.rejection_log import RejectionLog
+
+
+@dataclass
+class Device:
+    rejected: int = 0
+    last_rejection: Rejection | None = None
 
 
 def test_one_line_a_second_whatever_comes() -> None:
@@ -23,3 +32,14 @@ def test_a_single_rejection_is_not_counted_aloud_and_nothing_is_not_told() -> No
     log.tell(5.0)
     log.tell(9.0)
     assert said == ["the face is missing."]
+
+
+def test_what_a_device_rejected_is_noted_once() -> None:
+    said: list[str] = []
+    log, device = RejectionLog(said.append), Device()
+    told = log.note_new(device, 0)
+    device.rejected, device.last_rejection = 3, Rejection(0.0, "desk", "no such face")
+    told = log.note_new(device, told, "OSC from ")
+    assert log.note_new(device, told) == told == 3
+    log.tell(0.0)
+    assert said == ["OSC from desk: no such face (3 were rejected)."]

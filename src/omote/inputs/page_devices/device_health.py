@@ -7,6 +7,7 @@ from dataclasses import dataclass, field
 
 from omote.inputs.page_devices.input_log import InputLog
 from omote.inputs.rejection import Rejection
+from omote.inputs.trackers.tracker_input import TrackerInput
 from omote.show.messages import DeviceState, SourceKind
 
 MOST_VALUES = 64
@@ -55,6 +56,21 @@ class SourceCounts:
     last_rejection: Rejection | None = None
     values: dict[str, float] = field(default_factory=dict)
     advice: str = ""
+
+
+def count_tracker(trackers: TrackerInput, advice: str) -> SourceCounts:
+    """The counts of all trackers of one protocol. advice: what to do at the sender."""
+    return SourceCounts(
+        name=trackers.protocol.title,
+        kind="tracker",
+        where=trackers.where,
+        heard=trackers.heard,
+        rejected=trackers.rejected,
+        newest=trackers.newest,
+        last_rejection=trackers.last_rejection,
+        values=trackers.values(),
+        advice=advice,
+    )
 
 
 class SourceHealth:

@@ -9,7 +9,6 @@ from itertools import islice
 import numpy as np
 from numpy.typing import NDArray
 
-from omote.inputs.page_devices.device_health import SourceCounts
 from omote.inputs.rejection import PacketError, Rejection
 from omote.inputs.trackers.arkit_names import ARKIT_NAMES, ChannelNames
 from omote.inputs.trackers.head_angles import GazeAngles, HeadAngles, limit_gaze, limit_head
@@ -121,20 +120,6 @@ class TrackerInput:
         looks = zip(GAZE_LIMITS.items(), last.gaze, strict=True) if last.looks else ()
         angles = {f"head {name}": 0.5 + 0.5 * angle / most for (name, most), angle in turned}
         return {**weights, **angles, **{f"gaze {name}": 0.5 + 0.5 * angle / most for (name, most), angle in looks}}
-
-    def count(self, advice: str) -> SourceCounts:
-        """What a page of devices is told of it. advice: what to do at the sender."""
-        return SourceCounts(
-            name=self.protocol.title,
-            kind="tracker",
-            where=self.where,
-            heard=self.heard,
-            rejected=self.rejected,
-            newest=self.newest,
-            last_rejection=self.last_rejection,
-            values=self.values(),
-            advice=advice,
-        )
 
     @property
     def newest(self) -> str:

@@ -11,7 +11,7 @@ from dataclasses import replace
 import msgspec
 from aiohttp import WSMsgType, web
 
-from omote.inputs.page_devices.device_health import SourceCounts
+from omote.inputs.page_devices.device_health import SourceCounts, count_tracker
 from omote.inputs.performers import camera_messages as wire
 from omote.inputs.performers.camera_input import CameraInput
 from omote.inputs.performers.camera_performer import CalibrationFit
@@ -77,11 +77,7 @@ class CameraLinks:
             task = asyncio.get_running_loop().create_task(self._fit(link, fit))
             self._tasks.add(task)
             task.add_done_callback(self._tasks.discard)
-        trackers = self.cameras.trackers
-        new, newest = trackers.rejected - self._told_rejected, trackers.last_rejection
-        if new and newest is not None:
-            self._log.note(f"{newest.sender}: {newest.reason}", new)
-            self._told_rejected = trackers.rejected
+        self._told_rejected = self._log.note_new(self.cameras.trackers, self._told_rejected)
         self._log.tell(now)
 
     def tell(self, state: State, now: float) -> None:
@@ -139,7 +135,7 @@ class CameraLinks:
     def _count(self) -> SourceCounts:
         trackers = self.cameras.trackers
         advice = advise(trackers.protocol, own_address() or "127.0.0.1", None)
-        return replace(trackers.count(advice), heard=self.cameras.heard)
+        return replace(count_tracker(trackers, advice), heard=self.cameras.heard)
 
 
 async def _send(socket: LinkSocket, data: bytes) -> None:

@@ -106,10 +106,7 @@ class DmxListener:
             self.dmx.reject(newest.sender, newest.sender, newest.reason, now)
 
     def _note_rejections(self, now: float) -> None:
-        new, newest = self.dmx.rejected - self._told_rejected, self.dmx.last_rejection
-        if new and newest is not None:
-            self._log.note(f"{newest.sender}: {newest.reason}", new)
-            self._told_rejected = self.dmx.rejected
+        self._told_rejected = self._log.note_new(self.dmx, self._told_rejected)
         self._log.tell(now)
 
 

@@ -8,7 +8,7 @@ from collections.abc import Callable
 
 from aiohttp import WSMsgType, web
 
-from omote.inputs.page_devices.device_health import SourceCounts
+from omote.inputs.page_devices.device_health import SourceCounts, count_tracker
 from omote.inputs.trackers.tracker_input import TrackerInput
 from omote.inputs.trackers.tracker_protocols import TRACKER_PROTOCOLS, advise
 from omote.server.devices.rejection_log import RejectionLog
@@ -56,10 +56,7 @@ class MediapipeLink:
         while self._waiting and time.perf_counter() < until:
             self.trackers.receive(*self._waiting.popleft(), now)
         self.trackers.play(now)
-        new, newest = self.trackers.rejected - self._told_rejected, self.trackers.last_rejection
-        if new and newest is not None:
-            self._log.note(f"{newest.sender}: {newest.reason}", new)
-            self._told_rejected = self.trackers.rejected
+        self._told_rejected = self._log.note_new(self.trackers, self._told_rejected)
         self._log.tell(now)
 
     def tell(self, state: State, now: float) -> None:
@@ -74,4 +71,4 @@ class MediapipeLink:
         """There is nothing to close: links end with the server."""
 
     def _count(self) -> SourceCounts:
-        return self.trackers.count(advise(self.trackers.protocol, "", None))
+        return count_tracker(self.trackers, advise(self.trackers.protocol, "", None))

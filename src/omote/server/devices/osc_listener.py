@@ -164,10 +164,7 @@ class OscListener:
             self._sockets.datagrams.sendto(packet, place)
 
     def _note_rejections(self, now: float) -> None:
-        new, newest = self.osc.rejected - self._told_rejected, self.osc.last_rejection
-        if new and newest is not None:
-            self._log.note(f"OSC from {newest.sender}: {newest.reason}", new)
-            self._told_rejected = self.osc.rejected
+        self._told_rejected = self._log.note_new(self.osc, self._told_rejected, "OSC from ")
         self._log.tell(now)
 
 

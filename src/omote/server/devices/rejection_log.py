@@ -3,8 +3,23 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from typing import Protocol
+
+from omote.inputs.rejection import Rejection
 
 REPORT_SECONDS = 1.0
+
+
+class Rejects(Protocol):
+    """What counts its rejections and keeps the newest."""
+
+    @property
+    def rejected(self) -> int:
+        """How many."""
+
+    @property
+    def last_rejection(self) -> Rejection | None:
+        """The newest; None before the first."""
 
 
 class RejectionLog:
@@ -19,6 +34,14 @@ class RejectionLog:
     def note(self, sentence: str, count: int = 1) -> None:
         """Notes so many rejections, of which the newest is told."""
         self._newest, self._count, self.total = sentence, self._count + count, self.total + count
+
+    def note_new(self, rejects: Rejects, told: int, prefix: str = "") -> int:
+        """Notes what was rejected after the first `told` of it; returns how much is noted now. prefix: of a sender."""
+        new, newest = rejects.rejected - told, rejects.last_rejection
+        if not new or newest is None:
+            return told
+        self.note(f"{prefix}{newest.sender}: {newest.reason}", new)
+        return told + new
 
     def tell(self, now: float) -> None:
         """Prints the newest, with the count of all, where the last line is a second ago."""

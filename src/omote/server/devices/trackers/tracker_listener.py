@@ -10,7 +10,7 @@ from dataclasses import dataclass, field, replace
 from functools import partial
 
 from omote.inputs.allowed_senders import THIS_MACHINE, AllowedSenders
-from omote.inputs.page_devices.device_health import SourceCounts
+from omote.inputs.page_devices.device_health import SourceCounts, count_tracker
 from omote.inputs.rejection import Rejection
 from omote.inputs.trackers.tracker_input import TrackerInput
 from omote.inputs.trackers.tracker_protocols import TRACKER_TITLES, TrackerProtocol, advise
@@ -106,7 +106,7 @@ class TrackerListener:
                     break
         for each in self._heard:
             each.trackers.play(now)
-            self._note_rejections(each)
+            each.told_rejected = self._log.note_new(each.trackers, each.told_rejected)
         self._heard = self._heard[1:] + self._heard[:1]  # none of them waits for ever behind a flood
         self._log.tell(now)
 
@@ -125,12 +125,6 @@ class TrackerListener:
         for each in self._heard:
             each.reader.close()
 
-    def _note_rejections(self, each: _Heard) -> None:
-        new, newest = each.trackers.rejected - each.told_rejected, each.trackers.last_rejection
-        if new and newest is not None:
-            self._log.note(f"{newest.sender}: {newest.reason}", new)
-            each.told_rejected = each.trackers.rejected
-
 
 def _open_reader(tracker: TrackerSocket, allowed: AllowedSenders, log: RejectionLog) -> DatagramReader:
     kind = StreamReader if tracker.protocol.stream else DatagramReader
@@ -142,5 +136,5 @@ def _count(each: _Heard) -> SourceCounts:
     rejection = trackers.last_rejection
     if foreign and rejection is None:
         rejection = Rejection(0.0, each.reader.foreign_host, "is not heard: --allow and its address let it play")
-    counts = trackers.count(each.advice)
+    counts = count_tracker(trackers, each.advice)
     return replace(counts, rejected=counts.rejected + foreign, last_rejection=rejection)

@@ -7,7 +7,7 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
 
 from omote.inputs.face_output.face_target import FaceTarget, find_sent, mean_gaze
-from omote.inputs.page_devices.device_health import SourceCounts
+from omote.inputs.page_devices.device_health import SourceCounts, count_tracker
 from omote.inputs.trackers.tracker_frame import TrackerFrame
 from omote.inputs.trackers.tracker_input import TrackerInput
 from omote.inputs.trackers.tracker_protocols import API_NAME, TRACKER_PROTOCOLS, advise
@@ -88,10 +88,7 @@ class ApiPrograms:
             while reader.waiting and reader.session is not None:
                 self.trackers.receive(reader.place[0], reader.waiting.popleft(), now)
             self.trackers.play(now)
-            new, newest = self.trackers.rejected - self._told_rejected, self.trackers.last_rejection
-            if new and newest is not None:
-                self._log.note(f"{newest.sender}: {newest.reason}", new)
-                self._told_rejected = self.trackers.rejected
+            self._told_rejected = self._log.note_new(self.trackers, self._told_rejected)
         for each in self.receivers:
             while each.link.waiting and each.link.session is not None:
                 self._answer(each, each.link.waiting.popleft())
@@ -155,4 +152,4 @@ class ApiPrograms:
     def _count(self) -> SourceCounts:
         reader, trackers = self.reader, self.trackers
         fault = "" if reader is None else reader.fault or ("" if reader.session is None else reader.session.waits)
-        return trackers.count(fault or advise(trackers.protocol, "", None))
+        return count_tracker(trackers, fault or advise(trackers.protocol, "", None))
