@@ -104,6 +104,16 @@ async def test_a_tracker_is_heard_while_it_is_on(room: Room) -> None:
         other.bind(("", port))  # the port is free again
 
 
+async def test_a_port_that_the_system_chose_is_told(room: Room) -> None:
+    switches = room.open()
+    switches.switch(listen("livelink:0"), 0.0)
+    (heard,) = room.switched.trackers._heard
+    port = heard.tracker.datagrams.getsockname()[1]
+    assert port > 0
+    assert offer(switches, "livelink").port == port
+    assert str(port) in offer(switches, "livelink").advice
+
+
 async def test_what_was_switched_on_is_on_again_after_a_restart(room: Room) -> None:
     port, switches = free_port(), room.open()
     switches.switch(listen(f"vmc:{port}"), 0.0)

@@ -163,7 +163,8 @@ class DeviceSwitches:
 
     def _offer(self, protocol: TrackerProtocol, host: str) -> wire.TrackerOffer:
         wish = self._heard.get(protocol.name)
-        port = protocol.port if wish is None else wish.port
+        asked = protocol.port if wish is None else wish.port
+        port = self._switched.trackers.port(protocol.name) or asked
         stranger = "" if wish is None else self._switched.trackers.stranger(protocol.name)
         return wire.TrackerOffer(
             name=protocol.name,

@@ -79,6 +79,11 @@ class TrackerListener:
             each.trackers.leave()
             each.reader.close()
 
+    def port(self, name: str) -> int | None:
+        """The port on which a protocol is heard; None where it is not."""
+        own = (each.tracker.datagrams for each in self._heard if each.tracker.protocol.name == name)
+        return next((int(each.getsockname()[1]) for each in own), None)
+
     def stranger(self, name: str) -> str:
         """The host that sent last to a protocol and may not play, or ""."""
         return next((each.reader.foreign_host for each in self._heard if each.tracker.protocol.name == name), "")
