@@ -2,6 +2,16 @@
 
 import { css } from "lit";
 
+/** The button that is to be pressed next, while it can be. */
+export const mainButton = css`
+  .main:enabled {
+    color: var(--ground);
+    background: var(--coming);
+    border-color: var(--coming);
+    font-weight: 700;
+  }
+`;
+
 export const cameraPageStyle = css`
   :host {
     --finger: 40px;

@@ -4,6 +4,7 @@ import { css, html, nothing, svg } from "lit";
 import { customElement } from "lit/decorators.js";
 import { base, palette } from "../ui/theme";
 import { CameraElement } from "./camera_element";
+import { mainButton } from "./camera_page_style";
 import { drawStep } from "./step_picture";
 
 @customElement("omote-guide")
@@ -11,6 +12,7 @@ export class GuideView extends CameraElement {
   static override styles = [
     palette,
     base,
+    mainButton,
     css`
       section {
         display: grid;
@@ -26,12 +28,6 @@ export class GuideView extends CameraElement {
       .offer {
         grid-template-columns: minmax(0, 1fr);
         border-top-color: var(--attention);
-      }
-      .main {
-        color: var(--ground);
-        background: var(--coming);
-        border-color: var(--coming);
-        font-weight: 700;
       }
       .ready {
         border-top-color: var(--attention);

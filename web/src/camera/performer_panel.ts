@@ -4,6 +4,7 @@ import { css, html, nothing } from "lit";
 import { customElement, state } from "lit/decorators.js";
 import { base, entry, palette } from "../ui/theme";
 import { CameraElement } from "./camera_element";
+import { mainButton } from "./camera_page_style";
 import type { CameraStatus } from "./session/camera_messages";
 import { drawStep } from "./step_picture";
 
@@ -32,6 +33,7 @@ export class PerformerPanel extends CameraElement {
   static override styles = [
     palette,
     base,
+    mainButton,
     css`
       section {
         display: grid;
@@ -54,12 +56,6 @@ export class PerformerPanel extends CameraElement {
       }
       button {
         min-height: 34px;
-      }
-      .main {
-        color: var(--ground);
-        background: var(--coming);
-        border-color: var(--coming);
-        font-weight: 700;
       }
       p {
         margin: 0;
