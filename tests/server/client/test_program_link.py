@@ -136,7 +136,7 @@ async def test_a_message_longer_than_a_show_reads_is_rejected_before_it_is_sent(
 async def test_a_show_that_reads_less_says_so_at_the_call(
     show_harness: ShowHarness, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr("omote.server.http.app.SPEECH_LIMIT", 4096)
+    monkeypatch.setattr(wire, "SPEECH_LIMIT", 4096)
     async with linked(show_harness, timeout=20.0) as link:
         with pytest.raises(ValueError, match="longer than 4096 bytes"):
             await link.send(_say(link, "ä" * 2000))
