@@ -16,8 +16,8 @@ from omote.perform.frame import TargetKind
 from omote.perform.gestures.gesture_curves import GestureName
 from omote.perform.layers.layer_names import LayerName, LayerPart
 from omote.perform.scene.character_names import MOST_CHARACTERS
+from omote.perform.speech.number_words import Language
 from omote.perform.speech.speech_timing import TimingKind
-from omote.perform.speech.spelling import Language
 from omote.show.access.access_documents import (  # noqa: F401  (the mirror has all)
     ACCESS_DOCUMENTS,
     AccessDocument,
