@@ -152,6 +152,8 @@ def test_what_is_asked_of_all_or_of_a_text_is_refused_in_words(cast: Cast) -> No
         show.call_framing(wrong)
     with pytest.raises(ValueError, match="there is no character 'two' in this scene"):
         show.call_framing(["two"])
+    with pytest.raises(ValueError, match="there is no character 'two' in this scene"):
+        show["one"].look_at("character", "two")
     with pytest.raises(KeyError, match="there is no character 'two' in this scene"):
         show.place("two", x=0.1)
     assert (repr(show), repr(show["one"])) == (

@@ -36,6 +36,9 @@ class CharacterLink(Protocol[Sent, Said]):
     def state(self) -> wire.State:
         """The newest state."""
 
+    def find_character(self, name: str) -> str:
+        """The name of the character that a name or a label means."""
+
 
 class RemoteCharacter(RemoteSpeech[Sent, Said]):
     """A character of a running show: what `omote.Performer` has, over the wire.
@@ -166,7 +169,8 @@ class RemoteCharacter(RemoteSpeech[Sent, Said]):
     ) -> Sent:
         """Chooses whom or what the eyes look at: `ahead`, a `direction` of the house (radians), a `point` (metres), or
         by name a `gaze_point`, a `character`, the camera of a `stage`."""
-        return self._send(wire.LookAt(self.name, check_target_kind(kind), name, yaw, pitch, x, y, z))
+        found = self._show.find_character(name) if kind == "character" else name
+        return self._send(wire.LookAt(self.name, check_target_kind(kind), found, yaw, pitch, x, y, z))
 
     def set_home(self, face: str, *, seconds: float = 2.0) -> Sent:
         """Chooses the face that a second panic brings on air."""
