@@ -43,7 +43,7 @@ class RemoteSpeech(Generic[Sent, Said]):
         times: Sequence[float] = (),
         language: str = "en",
         seconds: float | None = None,
-        sound: str | bytes | Path = "",
+        sound: str | bytes | Path | None = "",
         delay: float = 0.0,
         offset: float = 0.0,
         queue: bool = False,

@@ -38,6 +38,8 @@ def split_sound(sound: object) -> tuple[str, bytes | None]:
 
     ValueError for a text that is no key, TypeError and OSError as `read_bytes`.
     """
+    if sound is None:
+        return "", None
     if not isinstance(sound, str):
         return "", read_bytes(sound)
     if sound and not _KEY.fullmatch(sound):
