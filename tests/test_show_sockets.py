@@ -1,5 +1,7 @@
 """What the options of `omote show` ask for, of trackers; of OSC and lighting desks, see test_show_command."""
 
+import socket
+
 import pytest
 import typer
 
@@ -35,6 +37,17 @@ def test_what_has_no_socket_here_is_listed_and_receivers_are() -> None:
     assert second.startswith("tracker  ")
     assert third == "sends    Live Link Face (Unreal) at 10.0.0.5:11111: dog"
     assert fourth == "sends    VMC (VSeeFace, Warudo, Unity) at 10.0.0.6:39539: the first character"
+
+
+def test_a_tracker_whose_port_is_taken_is_off_and_the_show_opens(capsys: pytest.CaptureFixture[str]) -> None:
+    with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as other:
+        other.bind(("", 0))
+        port = other.getsockname()[1]
+        options = read_options("off", None, "", f"livelink:{port},vmc:0")
+        devices = open_devices("127.0.0.1", OFF, options, OFF)
+    assert list(devices.handed) == ["--tracker-vmc"]
+    assert f"Live Link Face is off: port {port} cannot be opened" in capsys.readouterr().err
+    devices.close()
 
 
 @pytest.mark.parametrize(

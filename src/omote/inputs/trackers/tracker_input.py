@@ -15,6 +15,7 @@ from omote.inputs.trackers.head_angles import GazeAngles, HeadAngles, limit_gaze
 from omote.inputs.trackers.tracker_frame import Decode, TrackerFrame
 from omote.inputs.trackers.tracker_protocols import TrackerProtocol
 from omote.model.known_names import NEUTRAL
+from omote.perform.layers.layer_names import LayerName
 from omote.perform.limits import GAZE_LIMITS, HEAD_LIMITS
 from omote.show import messages as wire
 from omote.show.session import ShowSession
@@ -22,7 +23,7 @@ from omote.show.session import ShowSession
 MOST_PERFORMERS = 8
 """Performers of one protocol at a time, by host and name; the one that was silent longest makes room."""
 LONGEST_NAME = 80
-LAYER = "tracker"
+LAYER: LayerName = "tracker"
 """The layer that a tracker drives until it is routed elsewhere."""
 MOST_BARS = 59
 """Channels of which a page is told, beside five angles."""
@@ -203,12 +204,12 @@ class TrackerInput:
 
     def _source(self, session: ShowSession, performer: Performer) -> wire.Source:
         """The source of a performer. One that comes for the first time drives the character of a show that has one, if
-        no other drives it: two on one layer would take it from each other with each frame."""
+        no other drives it: two on one layer would take it from each other with each frame. One that has been silent
+        until it has faded out, as a phone whose address has changed, drives nobody."""
         characters = list(session.scene)
         known = performer.name in session.sources.snapshot().routes
-        driven = any(each.characters and each.layer == LAYER for each in session.sources.states({}))
-        alone = characters if len(characters) == 1 and not known and not driven else []
-        return wire.Source(performer.name, "tracker", list(performer.names), alone)
+        free = len(characters) == 1 and not known and not session.sources.is_driven(LAYER)
+        return wire.Source(performer.name, "tracker", list(performer.names), characters if free else [])
 
     def reject(self, host: str, reason: str, now: float) -> None:
         """Counts what was not obeyed."""
