@@ -3,6 +3,7 @@
 import { LAYER_PARTS } from "../../link/constants";
 import type { SourceState } from "../../link/messages";
 import { firstInfluence, type LayerName, type LayerPart, layerOf } from "../layers/layer_state";
+import { sourceLabel } from "../layers/source_label";
 import type { ConsoleStore } from "../store/console_store";
 import type { Change } from "../store/undo_history";
 
@@ -67,7 +68,7 @@ export class LayerCommands {
         : change.regions !== undefined
           ? `plays ${change.regions.length === LAYER_PARTS.length ? "all parts" : change.regions.join(", ")} now`
           : "drives others now";
-    this.#do(`${source.name} ${does}.`, `route ${source.name}`, {
+    this.#do(`${sourceLabel(source.name)} ${does}.`, `route ${sourceLabel(source.name)}`, {
       undo: to(source),
       redo: to({ ...source, ...change }),
     });
@@ -78,7 +79,7 @@ export class LayerCommands {
     const to = ({ mirror, dead_zone, curve, gain, smoothing, lids }: Tuning): Change[] => [
       { type: "tune_source", source: source.name, mirror, dead_zone, curve, gain, smoothing, lids },
     ];
-    this.#do(`${source.name} is read otherwise.`, `tune ${source.name}`, {
+    this.#do(`${sourceLabel(source.name)} is read otherwise.`, `tune ${sourceLabel(source.name)}`, {
       undo: to(source),
       redo: to({ ...source, ...change }),
     });
