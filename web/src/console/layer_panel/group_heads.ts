@@ -4,7 +4,7 @@ import { css, html } from "lit";
 import { customElement, property } from "lit/decorators.js";
 import { base } from "../../ui/theme";
 import { AnimatedElement, StyleWriter } from "../controls/console_element";
-import { low, narrow } from "../controls/screen_sizes";
+import { narrow, tight } from "../controls/screen_sizes";
 import type { LayerName } from "../layers/layer_state";
 import {
   type GroupWords,
@@ -92,14 +92,19 @@ export class GroupHeads extends AnimatedElement {
           gap: 3px;
         }
       }
-      @media ${narrow} or ${low} {
+      @media ${tight} {
         :host {
-          grid-template-columns: repeat(3, minmax(0, 1fr));
+          grid-template-columns: repeat(6, minmax(0, 1fr));
           grid-auto-rows: 44px;
           overflow: visible;
         }
         [data-group="strips"] {
           display: grid;
+        }
+      }
+      @media ${narrow} {
+        :host {
+          grid-template-columns: repeat(3, minmax(0, 1fr));
         }
       }
     `,

@@ -21,9 +21,10 @@ export const withCharacter = (characters: readonly string[], one: string, all: r
   return now.includes(one) ? now.filter((other) => other !== one) : [...now, one];
 };
 
-/** The parts of a route after a press on one: in it or not any more; all of them where none would be left. */
+/** The parts of a route after a press on one: of all this one alone, else in it or not any more; all where none is left. */
 export const withPart = (parts: SourceState["regions"], one: LayerPart): SourceState["regions"] => {
-  const left = LAYER_PARTS.filter((part) => parts.includes(part) !== (part === one));
+  const every = LAYER_PARTS.every((part) => parts.includes(part));
+  const left = every ? [one] : LAYER_PARTS.filter((part) => parts.includes(part) !== (part === one));
   return left.length === 0 ? [...LAYER_PARTS] : left;
 };
 

@@ -6,7 +6,7 @@ import { LAYER_PARTS, LAYERS } from "../../link/constants";
 import type { CharacterState } from "../../link/messages";
 import { base } from "../../ui/theme";
 import { AnimatedElement, StyleWriter } from "../controls/console_element";
-import { LOW, NARROW } from "../controls/screen_sizes";
+import { TIGHT } from "../controls/screen_sizes";
 import {
   feedWords,
   followTrend,
@@ -40,7 +40,7 @@ const TITLES: Readonly<Record<LayerName, string>> = {
 };
 const ROWS = [0, 1, 2];
 /** Where strips and groups take turns. */
-const IN_TURN = matchMedia(`${NARROW} or ${LOW}`);
+const IN_TURN = matchMedia(TIGHT);
 
 /** A strip for each layer, the lowest first; beside them the heads of all groups, and one of these. Tells `close`. */
 @customElement("omote-layer-panel")

@@ -1,5 +1,5 @@
 import { css } from "lit";
-import { low, narrow } from "../controls/screen_sizes";
+import { tight } from "../controls/screen_sizes";
 
 /** Strips beside each other, which scroll sideways where there is no room; beside them heads of groups, and one group. */
 export const style = css`
@@ -213,7 +213,7 @@ export const style = css`
       display: none;
     }
   }
-  @media ${narrow} or ${low} {
+  @media ${tight} {
     .bars {
       display: none;
     }
@@ -225,7 +225,7 @@ export const style = css`
       padding: 6px 8px;
     }
     .strips {
-      flex: 1 0 180px;
+      flex: 1 0 132px;
     }
     .strip {
       flex: 1 0 68px;

@@ -69,7 +69,7 @@ export class SourceSettings extends ConsoleElement {
       }
       .parts {
         display: grid;
-        grid-template-columns: auto repeat(6, minmax(0, 1fr));
+        grid-template-columns: 0.7fr repeat(6, minmax(0, 1fr));
         align-items: center;
         gap: 3px;
       }
@@ -188,12 +188,13 @@ export class SourceSettings extends ConsoleElement {
   #parts() {
     const { source } = this;
     const idle = source.characters.length === 0;
-    return html`<div class="parts" role="group" aria-label="Parts that ${source.name} plays"><span class="dim">in</span>
+    return html`<div class="parts" role="group" aria-label="Parts that ${source.name} plays"><button class="all" aria-pressed=${!idle && LAYER_PARTS.every((part) => source.regions.includes(part))}
+        ?disabled=${idle} title="All parts" @click=${() => this.#commands.route(source, { regions: [...LAYER_PARTS] })}>all</button>
       ${LAYER_PARTS.map(
         (
           part,
         ) => html`<button data-part=${part} aria-pressed=${!idle && source.regions.includes(part)} ?disabled=${idle}
-          title=${idle ? "Press first whom it plays" : "Of two sources of a layer the one with fewer parts has them"}
+          title=${idle ? "Press first whom it plays" : "Of all parts this one alone; then others to it. Of two sources the one with fewer parts has them"}
           @click=${() => this.#commands.route(source, { regions: withPart(source.regions, part) })}>${part}</button>`,
       )}
     </div>`;
