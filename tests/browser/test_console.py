@@ -418,6 +418,7 @@ def test_a_second_panic_offers_the_faces_of_before(console: Console) -> None:
     page.keyboard.press("Shift+Backspace")
     wait_for(page, "state.home_next")
     page.keyboard.press("Shift+Backspace")
+    expect(page.get_by_role("button", name="Faces of before")).to_be_visible()
     page.get_by_role("button", name="Sources on again").click()
     wait_for(page, "state.motion.liveliness === 0.5")
     expect(page.locator("omote-status .notice")).to_contain_text("Sources are on again.")
