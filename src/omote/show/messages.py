@@ -1195,7 +1195,8 @@ class SendWay(msgspec.Struct, frozen=True):
 class Devices(Message, frozen=True):
     """All sources: complete, to consoles when one comes or goes and once a second, to pages that watch ten times a
     second. trackers: what can be heard; found: what has announced itself; receivers: to whom faces are sent, in one of
-    these ways; phone_page: the address that a phone opens to copy what to type."""
+    these ways; phone_page: the address that a phone opens to copy what to type, "" where the show listens on its own
+    machine alone; host: that machine's address in its network, to which trackers send, "" where it is in none."""
 
     devices: list[DeviceState]
     trackers: list[TrackerOffer] = []
@@ -1203,6 +1204,7 @@ class Devices(Message, frozen=True):
     receivers: list[ReceiverState] = []
     ways: list[SendWay] = []
     phone_page: str = ""
+    host: str = ""
 
 
 class LearningState(msgspec.Struct, frozen=True):

@@ -1226,7 +1226,8 @@ export interface SendWay {
 /**
  * All sources: complete, to consoles when one comes or goes and once a second, to pages that watch ten times a
  * second. trackers: what can be heard; found: what has announced itself; receivers: to whom faces are sent, in one of
- * these ways; phone_page: the address that a phone opens to copy what to type.
+ * these ways; phone_page: the address that a phone opens to copy what to type, "" where the show listens on its own
+ * machine alone; host: that machine's address in its network, to which trackers send, "" where it is in none.
  */
 export interface Devices {
   type: "devices";
@@ -1236,6 +1237,7 @@ export interface Devices {
   receivers: ReceiverState[];
   ways: SendWay[];
   phone_page: string;
+  host: string;
 }
 
 /** What the next control that moves will be bound to, and who asked for it (a console's name). */
