@@ -11,7 +11,7 @@ from omote.cli import app
 from omote.inputs.takes.take import Take
 from omote.server.client.take_player import LONGEST_STEP, play_take
 from tests.inputs.takes.test_live_link_take import HEADER, row
-from tests.server.client.test_program_link import ticking
+from tests.server.client.link.test_program_link import ticking
 from tests.server.conftest import ShowHarness
 
 TAKE = Take(("jawOpen",), (0.0, 0.1, 0.2, 0.3), ((0.0,), (0.25,), (0.5,), (0.75,)), gazes=((0.1, 0.2),) * 4)

@@ -2,12 +2,12 @@
 
 import pytest
 
-from omote.server.client import sent_sounds
-from omote.server.client.sent_sounds import SentSounds
+from omote.server.client.link import sent_sounds
+from omote.server.client.link.sent_sounds import SentSounds
 from omote.show import messages as wire
 from omote.show.speech.known_sounds import KnownSounds
 from tests.inputs.sounds.test_sound_file import wav
-from tests.server.client.test_program_link import linked
+from tests.server.client.link.test_program_link import linked
 from tests.server.conftest import ShowHarness
 
 
