@@ -1248,7 +1248,8 @@ class BindingsChanged(Message, frozen=True):
 
 class InputLine(msgspec.Struct, frozen=True):
     """What came from a source, or why it was rejected; `count`: how often the same within a second; `time`: seconds
-    since 1970."""
+    since 1970. Of a sender of a face there is one line while it sends: `rate` a second, `bars`: the channels that move
+    most, and where each stands."""
 
     number: int
     time: float
@@ -1256,6 +1257,8 @@ class InputLine(msgspec.Struct, frozen=True):
     text: str
     rejected: bool
     count: int = 1
+    rate: float = 0.0
+    bars: dict[str, float] = {}
 
 
 class InputLog(Message, frozen=True):

@@ -1284,7 +1284,8 @@ export interface BindingsChanged {
 
 /**
  * What came from a source, or why it was rejected; `count`: how often the same within a second; `time`: seconds
- * since 1970.
+ * since 1970. Of a sender of a face there is one line while it sends: `rate` a second, `bars`: the channels that move
+ * most, and where each stands.
  */
 export interface InputLine {
   number: number;
@@ -1293,6 +1294,8 @@ export interface InputLine {
   text: string;
   rejected: boolean;
   count: number;
+  rate: number;
+  bars: Record<string, number>;
 }
 
 /** What came in last, the oldest first, at most two hundred lines: complete, to pages that watch devices. */

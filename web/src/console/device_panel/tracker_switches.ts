@@ -65,8 +65,8 @@ export class TrackerSwitches extends DevicesElement {
   /** It renders again where something is switched; counts move elsewhere. */
   protected override listen(changed: () => void): (() => void)[] {
     const heard = (): void => {
-      const { trackers, found, phonePage, host } = this.devices;
-      const shape = JSON.stringify([trackers, found, phonePage, host]);
+      const { trackers, found, phonePage, machine } = this.devices;
+      const shape = JSON.stringify([trackers, found, phonePage, machine]);
       if (shape === this.#shape) return;
       this.#shape = shape;
       changed();
@@ -123,10 +123,10 @@ export class TrackerSwitches extends DevicesElement {
 
   /** What a phone reads; where no phone opens a page of this show, what is typed and what else it takes. */
   #phone() {
-    const { phonePage: page, host } = this.devices;
+    const { phonePage: page, machine } = this.devices;
     if (page === "")
       return html`<p class="alone"><b>This show listens on this machine alone:</b> no phone opens its pages. An app sends to it
-        all the same: type ${host === "" ? "this machine's address" : html`<b>${host}</b>`} and the port above into it, then
+        all the same: type ${machine === "" ? "this machine's address" : html`<b>${machine}</b>`} and the port above into it, then
         press <i>Let it play</i> here. To have a phone read both from a picture (QR code), start the show with
         <code>--host 0.0.0.0</code>.</p>`;
     return html`<div class="phone"><img src="${page}/phone.svg" alt="QR code">
