@@ -35,8 +35,8 @@ class Switched:
 
 
 class DeviceSwitches:
-    """What is on. heard, sent: what the command line has asked for, which no page takes away, but a tracker whose port is
-    taken is off, and pages switch it on; notes: keep what pages have switched on; outside: gives the address of the
+    """What is on. heard, sent: what the command line has asked for, which no page takes away; a tracker whose port is
+    taken is off, and pages switch it on. notes: keep what pages have switched on; outside: gives the address of the
     show's pages for other machines, "" where none opens them."""
 
     def __init__(
