@@ -1,6 +1,7 @@
 """What the options of `omote show` ask for, of trackers; of OSC and lighting desks, see test_show_command."""
 
 import socket
+from pathlib import Path
 
 import pytest
 import typer
@@ -58,6 +59,14 @@ def test_what_is_no_tracker_ends_the_command(text: str, why: str, capsys: pytest
     with pytest.raises(typer.Exit):
         read_options("off", None, "", text)
     assert why in capsys.readouterr().err
+
+
+def test_a_picture_is_no_file_of_bindings(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    picture = tmp_path / "pic.jpg"
+    picture.write_bytes(b"\xff\xd8\xff")
+    with pytest.raises(typer.Exit):
+        read_options("off", picture, "", "")
+    assert "pic.jpg is no text: --bindings names a file of tables [[binding]] (.toml)" in capsys.readouterr().err
 
 
 def test_where_faces_are_sent_is_read_and_never_to_the_show_itself(capsys: pytest.CaptureFixture[str]) -> None:
