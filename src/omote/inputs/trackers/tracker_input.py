@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 from omote.inputs.rejection import PacketError, Rejection
 from omote.inputs.trackers.arkit_names import ARKIT_NAMES, ChannelNames
 from omote.inputs.trackers.head_angles import GazeAngles, HeadAngles, limit_gaze, limit_head
+from omote.inputs.trackers.packet_recognition import explain_wrong_port
 from omote.inputs.trackers.tracker_frame import Decode, TrackerFrame
 from omote.inputs.trackers.tracker_protocols import TrackerProtocol
 from omote.model.known_names import NEUTRAL
@@ -88,7 +89,7 @@ class TrackerInput:
             for frame in self._decoder(host)(data):
                 self.note(host, frame)
         except PacketError as error:
-            self.reject(host, str(error), now)
+            self.reject(host, explain_wrong_port(data, self.protocol) or str(error), now)
         answers, self._answers = self._answers, []
         return answers
 
