@@ -152,6 +152,11 @@ def test_what_is_asked_of_all_or_of_a_text_is_refused_in_words(cast: Cast) -> No
         show.call_framing(wrong)
     with pytest.raises(ValueError, match="there is no character 'two' in this scene"):
         show.call_framing(["two"])
+    with pytest.raises(KeyError, match="the character is 5; give its name, one of one"):
+        _ = show[cast_to_any(5)]
+    for seconds in (None, "2", True):
+        with pytest.raises(TypeError, match=f"seconds is {seconds!r}; give a number, or math.inf, which waits"):
+            show["one"].call_face("broad", seconds=cast_to_any(seconds))
     with pytest.raises(ValueError, match="there is no character 'two' in this scene"):
         show["one"].look_at("character", "two")
     with pytest.raises(KeyError, match="there is no character 'two' in this scene"):

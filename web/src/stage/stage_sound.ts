@@ -12,6 +12,8 @@ const PATIENCE = 1;
 const FADE = 0.03;
 /** Seconds in which the show says again that this stage plays. */
 const CONFIRMATION = 1.5;
+/** Seconds after which a sound that did not come is fetched again, while it is wanted. */
+const AGAIN = 0.5;
 /** Sounds that are kept decoded. */
 const KEPT = 16;
 
@@ -176,7 +178,10 @@ export class StageSound {
     const loading = fetchWithRetry(`/sounds/${encodeURIComponent(key)}`)
       .then((bytes) => context.decodeAudioData(bytes.slice().buffer))
       .then((buffer) => void this.buffers.set(key, buffer))
-      .catch((error: unknown) => console.warn(`The sound ${key} cannot be played: ${String(error)}`));
+      .catch((error: unknown) => {
+        console.warn(`The sound ${key} cannot be played: ${String(error)}`);
+        setTimeout(() => this.buffers.delete(key), AGAIN * 1000); // a show that was started again gets it again
+      });
     this.buffers.set(key, loading);
     const oldest = this.buffers.keys().next().value;
     if (this.buffers.size > KEPT && oldest !== undefined) this.buffers.delete(oldest);

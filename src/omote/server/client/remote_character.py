@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Mapping
+from numbers import Real
 from typing import Protocol, TypeVar, get_args
 
 from omote.model.known_names import check_play_region
@@ -191,5 +192,7 @@ class RemoteCharacter(RemoteSpeech[Sent, Said]):
         return characters[check_known(self.name, characters, "character")]
 
 
-def _or_by_hand(seconds: float) -> float | None:
-    return None if seconds == math.inf else seconds
+def _or_by_hand(seconds: object) -> float | None:
+    if isinstance(seconds, bool) or not isinstance(seconds, Real):
+        raise TypeError(f"seconds is {seconds!r:.80}; give a number, or math.inf, which waits for the T-bar")
+    return None if seconds == math.inf else float(seconds)

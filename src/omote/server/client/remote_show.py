@@ -49,6 +49,8 @@ class RemoteShow(RemoteLeases[Sent], RemoteSources[Sent], Generic[Sent, Said]):
     def find_character(self, name: str) -> str:
         """The name of the character that a name or a label means, in any case, `*` for all; ValueError with those that
         there are where none is meant, and where several are."""
+        if not isinstance(name, str):
+            raise ValueError(f"the character is {name!r:.80}; give its name, one of {', '.join(self.characters)}")
         if name == ALL:
             return name
         labels = {each: state.label for each, state in self.state.characters.items()}

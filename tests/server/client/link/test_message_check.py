@@ -38,7 +38,7 @@ def test_what_is_right_stays_the_same_object() -> None:
 @pytest.mark.parametrize(
     ("error", "words", "message"),
     [
-        (TypeError, "^text is 42; give text, of at most 2000 characters$", wire.Say("one", "1", 42)),  # type: ignore[arg-type]
+        (TypeError, "^text is 42; give text, at most 2000 characters$", wire.Say("one", "1", 42)),  # type: ignore[arg-type]
         (TypeError, "^strength is 'much'; give a number$", call(strength="much")),
         (TypeError, "^strength is True; give a number$", call(strength=True)),
         (TypeError, r"^strength is \[\]; give a number$", call(strength=[])),

@@ -68,13 +68,13 @@ def explain(hint: Any) -> str:
     origin, inner = get_origin(hint), get_args(hint)
     if origin is Annotated:
         longest = next((each.max_length for each in inner[1:] if isinstance(each, msgspec.Meta)), None)
-        return explain(inner[0]) + ("" if longest is None else f", of at most {longest}{_unit(inner[0])}")
+        return explain(inner[0]) + ("" if longest is None else f", at most {longest}{_unit(inner[0])}")
     if origin is Literal:
         return f"one of {', '.join(map(str, inner))}"
     if origin in (Union, UnionType):
         return " or ".join(explain(each) for each in inner)
     if origin is list:
-        return f"a list, each {explain(inner[0])}"
+        return f"a list of {explain(inner[0])}"
     if origin is tuple:
         return f"{len(inner)} numbers"
     return _NOUNS.get(hint, "what the reference says")
@@ -92,7 +92,7 @@ def _shown(value: object) -> str:
 
 
 def _unit(hint: Any) -> str:
-    return " characters" if hint is str else ""
+    return " characters" if hint is str else " of them" if get_origin(hint) is list else ""
 
 
 @lru_cache(maxsize=256)
@@ -123,5 +123,6 @@ def _is_of_kind(value: object, hint: Any) -> bool:
         return isinstance(value, str)
     if hint is float:
         return isinstance(value, float | int) and not isinstance(value, bool)
-    kind = tuple | list if origin in (tuple, list) else hint
-    return isinstance(kind, type | UnionType) and isinstance(value, kind) and not (hint is int and value is True)
+    if origin in (tuple, list):
+        return isinstance(value, tuple | list) and all(_is_of_kind(each, inner[0]) for each in value)
+    return isinstance(hint, type) and isinstance(value, hint) and not (hint is int and isinstance(value, bool))

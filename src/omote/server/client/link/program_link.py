@@ -16,7 +16,7 @@ from omote.server.client.link.link_denials import DENIALS, NO_ANSWER, explain_ht
 from omote.server.client.link.message_check import encode_checked
 from omote.server.client.link.sent_sounds import SentSounds
 from omote.server.client.link.sound_upload import upload_sound
-from omote.server.client.link.speech_watch import SpeechWatch
+from omote.server.client.link.speech_watch import SpeechWatch, SpeechWatches
 from omote.show import messages as wire
 from omote.show.wire import decode_answer, encode
 
@@ -57,7 +57,9 @@ class ProgramLink:
         self._opened: dict[str, wire.Source] = {}
         self._indices: dict[str, int] = {}
         self._sounds = SentSounds()
-        self._watches: list[SpeechWatch] = []
+        self._said = SpeechWatches()
+        self._epoch: int | None = None
+        self._again: asyncio.Task[None] | None = None
 
     async def open(self) -> None:
         """Links; ConnectionError with the reason where no show answers in time."""
@@ -73,9 +75,10 @@ class ProgramLink:
     async def close(self) -> None:
         """Ends the link; what is on air stays."""
         if self._reader is not None:
-            self._reader.cancel()
-            with contextlib.suppress(asyncio.CancelledError):
-                await self._reader
+            for task in filter(None, (self._reader, self._again)):
+                task.cancel()
+                with contextlib.suppress(asyncio.CancelledError):
+                    await task
             if self._address.startswith("https:"):
                 await asyncio.sleep(GOODBYE_SECONDS)
         self._reader = None
@@ -149,9 +152,7 @@ class ProgramLink:
             message = structs.replace(message, sound=await self.send_sound(sound))
         await self.send(message)
         assert self.state is not None  # a link is open once it has one
-        watch = SpeechWatch(message.key, message.character, self.state)
-        self._watches.append(watch)
-        return watch
+        return self._said.add(message, self.state)
 
     async def wait_until_spoken(self, watch: SpeechWatch, timeout: float | None) -> bool:
         """Whether a speech was said to its end, once it is over; TimeoutError after `timeout` seconds, ConnectionError
@@ -250,12 +251,13 @@ class ProgramLink:
         if message.type is not aiohttp.WSMsgType.BINARY:
             return
         match decode_answer(message.data):
-            case wire.Welcome(name=name):
-                self._socket, self._called = socket, name
+            case wire.Welcome() as welcome:
+                self._hear_welcome(socket, welcome)
             case wire.SourceIs(index=index, name=name):
                 self._indices[name] = index
             case wire.State() as state if self._is_newer(state):
-                self._hear_state(state)
+                self.state = state
+                self._said.note(state)
             case wire.Leases() as leases:
                 self.leases = leases
             case wire.Refused(reason=reason):
@@ -267,11 +269,17 @@ class ProgramLink:
         async with self._news:
             self._news.notify_all()
 
-    def _hear_state(self, state: wire.State) -> None:
-        self.state = state
-        for watch in self._watches:
-            watch.note(state)
-        self._watches = [watch for watch in self._watches if watch.spoken is None]
+    def _hear_welcome(self, socket: aiohttp.ClientWebSocketResponse, welcome: wire.Welcome) -> None:
+        self._socket, self._called = socket, welcome.name
+        before, self._epoch = self._epoch, welcome.epoch
+        if before not in (None, self._epoch):
+            self._again = asyncio.create_task(self._send_sounds_again())
+
+    async def _send_sounds_again(self) -> None:
+        """To a show that was started again: those of what is said and what waits, for stages that have them not yet."""
+        with contextlib.suppress(ConnectionError, ValueError):
+            for data in self._sounds.find(self._said.sounds()):
+                await self.send_sound(data)
 
     def _hear_pong(self, sent: float) -> None:
         if sent < self._pings:

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+
 from omote.perform.scene.character_names import ALL
 from omote.show import messages as wire
 
@@ -13,8 +15,8 @@ class SpeechWatch:
     itself was, for an interruption ends all that waits.
     """
 
-    def __init__(self, key: str, character: str, state: wire.State) -> None:
-        self.key = key
+    def __init__(self, key: str, character: str, state: wire.State, sound: str = "") -> None:
+        self.key, self.sound = key, sound
         self._left = dict.fromkeys(state.characters if character == ALL else [character], frozenset({key}))
         self._spoken = True
         self.note(state)
@@ -34,3 +36,26 @@ class SpeechWatch:
                 continue
             self._spoken &= character is not None and character.spoken in known
             del self._left[name]
+
+
+class SpeechWatches:
+    """All that a program has said and that is not over."""
+
+    def __init__(self) -> None:
+        self._watches: list[SpeechWatch] = []
+
+    def add(self, said: wire.Say, state: wire.State) -> SpeechWatch:
+        """Follows what was said from now on. state: the first that knows of it."""
+        watch = SpeechWatch(said.key, said.character, state, said.sound)
+        self._watches.append(watch)
+        return watch
+
+    def note(self, state: wire.State) -> None:
+        """Follows a newer state."""
+        for watch in self._watches:
+            watch.note(state)
+        self._watches = [watch for watch in self._watches if watch.spoken is None]
+
+    def sounds(self) -> Iterator[str]:
+        """The keys of the sounds that are needed, the first first."""
+        return (watch.sound for watch in self._watches if watch.sound)
