@@ -66,7 +66,7 @@ def test_a_picture_is_no_file_of_bindings(tmp_path: Path, capsys: pytest.Capture
     picture.write_bytes(b"\xff\xd8\xff")
     with pytest.raises(typer.Exit):
         read_options("off", picture, "", "")
-    assert "pic.jpg is no text: --bindings names a file of tables [[binding]] (.toml)" in capsys.readouterr().err
+    assert "pic.jpg: its text is not UTF-8" in capsys.readouterr().err
 
 
 def test_where_faces_are_sent_is_read_and_never_to_the_show_itself(capsys: pytest.CaptureFixture[str]) -> None:

@@ -9,7 +9,7 @@ from typer.testing import CliRunner
 
 from omote.cli import app
 from omote.inputs.takes.packet_capture import Packet, encode_capture
-from omote.take_commands import read_take
+from omote.take_commands import _tell, read_take
 from tests.inputs.takes.test_live_link_take import HEADER, row
 from tests.inputs.trackers.packets import live_link_face
 
@@ -124,3 +124,14 @@ def test_a_recording_of_nothing_is_said(tmp_path: Path, monkeypatch: pytest.Monk
     assert done.exit_code == 1
     assert "Live Link Face is recorded at port 11111 into take.pcap; Ctrl-C ends it." in done.stderr
     assert "no packet came, so take.pcap was not written" in done.stderr
+
+
+def test_a_recording_says_how_it_does(capsys: pytest.CaptureFixture[str]) -> None:
+    for count, silent in ((0, 1.0), (90, 0.2), (90, 5.0), (90, 6.0), (0, 10.0)):
+        _tell(count, "10.0.0.7", silent)
+    assert capsys.readouterr().out.splitlines() == [
+        "  no packet yet",
+        "  90 packets, the newest from 10.0.0.7",
+        "  nothing for 5 s after 90 packets",
+        "  nothing for 10 s",
+    ]

@@ -15,6 +15,8 @@ if TYPE_CHECKING:
 
 CAPTURES = (".pcap", ".pcapng", ".cap", ".json")
 TABLES = (".csv",)
+QUIET_SECONDS = 5
+"""Seconds without a packet, after which a recording says so, again and again."""
 SLOWEST, FASTEST = 0.05, 20.0
 
 
@@ -140,5 +142,8 @@ def record_take(
     say(f"{path.name} holds {count} packets: omote play-take {path.name} --protocol {wish.protocol.name}")
 
 
-def _tell(count: int, host: str) -> None:
-    typer.echo(f"  {count} packets, the newest from {host}")
+def _tell(count: int, host: str, silent: float) -> None:
+    if silent < QUIET_SECONDS:
+        typer.echo(f"  {count} packets, the newest from {host}" if count else "  no packet yet")
+    elif round(silent) % QUIET_SECONDS == 0:
+        typer.echo(f"  nothing for {silent:.0f} s" + (f" after {count} packets" if count else ""))

@@ -106,7 +106,6 @@ class ShowSession:
         """Advances the show to `now` (seconds, monotonic) in one step and returns what is on air."""
         elapsed = 0.0 if self._now is None else max(0.0, now - self._now)
         self._now = now
-        self.sources.advance(now)
         self.number += 1
         self.leasing.expire(tuple(self.scene), now)
         return self._state(elapsed)

@@ -13,7 +13,7 @@ from omote.inputs.trackers.vmc_messages import encode_vmc
 from omote.model.cast import Cast
 from omote.show import messages as show_wire
 from omote.show.session import ShowSession
-from omote.show.sources.open_sources import GONE_SECONDS
+from omote.show.sources.open_sources import QUIET_SECONDS
 from tests.inputs.performers.landmarks import packet
 
 TICK = 1.0 / 60.0
@@ -67,12 +67,14 @@ def stage(cast: Cast) -> Stage:
     return Stage(cast)
 
 
-def test_a_camera_plays_the_only_character_when_another_tracker_has_faded_out(stage: Stage) -> None:
+def test_a_camera_plays_the_only_character_when_another_tracker_is_silent(stage: Stage) -> None:
     vmc = TrackerInput(TRACKER_PROTOCOLS["vmc"], lambda: stage.session)
     for packet_of_vmc in encode_vmc({"jawOpen": 0.5}, (0.1, 0.0, 0.0), (0.0, 0.0), 0.0):
         vmc.receive("10.0.0.7", packet_of_vmc, stage.now)
     vmc.play(stage.now)
-    stage.play(1.1 * GONE_SECONDS)
+    for _ in range(round(QUIET_SECONDS) + 2):
+        stage.now += 1.0
+        stage.session.hands_now(stage.now)
     stage.begin()
     stage.play(3.0)
     assert [(each.name, each.characters) for each in stage.session.sources.states({})] == [

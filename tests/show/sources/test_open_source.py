@@ -25,7 +25,7 @@ def opened() -> OpenSource:
 
 def heard(source: OpenSource, *values: float, found: bool = True) -> OpenSource:
     frame = wire.Drive(1, np.array(values, "<f4").tobytes(), found=found)
-    return hear_values(source, read_values(source, frame), 0.0, found=found, share=1.0)
+    return hear_values(source, read_values(source, frame), found=found, share=1.0)
 
 
 def test_frames_without_a_performer_count_and_change_no_value() -> None:

@@ -67,4 +67,4 @@ def _is_live_link(data: bytes) -> bool:
     if len(data) < 1 + LENGTH.size or data[0] != VERSION:
         return False
     (size,) = LENGTH.unpack_from(data, 1)
-    return 0 <= size <= LONGEST_TEXT
+    return bool(0 <= size <= LONGEST_TEXT)

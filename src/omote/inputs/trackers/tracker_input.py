@@ -206,7 +206,7 @@ class TrackerInput:
             session.join(performer.who, performer.name[:24])
             performer.index = None
         if performer.index is None:
-            answers = session.receive(performer.who, self._source(session, performer), now)
+            answers = session.receive(performer.who, self._source(session, performer, now), now)
             found = [answer.message for answer in answers if isinstance(answer.message, wire.SourceIs)]
             if not found:
                 return [answer.message.reason for answer in answers if isinstance(answer.message, wire.Refused)]
@@ -217,14 +217,14 @@ class TrackerInput:
         answers = session.receive(performer.who, drive, now)
         return [answer.message.reason for answer in answers if isinstance(answer.message, wire.Refused)]
 
-    def _source(self, session: ShowSession, performer: Performer) -> wire.Source:
+    def _source(self, session: ShowSession, performer: Performer, now: float) -> wire.Source:
         """The source of a performer. One that comes for the first time drives the character of a show that has one, if
-        no other drives it: two on one layer would take it from each other with each frame. One that has been silent
-        until it has faded out, as a phone whose address has changed, drives nobody."""
+        no other drives it, from which it would take it."""
         characters = list(session.scene)
         known = performer.name in session.sources.snapshot().routes
-        free = len(characters) == 1 and not known and not session.sources.is_driven(LAYER)
-        return wire.Source(performer.name, "tracker", list(performer.names), characters if free else [])
+        free = not session.sources.is_driven(LAYER, now)
+        alone = characters if len(characters) == 1 and not known and free else []
+        return wire.Source(performer.name, "tracker", list(performer.names), alone)
 
     def reject(self, host: str, reason: str, now: float) -> None:
         """Counts what was not obeyed."""

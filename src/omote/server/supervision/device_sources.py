@@ -246,10 +246,8 @@ def load_bindings(path: Path) -> list[Binding]:
         return read_bindings(path.read_text(encoding="utf-8"))
     except OSError as error:
         raise OSError(f"{path} cannot be read ({explain_error(error)})") from error
-    except UnicodeDecodeError as error:
-        raise ValueError(f"{path} is no text: --bindings names a file of tables [[binding]] (.toml)") from error
     except ValueError as error:
-        raise ValueError(f"{path}: {error}") from error
+        raise ValueError(f"{path}: {explain_error(error)}") from error
 
 
 def _wall() -> float:

@@ -32,7 +32,7 @@ class OpenSource:
     """A source that is open. who: the client whose link it comes by; sent: its newest values as it sent them; rest:
     their running mean; ranging: the largest of each since it has been listened to, of the channels ranged (none: all);
     frames: since the consoles were last told; smoothing: what it asks for itself, seconds; direct: it is smooth
-    already; share: how much of its layer it takes; seen: when it last found its performer, or was opened, seconds."""
+    already; share: how much of its layer it takes; seen: when it was last known to see somebody."""
 
     name: str
     kind: wire.StreamKind
@@ -49,7 +49,7 @@ class OpenSource:
     smoothing: float = 0.0
     direct: bool = False
     share: float = 1.0
-    seen: float = 0.0
+    seen: float = float("inf")
 
 
 def read_values(source: OpenSource, frame: wire.Drive) -> Values | None:
@@ -77,16 +77,15 @@ def read_share(source: OpenSource, frame: wire.Drive) -> float:
     return check_share(frame.share)
 
 
-def hear_values(source: OpenSource, sent: Values | None, now: float, *, found: bool, share: float) -> OpenSource:
-    """The source after a frame. now: seconds of the session's clock."""
+def hear_values(source: OpenSource, sent: Values | None, *, found: bool, share: float) -> OpenSource:
+    """The source after a frame."""
     ranging, rest = source.ranging, source.rest
     if found and sent is not None:
         ranging = None if ranging is None else np.maximum(ranging, sent)
         rest = sent if rest is None else rest + REST_SHARE * (sent - rest)
     return with_fields(
-        source, sent=sent, rest=rest, ranging=ranging, frames=source.frames + 1, found=found, share=share,
-        seen=now if found else source.seen,
-    )  # fmt: skip
+        source, sent=sent, rest=rest, ranging=ranging, frames=source.frames + 1, found=found, share=share
+    )
 
 
 def check_channels(source: OpenSource, channels: list[str]) -> tuple[str, ...]:

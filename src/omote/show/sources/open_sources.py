@@ -7,9 +7,8 @@ from dataclasses import replace
 from typing import TypeVar
 
 from omote.perform.frame import Gaze, Head
-from omote.perform.layers.columns import TRUST_SECONDS
 from omote.perform.layers.layer_names import LAYER_PARTS, RANGES, RULES, LayerName, check_driven
-from omote.perform.layers.source_frame import AUTOMATIC, LOSS_SECONDS, SourceFrame, check_names, check_smoothing
+from omote.perform.layers.source_frame import AUTOMATIC, SourceFrame, check_names, check_smoothing
 from omote.perform.limits import CHANNEL_HIGHEST, CHANNEL_LOWEST, check_known
 from omote.perform.scene.character_names import ALL
 from omote.perform.scene.scene import Scene
@@ -36,10 +35,10 @@ SOURCE_CHANGES = wire.RouteSource, wire.CalibrateSource, wire.MeasureSource, wir
 """What an operator changes of a source."""
 MOST_SOURCES = 32
 TOLD_SECONDS = 1.0
+QUIET_SECONDS = 10.0
+"""After which a source that sees nobody keeps its characters from no other."""
 WATCH_SECONDS = 0.05
 """Between two reports of what a source sends, to who watches it."""
-GONE_SECONDS = LOSS_SECONDS + TRUST_SECONDS
-"""Of silence, after which a source is lost and has faded out: then it drives nobody."""
 Kept = TypeVar("Kept")
 
 
@@ -50,24 +49,13 @@ class OpenSources:
         kept = SourcesSnapshot() if snapshot is None else snapshot
         self._open: dict[int, OpenSource] = {}
         self._routes, self._calibrations = dict(kept.routes), dict(kept.calibrations)
-        self._count, self._now = 0, 0.0
+        self._count = 0
         self._told, self._changed = 0.0, False
         self._watchers, self._watched = dict[str, str](), 0.0
 
     def snapshot(self) -> SourcesSnapshot:
         """What stays with the show."""
         return SourcesSnapshot(dict(self._routes), dict(self._calibrations))
-
-    def advance(self, now: float) -> None:
-        """Notes the time (seconds, monotonic) by which sources are lost."""
-        self._now = now
-
-    def is_driven(self, layer: LayerName) -> bool:
-        """Whether a source drives this layer of somebody; one that is lost and has faded out does not."""
-        routes = [(self.route(each.name), each.seen) for each in self._open.values()]
-        return any(
-            route.characters and route.layer == layer and self._now - seen <= GONE_SECONDS for route, seen in routes
-        )
 
     def hear(
         self,
@@ -105,9 +93,8 @@ class OpenSources:
         index = same[0] if same else self._next()
         smoothing = check_smoothing(asked.smoothing)
         self._open[index] = OpenSource(
-            asked.name, asked.kind, who, names, performer, measure, smoothing=smoothing, direct=asked.direct,
-            seen=self._now,
-        )  # fmt: skip
+            asked.name, asked.kind, who, names, performer, measure, smoothing=smoothing, direct=asked.direct
+        )
         self._changed = True
         if asked.characters or asked.name not in self._routes:
             layer = self._routes[asked.name].layer if asked.name in self._routes else LAYER_OF[asked.kind]
@@ -123,7 +110,7 @@ class OpenSources:
         gaze = None if frame.gaze is None else Gaze(*frame.gaze)
         self._changed = self._changed or frame.found != source.found
         share = read_share(source, frame)
-        self._open[frame.index] = hear_values(source, sent, self._now, found=frame.found, share=share)
+        self._open[frame.index] = hear_values(source, sent, found=frame.found, share=share)
         if frame.found and sent is not None:
             self._play(scene, self._open[frame.index], sent, head, gaze)
 
@@ -143,6 +130,13 @@ class OpenSources:
     def route(self, name: str) -> Route:
         """Whom a source drives."""
         return self._routes.get(name, Route())
+
+    def is_driven(self, layer: LayerName, now: float) -> bool:
+        """Whether a source plays somebody on a layer, or did until a moment ago."""
+        routes = ((each, self.route(each.name)) for each in self._open.values())
+        return any(
+            route.characters and route.layer == layer and now - each.seen < QUIET_SECONDS for each, route in routes
+        )
 
     def change(
         self, asked: wire.RouteSource | wire.CalibrateSource | wire.MeasureSource | wire.TuneSource, scene: Scene
@@ -183,7 +177,10 @@ class OpenSources:
             return None
         states = self.states(consoles)
         self._told, self._changed = now, False
-        self._open = {index: replace(each, frames=0) for index, each in self._open.items()}
+        self._open = {
+            index: replace(each, frames=0, seen=now if each.found and each.frames else min(each.seen, now))
+            for index, each in self._open.items()
+        }
         return wire.Sources(states)
 
     def _watch(self, who: str, name: str) -> None:

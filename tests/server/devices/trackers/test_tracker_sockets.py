@@ -21,7 +21,7 @@ VMC, PHONES = TRACKER_PROTOCOLS["vmc"], TRACKER_PROTOCOLS["ifacialmocap"]
 def test_a_list_is_read_as_it_is_typed() -> None:
     assert read_trackers("") == ()
     assert [wish.word for wish in read_trackers("mediapipe")] == ["mediapipe"]
-    assert listen_for_trackers(read_trackers("mediapipe")) == {}
+    assert listen_for_trackers(read_trackers("mediapipe"), list[str]().append) == {}
     assert read_trackers("vmc") == (TrackerWish(VMC, 39539),)
     typed = read_trackers(" VMC:5000 , ifacialmocap:0@phone.local")
     assert typed == (TrackerWish(VMC, 5000), TrackerWish(PHONES, 0, "phone.local"))
@@ -60,7 +60,7 @@ def test_a_receiver_is_kept_by_its_address() -> None:
 
 
 def test_sockets_are_opened_and_explained_and_one_that_is_taken_is_said() -> None:
-    opened = listen_for_trackers(read_trackers("vmc:0,livelink:0"))
+    opened = listen_for_trackers(read_trackers("vmc:0,livelink:0"), list[str]().append)
     port = opened["vmc"].getsockname()[1]
     first, second = explain_trackers(opened)
     assert first.startswith(f"tracker  VMC: port {port}; ")
