@@ -1200,7 +1200,8 @@ class SendWay(msgspec.Struct, frozen=True):
 class Devices(Message, frozen=True):
     """All sources: complete, to consoles when one comes or goes and once a second, to pages that watch ten times a
     second. trackers: what can be heard; found: what has announced itself; receivers: to whom faces are sent, in one of
-    these ways; phone_page: the address that a phone opens to copy what to type."""
+    these ways; phone_page: the address that a phone opens to copy what to type, "" where the show listens on its own
+    machine alone; host: that machine's address in its network, to which trackers send, "" where it is in none."""
 
     devices: list[DeviceState]
     trackers: list[TrackerOffer] = []
@@ -1208,6 +1209,7 @@ class Devices(Message, frozen=True):
     receivers: list[ReceiverState] = []
     ways: list[SendWay] = []
     phone_page: str = ""
+    host: str = ""
 
 
 class LearningState(msgspec.Struct, frozen=True):
@@ -1246,7 +1248,8 @@ class BindingsChanged(Message, frozen=True):
 
 class InputLine(msgspec.Struct, frozen=True):
     """What came from a source, or why it was rejected; `count`: how often the same within a second; `time`: seconds
-    since 1970."""
+    since 1970. Of a sender of a face there is one line while it sends: `rate` a second, `bars`: the channels that move
+    most, and where each stands."""
 
     number: int
     time: float
@@ -1254,6 +1257,8 @@ class InputLine(msgspec.Struct, frozen=True):
     text: str
     rejected: bool
     count: int = 1
+    rate: float = 0.0
+    bars: dict[str, float] = {}
 
 
 class InputLog(Message, frozen=True):

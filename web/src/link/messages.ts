@@ -1231,7 +1231,8 @@ export interface SendWay {
 /**
  * All sources: complete, to consoles when one comes or goes and once a second, to pages that watch ten times a
  * second. trackers: what can be heard; found: what has announced itself; receivers: to whom faces are sent, in one of
- * these ways; phone_page: the address that a phone opens to copy what to type.
+ * these ways; phone_page: the address that a phone opens to copy what to type, "" where the show listens on its own
+ * machine alone; host: that machine's address in its network, to which trackers send, "" where it is in none.
  */
 export interface Devices {
   type: "devices";
@@ -1241,6 +1242,7 @@ export interface Devices {
   receivers: ReceiverState[];
   ways: SendWay[];
   phone_page: string;
+  host: string;
 }
 
 /** What the next control that moves will be bound to, and who asked for it (a console's name). */
@@ -1282,7 +1284,8 @@ export interface BindingsChanged {
 
 /**
  * What came from a source, or why it was rejected; `count`: how often the same within a second; `time`: seconds
- * since 1970.
+ * since 1970. Of a sender of a face there is one line while it sends: `rate` a second, `bars`: the channels that move
+ * most, and where each stands.
  */
 export interface InputLine {
   number: number;
@@ -1291,6 +1294,8 @@ export interface InputLine {
   text: string;
   rejected: boolean;
   count: number;
+  rate: number;
+  bars: Record<string, number>;
 }
 
 /** What came in last, the oldest first, at most two hundred lines: complete, to pages that watch devices. */

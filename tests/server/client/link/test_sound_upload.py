@@ -44,5 +44,5 @@ async def test_a_show_gives_a_key_or_its_reason(show_harness: ShowHarness) -> No
     assert split_sound(key) == (key, None)
     with pytest.raises(ValueError, match="the WAV is cut off: it says that it has 8000 bytes"):
         await upload_sound(show, wav(0.5)[:-4000], **given)
-    with pytest.raises(ConnectionError, match="the show at http://127.0.0.1:1 took no sound"):
+    with pytest.raises(ConnectionError, match=r"the show at http://127.0.0.1:1 took no sound"):
         await upload_sound("http://127.0.0.1:1", wav(0.5), **given)
