@@ -9,13 +9,20 @@ from typer.testing import CliRunner
 
 from omote.cli import app
 from omote.inputs.takes.packet_capture import Packet, encode_capture
-from omote.take_commands import read_take
+from omote.take_commands import _tell, read_take
 from tests.inputs.takes.test_live_link_take import HEADER, row
 from tests.inputs.trackers.packets import live_link_face
 
 
 @pytest.mark.parametrize(
-    ("data", "said"), [(b"\xff\xfe", "no text"), (b"a,b\n", "no column Timecode"), (None, "not there")]
+    ("data", "said"),
+    [
+        (b"\xff\xfe", "no text of Live Link Face (.csv); recordings of packets end in .pcap"),
+        (b"a,b\n", "no recording of Live Link Face (.csv); recordings of packets end in .pcap"),
+        (b"Timecode,b\n", "no column Timecode or none of ARKit"),
+        (b"", "the file is empty"),
+        (None, "not there"),
+    ],
 )
 def test_a_file_that_is_no_take_is_said(tmp_path: Path, data: bytes | None, said: str) -> None:
     path = tmp_path / "take.csv"
@@ -85,3 +92,14 @@ def test_a_recording_of_nothing_is_said(tmp_path: Path, monkeypatch: pytest.Monk
     assert done.exit_code == 1
     assert "Live Link Face is recorded at port 11111 into take.pcap; Ctrl-C ends it." in done.stderr
     assert "no packet came, so take.pcap was not written" in done.stderr
+
+
+def test_a_recording_says_how_it_does(capsys: pytest.CaptureFixture[str]) -> None:
+    for count, silent in ((0, 1.0), (90, 0.2), (90, 5.0), (90, 6.0), (0, 10.0)):
+        _tell(count, "10.0.0.7", silent)
+    assert capsys.readouterr().out.splitlines() == [
+        "  no packet yet",
+        "  90 packets, the newest from 10.0.0.7",
+        "  nothing for 5 s after 90 packets",
+        "  nothing for 10 s",
+    ]

@@ -13,6 +13,9 @@ if TYPE_CHECKING:
     from omote.inputs.takes.take import Take
 
 CAPTURES = (".pcap", ".pcapng", ".cap", ".json")
+OTHERS = f"recordings of packets end in {', '.join(CAPTURES)}"
+QUIET_SECONDS = 5
+"""Seconds without a packet, after which a recording says so, again and again."""
 
 
 def play_take(
@@ -63,9 +66,12 @@ def read_take(path: Path, protocol: str = "") -> Take:
         if path.suffix.lower() in CAPTURES:
             packets = read_packets(path.read_bytes())
             return read_packet_take(packets, choose_protocol(packets, protocol))
-        return read_live_link_take(path.read_text(encoding="utf-8-sig"))
+        text = path.read_text(encoding="utf-8-sig")
+        if "Timecode" not in text:
+            raise ValueError(f"the file is {'no recording of Live Link Face (.csv)' if text else 'empty'}; {OTHERS}")
+        return read_live_link_take(text)
     except UnicodeDecodeError:
-        fail_with(ValueError(f"{path} is no text of Live Link Face (.csv)"))
+        fail_with(ValueError(f"{path} is no text of Live Link Face (.csv); {OTHERS}"))
     except (OSError, ValueError) as error:
         fail_with(error if isinstance(error, OSError) else ValueError(f"{path}: {error}"))
 
@@ -104,5 +110,8 @@ def record_take(
     say(f"{path.name} holds {count} packets: omote play-take {path.name} --protocol {wish.protocol.name}")
 
 
-def _tell(count: int, host: str) -> None:
-    typer.echo(f"  {count} packets, the newest from {host}")
+def _tell(count: int, host: str, silent: float) -> None:
+    if silent < QUIET_SECONDS:
+        typer.echo(f"  {count} packets, the newest from {host}" if count else "  no packet yet")
+    elif round(silent) % QUIET_SECONDS == 0:
+        typer.echo(f"  nothing for {silent:.0f} s" + (f" after {count} packets" if count else ""))

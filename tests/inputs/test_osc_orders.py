@@ -114,6 +114,7 @@ def test_a_button_that_is_let_go_does_nothing(address: str, value: Argument) -> 
         ("/omote/dog/expresion", ["smile"], "near are /omote/dog/expression"),
         ("/other", [1], "they are like /omote/{character}/face; /omote of the show's pages lists all"),
         ("/omote/face", ["broad"], "there is no address"),
+        ("/VMC/Ext/Blend/Apply", [], "this is VMC: switch that on (--listen vmc)"),
         ("/omote//face", ["broad"], "there is no address"),
         ("/other/one/face", ["broad"], "there is no address"),
         ("/omote/one/face", [], "the name is missing"),

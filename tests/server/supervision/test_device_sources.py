@@ -167,6 +167,13 @@ async def test_what_a_page_binds_lies_in_the_show_file_and_plays_after_a_restart
                 await closing.close()
 
 
+def test_a_picture_is_no_file_of_bindings(tmp_path: Path) -> None:
+    path = tmp_path / "pic.jpg"
+    path.write_bytes(b"\xff\xd8\xff\xe0")
+    with pytest.raises(ValueError, match=r"pic.jpg: its text is not UTF-8$"):
+        load_bindings(path)
+
+
 def test_what_is_wrong_with_a_file_names_it(tmp_path: Path) -> None:
     (tmp_path / "desk.toml").write_text("[[binding")
     with pytest.raises(ValueError, match=r"desk\.toml: it is no TOML"):

@@ -56,7 +56,9 @@ def read_wish(word: str) -> TrackerWish:
     if colon and protocol.port is None:
         raise ValueError(f"{protocol.title} comes to the port of the pages; write {name} without :{port[:10]}")
     if colon and not (port.isascii() and port.isdecimal() and int(port[:9]) <= HIGHEST_PORT):
-        raise ValueError(f"{word[:60]!r} has no port; give a number, such as {name}:{protocol.port}")
+        raise ValueError(
+            f"{word[:60]!r} has no port from 0 to {HIGHEST_PORT} behind its colon; write {name}:{protocol.port}"
+        )
     return TrackerWish(protocol, int(port) if colon else protocol.port, phone.strip())
 
 
