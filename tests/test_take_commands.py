@@ -15,14 +15,46 @@ from tests.inputs.trackers.packets import live_link_face
 
 
 @pytest.mark.parametrize(
-    ("data", "said"),
+    ("name", "data", "said"),
     [
-        (b"\xff\xfe", "no text of Live Link Face (.csv); recordings of packets end in .pcap"),
-        (b"a,b\n", "no recording of Live Link Face (.csv); recordings of packets end in .pcap"),
-        (b"Timecode,b\n", "no column Timecode or none of ARKit"),
-        (b"", "the file is empty"),
-        (None, "not there"),
+        ("take.csv", b"", "take.csv: it is empty"),
+        ("take.pcap", b"", "take.pcap: it is empty"),
+        ("notes.txt", b"what to buy", "it is no recording by its name: play a table of Live Link Face (.csv), or"),
+        ("pic.jpg", b"\xff\xd8\xff", ".pcap, .pcapng"),
+        ("take.pcap", b"\xd4\xc3", "no capture"),
     ],
+)
+def test_what_is_no_recording_is_said(tmp_path: Path, name: str, data: bytes, said: str) -> None:
+    path = tmp_path / name
+    path.write_bytes(data)
+    done = CliRunner().invoke(app, ["play-take", str(path)])
+    assert done.exit_code == 1
+    assert said in done.stderr
+
+
+def test_a_recording_that_is_cut_off_is_read_and_said(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    packets = [Packet(number / 60.0, "10.0.0.7", 11111, live_link_face([0.5] * 61)) for number in range(3)]
+    whole = b"".join(encode_capture(packets))
+    table = HEADER + row("00:00:00:00", *[0.5] * 8) + row("00:00:00:01", *[0.5] * 8)
+    for name, data, count in (("a.pcap", whole, 3), ("a.csv", table.encode(), 2)):
+        path = tmp_path / name
+        path.write_bytes(data)
+        assert len(read_take(path).times) == count
+        assert capsys.readouterr().err == ""
+        path.write_bytes(data[:-6])
+        assert len(read_take(path).times) == count - 1
+        assert f"{name} is cut off" in capsys.readouterr().err
+
+
+@pytest.mark.parametrize("speed", ["0", "-1", "21", "fast", "nan"])
+def test_a_speed_that_is_none_is_said(tmp_path: Path, speed: str) -> None:
+    done = CliRunner().invoke(app, ["play-take", str(tmp_path / "take.csv"), "--speed", speed])
+    assert done.exit_code == 2
+    assert "is no speed; give a number from 0.05 to 20" in " ".join(done.stderr.replace("│", " ").split())
+
+
+@pytest.mark.parametrize(
+    ("data", "said"), [(b"\xff\xfe", "no text"), (b"a,b\n", "no column Timecode"), (None, "not there")]
 )
 def test_a_file_that_is_no_take_is_said(tmp_path: Path, data: bytes | None, said: str) -> None:
     path = tmp_path / "take.csv"

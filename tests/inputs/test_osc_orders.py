@@ -117,6 +117,7 @@ def test_a_button_that_is_let_go_does_nothing(address: str, value: Argument) -> 
         ("/VMC/Ext/Blend/Apply", [], "this is VMC: switch that on (--listen vmc)"),
         ("/omote//face", ["broad"], "there is no address"),
         ("/other/one/face", ["broad"], "there is no address"),
+        ("/VMC/Ext/Blend/Apply", [], "this is VMC: switch that on (--listen vmc) and send it to port 39539"),
         ("/omote/one/face", [], "the name is missing"),
         ("/omote/one/face", ["brood"], "there is no face 'brood' in this cast; near are broad"),
         ("/omote/one/face", [7], "the name is '7'; expected the name of a face"),
