@@ -43,7 +43,8 @@ export class CameraPage extends CameraElement {
 
   override render() {
     const { session, count } = this;
-    const awaited = session.trouble === null && session.status?.guide; // the picture keeps its size when loading ends
+    const asked = session.status === null ? session.model.kind === "loading" : session.status.guide;
+    const awaited = session.trouble === null && asked; // the picture keeps its size when loading ends
     const [guided, offered] = [session.model.kind === "ready" && awaited, session.status?.unused];
     return html`${this.#header()}
       <main>
