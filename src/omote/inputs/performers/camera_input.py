@@ -40,9 +40,15 @@ def _guide(performer: CameraPerformer, message: wire.FromCamera) -> None:
 
 
 CAMERA = TrackerProtocol(
-    "camera", "Camera", None, "open the page /camera of this show in the performer's browser, or run: omote track --to "
-    "{host}", lambda _: _decode_nothing,
+    "camera", "Camera", None, "open the page /camera of this show in the performer's browser, or run on the machine of "
+    "the camera: omote track --to {host} --token TOKEN, which the start printed for operate",
+    lambda _: _decode_nothing,
 )  # fmt: skip
+CAMERA_HERE = (
+    "open the page /camera on this machine; this show listens on this machine alone: for a camera at another, start it "
+    "with --host 0.0.0.0"
+)
+"""What is advised where no other machine reaches the show."""
 MOST_CAMERAS = 8
 MOST_LEFT = 4
 """Performers who left whose faces are kept while the server lives: some megabytes each."""

@@ -15,7 +15,7 @@ from omote.interchange.formats.error_reasons import explain_error
 from omote.server.access.certificates import trusted_context
 from omote.server.access.security import add_headers, guard, silence_bad_requests
 from omote.server.camera.show_relay import ShowRelay, ShowTarget
-from omote.server.client.show_address import base_address, check_token
+from omote.server.client.link.show_address import base_address, check_token
 from omote.server.http.static_pages import Page, read_pages
 
 LOCALHOST = "127.0.0.1"
