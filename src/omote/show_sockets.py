@@ -46,8 +46,8 @@ def read_options(sacn: str, bindings: Path | None, allow: str, listen: str = "",
 
 
 def open_devices(host: str, osc: int | None, options: DeviceOptions, artnet: int) -> DeviceSockets:
-    """The sockets that were asked for; ends the command where one cannot be had. Without any (`OFF`, None for OSC at
-    its usual port) there is none."""
+    """The sockets that were asked for; ends the command where one of OSC or of a desk cannot be had, and says which
+    tracker is off. Without any (`OFF`, None for OSC at its usual port) there is none."""
     from omote.server.devices.trackers.tracker_sockets import listen_for_trackers, read_trackers
     from omote.server.supervision.device_sockets import DeviceSockets, listen_for_artnet, listen_for_sacn
     from omote.server.supervision.listening_socket import listen_for_osc
@@ -57,7 +57,7 @@ def open_devices(host: str, osc: int | None, options: DeviceOptions, artnet: int
             None if osc in (None, OFF) else listen_for_osc(host, osc or 0),
             listen_for_sacn(host, options.universes) if options.universes else None,
             None if artnet == OFF else listen_for_artnet(host, artnet),
-            listen_for_trackers(read_trackers(options.listen)),
+            listen_for_trackers(read_trackers(options.listen), say),
         )
     except OSError as error:
         fail_with(error)

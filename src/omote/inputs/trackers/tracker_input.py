@@ -12,9 +12,11 @@ from numpy.typing import NDArray
 from omote.inputs.rejection import PacketError, Rejection
 from omote.inputs.trackers.arkit_names import ARKIT_NAMES, ChannelNames
 from omote.inputs.trackers.head_angles import GazeAngles, HeadAngles, limit_gaze, limit_head
+from omote.inputs.trackers.packet_format import explain_format, is_read_by, recognize_format
 from omote.inputs.trackers.tracker_frame import Decode, TrackerFrame
 from omote.inputs.trackers.tracker_protocols import TrackerProtocol
 from omote.model.known_names import NEUTRAL
+from omote.perform.layers.layer_names import LayerName
 from omote.perform.limits import GAZE_LIMITS, HEAD_LIMITS
 from omote.show import messages as wire
 from omote.show.session import ShowSession
@@ -22,7 +24,7 @@ from omote.show.session import ShowSession
 MOST_PERFORMERS = 8
 """Performers of one protocol at a time, by host and name; the one that was silent longest makes room."""
 LONGEST_NAME = 80
-LAYER = "tracker"
+LAYER: LayerName = "tracker"
 """The layer that a tracker drives until it is routed elsewhere."""
 MOST_BARS = 59
 """Channels of which a page is told, beside five angles."""
@@ -67,10 +69,16 @@ class Performer:
 
 
 class TrackerInput:
-    """All trackers of one protocol. heard, rejected: counts of packets; where: the host of the newest one."""
+    """All trackers of one protocol. port_of: where another protocol is heard, by its name, None where it is not; heard,
+    rejected: counts of packets; where: the host of the newest one."""
 
-    def __init__(self, protocol: TrackerProtocol, session: Callable[[], ShowSession]) -> None:
-        self.protocol, self._session = protocol, session
+    def __init__(
+        self,
+        protocol: TrackerProtocol,
+        session: Callable[[], ShowSession],
+        port_of: Callable[[str], int | None] = lambda _: None,
+    ) -> None:
+        self.protocol, self._session, self._port_of = protocol, session, port_of
         self._decoders: dict[str, Decode] = {}
         self._performers: dict[tuple[str, str], Performer] = {}
         self._names: tuple[object, ChannelNames] | None = None
@@ -87,7 +95,7 @@ class TrackerInput:
             for frame in self._decoder(host)(data):
                 self.note(host, frame)
         except PacketError as error:
-            self.reject(host, str(error), now)
+            self.reject(host, self._explain(data, error), now)
         answers, self._answers = self._answers, []
         return answers
 
@@ -130,6 +138,12 @@ class TrackerInput:
         return tuple(
             SenderCounts(each.name.removeprefix(title), each.heard, _values(each)) for each in self._performers.values()
         )
+
+    def _explain(self, data: bytes, error: PacketError) -> str:
+        """Why a packet is not obeyed; of one of another protocol where that goes."""
+        name = recognize_format(data)
+        other = name and not is_read_by(name, self.protocol.name)
+        return explain_format(name, self._port_of(name)) if other else str(error)
 
     def _decoder(self, host: str) -> Decode:
         if host not in self._decoders:
@@ -192,7 +206,7 @@ class TrackerInput:
             session.join(performer.who, performer.name[:24])
             performer.index = None
         if performer.index is None:
-            answers = session.receive(performer.who, self._source(session, performer), now)
+            answers = session.receive(performer.who, self._source(session, performer, now), now)
             found = [answer.message for answer in answers if isinstance(answer.message, wire.SourceIs)]
             if not found:
                 return [answer.message.reason for answer in answers if isinstance(answer.message, wire.Refused)]
@@ -203,13 +217,13 @@ class TrackerInput:
         answers = session.receive(performer.who, drive, now)
         return [answer.message.reason for answer in answers if isinstance(answer.message, wire.Refused)]
 
-    def _source(self, session: ShowSession, performer: Performer) -> wire.Source:
+    def _source(self, session: ShowSession, performer: Performer, now: float) -> wire.Source:
         """The source of a performer. One that comes for the first time drives the character of a show that has one, if
-        no other drives it: two on one layer would take it from each other with each frame."""
+        no other drives it, from which it would take it."""
         characters = list(session.scene)
         known = performer.name in session.sources.snapshot().routes
-        driven = any(each.characters and each.layer == LAYER for each in session.sources.states({}))
-        alone = characters if len(characters) == 1 and not known and not driven else []
+        free = not session.sources.is_driven(LAYER, now)
+        alone = characters if len(characters) == 1 and not known and free else []
         return wire.Source(performer.name, "tracker", list(performer.names), alone)
 
     def reject(self, host: str, reason: str, now: float) -> None:
