@@ -18,7 +18,7 @@ from omote.inputs.microphone.viseme_frame import VisemeFrame
 from omote.inputs.microphone.viseme_network import (
     AHEAD,
     FRAME_INPUTS,
-    HISTORY,
+    STACK,
     VisemeNetwork,
     frame_inputs,
     stack_frames,
@@ -43,8 +43,7 @@ class VoiceVisemes:
         self._network = network
         self.profile = profile
         self._features, self._speaker = FeatureStream(), SpeakerState(profile)
-        self._frames = np.zeros((HISTORY - 1, FRAME_INPUTS), np.float32)
-        self._floors = np.zeros((HISTORY - 1, BANDS), np.float32)
+        self._frames, self._state = np.zeros((STACK - 1, FRAME_INPUTS), np.float32), network.begin()
         self._levels = np.full(AHEAD, -200.0, np.float32)
         self._heard = 0
         self._sentence: list[SoundFeatures] | None = None
@@ -68,11 +67,9 @@ class VoiceVisemes:
         self.level = float(sound.level[-1])
         if self._sentence is not None and sum(map(len, self._sentence)) * FRAME_SECONDS < LONGEST_SENTENCE:
             self._sentence.append(sound)
-        frames, floors = frame_inputs(sound, self._speaker)
-        self._frames = np.concatenate([self._frames, frames])
-        self._floors = np.concatenate([self._floors, floors])
-        shares = self._network.run(stack_frames(self._frames, self._floors))
-        self._frames, self._floors = self._frames[1 - HISTORY :], self._floors[1 - HISTORY :]
+        self._frames = np.concatenate([self._frames, frame_inputs(sound, self._speaker)])
+        shares, self._state = self._network.run(stack_frames(self._frames), self._state)
+        self._frames = self._frames[1 - STACK :]
         self._levels = np.concatenate([self._levels, sound.level])
         decided, self._levels = self._levels[: len(sound)], self._levels[len(sound) :]
         return [self._frame(share, level) for share, level in zip(shares, decided.tolist(), strict=True)]
