@@ -11,6 +11,7 @@ comes in as from a page (10 ms at a time) to a session with the built-in cast th
   `closed at once` is without that;
 * class: the right one of 15 visemes, over the time in which the voice is voiced; of the decisions, which are late by
   what they wait for;
+* shut wrongly: vowels of at least 60 ms in the middle of which the lips are shut;
 * onset: from the begin of a vowel after a pause until the lips part by a tenth;
 * beside it the way of uLipSync: distances of MFCC to profiles of vowels, calibrated on known phones of the same voice.
 
@@ -26,7 +27,7 @@ os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")  # read when NumPy is loaded
 
 import argparse
 import sys
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field
 from itertools import pairwise
 
@@ -61,8 +62,10 @@ TICK = 1.0 / 60.0
 SHUT = PARTED = 0.1
 LEAST_PAUSE = 0.14
 LONGEST_ONSET = 0.4
+SHORTEST_VOWEL = 0.06
+_OPEN = ("aa", "E", "I", "O")
 BAR_CLOSED, BAR_CLASS, BAR_ONSET = 0.9, 0.7, 0.06
-TITLES = ("voices", "sound", "closed", "closed at once", "class", "onset, median", "onset, 90 %")
+TITLES = ("voices", "sound", "closed", "closed at once", "shut wrongly", "class", "onset, median", "onset, 90 %")
 CONDITIONS = {
     "plain": Condition(peak=-12.0),
     "loud, clipped": Condition(peak=6.0),
@@ -72,12 +75,17 @@ CONDITIONS = {
 }
 
 
+Said = tuple[Spoken, Spoken]
+"""What is measured, and the sentence that calibrates."""
+
+
 @dataclass
 class Score:
     """What was counted. lags: of onsets, seconds."""
 
     closed: list[bool] = field(default_factory=list)
     at_once: list[bool] = field(default_factory=list)
+    wrongly: list[bool] = field(default_factory=list)
     right: list[bool] = field(default_factory=list)
     lags: list[float] = field(default_factory=list)
 
@@ -146,6 +154,15 @@ def count_closures(score: Score, segments: Sequence[Segment], gaps: np.ndarray, 
                     counted.append(bool(np.min(part) < SHUT))
 
 
+def count_wrong_closures(score: Score, segments: Sequence[Segment], gaps: np.ndarray, late: float) -> None:
+    """Counts the vowels in whose middle the lips are shut."""
+    for segment in segments:
+        if segment.shapes and segment.shapes[0] in _OPEN and segment.end - segment.start >= SHORTEST_VOWEL:
+            place = int((0.5 * (segment.start + segment.end) + late) / TICK)
+            if place < len(gaps):
+                score.wrongly.append(bool(gaps[place] < SHUT))
+
+
 def count_onsets(score: Score, segments: Sequence[Segment], gaps: np.ndarray) -> None:
     """Counts how late the mouth opens for a vowel after a pause."""
     vowels = set(VISEMES[VISEMES.index("aa") :])
@@ -198,28 +215,30 @@ def hear(
     return heard, measured
 
 
-def measure(voices: Sequence[str], condition: str, calibrated: bool, options: Options) -> tuple[list[Score], float]:
-    """Scores of ours and of the baseline for some voices, and how late ours is."""
+def measure(said: Iterable[Said], condition: str, calibrated: bool, options: Options) -> tuple[list[Score], float]:
+    """Scores of ours and of the baseline for some recordings, and how late ours is."""
     ours, peer, late = Score(), Score(), []
-    for voice in voices:
-        rng = options.rng
-        spoken, sentence = (options.speak(voice, count) for count in (options.sentences, 2))
-        heard, measured = hear(spoken, sentence, CONDITIONS[condition], rng, options.others)
+    for spoken, sentence in said:
+        heard, measured = hear(spoken, sentence, CONDITIONS[condition], options.rng, options.others)
         begin = Begin("voice")
         if calibrated:
             profile = measure_speaker(FeatureStream().push(measured))
             begin = Begin("voice", list(profile.bands), profile.level)
         gaps = play_sound(heard, begin, options.lips)
         late.append(lateness(spoken, gaps))
-        count_closures(ours, spoken.segments, gaps, late[-1])
-        count_onsets(ours, spoken.segments, gaps)
-        count_classes(ours, spoken, decide(heard, begin))
         known = read_visemes(measure_profiles(sentence, measured), heard)
         theirs = smooth(known, options.lips)
-        count_closures(peer, spoken.segments, theirs, lateness(spoken, theirs))
-        count_onsets(peer, spoken.segments, theirs)
-        count_classes(peer, spoken, known[3:])  # its window of 64 ms is centred 3 frames before its end
+        count_all(ours, spoken, gaps, late[-1], decide(heard, begin))
+        count_all(peer, spoken, theirs, lateness(spoken, theirs), known[3:])  # centred 3 frames before its end
     return [ours, peer], float(np.mean(late))
+
+
+def count_all(score: Score, spoken: Spoken, gaps: np.ndarray, late: float, weights: np.ndarray) -> None:
+    """Counts what one recording shows."""
+    count_closures(score, spoken.segments, gaps, late)
+    count_wrong_closures(score, spoken.segments, gaps, late)
+    count_onsets(score, spoken.segments, gaps)
+    count_classes(score, spoken, weights)
 
 
 @dataclass
@@ -251,7 +270,7 @@ ESPEAK = [f"{language}+{variant}" for language in LEFT_OUT_LANGUAGES for variant
 
 def row(name: str, condition: str, score: Score) -> tuple[str, ...]:
     """A line of the table."""
-    shares = [f"{100 * np.mean(each):.1f} %" for each in (score.closed, score.at_once, score.right)]
+    shares = [f"{100 * np.mean(each):.1f} %" for each in (score.closed, score.at_once, score.wrongly, score.right)]
     lags = [f"{1000 * each:.0f} ms" for each in np.percentile(score.lags or [np.nan], [50, 90])]
     return name, condition, *shares, *lags
 
@@ -271,7 +290,8 @@ def main() -> int:
     runs.append(("espeak-ng's own whisper, de and es", ["de+whisper", "es+whisperf"], "plain", True))
     missed = 0
     for name, voices, condition, calibrated in runs:
-        (ours, peer), late = measure(voices, condition, calibrated, options)
+        said = ((options.speak(voice, options.sentences), options.speak(voice, 2)) for voice in voices)
+        (ours, peer), late = measure(said, condition, calibrated, options)
         table.add_row(*row(f"{name} ({1000 * late:.0f} ms late)", condition, ours))
         table.add_row(*row("  as uLipSync", "", peer), style="dim")
         held = np.mean(ours.closed) >= BAR_CLOSED and np.mean(ours.right) >= BAR_CLASS

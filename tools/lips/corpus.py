@@ -57,7 +57,7 @@ class Recording:
 def make_recordings(count: int, festival: int, rng: np.random.Generator) -> Iterator[Recording]:
     """`count` recordings of voices of espeak-ng, and `festival` of each slower voice, under several conditions each."""
     espeak, others = Espeak(), list[np.ndarray]()
-    slower = [voice for voice in (*FESTIVAL_VOICES, *FLITE_VOICES) for _ in range(festival)]
+    slower = [voice for voice in (*FESTIVAL_VOICES, *FLITE_VOICES, *FLITE_VOICES) for _ in range(festival)]
     order = rng.permutation(count + len(slower))
     for index in order.tolist():
         said = speak_some(espeak, rng) if index < count else speak_named(slower[index - count], rng)
@@ -70,9 +70,10 @@ def make_recordings(count: int, festival: int, rng: np.random.Generator) -> Iter
 def speak_named(voice: NamedVoice, rng: np.random.Generator) -> list[Spoken]:
     """Some sentences by a voice of festival or flite."""
     texts = [_plain(make_sentence(voice.words, rng, words=4), voice.words) for _ in range(SENTENCES)]
+    stretch = float(rng.uniform(0.65, 1.3))
     if voice in FLITE_VOICES:
-        return [speak_flite(voice, text, stretch=float(rng.uniform(0.75, 1.3))) for text in texts]
-    return speak_festival(voice, texts)
+        return [speak_flite(voice, text, stretch=stretch) for text in texts]
+    return speak_festival(voice, texts, stretch=stretch)
 
 
 def speak_some(espeak: Espeak, rng: np.random.Generator) -> list[Spoken]:
@@ -80,7 +81,7 @@ def speak_some(espeak: Espeak, rng: np.random.Generator) -> list[Spoken]:
     language = str(rng.choice(list(LANGUAGES)))
     variant = str(rng.choice(VARIANTS))
     name = f"{language}+{variant}" if variant else language
-    rate, pitch, span = (int(rng.integers(*each)) for each in ((100, 240), (15, 85), (10, 90)))
+    rate, pitch, span = (int(rng.integers(*each)) for each in ((100, 280), (15, 85), (10, 90)))
     voice = EspeakVoice(name, rate, pitch, span)
     return [espeak.speak(voice, make_sentence(LANGUAGES[language], rng)) for _ in range(SENTENCES)]
 

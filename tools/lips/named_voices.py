@@ -44,11 +44,11 @@ LEFT_OUT_FLITE = tuple(NamedVoice(name, "radio", "american-english") for name in
 """Never trained on, nor any other voice of these speakers."""
 
 
-def speak_festival(voice: NamedVoice, texts: Sequence[str]) -> list[Spoken]:
-    """Texts by a voice of festival; those that it cannot speak are left out."""
+def speak_festival(voice: NamedVoice, texts: Sequence[str], *, stretch: float = 1.0) -> list[Spoken]:
+    """Texts by a voice of festival; those that it cannot speak are left out. stretch: as of `speak_flite`."""
     with tempfile.TemporaryDirectory() as folder:
         script = Path(folder) / "speak.scm"
-        lines = [f"({voice.name})"]
+        lines = [f"({voice.name})", f"(Parameter.set 'Duration_Stretch {stretch})"]
         for index, text in enumerate(texts):
             plain = text.replace('"', "").replace("\\", "")
             lines.append(
@@ -68,7 +68,18 @@ def speak_flite(voice: NamedVoice, text: str, *, stretch: float = 1.0) -> Spoken
     """A text by a voice of flite. stretch: how many times as long as it would be."""
     with tempfile.TemporaryDirectory() as folder:
         sound = Path(folder) / "speech.wav"
-        command = ["flite", "-voice", voice.name, "--setf", f"duration_stretch={stretch}", "-psdur", "-t", text, "-o", str(sound)]
+        command = [
+            "flite",
+            "-voice",
+            voice.name,
+            "--setf",
+            f"duration_stretch={stretch}",
+            "-psdur",
+            "-t",
+            text,
+            "-o",
+            str(sound),
+        ]
         said = subprocess.run(command, check=True, capture_output=True, text=True, timeout=SECONDS).stdout
         pairs = [each.rsplit(":", 1) for each in said.split()]
         return _read(sound, [(name, float(end)) for name, end in pairs], voice)

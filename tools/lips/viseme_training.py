@@ -14,7 +14,6 @@ import numpy as np
 
 from omote.inputs.microphone.viseme_network import (
     AHEAD,
-    FRAME_INPUTS,
     INPUTS,
     STACK,
     WEIGHTS_FILE,
@@ -28,7 +27,7 @@ from tools.lips.corpus import make_recordings
 from tools.lips.network_gradients import Piece, find_gradients, parameters
 from tools.lips.spoken import UNKNOWN
 
-HIDDEN, UNITS = 128, (128, 96)
+HIDDEN, UNITS = 160, (192, 128)
 STREAMS, PIECE = 64, 64
 """How many streams a step learns from, and how many frames of each."""
 FORGETS = 0.05
@@ -123,7 +122,7 @@ def train(frames: Frames, epochs: int, seed: int, out: Path, network: VisemeNetw
     network = network or begin_network(rng)
     adam = Adam(parameters(network), epochs * (len(frames.labels) // STREAMS // PIECE), rate)
     for epoch in range(epochs):
-        state = tuple(np.zeros((STREAMS, units), np.float32) for units in UNITS)
+        state = tuple(np.zeros((STREAMS, layer.units), np.float32) for layer in network.gated)
         began, told = time.process_time(), []
         for piece in frames.pieces(rng):
             forget = (rng.random((STREAMS, 1)) >= FORGETS).astype(np.float32)
@@ -151,12 +150,14 @@ def begin_network(rng: np.random.Generator) -> VisemeNetwork:
         gated.append(Gated(weight, bias, back.astype(np.float32), next(biases)))
         before = units
     first = Dense(draw(INPUTS, HIDDEN, np.sqrt(2)), np.zeros(HIDDEN, np.float32))
-    return VisemeNetwork(first, tuple(gated), Dense(draw(before, len(VISEMES), 1.0), np.zeros(len(VISEMES), np.float32)))
+    return VisemeNetwork(
+        first, tuple(gated), Dense(draw(before, len(VISEMES), 1.0), np.zeros(len(VISEMES), np.float32))
+    )
 
 
 def write_network(network: VisemeNetwork, path: Path) -> None:
     """Writes the weights in 16 bits."""
-    stored = {}
+    stored: dict[str, np.ndarray] = {}
     for name, layer in (("first", network.first), ("last", network.last)):
         stored |= {f"{name}_weight": layer.weight, f"{name}_bias": layer.bias}
     for place, gated in enumerate(network.gated):

@@ -21,6 +21,8 @@ FRAME_INPUTS = 2 * BANDS + 3
 INPUTS = STACK * FRAME_INPUTS
 WEIGHTS_FILE = Path(__file__).with_name("viseme_network.npz")
 
+_HALF = np.float32(0.5)
+
 State = tuple[FloatArray, ...]
 """What the recurrent layers remember, one array of units each."""
 
@@ -53,7 +55,7 @@ class Gated:
     def step(self, given: FloatArray, before: FloatArray) -> FloatArray:
         """Its values after one frame. given: of the frame, `inputs @ weight + bias`."""
         units, own = self.units, before @ self.back + self.back_bias
-        gates = 0.5 + 0.5 * np.tanh(0.5 * (given[: 2 * units] + own[: 2 * units]))
+        gates: FloatArray = _HALF + _HALF * np.tanh(_HALF * (given[: 2 * units] + own[: 2 * units]))
         new = np.tanh(given[2 * units :] + gates[:units] * own[2 * units :])
         values: FloatArray = new + gates[units:] * (before - new)
         return values
@@ -70,13 +72,15 @@ class VisemeNetwork:
     def __post_init__(self) -> None:
         """Rejects layers that do not fit each other; ValueError with their shapes."""
         sizes = [INPUTS, len(self.first.bias), *(layer.units for layer in self.gated), len(VISEMES)]
-        layers = [self.first, *self.gated, self.last]
+        layers: list[Dense | Gated] = [self.first, *self.gated, self.last]
         shapes = [(*layer.weight.shape, *layer.bias.shape) for layer in layers]
         wides = [sizes[1], *(3 * layer.units for layer in self.gated), len(VISEMES)]
         backs = [(*layer.back.shape, *layer.back_bias.shape) for layer in self.gated]
         expected = [(before, wide, wide) for (before, _), wide in zip(pairwise(sizes), wides, strict=True)]
         if shapes != expected or backs != [(n.units, 3 * n.units, 3 * n.units) for n in self.gated]:
-            raise ValueError(f"the layers are {shapes}, {backs}; they lead from {INPUTS} inputs to {len(VISEMES)} visemes")
+            raise ValueError(
+                f"the layers are {shapes}, {backs}; they lead from {INPUTS} inputs to {len(VISEMES)} visemes"
+            )
 
     def begin(self) -> State:
         """What is remembered before any sound."""
@@ -106,7 +110,8 @@ def frame_inputs(sound: SoundFeatures, speaker: SpeakerState) -> FloatArray:
         frames[index, :BANDS] = bands - speaker.bands
         frames[index, BANDS:-BANDS] = level - speaker.level, level - speaker.floor_level, 10.0 * voicing
         frames[index, -BANDS:] = floor - speaker.bands
-    return np.clip(frames * 0.1, -5.0, 4.0)
+    inputs: FloatArray = np.clip(frames * 0.1, -5.0, 4.0)
+    return inputs
 
 
 def stack_frames(frames: FloatArray) -> FloatArray:
