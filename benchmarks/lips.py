@@ -31,24 +31,17 @@ from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field
 from itertools import pairwise
 
-import msgspec
 import numpy as np
 from rich.console import Console
 from rich.table import Table
 
-from omote.builtin import load_cast
-from omote.inputs.microphone.microphone_input import MicrophoneInput
-from omote.inputs.microphone.microphone_messages import Begin, Sound
+from benchmarks.lip_gap import TICK, Lips, play_sound, smooth
+from omote.inputs.microphone.microphone_messages import Begin
 from omote.inputs.microphone.sound_features import HOP, SAMPLE_RATE, FeatureStream
 from omote.inputs.microphone.speaker_profile import measure_speaker
 from omote.inputs.microphone.viseme_network import load_network
 from omote.inputs.microphone.voice_visemes import DELAY_SECONDS, VoiceVisemes
-from omote.model.space.lid_lip_lines import chains
-from omote.perform.blending.evaluate import evaluate
-from omote.perform.performer import Performer
-from omote.perform.speech.viseme_stream import VisemeStream, follow_visemes
-from omote.perform.speech.visemes import MOUTH_UNITS, RECIPES, VISEMES
-from omote.show.session import ShowSession
+from omote.perform.speech.visemes import RECIPES, VISEMES
 from tools.lips.corpus import LEFT_OUT_LANGUAGES, LEFT_OUT_VARIANTS, join_speech
 from tools.lips.espeak_voice import Espeak, EspeakVoice
 from tools.lips.named_voices import LEFT_OUT_FLITE, speak_flite
@@ -58,7 +51,6 @@ from tools.lips.sound_conditions import Condition, apply_condition
 from tools.lips.spoken import Segment, Spoken, label_frames
 from tools.lips.vowel_profiles import measure_profiles, read_visemes
 
-TICK = 1.0 / 60.0
 SHUT = PARTED = 0.1
 LEAST_PAUSE = 0.14
 LONGEST_ONSET = 0.4
@@ -88,59 +80,6 @@ class Score:
     wrongly: list[bool] = field(default_factory=list)
     right: list[bool] = field(default_factory=list)
     lags: list[float] = field(default_factory=list)
-
-
-class Lips:
-    """The gap between the lips of the built-in head under weights of units, 1 where an `aa` is played in full."""
-
-    def __init__(self) -> None:
-        cast = load_cast()
-        line = next(each for each in cast.space.lines if each.kind == "lips")
-        upper, lower = chains(cast.space.points, line.loop)
-        self._pair = upper[len(upper) // 2], lower[len(lower) // 2]
-        self.rest = self._gap_of({})
-        self._slopes = {unit: (self._gap_of({unit: 0.5}) - self.rest) / 0.5 for unit in MOUTH_UNITS}
-        self._open = sum(self._slopes[unit] * 0.7 * value for unit, value in RECIPES["aa"].items())
-
-    def gap(self, channels: dict[str, float]) -> float:
-        """How far the lips are apart."""
-        return sum(self._slopes[unit] * channels.get(unit, 0.0) for unit in MOUTH_UNITS) / self._open
-
-    def _gap_of(self, units: dict[str, float]) -> float:
-        performer = Performer(load_cast())
-        for unit, value in units.items():
-            performer.set_channel(unit, value)
-        points = evaluate(load_cast(), performer.advance(1.0))
-        return float(points[self._pair[0], 1] - points[self._pair[1], 1])
-
-
-def play_sound(sound: np.ndarray, begin: Begin, lips: Lips) -> np.ndarray:
-    """The gap at each tick of a show that hears this sound."""
-    session = ShowSession(load_cast())
-    microphones = MicrophoneInput(lambda: session)
-    microphones.hear("page", msgspec.msgpack.encode(begin), 0.0)
-    pcm = (np.clip(sound, -1, 1) * 32767).astype("<i2")
-    gaps, sent = [], 0
-    for tick in range(int(len(sound) / SAMPLE_RATE / TICK)):
-        now = (tick + 1) * TICK
-        while (sent + 1) * HOP <= now * SAMPLE_RATE:
-            piece = pcm[sent * HOP : (sent + 1) * HOP].tobytes()
-            microphones.hear("page", msgspec.msgpack.encode(Sound(piece)), now)
-            sent += 1
-        microphones.play(now)
-        character = next(iter(session.tick(now).characters.values()))
-        gaps.append(lips.gap(dict(character.channels)))
-    return np.array(gaps)
-
-
-def smooth(weights: np.ndarray, lips: Lips) -> np.ndarray:
-    """The gap at each tick of visemes that come every 10 ms."""
-    stream, gaps = VisemeStream(), []
-    for row in weights:
-        stream = follow_visemes(stream, np.clip(row, 0.0, 1.0), 1.0, HOP / SAMPLE_RATE)
-        gaps.append(lips.gap(dict(zip(MOUTH_UNITS, (0.7 * stream.mouth).tolist(), strict=True))))
-    times = (np.arange(int(len(gaps) * 0.01 / TICK)) + 1) * TICK
-    return np.array([gaps[min(len(gaps) - 1, int(time / 0.01))] for time in times])
 
 
 def count_closures(score: Score, segments: Sequence[Segment], gaps: np.ndarray, late: float) -> None:

@@ -30,9 +30,11 @@ DELAY_SECONDS = AHEAD * FRAME_SECONDS + 0.5 * WINDOW / SAMPLE_RATE
 MARGIN, CERTAIN = 2.0, 6.0
 """dB above the noise at which sound begins to count as speech, and does in full; whether it is speech says the
 network."""
-LIPS_SHUT = 2.5
+LIPS_SHUT, LIPS_SHUT_IN_NOISE = 2.5, 5.0
 """How much more a bilabial counts than the network says: lips that miss a closure are seen, those that close too
-often are not."""
+often are not; in noise it is less sure of them."""
+NOISY, CLEAR = 12.0, 24.0
+"""dB of speech above the noise where it counts as noise in full, and not at all."""
 SPOKEN_SHARE = 0.12
 """Share of the way that this goes from 0 in silence to its whole in speech, each frame: after silence lips are shut as
 it is, and parting late is what would be seen."""
@@ -95,12 +97,17 @@ class VoiceVisemes:
         self._speaker.floor, self._speaker.floor_level = floor, level
         return self.profile
 
+    def _lips_shut(self) -> float:
+        """How much more a bilabial counts now."""
+        above = self._speaker.level - self._speaker.floor_level
+        return float(np.interp(above, (NOISY, CLEAR), (LIPS_SHUT_IN_NOISE, LIPS_SHUT)))
+
     def _frame(self, shares: FloatArray, level: float, loudest: float) -> VisemeFrame:
         """A decision. loudest: of its frame and those that it waited for: the gate may open before the lips do."""
         self._heard += 1
         opened = (loudest - self._speaker.floor_level - MARGIN) / (CERTAIN - MARGIN)
         weights = shares.astype(float)
-        weights[PP] *= 1.0 + (LIPS_SHUT - 1.0) * self._spoken
+        weights[PP] *= 1.0 + (self._lips_shut() - 1.0) * self._spoken
         self._spoken += SPOKEN_SHARE * (1.0 - float(shares[SIL]) - self._spoken)
         weights[SIL] *= SILENT
         weights /= weights.sum()
