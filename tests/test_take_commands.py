@@ -1,6 +1,7 @@
 """`omote play-take`: what it says of files and shows that are not there; played into a show in tests/server/client."""
 
 import socket
+from collections.abc import Callable
 from pathlib import Path
 
 import pytest
@@ -37,7 +38,9 @@ def test_a_show_that_is_not_there_is_said(tmp_path: Path, monkeypatch: pytest.Mo
         taken.bind(("127.0.0.1", 0))
         done = CliRunner().invoke(app, ["play-take", str(path), "--show", f"http://127.0.0.1:{taken.getsockname()[1]}"])
     assert done.exit_code == 1
-    assert "no show" in done.stderr
+    waits, why = done.stderr.splitlines()
+    assert "take.csv waits for the show at http://127.0.0.1:" in waits
+    assert "no show" in why
 
 
 def test_a_take_is_recorded_by_name_and_read_by_its_suffix(tmp_path: Path) -> None:
@@ -58,3 +61,27 @@ def test_a_capture_that_cannot_be_read_is_said(tmp_path: Path) -> None:
     assert done.exit_code == 1
     assert "take.pcap" in done.stderr
     assert "no capture" in done.stderr
+
+
+def test_a_port_that_is_taken_is_said_before_anything_is_recorded(tmp_path: Path) -> None:
+    path = tmp_path / "take.pcap"
+    with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as taken:
+        taken.bind(("", 0))
+        word = f"livelink:{taken.getsockname()[1]}"
+        done = CliRunner().invoke(app, ["record-take", str(path), "--listen", word])
+    assert done.exit_code == 1
+    assert done.stderr.count("\n") == 1
+    assert "another program has it" in done.stderr
+    assert not path.exists()
+
+
+def test_a_recording_of_nothing_is_said(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    def stop(*_: object, opened: Callable[[int], None], **__: object) -> int:
+        opened(11111)
+        return 0
+
+    monkeypatch.setattr("omote.server.devices.trackers.take_recorder.record_take", stop)
+    done = CliRunner().invoke(app, ["record-take", str(tmp_path / "take.pcap"), "--listen", "livelink"])
+    assert done.exit_code == 1
+    assert "Live Link Face is recorded at port 11111 into take.pcap; Ctrl-C ends it." in done.stderr
+    assert "no packet came, so take.pcap was not written" in done.stderr

@@ -52,8 +52,13 @@ USED: dict[str, str] = {
         "console/controls"
     ),
     "console/scene": "link ui console/characters console/store console/controls",
-    "console/layer_panel": "link ui console/layers console/store console/controls console/sources",
-    "console/calibration_panel": ("link ui console/store console/controls console/layer_panel console/sources"),
+    "console/motion_groups": "link ui console/layers console/store console/controls",
+    "console/layer_panel": (
+        "link ui console/layers console/store console/controls console/sources console/motion_groups"
+    ),
+    "console/calibration_panel": (
+        "link ui console/layers console/store console/controls console/layer_panel console/sources"
+    ),
     "console/lease_panel": "link ui console/leases console/store console/controls",
     "console/device_panel": "link ui console/store console/controls console/devices",
     "console/learn": "link ui console/store console/controls console/devices console/layer_panel console/palette",

@@ -181,7 +181,7 @@ def _locate(show: Path | None) -> Path:
 def _find_base(show: Path | None, address: str) -> str:
     """Where others reach the show: as the operator says, else as it was opened last, else a guess that says so."""
     from omote.server.access.show_addresses import is_loopback, own_address, reachable_addresses, split_url, url
-    from omote.server.client.show_address import base_address
+    from omote.server.client.link.show_address import base_address
     from omote.server.persistence.lock import read_address
 
     scheme, host, port = split_url(read_address(_locate(show)))

@@ -2,13 +2,12 @@
 
 from __future__ import annotations
 
-import contextlib
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from omote.terminal import exit_on_refusal, fail_with, say
+from omote.terminal import exit_on_refusal, fail, fail_with, say
 
 if TYPE_CHECKING:
     from omote.inputs.takes.take import Take
@@ -37,16 +36,21 @@ def play_take(
 ) -> None:
     """Plays a recorded face into a running show."""
     from omote.perform.layers.layer_names import check_driven
+    from omote.perform.scene.character_names import ALL
     from omote.server.client.connect import connect
     from omote.server.client.take_player import play_take as play
 
     read = read_take(take, protocol)
+    how = "again and again, until Ctrl-C" if loop else "once"
+    say(f"{take.name} waits for the show at {address} ...")
     with exit_on_refusal(), connect(address, name="take", authority=authority) as show:
-        drive = show[show.find_character(character or show.characters[0])].drive
+        name = show.find_character(character or show.characters[0])
+        drive, whom = show[name].drive, "all" if name == ALL else show.state.characters[name].label or name
         check_driven(layer)
-        say(f"{take.name} plays: {len(read.times)} frames in {read.seconds:.1f} s.")
+        say(f"{take.name} plays {whom} on the layer {layer}, {how}: {len(read.times)} frames in {read.seconds:.1f} s.")
         while play(read, drive, layer=layer, start=min(start, read.seconds), speed=speed) and loop:
             pass
+    say(f"{take.name} is over.")
 
 
 def read_take(path: Path, protocol: str = "") -> Take:
@@ -76,20 +80,27 @@ def record_take(
     ] = None,
 ) -> None:
     """Records what a tracker sends, to be played into a show later."""
-    from omote.server.devices.trackers.take_recorder import check_recordable, count_packets
+    from omote.inputs.trackers.tracker_protocols import advise
+    from omote.server.access.show_addresses import own_address
+    from omote.server.devices.trackers.take_recorder import check_recordable
     from omote.server.devices.trackers.take_recorder import record_take as record
     from omote.server.devices.trackers.tracker_sockets import find_phones, read_wish
 
     path = take if take.suffix else take.with_suffix(".pcap")
+
+    def announce(port: int) -> None:
+        say(f"{wish.protocol.title} is recorded at port {port} into {path.name}; Ctrl-C ends it.")
+
     try:
         (wish,) = find_phones([read_wish(listen.strip())])
         check_recordable(wish)
-        say(f"{wish.protocol.title} at port {wish.port} is recorded into {path.name}; Ctrl-C ends it.")
-        with contextlib.suppress(KeyboardInterrupt):
-            record(path, wish, seconds=float("inf") if seconds is None else seconds, tell=_tell)
-        count = count_packets(path)
+        length = float("inf") if seconds is None else seconds
+        count = record(path, wish, seconds=length, opened=announce, tell=_tell)
     except (OSError, ValueError) as error:
         fail_with(error)
+    if not count:
+        advice = advise(wish.protocol, own_address() or "127.0.0.1", wish.port)
+        fail(f"no packet came, so {path.name} was not written: {advice}.")
     say(f"{path.name} holds {count} packets: omote play-take {path.name} --protocol {wish.protocol.name}")
 
 

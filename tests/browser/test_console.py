@@ -337,16 +337,27 @@ def test_a_tracker_that_is_lost_and_comes_back_is_told(console: Console, show: s
     wait_for(page, "!('tracker' in state.layers)")
 
 
+def group(page: Page, name: str) -> Locator:
+    """Shows a group of the mixer; its head."""
+    head = page.locator(f"omote-group-heads [data-group={name}]")
+    head.click()
+    expect(head).to_have_attribute("aria-selected", "true")
+    return head
+
+
 def test_liveliness_moves_the_face_by_itself_until_panic(console: Console) -> None:
     page = console()
     page.keyboard.press(";")
+    head = group(page, "motion")
     slider = page.get_by_role("slider", name="Liveliness")
+    expect(head).to_contain_text("holds still")
     expect(slider).to_have_value("0")
     slider.focus()
     for _ in range(10):
         slider.press("ArrowRight")
     wait_for(page, "state.motion?.liveliness === 0.5 && state.layers.gaze.source === 'automatic'")
     expect(page.locator("omote-motion-settings .number").first).to_have_text("50")
+    expect(head).to_contain_text("liveliness 50")
     strip = page.locator("omote-layer-panel .strip[data-layer=blink]")
     expect(strip.locator(".feed")).to_contain_text("automatic")
     wait_for(page, "Math.abs(state.gaze[0]) > 0.02 && state.channels.browInnerUp !== undefined")
@@ -363,6 +374,7 @@ def test_liveliness_moves_the_face_by_itself_until_panic(console: Console) -> No
 def test_eyes_look_at_a_camera_and_at_a_point_that_is_named_and_deleted(console: Console) -> None:
     page = console()
     page.keyboard.press(";")
+    head = group(page, "gaze")
     targets = page.locator("omote-gaze-target-settings")
     targets.get_by_role("button", name="Camera").click()
     wait_for(page, "state.motion?.target.kind === 'stage'")
@@ -375,19 +387,24 @@ def test_eyes_look_at_a_camera_and_at_a_point_that_is_named_and_deleted(console:
     targets.get_by_label("Name of the point").fill("front row")
     targets.get_by_role("button", name="Keep").click()
     wait_for(page, "state.motion.target.name === 'front row'")
+    expect(head).to_contain_text("front row")
     targets.get_by_role("button", name="Delete the point front row").click()
     wait_for(page, "state.motion.target.kind === 'ahead'")
     page.get_by_role("button", name="Undo", exact=True).first.click()
     expect(targets.get_by_role("button", name="front row", exact=True)).to_have_attribute("aria-pressed", "true")
-    targets.get_by_role("button", name="Idles").click()
+    idles = page.get_by_role("button", name="Idles")
+    expect(group(page, "motion")).to_contain_text("holds still")
+    idles.click()
     wait_for(page, "state.motion.idle")
     page.keyboard.press("Shift+Backspace")
     wait_for(page, "state.motion.target.kind === 'ahead' && Object.keys(state.layers).length === 0")
     page.get_by_role("button", name="Sources on again").click()
     wait_for(page, "state.motion.target.name === 'front row'")
+    group(page, "gaze")
     targets.get_by_role("button", name="Delete the point front row").click()
     wait_for(page, "state.motion.target.kind === 'ahead'")
-    targets.get_by_role("button", name="Idles").click()
+    group(page, "motion")
+    idles.click()
     wait_for(page, "!state.motion.idle")  # the show goes on with other files: a lost tracker would move its face
 
 
@@ -396,10 +413,16 @@ def test_a_second_panic_offers_the_faces_of_before(console: Console) -> None:
     choose(page, "face", "0")
     tile(page, "dog").click()
     wait_for(page, "state.faces.dog === 1")
+    page.evaluate(f"{DESK}.motion('liveliness').nudge(0.5)")
+    wait_for(page, "state.motion?.liveliness === 0.5")
     page.keyboard.press("Shift+Backspace")
     wait_for(page, "state.home_next")
     page.keyboard.press("Shift+Backspace")
-    page.get_by_role("button", name="Faces of before").click()
+    expect(page.get_by_role("button", name="Faces of before")).to_be_visible()
+    page.get_by_role("button", name="Sources on again").click()
+    wait_for(page, "state.motion.liveliness === 0.5")
+    expect(page.locator("omote-status .notice")).to_contain_text("Sources are on again.")
+    page.get_by_role("button", name="Faces of before").click()  # beside the notice that says so
     wait_for(page, "state.faces.dog === 1 && state.face_call === null")
     page.get_by_role("button", name="Log").click()
     expect(page.locator("omote-message-log")).to_contain_text("Home face: ")

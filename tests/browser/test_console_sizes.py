@@ -143,6 +143,10 @@ def test_the_console_is_played_by_fingers(console: Console, width: int, height: 
     page.evaluate(f"{DESK}.arrange({{ view: 'layers' }})")
     expect(page.locator("omote-layer-panel .strip[data-layer=emotion] .feed")).to_have_text("calls")
     check_surface(page, width, height)
+    for head in page.locator("omote-group-heads [role=tab]").filter(visible=True).all():
+        expect(head).to_be_in_viewport(ratio=1)
+        head.tap()
+        check_surface(page, width, height)
     page.evaluate(f"{DESK}.arrange({{ view: 'palettes' }})")
     page.locator(".faces .lists [data-seconds='hand']").tap()
     tile(page, "child").tap()

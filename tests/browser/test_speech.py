@@ -9,7 +9,7 @@ from typing import Any
 
 import numpy as np
 import pytest
-from playwright.sync_api import Page
+from playwright.sync_api import Page, Route
 
 import omote
 from omote.server.client.connect import ConnectedShow
@@ -103,6 +103,26 @@ def test_a_stage_that_may_not_play_yet_says_what_to_do_and_plays_after_a_click(
     assert sound(page)["begun"] == 0
     page.mouse.click(20, 20)
     wait_until(page, "window.omoteStage.sound().begun === 1 && document.getElementById('notice').textContent === ''")
+    program["one"].stop_speaking()
+    wait_until(page, "window.omoteStage.sound().playing.length === 0")
+
+
+def test_a_sound_that_comes_late_to_a_show_is_heard_from_there_on(open_page: OpenPage, program: ConnectedShow) -> None:
+    page = open_stage(open_page)
+    asked = list[str]()
+
+    def miss_twice(route: Route) -> None:
+        asked.append(route.request.url)
+        if len(asked) <= 2:
+            route.fulfill(status=404, body="there is no such sound any more")
+        else:
+            route.continue_()
+
+    page.route("**/sounds/*", miss_twice)
+    page.mouse.click(20, 20)
+    say_beeps(program, [0.5, 60.0], 62.0)
+    wait_until(page, "window.omoteStage.sound().begun === 1")
+    assert len(asked) == 3
     program["one"].stop_speaking()
     wait_until(page, "window.omoteStage.sound().playing.length === 0")
 

@@ -344,6 +344,31 @@ def test_a_stage_holds_its_face_while_the_server_is_gone(open_page: OpenPage) ->
     wait_for(page, f"stage.counters().connected && stage.counters().received > {counted['received'] + 10}")
 
 
+RECORD_TOPS = """() => {
+    window.tops = [];
+    const look = () => {
+        for (const [, top] of Object.values(window.omoteStage.heads())) window.tops.push(top);
+        requestAnimationFrame(look);
+    };
+    look();
+}"""
+
+
+def test_a_stage_that_has_waited_for_the_show_has_the_head_in_its_place_at_once(open_page: OpenPage) -> None:
+    """A source of OBS that loads again is on air: its picture begins without an entrance."""
+    page = open_page("/", disposable=True)
+    wire = Wire(page)
+    wire.refusing = True
+    page.goto(page.url + "stage")
+    wait_for(page, "true")
+    page.evaluate("() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done)))")
+    page.evaluate(RECORD_TOPS)
+    wire.refusing = False
+    wait_for(page, "stage.settled() && window.tops.length > 3")
+    tops = page.evaluate("window.tops")
+    assert max(tops) - min(tops) < 0.05
+
+
 def test_a_stage_takes_the_newest_state_and_draws_its_whole_scene(open_page: OpenPage, cast: Cast) -> None:
     page = open_page("/", disposable=True, width=160, height=120)
     wire = Wire(page)

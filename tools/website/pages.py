@@ -13,7 +13,7 @@ from tools.website.binding_reference import binding_page
 from tools.website.command_reference import command_page
 from tools.website.file_reference import file_page
 from tools.website.osc_reference import osc_page
-from tools.website.python_reference import python_page
+from tools.website.python_reference import connected_page, python_page
 from tools.website.tracker_reference import tracker_page
 from tools.website.wire_reference import wire_page
 
@@ -35,6 +35,7 @@ def examples_page() -> str:
 
 GENERATED: Mapping[str, Callable[[], str]] = {
     "reference/python.md": python_page,
+    "reference/connected.md": connected_page,
     "reference/wire.md": wire_page,
     "reference/osc.md": osc_page,
     "reference/bindings.md": binding_page,

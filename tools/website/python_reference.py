@@ -9,6 +9,9 @@ from functools import cached_property
 from typing import Any
 
 import omote
+from omote.server.client.connect import AsyncConnectedShow, ConnectedShow
+from omote.server.client.remote_character import RemoteCharacter
+from omote.server.client.utterance import AsyncUtterance, Utterance
 
 HEAD = """# Python
 
@@ -27,6 +30,37 @@ GROUPS: Mapping[str, Sequence[str]] = {
     "Expressions": ("compound", "extract", "ExtractedExpression", "ControlNet", "action_units"),
     "Faces": ("Sculpt", "read_sculpt", "sculpted", "regional", "caricature"),
 }
+CONNECTED_HEAD = """# A program that plays a running show
+
+Written from the docstrings by `tools/website/python_reference.py`. How to: [let a character speak](../howto/speech.md),
+[drive a character](../howto/drive-from-a-program.md). The same over the network without Python: [the wire](wire.md).
+
+```py
+with omote.connect("http://127.0.0.1:8090", name="chat") as show:  # blocking: a call returns once the show has obeyed
+    show["one"].call_expression("joy", seconds=0.5)
+    show["one"].say("Hello there").wait()
+```
+
+```py
+async with await omote.connect_async("http://127.0.0.1:8090", name="chat") as show:  # under asyncio: each is awaited
+    await show["one"].call_expression("joy", seconds=0.5)
+    said = await show["one"].say("Hello there")
+    await said.wait()
+```
+
+Every call raises `ValueError` with the show's reason where it is rejected (a name that there is not, a number out of
+range, a part that another holds), `TypeError` for a value of another kind, and `ConnectionError` where the show does
+not come back within the `timeout` of the connection: it comes back by itself where the show is started again. Numbers
+may be those of numpy. Two programs may play one character: who moved last has it.
+"""
+CONNECTED: Mapping[str, Sequence[type]] = {
+    "The show": (ConnectedShow,),
+    "A character of it": (RemoteCharacter,),
+    "What was said": (Utterance,),
+    "Under asyncio": (AsyncConnectedShow, AsyncUtterance),
+}
+GIVEN = {"Sent": "", "Said": " -> Utterance"}
+"""What a blocking call gives where the code says what a call of either kind does."""
 SECTION = re.compile(r"^(\w+)\n-+\n", re.MULTILINE)
 PAGE = re.compile(r"\bdocs/([\w/-]+\.md)")
 ENTRY = re.compile(r"^(\S.*?)(?: : (.*))?\n((?:    .*\n?|\n)+)", re.MULTILINE)
@@ -38,6 +72,41 @@ def python_page() -> str:
     for title, names in GROUPS.items():
         parts += [f"## {title}\n", *(part for name in names for part in _sections(name))]
     return "\n".join(parts)
+
+
+def connected_page() -> str:
+    """The page of a program's connection: each method of a show and of its characters."""
+    parts = [CONNECTED_HEAD, "## Connecting\n"]
+    parts += [section_of(f"omote.{each.__name__}", each, depth=3) for each in (omote.connect, omote.connect_async)]
+    for title, kinds in CONNECTED.items():
+        parts.append(f"## {title}\n")
+        for kind in kinds:
+            parts += [f"### `{kind.__name__}`\n\n{inspect.getdoc(kind)}\n", *_inherited_sections(kind)]
+    return "\n".join(parts)
+
+
+def _inherited_sections(kind: type) -> Iterator[str]:
+    """Its own methods and those that it inherits; under asyncio only its own, for the others are the same."""
+    seen = set[str]()
+    for each in kind.__mro__[:-1] if kind is not AsyncConnectedShow else (kind,):
+        for member, found in vars(each).items():
+            if member in seen or (member.startswith("_") and member != "__getitem__"):
+                continue
+            seen.add(member)
+            title = f"{kind.__name__}.{member}" if member != "__getitem__" else f"{kind.__name__}[name]"
+            if isinstance(found, property):
+                yield f"#### `{title}`\n\n{inspect.getdoc(found)}\n"
+            elif inspect.isfunction(found):
+                yield _without_self(section_of(title, found, depth=4))
+
+
+def _without_self(section: str) -> str:
+    """As a caller writes it, with what a blocking call gives."""
+    section = section.replace("(self, ", "(").replace("(self)", "()").replace("\n    self,", "")
+    section = section.replace("[name](name: str)", "[name: str]")
+    for code, gives in GIVEN.items():
+        section = section.replace(f") -> {code}\n", f"){gives}\n")
+    return re.sub(r"\[Sent, Said\]", "", section)
 
 
 def _sections(name: str) -> Iterator[str]:

@@ -263,7 +263,7 @@ class Frame:
     hold where layers mix it with what sources send, None where `channels`, `head` and `gaze` are theirs alone; layers
     mix the gaze as the channels that turn the eyes. `layers`: those that a source drives or that are set otherwise than
     at first. `motion`: what is set of the automatic motion, None where nothing is. `speech`: what is said, None where
-    nothing is.
+    nothing is; `spoken`: the key of what was said to its end last.
     """
 
     faces: Mapping[str, float]
@@ -287,6 +287,7 @@ class Frame:
     held: Held | None = None
     motion: MotionSettings | None = None
     speech: SpeechStatus | None = None
+    spoken: str = ""
 
 
 def with_fields(frozen: Frozen, **changes: Any) -> Frozen:

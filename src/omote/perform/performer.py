@@ -62,6 +62,7 @@ from omote.perform.region_axes import advance_regions, call_regions, move_with_f
 from omote.perform.snapshot import Playable, Snapshot, check_snapshot, is_home_next, refuse_no_cast
 from omote.perform.speech.speaking import (
     advance_speaking,
+    find_spoken,
     make_speech,
     mouth_of_speaking,
     say,
@@ -690,6 +691,7 @@ class Performer:
         delay: float = 0.0,
         offset: float = 0.0,
         queue: bool = False,
+        key: str = "",
     ) -> None:
         """Speaks: lips move in time with a sound that something else plays, on the layer *lips*.
 
@@ -717,6 +719,9 @@ class Performer:
             Seconds by which the mouth is later than the sound, -1 to 1.
         queue : bool
             After all that is said already, instead of in its place.
+        key : str
+            What to call it, to 64 characters: `speech.keys` of a frame has it until it is over, and `spoken` once it
+            was said to its end. Without one it has no name.
 
         Raises
         ------
@@ -739,7 +744,7 @@ class Performer:
         """
         track = make_track(timing, text, marks, times, language=language, seconds=seconds)
         number, after = self._now.said + 1, check_switch(queue, "the switch queue")
-        speech = make_speech(track, text=text, sound=sound, delay=delay, offset=offset, number=number)
+        speech = make_speech(track, text=text, sound=sound, delay=delay, offset=offset, number=number, key=key)
         self._play(speaking=say(self._now.speaking, speech, queue=after), said=number)
 
     def stop_speaking(self) -> None:
@@ -970,9 +975,10 @@ class Performer:
             self._now = with_fields(self._now, gestures=advance_gestures(self._now.gestures, dt))
         if self._now.speaking is None:
             return
-        share = share_of_lips(self._now.speaking)  # none at first, so that its layer is trusted at once
-        speaking = advance_speaking(self._now.speaking, dt)
-        self._now = with_fields(self._now, speaking=speaking)
+        before = self._now.speaking
+        share = share_of_lips(before)  # none at first, so that its layer is trusted at once
+        speaking, spoken = (later := advance_speaking(before, dt)), find_spoken(before, later)
+        self._now = with_fields(self._now, speaking=speaking, spoken=self._now.spoken if spoken is None else spoken)
         if speaking is None:
             self.leave_layer("lips", SPEECH)
         elif speaking.moves:
@@ -1093,4 +1099,5 @@ def _frame(now: Snapshot) -> Frame:
         region_calls={region: found for region, on in now.regions.items() if (found := axis.status(on)) is not None},
         motion=None if now.motion is None else now.motion.settings,
         speech=speech_status(now.speaking),
+        spoken=now.spoken,
     )

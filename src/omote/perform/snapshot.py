@@ -62,7 +62,8 @@ class Snapshot:
     `panicked`: the time of the last panic, None once something has been played after it; `panics` counts all of them.
     `regions`: the expressions of the regions that go their own way; all others go with `expression`. `layers`: None
     while nothing but calls and hands plays. `motion`: the automatic one, None while none has been set. `speaking`: what
-    is said; `said` counts all that was. `gestures`: those that run.
+    is said; `said` counts all that was, `spoken` is the key of what was said
+    to its end last. `gestures`: those that run.
     """
 
     face: Axis
@@ -81,6 +82,7 @@ class Snapshot:
     motion: AutomaticMotion | None = None
     speaking: Speaking | None = None
     said: int = 0
+    spoken: str = ""
     gestures: tuple[Gesture, ...] = ()
 
 

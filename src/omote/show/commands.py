@@ -48,6 +48,7 @@ def _say(performer: Performer, asked: wire.Say) -> None:
         delay=asked.delay,
         offset=asked.offset,
         queue=asked.queue,
+        key=asked.key,
     )
 
 

@@ -16,8 +16,8 @@ from omote.perform.frame import TargetKind
 from omote.perform.gestures.gesture_curves import GestureName
 from omote.perform.layers.layer_names import LayerName, LayerPart
 from omote.perform.scene.character_names import MOST_CHARACTERS
+from omote.perform.speech.number_words import Language
 from omote.perform.speech.speech_timing import TimingKind
-from omote.perform.speech.spelling import Language
 from omote.show.access.access_documents import (  # noqa: F401  (the mirror has all)
     ACCESS_DOCUMENTS,
     AccessDocument,
@@ -418,7 +418,8 @@ class Say(Message, frozen=True):
     words, characters, visemes (Oculus), azure (ids), rhubarb (letters); `text`: none, the text's letters are timed by
     rule, in `language`. `seconds`: the length, where it is known. `sound`: the key of one that was sent to `/sounds`,
     which one stage plays; "": something else does. `delay`: seconds until the sound begins; `offset`: by which the
-    mouth is later. `queue`: after all that is said already, else in its place. An `id` executes once."""
+    mouth is later. `queue`: after all that is said already, else in its place. `key`: what to call it: the
+    state's `speech.keys` have it until it is over, and `spoken` once it was said to its end. An `id` executes once."""
 
     character: CharacterName
     id: CallId
@@ -432,6 +433,7 @@ class Say(Message, frozen=True):
     delay: float = 0.0
     offset: float = 0.0
     queue: bool = False
+    key: Annotated[str, msgspec.Meta(max_length=64)] = ""
 
 
 class StopSpeaking(Message, frozen=True):
@@ -881,7 +883,8 @@ class PlaysSound(Message, frozen=True):
 class SpeechState(msgspec.Struct, frozen=True):
     """What a character says. `number`: counts all that it has said; `text`: its first 120 characters; `elapsed`:
     seconds since its sound began, below 0 before; `seconds`: its length. `sound`: the key of what a stage plays, ""
-    for none; `waiting`: how many speeches follow, `next_sound`: the key of the next one's."""
+    for none; `waiting`: how many speeches follow, `next_sound`: the key of the next one's. `keys`: what
+    programs call this one and those that follow, in their order."""
 
     number: int
     text: str
@@ -890,6 +893,7 @@ class SpeechState(msgspec.Struct, frozen=True):
     sound: str = ""
     waiting: int = 0
     next_sound: str = ""
+    keys: list[str] = []
 
 
 class SourceValues(Message, frozen=True):
@@ -993,7 +997,7 @@ class CharacterState(msgspec.Struct, frozen=True):
     `region_calls`: their own calls. `layers`: those that a source drives or that are set otherwise than at first, the
     lowest first; all else is what they make together. `held`: what hands hold, `None` where that is what is on air.
     `motion`: what is set of its automatic motion, `None` where nothing was. `speech`: what it says, `None` while it
-    says nothing.
+    says nothing; `spoken`: the key of what it said to its end last.
     """
 
     faces: dict[str, float]
@@ -1021,6 +1025,7 @@ class CharacterState(msgspec.Struct, frozen=True):
     held: HeldState | None = None
     motion: MotionState | None = None
     speech: SpeechState | None = None
+    spoken: str = ""
 
 
 class State(Message, frozen=True):
@@ -1195,7 +1200,8 @@ class SendWay(msgspec.Struct, frozen=True):
 class Devices(Message, frozen=True):
     """All sources: complete, to consoles when one comes or goes and once a second, to pages that watch ten times a
     second. trackers: what can be heard; found: what has announced itself; receivers: to whom faces are sent, in one of
-    these ways; phone_page: the address that a phone opens to copy what to type."""
+    these ways; phone_page: the address that a phone opens to copy what to type, "" where the show listens on its own
+    machine alone; host: that machine's address in its network, to which trackers send, "" where it is in none."""
 
     devices: list[DeviceState]
     trackers: list[TrackerOffer] = []
@@ -1203,6 +1209,7 @@ class Devices(Message, frozen=True):
     receivers: list[ReceiverState] = []
     ways: list[SendWay] = []
     phone_page: str = ""
+    host: str = ""
 
 
 class LearningState(msgspec.Struct, frozen=True):
@@ -1241,7 +1248,8 @@ class BindingsChanged(Message, frozen=True):
 
 class InputLine(msgspec.Struct, frozen=True):
     """What came from a source, or why it was rejected; `count`: how often the same within a second; `time`: seconds
-    since 1970."""
+    since 1970. Of a sender of a face there is one line while it sends: `rate` a second, `bars`: the channels that move
+    most, and where each stands."""
 
     number: int
     time: float
@@ -1249,6 +1257,8 @@ class InputLine(msgspec.Struct, frozen=True):
     text: str
     rejected: bool
     count: int = 1
+    rate: float = 0.0
+    bars: dict[str, float] = {}
 
 
 class InputLog(Message, frozen=True):

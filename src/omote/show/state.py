@@ -146,9 +146,10 @@ def call_state_of(status: CallStatus) -> CallState:
 
 def _home(frame: Frame) -> dict[str, Any]:
     """What a state tells of the home face and of speech, by field."""
-    speech = None if frame.speech is None else SpeechState(**vars(frame.speech))
-    home = frame.home
-    return {"home_face": home.face, "home_seconds": home.seconds, "home_next": frame.home_next, "speech": speech}
+    said = frame.speech
+    speech = None if said is None else SpeechState(**{**vars(said), "keys": list(said.keys)})
+    home = {"home_face": frame.home.face, "home_seconds": frame.home.seconds, "home_next": frame.home_next}
+    return {**home, "speech": speech, "spoken": frame.spoken}
 
 
 def _layers(frame: Frame) -> dict[str, Any]:

@@ -26,6 +26,11 @@ def test_a_button_makes_a_gesture_when_it_is_pressed_alone() -> None:
     assert _read("stop_speaking") == (wire.StopSpeaking("one", "id"),)
 
 
+def test_a_gesture_is_made_by_its_name() -> None:
+    assert _read("gesture", "nod") == _read("gesture/nod")
+    assert _read("gesture", "nod", 0.5) == (wire.MakeGesture("one", "id", "nod", 0.5),)
+
+
 def test_an_expression_is_called_in_part() -> None:
     (call,) = _read("expression", "smile", 0.5, 0.25)
     assert isinstance(call, wire.CallExpression)
@@ -39,6 +44,8 @@ def test_an_expression_is_called_in_part() -> None:
         ("say", (3.0,), "text is"),
         ("say", ("Hello", "soon"), "delay is"),
         ("say/fr", ("Bonjour",), "language 'fr'"),
+        ("gesture", ("dance",), "gesture 'dance'"),
+        ("gesture", ("nod", 0.5, 1.0), "expected at most"),
         ("gesture/dance", (), "gesture 'dance'"),
         ("gesture/nod", (1.0, "far"), "amplitude is"),
         ("gesture/nod", (1.0, 1.0, 1.0), "expected at most"),

@@ -5,6 +5,7 @@ import pytest
 from omote.inputs.page_devices.device_health import MOST_VALUES, DeviceHealth, SourceCounts, SourceHealth
 from omote.inputs.page_devices.input_log import InputLog
 from omote.inputs.rejection import Rejection
+from omote.inputs.trackers.tracker_input import SenderCounts
 
 
 def test_the_rate_is_of_the_last_second() -> None:
@@ -33,3 +34,30 @@ def test_a_look_at_a_source_logs_what_is_new_once() -> None:
     assert [(line.text, line.count) for line in log.lines] == [("/omote/panic", 40), ("10.0.0.5: no", 2)]
     source.look(2.1, log)
     assert len(log.lines) == 2
+
+
+def test_each_sender_of_a_face_is_one_line_that_shows_what_moves() -> None:
+    log, heard = InputLog(), {"Ada": 0, "Ben": 0}
+    jaw = {"Ada": 0.0, "Ben": 0.0}
+
+    def probe() -> SourceCounts:
+        senders = tuple(
+            SenderCounts(name, count, {"cheekPuff": 0.0, "jawOpen": jaw[name]}) for name, count in heard.items()
+        )
+        return SourceCounts("Live Link Face", "tracker", "", sum(heard.values()), 0, senders=senders)
+
+    source = SourceHealth(probe)
+    for look in range(50):
+        heard["Ada"] += 6
+        heard["Ben"] += 3 if look < 20 else 0
+        jaw["Ada"] = look / 50
+        source.look(look / 10, log)
+    told = {line.text: line for line in log.lines}
+    assert len(told) == len(log.lines) == 2
+    assert (told["Ada"].count, told["Ben"].count) == (300, 60)
+    assert told["Ada"].rate == pytest.approx(60.0, rel=0.1)
+    assert told["Ada"].bars == {"jawOpen": 49 / 50}
+    assert log.lines[-1].text == "Ada", "what goes on stands below what has ended"
+    heard["Ben"] = 2
+    source.look(9.0, log)
+    assert [(line.text, line.count) for line in log.lines][-1] == ("Ben", 2), "it has come back"

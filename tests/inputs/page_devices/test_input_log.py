@@ -33,3 +33,18 @@ def test_it_stays_bounded_and_each_change_has_a_number() -> None:
     assert len(log.lines) == MOST_LINES
     assert len(numbers) == 3 * MOST_LINES
     assert max(len(line.text) for line in log.lines) <= 300
+
+
+def test_what_comes_without_end_is_one_line_until_nothing_comes() -> None:
+    log, numbers = InputLog(), set()
+    for n in range(100):
+        log.follow("VMC", "Ada", n / 10, count=6, rate=60.0, bars={"jawOpen": n / 100})
+        numbers.add(log.number)
+    log.note("pad", "1/cc7 0.5", 9.95)
+    log.follow("VMC", "Ada", 10.0, count=6, rate=60.0, bars={"jawOpen": 1.0})
+    assert [(line.source, line.count, line.bars) for line in log.lines] == [
+        ("pad", 1, {}), ("VMC", 606, {"jawOpen": 1.0}),
+    ]  # fmt: skip
+    assert len(numbers) == 100
+    log.follow("VMC", "Ada", 12.0, count=6, rate=60.0, bars={"jawOpen": 1.0})
+    assert [line.count for line in log.lines if line.source == "VMC"] == [606, 6]

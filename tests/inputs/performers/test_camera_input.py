@@ -5,7 +5,7 @@ from collections.abc import Mapping
 import pytest
 
 from omote.inputs.performers import camera_messages as wire
-from omote.inputs.performers.camera_input import MOST_CAMERAS, CameraInput
+from omote.inputs.performers.camera_input import MOST_CAMERAS, MOST_LEFT, CameraInput
 from omote.inputs.performers.performer_list import PerformerList
 from omote.model.cast import Cast
 from omote.show import messages as show_wire
@@ -127,6 +127,43 @@ def test_a_guided_minute_that_is_ended_goes_on_or_is_used_as_far_as_it_is_made(s
     stage.play(0.1)
     used = stage.status()
     assert (used.calibrated, used.unused, used.missing) == ("guided", False, status.missing)
+
+
+def test_faces_that_are_not_used_yet_wait_for_a_page_that_loads_again_or_for_the_name(stage: Stage) -> None:
+    stage.begin()
+    stage.play(2.5)
+    stage.cameras.obey("1", wire.BeginGuide())
+    stage.play(12.0)
+    missing = stage.status().missing
+    stage.cameras.end("1")
+    stage.begin("2")  # the page has loaded again, in the middle of its minute
+    assert (stage.status("2").missing, stage.status("2").unused, stage.status("2").guide) == (missing, True, None)
+    stage.begin("2", "Bo")  # somebody else plays, and then the first one
+    assert (stage.status("2").redoable, stage.status("2").unused) == ([], False)
+    stage.begin("2")
+    assert (stage.status("2").missing, stage.status("2").unused) == (missing, True)
+    stage.begin("3")  # a second page takes over
+    assert (stage.status("3").missing, stage.status("3").unused) == (missing, True)
+    stage.cameras.obey("3", wire.DeletePerformer())
+    assert (stage.status("3").redoable, stage.status("3").unused) == ([], False)
+    stage.cameras.end("3")
+    stage.begin("4")
+    assert stage.status("4").redoable == []
+
+
+def test_faces_of_few_who_left_are_kept(stage: Stage) -> None:
+    for name in ("Ada", "Bo", "Cy", "Di", "Ed"):
+        stage.begin("1", name)
+        stage.cameras.obey("1", wire.BeginGuide())
+        stage.play(4.5)
+        assert stage.status().redoable
+    assert MOST_LEFT == 4
+    stage.cameras.end("1")
+    kept = []
+    for name in ("Ada", "Bo", "Ed"):
+        stage.begin("1", name)
+        kept.append(bool(stage.status().redoable))
+    assert kept == [False, True, True]
 
 
 def test_a_fit_that_fails_leaves_what_was(stage: Stage) -> None:

@@ -49,6 +49,22 @@ def test_a_wav_that_was_streamed_has_the_length_of_what_came() -> None:
     assert read_sound(bytes(data)).seconds == 1.0
 
 
+@pytest.mark.parametrize("declared", [0xFFFFFFFF, 0x7FFFFFFF, 0x7FFFF000, 0x7FFFF024])
+def test_who_streams_into_a_pipe_does_not_know_the_length(declared: int) -> None:
+    data = bytearray(wav(1.0))
+    at = data.index(b"data")
+    struct.pack_into("<I", data, at + 4, declared)
+    assert read_sound(bytes(data)).seconds == 1.0
+
+
+def test_a_wav_that_is_cut_off_is_rejected_with_both_lengths() -> None:
+    whole = wav(2.0)
+    said = r"the WAV is cut off: it says that it has 32000 bytes of sound \(2 s\), and 8000 came \(0.5 s\)"
+    with pytest.raises(ValueError, match=said):
+        read_sound(whole[:-24000])
+    assert read_sound(whole[:-2]).seconds == pytest.approx(2.0, abs=0.001)
+
+
 def test_ogg_and_mp3_have_their_lengths() -> None:
     assert read_sound(ogg(VORBIS, 88200)) == read_sound(ogg(VORBIS, 88200))
     assert (read_sound(ogg(VORBIS, 88200)).type, read_sound(ogg(VORBIS, 88200)).seconds) == ("audio/ogg", 2.0)

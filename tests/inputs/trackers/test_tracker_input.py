@@ -91,7 +91,9 @@ def test_channels_of_the_cast_s_own_are_played_by_their_names(cast: Cast) -> Non
     state = stage.play(4.0, apply(SMILE=0.75, Unknown=1.0))
     assert state.characters["one"].channels["smile"] == pytest.approx(0.75, abs=1e-3)
     assert stage.trackers.values() == {"smile": 0.75}
-    assert stage.trackers.newest == f"VMC {HOST}: smile 0.75"
+    (sender,) = stage.trackers.senders()
+    assert (sender.name, sender.values) == (HOST, {"smile": 0.75})
+    assert sender.heard == stage.trackers.heard
 
 
 def test_what_a_frame_lacks_stays_as_it_was(cast: Cast) -> None:

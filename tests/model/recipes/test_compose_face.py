@@ -11,10 +11,10 @@ from hypothesis import strategies as st
 
 from omote.builtin import load_cast
 from omote.model.cast import Look
-from omote.model.recipes.compose_face import MOST_AMOUNT, FaceWithLook, compose_face, mix_faces, mix_looks
+from omote.model.recipes.compose_face import FaceWithLook, compose_face, mix_faces, mix_looks
 from omote.model.recipes.face_handles import default_handles, drag_handles
 from omote.model.recipes.recipe import FaceRecipe, GainRow
-from omote.model.sculpting.caricature import caricature
+from omote.model.sculpting.caricature import MOST_AMOUNT, caricature
 from omote.model.sculpting.extrapolation import find_folds
 from omote.model.sculpting.regions import regional
 from omote.model.space.face import Face
@@ -168,8 +168,8 @@ def test_mixes_regions_and_some_caricature_fold_next_to_nothing(
         (FaceRecipe({"kaori": float("nan")}), "'kaori' has weight nan"),
         (FaceRecipe({"kaori": 1.0}, {"beak": "dog"}), "no region 'beak'"),
         (FaceRecipe({"kaori": 1.0}, {"nose": "nobody"}), "no face 'nobody'"),
-        (FaceRecipe({"kaori": 1.0}, amount=2 * MOST_AMOUNT), "amount of caricature is 6.0"),
-        (FaceRecipe({"kaori": 1.0}, amount=float("nan")), "amount of caricature is nan"),
+        (FaceRecipe({"kaori": 1.0}, amount=2 * MOST_AMOUNT), "caricature's amount is 6.0"),
+        (FaceRecipe({"kaori": 1.0}, amount=float("nan")), "caricature's amount is nan"),
         (FaceRecipe({"kaori": 1.0}, gains=(GainRow("tail", 1.0),)), "a gain is of region 'tail'"),
         (FaceRecipe({"kaori": 1.0}, points=(1,)), "moves of handles has shape"),
         (FaceRecipe({"kaori": 1.0}, moves=((0.0, 0.0, 0.0),)), "expected a list of rows"),

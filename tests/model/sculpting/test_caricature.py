@@ -59,7 +59,7 @@ def test_a_caricature_has_a_name_of_its_own() -> None:
     assert caricature(space(), cast().faces["long"], 1.5).name == "long_150"
 
 
-@pytest.mark.parametrize("amount", [float("nan"), float("inf")])
-def test_an_amount_that_is_not_finite_is_refused(amount: float) -> None:
-    with pytest.raises(ValueError, match="a caricature's amount is"):
+@pytest.mark.parametrize("amount", [float("nan"), float("inf"), 50, -1, 3.001])
+def test_an_amount_out_of_range_is_refused_with_the_range(amount: float) -> None:
+    with pytest.raises(ValueError, match=r"a caricature's amount is .*from 0 .the generic face. to 3"):
         caricature(space(), cast().faces["long"], amount)

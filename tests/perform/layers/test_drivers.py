@@ -18,7 +18,7 @@ from omote.perform.layers.drivers import (
     with_driver,
 )
 from omote.perform.layers.layer_names import LAYER_PARTS
-from omote.perform.layers.source_frame import AUTOMATIC, LOSS_SECONDS, SourceFrame
+from omote.perform.layers.source_frame import AUTOMATIC, LOSS_SECONDS, SPEECH, SourceFrame
 
 
 def test_it_covers_the_parts_of_its_channels_as_far_as_it_may(cast: Cast) -> None:
@@ -47,6 +47,7 @@ def test_what_drives_a_layer_is_the_same_while_it_sends_the_same_channels() -> N
         Driver("phone", ("jawOpen",)),
         Driver("phone", ("jawOpen",), head=True, gaze=True),
         Driver("phone", ("jawOpen",), head=True, parts=LAYER_PARTS[:2]),
+        Driver("phone", ("jawOpen",), head=True, route_number=1),
     ):
         assert not fits(other, frame)
 
@@ -76,6 +77,15 @@ def test_of_equals_the_newest_has_all_and_when_it_is_lost_the_other(columns: Col
     assert set(owners_of((one, other), columns)) == {"other", None}
     for gone in (Driver("other", ALL_NAMES, silent=LOSS_SECONDS), Driver("other", ALL_NAMES, leaves=True)):
         assert set(owners_of((one, gone), columns)) == {"one", None}
+
+
+def test_of_equals_the_one_that_was_told_to_play_last_has_all_whenever_it_came(columns: Columns) -> None:
+    told, came = Driver("told", ALL_NAMES, route_number=2), Driver("came", ALL_NAMES, route_number=1)
+    assert set(owners_of((told, came), columns)) == {"told", None}
+    lips = Driver("lips", ALL_NAMES, parts=("mouth",))
+    assert "lips" in owners_of((lips, told), columns), "who may play fewer parts has them all the same"
+    speech = Driver(SPEECH, ALL_NAMES)
+    assert set(owners_of((speech, told), columns)) == {SPEECH, None}, "what a character says is its own"
 
 
 def test_a_source_that_sends_again_keeps_its_place_and_one_with_another_route_comes_last() -> None:

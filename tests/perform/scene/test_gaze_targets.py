@@ -59,6 +59,18 @@ def test_a_named_point_a_camera_and_a_direction(cast: Cast) -> None:
     assert later(scene)["one"].gaze.yaw == pytest.approx(0.25, abs=0.01)
 
 
+def test_a_stage_that_there_is_not_is_named_with_those_that_there_are(cast: Cast) -> None:
+    scene = pair(cast)
+    with pytest.raises(ValueError, match=r"no stage 'nosuch' in .* has none with a name; open /stage\?name=nosuch"):
+        scene["one"].look_at("stage", "nosuch")
+    for stage in ("left", "right", ""):
+        scene.note_camera(stage, (-3.0, 0.0, 1.0))
+    with pytest.raises(ValueError, match="which has 'left', 'right'; open"):
+        scene["one"].look_at("stage", "lef")
+    scene["one"].look_at("stage", "right")
+    scene["one"].look_at("stage")
+
+
 def test_who_has_left_is_looked_at_no_more_and_again_when_back(cast: Cast) -> None:
     scene = pair(cast)
     scene["one"].look_at("character", "two")

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -15,6 +16,7 @@ from omote.perform.speech.speaking import (
     Speech,
     advance_speaking,
     check_speaking,
+    find_spoken,
     make_speech,
     mouth_of_speaking,
     say,
@@ -31,6 +33,20 @@ OPEN = VisemeTrack((0.0,), (VISEMES.index("aa"),), 1.0)
 
 def _speech(number: int = 1, *, sound: str = "", delay: float = 0.0, offset: float = 0.0) -> Speech:
     return make_speech(OPEN, text="Ah", sound=sound, delay=delay, offset=offset, number=number)
+
+
+def test_keys_name_what_is_said_and_the_newest_that_ended_by_itself_is_known() -> None:
+    first, second = (replace(_speech(number), key=f"key {number}") for number in (1, 2))
+    both = say(say(None, first, queue=False), second, queue=True)
+    assert speech_status(both).keys == ("key 1", "key 2")  # type: ignore[union-attr]
+    assert find_spoken(both, advance_speaking(both, 0.1)) is None
+    later = advance_speaking(both, 1.4)
+    assert later is not None
+    assert (speech_status(later).keys, find_spoken(both, later)) == (("key 2",), "key 1")  # type: ignore[union-attr]
+    assert find_spoken(both, advance_speaking(both, 20.0)) == "key 2"
+    assert find_spoken(Speaking(None, lips=1.0), None) is None
+    with pytest.raises(ValueError, match="a key of at most 64"):
+        replace(first, key="k" * 65)
 
 
 def _later(speaking: Speaking | None, seconds: float) -> Speaking | None:
@@ -110,7 +126,7 @@ def test_rejects_what_cannot_be_said() -> None:
             _speech(offset=wrong)
     with pytest.raises(ValueError, match="at most 2000"):
         Speech(OPEN, text="a" * 2001)
-    with pytest.raises(ValueError, match="a sound of 64"):
+    with pytest.raises(ValueError, match="a sound and a key of at most 64"):
         Speech(OPEN, sound="a" * 65)
     full = Speaking(_speech(), (_speech(),) * MOST_WAITING)
     with pytest.raises(ValueError, match="wait already"):

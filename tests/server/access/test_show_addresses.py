@@ -10,6 +10,7 @@ from omote.server.access.show_addresses import (
     entry_address,
     is_loopback,
     local_address,
+    outside_address,
     own_address,
     own_entries,
     own_network,
@@ -102,3 +103,11 @@ def test_a_certificate_has_the_names_of_this_machine_once_each() -> None:
     assert {"localhost", "127.0.0.1", "::1", "192.168.1.7"} <= set(names)
     assert len(names) == len(set(names))
     assert "0.0.0.0" not in certificate_names("0.0.0.0")
+
+
+def test_other_machines_reach_what_listens_off_loopback() -> None:
+    outer = own_address()
+    assert outside_address("0.0.0.0", 8095, "https") == ("" if outer is None else url(outer, 8095, "https"))
+    assert outside_address("192.168.1.7", 8095) == "http://192.168.1.7:8095"
+    for host in ("127.0.0.1", "::1", "localhost"):
+        assert outside_address(host, 8095) == ""

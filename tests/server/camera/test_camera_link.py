@@ -31,11 +31,15 @@ class Room:
     """The links of one show, who may stay, and what the terminal was told."""
 
     def __init__(self, harness: ShowHarness) -> None:
-        self.harness, self.holds = harness, True
+        self.harness, self.holds, self.outside = harness, True, ""
         self.said: list[str] = []
         performers = PerformerList({}, lambda *_: None)
         self.links = CameraLinks(
-            lambda: harness.show.session, performers, RejectionLog(self.said.append), lambda _: self.holds
+            lambda: harness.show.session,
+            performers,
+            RejectionLog(self.said.append),
+            lambda _: self.holds,
+            lambda: self.outside,
         )
         harness.show.sources.append(self.links)
 
@@ -165,3 +169,12 @@ async def test_a_link_ends_when_its_token_does(room: Room, sender: Sender) -> No
         while (await socket.receive(timeout=60.0)).type is not aiohttp.WSMsgType.CLOSE:
             pass
         assert socket.close_code == REVOKED_CODE
+
+
+async def test_a_camera_elsewhere_is_sent_to_the_address_of_the_show_or_told_what_it_needs(room: Room) -> None:
+    (probe,) = room.links.probes
+    assert "omote track" not in probe().advice
+    assert "this machine alone" in probe().advice
+    assert "--host 0.0.0.0" in probe().advice
+    room.outside = "https://192.168.1.20:8095"
+    assert "omote track --to https://192.168.1.20:8095 " in probe().advice

@@ -54,7 +54,9 @@ async def test_only_this_machine_s_own_pages_get_the_page() -> None:
             answer = await client.get(path)
             assert await answer.text() == "the page"
             assert "default-src 'self'" in answer.headers["Content-Security-Policy"]
-        missing = await client.get("/console")
+        console = await client.get("/console", allow_redirects=False)
+        assert (console.status, console.headers["Location"]) == (302, "http://far:8090/console")
+        missing = await client.get("/editor")
         assert (missing.status, "http://far:8090" in await missing.text()) == (404, True)
         foreign = await client.get("/camera", headers={"Host": "evil.example"})
         assert foreign.status == 403

@@ -14,7 +14,7 @@ from omote.server.access.certificates import load_context, make_certificate
 from omote.server.access.people_file import open_people
 from omote.server.access.security import own_names
 from omote.show.access.people_list import token_of
-from tests.server.client.test_program_link import ticking
+from tests.server.client.link.test_program_link import ticking
 from tests.server.conftest import ShowHarness
 
 

@@ -5,7 +5,7 @@ import pytest
 import omote
 from omote.model.cast import Cast
 from omote.show import messages as wire
-from tests.server.client.test_program_link import ticking
+from tests.server.client.link.test_program_link import ticking
 from tests.server.client.test_remote_show import Wired
 from tests.server.conftest import ShowHarness
 

@@ -11,7 +11,7 @@ from omote.cli import app
 from omote.inputs.takes.take import Take
 from omote.server.client.take_player import LONGEST_STEP, play_take
 from tests.inputs.takes.test_live_link_take import HEADER, row
-from tests.server.client.test_program_link import ticking
+from tests.server.client.link.test_program_link import ticking
 from tests.server.conftest import ShowHarness
 
 TAKE = Take(("jawOpen",), (0.0, 0.1, 0.2, 0.3), ((0.0,), (0.25,), (0.5,), (0.75,)), gazes=((0.1, 0.2),) * 4)
@@ -71,4 +71,41 @@ async def test_a_character_or_layer_that_there_is_not_is_one_sentence(
     assert isinstance(done.exception, SystemExit)
     assert done.exit_code == 1
     assert f"omote: {said}" in done.stderr
-    assert done.stderr.count("\n") == 1
+    assert done.stderr.count("\n") == 2, "what it waits for, and why it does not play"
+
+
+@pytest.mark.asyncio
+@pytest.mark.parametrize("character", ["one", "*"])
+async def test_whom_it_plays_and_how_often_is_said(
+    show_harness: ShowHarness, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, character: str
+) -> None:
+    monkeypatch.setattr("omote.server.client.take_player.play_take", lambda *_, **__: 1)
+    path = tmp_path / "take.csv"
+    path.write_text(HEADER + row("00:00:00:00", *[0.5] * 8))
+    address = str(show_harness.client.make_url("/"))
+    command = ["play-take", str(path), "--show", address, "--character", character]
+    async with ticking(show_harness):
+        done = await asyncio.to_thread(CliRunner().invoke, app, command)
+    whom = show_harness.show.session.scene.labels.get(character, "all")
+    assert done.stderr.splitlines() == [
+        f"omote: take.csv waits for the show at {address} ...",
+        f"omote: take.csv plays {whom} on the layer playback, once: 1 frames in 0.0 s.",
+        "omote: take.csv is over.",
+    ]
+
+
+@pytest.mark.asyncio
+async def test_how_a_loop_is_ended_is_said(
+    show_harness: ShowHarness, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def stop(*_: object, **__: object) -> int:
+        raise KeyboardInterrupt
+
+    monkeypatch.setattr("omote.server.client.take_player.play_take", stop)
+    path = tmp_path / "take.csv"
+    path.write_text(HEADER + row("00:00:00:00", *[0.5] * 8))
+    command = ["play-take", str(path), "--loop", "--show", str(show_harness.client.make_url("/"))]
+    async with ticking(show_harness):
+        done = await asyncio.to_thread(CliRunner().invoke, app, command)
+    assert "again and again, until Ctrl-C" in done.stderr
+    assert done.stderr.endswith("omote: stopped.\n")

@@ -5,6 +5,7 @@ import asyncio
 import shutil
 import socket
 import subprocess
+import sys
 from collections.abc import AsyncIterator, Iterable
 from pathlib import Path
 
@@ -18,9 +19,11 @@ from pythonosc.udp_client import SimpleUDPClient
 from omote.inputs.allowed_senders import AllowedSenders
 from omote.inputs.osc_input import OscInput
 from omote.inputs.osc_packet import decode_packet, encode_bundle, encode_message
+from omote.model.cast import Cast
 from omote.server.devices.osc_listener import MOST_CONNECTIONS, MOST_WAITING, OBEY_SECONDS, OscListener
 from omote.server.devices.rejection_log import RejectionLog
 from omote.server.supervision.listening_socket import listen_for_osc
+from omote.show.session import ShowSession
 from tests.server.conftest import ShowHarness
 from tools.node import find_node
 
@@ -102,6 +105,32 @@ async def test_python_osc_plays_over_tcp_and_hears_the_state(
     while show_harness.show.session.crew:
         show_harness.tick()
         await asyncio.sleep(0.001)
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="there is no uvloop")
+async def test_a_surface_plays_over_tcp_on_the_loop_that_a_show_has(cast: Cast, said: list[str]) -> None:
+    import uvloop
+
+    session = ShowSession(cast)
+    osc = OscInput(lambda: session)
+
+    async def play() -> None:
+        sockets = listen_for_osc(HOST, 0)
+        listener = OscListener(osc, sockets, RejectionLog(said.append))
+        await listener.start()
+        number = sockets.datagrams.getsockname()[1]
+        _, writer = await asyncio.open_connection(HOST, number)
+        writer.write(b"\xc0" + encode_message("/omote/one/channel/jawOpen", 0.5) + b"\xc0")
+        async with asyncio.timeout(60):
+            while not osc.heard:
+                listener.hear(0.0)
+                await asyncio.sleep(0.001)
+        writer.close()
+        await listener.close()
+        sockets.close()
+
+    await asyncio.to_thread(uvloop.run, play())
+    assert (osc.heard, session.tick(0.0).characters["one"].channels) == (1, {"jawOpen": 0.5})
 
 
 NPM_OSC = """

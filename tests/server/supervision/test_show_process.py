@@ -9,11 +9,21 @@ from pathlib import Path
 import aiohttp
 import pytest
 
+from omote.server.access.show_addresses import outside_address
+from omote.server.http.app import ShowServer
 from omote.server.http.static_pages import FOLDER
 from omote.server.process.notice_board import NoticeBoard
 from omote.server.process.process_messages import TICK, Order
-from omote.server.supervision.show_process import Pipes, load_material, play, report, run_until_ended
+from omote.server.supervision.show_process import (
+    Pipes,
+    load_material,
+    play,
+    report,
+    run_until_ended,
+    start_serving,
+)
 from omote.show import messages as wire
+from omote.show.session import ShowSession
 from omote.show.wire import encode
 from omote.showfile.backup import backup_paths
 from omote.showfile.show_file import open_show
@@ -79,6 +89,20 @@ def test_a_tick_that_fails_ends_the_server_with_its_error() -> None:
 async def ended(beating: Coroutine[object, object, None], control: int) -> None:
     """Plays with nothing around it."""
     await run_until_ended(beating, control)
+
+
+@pytest.mark.parametrize("host", ["127.0.0.1", "0.0.0.0"])
+def test_the_address_for_other_machines_is_known(host: str) -> None:
+    async def served(show: ShowServer, listening: socket.socket) -> str:
+        runner = await start_serving(show, os.dup(listening.fileno()))
+        await runner.cleanup()
+        return show.outside
+
+    documents = material().documents
+    show = ShowServer(ShowSession(documents.cast), documents, {})
+    with socket.create_server((host, 0)) as listening:
+        assert asyncio.run(served(show, listening)) == outside_address(host, listening.getsockname()[1])
+    documents.close()
 
 
 def test_what_is_served_is_the_built_in_cast_and_the_built_pages() -> None:

@@ -34,3 +34,33 @@ def test_performers_and_whom_they_play_are_said_once(cast: Cast) -> None:
     assert hear(wire.RouteSource("f", "Mira", ["*"], "tracker")) == ["Mira plays all characters."]
     assert hear(wire.LeaveSource(2)) == []
     assert hear(wire.Source("Mira", "tracker", ["jawOpen"])) == ["Mira plays all characters."]
+
+
+def test_one_that_waits_behind_another_is_not_said_to_play(cast: Cast) -> None:
+    session, said, now = ShowSession(cast), list[str](), 0.0
+    report, indexes, frame = SourceReport(lambda: session, said.append), dict[str, int](), bytes(4)
+
+    def open_source(who: str, *characters: str) -> None:
+        session.receive(who, wire.Hello("console", wire.PROTOCOL_VERSION, who), now)
+        (answer,) = session.receive(who, wire.Source(who, "tracker", ["jawOpen"], list(characters)), now)
+        assert isinstance(answer.message, wire.SourceIs)
+        indexes[who] = answer.message.index
+
+    def play(*senders: str) -> list[str]:
+        nonlocal now
+        said.clear()
+        for _ in range(70):
+            for who in senders:
+                session.receive(who, wire.Drive(indexes[who], frame), now)
+            now += 1.0 / 60.0
+            report.tell(session.tick(now), now)
+        return said.copy()
+
+    open_source("camera", "one")
+    assert play("camera") == ["camera plays One."]
+    session.leave("camera")
+    open_source("phone", "one")
+    assert play("phone") == ["phone plays One."]
+    open_source("camera")
+    assert play("phone", "camera") == ["camera waits: phone plays One; choose at the console who does."]
+    assert play("phone", "camera") == []

@@ -1,4 +1,4 @@
-"""A performer's measure: rest is nothing, the largest move all, lids are scaled alone, nothing leaves its range."""
+"""A performer's measure: rest is nothing, the largest move all, lids are open at rest, nothing leaves its range."""
 
 import numpy as np
 import pytest
@@ -7,7 +7,7 @@ from hypothesis import strategies as st
 
 from omote.perform.frame import Gaze, Head
 from omote.perform.limits import CHANNEL_HIGHEST, CHANNEL_LOWEST
-from omote.show.sources.calibration import AS_IT_IS, Calibration, measure_of
+from omote.show.sources.calibration import AS_IT_IS, MOST_LID_REST, Calibration, measure_of
 
 NAMES = ("jawOpen", "eyeBlinkLeft", "eyeBlinkRight", "mouthLeft", "mouthRight")
 sent = st.lists(st.floats(CHANNEL_LOWEST, CHANNEL_HIGHEST), min_size=5, max_size=5).map(np.array)
@@ -41,10 +41,35 @@ def test_rest_is_nothing_and_the_largest_move_is_all() -> None:
     assert weights(measured, [0.35, 0, 0, 0, 0])[0] == pytest.approx(0.5)
 
 
-def test_lids_are_scaled_and_not_shifted() -> None:
-    measured = Calibration({"eyeBlinkLeft": 0.2}, {"eyeBlinkLeft": 0.8})
-    assert weights(measured, [0, 0.8, 0, 0, 0])[1] == pytest.approx(1.0)
-    assert weights(measured, [0, 0.2, 0, 0, 0])[1] == pytest.approx(0.25)
+def lid(rest: float, shut: float | None, value: float, **tuned: float) -> float:
+    """What is made of a left lid that rests and shuts so."""
+    shuts = {} if shut is None else {"eyeBlinkLeft": shut}
+    return weights(Calibration({"eyeBlinkLeft": rest}, shuts, **tuned), [0, value, 0, 0, 0])[1]
+
+
+def test_a_lid_at_rest_is_open_and_a_shut_one_shut() -> None:
+    assert lid(0.07, 0.7, 0.07) == 0.0
+    assert lid(0.07, 0.7, 0.7) == pytest.approx(1.0)
+    assert lid(0.07, None, 1.0) == pytest.approx(1.0), "a lid of which only the rest is known shuts, too"
+    assert lid(0.07, 0.7, 0.12) < 0.12
+
+
+@given(st.floats(CHANNEL_LOWEST, CHANNEL_HIGHEST), st.none() | st.floats(CHANNEL_LOWEST, CHANNEL_HIGHEST), sent)
+def test_lids_are_nothing_below_their_rest_and_all_when_shut(
+    rest: float, shut: float | None, values: list[float]
+) -> None:
+    most = min(max(rest, 0.0), MOST_LID_REST)
+    for value in values:
+        found = lid(rest, shut, value)
+        assert found >= 0.0
+        assert found == 0.0 or value > most
+        assert found >= 1.0 - 1e-9 or value < max(1.0, shut or 1.0)
+
+
+def test_a_rest_that_was_measured_in_a_blink_leaves_lids_to_shut() -> None:
+    assert lid(0.95, None, 1.0) == pytest.approx(1.0)
+    assert lid(0.95, 1.0, 1.0) == pytest.approx(1.0)
+    assert lid(0.95, None, MOST_LID_REST + 0.1) > 0.0
 
 
 def test_a_mirror_swaps_the_sides_with_their_measures() -> None:

@@ -14,6 +14,7 @@ from omote.model.space.expression import Title
 from omote.show import messages as wire
 from omote.show.session import ShowSession
 from omote.show.session_snapshot import read_session_snapshot
+from omote.show.sources.open_sources import OpenSources
 from omote.show.wire import encode
 
 DT = 1.0 / 60.0
@@ -366,3 +367,48 @@ def test_a_source_that_is_smoothed_otherwise_does_not_let_go(cast: Cast) -> None
     show.play(3.0, index, [0.75, 0.0])
     show.change(wire.TuneSource("t", "face", False, 0.0, 0.0, 1.0, 1.0))
     assert min(jaw(show.play(DT, index, [0.75, 0.0])) for _ in range(120)) > 0.74
+
+
+def shares(show: Show, frames: dict[int, list[float]]) -> float:
+    """The jaw that is on air once all has settled."""
+    return round(jaw(show.play_all(8.0, frames)), 2)
+
+
+def test_one_that_comes_back_takes_nothing_from_one_that_was_told_to_play_since(cast: Cast) -> None:
+    show = Show(cast)
+    for who in ("camera", "phone"):
+        show.session.receive(who, wire.Hello("console", wire.PROTOCOL_VERSION, who), 0.0)
+    first = show.open(name="camera", who="camera")
+    show.drive(first, [0.2, 0.0], who="camera")
+    show.session.leave("camera")
+    show.play(8.0)
+    phone = show.open(name="phone")
+    assert shares(show, {phone: [0.8, 0.0]}) == 0.8
+    show.session.receive("camera", wire.Hello("console", wire.PROTOCOL_VERSION, "camera"), 0.0)
+    camera = show.open(name="camera", who="camera", characters=[])
+    assert show.session.sources.route("camera").characters == ("one",), "it is remembered"
+
+    def both(seconds: float) -> wire.State:
+        for _ in range(round(seconds / DT)):
+            show.drive(camera, [0.2, 0.0], who="camera")
+            state = show.play(DT, phone, [0.8, 0.0])
+        return state
+
+    assert jaw(both(8.0)) == pytest.approx(0.8, abs=1e-2), "the phone plays on"
+    show.change(wire.RouteSource("r", "camera", ["one"], "tracker"))
+    assert jaw(both(8.0)) == pytest.approx(0.2, abs=1e-2), "an operator has said so"
+    show.change(wire.LeaveSource(camera), "camera")
+    assert shares(show, {phone: [0.8, 0.0]}) == 0.8
+    camera = show.open(name="camera", who="camera", characters=[])
+    assert jaw(both(8.0)) == pytest.approx(0.2, abs=1e-2), "it was told to play last, and is back"
+
+
+def test_who_was_told_to_play_last_is_known_after_a_restart(cast: Cast) -> None:
+    show = Show(cast)
+    for name in ("camera", "phone"):
+        show.open(name=name)
+    show.change(wire.RouteSource("r", "camera", ["one"], "tracker"))
+    kept = msgspec.msgpack.encode(show.session.snapshot())
+    sources = read_session_snapshot(msgspec.msgpack.decode(kept))[0].sources
+    later = OpenSources(sources)
+    assert later.route("camera").number > later.route("phone").number > 0

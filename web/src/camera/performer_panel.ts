@@ -25,6 +25,14 @@ function sayCalibration(status: CameraStatus): string {
   return READ_BY[calibrated];
 }
 
+/** Why no character follows the face yet: the only one of a show does by itself, once the face is known. */
+function sayNobody({ calibrated, characters }: CameraStatus): string {
+  const [only, other] = characters;
+  if (calibrated === "no" && only !== undefined && other === undefined)
+    return `${only.label} follows your face as soon as that is known.`;
+  return "Nobody yet: choose a character, and it follows your face.";
+}
+
 @customElement("omote-performer")
 export class PerformerPanel extends CameraElement {
   /** The name in the field, "" until it is typed. */
@@ -121,7 +129,7 @@ export class PerformerPanel extends CameraElement {
           html`<button aria-pressed=${on} @click=${() => toggle(name)}>${label}</button>`,
       )}</div>
       <p>Its face, a person's or the dog's, is chosen at the <a href="/console" target="_blank">console</a>.</p>
-      ${played.length ? nothing : html`<p>Nobody yet: choose a character, and it follows your face.</p>`}</section>`;
+      ${played.length ? nothing : html`<p>${sayNobody(status)}</p>`}</section>`;
   }
 
   #calibration(status: CameraStatus) {

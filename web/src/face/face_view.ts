@@ -70,6 +70,8 @@ export class FaceView {
   private wanted: Level;
   /** When the picture was last shown, in seconds: what comes later begins from here. */
   shownAt: number | undefined;
+  /** Whether a character has been drawn: one that comes after that rises into the picture. */
+  private begun = false;
   /** The level of quality that is drawn. */
   level: Level;
   /** False while the graphics context is lost. */
@@ -123,8 +125,7 @@ export class FaceView {
         this.characters.delete(name);
       }
     for (const [name, pose] of Object.entries(scene.characters)) {
-      const character =
-        this.characters.get(name) ?? this.add(name, new DrawnCharacter(this.parts, pose, this.shownAt === undefined));
+      const character = this.characters.get(name) ?? this.add(name, new DrawnCharacter(this.parts, pose, !this.begun));
       character.show(pose, coming(name));
     }
   }
@@ -156,6 +157,7 @@ export class FaceView {
     const seconds = Math.min(0.1, Math.max(0, time - (this.shownAt ?? time)));
     this.shownAt = time;
     const characters = [...this.characters.values()];
+    this.begun ||= characters.length > 0;
     const poses = characters.map((character) => character.advance(seconds, this.blender, atOnce));
     this.parts.residency.advance(poses, this.blender, seconds, atOnce);
     const columns = this.frame();

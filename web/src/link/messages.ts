@@ -418,7 +418,8 @@ export interface DeleteGazePoint {
  * words, characters, visemes (Oculus), azure (ids), rhubarb (letters); `text`: none, the text's letters are timed by
  * rule, in `language`. `seconds`: the length, where it is known. `sound`: the key of one that was sent to `/sounds`,
  * which one stage plays; "": something else does. `delay`: seconds until the sound begins; `offset`: by which the
- * mouth is later. `queue`: after all that is said already, else in its place. An `id` executes once.
+ * mouth is later. `queue`: after all that is said already, else in its place. `key`: what to call it: the
+ * state's `speech.keys` have it until it is over, and `spoken` once it was said to its end. An `id` executes once.
  */
 export interface Say {
   type: "say";
@@ -434,6 +435,7 @@ export interface Say {
   delay: number;
   offset: number;
   queue: boolean;
+  key: string;
 }
 
 /** Ends what a character says, and all that it would say after: its mouth goes to rest. */
@@ -912,7 +914,8 @@ export interface PlaysSound {
 /**
  * What a character says. `number`: counts all that it has said; `text`: its first 120 characters; `elapsed`:
  * seconds since its sound began, below 0 before; `seconds`: its length. `sound`: the key of what a stage plays, ""
- * for none; `waiting`: how many speeches follow, `next_sound`: the key of the next one's.
+ * for none; `waiting`: how many speeches follow, `next_sound`: the key of the next one's. `keys`: what
+ * programs call this one and those that follow, in their order.
  */
 export interface SpeechState {
   number: number;
@@ -922,6 +925,7 @@ export interface SpeechState {
   sound: string;
   waiting: number;
   next_sound: string;
+  keys: string[];
 }
 
 /**
@@ -1023,7 +1027,7 @@ export interface MotionState {
  * `region_calls`: their own calls. `layers`: those that a source drives or that are set otherwise than at first, the
  * lowest first; all else is what they make together. `held`: what hands hold, `None` where that is what is on air.
  * `motion`: what is set of its automatic motion, `None` where nothing was. `speech`: what it says, `None` while it
- * says nothing.
+ * says nothing; `spoken`: the key of what it said to its end last.
  */
 export interface CharacterState {
   faces: Record<string, number>;
@@ -1051,6 +1055,7 @@ export interface CharacterState {
   held: HeldState | null;
   motion: MotionState | null;
   speech: SpeechState | null;
+  spoken: string;
 }
 
 /**
@@ -1226,7 +1231,8 @@ export interface SendWay {
 /**
  * All sources: complete, to consoles when one comes or goes and once a second, to pages that watch ten times a
  * second. trackers: what can be heard; found: what has announced itself; receivers: to whom faces are sent, in one of
- * these ways; phone_page: the address that a phone opens to copy what to type.
+ * these ways; phone_page: the address that a phone opens to copy what to type, "" where the show listens on its own
+ * machine alone; host: that machine's address in its network, to which trackers send, "" where it is in none.
  */
 export interface Devices {
   type: "devices";
@@ -1236,6 +1242,7 @@ export interface Devices {
   receivers: ReceiverState[];
   ways: SendWay[];
   phone_page: string;
+  host: string;
 }
 
 /** What the next control that moves will be bound to, and who asked for it (a console's name). */
@@ -1277,7 +1284,8 @@ export interface BindingsChanged {
 
 /**
  * What came from a source, or why it was rejected; `count`: how often the same within a second; `time`: seconds
- * since 1970.
+ * since 1970. Of a sender of a face there is one line while it sends: `rate` a second, `bars`: the channels that move
+ * most, and where each stands.
  */
 export interface InputLine {
   number: number;
@@ -1286,6 +1294,8 @@ export interface InputLine {
   text: string;
   rejected: boolean;
   count: number;
+  rate: number;
+  bars: Record<string, number>;
 }
 
 /** What came in last, the oldest first, at most two hundred lines: complete, to pages that watch devices. */

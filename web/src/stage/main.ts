@@ -15,12 +15,19 @@ async function open(parameters: StageParameters): Promise<void> {
   exposeProbe(stage);
   const tick = (): void => {
     stage.frame(now());
-    const told = missingNotice(stage) || stage.sound.notice;
-    if (notice.textContent !== told) notice.textContent = told;
+    const missing = missingNotice(stage);
+    tell(missing || stage.sound.notice, missing === "");
     requestAnimationFrame(tick);
   };
   requestAnimationFrame(tick);
   if (parameters.hud) showCounters(stage);
+}
+
+/** Says something over the picture; at its edge where there may be a face. */
+function tell(text: string, atEdge: boolean): void {
+  if (notice.textContent === text) return;
+  notice.textContent = text;
+  notice.classList.toggle("edge", atEdge);
 }
 
 /** Why the picture is empty, where the character that it is to show is not in the show; it waits until that one comes. */

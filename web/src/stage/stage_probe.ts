@@ -1,5 +1,6 @@
 /** What tests and curious operators may ask of a stage: `window.omoteStage`. */
 
+import type { Box } from "../face/framing";
 import type { Pose } from "../face/pose/pose";
 import { restPose } from "../face/pose/pose";
 import { alone, type CharacterPose, FRONT, type ScenePose } from "../face/pose/scene_pose";
@@ -47,6 +48,8 @@ export interface StageProbe {
   pose(): Pose | undefined;
   /** The scene last drawn. */
   scene(): ScenePose | undefined;
+  /** Where heads lie in the picture last drawn, by name: left, top, right and bottom in parts of it. */
+  heads(): Record<string, Box>;
   /** What is heard. */
   sound(): SoundReport;
   /** Whether all of the pose shows in full: nothing is being fetched or caught up with. */
@@ -89,6 +92,7 @@ export function exposeProbe(stage: Stage): void {
     counters: () => stage.counters(),
     pose: () => stage.pose,
     scene: () => stage.shown,
+    heads: () => Object.fromEntries(stage.view.heads),
     sound: () => stage.sound.report(),
     settled: () => stage.view.settled,
   };

@@ -12,6 +12,8 @@ const PATIENCE = 1;
 const FADE = 0.03;
 /** Seconds in which the show says again that this stage plays. */
 const CONFIRMATION = 1.5;
+/** Seconds after which a sound that did not come is fetched again, while it is wanted. */
+const AGAIN = 0.5;
 /** Sounds that are kept decoded. */
 const KEPT = 16;
 
@@ -104,7 +106,7 @@ export class StageSound {
   /** Why nothing is heard here that should be; "" where all is well. */
   get notice(): string {
     if (!this.plays || this.wanted.length === 0 || this.context === undefined || this.state !== "blocked") return "";
-    return "This page may play sound only after a click: click it once. (Where nobody can click, open another stage with ?sound=1.)";
+    return "No sound before a click on this page: click it once. Nobody there to click? Open a stage with ?sound=1.";
   }
 
   /** The show says whether this stage plays. */
@@ -176,7 +178,10 @@ export class StageSound {
     const loading = fetchWithRetry(`/sounds/${encodeURIComponent(key)}`)
       .then((bytes) => context.decodeAudioData(bytes.slice().buffer))
       .then((buffer) => void this.buffers.set(key, buffer))
-      .catch((error: unknown) => console.warn(`The sound ${key} cannot be played: ${String(error)}`));
+      .catch((error: unknown) => {
+        console.warn(`The sound ${key} cannot be played: ${String(error)}`);
+        setTimeout(() => this.buffers.delete(key), AGAIN * 1000); // a show that was started again gets it again
+      });
     this.buffers.set(key, loading);
     const oldest = this.buffers.keys().next().value;
     if (this.buffers.size > KEPT && oldest !== undefined) this.buffers.delete(oldest);

@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from omote.model.recipes.recipe import FaceRecipe, GainRow, Recipe, Vector
+from omote.model.sculpting.caricature import MOST_AMOUNT
 from omote.model.space.gain import Gain, check_gain_region, validate_gains
 from omote.model.space.head_regions import REGIONS
 from omote.show.validation import Quantity, Refusal, validate_number
@@ -22,7 +23,7 @@ WEIGHT = Quantity("a weight", -2.0, 2.0)
 CONTRACTION = Quantity("a muscle's contraction", -1.0, 2.0)
 EYE = Quantity("an angle of an eyeball (radians)", -math.pi / 2, math.pi / 2)
 PUPIL = Quantity("a pupil", -2.0, 2.0)
-AMOUNT = Quantity("the amount of caricature", -1.0, 4.0)
+AMOUNT = Quantity("the amount of caricature", 0.0, MOST_AMOUNT)
 MOVE = Quantity("a handle's move (metres)", -0.5, 0.5)
 PLACE = Quantity("a place in the list", -1e9, 1e9)
 

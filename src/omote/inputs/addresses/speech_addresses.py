@@ -31,8 +31,14 @@ SPEECH_ADDRESSES: tuple[Address, ...] = (
         lambda who, call: wire.StopSpeaking(who, call),
     ),
     Address(
+        "gesture",
+        "makes the gesture of this name on top of all that plays; an amplitude below 0 is to the other side",
+        (Value("name", "gesture"), AMPLITUDE),
+        lambda who, call, name, amplitude: wire.MakeGesture(who, call, name, amplitude),
+    ),
+    Address(
         "gesture/{name}",
-        "makes a gesture on top of all that plays; an amplitude below 0 is to the other side",
+        "the same for a button, when it is pressed",
         (Value("name", "gesture"), PRESS, AMPLITUDE),
         lambda who, call, name, amplitude: wire.MakeGesture(who, call, name, amplitude),
     ),

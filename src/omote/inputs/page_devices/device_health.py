@@ -6,8 +6,9 @@ from collections.abc import Callable
 from dataclasses import dataclass, field
 
 from omote.inputs.page_devices.input_log import InputLog
+from omote.inputs.page_devices.sender_activity import SenderActivity
 from omote.inputs.rejection import Rejection
-from omote.inputs.trackers.tracker_input import TrackerInput
+from omote.inputs.trackers.tracker_input import SenderCounts, TrackerInput
 from omote.show.messages import DeviceState, SourceKind
 
 MOST_VALUES = 64
@@ -45,7 +46,7 @@ class DeviceHealth:
 @dataclass(frozen=True)
 class SourceCounts:
     """A source beside the pages, such as OSC: its counts, the newest that came, the last rejection, and what to do at
-    whoever sends it."""
+    whoever sends it. senders: those of a tracker's protocol, each with its channels, instead of the newest."""
 
     name: str
     kind: SourceKind
@@ -56,6 +57,7 @@ class SourceCounts:
     last_rejection: Rejection | None = None
     values: dict[str, float] = field(default_factory=dict)
     advice: str = ""
+    senders: tuple[SenderCounts, ...] = ()
 
 
 def count_tracker(trackers: TrackerInput, advice: str) -> SourceCounts:
@@ -66,10 +68,10 @@ def count_tracker(trackers: TrackerInput, advice: str) -> SourceCounts:
         where=trackers.where,
         heard=trackers.heard,
         rejected=trackers.rejected,
-        newest=trackers.newest,
         last_rejection=trackers.last_rejection,
         values=trackers.values(),
         advice=advice,
+        senders=trackers.senders(),
     )
 
 
@@ -79,6 +81,7 @@ class SourceHealth:
     def __init__(self, probe: Callable[[], SourceCounts]) -> None:
         self._probe = probe
         self._health = DeviceHealth(0.0)
+        self._senders: dict[str, tuple[DeviceHealth, SenderActivity]] = {}
 
     def look(self, now: float, log: InputLog) -> DeviceState:
         """Its state now; what has come since the last look goes to the log."""
@@ -87,6 +90,7 @@ class SourceHealth:
         health.note(came, rejected)
         if came and counts.newest:
             log.note(counts.name, counts.newest, now, count=came)
+        self._look_at_senders(counts, now, log)
         if rejected and counts.last_rejection is not None:
             reason = f"{counts.last_rejection.sender}: {counts.last_rejection.reason}"
             log.note(counts.name, reason, now, rejected=True, count=rejected)
@@ -101,3 +105,16 @@ class SourceHealth:
             values=counts.values,
             advice=counts.advice,
         )
+
+    def _look_at_senders(self, counts: SourceCounts, now: float, log: InputLog) -> None:
+        """Each sender that has sent since the last look is one line, which shows what moves."""
+        known, self._senders = self._senders, {}
+        for sender in counts.senders:
+            before = known.get(sender.name)
+            begins = before is None or before[0].heard > sender.heard  # it has gone and come back meanwhile
+            health, activity = (DeviceHealth(now), SenderActivity()) if begins or before is None else before
+            self._senders[sender.name] = health, activity
+            came, rate = sender.heard - health.heard, health.rate(now)
+            if came > 0:
+                health.note(came)
+                log.follow(counts.name, sender.name, now, count=came, rate=rate, bars=activity.look(sender.values))

@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 from collections import deque
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
+
+import msgspec
 
 from omote.show.messages import InputLine
 
@@ -23,6 +25,7 @@ class InputLog:
         self._started = started
         self._lines: deque[InputLine] = deque(maxlen=MOST_LINES)
         self._newest: dict[tuple[str, bool], tuple[float, int]] = {}
+        self._followed: dict[tuple[str, str], int] = {}
         self.number = 0
 
     @property
@@ -56,6 +59,24 @@ class InputLog:
             del self._newest[next(iter(self._newest))]
         self.number += 1
         self._lines.append(InputLine(self.number, self._started + now, source, text, rejected, count))
+
+    def follow(self, source: str, text: str, now: float, *, count: int, rate: float, bars: Mapping[str, float]) -> None:
+        """Notes what comes without end, as a face does: one line, the newest, until nothing comes for a second. rate:
+        of it, a second; bars: what moves, and where it stands."""
+        text, self.number = text[:LONGEST_LINE], self.number + 1
+        line = InputLine(self.number, self._started + now, source, text, False, count, rate, dict(bars))
+        for place in _newest_first(len(self._lines)):
+            before = self._lines[place]
+            if line.time - before.time >= AGAIN_SECONDS:
+                break
+            if before.number == self._followed.get((source, text)):
+                del self._lines[place]
+                line = msgspec.structs.replace(line, number=before.number, count=before.count + count)
+                break
+        self._followed[source, text] = line.number
+        if len(self._followed) > MOST_SOURCES:
+            del self._followed[next(iter(self._followed))]
+        self._lines.append(line)
 
 
 def _newest_first(count: int) -> Iterable[int]:

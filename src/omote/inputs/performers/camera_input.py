@@ -40,10 +40,18 @@ def _guide(performer: CameraPerformer, message: wire.FromCamera) -> None:
 
 
 CAMERA = TrackerProtocol(
-    "camera", "Camera", None, "open the page /camera of this show in the performer's browser, or run: omote track --to "
-    "{host}", lambda _: _decode_nothing,
+    "camera", "Camera", None, "open the page /camera of this show in the performer's browser, or run on the machine of "
+    "the camera: omote track --to {host} --token TOKEN, which the start printed for operate",
+    lambda _: _decode_nothing,
 )  # fmt: skip
+CAMERA_HERE = (
+    "open the page /camera on this machine; this show listens on this machine alone: for a camera at another, start it "
+    "with --host 0.0.0.0"
+)
+"""What is advised where no other machine reaches the show."""
 MOST_CAMERAS = 8
+MOST_LEFT = 4
+"""Performers who left whose faces are kept while the server lives: some megabytes each."""
 
 
 class CameraInput:
@@ -55,6 +63,7 @@ class CameraInput:
         self.performers = performers
         self._session = session
         self._links: dict[str, CameraPerformer] = {}
+        self._left: dict[str, CameraPerformer] = {}
         self.heard = 0
 
     def begin(self, link: str, asked: wire.Perform) -> str | None:
@@ -74,13 +83,20 @@ class CameraInput:
                 self.end(each)
         performer = self._links[link] = CameraPerformer(name)
         self._load(performer)
+        if (before := self._left.pop(name, None)) is not None:
+            performer.take_faces(before)
         return displaced
 
     def end(self, link: str) -> None:
-        """The end of a link is the end of its source."""
+        """The end of a link is the end of its source; the faces that were made wait for the same name."""
         performer = self._links.pop(link, None)
-        if performer is not None:
-            self.trackers.end("", performer.name)
+        if performer is None:
+            return
+        self.trackers.end("", performer.name)
+        if performer.redoable:
+            self._left[performer.name] = performer
+            while len(self._left) > MOST_LEFT:
+                del self._left[next(iter(self._left))]
 
     def receive(self, link: str, data: bytes) -> None:
         """Takes a frame of landmarks, for the next tick; one of a link without a performer is dropped."""
@@ -175,13 +191,14 @@ class CameraInput:
                 self.performers.rename(performer.name, other)
             case wire.DeletePerformer():
                 self.performers.delete(performer.name)
+                performer.forget_faces()
             case wire.UndoPerformer():
                 self.performers.undo()
         after = self.performers.documents
         came = [name for name in after if name not in before]
         if performer.name not in after and len(came) == 1:  # renamed, or a new name taken back
             self.begin(link, wire.Perform(wire.CAMERA_VERSION, came[0]))
-            self._links[link].take_faces(performer)
+            self._links[link].take_faces(self._left.pop(performer.name, performer))
         elif before.get(performer.name) != after.get(performer.name):
             self._load(performer)
         for each in (other for other in self._links.values() if other is not self._links[link]):

@@ -89,6 +89,10 @@ class CameraPerformer:
         other.cancel_guide()
         self._made, self.unused = other._made, other.unused
 
+    def forget_faces(self) -> None:
+        """Forgets the faces of a guided minute, also of one that runs."""
+        self.guide, self._made, self.unused = None, None, False
+
     def use_faces(self) -> None:
         """Has the calibration fitted to the faces that were made; ValueError where none were."""
         guide = self._open_guide()

@@ -12,6 +12,8 @@ LARGEST_SOUND = 2**24
 LONGEST_SOUND = 600.0
 """Seconds."""
 SHORTEST_SOUND = 0.01
+STREAMED = 0x7F000000
+"""Bytes that a WAV says it has, from which on its writer did not know: ffmpeg and espeak-ng write so into a pipe."""
 _OGG_HEADER = 27
 _OPUS_RATE = 48000
 _BITRATES = {
@@ -84,9 +86,19 @@ def _wav_seconds(data: bytes) -> float:
         elif name == b"data":
             if not rate:
                 break
-            return float(min(size, len(data) - at - 8) / rate)  # one that was streamed says that it is endless
+            return _seconds_of_wav(size, len(data) - at - 8, rate)
         at += 8 + size + size % 2
     raise ValueError("the WAV has no sound in it: no format or no data; export it again as PCM")
+
+
+def _seconds_of_wav(declared: int, came: int, rate: int) -> float:
+    """The length of the sound in a WAV. declared, came: bytes; rate: bytes a second."""
+    if declared < STREAMED and declared - came > SHORTEST_SOUND * rate:
+        raise ValueError(
+            f"the WAV is cut off: it says that it has {declared} bytes of sound ({declared / rate:.3g} s), "
+            f"and {came} came ({came / rate:.3g} s); send the whole file"
+        )
+    return min(declared, came) / rate
 
 
 def _ogg_seconds(data: bytes) -> float:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from itertools import islice
 
@@ -26,6 +26,15 @@ LAYER = "tracker"
 """The layer that a tracker drives until it is routed elsewhere."""
 MOST_BARS = 59
 """Channels of which a page is told, beside five angles."""
+
+
+@dataclass(frozen=True)
+class SenderCounts:
+    """One performer before a tracker, for pages: its name, how many frames came, and its newest values."""
+
+    name: str
+    heard: int
+    values: Mapping[str, float]
 
 
 @dataclass
@@ -54,6 +63,7 @@ class Performer:
     places: NDArray[np.intp] = field(default_factory=lambda: np.zeros(0, np.intp))
     shares: NDArray[np.float32] = field(default_factory=lambda: np.zeros(0, np.float32))
     several: bool = False
+    heard: int = 0
 
 
 class TrackerInput:
@@ -112,23 +122,14 @@ class TrackerInput:
 
     def values(self) -> dict[str, float]:
         """What the newest performer sent last, by channel, and its angles; as far as bars show it."""
-        last = self._last
-        if last is None:
-            return {}
-        weights = dict(islice(zip(last.names, last.values.tolist(), strict=True), MOST_BARS))
-        turned = zip(HEAD_LIMITS.items(), last.head, strict=True) if last.turns else ()
-        looks = zip(GAZE_LIMITS.items(), last.gaze, strict=True) if last.looks else ()
-        angles = {f"head {name}": 0.5 + 0.5 * angle / most for (name, most), angle in turned}
-        return {**weights, **angles, **{f"gaze {name}": 0.5 + 0.5 * angle / most for (name, most), angle in looks}}
+        return {} if self._last is None else _values(self._last)
 
-    @property
-    def newest(self) -> str:
-        """The newest frame in words: whose it is, and what is strongest in it."""
-        last = self._last
-        if last is None or not len(last.values):
-            return ""
-        strongest = int(np.argmax(last.values))
-        return f"{last.name}: {last.names[strongest]} {last.values[strongest]:.2f}"
+    def senders(self) -> tuple[SenderCounts, ...]:
+        """All performers, the one that sent last at the end."""
+        title = f"{self.protocol.title} "
+        return tuple(
+            SenderCounts(each.name.removeprefix(title), each.heard, _values(each)) for each in self._performers.values()
+        )
 
     def _decoder(self, host: str) -> Decode:
         if host not in self._decoders:
@@ -141,6 +142,7 @@ class TrackerInput:
         """Takes a frame that was decoded; host: "" for a performer who is told by the subject alone."""
         key = (host, frame.subject)
         performer = self._performers.pop(key, None) or self._begin(host, frame.subject)
+        performer.heard += 1
         self._performers[key] = self._last = performer  # to the end: who was silent longest stands first
         if frame.found:
             self._keep(performer, frame)
@@ -214,6 +216,15 @@ class TrackerInput:
         """Counts what was not obeyed."""
         self.rejected += 1
         self.last_rejection = Rejection(now, f"{self.protocol.title} from {host}", reason)
+
+
+def _values(performer: Performer) -> dict[str, float]:
+    """What a performer sent last, by channel, and its angles; as far as bars show it."""
+    weights = dict(islice(zip(performer.names, performer.values.tolist(), strict=True), MOST_BARS))
+    turned = zip(HEAD_LIMITS.items(), performer.head, strict=True) if performer.turns else ()
+    looks = zip(GAZE_LIMITS.items(), performer.gaze, strict=True) if performer.looks else ()
+    angles = {f"head {name}": 0.5 + 0.5 * angle / most for (name, most), angle in turned}
+    return {**weights, **angles, **{f"gaze {name}": 0.5 + 0.5 * angle / most for (name, most), angle in looks}}
 
 
 def _take_names(performer: Performer, sent: tuple[str, ...], names: ChannelNames) -> None:

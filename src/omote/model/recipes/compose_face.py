@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from omote.model.cast import TRAITS, Look
 from omote.model.recipes.face_handles import drag_handles
 from omote.model.recipes.recipe import FaceRecipe
-from omote.model.sculpting.caricature import caricature
+from omote.model.sculpting.caricature import caricature, check_amount
 from omote.model.sculpting.regions import regional
 from omote.model.space.face import Face
 from omote.model.space.face_fit import fit
@@ -21,8 +21,6 @@ from omote.model.space.parameter_space import ParameterSpace
 
 Values = NDArray[np.float64]
 
-MOST_AMOUNT = 3.0
-"""Of caricature."""
 _SUM = 1e-3  # How far weights of faces may be from summing to one: what is on air was rounded on its way.
 
 # What of a look lies in which region; the rest goes with the mix.
@@ -58,11 +56,7 @@ def compose_face(
     face = mix_faces(space, name, [(sources[source].face, share) for source, share in shares.items()])
     if chosen:
         face = regional(space, name, {region: one.face for region, one in chosen.items()}, rest=face)
-    if not 0.0 <= recipe.amount <= MOST_AMOUNT:
-        raise ValueError(
-            f"the amount of caricature is {recipe.amount!r}; expected a number from 0 (the generic face) to "
-            f"{MOST_AMOUNT:g}, 1 for none"
-        )
+    check_amount(recipe.amount)
     if recipe.amount != 1.0:
         face = caricature(space, face, recipe.amount)
     if len(recipe.points) or len(recipe.moves):

@@ -17,6 +17,17 @@ from omote.model.space.parameter_space import ParameterSpace, refuse_no_space
 Values = NDArray[np.float64]
 
 _BELL = 0.3
+MOST_AMOUNT = 3.0
+"""Of caricature: as far as people still read a face."""
+
+
+def check_amount(amount: float) -> None:
+    """Raises ValueError on an amount of caricature that is out of range, or no number."""
+    if not 0.0 <= amount <= MOST_AMOUNT:
+        raise ValueError(
+            f"a caricature's amount is {amount!r}; expected a number from 0 (the generic face) to {MOST_AMOUNT:g}, 1 "
+            "for the face itself, such as 1.5"
+        )
 
 
 def caricature(space: ParameterSpace, face: Face, amount: float, /) -> Face:
@@ -42,7 +53,7 @@ def caricature(space: ParameterSpace, face: Face, amount: float, /) -> Face:
     Raises
     ------
     ValueError
-        On an amount that is not finite or that tears the face.
+        On an amount that is not from 0 to 3, or that tears the face.
 
     Examples
     --------
@@ -56,8 +67,7 @@ def caricature(space: ParameterSpace, face: Face, amount: float, /) -> Face:
     refuse_no_space(space)
     if isinstance(amount, bool) or not isinstance(amount, int | float | np.number):
         raise TypeError(f"a caricature's amount is {amount!r}; expected a number such as 1.5")
-    if not np.isfinite(amount):
-        raise ValueError(f"a caricature's amount is {amount!r}; expected a finite number such as 1.5")
+    check_amount(amount)
     fitted = fit(space, face)
     within, beyond = min(amount, 1.0), max(amount - 1.0, 0.0)
     name = f"{face.name}_{100 * amount:.0f}"

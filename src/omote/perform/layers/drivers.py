@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from omote.perform.frame import with_fields
 from omote.perform.layers.columns import Columns
 from omote.perform.layers.layer_names import LAYER_PARTS, WHOLE, LayerName, LayerPart
-from omote.perform.layers.source_frame import AUTOMATIC, LOSS_SECONDS, SourceFrame
+from omote.perform.layers.source_frame import AUTOMATIC, LOSS_SECONDS, SPEECH, SourceFrame
 
 Owners = tuple[str | None, ...]
 """Of each part, and of what acts on the whole face, the name of a source; None where none plays."""
@@ -26,7 +26,7 @@ class Driver:
     """What drives a layer: a source with its channels. silent: seconds since it was last found, no more than count.
 
     leaves: it has gone. steady: seconds since its frames come without a gap, no more than count. share: how much of its
-    layer it takes.
+    layer it takes. route_number: of two that may play the same parts, the higher one has them.
     """
 
     source: str
@@ -39,6 +39,7 @@ class Driver:
     smoothing: float = 0.0
     steady: float = 0.0
     share: float = 1.0
+    route_number: int = 0
 
     @property
     def is_trusted(self) -> bool:
@@ -50,7 +51,7 @@ def driver_of(frame: SourceFrame) -> Driver:
     """What drives a layer by such frames."""
     return Driver(
         frame.source, frame.names, frame.head is not None, frame.gaze is not None, frame.parts,
-        smoothing=frame.smoothing, share=frame.share,
+        smoothing=frame.smoothing, share=frame.share, route_number=frame.route_number,
     )  # fmt: skip
 
 
@@ -63,7 +64,8 @@ def fits(driver: Driver, frame: SourceFrame) -> bool:
     """Whether a frame comes from what drives the layer already, with the same channels for the same parts."""
     same = frame.names is driver.names or frame.names == driver.names
     turns = (frame.head is not None, frame.gaze is not None) == (driver.head, driver.gaze)
-    return same and (turns or not frame.found) and (frame.source, frame.parts) == (driver.source, driver.parts)
+    route = (frame.source, frame.parts, frame.route_number) == (driver.source, driver.parts, driver.route_number)
+    return same and (turns or not frame.found) and route
 
 
 def parts_of(driver: Driver, columns: Columns) -> tuple[LayerPart, ...]:
@@ -79,9 +81,10 @@ def parts_of(driver: Driver, columns: Columns) -> tuple[LayerPart, ...]:
 
 def owners_of(drivers: Sequence[Driver], columns: Columns) -> Owners:
     """Who has each part of a layer: of those that play it and are not lost, the one that may play the fewest parts, of
-    equals the newest. What acts on the whole face is of the one that has the most regions."""
+    equals what the character says, else the one that was routed last, else the newest. What acts on the whole face is
+    of the one that has the most regions."""
     owners = list(NOBODY)
-    ranked = sorted((each for each in drivers if each.is_trusted), key=lambda each: -len(each.parts))
+    ranked = sorted((each for each in drivers if each.is_trusted), key=_rank)
     for driver in ranked:
         for part in parts_of(driver, columns):
             owners[LAYER_PARTS.index(part)] = driver.source
@@ -91,6 +94,11 @@ def owners_of(drivers: Sequence[Driver], columns: Columns) -> Owners:
         (each for each in reversed(whole) if each in regions), key=lambda each: regions.count(each), default=None
     )
     return tuple(owners)
+
+
+def _rank(driver: Driver) -> tuple[int, bool, int]:
+    """The higher it is, the more it has."""
+    return -len(driver.parts), driver.source == SPEECH, driver.route_number
 
 
 def with_driver(drivers: Sequence[Driver], driver: Driver) -> tuple[Driver, ...]:

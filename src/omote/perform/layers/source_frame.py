@@ -39,7 +39,7 @@ class SourceFrame:
     parts: which parts of the face it may play. smoothing: seconds in which it is followed, 0 as its layer is. direct:
     it is smooth already and knows what comes, so it shows as it is. vergence: radians by which each eye turns in.
     share: of a direct one, how much of its layer it takes, 0 to 1: a voice that is silent takes none, and what lies
-    below shows.
+    below shows. route_number: of two that may play the same parts, the higher one has them.
     """
 
     names: tuple[str, ...]
@@ -53,6 +53,7 @@ class SourceFrame:
     direct: bool = False
     vergence: float = 0.0
     share: float = 1.0
+    route_number: int = 0
 
 
 def check_frame(frame: SourceFrame, layer: LayerName) -> SourceFrame:

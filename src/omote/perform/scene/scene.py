@@ -699,6 +699,12 @@ class Scene:
     def _check_target(self, looker: object, kind: str, name: str) -> None:
         if kind == "gaze_point":
             check_known(name, self._gaze_points, "gaze point")
+        if kind == "stage" and name and name not in self._cameras:
+            there = ", ".join(repr(each) for each in self._cameras if each) or "none with a name"
+            raise ValueError(
+                f"there is no stage {name[:80]!r} in this show, which has {there}; open /stage?name={name[:80]} first, "
+                "or give no name for the first stage"
+            )
         if kind == "character" and self._characters[check_known(name, self._characters, "character")] is looker:
             raise ValueError(f"{name} cannot look at itself; give another character")
 

@@ -60,6 +60,9 @@ WORDS: Mapping[str, str] = MappingProxyType(
         "four": "FF O RR", "eight": "E I DD", "heart": "aa RR DD", "world": "U RR nn DD", "word": "U RR DD",
         "work": "U RR kk", "mother": "PP aa TH RR", "brother": "PP RR aa TH RR", "other": "aa TH RR",
         "fly": "FF nn aa I", "try": "DD RR aa I", "sky": "SS kk aa I", "cry": "kk RR aa I", "eyes": "aa I SS",
+        "zero": "SS I RR O U", "seven": "SS E FF nn", "nineteen": "nn aa I nn DD I nn", "ninety": "nn aa I nn DD I",
+        "hundred": "aa nn DD RR E DD", "thousand": "TH aa U SS nn DD", "hundreds": "aa nn DD RR E DD SS",
+        "twenty": "DD U E nn DD I", "sixty": "SS I kk SS DD I", "degrees": "DD I kk RR I SS",
         "mr": "PP I SS DD RR", "dr": "DD O kk DD RR",
     }
 )  # fmt: skip

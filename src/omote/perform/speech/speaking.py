@@ -50,6 +50,8 @@ class Speech:
         Seconds since its sound began; below 0 before that.
     number : int
         Counts what the character has said.
+    key : str
+        What whoever said it calls it; "" for nothing.
 
     Raises
     ------
@@ -65,13 +67,16 @@ class Speech:
     offset: float = 0.0
     elapsed: float = -LEAD_SECONDS
     number: int = 0
+    key: str = ""
 
     def __post_init__(self) -> None:
         """Rejects what is out of range."""
         check_within(self.offset, -LONGEST_OFFSET, LONGEST_OFFSET, "the offset of a speech (seconds)")
         check_within(self.elapsed, -FOREVER, FOREVER, "the time of a speech (seconds)")
-        if len(self.text) > LONGEST_TEXT or len(self.sound) > LONGEST_KEY:
-            raise ValueError(f"a speech has a text of at most {LONGEST_TEXT} characters and a sound of {LONGEST_KEY}")
+        if len(self.text) > LONGEST_TEXT or max(len(self.sound), len(self.key)) > LONGEST_KEY:
+            raise ValueError(
+                f"a speech has a text of at most {LONGEST_TEXT} characters, a sound and a key of at most {LONGEST_KEY}"
+            )
 
     @property
     def ended(self) -> bool:
@@ -107,13 +112,15 @@ class Speaking:
         return self.speech is None and self.lips <= 0.0
 
 
-def make_speech(track: VisemeTrack, *, text: str, sound: str, delay: float, offset: float, number: int) -> Speech:
+def make_speech(
+    track: VisemeTrack, *, text: str, sound: str, delay: float, offset: float, number: int, key: str = ""
+) -> Speech:
     """A speech that begins in `delay` seconds, 0 to 3600; the sound of one that the stage plays a little later, so that
     it can be fetched. ValueError and TypeError for what is out of range."""
     wait = check_within(delay, 0.0, LONGEST_DELAY, "the delay of a speech (seconds)")
     lead = max(SOUND_LEAD_SECONDS if sound else LEAD_SECONDS, wait)
     trim = check_within(offset, -LONGEST_OFFSET, LONGEST_OFFSET, "the offset of a speech (seconds)")
-    return Speech(track, text, sound, trim, -max(lead, LEAD_SECONDS - trim), number)
+    return Speech(track, text, sound, trim, -max(lead, LEAD_SECONDS - trim), number, key)
 
 
 def say(speaking: Speaking | None, speech: Speech, *, queue: bool) -> Speaking:
@@ -147,6 +154,18 @@ def advance_speaking(speaking: Speaking, dt: float) -> Speaking | None:
     return None if found.ended else found
 
 
+def find_spoken(before: Speaking, after: Speaking | None) -> str | None:
+    """The key of the newest speech that ended by itself while time went from `before` to `after`; None for none."""
+    left = set() if after is None else {each.number for each in speeches_of(after)}
+    ended = [each.key for each in speeches_of(before) if each.number not in left]
+    return ended[-1] if ended else None
+
+
+def speeches_of(speaking: Speaking) -> tuple[Speech, ...]:
+    """What is said and what waits, in its order."""
+    return (() if speaking.speech is None else (speaking.speech,)) + speaking.waiting
+
+
 def share_of_lips(speaking: Speaking) -> float:
     """How much of the layer of the lips is taken now, 0 to 1."""
     return _RELEASE.value(speaking.lips)
@@ -177,6 +196,7 @@ def speech_status(speaking: Speaking | None) -> SpeechStatus | None:
         speech.sound,
         len(waiting),
         waiting[0].sound if waiting else "",
+        tuple(each.key for each in speeches_of(speaking) if each.key),
     )
 
 

@@ -7,7 +7,8 @@ from itertools import pairwise
 from typing import Literal, NamedTuple, get_args
 
 from omote.perform.limits import check_known, check_within
-from omote.perform.speech.spelling import Language, check_language, sounds_of, words_in
+from omote.perform.speech.number_words import Language
+from omote.perform.speech.spelling import check_language, sounds_of, words_in
 from omote.perform.speech.viseme_names import Shapes, shapes_of_azure, shapes_of_rhubarb, shapes_of_viseme
 from omote.perform.speech.viseme_track import LONGEST_SPEECH, VisemeTrack
 from omote.perform.speech.visemes import SIL, VISEMES, Viseme
@@ -20,7 +21,12 @@ _LENGTHS: Mapping[Viseme, float] = {
     "RR": 0.065, "aa": 0.1, "E": 0.085, "I": 0.08, "O": 0.1, "U": 0.09,
 }  # fmt: skip
 """Seconds of a viseme in running speech, about 12 a second."""
-_PAUSES: Mapping[str, float] = {",": 0.2, ";": 0.3, ":": 0.3, ".": 0.45, "!": 0.45, "?": 0.45, "…": 0.5, "\n": 0.4}
+_PAUSES: Mapping[str, float] = {
+    ",": 0.2, ";": 0.3, ":": 0.3, ".": 0.45, "!": 0.45, "?": 0.45, "…": 0.5, "\n": 0.4,
+    "、": 0.2, "،": 0.2, "\uff0c": 0.2, "؛": 0.3, "\uff1b": 0.3, "\uff1a": 0.3, "。": 0.45, "\uff0e": 0.45,
+    "\uff01": 0.45, "\uff1f": 0.45, "؟": 0.45, "।": 0.45, "—": 0.3, "\u2013": 0.2,
+}  # fmt: skip
+"""Seconds of silence behind a word, by the points that follow it; \\uff.. are those of Chinese."""
 LONGEST_DRAWL = 2.0
 """A word lasts until the next begins, but no longer than this share of what it takes by rule; then it is silent."""
 LAST_SECONDS = 0.1

@@ -3,38 +3,43 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Mapping, Sequence
+import unicodedata
+from collections.abc import Iterator, Mapping, Sequence
 from functools import lru_cache
 from types import MappingProxyType
-from typing import Literal, NamedTuple, get_args
+from typing import NamedTuple, get_args
 
 from omote.perform.limits import check_known
-from omote.perform.speech import english_spelling, german_spelling
-from omote.perform.speech.visemes import Viseme, check_viseme
+from omote.perform.speech import english_spelling, german_spelling, romanization
+from omote.perform.speech.number_words import SIGNS, Language, number_words
+from omote.perform.speech.romanization import is_latin, is_mark, romanize
+from omote.perform.speech.visemes import VISEMES, Viseme, check_viseme
 
-Language = Literal["en", "de"]
 LANGUAGES: tuple[Language, ...] = get_args(Language)
 LONGEST_WORD = 60
-"""Letters; a longer one is read as far."""
+"""Letters; a longer one is read in parts."""
 
 
-def _compiled(rules: Sequence[tuple[str, str]]) -> tuple[tuple[re.Pattern[str], tuple[Viseme, ...]], ...]:
+Rules = tuple[tuple[re.Pattern[str], tuple[Viseme, ...]], ...]
+
+
+def _compiled(rules: Sequence[tuple[str, str]]) -> Rules:
     return tuple((re.compile(pattern), tuple(map(check_viseme, shapes.split()))) for pattern, shapes in rules)
 
 
-_RULES: Mapping[Language, tuple[tuple[re.Pattern[str], tuple[Viseme, ...]], ...]] = MappingProxyType(
+_RULES: Mapping[Language, Rules] = MappingProxyType(
     {
         "en": _compiled(english_spelling.RULES),
         "de": _compiled(german_spelling.RULES),
     }
 )
+_ROMANIZED = _compiled(romanization.RULES)
 _WORDS: Mapping[Language, Mapping[str, str]] = {"en": english_spelling.WORDS, "de": german_spelling.WORDS}
-_DIGITS: Mapping[Language, tuple[str, ...]] = {
-    "en": ("zero", "one", "two", "three", "four", "five", "six", "seven", "eight", "nine"),
-    "de": ("null", "eins", "zwei", "drei", "vier", "fünf", "sechs", "sieben", "acht", "neun"),
-}
-_PLAIN = str.maketrans("àáâãåèéêëìíîïòóôõùúûçñ", "aaaaaeeeeiiiioooouuucn")
-_WORD = re.compile(r"[^\W_]+(?:['’][^\W_]+)*")  # noqa: RUF001  (the apostrophe of typesetters)
+_OWN_LETTERS: Mapping[Language, str] = {"en": "", "de": "äöüß"}
+"""Letters beside a to z that a language's rules know; others lose their accents."""
+_JOINERS = "\u200c\u200d"
+"""What some scripts shape their letters with, without a width."""
+_APOSTROPHES = "'’"  # noqa: RUF001  (that of typesetters)
 
 
 class SpelledSound(NamedTuple):
@@ -52,8 +57,30 @@ def check_language(name: object) -> Language:
 
 
 def words_in(text: str) -> list[tuple[int, str]]:
-    """The words of a text, each with its place; what stands between them is silent."""
-    return [(found.start(), found.group()) for found in _WORD.finditer(text)]
+    """The words of a text, each with its place: letters of any script, numbers, signs that are read (%); what stands
+    between them is silent. One of more than 60 letters comes in parts."""
+    found, begin = list[tuple[int, str]](), 0
+    while begin < len(text):
+        end = begin
+        while end < len(text) and end - begin < LONGEST_WORD and _goes_on(text, begin, end):
+            end += 1
+        if end > begin:
+            found.append((begin, text[begin:end]))
+        begin = max(end, begin + 1)
+    return found
+
+
+def _goes_on(text: str, begin: int, at: int) -> bool:
+    """Whether the word that begins there has this character."""
+    here, after = text[at], text[at + 1 : at + 2]
+    if at == begin:
+        return here.isalnum() or here in SIGNS
+    if text[begin] in SIGNS:
+        return False
+    if here.isalnum() or is_mark(here) or here in _JOINERS:
+        return True
+    between = text[at - 1].isalnum() and after.isalnum()
+    return between and (here in _APOSTROPHES or (here in ".," and text[at - 1].isdigit() and after.isdigit()))
 
 
 @lru_cache(maxsize=4096)
@@ -63,47 +90,123 @@ def sounds_of(word: str, language: Language) -> tuple[SpelledSound, ...]:
     Parameters
     ----------
     word : str
-        Letters in any case, digits, an apostrophe; what no rule knows is silent.
+        Letters of any script in any case, digits, an apostrophe, or a sign such as %; numbers are read as words, other
+        scripts than Latin by `romanize`.
     language : {"en", "de"}
-        By whose rules.
+        By whose rules Latin letters and numbers are read.
 
     Returns
     -------
     tuple of SpelledSound
-        Each with its letters; empty where nothing of it is heard.
+        Each with its letters; a word of letters is never silent. Empty where there is neither letter nor number.
     """
-    plain = word.lower().translate(_PLAIN).replace("’", "'")[:LONGEST_WORD]  # noqa: RUF001  (as above)
-    known = _WORDS[language].get(plain)
+    plain = word.lower().replace("’", "'")  # noqa: RUF001  (as above)
+    known = _WORDS[language].get(plain) or _known_sign(word, language)
     if known is not None:
-        shapes = [check_viseme(each) for each in known.split()]
-        return tuple(_spread(shapes, 0, len(plain)))
+        return tuple(_spread(_shapes_of(known, language), 0, len(word)))
     found: list[SpelledSound] = []
-    for run in re.finditer(r"[^\W\d_]+|\d", plain):
-        found += _of_digit(run, language) if run.group().isdigit() else _by_rules(run.group(), run.start(), language)
-    return tuple(found)
+    for first, last in _runs(word):
+        run = word[first:last]
+        if _kind(run[0]) == "number":
+            words = number_words("".join(map(_digits_of, run)), language)
+            shapes = [sound.viseme for each in words for sound in sounds_of(each, language)]
+            found += _spread(shapes, first, last)
+        else:
+            found += _spell(run, first, language)
+    return tuple(found or _hum(word))
 
 
-def _of_digit(run: re.Match[str], language: Language) -> list[SpelledSound]:
-    """Digit by digit; other figures than ours are silent."""
-    if not run.group().isascii():
-        return []
-    shapes = [each.viseme for each in sounds_of(_DIGITS[language][int(run.group())], language)]
-    return _spread(shapes, run.start(), run.end())
+def _known_sign(word: str, language: Language) -> str | None:
+    return SIGNS[word][language] if word in SIGNS else None
 
 
-def _by_rules(letters: str, offset: int, language: Language) -> list[SpelledSound]:
+def _shapes_of(known: str, language: Language) -> list[Viseme]:
+    """Of visemes by name, or of a word that a sign is read as."""
+    names = known.split()
+    if all(each in VISEMES for each in names):
+        return [check_viseme(each) for each in names]
+    return [sound.viseme for sound in sounds_of(known, language)]
+
+
+def _runs(word: str) -> Iterator[tuple[int, int]]:
+    """Parts of a word that are read by one rule: from, to."""
+    first = 0
+    for place in range(1, len(word) + 1):
+        if place < len(word) and _belongs(word[place], word[first]):
+            continue
+        if _kind(word[first]):
+            yield first, place
+        first = place
+
+
+def _belongs(character: str, first: str) -> bool:
+    kind = _kind(first)
+    if is_mark(character) or character in _JOINERS or (kind == "number" and character in ".,"):
+        return bool(kind)
+    return _kind(character) == kind
+
+
+def _kind(character: str) -> str:
+    if character.isalpha() or is_mark(character):
+        return "latin" if is_latin(character) else "other"
+    return "number" if character.isnumeric() else ""
+
+
+def _digits_of(character: str) -> str:
+    """A figure of any script in ours, ½ as 0.5; a point or comma itself."""
+    value = unicodedata.numeric(character, None)
+    return character if value is None else f"{value:.2f}".rstrip("0").rstrip(".")
+
+
+def _spell(run: str, offset: int, language: Language) -> list[SpelledSound]:
+    """By the rules of the language for Latin letters, of romanizations for others."""
+    latin = is_latin(run[0])
+    pieces = [_fold(each, language) for each in _compose(run)] if latin else romanize(run)
+    text = "".join(pieces)
+    places = [offset + place for place, piece in enumerate(pieces) for _ in piece]
     found: list[SpelledSound] = []
+    for shapes, at, end in _by_rules(text, _RULES[language] if latin else _ROMANIZED):
+        found += _spread(shapes, places[at], places[end - 1] + 1)
+    return found
+
+
+def _compose(run: str) -> list[str]:
+    """Each letter with the accents behind it, and nothing in their places."""
+    found: list[str] = []
+    base = 0
+    for place, character in enumerate(run):
+        whole = unicodedata.normalize("NFC", run[base] + character) if is_mark(character) and place else ""
+        if len(whole) == 1:
+            found[base] = whole
+        base = base if is_mark(character) else place
+        found.append("" if is_mark(character) else character)
+    return found
+
+
+def _fold(letter: str, language: Language) -> str:
+    small = letter.lower()
+    if small in _OWN_LETTERS[language] or small.isascii():
+        return small
+    return "".join(romanize([letter]))
+
+
+def _by_rules(letters: str, rules: Rules) -> Iterator[tuple[tuple[Viseme, ...], int, int]]:
+    """What each rule that fits stands for, from where to where."""
     at = 0
     while at < len(letters):
-        for pattern, shapes in _RULES[language]:
+        for pattern, shapes in rules:
             match = pattern.match(letters, at)
             if match is not None and match.end() > at:
-                found += _spread(shapes, offset + at, offset + match.end())
+                yield shapes, at, match.end()
                 at = match.end()
                 break
         else:
             at += 1
-    return found
+
+
+def _hum(word: str) -> list[SpelledSound]:
+    """A word of letters that no rule knows: an open mouth for each."""
+    return [SpelledSound("aa", place, place + 1) for place, each in enumerate(word) if each.isalpha()]
 
 
 def _spread(shapes: tuple[Viseme, ...] | list[Viseme], first: int, last: int) -> list[SpelledSound]:

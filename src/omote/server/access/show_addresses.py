@@ -29,6 +29,12 @@ def reachable_addresses(host: str, port: int, scheme: str = "http") -> list[str]
     return [first] if outside is None else [first, url(outside, port, scheme)]
 
 
+def outside_address(host: str, port: int, scheme: str = "http") -> str:
+    """The URL of a show that listens on an address, for other machines; "" where none reaches it."""
+    outside = own_address() if host in ANYWHERE else host
+    return "" if outside is None or is_loopback(outside) else url(outside, port, scheme)
+
+
 def entry_address(base: str, role: AccessRole, token: str) -> str:
     """The URL by which somebody enters with a token; where the base is this machine's alone, by its address in the
     network."""

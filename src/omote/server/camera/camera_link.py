@@ -13,12 +13,11 @@ from aiohttp import WSMsgType, web
 
 from omote.inputs.page_devices.device_health import SourceCounts, count_tracker
 from omote.inputs.performers import camera_messages as wire
-from omote.inputs.performers.camera_input import CameraInput
+from omote.inputs.performers.camera_input import CAMERA_HERE, CameraInput
 from omote.inputs.performers.camera_performer import CalibrationFit
 from omote.inputs.performers.performer_list import PerformerList
 from omote.inputs.trackers.tracker_protocols import advise
 from omote.server.access.access_guard import visitor_in
-from omote.server.access.show_addresses import own_address
 from omote.server.devices.rejection_log import RejectionLog
 from omote.server.http.links import HEARTBEAT, LinkSocket
 from omote.show.access.people_list import Visitor
@@ -34,7 +33,7 @@ _from_camera: msgspec.msgpack.Decoder[wire.FromCamera] = msgspec.msgpack.Decoder
 
 class CameraLinks:
     """The camera pages of one show. session: the one that plays; performers: those of the show file; holds: whether
-    somebody who came in may stay."""
+    somebody who came in may stay; outside: gives the show's address for other machines, "" where none reaches it."""
 
     def __init__(
         self,
@@ -42,9 +41,10 @@ class CameraLinks:
         performers: PerformerList,
         log: RejectionLog,
         holds: Callable[[Visitor], bool] = lambda _: True,
+        outside: Callable[[], str] = lambda: "",
     ) -> None:
         self.cameras = CameraInput(session, performers)
-        self._log, self._holds, self._told_rejected = log, holds, 0
+        self._log, self._holds, self._outside, self._told_rejected = log, holds, outside, 0
         self._links: dict[str, LinkSocket] = {}
         self._names = map(str, itertools.count(1))
         self._tasks: set[asyncio.Task[None]] = set()
@@ -134,7 +134,8 @@ class CameraLinks:
 
     def _count(self) -> SourceCounts:
         trackers = self.cameras.trackers
-        advice = advise(trackers.protocol, own_address() or "127.0.0.1", None)
+        place = self._outside()
+        advice = advise(trackers.protocol, place, None) if place else CAMERA_HERE
         return replace(count_tracker(trackers, advice), heard=self.cameras.heard)
 
 

@@ -10,7 +10,7 @@ import aiohttp
 from aiohttp import WSMsgType, web
 
 from omote.inputs.performers.camera_messages import CAMERA_PATH, LONGEST_MESSAGE, CameraRefused
-from omote.server.client.link_denials import NO_ANSWER, explain_https_error
+from omote.server.client.link.link_denials import NO_ANSWER, explain_https_error
 from omote.server.http.links import HEARTBEAT, LinkSocket
 from omote.show.access.access_documents import REVOKED_CODE
 from omote.show.wire import encode

@@ -15,13 +15,15 @@ from omote.interchange.formats.error_reasons import explain_error
 from omote.server.access.certificates import trusted_context
 from omote.server.access.security import add_headers, guard, silence_bad_requests
 from omote.server.camera.show_relay import ShowRelay, ShowTarget
-from omote.server.client.show_address import base_address, check_token
+from omote.server.client.link.show_address import base_address, check_token
 from omote.server.http.static_pages import Page, read_pages
 
 LOCALHOST = "127.0.0.1"
 SHOW_PORT = 8090
 PAGE = "/camera"
 """What is served at the root too."""
+CONSOLE = "/console"
+"""The page leads there, and here it leads on to the show's own."""
 
 
 def find_target(address: str, token: str | None, authority: Path | None) -> ShowTarget:
@@ -43,6 +45,8 @@ def application(target: ShowTarget, pages: Mapping[str, Page]) -> web.Applicatio
     made.router.add_get(CAMERA_PATH, ShowRelay(target).respond)
 
     async def respond(request: web.Request) -> web.Response:
+        if request.path == CONSOLE:
+            raise web.HTTPFound(target.address + CONSOLE)
         page = pages.get(PAGE if request.path == "/" else request.path)
         if page is None:
             raise web.HTTPNotFound(text=f"there is only {PAGE} here; the show's pages are at {target.address}.")

@@ -13,9 +13,12 @@ from typing import Any, NamedTuple, TypeVar
 
 from omote.perform.limits import check_within
 from omote.server.access.certificates import trusted_context
-from omote.server.client.program_link import ProgramLink
+from omote.server.client.link.program_link import ProgramLink
+from omote.server.client.link.show_address import check_token, link_address
+from omote.server.client.link.sound_upload import read_bytes
+from omote.server.client.link.speech_watch import SpeechWatch
 from omote.server.client.remote_show import RemoteShow
-from omote.server.client.show_address import check_token, link_address
+from omote.server.client.utterance import AsyncUtterance, Utterance
 from omote.show import messages as wire
 
 LONGEST_NAME = 24
@@ -34,7 +37,7 @@ class _Wanted(NamedTuple):
     trusted: ssl.SSLContext | None
 
 
-class ConnectedShow(RemoteShow[None]):
+class ConnectedShow(RemoteShow[None, Utterance]):
     """A show whose calls return when it has obeyed; a thread of its own keeps the link. `with` closes it."""
 
     def __init__(self, wanted: _Wanted) -> None:
@@ -48,6 +51,7 @@ class ConnectedShow(RemoteShow[None]):
             lambda: _newest(link),
             link.next_id,
             lambda source, frame: self._run(link.drive(source, frame)),
+            lambda message, sound: Utterance(self._run(link.speak(message, sound)), self._wait_until_spoken),
         )
         try:
             self._run(self._link.open())
@@ -87,19 +91,30 @@ class ConnectedShow(RemoteShow[None]):
         """Ends the connection."""
         self.close()
 
+    def _wait_until_spoken(self, watch: SpeechWatch, timeout: float | None) -> bool:
+        return self._run(self._link.wait_until_spoken(watch, timeout))
+
     def _run(self, work: Coroutine[Any, Any, Result]) -> Result:
         if self._loop.is_closed():
             work.close()
             raise ConnectionError("the connection is closed; open another one with omote.connect")
-        return asyncio.run_coroutine_threadsafe(work, self._loop).result()
+        waiting = asyncio.run_coroutine_threadsafe(work, self._loop)
+        try:
+            return waiting.result()
+        except BaseException:
+            waiting.cancel()  # Ctrl-C
+            raise
 
 
-class AsyncConnectedShow(RemoteShow[Awaitable[None]]):
+class AsyncConnectedShow(RemoteShow[Awaitable[None], Awaitable[AsyncUtterance]]):
     """A show whose calls are awaited; `async with` closes it."""
 
     def __init__(self, link: ProgramLink) -> None:
-        super().__init__(link.send, lambda: _newest(link), link.next_id, link.drive)
+        super().__init__(link.send, lambda: _newest(link), link.next_id, link.drive, self._speak)
         self._link = link
+
+    async def _speak(self, message: wire.Say, sound: bytes | None) -> AsyncUtterance:
+        return AsyncUtterance(await self._link.speak(message, sound), self._link.wait_until_spoken)
 
     async def wait(self) -> wire.State:
         """The next state after the newest: the show sends sixty a second. ConnectionError where none comes."""
@@ -245,15 +260,6 @@ async def connect_async(
     link = await _make(_checked(url, name, timeout, token, authority))
     await link.open()
     return AsyncConnectedShow(link)
-
-
-def read_bytes(sound: bytes | Path) -> bytes:
-    """The bytes of a sound, or of its file; TypeError for something else."""
-    if isinstance(sound, Path):
-        return sound.read_bytes()
-    if not isinstance(sound, bytes):
-        raise TypeError(f"the sound is a {type(sound).__name__}; give the bytes of a file, or its Path")
-    return sound
 
 
 def _checked(url: str, name: str, timeout: float, token: str | None, authority: str | Path | None) -> _Wanted:

@@ -17,7 +17,7 @@ from omote.perform.frame import (
     SourceStatus,
 )
 from omote.perform.status.speech_status import SpeechStatus
-from omote.show.messages import CallState, CharacterState, HeldState, LayerState, MotionState, State
+from omote.show.messages import CallState, CharacterState, HeldState, LayerState, MotionState, SpeechState, State
 
 
 def frame_in(state: State, character: CharacterState) -> Frame:
@@ -42,9 +42,15 @@ def frame_in(state: State, character: CharacterState) -> Frame:
         region_calls={region: call_status_of(call) for region, call in character.region_calls.items()},
         layers={layer: layer_status(each) for layer, each in character.layers.items()},
         held=None if character.held is None else held_by_hands(character.held),
-        speech=None if character.speech is None else SpeechStatus(**msgspec.structs.asdict(character.speech)),
+        speech=None if character.speech is None else speech_status(character.speech),
+        spoken=character.spoken,
         motion=None if character.motion is None else motion_settings(character.motion),
     )
+
+
+def speech_status(speech: SpeechState) -> SpeechStatus:
+    """What is said, on the wire, as the engine's."""
+    return SpeechStatus(**{**msgspec.structs.asdict(speech), "keys": tuple(speech.keys)})
 
 
 def motion_settings(motion: MotionState) -> MotionSettings:

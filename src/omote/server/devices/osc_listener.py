@@ -10,7 +10,7 @@ import time
 from collections import deque
 from collections.abc import Callable
 from dataclasses import dataclass
-from typing import TypeGuard
+from typing import TypeGuard, cast
 
 from omote.inputs.allowed_senders import THIS_MACHINE, AllowedSenders
 from omote.inputs.osc_input import OscInput, Place
@@ -183,11 +183,10 @@ class _Connection(asyncio.Protocol):
         self._name: str | None = None
 
     def connection_made(self, transport: asyncio.BaseTransport) -> None:
-        assert isinstance(transport, asyncio.Transport)
-        self.transport = transport
+        self.transport = cast(asyncio.Transport, transport)  # that of uvloop says of itself that it is none
         self._name = self._listener.add(self, str(transport.get_extra_info("peername")[0]))
         if self._name is None:
-            transport.abort()
+            self.transport.abort()
 
     def data_received(self, data: bytes) -> None:
         if self._name is None:

@@ -53,7 +53,7 @@ class Source(Protocol):
 
 
 class ShowServer:
-    """Serves a show session: its WebSocket links, the cast's documents and the built pages."""
+    """Serves a show session: its links, the cast's documents and the built pages. outside: its address for others."""
 
     def __init__(
         self,
@@ -76,7 +76,7 @@ class ShowServer:
         self._surface_allowed: Callable[[str], bool] = lambda _: False
         self.access: AccessControl | None = None
         self.authority: bytes | None = None
-        self._pages = pages
+        self._pages, self.outside = pages, ""
         self._state: wire.State | None = None
 
     def enable_editing(

@@ -92,7 +92,7 @@ async def start_devices(
     notes = _open_notes(show, report)
     switched = _open_switched(server, options, log, allowed, notes, report)
     started += [switched.trackers, switched.mediapipe, switched.programs, switched.faces]
-    switches = _open_switches(switched, options, notes, report)
+    switches = _open_switches(switched, options, notes, report, lambda: server.outside)
     server.enable_phone_page(lambda: switches.describe(server.clock()))
     started += [_open_microphones(server, early), _open_cameras(server, log, report)]
     sources = tuple(started)
@@ -160,9 +160,13 @@ def _open_switched(
     return Switched(trackers, mediapipe, ApiPrograms(session, log, notes, faces.weigh), faces)
 
 
-def _open_switches(switched: Switched, options: DeviceOptions, notes: DeviceFile, report: Report) -> DeviceSwitches:
+def _open_switches(
+    switched: Switched, options: DeviceOptions, notes: DeviceFile, report: Report, outside: Callable[[], str]
+) -> DeviceSwitches:
     """What is on: what the command line asks for, and what pages have switched on before."""
-    switches = DeviceSwitches(switched, read_trackers(options.listen), read_targets(options.send), notes, report)
+    switches = DeviceSwitches(
+        switched, read_trackers(options.listen), read_targets(options.send), notes, report, outside
+    )
     switches.restore()
     return switches
 
@@ -189,7 +193,7 @@ def _open_cameras(server: ShowServer, log: RejectionLog, report: Report) -> Came
 
     stored = work()
     performers = PerformerList({} if stored is None else stored.performers, keep)
-    cameras = CameraLinks(lambda: server.session, performers, log, _holds(server))
+    cameras = CameraLinks(lambda: server.session, performers, log, _holds(server), lambda: server.outside)
     server.enable_sender(CAMERA_PATH, cameras.respond)
     return cameras
 

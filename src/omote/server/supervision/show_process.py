@@ -18,6 +18,7 @@ from aiohttp import web
 from omote.interchange.formats.error_reasons import explain_error
 from omote.server.access.access_setup import OPEN_TO_ALL, AccessSetup
 from omote.server.access.security import own_names
+from omote.server.access.show_addresses import outside_address
 from omote.server.http.app import ShowServer
 from omote.server.http.cast_documents import CastDocuments, built_in_documents
 from omote.server.http.cast_reload import gather_cast
@@ -148,9 +149,12 @@ async def start_serving(server: ShowServer, listen: int, access: AccessSetup = O
     """Answers pages and links on a listening socket, given by its descriptor, until the runner is cleaned up; access:
     whom, and over https or not."""
     server.enable_access(access.open_control(report), access.authority)
+    listening = socket.socket(fileno=listen)
+    host, port = listening.getsockname()[:2]
+    server.outside = outside_address(host, port, "http" if access.tls is None else "https")
     runner = web.AppRunner(server.application(own_names()), access_log=None, shutdown_timeout=1.0)
     await runner.setup()
-    await web.SockSite(runner, socket.socket(fileno=listen), ssl_context=access.tls).start()
+    await web.SockSite(runner, listening, ssl_context=access.tls).start()
     return runner
 
 

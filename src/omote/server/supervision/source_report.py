@@ -34,16 +34,27 @@ class SourceReport:
         labels = {name: each.label or name for name, each in state.characters.items()}
         for source in sources:
             if self._told.get(source.name) != frozenset(source.characters):
-                self._report(_sentence(source, labels))
+                self._report(_sentence(source, labels, _players(source, state)))
         self._told = {each.name: frozenset(each.characters) for each in sources}
 
 
-def _sentence(source: SourceState, labels: dict[str, str]) -> str:
-    """Whom a source plays, in words."""
+def _players(source: SourceState, state: State) -> list[str]:
+    """The other sources that have all parts which it may play, in all its characters; none where it plays itself."""
+    layers = [state.characters[name].layers.get(source.layer) for name in source.characters if name in state.characters]
+    sharing = [[] if each is None else each.sources for each in layers]
+    if not sharing or not all(any(one.source == source.name and not one.parts for one in each) for each in sharing):
+        return []
+    return list(dict.fromkeys(one.source for each in sharing for one in each if one.parts))
+
+
+def _sentence(source: SourceState, labels: dict[str, str], players: list[str]) -> str:
+    """Whom a source plays, in words. players: those that it waits behind."""
     if ALL in source.characters:
         return f"{source.name} plays all characters."
     if not source.characters:
         whom = " or ".join(labels.values())
         return f"{source.name} sends and plays nobody: say at the console whom it plays ({whom})."
     played = " and ".join(labels.get(name, name) for name in source.characters)
+    if players:
+        return f"{source.name} waits: {' and '.join(players)} plays {played}; choose at the console who does."
     return f"{source.name} plays {played}."

@@ -17,7 +17,9 @@ Values = NDArray[np.float64]
 LEAST_RANGE = 0.2
 """A performer who moved a channel less than this has not shown its range: it counts as the whole."""
 SHUTTING = ("eyeBlink", "eyeSquint")
-"""Channels of lids: they are scaled, never shifted, for an open eye must be quite open and a shut one quite shut."""
+"""Channels of lids: at rest they are quite open, and at 1 quite shut where nobody has shown another end."""
+MOST_LID_REST = 0.5
+"""More of a lid at rest does not count as open: the rest was measured in a blink, and the eye would not shut."""
 _SIDES = {"Left": "Right", "Right": "Left"}
 
 
@@ -54,13 +56,14 @@ AS_IT_IS = Calibration()
 
 @dataclass(frozen=True, eq=False)
 class Measure:
-    """A calibration for the channels of one source: of each the zero, the scale, the gain, and the place that it is
-    read from."""
+    """A calibration for the channels of one source: of each the zero, the scale, the gain, the lowest weight, and the
+    place that it is read from."""
 
     calibration: Calibration
     zero: Values
     scale: Values
     gain: Values
+    lowest: Values
     places: NDArray[np.intp]
 
     def weights(self, sent: Values, low: float, high: float) -> Values:
@@ -75,7 +78,7 @@ class Measure:
             size = np.where(size < 1.0, size + self.calibration.curve * size * (1.0 - size), size)
         found = np.where(moved < 0.0, -size, size) * self.gain
         found = np.where(found > high, high, found)
-        return np.where(found < low, low, found)
+        return np.maximum(found, np.maximum(low, self.lowest))
 
     def turn(self, head: Head | None, gaze: Gaze | None) -> tuple[Head | None, Gaze | None]:
         """Head and gaze, mirrored where the source is."""
@@ -89,17 +92,28 @@ class Measure:
 def measure_of(calibration: Calibration, names: tuple[str, ...]) -> Measure:
     """The measure of a performer for these channels."""
     read = [_mirrored(name, names) if calibration.mirror else name for name in names]
-    zero = [0.0 if name.startswith(SHUTTING) else calibration.neutral.get(name, 0.0) for name in read]
+    zero = [_rest(calibration, name) for name in read]
     spans = [_span(calibration, name, start) for name, start in zip(read, zero, strict=True)]
     places = np.array([names.index(name) for name in read], np.intp)
     lids = [calibration.lids if name.startswith(SHUTTING) else 1.0 for name in read]
     gain = calibration.gain * np.array(lids)
-    return Measure(calibration, np.array(zero), 1.0 / np.array(spans), gain, places)
+    # an eye that is opened wider than at rest is not less shut than open
+    shown = [name.startswith(SHUTTING) and name in calibration.neutral for name in read]
+    lowest = np.where(shown, 0.0, CHANNEL_LOWEST)
+    return Measure(calibration, np.array(zero), 1.0 / np.array(spans), gain, lowest, places)
+
+
+def _rest(calibration: Calibration, name: str) -> float:
+    """What a source sends of a channel at rest, as far as that counts."""
+    rest = calibration.neutral.get(name, 0.0)
+    return min(max(rest, 0.0), MOST_LID_REST) if name.startswith(SHUTTING) else rest
 
 
 def _span(calibration: Calibration, name: str, start: float) -> float:
-    span = calibration.highest.get(name, 1.0 + start) - start
-    return span if span >= LEAST_RANGE else 1.0
+    """How far a channel goes from its rest; as far as a whole one where nobody has shown it."""
+    whole = 1.0 - start if name.startswith(SHUTTING) else 1.0
+    span = calibration.highest.get(name, start + whole) - start
+    return span if span >= LEAST_RANGE else whole
 
 
 def _mirrored(name: str, names: Iterable[str]) -> str:

@@ -205,6 +205,7 @@ class OpenSources:
         frame = SourceFrame(
             source.names, values, head if turned else None, gaze if turned else None, source=source.name,
             parts=route.parts, smoothing=smoothing, direct=source.direct, share=source.share,
+            route_number=route.number,
         )  # fmt: skip
         for name in self._driven(scene, source.name):
             scene[name].drive_layer(route.layer, frame)
@@ -222,9 +223,10 @@ class OpenSources:
         self._set_route(scene, asked.source, Route(tuple(asked.characters), layer, parts))
 
     def _set_route(self, scene: Scene, name: str, route: Route) -> None:
-        """Characters that the source no longer drives, or drives on another layer, are let go."""
-        before = self.route(name)
-        gone = set(self._driven(scene, name))
+        """Characters that the source no longer drives, or drives on another layer, are let go; of sources that play the
+        same, it is the one that was told to."""
+        before, gone = self.route(name), set(self._driven(scene, name))
+        route = replace(route, number=1 + max((each.number for each in self._routes.values()), default=0))
         self._routes, self._changed = _with(self._routes, name, route), True
         stay = set(self._driven(scene, name)) if route.layer == before.layer else set[str]()
         for each in sorted(gone - stay):

@@ -43,11 +43,14 @@ class Room:
     switched: Switched
     notes: Path
     said: list[str]
+    outside: str = ""
 
     def open(self, listen: str = "", send: str = "") -> DeviceSwitches:
         file = DeviceFile(self.notes, self.said.append)
         file.load()
-        made = DeviceSwitches(self.switched, read_trackers(listen), read_targets(send), file, self.said.append)
+        made = DeviceSwitches(
+            self.switched, read_trackers(listen), read_targets(send), file, self.said.append, lambda: self.outside
+        )
         made.restore()
         return made
 
@@ -102,6 +105,15 @@ async def test_a_tracker_is_heard_while_it_is_on(room: Room) -> None:
     assert not [who for who in session.crew if who.startswith("livelink")]
     with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as other:
         other.bind(("", port))  # the port is free again
+
+
+async def test_a_phone_is_sent_to_a_page_only_where_one_reaches_it(room: Room, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("omote.server.devices.switches.device_switches.own_address", lambda: "192.168.1.20")
+    switches = room.open()
+    found = switches.describe(0.0)
+    assert (found.phone_page, found.host) == ("", "192.168.1.20"), "its apps reach the show, its browser does not"
+    room.outside = "http://192.168.1.20:8095"
+    assert switches.describe(0.0).phone_page == "/connect"
 
 
 async def test_a_port_that_the_system_chose_is_told(room: Room) -> None:

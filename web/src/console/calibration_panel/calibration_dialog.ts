@@ -9,6 +9,7 @@ import { base } from "../../ui/theme";
 import { ConsoleElement } from "../controls/console_element";
 import { LayerCommands } from "../layer_panel/layer_commands";
 import "../layer_panel/source_tuning";
+import { sourceLabel } from "../layers/source_label";
 import { type CalibrationStep, channelsOf, stepsFor } from "../sources/calibration_steps";
 import type { Topic } from "../store/page_store";
 import { calibrationStyle } from "./calibration_style";
@@ -72,17 +73,17 @@ export class CalibrationDialog extends ConsoleElement {
 
   override render() {
     const source = this.#source;
-    return html`<section class="panel" role="dialog" aria-modal="true" aria-label="Calibration of ${this.name}">
-      <div class="row"><h2>Calibration of ${source?.performer ?? this.name}</h2>
+    return html`<section class="panel" role="dialog" aria-modal="true" aria-label="Calibration of ${sourceLabel(this.name)}">
+      <div class="row"><h2>Calibration of ${sourceLabel(source?.performer ?? this.name)}</h2>
         <button class="close" @click=${this.#close}>Close</button></div>
-      ${source === null ? html`<p>${this.name} does not send any more.</p>` : this.#measure(source)}
+      ${source === null ? html`<p>${sourceLabel(this.name)} does not send any more.</p>` : this.#measure(source)}
     </section>`;
   }
 
   #measure(source: SourceState) {
     const steps = this.#steps;
     const step = steps[this.at] ?? steps[0];
-    if (step === undefined) return html`<p>Waiting for ${this.name} to see a face.</p>`;
+    if (step === undefined) return html`<p>Waiting for ${sourceLabel(this.name)} to see a face.</p>`;
     const measured = step.of.length === 0 ? [] : channelsOf(step, this.names);
     return html`<ol aria-label="Faces to make">${steps.map((one, at) => this.#tab(source, one, at))}</ol>
       <div class="row now"><p class="asks" role="status">${step.asks}</p>

@@ -10,5 +10,9 @@ export const LOW =
 /** Too low for lists of what is on air: the T-bars name both ends. */
 export const SHORT = `${NARROW} or (max-height: 720px) or ${LOW}`;
 
+/** Too narrow or too low for the mixer's strips and a group of settings beside each other. */
+export const TIGHT = "(max-width: 999px) or (max-height: 539px)";
+
 /** The same for a style's `@media`. */
 export const [narrow, low, short] = [unsafeCSS(NARROW), unsafeCSS(LOW), unsafeCSS(SHORT)];
+export const tight = unsafeCSS(TIGHT);

@@ -53,6 +53,31 @@ export class InputLines extends DevicesElement {
       .source {
         color: var(--dim);
       }
+      .moves {
+        display: grid;
+        grid-template-columns: repeat(auto-fill, minmax(104px, 1fr));
+        gap: 2px 4px;
+        margin-top: 2px;
+      }
+      .moves span {
+        position: relative;
+        padding: 1px 4px;
+        overflow: hidden;
+        white-space: nowrap;
+        text-overflow: ellipsis;
+        border-radius: 3px;
+        background: #000;
+      }
+      .moves i {
+        position: absolute;
+        inset: 0;
+        transform-origin: left;
+        background: #3c4656;
+      }
+      .moves em {
+        position: relative;
+        font-style: normal;
+      }
     `,
   ];
 
@@ -71,6 +96,16 @@ export class InputLines extends DevicesElement {
     return (this.held ?? this.devices.lines).filter(passes).toReversed();
   }
 
+  /** The channels of a face that move most, and where each stands. */
+  #moves(bars: InputLine["bars"]) {
+    const moving = Object.entries(bars);
+    if (moving.length === 0) return nothing;
+    return html`<div class="moves">${moving.map(
+      ([name, value]) => html`<span title=${`${name} ${value.toFixed(2)}`}>
+        <i style="transform: scaleX(${Math.min(Math.max(value, 0), 1).toFixed(3)})"></i><em>${name}</em></span>`,
+    )}</div>`;
+  }
+
   override render() {
     const { shown, held } = this;
     return html`<h2>What came in</h2>
@@ -87,9 +122,9 @@ export class InputLines extends DevicesElement {
         }}>${held === null ? "Pause" : "Go on"}</button>
       </div>
       <ol tabindex="0" aria-label="What came in">${shown.map(
-        ({ time, source, text, rejected, count }) => html`<li class=${rejected ? "attention" : ""}>
+        ({ time, source, text, rejected, count, rate, bars }) => html`<li class=${rejected ? "attention" : ""}>
           <time>${new Date(time * 1000).toLocaleTimeString([], { hour12: false })}</time><span class="source">${source}</span>
-          <span>${rejected ? "rejected: " : ""}${text}${count > 1 ? html` <b>×${count}</b>` : nothing}</span></li>`,
+          <span>${rejected ? "rejected: " : ""}${text}${rate > 0 ? html` <b>${rate.toFixed(0)}/s</b>` : count > 1 ? html` <b>×${count}</b>` : nothing}${this.#moves(bars)}</span></li>`,
       )}${shown.length === 0 ? html`<li><span></span><span></span><span>${this.devices.lines.length === 0 ? "Nothing came yet." : "Nothing of it passes the filter."}</span></li>` : nothing}</ol>`;
   }
 }

@@ -46,6 +46,9 @@ export class TrackerSwitches extends DevicesElement {
         align-items: center;
         margin: 8px 0 0;
       }
+      .alone {
+        margin: 8px 0 0;
+      }
       .phone img {
         width: 116px;
         background: #fff;
@@ -62,7 +65,8 @@ export class TrackerSwitches extends DevicesElement {
   /** It renders again where something is switched; counts move elsewhere. */
   protected override listen(changed: () => void): (() => void)[] {
     const heard = (): void => {
-      const shape = JSON.stringify([this.devices.trackers, this.devices.found]);
+      const { trackers, found, phonePage, machine } = this.devices;
+      const shape = JSON.stringify([trackers, found, phonePage, machine]);
       if (shape === this.#shape) return;
       this.#shape = shape;
       changed();
@@ -71,7 +75,7 @@ export class TrackerSwitches extends DevicesElement {
   }
 
   override render() {
-    const { trackers, found, phonePage } = this.devices;
+    const { trackers, found } = this.devices;
     const on = trackers.filter(({ word }) => word !== "");
     const off = trackers.filter(({ word }) => word === "");
     return html`<h2>Face trackers</h2>
@@ -85,7 +89,7 @@ export class TrackerSwitches extends DevicesElement {
             <button data-found=${word} @click=${() => this.#switch(word, true)}>Hear it</button></div>`,
         )}
       ${off.length === 0 ? nothing : this.#form(off)}
-      ${phonePage === "" || !on.some(({ asks, port }) => asks !== "computer" && port !== null) ? nothing : this.#phone(phonePage)}`;
+      ${on.some(({ asks, port }) => asks !== "computer" && port !== null) ? this.#phone() : nothing}`;
   }
 
   readonly #row = (one: TrackerOffer) => {
@@ -117,7 +121,14 @@ export class TrackerSwitches extends DevicesElement {
       <button data-on>Switch on</button></form>`;
   }
 
-  #phone(page: string) {
+  /** What a phone reads; where no phone opens a page of this show, what is typed and what else it takes. */
+  #phone() {
+    const { phonePage: page, machine } = this.devices;
+    if (page === "")
+      return html`<p class="alone"><b>This show listens on this machine alone:</b> no phone opens its pages. An app sends to it
+        all the same: type ${machine === "" ? "this machine's address" : html`<b>${machine}</b>`} and the port above into it, then
+        press <i>Let it play</i> here. To have a phone read both from a picture (QR code), start the show with
+        <code>--host 0.0.0.0</code>.</p>`;
     return html`<div class="phone"><img src="${page}/phone.svg" alt="QR code">
       <p>A phone that reads this picture opens <a href=${page} target="omote-phone">what to type into the app</a>: the
         address and the port, to be copied. No app of a tracker reads them from a picture itself.</p></div>`;

@@ -116,8 +116,9 @@ it("knows what can be switched, and says why something was not", () => {
     receivers: [],
     ways: [way],
     phone_page: "/connect",
+    host: "192.168.1.20",
   });
-  expect([made.ways, made.phonePage]).toEqual([[way], "/connect"]);
+  expect([made.ways, made.phonePage, made.machine]).toEqual([[way], "/connect", "192.168.1.20"]);
   made.switchDevice("listen", "vmc:39539", true);
   expect(sent[0]).toMatchObject({ type: "switch_device", direction: "listen", word: "vmc:39539", on: true });
   expect(made.receiveRefused("port 39539 cannot be opened.", idOf(sent[0]))).toBe(true);

@@ -48,8 +48,10 @@ export class DeviceStore extends TopicStore<"devices" | "bindings" | "log"> {
   found: readonly FoundTracker[] = [];
   receivers: readonly ReceiverState[] = [];
   ways: readonly SendWay[] = [];
-  /** The page that a phone opens to copy what to type; "" where there is none. */
+  /** The page that a phone opens to copy what to type; "" where no phone opens a page of this show. */
   phonePage = "";
+  /** The address of the show's machine in its network, "" where it is in none. */
+  machine = "";
   bindings: readonly BindingDocument[] = [];
   /** Those of the bindings that a file has made. */
   fixed: readonly BindingDocument[] = [];
@@ -73,7 +75,7 @@ export class DeviceStore extends TopicStore<"devices" | "bindings" | "log"> {
   receive(news: DeviceNews): void {
     if (news.type === "devices") {
       ({ devices: this.devices, trackers: this.trackers, found: this.found } = news);
-      ({ receivers: this.receivers, ways: this.ways, phone_page: this.phonePage } = news);
+      ({ receivers: this.receivers, ways: this.ways, phone_page: this.phonePage, host: this.machine } = news);
       this.tell("devices");
     } else if (news.type === "input_log") {
       this.lines = news.lines;

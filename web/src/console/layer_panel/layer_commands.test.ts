@@ -173,7 +173,9 @@ describe("a source", () => {
   });
 });
 
-it("a press on a part takes it into a route or out of it; where none is left all are in it", () => {
+it("a press on a part takes it alone of all, else into a route or out of it; where none is left all are in it", () => {
+  expect(withPart([...LAYER_PARTS], "mouth")).toEqual(["mouth"]);
+  expect(withPart(["mouth"], "brows")).toEqual(["brows", "mouth"]);
   expect(withPart(["mouth", "brows"], "mouth")).toEqual(["brows"]);
   expect(withPart(["mouth"], "mouth")).toEqual([...LAYER_PARTS]);
 });

@@ -3,6 +3,7 @@
 import { LAYER_PARTS } from "../../link/constants";
 import type { SourceState } from "../../link/messages";
 import { firstInfluence, type LayerName, type LayerPart, layerOf } from "../layers/layer_state";
+import { sourceLabel } from "../layers/source_label";
 import type { ConsoleStore } from "../store/console_store";
 import type { Change } from "../store/undo_history";
 
@@ -20,9 +21,10 @@ export const withCharacter = (characters: readonly string[], one: string, all: r
   return now.includes(one) ? now.filter((other) => other !== one) : [...now, one];
 };
 
-/** The parts of a route after a press on one: in it or not any more; all of them where none would be left. */
+/** The parts of a route after a press on one: of all this one alone, else in it or not any more; all where none is left. */
 export const withPart = (parts: SourceState["regions"], one: LayerPart): SourceState["regions"] => {
-  const left = LAYER_PARTS.filter((part) => parts.includes(part) !== (part === one));
+  const every = LAYER_PARTS.every((part) => parts.includes(part));
+  const left = every ? [one] : LAYER_PARTS.filter((part) => parts.includes(part) !== (part === one));
   return left.length === 0 ? [...LAYER_PARTS] : left;
 };
 
@@ -67,7 +69,7 @@ export class LayerCommands {
         : change.regions !== undefined
           ? `plays ${change.regions.length === LAYER_PARTS.length ? "all parts" : change.regions.join(", ")} now`
           : "drives others now";
-    this.#do(`${source.name} ${does}.`, `route ${source.name}`, {
+    this.#do(`${sourceLabel(source.name)} ${does}.`, `route ${sourceLabel(source.name)}`, {
       undo: to(source),
       redo: to({ ...source, ...change }),
     });
@@ -78,7 +80,7 @@ export class LayerCommands {
     const to = ({ mirror, dead_zone, curve, gain, smoothing, lids }: Tuning): Change[] => [
       { type: "tune_source", source: source.name, mirror, dead_zone, curve, gain, smoothing, lids },
     ];
-    this.#do(`${source.name} is read otherwise.`, `tune ${source.name}`, {
+    this.#do(`${sourceLabel(source.name)} is read otherwise.`, `tune ${sourceLabel(source.name)}`, {
       undo: to(source),
       redo: to({ ...source, ...change }),
     });

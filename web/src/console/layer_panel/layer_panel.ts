@@ -6,6 +6,7 @@ import { LAYER_PARTS, LAYERS } from "../../link/constants";
 import type { CharacterState } from "../../link/messages";
 import { base } from "../../ui/theme";
 import { AnimatedElement, StyleWriter } from "../controls/console_element";
+import { TIGHT } from "../controls/screen_sizes";
 import {
   feedWords,
   followTrend,
@@ -15,14 +16,16 @@ import {
   shownChannels,
   type Trend,
 } from "../layers/layer_state";
+import type { MixerGroup } from "../store/console_layout";
 import type { Topic } from "../store/page_store";
 import { LayerCommands, layerLabel } from "./layer_commands";
 import { style } from "./layer_panel_style";
+import "../motion_groups/gaze_target_settings";
+import "../motion_groups/motion_settings";
+import "../motion_groups/speech_line";
+import "./group_heads";
 import "./layer_fader";
-import "./gaze_target_settings";
-import "./motion_settings";
 import "./source_settings";
-import "./speech_line";
 
 /** What a layer is, and how it adds to those below it. */
 const TITLES: Readonly<Record<LayerName, string>> = {
@@ -36,12 +39,16 @@ const TITLES: Readonly<Record<LayerName, string>> = {
   hands: "Faders and pads, in the place of all below",
 };
 const ROWS = [0, 1, 2];
+/** Where strips and groups take turns. */
+const IN_TURN = matchMedia(TIGHT);
 
-/** A strip for each layer, the lowest first; beside them the parts and the sources of one. Tells `close`. */
+/** A strip for each layer, the lowest first; beside them the heads of all groups, and one of these. Tells `close`. */
 @customElement("omote-layer-panel")
 export class LayerPanel extends AnimatedElement {
   /** The layer whose parts and sources are shown; `null`: the first that a source drives. */
   @state() private chosen: LayerName | null = null;
+  /** The source that is unfolded, "" for none; `null`: the first of the layer. */
+  @state() private unfolded: string | null = null;
   readonly #trends = new Map<string, Trend>();
   readonly #written = new StyleWriter();
   #seen: LayerName | null = null;
@@ -49,17 +56,27 @@ export class LayerPanel extends AnimatedElement {
   static override styles = [base, style];
 
   protected override topics(): readonly Topic[] {
-    return ["cast", "characters", "link", "sources"];
+    return ["cast", "characters", "link", "sources", "layout"];
   }
 
   override connectedCallback(): void {
     super.connectedCallback();
     this.addEventListener("keydown", this.#key);
+    IN_TURN.addEventListener("change", this.#resized);
   }
 
   override disconnectedCallback(): void {
     super.disconnectedCallback();
     this.removeEventListener("keydown", this.#key);
+    IN_TURN.removeEventListener("change", this.#resized);
+  }
+
+  readonly #resized = (): void => this.requestUpdate();
+
+  /** The group that is shown: beside strips, or in their place. */
+  get #group(): MixerGroup {
+    const { mixer } = this.store.layout;
+    return IN_TURN.matches || mixer !== "strips" ? mixer : "sources";
   }
 
   get #shown(): LayerName {
@@ -72,16 +89,21 @@ export class LayerPanel extends AnimatedElement {
 
   override render() {
     const label = this.store.air?.label ?? "";
+    this.dataset.group = this.#group;
     return html`<div class="strips" role="region" aria-label="Layers of ${label}">${LAYERS.map((layer) => this.#strip(layer))}</div>
-      <section class="detail">
-        <header><h2>${layerLabel(this.#shown)}</h2><span class="of">${label}</span>
-          <button class="reset" title="Its influence as at first" @click=${() => this.#commands.reset(this.#shown)}>Reset</button>
-          <button class="close" aria-label="Close the layers" @click=${this.#close}>Close</button></header>
-        ${this.#sources()} ${this.#parts()}
-        ${this.#shown === "lips" ? html`<omote-speech-line .context=${this.context}></omote-speech-line>` : nothing}
-        <omote-motion-settings .context=${this.context}></omote-motion-settings>
-        <omote-gaze-target-settings .context=${this.context}></omote-gaze-target-settings>
-      </section>`;
+      <omote-group-heads role="tablist" aria-label="Groups of the mixer" .context=${this.context} .shown=${this.#group} .layer=${this.#shown}
+        @group=${(event: CustomEvent<MixerGroup>) => this.store.arrange({ mixer: event.detail })}>
+        <button class="close" aria-label="Close the layers" @click=${this.#close}>Close</button></omote-group-heads>
+      <section class="detail">${this.#content(this.#group)}</section>`;
+  }
+
+  #content(group: MixerGroup) {
+    const { context } = this;
+    if (group === "sources") return this.#sources();
+    if (group === "parts") return this.#parts();
+    if (group === "motion") return html`<omote-motion-settings .context=${context}></omote-motion-settings>`;
+    if (group === "gaze") return html`<omote-gaze-target-settings .context=${context}></omote-gaze-target-settings>`;
+    return group === "speech" ? html`<omote-speech-line .context=${context}></omote-speech-line>` : nothing;
   }
 
   #strip(layer: LayerName) {
@@ -104,31 +126,40 @@ export class LayerPanel extends AnimatedElement {
     this.#seen = this.#shown;
   }
 
+  /** Shows the sources of a layer, or its parts where nothing drives it. */
   #choose(layer: LayerName): void {
-    this.chosen = layer;
+    [this.chosen, this.unfolded] = [layer, null];
+    const stays = this.#group === "parts" || (this.#group === "sources" && isDriven(layer));
+    if (!stays) this.store.arrange({ mixer: isDriven(layer) ? "sources" : "parts" });
   }
 
   #parts() {
     const layer = this.#shown;
-    return html`<div class="parts" role="group" aria-label="Influence of ${layer} by part">${LAYER_PARTS.map(
-      (part) =>
-        html`<div><omote-layer-fader .context=${this.context} .layer=${layer} .region=${part}></omote-layer-fader><span>${part}</span></div>`,
-    )}</div>`;
+    return html`<header><b>${layerLabel(layer)}</b><span class="of">shows in each part</span>
+        <button class="reset" title="Its influence as at first" @click=${() => this.#commands.reset(layer)}>Reset</button></header>
+      <div class="parts" role="group" aria-label="Influence of ${layer} by part">${LAYER_PARTS.map(
+        (part) =>
+          html`<div><omote-layer-fader .context=${this.context} .layer=${layer} .region=${part}></omote-layer-fader><span>${part}</span></div>`,
+      )}</div>`;
   }
 
-  /** The sources of the layer that is shown, and where the others are. */
+  /** All sources, those of the layer that is shown first. */
   #sources() {
     const layer = this.#shown;
-    if (!isDriven(layer)) return nothing;
-    const { sources } = this.store;
-    const others = sources.filter((one) => one.layer !== layer);
-    return html`${sources
-      .filter((one) => one.layer === layer)
-      .map(
-        (source) => html`<omote-source-settings .context=${this.context} .source=${source}></omote-source-settings>`,
-      )}
-      ${sources.length === 0 ? html`<p class="none">No source sends. A tracker or a program that does appears here.</p>` : nothing}
-      ${others.length === 0 ? nothing : html`<div class="others">${others.map((one) => html`<button @click=${() => this.#choose(one.layer)}>${one.name}: ${one.layer}</button>`)}</div>`}`;
+    const sources = this.store.sources.toSorted(
+      (one, other) => Number(other.layer === layer) - Number(one.layer === layer),
+    );
+    if (sources.length === 0)
+      return html`<p class="none">No source sends. A tracker or a program that does appears here.</p>`;
+    const open = this.unfolded ?? sources[0]?.name;
+    return sources.map(
+      (source) => html`<omote-source-settings .context=${this.context} .source=${source} ?open=${source.name === open}
+        @fold=${() => this.#fold(source.name, source.name === open)}></omote-source-settings>`,
+    );
+  }
+
+  #fold(name: string, open: boolean): void {
+    this.unfolded = open ? "" : name;
   }
 
   paint(): void {
@@ -144,7 +175,12 @@ export class LayerPanel extends AnimatedElement {
     const trend = followTrend(this.#trends.get(key) ?? null, told.trust);
     this.#trends.set(key, trend);
     const feed = strip.querySelector(".feed") as HTMLElement;
-    const words = feedWords(layer, told, trend);
+    const words = feedWords(
+      layer,
+      told,
+      trend,
+      this.store.sources.map(({ name }) => name),
+    );
     write.text(feed, words);
     write.attribute(feed, "title", words);
     write.flag(feed, "wanted", told.source !== "" && told.trust < 0.5);

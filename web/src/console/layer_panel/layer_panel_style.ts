@@ -1,26 +1,11 @@
 import { css } from "lit";
-import { low, narrow } from "../controls/screen_sizes";
+import { tight } from "../controls/screen_sizes";
 
-/** A group of settings under the parts of a layer: its heading, and rows below each other. */
-export const groupStyle = css`
-  :host {
-    display: grid;
-    gap: 6px;
-    flex: none;
-    font-size: 12px;
-  }
-  h3 {
-    margin: 0;
-    font-size: 12px;
-    color: var(--dim);
-  }
-`;
-
-/** Strips beside each other, which scroll sideways where there is no room, and beside them what belongs to one. */
+/** Strips beside each other, which scroll sideways where there is no room; beside them heads of groups, and one group. */
 export const style = css`
   :host {
     display: grid;
-    grid-template-columns: minmax(0, 1fr) minmax(262px, 330px);
+    grid-template-columns: minmax(0, 1fr) 138px minmax(300px, 352px);
     grid-template-rows: minmax(0, 1fr);
     gap: 10px;
     padding: 8px 10px;
@@ -36,8 +21,8 @@ export const style = css`
     scrollbar-width: thin;
   }
   .strip {
-    flex: 1 1 118px;
-    min-width: 118px;
+    flex: 1 1 96px;
+    min-width: 96px;
     display: grid;
     grid-template-columns: minmax(0, 1fr);
     grid-template-rows: auto 30px minmax(72px, 1fr) auto;
@@ -170,10 +155,8 @@ export const style = css`
     margin: 0;
     color: var(--dim);
   }
-  .others {
-    display: flex;
-    flex-wrap: wrap;
-    gap: 4px;
+  .detail omote-motion-settings {
+    max-width: 460px;
   }
   @media (max-height: 720px) {
     .strip {
@@ -186,11 +169,14 @@ export const style = css`
   }
   @media (max-width: 1300px) {
     :host {
-      grid-template-columns: minmax(0, 1fr) 262px;
+      grid-template-columns: minmax(0, 1fr) 96px minmax(290px, 300px);
       gap: 6px;
     }
   }
   @media (min-width: 900px) and (max-width: 1300px) {
+    .close {
+      display: none; /* its key stands on the picture */
+    }
     .strips {
       gap: 4px;
     }
@@ -227,9 +213,9 @@ export const style = css`
       display: none;
     }
   }
-  @media ${narrow} or ${low} {
+  @media ${tight} {
     .bars {
-      display: grid;
+      display: none;
     }
     :host {
       display: flex;
@@ -239,18 +225,23 @@ export const style = css`
       padding: 6px 8px;
     }
     .strips {
-      flex: 1 0 232px;
+      flex: 1 0 132px;
     }
     .strip {
-      flex: 1 1 118px;
-      min-width: 118px;
+      flex: 1 0 68px;
+      min-width: 68px;
+    }
+    :host([data-group="strips"]) .detail,
+    :host(:not([data-group="strips"])) .strips {
+      display: none;
     }
     .play {
-      grid-template-columns: auto minmax(0, 1fr);
+      grid-template-columns: minmax(0, 1fr);
       grid-template-rows: minmax(0, 1fr);
     }
-    .bar + .bar {
-      display: block;
+    omote-group-heads {
+      order: -1;
+      flex: none;
     }
     .detail {
       overflow: visible;

@@ -1,11 +1,12 @@
-/** What feeds a layer: whom it drives, in which parts, how calmly, and how it is read. Tells `calibrate`. */
+/** A source: how it stands, and unfolded whom it drives, in which parts, how it is read. Tells `calibrate`, `fold`. */
 
-import { css, html } from "lit";
+import { css, html, nothing } from "lit";
 import { customElement, property } from "lit/decorators.js";
 import { ALL, DRIVEN_LAYERS, LAYER_PARTS } from "../../link/constants";
 import type { SourceState } from "../../link/messages";
 import { base } from "../../ui/theme";
 import { ConsoleElement, chosenIn } from "../controls/console_element";
+import { sourceAddress, sourceLabel } from "../layers/source_label";
 import type { Topic } from "../store/page_store";
 import "./source_tuning";
 import { LayerCommands, layerLabel, withCharacter, withPart } from "./layer_commands";
@@ -13,6 +14,7 @@ import { LayerCommands, layerLabel, withCharacter, withPart } from "./layer_comm
 @customElement("omote-source-settings")
 export class SourceSettings extends ConsoleElement {
   @property({ attribute: false }) source!: SourceState;
+  @property({ type: Boolean }) open = false;
 
   static override styles = [
     base,
@@ -20,7 +22,7 @@ export class SourceSettings extends ConsoleElement {
       :host {
         display: grid;
         gap: 6px;
-        padding: 6px 8px;
+        padding: 4px 6px;
         border: 1px solid var(--line);
         border-radius: 6px;
         background: var(--raised);
@@ -31,8 +33,49 @@ export class SourceSettings extends ConsoleElement {
         align-items: center;
         gap: 4px 6px;
       }
-      b {
-        overflow-wrap: anywhere;
+      .head {
+        display: flex;
+        gap: 4px;
+      }
+      .name {
+        flex: 1;
+        display: grid;
+        gap: 0;
+        min-width: 0;
+        padding: 2px 6px;
+        text-align: left;
+        color: var(--text);
+        background: none;
+        border-color: transparent;
+      }
+      .name[aria-expanded="false"]::after {
+        content: "▸";
+        grid-area: 1 / 2 / 3;
+        align-self: center;
+        justify-self: end;
+      }
+      .name b,
+      .name span {
+        overflow: hidden;
+        text-overflow: ellipsis;
+        white-space: nowrap;
+      }
+      .wanted {
+        font-size: 12px;
+        color: var(--attention);
+      }
+      .calibrate {
+        flex: none;
+      }
+      .parts {
+        display: grid;
+        grid-template-columns: 0.7fr repeat(6, minmax(0, 1fr));
+        align-items: center;
+        gap: 3px;
+      }
+      .parts button {
+        min-width: 0;
+        padding: 0;
       }
       .dim {
         font-size: 12px;
@@ -51,12 +94,16 @@ export class SourceSettings extends ConsoleElement {
         color: var(--dim);
         cursor: pointer;
       }
-      .row button {
+      .row button,
+      .parts button {
         min-height: 30px;
+      }
+      .row button {
         padding: 0 7px;
       }
       @media (pointer: coarse) {
         .row button,
+        .parts button,
         summary {
           min-height: var(--finger);
         }
@@ -73,15 +120,55 @@ export class SourceSettings extends ConsoleElement {
   }
 
   override render() {
+    const { open } = this;
+    return html`<div class="head"><button class="name" aria-expanded=${open} title=${this.#title()} @click=${this.#fold}>
+          <b>${this.#label}</b><span class=${this.#state() === "" ? "dim" : "wanted"}>${this.#state() || this.#plays()}</span></button>
+        ${open ? this.#calibration() : nothing}</div>
+      ${open ? this.#settings() : nothing}`;
+  }
+
+  #settings() {
     const { source } = this;
-    const from = source.console === "" ? "" : ` at ${source.console}`;
-    return html`<div class="row"><b>${source.name}</b>
-        <span class="dim">${source.kind}${from}, ${source.found ? `${source.rate}/s` : "sees nobody"}</span></div>
-      ${this.#route()} ${this.#parts()}
-      <omote-source-tuning .context=${this.context} .source=${source}></omote-source-tuning> ${this.#buttons()}
-      <details><summary>Gain, lids, curve, layer</summary>
+    return html`${this.#route()} ${this.#parts()}
+      <omote-source-tuning .context=${this.context} .source=${source}></omote-source-tuning>
+      <details><summary>Mirror, gain, lids, curve, layer</summary>
+        <div class="row"><button data-mirror aria-pressed=${source.mirror} title="Left and right are swapped"
+          @click=${() => this.#commands.tune(source, { mirror: !source.mirror })}>Mirror</button></div>
         ${this.#layer()} <omote-source-tuning .context=${this.context} .source=${source} numbers></omote-source-tuning></details>`;
   }
+
+  get #label(): string {
+    return sourceLabel(
+      this.source.name,
+      this.store.sources.map(({ name }) => name),
+    );
+  }
+
+  /** Where it is, and how often it is heard. */
+  #title(): string {
+    const { name, kind, console: page, rate } = this.source;
+    return [kind, sourceAddress(name), page === "" ? "" : `at ${page}`, `${rate}/s`].filter(Boolean).join(", ");
+  }
+
+  /** What is wrong with it, "" for nothing. */
+  #state(): string {
+    const { rate, found, characters } = this.source;
+    if (rate === 0) return "sends nothing";
+    if (!found) return "sees nobody";
+    return characters.length === 0 ? "plays nobody" : "";
+  }
+
+  #plays(): string {
+    const { characters, layer, rate } = this.source;
+    const labels = characters.map((name) =>
+      name === ALL ? "all" : (this.store.state?.characters[name]?.label ?? name),
+    );
+    return `${labels.join(", ")} · ${layer} · ${rate}/s`;
+  }
+
+  readonly #fold = (): void => {
+    this.dispatchEvent(new CustomEvent("fold"));
+  };
 
   #route() {
     const { source } = this;
@@ -101,24 +188,21 @@ export class SourceSettings extends ConsoleElement {
   #parts() {
     const { source } = this;
     const idle = source.characters.length === 0;
-    return html`<div class="row" role="group" aria-label="Parts that ${source.name} plays"><span class="dim">in</span>
+    return html`<div class="parts" role="group" aria-label="Parts that ${source.name} plays"><button class="all" aria-pressed=${!idle && LAYER_PARTS.every((part) => source.regions.includes(part))}
+        ?disabled=${idle} title="All parts" @click=${() => this.#commands.route(source, { regions: [...LAYER_PARTS] })}>all</button>
       ${LAYER_PARTS.map(
         (
           part,
         ) => html`<button data-part=${part} aria-pressed=${!idle && source.regions.includes(part)} ?disabled=${idle}
-          title=${idle ? "Press first whom it plays" : "Of two sources of a layer the one with fewer parts has them"}
+          title=${idle ? "Press first whom it plays" : "Of all parts this one alone; then others to it. Of two sources the one with fewer parts has them"}
           @click=${() => this.#commands.route(source, { regions: withPart(source.regions, part) })}>${part}</button>`,
       )}
     </div>`;
   }
 
-  #buttons() {
-    const { source } = this;
-    return html`<div class="row">
-      <button class="calibrate" title="Face at rest, and the largest of each move: seen as bars" @click=${this.#calibrate}>${source.calibrated ? "Calibrated…" : "Calibrate…"}</button>
-      <button data-mirror aria-pressed=${source.mirror} title="Left and right are swapped"
-        @click=${() => this.#commands.tune(source, { mirror: !source.mirror })}>Mirror</button>
-    </div>`;
+  #calibration() {
+    const words = this.source.calibrated ? "Calibrated…" : "Calibrate…";
+    return html`<button class="calibrate" title="Face at rest, and the largest of each move: seen as bars" @click=${this.#calibrate}>${words}</button>`;
   }
 
   readonly #calibrate = (): void => {

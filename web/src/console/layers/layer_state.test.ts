@@ -71,4 +71,7 @@ test("who feeds a layer is told in words, also where it is lost and comes back",
     { source: "webcam", trust: 0, parts: [] },
   ];
   expect(feedWords("tracker", { ...tracker, sources: shared }, at)).toBe("phone: mouth, webcam: lost");
+  const [one, other] = ["VMC 10.0.0.7", "VMC 10.0.0.8"];
+  expect(feedWords("tracker", { ...tracker, source: one }, at)).toBe("VMC");
+  expect(feedWords("tracker", { ...tracker, source: one }, at, [one, other])).toBe(one);
 });

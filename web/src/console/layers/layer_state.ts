@@ -3,6 +3,7 @@
 import { DRIVEN_LAYERS, LAYER_PARTS, type LAYERS, LIPS_INFLUENCE } from "../../link/constants";
 import type { CharacterState, GazeTargetState, LayerState } from "../../link/messages";
 import { handsOf } from "./held_state";
+import { sourceLabel } from "./source_label";
 
 export type LayerName = (typeof LAYERS)[number];
 export type LayerPart = (typeof LAYER_PARTS)[number];
@@ -70,17 +71,23 @@ export function followTrend(before: Trend | null, trust: number): Trend {
   return trust === before.trust ? before : { trust, rises: trust > before.trust };
 }
 
-/** Who feeds a layer, in words: calls and hands, or its source and how far that is trusted. */
-export function feedWords(layer: LayerName, { source, sources }: LayerState, { trust, rises }: Trend): string {
+/** Who feeds a layer, in words: calls and hands, or its source and how far that is trusted. `names`: of all sources. */
+export function feedWords(
+  layer: LayerName,
+  { source, sources }: LayerState,
+  { trust, rises }: Trend,
+  names: readonly string[] = [],
+): string {
   if (layer === "emotion") return "calls";
   if (layer === "hands") return "faders, pads";
   if (source === "") return "no source";
-  if (sources.length > 1) return sources.map(sharedWords).join(", ");
-  if (isTrusted(trust)) return source;
-  if (isLost(trust)) return `${source}: lost`;
-  return `${source}: ${rises ? "returning" : "fading"}`;
+  if (sources.length > 1) return sources.map((one) => sharedWords(one, names)).join(", ");
+  const label = sourceLabel(source, names);
+  if (isTrusted(trust)) return label;
+  if (isLost(trust)) return `${label}: lost`;
+  return `${label}: ${rises ? "returning" : "fading"}`;
 }
 
 /** One of several sources of a layer, and the parts that it has. */
-const sharedWords = ({ source, trust, parts }: LayerState["sources"][number]): string =>
-  `${source}: ${parts.length > 0 ? parts.join(" ") : isLost(trust) ? "lost" : "waits"}`;
+const sharedWords = ({ source, trust, parts }: LayerState["sources"][number], names: readonly string[]): string =>
+  `${sourceLabel(source, names)}: ${parts.length > 0 ? parts.join(" ") : isLost(trust) ? "lost" : "waits"}`;

@@ -47,20 +47,12 @@ export class Answers extends AnimatedElement {
       .short {
         text-align: center;
       }
-      @media (min-width: 1101px) {
-        button .short {
-          display: none;
-        }
-      }
       @media (max-width: 1100px) {
         :host {
           flex: 0 0 40px;
         }
         button {
           padding: 0;
-        }
-        button .line {
-          display: none; /* there is room for a word */
         }
       }
       .list {
@@ -104,7 +96,7 @@ export class Answers extends AnimatedElement {
     if (this.empty) return nothing;
     const line = this.gains.map((gain) => `${this.#where(gain)} ${times(gain)}`).join(", ");
     return html`<button aria-expanded=${this.open} aria-label="${this.faces} answers: ${line}" title="${this.faces} answers: ${line}"
-        @click=${this.#toggle}><span class="line">${line}</span><span class="short">gains</span></button>
+        @click=${this.#toggle}><span class="short">gains</span></button>
       ${this.open ? this.#list() : nothing}`;
   }
 

@@ -73,13 +73,14 @@ export class StatusBar extends ConsoleElement {
     this.toggleAttribute("asks", this.#said.offers.length > 0);
   }
 
-  /** What this console says last; while it says nothing, what waits for an answer. */
+  /** What this console says last, with the ways back of a panic; while it says nothing, what waits for an answer. */
   get #said() {
     const { notice: text, tone, offers } = this.store;
     const notice = { text, tone, offers, dismiss: () => this.store.say(null) };
     const { leases, panicReturn, sources } = this.context;
     const question = panicReturn.question ?? leases.question ?? sources.question;
-    return text === null ? { ...notice, tone: "attention", ...question } : notice;
+    if (text === null) return { ...notice, tone: "attention", ...question };
+    return { ...notice, offers: [...offers, ...(panicReturn.question?.offers ?? [])] };
   }
 
   override render() {

@@ -52,11 +52,18 @@ describe("what is on air in regions", () => {
   });
 
   it("is listed by region, the heaviest first", () => {
-    expect(regionalMixes(AIR)).toEqual([
+    expect(regionalMixes({ ...AIR, layers: {} })).toEqual([
       ["brows", "surprise", 0.75],
       ["brows", "joy", 0.25],
       ["eyes", "surprise", 1],
     ]);
-    expect(regionalMixes({ regions: {} })).toEqual([]);
+    expect(regionalMixes({ regions: {}, layers: {} })).toEqual([]);
+  });
+
+  it("is not listed where a source has put a region to rest, and is where somebody has called that", () => {
+    const tracker = { influence: [1], on: true, trust: 1, source: "phone", share: 1, strongest: {}, sources: [] };
+    const regions = { brows: { neutral: 1 }, mouth: { neutral: 0.4, joy: 0.6 } };
+    expect(regionalMixes({ regions, layers: { tracker } }).map(([region]) => region)).toEqual(["mouth", "mouth"]);
+    expect(regionalMixes({ regions, layers: {} })[0]).toEqual(["brows", "neutral", 1]);
   });
 });

@@ -51,9 +51,21 @@ export function regionMark({ regions }: Shown): string {
   return regions.map((region) => region.charAt(0).toUpperCase()).join(" ");
 }
 
-/** What regions show that go their own way, heaviest first in each: region, name and weight. */
-export function regionalMixes({ regions }: Pick<CharacterState, "regions">): [PlayRegion, string, number][] {
-  return PLAY_REGIONS.flatMap((region) =>
+/** The expression of a face at rest. */
+const REST = "neutral";
+
+/** Whether a region is at rest because a source plays there, and nobody has called anything. */
+const isSourced = (mix: Readonly<Record<string, number>>, layers: CharacterState["layers"]): boolean =>
+  Object.entries(mix).every(([name, weight]) => name === REST || Math.abs(weight) < LEAST) &&
+  Object.values(layers).some(({ source, share }) => source !== "" && share >= LEAST);
+
+/** What regions show that go their own way, heaviest first in each: region, name and weight; nothing of one that a source
+ * has put to rest. */
+export function regionalMixes({
+  regions,
+  layers,
+}: Pick<CharacterState, "regions" | "layers">): [PlayRegion, string, number][] {
+  return PLAY_REGIONS.filter((region) => !isSourced(regions[region] ?? {}, layers)).flatMap((region) =>
     Object.entries(regions[region] ?? {})
       .filter(([, weight]) => Math.abs(weight) >= LEAST)
       .sort(([, x], [, y]) => y - x)

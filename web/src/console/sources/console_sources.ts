@@ -2,6 +2,7 @@
 
 import { aligned } from "../../link/arrays";
 import type { CalibrateSource, SourceState, SourceValues, WatchSource } from "../../link/messages";
+import { sourceLabel } from "../layers/source_label";
 import type { ConsoleStore } from "../store/console_store";
 import type { Question } from "../store/page_store";
 import { MeasureSteps } from "./measure_step";
@@ -63,9 +64,10 @@ export class ConsoleSources {
   #route(source: SourceState, character: string): void {
     const { name, layer, regions } = source;
     const to = (characters: string[]) => ({ type: "route_source", source: name, characters, layer, regions }) as const;
-    const step = { what: `route ${name}`, undo: [to([])], redo: [to([character])] };
+    const step = { what: `route ${sourceLabel(name)}`, undo: [to([])], redo: [to([character])] };
     const label = this.store.state?.characters[character]?.label ?? character;
-    if (this.store.takeStep(step, "redo", () => undefined)) this.store.offerUndo(`${name} plays ${label}.`, step);
+    if (this.store.takeStep(step, "redo", () => undefined))
+      this.store.offerUndo(`${sourceLabel(name)} plays ${label}.`, step);
   }
 }
 

@@ -2,7 +2,7 @@ import { describe, expect, it } from "vitest";
 import type { State } from "../../link/messages";
 import { LostSources, sendingOf } from "./lost_sources";
 
-const rex = (trust: number, source = "Mira", layer = "tracker"): State["characters"] =>
+const rex = (trust: number, source = "Mira 10.0.0.7", layer = "tracker"): State["characters"] =>
   ({ rex: { label: "Rex", layers: { [layer]: { source, trust } } } }) as never;
 
 describe("lost sources", () => {
@@ -27,9 +27,9 @@ describe("lost sources", () => {
 
   it("are not told while their source sends, as with another measure", () => {
     const sources = new LostSources();
-    const sending = sendingOf([{ name: "Mira", found: true, rate: 30 }] as never);
+    const sending = sendingOf([{ name: "Mira 10.0.0.7", found: true, rate: 30 }] as never);
     expect([1, 0, 1].map((trust) => sources.receive(rex(trust), sending))).toEqual(["", "", ""]);
-    const blind = sendingOf([{ name: "Mira", found: false, rate: 30 }] as never);
+    const blind = sendingOf([{ name: "Mira 10.0.0.7", found: false, rate: 30 }] as never);
     expect([1, 0].map((trust) => sources.receive(rex(trust), blind))).toEqual(["", "Mira (tracker of Rex) is lost."]);
   });
 });

@@ -2,6 +2,7 @@
 
 import type { CharacterState, SourceState, State } from "../../link/messages";
 import { isLost, isTrusted } from "../layers/layer_state";
+import { sourceLabel } from "../layers/source_label";
 
 /** Layers whose source goes on until somebody ends it; a recording ends by itself. */
 const WATCHED = ["tracker", "lips"] as const;
@@ -25,7 +26,8 @@ export class LostSources {
           if (source === "") continue;
           there.add(key);
           const turned = this.#turn(key, trust, sending.has(source));
-          if (turned !== null) told.push(`${source} (${layer} of ${labelOf(name, character)}) is ${turned}.`);
+          if (turned !== null)
+            told.push(`${sourceLabel(source)} (${layer} of ${labelOf(name, character)}) is ${turned}.`);
         }
       }
     for (const key of this.#lost.keys()) if (!there.has(key)) this.#lost.delete(key);

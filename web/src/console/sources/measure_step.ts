@@ -1,6 +1,7 @@
 /** A measure of a performer as a step that can be taken back and done again: known when the show tells it. */
 
 import type { SourceState } from "../../link/messages";
+import { sourceLabel } from "../layers/source_label";
 import type { Step } from "../store/undo_history";
 
 type Measured = Pick<SourceState, "name" | "neutral" | "highest">;
@@ -20,7 +21,7 @@ export class MeasureSteps {
       const before = this.#before.get(after.name);
       if (before === undefined || same(before, after)) return [];
       this.#before.delete(after.name);
-      return [{ what: `measure ${after.name}`, undo: [measureOf(before)], redo: [measureOf(after)] }];
+      return [{ what: `measure ${sourceLabel(after.name)}`, undo: [measureOf(before)], redo: [measureOf(after)] }];
     });
   }
 }

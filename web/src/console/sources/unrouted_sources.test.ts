@@ -16,6 +16,16 @@ test("a tracker that plays nobody is said, with each character that it may play"
   expect(route).toHaveBeenCalledWith(source("phone", []), "rex");
 });
 
+test("a tracker is asked about by its name, without its address unless another has the same", () => {
+  const asked = (...names: string[]) =>
+    new UnroutedSources(vi.fn(), vi.fn()).question(
+      names.map((name) => source(name, [])),
+      characters,
+    )?.text;
+  expect(asked("VMC 10.0.0.7")).toBe("VMC sends and plays nobody.");
+  expect(asked("VMC 10.0.0.7", "VMC 10.0.0.8")).toBe("VMC 10.0.0.7 sends and plays nobody.");
+});
+
 test("who plays nobody is counted, without programs, also where the question was put away", () => {
   const sources = [
     source("phone", []),

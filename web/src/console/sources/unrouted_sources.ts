@@ -1,6 +1,7 @@
 /** Sources that send and play nobody: each is said once, with a button for whom it may play. */
 
 import type { SourceState, State } from "../../link/messages";
+import { sourceLabel } from "../layers/source_label";
 import type { Question } from "../store/page_store";
 
 /** Characters that a question offers; the mixer has all. */
@@ -39,6 +40,10 @@ export class UnroutedSources {
       this.#answered.add(source.name);
       this.dismissed();
     };
-    return { text: `${source.name} sends and plays nobody.`, offers, dismiss };
+    const label = sourceLabel(
+      source.name,
+      sources.map(({ name }) => name),
+    );
+    return { text: `${label} sends and plays nobody.`, offers, dismiss };
   }
 }

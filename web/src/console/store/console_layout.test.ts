@@ -13,6 +13,7 @@ const OTHER: ConsoleLayout = {
   linked: false,
   springs: { head: false, gaze: true },
   view: "pads",
+  mixer: "gaze",
   alone: true,
 };
 
@@ -36,6 +37,12 @@ describe("a console's layout", () => {
     expect(parsed(written(before as ConsoleLayout))).toEqual({ ...OTHER, springs: FIRST.springs });
     for (const springs of [null, {}, { head: 1, gaze: true }])
       expect(parsed(JSON.stringify({ ...OTHER, version: 2, springs }))).toMatch(/names what this console has not/);
+  });
+
+  it("of before the mixer had groups shows its strips, and a group that is none is told", () => {
+    const { mixer: _, ...before } = OTHER;
+    expect(parsed(written(before as ConsoleLayout))).toEqual({ ...OTHER, mixer: "strips" });
+    expect(parsed(JSON.stringify({ ...OTHER, version: 2, mixer: "all" }))).toMatch(/names what this console has not/);
   });
 
   it("of before seconds were kept while calls are by hand has those of the default", () => {

@@ -13,6 +13,9 @@ export type BankTab = Region | "touched";
 /** What is shown below: the scene, or the layers, in the place of faders and pads; the others take turns where there is no room for all. */
 export const VIEWS = ["palettes", "faders", "pads", "scene", "layers"] as const;
 export type View = (typeof VIEWS)[number];
+/** Which group of the mixer is shown; the strips stand beside the others where there is room. */
+export const MIXER_GROUPS = ["strips", "sources", "parts", "motion", "gaze", "speech"] as const;
+export type MixerGroup = (typeof MIXER_GROUPS)[number];
 
 export interface ConsoleLayout {
   readonly timing: Readonly<Record<Axis, Timing>>;
@@ -25,6 +28,7 @@ export interface ConsoleLayout {
   /** Pads go back to the centre when the hand lets go. */
   readonly springs: Readonly<Record<"head" | "gaze", boolean>>;
   readonly view: View;
+  readonly mixer: MixerGroup;
   /** The picture shows the character that is played, and not the scene. */
   readonly alone: boolean;
 }
@@ -40,6 +44,7 @@ export const FIRST: ConsoleLayout = {
   linked: true,
   springs: { head: true, gaze: true },
   view: "palettes",
+  mixer: "strips",
   alone: false,
 };
 
@@ -68,14 +73,15 @@ export function parsed(document: string): ConsoleLayout | string {
     : { timing: { face, expression }, ...shown };
 }
 
-/** What is shown, and how; layouts of before know no own faces, views, scenes and springs, and of calls by hand no seconds. */
+/** What is shown, and how; layouts of before know no own faces, views, scenes, springs and groups, and of calls by hand no seconds. */
 function shownIn(found: Record<string, unknown>): Omit<ConsoleLayout, "timing"> | null {
   const { kind, tab, linked, ownFaces = false, springs: sprung = FIRST.springs } = found;
-  const { view = FIRST.view, alone = false } = found;
+  const { view = FIRST.view, mixer = FIRST.mixer, alone = false } = found;
   const springs = springsOf(sprung);
   if (!isOneOf(KINDS, kind) || !isOneOf([...REGIONS, "touched"] as const, tab) || !isOneOf(VIEWS, view)) return null;
+  if (!isOneOf(MIXER_GROUPS, mixer)) return null;
   if (!isSwitch(linked) || !isSwitch(ownFaces) || !isSwitch(alone) || springs === null) return null;
-  return { kind, tab, linked, ownFaces, springs, view, alone };
+  return { kind, tab, linked, ownFaces, springs, view, mixer, alone };
 }
 
 const isSwitch = (value: unknown): value is boolean => typeof value === "boolean";

@@ -139,7 +139,13 @@ function assemble({ points, offset, shares, fade }: Rings, anchors: readonly num
   return geometry;
 }
 
-/** The collar: a roll of dark cloth around the neck that widens into shoulders; it stays when the head turns. */
+/** How far in front of it skin is covered, metres: a throat that turns swings its rim out over the cloth. */
+const COVERS = 0.02;
+
+/**
+ * The collar: a roll of dark cloth around the neck that widens into shoulders; it stays when the head turns. It has the
+ * depth of what lies before it, towards the eye, so that a rim that swings out stays under it; at the shoulders less.
+ */
 export const COLLAR_VERTEX = `${VERTEX_HEAD}
 in vec4 anchors; // rows of the neck's rim: front, left, back, right
 in vec4 shares;
@@ -155,7 +161,9 @@ void main() {
   vPoint = offset + shares.x * rowAt(rows.x) + shares.y * rowAt(rows.y) + shares.z * rowAt(rows.z) + shares.w * rowAt(rows.w);
   vNormal = facing;
   vFade = fade;
-  gl_Position = project(vPoint);
+  vec4 seen = modelViewMatrix * vec4(vPoint, 1.0);
+  seen.xyz *= 1.0 - ${COVERS} * fade / length(seen.xyz); // along its ray: it is seen where it is
+  gl_Position = projectionMatrix * seen;
 }
 `;
 

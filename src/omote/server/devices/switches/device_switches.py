@@ -36,13 +36,13 @@ class Switched:
 
 class DeviceSwitches:
     """What is on. heard, sent: what the command line has asked for, which no page takes away; notes: keep what pages
-    have switched on; ports: of the receivers of this show itself."""
+    have switched on; outside: gives the address of the show's pages for other machines, "" where none opens them."""
 
     def __init__(
         self, switched: Switched, heard: Iterable[TrackerWish], sent: Iterable[FaceTarget], notes: DeviceFile,
-        report: Report = lambda _: None,
+        report: Report = lambda _: None, outside: Callable[[], str] = lambda: "",
     ) -> None:  # fmt: skip
-        self._switched, self._notes, self._report = switched, notes, report
+        self._switched, self._notes, self._report, self._outside = switched, notes, report, outside
         self._heard = {wish.protocol.name: wish for wish in heard}
         self._sent = {target.word: target for target in sent}
         self._fixed = frozenset((*self._heard, *self._sent))
@@ -73,7 +73,7 @@ class DeviceSwitches:
 
     def describe(self, now: float) -> wire.Devices:  # noqa: ARG002  (as other sources are)
         """What can be switched, and how it does."""
-        host = own_address() or "127.0.0.1"
+        host = own_address() or ""
         programs = self._switched.programs
         found = [
             wire.FoundTracker(f"{API_NAME}:{port}@{place}", title, place)
@@ -81,11 +81,12 @@ class DeviceSwitches:
         ]
         return wire.Devices(
             [],
-            [self._offer(each, host) for each in TRACKER_PROTOCOLS.values()],
+            [self._offer(each, host or "127.0.0.1") for each in TRACKER_PROTOCOLS.values()],
             found,
             self._receivers(),
             WAYS,
-            PHONE_PATH,
+            PHONE_PATH if self._outside() else "",
+            host,
         )
 
     def _switch_on(self, direction: str, word: str) -> None:

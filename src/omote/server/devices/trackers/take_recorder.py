@@ -2,11 +2,16 @@
 
 from __future__ import annotations
 
+import contextlib
+import errno
+import os
+import socket
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
+from dataclasses import replace
 from pathlib import Path
 
-from omote.inputs.takes.packet_capture import Packet, encode_capture, encode_packet, read_packets
+from omote.inputs.takes.packet_capture import Packet, encode_capture, encode_packet
 from omote.server.devices.trackers.tracker_sockets import TrackerWish, open_tracker
 
 ASK_SECONDS, WAIT_SECONDS = 1.0, 0.1
@@ -18,38 +23,63 @@ def record_take(
     wish: TrackerWish,
     *,
     seconds: float = float("inf"),
+    opened: Callable[[int], None] = lambda _: None,
     tell: Callable[[int, str], None] = lambda *_: None,
     clock: Callable[[], float] = time.monotonic,
 ) -> int:
-    """Records for so many seconds after the first packet, or until Ctrl-C; returns the count of packets. tell: is told
-    of each second's count and of who sends; OSError where the port or the file cannot be had."""
-    protocol, until, asked, told = wish.protocol, float("inf"), -ASK_SECONDS, 0.0
-    count, host = 0, ""
-    with open_tracker(wish) as datagrams, path.open("wb") as file:
-        datagrams.settimeout(WAIT_SECONDS)
-        file.write(b"".join(encode_capture(())))
-        begun, port = clock(), int(datagrams.getsockname()[1])
-        while (now := clock()) < until:
-            if wish.phone and protocol.ask and protocol.phone_port and now - asked >= ASK_SECONDS:
-                asked = now
-                datagrams.sendto(protocol.ask(port), (wish.phone, protocol.phone_port))
+    """Records for so many seconds after the first packet, or until Ctrl-C; returns the count of packets. The file is
+    written from the first packet on. opened: is told of the port once it is heard; tell: of each second's count and of
+    who sends; OSError where the port or the file cannot be had."""
+    until, told, count = float("inf"), 0.0, 0
+    _check_place(path)
+    with contextlib.suppress(KeyboardInterrupt), open_tracker(wish) as datagrams, contextlib.ExitStack() as stack:
+        begun, host, write = clock(), "", None
+        opened(int(datagrams.getsockname()[1]))
+        for now, packet in _hear(wish, datagrams, clock):
+            if now >= until:
+                break
             if count and now - told >= ASK_SECONDS:
                 told = now
                 tell(count, host)
-            try:
-                data, (host, *_) = datagrams.recvfrom(LONGEST_DATAGRAM)
-            except (TimeoutError, ConnectionError):
+            if packet is None:
                 continue
-            file.write(encode_packet(Packet(clock() - begun, host, protocol.port or port, data)))
+            if write is None:
+                write = stack.enter_context(path.open("wb", buffering=0)).write  # whatever ends it, packets are there
+                write(b"".join(encode_capture(())))
+            host = packet.host
+            write(encode_packet(replace(packet, time=packet.time - begun)))
             count += 1
             until = min(until, now + seconds)
     return count
 
 
-def count_packets(path: Path) -> int:
-    """The packets of a capture; none of one that holds nothing yet."""
-    data = path.read_bytes()
-    return len(read_packets(data)) if len(data) > len(b"".join(encode_capture(()))) else 0
+def _hear(
+    wish: TrackerWish, datagrams: socket.socket, clock: Callable[[], float]
+) -> Iterator[tuple[float, Packet | None]]:
+    """What comes, without end, and when; None where nothing came for a moment. A phone is asked once a second."""
+    protocol, port, asked = wish.protocol, int(datagrams.getsockname()[1]), -ASK_SECONDS
+    datagrams.settimeout(WAIT_SECONDS)
+    while True:
+        now = clock()
+        if wish.phone and protocol.ask and protocol.phone_port and now - asked >= ASK_SECONDS:
+            asked = now
+            datagrams.sendto(protocol.ask(port), (wish.phone, protocol.phone_port))
+        try:
+            data, (host, *_) = datagrams.recvfrom(LONGEST_DATAGRAM)
+        except (TimeoutError, ConnectionError):
+            yield now, None
+            continue
+        yield now, Packet(clock(), host, protocol.port or port, data)
+
+
+def _check_place(path: Path) -> None:
+    """OSError where no file can be written there; nothing is written."""
+    if path.is_dir():
+        raise IsADirectoryError(errno.EISDIR, os.strerror(errno.EISDIR), str(path))
+    if not path.parent.is_dir():
+        raise FileNotFoundError(errno.ENOENT, os.strerror(errno.ENOENT), str(path.parent))
+    if not os.access(path if path.exists() else path.parent, os.W_OK):
+        raise PermissionError(errno.EACCES, os.strerror(errno.EACCES), str(path))
 
 
 def check_recordable(wish: TrackerWish) -> None:

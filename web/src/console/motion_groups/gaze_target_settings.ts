@@ -2,12 +2,12 @@
 
 import { css, html } from "lit";
 import { customElement, state } from "lit/decorators.js";
-import { base } from "../../ui/theme";
+import { base, entry } from "../../ui/theme";
 import { AnimatedElement } from "../controls/console_element";
 import { AHEAD } from "../layers/layer_state";
 import type { Topic } from "../store/page_store";
 import { choicesFor, GazeTargetCommands, isSame, type TargetChoice, targetOf } from "./gaze_target_commands";
-import { groupStyle } from "./layer_panel_style";
+import { groupStyle } from "./group_style";
 
 /** Where a point is: its label, lowest, highest, and in words. */
 const SLIDERS = [
@@ -62,8 +62,9 @@ export class GazeTargetSettings extends AnimatedElement {
         accent-color: var(--hand);
       }
       input[name="name"] {
+        ${entry}
         flex: 1 1 80px;
-        min-width: 0;
+        min-height: 28px;
       }
       @media (pointer: coarse) {
         input[type="range"] {
@@ -96,13 +97,9 @@ export class GazeTargetSettings extends AnimatedElement {
   }
 
   override render() {
-    const idle = this.store.air?.motion?.idle ?? false;
-    return html`<h3>Looks at</h3>
-      <div class="row" role="group" aria-label="Looks at">${this.#choices.map((choice) => this.#choice(choice))}
-        <button data-point aria-expanded=${this.open} @click=${this.#toggle} title="Look at a point of the house, and give it a name">Point …</button></div>
-      ${this.open ? this.#editor() : ""}
-      <button class="idle" aria-pressed=${idle} @click=${() => this.#commands.idle(!idle)}
-        title="Where it holds still otherwise, it moves as people do until its tracker is back">Idles when its tracker is lost</button>`;
+    return html`<div class="row" role="group" aria-label="Looks at">${this.#choices.map((choice) => this.#choice(choice))}
+        <button data-point aria-pressed=${this.#target.kind === "point"} aria-expanded=${this.open} @click=${this.#toggle} title="Look at a point of the house, and give it a name">Point …</button></div>
+      ${this.open ? this.#editor() : ""}`;
   }
 
   #choice(choice: TargetChoice) {
@@ -159,7 +156,7 @@ export class GazeTargetSettings extends AnimatedElement {
   paint(): void {
     if (this.store.air === null || this.offsetParent === null) return;
     const { played, state, air } = this.store;
-    const shown = JSON.stringify([played.lead, air.motion?.target, air.motion?.idle, state?.gaze_points]);
+    const shown = JSON.stringify([played.lead, air.motion?.target, state?.gaze_points]);
     if (shown !== this.#shown) this.requestUpdate();
     this.#shown = shown;
   }

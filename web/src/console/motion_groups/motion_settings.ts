@@ -6,13 +6,14 @@ import { base } from "../../ui/theme";
 import { AnimatedElement, StyleWriter } from "../controls/console_element";
 import { otherStyle, paintOther } from "../controls/other_hand";
 import { type MotionDetail, STILL } from "../store/knob";
+import { GazeTargetCommands } from "./gaze_target_commands";
 
 /** What each slider sets: its label, where it ends, and in words. */
 const SLIDERS: readonly (readonly [MotionDetail, string, number, string])[] = [
   ["liveliness", "Liveliness", 1, "0 holds it still, 50 is as people move; drives the layers blink, gaze and breath"],
-  ["blinks", "Blinks", 2, "How often lids close beside that; 100 as people's do"],
-  ["gaze", "Gaze", 2, "How far the eyes wander, and the head with them"],
-  ["breath", "Breath", 2, "How deep it breathes, and how much it trembles"],
+  ["blinks", "Blink rate", 2, "How often lids close beside that; 100 as people's do"],
+  ["gaze", "Eye travel", 2, "How far the eyes wander, and the head with them"],
+  ["breath", "Breath depth", 2, "How deep it breathes, and how much it trembles"],
 ];
 
 @customElement("omote-motion-settings")
@@ -24,17 +25,16 @@ export class MotionSettings extends AnimatedElement {
     css`
       :host {
         display: grid;
-        grid-template-columns: repeat(2, auto minmax(40px, 1fr) 24px);
+        grid-template-columns: auto minmax(40px, 1fr) 28px;
         align-items: center;
+        align-content: start;
         gap: 2px 8px;
         flex: none;
         font-size: 12px;
       }
-      h3 {
+      .idle {
         grid-column: 1 / -1;
-        margin: 0;
-        font-size: 12px;
-        color: var(--dim);
+        min-height: 30px;
       }
       label {
         display: contents;
@@ -51,8 +51,9 @@ export class MotionSettings extends AnimatedElement {
         accent-color: var(--hand);
       }
       @media (pointer: coarse) {
-        .way {
-          min-height: 44px;
+        .way,
+        .idle {
+          min-height: var(--finger);
         }
       }
       .number {
@@ -65,23 +66,31 @@ export class MotionSettings extends AnimatedElement {
   ];
 
   override render() {
-    return html`<h3>Moves by itself</h3>
-      ${SLIDERS.map(
-        ([detail, label, most, title]) =>
-          html`<label title=${title}><span>${label}</span>
+    return html`${SLIDERS.map(
+      ([detail, label, most, title]) =>
+        html`<label title=${title}><span>${label}</span>
             <span class="way"><input type="range" name=${detail} min="0" max=${most} step="0.05"
               @input=${(event: Event) => this.#set(detail, event)} @change=${() => this.store.motion(detail).leave()}
               @dblclick=${() => this.store.motion(detail).nudge(STILL[detail])} /><span class="other"></span></span>
             <span class="number"></span></label>`,
-      )}`;
+    )}
+      <button class="idle" aria-pressed="false" @click=${this.#idle}
+        title="Where it holds still otherwise, it moves as people do until its tracker is back">Idles when its tracker is lost</button>`;
   }
 
   #set(detail: MotionDetail, event: Event): void {
     this.store.motion(detail).grip(Number((event.target as HTMLInputElement).value));
   }
 
+  readonly #idle = (): void => {
+    new GazeTargetCommands(this.store).idle(!(this.store.air?.motion?.idle ?? false));
+  };
+
   paint(now: number): void {
-    if (this.store.air === null || this.offsetParent === null) return;
+    const { air } = this.store;
+    if (air === null || this.offsetParent === null) return;
+    const idle = this.renderRoot.querySelector(".idle") as HTMLElement;
+    this.#written.attribute(idle, "aria-pressed", String(air.motion?.idle ?? false));
     for (const input of this.renderRoot.querySelectorAll("input")) this.#paintSlider(input, now);
   }
 

@@ -2,7 +2,7 @@
 
 import aiohttp
 
-from omote.server.client.link_denials import DENIALS, explain_https_error
+from omote.server.client.link.link_denials import DENIALS, explain_https_error
 
 
 def test_where_no_https_is_spoken_the_other_address_is_named() -> None:

@@ -5,7 +5,7 @@ import { customElement, state } from "lit/decorators.js";
 import type { MakeGesture, Say } from "../../link/messages";
 import { base, entry } from "../../ui/theme";
 import { AnimatedElement, StyleWriter } from "../controls/console_element";
-import { groupStyle } from "./layer_panel_style";
+import { groupStyle } from "./group_style";
 import { sayMessage, speechWords } from "./say_message";
 
 /** The gestures of the engine, with what they are. */
@@ -54,8 +54,7 @@ export class SpeechLine extends AnimatedElement {
   ];
 
   override render() {
-    return html`<h3>Says</h3>
-      <form @submit=${this.#say}>
+    return html`<form @submit=${this.#say}>
         <input name="text" maxlength=${LONGEST} aria-label="A line to say" placeholder="A line, to try its lips" />
         <button type="button" title="The language whose letters are read" @click=${this.#turn}>${this.language}</button>
         <button type="submit">Say</button>

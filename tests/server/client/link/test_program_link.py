@@ -6,7 +6,7 @@ from contextlib import asynccontextmanager, suppress
 
 import pytest
 
-from omote.server.client.program_link import ProgramLink
+from omote.server.client.link.program_link import ProgramLink
 from omote.show import messages as wire
 from tests.server.conftest import ShowHarness
 
@@ -124,8 +124,11 @@ async def test_a_long_speech_is_said(show_harness: ShowHarness, text: str, marks
 @pytest.mark.asyncio
 async def test_a_message_longer_than_a_show_reads_is_rejected_before_it_is_sent(show_harness: ShowHarness) -> None:
     async with linked(show_harness, timeout=20.0) as link:
-        with pytest.raises(ValueError, match=r"takes \d+ bytes.*at most 32768.*queue=True"):
+        with pytest.raises(ValueError, match=r"text is 'aaa.* at most 2000 characters: say it .* queue=True"):
             await link.send(_say(link, "a" * 40_000))
+        marks = ["ä" * 80] * 300
+        with pytest.raises(ValueError, match=r"takes \d+ bytes.*at most 32768.*queue=True"):
+            await link.send(wire.Say("one", link.next_id(), "a", "words", marks, bytes(1200)))
         measure = wire.MeasureSource(link.next_id(), "a", {"n" * 5000: 0.0}, {})
         with pytest.raises(ValueError, match=r"at most 4096 of one message: send less at once"):
             await link.send(measure)

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
+
 from omote.server.sounds.sound_routes import MOST_BYTES, MOST_SOUNDS
 from omote.show import messages as wire
 from omote.show.speech.known_sounds import NO_SOUND
@@ -19,6 +21,10 @@ class SentSounds:
         self._sounds[key] = data
         while len(self._sounds) > MOST_SOUNDS or sum(map(len, self._sounds.values())) > MOST_BYTES:
             del self._sounds[next(iter(self._sounds))]
+
+    def find(self, keys: Iterable[str]) -> list[bytes]:
+        """Those of these keys that are kept, each once."""
+        return [self._sounds[key] for key in dict.fromkeys(keys) if key in self._sounds]
 
     def missing(self, message: wire.FromClient, reason: str) -> bytes | None:
         """The sound to send again where a show rejected a speech because it has its sound no more, else None."""

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import asyncio
 import contextlib
-import io
 import ssl
 from collections.abc import Callable
 from uuid import uuid4
@@ -13,31 +12,19 @@ import aiohttp
 import msgspec
 from msgspec import structs
 
-from omote.server.client.link_denials import DENIALS, NO_ANSWER, explain_https_error
-from omote.server.client.sent_sounds import SentSounds
+from omote.server.client.link.link_denials import DENIALS, NO_ANSWER, explain_https_error
+from omote.server.client.link.message_check import encode_checked
+from omote.server.client.link.sent_sounds import SentSounds
+from omote.server.client.link.sound_upload import upload_sound
+from omote.server.client.link.speech_watch import SpeechWatch, SpeechWatches
 from omote.show import messages as wire
-from omote.show.wire import decode_answer, encode, limit_of
+from omote.show.wire import decode_answer, encode
 
 FIRST_PAUSE, LONGEST_PAUSE = 0.05, 1.0
 """Seconds between two attempts to link again: each twice the one before."""
 HEARTBEAT = 10.0
 GOODBYE_SECONDS = 0.25
 """How long the goodbye of https takes, for which no closing of aiohttp waits."""
-
-
-def _encode_checked(message: wire.FromClient) -> bytes:
-    """The bytes of a message; ValueError for more than a show reads, which would end the link."""
-    data, limit = encode(message), limit_of(message)
-    if len(data) <= limit:
-        return data
-    advice = "say it in several sentences, with queue=True" if isinstance(message, wire.Say) else "send less at once"
-    raise ValueError(f"this takes {len(data)} bytes, and a show reads at most {limit} of one message: {advice}")
-
-
-class SentSound(msgspec.Struct, frozen=True):
-    """What a show answers to a sound."""
-
-    sound: str
 
 
 class ProgramLink:
@@ -70,6 +57,9 @@ class ProgramLink:
         self._opened: dict[str, wire.Source] = {}
         self._indices: dict[str, int] = {}
         self._sounds = SentSounds()
+        self._said = SpeechWatches()
+        self._epoch: int | None = None
+        self._again: asyncio.Task[None] | None = None
 
     async def open(self) -> None:
         """Links; ConnectionError with the reason where no show answers in time."""
@@ -85,9 +75,10 @@ class ProgramLink:
     async def close(self) -> None:
         """Ends the link; what is on air stays."""
         if self._reader is not None:
-            self._reader.cancel()
-            with contextlib.suppress(asyncio.CancelledError):
-                await self._reader
+            for task in filter(None, (self._reader, self._again)):
+                task.cancel()
+                with contextlib.suppress(asyncio.CancelledError):
+                    await task
             if self._address.startswith("https:"):
                 await asyncio.sleep(GOODBYE_SECONDS)
         self._reader = None
@@ -103,7 +94,7 @@ class ProgramLink:
         ValueError with the show's reason where it was rejected, and where it is longer than a show reads;
         ConnectionError where the link does not come back in time, or no answer: then it may have been obeyed or not.
         """
-        data = _encode_checked(message)
+        data = encode_checked(message)
         try:
             async with asyncio.timeout(self._timeout):
                 try:
@@ -149,28 +140,30 @@ class ProgramLink:
             return
 
     async def send_sound(self, data: bytes) -> str:
-        """Sends a sound and returns its key; ValueError with the reason where it is none, ConnectionError where the
-        show does not answer."""
-        address = f"{self._show}/sounds"
+        """Sends a sound and returns its key; errors as of `upload_sound`."""
+        headers, trusted = self._headers, self._trusted
+        key = await upload_sound(self._show, data, headers=headers, trusted=trusted, timeout=self._timeout)
+        self._sounds.keep(key, data)
+        return key
+
+    async def speak(self, message: wire.Say, sound: bytes | None = None) -> SpeechWatch:
+        """Says something, with a sound that is sent first where there is one; errors as of `send` and `send_sound`."""
+        if sound is not None:
+            message = structs.replace(message, sound=await self.send_sound(sound))
+        await self.send(message)
+        assert self.state is not None  # a link is open once it has one
+        return self._said.add(message, self.state)
+
+    async def wait_until_spoken(self, watch: SpeechWatch, timeout: float | None) -> bool:
+        """Whether a speech was said to its end, once it is over; TimeoutError after `timeout` seconds, ConnectionError
+        where the show does not come back."""
         try:
-            async with (
-                aiohttp.ClientSession(headers=self._headers, timeout=aiohttp.ClientTimeout(self._timeout)) as session,
-                session.post(address, data=io.BytesIO(data), ssl=self._trusted) as response,
-            ):
-                if response.status >= 500:
-                    raise ConnectionError(f"the show at {self._show} took no sound: {await response.text()}")
-                if response.status != 200:
-                    raise ValueError(await response.text())
-                key = msgspec.json.decode(await response.read(), type=SentSound).sound
-                self._sounds.keep(key, data)
-                return key
+            async with asyncio.timeout(timeout):
+                while (spoken := watch.spoken) is None:
+                    await self.wait_for_state(-1 if self.state is None else self.state.number)
+                return spoken
         except TimeoutError as error:
-            raise ConnectionError(
-                f"the show at {self._show} took no sound of {len(data)} bytes within {self._timeout:g} s; connect with "
-                "a longer timeout="
-            ) from error
-        except aiohttp.ClientError as error:
-            raise ConnectionError(f"the show at {self._show} took no sound: {error}") from error
+            raise TimeoutError(f"after {timeout:g} s it is still said, or waits; stop_speaking() ends it") from error
 
     async def wait_for_state(self, number: int) -> wire.State:
         """The first state after that of `number`."""
@@ -258,12 +251,13 @@ class ProgramLink:
         if message.type is not aiohttp.WSMsgType.BINARY:
             return
         match decode_answer(message.data):
-            case wire.Welcome(name=name):
-                self._socket, self._called = socket, name
+            case wire.Welcome() as welcome:
+                self._hear_welcome(socket, welcome)
             case wire.SourceIs(index=index, name=name):
                 self._indices[name] = index
             case wire.State() as state if self._is_newer(state):
                 self.state = state
+                self._said.note(state)
             case wire.Leases() as leases:
                 self.leases = leases
             case wire.Refused(reason=reason):
@@ -274,6 +268,18 @@ class ProgramLink:
                 return
         async with self._news:
             self._news.notify_all()
+
+    def _hear_welcome(self, socket: aiohttp.ClientWebSocketResponse, welcome: wire.Welcome) -> None:
+        self._socket, self._called = socket, welcome.name
+        before, self._epoch = self._epoch, welcome.epoch
+        if before not in (None, self._epoch):
+            self._again = asyncio.create_task(self._send_sounds_again())
+
+    async def _send_sounds_again(self) -> None:
+        """To a show that was started again: those of what is said and what waits, for stages that have them not yet."""
+        with contextlib.suppress(ConnectionError, ValueError):
+            for data in self._sounds.find(self._said.sounds()):
+                await self.send_sound(data)
 
     def _hear_pong(self, sent: float) -> None:
         if sent < self._pings:

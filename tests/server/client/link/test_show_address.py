@@ -4,7 +4,7 @@ from typing import Any
 
 import pytest
 
-from omote.server.client.show_address import check_token, link_address, token_in
+from omote.server.client.link.show_address import check_token, link_address, token_in
 
 
 @pytest.mark.parametrize(

@@ -1,0 +1,1 @@
+"""The link of a program to a running show."""

@@ -1,0 +1,128 @@
+"""What a program gives, checked at one place before it goes to a show: each wrong value is named in a sentence."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from functools import lru_cache
+from types import NoneType, UnionType
+from typing import Annotated, Any, Literal, Union, get_args, get_origin, get_type_hints
+
+import msgspec
+import numpy as np
+from msgspec import structs
+
+from omote.show import messages as wire
+from omote.show.wire import encode, limit_of
+
+_NOUNS: Mapping[object, str] = {
+    str: "text", float: "a number", int: "a whole number", bool: "True or False", NoneType: "None", bytes: "bytes",
+}  # fmt: skip
+_ARGUMENTS: Mapping[tuple[type, str], str] = {
+    (wire.FadeFace, "value"): "x",
+    (wire.FadeExpression, "value"): "x",
+    (wire.RenameCharacter, "character"): "name",
+    (wire.AddCharacter, "character"): "name",
+    (wire.RemoveCharacter, "character"): "name",
+    (wire.EnterCharacter, "character"): "name",
+    (wire.LeaveCharacter, "character"): "name",
+}
+"""Fields that a program knows by another name."""
+
+
+def check_fields(message: wire.FromClient) -> wire.FromClient:
+    """The message with plain values: numbers of numpy as numbers, arrays as lists.
+
+    TypeError for a value that is of another kind than its field, ValueError for one that is of this kind but cannot be;
+    both name the argument, what came and what to give.
+    """
+    changed = {}
+    for field, hint in _hints(type(message)):
+        value = getattr(message, field)
+        if type(value) in (bytes, NoneType):
+            continue
+        plain = _plain(value)
+        try:
+            found = msgspec.convert(plain, hint)
+        except (msgspec.ValidationError, OverflowError) as error:
+            name = _ARGUMENTS.get((type(message), field), field)
+            kind = ValueError if _is_of_kind(plain, hint) else TypeError
+            raise kind(f"{name} is {_shown(value)}; give {explain(hint)}{_advice(message, kind)}") from error
+        if found is not value:
+            changed[field] = found
+    return structs.replace(message, **changed) if changed else message
+
+
+def encode_checked(message: wire.FromClient) -> bytes:
+    """The bytes of a message; ValueError and TypeError as of `check_fields`, and for more than a show reads, which
+    would end the link."""
+    message = check_fields(message)
+    data, limit = encode(message), limit_of(message)
+    if len(data) <= limit:
+        return data
+    advice = _advice(message, ValueError) or ": send less at once"
+    raise ValueError(f"this takes {len(data)} bytes, and a show reads at most {limit} of one message{advice}")
+
+
+def explain(hint: Any) -> str:
+    """What a field wants, in words."""
+    origin, inner = get_origin(hint), get_args(hint)
+    if origin is Annotated:
+        longest = next((each.max_length for each in inner[1:] if isinstance(each, msgspec.Meta)), None)
+        return explain(inner[0]) + ("" if longest is None else f", at most {longest}{_unit(inner[0])}")
+    if origin is Literal:
+        return f"one of {', '.join(map(str, inner))}"
+    if origin in (Union, UnionType):
+        return " or ".join(explain(each) for each in inner)
+    if origin is list:
+        return f"a list of {explain(inner[0])}"
+    if origin is tuple:
+        return f"{len(inner)} numbers"
+    return _NOUNS.get(hint, "what the reference says")
+
+
+def _advice(message: wire.FromClient, kind: type[Exception]) -> str:
+    """What to do about a speech that is too long."""
+    wants = isinstance(message, wire.Say) and kind is ValueError
+    return ": say it in several sentences, with queue=True" if wants else ""
+
+
+def _shown(value: object) -> str:
+    text = repr(value)
+    return text if len(text) <= 80 else f"{text[:40]}... ({len(text)} characters)"
+
+
+def _unit(hint: Any) -> str:
+    return " characters" if hint is str else " of them" if get_origin(hint) is list else ""
+
+
+@lru_cache(maxsize=256)
+def _hints(kind: type[wire.Message]) -> tuple[tuple[str, Any], ...]:
+    hints = get_type_hints(kind, include_extras=True)
+    return tuple((field.name, hints[field.name]) for field in structs.fields(kind))
+
+
+def _plain(value: Any) -> Any:
+    """Without numpy: a number of it as a number, an array as a list."""
+    if isinstance(value, np.generic):
+        return value.item()
+    if isinstance(value, np.ndarray):
+        return value.tolist()
+    if isinstance(value, list | tuple):
+        return [_plain(each) for each in value]
+    return value
+
+
+def _is_of_kind(value: object, hint: Any) -> bool:
+    """Whether a value is of the type that a field has, so that it is the value itself that cannot be."""
+    origin, inner = get_origin(hint), get_args(hint)
+    if origin is Annotated:
+        return _is_of_kind(value, inner[0])
+    if origin in (Union, UnionType):
+        return any(_is_of_kind(value, each) for each in inner)
+    if origin is Literal:
+        return isinstance(value, str)
+    if hint is float:
+        return isinstance(value, float | int) and not isinstance(value, bool)
+    if origin in (tuple, list):
+        return isinstance(value, tuple | list) and all(_is_of_kind(each, inner[0]) for each in value)
+    return isinstance(hint, type) and isinstance(value, hint) and not (hint is int and isinstance(value, bool))
