@@ -26,7 +26,7 @@ from rich.table import Table
 
 from benchmarks.lips import TITLES, Options, Said, measure, row
 from tools.lips.corpus import join_speech
-from tools.lips.people import read_librivox, read_russian, russian_names
+from tools.lips.human_voices import read_librivox, read_russian, russian_names
 
 CONDITIONS = ("plain", "loud, clipped", "whisper", "noise at -10 dB", "people at -10 dB")
 TOGETHER = 5

@@ -30,7 +30,7 @@ DELAY_SECONDS = AHEAD * FRAME_SECONDS + 0.5 * WINDOW / SAMPLE_RATE
 MARGIN, CERTAIN = 2.0, 6.0
 """dB above the noise at which sound begins to count as speech, and does in full; whether it is speech says the
 network."""
-LIPS_SHUT, LIPS_SHUT_IN_NOISE = 2.5, 5.0
+LIPS_SHUT, LIPS_SHUT_IN_NOISE = 4.0, 6.0
 """How much more a bilabial counts than the network says: lips that miss a closure are seen, those that close too
 often are not; in noise it is less sure of them."""
 NOISY, CLEAR = 12.0, 24.0
