@@ -1,9 +1,11 @@
 """What the options of `omote show` ask for, of trackers; of OSC and lighting desks, see test_show_command."""
 
+import socket
+
 import pytest
 import typer
 
-from omote.show_sockets import OFF, list_others, open_devices, print_trackers, read_options
+from omote.show_sockets import OFF, list_others, open_devices, print_trackers, read_options, without_unheard
 
 
 def test_trackers_are_read_opened_and_printed(
@@ -24,6 +26,22 @@ def test_trackers_are_read_opened_and_printed(
     devices.close()
     print_trackers([], "")
     assert capsys.readouterr().out == ""
+
+
+def test_a_tracker_whose_port_is_taken_costs_neither_the_show_nor_the_others(
+    capsys: pytest.CaptureFixture[str],
+) -> None:
+    with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as taken:
+        taken.bind(("", 0))
+        port = taken.getsockname()[1]
+        options = read_options("off", None, "", f"vmc:0,livelink:{port},mediapipe")
+        devices = open_devices("127.0.0.1", OFF, options, OFF)
+    said = capsys.readouterr().err
+    assert f"port {port} cannot be opened for Live Link Face (another program has it)" in said
+    assert "page Devices" in said
+    assert list(devices.handed) == ["--tracker-vmc"]
+    assert without_unheard(options, devices).listen == "vmc:0,mediapipe", "a page may switch the other on"
+    devices.close()
 
 
 def test_what_has_no_socket_here_is_listed_and_receivers_are() -> None:

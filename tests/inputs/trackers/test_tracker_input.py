@@ -13,6 +13,7 @@ from omote.inputs.trackers.vmc_messages import encode_vmc
 from omote.model.cast import Cast
 from omote.show import messages as wire
 from omote.show.session import ShowSession
+from omote.show.sources.open_sources import QUIET_SECONDS
 from tests.inputs.trackers.packets import live_link_face, motion_frame, motion_schema, open_see_face
 
 TICK = 1.0 / 60.0
@@ -163,6 +164,23 @@ def test_a_second_tracker_does_not_take_the_layer_from_the_first(cast: Cast) -> 
     stage.play(0.0, packet)
     stage.play(0.0, packet, host="10.0.0.8")
     assert [each.characters for each in stage.sources()] == [["one"], []]
+
+
+def test_a_new_tracker_plays_where_the_first_has_been_silent_for_long(cast: Cast) -> None:
+    stage, packet = Stage(cast, "livelink"), FACES["livelink"]()
+
+    def pass_time(seconds: float) -> None:
+        for _ in range(round(seconds)):
+            stage.now += 1.0
+            stage.session.hands_now(stage.now)
+
+    stage.play(0.1, packet)
+    pass_time(QUIET_SECONDS - 3.0)
+    stage.play(0.0, packet, host="10.0.0.8")
+    assert [each.characters for each in stage.sources()] == [["one"], []], "it may come back"
+    pass_time(6.0)
+    stage.play(0.0, packet, host="10.0.0.9")
+    assert [each.characters for each in stage.sources()] == [["one"], [], ["one"]]
 
 
 def test_two_trackers_share_a_character_by_region_on_two_layers(cast: Cast) -> None:

@@ -61,7 +61,7 @@ async def test_what_was_asked_for_is_heard(show_harness: ShowHarness, tmp_path: 
 
 @pytest.mark.asyncio
 async def test_trackers_are_heard_and_faces_sent(show_harness: ShowHarness) -> None:
-    opened = listen_for_trackers(read_trackers("vmc:0,meowface:0@127.0.0.1"))
+    opened = listen_for_trackers(read_trackers("vmc:0,meowface:0@127.0.0.1"), list[OSError]().append)
     osc = listen_for_osc(HOST, 0)
     descriptors = {name: each.fileno() for name, each in opened.items()}
     options = DeviceOptions(

@@ -178,7 +178,7 @@ class MicrophoneInput:
             if now - microphone.asked < RETRY_SECONDS:
                 return []
             microphone.asked = now
-            answers = session.receive(microphone.who, self._source(session, microphone, frame.names), now)
+            answers = session.receive(microphone.who, self._source(session, microphone, frame.names, now), now)
             found = [answer.message for answer in answers if isinstance(answer.message, wire.SourceIs)]
             if not found:
                 return _refusals(answers)
@@ -188,13 +188,13 @@ class MicrophoneInput:
         drive = wire.Drive(microphone.index, values, found=hears, share=microphone.mouth.share)
         return _refusals(session.receive(microphone.who, drive, now))
 
-    def _source(self, session: ShowSession, microphone: Microphone, names: tuple[str, ...]) -> wire.Source:
+    def _source(self, session: ShowSession, microphone: Microphone, names: tuple[str, ...], now: float) -> wire.Source:
         """The source of a microphone. One that comes for the first time speaks through the character of a show that
         has one, if no other voice does."""
         characters = list(session.scene)
         known = microphone.name in session.sources.snapshot().routes
-        driven = any(each.characters and each.layer == LAYER_OF[KIND] for each in session.sources.states({}))
-        alone = characters if len(characters) == 1 and not known and not driven else []
+        free = not session.sources.is_driven(LAYER_OF[KIND], now)
+        alone = characters if len(characters) == 1 and not known and free else []
         return wire.Source(microphone.name, KIND, list(names), alone, direct=True)
 
 

@@ -10,6 +10,7 @@ from omote.inputs.takes.packet_capture import Packet
 from omote.inputs.takes.take import Take
 from omote.inputs.trackers.arkit_names import ARKIT_CHANNELS
 from omote.inputs.trackers.head_angles import GazeAngles, HeadAngles
+from omote.inputs.trackers.packet_recognition import explain_wrong_port
 from omote.inputs.trackers.tracker_frame import TrackerFrame
 from omote.inputs.trackers.tracker_protocols import TRACKER_PROTOCOLS, TrackerProtocol
 from omote.perform.limits import check_known
@@ -42,7 +43,7 @@ def read_packet_take(packets: Sequence[Packet], protocol: TrackerProtocol) -> Ta
         try:
             frames += [(packet.time, frame) for frame in decode(packet.data) if frame.found]
         except PacketError as error:
-            newest = str(error)
+            newest = explain_wrong_port(packet.data, protocol) or str(error)
     if not frames:
         raise ValueError(f"no packet of the capture is a face of {protocol.title}{newest and f': {newest}'}")
     begun = next((at for at, (_, frame) in enumerate(frames) if frame.weights), 0)

@@ -12,9 +12,11 @@ from numpy.typing import NDArray
 from omote.inputs.rejection import PacketError, Rejection
 from omote.inputs.trackers.arkit_names import ARKIT_NAMES, ChannelNames
 from omote.inputs.trackers.head_angles import GazeAngles, HeadAngles, limit_gaze, limit_head
+from omote.inputs.trackers.packet_recognition import explain_wrong_port
 from omote.inputs.trackers.tracker_frame import Decode, TrackerFrame
 from omote.inputs.trackers.tracker_protocols import TrackerProtocol
 from omote.model.known_names import NEUTRAL
+from omote.perform.layers.layer_names import LayerName
 from omote.perform.limits import GAZE_LIMITS, HEAD_LIMITS
 from omote.show import messages as wire
 from omote.show.session import ShowSession
@@ -22,7 +24,7 @@ from omote.show.session import ShowSession
 MOST_PERFORMERS = 8
 """Performers of one protocol at a time, by host and name; the one that was silent longest makes room."""
 LONGEST_NAME = 80
-LAYER = "tracker"
+LAYER: LayerName = "tracker"
 """The layer that a tracker drives until it is routed elsewhere."""
 MOST_BARS = 59
 """Channels of which a page is told, beside five angles."""
@@ -87,7 +89,7 @@ class TrackerInput:
             for frame in self._decoder(host)(data):
                 self.note(host, frame)
         except PacketError as error:
-            self.reject(host, str(error), now)
+            self.reject(host, explain_wrong_port(data, self.protocol) or str(error), now)
         answers, self._answers = self._answers, []
         return answers
 
@@ -192,7 +194,7 @@ class TrackerInput:
             session.join(performer.who, performer.name[:24])
             performer.index = None
         if performer.index is None:
-            answers = session.receive(performer.who, self._source(session, performer), now)
+            answers = session.receive(performer.who, self._source(session, performer, now), now)
             found = [answer.message for answer in answers if isinstance(answer.message, wire.SourceIs)]
             if not found:
                 return [answer.message.reason for answer in answers if isinstance(answer.message, wire.Refused)]
@@ -203,13 +205,13 @@ class TrackerInput:
         answers = session.receive(performer.who, drive, now)
         return [answer.message.reason for answer in answers if isinstance(answer.message, wire.Refused)]
 
-    def _source(self, session: ShowSession, performer: Performer) -> wire.Source:
+    def _source(self, session: ShowSession, performer: Performer, now: float) -> wire.Source:
         """The source of a performer. One that comes for the first time drives the character of a show that has one, if
-        no other drives it: two on one layer would take it from each other with each frame."""
+        no other drives it, from which it would take it."""
         characters = list(session.scene)
         known = performer.name in session.sources.snapshot().routes
-        driven = any(each.characters and each.layer == LAYER for each in session.sources.states({}))
-        alone = characters if len(characters) == 1 and not known and not driven else []
+        free = not session.sources.is_driven(LAYER, now)
+        alone = characters if len(characters) == 1 and not known and free else []
         return wire.Source(performer.name, "tracker", list(performer.names), alone)
 
     def reject(self, host: str, reason: str, now: float) -> None:

@@ -32,7 +32,7 @@ class OpenSource:
     """A source that is open. who: the client whose link it comes by; sent: its newest values as it sent them; rest:
     their running mean; ranging: the largest of each since it has been listened to, of the channels ranged (none: all);
     frames: since the consoles were last told; smoothing: what it asks for itself, seconds; direct: it is smooth
-    already; share: how much of its layer it takes."""
+    already; share: how much of its layer it takes; seen: when it was last known to see somebody."""
 
     name: str
     kind: wire.StreamKind
@@ -49,6 +49,7 @@ class OpenSource:
     smoothing: float = 0.0
     direct: bool = False
     share: float = 1.0
+    seen: float = float("inf")
 
 
 def read_values(source: OpenSource, frame: wire.Drive) -> Values | None:

@@ -7,7 +7,7 @@ from dataclasses import replace
 from typing import TypeVar
 
 from omote.perform.frame import Gaze, Head
-from omote.perform.layers.layer_names import LAYER_PARTS, RANGES, RULES, check_driven
+from omote.perform.layers.layer_names import LAYER_PARTS, RANGES, RULES, LayerName, check_driven
 from omote.perform.layers.source_frame import AUTOMATIC, SourceFrame, check_names, check_smoothing
 from omote.perform.limits import CHANNEL_HIGHEST, CHANNEL_LOWEST, check_known
 from omote.perform.scene.character_names import ALL
@@ -35,6 +35,8 @@ SOURCE_CHANGES = wire.RouteSource, wire.CalibrateSource, wire.MeasureSource, wir
 """What an operator changes of a source."""
 MOST_SOURCES = 32
 TOLD_SECONDS = 1.0
+QUIET_SECONDS = 10.0
+"""After which a source that sees nobody keeps its characters from no other."""
 WATCH_SECONDS = 0.05
 """Between two reports of what a source sends, to who watches it."""
 Kept = TypeVar("Kept")
@@ -129,6 +131,13 @@ class OpenSources:
         """Whom a source drives."""
         return self._routes.get(name, Route())
 
+    def is_driven(self, layer: LayerName, now: float) -> bool:
+        """Whether a source plays somebody on a layer, or did until a moment ago."""
+        routes = ((each, self.route(each.name)) for each in self._open.values())
+        return any(
+            route.characters and route.layer == layer and now - each.seen < QUIET_SECONDS for each, route in routes
+        )
+
     def change(
         self, asked: wire.RouteSource | wire.CalibrateSource | wire.MeasureSource | wire.TuneSource, scene: Scene
     ) -> None:
@@ -168,7 +177,10 @@ class OpenSources:
             return None
         states = self.states(consoles)
         self._told, self._changed = now, False
-        self._open = {index: replace(each, frames=0) for index, each in self._open.items()}
+        self._open = {
+            index: replace(each, frames=0, seen=now if each.found and each.frames else min(each.seen, now))
+            for index, each in self._open.items()
+        }
         return wire.Sources(states)
 
     def _watch(self, who: str, name: str) -> None:

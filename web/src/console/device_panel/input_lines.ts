@@ -56,8 +56,13 @@ export class InputLines extends DevicesElement {
       .moves {
         display: grid;
         grid-template-columns: repeat(auto-fill, minmax(104px, 1fr));
+        grid-column: 3;
         gap: 2px 4px;
-        margin-top: 2px;
+      }
+      @media (max-width: 899px) {
+        .moves {
+          grid-column: 1 / -1;
+        }
       }
       .moves span {
         position: relative;
@@ -124,7 +129,7 @@ export class InputLines extends DevicesElement {
       <ol tabindex="0" aria-label="What came in">${shown.map(
         ({ time, source, text, rejected, count, rate, bars }) => html`<li class=${rejected ? "attention" : ""}>
           <time>${new Date(time * 1000).toLocaleTimeString([], { hour12: false })}</time><span class="source">${source}</span>
-          <span>${rejected ? "rejected: " : ""}${text}${rate > 0 ? html` <b>${rate.toFixed(0)}/s</b>` : count > 1 ? html` <b>×${count}</b>` : nothing}${this.#moves(bars)}</span></li>`,
+          <span>${rejected ? "rejected: " : ""}${text}${rate > 0 ? html` <b>${rate.toFixed(0)}/s</b>` : count > 1 ? html` <b>×${count}</b>` : nothing}</span>${this.#moves(bars)}</li>`,
       )}${shown.length === 0 ? html`<li><span></span><span></span><span>${this.devices.lines.length === 0 ? "Nothing came yet." : "Nothing of it passes the filter."}</span></li>` : nothing}</ol>`;
   }
 }

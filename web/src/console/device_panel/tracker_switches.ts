@@ -9,12 +9,12 @@ import { DevicesElement, section } from "./devices_element";
 import { switchRows } from "./switch_rows";
 import { listenWord } from "./switch_words";
 
-/** What stands in the field of an address; it may be left empty. */
-const ASKS: Readonly<Record<TrackerOffer["asks"], string>> = {
-  phone: "Phone's address, if it is to be asked",
-  computer: "Its computer's address, if not this one",
-  sender: "Who may send, if not this machine",
-  "": "",
+/** What stands in the field of an address, which may be left empty, and what it is for. */
+const ASKS: Readonly<Record<TrackerOffer["asks"], readonly [short: string, long: string]>> = {
+  phone: ["Phone's address", "Phone's address, if it is to be asked"],
+  computer: ["Computer's address", "Its computer's address, if not this one"],
+  sender: ["Sender's address", "Who may send, if not this machine"],
+  "": ["", ""],
 };
 
 @customElement("omote-trackers")
@@ -111,12 +111,12 @@ export class TrackerSwitches extends DevicesElement {
 
   #form(off: readonly TrackerOffer[]) {
     const chosen = off.find(({ name }) => name === this.chosen) ?? (off[0] as TrackerOffer);
-    const asks = ASKS[chosen.asks];
+    const [asks, why] = ASKS[chosen.asks];
     return html`<form class="row" @submit=${(event: Event) => this.#submit(event, chosen)}>
       <select name="tracker" aria-label="Tracker" @change=${this.#choose}>
         ${off.map(({ name, title }) => html`<option value=${name} .selected=${name === chosen.name}>${title}</option>`)}
       </select>
-      ${asks === "" ? nothing : html`<input name="host" placeholder=${asks} aria-label=${asks} autocomplete="off" spellcheck="false">`}
+      ${asks === "" ? nothing : html`<input name="host" placeholder=${asks} title=${why} aria-label=${why} autocomplete="off" spellcheck="false">`}
       ${chosen.port === null ? nothing : html`<input name="port" type="number" min="1" max="65535" aria-label="Port" .value=${String(chosen.port)}>`}
       <button data-on>Switch on</button></form>`;
   }

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import errno
 import socket
-from collections.abc import Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, replace
 
 from omote.inputs.face_output.face_target import SEND_TITLES, FaceTarget
@@ -79,17 +79,15 @@ def find_host(name: str) -> str:
         raise OSError(f"no address of {name[:60]} is known: type the one of its network settings.") from error
 
 
-def listen_for_trackers(wishes: Iterable[TrackerWish]) -> dict[str, socket.socket]:
-    """A socket for each protocol, by its name; OSError with a message where one cannot be had. They are bound to all
+def listen_for_trackers(wishes: Iterable[TrackerWish], report: Callable[[OSError], None]) -> dict[str, socket.socket]:
+    """A socket for each protocol, by its name; one that cannot be had is left out and reported. They are bound to all
     addresses: who is heard, the list of allowed senders decides."""
     opened: dict[str, socket.socket] = {}
-    try:
-        for wish in (each for each in wishes if each.protocol.heard):
+    for wish in (each for each in wishes if each.protocol.heard):
+        try:
             opened[wish.protocol.name] = open_tracker(wish)
-    except OSError:
-        for each in opened.values():
-            each.close()
-        raise
+        except OSError as error:
+            report(error)
     return opened
 
 
