@@ -38,16 +38,27 @@ def test_it_says_where_the_page_is_and_opens_it(monkeypatch: pytest.MonkeyPatch,
 def test_it_says_why_a_show_cannot_be_reached(monkeypatch: pytest.MonkeyPatch, opened: list[str]) -> None:
     serve("the show at http://x cannot be reached: it asks for a token", monkeypatch)
     done = CliRunner().invoke(app, ["track", "--to", "x", "--port", "9000", "--no-open"])
-    assert "it asks for a token." in done.stderr
+    assert "it asks for a token. The page tries again by itself." in done.stderr
     assert "http://localhost:9000/camera" in done.stderr
     assert opened == []
 
 
-@pytest.mark.parametrize(("to", "said"), [("ftp://show", "no address of a show"), ("show:x", "no address")])
+@pytest.mark.parametrize(
+    ("to", "said"), [("ftp://show", "no address of a show"), ("show:x", "no address"), ("''", "no address of a show")]
+)
 def test_what_is_no_show_is_said(to: str, said: str) -> None:
     done = CliRunner().invoke(app, ["track", "--to", to])
     assert done.exit_code == 1
     assert said in done.stderr
+
+
+def test_a_certificate_for_a_show_without_https_and_a_file_that_is_none_are_said(tmp_path: Path) -> None:
+    picture = tmp_path / "pic.jpg"
+    picture.write_bytes(b"\xff\xd8\xff")
+    for to, said in (("show", "--to https://show:8090"), ("https://show", "it holds none")):
+        done = CliRunner().invoke(app, ["track", "--to", to, "--authority", str(picture)])
+        assert done.exit_code == 1
+        assert said in done.stderr
 
 
 def test_a_certificate_that_is_not_there_is_said(tmp_path: Path) -> None:

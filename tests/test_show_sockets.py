@@ -1,11 +1,12 @@
 """What the options of `omote show` ask for, of trackers; of OSC and lighting desks, see test_show_command."""
 
 import socket
+from pathlib import Path
 
 import pytest
 import typer
 
-from omote.show_sockets import OFF, list_others, open_devices, print_trackers, read_options, without_unheard
+from omote.show_sockets import OFF, list_others, open_devices, print_trackers, read_options
 
 
 def test_trackers_are_read_opened_and_printed(
@@ -28,22 +29,6 @@ def test_trackers_are_read_opened_and_printed(
     assert capsys.readouterr().out == ""
 
 
-def test_a_tracker_whose_port_is_taken_costs_neither_the_show_nor_the_others(
-    capsys: pytest.CaptureFixture[str],
-) -> None:
-    with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as taken:
-        taken.bind(("", 0))
-        port = taken.getsockname()[1]
-        options = read_options("off", None, "", f"vmc:0,livelink:{port},mediapipe")
-        devices = open_devices("127.0.0.1", OFF, options, OFF)
-    said = capsys.readouterr().err
-    assert f"port {port} cannot be opened for Live Link Face (another program has it)" in said
-    assert "page Devices" in said
-    assert list(devices.handed) == ["--tracker-vmc"]
-    assert without_unheard(options, devices).listen == "vmc:0,mediapipe", "a page may switch the other on"
-    devices.close()
-
-
 def test_what_has_no_socket_here_is_listed_and_receivers_are() -> None:
     options = read_options(
         "off", None, "", "vmc,mediapipe,vtubestudio-pc@127.0.0.1", "livelink:10.0.0.5=dog,vmc:10.0.0.6"
@@ -55,6 +40,17 @@ def test_what_has_no_socket_here_is_listed_and_receivers_are() -> None:
     assert fourth == "sends    VMC (VSeeFace, Warudo, Unity) at 10.0.0.6:39539: the first character"
 
 
+def test_a_tracker_whose_port_is_taken_is_off_and_the_show_opens(capsys: pytest.CaptureFixture[str]) -> None:
+    with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as other:
+        other.bind(("", 0))
+        port = other.getsockname()[1]
+        options = read_options("off", None, "", f"livelink:{port},vmc:0")
+        devices = open_devices("127.0.0.1", OFF, options, OFF)
+    assert list(devices.handed) == ["--tracker-vmc"]
+    assert f"Live Link Face is off: port {port} cannot be opened" in capsys.readouterr().err
+    devices.close()
+
+
 @pytest.mark.parametrize(
     ("text", "why"),
     [("livlink", "there is no tracker 'livlink'; did you mean livelink"), ("mediapipe@10.0.0.7", "names nobody")],
@@ -63,6 +59,14 @@ def test_what_is_no_tracker_ends_the_command(text: str, why: str, capsys: pytest
     with pytest.raises(typer.Exit):
         read_options("off", None, "", text)
     assert why in capsys.readouterr().err
+
+
+def test_a_picture_is_no_file_of_bindings(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    picture = tmp_path / "pic.jpg"
+    picture.write_bytes(b"\xff\xd8\xff")
+    with pytest.raises(typer.Exit):
+        read_options("off", picture, "", "")
+    assert "pic.jpg: its text is not UTF-8" in capsys.readouterr().err
 
 
 def test_where_faces_are_sent_is_read_and_never_to_the_show_itself(capsys: pytest.CaptureFixture[str]) -> None:

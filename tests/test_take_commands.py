@@ -9,9 +9,48 @@ from typer.testing import CliRunner
 
 from omote.cli import app
 from omote.inputs.takes.packet_capture import Packet, encode_capture
-from omote.take_commands import read_take
+from omote.take_commands import _tell, read_take
 from tests.inputs.takes.test_live_link_take import HEADER, row
 from tests.inputs.trackers.packets import live_link_face
+
+
+@pytest.mark.parametrize(
+    ("name", "data", "said"),
+    [
+        ("take.csv", b"", "take.csv: it is empty"),
+        ("take.pcap", b"", "take.pcap: it is empty"),
+        ("notes.txt", b"what to buy", "it is no recording by its name: play a table of Live Link Face (.csv), or"),
+        ("pic.jpg", b"\xff\xd8\xff", ".pcap, .pcapng"),
+        ("take.pcap", b"\xd4\xc3", "no capture"),
+    ],
+)
+def test_what_is_no_recording_is_said(tmp_path: Path, name: str, data: bytes, said: str) -> None:
+    path = tmp_path / name
+    path.write_bytes(data)
+    done = CliRunner().invoke(app, ["play-take", str(path)])
+    assert done.exit_code == 1
+    assert said in done.stderr
+
+
+def test_a_recording_that_is_cut_off_is_read_and_said(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    packets = [Packet(number / 60.0, "10.0.0.7", 11111, live_link_face([0.5] * 61)) for number in range(3)]
+    whole = b"".join(encode_capture(packets))
+    table = HEADER + row("00:00:00:00", *[0.5] * 8) + row("00:00:00:01", *[0.5] * 8)
+    for name, data, count in (("a.pcap", whole, 3), ("a.csv", table.encode(), 2)):
+        path = tmp_path / name
+        path.write_bytes(data)
+        assert len(read_take(path).times) == count
+        assert capsys.readouterr().err == ""
+        path.write_bytes(data[:-6])
+        assert len(read_take(path).times) == count - 1
+        assert f"{name} is cut off" in capsys.readouterr().err
+
+
+@pytest.mark.parametrize("speed", ["0", "-1", "21", "fast", "nan"])
+def test_a_speed_that_is_none_is_said(tmp_path: Path, speed: str) -> None:
+    done = CliRunner().invoke(app, ["play-take", str(tmp_path / "take.csv"), "--speed", speed])
+    assert done.exit_code == 2
+    assert "is no speed; give a number from 0.05 to 20" in " ".join(done.stderr.replace("│", " ").split())
 
 
 @pytest.mark.parametrize(
@@ -85,3 +124,14 @@ def test_a_recording_of_nothing_is_said(tmp_path: Path, monkeypatch: pytest.Monk
     assert done.exit_code == 1
     assert "Live Link Face is recorded at port 11111 into take.pcap; Ctrl-C ends it." in done.stderr
     assert "no packet came, so take.pcap was not written" in done.stderr
+
+
+def test_a_recording_says_how_it_does(capsys: pytest.CaptureFixture[str]) -> None:
+    for count, silent in ((0, 1.0), (90, 0.2), (90, 5.0), (90, 6.0), (0, 10.0)):
+        _tell(count, "10.0.0.7", silent)
+    assert capsys.readouterr().out.splitlines() == [
+        "  no packet yet",
+        "  90 packets, the newest from 10.0.0.7",
+        "  nothing for 5 s after 90 packets",
+        "  nothing for 10 s",
+    ]

@@ -26,7 +26,11 @@ def track(
     from omote.server.camera import track_server
 
     def announce(page: str, reason: str) -> None:
-        say(reason + "." if reason else f"the show at {target.address} hears this machine.")
+        say(
+            f"{reason}. The page tries again by itself."
+            if reason
+            else f"the show at {target.address} hears this machine."
+        )
         say(f"the camera page: {page} (Ctrl-C ends)")
         if open_page:
             webbrowser.open(page)

@@ -22,7 +22,6 @@ from omote.show_sockets import (
     print_line,
     print_trackers,
     read_options,
-    without_unheard,
 )
 from omote.terminal import complete_show, fail, fail_with, has_screen, say
 
@@ -118,7 +117,6 @@ def show(
     options = read_options(sacn, bindings, allow, listen, send)
     tls = open_certificate(host, certificate, key, made=https)
     devices = open_devices(host, osc, options, OFF if artnet is None else artnet)
-    options = without_unheard(options, devices)
     context.call_on_close(devices.close)
     path, (lock, listening), board = prepare(file, host, port)
     if osc is None:

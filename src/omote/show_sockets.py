@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -47,8 +46,8 @@ def read_options(sacn: str, bindings: Path | None, allow: str, listen: str = "",
 
 
 def open_devices(host: str, osc: int | None, options: DeviceOptions, artnet: int) -> DeviceSockets:
-    """The sockets that were asked for; ends the command where one cannot be had, but for trackers, which are said and
-    left out. Without any (`OFF`, None for OSC at its usual port) there is none."""
+    """The sockets that were asked for; ends the command where one of OSC or of a desk cannot be had, and says which
+    tracker is off. Without any (`OFF`, None for OSC at its usual port) there is none."""
     from omote.server.devices.trackers.tracker_sockets import listen_for_trackers, read_trackers
     from omote.server.supervision.device_sockets import DeviceSockets, listen_for_artnet, listen_for_sacn
     from omote.server.supervision.listening_socket import listen_for_osc
@@ -58,23 +57,10 @@ def open_devices(host: str, osc: int | None, options: DeviceOptions, artnet: int
             None if osc in (None, OFF) else listen_for_osc(host, osc or 0),
             listen_for_sacn(host, options.universes) if options.universes else None,
             None if artnet == OFF else listen_for_artnet(host, artnet),
-            listen_for_trackers(read_trackers(options.listen), _say_unheard),
+            listen_for_trackers(read_trackers(options.listen), say),
         )
     except OSError as error:
         fail_with(error)
-
-
-def without_unheard(options: DeviceOptions, devices: DeviceSockets) -> DeviceOptions:
-    """The options without trackers whose sockets could not be had: a page may switch them on later."""
-    from omote.server.devices.trackers.tracker_sockets import read_trackers
-
-    wishes = read_trackers(options.listen)
-    heard = [wish.word for wish in wishes if not wish.protocol.heard or wish.protocol.name in devices.trackers]
-    return replace(options, listen=",".join(heard))
-
-
-def _say_unheard(error: OSError) -> None:
-    say(f"{error} Or switch it on at the page Devices later.")
 
 
 def list_others(options: DeviceOptions) -> list[str]:

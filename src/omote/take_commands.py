@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
@@ -13,6 +14,23 @@ if TYPE_CHECKING:
     from omote.inputs.takes.take import Take
 
 CAPTURES = (".pcap", ".pcapng", ".cap", ".json")
+TABLES = (".csv",)
+QUIET_SECONDS = 5
+"""Seconds without a packet, after which a recording says so, again and again."""
+SLOWEST, FASTEST = 0.05, 20.0
+
+
+def read_speed(text: str | float) -> float:
+    """How fast a take is played, as it is typed."""
+    try:
+        speed = float(text)
+    except ValueError:
+        speed = math.nan
+    if not SLOWEST <= speed <= FASTEST:
+        raise typer.BadParameter(
+            f"{str(text)[:20]!r} is no speed; give a number from {SLOWEST:g} to {FASTEST:g}, 1 is as it was recorded"
+        )
+    return speed
 
 
 def play_take(
@@ -29,7 +47,9 @@ def play_take(
     ] = None,
     loop: Annotated[bool, typer.Option("--loop", help="Play it again and again, until Ctrl-C.")] = False,
     start: Annotated[float, typer.Option("--from", min=0.0, help="Seconds from its beginning.")] = 0.0,
-    speed: Annotated[float, typer.Option(min=0.05, max=20.0, help="1 is as it was recorded.")] = 1.0,
+    speed: Annotated[
+        float, typer.Option(parser=read_speed, metavar="NUMBER", help="0.05 to 20; 1 is as it was recorded.")
+    ] = 1.0,
     protocol: Annotated[
         str, typer.Option(help="What packets are, as --listen spells it; by their port without it.")
     ] = "",
@@ -54,20 +74,38 @@ def play_take(
 
 
 def read_take(path: Path, protocol: str = "") -> Take:
-    """The recording in a file; ends the command where it cannot be read."""
-    from omote.inputs.takes.live_link_take import read_live_link_take
-    from omote.inputs.takes.packet_capture import read_packets
+    """The recording in a file, and a word where it is cut off; ends the command where it cannot be read."""
+    from omote.inputs.takes.live_link_take import is_table_cut, read_live_link_take
+    from omote.inputs.takes.packet_capture import is_capture_cut, read_packets
     from omote.inputs.takes.packet_take import choose_protocol, read_packet_take
 
     try:
-        if path.suffix.lower() in CAPTURES:
-            packets = read_packets(path.read_bytes())
-            return read_packet_take(packets, choose_protocol(packets, protocol))
-        return read_live_link_take(path.read_text(encoding="utf-8-sig"))
+        data = path.read_bytes()
+        check_kind(path, data)
+        if path.suffix.lower() in TABLES:
+            text = data.decode("utf-8-sig")
+            take, cut = read_live_link_take(text), is_table_cut(text)
+        else:
+            packets = read_packets(data)
+            take, cut = read_packet_take(packets, choose_protocol(packets, protocol)), is_capture_cut(data)
     except UnicodeDecodeError:
         fail_with(ValueError(f"{path} is no text of Live Link Face (.csv)"))
     except (OSError, ValueError) as error:
         fail_with(error if isinstance(error, OSError) else ValueError(f"{path}: {error}"))
+    if cut:
+        say(f"{path.name} is cut off: what it holds is played; copy or record it anew to have all of it.")
+    return take
+
+
+def check_kind(path: Path, data: bytes) -> None:
+    """ValueError for a file that is empty, or whose name is none of a recording."""
+    if not data.strip():
+        raise ValueError("it is empty")
+    if path.suffix.lower() not in (*CAPTURES, *TABLES):
+        raise ValueError(
+            f"it is no recording by its name: play a table of Live Link Face ({TABLES[0]}), or packets "
+            f"({', '.join(CAPTURES)})"
+        )
 
 
 def record_take(
@@ -104,5 +142,8 @@ def record_take(
     say(f"{path.name} holds {count} packets: omote play-take {path.name} --protocol {wish.protocol.name}")
 
 
-def _tell(count: int, host: str) -> None:
-    typer.echo(f"  {count} packets, the newest from {host}")
+def _tell(count: int, host: str, silent: float) -> None:
+    if silent < QUIET_SECONDS:
+        typer.echo(f"  {count} packets, the newest from {host}" if count else "  no packet yet")
+    elif round(silent) % QUIET_SECONDS == 0:
+        typer.echo(f"  nothing for {silent:.0f} s" + (f" after {count} packets" if count else ""))

@@ -17,7 +17,7 @@ from omote.inputs.addresses.address import PRESS, ROOT, SECONDS, Address, Value
 from omote.inputs.addresses.lease_addresses import lease_addresses
 from omote.inputs.addresses.speech_addresses import SPEECH_ADDRESSES, STRENGTH
 from omote.inputs.osc_packet import OscError
-from omote.inputs.trackers.packet_recognition import explain_protocol
+from omote.inputs.trackers.packet_format import explain_format
 from omote.perform.easing import DEFAULT_EASING
 from omote.perform.frame import DETAIL_LIMIT, DETAILS, DIRECTION_LIMITS, POINT_LIMITS, TargetKind
 from omote.perform.limits import CHANNEL_HIGHEST, CHANNEL_LOWEST, GAZE_LIMITS, HEAD_LIMITS
@@ -34,6 +34,8 @@ BY_HAND = "hand"
 REMEMBERED_LENGTH = 120
 """Characters of an address that is remembered when it was found: a fader sends the same one again and again."""
 
+VMC_ROOT = "/VMC/"
+"""How addresses begin that a tracker sends: to its own port, not to this one."""
 FADER = Value("position")
 INFLUENCE = Value("influence")
 WAY = replace(SECONDS, kind="time")
@@ -271,8 +273,8 @@ _find_again = lru_cache(maxsize=1024)(_find_address)
 @lru_cache(maxsize=256)
 def _explain_unknown(written: str) -> str:
     """Why an address is none, with the nearest that there are; remembered: what sends one wrong sends it again."""
-    if written.startswith("/VMC/"):
-        return explain_protocol("vmc")
+    if written.startswith(VMC_ROOT):
+        return explain_format("vmc")
     character = "".join(written.strip("/").split("/")[1:2]) or "{character}"
     known = [address.pattern.replace("{character}", character) for address in ADDRESSES]
     near = difflib.get_close_matches(written, known, n=3, cutoff=0.7)

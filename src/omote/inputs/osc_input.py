@@ -11,6 +11,7 @@ from omote.inputs.osc_feedback import Feedback, tell_state
 from omote.inputs.osc_orders import OrderReader
 from omote.inputs.osc_packet import Argument, OscError, OscMessage, decode_packet, encode_message
 from omote.inputs.rejection import Rejection
+from omote.inputs.trackers.packet_format import explain_format, recognize_format
 from omote.show.messages import Refused, State
 from omote.show.session import ShowSession
 
@@ -67,7 +68,8 @@ class OscInput:
         try:
             return decode_packet(packet), []
         except OscError as error:
-            return [], self._reject(place, str(error), now)
+            name = recognize_format(packet)
+            return [], self._reject(place, explain_format(name) if name else str(error), now)
 
     def news(self, state: State, now: float) -> list[tuple[Place, bytes]]:
         """What surfaces are to be told of a state, each what is new to it."""

@@ -1154,7 +1154,8 @@ class TrackerOffer(msgspec.Struct, frozen=True):
     computer that we connect to, a sender that may play beside this machine, or "".
 
     word: what it is switched on by, "" while it is off; fixed: the command line has; advice: what to do at the sender.
-    stranger: a host that has sent and may not, or ""; strange: the word by which it may.
+    stranger: a host that has sent and may not, or ""; strange: the word by which it may. fault: why it is off though
+    the start has asked for it, or ""; again: the word by which it is switched on then.
     """
 
     name: str
@@ -1166,6 +1167,8 @@ class TrackerOffer(msgspec.Struct, frozen=True):
     advice: str
     stranger: str = ""
     strange: str = ""
+    fault: str = ""
+    again: str = ""
 
 
 class FoundTracker(msgspec.Struct, frozen=True):

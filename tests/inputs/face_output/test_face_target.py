@@ -64,8 +64,9 @@ def test_targets_are_read_as_they_are_typed() -> None:
 
 @pytest.mark.parametrize(
     ("text", "why"),
-    [("vcm:10.0.0.5", "vmc"), ("vmc", "no receiver"), ("vmc:=dog", "no receiver"), ("vmc:a:b", "no port"),
-     ("vmc:a:0", "no port"), ("vmc:a:70000", "no port"), ("vmc:a,,", "way to send")],
+    [("vcm:10.0.0.5", "vmc"), ("vmc", "no receiver"), ("vmc:=dog", "no receiver"), ("vmc:a:b", "is b; give"),
+     ("vmc:a:0", "from 1 to 65535"), ("vmc:a:70000", "is 70000; give"), ("vmc:a:", "left out"),
+     ("vmc:a,,", "way to send"), ("nosuch:a", "there are vmc, livelink, vtubestudio-pc, osc")],
 )  # fmt: skip
 def test_what_is_no_target_is_said(text: str, why: str) -> None:
     with pytest.raises(ValueError, match=why):

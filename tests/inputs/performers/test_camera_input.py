@@ -7,9 +7,13 @@ import pytest
 from omote.inputs.performers import camera_messages as wire
 from omote.inputs.performers.camera_input import MOST_CAMERAS, MOST_LEFT, CameraInput
 from omote.inputs.performers.performer_list import PerformerList
+from omote.inputs.trackers.tracker_input import TrackerInput
+from omote.inputs.trackers.tracker_protocols import TRACKER_PROTOCOLS
+from omote.inputs.trackers.vmc_messages import encode_vmc
 from omote.model.cast import Cast
 from omote.show import messages as show_wire
 from omote.show.session import ShowSession
+from omote.show.sources.open_sources import QUIET_SECONDS
 from tests.inputs.performers.landmarks import packet
 
 TICK = 1.0 / 60.0
@@ -61,6 +65,22 @@ class Stage:
 @pytest.fixture
 def stage(cast: Cast) -> Stage:
     return Stage(cast)
+
+
+def test_a_camera_plays_the_only_character_when_another_tracker_is_silent(stage: Stage) -> None:
+    vmc = TrackerInput(TRACKER_PROTOCOLS["vmc"], lambda: stage.session)
+    for packet_of_vmc in encode_vmc({"jawOpen": 0.5}, (0.1, 0.0, 0.0), (0.0, 0.0), 0.0):
+        vmc.receive("10.0.0.7", packet_of_vmc, stage.now)
+    vmc.play(stage.now)
+    for _ in range(round(QUIET_SECONDS) + 2):
+        stage.now += 1.0
+        stage.session.hands_now(stage.now)
+    stage.begin()
+    stage.play(3.0)
+    assert [(each.name, each.characters) for each in stage.session.sources.states({})] == [
+        ("VMC 10.0.0.7", ["one"]),
+        ("Camera Ada", ["one"]),
+    ]
 
 
 def test_a_performer_at_rest_for_two_seconds_drives_the_only_character(stage: Stage) -> None:

@@ -49,6 +49,15 @@ def test_the_protocol_is_that_of_the_port_or_the_one_that_is_named() -> None:
         choose_protocol(live, "vcm")
 
 
+def test_packets_at_another_port_are_read_by_what_they_are() -> None:
+    assert choose_protocol(vmc(0.0, port=5000, JawOpen=0.5)).name == "vmc"
+
+
+def test_packets_of_another_protocol_are_named() -> None:
+    with pytest.raises(ValueError, match=r"no packet .* is a face of Live Link Face: they are VMC, --protocol vmc"):
+        read_packet_take(vmc(0.0, JawOpen=0.5), TRACKER_PROTOCOLS["livelink"])
+
+
 def test_packets_that_are_no_face_are_said() -> None:
     with pytest.raises(ValueError, match=r"no packet of the capture is a face of VMC: a message begins"):
         read_packet_take([Packet(0.0, HOST, 39539, b"hello")], TRACKER_PROTOCOLS["vmc"])

@@ -96,7 +96,18 @@ async def test_a_show_that_is_not_there_is_explained() -> None:
     with socket.socket() as taken:
         taken.bind(("127.0.0.1", 0))
         address = f"http://127.0.0.1:{taken.getsockname()[1]}"
-        assert "is it started, with --host" in await refusal(ShowTarget(address))
+        reason = await refusal(ShowTarget(address))
+        assert reason.endswith("nothing listens there: look at the address, and start the show with --host 0.0.0.0")
+
+
+async def test_a_host_that_nobody_knows_is_explained(monkeypatch: pytest.MonkeyPatch) -> None:
+    async def know_none(*_: object, **__: object) -> list[object]:
+        raise socket.gaierror(socket.EAI_NONAME, "Name or service not known")
+
+    monkeypatch.setattr("aiohttp.resolver.ThreadedResolver.resolve", know_none)
+    monkeypatch.setattr("aiohttp.resolver.AsyncResolver.resolve", know_none)
+    reason = await refusal(ShowTarget("http://nohost.invalid:8090"))
+    assert reason.endswith("no address of nohost.invalid is known: type the one that the show prints")
 
 
 async def test_a_show_that_never_answers_is_explained(monkeypatch: pytest.MonkeyPatch) -> None:

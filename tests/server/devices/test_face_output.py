@@ -23,7 +23,8 @@ async def test_a_target_is_sent_its_character_with_each_tick(show_harness: ShowH
         port = receiver.getsockname()[1]
         label = session.tick(0.0).characters["one"].label
         targets = [FaceTarget("livelink", HOST, port, label.upper()), FaceTarget("livelink", HOST, port, "gone")]
-        output = FaceOutput(targets, lambda: session)
+        said: list[str] = []
+        output = FaceOutput(targets, lambda: session, said.append)
         show_harness.show.sources.append(output)
         session.join("hand", "hand")
         for weight in (0.25, 0.75):
@@ -34,6 +35,10 @@ async def test_a_target_is_sent_its_character_with_each_tick(show_harness: ShowH
         with pytest.raises(BlockingIOError):
             receiver.recv(2000)
         assert output.probes == []
+        assert said == [
+            f"nothing is sent to livelink:{HOST}:{port}=gone: no character is called gone, or several are; "
+            f"there are {label}."
+        ]
         assert [(each.sent, each.character, each.fault) for each in output.receivers] == [(2, label, ""), (0, "", "")]
         output.remove(targets[0].word)
         show_harness.tick()

@@ -38,7 +38,7 @@ def test_a_standby_reads_what_the_operator_asked_for() -> None:
 
 
 def test_each_socket_is_handed_under_its_option_and_closed() -> None:
-    trackers = listen_for_trackers(read_trackers("vmc-performer:0"), list[OSError]().append)
+    trackers = listen_for_trackers(read_trackers("vmc-performer:0"), list[str]().append)
     sockets = DeviceSockets(
         listen_for_osc(HOST, 0), listen_for_sacn(HOST, [1, 2], port=0), listen_for_artnet(HOST, 0), trackers
     )

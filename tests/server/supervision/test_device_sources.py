@@ -61,7 +61,7 @@ async def test_what_was_asked_for_is_heard(show_harness: ShowHarness, tmp_path: 
 
 @pytest.mark.asyncio
 async def test_trackers_are_heard_and_faces_sent(show_harness: ShowHarness) -> None:
-    opened = listen_for_trackers(read_trackers("vmc:0,meowface:0@127.0.0.1"), list[OSError]().append)
+    opened = listen_for_trackers(read_trackers("vmc:0,meowface:0@127.0.0.1"), list[str]().append)
     osc = listen_for_osc(HOST, 0)
     descriptors = {name: each.fileno() for name, each in opened.items()}
     options = DeviceOptions(
@@ -165,6 +165,13 @@ async def test_what_a_page_binds_lies_in_the_show_file_and_plays_after_a_restart
             assert harness.said == []
             for closing in started:
                 await closing.close()
+
+
+def test_a_picture_is_no_file_of_bindings(tmp_path: Path) -> None:
+    path = tmp_path / "pic.jpg"
+    path.write_bytes(b"\xff\xd8\xff\xe0")
+    with pytest.raises(ValueError, match=r"pic.jpg: its text is not UTF-8$"):
+        load_bindings(path)
 
 
 def test_what_is_wrong_with_a_file_names_it(tmp_path: Path) -> None:

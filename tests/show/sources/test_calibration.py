@@ -41,10 +41,10 @@ def test_rest_is_nothing_and_the_largest_move_is_all() -> None:
     assert weights(measured, [0.35, 0, 0, 0, 0])[0] == pytest.approx(0.5)
 
 
-def lid(rest: float, shut: float | None, value: float, **tuned: float) -> float:
+def lid(rest: float, shut: float | None, value: float) -> float:
     """What is made of a left lid that rests and shuts so."""
     shuts = {} if shut is None else {"eyeBlinkLeft": shut}
-    return weights(Calibration({"eyeBlinkLeft": rest}, shuts, **tuned), [0, value, 0, 0, 0])[1]
+    return weights(Calibration({"eyeBlinkLeft": rest}, shuts), [0, value, 0, 0, 0])[1]
 
 
 def test_a_lid_at_rest_is_open_and_a_shut_one_shut() -> None:

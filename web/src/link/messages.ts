@@ -1186,7 +1186,8 @@ export interface PresetDocument {
  * it comes to the port of the pages; asks: what its word may name behind "@": a phone that is asked for frames, a
  * computer that we connect to, a sender that may play beside this machine, or "".
  * word: what it is switched on by, "" while it is off; fixed: the command line has; advice: what to do at the sender.
- * stranger: a host that has sent and may not, or ""; strange: the word by which it may.
+ * stranger: a host that has sent and may not, or ""; strange: the word by which it may. fault: why it is off though
+ * the start has asked for it, or ""; again: the word by which it is switched on then.
  */
 export interface TrackerOffer {
   name: string;
@@ -1198,6 +1199,8 @@ export interface TrackerOffer {
   advice: string;
   stranger: string;
   strange: string;
+  fault: string;
+  again: string;
 }
 
 /** A program that has announced itself, and the word by which it is heard. */

@@ -10,6 +10,7 @@ const speech = (given: Partial<SpeechState>): SpeechState => ({
   sound: "",
   waiting: 0,
   next_sound: "",
+  keys: [],
   ...given,
 });
 

@@ -106,7 +106,7 @@ export class StageSound {
   /** Why nothing is heard here that should be; "" where all is well. */
   get notice(): string {
     if (!this.plays || this.wanted.length === 0 || this.context === undefined || this.state !== "blocked") return "";
-    return "No sound before a click on this page: click it once. Nobody there to click? Open a stage with ?sound=1.";
+    return "No sound before a click on this page: click it once. Nobody there to click? Open a stage with ?\u2060sound=1.";
   }
 
   /** The show says whether this stage plays. */

@@ -11,7 +11,6 @@ from omote.inputs.trackers.live_link_face import FRAME_RATE, encode_live_link_fa
 from omote.inputs.trackers.tracker_protocols import API_NAME
 from omote.inputs.trackers.vmc_messages import encode_vmc
 from omote.inputs.trackers.vtube_studio.api_message import API_PORT
-from omote.perform.limits import check_known
 from omote.perform.scene.character_names import find_character
 from omote.show.messages import CharacterState
 
@@ -70,12 +69,17 @@ def read_targets(text: str) -> tuple[FaceTarget, ...]:
 def _read_target(word: str) -> FaceTarget:
     where, _, character = word.partition("=")
     protocol, _, place = where.partition(":")
-    protocol = check_known(protocol.strip().lower(), SEND_PORTS, "way to send a face")
+    protocol = protocol.strip().lower()
+    if protocol not in SEND_PORTS:
+        raise ValueError(f"there is no way to send a face {protocol[:60]!r}; there are {', '.join(SEND_PORTS)}")
     host, colon, port = place.partition(":")
     if not host.strip():
         raise ValueError(f"{word[:60]!r} names no receiver; give its address, such as {protocol}:127.0.0.1")
     if colon and not (port.isascii() and port.isdecimal() and 0 < int(port[:9]) <= HIGHEST_PORT):
-        raise ValueError(f"{word[:60]!r} has no port; give a number, such as {protocol}:{host}:{SEND_PORTS[protocol]}")
+        raise ValueError(
+            f"the port of {word[:60]!r} is {port[:10] or 'left out'}; give a number from 1 to {HIGHEST_PORT}, such as "
+            f"{protocol}:{host}:{SEND_PORTS[protocol]}"
+        )
     return FaceTarget(protocol, host.strip(), int(port) if colon else SEND_PORTS[protocol], character.strip())
 
 

@@ -43,7 +43,7 @@ def read_live_link_take(text: str) -> Take:
     for number, row in enumerate(rows, 2):
         if number > MOST_ROWS:
             raise ValueError(f"the file has more than {MOST_ROWS} rows")
-        if all(row[column] for column in names):
+        if all(row[column] for column in names) and None not in row.values():  # such a row is cut off
             try:
                 codes.append(read_time_code(row[TIME] or ""))
                 frames.append(_read_row(row, names))
@@ -51,6 +51,12 @@ def read_live_link_take(text: str) -> Take:
                 raise ValueError(f"row {number}: {error}") from error
     rate = find_rate(codes)
     return _make_take(tuple(names.values()), [code.at(rate) for code in codes], frames)
+
+
+def is_table_cut(text: str) -> bool:
+    """Whether a file ends within a row: the last has fewer columns than its header."""
+    rows = [row for row in csv.reader(io.StringIO(text.lstrip("\ufeff"))) if row]
+    return len(rows) > 1 and len(rows[-1]) < len(rows[0]) and not text.endswith("\n")
 
 
 class TimeCode(NamedTuple):

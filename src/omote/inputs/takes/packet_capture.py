@@ -48,6 +48,23 @@ def read_packets(data: bytes) -> list[Packet]:
     return found
 
 
+def is_capture_cut(data: bytes) -> bool:
+    """Whether a capture ends within a packet; a dump never does, for such one is not read."""
+    if data.lstrip()[:1] == b"[":
+        return False
+    order, at = _order(data), 0
+    (magic,) = struct.unpack_from(f"{order}I", data)
+    if magic != SECTION:
+        at = 24
+        while at + 16 <= len(data):
+            at += 16 + int(struct.unpack_from(f"{order}I", data, at + 8)[0])
+        return at != len(data)
+    while at + 12 <= len(data):
+        size = int(struct.unpack_from(f"{order}I", data, at + 4)[0])
+        at += max(size, 12)
+    return at != len(data)
+
+
 def encode_capture(packets: Iterable[Packet]) -> Iterator[bytes]:
     """The bytes of a capture (pcap), piece by piece: its head, then one packet after the other."""
     yield struct.pack("<IHHiIII", MICRO, 2, 4, 0, 0, 262_144, RAW_IP)

@@ -10,15 +10,18 @@ from omote.inputs.takes.packet_capture import Packet
 from omote.inputs.takes.take import Take
 from omote.inputs.trackers.arkit_names import ARKIT_CHANNELS
 from omote.inputs.trackers.head_angles import GazeAngles, HeadAngles
-from omote.inputs.trackers.packet_recognition import explain_wrong_port
+from omote.inputs.trackers.packet_format import is_read_by, recognize_format
 from omote.inputs.trackers.tracker_frame import TrackerFrame
 from omote.inputs.trackers.tracker_protocols import TRACKER_PROTOCOLS, TrackerProtocol
 from omote.perform.limits import check_known
 
+MOST_LOOKED_AT = 1000
+"""Packets by whose first bytes a protocol is known."""
+
 
 def choose_protocol(packets: Sequence[Packet], name: str = "") -> TrackerProtocol:
-    """The protocol that packets are read by: the named one, else that of the port to which most have come, VMC where a
-    capture does not say; ValueError where there is none."""
+    """The protocol that packets are read by: the named one, else that of the port to which most have come, else the one
+    whose packets they are, VMC where a capture does not say; ValueError where there is none."""
     if name:
         return TRACKER_PROTOCOLS[check_known(name.strip().lower(), TRACKER_PROTOCOLS, "tracker")]
     usual = {each.port: each for each in reversed(list(TRACKER_PROTOCOLS.values())) if each.heard and not each.stream}
@@ -27,7 +30,16 @@ def choose_protocol(packets: Sequence[Packet], name: str = "") -> TrackerProtoco
             return usual[port]
     if all(packet.port == 0 for packet in packets):
         return TRACKER_PROTOCOLS["vmc"]
+    if name := recognize_most(packets):
+        return TRACKER_PROTOCOLS[name]
     raise ValueError("no packet went to a tracker's usual port; say what it is, such as --protocol vmc")
+
+
+def recognize_most(packets: Sequence[Packet]) -> str:
+    """The protocol that most packets are of, of those that are known by their first bytes; "" where none is."""
+    found = Counter(recognize_format(packet.data) for packet in packets[:MOST_LOOKED_AT])
+    del found[""]
+    return next((name for name, _ in found.most_common(1)), "")
 
 
 def read_packet_take(packets: Sequence[Packet], protocol: TrackerProtocol) -> Take:
@@ -43,9 +55,12 @@ def read_packet_take(packets: Sequence[Packet], protocol: TrackerProtocol) -> Ta
         try:
             frames += [(packet.time, frame) for frame in decode(packet.data) if frame.found]
         except PacketError as error:
-            newest = explain_wrong_port(packet.data, protocol) or str(error)
+            newest = str(error)
     if not frames:
-        raise ValueError(f"no packet of the capture is a face of {protocol.title}{newest and f': {newest}'}")
+        name = recognize_most(spoken)
+        other = f"they are {TRACKER_PROTOCOLS[name].title}, --protocol {name}" if name else newest
+        reason = newest if is_read_by(name, protocol.name) else other
+        raise ValueError(f"no packet of the capture is a face of {protocol.title}{reason and f': {reason}'}")
     begun = next((at for at, (_, frame) in enumerate(frames) if frame.weights), 0)
     return _gather(frames[begun:])  # bones that come before the first values of VMC are no frame yet
 

@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from omote.inputs.rejection import PacketError, Rejection
 from omote.inputs.trackers.arkit_names import ARKIT_NAMES, ChannelNames
 from omote.inputs.trackers.head_angles import GazeAngles, HeadAngles, limit_gaze, limit_head
-from omote.inputs.trackers.packet_recognition import explain_wrong_port
+from omote.inputs.trackers.packet_format import explain_format, is_read_by, recognize_format
 from omote.inputs.trackers.tracker_frame import Decode, TrackerFrame
 from omote.inputs.trackers.tracker_protocols import TrackerProtocol
 from omote.model.known_names import NEUTRAL
@@ -69,10 +69,16 @@ class Performer:
 
 
 class TrackerInput:
-    """All trackers of one protocol. heard, rejected: counts of packets; where: the host of the newest one."""
+    """All trackers of one protocol. port_of: where another protocol is heard, by its name, None where it is not; heard,
+    rejected: counts of packets; where: the host of the newest one."""
 
-    def __init__(self, protocol: TrackerProtocol, session: Callable[[], ShowSession]) -> None:
-        self.protocol, self._session = protocol, session
+    def __init__(
+        self,
+        protocol: TrackerProtocol,
+        session: Callable[[], ShowSession],
+        port_of: Callable[[str], int | None] = lambda _: None,
+    ) -> None:
+        self.protocol, self._session, self._port_of = protocol, session, port_of
         self._decoders: dict[str, Decode] = {}
         self._performers: dict[tuple[str, str], Performer] = {}
         self._names: tuple[object, ChannelNames] | None = None
@@ -89,7 +95,7 @@ class TrackerInput:
             for frame in self._decoder(host)(data):
                 self.note(host, frame)
         except PacketError as error:
-            self.reject(host, explain_wrong_port(data, self.protocol) or str(error), now)
+            self.reject(host, self._explain(data, error), now)
         answers, self._answers = self._answers, []
         return answers
 
@@ -132,6 +138,12 @@ class TrackerInput:
         return tuple(
             SenderCounts(each.name.removeprefix(title), each.heard, _values(each)) for each in self._performers.values()
         )
+
+    def _explain(self, data: bytes, error: PacketError) -> str:
+        """Why a packet is not obeyed; of one of another protocol where that goes."""
+        name = recognize_format(data)
+        other = name and not is_read_by(name, self.protocol.name)
+        return explain_format(name, self._port_of(name)) if other else str(error)
 
     def _decoder(self, host: str) -> Decode:
         if host not in self._decoders:

@@ -77,7 +77,10 @@ def trusted_context(authority: str | Path | None) -> ssl.SSLContext:
         if authority is not None:
             context.load_verify_locations(authority)
     except OSError as error:  # ssl.SSLError is one
-        raise OSError(f"{authority} is no certificate to trust ({explain_error(error)}); give a PEM file") from error
+        reason = "it holds none" if isinstance(error, ssl.SSLError) else explain_error(error)
+        raise OSError(
+            f"{authority} is no certificate to trust ({reason}); give what the show's /certificate gives (PEM)"
+        ) from error
     return context
 
 

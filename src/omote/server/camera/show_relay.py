@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import asyncio
+import errno
 import ssl
 from dataclasses import dataclass
 
@@ -10,6 +11,7 @@ import aiohttp
 from aiohttp import WSMsgType, web
 
 from omote.inputs.performers.camera_messages import CAMERA_PATH, LONGEST_MESSAGE, CameraRefused
+from omote.interchange.formats.error_reasons import explain_error
 from omote.server.client.link.link_denials import NO_ANSWER, explain_https_error
 from omote.server.http.links import HEARTBEAT, LinkSocket
 from omote.show.access.access_documents import REVOKED_CODE
@@ -80,8 +82,18 @@ class ShowRelay:
         except TimeoutError:
             reason = f"nothing answers within {CONNECT_SECONDS:g} s: look at the address and at firewalls"
         except (aiohttp.ClientError, OSError) as error:
-            reason = f"{str(error)[:200]}; is it started, with --host 0.0.0.0?"
+            reason = _explain_absence(error)
         raise ConnectionError(f"the show at {target.address} cannot be reached: {reason}")
+
+
+def _explain_absence(error: aiohttp.ClientError | OSError) -> str:
+    """Why no connection came about, as a clause."""
+    if isinstance(error, aiohttp.ClientConnectorDNSError):
+        return f"no address of {error.host[:60]} is known: type the one that the show prints"
+    cause = error.os_error if isinstance(error, aiohttp.ClientConnectorError) else error
+    if isinstance(cause, ConnectionRefusedError) or getattr(cause, "errno", 0) == errno.ECONNREFUSED:
+        return "nothing listens there: look at the address, and start the show with --host 0.0.0.0"
+    return f"{explain_error(cause)[:200]}; look at the address and at firewalls"
 
 
 def _refusal(reason: str) -> bytes:

@@ -28,11 +28,13 @@ CONSOLE = "/console"
 
 def find_target(address: str, token: str | None, authority: Path | None) -> ShowTarget:
     """The show that a performer names, as `HOST`, `HOST:PORT` or the address that `omote show` prints; ValueError for
-    what is no address or no token, OSError for a certificate that cannot be read."""
+    what is no address or no token, or a certificate for a show without https, OSError for one that cannot be read."""
     text = address.strip()
     found = base_address(text)
     if "//" not in text and ":" not in text.partition("/")[0]:
         found = f"{found}:{SHOW_PORT}"
+    if authority is not None and not found.startswith("https:"):
+        raise ValueError(f"--authority is for a show with https; leave it out, or give --to https:{found[5:]}")
     trusted = trusted_context(authority) if found.startswith("https:") else None
     return ShowTarget(found, check_token(token, text), trusted)
 

@@ -28,13 +28,14 @@ class FaceReceiver:
     """A program that a face is sent to, by a socket of its own, which hears that nobody is there (ICMP).
 
     sent: packets; fault: why they do not arrive, or "", and since when it was not seen; character: whose face, "" where
-    nobody is called so.
+    nobody is called so; told: whether that was said.
     """
 
     target: FaceTarget
     sent: int = 0
     fault: str = ""
     character: str = ""
+    told: bool = False
     seen: float = 0.0
     datagrams: socket.socket = field(default_factory=_open)
 
@@ -94,7 +95,9 @@ class FaceOutput:
             character = find_sent(receiver.target.character, state.characters)
             receiver.character = character.label if character else ""
             if character is None:
+                self._tell_absence(receiver, state)
                 continue
+            receiver.told = False
             if id(character) not in weights:
                 weights[id(character)] = self.weigh(character)
             packets = encode_face(receiver.target, character, weights[id(character)], now)
@@ -105,6 +108,17 @@ class FaceOutput:
         """Closes the sockets."""
         for each in self.receivers:
             each.datagrams.close()
+
+    def _tell_absence(self, receiver: FaceReceiver, state: State) -> None:
+        """Says once that nobody is called as a target says, with those who are there."""
+        if receiver.told or not receiver.target.character:
+            return
+        receiver.told = True
+        names = ", ".join(each.label or name for name, each in state.characters.items())
+        self._report(
+            f"nothing is sent to {receiver.target.word}: no character is called {receiver.target.character[:40]}, or "
+            f"several are; there are {names}."
+        )
 
     def weigh(self, character: CharacterState) -> Mapping[str, float]:
         """What a character has on air, as weights of all of ARKit's units."""

@@ -247,7 +247,7 @@ def load_bindings(path: Path) -> list[Binding]:
     except OSError as error:
         raise OSError(f"{path} cannot be read ({explain_error(error)})") from error
     except ValueError as error:
-        raise ValueError(f"{path}: {error}") from error
+        raise ValueError(f"{path}: {explain_error(error)}") from error
 
 
 def _wall() -> float:

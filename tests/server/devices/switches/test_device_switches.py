@@ -167,6 +167,28 @@ async def test_what_the_command_line_asks_for_no_page_takes_away(room: Room) -> 
     assert room.switched.mediapipe.on
 
 
+async def test_a_tracker_of_the_command_line_whose_port_is_taken_is_off_with_the_reason_and_can_be_switched_on(
+    room: Room,
+) -> None:
+    with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as other:
+        other.bind(("", 0))
+        port = other.getsockname()[1]
+        switches = room.open(f"livelink:{port},vmc:{free_port()}")
+    found = offer(switches, "livelink")
+    assert (found.word, found.fixed) == ("", False)
+    assert f"port {port} cannot be opened for Live Link Face (another program has it)" in found.fault
+    assert offer(switches, "vmc").fault == ""
+    assert found.again == f"livelink:{port}"
+    switches.switch(listen(found.again), 0.0)
+    found = offer(switches, "livelink")
+    assert (found.word, found.fault) == (f"livelink:{port}", "")
+    switches._notes.close()
+    assert read_notes(room.notes).listen == (f"livelink:{port}",)
+    room.switched.trackers.remove("livelink")
+    assert offer(room.open(f"livelink:{port}"), "livelink").fixed
+    assert room.said == [], "what the command line asks for again is no fault of the notes"
+
+
 async def test_who_sends_and_may_not_is_told_with_the_word_that_lets_it_play(room: Room) -> None:
     switches, port = room.open(), free_port()
     switches.switch(listen(f"livelink:{port}"), 0.0)

@@ -35,7 +35,7 @@ def test_packets_are_recorded_and_play(tmp_path: Path) -> None:
     with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as taken:
         taken.bind((HOST, 0))
         port = taken.getsockname()[1]
-    path, told = tmp_path / "take.pcap", list[tuple[int, str]]()
+    path, told = tmp_path / "take.pcap", list[tuple[int, str, float]]()
     ended = threading.Event()
 
     def send() -> None:
@@ -45,14 +45,12 @@ def test_packets_are_recorded_and_play(tmp_path: Path) -> None:
 
     sender = threading.Thread(target=send)
     sender.start()
-    count = record_take(
-        path, read_wish(f"livelink:{port}"), seconds=0.3, tell=lambda count, host: told.append((count, host))
-    )
+    count = record_take(path, read_wish(f"livelink:{port}"), seconds=0.3, tell=lambda *said: told.append(said))
     ended.set()
     sender.join()
     packets = read_packets(path.read_bytes())
     assert count == len(packets) > 1
-    assert told[0][1] == HOST
+    assert told[0][0] == 0
     take = read_packet_take(packets, choose_protocol(packets))  # by the usual port, wherever it was recorded
     assert take.values[0][take.names.index("jawOpen")] == 0.5
     assert 0.1 < take.seconds < 5.0
@@ -109,3 +107,15 @@ def test_what_came_before_ctrl_c_is_in_the_file(tmp_path: Path) -> None:
 
         assert record_take(path, read_wish("livelink:0"), opened=send, clock=stopped_after(3)) == 1
     assert [packet.data for packet in read_packets(path.read_bytes())] == [FACE]
+
+
+def test_how_long_nothing_has_come_is_told(tmp_path: Path) -> None:
+    times, told = iter([0.0, 0.0, 1.5, 3.0]), list[tuple[int, str, float]]()
+
+    def clock() -> float:
+        if (now := next(times, None)) is None:
+            raise KeyboardInterrupt
+        return now
+
+    record_take(tmp_path / "a.pcap", read_wish("livelink:0"), tell=lambda *said: told.append(said), clock=clock)
+    assert told == [(0, "", 0.0), (0, "", 1.5), (0, "", 3.0)]

@@ -32,12 +32,19 @@ export class TrackerSwitches extends DevicesElement {
         ${entry}
         min-height: 26px;
       }
-      input[name="host"] {
-        flex: 1 1 120px;
+      form.row {
+        display: grid;
+        grid-template-columns: minmax(0, 1fr) 88px;
+      }
+      form input {
         min-width: 0;
       }
-      input[name="port"] {
-        width: 88px;
+      form input[name="host"] {
+        grid-column: 1;
+      }
+      form input[name="port"],
+      form button {
+        grid-column: 2;
       }
       .phone {
         display: grid;
@@ -80,7 +87,7 @@ export class TrackerSwitches extends DevicesElement {
     const off = trackers.filter(({ word }) => word === "");
     return html`<h2>Face trackers</h2>
       ${on.length === 0 ? html`<p class="none">None is heard. Switch on the one that your phone or program speaks.</p>` : nothing}
-      <ul>${repeat(on, ({ name }) => name, this.#row)}</ul>
+      <ul>${repeat(on, ({ name }) => name, this.#row)}${off.filter(({ fault }) => fault !== "").map(this.#fault)}</ul>
       ${found
         .filter(({ word }) => !on.some((one) => one.word === word))
         .map(
@@ -103,6 +110,13 @@ export class TrackerSwitches extends DevicesElement {
       ${one.stranger === "" ? nothing : this.#stranger(one)}</li>`;
   };
 
+  /** One that the start has asked for and that is off: why, and a press that tries again. */
+  readonly #fault = ({ name, title, fault, again }: TrackerOffer) => {
+    return html`<li data-fault=${name}><b class="name">${title}</b><span class="where">off</span>
+      <button data-again=${name} @click=${() => this.#switch(again, true)}>Switch on</button>
+      <small class="attention">${fault}</small></li>`;
+  };
+
   /** A phone that sends and may not: one press lets it play. */
   #stranger({ stranger, strange, fixed, title }: TrackerOffer) {
     return html`<small class="attention">${stranger} sends ${title}, and may not play.
@@ -116,8 +130,8 @@ export class TrackerSwitches extends DevicesElement {
       <select name="tracker" aria-label="Tracker" @change=${this.#choose}>
         ${off.map(({ name, title }) => html`<option value=${name} .selected=${name === chosen.name}>${title}</option>`)}
       </select>
-      ${asks === "" ? nothing : html`<input name="host" placeholder=${asks} title=${why} aria-label=${why} autocomplete="off" spellcheck="false">`}
       ${chosen.port === null ? nothing : html`<input name="port" type="number" min="1" max="65535" aria-label="Port" .value=${String(chosen.port)}>`}
+      ${asks === "" ? nothing : html`<input name="host" placeholder=${asks} title=${why} aria-label=${why} autocomplete="off" spellcheck="false">`}
       <button data-on>Switch on</button></form>`;
   }
 

@@ -62,7 +62,16 @@ describe("the head of a group says", () => {
   });
 
   test("what is said", () => {
-    const speech = { number: 1, text: "Hello", elapsed: 0, seconds: 1, sound: "", waiting: 0, next_sound: "" };
+    const speech = {
+      number: 1,
+      text: "Hello",
+      elapsed: 0,
+      seconds: 1,
+      sound: "",
+      waiting: 0,
+      next_sound: "",
+      keys: [],
+    };
     expect([null, speech, { ...speech, text: "" }].map((each) => saysWords(air({ speech: each })).text)).toEqual([
       "nothing",
       "Hello",

@@ -1,7 +1,7 @@
 import { describe, expect, it } from "vitest";
 import { sayMessage, speechWords } from "./say_message";
 
-const SPEECH = { number: 1, text: "Hello", elapsed: 0.52, seconds: 2, sound: "", waiting: 0, next_sound: "" };
+const SPEECH = { number: 1, text: "Hello", elapsed: 0.52, seconds: 2, sound: "", waiting: 0, next_sound: "", keys: [] };
 
 describe("what is said", () => {
   it("is told with its time, its sound and what waits", () => {

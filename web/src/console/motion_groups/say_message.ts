@@ -17,6 +17,7 @@ export const sayMessage = (character: string, text: string, language: Say["langu
   delay: 0,
   offset: 0,
   queue: false,
+  key: "",
 });
 
 /** What is said now, in words. */

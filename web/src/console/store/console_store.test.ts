@@ -29,6 +29,7 @@ const CALM: CharacterState = {
   held: null,
   motion: null,
   speech: null,
+  spoken: "",
 };
 const REST: State = {
   type: "state",

@@ -43,10 +43,10 @@ def check_fields(message: wire.FromClient) -> wire.FromClient:
         plain = _plain(value)
         try:
             found = msgspec.convert(plain, hint)
-        except (msgspec.ValidationError, OverflowError) as error:
+        except (msgspec.ValidationError, OverflowError):
             name = _ARGUMENTS.get((type(message), field), field)
             kind = ValueError if _is_of_kind(plain, hint) else TypeError
-            raise kind(f"{name} is {_shown(value)}; give {explain(hint)}{_advice(message, kind)}") from error
+            raise kind(f"{name} is {_shown(value)}; give {explain(hint)}{_advice(message, kind)}") from None
         if found is not value:
             changed[field] = found
     return structs.replace(message, **changed) if changed else message

@@ -107,8 +107,8 @@ class ProgramLink:
                     await self._send_confirmed(data)
                 if getattr(message, "id", ""):
                     await self.wait_for_state(-1 if self.state is None else self.state.number)
-        except TimeoutError as error:
-            raise self._explain_silence("no answer of the show") from error
+        except TimeoutError:
+            raise self._explain_silence("no answer of the show") from None
 
     async def _send_confirmed(self, data: bytes) -> None:
         async with self._turn:
@@ -162,8 +162,8 @@ class ProgramLink:
                 while (spoken := watch.spoken) is None:
                     await self.wait_for_state(-1 if self.state is None else self.state.number)
                 return spoken
-        except TimeoutError as error:
-            raise TimeoutError(f"after {timeout:g} s it is still said, or waits; stop_speaking() ends it") from error
+        except TimeoutError:
+            raise TimeoutError(f"after {timeout:g} s it is still said, or waits; stop_speaking() ends it") from None
 
     async def wait_for_state(self, number: int) -> wire.State:
         """The first state after that of `number`."""
@@ -191,8 +191,8 @@ class ProgramLink:
         try:
             async with asyncio.timeout(self._timeout), self._news:
                 await self._news.wait_for(ready)
-        except TimeoutError as error:
-            raise self._explain_silence(what) from error
+        except TimeoutError:
+            raise self._explain_silence(what) from None  # whose traceback is asyncio's own
 
     def _explain_silence(self, what: str) -> ConnectionError:
         """What is not there within the time that this link waits."""

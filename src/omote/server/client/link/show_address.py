@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
+import re
 from urllib.parse import SplitResult, parse_qs, urlsplit
 
 from omote.show.messages import LINK_PATH
 
 EXAMPLE = "http://127.0.0.1:8090"
 LONGEST_TOKEN = 200
+_NAME = re.compile(r"[\w.:%-]+")
+"""Letters of a host: a name in any script, or an address."""
 
 
 def link_address(url: str) -> str:
@@ -50,6 +53,6 @@ def _split(url: str) -> tuple[SplitResult, str, int | None]:
         host, port = parts.hostname, parts.port
     except ValueError as error:
         raise ValueError(f"{url[:80]!r} is no address ({error}); give one such as {EXAMPLE!r}") from error
-    if parts.scheme not in ("http", "https") or not host:
+    if parts.scheme not in ("http", "https") or not host or not _NAME.fullmatch(host):
         raise ValueError(f"{url[:80]!r} is no address of a show; give one such as {EXAMPLE!r}")
     return parts, host, port

@@ -35,20 +35,20 @@ class Switched:
 
 
 class DeviceSwitches:
-    """What is on. heard, sent: what the command line has asked for, which no page takes away; notes: keep what pages
-    have switched on; outside: gives the address of the show's pages for other machines, "" where none opens them."""
+    """What is on. heard, sent: what the command line has asked for, which no page takes away; a tracker whose port is
+    taken is off, and pages switch it on. notes: keep what pages have switched on; outside: gives the address of the
+    show's pages for other machines, "" where none opens them."""
 
     def __init__(
         self, switched: Switched, heard: Iterable[TrackerWish], sent: Iterable[FaceTarget], notes: DeviceFile,
         report: Report = lambda _: None, outside: Callable[[], str] = lambda: "",
     ) -> None:  # fmt: skip
         self._switched, self._notes, self._report, self._outside = switched, notes, report, outside
-        self._heard = {wish.protocol.name: wish for wish in heard}
+        self._heard, self._faults = dict[str, TrackerWish](), dict[str, tuple[str, str]]()
+        for wish in heard:
+            self._start(wish)
         self._sent = {target.word: target for target in sent}
         self._fixed = frozenset((*self._heard, *self._sent))
-        for wish in self._heard.values():
-            if not wish.protocol.heard:
-                self._begin(wish)
         for target in self._sent.values():
             self._send(target)
 
@@ -57,7 +57,8 @@ class DeviceSwitches:
         kept = [("listen", word) for word in self._notes.notes.listen] + [("send", w) for w in self._notes.notes.send]
         for direction, word in kept:
             try:
-                self._switch_on(direction, word)
+                if direction == "send" or read_wish(word).protocol.name not in self._fixed:
+                    self._switch_on(direction, word)
             except ValueError as error:
                 self._report(f"{word} stays off: {error}.")
 
@@ -89,6 +90,15 @@ class DeviceSwitches:
             host,
         )
 
+    def _start(self, wish: TrackerWish) -> None:
+        """Hears what the command line has asked for, or keeps the reason why it cannot be."""
+        try:
+            if self._switched.trackers.port(wish.protocol.name) is None:
+                self._begin(wish)
+            self._heard[wish.protocol.name] = wish
+        except ValueError as error:
+            self._faults[wish.protocol.name] = str(error), wish.word
+
     def _switch_on(self, direction: str, word: str) -> None:
         if direction == "listen":
             wish = read_wish(word.strip())
@@ -97,6 +107,7 @@ class DeviceSwitches:
             self._end(wish.protocol.name)
             self._begin(wish)
             self._heard[wish.protocol.name] = wish
+            self._faults.pop(wish.protocol.name, None)
             return
         (target,) = read_targets(word) or [None]
         if target is None or target.protocol == SURFACE:
@@ -167,6 +178,7 @@ class DeviceSwitches:
         asked = protocol.port if wish is None else wish.port
         port = self._switched.trackers.port(protocol.name) or asked
         stranger = "" if wish is None else self._switched.trackers.stranger(protocol.name)
+        fault, again = self._faults.get(protocol.name, ("", ""))
         return wire.TrackerOffer(
             name=protocol.name,
             title=protocol.title,
@@ -177,6 +189,8 @@ class DeviceSwitches:
             advice=advise(protocol, host, port),
             stranger=stranger,
             strange=f"{protocol.name}:{port}@{stranger}" if stranger else "",
+            fault=fault,
+            again=again,
         )
 
     def _receivers(self) -> list[wire.ReceiverState]:

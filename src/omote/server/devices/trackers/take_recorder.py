@@ -24,29 +24,30 @@ def record_take(
     *,
     seconds: float = float("inf"),
     opened: Callable[[int], None] = lambda _: None,
-    tell: Callable[[int, str], None] = lambda *_: None,
+    tell: Callable[[int, str, float], None] = lambda *_: None,
     clock: Callable[[], float] = time.monotonic,
 ) -> int:
     """Records for so many seconds after the first packet, or until Ctrl-C; returns the count of packets. The file is
-    written from the first packet on. opened: is told of the port once it is heard; tell: of each second's count and of
-    who sends; OSError where the port or the file cannot be had."""
-    until, told, count = float("inf"), 0.0, 0
+    written from the first packet on. opened: is told of the port once it is heard; tell: each second of the count, of
+    who sends, and of the seconds since the newest; OSError where the port or the file cannot be had."""
+    until, told, count = float("inf"), float("-inf"), 0
     _check_place(path)
     with contextlib.suppress(KeyboardInterrupt), open_tracker(wish) as datagrams, contextlib.ExitStack() as stack:
-        begun, host, write = clock(), "", None
+        begun = newest = clock()
+        host, write = "", None
         opened(int(datagrams.getsockname()[1]))
         for now, packet in _hear(wish, datagrams, clock):
             if now >= until:
                 break
-            if count and now - told >= ASK_SECONDS:
+            if now - told >= ASK_SECONDS:
                 told = now
-                tell(count, host)
+                tell(count, host, now - newest)
             if packet is None:
                 continue
             if write is None:
                 write = stack.enter_context(path.open("wb", buffering=0)).write  # whatever ends it, packets are there
                 write(b"".join(encode_capture(())))
-            host = packet.host
+            host, newest = packet.host, now
             write(encode_packet(replace(packet, time=packet.time - begun)))
             count += 1
             until = min(until, now + seconds)

@@ -70,7 +70,7 @@ class TrackerListener:
         """Hears a tracker from now on."""
         advice = advise(tracker.protocol, own_address() or "127.0.0.1", tracker.datagrams.getsockname()[1])
         reader = _open_reader(tracker, self._allowed, self._log)
-        self._heard.append(_Heard(tracker, TrackerInput(tracker.protocol, self._session), reader, advice))
+        self._heard.append(_Heard(tracker, TrackerInput(tracker.protocol, self._session, self.port), reader, advice))
 
     def remove(self, name: str) -> None:
         """Hears a tracker no more; name: its protocol's."""

@@ -56,7 +56,10 @@ def read_wish(word: str) -> TrackerWish:
     if colon and protocol.port is None:
         raise ValueError(f"{protocol.title} comes to the port of the pages; write {name} without :{port[:10]}")
     if colon and not (port.isascii() and port.isdecimal() and int(port[:9]) <= HIGHEST_PORT):
-        raise ValueError(f"{word[:60]!r} has no port; give a number, such as {name}:{protocol.port}")
+        raise ValueError(
+            f"the port of {word[:60]!r} is {port[:10] or 'left out'}; give a number from 0 to {HIGHEST_PORT}, such as "
+            f"{name}:{protocol.port}"
+        )
     return TrackerWish(protocol, int(port) if colon else protocol.port, phone.strip())
 
 
@@ -79,15 +82,17 @@ def find_host(name: str) -> str:
         raise OSError(f"no address of {name[:60]} is known: type the one of its network settings.") from error
 
 
-def listen_for_trackers(wishes: Iterable[TrackerWish], report: Callable[[OSError], None]) -> dict[str, socket.socket]:
-    """A socket for each protocol, by its name; one that cannot be had is left out and reported. They are bound to all
-    addresses: who is heard, the list of allowed senders decides."""
+def listen_for_trackers(
+    wishes: Iterable[TrackerWish], report: Callable[[str], None] = lambda _: None
+) -> dict[str, socket.socket]:
+    """A socket for each protocol, by its name, without those that cannot be had, of which `report` is told: no stage
+    stays dark for a tracker. They are bound to all addresses: who is heard, the list of allowed senders decides."""
     opened: dict[str, socket.socket] = {}
     for wish in (each for each in wishes if each.protocol.heard):
         try:
             opened[wish.protocol.name] = open_tracker(wish)
         except OSError as error:
-            report(error)
+            report(f"{wish.protocol.title} is off: {error} The page Devices switches it on later.")
     return opened
 
 
