@@ -6,7 +6,6 @@ python -m tools.tracking.train_map
 from __future__ import annotations
 
 import time
-from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
@@ -25,8 +24,6 @@ ANGLE_COST = 9.0
 """Of a radian's error, over that of a weight's."""
 FACES = ("generic", "old", "man", "round")
 """On whom units are worn to say how much each moves."""
-SEEDS = (12, 13, 14)
-"""Of the networks whose mean the map is."""
 EVEN_SHARE = 0.3
 """By how much each weight counts beside what it moves."""
 
@@ -59,14 +56,13 @@ def read_observations(path: Path) -> tuple[dict[str, NDArray[np.float32]], Float
     return arrays, both, np.concatenate([targets, targets[:, swap] * turn.astype(np.float32)])
 
 
-def write_map(path: Path, arrays: dict[str, NDArray[np.float32]], networks: Sequence[Network]) -> None:
+def write_map(path: Path, arrays: dict[str, NDArray[np.float32]], network: Network) -> None:
     """Writes the map: half precision is finer than what the network knows."""
     parts: dict[str, NDArray[Any]] = {name: value.astype(np.float16) for name, value in arrays.items()}
     parts |= {name: arrays[name] for name in ("centre", "spread")} | {"order": arrays["order"].astype(np.int16)}
-    for layer in range(len(networks[0].weights)):
-        parts[f"weights{layer}"] = np.array([network.weights[layer] for network in networks], np.float16)
-        parts[f"offsets{layer}"] = np.array([network.offsets[layer] for network in networks], np.float32)
-    parts |= {"format": np.array(FORMAT), "linear": np.array([each.linear for each in networks], np.float16)}
+    parts |= {f"weights{row}": each.astype(np.float16) for row, each in enumerate(network.weights)}
+    parts |= {f"offsets{row}": each for row, each in enumerate(network.offsets)}
+    parts |= {"format": np.array(FORMAT), "linear": network.linear.astype(np.float16)}
     np.savez(path, **parts)  # type: ignore[arg-type]
 
 
@@ -76,8 +72,8 @@ def main() -> None:
     arrays, features, targets = read_observations(OBSERVATIONS)
     metric = np.eye(len(UNITS) + ANGLES) * ANGLE_COST
     metric[: len(UNITS), : len(UNITS)] = unit_metric() + EVEN_SHARE * np.eye(len(UNITS))
-    networks = [train(features, targets, metric.astype(np.float32), Schedule(seed=seed)) for seed in SEEDS]
-    write_map(MAP, arrays, networks)
+    network = train(features, targets, metric.astype(np.float32), Schedule())
+    write_map(MAP, arrays, network)
     print(f"{MAP}: {len(features)} frames, {MAP.stat().st_size / 1e6:.2f} MB, {time.monotonic() - began:.0f} s")
 
 

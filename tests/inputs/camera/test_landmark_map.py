@@ -67,7 +67,7 @@ def test_what_is_no_map_is_rejected(tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize(("name", "value", "reason"), [
-    ("format", np.array(99), "format 99"), ("linear", np.zeros((3, 7, OUTPUTS)), "linear part"),
+    ("format", np.array(99), "format 99"), ("linear", np.zeros((3, OUTPUTS)), "linear part"),
     ("centre", None, "centre"),
 ])  # fmt: skip
 def test_a_map_of_another_version_is_rejected(tmp_path: Path, name: str, value: np.ndarray | None, reason: str) -> None:

@@ -20,7 +20,7 @@ from omote.inputs.trackers.arkit_names import ARKIT_NAMES
 
 Values = NDArray[np.float64]
 MAP = HERE / "landmark_map.npz"
-FORMAT = 2
+FORMAT = 1
 UNITS = tuple(name for name in ARKIT_NAMES if not name.startswith("eyeLook"))
 """What the map gives first; then yaw and pitch of the gaze, then yaw, pitch and roll of the head (radians)."""
 ANGLES = 5
@@ -55,30 +55,9 @@ class Compression:
 
 
 @dataclass(frozen=True, eq=False)
-class Layers:
-    """One network: a linear part (f, OUTPUTS) and layers, each weights and offsets; swish between them (Ramachandran,
-    Zoph and Le 2017)."""
-
-    linear: NDArray[np.float32]
-    layers: Sequence[tuple[NDArray[np.float32], NDArray[np.float32]]]
-
-    def read_hidden(self, features: Values) -> Values:
-        """The values of the last layer but the outputs."""
-        values = features
-        for weights, offsets in self.layers[:-1]:
-            values = swish(values @ weights + offsets)
-        return values
-
-    def outputs(self, features: Values) -> Values:
-        """Those of features (..., f)."""
-        weights, offsets = self.layers[-1]
-        result: Values = self.read_hidden(features) @ weights + offsets + features @ self.linear
-        return result
-
-
-@dataclass(frozen=True, eq=False)
 class LandmarkMap:
-    """Features to outputs: the mean of a few networks, each trained from another start.
+    """Features to outputs: a linear part (f, OUTPUTS) and a network of layers, each weights and offsets; swish between
+    them (Ramachandran, Zoph and Le 2017).
 
     order, sign (f,): which feature, and with which sign, is each feature of the face in the mirror.
     """
@@ -86,7 +65,8 @@ class LandmarkMap:
     compression: Compression
     order: NDArray[np.intp]
     sign: NDArray[np.float32]
-    networks: Sequence[Layers]
+    linear: NDArray[np.float32]
+    layers: Sequence[tuple[NDArray[np.float32], NDArray[np.float32]]]
 
     def estimate(self, features: Values) -> Values:
         """Weights of UNITS, gaze and head (radians): (..., OUTPUTS). Nothing is clipped.
@@ -98,11 +78,15 @@ class LandmarkMap:
         return 0.5 * (self._outputs(features) + other[..., rows] * signs)
 
     def read_hidden(self, features: Values) -> Values:
-        """The values of the last layers but the outputs, of all networks."""
-        return np.concatenate([network.read_hidden(features) for network in self.networks], axis=-1)
+        """The values of the last layer but the outputs."""
+        values = features
+        for weights, offsets in self.layers[:-1]:
+            values = swish(values @ weights + offsets)
+        return values
 
     def _outputs(self, features: Values) -> Values:
-        result: Values = np.mean([network.outputs(features) for network in self.networks], axis=0)
+        weights, offsets = self.layers[-1]
+        result: Values = self.read_hidden(features) @ weights + offsets + features @ self.linear
         return result
 
 
@@ -152,16 +136,12 @@ def _read(arrays: dict[str, NDArray[np.float32]]) -> LandmarkMap:
     if int(arrays["format"]) != FORMAT:
         raise ValueError(f"it has format {int(arrays['format'])}, this version reads {FORMAT}")
     named = {name: arrays[name].astype(np.float32) for name in Compression.__dataclass_fields__}
-    networks = [_read_layers(arrays, number, len(named["centre"])) for number in range(len(arrays["linear"]))]
-    order, sign = arrays["order"].astype(np.intp), arrays["sign"].astype(np.float32)
-    return LandmarkMap(Compression(**named), order, sign, networks)
-
-
-def _read_layers(arrays: dict[str, NDArray[np.float32]], number: int, features: int) -> Layers:
-    """The network of a number: arrays hold those of all, one behind the other."""
-    linear = arrays["linear"][number].astype(np.float32)
-    if linear.shape != (features, OUTPUTS):
-        raise ValueError(f"its linear part has shape {linear.shape}; expected {(features, OUTPUTS)}")
     count = sum(name.startswith("weights") for name in arrays)
-    parts = [(arrays[f"weights{k}"][number], arrays[f"offsets{k}"][number]) for k in range(count)]
-    return Layers(linear, [(weights.astype(np.float32), offsets.astype(np.float32)) for weights, offsets in parts])
+    layers = [
+        (arrays[f"weights{k}"].astype(np.float32), arrays[f"offsets{k}"].astype(np.float32)) for k in range(count)
+    ]
+    linear = arrays["linear"].astype(np.float32)
+    if linear.shape != (len(named["centre"]), OUTPUTS):
+        raise ValueError(f"its linear part has shape {linear.shape}; expected {(len(named['centre']), OUTPUTS)}")
+    order, sign = arrays["order"].astype(np.intp), arrays["sign"].astype(np.float32)
+    return LandmarkMap(Compression(**named), order, sign, linear, layers)
