@@ -11,6 +11,7 @@ comes in as from a page (10 ms at a time) to a session with the built-in cast th
   `closed at once` is without that;
 * class: the right one of 15 visemes, over the time in which the voice is voiced; of the decisions, which are late by
   what they wait for;
+* shut wrongly: vowels of at least 60 ms in the middle of which the lips are shut;
 * onset: from the begin of a vowel after a pause until the lips part by a tenth;
 * beside it the way of uLipSync: distances of MFCC to profiles of vowels, calibrated on known phones of the same voice.
 
@@ -26,28 +27,21 @@ os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")  # read when NumPy is loaded
 
 import argparse
 import sys
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field
 from itertools import pairwise
 
-import msgspec
 import numpy as np
 from rich.console import Console
 from rich.table import Table
 
-from omote.builtin import load_cast
-from omote.inputs.microphone.microphone_input import MicrophoneInput
-from omote.inputs.microphone.microphone_messages import Begin, Sound
+from benchmarks.lip_gap import TICK, Lips, play_sound, smooth
+from omote.inputs.microphone.microphone_messages import Begin
 from omote.inputs.microphone.sound_features import HOP, SAMPLE_RATE, FeatureStream
 from omote.inputs.microphone.speaker_profile import measure_speaker
 from omote.inputs.microphone.viseme_network import load_network
 from omote.inputs.microphone.voice_visemes import DELAY_SECONDS, VoiceVisemes
-from omote.model.space.lid_lip_lines import chains
-from omote.perform.blending.evaluate import evaluate
-from omote.perform.performer import Performer
-from omote.perform.speech.viseme_stream import VisemeStream, follow_visemes
-from omote.perform.speech.visemes import MOUTH_UNITS, RECIPES, VISEMES
-from omote.show.session import ShowSession
+from omote.perform.speech.visemes import RECIPES, VISEMES
 from tools.lips.corpus import LEFT_OUT_LANGUAGES, LEFT_OUT_VARIANTS, join_speech
 from tools.lips.espeak_voice import Espeak, EspeakVoice
 from tools.lips.named_voices import LEFT_OUT_FLITE, speak_flite
@@ -57,12 +51,13 @@ from tools.lips.sound_conditions import Condition, apply_condition
 from tools.lips.spoken import Segment, Spoken, label_frames
 from tools.lips.vowel_profiles import measure_profiles, read_visemes
 
-TICK = 1.0 / 60.0
 SHUT = PARTED = 0.1
 LEAST_PAUSE = 0.14
 LONGEST_ONSET = 0.4
+SHORTEST_VOWEL = 0.06
+_OPEN = ("aa", "E", "I", "O")
 BAR_CLOSED, BAR_CLASS, BAR_ONSET = 0.9, 0.7, 0.06
-TITLES = ("voices", "sound", "closed", "closed at once", "class", "onset, median", "onset, 90 %")
+TITLES = ("voices", "sound", "closed", "closed at once", "shut wrongly", "class", "onset, median", "onset, 90 %")
 CONDITIONS = {
     "plain": Condition(peak=-12.0),
     "loud, clipped": Condition(peak=6.0),
@@ -72,67 +67,19 @@ CONDITIONS = {
 }
 
 
+Said = tuple[Spoken, Spoken]
+"""What is measured, and the sentence that calibrates."""
+
+
 @dataclass
 class Score:
     """What was counted. lags: of onsets, seconds."""
 
     closed: list[bool] = field(default_factory=list)
     at_once: list[bool] = field(default_factory=list)
+    wrongly: list[bool] = field(default_factory=list)
     right: list[bool] = field(default_factory=list)
     lags: list[float] = field(default_factory=list)
-
-
-class Lips:
-    """The gap between the lips of the built-in head under weights of units, 1 where an `aa` is played in full."""
-
-    def __init__(self) -> None:
-        cast = load_cast()
-        line = next(each for each in cast.space.lines if each.kind == "lips")
-        upper, lower = chains(cast.space.points, line.loop)
-        self._pair = upper[len(upper) // 2], lower[len(lower) // 2]
-        self.rest = self._gap_of({})
-        self._slopes = {unit: (self._gap_of({unit: 0.5}) - self.rest) / 0.5 for unit in MOUTH_UNITS}
-        self._open = sum(self._slopes[unit] * 0.7 * value for unit, value in RECIPES["aa"].items())
-
-    def gap(self, channels: dict[str, float]) -> float:
-        """How far the lips are apart."""
-        return sum(self._slopes[unit] * channels.get(unit, 0.0) for unit in MOUTH_UNITS) / self._open
-
-    def _gap_of(self, units: dict[str, float]) -> float:
-        performer = Performer(load_cast())
-        for unit, value in units.items():
-            performer.set_channel(unit, value)
-        points = evaluate(load_cast(), performer.advance(1.0))
-        return float(points[self._pair[0], 1] - points[self._pair[1], 1])
-
-
-def play_sound(sound: np.ndarray, begin: Begin, lips: Lips) -> np.ndarray:
-    """The gap at each tick of a show that hears this sound."""
-    session = ShowSession(load_cast())
-    microphones = MicrophoneInput(lambda: session)
-    microphones.hear("page", msgspec.msgpack.encode(begin), 0.0)
-    pcm = (np.clip(sound, -1, 1) * 32767).astype("<i2")
-    gaps, sent = [], 0
-    for tick in range(int(len(sound) / SAMPLE_RATE / TICK)):
-        now = (tick + 1) * TICK
-        while (sent + 1) * HOP <= now * SAMPLE_RATE:
-            piece = pcm[sent * HOP : (sent + 1) * HOP].tobytes()
-            microphones.hear("page", msgspec.msgpack.encode(Sound(piece)), now)
-            sent += 1
-        microphones.play(now)
-        character = next(iter(session.tick(now).characters.values()))
-        gaps.append(lips.gap(dict(character.channels)))
-    return np.array(gaps)
-
-
-def smooth(weights: np.ndarray, lips: Lips) -> np.ndarray:
-    """The gap at each tick of visemes that come every 10 ms."""
-    stream, gaps = VisemeStream(), []
-    for row in weights:
-        stream = follow_visemes(stream, np.clip(row, 0.0, 1.0), 1.0, HOP / SAMPLE_RATE)
-        gaps.append(lips.gap(dict(zip(MOUTH_UNITS, (0.7 * stream.mouth).tolist(), strict=True))))
-    times = (np.arange(int(len(gaps) * 0.01 / TICK)) + 1) * TICK
-    return np.array([gaps[min(len(gaps) - 1, int(time / 0.01))] for time in times])
 
 
 def count_closures(score: Score, segments: Sequence[Segment], gaps: np.ndarray, late: float) -> None:
@@ -144,6 +91,15 @@ def count_closures(score: Score, segments: Sequence[Segment], gaps: np.ndarray, 
                 part = gaps[max(0, first - 1) : max(first, last)]
                 if len(part):
                     counted.append(bool(np.min(part) < SHUT))
+
+
+def count_wrong_closures(score: Score, segments: Sequence[Segment], gaps: np.ndarray, late: float) -> None:
+    """Counts the vowels in whose middle the lips are shut."""
+    for segment in segments:
+        if segment.shapes and segment.shapes[0] in _OPEN and segment.end - segment.start >= SHORTEST_VOWEL:
+            place = int((0.5 * (segment.start + segment.end) + late) / TICK)
+            if place < len(gaps):
+                score.wrongly.append(bool(gaps[place] < SHUT))
 
 
 def count_onsets(score: Score, segments: Sequence[Segment], gaps: np.ndarray) -> None:
@@ -198,28 +154,30 @@ def hear(
     return heard, measured
 
 
-def measure(voices: Sequence[str], condition: str, calibrated: bool, options: Options) -> tuple[list[Score], float]:
-    """Scores of ours and of the baseline for some voices, and how late ours is."""
+def measure(said: Iterable[Said], condition: str, calibrated: bool, options: Options) -> tuple[list[Score], float]:
+    """Scores of ours and of the baseline for some recordings, and how late ours is."""
     ours, peer, late = Score(), Score(), []
-    for voice in voices:
-        rng = options.rng
-        spoken, sentence = (options.speak(voice, count) for count in (options.sentences, 2))
-        heard, measured = hear(spoken, sentence, CONDITIONS[condition], rng, options.others)
+    for spoken, sentence in said:
+        heard, measured = hear(spoken, sentence, CONDITIONS[condition], options.rng, options.others)
         begin = Begin("voice")
         if calibrated:
             profile = measure_speaker(FeatureStream().push(measured))
             begin = Begin("voice", list(profile.bands), profile.level)
         gaps = play_sound(heard, begin, options.lips)
         late.append(lateness(spoken, gaps))
-        count_closures(ours, spoken.segments, gaps, late[-1])
-        count_onsets(ours, spoken.segments, gaps)
-        count_classes(ours, spoken, decide(heard, begin))
         known = read_visemes(measure_profiles(sentence, measured), heard)
         theirs = smooth(known, options.lips)
-        count_closures(peer, spoken.segments, theirs, lateness(spoken, theirs))
-        count_onsets(peer, spoken.segments, theirs)
-        count_classes(peer, spoken, known[3:])  # its window of 64 ms is centred 3 frames before its end
+        count_all(ours, spoken, gaps, late[-1], decide(heard, begin))
+        count_all(peer, spoken, theirs, lateness(spoken, theirs), known[3:])  # centred 3 frames before its end
     return [ours, peer], float(np.mean(late))
+
+
+def count_all(score: Score, spoken: Spoken, gaps: np.ndarray, late: float, weights: np.ndarray) -> None:
+    """Counts what one recording shows."""
+    count_closures(score, spoken.segments, gaps, late)
+    count_wrong_closures(score, spoken.segments, gaps, late)
+    count_onsets(score, spoken.segments, gaps)
+    count_classes(score, spoken, weights)
 
 
 @dataclass
@@ -251,7 +209,7 @@ ESPEAK = [f"{language}+{variant}" for language in LEFT_OUT_LANGUAGES for variant
 
 def row(name: str, condition: str, score: Score) -> tuple[str, ...]:
     """A line of the table."""
-    shares = [f"{100 * np.mean(each):.1f} %" for each in (score.closed, score.at_once, score.right)]
+    shares = [f"{100 * np.mean(each):.1f} %" for each in (score.closed, score.at_once, score.wrongly, score.right)]
     lags = [f"{1000 * each:.0f} ms" for each in np.percentile(score.lags or [np.nan], [50, 90])]
     return name, condition, *shares, *lags
 
@@ -271,7 +229,8 @@ def main() -> int:
     runs.append(("espeak-ng's own whisper, de and es", ["de+whisper", "es+whisperf"], "plain", True))
     missed = 0
     for name, voices, condition, calibrated in runs:
-        (ours, peer), late = measure(voices, condition, calibrated, options)
+        said = ((options.speak(voice, options.sentences), options.speak(voice, 2)) for voice in voices)
+        (ours, peer), late = measure(said, condition, calibrated, options)
         table.add_row(*row(f"{name} ({1000 * late:.0f} ms late)", condition, ours))
         table.add_row(*row("  as uLipSync", "", peer), style="dim")
         held = np.mean(ours.closed) >= BAR_CLOSED and np.mean(ours.right) >= BAR_CLASS

@@ -1,11 +1,11 @@
 """A tick of a show whose characters live: three of them, two trackers, a microphone and automatic motion at once.
 
-Two characters have a tracker each, by packets of Live Link Face and VMC at 60 Hz, with head and gaze; the third speaks,
-by lips at 100 Hz as a microphone gives them; all three move by themselves, and the first two look at one another. A
-console calls an expression and a face of each twice a second. What is timed is all that the server does once a tick:
-packets are decoded and played, the show advances, consoles are told, the state is encoded. Beside it stand the same
-shows without each of these. Times are of the processor, of one thread; those of the clock, which a busy machine makes
-longer, stand beside.
+Two characters have a tracker each, by packets of Live Link Face and VMC at 60 Hz, with head and gaze; the third speaks:
+its microphone's sound comes as a page sends it, 10 ms at a time, and the network reads it; all three move by
+themselves, and the first two look at one another. A console calls an expression and a face of each twice a second. What
+is timed is all that the server does once a tick: packets and sound are decoded and played, the show advances, consoles
+are told, the state is encoded. Beside it stand the same shows without each of these. Times are of the processor, of one
+thread; those of the clock, which a busy machine makes longer, stand beside.
 
 * the tick with all of it at the 99th percentile: at most 2 ms (issue 12, item 6).
 
@@ -23,23 +23,40 @@ import gc
 import sys
 import time
 
+import msgspec
 import numpy as np
 from rich.console import Console
 from rich.table import Table
 
 import omote
 from benchmarks.trackers import FACES
+from omote.inputs.microphone.microphone_input import MicrophoneInput
+from omote.inputs.microphone.microphone_messages import Begin, Sound, Speak
+from omote.inputs.microphone.sound_features import HOP, SAMPLE_RATE
 from omote.inputs.trackers.tracker_input import TrackerInput
 from omote.inputs.trackers.tracker_protocols import TRACKER_PROTOCOLS
 from omote.show import messages as wire
 from omote.show.session import ShowSession
 from omote.show.wire import encode
+from tests.inputs.microphone.voices import AA, II, UU, pause, pcm, vowel
 
-RATE, LIPS_RATE, SECONDS, BAR_TICK = 60, 100, 60.0, 2e-3
+RATE, SECONDS, BAR_TICK = 60, 60.0, 2e-3
 TRACKED = {"one": ("livelink", "10.0.0.7"), "two": ("vmc", "10.0.0.8")}
 """What the tracker of a character sends, and from where."""
 SPEAKER, WHO, PAGE = "three", "phone", "microphone"
+LEAST_JAW = 0.2
+"""How far the jaw of who speaks opens at least, in the show of the microphone alone."""
 PARTS = ("trackers", "lips", "motion")
+
+
+def make_speech() -> list[bytes]:
+    """What the page of a microphone sends, again and again: vowels, pauses and what lies between them."""
+    sound = [
+        part for shape in (AA, II, UU) for part in (vowel(0.25, shape), pause(0.08), vowel(0.12, shape), pause(0.3))
+    ]
+    samples = np.frombuffer(pcm(np.concatenate(sound)), "<i2")
+    pieces = samples[: len(samples) // HOP * HOP].reshape(-1, HOP)
+    return [msgspec.msgpack.encode(Sound(piece.tobytes(), 10.0 * index)) for index, piece in enumerate(pieces)]
 
 
 class Show:
@@ -48,8 +65,9 @@ class Show:
     def __init__(self, cast: omote.Cast, parts: frozenset[str]) -> None:
         self.session, self.parts, self.rng = ShowSession(cast), parts, np.random.default_rng(12)
         self.faces, self.worn = list(cast.faces), [n for n, title in cast.titles.items() if title.kind == "performed"]
-        self.names = [n for n, title in cast.titles.items() if title.kind == "arkit" and n.startswith(("mouth", "jaw"))]
+        self.microphones, self.speech = MicrophoneInput(lambda: self.session), make_speech()
         self.processor, self.clock, self.spoken = list[float](), list[float](), 0
+        self.widest = 0.0
         self.trackers: dict[str, TrackerInput] = {}
         self.say(wire.Hello("console", wire.PROTOCOL_VERSION, WHO))
         for name in ("two", "three"):
@@ -62,8 +80,10 @@ class Show:
         for name in TRACKED if "trackers" in self.parts else ():
             self.open_tracker(name)
         if "lips" in self.parts:
-            self.session.receive(PAGE, wire.Hello("console", wire.PROTOCOL_VERSION, PAGE), 0.0)
-            self.session.receive(PAGE, wire.Source(PAGE, "lips", self.names, [SPEAKER]), 0.0)
+            self.microphones.hear(PAGE, msgspec.msgpack.encode(Begin("voice")), 0.0)
+            self.microphones.play(0.0)
+            if self.microphones.hear(PAGE, msgspec.msgpack.encode(Speak(SPEAKER)), 0.0):
+                raise RuntimeError("the microphone speaks through nobody")
         for seed, name in enumerate(self.session.scene if "motion" in self.parts else ()):
             self.say(wire.SetMotion(name, 0.6, seed=seed, idle=True))
             other = {"one": "two", "two": "one", "three": "one"}[name]
@@ -91,11 +111,11 @@ class Show:
         self.trackers[name].play(now)
 
     def speak(self, now: float) -> None:
-        """The frames of the microphone that have come until now."""
-        while self.spoken / LIPS_RATE <= now:
-            values = 0.5 + 0.5 * np.sin(9.0 * self.spoken / LIPS_RATE + np.arange(len(self.names)))
-            self.session.receive_bytes(PAGE, encode(wire.Drive(1, values.astype("<f4").tobytes())), now)
+        """The sound of the microphone that has come until now."""
+        while self.spoken * HOP <= now * SAMPLE_RATE:
+            self.microphones.hear(PAGE, self.speech[self.spoken % len(self.speech)], now)
             self.spoken += 1
+        self.microphones.play(now)
 
     def call(self, frame: int) -> None:
         """Calls an expression and a face of each character twice a second."""
@@ -120,6 +140,7 @@ class Show:
         encode(state)
         self.processor.append(time.thread_time() - processor)
         self.clock.append(time.perf_counter() - clock)
+        self.widest = max(self.widest, state.characters[SPEAKER].channels.get("jawOpen", 0.0))
 
 
 def main() -> int:
@@ -135,6 +156,8 @@ def main() -> int:
         packets = {name: FACES[protocol](2.0 * frame / RATE) for name, (protocol, _) in TRACKED.items()}
         for show in shows.values():
             show.play(frame, packets)
+    if shows["lips"].widest < LEAST_JAW:
+        raise RuntimeError("the microphone moved no mouth")
     table = Table("tick, ms", "processor: median", "99 %", "clock: median", "99 %", title=f"{seconds:g} s at {RATE} Hz")
     for name, show in shows.items():
         times = [each * 1e3 for spent in (show.processor, show.clock) for each in np.quantile(spent, [0.5, 0.99])]

@@ -1,9 +1,8 @@
 """A chat program speaks through a character of a running show: your bot, your text to speech, lips in time.
 
 For developers of chat bots and of exhibits: put your bot in the place of `answer` and your text to speech in that of
-`voice`. Run:
-    omote show chat.omote                      and open its /stage in a browser, clicked once for the sound
-    python examples/chat_speaks.py [ADDRESS]   in another window: type; an empty line ends
+`voice`. First start `omote show chat.omote`, open its /stage in a browser and click it once for the sound.
+Run: python examples/chat_speaks.py [ADDRESS]     then type; an empty line ends
 """
 
 import argparse

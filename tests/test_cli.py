@@ -394,3 +394,10 @@ def test_an_export_that_cannot_be_leaves_no_file(
     assert refused.exit_code == 1
     assert sentence in refused.output
     assert list(tmp_path.iterdir()) == []
+
+
+@pytest.mark.parametrize("words", [["say"], ["say", "Hello", "--character", "one"]])
+def test_a_command_to_speak_is_told_what_does(words: list[str]) -> None:
+    done = CliRunner().invoke(app, words)
+    assert done.exit_code == 1
+    assert 'omote.connect("http://127.0.0.1:8090")["one"].say("Hello")' in done.stderr

@@ -77,6 +77,15 @@ app.command()(track)
 app.command("record-take")(record_take)
 
 
+@app.command("say", hidden=True, context_settings={"ignore_unknown_options": True, "allow_extra_args": True})
+def refuse_say() -> None:
+    """Says what makes a face speak: no command does."""
+    fail(
+        'no command speaks: a program does, omote.connect("http://127.0.0.1:8090")["one"].say("Hello") '
+        "(docs/howto/speech.md), and the console, under Layers."
+    )
+
+
 @app.command()
 def export(
     face: Annotated[str, typer.Argument(help="A face of the cast: kaori, dog.")],

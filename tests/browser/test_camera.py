@@ -102,6 +102,10 @@ def test_the_guided_minute_begins_shows_its_step_and_is_cancelled_by_a_key(filme
     guide = page.locator("omote-guide")
     expect(guide).to_contain_text("Look straight ahead")
     expect(guide).to_contain_text("1 of 15")
+    page.keyboard.press("Escape")  # before a face is made
+    expect(page.locator("omote-camera-page")).to_contain_text("The guided minute is stopped: no face was made")
+    page.get_by_role("button", name="Guided minute").click()
+    expect(page.locator("omote-camera-page")).not_to_contain_text("The guided minute is stopped")
     wait_for(page, "status.guide?.step === 'shut'")
     guide.get_by_role("button", name="The last one again").click()
     wait_for(page, "status.guide?.step === 'neutral'")

@@ -8,11 +8,11 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from omote.inputs.microphone.sound_features import SAMPLE_RATE, FeatureStream, SoundFeatures
+from omote.inputs.microphone.sound_features import BANDS, SAMPLE_RATE, FeatureStream, SoundFeatures, band_hertz
 from omote.inputs.microphone.speaker_profile import SpeakerState, measure_speaker
 from omote.inputs.microphone.viseme_network import frame_inputs
 from tools.lips.espeak_voice import Espeak, EspeakVoice
-from tools.lips.named_voices import FESTIVAL_VOICES, FLITE_VOICES, speak_festival, speak_flite
+from tools.lips.named_voices import FESTIVAL_VOICES, FLITE_VOICES, NamedVoice, speak_festival, speak_flite
 from tools.lips.sentences import make_sentence
 from tools.lips.sound_conditions import apply_condition, draw_condition
 from tools.lips.spoken import Segment, Spoken, label_frames
@@ -40,6 +40,8 @@ VARIANTS = (
 SENTENCES = 6
 TAKES = 4
 """Conditions under which each of the slower voices is heard."""
+MOST_OTHERS = 30
+"""Sentences that were spoken last, of whom babble is made."""
 CALIBRATED_SHARE = 0.4
 CALIBRATION_SECONDS = 4
 
@@ -49,26 +51,29 @@ class Recording:
     """What the network is given of each frame, and the viseme of each."""
 
     frames: np.ndarray
-    floors: np.ndarray
     labels: np.ndarray
 
 
 def make_recordings(count: int, festival: int, rng: np.random.Generator) -> Iterator[Recording]:
     """`count` recordings of voices of espeak-ng, and `festival` of each slower voice, under several conditions each."""
-    espeak = Espeak()
-    babble: np.ndarray | None = None
-    for _ in range(count):
-        spoken = change_speed(join_speech(speak_some(espeak, rng), rng), rng)
-        yield make_recording(spoken, rng, babble)
-        babble = spoken.sound
-    for voice in (*FESTIVAL_VOICES, *FLITE_VOICES):
-        for _ in range(festival):
-            texts = [_plain(make_sentence(voice.words, rng, words=4), voice.words) for _ in range(SENTENCES)]
-            said = (
-                [speak_flite(voice, text) for text in texts] if voice in FLITE_VOICES else speak_festival(voice, texts)
-            )
-            for _ in range(TAKES if said else 0):
-                yield make_recording(change_speed(join_speech(said, rng), rng), rng, babble)
+    espeak, others = Espeak(), list[np.ndarray]()
+    slower = [voice for voice in (*FESTIVAL_VOICES, *FLITE_VOICES, *FLITE_VOICES) for _ in range(festival)]
+    order = rng.permutation(count + len(slower))
+    for index in order.tolist():
+        said = speak_some(espeak, rng) if index < count else speak_named(slower[index - count], rng)
+        for _ in range((1 if index < count else TAKES) if said else 0):
+            spoken = change_speed(join_speech(said, rng), rng)
+            yield make_recording(spoken, rng, np.concatenate(others) if others else None)
+        others = [*others[-MOST_OTHERS:], *(each.sound / max(float(np.abs(each.sound).max()), 0.05) for each in said)]
+
+
+def speak_named(voice: NamedVoice, rng: np.random.Generator) -> list[Spoken]:
+    """Some sentences by a voice of festival or flite."""
+    texts = [_plain(make_sentence(voice.words, rng, words=4), voice.words) for _ in range(SENTENCES)]
+    stretch = float(rng.uniform(0.65, 1.3))
+    if voice in FLITE_VOICES:
+        return [speak_flite(voice, text, stretch=stretch) for text in texts]
+    return speak_festival(voice, texts, stretch=stretch)
 
 
 def speak_some(espeak: Espeak, rng: np.random.Generator) -> list[Spoken]:
@@ -76,7 +81,7 @@ def speak_some(espeak: Espeak, rng: np.random.Generator) -> list[Spoken]:
     language = str(rng.choice(list(LANGUAGES)))
     variant = str(rng.choice(VARIANTS))
     name = f"{language}+{variant}" if variant else language
-    rate, pitch, span = (int(rng.integers(*each)) for each in ((100, 240), (15, 85), (10, 90)))
+    rate, pitch, span = (int(rng.integers(*each)) for each in ((100, 280), (15, 85), (10, 90)))
     voice = EspeakVoice(name, rate, pitch, span)
     return [espeak.speak(voice, make_sentence(LANGUAGES[language], rng)) for _ in range(SENTENCES)]
 
@@ -107,9 +112,23 @@ def change_speed(spoken: Spoken, rng: np.random.Generator) -> Spoken:
     return Spoken(sound, tuple(Segment(s.start / speed, s.end / speed, s.name, s.shapes) for s in spoken.segments))
 
 
+def change_mouth(heard: SoundFeatures, rng: np.random.Generator) -> SoundFeatures:
+    """The same from a longer or a shorter throat, half of the time: its resonances lie lower or higher, its pitch does
+    not change (Jaitly and Hinton 2013)."""
+    if rng.random() < 0.5:
+        return heard
+    hertz = band_hertz()
+    places = np.interp(hertz * rng.uniform(0.86, 1.16), hertz, np.arange(BANDS))
+    low = np.minimum(places.astype(int), BANDS - 2)
+    share = (places - low).astype(np.float32)
+    bands = heard.bands[:, low] * (1 - share) + heard.bands[:, low + 1] * share
+    return SoundFeatures(bands.astype(np.float32), heard.level, heard.voicing)
+
+
 def make_recording(spoken: Spoken, rng: np.random.Generator, babble: np.ndarray | None) -> Recording:
     """A recording of speech under a random condition, by a speaker who is calibrated or not."""
     heard = FeatureStream().push(apply_condition(spoken.sound, draw_condition(rng), rng, babble))
+    heard = change_mouth(heard, rng)
     speaker = SpeakerState()
     if rng.random() < CALIBRATED_SHARE:
         first = int(rng.integers(0, max(1, len(heard) - 100 * CALIBRATION_SECONDS)))
@@ -119,9 +138,8 @@ def make_recording(spoken: Spoken, rng: np.random.Generator, babble: np.ndarray 
             speaker = SpeakerState(measure_speaker(sentence))
         except ValueError:
             speaker = SpeakerState()
-    frames, floors = frame_inputs(heard, speaker)
-    labels = label_frames(spoken)[: len(frames)]
-    return Recording(frames.astype(np.float16), floors.astype(np.float16), labels.astype(np.int8))
+    frames = frame_inputs(heard, speaker)
+    return Recording(frames.astype(np.float16), label_frames(spoken)[: len(frames)].astype(np.int8))
 
 
 def _plain(text: str, words: str) -> str:

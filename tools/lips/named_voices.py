@@ -38,18 +38,17 @@ FESTIVAL_VOICES = (
     NamedVoice("voice_czech_dita", "czech", "czech"),
     NamedVoice("voice_czech_ph", "czech", "czech"),
     NamedVoice("voice_upc_ca_ona_hts", "latin", "catalan"),
-    NamedVoice("voice_msu_ru_nsh_clunits", "russian", "ukrainian"),
 )
 FLITE_VOICES = tuple(NamedVoice(name, "radio", "american-english") for name in ("rms", "slt"))
 LEFT_OUT_FLITE = tuple(NamedVoice(name, "radio", "american-english") for name in ("awb", "kal16"))
 """Never trained on, nor any other voice of these speakers."""
 
 
-def speak_festival(voice: NamedVoice, texts: Sequence[str]) -> list[Spoken]:
-    """Texts by a voice of festival; those that it cannot speak are left out."""
+def speak_festival(voice: NamedVoice, texts: Sequence[str], *, stretch: float = 1.0) -> list[Spoken]:
+    """Texts by a voice of festival; those that it cannot speak are left out. stretch: as of `speak_flite`."""
     with tempfile.TemporaryDirectory() as folder:
         script = Path(folder) / "speak.scm"
-        lines = [f"({voice.name})"]
+        lines = [f"({voice.name})", f"(Parameter.set 'Duration_Stretch {stretch})"]
         for index, text in enumerate(texts):
             plain = text.replace('"', "").replace("\\", "")
             lines.append(
@@ -59,23 +58,34 @@ def speak_festival(voice: NamedVoice, texts: Sequence[str]) -> list[Spoken]:
         script.write_text("\n".join(lines))
         subprocess.run(["festival", "-b", str(script)], check=False, capture_output=True, timeout=SECONDS)
         return [
-            _read(Path(folder) / f"{index}.wav", _lines(Path(folder) / f"{index}.lab"), voice)
+            _read(Path(folder) / f"{index}.wav", read_lines(Path(folder) / f"{index}.lab"), voice)
             for index in range(len(texts))
             if (Path(folder) / f"{index}.lab").exists() and (Path(folder) / f"{index}.wav").exists()
         ]  # fmt: skip
 
 
-def speak_flite(voice: NamedVoice, text: str) -> Spoken:
-    """A text by a voice of flite."""
+def speak_flite(voice: NamedVoice, text: str, *, stretch: float = 1.0) -> Spoken:
+    """A text by a voice of flite. stretch: how many times as long as it would be."""
     with tempfile.TemporaryDirectory() as folder:
         sound = Path(folder) / "speech.wav"
-        command = ["flite", "-voice", voice.name, "-psdur", "-t", text, "-o", str(sound)]
+        command = [
+            "flite",
+            "-voice",
+            voice.name,
+            "--setf",
+            f"duration_stretch={stretch}",
+            "-psdur",
+            "-t",
+            text,
+            "-o",
+            str(sound),
+        ]
         said = subprocess.run(command, check=True, capture_output=True, text=True, timeout=SECONDS).stdout
         pairs = [each.rsplit(":", 1) for each in said.split()]
         return _read(sound, [(name, float(end)) for name, end in pairs], voice)
 
 
-def _lines(path: Path) -> list[tuple[str, float]]:
+def read_lines(path: Path) -> list[tuple[str, float]]:
     """Names and ends of the phones of a file of xwaves."""
     found = []
     for line in path.read_text(errors="replace").splitlines():

@@ -70,7 +70,23 @@ _LATIN = {  # of the other voices; what is missing stays without a viseme
     "E": "e e1 E E1 ax ee ae @",
     "O": "o o1 O O1 oo",
 }
-_CYRILLIC = {**_LATIN, "CH": "ch sh sch zh", "SS": "s z c", "kk": "k g h", "I": "i ii y j yy", "FF": "f v"}
+_CYRILLIC = {
+    **_LATIN,
+    "PP": "p pp b bb m mm",
+    "FF": "f ff v vv",
+    "DD": "t tt d dd",
+    "kk": "k kk g gg h hh",
+    "CH": "ch sh sch zh",
+    "SS": "s ss z zz c",
+    "nn": "n nn l ll",
+    "RR": "r rr",
+    "I": "i ii y yy j ae",
+    "U": "u uu ur",
+    "aa": "a aa",
+    "E": "e ee ay",
+    "O": "o oo",
+}
+"""ay and ae are the reduced vowels behind hard and soft consonants."""
 _FINNISH = {**_LATIN, "U": "u y w", "O": "o 7", "aa": "a @", "E": "e", "I": "i j"}
 _CZECH = {**_LATIN, "CH": "c~ s~ z~ r~ r~*", "SS": "s z c dz", "kk": "k g ch n*", "nn": "n l n~", "DD": "t d t~ d~"}
 

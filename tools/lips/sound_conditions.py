@@ -11,13 +11,18 @@ from scipy.signal import butter, fftconvolve, lfilter, sosfilt
 from omote.inputs.microphone.sound_features import SAMPLE_RATE
 
 Sound = np.ndarray
+KINDS = {
+    "white": 0.15, "pink": 0.23, "brown": 0.1, "hum": 0.04, "clicks": 0.06, "music": 0.12, "babble": 0.3,
+}  # fmt: skip
+"""Of noise for training, and how often."""
 _ORDER = 18
 _WHISPER_WINDOW, _WHISPER_STEP = 400, 200
 
 
 @dataclass(frozen=True)
 class Condition:
-    """noise: dB below the speech, None without; peak: dB of full scale; room: seconds of its decay, 0 without."""
+    """noise: dB of noise beside the speech, None without; swell: dB by which it comes and goes; peak: dB of full scale;
+    room: seconds of its decay, 0 without; talkers: of babble."""
 
     noise: float | None = None
     kind: str = "pink"
@@ -27,6 +32,8 @@ class Condition:
     tilt: tuple[float, ...] = ()
     lowest: float = 0.0
     highest: float = 8000.0
+    swell: float = 0.0
+    talkers: int = 4
 
 
 def apply_condition(sound: Sound, condition: Condition, rng: np.random.Generator, babble: Sound | None = None) -> Sound:
@@ -36,7 +43,8 @@ def apply_condition(sound: Sound, condition: Condition, rng: np.random.Generator
     heard = _color(heard, condition)
     level = speech_power(heard)
     if condition.noise is not None:
-        noise = make_noise(condition.kind, len(heard), rng, babble)
+        noise = make_noise(condition.kind, len(heard), rng, babble, condition.talkers)
+        noise = noise * _swell(len(heard), condition.swell, rng) if condition.swell else noise
         heard = heard + noise * np.sqrt(level / max(np.mean(noise**2), 1e-12)) * 10 ** (condition.noise / 20)
     heard = heard * (10 ** (condition.peak / 20) / max(np.max(np.abs(heard)), 1e-6))
     dither = rng.uniform(-0.5, 0.5, len(heard)) / 32768
@@ -46,19 +54,27 @@ def apply_condition(sound: Sound, condition: Condition, rng: np.random.Generator
 
 def draw_condition(rng: np.random.Generator) -> Condition:
     """A condition for training, drawn at random."""
-    noise = None if rng.random() < 0.12 else float(-rng.uniform(5, 16) if rng.random() < 0.5 else -rng.uniform(16, 45))
+    loud = rng.random() < 0.15
     return Condition(
-        noise=noise,
-        kind=str(
-            rng.choice(["white", "pink", "brown", "hum", "clicks", "babble"], p=[0.2, 0.3, 0.15, 0.05, 0.08, 0.22])
-        ),
-        peak=float(rng.uniform(-36, 3)),
+        noise=_draw_noise(rng),
+        kind=str(rng.choice(list(KINDS), p=list(KINDS.values()))),
+        peak=float(rng.uniform(0, 12)) if loud else float(rng.uniform(-36, 0)),
         room=float(rng.uniform(0.08, 0.5)) if rng.random() < 0.35 else 0.0,
-        whisper=bool(rng.random() < 0.13),
+        whisper=bool(rng.random() < 0.12),
         tilt=tuple(rng.normal(0, 5, 5).tolist()) if rng.random() < 0.7 else (),
         lowest=float(rng.uniform(50, 250)) if rng.random() < 0.3 else 0.0,
         highest=float(rng.uniform(3400, 7900)) if rng.random() < 0.25 else 8000.0,
+        swell=float(rng.uniform(2, 8)) if rng.random() < 0.3 else 0.0,
+        talkers=int(rng.integers(1, 6)),
     )
+
+
+def _draw_noise(rng: np.random.Generator) -> float | None:
+    """dB of noise beside the speech: none, a lot, some, little."""
+    drawn = rng.random()
+    if drawn < 0.12:
+        return None
+    return float(-rng.uniform(*((2, 13) if drawn < 0.55 else (13, 25) if drawn < 0.8 else (25, 45))))
 
 
 def speech_power(sound: Sound) -> float:
@@ -68,15 +84,17 @@ def speech_power(sound: Sound) -> float:
     return float(np.mean(power[power > np.max(power, initial=0.0) * 10**-2.5])) if len(power) else 0.0
 
 
-def make_noise(kind: str, count: int, rng: np.random.Generator, babble: Sound | None = None) -> Sound:
-    """Noise of a kind: white, pink, brown, hum (of the mains), clicks, babble (others who speak)."""
+def make_noise(kind: str, count: int, rng: np.random.Generator, babble: Sound | None = None, talkers: int = 4) -> Sound:
+    """Noise of a kind: white, pink, brown, hum (of the mains), clicks, music, babble (`talkers` of it speak)."""
     if kind == "babble" and babble is not None and len(babble):
-        starts = rng.integers(0, len(babble), 4)
+        starts = rng.integers(0, len(babble), talkers)
         return sum((np.resize(np.roll(babble, -start), count) for start in starts), np.zeros(count))
     if kind == "hum":
         time = np.arange(count) / SAMPLE_RATE
         base = float(rng.choice([50.0, 60.0]))
         return sum((np.sin(2 * np.pi * base * n * time + n) / n for n in range(1, 9)), 0.02 * rng.normal(size=count))
+    if kind == "music":
+        return _music(count, rng)
     if kind == "clicks":  # keys, cups, steps
         struck = (rng.random(count) < 4.0 / SAMPLE_RATE) * rng.normal(size=count)
         fall = rng.normal(size=800) * np.exp(-np.arange(800) / rng.uniform(40, 250))
@@ -85,6 +103,25 @@ def make_noise(kind: str, count: int, rng: np.random.Generator, babble: Sound | 
     slope = {"white": 0.0, "pink": -0.5, "brown": -1.0}.get(kind, -0.5)
     spectrum = np.fft.rfft(rng.normal(size=count))
     return np.fft.irfft(spectrum * np.maximum(np.fft.rfftfreq(count, 1 / SAMPLE_RATE), 20.0) ** slope, count)
+
+
+def _music(count: int, rng: np.random.Generator) -> Sound:
+    """Chords of plucked notes and a beat of noise: what a loudspeaker beside the speaker plays."""
+    made = 1e-3 * rng.normal(size=count)
+    beat = int(rng.uniform(0.2, 0.6) * SAMPLE_RATE)
+    time = np.arange(2 * beat) / SAMPLE_RATE
+    for start in range(0, count, beat):
+        notes = 110.0 * 2.0 ** (rng.choice([0, 3, 5, 7, 10, 12, 15, 17, 19, 24], 3) / 12)
+        chord = sum(np.sin(2 * np.pi * note * n * time) / n**1.5 for note in notes for n in range(1, 7))
+        struck = (chord + (rng.random() < 0.5) * rng.normal(size=len(time)) * np.exp(-30 * time)) * np.exp(-4 * time)
+        made[start : start + len(time)] += struck[: count - start]
+    return made
+
+
+def _swell(count: int, most: float, rng: np.random.Generator) -> Sound:
+    """A gain that comes and goes by `most` dB, every half second or so."""
+    places = np.arange(0, count + SAMPLE_RATE // 2, SAMPLE_RATE // 2)
+    return 10.0 ** (np.interp(np.arange(count), places, rng.uniform(-most, most, len(places))) / 20)
 
 
 def whisper(sound: Sound, rng: np.random.Generator) -> Sound:

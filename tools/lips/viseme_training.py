@@ -1,56 +1,83 @@
 """Trains the network that reads visemes: `python -m tools.lips.viseme_training`. Needs espeak-ng, festival, flite.
 
-The packages, and why the weights are committed: docs/decisions/0136-lips-from-a-microphone.md.
+The packages, and why the weights are committed: docs/decisions/0136 and 0143.
 """
 
 from __future__ import annotations
 
 import argparse
 import time
-from itertools import pairwise
+from collections.abc import Iterator, Sequence
 from pathlib import Path
 
 import numpy as np
 
 from omote.inputs.microphone.viseme_network import (
     AHEAD,
-    FRAME_INPUTS,
-    HISTORY,
     INPUTS,
-    OFFSETS,
+    STACK,
     WEIGHTS_FILE,
+    Dense,
+    Gated,
     VisemeNetwork,
+    load_network,
 )
-from omote.perform.speech.visemes import VISEMES
+from omote.perform.speech.visemes import SIL, VISEMES
 from tools.lips.corpus import make_recordings
+from tools.lips.network_gradients import Piece, find_gradients, parameters
 from tools.lips.spoken import UNKNOWN
 
-HIDDEN = (256, 128)
-BATCH = 1024
+HIDDEN, UNITS = 160, (192, 128)
+STREAMS, PIECE = 64, 64
+"""How many streams a step learns from, and how many frames of each."""
+FORGETS = 0.05
+"""Share of the streams that begin a piece as if nothing had been before."""
 SMOOTHING = 0.04
 """Share of a label that is given to all visemes."""
+ONSET_FRAMES, ONSET_COUNTS = 5, 2.5
+"""The first frames of speech, by which a mouth opens, and how much more they count."""
+STEEPEST = 1.0
+"""The longest gradient that is taken as it is."""
 
 
 class Frames:
-    """All frames of the recordings. places: of those that have a label; labels: of these."""
+    """All frames of the recordings, and of each the viseme that it is asked for and how much that counts."""
 
-    def __init__(self, path: Path) -> None:
-        with np.load(path) as stored:
-            self.frames, self.floors, labels, ends = (stored[n] for n in ("frames", "floors", "labels", "ends"))
-        usable = labels != UNKNOWN
-        for end in [0, *ends.tolist()]:
-            usable[end : end + HISTORY - 1 - AHEAD] = False
-            usable[max(0, end - AHEAD) : end] = False
-        self.places = np.flatnonzero(usable)
-        self.labels = labels[self.places].astype(int)
+    def __init__(self, paths: Sequence[Path]) -> None:
+        parts = [dict(np.load(path)) for path in paths]
+        self.frames, labels = (np.concatenate([part[name] for part in parts]) for name in ("frames", "labels"))
+        starts = np.cumsum([0, *(len(part["labels"]) for part in parts)])
+        self.ends = np.concatenate([part["ends"] + start for part, start in zip(parts, starts, strict=False)])
+        shifted = np.roll(labels, AHEAD).astype(int)
+        for start in (0, *self.ends[:-1].tolist()):
+            shifted[start : start + AHEAD + STACK] = UNKNOWN
+        self.labels = shifted
+        self.counts = _importance(shifted)
 
-    def inputs(self, places: np.ndarray) -> np.ndarray:
-        """What the network is given at these frames."""
-        values = np.empty((len(places), INPUTS), np.float32)
-        for index, offset in enumerate(OFFSETS):
-            values[:, index * FRAME_INPUTS : (index + 1) * FRAME_INPUTS] = self.frames[places + offset]
-        values[:, len(OFFSETS) * FRAME_INPUTS :] = self.floors[places + AHEAD]
-        return values
+    def pieces(self, rng: np.random.Generator) -> Iterator[Piece]:
+        """Pieces of all recordings in a random order, as many streams side by side, each going on where it was."""
+        bounds = list(zip([0, *self.ends[:-1].tolist()], self.ends.tolist(), strict=True))
+        order = np.concatenate([np.arange(*bounds[place]) for place in rng.permutation(len(bounds))])
+        length = len(order) // STREAMS
+        streams = order[: length * STREAMS].reshape(STREAMS, length).T
+        for start in range(STACK - 1, length - PIECE + 1, PIECE):
+            seen = self.frames[streams[start - STACK + 1 : start + PIECE]].astype(np.float32)
+            inputs = np.concatenate([seen[place : place + PIECE] for place in range(STACK)], axis=2)
+            here = streams[start : start + PIECE]
+            goals = np.full((*here.shape, len(VISEMES)), SMOOTHING / len(VISEMES), np.float32)
+            np.put_along_axis(goals, np.maximum(self.labels[here], 0)[..., None], 1 - SMOOTHING, axis=2)
+            yield Piece(inputs, goals, self.counts[here])
+
+
+def _importance(labels: np.ndarray) -> np.ndarray:
+    """How much each frame counts: rare visemes more, the begin of speech more, what nobody knows not at all."""
+    known = labels != UNKNOWN
+    shares = np.bincount(labels[known], minlength=len(VISEMES)) / max(1, known.sum())
+    counts = np.clip((1 / len(VISEMES) / np.maximum(shares, 1e-4)) ** 0.5, 0.5, 3.0)[np.maximum(labels, 0)]
+    begins = np.flatnonzero((labels[1:] > SIL) & (labels[:-1] == SIL)) + 1
+    for frame in range(ONSET_FRAMES):
+        counts[np.minimum(begins + frame, len(labels) - 1)] *= ONSET_COUNTS
+    return np.where(known, counts, 0.0).astype(np.float32)
 
 
 def make_frames(path: Path, count: int, festival: int, seed: int) -> None:
@@ -62,23 +89,26 @@ def make_frames(path: Path, count: int, festival: int, seed: int) -> None:
         if index % 50 == 0:
             print(index, sum(len(each.labels) for each in made), flush=True)
     ends = np.cumsum([len(each.labels) for each in made])
-    stacked = {name: np.concatenate([getattr(each, name) for each in made]) for name in ("frames", "floors", "labels")}
-    np.savez(path, ends=ends, **stacked)  # type: ignore[arg-type]
+    np.savez(path, ends=ends, frames=np.concatenate([each.frames for each in made]),
+             labels=np.concatenate([each.labels for each in made]))  # fmt: skip
 
 
 class Adam:
     """Steps of Adam with a falling rate and a little decay of weights; changes the values that it is given."""
 
-    def __init__(self, values: list[np.ndarray], steps: int) -> None:
-        self._values, self._steps, self._step = values, steps, 0
+    def __init__(self, values: list[np.ndarray], steps: int, rate: float) -> None:
+        self._values, self._steps, self._rate, self._step = values, steps, rate, 0
         self._means, self._squares = ([np.zeros_like(each) for each in values] for _ in range(2))
 
     def take(self, gradients: list[np.ndarray]) -> None:
         """One step against these gradients."""
         self._step += 1
         step = self._step
-        rate = 2e-3 * min(1.0, step / 200) * (0.5 + 0.5 * np.cos(np.pi * step / self._steps)) + 1e-5
-        for value, gradient, mean, square in zip(self._values, gradients, self._means, self._squares, strict=True):
+        rate = self._rate * min(1.0, step / 200) * (0.5 + 0.5 * np.cos(np.pi * min(1.0, step / self._steps))) + 1e-5
+        length = float(np.sqrt(sum(float(np.sum(each**2)) for each in gradients)))
+        shrink = np.float32(min(1.0, STEEPEST / max(length, 1e-9)))
+        for value, found, mean, square in zip(self._values, gradients, self._means, self._squares, strict=True):
+            gradient = found * shrink
             mean += 0.1 * (gradient - mean)
             square += 0.001 * (gradient**2 - square)
             way = (mean / (1 - 0.9**step)) / (np.sqrt(square / (1 - 0.999**step)) + 1e-8)
@@ -86,80 +116,72 @@ class Adam:
             value *= 1.0 - 1e-2 * rate
 
 
-def train(frames: Frames, epochs: int, seed: int, out: Path) -> None:
-    """Trains, and writes the network after each epoch."""
+def train(frames: Frames, epochs: int, seed: int, out: Path, network: VisemeNetwork | None, rate: float) -> None:
+    """Trains, and writes the network after each epoch. network: where it begins, at random without one."""
     rng = np.random.default_rng(seed)
-    network = _begin(rng)
-    adam = Adam([*network.weights, *network.biases], epochs * (len(frames.places) // BATCH))
-    shares = np.bincount(frames.labels, minlength=len(VISEMES)) / len(frames.labels)
-    importance = np.clip((1 / len(VISEMES) / np.maximum(shares, 1e-4)) ** 0.5, 0.5, 3.0).astype(np.float32)
+    network = network or begin_network(rng)
+    adam = Adam(parameters(network), epochs * (len(frames.labels) // STREAMS // PIECE), rate)
     for epoch in range(epochs):
-        order = rng.permutation(len(frames.places))
+        state = tuple(np.zeros((STREAMS, layer.units), np.float32) for layer in network.gated)
         began, told = time.process_time(), []
-        for start in range(0, len(order) - BATCH + 1, BATCH):
-            chosen = order[start : start + BATCH]
-            inputs = frames.inputs(frames.places[chosen])
-            gradients, loss, right = _gradients(network, inputs, frames.labels[chosen], importance, rng)
+        for piece in frames.pieces(rng):
+            forget = (rng.random((STREAMS, 1)) >= FORGETS).astype(np.float32)
+            gradients, loss, scores, state = find_gradients(network, piece, tuple(s * forget for s in state), rng)
             adam.take(gradients)
-            told.append((loss, right))
+            right = (np.argmax(scores, axis=2) == np.argmax(piece.goals, axis=2))[piece.counts > 0]
+            told.append((loss, np.mean(right)))
         loss, right = np.mean(told, axis=0)
         print(f"epoch {epoch}: loss {loss:.4f}, right {right:.4f}, {time.process_time() - began:.0f} s", flush=True)
         write_network(network, out)
 
 
+def begin_network(rng: np.random.Generator) -> VisemeNetwork:
+    """A network that knows nothing."""
+
+    def draw(rows: int, columns: int, scale: float) -> np.ndarray:
+        return rng.normal(0, scale / np.sqrt(rows), (rows, columns)).astype(np.float32)
+
+    gated, before = [], HIDDEN
+    for units in UNITS:
+        back = np.concatenate([np.linalg.qr(rng.normal(size=(units, units)))[0] for _ in range(3)], axis=1)
+        biases = (np.zeros(3 * units, np.float32) for _ in range(2))
+        weight, bias = draw(before, 3 * units, 1.0), next(biases)
+        bias[units : 2 * units] = 1.0  # it begins by remembering
+        gated.append(Gated(weight, bias, back.astype(np.float32), next(biases)))
+        before = units
+    first = Dense(draw(INPUTS, HIDDEN, np.sqrt(2)), np.zeros(HIDDEN, np.float32))
+    return VisemeNetwork(
+        first, tuple(gated), Dense(draw(before, len(VISEMES), 1.0), np.zeros(len(VISEMES), np.float32))
+    )
+
+
 def write_network(network: VisemeNetwork, path: Path) -> None:
     """Writes the weights in 16 bits."""
-    stored = {f"weight_{i}": each.astype(np.float16) for i, each in enumerate(network.weights)}
-    stored |= {f"bias_{i}": each.astype(np.float16) for i, each in enumerate(network.biases)}
-    np.savez_compressed(path, **stored)  # type: ignore[arg-type]
-
-
-def _begin(rng: np.random.Generator) -> VisemeNetwork:
-    sizes = [INPUTS, *HIDDEN, len(VISEMES)]
-    weights = [rng.normal(0, np.sqrt(2 / a), (a, b)).astype(np.float32) for a, b in pairwise(sizes)]
-    return VisemeNetwork(tuple(weights), tuple(np.zeros(size, np.float32) for size in sizes[1:]))
-
-
-def _gradients(
-    network: VisemeNetwork, inputs: np.ndarray, labels: np.ndarray, importance: np.ndarray, rng: np.random.Generator
-) -> tuple[list[np.ndarray], float, float]:
-    """Gradients of the cross entropy for weights and biases, its mean, and the share of frames that are right."""
-    kept = [inputs]
-    for weight, bias in zip(network.weights[:-1], network.biases[:-1], strict=True):
-        values = np.maximum(kept[-1] @ weight + bias, 0.0)
-        values *= (rng.random(values.shape, dtype=np.float32) > 0.1) * np.float32(1 / 0.9)
-        kept.append(values)
-    scores = kept[-1] @ network.weights[-1] + network.biases[-1]
-    scores -= np.max(scores, axis=1, keepdims=True)
-    logarithms = scores - np.log(np.sum(np.exp(scores), axis=1, keepdims=True))
-    goal = np.full_like(scores, SMOOTHING / len(VISEMES))
-    goal[np.arange(len(labels)), labels] += 1 - SMOOTHING
-    counted = importance[labels][:, None] / len(labels)
-    error = (np.exp(logarithms) - goal) * counted
-    weights, biases = [], []
-    for layer in range(len(network.weights) - 1, -1, -1):
-        weights.append(kept[layer].T @ error)
-        biases.append(np.sum(error, axis=0))
-        if layer:
-            error = (error @ network.weights[layer].T) * (kept[layer] > 0)
-    right = float(np.mean(np.argmax(scores, axis=1) == labels))
-    return [*weights[::-1], *biases[::-1]], float(-np.sum(goal * logarithms * counted)), right
+    stored: dict[str, np.ndarray] = {}
+    for name, layer in (("first", network.first), ("last", network.last)):
+        stored |= {f"{name}_weight": layer.weight, f"{name}_bias": layer.bias}
+    for place, gated in enumerate(network.gated):
+        stored |= {f"gated_{place}_{n}": getattr(gated, n) for n in ("weight", "bias", "back", "back_bias")}
+    np.savez_compressed(path, **{name: each.astype(np.float16) for name, each in stored.items()})  # type: ignore[arg-type]
 
 
 def main() -> None:
     """Makes the recordings, unless they are there, and trains."""
     parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("--frames", type=Path, default=Path("build/lips/frames.npz"))
+    parser.add_argument("--frames", type=Path, nargs="+", default=[Path("build/lips/frames.npz")])
     parser.add_argument("--out", type=Path, default=WEIGHTS_FILE)
-    parser.add_argument("--recordings", type=int, default=700)
-    parser.add_argument("--festival", type=int, default=10)
-    parser.add_argument("--epochs", type=int, default=12)
+    parser.add_argument("--begin", type=Path, default=None, help="a network to go on from")
+    parser.add_argument("--recordings", type=int, default=440)
+    parser.add_argument("--festival", type=int, default=12)
+    parser.add_argument("--epochs", type=int, default=10)
+    parser.add_argument("--rate", type=float, default=3e-3)
     parser.add_argument("--seed", type=int, default=12)
     options = parser.parse_args()
-    if not options.frames.exists():
-        options.frames.parent.mkdir(parents=True, exist_ok=True)
-        make_frames(options.frames, options.recordings, options.festival, options.seed)
-    train(Frames(options.frames), options.epochs, options.seed, options.out)
+    if not options.frames[0].exists():
+        options.frames[0].parent.mkdir(parents=True, exist_ok=True)
+        make_frames(options.frames[0], options.recordings, options.festival, options.seed)
+    begin = load_network(options.begin) if options.begin else None
+    train(Frames(options.frames), options.epochs, options.seed, options.out, begin, options.rate)
 
 
 if __name__ == "__main__":

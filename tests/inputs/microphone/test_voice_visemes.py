@@ -3,10 +3,10 @@
 import numpy as np
 import pytest
 
-from omote.inputs.microphone.sound_features import FRAME_SECONDS
-from omote.inputs.microphone.viseme_network import load_network
+from omote.inputs.microphone.sound_features import FRAME_SECONDS, SAMPLE_RATE
+from omote.inputs.microphone.viseme_network import Dense, VisemeNetwork, load_network
 from omote.inputs.microphone.voice_visemes import DELAY_SECONDS, LONGEST_SENTENCE, VoiceVisemes
-from omote.perform.speech.visemes import VISEMES
+from omote.perform.speech.visemes import PP, VISEMES
 from tests.inputs.microphone.test_speaker_profile import sentence
 from tests.inputs.microphone.voices import AA, UU, Sound, pause, vowel
 
@@ -83,3 +83,38 @@ def test_a_sentence_that_never_ends_is_cut() -> None:
 def test_nothing_heard_is_nothing() -> None:
     assert VoiceVisemes(load_network()).push(np.zeros(0, np.float32)) == []
     assert len(VISEMES) == 15
+
+
+def sure_of(viseme: str, share: float) -> VisemeNetwork:
+    """A network that says the same of every frame."""
+    shares = np.full(len(VISEMES), (1.0 - share) / (len(VISEMES) - 1))
+    shares[VISEMES.index(viseme)] = share
+    network = load_network()
+    bias = np.log(shares).astype(np.float32)
+    return VisemeNetwork(network.first, network.gated, Dense(np.zeros_like(network.last.weight), bias))
+
+
+def closes(network: VisemeNetwork, noise: float) -> float:
+    """The weight of bilabials at the end of a sentence in noise (dB below full scale)."""
+    sound = np.concatenate([np.zeros(SAMPLE_RATE, np.float32), sentence()])
+    hiss = np.random.default_rng(3).normal(0.0, 10.0 ** (noise / 20.0), len(sound)).astype(np.float32)
+    return VoiceVisemes(network).push(sound + hiss)[-1].weights[PP]
+
+
+def test_a_bilabial_counts_more_in_speech_and_most_in_noise() -> None:
+    quiet, noisy = (closes(sure_of("aa", 0.7), noise) for noise in (-80.0, -25.0))
+    assert 1.5 * 0.3 / 14 < quiet < noisy
+
+
+def test_after_silence_a_bilabial_counts_as_the_network_says() -> None:
+    """Lips are shut there as it is, and what holds them shut parts them late."""
+    frames = VoiceVisemes(sure_of("sil", 0.99)).push(pause(1.0))
+    weights = np.array([frame.weights for frame in frames])
+    assert weights[-1, PP] == pytest.approx(weights[-1, PP + 1], rel=0.05)
+
+
+def test_the_gate_opens_before_the_decision() -> None:
+    """By the frames that a decision waits for: lips that part late are seen."""
+    frames = VoiceVisemes(load_network()).push(np.concatenate([pause(1.0), vowel(0.4)]))
+    opened = next(place for place, frame in enumerate(frames) if frame.gate > 0.9)
+    assert opened * FRAME_SECONDS - 1.0 < DELAY_SECONDS - 0.01

@@ -43,12 +43,12 @@ export class CameraPage extends CameraElement {
 
   override render() {
     const { session, count } = this;
-    const guided = session.trouble === null && session.model.kind === "ready" && session.status?.guide;
-    const offered = session.status?.unused;
+    const awaited = session.trouble === null && session.status?.guide; // the picture keeps its size when loading ends
+    const [guided, offered] = [session.model.kind === "ready" && awaited, session.status?.unused];
     return html`${this.#header()}
       <main>
         <div class="left">
-          <figure class=${guided || offered ? "guided" : ""}>${session.video}<canvas aria-hidden="true"></canvas>${this.#cover()}</figure>
+          <figure class=${awaited || offered ? "guided" : ""}>${session.video}<canvas aria-hidden="true"></canvas>${this.#cover()}</figure>
           <omote-guide ?hidden=${!guided && !offered} .session=${session} .count=${count}></omote-guide>
           ${this.#health()}
         </div>

@@ -63,10 +63,6 @@ export class GuideView extends CameraElement {
         gap: 6px;
         align-items: center;
       }
-      .buttons progress {
-        flex: 1 1 120px;
-        width: auto;
-      }
     `,
   ];
 
@@ -88,7 +84,6 @@ export class GuideView extends CameraElement {
         only
           ? nothing
           : html`<div class="buttons">
-        <progress max=${guide.of} .value=${guide.done.length} aria-label="The whole minute"></progress>
         <button ?disabled=${last === undefined} @click=${() => last && this.session.send({ type: "redo_step", step: last })}>The last one again</button>
         <button title="The faces made so far are kept" @click=${() => this.session.send({ type: "cancel_guide" })}>Stop (Esc)</button>
       </div>`

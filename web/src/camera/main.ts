@@ -3,11 +3,9 @@
 import { showAccess } from "../access/access_banner";
 import { missingRole, readAccess } from "../access/page_access";
 import { CameraPage } from "./camera_page";
+import { guestName } from "./guest_name";
 import warmUpFace from "./landmarks/warm_up_face.jpg?no-inline";
 import { CameraSession } from "./session/camera_session";
-
-/** A name that two browsers seldom share, until the performer types one. */
-const fallbackName = `Performer ${100 + Math.floor(900 * Math.random())}`;
 
 async function start(): Promise<void> {
   const worker = new Worker(new URL("./landmarks/landmark_worker.ts", import.meta.url), { name: "landmarks" });
@@ -22,7 +20,7 @@ async function start(): Promise<void> {
   document.body.append(page);
   void readAccess().then((access) => showAccess(missingRole(access, "operate", "playing by a camera")));
   const face = await (await fetch(warmUpFace)).blob();
-  await page.session.start(await createImageBitmap(face), fallbackName);
+  await page.session.start(await createImageBitmap(face), guestName(Math.random));
 }
 
 void start();

@@ -213,13 +213,12 @@ def _wait(microphone: Microphone, sound: Sound, now: float) -> None:
 def _go_on(microphone: Microphone, now: float) -> None:
     """Reads what has come; the mouth goes to rest where nothing comes."""
     if microphone.waiting:
-        microphone.rested = now
-    while microphone.waiting:
-        packet = microphone.waiting.popleft()
-        frames = microphone.voice.push(read_pcm(packet.samples))
+        packets = list(microphone.waiting)
+        microphone.waiting.clear()
+        frames = microphone.voice.push(read_pcm(b"".join(packet.samples for packet in packets)))
         microphone.mouth.follow(frames)
         microphone.newest = frames[-1] if frames else microphone.newest
-        microphone.sent = packet.sent
+        microphone.rested, microphone.sent = now, packets[-1].sent
     if now - microphone.heard > PAUSE_SECONDS:
         microphone.mouth.rest(max(0.0, now - microphone.rested))
         microphone.rested, microphone.newest = now, None

@@ -59,6 +59,11 @@ def read_pcm(data: bytes) -> FloatArray:
     return samples
 
 
+def band_hertz() -> NDArray[np.float64]:
+    """The middle of each band, Hz."""
+    return _edges()[1:-1]
+
+
 def _measure(frames: FloatArray) -> SoundFeatures:
     """The features of windowed frames."""
     power = np.abs(np.fft.rfft(frames, TRANSFORM)) ** 2
@@ -76,13 +81,19 @@ def _decibels(power: NDArray[np.floating]) -> FloatArray:
 
 def _triangles() -> FloatArray:
     """What each frequency adds to each band: mean power of the band, of a full-scale sine 0 dB in sum."""
-    lowest, highest = (2595.0 * np.log10(1.0 + hertz / 700.0) for hertz in (LOWEST_HERTZ, HIGHEST_HERTZ))
-    edges = 700.0 * (10.0 ** (np.linspace(lowest, highest, BANDS + 2) / 2595.0) - 1.0)
+    edges = _edges()
     hertz = np.fft.rfftfreq(TRANSFORM, 1.0 / SAMPLE_RATE)[:, None]
     rising = (hertz - edges[:-2]) / (edges[1:-1] - edges[:-2])
     falling = (edges[2:] - hertz) / (edges[2:] - edges[1:-1])
     bands: FloatArray = (np.maximum(0.0, np.minimum(rising, falling)) * 2.0 / (TRANSFORM * _HANN_POWER)).astype("f4")
     return bands
+
+
+def _edges() -> NDArray[np.float64]:
+    """Where the bands begin, culminate and end, Hz."""
+    lowest, highest = (2595.0 * np.log10(1.0 + hertz / 700.0) for hertz in (LOWEST_HERTZ, HIGHEST_HERTZ))
+    edges: NDArray[np.float64] = 700.0 * (10.0 ** (np.linspace(lowest, highest, BANDS + 2) / 2595.0) - 1.0)
+    return edges
 
 
 _HANN = np.hanning(WINDOW).astype(np.float32)

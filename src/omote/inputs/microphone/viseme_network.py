@@ -1,4 +1,5 @@
-"""The network that reads visemes from frames of sound: three layers, trained by `tools/lips`."""
+"""The network that reads visemes from frames of sound, trained by `tools/lips`: a dense layer, two layers of gated
+recurrent units, and the shares of the visemes."""
 
 from __future__ import annotations
 
@@ -12,66 +13,122 @@ from omote.inputs.microphone.sound_features import BANDS, FloatArray, SoundFeatu
 from omote.inputs.microphone.speaker_profile import SpeakerState
 from omote.perform.speech.visemes import VISEMES
 
-OFFSETS = (-18, -15, -12, -10, -8, -6, -5, -4, -3, -2, -1, 0, 1, 2)
-"""The frames that one decision looks at; those after it are what a decision waits for."""
-AHEAD = OFFSETS[-1]
-HISTORY = -OFFSETS[0] + AHEAD + 1
-"""Frames that are kept for a decision."""
-FRAME_INPUTS = BANDS + 3
-INPUTS = len(OFFSETS) * FRAME_INPUTS + BANDS
+AHEAD = 2
+"""Frames after its own that a decision waits for."""
+STACK = 4
+"""Newest frames that the first layer sees at once."""
+FRAME_INPUTS = 2 * BANDS + 3
+INPUTS = STACK * FRAME_INPUTS
 WEIGHTS_FILE = Path(__file__).with_name("viseme_network.npz")
+
+_HALF = np.float32(0.5)
+
+State = tuple[FloatArray, ...]
+"""What the recurrent layers remember, one array of units each."""
+
+
+@dataclass(frozen=True, eq=False)
+class Dense:
+    """A layer: weight (inputs, units), bias (units,)."""
+
+    weight: FloatArray
+    bias: FloatArray
+
+
+@dataclass(frozen=True, eq=False)
+class Gated:
+    """A layer of gated recurrent units (Cho et al. 2014), the reset after the product as in cuDNN.
+
+    weight (inputs, 3 units), bias: of reset, update and new value; back (units, 3 units), back_bias: of its own values.
+    """
+
+    weight: FloatArray
+    bias: FloatArray
+    back: FloatArray
+    back_bias: FloatArray
+
+    @property
+    def units(self) -> int:
+        """How many numbers it remembers."""
+        return len(self.back)
+
+    def step(self, given: FloatArray, before: FloatArray) -> FloatArray:
+        """Its values after one frame. given: of the frame, `inputs @ weight + bias`."""
+        units, own = self.units, before @ self.back + self.back_bias
+        gates: FloatArray = _HALF + _HALF * np.tanh(_HALF * (given[: 2 * units] + own[: 2 * units]))
+        new = np.tanh(given[2 * units :] + gates[:units] * own[2 * units :])
+        values: FloatArray = new + gates[units:] * (before - new)
+        return values
 
 
 @dataclass(frozen=True, eq=False)
 class VisemeNetwork:
-    """Weights and biases of the layers, of which all but the last are rectified."""
+    """The layers, from INPUTS to the visemes; the first is rectified."""
 
-    weights: tuple[FloatArray, ...]
-    biases: tuple[FloatArray, ...]
+    first: Dense
+    gated: tuple[Gated, ...]
+    last: Dense
 
     def __post_init__(self) -> None:
         """Rejects layers that do not fit each other; ValueError with their shapes."""
-        sizes = [INPUTS, *(len(bias) for bias in self.biases)]
-        shapes = [weight.shape for weight in self.weights]
-        if shapes != list(pairwise(sizes)) or sizes[-1] != len(VISEMES):
-            raise ValueError(f"the layers are {shapes}; they lead from {INPUTS} inputs to {len(VISEMES)} visemes")
+        sizes = [INPUTS, len(self.first.bias), *(layer.units for layer in self.gated), len(VISEMES)]
+        layers: list[Dense | Gated] = [self.first, *self.gated, self.last]
+        shapes = [(*layer.weight.shape, *layer.bias.shape) for layer in layers]
+        wides = [sizes[1], *(3 * layer.units for layer in self.gated), len(VISEMES)]
+        backs = [(*layer.back.shape, *layer.back_bias.shape) for layer in self.gated]
+        expected = [(before, wide, wide) for (before, _), wide in zip(pairwise(sizes), wides, strict=True)]
+        if shapes != expected or backs != [(n.units, 3 * n.units, 3 * n.units) for n in self.gated]:
+            raise ValueError(
+                f"the layers are {shapes}, {backs}; they lead from {INPUTS} inputs to {len(VISEMES)} visemes"
+            )
 
-    def run(self, inputs: FloatArray) -> FloatArray:
-        """The probabilities of the visemes, (frames, 15), for inputs (frames, INPUTS)."""
-        values = inputs
-        for weight, bias in zip(self.weights[:-1], self.biases[:-1], strict=True):
-            values = np.maximum(values @ weight + bias, 0.0)
-        scores = values @ self.weights[-1] + self.biases[-1]
+    def begin(self) -> State:
+        """What is remembered before any sound."""
+        return tuple(np.zeros(layer.units, np.float32) for layer in self.gated)
+
+    def run(self, inputs: FloatArray, state: State) -> tuple[FloatArray, State]:
+        """The probabilities of the visemes, (frames, 15), for inputs (frames, INPUTS), and what is remembered then."""
+        values, kept = np.maximum(inputs @ self.first.weight + self.first.bias, 0.0), []
+        for layer, before in zip(self.gated, state, strict=True):
+            given, values = values @ layer.weight + layer.bias, np.empty((len(inputs), layer.units), np.float32)
+            for index, each in enumerate(given):
+                before = values[index] = layer.step(each, before)
+            kept.append(before)
+        scores = values @ self.last.weight + self.last.bias
         powers = np.exp(scores - np.max(scores, axis=1, keepdims=True))
-        shares: FloatArray = powers / np.sum(powers, axis=1, keepdims=True)
-        return shares
+        return powers / np.sum(powers, axis=1, keepdims=True), tuple(kept)
 
 
-def frame_inputs(sound: SoundFeatures, speaker: SpeakerState) -> tuple[FloatArray, FloatArray]:
-    """What the network is given of each frame, (frames, FRAME_INPUTS), and of the noise then, (frames, BANDS).
+def frame_inputs(sound: SoundFeatures, speaker: SpeakerState) -> FloatArray:
+    """What the network is given of each frame, (frames, FRAME_INPUTS): sound and noise in bands, levels, voicing.
 
     All of it is relative to the speaker, who is followed frame by frame: neither gain nor a microphone's tone counts.
     """
-    frames, floors = np.empty((len(sound), FRAME_INPUTS), np.float32), np.empty((len(sound), BANDS), np.float32)
+    frames = np.empty((len(sound), FRAME_INPUTS), np.float32)
     for index, (bands, level, voicing) in enumerate(zip(sound.bands, sound.level.tolist(), sound.voicing, strict=True)):
         floor = speaker.follow(bands, level)
         frames[index, :BANDS] = bands - speaker.bands
-        frames[index, BANDS:] = level - speaker.level, level - speaker.floor_level, 10.0 * voicing
-        floors[index] = floor - speaker.bands
-    return np.clip(frames * 0.1, -5.0, 4.0), np.clip(floors * 0.1, -5.0, 2.0)
+        frames[index, BANDS:-BANDS] = level - speaker.level, level - speaker.floor_level, 10.0 * voicing
+        frames[index, -BANDS:] = floor - speaker.bands
+    inputs: FloatArray = np.clip(frames * 0.1, -5.0, 4.0)
+    return inputs
 
 
-def stack_frames(frames: FloatArray, floors: FloatArray) -> FloatArray:
-    """The inputs of a decision for each frame but the first HISTORY - 1; `floors` of the newest."""
-    count = max(0, len(frames) - HISTORY + 1)
-    first = HISTORY - 1 - AHEAD
-    parts = [frames[first + offset : first + offset + count] for offset in OFFSETS]
-    return np.concatenate([*parts, floors[HISTORY - 1 : HISTORY - 1 + count]], axis=1)
+def stack_frames(frames: FloatArray) -> FloatArray:
+    """The inputs of each frame but the first STACK - 1."""
+    count = max(0, len(frames) - STACK + 1)
+    return np.concatenate([frames[place : place + count] for place in range(STACK)], axis=1)
 
 
 def load_network(path: Path = WEIGHTS_FILE) -> VisemeNetwork:
     """The trained network; ValueError where the file holds another one."""
     with np.load(path, allow_pickle=False) as stored:
-        layers = len(stored.files) // 2
-        weights = tuple(stored[f"weight_{layer}"].astype(np.float32) for layer in range(layers))
-        return VisemeNetwork(weights, tuple(stored[f"bias_{layer}"].astype(np.float32) for layer in range(layers)))
+        kept = {name: stored[name].astype(np.float32) for name in stored.files}
+    try:
+        dense = [Dense(kept[f"{name}_weight"], kept[f"{name}_bias"]) for name in ("first", "last")]
+        names = ("weight", "bias", "back", "back_bias")
+        count = sum(name.endswith("_back") for name in kept)
+        gated = tuple(Gated(*(kept[f"gated_{place}_{name}"] for name in names)) for place in range(count))
+    except KeyError as error:
+        raise ValueError(f"{path} holds no network of visemes: {error} is missing") from error
+    return VisemeNetwork(dense[0], gated, dense[1])

@@ -18,20 +18,28 @@ from omote.inputs.microphone.viseme_frame import VisemeFrame
 from omote.inputs.microphone.viseme_network import (
     AHEAD,
     FRAME_INPUTS,
-    HISTORY,
+    STACK,
     VisemeNetwork,
     frame_inputs,
     stack_frames,
 )
-from omote.perform.speech.visemes import PP
+from omote.perform.speech.visemes import PP, SIL
 
 DELAY_SECONDS = AHEAD * FRAME_SECONDS + 0.5 * WINDOW / SAMPLE_RATE
 """How far a decision is behind the sound: the frames that it waits for, and half a window."""
-MARGIN, CERTAIN = 4.0, 9.0
-"""dB above the noise at which sound begins to count as speech, and does in full."""
-LIPS_SHUT = 2.5
+MARGIN, CERTAIN = 2.0, 6.0
+"""dB above the noise at which sound begins to count as speech, and does in full; whether it is speech says the
+network."""
+LIPS_SHUT, LIPS_SHUT_IN_NOISE = 4.0, 6.0
 """How much more a bilabial counts than the network says: lips that miss a closure are seen, those that close too
-often are not."""
+often are not; in noise it is less sure of them."""
+NOISY, CLEAR = 12.0, 24.0
+"""dB of speech above the noise where it counts as noise in full, and not at all."""
+SPOKEN_SHARE = 0.12
+"""Share of the way that this goes from 0 in silence to its whole in speech, each frame: after silence lips are shut as
+it is, and parting late is what would be seen."""
+SILENT = 0.5
+"""How much silence counts beside what the network says: lips that part late are seen."""
 LONGEST_SENTENCE = 15.0
 """Seconds of a calibration that are kept."""
 
@@ -43,10 +51,9 @@ class VoiceVisemes:
         self._network = network
         self.profile = profile
         self._features, self._speaker = FeatureStream(), SpeakerState(profile)
-        self._frames = np.zeros((HISTORY - 1, FRAME_INPUTS), np.float32)
-        self._floors = np.zeros((HISTORY - 1, BANDS), np.float32)
-        self._levels = np.full(AHEAD, -200.0, np.float32)
-        self._heard = 0
+        self._frames, self._state = np.zeros((STACK - 1, FRAME_INPUTS), np.float32), network.begin()
+        self._levels = np.full(AHEAD, -200.0, np.float32)  # of the frames that a decision waits for
+        self._heard, self._spoken = 0, 0.0
         self._sentence: list[SoundFeatures] | None = None
         self.level = -100.0
 
@@ -68,14 +75,13 @@ class VoiceVisemes:
         self.level = float(sound.level[-1])
         if self._sentence is not None and sum(map(len, self._sentence)) * FRAME_SECONDS < LONGEST_SENTENCE:
             self._sentence.append(sound)
-        frames, floors = frame_inputs(sound, self._speaker)
-        self._frames = np.concatenate([self._frames, frames])
-        self._floors = np.concatenate([self._floors, floors])
-        shares = self._network.run(stack_frames(self._frames, self._floors))
-        self._frames, self._floors = self._frames[1 - HISTORY :], self._floors[1 - HISTORY :]
-        self._levels = np.concatenate([self._levels, sound.level])
-        decided, self._levels = self._levels[: len(sound)], self._levels[len(sound) :]
-        return [self._frame(share, level) for share, level in zip(shares, decided.tolist(), strict=True)]
+        self._frames = np.concatenate([self._frames, frame_inputs(sound, self._speaker)])
+        shares, self._state = self._network.run(stack_frames(self._frames), self._state)
+        self._frames = self._frames[1 - STACK :]
+        levels = np.concatenate([self._levels, sound.level])
+        self._levels = levels[-AHEAD:]
+        loudest = np.lib.stride_tricks.sliding_window_view(levels, AHEAD + 1).max(axis=1)
+        return [self._frame(*each) for each in zip(shares, levels.tolist(), loudest.tolist(), strict=False)]
 
     def start_sentence(self) -> None:
         """Measures the speaker from now on."""
@@ -91,11 +97,19 @@ class VoiceVisemes:
         self._speaker.floor, self._speaker.floor_level = floor, level
         return self.profile
 
-    def _frame(self, shares: FloatArray, level: float) -> VisemeFrame:
+    def _lips_shut(self) -> float:
+        """How much more a bilabial counts now."""
+        above = self._speaker.level - self._speaker.floor_level
+        return float(np.interp(above, (NOISY, CLEAR), (LIPS_SHUT_IN_NOISE, LIPS_SHUT)))
+
+    def _frame(self, shares: FloatArray, level: float, loudest: float) -> VisemeFrame:
+        """A decision. loudest: of its frame and those that it waited for: the gate may open before the lips do."""
         self._heard += 1
-        opened = (level - self._speaker.floor_level - MARGIN) / (CERTAIN - MARGIN)
+        opened = (loudest - self._speaker.floor_level - MARGIN) / (CERTAIN - MARGIN)
         weights = shares.astype(float)
-        weights[PP] *= LIPS_SHUT
+        weights[PP] *= 1.0 + (self._lips_shut() - 1.0) * self._spoken
+        self._spoken += SPOKEN_SHARE * (1.0 - float(shares[SIL]) - self._spoken)
+        weights[SIL] *= SILENT
         weights /= weights.sum()
         return VisemeFrame(self._heard * FRAME_SECONDS, tuple(weights.tolist()), level, min(max(opened, 0.0), 1.0))
 

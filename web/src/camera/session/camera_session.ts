@@ -29,6 +29,8 @@ export class CameraSession {
   notice = "";
   readonly video = document.createElement("video");
   #endPictures: () => void = () => undefined;
+  /** Whether this page has stopped a guided minute without a face, of which the show still tells. */
+  #stopped = false;
   #noticed = 0;
   readonly #rate = new Rate();
   readonly #client: LandmarkClient;
@@ -102,6 +104,8 @@ export class CameraSession {
   /** Sends a wish to the show. */
   send(message: FromCamera): void {
     if (message.type === "rename_performer") this.#link.rename(message.name);
+    if (message.type === "begin_guide") this.notice = "";
+    this.#stopped = message.type === "cancel_guide" && this.status?.guide?.done.length === 0;
     if (!this.#link.send(message)) this.#note("The show does not hear this page now; try again when it does.");
   }
 
@@ -146,7 +150,9 @@ export class CameraSession {
   #follow(status: CameraStatus): void {
     if (status.performer !== this.name) this.storage.setItem(NAME_KEY, status.performer);
     this.#link.rename(status.performer);
-    this.#set({ status, displaced: false });
+    const ended = this.#stopped && (status.guide?.of ?? 0) < 2;
+    if (ended) this.#stopped = false;
+    this.#set({ status, displaced: false, ...(ended && !status.unused ? { notice: STOPPED } : {}) });
   }
 
   #note(notice: string): void {
@@ -159,6 +165,7 @@ export class CameraSession {
   }
 }
 
+const STOPPED = "The guided minute is stopped: no face was made, so nothing is kept and nothing has changed.";
 const NAME_KEY = "omote.performer";
 const DEVICE_KEY = "omote.camera";
 const HEALTH_MS = 400;

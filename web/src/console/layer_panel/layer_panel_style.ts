@@ -205,6 +205,17 @@ export const style = css`
       -webkit-line-clamp: 1;
     }
   }
+  @media (min-width: 1100px) and (max-width: 1300px) and (min-height: 721px) {
+    :host {
+      grid-template-columns: minmax(0, 1fr) 118px 336px;
+    }
+    .strip {
+      grid-template-rows: auto 30px minmax(84px, 1fr) auto;
+    }
+    .feed {
+      -webkit-line-clamp: 2;
+    }
+  }
   @media (min-width: 900px) and (max-width: 1300px) and (max-height: 600px) {
     .strip {
       grid-template-rows: auto minmax(84px, 1fr) auto;

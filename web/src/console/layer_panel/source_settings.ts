@@ -101,6 +101,17 @@ export class SourceSettings extends ConsoleElement {
       .row button {
         padding: 0 7px;
       }
+      /* as wide as a tablet held upright, and as low as its mixer: whom it plays beside how calmly */
+      @media (min-width: 600px) and (max-width: 999px) {
+        :host([open]) {
+          grid-template-columns: auto minmax(0, 1fr);
+        }
+        .head,
+        .parts,
+        details {
+          grid-column: 1 / -1;
+        }
+      }
       @media (pointer: coarse) {
         .row button,
         .parts button,
@@ -129,8 +140,9 @@ export class SourceSettings extends ConsoleElement {
 
   #settings() {
     const { source } = this;
-    return html`${this.#route()} ${this.#parts()}
+    return html`${this.#route()}
       <omote-source-tuning .context=${this.context} .source=${source}></omote-source-tuning>
+      ${this.#parts()}
       <details><summary>Mirror, gain, lids, curve, layer</summary>
         <div class="row"><button data-mirror aria-pressed=${source.mirror} title="Left and right are swapped"
           @click=${() => this.#commands.tune(source, { mirror: !source.mirror })}>Mirror</button></div>
