@@ -4,7 +4,7 @@ Each person holds still, does the guided minute, a piece of a real take (a synth
 a head that turns to 30 degrees, random mixtures, a still, and blinks. Explained: the share of the skin's squared motion
 that is gone when what was tracked is taken off. Native landmarks: see tools/tracking/landmark_finder.py.
 
-python -m benchmarks.tracking [--people 8] [--frames 150] [--seed 9000] [--folder FOLDER]
+python -m benchmarks.tracking [--people 8] [--frames 150] [--seed 9000] [--folder FOLDER] [--take CSV]
 """
 
 from __future__ import annotations
@@ -58,7 +58,7 @@ class Performer:
         return np.array([row for row in np.flatnonzero(self.scenes == scene) if self.frames[row].found], np.intp)
 
 
-def record(folder: Path, seed: int, number: int, frames: int, finder: Looks) -> Path:
+def record(folder: Path, seed: int, number: int, frames: int, finder: Looks, take: Path) -> Path:
     """Takes a person's film and finds its landmarks, into a file; one that is there already stays."""
     path = folder / f"{seed}-{number:03}.npz"
     if path.exists():
@@ -67,7 +67,7 @@ def record(folder: Path, seed: int, number: int, frames: int, finder: Looks) -> 
     person = random_person(draw, LEFT_OUT if number % 2 else HUMANS)
     photographer = Photographer(person, random_setting(draw))
     points, truth, scenes, last = [], [], [], ""
-    for scene, moment in film(draw, TAKE if TAKE.exists() else None, take_frames=frames):
+    for scene, moment in film(draw, take if take.exists() else None, take_frames=frames):
         picture = photographer.take(moment.weights, moment.gaze, moment.pose, draw)
         follows = scene == last and scene != "mixtures"
         found = finder.look(picture) if follows else find(finder, picture)
@@ -298,26 +298,32 @@ def report(name: str, performers: Sequence[Performer], tracked: Sequence[Values]
         print("head: yaw {:.2f}, pitch {:.2f}, roll {:.2f} degrees".format(*head_error(performers, tracked)))
 
 
-def main() -> None:
-    """Takes the films that are not there, and prints every way's figures."""
+def read_arguments() -> argparse.Namespace:
+    """What is asked for."""
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--people", type=int, default=2)
     parser.add_argument("--frames", type=int, default=90)
     parser.add_argument("--seed", type=int, default=9000)
     parser.add_argument("--folder", type=Path)
-    asked = parser.parse_args()
+    parser.add_argument("--take", type=Path, default=TAKE)
+    return parser.parse_args()
+
+
+def main() -> None:
+    """Takes the films that are not there, and prints every way's figures."""
+    asked = read_arguments()
     folder = asked.folder or Path(tempfile.mkdtemp())
     folder.mkdir(parents=True, exist_ok=True)
     paths = [folder / f"{asked.seed}-{number:03}.npz" for number in range(asked.people)]
     if not all(path.exists() for path in paths):
         finder = open_finder()
-        paths = [record(folder, asked.seed, number, asked.frames, finder) for number in range(asked.people)]
+        paths = [record(folder, asked.seed, number, asked.frames, finder, asked.take) for number in range(asked.people)]
         finder.close()
     performers = [load(path) for path in paths]
     frames = sum(len(one.frames) for one in performers)
     found = sum(frame.found for one in performers for frame in one.frames)
     print(f"{asked.people} people left out of the training, {frames} frames, a face found in {found}")
-    print(f"take: {TAKE.name if TAKE.exists() else 'a synthetic one: the data is absent'}")
+    print(f"take: {asked.take.name if asked.take.exists() else 'a synthetic one: the data is absent'}")
     linear = LinearWays()
     ways = {
         "bounded least squares on the units' landmarks": linear.least_squares, "the prototype's ridge": linear.ridge,
