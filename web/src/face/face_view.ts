@@ -70,8 +70,7 @@ export class FaceView {
   private wanted: Level;
   /** When the picture was last shown, in seconds: what comes later begins from here. */
   shownAt: number | undefined;
-  /** Whether a character has been drawn: one that comes after that rises into the picture. */
-  private begun = false;
+  private begun = false; // a character has been drawn: one that comes after that rises into the picture
   /** The level of quality that is drawn. */
   level: Level;
   /** False while the graphics context is lost. */

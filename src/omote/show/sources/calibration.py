@@ -106,7 +106,9 @@ def measure_of(calibration: Calibration, names: tuple[str, ...]) -> Measure:
 def _rest(calibration: Calibration, name: str) -> float:
     """What a source sends of a channel at rest, as far as that counts."""
     rest = calibration.neutral.get(name, 0.0)
-    return min(max(rest, 0.0), MOST_LID_REST) if name.startswith(SHUTTING) else rest
+    if not name.startswith(SHUTTING) or 0.0 <= rest <= MOST_LID_REST:
+        return rest
+    return 0.0 if rest < 0.0 else MOST_LID_REST
 
 
 def _span(calibration: Calibration, name: str, start: float) -> float:

@@ -26,8 +26,7 @@ export const style = css`
     color: var(--text);
     font-weight: 600;
   }
-  .slow b,
-  .item b.slow {
+  :is(.slow b, .item b.slow) {
     color: var(--attention);
   }
   .lamp {
