@@ -19,10 +19,10 @@ class Schedule:
     """How a network is trained. rate falls to nothing along a cosine; drop: the share of hidden units left out at each
     step (Srivastava et al. 2014); noise: on features; decay: of weights (Loshchilov and Hutter 2019)."""
 
-    hidden: tuple[int, ...] = (256, 256)
+    hidden: tuple[int, ...] = (512, 512)
     epochs: int = 40
     rate: float = 2e-3
-    drop: float = 0.2
+    drop: float = 0.3
     noise: float = 0.2
     decay: float = 1e-4
     seed: int = 12

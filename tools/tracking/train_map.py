@@ -1,4 +1,4 @@
-"""Trains the map of the camera's landmarks from the observations: `make setup` calls it; under a minute.
+"""Trains the map of the camera's landmarks from the observations: `make setup` calls it; a minute or two.
 
 python -m tools.tracking.train_map
 """
