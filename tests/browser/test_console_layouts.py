@@ -25,6 +25,7 @@ FIRST = {
     "linked": True,
     "springs": {"head": True, "gaze": True},
     "view": "palettes",
+    "mixer": "strips",
 }
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable
 from typing import Any
 
@@ -215,7 +216,8 @@ def test_a_gain_makes_an_expression_stronger_there_is_undone_saved_and_read_on_t
     name = bench(page, "item.name")
     desk.locator(f"omote-palette .tile[data-name='{name}']").click()
     line = desk.locator("omote-answers button")
-    expect(line).to_contain_text("mouth \N{MULTIPLICATION SIGN}2.0, mouth in angry \N{MULTIPLICATION SIGN}0.5, ears")
+    said = "Loud Kaori answers: mouth \N{MULTIPLICATION SIGN}2.0, mouth in angry \N{MULTIPLICATION SIGN}0.5, ears"
+    expect(line).to_have_attribute("aria-label", re.compile(re.escape(said)))
     line.click()
     answers = desk.get_by_role("dialog", name="How Loud Kaori answers")
     expect(answers).to_contain_text("mouth in angry")

@@ -230,27 +230,6 @@ export const style = css`
       margin-left: auto; /* panic stands in the corner, where a hand finds it */
     }
   }
-  /* below the picture, on the keys of the light, which are not played on: the row of a grid whose rows are known */
-  @media (max-width: 599px) and (min-height: 601px) {
-    .messages {
-      inset: calc(70px + max(210px, 0.42 * (100dvh - 180px))) 6px auto;
-      justify-items: stretch;
-    }
-    .notice {
-      flex-wrap: nowrap;
-      justify-content: space-between;
-      min-height: 48px;
-      padding: 2px 10px;
-      border: 1px solid var(--line);
-    }
-    .notice > span:first-child {
-      -webkit-line-clamp: 2;
-    }
-    .offers {
-      flex: none;
-      white-space: nowrap;
-    }
-  }
   @media (max-width: 599px) {
     :host {
       gap: 6px;
