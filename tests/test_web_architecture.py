@@ -52,7 +52,7 @@ USED: dict[str, str] = {
         "console/controls"
     ),
     "console/scene": "link ui console/characters console/store console/controls",
-    "console/motion_groups": "link ui console/layers console/store console/controls",
+    "console/motion_groups": "link ui console/layers console/store console/controls console/sources",
     "console/layer_panel": (
         "link ui console/layers console/store console/controls console/sources console/motion_groups"
     ),

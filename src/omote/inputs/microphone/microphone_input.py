@@ -191,10 +191,7 @@ class MicrophoneInput:
     def _source(self, session: ShowSession, microphone: Microphone, names: tuple[str, ...], now: float) -> wire.Source:
         """The source of a microphone. One that comes for the first time speaks through the character of a show that
         has one, if no other voice does."""
-        characters = list(session.scene)
-        known = microphone.name in session.sources.snapshot().routes
-        free = not session.sources.is_driven(LAYER_OF[KIND], now)
-        alone = characters if len(characters) == 1 and not known and free else []
+        alone = session.sources.find_alone(microphone.name, session.scene, LAYER_OF[KIND], now)
         return wire.Source(microphone.name, KIND, list(names), alone, direct=True)
 
 

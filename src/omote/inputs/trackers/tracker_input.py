@@ -220,10 +220,7 @@ class TrackerInput:
     def _source(self, session: ShowSession, performer: Performer, now: float) -> wire.Source:
         """The source of a performer. One that comes for the first time drives the character of a show that has one, if
         no other drives it, from which it would take it."""
-        characters = list(session.scene)
-        known = performer.name in session.sources.snapshot().routes
-        free = not session.sources.is_driven(LAYER, now)
-        alone = characters if len(characters) == 1 and not known and free else []
+        alone = session.sources.find_alone(performer.name, session.scene, LAYER, now)
         return wire.Source(performer.name, "tracker", list(performer.names), alone)
 
     def reject(self, host: str, reason: str, now: float) -> None:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import replace
 from typing import TypeVar
 
@@ -131,12 +131,15 @@ class OpenSources:
         """Whom a source drives."""
         return self._routes.get(name, Route())
 
-    def is_driven(self, layer: LayerName, now: float) -> bool:
-        """Whether a source plays somebody on a layer, or did until a moment ago."""
+    def find_alone(self, name: str, characters: Iterable[str], layer: LayerName, now: float) -> list[str]:
+        """Whom a source drives that comes for the first time: the character of a show that has one, where no other
+        source plays it on this layer or did until a moment ago."""
         routes = ((each, self.route(each.name)) for each in self._open.values())
-        return any(
+        driven = any(
             route.characters and route.layer == layer and now - each.seen < QUIET_SECONDS for each, route in routes
         )
+        found = list(characters)
+        return found if len(found) == 1 and name not in self._routes and not driven else []
 
     def change(
         self, asked: wire.RouteSource | wire.CalibrateSource | wire.MeasureSource | wire.TuneSource, scene: Scene

@@ -3,6 +3,7 @@
 import type { CharacterState, SourceState } from "../../link/messages";
 import { AHEAD, influenceOf, type LayerName, layerOf } from "../layers/layer_state";
 import { sourceLabel } from "../layers/source_label";
+import { unrouted } from "../sources/unrouted_sources";
 
 /** What a head says, and whether it wants attention. */
 export interface GroupWords {
@@ -14,14 +15,14 @@ const told = (text: string, wanted = false): GroupWords => ({ text, wanted });
 const percent = (share: number): number => Math.round(100 * share);
 
 /** A source that is not heard any more, or that sees nobody. */
-export const isSilent = ({ rate, found }: SourceState): boolean => rate === 0 || !found;
+const isSilent = ({ rate, found }: SourceState): boolean => rate === 0 || !found;
 
 /** Sources: who is lost, who plays nobody, else who sends. */
 export function sourceWords(sources: readonly SourceState[]): GroupWords {
   const [one] = sources;
   if (one === undefined) return told("none sends");
   const silent = sources.filter((source) => source.kind !== "program" && isSilent(source)).length;
-  const idle = sources.filter(({ kind, characters }) => kind !== "program" && characters.length === 0).length;
+  const idle = unrouted(sources).length;
   if (silent > 0) return told(sources.length === 1 ? "lost" : `${silent} of ${sources.length} lost`, true);
   if (idle > 0) return told(idle === 1 ? "1 plays nobody" : `${idle} play nobody`, true);
   return told(sources.length === 1 ? sourceLabel(one.name) : `${sources.length} play`);
