@@ -53,11 +53,13 @@ class Known:
 
 @dataclass
 class Figures:
-    """One map on one face. Folds are counts; lids and lips: mean and along; eyes, teeth and bag: metres more than
-    on the source; rough: all units' roughness over the source's; times: seconds of this thread per compound."""
+    """One map on one face. Folds are counts, by unit in folded; lids and lips: mean and along; eyes, teeth and bag:
+    metres more than on the source; rough: all units' roughness over the source's; times: seconds of this thread per
+    compound."""
 
     units: int
     folds: int = 0
+    folded: dict[str, int] = field(default_factory=dict)
     sums: SumFigures = field(default_factory=lambda: SumFigures(0))
     lids: tuple[Worst, Worst] = field(default_factory=lambda: (Worst(), Worst()))
     lips: tuple[Worst, Worst] = field(default_factory=lambda: (Worst(), Worst()))
@@ -118,7 +120,10 @@ class Comparison:
 
     def _add(self, found: Figures, face: Face, rest: Values, now: Values, unit: str) -> None:
         known, sheet = self.known[unit], self.source.sheet
-        found.folds += int((find_folds(rest, now, sheet) & ~known.folded).sum())
+        over = int((find_folds(rest, now, sheet) & ~known.folded).sum())
+        found.folds += over
+        if over:
+            found.folded[unit] = over
         for line in self.source.lines:
             means, alongs = found.lips if line.kind == "lips" else found.lids
             for level, there in zip(LEVELS, known.levels, strict=True):

@@ -19,7 +19,7 @@ from omote.model.transfer.paper_map import Compiled, compile_expression, displac
 Values = NDArray[np.float64]
 Indices = NDArray[np.int32]
 
-KINDS = ("arkit", "makehuman")
+KINDS, PLAYED = ("arkit", "makehuman"), ("arkit", "makehuman", "performed")
 SEED, TRIPLES = 1993, 200
 # Faces of the cast that nobody would call a person; all others are human.
 NOT_HUMAN = frozenset({"doll", "goblin", "alien", "dog", "cat", "noh"})
@@ -51,17 +51,21 @@ class Source:
         return compound(self.space, self.cast.faces[GENERIC], self.cast.expressions[unit], weight).astype(np.float64)
 
 
-def load_source(units: int | None = None) -> Source:
-    """The built-in cast as a source; units: how many of them, spread over all, where fewer are enough."""
+def load_source(
+    units: int | None = None, *, kinds: tuple[str, ...] = KINDS, seed: int = SEED, count: int = TRIPLES
+) -> Source:  # fmt: skip
+    """The built-in cast as a source; units: how many of these kinds, spread over all, where fewer are enough; as many
+    triples as counted, drawn with the seed."""
     cast = omote.load_cast()
-    names = [name for name, title in cast.titles.items() if title.kind in KINDS]
+    names = [name for name, title in cast.titles.items() if title.kind in kinds]
     if units is not None:
         names = [names[i] for i in np.linspace(0, len(names) - 1, units).astype(int)]
     space = cast.space
     compiled = {name: compile_expression(space, cast.expressions[name]) for name in names}
     moves = {name: displace_generic(space, compiled[name]) for name in names}
     sheet = space.sheet_triangles
-    draw = np.random.default_rng(SEED)
-    triples = tuple(tuple(draw.choice(names, 3, replace=False).tolist()) for _ in range(TRIPLES))
+    draw = np.random.default_rng(seed)
+    added = [name for name in names if cast.titles[name].kind in KINDS]  # performed ones are mixed, never added up
+    triples = tuple(tuple(draw.choice(added, 3, replace=False).tolist()) for _ in range(count))
     positions = cast.faces[GENERIC].positions.astype(np.float64)
     return Source(cast, positions, sheet, space.lines, compiled, moves, triples)

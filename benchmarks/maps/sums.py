@@ -29,11 +29,13 @@ SEEN = 0.0004
 @dataclass
 class SumFigures:
     """All triples on one face: triangles turned over that are not on the source's sum, those that no summand turns over
-    alone; how far lids and lips cross, and skin lies in eyeballs, more than the summands allow together, metres."""
+    alone (by triple in folded); how far lids and lips cross, and skin lies in eyeballs, more than the summands allow
+    together, metres."""
 
     triples: int
     folds: int = 0
     new_folds: int = 0
+    folded: dict[Triple, int] = field(default_factory=dict)
     crossed: list[float] = field(default_factory=list)
     eyes: list[float] = field(default_factory=list)
 
@@ -63,7 +65,10 @@ class Sums:
             now = add(triple)
             over = find_folds(rest, now, source.sheet)
             found.folds += int((over & ~folded).sum())
-            found.new_folds += int((over & ~np.any([alone[unit] for unit in triple], axis=0)).sum())
+            new = int((over & ~np.any([alone[unit] for unit in triple], axis=0)).sum())
+            found.new_folds += new
+            if new:
+                found.folded[triple] = new
             found.crossed.append(float((self.find_crossed(rest, now) - sum(crossed[unit] for unit in triple)).max()))
             found.eyes.append(float((self.measure_deep(face, rest, now) - sum(deep[unit] for unit in triple)).max()))
         return found

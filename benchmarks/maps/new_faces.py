@@ -1,0 +1,124 @@
+"""What is asked of the map on faces that nobody tuned it on, and the tables of that."""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Mapping, Sequence
+
+import numpy as np
+
+from benchmarks.maps.bars import Run, Verdict, at_most, slow
+from benchmarks.maps.figures import Figures
+from benchmarks.maps.methods import DELTAS, OURS
+from benchmarks.maps.random_faces import CARICATURES, MIXES, PEOPLE
+from benchmarks.maps.report import Row
+
+NATURAL = (PEOPLE, MIXES, CARICATURES)
+"""Kinds of faces that may not fold; strong ones are printed."""
+KIND_HEAD = (
+    "kind", "map", "faces with a fold, %", "folds per 100", "per triple", "new", "lids mean", "along", "lips",
+    "eyes > .3 mm, %", "bag, %", "teeth, %", "ms", "p95",
+)  # fmt: skip
+WORST_HEAD = ("face", "folds", "units", "lids", "lips", "eyes, mm", "bag, mm", "teeth, mm", "new in triples")
+TRIPLE_HEAD = ("triple", "faces", "triangles")
+PIERCED = 0.3e-3
+
+Kinds = Mapping[str, Run]
+
+
+def new_verdicts(kinds: Kinds) -> list[Verdict]:
+    """The bars of issue 13 over new faces; runs by kind of face."""
+    natural = [figures for kind in NATURAL if kind in kinds for figures in kinds[kind][OURS].values()]
+    every = [figures for run in kinds.values() for figures in run[OURS].values()]
+    times = {name: figures for run in kinds.values() for name, figures in run[OURS].items()}
+    pierced = {"eyes": _share(every, "eyes"), "bag": _share(every, "bag"), "teeth": _share(every, "teeth")}
+    return [
+        Verdict("faces with a fold, % of people, mixes, caricatures", _folding(natural), 0.0),
+        Verdict("folds of triples where no summand folds, people, mixes, caricatures", _new(natural), 0.0),
+        Verdict("lids, worst unit, median face", _median(every, "lids", 0), 0.02),
+        Verdict("lids along, worst unit, median face", _median(every, "lids", 1), 0.04),
+        Verdict("lips, worst unit, median face", _median(every, "lips", 0), 0.03),
+        *(Verdict(f"{part} over .3 mm, % of faces", share, 0.0) for part, share in pierced.items()),
+        Verdict("milliseconds, median", 1e3 * float(np.median([t for f in every for t in f.times])), 4.0),
+        Verdict("milliseconds, 95th percentile", 1e3 * slow(times), 10.0),
+    ]
+
+
+def _folding(faces: Sequence[Figures]) -> float:
+    return 100.0 * float(np.mean([figures.folds > 0 for figures in faces]))
+
+
+def _new(faces: Sequence[Figures]) -> float:
+    return float(sum(figures.sums.new_folds for figures in faces))
+
+
+def _median(faces: Sequence[Figures], line: str, which: int) -> float:
+    return float(np.median([getattr(figures, line)[which].value for figures in faces]))
+
+
+def _share(faces: Sequence[Figures], part: str) -> float:
+    return 100.0 * float(np.mean([getattr(figures, part).value > PIERCED for figures in faces]))
+
+
+def kind_rows(kinds: Kinds) -> list[Row]:
+    """One row a kind of faces and map: medians over faces of the worst unit, shares of faces."""
+    return [(kind, method, *_cells([*run[method].values()])) for kind, run in kinds.items() for method in run]
+
+
+def _cells(faces: Sequence[Figures]) -> Row:
+    times = [time for figures in faces for time in figures.times]
+    triples = max(sum(figures.sums.triples for figures in faces), 1)
+    return (
+        f"{_folding(faces):.0f}",
+        f"{100 * sum(f.folds for f in faces) / sum(f.units for f in faces):.2f}",
+        f"{sum(f.sums.folds for f in faces) / triples:.2f}",
+        f"{_new(faces) / triples:.3f}",
+        f"{_median(faces, 'lids', 0):.3f}",
+        f"{_median(faces, 'lids', 1):.3f}",
+        f"{_median(faces, 'lips', 0):.3f}",
+        *(f"{_share(faces, part):.0f}" for part in ("eyes", "bag", "teeth")),
+        f"{1e3 * float(np.median(times)):.1f}",
+        f"{1e3 * float(np.quantile(times, 0.95)):.1f}",
+    )
+
+
+def worst_rows(kinds: Kinds, count: int = 10) -> list[Row]:
+    """Ours on the faces with most folds, then with the deepest teeth."""
+    faces = {name: figures for run in kinds.values() for name, figures in run[OURS].items()}
+    order = sorted(faces, key=lambda name: (faces[name].folds, faces[name].teeth.value), reverse=True)
+    return [(name, *_worst_cells(faces[name])) for name in order[:count]]
+
+
+def _worst_cells(figures: Figures) -> Row:
+    units = sorted(figures.folded, key=lambda unit: -figures.folded[unit])
+    return (
+        str(figures.folds),
+        ", ".join(f"{unit} {figures.folded[unit]}" for unit in units[:3]),
+        f"{figures.lids[0].value:.3f} {figures.lids[0].unit}",
+        f"{figures.lips[0].value:.3f} {figures.lips[0].unit}",
+        *(f"{1e3 * worst.value:.2f} {worst.unit}" for worst in (figures.eyes, figures.bag, figures.teeth)),
+        str(figures.sums.new_folds),
+    )
+
+
+def triple_rows(kinds: Kinds, count: int = 10) -> list[Row]:
+    """The triples that fold most where no summand does, ours."""
+    triangles, faces = Counter[tuple[str, ...]](), Counter[tuple[str, ...]]()
+    for run in kinds.values():
+        for figures in run[OURS].values():
+            triangles.update(figures.sums.folded)
+            faces.update(figures.sums.folded.keys())
+    return [(" + ".join(triple), str(faces[triple]), str(found)) for triple, found in triangles.most_common(count)]
+
+
+def crossing_rows(kinds: Kinds) -> list[Row]:
+    """How far lids and lips cross and lids pierce in triples, more than their summands, the worst of a kind, mm."""
+    return [
+        (kind, f"{1e3 * max(at_most(f.sums.crossed).value for f in run[OURS].values()):.2f}",
+         f"{1e3 * max(at_most(f.sums.eyes).value for f in run[OURS].values()):.2f}")
+        for kind, run in kinds.items()
+    ]  # fmt: skip
+
+
+CROSSING_HEAD = ("kind", "lids and lips cross in triples, mm", "eyes, mm")
+NEW_METHODS = (DELTAS, OURS)
