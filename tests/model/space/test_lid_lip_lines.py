@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 import omote
-from omote.model.space.lid_lip_lines import ALIKE, RUNGS, Line, find_line, jaw_amplitude
+from omote.model.space.lid_lip_lines import JAW_ALIKE, LIPS_ALIKE, RUNGS, Line, find_line, jaw_amplitude, lip_amplitude
 from omote.model.space.parameter_space import ParameterSpace
 
 
@@ -57,8 +57,16 @@ def test_the_jaw_goes_as_far_as_the_mouth_is_wide_and_no_farther_than_on_the_gen
     wide = [
         jaw_amplitude(space.lines, space.points, scale * space.points) for scale in (0.5, 0.7, 0.95, 1.0, 1.05, 2.0)
     ]
-    assert wide == pytest.approx([0.5 * np.exp(ALIKE), 0.7 * np.exp(ALIKE), 1.0, 1.0, 1.0, 1.0])
+    assert wide == pytest.approx([0.5 * np.exp(JAW_ALIKE), 0.7 * np.exp(JAW_ALIKE), 1.0, 1.0, 1.0, 1.0])
     assert jaw_amplitude((line(space, "lid_left"),), space.points, space.points) is None
+
+
+def test_lips_open_as_the_mouth_is_wide_closer_than_the_jaw_goes(space: ParameterSpace) -> None:
+    lips, scales = line(space, "lips"), np.array([0.5, 0.9, 0.97, 1.0, 1.04, 1.1, 2.0])
+    wide = [lip_amplitude(lips, space.points, scale * space.points) for scale in scales]
+    slack = np.exp(LIPS_ALIKE)
+    assert wide == pytest.approx([0.5 * slack, 0.9 * slack, 1.0, 1.0, 1.0, 1.1 / slack, 2.0 / slack])
+    assert LIPS_ALIKE < JAW_ALIKE
 
 
 def test_a_sheet_without_an_opening_is_refused() -> None:

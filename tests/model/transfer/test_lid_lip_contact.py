@@ -34,6 +34,23 @@ def test_each_bin_is_opened_alone_by_its_answer(name: str, face: str) -> None:
         )
 
 
+@pytest.mark.parametrize("face", ["baby", "cat"])
+def test_each_bin_of_a_lid_opens_as_on_the_source(face: str) -> None:
+    """However little it lacks: nothing is tolerated."""
+    cast = omote.load_cast()
+    generic, positions = cast.space.points, cast.faces[face].positions.astype(np.float64)
+    sheet = build_sheet_geometry(generic, positions, cast.space.skin_triangles)
+    contact = build_contact(line(cast.space, "lid_left"), generic, positions, sheet)
+    moved, closed = generic.copy(), positions.copy()
+    upper = np.unique(contact.line.vertices[:, :2])
+    for drop in (0.00002, 0.001, 0.004):
+        moved[upper, 1] = generic[upper, 1] - drop
+        close_contact(contact, closed, moved)
+        wanted = contact.ratios * (contact.source * contact.line.rungs(moved)).sum(axis=1)
+        opening = (contact.target * contact.line.rungs(closed)).sum(axis=1)
+        assert contact.bins @ opening == pytest.approx(contact.bins @ wanted, abs=1e-9)
+
+
 def test_a_line_that_lacks_nothing_is_left_alone_and_one_that_gapes_is_closed() -> None:
     cast = omote.load_cast()
     generic = cast.space.points

@@ -19,9 +19,7 @@ from omote.model.space.lid_lip_lines import RUNGS
 from omote.model.space.parameter_space import ParameterSpace
 from omote.model.transfer.detail_transfer import LENGTH, TOLERANCE
 from omote.model.transfer.fold_repair import SheetGeometry, triangle_frames
-from omote.model.transfer.lid_lip_contact import TOLERANCE as SLACK
 from omote.model.transfer.lid_lip_contact import Contact
-from omote.model.transfer.pipeline import apply_smooth_map, transfer_detail
 from omote.model.transfer.smooth_map import SmoothMap, prepare_smooth_map
 
 Values = NDArray[np.float64]
@@ -30,13 +28,12 @@ Indices = NDArray[np.int32]
 
 @dataclass(frozen=True, eq=False)
 class ContactRows:
-    """What contact does, linearised, for b bins: their lack is wanted (b, 3 n) times the source's change less read
-    (b, 3 n) times the sheet's, where active (b,); respond (3 n, b) gives it back."""
+    """What contact does, which is linear, for b bins: their lack is wanted (b, 3 n) times the source's change less read
+    (b, 3 n) times the sheet's; respond (3 n, b) gives it back."""
 
     wanted: Values
     read: Values
     respond: Values
-    active: Values
 
 
 @dataclass(frozen=True, eq=False)
@@ -54,10 +51,10 @@ class SmoothMapJacobian:
     def _responses(self) -> tuple[Values, Values]:
         """What a unit of each bin asks of the source (3 n, b), and the inverse of the bins' own system (b, b)."""
         rows = self.contact
-        if not len(rows.active):
+        if not len(rows.wanted):
             return rows.respond, np.zeros((0, 0))
         back = self.solver.solve(self.stiffness @ rows.respond)
-        own = np.eye(len(rows.active)) + rows.active[:, None] * (rows.wanted @ back - rows.read @ rows.respond)
+        own = np.eye(len(rows.wanted)) + rows.wanted @ back - rows.read @ rows.respond
         return back, np.linalg.pinv(own)
 
     def solve(self, change: Values, /) -> Values:
@@ -65,7 +62,7 @@ class SmoothMapJacobian:
         back, inverse = self._responses
         flat = np.ascontiguousarray(change).ravel()
         result = self.solver.solve(self.stiffness @ flat)
-        bins = inverse @ (self.contact.active * (self.contact.wanted @ result - self.contact.read @ flat))
+        bins = inverse @ (self.contact.wanted @ result - self.contact.read @ flat)
         rows: Values = (result - back @ bins).reshape(-1, 3)
         return rows
 
@@ -79,8 +76,7 @@ def linearise_smooth_map(space: ParameterSpace, face: Face, displacement: Values
     place = np.full(len(displacement), -1)
     place[ready.detail.used] = np.arange(len(ready.detail.used))
     stiffness, product = _assemble_detail(ready, ready.generic + displacement, displacement, place)
-    sheet = apply_smooth_map(space, face, displacement, (transfer_detail,))
-    rows = [_linearise_contact(each, ready.generic + displacement, sheet, place) for each in ready.contacts]
+    rows = [_read_contact(each, place) for each in ready.contacts]
     return SmoothMapJacobian(stiffness, splu(product), _join(rows, 3 * len(ready.detail.used)))
 
 
@@ -157,26 +153,20 @@ def _cross_matrix(vectors: Values) -> Values:
     return np.stack([none, -z, y, z, none, -x, -y, x, none], axis=1).reshape(-1, 3, 3)
 
 
-def _linearise_contact(contact: Contact, source: Values, sheet: Values, place: NDArray[np.int64]) -> ContactRows:
-    """The rows of one line; lids that differ by less than they may are not active."""
+def _read_contact(contact: Contact, place: NDArray[np.int64]) -> ContactRows:
+    """The rows of one line."""
     bins, size, line = contact.bins, int(place.max()) + 1, contact.line
-    lips = line.kind == "lips"
     wanted, read = np.zeros((len(bins), size, 3)), np.zeros((len(bins), size, 3))
-    respond, factor = np.zeros((size, 3, len(bins))), np.full(RUNGS, contact.gain) if lips else contact.ratios
+    respond = np.zeros((size, 3, len(bins)))
+    factor = np.full(RUNGS, contact.gain) if line.kind == "lips" else contact.ratios
     for column in range(4):
         for rung in range(RUNGS):
             vertex, share = place[line.vertices[rung, column]], bins[:, rung, None] * line.weights[rung, column]
             wanted[:, vertex] += share * factor[rung] * contact.source[rung]
             read[:, vertex] += share * contact.target[rung]
     respond[place[contact.near]] = contact.response.transpose(0, 2, 1)
-    active = np.ones(len(bins))
-    if not lips:
-        open_there = bins @ (contact.ratios * (contact.source * line.rungs(source)).sum(axis=1))
-        missing = open_there - bins @ (contact.target * line.rungs(sheet)).sum(axis=1)
-        active = (np.abs(missing) > SLACK * np.abs(open_there)).astype(np.float64)
-        wanted *= (1.0 - SLACK * np.sign(missing) * np.sign(open_there))[:, None, None]
     flat = len(bins), -1
-    return ContactRows(wanted.reshape(flat), read.reshape(flat), respond.reshape(-1, len(bins)), active)
+    return ContactRows(wanted.reshape(flat), read.reshape(flat), respond.reshape(-1, len(bins)))
 
 
 def _join(rows: list[ContactRows], size: int) -> ContactRows:
@@ -185,5 +175,4 @@ def _join(rows: list[ContactRows], size: int) -> ContactRows:
         np.concatenate([np.zeros((0, size)), *(each.wanted for each in rows)]),
         np.concatenate([np.zeros((0, size)), *(each.read for each in rows)]),
         np.concatenate([np.zeros((size, 0)), *(each.respond for each in rows)], axis=1),
-        np.concatenate([np.zeros(0), *(each.active for each in rows)]),
     )

@@ -20,9 +20,11 @@ Indices = NDArray[np.int32]
 Values = NDArray[np.float64]
 
 RUNGS = 32
-# Lips open as the mouth is wide; widths that differ by less than this share change nothing: people's amplitudes do not
-# grow with their heads.
-ALIKE = 0.09
+# Lips open as the mouth is wide, but for this share: so far a face's opening may differ from the generic one's.
+LIPS_ALIKE = 0.055
+# The jaw, the skin on it and the lower teeth keep their way up to this share: people's amplitudes do not grow with
+# their heads, and artists' own units for narrow mouths drop the jaw as far.
+JAW_ALIKE = 0.09
 
 
 @dataclass(frozen=True, eq=False)
@@ -47,8 +49,7 @@ class Line:
 
 def lip_amplitude(line: Line, generic: NDArray[np.floating], positions: NDArray[np.floating], /) -> float:
     """How much larger lips with this line open on a face with positions (V, 3) than on the generic face (V, 3)."""
-    far = np.log(np.ptp(positions[line.loop, 0]) / np.ptp(generic[line.loop, 0]))
-    return float(np.exp(np.sign(far) * max(abs(far) - ALIKE, 0.0)))
+    return _amplitude(line, generic, positions, LIPS_ALIKE)
 
 
 def jaw_amplitude(
@@ -57,8 +58,15 @@ def jaw_amplitude(
     """How much larger the jaw's motion is on a face with positions (V, 3) than on the generic face (V, 3): it goes with
     lips that open less, and no farther than there; None where no lips are named."""
     return min(
-        (min(lip_amplitude(line, generic, positions), 1.0) for line in lines if line.kind == "lips"), default=None
+        (min(_amplitude(line, generic, positions, JAW_ALIKE), 1.0) for line in lines if line.kind == "lips"),
+        default=None,
     )
+
+
+def _amplitude(line: Line, generic: NDArray[np.floating], positions: NDArray[np.floating], alike: float) -> float:
+    """The ratio of the mouths' widths, a share of it taken as no difference."""
+    far = np.log(np.ptp(positions[line.loop, 0]) / np.ptp(generic[line.loop, 0]))
+    return float(np.exp(np.sign(far) * max(abs(far) - alike, 0.0)))
 
 
 def find_line(

@@ -20,12 +20,10 @@ from omote.model.transfer.fold_repair import SheetGeometry
 Values = NDArray[np.float64]
 Indices = NDArray[np.int32]
 
-# How many hat functions there are along a line: a muzzle's lips cross between three of them; lids fold with more.
-BINS: Mapping[Kind, int] = {"lids": 3, "lips": 7}
+# How many hat functions there are along a line: between three of them lids close unevenly, and a muzzle's lips cross.
+BINS: Mapping[Kind, int] = {"lids": 8, "lips": 7}
 # A correction dies out over this share of the line's width, and is nothing beyond REACH widths.
 LENGTH, REACH = 0.2, 1.5
-# Of the source's relative opening: what lids may differ without being corrected, nothing at contact.
-TOLERANCE = 0.026
 # Where the jaw goes with the lips in full: (distance to the lids - to the lips) / their sum.
 JAW = 0.4
 _UP = np.array([0.0, 1.0, 0.0])
@@ -37,8 +35,8 @@ class Contact:
 
     bins (b, RUNGS): hat functions along the line; source, target (RUNGS, 3): directions along which openings are
     measured on the generic face and on this one; ratios (RUNGS,): how much longer the rungs are here; there, here
-    (RUNGS,): openings at rest on both; gain: how much larger lips open here; lengths (RUNGS,): of the rungs here; near
-    (m,), response (m, b, 3): the displacement of the vertices near the line that opens a bin by one metre.
+    (RUNGS,): openings at rest on both; gain: how much larger lips open here; near (m,), response (m, b, 3): the
+    displacement of the vertices near the line that opens a bin by one metre.
     """
 
     line: Line
@@ -49,7 +47,6 @@ class Contact:
     there: Values
     here: Values
     gain: float
-    lengths: Values
     near: Indices
     response: Values
 
@@ -65,7 +62,7 @@ def build_contact(line: Line, generic: Values, positions: Values, sheet: SheetGe
     near, response = _solve_responses(line, target, positions, sheet, float(np.ptp(positions[line.loop, 0])))
     return Contact(
         line, hat_functions(BINS[line.kind]), source, target, long_here / long_there, (source * there).sum(axis=1),
-        (target * here).sum(axis=1), lip_amplitude(line, generic, positions), long_here, near, response,
+        (target * here).sum(axis=1), lip_amplitude(line, generic, positions), near, response,
     )  # fmt: skip
 
 
@@ -123,17 +120,14 @@ def close_contact(contact: Contact, positions: Values, moved: Values, /) -> None
         missing = contact.bins @ (contact.here + contact.gain * (source - contact.there) - now)
     else:
         missing = contact.bins @ (contact.ratios * source - now)
-        lengths = contact.bins @ contact.lengths
-        slack = TOLERANCE * np.abs(contact.bins @ (contact.ratios * source) / lengths) * lengths
-        missing = np.sign(missing) * np.maximum(np.abs(missing) - slack, 0.0)
     positions[contact.near] += np.einsum("vbc,b->vc", contact.response, missing)
 
 
-def compute_gain(generic: Values, contacts: tuple[Contact, ...], /) -> Values:
+def compute_gain(generic: Values, contacts: tuple[Contact, ...], amplitude: float, /) -> Values:
     """How much larger a displacement of the generic face (V, 3) becomes at each vertex, (V,): its gain.
 
-    The jaw goes with lips that open less: as they do where a vertex is nearer to the lips than to the lids, by one
-    around these, smoothly between.
+    amplitude: the jaw's, of `lid_lip_lines.jaw_amplitude`: as large where a vertex is nearer to the lips than to the
+    lids, one around these, smoothly between.
     """
     gain, lids = np.ones(len(generic)), np.full(len(generic), np.inf)
     for contact in contacts:
@@ -143,7 +137,7 @@ def compute_gain(generic: Values, contacts: tuple[Contact, ...], /) -> Values:
         if contact.line.kind == "lips" and np.isfinite(lids).all():
             lips = _distance(generic, contact.line)
             share = np.minimum(np.maximum((lids - lips) / (lids + lips) / JAW, 0.0), 1.0)
-            gain += (min(contact.gain, 1.0) - 1.0) * share * share * (3.0 - 2.0 * share)
+            gain += (amplitude - 1.0) * share * share * (3.0 - 2.0 * share)
     return gain
 
 

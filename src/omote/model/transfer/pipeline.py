@@ -66,8 +66,8 @@ def close_lids_and_lips(state: State, /) -> State:
     """Opens or closes lids and lips as far as on the generic face.
 
     Equality-constrained least squares (minimum norm): the smoothest displacement that gives each hat function along
-    a line (three on lids, seven on lips) its opening, solved once per face; what lids may differ is a soft threshold,
-    zero at contact. Tried: one constraint per line closes lids unevenly; hard rims fold large eyes.
+    a line (eight on lids, seven on lips) its opening, solved once per face. Tried: one constraint per line, or three,
+    closes lids unevenly; hard rims fold large eyes.
     """
     sheet = state.sheet.copy()
     _close_contacts(state, sheet)

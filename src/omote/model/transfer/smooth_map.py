@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 
 from omote.model.space.face import Face
 from omote.model.space.face_fit import FittedFace, fit, generic_face
-from omote.model.space.lid_lip_lines import Line
+from omote.model.space.lid_lip_lines import Line, jaw_amplitude
 from omote.model.space.parameter_space import ParameterSpace
 from omote.model.transfer.detail_transfer import DetailSolver, factor_detail
 from omote.model.transfer.eyeball_clearance import Clearance, Eyeball, build_clearance
@@ -74,9 +74,10 @@ def build_smooth_map(
         on_line[line.loop] = True
     contacts = tuple(build_contact(line, generic, positions, geometry) for line in lines)
     clearances = tuple(build_clearance(generic, positions, triangles, there, here) for there, here in eyeballs)
+    amplitude = jaw_amplitude(lines, generic, positions)
+    gain = compute_gain(generic, contacts, 1.0 if amplitude is None else amplitude)
     return SmoothMap(
-        generic, positions, geometry, factor_detail(geometry), contacts, on_line, clearances,
-        compute_gain(generic, contacts),
+        generic, positions, geometry, factor_detail(geometry), contacts, on_line, clearances, gain
     )  # fmt: skip
 
 
