@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from benchmarks.maps.measures import find_folds
 from benchmarks.maps.methods import OURS
-from benchmarks.maps.piercing import balls_of
+from benchmarks.maps.inside.piercing import balls_of
 from benchmarks.maps.source import Source
 from omote.model.space.face import Face
 from omote.model.space.face_fit import fit
