@@ -7,7 +7,7 @@ from collections.abc import Mapping, Sequence
 
 import numpy as np
 
-from benchmarks.maps.bars import Run, Verdict, at_most, slow
+from benchmarks.maps.bars import Run, Verdict, at_most, slow, worst
 from benchmarks.maps.figures import Figures
 from benchmarks.maps.methods import DELTAS, OURS
 from benchmarks.maps.random_faces import CARICATURES, MIXES, PEOPLE
@@ -19,7 +19,7 @@ KIND_HEAD = (
     "kind", "map", "faces with a fold, %", "folds per 100", "per triple", "new", "lids mean", "along", "lips",
     "eyes > .3 mm, %", "bag, %", "teeth, %", "ms", "p95",
 )  # fmt: skip
-WORST_HEAD = ("face", "folds", "units", "lids", "lips", "eyes, mm", "bag, mm", "teeth, mm", "new in triples")
+WORST_HEAD = ("face", "folds", "units", "lids", "along", "lips", "eyes, mm", "bag, mm", "teeth, mm", "new in triples")
 TRIPLE_HEAD = ("triple", "faces", "triangles")
 PIERCED = 0.3e-3
 
@@ -28,7 +28,8 @@ Kinds = Mapping[str, Run]
 
 def new_verdicts(kinds: Kinds) -> list[Verdict]:
     """The bars of issue 13 over new faces; runs by kind of face."""
-    natural = [figures for kind in NATURAL if kind in kinds for figures in kinds[kind][OURS].values()]
+    named = {name: figures for kind in NATURAL if kind in kinds for name, figures in kinds[kind][OURS].items()}
+    natural = [*named.values()]
     every = [figures for run in kinds.values() for figures in run[OURS].values()]
     times = {name: figures for run in kinds.values() for name, figures in run[OURS].items()}
     pierced = {"eyes": _share(every, "eyes"), "bag": _share(every, "bag"), "teeth": _share(every, "teeth")}
@@ -38,6 +39,9 @@ def new_verdicts(kinds: Kinds) -> list[Verdict]:
         Verdict("lids, worst unit, median face", _median(every, "lids", 0), 0.02),
         Verdict("lids along, worst unit, median face", _median(every, "lids", 1), 0.04),
         Verdict("lips, worst unit, median face", _median(every, "lips", 0), 0.03),
+        worst("lids, worst of people, mixes, caricatures", named, lambda f: f.lids[0], 0.04),
+        worst("lids along, worst of people, mixes, caricatures", named, lambda f: f.lids[1], 0.08),
+        worst("lips, worst of people, mixes, caricatures", named, lambda f: f.lips[0], 0.06),
         *(Verdict(f"{part} over .3 mm, % of faces", share, 0.0) for part, share in pierced.items()),
         Verdict("milliseconds, median", 1e3 * float(np.median([t for f in every for t in f.times])), 4.0),
         Verdict("milliseconds, 95th percentile", 1e3 * slow(times), 10.0),
@@ -95,6 +99,7 @@ def _worst_cells(figures: Figures) -> Row:
         str(figures.folds),
         ", ".join(f"{unit} {figures.folded[unit]}" for unit in units[:3]),
         f"{figures.lids[0].value:.3f} {figures.lids[0].unit}",
+        f"{figures.lids[1].value:.3f} {figures.lids[1].unit}",
         f"{figures.lips[0].value:.3f} {figures.lips[0].unit}",
         *(f"{1e3 * worst.value:.2f} {worst.unit}" for worst in (figures.eyes, figures.bag, figures.teeth)),
         str(figures.sums.new_folds),
