@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import NDArray
@@ -61,7 +61,9 @@ def load_source(
     if units is not None:
         names = [names[i] for i in np.linspace(0, len(names) - 1, units).astype(int)]
     space = cast.space
-    compiled = {name: compile_expression(space, cast.expressions[name]) for name in names}
+    # Only a face with a gain for its ears turns them, and gains do not count here; how far they turn is no fold.
+    still = {name: replace(cast.expressions[name], ears=np.zeros((2, 3))) for name in names}
+    compiled = {name: compile_expression(space, still[name]) for name in names}
     moves = {name: displace_generic(space, compiled[name]) for name in names}
     sheet = space.sheet_triangles
     draw = np.random.default_rng(seed)
