@@ -30,7 +30,7 @@ from rich.table import Table
 sys.path.insert(0, str(Path(__file__).resolve().parent.parent))
 
 import omote
-from benchmarks.maps.mouth_views import TURNS, MouthViews, Seen
+from benchmarks.maps.inside.mouth_views import TURNS, MouthViews, Seen
 from omote.builtin import load_cast
 from omote.edit.compute.layer_correction import LayerCorrection
 from omote.model.cast import Cast

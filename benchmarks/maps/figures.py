@@ -9,9 +9,9 @@ from time import thread_time
 import numpy as np
 from numpy.typing import NDArray
 
-from benchmarks.maps.inner import Mouth, more
+from benchmarks.maps.inside.inner import Mouth, more
+from benchmarks.maps.inside.piercing import balls_of, depth_in_balls, teeth_on, teeth_out
 from benchmarks.maps.measures import Creases, closure_errors, find_folds
-from benchmarks.maps.piercing import balls_of, depth_in_balls, teeth_on, teeth_out
 from benchmarks.maps.source import Source
 from benchmarks.maps.sums import SumFigures, Sums
 from omote.model.known_names import GENERIC

@@ -8,9 +8,9 @@ from dataclasses import dataclass, field
 import numpy as np
 from numpy.typing import NDArray
 
+from benchmarks.maps.inside.piercing import balls_of
 from benchmarks.maps.measures import find_folds
 from benchmarks.maps.methods import OURS
-from benchmarks.maps.piercing import balls_of
 from benchmarks.maps.source import Source
 from omote.model.space.face import Face
 from omote.model.space.face_fit import fit

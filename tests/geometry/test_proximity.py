@@ -31,6 +31,16 @@ def test_the_distance_to_a_cube_is_what_it_is_in_theory() -> None:
     )
 
 
+def test_within_a_reach_distances_are_the_same_and_beyond_it_no_triangle_is_named() -> None:
+    points = RNG.uniform(-1.0, 2.0, (400, 3))
+    far, triangles = nearest_triangles(cube(), points)
+    found, named = nearest_triangles(cube(), points, 0.4)
+    near = far < 0.4
+    assert near.any() and not near.all()
+    assert np.array_equal(found, np.where(near, far, 0.4))
+    assert np.array_equal(named, np.where(near, triangles, -1))
+
+
 def test_the_winding_number_says_what_is_inside() -> None:
     points = RNG.uniform(-1.0, 2.0, (400, 3))
     assert np.allclose(winding_numbers(cube(), points), (outside_of(points) == 0).astype(float), atol=1e-9)

@@ -14,14 +14,19 @@ SLACK = 1e-6
 
 
 @njit(cache=True)
-def nearest_triangles(corners: Values, points: Values) -> tuple[Values, Indices]:
-    """The distance (n,) of points (n, 3) to a mesh with triangles (t, 3, 3), and which of them is nearest (n,)."""
-    best, at = np.full(len(points), np.inf), np.zeros(len(points), np.int64)
+def nearest_triangles(corners: Values, points: Values, within: float = np.inf) -> tuple[Values, Indices]:
+    """The distance (n,) of points (n, 3) to a mesh with triangles (t, 3, 3), and which of them is nearest (n,).
+
+    Points farther away than within metres are at that distance of triangle -1: a short reach looks at few triangles.
+    """
+    best, at = np.full(len(points), within), np.full(len(points), -1, np.int64)
+    u, v = np.empty(3), np.empty(3)
     for t in range(len(corners)):
-        a, u, v = corners[t, 0], corners[t, 1] - corners[t, 0], corners[t, 2] - corners[t, 0]
-        reach = np.sqrt(max((u * u).sum(), (v * v).sum()))
+        for c in range(3):
+            u[c], v[c] = corners[t, 1, c] - corners[t, 0, c], corners[t, 2, c] - corners[t, 0, c]
+        reach = np.sqrt(max(u[0] * u[0] + u[1] * u[1] + u[2] * u[2], v[0] * v[0] + v[1] * v[1] + v[2] * v[2]))
         for n in range(len(points)):
-            x, y, z = points[n, 0] - a[0], points[n, 1] - a[1], points[n, 2] - a[2]
+            x, y, z = points[n, 0] - corners[t, 0, 0], points[n, 1] - corners[t, 0, 1], points[n, 2] - corners[t, 0, 2]
             if x * x + y * y + z * z > (best[n] + reach) ** 2:
                 continue
             away = _distance(x, y, z, u, v)
@@ -89,11 +94,11 @@ def winding_numbers(corners: Values, points: Values) -> Values:
     (van Oosterom and Strackee 1983); between them where the mesh has holes (Jacobson et al. 2013)."""
     result = np.zeros(len(points))
     for n in range(len(points)):
-        total = 0.0
+        total, x, y, z = 0.0, points[n, 0], points[n, 1], points[n, 2]
         for t in range(len(corners)):
-            ax, ay, az = corners[t, 0] - points[n]
-            bx, by, bz = corners[t, 1] - points[n]
-            cx, cy, cz = corners[t, 2] - points[n]
+            ax, ay, az = corners[t, 0, 0] - x, corners[t, 0, 1] - y, corners[t, 0, 2] - z
+            bx, by, bz = corners[t, 1, 0] - x, corners[t, 1, 1] - y, corners[t, 1, 2] - z
+            cx, cy, cz = corners[t, 2, 0] - x, corners[t, 2, 1] - y, corners[t, 2, 2] - z
             a, b, c = _length(ax, ay, az), _length(bx, by, bz), _length(cx, cy, cz)
             volume = ax * (by * cz - bz * cy) - ay * (bx * cz - bz * cx) + az * (bx * cy - by * cx)
             ab, bc, ca = ax * bx + ay * by + az * bz, bx * cx + by * cy + bz * cz, cx * ax + cy * ay + cz * az

@@ -134,10 +134,10 @@ def _push_doubtful(bag: MouthBag, positions: Values, here: Depths, push: Values)
     if len(rows) == 0:
         return push, here.inward
     corners, points = positions[np.concatenate([bag.skin, bag.membranes])], positions[bag.vertices[rows]]
-    outside = winding_numbers(corners, points) < 0  # the skin around alone: a half behind it, less by one before it
-    rows, points = rows[outside], points[outside]
-    away, nearest = nearest_triangles(corners, points)
-    out = (nearest < len(bag.skin)) & (away > OUT) & (away < PASSED)
+    away, nearest = nearest_triangles(corners, points, PASSED)  # first, for a winding number is dearer
+    near = np.flatnonzero((nearest >= 0) & (nearest < len(bag.skin)) & (away > OUT))
+    # The skin around alone: a half behind it, less by one before it.
+    out = near[winding_numbers(corners, points[near]) < 0]
     push, inward = push.copy(), here.inward.copy()
     push[rows[out]] = away[out] - OUT
     inward[rows[out]] = -_face_normals(corners[nearest[out]])
