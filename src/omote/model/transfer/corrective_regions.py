@@ -1,4 +1,4 @@
-"""Where combinations of compounds are corrected: the skin around eyes and mouth, found once per space.
+"""Where combinations of compounds are corrected: the skin around eyes and mouth and the throat, found once per space.
 
 Each compound alone folds and pierces nothing that the generic face does not. Combinations do: a blink and a squint push
 one lid through the other, two lip shapes turn small triangles over. `omote.perform.blending.correctives` corrects that

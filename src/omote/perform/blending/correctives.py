@@ -31,9 +31,9 @@ ROUNDS = 16
 """How often triangles are projected; half of them before lids and lips are separated for the last time."""
 LEAST_AREA = 0.1
 """A triangle keeps this share of its area at rest, seen along its normal at rest."""
-MOMENTUM = 0.7
+MOMENTUM = 0.5
 """How much of its last step a vertex goes on, round by round (`omote.geometry.orientation`)."""
-MARGIN, FARTHEST = 1.0, 0.03
+MARGIN, FARTHEST = 0.5, 0.03
 """So much of what a triangle lacks of its area it is to have beyond its goal, and at most so large a share of its area:
 what a few rounds leave lacking turns nothing over."""
 BULGE, CORNEA = 0.035, 0.6
