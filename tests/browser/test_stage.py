@@ -117,7 +117,7 @@ def random_frame(pool: Pool, rng: np.random.Generator, regional: bool) -> Frame:
         faces=weights(pool.faces, int(rng.integers(1, 4))),
         expressions=expressions(),
         regions={region: expressions() for region in regions},
-        channels={name: float(rng.uniform(-0.2, 1.0)) for name in channels},
+        channels={name: float(rng.uniform(-0.2, 1.4)) for name in channels},
         head=Head(*rng.uniform(-0.5, 0.5, 3).tolist()),
         gaze=Gaze(*rng.uniform(-0.4, 0.4, 2).tolist()),
     )
@@ -138,6 +138,15 @@ def test_gpu_positions_equal_the_bilinear_evaluator(stage: Callable[..., Page], 
         hold(page, pose_of(cast, frame))
         wrong = np.linalg.norm(positions(page) - expected(cast, frame), axis=1)
         assert wrong.max() < TOLERANCE, (frame, wrong.argmax())
+
+
+def test_one_unit_beyond_its_end_is_corrected_as_by_the_evaluator(stage: Callable[..., Page], cast: Cast) -> None:
+    """Lids that are asked for more than a closed eye press, and triangles stay upright."""
+    page = stage()
+    for name in ("eyeBlinkLeft", "mouthPucker"):
+        frame = Frame({"baby": 1.0}, {"neutral": 1.0}, channels={name: 1.5})
+        hold(page, pose_of(cast, frame))
+        assert np.linalg.norm(positions(page) - expected(cast, frame), axis=1).max() < TOLERANCE
 
 
 def test_all_expressions_at_once_are_blended(stage: Callable[..., Page], cast: Cast) -> None:

@@ -34,6 +34,17 @@ def test_a_vertex_pushed_through_its_neighbours_turns_nothing_over(vertex: int, 
     assert area_shares(points, NORMALS, SIZES, TRIANGLES).min() > 0.0
 
 
+@given(st.integers(0, SIDE * SIDE - 1), moves)
+def test_momentum_leaves_no_more_lacking_after_few_rounds(vertex: int, move: np.ndarray) -> None:
+    left = []
+    for momentum in (0.0, 0.5):
+        points = REST.copy()
+        points[vertex] += move
+        keep_orientation(points, NORMALS, SIZES, TRIANGLES, GOALS, 16, momentum)
+        left.append(np.maximum(GOAL - area_shares(points, NORMALS, SIZES, TRIANGLES), 0.0).max())
+    assert left[1] <= left[0] + 1e-3
+
+
 @given(st.integers(0, SIDE * SIDE - 1), moves, st.floats(0.0, 0.4))
 def test_what_is_upright_stays_as_it_is(vertex: int, move: np.ndarray, size: float) -> None:
     points = REST.copy()

@@ -1516,6 +1516,9 @@ class SettlingDocument(msgspec.Struct, frozen=True):
     eager: float
     flattest: float
     full: float
+    momentum: float
+    margin: float
+    farthest: float
     bulge: float
     cornea: float
     rows: bytes

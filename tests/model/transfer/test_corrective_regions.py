@@ -6,7 +6,7 @@ import pytest
 from omote.builtin import load_cast
 from omote.model.cast import Cast
 from omote.model.space.lid_lip_lines import RUNGS
-from omote.model.transfer.corrective_regions import CorrectiveRegions, find_corrective_regions
+from omote.model.transfer.corrective_regions import REACH, THROAT, CorrectiveRegions, find_corrective_regions
 
 
 @pytest.fixture(scope="module")
@@ -54,6 +54,20 @@ def test_shares_grow_along_the_line(regions: CorrectiveRegions) -> None:
 def test_triangles_are_those_of_the_sheet_between_rows(regions: CorrectiveRegions, cast: Cast) -> None:
     inside = np.isin(cast.space.sheet_triangles, regions.rows).all(axis=1)
     assert np.array_equal(regions.rows[regions.triangles], cast.space.sheet_triangles[inside])
+
+
+def test_rows_lie_around_the_lines_and_on_the_throat_below_the_lips(regions: CorrectiveRegions, cast: Cast) -> None:
+    points = cast.space.points
+    loops = {line.kind: points[line.loop] for line in cast.space.lines}
+    width = max(np.ptp(points[line.loop, 0]) for line in cast.space.lines)
+    every = np.concatenate([points[line.loop] for line in cast.space.lines])
+    here = points[np.unique(cast.space.sheet_triangles)]
+    inside = np.isin(np.unique(cast.space.sheet_triangles), regions.rows)
+    near = np.linalg.norm(here[:, None] - every, axis=2).min(axis=1) < REACH * width
+    lips = loops["lips"]
+    below = here[:, 1] < lips[:, 1].min()
+    throat = below & (np.linalg.norm(here[:, None] - lips, axis=2).min(axis=1) < THROAT * np.ptp(lips[:, 0]))
+    assert np.array_equal(inside, near | throat)
 
 
 def test_lids_lie_around_their_own_eye(regions: CorrectiveRegions, cast: Cast) -> None:

@@ -1440,6 +1440,9 @@ export interface SettlingDocument {
   eager: number;
   flattest: number;
   full: number;
+  momentum: number;
+  margin: number;
+  farthest: number;
   bulge: number;
   cornea: number;
   rows: Uint8Array;

@@ -1,4 +1,4 @@
-"""Where combinations of compounds are corrected: the skin around eyes and mouth, found once per space.
+"""Where combinations of compounds are corrected: the skin around eyes and mouth and the throat, found once per space.
 
 Each compound alone folds and pierces nothing that the generic face does not. Combinations do: a blink and a squint push
 one lid through the other, two lip shapes turn small triangles over. `omote.perform.blending.correctives` corrects that
@@ -14,6 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy import sparse
 from scipy.sparse.linalg import splu
+from scipy.spatial import cKDTree
 
 from omote.model.space.lid_lip_lines import RUNGS, Kind, chains
 from omote.model.space.parameter_space import ParameterSpace
@@ -24,8 +25,9 @@ from omote.model.transfer.fold_repair import build_sheet_geometry
 Indices = NDArray[np.int32]
 Values = NDArray[np.float64]
 
-# The skin within so many widths of the widest line is corrected.
-REACH = 1.0
+# The skin within so many widths of the widest line is corrected; below the lips, within so many of theirs: an open jaw
+# and the neck's muscle fold the throat.
+REACH, THROAT = 1.0, 2.0
 # What separates two lids dies out over this share of their line's width; below LEAST of it, it is zero.
 FADE, LEAST = 0.2, 0.03
 
@@ -103,14 +105,17 @@ def _search(space: ParameterSpace) -> CorrectiveRegions:
 
 
 def _around(space: ParameterSpace) -> Indices:
-    """The sheet's vertices within REACH of the lines."""
+    """The sheet's vertices within REACH of the lines, or within THROAT of the lips and below them."""
     used = np.unique(space.sheet_triangles).astype(np.int32)
-    loops = np.concatenate([line.loop for line in space.lines])
-    far = REACH * max(float(np.ptp(space.points[line.loop, 0])) for line in space.lines)
-    nearest = np.full(len(used), np.inf)
-    for vertex in loops:
-        nearest = np.minimum(nearest, np.linalg.norm(space.points[used] - space.points[vertex], axis=1))
-    return used[nearest < far]
+    points, loops = space.points[used], [(line.kind, space.points[line.loop]) for line in space.lines]
+    far = REACH * max(float(np.ptp(loop[:, 0])) for _, loop in loops)
+    inside = np.zeros(len(used), np.bool_)
+    for kind, loop in loops:
+        distance, _ = cKDTree(loop).query(points)
+        inside |= distance < far
+        if kind == "lips":
+            inside |= (distance < THROAT * float(np.ptp(loop[:, 0]))) & (points[:, 1] < loop[:, 1].min())
+    return used[inside]
 
 
 def _nearest_eye(points: Values, eyes: list[Part]) -> Indices:

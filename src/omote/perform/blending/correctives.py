@@ -31,6 +31,11 @@ ROUNDS = 16
 """How often triangles are projected; half of them before lids and lips are separated for the last time."""
 LEAST_AREA = 0.1
 """A triangle keeps this share of its area at rest, seen along its normal at rest."""
+MOMENTUM = 0.5
+"""How much of its last step a vertex goes on, round by round (`omote.geometry.orientation`)."""
+MARGIN, FARTHEST = 0.5, 0.03
+"""So much of what a triangle lacks of its area it is to have beyond its goal, and at most so large a share of its area:
+what a few rounds leave lacking turns nothing over."""
 BULGE, CORNEA = 0.035, 0.6
 """How far the cornea stands out of the ball, in radii, and where it ends, radians from the line of sight."""
 AREA_SLACK, LENGTH_SLACK = 1e-3, 1e-6
@@ -70,7 +75,9 @@ def measure_allowance(regions: CorrectiveRegions, face: FittedFace, expression: 
     still = _at_rest(regions, face)
     balls = Eyeballs(still.balls.centres, still.balls.radii, expression.eyes)
     here, there = still.points, skin[regions.rows].astype(np.float64)
-    areas = LEAST_AREA + AREA_SLACK - area_shares(there, still.normals, still.sizes, regions.triangles)
+    shares = area_shares(there, still.normals, still.sizes, regions.triangles)
+    upright = np.where(shares < 0.0, AREA_SLACK, np.minimum(AREA_SLACK, shares))  # what it leaves upright may not turn
+    areas = LEAST_AREA + upright - shares
     rungs = []
     for crossing in regions.crossings:
         _, least, now = _openings(crossing, here, there)
@@ -130,9 +137,11 @@ def correct_combination(
     _open_crossings(regions, here, points, rungs)
     _open_crossings(regions, here, points, rungs)
     _push_out_of_eyeballs(regions, points, lids, balls)
-    keep_orientation(points, normals, sizes, regions.triangles, goals, ROUNDS // 2)
+    lacking = np.maximum(goals - area_shares(points, normals, sizes, regions.triangles), 0.0)
+    goals = goals + np.minimum(MARGIN * lacking, FARTHEST)
+    keep_orientation(points, normals, sizes, regions.triangles, goals, ROUNDS // 2, MOMENTUM)
     _open_crossings(regions, here, points, rungs)
-    keep_orientation(points, normals, sizes, regions.triangles, goals, ROUNDS // 2)
+    keep_orientation(points, normals, sizes, regions.triangles, goals, ROUNDS // 2, MOMENTUM)
     _push_out_of_eyeballs(regions, points, lids, balls)
     move = points - blended
     if not move.any():

@@ -52,7 +52,8 @@ def _is_moved(frame: Frame, channels: Mapping[str, float]) -> bool:
 
 
 def _allowed(cast: Cast, frame: Frame, channels: Mapping[str, float]) -> Floats:
-    """The allowances of all compounds, each times the size of its weight: in each region of that region's own mix."""
+    """The allowances of all compounds, each times the size of its weight, of an expression's at most 1: beyond it lids
+    press and triangles stay upright, as far as they do at 1. In each region of that region's own mix."""
     whole = _allowances(cast, frame, frame.expressions, channels)
     total = whole
     for region, mix in sorted(frame.regions.items()):
@@ -65,7 +66,7 @@ def _allowed(cast: Cast, frame: Frame, channels: Mapping[str, float]) -> Floats:
 def _allowances(cast: Cast, frame: Frame, mix: Weights, channels: Mapping[str, float]) -> Floats:
     compounds = compound_cache(cast)
     sizes = {
-        (face, name): abs(s * weight)
+        (face, name): abs(s) * min(abs(weight), 1.0)
         for face, s in frame.faces.items()
         for name, weight in combine(((1.0, mix), (1.0, channels))).items()
         if name != NEUTRAL and s * weight

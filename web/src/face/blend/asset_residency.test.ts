@@ -1,6 +1,6 @@
 import { describe, expect, it } from "vitest";
 import type { Compound, Library } from "../../link/assets";
-import { restPose } from "../pose/pose";
+import { type Pose, restPose } from "../pose/pose";
 import { AssetResidency } from "./asset_residency";
 import type { Blender } from "./blender";
 import { LayerTable } from "./layer_table";
@@ -48,8 +48,8 @@ describe("what a stage holds", () => {
     const allowed = { places: new Uint32Array([1, 2]), values: new Float32Array([10, 100]) };
     const library = { ...late().library, compound: async () => ({ ...compound, allowed }) } as unknown as Library;
     const masks = Float32Array.from([1, 0, 0, 0, 0, 0.25, 0.75, 0, 0, 0, 0, 1]);
-    const pose = { ...restPose("dog"), regions: { eyes: { "#1": 1 }, mouth: { neutral: 0.5, "#1": 0.5 } } };
-    const mixOf = async (residency: AssetResidency) => {
+    const regional = { ...restPose("dog"), regions: { eyes: { "#1": 1 }, mouth: { neutral: 0.5, "#1": 0.5 } } };
+    const mixOf = async (residency: AssetResidency, pose: Pose = regional) => {
       const blender = layers();
       Object.assign(library, {
         hasFace: () => true,
@@ -66,6 +66,10 @@ describe("what a stage holds", () => {
     expect([...(mix.allowed ?? [])]).toEqual([0, 10 * (0.25 + 0.75 * 0.5), 0]);
     const whole = await mixOf(new AssetResidency(library));
     expect([whole.entries.length, whole.regional, whole.allowed]).toEqual([1, [], undefined]);
+    const worn = async (weight: number) =>
+      (await mixOf(new AssetResidency(library), { ...restPose("dog"), channels: { "#1": weight } })).allowed;
+    expect(await worn(1)).toBe(undefined); // one compound alone needs no correctives
+    expect([...((await worn(1.5)) ?? [])]).toEqual([0, 10, 100]); // and beyond its end is allowed no more than there
   });
 
   it("counts what was refused, and what nobody has, as shown: nothing waits for it", async () => {

@@ -14,6 +14,9 @@ const UPLOADS = 8; // layers uploaded in one frame, so that no frame is late for
 const keyOf = (face: string, expression: string | undefined): string =>
   expression === undefined ? face : `${face}\n${expression}`;
 
+/** From this weight on one compound alone is put right: rounding does not count. */
+const BEYOND = 1 + 1e-6;
+
 /** What a stage holds of the cast, by source: fetched lazily, uploaded a few per frame, held back until then and never popped. */
 export class AssetResidency {
   private readonly sheets = new Map<string, Fill>();
@@ -73,7 +76,8 @@ export class AssetResidency {
       term.regions === undefined ? [] : [{ layer: layer(term), weights: term.regions }],
     );
     const rest = entries.filter((_, at) => plain[at]?.expression === undefined);
-    const several = rest.length > 1 || held.length > rest.length + 1 || regional.length > 0;
+    const beyond = held.some(({ expression, weight, most }) => expression && Math.abs(weight) > BEYOND * most);
+    const several = rest.length > 1 || held.length > rest.length + 1 || regional.length > 0 || beyond;
     return {
       entries,
       regional,
@@ -96,10 +100,11 @@ export class AssetResidency {
   }
 
   /** How much of a term there is at a place of the allowances. */
-  private size({ weight, regions }: Term, place: number): number {
-    if (regions === undefined) return Math.abs(weight);
+  private size({ weight, most, regions }: Term, place: number): number {
+    const own = (weight: number) => Math.min(Math.abs(weight), most);
+    if (regions === undefined) return own(weight);
     const share = (region: number) => this.masks?.[regions.length * place + region] ?? 0;
-    return regions.reduce((sum, own, region) => sum + share(region) * Math.abs(own), 0);
+    return regions.reduce((sum, weight, region) => sum + share(region) * own(weight), 0);
   }
 
   /** The weights of the faces on air, as far as they are here. */

@@ -2,17 +2,10 @@
 
 import { RUNGS } from "../../link/constants";
 import { type CorrectivesData, DATA_WIDTH, rolesOf } from "../anatomy/correctives_data";
-import { createProgram, dataTexture, floatTexture, targetTexture, uniformAt, wholeTexture } from "../gpu/gl";
-import { PASS_VERTEX, ROW_WIDTH } from "../gpu/pass_shaders";
-import {
-  GATHER_FRAGMENT,
-  PART_FRAGMENT,
-  REST_FRAGMENT,
-  RUNG_FRAGMENT,
-  SLOTS,
-  SPREAD_FRAGMENT,
-  UPRIGHT_FRAGMENT,
-} from "./corrective_shaders";
+import { dataTexture, floatTexture, targetTexture, uniformAt, wholeTexture } from "../gpu/gl";
+import { ROW_WIDTH } from "../gpu/pass_shaders";
+import { createPrograms, type Lines, type Programs } from "./corrective_programs";
+import { SLOTS } from "./corrective_shaders";
 
 /** The eyeballs as lids meet them: centres (6) and radii (2) metres, and where they look (6), unit vectors. */
 export interface Sockets {
@@ -36,11 +29,8 @@ interface Target {
   size: [number, number];
 }
 
-/** Lines of a slot in the textures: places, triangles, rungs, allowances. */
-type Lines = readonly [places: number, triangles: number, rungs: number, allowed: number];
-
+type TargetName = "before" | "one" | "other" | "third" | "rungs" | "rest" | "normals" | "goals";
 type Textures = Record<string, WebGLTexture>;
-type Programs = Record<"gather" | "rung" | "part" | "normal" | "upright" | "spread", WebGLProgram>;
 
 /**
  * Puts the sums of compounds right on the GPU, pass by pass as `omote.perform.blending.correctives` does. Each pass takes
@@ -48,7 +38,7 @@ type Programs = Record<"gather" | "rung" | "part" | "normal" | "upright" | "spre
  */
 export class CorrectivePasses {
   private readonly lines: Lines;
-  private readonly targets: Record<"before" | "one" | "other" | "rungs" | "rest" | "normals", Target>;
+  private readonly targets: Record<TargetName, Target>;
   private readonly mixed: Target[] = []; // by slot: all positions
   private readonly allowed: WebGLTexture;
   private readonly allowedTexels: Float32Array;
@@ -70,16 +60,17 @@ export class CorrectivePasses {
       before: slots(places),
       one: slots(places),
       other: slots(places),
+      third: slots(places),
       rungs: slots(rungs, RUNGS),
       rest: slots(places),
       normals: slots(faces),
+      goals: slots(faces),
     };
     this.allowedTexels = new Float32Array(SLOTS * allowed * DATA_WIDTH);
     this.allowed = floatTexture(gl, this.allowedTexels, 1, DATA_WIDTH);
     this.data = this.readData();
-    this.programs = createPrograms(gl);
+    this.programs = createPrograms(gl, correctives, this.lines);
     this.nothing = gl.createVertexArray();
-    this.fix();
   }
 
   /** Where the plain sum of the character in a slot is drawn to: all positions. */
@@ -104,12 +95,12 @@ export class CorrectivePasses {
     corrections.forEach((_, slot) => {
       this.gather(targets.before, slot);
     });
-    const half = this.correctives.document.rounds / 2;
     let from = this.part(targets.before, count, false);
     from = this.part(from, count, true);
-    for (let round = 0; round < half; round++) from = this.unfold(from, count, false);
+    this.aim(from, count);
+    from = this.unfold(from, count, false);
     from = this.part(from, count, false);
-    for (let round = 0; round < half; round++) from = this.unfold(from, count, round === half - 1);
+    from = this.unfold(from, count, true);
     corrections.forEach(({ into }, slot) => {
       this.spread(from, slot, into);
     });
@@ -167,30 +158,6 @@ export class CorrectivePasses {
     gl.texSubImage2D(gl.TEXTURE_2D, 0, 0, 0, DATA_WIDTH, tall, gl.RED, gl.FLOAT, this.allowedTexels);
   }
 
-  /** What never changes. */
-  private fix(): void {
-    const { gl, programs, correctives } = this;
-    const { bulge, cornea, upright, eager, flattest, full } = correctives.document;
-    for (const program of Object.values(programs)) {
-      gl.useProgram(program);
-      gl.uniform4i(uniformAt(gl, program, "lines"), ...this.lines);
-    }
-    for (const program of [programs.part, programs.upright]) {
-      gl.useProgram(program);
-      gl.uniform2f(uniformAt(gl, program, "cornea"), bulge, Math.cos(cornea));
-    }
-    const last = (name: string) => uniformAt(gl, programs.upright, name);
-    gl.uniform1f(last("upright"), upright);
-    gl.uniform1f(last("eager"), eager);
-    gl.uniform1f(last("flattest"), flattest);
-    gl.uniform1f(last("full"), full);
-    gl.useProgram(programs.rung);
-    gl.uniform1i(uniformAt(gl, programs.rung, "first"), correctives.triangles.length / 4);
-    gl.uniform1fv(uniformAt(gl, programs.rung, "upward"), correctives.upward);
-    gl.useProgram(programs.spread);
-    gl.uniform1i(uniformAt(gl, programs.spread, "width"), correctives.width);
-  }
-
   /** What stays the same in all passes of a frame. */
   private prepare(corrections: readonly Correction[]): void {
     const { gl, programs } = this;
@@ -223,15 +190,38 @@ export class CorrectivePasses {
     return this.step("part", from, count, leaving, { pulls, rungs: targets.rungs.texture });
   }
 
-  /** Turns back triangles that lack area, by one round; where the result is. */
-  private unfold(from: Target, count: number, leaving: boolean): Target {
-    const corners = this.data.corners as WebGLTexture;
-    return this.step("upright", from, count, leaving, { restNormals: this.targets.normals.texture, corners });
+  /** What each triangle is to keep of its area. */
+  private aim(from: Target, count: number): void {
+    const { targets, data, lines } = this;
+    const textures = { restNormals: targets.normals.texture, triangles: data.triangles as WebGLTexture };
+    const shared = { points: from.texture, allowed: this.allowed };
+    this.pass("goal", targets.goals, [0, count * lines[1]], { ...shared, ...textures });
   }
 
-  private step(name: "part" | "upright", from: Target, count: number, leaving: boolean, textures: Textures): Target {
+  /** Turns back triangles that lack area, by half of the rounds; where the result is. `leaving`: the last leaves eyeballs. */
+  private unfold(from: Target, count: number, leaving: boolean): Target {
+    const { targets, data, correctives } = this;
+    const half = correctives.document.rounds / 2;
+    const fixed = { restNormals: targets.normals.texture, goals: targets.goals.texture };
+    let [earlier, now] = [from, from];
+    for (let round = 0; round < half; round++) {
+      const textures = { earlier: earlier.texture, ...fixed, corners: data.corners as WebGLTexture };
+      const into = this.step("upright", now, count, leaving && round === half - 1, textures, earlier);
+      [earlier, now] = [now, into];
+    }
+    return now;
+  }
+
+  private step(
+    name: "part" | "upright",
+    from: Target,
+    count: number,
+    leaving: boolean,
+    textures: Textures,
+    kept = from,
+  ): Target {
     const { targets, data, gl, lines } = this;
-    const into = from === targets.one ? targets.other : targets.one;
+    const into = [targets.one, targets.other, targets.third].find((each) => each !== from && each !== kept) as Target;
     gl.useProgram(this.programs[name]);
     gl.uniform1i(uniformAt(gl, this.programs[name], "leaving"), leaving ? 1 : 0);
     const shared = { points: from.texture, rest: targets.rest.texture, spans: data.spans as WebGLTexture };
@@ -273,12 +263,3 @@ export class CorrectivePasses {
 
 /** Lines of texels that so many values take. */
 const linesOf = (count: number): number => Math.max(1, Math.ceil(count / DATA_WIDTH));
-
-const createPrograms = (gl: WebGL2RenderingContext): Programs => ({
-  gather: createProgram(gl, PASS_VERTEX, GATHER_FRAGMENT),
-  rung: createProgram(gl, PASS_VERTEX, RUNG_FRAGMENT),
-  part: createProgram(gl, PASS_VERTEX, PART_FRAGMENT),
-  normal: createProgram(gl, PASS_VERTEX, REST_FRAGMENT),
-  upright: createProgram(gl, PASS_VERTEX, UPRIGHT_FRAGMENT),
-  spread: createProgram(gl, PASS_VERTEX, SPREAD_FRAGMENT),
-});

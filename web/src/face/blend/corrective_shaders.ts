@@ -141,12 +141,40 @@ void main() {
 }
 `;
 
-/** Each vertex takes the mean of what its triangles want that lack area; one that lacks next to nothing weighs next to
- * nothing, or it would halve what another wants at once. */
-export const UPRIGHT_FRAGMENT = `${PLACE_HEAD}
+/** What each triangle is to keep of its area: what it is allowed to, and beyond it a margin where it lacks that now. */
+export const GOAL_FRAGMENT = `${HEAD}
+uniform sampler2D points;
+uniform sampler2D allowed;
 uniform sampler2D restNormals;
-uniform usampler2D corners;
+uniform usampler2D triangles;
 uniform float upright;
+uniform vec2 margin; // a share of what lacks, and the most
+out vec4 goal;
+
+void main() {
+  ivec2 here = ivec2(gl_FragCoord.xy);
+  int slot = here.y / lines.y;
+  ivec2 own = here - ivec2(0, slot * lines.y);
+  uvec4 places = texelFetch(triangles, own, 0);
+  vec4 rested = texelFetch(restNormals, here, 0);
+  vec3 a = texelFetch(points, inSlot(places.x, slot, lines.x), 0).xyz;
+  vec3 b = texelFetch(points, inSlot(places.y, slot, lines.x), 0).xyz - a;
+  vec3 c = texelFetch(points, inSlot(places.z, slot, lines.x), 0).xyz - a;
+  uint number = uint(own.y * ${DATA_WIDTH} + own.x);
+  float least = upright - texelFetch(allowed, inSlot(number, slot, lines.w), 0).x;
+  float lack = max(least - dot(cross(b, c), rested.xyz) / rested.w, 0.0);
+  goal = vec4(least + min(margin.x * lack, margin.y), 0.0, 0.0, 0.0);
+}
+`;
+
+/** Each vertex takes the mean of what its triangles want that lack area, and goes on a share of its last step; one that
+ * lacks next to nothing weighs next to nothing, or it would halve what another wants at once. */
+export const UPRIGHT_FRAGMENT = `${PLACE_HEAD}
+uniform sampler2D earlier; // the points a round before
+uniform sampler2D restNormals;
+uniform sampler2D goals;
+uniform usampler2D corners;
+uniform float momentum;
 uniform float eager;
 uniform float flattest;
 uniform float full;
@@ -163,7 +191,7 @@ void main() {
     vec4 rested = texelFetch(restNormals, inSlot(corner.z, slot, lines.y), 0);
     vec3 b = point(corner.x, slot) - at;
     vec3 c = point(corner.y, slot) - at;
-    float lack = upright - allowance(corner.z, slot) - dot(cross(b, c), rested.xyz) / rested.w;
+    float lack = texelFetch(goals, inSlot(corner.z, slot, lines.y), 0).x - dot(cross(b, c), rested.xyz) / rested.w;
     if (lack <= 0.0) continue;
     vec3 atB = cross(c, rested.xyz) / rested.w;
     vec3 atC = cross(rested.xyz, b) / rested.w;
@@ -173,7 +201,8 @@ void main() {
     push += weight * lack / max(slope, flattest * inversesqrt(rested.w)) * own;
     wanted += weight;
   }
-  if (wanted > 0.0) at += eager / wanted * push;
+  if (wanted > 0.0)
+    at += momentum * min(wanted, 1.0) * (at - texelFetch(earlier, here, 0).xyz) + eager / wanted * push;
   position = vec4(left(at, span, slot), 1.0);
 }
 `;

@@ -1,5 +1,5 @@
 import { describe, expect, it } from "vitest";
-import { expressionNames, expressionWeights, faceWeights, terms } from "./mix_terms";
+import { expressionNames, expressionWeights, faceWeights, type Term, terms } from "./mix_terms";
 import { mixPoses, type Pose, restPose } from "./pose";
 
 const all = (): number => 1;
@@ -43,7 +43,8 @@ describe("the terms of a mix", () => {
   it("hold back what is not loaded and keep the face whole", () => {
     const held = terms(pose, (name, expression) => (expression === "smile" && name === "old" ? 0.5 : 1));
     const full = terms(pose, all);
-    expect(held.map((term) => ({ ...term, weight: 0 }))).toEqual(full.map((term) => ({ ...term, weight: 0 })));
+    const bare = (list: Term[]) => list.map((term) => ({ ...term, weight: 0, most: 0 }));
+    expect(bare(held)).toEqual(bare(full));
     for (const [n, term] of held.entries()) {
       const whole = (full[n] as (typeof full)[number]).weight;
       expect(term.weight).toBeCloseTo(term.face === "old" && term.expression === "smile" ? whole / 2 : whole, 12);
@@ -57,7 +58,16 @@ describe("the terms of a mix", () => {
   });
 
   it("leave out what weighs nothing", () => {
-    expect(terms(restPose("kaori"), all)).toEqual([{ face: "kaori", expression: undefined, weight: 1 }]);
+    expect(terms(restPose("kaori"), all)).toEqual([{ face: "kaori", expression: undefined, weight: 1, most: 1 }]);
+  });
+
+  it("say of each expression what it weighs at 1: the share of its face", () => {
+    const faces = { kaori: 0.25, old: 0.75 };
+    const found = terms({ ...restPose("kaori"), faces, channels: { smile: 1.5 } }, all);
+    for (const { face, expression, weight, most } of found) {
+      expect(most).toBe(faces[face as keyof typeof faces]);
+      expect(weight).toBe(most * (expression === undefined ? 1 : 1.5));
+    }
   });
 
   it("add channels, and what the gaze adds, to the expressions", () => {

@@ -10,12 +10,14 @@ export type RegionWeights = readonly number[];
 
 /**
  * One summand of the mix: a face itself (`expression` undefined) or what an expression adds to it. `regions`: its weights
- * where regions differ; `weight` is then the greatest of them.
+ * where regions differ; `weight` is then the greatest of them. `most`: what its allowances count at most, the size of its
+ * face's share: beyond a weight of 1 an expression is allowed nothing more.
  */
 export interface Term {
   face: string;
   expression: string | undefined;
   weight: number;
+  most: number;
   regions?: RegionWeights;
 }
 
@@ -73,7 +75,7 @@ export function terms(pose: Pose, share: Share): Term[] {
   const total = Object.values(pose.expressions).reduce((sum, weight) => sum + weight, 0);
   const list: Term[] = [];
   for (const [face, weight] of faceWeights(pose, share)) {
-    list.push({ face, expression: undefined, weight: weight * total });
+    list.push({ face, expression: undefined, weight: weight * total, most: Math.abs(weight) });
     for (const [expression, amount] of expressions) {
       const part = weight * share(face, expression);
       if (part !== 0) list.push(scaled(face, expression, part, amount));
@@ -83,7 +85,8 @@ export function terms(pose: Pose, share: Share): Term[] {
 }
 
 function scaled(face: string, expression: string, part: number, amount: number | RegionWeights): Term {
-  if (typeof amount === "number") return { face, expression, weight: part * amount };
+  const most = Math.abs(part);
+  if (typeof amount === "number") return { face, expression, weight: part * amount, most };
   const regions = amount.map((weight) => part * weight);
-  return { face, expression, weight: Math.max(...regions.map(Math.abs)), regions };
+  return { face, expression, weight: Math.max(...regions.map(Math.abs)), most, regions };
 }

@@ -1,0 +1,57 @@
+/** The programs of the corrective passes, with the uniforms that never change. */
+
+import type { CorrectivesData } from "../anatomy/correctives_data";
+import { createProgram, uniformAt } from "../gpu/gl";
+import { PASS_VERTEX } from "../gpu/pass_shaders";
+import {
+  GATHER_FRAGMENT,
+  GOAL_FRAGMENT,
+  PART_FRAGMENT,
+  REST_FRAGMENT,
+  RUNG_FRAGMENT,
+  SPREAD_FRAGMENT,
+  UPRIGHT_FRAGMENT,
+} from "./corrective_shaders";
+
+/** Lines of a slot in the textures: places, triangles, rungs, allowances. */
+export type Lines = readonly [places: number, triangles: number, rungs: number, allowed: number];
+
+export type Programs = Record<"gather" | "rung" | "part" | "normal" | "goal" | "upright" | "spread", WebGLProgram>;
+
+/** The programs, told what holds for all frames: what is to be corrected, and where its textures' lines begin. */
+export function createPrograms(gl: WebGL2RenderingContext, correctives: CorrectivesData, lines: Lines): Programs {
+  const programs = {
+    gather: createProgram(gl, PASS_VERTEX, GATHER_FRAGMENT),
+    rung: createProgram(gl, PASS_VERTEX, RUNG_FRAGMENT),
+    part: createProgram(gl, PASS_VERTEX, PART_FRAGMENT),
+    normal: createProgram(gl, PASS_VERTEX, REST_FRAGMENT),
+    goal: createProgram(gl, PASS_VERTEX, GOAL_FRAGMENT),
+    upright: createProgram(gl, PASS_VERTEX, UPRIGHT_FRAGMENT),
+    spread: createProgram(gl, PASS_VERTEX, SPREAD_FRAGMENT),
+  };
+  for (const program of Object.values(programs)) {
+    gl.useProgram(program);
+    gl.uniform4i(uniformAt(gl, program, "lines"), ...lines);
+  }
+  fixSteps(gl, programs, correctives);
+  gl.useProgram(programs.rung);
+  gl.uniform1i(uniformAt(gl, programs.rung, "first"), correctives.triangles.length / 4);
+  gl.uniform1fv(uniformAt(gl, programs.rung, "upward"), correctives.upward);
+  gl.useProgram(programs.spread);
+  gl.uniform1i(uniformAt(gl, programs.spread, "width"), correctives.width);
+  return programs;
+}
+
+/** How far lids and triangles are moved. */
+function fixSteps(gl: WebGL2RenderingContext, programs: Programs, { document }: CorrectivesData): void {
+  const { bulge, cornea, upright, eager, flattest, full, momentum, margin, farthest } = document;
+  for (const program of [programs.part, programs.upright]) {
+    gl.useProgram(program);
+    gl.uniform2f(uniformAt(gl, program, "cornea"), bulge, Math.cos(cornea));
+  }
+  for (const [name, value] of Object.entries({ momentum, eager, flattest, full }))
+    gl.uniform1f(uniformAt(gl, programs.upright, name), value);
+  gl.useProgram(programs.goal);
+  gl.uniform1f(uniformAt(gl, programs.goal, "upright"), upright);
+  gl.uniform2f(uniformAt(gl, programs.goal, "margin"), margin, farthest);
+}
