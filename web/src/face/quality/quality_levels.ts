@@ -10,8 +10,10 @@ export interface Features {
   readonly shadow: number;
   /** Fine normals, the layers of skin and iris: what shows from near. */
   readonly detail: boolean;
-  /** The share of a hair style's ribbons that is drawn, 0..1. */
+  /** The share of a hair style's strands that is drawn, 0..1. */
   readonly hair: number;
+  /** Ribbons for each of those strands: a broad one, or several thin ones. */
+  readonly ribbons: number;
   /** Edges drawn from several samples a pixel; false: smoothed afterwards. */
   readonly multisample: boolean;
   /** Samples along a texture that is seen at a slant, 1 or more. */
@@ -28,21 +30,60 @@ export const FEATURES: Readonly<Record<Level, Features>> = {
     shadow: 0,
     detail: false,
     hair: 0.35,
+    ribbons: 1,
     multisample: false,
     anisotropy: 1,
     pixels: 0.5e6,
   },
-  low: { pixelLight: true, shadow: 0, detail: false, hair: 0.6, multisample: false, anisotropy: 1, pixels: 1e6 },
-  medium: { pixelLight: true, shadow: 512, detail: true, hair: 1, multisample: true, anisotropy: 4, pixels: 2.1e6 },
-  high: { pixelLight: true, shadow: 1024, detail: true, hair: 1, multisample: true, anisotropy: 8, pixels: Infinity },
+  low: {
+    pixelLight: true,
+    shadow: 0,
+    detail: false,
+    hair: 0.6,
+    ribbons: 1,
+    multisample: false,
+    anisotropy: 1,
+    pixels: 1e6,
+  },
+  medium: {
+    pixelLight: true,
+    shadow: 512,
+    detail: true,
+    hair: 1,
+    ribbons: 1,
+    multisample: true,
+    anisotropy: 4,
+    pixels: 2.1e6,
+  },
+  good: {
+    pixelLight: true,
+    shadow: 512,
+    detail: true,
+    hair: 1,
+    ribbons: 4,
+    multisample: true,
+    anisotropy: 4,
+    pixels: 2.1e6,
+  },
+  high: {
+    pixelLight: true,
+    shadow: 1024,
+    detail: true,
+    hair: 1,
+    ribbons: 4,
+    multisample: true,
+    anisotropy: 8,
+    pixels: Infinity,
+  },
 };
 
 /**
  * What a view draws at a level. llvmpipe filters along a slant with an ellipse of texels, at a third of a whole frame:
- * without a graphics processor the skin's shader takes a finer step of its textures there instead.
+ * without a graphics processor the skin's shader takes a finer step of its textures there instead. Several samples a
+ * pixel are half of a frame there, so that only the best level has them.
  */
 export function featuresOf(level: Level, software: boolean): Features {
-  return software ? { ...FEATURES[level], anisotropy: 1 } : FEATURES[level];
+  return software ? { ...FEATURES[level], anisotropy: 1, multisample: level === LEVELS.at(-1) } : FEATURES[level];
 }
 
 /** The features as the shaders' switches: FAST, SHADOW, DETAIL, SHARPEN. */
@@ -61,7 +102,7 @@ export function pixelRatio(features: Features, width: number, height: number, ra
 }
 
 /** Where a machine starts. */
-export const firstLevel = (software: boolean): Level => (software ? "lowest" : "medium");
+export const firstLevel = (software: boolean): Level => (software ? "lowest" : "good");
 
 /** The quality that the stages draw at: one level, or from the lowest to the highest of theirs; empty: none says. */
 export function levelsOf(stages: readonly ({ readonly level: Level } | null)[]): string {
