@@ -78,12 +78,20 @@ export const FEATURES: Readonly<Record<Level, Features>> = {
 };
 
 /**
+ * What levels leave out on llvmpipe: several samples a pixel double a frame there, and thin ribbons do so again. In this
+ * order, for thin ribbons of one sample are rows of dots where hair comes or goes.
+ */
+const DEAR_IN_SOFTWARE: Partial<Record<Level, Partial<Features>>> = {
+  medium: { multisample: false },
+  good: { ribbons: 1 },
+};
+
+/**
  * What a view draws at a level. llvmpipe filters along a slant with an ellipse of texels, at a third of a whole frame:
- * without a graphics processor the skin's shader takes a finer step of its textures there instead. Several samples a
- * pixel are half of a frame there, so that only the best level has them.
+ * without a graphics processor the skin's shader takes a finer step of its textures there instead.
  */
 export function featuresOf(level: Level, software: boolean): Features {
-  return software ? { ...FEATURES[level], anisotropy: 1, multisample: level === LEVELS.at(-1) } : FEATURES[level];
+  return software ? { ...FEATURES[level], anisotropy: 1, ...DEAR_IN_SOFTWARE[level] } : FEATURES[level];
 }
 
 /** The features as the shaders' switches: FAST, SHADOW, DETAIL, SHARPEN. */
