@@ -33,8 +33,8 @@ from playwright.async_api import Browser, Page, async_playwright
 
 sys.path.insert(0, str(Path(__file__).resolve().parent.parent))
 
-from benchmarks.peers.peer_ratios import Comparison, level_comparisons, verdict
 from benchmarks.peers.frame_costs import PEER, frame_costs, renderer_of
+from benchmarks.peers.peer_ratios import Comparison, level_comparisons, verdict
 from benchmarks.peers.three_head import Head, export_head, open_three
 from omote.builtin import load_cast
 from omote.server.headless.picture_renderer import serve_pages
