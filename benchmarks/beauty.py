@@ -39,7 +39,7 @@ from tools.browser import SENTENCE, find_browser
 ROOT = Path(__file__).resolve().parent.parent
 PLAIN = "fbb58a1"
 """The last commit with the plain look."""
-LEVELS = ("lowest", "low", "medium", "high")
+LEVELS = ("lowest", "low", "medium", "good", "high")
 # Chromium rounds its time stamps to 0.1 ms: every second of a display's 60 frames a second are 29.9 by them.
 ROUNDED = 0.1
 LEAST_FPS, MOST_SECONDS, MOST_WIRE, MOST_WHEEL = 30.0, 2.0, 10.0, 25.0

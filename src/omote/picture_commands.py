@@ -28,7 +28,7 @@ ChannelsOption = Annotated[list[str] | None, typer.Option("--channel", help="A c
 LightOption = Annotated[str, typer.Option(help="theatre, portrait, flat or a mix: theatre=0.5+flat.")]
 BackgroundOption = Annotated[str | None, typer.Option(help="Behind the head: green, grey, or #rrggbb.")]
 TransparentOption = Annotated[bool, typer.Option("--transparent", help="Nothing behind the head.")]
-QualityOption = Annotated[str, typer.Option(help="lowest, low, medium or high.")]
+QualityOption = Annotated[str, typer.Option(help="lowest, low, medium, good or high.")]
 ShowOption = Annotated[
     Path | None, typer.Option(callback=complete_show, help="A show file (.omote) whose own work can be named too.")
 ]

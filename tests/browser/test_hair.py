@@ -25,7 +25,7 @@ DARK, SHADE = 45, 105  # 0..255: black hair, and stubble on the skin
 SMALL = SIDE * SIDE / 400
 
 
-@pytest.fixture(params=["lowest", "medium"])
+@pytest.fixture(params=["lowest", "medium", "good", "high"])
 def stage(request: pytest.FixtureRequest, open_page: OpenPage) -> Page:
     """A stage at a level, without a backdrop, in even light; it draws what it is told to hold."""
     page = open_page(f"/stage?quality={request.param}&light=flat&transparent", width=SIDE, height=SIDE)
@@ -71,6 +71,19 @@ def test_between_two_styles_hair_is_between_them_and_nothing_pops(stage: Page) -
     assert areas == sorted(areas, reverse=True)
     steps = [np.abs(after - before).mean() for before, after in pairwise(seen)]
     assert max(steps) < 1.5 * np.mean(steps)
+
+
+def test_a_fringe_of_broad_ribbons_shades_the_forehead_as_one_of_thin_ribbons_does(open_page: OpenPage) -> None:
+    seen = {}
+    for level in ("low", "medium", "high"):  # no shadow, of broad ribbons, of thin ones
+        page = open_page(f"/stage?quality={level}&light=theatre", width=SIDE, height=SIDE)
+        wait_until(page, "window.omoteStage?.counters().drawn")
+        draw_on_demand(page)
+        seen[level] = look(page, {"kaori": 1.0})[: int(BROWS * SIDE), :, :3]
+    forehead = seen["low"].max(axis=2) > 150
+    assert forehead.sum() > SMALL
+    without, broad = (np.abs(seen[level] - seen["high"])[forehead].mean() for level in ("low", "medium"))
+    assert broad < 0.6 * without  # where its shadow was longer than the fringe: 0.76
 
 
 def test_no_part_of_a_head_is_drawn_before_it_is_whole(open_page: OpenPage) -> None:

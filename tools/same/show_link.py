@@ -110,7 +110,7 @@ MESSAGES: dict[str, Callable[[Script], wire.Message]] = {
     "keep_expression": lambda s: wire.KeepExpression("one", s.call()),
     "set_layout": lambda s: wire.SetLayout("console", f'{{"columns": {s.rng.integers(9)}}}'),
     "ping": lambda s: wire.Ping(s.number(0.0, 1e6)),
-    "drawing": lambda s: wire.Drawing(s.number(1.0, 120.0), s.one("lowest", "low", "medium", "high")),
+    "drawing": lambda s: wire.Drawing(s.number(1.0, 120.0), s.one("lowest", "low", "medium", "good", "high")),
 }
 WEIGHT = {
     "hello": 0.5, "call_face": 4.0, "call_expression": 5.0, "fade_face": 3.0, "fade_expression": 3.0, "panic": 0.4,

@@ -19,7 +19,7 @@ import { before, mixLights } from "./light/lights";
 import type { Triple } from "./light/tone";
 import { type Pose, restPose } from "./pose/pose";
 import { alone, lightOf, type ScenePose } from "./pose/scene_pose";
-import { FEATURES, type Features, featuresOf, firstLevel, type Level, pixelRatio } from "./quality/quality_levels";
+import { type Features, featuresOf, firstLevel, type Level, pixelRatio } from "./quality/quality_levels";
 import { drawsInSoftware, hasWebGL2 } from "./quality/software_rendering";
 import { frameScene, headBoxes } from "./scene_framing";
 import { applyLayers } from "./skin/skin_layers";
@@ -146,7 +146,7 @@ export class FaceView {
   /** Sets the size in CSS pixels. */
   resize(width: number, height: number): void {
     const display = Math.min(globalThis.devicePixelRatio ?? 1, this.options.pixelRatio ?? 2);
-    this.renderer.setPixelRatio(pixelRatio(FEATURES[this.level], width, height, display));
+    this.renderer.setPixelRatio(pixelRatio(featuresHere(this.level), width, height, display));
     this.renderer.setSize(Math.max(1, width), Math.max(1, height), false);
   }
 
@@ -291,9 +291,10 @@ export class FaceView {
     this.backdrop.place(tile === undefined ? [width, height, 0, 0, width, height] : tileView(tile, width, height));
     const mixed = mixLights(own === undefined ? this.light : { [own]: 1 }); // on air, or of this stage alone
     const light = background === undefined ? mixed : before(mixed, background);
+    const { shadow, multisample } = featuresHere(this.level);
     for (const character of this.characters.values())
-      if (character.head.visible) character.dress(this.renderer, light, FEATURES[this.level].shadow);
-    this.backdrop.first = FEATURES[this.level].multisample;
+      if (character.head.visible) character.dress(this.renderer, light, shadow);
+    this.backdrop.first = multisample;
     this.backdrop.light(light);
     this.smoothing.render(this.scene, this.camera, this.backdrop.first, columns);
   }

@@ -33,7 +33,7 @@ export const EASING_NAMES = ["smooth", "gentle", "sharp", "early", "late"] as co
 /** The easing of a call that names none. */
 export const DEFAULT_EASING = "smooth";
 /** The levels of quality, from the cheapest to the best. */
-export const LEVELS = ["lowest", "low", "medium", "high"] as const;
+export const LEVELS = ["lowest", "low", "medium", "good", "high"] as const;
 /** The lowest and the highest weight of a channel. */
 export const CHANNEL_RANGE = [-0.5, 1.5] as const;
 /** A face's gains where it sets none, by region, in the order of the panels. */

@@ -583,7 +583,7 @@ export interface Ping {
 export interface Drawing {
   type: "drawing";
   fps: number;
-  level: "lowest" | "low" | "medium" | "high";
+  level: "lowest" | "low" | "medium" | "good" | "high";
   name: string;
   camera: [number, number, number] | null;
   sound: "" | "blocked" | "ready";
@@ -1130,7 +1130,7 @@ export interface Progress {
  */
 export interface StageReport {
   fps: number;
-  level: "lowest" | "low" | "medium" | "high";
+  level: "lowest" | "low" | "medium" | "good" | "high";
   name: string;
   sound: "" | "blocked" | "ready";
   sound_here: boolean;

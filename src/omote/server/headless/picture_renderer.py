@@ -102,7 +102,7 @@ def render(
         One colour behind the head, "#00b140"; else the light's own.
     transparent : bool
         Nothing behind the head.
-    quality : {"lowest", "low", "medium", "high"}
+    quality : {"lowest", "low", "medium", "good", "high"}
         The level of the stage's quality.
     path : str or Path, optional
         A PNG to be written too, over what is there; the picture of `omote render` has the same bytes. No sidecar.

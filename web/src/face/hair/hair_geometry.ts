@@ -25,8 +25,8 @@ const PIECES = { fine: 11, coarse: 5 };
  */
 const TRIANGLES = 20;
 
-/** Thin ribbons that follow each strand where hair is drawn in detail, and how wide each is, of the whole. */
-const KIN = { count: 4, width: 0.47 };
+/** How wide each of several ribbons of a strand is, of a single one. */
+const THIN = 0.47;
 
 export type StyleUniforms = Record<"strands" | "shape", THREE.IUniform<THREE.DataTexture>> &
   Record<"stations" | "width", THREE.IUniform<number>> & { tint: THREE.IUniform<THREE.Color> };
@@ -84,17 +84,18 @@ const WIDENED = 0.75;
 
 /** Fewer ribbons are wider, so that they cover the head as all of them do. */
 export function ribbons(style: RibbonStyle, shared: HeadUniforms, own: StyleUniforms, features: Features): THREE.Mesh {
-  const kin = features.detail ? KIN.count : 1;
-  const geometry = geometryOf(style.hair, features, kin);
+  const thin = features.ribbons > 1;
+  const geometry = geometryOf(style.hair, features);
   const share = drawnStrands(style.hair, features.hair) / style.hair.anchors.length;
   const pixel = { value: 0.001 };
   const look = material(HAIR_VERTEX, HAIR_FRAGMENT, {
     ...shared,
     ...own,
     pixel,
-    width: { value: (style.hair.width / 2) * share ** -WIDENED * (features.detail ? KIN.width : 1) },
+    width: { value: (style.hair.width / 2) * share ** -WIDENED * (thin ? THIN : 1) },
   });
-  look.defines = { ...definesOf(features), KIN: kin, ...(features.multisample ? { SOFT: "" } : {}) };
+  const shape = { KIN: features.ribbons, ...(features.multisample ? { SOFT: "" } : {}) };
+  look.defines = { ...definesOf({ ...features, detail: thin }), ...shape };
   look.side = THREE.DoubleSide;
   Object.assign(look, features.multisample ? COVERAGE : { blending: THREE.NoBlending });
   const mesh = new THREE.Mesh(geometry, look);
@@ -109,18 +110,19 @@ export function ribbons(style: RibbonStyle, shared: HeadUniforms, own: StyleUnif
 }
 
 /** The ribbons of a style at a level of quality: the same for all who wear it. */
-function geometryOf(hair: HairStrands, features: Features, kin: number): THREE.InstancedBufferGeometry {
+function geometryOf(hair: HairStrands, features: Features): THREE.InstancedBufferGeometry {
   const made = geometries.get(hair) ?? new Map<string, THREE.InstancedBufferGeometry>();
   geometries.set(hair, made);
-  const key = `${features.detail} ${features.hair}`;
-  const geometry = made.get(key) ?? ribbon(hair, courseOf(features), kin, drawnStrands(hair, features.hair));
+  const key = `${features.ribbons} ${features.hair}`;
+  const geometry =
+    made.get(key) ?? ribbon(hair, courseOf(features), features.ribbons, drawnStrands(hair, features.hair));
   made.set(key, geometry);
   return geometry;
 }
 
 /** The places along a ribbon (across -1..1, along 0..1) that one triangle lies between each three of. */
-function courseOf({ detail, hair }: Features): [number, number][] {
-  if (detail) return zigzag(TRIANGLES);
+function courseOf({ ribbons, hair }: Features): [number, number][] {
+  if (ribbons > 1) return zigzag(TRIANGLES);
   const pieces = hair < 0.5 ? PIECES.coarse : PIECES.fine;
   return Array.from({ length: 2 * pieces + 2 }, (_, place) => [place % 2 === 0 ? -1 : 1, (place >> 1) / pieces]);
 }

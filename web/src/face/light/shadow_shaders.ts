@@ -81,7 +81,7 @@ ${NO_SHADOW}
 
 /**
  * What the shadow map keeps: how far towards the light the nearest surface stands. Ribbons of hair (STRANDS) are fibres
- * that end one after the other here too: whole ribbons cast bars with square ends.
+ * that end one after the other here too, where they do in the picture: whole ribbons cast bars with square ends.
  */
 export const HEIGHT_FRAGMENT = `
 precision highp float;
@@ -97,7 +97,12 @@ void main() {
   vec4 fibre = texture(grain, vec2(vPlace.x * 0.05 + vChance.x * 7.3, vPlace.y * 0.013 + vChance.y));
   float edge = vPlace.x * vPlace.x;
   float tip = vPlace.y * vPlace.y;
-  if (fibre.r < 0.1 * edge * edge + 0.12 * tip + 0.5 * smoothstep(0.9, 1.06, vPlace.y)) discard;
+#ifdef DETAIL
+  float bare = 0.1 * edge * edge + 0.12 * tip + 0.5 * smoothstep(0.9, 1.06, vPlace.y);
+#else
+  float bare = 0.2 * edge * edge + 0.28 * tip + 0.9 * smoothstep(0.86, 1.06, vPlace.y); // broad ones end earlier
+#endif
+  if (fibre.r < bare) discard;
 #endif
   height = vec4(1.0 - gl_FragCoord.z, 0.0, 0.0, 1.0);
 }

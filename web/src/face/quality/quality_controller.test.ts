@@ -5,9 +5,9 @@ import type { Level } from "./quality_levels";
 
 /** Milliseconds that a machine needs for a picture at each level. */
 type Machine = Readonly<Record<Level, number>>;
-const STRONG: Machine = { lowest: 1, low: 1, medium: 2, high: 3 };
-const FAIR: Machine = { lowest: 2, low: 4, medium: 7, high: 25 };
-const WEAK: Machine = { lowest: 12, low: 30, medium: 60, high: 120 };
+const STRONG: Machine = { lowest: 1, low: 1, medium: 2, good: 2, high: 3 };
+const FAIR: Machine = { lowest: 2, low: 4, medium: 6, good: 7, high: 25 };
+const WEAK: Machine = { lowest: 12, low: 30, medium: 60, good: 90, high: 120 };
 
 /** What a display of `rate` Hz shows of a picture: the next refresh after it is done; every fifth is looked at. */
 function report(machine: Machine, level: Level, frame: number, calm: boolean, rate = 60): FrameReport {
@@ -32,7 +32,7 @@ function run(qualityController: QualityController, machine: Machine, seconds: nu
 describe("the level of quality", () => {
   it("goes down step by step until frames are in time, each within two seconds", () => {
     const { path, changes } = run(new QualityController("high"), WEAK, 60);
-    expect(path).toEqual(["high", "medium", "low", "lowest"]);
+    expect(path).toEqual(["high", "good", "medium", "low", "lowest"]);
     changes.forEach((time, index) => {
       expect(time - (changes[index - 1] ?? 0)).toBeLessThan(2);
     });
@@ -43,17 +43,17 @@ describe("the level of quality", () => {
   });
 
   it("comes to rest: a level that proves too much is tried twice and left for good", () => {
-    const qualityController = new QualityController("medium");
+    const qualityController = new QualityController("good");
     const { path, changes } = run(qualityController, FAIR, 600);
-    expect(path).toEqual(["medium", "high", "medium", "high", "medium"]);
+    expect(path).toEqual(["good", "high", "good", "high", "good"]);
     expect(changes.at(-1)).toBeLessThan(60);
   });
 
   it("is tried again for another size of picture", () => {
-    const qualityController = new QualityController("medium");
+    const qualityController = new QualityController("good");
     run(qualityController, FAIR, 600);
     qualityController.forget();
-    expect(run(qualityController, STRONG, 60).path).toEqual(["medium", "high"]);
+    expect(run(qualityController, STRONG, 60).path).toEqual(["good", "high"]);
   });
 
   it("never goes up while something moves on air", () => {
@@ -68,9 +68,9 @@ describe("the level of quality", () => {
   });
 
   it("is judged for seconds before anybody may draw less, and that once: also where nothing is fast enough", () => {
-    const slow: Machine = { lowest: 40, low: 60, medium: 90, high: 150 };
+    const slow: Machine = { lowest: 40, low: 60, medium: 90, good: 120, high: 150 };
     for (const machine of [STRONG, FAIR, WEAK, slow]) {
-      const qualityController = new QualityController("medium");
+      const qualityController = new QualityController("good");
       run(qualityController, machine, 2);
       expect(qualityController.settled).toBe(false);
       run(qualityController, machine, 60);
@@ -84,21 +84,21 @@ describe("the level of quality", () => {
   });
 
   it("does not mind a slow display", () => {
-    expect(run(new QualityController("medium"), STRONG, 60, { rate: 30 }).path).toEqual(["medium", "high"]);
+    expect(run(new QualityController("good"), STRONG, 60, { rate: 30 }).path).toEqual(["good", "high"]);
   });
 
   it("stays where it is when nobody can look at the machine and frames are in time", () => {
-    const qualityController = new QualityController("medium");
+    const qualityController = new QualityController("good");
     for (let frame = 0; frame < 6000; frame++)
       qualityController.after({ interval: 1 / 60, early: undefined, calm: true });
-    expect(qualityController.level).toBe("medium");
+    expect(qualityController.level).toBe("good");
   });
 
   it("does not mind single late frames, nor a hidden page", () => {
-    const qualityController = new QualityController("medium");
+    const qualityController = new QualityController("good");
     for (let frame = 0; frame < 6000; frame++) {
       const interval = frame % 50 === 0 ? 30 : frame % 7 === 0 ? 0.04 : 1 / 60;
-      expect(qualityController.after({ interval, early: false, calm: true })).toBe("medium");
+      expect(qualityController.after({ interval, early: false, calm: true })).toBe("good");
     }
   });
 });

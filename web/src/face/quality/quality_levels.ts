@@ -10,8 +10,10 @@ export interface Features {
   readonly shadow: number;
   /** Fine normals, the layers of skin and iris: what shows from near. */
   readonly detail: boolean;
-  /** The share of a hair style's ribbons that is drawn, 0..1. */
+  /** The share of a hair style's strands that is drawn, 0..1. */
   readonly hair: number;
+  /** Ribbons for each of those strands: a broad one, or several thin ones. */
+  readonly ribbons: number;
   /** Edges drawn from several samples a pixel; false: smoothed afterwards. */
   readonly multisample: boolean;
   /** Samples along a texture that is seen at a slant, 1 or more. */
@@ -28,13 +30,60 @@ export const FEATURES: Readonly<Record<Level, Features>> = {
     shadow: 0,
     detail: false,
     hair: 0.35,
+    ribbons: 1,
     multisample: false,
     anisotropy: 1,
     pixels: 0.5e6,
   },
-  low: { pixelLight: true, shadow: 0, detail: false, hair: 0.6, multisample: false, anisotropy: 1, pixels: 1e6 },
-  medium: { pixelLight: true, shadow: 512, detail: true, hair: 1, multisample: true, anisotropy: 4, pixels: 2.1e6 },
-  high: { pixelLight: true, shadow: 1024, detail: true, hair: 1, multisample: true, anisotropy: 8, pixels: Infinity },
+  low: {
+    pixelLight: true,
+    shadow: 0,
+    detail: false,
+    hair: 0.6,
+    ribbons: 1,
+    multisample: false,
+    anisotropy: 1,
+    pixels: 1e6,
+  },
+  medium: {
+    pixelLight: true,
+    shadow: 512,
+    detail: true,
+    hair: 1,
+    ribbons: 1,
+    multisample: true,
+    anisotropy: 4,
+    pixels: 2.1e6,
+  },
+  good: {
+    pixelLight: true,
+    shadow: 512,
+    detail: true,
+    hair: 1,
+    ribbons: 4,
+    multisample: true,
+    anisotropy: 4,
+    pixels: 2.1e6,
+  },
+  high: {
+    pixelLight: true,
+    shadow: 1024,
+    detail: true,
+    hair: 1,
+    ribbons: 4,
+    multisample: true,
+    anisotropy: 8,
+    pixels: Infinity,
+  },
+};
+
+/**
+ * What levels leave out on llvmpipe: several samples a pixel double a frame there, and thin ribbons do so again. In this
+ * order, for thin ribbons of one sample are rows of dots where hair comes or goes.
+ */
+const DEAR_IN_SOFTWARE: Partial<Record<Level, Partial<Features>>> = {
+  medium: { multisample: false },
+  good: { ribbons: 1 },
 };
 
 /**
@@ -42,7 +91,7 @@ export const FEATURES: Readonly<Record<Level, Features>> = {
  * without a graphics processor the skin's shader takes a finer step of its textures there instead.
  */
 export function featuresOf(level: Level, software: boolean): Features {
-  return software ? { ...FEATURES[level], anisotropy: 1 } : FEATURES[level];
+  return software ? { ...FEATURES[level], anisotropy: 1, ...DEAR_IN_SOFTWARE[level] } : FEATURES[level];
 }
 
 /** The features as the shaders' switches: FAST, SHADOW, DETAIL, SHARPEN. */
@@ -61,7 +110,7 @@ export function pixelRatio(features: Features, width: number, height: number, ra
 }
 
 /** Where a machine starts. */
-export const firstLevel = (software: boolean): Level => (software ? "lowest" : "medium");
+export const firstLevel = (software: boolean): Level => (software ? "lowest" : "good");
 
 /** The quality that the stages draw at: one level, or from the lowest to the highest of theirs; empty: none says. */
 export function levelsOf(stages: readonly ({ readonly level: Level } | null)[]): string {

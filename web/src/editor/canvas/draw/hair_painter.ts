@@ -56,7 +56,7 @@ export class HairPainter {
     private readonly anatomy: Anatomy,
     software: boolean,
   ) {
-    this.features = { ...FEATURES[software ? "low" : "medium"], shadow: 0, multisample: true };
+    this.features = { ...FEATURES[software ? "low" : "good"], shadow: 0, multisample: true };
     const renderer = new THREE.WebGLRenderer({ canvas: gl.canvas as HTMLCanvasElement, context: gl });
     this.renderer = renderer as THREE.WebGLRenderer & FramebufferTaker;
     this.renderer.autoClear = false;
