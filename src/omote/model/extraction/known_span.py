@@ -117,8 +117,9 @@ def refine_known(start: KnownSum, measure_lack: Callable[[KnownSum], Values], /)
             break
         nudged = [replace(best, share=best.share + _NUDGE * row) for row in np.eye(len(best.share))]
         slopes = np.stack([(lack - measure_lack(each)) / _NUDGE for each in nudged])
-        step = _fit_robustly(slopes, lack)
-        trials = [replace(best, share=best.share + length * step) for length in _LENGTHS]
+        plain = np.linalg.lstsq(slopes.reshape(len(slopes), -1).T, lack.ravel(), rcond=None)[0]
+        steps = (_fit_robustly(slopes, lack), plain)  # noise of float32 in still skin can hold the first one back
+        trials = [replace(best, share=best.share + length * step) for step in steps for length in _LENGTHS]
         nearest, left = min(((each, measure_lack(each)) for each in trials), key=lambda trial: _count(trial[1]))
         if _count(left) >= _count(lack):
             break
