@@ -84,11 +84,16 @@ class PeopleMaker:
     def __init__(self, cast: Cast) -> None:
         self._cast, self._package = cast, Package(find_wheel(CACHE))
         self._base: BaseMesh = read_base_mesh(self._package.text("mpfb2/3dobjs/base.obj"))
-        self._head: Head = cut_head(self._base)
+        self.head: Head = cut_head(self._base)
+        self.count = len(self._base.points)
+
+    def read_unit(self, origin: str, unit: str) -> str:
+        """The text of a unit's target as made for an origin."""
+        return self._package.text(f"mpfb2/targets/expression/units/{origin}/{unit}.target.gz")
 
     def make(self, name: str, person: Person) -> Face:
         """The face of a person, put in order as the bake does."""
-        head = self._head
+        head = self.head
         points = head.metres(person_points(person, self._package, self._base, head))
         generic = head.metres(self._base.points)[head.skin.vertices]
         skin = level_throat(points[head.skin.vertices], generic, head.skin.triangles)

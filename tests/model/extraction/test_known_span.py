@@ -80,6 +80,17 @@ def test_weights_are_refined_though_the_face_jumps_where_it_folds() -> None:
     assert np.abs(measure_lack(found)).max() < 1e-6
 
 
+def test_a_step_whose_slope_was_taken_across_a_jump_goes_on_as_far_as_it_helps() -> None:
+    """A nudge past where a lid folds looks thirty times steeper: steps crept, and a blink stayed .006 mm off."""
+    start = KnownSum(CAST.space, (CAST.expressions["eyeBlinkLeft"],), (0,), np.array([1.0006]))
+
+    def measure_lack(each: KnownSum) -> np.ndarray:
+        beyond = each.share[0] > start.share[0]
+        return np.full((4, 3), 1.0 - each.share[0] - 0.006 * beyond)
+
+    assert refine_known(start, measure_lack).share == pytest.approx([1.0], abs=1e-7)
+
+
 def test_weights_that_lack_nothing_stay_and_a_refined_sum_never_lacks_more() -> None:
     start = sum_up(0.5, 0.5, 0.5)
     assert refine_known(start, lambda each: np.zeros((4, 3))) is start

@@ -4,10 +4,13 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
+from hypothesis import given
+from hypothesis import strategies as st
 
 from omote.builtin import load_cast
 from omote.model.space.face import Face
-from omote.model.space.face_fit import fit, generic_face
+from omote.model.space.face_fit import ALIKE, fit, generic_face
+from omote.model.space.parameter_space import ParameterSpace
 from omote.model.transfer.compound import apply_expression, predict_part
 from omote.model.transfer.paper_map import compile_expression
 from tests.synthetic import space
@@ -24,7 +27,17 @@ def test_parts_go_where_a_similarity_of_the_face_carries_them() -> None:
         assert np.allclose(fitted.parts[name], part.points * 1.5, atol=1e-6)
         assert np.isclose(fitted.sizes[name], 1.0 if part.follows_jaw and space().lines else 1.5, atol=1e-5)
         assert np.allclose(fitted.centres[name], part.points.mean(axis=0) * 1.5, atol=1e-6)
-    assert np.allclose(fitted.scale, 1.5, atol=1e-5)
+
+
+@given(st.floats(-0.7, 0.7))
+def test_inner_skin_moves_by_itself_as_far_as_on_the_generic_face_but_on_sizes_of_no_person(far: float) -> None:
+    """People's amplitudes do not grow with their heads; beyond what people differ by, and under the paper's map, which
+    scales the sheet too, they do."""
+    bare = ParameterSpace.build(space().points, space().triangles)
+    face = Face("sized", bare.points * np.exp(far))
+    beyond = np.sign(far) * max(abs(far) - ALIKE, 0.0)
+    assert np.allclose(fit(bare, face).scale, np.exp(beyond), atol=1e-5)
+    assert np.allclose(fit(bare.under("paper"), face).scale, np.exp(far), atol=1e-5)
 
 
 def test_what_follows_the_jaw_turns_as_far_as_the_chin_moves_whatever_its_size() -> None:

@@ -7,7 +7,7 @@ import pytest
 
 import omote
 from omote.model.transfer.compound import compound
-from omote.model.transfer.detail_transfer import DetailSolver, factor_detail, solve_detail
+from omote.model.transfer.detail_transfer import TOLERANCE, DetailSolver, factor_detail, solve_detail
 from omote.model.transfer.fold_repair import SheetGeometry, build_sheet_geometry, triangle_frames
 
 UNITS = ("jawOpen", "eyeBlinkLeft", "mouthFunnel")
@@ -53,17 +53,18 @@ def test_a_larger_displacement_has_larger_detail(generic: DetailSolver) -> None:
 
 
 @pytest.mark.parametrize("unit", UNITS)
-def test_gradients_come_nearer_to_the_sources(baby: DetailSolver, unit: str) -> None:
+def test_of_what_gradients_miss_beyond_the_tolerance_most_is_made_up(baby: DetailSolver, unit: str) -> None:
     points, moved = omote.load_cast().space.points, displacement(unit)
     worn = solve_detail(baby, moved, points + moved, ONES)
     wanted = triangle_frames(points + moved, baby.geometry.triangles) @ baby.geometry.inverse_frames - np.eye(3)
     wanted = (wanted @ baby.geometry.plane).transpose(2, 0, 1).reshape(-1, 3)
 
-    def lack(displacement: np.ndarray) -> float:
-        off = wanted - baby.slopes @ displacement[baby.used]
-        return float((baby.areas[:, None] * off**2).sum())
+    def excess(displacement: np.ndarray) -> float:
+        missing = (wanted - baby.slopes @ displacement[baby.used]).reshape(2, -1, 3)
+        beyond = np.maximum(np.sqrt((missing**2).sum(axis=(0, 2))) - TOLERANCE, 0.0)
+        return float(baby.areas[: len(beyond)] @ beyond**2)
 
-    assert lack(worn) < 0.8 * lack(moved)
+    assert excess(worn) < 0.5 * excess(moved)
 
 
 def test_the_change_dies_out_within_centimetres(baby: DetailSolver) -> None:

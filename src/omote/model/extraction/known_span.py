@@ -37,6 +37,8 @@ _LEAST_RATIO = 0.05
 # Gauss and Newton's method: for so many members at most, rounds, the change of a weight that gives a slope, and
 # where it ends, metres.
 _FEW, _REFINEMENTS, _NUDGE, _CLOSE = 6, 6, 2e-4, 3e-8
+# Shares of its step that are tried: a slope that was taken across a jump makes it thirty times too short.
+_LENGTHS = (1.0, 0.3, 3.0, 10.0, 30.0)
 
 
 @dataclass(frozen=True, eq=False)
@@ -115,12 +117,13 @@ def refine_known(start: KnownSum, measure_lack: Callable[[KnownSum], Values], /)
             break
         nudged = [replace(best, share=best.share + _NUDGE * row) for row in np.eye(len(best.share))]
         slopes = np.stack([(lack - measure_lack(each)) / _NUDGE for each in nudged])
-        step = _fit_robustly(slopes, lack)
-        trials = [replace(best, share=best.share + length * step) for length in (1.0, 0.3)]
-        nearer = next(((each, left) for each in trials if _count(left := measure_lack(each)) < _count(lack)), None)
-        if nearer is None:
+        plain = np.linalg.lstsq(slopes.reshape(len(slopes), -1).T, lack.ravel(), rcond=None)[0]
+        steps = (_fit_robustly(slopes, lack), plain)  # noise of float32 in still skin can hold the first one back
+        trials = [replace(best, share=best.share + length * step) for step in steps for length in _LENGTHS]
+        nearest, left = min(((each, measure_lack(each)) for each in trials), key=lambda trial: _count(trial[1]))
+        if _count(left) >= _count(lack):
             break
-        best, lack = nearer
+        best, lack = nearest, left
     return best
 
 

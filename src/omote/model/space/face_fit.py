@@ -18,6 +18,10 @@ from omote.model.space.skin_sheet import refuse_axis_outside, refuse_degenerate
 
 Floats = NDArray[np.float32]
 
+# Inner skin moves as far as on the generic face where this one is larger or smaller by less than this (logarithm of the
+# sizes): people's amplitudes do not grow with their heads. Only what sizes differ by beyond that scales it.
+ALIKE = 0.15
+
 
 @dataclass(frozen=True, eq=False)
 class FittedFace:
@@ -103,10 +107,13 @@ def _scale_parts(
 def _scale_residuals(
     space: ParameterSpace, points: NDArray[np.float64], sizes: Mapping[str, float]
 ) -> NDArray[np.float64]:  # fmt: skip
-    """The local size of the face at each vertex of the inner skin, (inner,); where it goes with the jaw, the scale of
-    what else does: they move together."""
+    """How much larger what the inner skin does by itself is on the face at each of its vertices, (inner,): its local
+    size beyond what people differ by; where it goes with the jaw, the scale of what else does: they move together."""
     inner = space.inner
     scale = smoothed_scale(space, points)[inner.vertices]
+    if space.transfer == "smooth":  # the paper's map scales the sheet too
+        far = np.log(scale)
+        scale = np.exp(np.sign(far) * np.maximum(np.abs(far) - ALIKE, 0.0))
     jaw = next((part for part in space.parts.values() if part.follows_jaw), None)
     if jaw is None:
         return scale

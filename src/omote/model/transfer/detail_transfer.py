@@ -22,9 +22,10 @@ Values = NDArray[np.float64]
 Indices = NDArray[np.int32]
 
 # Where gradients give way to the displacement itself, metres.
-LENGTH = 0.004
-# What a triangle's gradient may miss without being corrected: people's amplitudes differ by so much (a fold misses 1).
-TOLERANCE = 0.1
+LENGTH = 0.002
+# What a triangle's gradient may miss without being corrected: people move alike where their triangles differ by so much
+# (a fold misses 1). More of either is smoother on strong faces and farther from what people truly do (decision 0153).
+TOLERANCE = 0.2
 SYMMETRIC = {"SymmetricMode": True}
 
 

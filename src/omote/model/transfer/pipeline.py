@@ -51,10 +51,10 @@ Stage = Callable[[State], State]
 
 
 def transfer_detail(state: State, /) -> State:
-    """Adds the displacement to the face; within 4 mm the triangles take the generic face's deformation gradients.
+    """Adds the displacement to the face; within 2 mm the triangles take the generic face's deformation gradients.
 
     Deformation transfer (Sumner & Popovic 2004) as a screened Poisson equation, factorised once per face; gradients
-    that differ by less than a tenth stay (soft threshold). Rejected: the displacement alone creases and folds where
+    that miss less than a fifth stay (soft threshold). Rejected: the displacement alone creases and folds where
     triangles differ; gradients alone (one global solve) triple the error against people's true expressions; scaling by
     the size of the head is wrong, as people's amplitudes do not grow with it.
     """

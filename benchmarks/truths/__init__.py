@@ -1,0 +1,1 @@
+"""People whose true expressions are known, and how far maps are from them."""
