@@ -12,7 +12,7 @@ from omote.model.space.face import Face
 from omote.model.space.face_fit import fit
 from omote.model.space.parameter_space import ParameterSpace
 from omote.model.transfer.corrective_regions import CorrectiveRegions, Crossing, find_corrective_regions
-from omote.perform.blending.correctives import BULGE, CORNEA, LEAST_AREA, ROUNDS, Eyeballs, measure_allowance
+from omote.perform.blending.correctives import BULGE, CORNEA, FLOOR, LEAST_AREA, ROUNDS, Eyeballs, measure_allowance
 from omote.show.messages import AllowanceDocument, CrossingDocument, SettlingDocument
 from omote.show.wire import le_bytes
 
@@ -27,7 +27,7 @@ def settling_document(cast: Cast, starts: dict[str, int]) -> SettlingDocument | 
         return None
     followers, anchors, weights = _followers(cast, regions, starts)
     return SettlingDocument(
-        rounds=ROUNDS, upright=LEAST_AREA, eager=OVER_RELAXATION, flattest=LEAST_SLOPE, full=FULL,
+        rounds=list(ROUNDS), upright=LEAST_AREA, floor=FLOOR, eager=OVER_RELAXATION, flattest=LEAST_SLOPE, full=FULL,
         bulge=BULGE, cornea=CORNEA,
         rows=le_bytes(regions.rows, "<u4"),
         triangles=le_bytes(regions.triangles, "<u4"),

@@ -104,12 +104,11 @@ export class CorrectivePasses {
     corrections.forEach((_, slot) => {
       this.gather(targets.before, slot);
     });
-    const half = this.correctives.document.rounds / 2;
     let from = this.part(targets.before, count, false);
-    from = this.part(from, count, true);
-    for (let round = 0; round < half; round++) from = this.unfold(from, count, false);
-    from = this.part(from, count, false);
-    for (let round = 0; round < half; round++) from = this.unfold(from, count, round === half - 1);
+    for (const rounds of this.correctives.document.rounds) {
+      from = this.part(from, count, true);
+      for (let round = 0; round < rounds; round++) from = this.unfold(from, count);
+    }
     corrections.forEach(({ into }, slot) => {
       this.spread(from, slot, into);
     });
@@ -170,17 +169,17 @@ export class CorrectivePasses {
   /** What never changes. */
   private fix(): void {
     const { gl, programs, correctives } = this;
-    const { bulge, cornea, upright, eager, flattest, full } = correctives.document;
+    const { bulge, cornea, upright, floor, eager, flattest, full } = correctives.document;
     for (const program of Object.values(programs)) {
       gl.useProgram(program);
       gl.uniform4i(uniformAt(gl, program, "lines"), ...this.lines);
     }
-    for (const program of [programs.part, programs.upright]) {
-      gl.useProgram(program);
-      gl.uniform2f(uniformAt(gl, program, "cornea"), bulge, Math.cos(cornea));
-    }
+    gl.useProgram(programs.part);
+    gl.uniform2f(uniformAt(gl, programs.part, "cornea"), bulge, Math.cos(cornea));
+    gl.useProgram(programs.upright);
     const last = (name: string) => uniformAt(gl, programs.upright, name);
     gl.uniform1f(last("upright"), upright);
+    gl.uniform1f(last("least"), floor);
     gl.uniform1f(last("eager"), eager);
     gl.uniform1f(last("flattest"), flattest);
     gl.uniform1f(last("full"), full);
@@ -196,12 +195,10 @@ export class CorrectivePasses {
     const { gl, programs } = this;
     const all = (part: keyof Sockets) => corrections.flatMap(({ sockets }) => [...sockets[part]]);
     const [centres, radii, sights] = [all("centres"), all("radii"), all("sights")];
-    for (const program of [programs.part, programs.upright]) {
-      gl.useProgram(program);
-      gl.uniform3fv(uniformAt(gl, program, "centres"), centres);
-      gl.uniform1fv(uniformAt(gl, program, "radii"), radii);
-      gl.uniform3fv(uniformAt(gl, program, "sights"), sights);
-    }
+    gl.useProgram(programs.part);
+    gl.uniform3fv(uniformAt(gl, programs.part, "centres"), centres);
+    gl.uniform1fv(uniformAt(gl, programs.part, "radii"), radii);
+    gl.uniform3fv(uniformAt(gl, programs.part, "sights"), sights);
   }
 
   /** The rows that may move of what is mixed in a slot. */
@@ -213,27 +210,27 @@ export class CorrectivePasses {
     this.pass("gather", target, [slot * lines[0], lines[0]], textures);
   }
 
-  /** Opens lines that cross; where the result is. */
+  /** Opens lines that cross; where leaving, lids leave the eyeballs too; where the result is. */
   private part(from: Target, count: number, leaving: boolean): Target {
-    const { targets, data, lines } = this;
+    const { gl, targets, data, lines } = this;
     const { pulls, rungPlaces, rungWeights } = data as Record<"pulls" | "rungPlaces" | "rungWeights", WebGLTexture>;
     const [points, rest] = [from.texture, targets.rest.texture];
     const textures = { points, rest, allowed: this.allowed, rungPlaces, rungWeights };
     this.pass("rung", targets.rungs, [0, count * lines[2]], textures);
-    return this.step("part", from, count, leaving, { pulls, rungs: targets.rungs.texture });
+    gl.useProgram(this.programs.part);
+    gl.uniform1i(uniformAt(gl, this.programs.part, "leaving"), leaving ? 1 : 0);
+    return this.step("part", from, count, { pulls, rungs: targets.rungs.texture });
   }
 
   /** Turns back triangles that lack area, by one round; where the result is. */
-  private unfold(from: Target, count: number, leaving: boolean): Target {
+  private unfold(from: Target, count: number): Target {
     const corners = this.data.corners as WebGLTexture;
-    return this.step("upright", from, count, leaving, { restNormals: this.targets.normals.texture, corners });
+    return this.step("upright", from, count, { restNormals: this.targets.normals.texture, corners });
   }
 
-  private step(name: "part" | "upright", from: Target, count: number, leaving: boolean, textures: Textures): Target {
-    const { targets, data, gl, lines } = this;
+  private step(name: "part" | "upright", from: Target, count: number, textures: Textures): Target {
+    const { targets, data, lines } = this;
     const into = from === targets.one ? targets.other : targets.one;
-    gl.useProgram(this.programs[name]);
-    gl.uniform1i(uniformAt(gl, this.programs[name], "leaving"), leaving ? 1 : 0);
     const shared = { points: from.texture, rest: targets.rest.texture, spans: data.spans as WebGLTexture };
     this.pass(name, into, [0, count * lines[0]], { ...shared, allowed: this.allowed, ...textures });
     return into;

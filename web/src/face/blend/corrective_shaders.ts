@@ -39,16 +39,18 @@ void main() {
 
 const PLACE_HEAD = `${HEAD}
 uniform sampler2D points;
-uniform sampler2D rest;
 uniform sampler2D allowed;
 uniform usampler2D spans;
 out vec4 position;
 
 vec3 point(uint place, int slot) { return texelFetch(points, inSlot(place, slot, lines.x), 0).xyz; }
 float allowance(uint place, int slot) { return texelFetch(allowed, inSlot(place, slot, lines.w), 0).x; }
+`;
 
+const BALLS_HEAD = `${PLACE_HEAD}
 // ---- lids and eyeballs
 
+uniform sampler2D rest;
 uniform vec3 centres[${2 * SLOTS}];
 uniform float radii[${2 * SLOTS}];
 uniform vec3 sights[${2 * SLOTS}];
@@ -102,7 +104,7 @@ void main() {
 `;
 
 /** Lids and lips that cross give way; lids leave the eyeball. */
-export const PART_FRAGMENT = `${PLACE_HEAD}
+export const PART_FRAGMENT = `${BALLS_HEAD}
 uniform sampler2D pulls;
 uniform sampler2D rungs;
 
@@ -147,6 +149,7 @@ export const UPRIGHT_FRAGMENT = `${PLACE_HEAD}
 uniform sampler2D restNormals;
 uniform usampler2D corners;
 uniform float upright;
+uniform float least;
 uniform float eager;
 uniform float flattest;
 uniform float full;
@@ -163,7 +166,7 @@ void main() {
     vec4 rested = texelFetch(restNormals, inSlot(corner.z, slot, lines.y), 0);
     vec3 b = point(corner.x, slot) - at;
     vec3 c = point(corner.y, slot) - at;
-    float lack = upright - allowance(corner.z, slot) - dot(cross(b, c), rested.xyz) / rested.w;
+    float lack = max(upright - allowance(corner.z, slot), least) - dot(cross(b, c), rested.xyz) / rested.w;
     if (lack <= 0.0) continue;
     vec3 atB = cross(c, rested.xyz) / rested.w;
     vec3 atC = cross(rested.xyz, b) / rested.w;
@@ -174,7 +177,7 @@ void main() {
     wanted += weight;
   }
   if (wanted > 0.0) at += eager / wanted * push;
-  position = vec4(left(at, span, slot), 1.0);
+  position = vec4(at, 1.0);
 }
 `;
 
