@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 import omote
-from omote.model.sculpting.caricature import caricature
+from omote.model.sculpting.caricature import caricature, stand_around_axis
 from omote.model.sculpting.extrapolation import find_folds
 from omote.model.space.face import Face
 from tests.synthetic import cast, space
@@ -42,6 +42,28 @@ def test_no_caricature_folds(name: str, amount: float) -> None:
     made = caricature(CAST.space, face, amount)
     before, after = face.positions.astype(np.float64), made.positions.astype(np.float64)
     assert not find_folds(before, after, CAST.space.skin_triangles).any()
+
+
+@pytest.mark.parametrize("name", [name for name in CAST.faces if name != "generic"])
+@pytest.mark.parametrize("amount", [2.0, 2.5, 3.0])
+def test_everybody_can_be_drawn_up_to_three_times(name: str, amount: float) -> None:
+    caricature(CAST.space, CAST.faces[name], amount)  # `fit` refuses what does not stand around the axis
+
+
+def test_a_small_head_moves_back_until_it_stands_around_the_axis_and_no_farther() -> None:
+    small = CAST.space.points * 0.55 + [0.0, 0.0, 0.075]  # as near to the stage as the generic one
+    moved = stand_around_axis(CAST.space, small, "it")
+    back = (small - moved)[:, 2]
+    assert np.ptp(back) < 1e-12 < back[0]
+    assert np.allclose(moved[:, :2], small[:, :2])
+    assert np.array_equal(stand_around_axis(CAST.space, moved, "it"), moved)
+    ahead = np.add(moved, [0.0, 0.0, 0.001])
+    assert not np.array_equal(stand_around_axis(CAST.space, ahead, "it"), ahead)
+
+
+def test_what_no_place_puts_around_the_axis_is_refused_in_words() -> None:
+    with pytest.raises(ValueError, match=r"old drawn 3 times itself is too flat .* expected a smaller amount"):
+        stand_around_axis(CAST.space, CAST.space.points * [1.0, 1.0, 0.02], "old drawn 3 times")
 
 
 def test_a_caricature_adds_form_and_no_detail() -> None:

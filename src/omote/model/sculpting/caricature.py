@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 from numpy.typing import NDArray
 from scipy.spatial.distance import cdist
@@ -13,10 +15,14 @@ from omote.model.space.face import Face
 from omote.model.space.face_fit import fit
 from omote.model.space.head_regions import eye_frame
 from omote.model.space.parameter_space import ParameterSpace, refuse_no_space
+from omote.model.space.skin_sheet import refuse_axis_outside
 
 Values = NDArray[np.float64]
 
 _BELL = 0.3
+BEHIND = 0.012
+"""The back of a caricature's head lies at least so far behind the axis, metres."""
+_FARTHEST, _EXACT = 0.06, 1e-4
 MOST_AMOUNT = 3.0
 """Of caricature: as far as people still read a face."""
 
@@ -75,7 +81,8 @@ def caricature(space: ParameterSpace, face: Face, amount: float, /) -> Face:
     parts = {name: part.points + within * (fitted.parts[name] - part.points) for name, part in space.parts.items()}
     if beyond == 0.0:
         return fit_with_lids(space, name, skin, parts, {}, face.gains)
-    further = extrapolate(space.points, skin, space.triangles, beyond, _BELL * eye_frame(space)[1])
+    grown = extrapolate(space.points, skin, space.triangles, beyond, _BELL * eye_frame(space)[1])
+    further = stand_around_axis(space, grown, f"{face.name} drawn {amount:g} times")
     for part in space.parts.values():
         moves = _bell(space, further - skin, part.points)
         parts[part.name] = (
@@ -88,6 +95,36 @@ def caricature(space: ParameterSpace, face: Face, amount: float, /) -> Face:
         {eye: ball_heights(fitted.positions, fitted.parts[eye]) for eye in eyes},
     )
     return fit_with_lids(space, name, repair_folds(skin, lidded, space.skin_triangles), parts, {}, face.gains)
+
+
+def stand_around_axis(space: ParameterSpace, skin: Values, what: str, /) -> Values:
+    """The skin (V, 3), moved back as little as puts the cylinder's axis BEHIND metres inside it; itself where it is.
+
+    A head that is smaller than the generic one has its back nearer to the eyes, twice as near when drawn twice. Raises
+    ValueError, which names what was drawn, where no place is far enough back.
+    """
+    if _is_around_axis(space, skin, 0.0):
+        return skin
+    nearest, farthest = 0.0, _FARTHEST
+    if not _is_around_axis(space, skin, farthest):
+        raise ValueError(
+            f"{what} itself is too flat or too crooked to stand around the axis of the head; expected a smaller amount"
+        )
+    while farthest - nearest > _EXACT:
+        middle = 0.5 * (nearest + farthest)
+        nearest, farthest = (nearest, middle) if _is_around_axis(space, skin, middle) else (middle, farthest)
+    return skin - [0.0, 0.0, farthest]
+
+
+def _is_around_axis(space: ParameterSpace, skin: Values, back: float) -> bool:
+    """Whether the axis and a line BEHIND metres behind it run inside of a skin (V, 3) that is moved back, metres."""
+    axis = space.cylinder
+    try:
+        for behind in (0.0, BEHIND):
+            refuse_axis_outside(skin, space.location_triangles, replace(axis, z=axis.z + back - behind))
+    except ValueError:
+        return False
+    return True
 
 
 def _extrapolate_ball(ball: Values, moves: Values, generic: Values, beyond: float) -> Values:

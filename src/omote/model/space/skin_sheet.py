@@ -19,6 +19,8 @@ Triangles = NDArray[np.int32]
 
 # A triangle that spans more of the circle than this contains the axis or nearly so: S is not flat there.
 _WIDEST = 0.9 * np.pi
+# The crown is what is so near to the axis, metres.
+CROWN = 0.04
 
 
 def refuse_degenerate(points: Points, triangles: Triangles, /) -> None:
@@ -55,9 +57,10 @@ def find_axis(points: Points, triangles: Triangles, /) -> tuple[float, float]:
 def refuse_axis_outside(points: Points, corners: Triangles, cylinder: Cylinder, /) -> None:
     """Raises ValueError where the axis does not run inside the head: the winding number of sheet and membranes decides.
 
-    points (V, 3), corners (L, 3) sheet and membranes. Tried at five heights in the upper half of the sheet.
+    points (V, 3), corners (L, 3) sheet and membranes. Tried at five heights in the upper half of the sheet, up to the
+    crown over the axis: ears may stand higher.
     """
-    low, high = points[corners, 1].min(), points[corners, 1].max()
+    low, high = points[corners, 1].min(), _crown_height(points, corners, cylinder)
     for share in np.linspace(0.5, 0.85, 5):
         probe = np.array([cylinder.x, low + share * (high - low), cylinder.z])
         if winding_number(points, corners, probe) < 0.5:
@@ -65,6 +68,15 @@ def refuse_axis_outside(points: Points, corners: Triangles, cylinder: Cylinder, 
                 f"the axis at x = {cylinder.x:.4g}, z = {cylinder.z:.4g} is outside the head at height {probe[1]:.4g}; "
                 "expected a head, y up and +z forward, counter-clockwise triangles, that stands around the axis"
             )
+
+
+def _crown_height(points: Points, corners: Triangles, cylinder: Cylinder) -> float:
+    """How high the sheet is near the axis; over all where nothing of its upper half is near."""
+    sheet = points[np.unique(corners)]
+    near = sheet[np.hypot(sheet[:, 0] - cylinder.x, sheet[:, 2] - cylinder.z) < CROWN, 1]
+    highest: float = float(sheet[:, 1].max())
+    crown = float(near.max(initial=-np.inf))
+    return crown if crown > 0.5 * (highest + float(sheet[:, 1].min())) else highest
 
 
 def winding_number(points: Points, triangles: Triangles, probe: NDArray[np.float64], /) -> float:
