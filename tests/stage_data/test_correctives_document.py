@@ -7,6 +7,7 @@ from omote.model.cast import Cast
 from omote.model.transfer.compound import compound
 from omote.model.transfer.corrective_regions import find_corrective_regions
 from omote.perform.blending.compound_cache import compound_cache
+from omote.perform.blending.correctives import FLOOR, ROUNDS
 from omote.stage_data.assets import first_rows
 from omote.stage_data.correctives_document import allowance_document, ball_radii, settling_document
 from tests.synthetic import FACES
@@ -24,6 +25,7 @@ def test_the_document_holds_corrective_regions() -> None:
     regions, document = find_corrective_regions(cast.space), settling_document(cast, first_rows(cast))
     assert regions is not None
     assert document is not None
+    assert (document.rounds, document.floor) == (list(ROUNDS), FLOOR)
     rows = np.frombuffer(document.rows, "<u4")
     assert np.array_equal(rows, regions.rows)
     assert np.array_equal(np.frombuffer(document.triangles, "<u4").reshape(-1, 3), regions.triangles)

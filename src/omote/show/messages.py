@@ -1511,8 +1511,9 @@ class SettlingDocument(msgspec.Struct, frozen=True):
     An allowance counts triangles, then 32 rungs a crossing, then lids.
     """
 
-    rounds: int
+    rounds: list[int]
     upright: float
+    floor: float
     eager: float
     flattest: float
     full: float

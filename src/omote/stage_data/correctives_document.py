@@ -16,6 +16,7 @@ from omote.perform.blending.correctives import (
     BULGE,
     CORNEA,
     FARTHEST,
+    FLOOR,
     LEAST_AREA,
     MARGIN,
     MOMENTUM,
@@ -37,7 +38,7 @@ def settling_document(cast: Cast, starts: dict[str, int]) -> SettlingDocument | 
         return None
     followers, anchors, weights = _followers(cast, regions, starts)
     return SettlingDocument(
-        rounds=ROUNDS, upright=LEAST_AREA, eager=OVER_RELAXATION, flattest=LEAST_SLOPE, full=FULL,
+        rounds=list(ROUNDS), upright=LEAST_AREA, floor=FLOOR, eager=OVER_RELAXATION, flattest=LEAST_SLOPE, full=FULL,
         momentum=MOMENTUM, margin=MARGIN, farthest=FARTHEST, bulge=BULGE, cornea=CORNEA,
         rows=le_bytes(regions.rows, "<u4"),
         triangles=le_bytes(regions.triangles, "<u4"),

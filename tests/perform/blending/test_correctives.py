@@ -1,4 +1,4 @@
-"""Combinations of compounds neither fold nor pierce where each alone does not; one alone is never changed."""
+"""Combinations of compounds neither fold nor pierce where each alone does not; one alone hardly changes."""
 
 import numpy as np
 import pytest
@@ -12,7 +12,7 @@ from omote.model.known_names import NEUTRAL
 from omote.model.space.face_fit import fit
 from omote.model.transfer.compound import compound
 from omote.model.transfer.corrective_regions import CorrectiveRegions, find_corrective_regions
-from omote.perform.blending.correctives import Eyeballs, correct_combination, measure_allowance
+from omote.perform.blending.correctives import FLOOR, Eyeballs, correct_combination, measure_allowance
 from omote.perform.blending.evaluate import MODES, Mode, evaluate, evaluate_parts
 from omote.perform.frame import Frame
 
@@ -24,17 +24,32 @@ LIDS = ("eyeBlinkLeft", "eyeSquintLeft", "eyeLookDownLeft")
 LIPS = ("mouthPucker", "mouthRollUpper", "mouthRollLower")
 
 
+# Of a real take: blinks to contact and beyond it, with all that people do around their eyes.
+MOMENTS = (
+    {"eyeBlink": 0.97, "eyeLookDown": 0.29, "mouthFrown": 0.2},
+    {"eyeBlink": 0.94, "eyeSquint": 0.64, "eyeLookDown": 0.4, "browDown": 0.93, "cheekSquint": 0.6, "noseSneer": 0.8},
+    {"eyeBlink": 1.08, "eyeSquint": 0.7, "cheekSquint": 0.7, "mouthSmile": 0.9},
+)
+SEEN = 1e-4
+"""Metres that nobody sees."""
+
+
 def corrective_regions() -> CorrectiveRegions:
     found = find_corrective_regions(CAST.space)
     assert found is not None
     return found
 
 
-def over(face: str, positions: np.ndarray) -> np.ndarray:
-    """The triangles of the sheet that are turned over, (T,)."""
+def shares(face: str, positions: np.ndarray) -> np.ndarray:
+    """What is left of each triangle of the sheet, seen along its normal at rest, (T,)."""
     triangles = CAST.space.sheet_triangles
     normals, sizes = rest_normals(CAST.faces[face].positions.astype(np.float64), triangles)
-    return area_shares(positions.astype(np.float64), normals, sizes, triangles) < 0.0
+    return area_shares(positions.astype(np.float64), normals, sizes, triangles)
+
+
+def over(face: str, positions: np.ndarray) -> np.ndarray:
+    """The triangles of the sheet that are turned over, (T,)."""
+    return shares(face, positions) < 0.0
 
 
 def worn(face: str, weights: dict[str, float]) -> np.ndarray:
@@ -61,12 +76,31 @@ def summed(face: str, *names: str) -> np.ndarray:
 @pytest.mark.parametrize("mode", MODES)
 @settings(max_examples=15)
 @given(face=faces, name=st.sampled_from(sorted(CAST.expressions)))
-def test_one_compound_alone_is_never_changed(mode: Mode, face: str, name: str) -> None:
+def test_one_compound_alone_changes_only_where_a_triangle_has_next_to_nothing_left(
+    mode: Mode, face: str, name: str
+) -> None:
     alone = compound(CAST.space, CAST.faces[face], CAST.expressions[name])
-    if mode == "bilinear":
-        assert np.array_equal(evaluate(CAST, Frame({face: 1.0}, {name: 1.0})), alone)
-    else:
-        assert evaluate(CAST, Frame({face: 1.0}, {name: 1.0}), "exact") == pytest.approx(alone, abs=1e-5)
+    worn = evaluate(CAST, Frame({face: 1.0}, {name: 1.0}), mode)
+    least = shares(face, alone).min()
+    if least >= FLOOR and mode == "bilinear":
+        assert np.array_equal(worn, alone)
+    elif least >= 0.0:
+        assert worn == pytest.approx(alone, abs=1e-5 if least >= FLOOR else SEEN)
+
+
+@pytest.mark.parametrize("face", ["generic", "kaori", "baby", "man"])
+def test_lips_that_close_without_a_jaw_turn_no_triangle_over(face: str) -> None:
+    alone = compound(CAST.space, CAST.faces[face], CAST.expressions["mouthClose"])
+    worn = evaluate(CAST, Frame({face: 1.0}, {"mouthClose": 1.0}))
+    assert over(face, alone).any()
+    assert not over(face, worn).any()
+
+
+@pytest.mark.parametrize("face", FACES)
+@pytest.mark.parametrize("weights", MOMENTS)
+def test_a_performance_turns_no_triangle_over(face: str, weights: dict[str, float]) -> None:
+    channels = {name + side: weight for name, weight in weights.items() for side in ("Left", "Right")}
+    assert not over(face, evaluate(CAST, Frame({face: 1.0}, {NEUTRAL: 1.0}, channels))).any()
 
 
 @pytest.mark.parametrize("face", ["kaori", "goblin", "child"])  # some faces' lips never come so far

@@ -1435,8 +1435,9 @@ export interface CrossingDocument {
  * An allowance counts triangles, then 32 rungs a crossing, then lids.
  */
 export interface SettlingDocument {
-  rounds: number;
+  rounds: number[];
   upright: number;
+  floor: number;
   eager: number;
   flattest: number;
   full: number;

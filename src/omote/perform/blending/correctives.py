@@ -1,11 +1,12 @@
 """Correctives of combinations: what several compounds together fold or pierce, and none alone, is corrected.
 
 Each frame, after the blend (docs/method.md, "Correctives of combinations"). Artists sculpt such fixes by hand and call
-them correctives or combination shapes; here they are computed. One compound on one face is never changed: each has an
-allowance of what it uses up by itself (`measure_allowance`), weighted like the mix. The GPU of a stage does the same
-(web/src/face/blend/corrective_shaders.ts). All of it is continuous in the weights: lids and lips that cross move apart
-by half each; lids are pushed out of the eyeball, whose cornea bulges where it looks; triangles about to turn over are
-projected (`omote.geometry.orientation`). Rejected: smoothing displacements folded more than it mended.
+them correctives or combination shapes; here they are computed. One compound on one face keeps its shape: each has an
+allowance of what it uses up by itself (`measure_allowance`), weighted like the mix; but no triangle turns over. The GPU
+of a stage does the same (web/src/face/blend/corrective_shaders.ts). All of it is continuous in the weights: lids and
+lips that cross move apart by half each; lids are pushed out of the eyeball, whose cornea bulges where it looks;
+triangles about to turn over are projected (`omote.geometry.orientation`). Rejected: smoothing displacements folded more
+than it mended.
 """
 
 from __future__ import annotations
@@ -27,10 +28,12 @@ Floats = NDArray[np.float32]
 Values = NDArray[np.float64]
 Indices = NDArray[np.int32]
 
-ROUNDS = 16
-"""How often triangles are projected; half of them before lids and lips are separated for the last time."""
+ROUNDS = (8, 8, 8)
+"""How often triangles are projected; before each block lids and lips are separated, and lids leave the eyeballs."""
 LEAST_AREA = 0.1
-"""A triangle keeps this share of its area at rest, seen along its normal at rest."""
+"""A triangle keeps this share of its area at rest, seen along its normal at rest; less where a compound alone does."""
+FLOOR = 0.02
+"""Less than this share no triangle keeps, whatever the compounds do alone: what each one leaves of it does not add."""
 MOMENTUM = 0.5
 """How much of its last step a vertex goes on, round by round (`omote.geometry.orientation`)."""
 MARGIN, FARTHEST = 0.5, 0.03
@@ -132,17 +135,16 @@ def correct_combination(
     blended = points.copy()
     areas, rungs, lids = _split(regions, allowed)
     normals, sizes = rest_normals(here, regions.triangles)
-    goals = LEAST_AREA - areas
+    goals = np.maximum(LEAST_AREA - areas, FLOOR)
     lids = lids + _lid_depths(regions, here, balls.ahead())
     _open_crossings(regions, here, points, rungs)
-    _open_crossings(regions, here, points, rungs)
-    _push_out_of_eyeballs(regions, points, lids, balls)
-    lacking = np.maximum(goals - area_shares(points, normals, sizes, regions.triangles), 0.0)
-    goals = goals + np.minimum(MARGIN * lacking, FARTHEST)
-    keep_orientation(points, normals, sizes, regions.triangles, goals, ROUNDS // 2, MOMENTUM)
-    _open_crossings(regions, here, points, rungs)
-    keep_orientation(points, normals, sizes, regions.triangles, goals, ROUNDS // 2, MOMENTUM)
-    _push_out_of_eyeballs(regions, points, lids, balls)
+    for number, rounds in enumerate(ROUNDS):
+        _open_crossings(regions, here, points, rungs)
+        _push_out_of_eyeballs(regions, points, lids, balls)
+        if number == 0:
+            lacking = np.maximum(goals - area_shares(points, normals, sizes, regions.triangles), 0.0)
+            goals += np.minimum(MARGIN * lacking, FARTHEST)
+        keep_orientation(points, normals, sizes, regions.triangles, goals, rounds, MOMENTUM)
     move = points - blended
     if not move.any():
         return positions

@@ -10,8 +10,9 @@ const real = (...values: number[]): Uint8Array => bytes(Float32Array.from(values
 
 /** Four rows, two triangles, one line between rows 0 and 3, an eye around row 2, one follower. */
 const document: SettlingDocument = {
-  rounds: 16,
+  rounds: [12, 10, 10],
   upright: 0.1,
+  floor: 0.02,
   eager: 1.5,
   flattest: 0.001,
   full: 0.05,

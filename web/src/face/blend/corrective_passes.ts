@@ -96,11 +96,11 @@ export class CorrectivePasses {
       this.gather(targets.before, slot);
     });
     let from = this.part(targets.before, count, false);
-    from = this.part(from, count, true);
-    this.aim(from, count);
-    from = this.unfold(from, count, false);
-    from = this.part(from, count, false);
-    from = this.unfold(from, count, true);
+    this.correctives.document.rounds.forEach((rounds, block) => {
+      from = this.part(from, count, true);
+      if (block === 0) this.aim(from, count);
+      from = this.unfold(from, count, rounds);
+    });
     corrections.forEach(({ into }, slot) => {
       this.spread(from, slot, into);
     });
@@ -163,12 +163,10 @@ export class CorrectivePasses {
     const { gl, programs } = this;
     const all = (part: keyof Sockets) => corrections.flatMap(({ sockets }) => [...sockets[part]]);
     const [centres, radii, sights] = [all("centres"), all("radii"), all("sights")];
-    for (const program of [programs.part, programs.upright]) {
-      gl.useProgram(program);
-      gl.uniform3fv(uniformAt(gl, program, "centres"), centres);
-      gl.uniform1fv(uniformAt(gl, program, "radii"), radii);
-      gl.uniform3fv(uniformAt(gl, program, "sights"), sights);
-    }
+    gl.useProgram(programs.part);
+    gl.uniform3fv(uniformAt(gl, programs.part, "centres"), centres);
+    gl.uniform1fv(uniformAt(gl, programs.part, "radii"), radii);
+    gl.uniform3fv(uniformAt(gl, programs.part, "sights"), sights);
   }
 
   /** The rows that may move of what is mixed in a slot. */
@@ -180,14 +178,16 @@ export class CorrectivePasses {
     this.pass("gather", target, [slot * lines[0], lines[0]], textures);
   }
 
-  /** Opens lines that cross; where the result is. */
+  /** Opens lines that cross; where leaving, lids leave the eyeballs too; where the result is. */
   private part(from: Target, count: number, leaving: boolean): Target {
-    const { targets, data, lines } = this;
+    const { gl, targets, data, lines } = this;
     const { pulls, rungPlaces, rungWeights } = data as Record<"pulls" | "rungPlaces" | "rungWeights", WebGLTexture>;
     const [points, rest] = [from.texture, targets.rest.texture];
     const textures = { points, rest, allowed: this.allowed, rungPlaces, rungWeights };
     this.pass("rung", targets.rungs, [0, count * lines[2]], textures);
-    return this.step("part", from, count, leaving, { pulls, rungs: targets.rungs.texture });
+    gl.useProgram(this.programs.part);
+    gl.uniform1i(uniformAt(gl, this.programs.part, "leaving"), leaving ? 1 : 0);
+    return this.step("part", from, count, { pulls, rungs: targets.rungs.texture });
   }
 
   /** What each triangle is to keep of its area. */
@@ -198,32 +198,22 @@ export class CorrectivePasses {
     this.pass("goal", targets.goals, [0, count * lines[1]], { ...shared, ...textures });
   }
 
-  /** Turns back triangles that lack area, by half of the rounds; where the result is. `leaving`: the last leaves eyeballs. */
-  private unfold(from: Target, count: number, leaving: boolean): Target {
-    const { targets, data, correctives } = this;
-    const half = correctives.document.rounds / 2;
+  /** Turns back triangles that lack area, by so many rounds; where the result is. */
+  private unfold(from: Target, count: number, rounds: number): Target {
+    const { targets, data } = this;
     const fixed = { restNormals: targets.normals.texture, goals: targets.goals.texture };
     let [earlier, now] = [from, from];
-    for (let round = 0; round < half; round++) {
+    for (let round = 0; round < rounds; round++) {
       const textures = { earlier: earlier.texture, ...fixed, corners: data.corners as WebGLTexture };
-      const into = this.step("upright", now, count, leaving && round === half - 1, textures, earlier);
+      const into = this.step("upright", now, count, textures, earlier);
       [earlier, now] = [now, into];
     }
     return now;
   }
 
-  private step(
-    name: "part" | "upright",
-    from: Target,
-    count: number,
-    leaving: boolean,
-    textures: Textures,
-    kept = from,
-  ): Target {
-    const { targets, data, gl, lines } = this;
+  private step(name: "part" | "upright", from: Target, count: number, textures: Textures, kept = from): Target {
+    const { targets, data, lines } = this;
     const into = [targets.one, targets.other, targets.third].find((each) => each !== from && each !== kept) as Target;
-    gl.useProgram(this.programs[name]);
-    gl.uniform1i(uniformAt(gl, this.programs[name], "leaving"), leaving ? 1 : 0);
     const shared = { points: from.texture, rest: targets.rest.texture, spans: data.spans as WebGLTexture };
     this.pass(name, into, [0, count * lines[0]], { ...shared, allowed: this.allowed, ...textures });
     return into;

@@ -44,14 +44,14 @@ export function createPrograms(gl: WebGL2RenderingContext, correctives: Correcti
 
 /** How far lids and triangles are moved. */
 function fixSteps(gl: WebGL2RenderingContext, programs: Programs, { document }: CorrectivesData): void {
-  const { bulge, cornea, upright, eager, flattest, full, momentum, margin, farthest } = document;
-  for (const program of [programs.part, programs.upright]) {
-    gl.useProgram(program);
-    gl.uniform2f(uniformAt(gl, program, "cornea"), bulge, Math.cos(cornea));
-  }
+  const { bulge, cornea, upright, floor, eager, flattest, full, momentum, margin, farthest } = document;
+  gl.useProgram(programs.part);
+  gl.uniform2f(uniformAt(gl, programs.part, "cornea"), bulge, Math.cos(cornea));
+  gl.useProgram(programs.upright);
   for (const [name, value] of Object.entries({ momentum, eager, flattest, full }))
     gl.uniform1f(uniformAt(gl, programs.upright, name), value);
   gl.useProgram(programs.goal);
   gl.uniform1f(uniformAt(gl, programs.goal, "upright"), upright);
+  gl.uniform1f(uniformAt(gl, programs.goal, "least"), floor);
   gl.uniform2f(uniformAt(gl, programs.goal, "margin"), margin, farthest);
 }

@@ -39,16 +39,18 @@ void main() {
 
 const PLACE_HEAD = `${HEAD}
 uniform sampler2D points;
-uniform sampler2D rest;
 uniform sampler2D allowed;
 uniform usampler2D spans;
 out vec4 position;
 
 vec3 point(uint place, int slot) { return texelFetch(points, inSlot(place, slot, lines.x), 0).xyz; }
 float allowance(uint place, int slot) { return texelFetch(allowed, inSlot(place, slot, lines.w), 0).x; }
+`;
 
+const BALLS_HEAD = `${PLACE_HEAD}
 // ---- lids and eyeballs
 
+uniform sampler2D rest;
 uniform vec3 centres[${2 * SLOTS}];
 uniform float radii[${2 * SLOTS}];
 uniform vec3 sights[${2 * SLOTS}];
@@ -102,7 +104,7 @@ void main() {
 `;
 
 /** Lids and lips that cross give way; lids leave the eyeball. */
-export const PART_FRAGMENT = `${PLACE_HEAD}
+export const PART_FRAGMENT = `${BALLS_HEAD}
 uniform sampler2D pulls;
 uniform sampler2D rungs;
 
@@ -148,6 +150,7 @@ uniform sampler2D allowed;
 uniform sampler2D restNormals;
 uniform usampler2D triangles;
 uniform float upright;
+uniform float least;
 uniform vec2 margin; // a share of what lacks, and the most
 out vec4 goal;
 
@@ -161,9 +164,9 @@ void main() {
   vec3 b = texelFetch(points, inSlot(places.y, slot, lines.x), 0).xyz - a;
   vec3 c = texelFetch(points, inSlot(places.z, slot, lines.x), 0).xyz - a;
   uint number = uint(own.y * ${DATA_WIDTH} + own.x);
-  float least = upright - texelFetch(allowed, inSlot(number, slot, lines.w), 0).x;
-  float lack = max(least - dot(cross(b, c), rested.xyz) / rested.w, 0.0);
-  goal = vec4(least + min(margin.x * lack, margin.y), 0.0, 0.0, 0.0);
+  float keeps = max(upright - texelFetch(allowed, inSlot(number, slot, lines.w), 0).x, least);
+  float lack = max(keeps - dot(cross(b, c), rested.xyz) / rested.w, 0.0);
+  goal = vec4(keeps + min(margin.x * lack, margin.y), 0.0, 0.0, 0.0);
 }
 `;
 
@@ -203,7 +206,7 @@ void main() {
   }
   if (wanted > 0.0)
     at += momentum * min(wanted, 1.0) * (at - texelFetch(earlier, here, 0).xyz) + eager / wanted * push;
-  position = vec4(left(at, span, slot), 1.0);
+  position = vec4(at, 1.0);
 }
 `;
 
