@@ -49,6 +49,7 @@ def verdicts(run: Run) -> list[Verdict]:
         worst("eyes pierce, mm more than on the source", ours, lambda f: f.eyes, 0.3, 1e3),
         worst("teeth pierce, mm more than on the source", ours, lambda f: f.teeth, 0.3, 1e3),
         worst("mouth bag comes out, mm more than on the source", ours, lambda f: f.bag, 0.3, 1e3),
+        worst("lining of the sockets comes out, mm more than on the source", ours, lambda f: f.sockets, 0.3, 1e3),
         Verdict("roughness against deformation transfer's", rough(ours), rough(peer)),
         Verdict("milliseconds, 95th percentile", 1e3 * slow(ours), 10.0),
     ]

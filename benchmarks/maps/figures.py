@@ -9,7 +9,7 @@ from time import thread_time
 import numpy as np
 from numpy.typing import NDArray
 
-from benchmarks.maps.inside.inner import Mouth, more
+from benchmarks.maps.inside.inner import Mouth, Sockets, more
 from benchmarks.maps.inside.piercing import balls_of, depth_in_balls, teeth_on, teeth_out
 from benchmarks.maps.measures import Creases, closure_errors, find_folds
 from benchmarks.maps.source import Source
@@ -40,22 +40,23 @@ class Worst:
 
 @dataclass(frozen=True, eq=False)
 class Known:
-    """What the source does in a unit: folded triangles (T,), roughness in radians, eyes, teeth and bag in metres,
-    positions (V, 3) at each level."""
+    """What the source does in a unit: folded triangles (T,), roughness in radians, eyes, teeth, bag and sockets in
+    metres, positions (V, 3) at each level."""
 
     folded: Mask
     rough: float
     eyes: Values
     teeth: float
     bag: Values
+    sockets: Values
     levels: tuple[Values, ...]
 
 
 @dataclass
 class Figures:
-    """One map on one face. Folds are counts, by unit in folded; lids and lips: mean and along; eyes, teeth and bag:
-    metres more than on the source; rough: all units' roughness over the source's; times: seconds of this thread per
-    compound."""
+    """One map on one face. Folds are counts, by unit in folded; lids and lips: mean and along; eyes, teeth, bag and
+    sockets: metres more than on the source; rough: all units' roughness over the source's; times: seconds of this
+    thread per compound."""
 
     units: int
     folds: int = 0
@@ -67,6 +68,7 @@ class Figures:
     eyes_most: Worst = field(default_factory=Worst)
     teeth: Worst = field(default_factory=Worst)
     bag: Worst = field(default_factory=Worst)
+    sockets: Worst = field(default_factory=Worst)
     rough: float = 0.0
     times: list[float] = field(default_factory=list)
 
@@ -78,7 +80,7 @@ class Comparison:
         self.source = source
         self._creases = Creases.of(source.sheet)
         self._skin = np.unique(source.sheet)
-        self._mouth = Mouth(source.space)
+        self._mouth, self._sockets = Mouth(source.space), Sockets(source.space)
         self.known = {unit: self._measure_source(unit) for unit in source.moves}
         self._roughest = sum(known.rough for known in self.known.values())
         self._sums = Sums(source)
@@ -92,6 +94,7 @@ class Comparison:
             self._in_eyes(face, rest, now, unit),
             teeth_out(now, source.sheet, teeth_on(source, face, now, unit)),
             self._mouth.out(now),
+            self._sockets.out(now),
             tuple(source.wear(unit, level) for level in LEVELS),
         )
 
@@ -108,6 +111,7 @@ class Comparison:
     def measure(self, method: str, face: Face, worn: Callable[[str], Values]) -> Figures:
         """The figures of a map by name, prepared for a face, over all units and triples."""
         found, rest = Figures(len(self.known)), face.positions.astype(np.float64)
+        found.sockets.meet(float(self._sockets.out(rest).max(initial=0.0)), "at rest")
         moves = {}
         for unit in self.known:
             begin = thread_time()
@@ -137,6 +141,7 @@ class Comparison:
         teeth = teeth_out(now, sheet, teeth_on(self.source, face, now, unit))
         found.teeth.meet(teeth - known.teeth, unit)
         found.bag.meet(more(self._mouth.out(now), known.bag), unit)
+        found.sockets.meet(more(self._sockets.out(now), known.sockets), unit)
         found.rough += self._rough(rest, now) / self._roughest
 
 

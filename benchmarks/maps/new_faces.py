@@ -17,10 +17,14 @@ NATURAL = (PEOPLE, MIXES, CARICATURES)
 """Kinds of faces that may not fold; strong ones are printed."""
 KIND_HEAD = (
     "kind", "map", "faces with a fold, %", "folds per 100", "per triple", "new", "lids mean", "along", "lips",
-    "eyes > .3 mm, %", "bag, %", "teeth, %", "ms", "p95",
+    "eyes > .3 mm, %", "bag, %", "teeth, %", "sockets, %", "ms", "p95",
 )  # fmt: skip
-WORST_HEAD = ("face", "folds", "units", "lids", "along", "lips", "eyes, mm", "bag, mm", "teeth, mm", "new in triples")
+WORST_HEAD = (
+    "face", "folds", "units", "lids", "along", "lips", "eyes, mm", "bag, mm", "teeth, mm", "sockets, mm",
+    "new in triples",
+)  # fmt: skip
 TRIPLE_HEAD = ("triple", "faces", "triangles")
+INSIDE = ("eyes", "bag", "teeth", "sockets")
 PIERCED = 0.3e-3
 
 Kinds = Mapping[str, Run]
@@ -32,7 +36,7 @@ def new_verdicts(kinds: Kinds) -> list[Verdict]:
     natural = [*named.values()]
     every = [figures for run in kinds.values() for figures in run[OURS].values()]
     times = {name: figures for run in kinds.values() for name, figures in run[OURS].items()}
-    pierced = {"eyes": _share(every, "eyes"), "bag": _share(every, "bag"), "teeth": _share(every, "teeth")}
+    pierced = {part: _share(every, part) for part in INSIDE}
     return [
         Verdict("faces with a fold, % of people, mixes, caricatures", _folding(natural), 0.0),
         Verdict("folds of triples where no summand folds, people, mixes, caricatures", _new(natural), 0.0),
@@ -80,7 +84,7 @@ def _cells(faces: Sequence[Figures]) -> Row:
         f"{_median(faces, 'lids', 0):.3f}",
         f"{_median(faces, 'lids', 1):.3f}",
         f"{_median(faces, 'lips', 0):.3f}",
-        *(f"{_share(faces, part):.0f}" for part in ("eyes", "bag", "teeth")),
+        *(f"{_share(faces, part):.0f}" for part in INSIDE),
         f"{1e3 * float(np.median(times)):.1f}",
         f"{1e3 * float(np.quantile(times, 0.95)):.1f}",
     )
@@ -101,7 +105,7 @@ def _worst_cells(figures: Figures) -> Row:
         f"{figures.lids[0].value:.3f} {figures.lids[0].unit}",
         f"{figures.lids[1].value:.3f} {figures.lids[1].unit}",
         f"{figures.lips[0].value:.3f} {figures.lips[0].unit}",
-        *(f"{1e3 * worst.value:.2f} {worst.unit}" for worst in (figures.eyes, figures.bag, figures.teeth)),
+        *(f"{1e3 * worst.value:.2f} {worst.unit}" for worst in (getattr(figures, part) for part in INSIDE)),
         str(figures.sums.new_folds),
     )
 

@@ -1,7 +1,7 @@
 """Faces that nobody tuned on: people of the package's own sliders, strong ones, caricatures and regional mixes.
 
 People come from the pinned CC0 package that the cast is baked from, with sliders and shapes drawn at random, and are
-put in order as the bake does (throat, lips, mouth bag). Whose face it is depends on the seed alone.
+put in order as the bake does (throat, lips, mouth bag, sockets). Whose face it is depends on the seed alone.
 """
 
 from __future__ import annotations
@@ -16,6 +16,7 @@ import omote
 from omote.builtin.binding import PARTS
 from omote.model.cast import Cast
 from omote.model.known_names import GENERIC
+from omote.model.sculpting.socket_depth import fit_lining_at_rest
 from omote.model.space.face import Face
 from omote.model.space.head_regions import REGIONS
 from omote.model.transfer.mouth.mouth_at_rest import fit_mouth_at_rest
@@ -98,7 +99,9 @@ class PeopleMaker:
         generic = head.metres(self._base.points)[head.skin.vertices]
         skin = level_throat(points[head.skin.vertices], generic, head.skin.triangles)
         parts = {part: points[head.parts[part].vertices].astype(np.float32) for part in PARTS}
-        return Face(name, fit_mouth_at_rest(self._cast.space, skin.astype(np.float32), parts), parts)
+        space = self._cast.space
+        mouth = fit_mouth_at_rest(space, skin.astype(np.float32), parts)
+        return Face(name, fit_lining_at_rest(space, mouth), parts)
 
 
 def draw_person(draw: np.random.Generator, setting: Setting) -> Person:

@@ -19,10 +19,12 @@ BEGIN, END = "<!-- figures: begin -->", "<!-- figures: end -->"
 Row = Sequence[str]
 METHOD_HEAD = (
     "map", "folds per 100, people", "all", "folds per triple", "lids mean", "along", "lips mean", "along",
-    "eyes, mm (95 %)", "teeth, mm", "bag, mm", "rough", "ms", "p95",
+    "eyes, mm (95 %)", "teeth, mm", "bag, mm", "sockets, mm", "rough", "ms",
+    "p95",
 )  # fmt: skip
 FACE_HEAD = (
-    "face", "folds per 100", "per triple", "lids", "lips", "eyes, mm", "teeth, mm", "bag, mm", "rough", "ms p95",
+    "face", "folds per 100", "per triple", "lids", "lips", "eyes, mm", "teeth, mm", "bag, mm", "sockets, mm", "rough",
+    "ms p95",
 )  # fmt: skip
 SUM_HEAD = (
     "map", "folds per triple", "of these new", "lids and lips cross, mm", "triples that do, %", "eyes, mm",
@@ -50,6 +52,7 @@ def _method_cells(faces: Faces, triples: int) -> Row:
         f"{_at_worst(faces, lambda f: f.eyes, '.2f', 1e3)} ({1e3 * most:.2f})",
         f"{1e3 * max(f.teeth.value for f in faces.values()):.2f}",
         f"{1e3 * max(f.bag.value for f in faces.values()):.2f}",
+        f"{1e3 * max(f.sockets.value for f in faces.values()):.2f}",
         f"{rough(faces):.3f}",
         f"{1e3 * float(np.mean(times)):.2f}",
         f"{1e3 * slow(faces):.2f}",
@@ -73,6 +76,7 @@ def face_rows(faces: Faces, triples: int) -> list[Row]:
             f"{1e3 * f.eyes.value:.2f}",
             f"{1e3 * f.teeth.value:.2f}",
             f"{1e3 * f.bag.value:.2f}",
+            f"{1e3 * f.sockets.value:.2f}",
             f"{f.rough:.3f}",
             f"{1e3 * float(np.quantile(f.times, 0.95)):.2f}",
         )

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from omote.geometry.proximity import cast_rays, nearest_triangles, winding_numbers
+from omote.geometry.proximity import cast_level_rays, cast_rays, nearest_triangles, winding_numbers
 
 RNG = np.random.default_rng(75)
 
@@ -54,6 +54,20 @@ def test_a_ray_from_the_middle_meets_the_cube_where_it_leaves_it() -> None:
     assert np.allclose(far, 0.5 / np.abs(ways).max(axis=1))
     met = (weights[..., None] * cube()[triangles]).sum(axis=1)
     assert np.allclose(met, origins + far[:, None] * ways, atol=1e-9)
+
+
+def test_a_level_ray_meets_what_any_ray_meets() -> None:
+    points, triangles = cube().reshape(-1, 3), np.arange(36, dtype=np.int32).reshape(-1, 3)
+    ways = RNG.normal(size=(200, 3)) * [1.0, 0.0, 1.0]
+    ways /= np.linalg.norm(ways, axis=1, keepdims=True)
+    origins = RNG.uniform(-0.5, 1.5, (200, 3))
+    far, at = cast_level_rays(points, triangles, origins, ways)
+    wanted, which, _ = cast_rays(cube(), origins, ways, 0.0)
+    met = np.isfinite(wanted)
+    assert 0.2 < met.mean() < 0.9
+    assert np.array_equal(met, np.isfinite(far))
+    assert np.allclose(far[met], wanted[met], atol=1e-12)
+    assert np.array_equal(at[met], which[met])
 
 
 def test_a_ray_that_meets_nothing_says_so_and_one_may_begin_behind() -> None:

@@ -16,6 +16,7 @@ from omote.model.controls.mirror import mirror_rows
 from omote.model.extraction.extract import extract
 from omote.model.known_names import GENERIC, NEUTRAL
 from omote.model.sculpting.sculpt import Sculpt
+from omote.model.sculpting.socket_depth import fit_lining_at_rest
 from omote.model.space.expression import Expression
 from omote.model.space.face import Face
 from omote.model.space.parameter_space import ParameterSpace
@@ -103,12 +104,13 @@ def space_of(arrays: Arrays) -> ParameterSpace:
 
 
 def fit_mouths(arrays: Arrays, space: ParameterSpace, names: Iterable[str]) -> None:
-    """Closes the lips of faces, in place, and puts their mouth bags to their gums and behind their skin."""
+    """Closes the lips of faces, in place, and puts their mouth bags to their gums and behind their skin, and behind it
+    the lining of their eye sockets."""
     across = mirror_rows(space)
     for name in names:
         parts = {part: arrays[f"face/{name}/{part}"] for part in PARTS}
         before = arrays[f"face/{name}"]
-        placed = fit_mouth_at_rest(space, before, parts)
+        placed = fit_lining_at_rest(space, fit_mouth_at_rest(space, before, parts))
         arrays[f"face/{name}"] = _symmetric_as(before, placed, across)
 
 

@@ -1,4 +1,4 @@
-"""How far the mouth bag comes out through the skin, on any face."""
+"""How far the mouth bag, and the lining of the eye sockets, come out through the skin, on any face."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 
 from omote.geometry.cylinder import Cylinder
 from omote.model.space.parameter_space import ParameterSpace
-from omote.model.transfer.mouth_bag import find_mouth_bag
+from omote.model.transfer.mouth_bag import find_behind, find_mouth_bag, measure_distance
 
 Values = NDArray[np.float64]
 Indices = NDArray[np.int32]
@@ -38,6 +38,26 @@ class Mouth:
     def out(self, positions: Values) -> Values:
         """How far each bag vertex has come out in front of the skin, (m,) metres along the skin's normal, seen from the
         cylinder's axis; positions (V, 3)."""
+        return _in_front(*_lines(self._cylinder, positions, self._vertices, self._sheet))
+
+
+class Sockets:
+    """The lining of a space's eye sockets, and the sheet around it: only skin that is there can be pierced."""
+
+    def __init__(self, space: ParameterSpace) -> None:
+        lids = [space.welded[line.loop] for line in space.lines if line.kind == "lids"]
+        corners = space.welded[space.triangles]
+        vertices = np.unique(np.concatenate([find_behind(corners, ~space.on_sheet, loop) for loop in lids]))
+        near = corners[np.isin(corners, vertices).any(axis=1)].astype(np.int32)
+        self._cylinder = space.cylinder
+        self._vertices = vertices[measure_distance(space, near, vertices) > EDGE].astype(np.int32)
+        middle = space.points[space.sheet_triangles].mean(axis=1)
+        low, high = space.points[vertices, 1].min() - 0.02, space.points[vertices, 1].max() + 0.02
+        self._sheet = space.sheet_triangles[(middle[:, 1] > low) & (middle[:, 1] < high) & (middle[:, 2] > 0.06)]
+
+    def out(self, positions: Values) -> Values:
+        """How far each vertex of the lining has come out in front of the skin, (m,) metres along its normal, seen from
+        the cylinder's axis; positions (V, 3)."""
         return _in_front(*_lines(self._cylinder, positions, self._vertices, self._sheet))
 
 

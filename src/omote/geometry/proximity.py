@@ -8,6 +8,7 @@ from numpy.typing import NDArray
 
 Values = NDArray[np.float64]
 Indices = NDArray[np.int64]
+Corners = NDArray[np.int32]
 
 # Barycentric slack of a ray that passes an edge: it belongs to both triangles.
 SLACK = 1e-6
@@ -86,6 +87,37 @@ def cast_rays(corners: Values, origins: Values, ways: Values, behind: float) -> 
                 best[n], at[n] = far, t
                 weights[n, 0], weights[n, 1], weights[n, 2] = 1.0 - b - c, b, c
     return best, at, weights
+
+
+@njit(cache=True)
+def cast_level_rays(positions: Values, triangles: Corners, origins: Values, ways: Values) -> tuple[Values, Indices]:
+    """Where level rays (their ways' y is 0) from origins (n, 3) along unit ways (n, 3) first meet triangles (t, 3) of
+    positions (V, 3): distances (n,), infinity where none is met, and which triangle (n,).
+
+    Moeller and Trumbore (1997), of the triangles that reach the ray's height.
+    """
+    best, at = np.full(len(origins), np.inf), np.zeros(len(origins), np.int64)
+    for n in range(len(origins)):
+        (wx, _, wz), height = ways[n], origins[n, 1]
+        for t in range(len(triangles)):
+            i, j, k = triangles[t]
+            low, high = min(positions[i, 1], positions[j, 1]), max(positions[i, 1], positions[j, 1])
+            if min(low, positions[k, 1]) > height or max(high, positions[k, 1]) < height:
+                continue
+            ax, ay, az = positions[i]
+            ux, uy, uz = positions[j, 0] - ax, positions[j, 1] - ay, positions[j, 2] - az
+            vx, vy, vz = positions[k, 0] - ax, positions[k, 1] - ay, positions[k, 2] - az
+            cx, cy, cz = -wz * vy, wz * vx - wx * vz, wx * vy
+            volume = ux * cx + uy * cy + uz * cz
+            x, y, z = origins[n, 0] - ax, height - ay, origins[n, 2] - az
+            ox, oy, oz = y * uz - z * uy, z * ux - x * uz, x * uy - y * ux
+            if abs(volume) < 1e-18:
+                continue
+            b, c = (x * cx + y * cy + z * cz) / volume, (wx * ox + wz * oz) / volume
+            far = (vx * ox + vy * oy + vz * oz) / volume
+            if b >= -SLACK and c >= -SLACK and b + c <= 1.0 + SLACK and 0.0 < far < best[n]:
+                best[n], at[n] = far, t
+    return best, at
 
 
 @njit(cache=True)

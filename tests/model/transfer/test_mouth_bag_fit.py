@@ -7,7 +7,7 @@ import pytest
 from numpy.typing import NDArray
 
 import omote
-from omote.geometry.proximity import nearest_triangles, winding_numbers
+from omote.geometry.proximity import cast_level_rays, nearest_triangles, winding_numbers
 from omote.model.space.parameter_space import ParameterSpace
 from omote.model.transfer.compound import compound
 from omote.model.transfer.mouth_bag import find_mouth_bag
@@ -61,6 +61,31 @@ def test_no_bag_comes_out_where_rays_run_along_the_skin(name: str, unit: str) ->
         bag.distance > 0.001
     )  # neither seen through the mouth nor of the lips
     assert away[deep & (winding_numbers(corners, points) < 0.5)].max(initial=0.0) < 2 * OUT
+
+
+def foremost_out(space: ParameterSpace, positions: NDArray[np.floating], rows: NDArray[np.int32]) -> float:
+    """How far vertices are in front of all skin on their ray from the axis, metres along its normal."""
+    points, origins = positions.astype(np.float64), positions.astype(np.float64)[rows]
+    ways = (origins - [space.cylinder.x, 0.0, space.cylinder.z]) * [1.0, 0.0, 1.0]
+    ways /= np.linalg.norm(ways, axis=1, keepdims=True)
+    around = space.location_triangles.astype(np.int32)
+    far, at = cast_level_rays(points, around, origins + 0.01 * ways, -ways)
+    corners = points[around[at]]
+    normal = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
+    met = (ways * normal).sum(axis=1) / np.linalg.norm(normal, axis=1)
+    return float(np.where((far > 0.01) & (far < 0.02) & (met > 0.2), (far - 0.01) * met, 0.0).max())
+
+
+@pytest.mark.parametrize(("name", "amount"), [("old", 1.32), ("kaori", 1.6)])
+def test_the_bag_stays_behind_lips_that_cover_each_other(name: str, amount: float) -> None:
+    """A walk from the axis may end at any layer of an overhanging lip; the foremost one counts."""
+    space = built().space
+    face, bag = omote.caricature(space, built().faces[name], amount), find_mouth_bag(space)
+    assert bag is not None
+    rows = bag.vertices[bag.distance > 0.001]
+    assert foremost_out(space, face.positions, rows) < 2e-4
+    for unit in ("doubt", "contempt", "mouthSmileRight", "mouth-parling"):
+        assert foremost_out(space, compound(space, face, built().expressions[unit]), rows) < 3e-4, unit
 
 
 def test_at_rest_nothing_moves() -> None:

@@ -11,6 +11,7 @@ from scipy.spatial import cKDTree
 
 from omote.geometry import mesh
 from omote.model.sculpting.sculpt import Sculpt, warp
+from omote.model.sculpting.socket_depth import mend_lining
 from omote.model.space.eye_socket import ball_heights, move_ball, set_ball_heights
 from omote.model.space.face import Face
 from omote.model.space.face_fit import FittedFace, fit
@@ -129,7 +130,8 @@ def drag_handles(space: ParameterSpace, face: Face, name: str, /, *, rows: Array
         part.name: move_ball(ball, ball, move(ball)) if part.eye else move(ball)
         for part, ball in zip(space.parts.values(), before.values(), strict=True)
     }
-    return mend_mouth(space, Face(name, _keep_lids(space, fitted, move(skin), parts), parts, face.gains))
+    moved = Face(name, _keep_lids(space, fitted, move(skin), parts), parts, face.gains)
+    return mend_mouth(space, mend_lining(space, moved))
 
 
 def _keep_lids(space: ParameterSpace, before: FittedFace, skin: Values, parts: dict[str, Values]) -> Values:

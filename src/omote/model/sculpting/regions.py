@@ -8,6 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from omote.geometry import mesh
+from omote.model.sculpting.socket_depth import mend_lining
 from omote.model.space.eye_socket import ball_heights, set_ball_heights
 from omote.model.space.face import Face
 from omote.model.space.face_fit import FittedFace, fit
@@ -118,7 +119,6 @@ def fit_with_lids(
     space: ParameterSpace, name: str, skin: Values, parts: dict[str, Values], wanted: Mapping[str, Values],
     gains: tuple[Gain, ...],
 ) -> Face:  # fmt: skip
-    """The face, fitted, its lids at the wanted heights over its eyeballs, its mouth in order."""
-    return mend_mouth(
-        space, Face(name, set_ball_heights(skin, {eye: parts[eye] for eye in wanted}, wanted), parts, gains)
-    )
+    """The face, fitted, its lids at the wanted heights over its eyeballs, sockets and mouth in order."""
+    face = Face(name, set_ball_heights(skin, {eye: parts[eye] for eye in wanted}, wanted), parts, gains)
+    return mend_mouth(space, mend_lining(space, face))

@@ -15,6 +15,7 @@ from scipy.spatial.distance import cdist
 from omote.geometry import mesh
 from omote.model.cast import Look
 from omote.model.sculpting.smoothing_brush import Brush, apply_brushes
+from omote.model.sculpting.socket_depth import mend_lining
 from omote.model.space.eye_socket import ball_heights, move_ball, set_ball_heights
 from omote.model.space.face import Face
 from omote.model.space.face_fit import fit
@@ -194,7 +195,7 @@ def sculpted(space: ParameterSpace, sculpt: Sculpt, faces: Mapping[str, Face] | 
         parts[name] = move_ball(parts[name], part.points, there) if part.eye else parts[name] + there - part.points
     _scale_mouth(parts, sculpt.teeth)
     face = Face(sculpt.name, set_ball_heights(skin, {name: parts[name] for name in eyes}, wanted), parts, sculpt.gains)
-    return mend_mouth(space, face)
+    return mend_mouth(space, mend_lining(space, face))
 
 
 def _scale_mouth(parts: dict[str, Values], scale: float) -> None:

@@ -17,6 +17,7 @@ from omote.model.space.face_fit import FittedFace, fit
 from omote.model.space.parameter_space import ParameterSpace
 from omote.model.space.parts import eye_rotation
 from omote.model.transfer.gain_limit import answer_expression
+from omote.model.transfer.mouth.teeth_clearance import keep_teeth_inside
 from omote.model.transfer.paper_map import Compiled, apply_paper_map, compile_expression, refuse_foreign
 from omote.model.transfer.pipeline import transfer_expression
 
@@ -100,13 +101,16 @@ def compound_parts(
 def move_parts(
     space: ParameterSpace, fitted: FittedFace, skin: Floats, rest: Mapping[str, NDArray[np.float64]], /
 ) -> dict[str, Floats]:
-    """The parts of a face whose skin has moved to (V, 3), with the residual rest of each part."""
+    """The parts of a face whose skin has moved to (V, 3), with the residual rest of each part.
+
+    Under the smooth map teeth stay behind the skin.
+    """
     displacement = skin.astype(np.float64) - fitted.positions
     result = {}
     for name, placed in fitted.parts.items():
         own = fitted.sizes[name] * rest[name] if name in rest else 0.0
         result[name] = (placed + predict_part(space, name, displacement) + own).astype(np.float32)
-    return result
+    return result if space.transfer == "paper" else keep_teeth_inside(space, fitted, skin, result)
 
 
 def turn_eyes(

@@ -55,7 +55,7 @@ def find_mouth_bag(space: ParameterSpace, /) -> MouthBag | None:
 def _search(space: ParameterSpace) -> Sequence[MouthBag]:
     lips = next((line.loop for line in space.lines if line.kind == "lips"), None)
     corners = space.welded[space.triangles]
-    vertices = np.zeros(0, np.int32) if lips is None else _behind(corners, ~space.on_sheet, lips)
+    vertices = np.zeros(0, np.int32) if lips is None else find_behind(corners, ~space.on_sheet, lips)
     if len(vertices) == 0:
         return ()
     triangles = corners[np.isin(corners, vertices).any(axis=1)].astype(np.int32)
@@ -63,7 +63,7 @@ def _search(space: ParameterSpace) -> Sequence[MouthBag]:
     place[vertices] = np.arange(len(vertices), dtype=np.int32)
     rows = place[space.welded[space.inner.vertices]]
     distance, neighbours = (
-        _measure_distance(space, triangles, vertices),
+        measure_distance(space, triangles, vertices),
         _list_neighbours(triangles, place, len(vertices)),
     )
     near, _ = cKDTree(space.points[vertices]).query(space.points)
@@ -73,19 +73,19 @@ def _search(space: ParameterSpace) -> Sequence[MouthBag]:
     return (MouthBag(vertices, triangles, rows, distance, neighbours, starts, region, skin, membranes),)
 
 
-def _behind(corners: Indices, inner: NDArray[np.bool_], lips: Indices) -> Indices:
-    """The inner vertices that are joined to the lips' line by inner vertices."""
+def find_behind(corners: Indices, inner: NDArray[np.bool_], line: Indices, /) -> Indices:
+    """The inner vertices that are joined to a line of lids or lips by inner vertices."""
     ends = np.concatenate([corners[:, [0, 1]], corners[:, [1, 2]], corners[:, [2, 0]]])
     ends = ends[inner[ends].all(axis=1)]
     graph = coo_array((np.ones(len(ends)), (ends[:, 0], ends[:, 1])), shape=(len(inner), len(inner)))
     _, label = connected_components(graph, directed=False)
-    touching = corners[np.isin(corners, lips).any(axis=1)].ravel()
+    touching = corners[np.isin(corners, line).any(axis=1)].ravel()
     met = np.unique(label[touching[inner[touching]]])
     return np.unique(corners[inner[corners] & np.isin(label[corners], met)]).astype(np.int32)
 
 
-def _measure_distance(space: ParameterSpace, triangles: Indices, vertices: Indices) -> Values:
-    """How far along the mesh the bag's vertices are from the sheet (Dijkstra), metres."""
+def measure_distance(space: ParameterSpace, triangles: Indices, vertices: Indices, /) -> Values:
+    """How far along the mesh vertices (m,) of a bag are from the sheet (Dijkstra), metres: (m,)."""
     ends = np.concatenate([triangles[:, [0, 1]], triangles[:, [1, 2]], triangles[:, [2, 0]]])
     lengths = np.linalg.norm(space.points[ends[:, 0]] - space.points[ends[:, 1]], axis=1)
     ends, first = np.unique(np.sort(ends, axis=1), axis=0, return_index=True)

@@ -14,7 +14,7 @@ from weakref import WeakKeyDictionary
 import numpy as np
 from numpy.typing import NDArray
 
-from omote.geometry.proximity import nearest_triangles, winding_numbers
+from omote.geometry.proximity import cast_level_rays, nearest_triangles, winding_numbers
 from omote.geometry.ramp import smooth_ramp
 from omote.model.space.eye_socket import fall_off
 from omote.model.space.face import Face
@@ -44,6 +44,8 @@ STILL = 1e-5
 # Skin that the ray from the axis only grazes, cosines below MET, says little of what lies behind it: the bag may lie
 # SLACK metres in front of it where it is parallel to the ray, less toward MET.
 MET, SLACK = 0.2, 0.02
+# Where the ray meets skin that is turned away or only grazed, what lies so far before the vertex, metres, may cover it.
+BEFORE = 0.01
 # What is outside by less than the first, metres, is so at rest too; what is by more than the second is between lips
 # that have passed each other, which no bag mends.
 OUT, PASSED = 0.0003, 0.004
@@ -71,10 +73,30 @@ def measure_depths(space: ParameterSpace, bag: MouthBag, positions: Values, /, r
     ahead = points - [space.cylinder.x, 0.0, space.cylinder.z]
     ahead[:, 1] = 0.0
     ahead /= np.maximum(np.linalg.norm(ahead, axis=1, keepdims=True), 1e-9)
-    grazed = np.maximum(MET - (ahead * normal).sum(axis=1), 0.0) / MET
+    met = (ahead * normal).sum(axis=1)
+    _find_foremost(bag, positions, points, ahead, surface, normal, met)
+    grazed = np.maximum(MET - met, 0.0) / MET
     depth = ((surface - points) * normal).sum(axis=1)
     doubtful = landing.inside & (grazed > 0) & (depth < 0)
     return Depths(np.where(landing.inside, depth + SLACK * grazed, np.inf), -normal, doubtful)
+
+
+def _find_foremost(
+    bag: MouthBag, positions: Values, points: Values, ahead: Values, surface: Values, normal: Values, met: Values
+) -> None:
+    """Puts the foremost skin on the rays of points (m, 3) in place of what was met from behind or grazed, where it
+    is met squarely: lips cover each other, and a walk along the skin ends at any of the layers."""
+    rows = np.flatnonzero(met < MET)
+    if len(rows) == 0:
+        return
+    around = np.concatenate([bag.skin, bag.membranes])
+    far, at = cast_level_rays(positions, around, points[rows] + BEFORE * ahead[rows], -ahead[rows])
+    across = _face_normals(positions[around[at]])
+    squarely = (ahead[rows] * across).sum(axis=1)
+    found = (far < 2.0 * BEFORE) & (squarely >= MET)
+    rows = rows[found]
+    surface[rows] = points[rows] + (BEFORE - far[found])[:, None] * ahead[rows]
+    normal[rows], met[rows] = across[found], squarely[found]
 
 
 def require_depths(space: ParameterSpace, bag: MouthBag, /) -> Values:

@@ -20,7 +20,10 @@ Floats = NDArray[np.float32]
 # A mouth is out of order where a tenth of the gums' edges are farther from their places in the bag than FLOATING, a
 # crown is through its wall, or the bag lies SHALLOW less deep than on the generic face, metres: no face of the cast's
 # is.
-FLOATING, SHALLOW = 0.0016, 0.0008
+FLOATING, SHALLOW = 0.0016, 0.0004
+# What closes behind the lips brings the bag out again, by less each time: so many turns at most, until it lies less
+# than LEFT, metres, too shallow.
+TURNS, LEFT = 8, 0.0002
 
 
 def fit_mouth_at_rest(
@@ -42,8 +45,13 @@ def fit_mouth_at_rest(
     if line is None:
         return fit_mouth_bag_at_rest(space, closed.astype(np.float32))
     placed = meet_gums(line, closed, parts)
-    inside = fit_mouth_bag_at_rest(space, place_bag(space, line.bag, closed.astype(np.float32), placed))
-    return close_behind_lips(space, inside).astype(np.float32)  # the bag begins at the lips' inner edge
+    found = place_bag(space, line.bag, closed.astype(np.float32), placed)
+    for _ in range(TURNS):
+        inside = fit_mouth_bag_at_rest(space, found)
+        found = close_behind_lips(space, inside).astype(np.float32)  # the bag begins at the lips' inner edge
+        if measure_shallow(space, found) <= LEFT:
+            break
+    return found
 
 
 def mend_mouth(space: ParameterSpace, face: Face, /) -> Face:

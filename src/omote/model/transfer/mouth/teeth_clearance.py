@@ -1,0 +1,133 @@
+"""Keeps teeth and gums behind the skin of a compound (docs/method.md, "Teeth behind the skin").
+
+Level rays from outside find the foremost skin before each vertex of the rows of teeth, or the membrane of the open
+mouth, out of which no tooth stands either. What is not deep enough goes back along the skin's normal, its row with it,
+less and less. The depth that is asked for does not depend on the expression, so a face at rest stays.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from weakref import WeakKeyDictionary
+
+import numpy as np
+from numpy.typing import NDArray
+
+from omote.geometry.proximity import cast_level_rays
+from omote.geometry.ramp import smooth_ramp
+from omote.model.space.face_fit import FittedFace
+from omote.model.space.parameter_space import ParameterSpace
+from omote.model.transfer.mouth.gum_line import GUMS
+from omote.model.transfer.mouth_bag import find_mouth_bag
+
+Floats = NDArray[np.float32]
+Values = NDArray[np.float64]
+Indices = NDArray[np.int32]
+
+# Teeth stay so far behind the skin, metres, or as far as they are at rest: sums add what compounds leave.
+CLEAR = 0.0005
+# Skin is looked for up to so far before and behind a vertex, metres: farther behind are throat and nape.
+NEAR = 0.012
+# Skin that a ray only grazes, by a smaller cosine, says nothing of what lies behind it.
+MET = 0.1
+# A push takes what is nearer along, less toward SPREAD, metres: a row bends, no tooth does.
+SPREAD = 0.02
+ROUNDS, EXACT = 8, 1e-5
+# Skin that has moved by less, metres, is at rest.
+STILL = 1e-5
+
+
+@dataclass(frozen=True, eq=False)
+class _Rows:
+    """Both rows of teeth of a space, one after another (n,): around (t, 3): the skin and, from the skin-th on, the
+    membranes before them; region (k,): the vertices of these; shares (n, n): how much one goes with another."""
+
+    around: Indices
+    skin: int
+    region: Indices
+    shares: Values
+
+
+_rows: WeakKeyDictionary[ParameterSpace, tuple[_Rows, ...]] = WeakKeyDictionary()
+_limits: WeakKeyDictionary[FittedFace, tuple[ParameterSpace, Values]] = WeakKeyDictionary()
+
+
+def keep_teeth_inside(
+    space: ParameterSpace, fitted: FittedFace, skin: Floats, parts: Mapping[str, Floats], /
+) -> dict[str, Floats]:
+    """The parts of a face whose skin has moved to (V, 3), teeth and gums behind it; the generic face's own are the
+    source and stay."""
+    rows, result = _find_rows(space), dict(parts)
+    if rows is None or np.array_equal(fitted.positions, space.points.astype(np.float32)):
+        return result
+    if np.abs(skin[rows.region] - fitted.positions[rows.region]).max() < STILL:
+        return result
+    teeth = np.concatenate([parts[name] for name in GUMS]).astype(np.float64)
+    placed = push_teeth(space, rows, _limit_depths(space, fitted, rows), skin.astype(np.float64), teeth)
+    if placed is not teeth:
+        starts = np.cumsum([len(parts[name]) for name in GUMS])[:-1]
+        result |= dict(zip(GUMS, (part.astype(np.float32) for part in np.split(placed, starts)), strict=True))
+    return result
+
+
+def push_teeth(space: ParameterSpace, rows: _Rows, wanted: Values, skin: Values, teeth: Values, /) -> Values:
+    """Where teeth (n, 3) go to lie as far as wanted (n,) behind the skin (V, 3); themselves where they do."""
+    result = teeth
+    for _ in range(ROUNDS):
+        depth, inward = measure_teeth(space, rows, skin, result)
+        push = np.maximum(wanted - depth, 0.0)
+        if push.max() < EXACT:
+            break
+        goes = rows.shares * push
+        most = goes.argmax(axis=1)
+        result = result + np.take_along_axis(goes, most[:, None], axis=1) * inward[most]
+    return result
+
+
+def measure_teeth(space: ParameterSpace, rows: _Rows, skin: Values, teeth: Values, /) -> tuple[Values, Values]:
+    """How far behind the skin (V, 3) teeth (n, 3) lie, (n,) metres along its normal, less than zero in front of it,
+    infinite where none is before them; behind a membrane CLEAR more. And the way to go deeper, (n, 3)."""
+    ahead = teeth - [space.cylinder.x, 0.0, space.cylinder.z]
+    ahead[:, 1] = 0.0
+    ahead /= np.maximum(np.linalg.norm(ahead, axis=1, keepdims=True), 1e-9)
+    far, at = cast_level_rays(skin, rows.around, teeth + NEAR * ahead, -ahead)
+    corners = skin[rows.around[at]]
+    normal = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
+    normal /= np.maximum(np.linalg.norm(normal, axis=1, keepdims=True), 1e-30)
+    met = (ahead * normal).sum(axis=1)
+    found = (far < 2.0 * NEAR) & (met > MET)
+    depth = (NEAR - np.where(found, far, 0.0)) * met + np.where(at < rows.skin, 0.0, CLEAR)
+    return np.where(found, depth, np.inf), -normal
+
+
+def _limit_depths(space: ParameterSpace, fitted: FittedFace, rows: _Rows) -> Values:
+    """How far behind the skin the teeth of a face have to lie, (n,) metres: no farther than at rest."""
+    known = _limits.get(fitted)
+    if known is None or known[0] is not space:
+        teeth = np.concatenate([fitted.parts[name] for name in GUMS]).astype(np.float64)
+        depth, _ = measure_teeth(space, rows, fitted.positions.astype(np.float64), teeth)
+        known = (space, np.minimum(depth, CLEAR))
+        _limits[fitted] = known
+    return known[1]
+
+
+def _find_rows(space: ParameterSpace) -> _Rows | None:
+    """The rows of teeth of a space, remembered as long as it lives; None where it has no mouth bag or no teeth."""
+    if space not in _rows:
+        bag = find_mouth_bag(space)
+        if bag is None or not all(name in space.parts for name in GUMS):
+            _rows[space] = ()
+        else:
+            around = np.concatenate([bag.skin, bag.membranes]).astype(np.int32)
+            _rows[space] = (_Rows(around, len(bag.skin), np.unique(around), _shares(space)),)
+    return next(iter(_rows[space]), None)
+
+
+def _shares(space: ParameterSpace) -> Values:
+    """How much each vertex goes with another of its own row, by their distance on the generic face: (n, n)."""
+    points = np.concatenate([space.parts[name].points for name in GUMS])
+    row = np.repeat(np.arange(len(GUMS)), [len(space.parts[name].points) for name in GUMS])
+    away = np.linalg.norm(points[:, None] - points, axis=2)
+    result: Values = np.where(row[:, None] == row, 1.0 - smooth_ramp(0.0, SPREAD, away), 0.0)
+    return result
