@@ -60,7 +60,7 @@ def test_no_lining_comes_through_the_cheek_of_who_squints(name: str, unit: str) 
 
 def test_a_lining_in_front_of_the_skin_goes_behind_it_and_nothing_else_moves() -> None:
     face, found = CAST.faces["man"], lining()
-    asked = found.vertices[np.isfinite(found.wanted)]
+    asked = found.vertices[np.isfinite(found.least)]
     raised = face.positions.astype(np.float64)
     raised[np.isin(CAST.space.welded, asked), 2] += 0.003
     assert measure_lining(CAST.space, found, raised).max() > 0.001

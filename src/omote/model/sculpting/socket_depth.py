@@ -23,9 +23,11 @@ Floats = NDArray[np.float32]
 Values = NDArray[np.float64]
 Indices = NDArray[np.int32]
 
-# The lining lies as deep as on the generic face, but at most so deep, metres; what is deeper than FAR there never comes
-# near the skin. Deeper, or with neighbours that go along, linings of narrow eyes come out behind the other lid.
+# The lining lies at least as deep as on the generic face, but at most so deep, metres; what is deeper than FAR there
+# never comes near the skin. With neighbours that go along, linings of narrow eyes come out behind the other lid.
 DEEP, FAR = 0.0026, 0.008
+# One that is put in order goes so many times as deep: units take more on some faces than on the generic one.
+SPARE = 1.25
 # Nearer to the lids along the mesh, metres, it is their rim, which they may turn out.
 RIM = 0.001
 # Skin so far from the lining, metres, is before it.
@@ -39,13 +41,13 @@ SHALLOW = 0.0002
 class SocketLining:
     """The lining of a space's eye sockets, seams welded.
 
-    vertices (m,); skin (s, 3): the sheet's triangles near it; wanted (m,): how far behind them it lies on every face,
+    vertices (m,); skin (s, 3): the sheet's triangles near it; least (m,): how far behind them it lies on every face,
     metres, minus infinity where that is not asked.
     """
 
     vertices: Indices
     skin: Indices
-    wanted: Values
+    least: Values
 
 
 _linings: WeakKeyDictionary[ParameterSpace, tuple[SocketLining, ...]] = WeakKeyDictionary()
@@ -71,8 +73,7 @@ def _search(space: ParameterSpace) -> Sequence[SocketLining]:
     skin = space.sheet_triangles[((middle > low) & (middle < high)).all(axis=1)]
     depth, _ = _measure(space, skin, vertices, space.points)
     asked = (measure_distance(space, triangles, vertices) > RIM) & (depth > 0.0) & (depth < FAR)
-    wanted = np.where(asked, np.minimum(depth, DEEP), -np.inf)
-    return (SocketLining(vertices, skin, wanted),)
+    return (SocketLining(vertices, skin, np.where(asked, np.minimum(depth, DEEP), -np.inf)),)
 
 
 def _measure(space: ParameterSpace, skin: Indices, vertices: Indices, positions: Values) -> tuple[Values, Values]:
@@ -91,20 +92,21 @@ def _measure(space: ParameterSpace, skin: Indices, vertices: Indices, positions:
 
 def measure_lining(space: ParameterSpace, lining: SocketLining, positions: NDArray[np.floating], /) -> Values:
     """How much deeper the lining of positions (V, 3) has to lie, (m,) metres."""
-    asked = np.flatnonzero(np.isfinite(lining.wanted))
+    asked = np.flatnonzero(np.isfinite(lining.least))
     result = np.zeros(len(lining.vertices))
     depth, _ = _measure(space, lining.skin, lining.vertices[asked], positions.astype(np.float64))
-    result[asked] = np.maximum(lining.wanted[asked] - depth, 0.0)
+    result[asked] = np.maximum(lining.least[asked] - depth, 0.0)
     return result
 
 
 def fit_lining_at_rest(space: ParameterSpace, positions: Floats, /) -> Floats:
-    """A new face at rest (V, 3) with the lining of its sockets as far behind its skin as on the generic face."""
+    """A new face at rest (V, 3) with the lining of its sockets as far behind its skin as on the generic face, and
+    a little more."""
     lining = find_socket_lining(space)
-    if lining is None:
+    if lining is None or measure_lining(space, lining, positions).max() < EXACT:
         return positions
-    asked = np.flatnonzero(np.isfinite(lining.wanted))
-    vertices, wanted, result = lining.vertices[asked], lining.wanted[asked], positions.astype(np.float64)
+    asked = np.flatnonzero(np.isfinite(lining.least))
+    vertices, wanted, result = lining.vertices[asked], SPARE * lining.least[asked], positions.astype(np.float64)
     for _ in range(ROUNDS):
         depth, inward = _measure(space, lining.skin, vertices, result)
         push = np.maximum(wanted - depth, 0.0)
