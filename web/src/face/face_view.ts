@@ -291,10 +291,9 @@ export class FaceView {
     this.backdrop.place(tile === undefined ? [width, height, 0, 0, width, height] : tileView(tile, width, height));
     const mixed = mixLights(own === undefined ? this.light : { [own]: 1 }); // on air, or of this stage alone
     const light = background === undefined ? mixed : before(mixed, background);
-    const { shadow, multisample } = featuresHere(this.level);
     for (const character of this.characters.values())
-      if (character.head.visible) character.dress(this.renderer, light, shadow);
-    this.backdrop.first = multisample;
+      if (character.head.visible) character.dress(this.renderer, light, featuresHere(this.level).shadow);
+    this.backdrop.first = featuresHere(this.level).multisample;
     this.backdrop.light(light);
     this.smoothing.render(this.scene, this.camera, this.backdrop.first, columns);
   }

@@ -24,7 +24,7 @@ RUNGS = 32
 LIPS_ALIKE = 0.055
 # The jaw, the skin on it and the lower teeth keep their way up to this share: people's amplitudes do not grow with
 # their heads, and artists' own units for narrow mouths drop the jaw as far.
-JAW_ALIKE = 0.09
+JAW_ALIKE = 0.2
 
 
 @dataclass(frozen=True, eq=False)

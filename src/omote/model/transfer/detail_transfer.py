@@ -25,7 +25,7 @@ Indices = NDArray[np.int32]
 LENGTH = 0.002
 # What a triangle's gradient may miss without being corrected: people move alike where their triangles differ by so much
 # (a fold misses 1). More of either is smoother on strong faces and farther from what people truly do (decision 0153).
-TOLERANCE = 0.2
+TOLERANCE = 0.15
 SYMMETRIC = {"SymmetricMode": True}
 
 
