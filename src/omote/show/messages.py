@@ -27,7 +27,7 @@ from omote.show.access.access_documents import (  # noqa: F401  (the mirror has 
     PersonDocument,
 )
 
-PROTOCOL_VERSION = 6
+PROTOCOL_VERSION = 7
 LINK_PATH = "/link"
 MESSAGE_LIMIT, SPEECH_LIMIT = 4096, 32768
 """Bytes; no message of a client is longer, and no `say`: 2000 characters of any script and the times of 1000 words."""

@@ -1,6 +1,6 @@
 // Written by tools/messages.py from src/omote/show/messages.py. Do not edit: run `python tools/messages.py`.
 
-export const PROTOCOL_VERSION = 6;
+export const PROTOCOL_VERSION = 7;
 export const LINK_PATH = "/link";
 /** States per second. */
 export const STATE_RATE = 60;
