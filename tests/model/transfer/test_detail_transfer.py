@@ -7,7 +7,7 @@ import pytest
 
 import omote
 from omote.model.transfer.compound import compound
-from omote.model.transfer.detail_transfer import TOLERANCE, DetailSolver, factor_detail, solve_detail
+from omote.model.transfer.detail_transfer import LENGTH, TOLERANCE, DetailSolver, factor_detail, solve_detail
 from omote.model.transfer.fold_repair import SheetGeometry, build_sheet_geometry, triangle_frames
 
 UNITS = ("jawOpen", "eyeBlinkLeft", "mouthFunnel")
@@ -53,7 +53,9 @@ def test_a_larger_displacement_has_larger_detail(generic: DetailSolver) -> None:
 
 
 @pytest.mark.parametrize("unit", UNITS)
-def test_of_what_gradients_miss_beyond_the_tolerance_most_is_made_up(baby: DetailSolver, unit: str) -> None:
+def test_of_what_gradients_miss_beyond_the_tolerance_much_is_made_up_and_more_by_no_share_of_it(
+    baby: DetailSolver, unit: str
+) -> None:
     points, moved = omote.load_cast().space.points, displacement(unit)
     worn = solve_detail(baby, moved, points + moved, ONES)
     wanted = triangle_frames(points + moved, baby.geometry.triangles) @ baby.geometry.inverse_frames - np.eye(3)
@@ -64,7 +66,20 @@ def test_of_what_gradients_miss_beyond_the_tolerance_most_is_made_up(baby: Detai
         beyond = np.maximum(np.sqrt((missing**2).sum(axis=(0, 2))) - TOLERANCE, 0.0)
         return float(baby.areas[: len(beyond)] @ beyond**2)
 
-    assert excess(worn) < 0.5 * excess(moved)
+    assert excess(worn) < 0.6 * excess(moved)
+
+    def energy(change: np.ndarray) -> float:
+        """What the screened Poisson equation makes least: gradients missed, and the change itself beyond LENGTH."""
+        missing = (wanted - baby.slopes @ moved[baby.used]).reshape(2, -1, 3)
+        size = np.sqrt((missing**2).sum(axis=(0, 2)))
+        asked = missing * np.maximum(1.0 - TOLERANCE / np.maximum(size, 1e-12), 0.0)[:, None]
+        off = (asked.reshape(-1, 3) - baby.slopes @ change[baby.used]) ** 2
+        corners = np.repeat(baby.areas[: len(size)] / 3.0, 3)
+        mass = np.bincount(baby.geometry.triangles.ravel(), corners, minlength=len(change))
+        return float((baby.areas @ off).sum() + (mass @ change**2).sum() / LENGTH**2)
+
+    least = energy(worn - moved)
+    assert all(least < energy(share * (worn - moved)) for share in (0.0, 0.5, 0.9, 1.1))
 
 
 def test_the_change_dies_out_within_centimetres(baby: DetailSolver) -> None:

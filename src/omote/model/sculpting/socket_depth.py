@@ -103,7 +103,7 @@ def fit_lining_at_rest(space: ParameterSpace, positions: Floats, /) -> Floats:
     """A new face at rest (V, 3) with the lining of its sockets as far behind its skin as on the generic face, and
     a little more."""
     lining = find_socket_lining(space)
-    if lining is None or measure_lining(space, lining, positions).max() < EXACT:
+    if lining is None or measure_lining(space, lining, positions).max() <= SHALLOW:
         return positions
     asked = np.flatnonzero(np.isfinite(lining.least))
     vertices, wanted, result = lining.vertices[asked], SPARE * lining.least[asked], positions.astype(np.float64)
