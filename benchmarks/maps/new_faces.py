@@ -9,7 +9,7 @@ import numpy as np
 
 from benchmarks.maps.bars import Run, Verdict, at_most, slow, worst
 from benchmarks.maps.figures import Figures
-from benchmarks.maps.methods import DELTAS, OURS
+from benchmarks.maps.methods import OURS
 from benchmarks.maps.random_faces import CARICATURES, MIXES, PEOPLE
 from benchmarks.maps.report import Row
 
@@ -130,4 +130,3 @@ def crossing_rows(kinds: Kinds) -> list[Row]:
 
 
 CROSSING_HEAD = ("kind", "lids and lips cross in triples, mm", "eyes, mm")
-NEW_METHODS = (DELTAS, OURS)

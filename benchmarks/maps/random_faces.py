@@ -15,7 +15,6 @@ import numpy as np
 import omote
 from omote.builtin.binding import PARTS
 from omote.model.cast import Cast
-from omote.model.known_names import GENERIC
 from omote.model.sculpting.socket_depth import fit_lining_at_rest
 from omote.model.space.face import Face
 from omote.model.space.head_regions import REGIONS
@@ -146,8 +145,3 @@ def _mix(cast: Cast, maker: PeopleMaker, draw: np.random.Generator, number: int)
     others = {str(region): cast.faces[str(draw.choice(HUMANS))] for region in regions}
     name = f"{MIXES} {number}: " + ", ".join(f"{region} {face.name}" for region, face in others.items())
     return omote.regional(cast.space, name, others, rest=maker.make("new", draw_person(draw, ORDINARY)))  # type: ignore[arg-type]
-
-
-def all_faces(cast: Cast) -> dict[str, list[Face]]:
-    """The cast's own faces but the generic one, as one kind."""
-    return {"cast": [face for name, face in cast.faces.items() if name != GENERIC]}

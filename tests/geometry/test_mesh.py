@@ -123,3 +123,13 @@ def test_points_are_refused(points: Any, sentence: str) -> None:
 def test_triangles_are_refused(triangles: Any, sentence: str) -> None:
     with pytest.raises(ValueError, match=sentence):
         mesh.validate_triangles(triangles, 4)
+
+
+def test_unit_normals_stand_on_their_triangles_and_are_nothing_where_there_is_no_area() -> None:
+    points, triangles = ball()
+    corners = points[triangles]
+    normals = mesh.unit_normals(corners)
+    assert np.allclose(np.linalg.norm(normals, axis=1), 1.0)
+    assert np.allclose(((corners - corners[:, :1]) * normals[:, None]).sum(axis=2), 0.0, atol=1e-12)
+    assert ((corners.mean(axis=1) * normals).sum(axis=1) > 0).all()
+    assert not mesh.unit_normals(np.zeros((1, 3, 3))).any()

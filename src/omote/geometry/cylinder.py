@@ -33,6 +33,13 @@ class Cylinder:
         dx, dz = points[..., 0] - self.x, points[..., 2] - self.z
         return wrap(np.arctan2(dx, dz)), points[..., 1], np.hypot(dx, dz)
 
+    def outward(self, points: Values, /) -> Values:
+        """The level unit vectors (n, 3) from the axis to points (n, 3)."""
+        away = points - [self.x, 0.0, self.z]
+        away[:, 1] = 0.0
+        away /= np.maximum(np.linalg.norm(away, axis=1, keepdims=True), 1e-9)
+        return away
+
     def roll(self, theta: Values, h: Values, r: Values, /) -> Values:
         """Points (..., 3) in metres at (theta, h, r), the inverse of `unroll`."""
         return np.stack(

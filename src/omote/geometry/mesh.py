@@ -159,6 +159,13 @@ def normals(points: Points, triangles: Triangles, /) -> Points:
     return result
 
 
+def unit_normals(corners: Points, /) -> Points:
+    """The unit normals (n, 3) of triangles (n, 3, 3); zero where one has no area."""
+    across = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
+    result: Points = across / np.maximum(np.linalg.norm(across, axis=1, keepdims=True), 1e-30)
+    return result
+
+
 def edges(triangles: Triangles, /) -> Triangles:
     """Every edge of triangles once, lower vertex first: (E, 2)."""
     found: Triangles = np.unique(np.sort(triangles[:, [0, 1, 1, 2, 2, 0]].reshape(-1, 2), axis=1), axis=0)

@@ -14,6 +14,7 @@ from weakref import WeakKeyDictionary
 import numpy as np
 from numpy.typing import NDArray
 
+from omote.geometry import mesh
 from omote.geometry.proximity import nearest_triangles, winding_numbers
 from omote.model.space.face import Face
 from omote.model.space.parameter_space import ParameterSpace
@@ -80,8 +81,7 @@ def _measure(space: ParameterSpace, skin: Indices, vertices: Indices, positions:
     """How far behind the nearest skin each vertex lies, (m,) metres, less than zero out of it, and the way in."""
     corners, points = np.ascontiguousarray(positions[skin]), np.ascontiguousarray(positions[vertices])
     away, at = nearest_triangles(corners, points)
-    normal = np.cross(corners[at, 1] - corners[at, 0], corners[at, 2] - corners[at, 0])
-    normal /= np.maximum(np.linalg.norm(normal, axis=1, keepdims=True), 1e-30)
+    normal = mesh.unit_normals(corners[at])
     before = np.flatnonzero(((points - corners[at, 0]) * normal).sum(axis=1) > 0)
     closed = np.ascontiguousarray(positions[space.location_triangles])
     out = before[winding_numbers(closed, points[before]) < 0.5]  # in creases the nearest triangle may look elsewhere
@@ -118,7 +118,5 @@ def fit_lining_at_rest(space: ParameterSpace, positions: Floats, /) -> Floats:
 
 def mend_lining(space: ParameterSpace, face: Face, /) -> Face:
     """A face with the lining of its sockets in order; itself where that is so."""
-    lining = find_socket_lining(space)
-    if lining is None or measure_lining(space, lining, face.positions).max() <= SHALLOW:
-        return face
-    return replace(face, positions=fit_lining_at_rest(space, face.positions))
+    positions = fit_lining_at_rest(space, face.positions)
+    return face if positions is face.positions else replace(face, positions=positions)

@@ -14,6 +14,7 @@ from weakref import WeakKeyDictionary
 import numpy as np
 from numpy.typing import NDArray
 
+from omote.geometry import mesh
 from omote.geometry.proximity import cast_level_rays, nearest_triangles, winding_numbers
 from omote.geometry.ramp import smooth_ramp
 from omote.model.space.eye_socket import fall_off
@@ -69,10 +70,8 @@ def measure_depths(space: ParameterSpace, bag: MouthBag, positions: Values, /, r
     landing = project_to_surface(space, positions, points, bag.starts[rows])
     corners = positions[space.location_triangles[landing.triangles]]
     surface = (landing.weights[..., None] * corners).sum(axis=1)
-    normal = _face_normals(corners)
-    ahead = points - [space.cylinder.x, 0.0, space.cylinder.z]
-    ahead[:, 1] = 0.0
-    ahead /= np.maximum(np.linalg.norm(ahead, axis=1, keepdims=True), 1e-9)
+    normal = mesh.unit_normals(corners)
+    ahead = space.cylinder.outward(points)
     met = (ahead * normal).sum(axis=1)
     _find_foremost(bag, positions, points, ahead, surface, normal, met)
     grazed = np.maximum(MET - met, 0.0) / MET
@@ -91,7 +90,7 @@ def _find_foremost(
         return
     around = np.concatenate([bag.skin, bag.membranes])
     far, at = cast_level_rays(positions, around, points[rows] + BEFORE * ahead[rows], -ahead[rows])
-    across = _face_normals(positions[around[at]])
+    across = mesh.unit_normals(positions[around[at]])
     squarely = (ahead[rows] * across).sum(axis=1)
     found = (far < 2.0 * BEFORE) & (squarely >= MET)
     rows = rows[found]
@@ -162,15 +161,8 @@ def _push_doubtful(bag: MouthBag, positions: Values, here: Depths, push: Values)
     out = near[winding_numbers(corners, points[near]) < 0]
     push, inward = push.copy(), here.inward.copy()
     push[rows[out]] = away[out] - OUT
-    inward[rows[out]] = -_face_normals(corners[nearest[out]])
+    inward[rows[out]] = -mesh.unit_normals(corners[nearest[out]])
     return push, inward
-
-
-def _face_normals(corners: Values) -> Values:
-    """The unit normals (n, 3) of triangles (n, 3, 3)."""
-    normal = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
-    result: Values = normal / np.maximum(np.linalg.norm(normal, axis=1, keepdims=True), 1e-30)
-    return result
 
 
 def fit_mouth_bag(space: ParameterSpace, face: Face, positions: Floats, /) -> Floats:

@@ -14,6 +14,7 @@ from weakref import WeakKeyDictionary
 import numpy as np
 from numpy.typing import NDArray
 
+from omote.geometry import mesh
 from omote.geometry.proximity import cast_level_rays
 from omote.geometry.ramp import smooth_ramp
 from omote.model.space.face_fit import FittedFace
@@ -88,13 +89,9 @@ def push_teeth(space: ParameterSpace, rows: _Rows, wanted: Values, skin: Values,
 def measure_teeth(space: ParameterSpace, rows: _Rows, skin: Values, teeth: Values, /) -> tuple[Values, Values]:
     """How far behind the skin (V, 3) teeth (n, 3) lie, (n,) metres along its normal, less than zero in front of it,
     infinite where none is before them; behind a membrane CLEAR more. And the way to go deeper, (n, 3)."""
-    ahead = teeth - [space.cylinder.x, 0.0, space.cylinder.z]
-    ahead[:, 1] = 0.0
-    ahead /= np.maximum(np.linalg.norm(ahead, axis=1, keepdims=True), 1e-9)
+    ahead = space.cylinder.outward(teeth)
     far, at = cast_level_rays(skin, rows.around, teeth + NEAR * ahead, -ahead)
-    corners = skin[rows.around[at]]
-    normal = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
-    normal /= np.maximum(np.linalg.norm(normal, axis=1, keepdims=True), 1e-30)
+    normal = mesh.unit_normals(skin[rows.around[at]])
     met = (ahead * normal).sum(axis=1)
     found = (far < 2.0 * NEAR) & (met > MET)
     depth = (NEAR - np.where(found, far, 0.0)) * met + np.where(at < rows.skin, 0.0, CLEAR)
