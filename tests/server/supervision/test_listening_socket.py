@@ -5,7 +5,7 @@ import socket
 
 import pytest
 
-from omote.server.supervision.listening_socket import listen_on
+from omote.server.supervision.listening_socket import listen_for_osc, listen_on
 
 
 def test_a_port_in_use_is_said_in_a_sentence() -> None:
@@ -50,3 +50,29 @@ def test_missing_rights_are_said_in_a_sentence(
     monkeypatch.setattr(socket, "create_server", refuse)
     with pytest.raises(OSError, match=rf"port {port} on 127\.0\.0\.1 cannot be opened \({words}\): name another"):
         listen_on("127.0.0.1", port)
+
+
+def test_a_free_port_for_osc_is_free_for_datagrams_and_for_connections(monkeypatch: pytest.MonkeyPatch) -> None:
+    taken: list[int] = []
+    create_server = socket.create_server
+
+    def refuse_twice(address: tuple[str, int], *, family: int) -> socket.socket:
+        if len(taken) < 2:
+            taken.append(address[1])
+            raise OSError(errno.EADDRINUSE, "taken")
+        return create_server(address, family=family)
+
+    monkeypatch.setattr(socket, "create_server", refuse_twice)
+    sockets = listen_for_osc("127.0.0.1", 0)
+    try:
+        assert sockets.connections is not None
+        assert sockets.connections.getsockname() == sockets.datagrams.getsockname()
+    finally:
+        sockets.close()
+
+
+def test_osc_is_heard_over_datagrams_alone_where_its_port_is_taken_for_connections() -> None:
+    with socket.create_server(("127.0.0.1", 0)) as taken:
+        sockets = listen_for_osc("127.0.0.1", taken.getsockname()[1])
+        assert sockets.connections is None
+        sockets.close()

@@ -9,6 +9,8 @@ import socket
 from omote.interchange.formats.error_reasons import explain_error
 from omote.server.devices.osc_listener import OscSockets
 
+FREE_PORT_TRIES = 20
+"""A number that the system gives as free for datagrams may be taken for connections."""
 LOWEST_FREE_PORT = 1024
 """Ports below it want rights that a show has no need of."""
 HOSTS = "give --host 127.0.0.1 for this machine alone, 0.0.0.0 for the whole network"
@@ -29,10 +31,21 @@ def listen_on(host: str, port: int) -> socket.socket:
 
 
 def listen_for_osc(host: str, port: int) -> OscSockets:
-    """Opens the sockets of OSC: UDP and TCP under one number; OSError with a message where UDP cannot be had.
+    """Opens the sockets of OSC: UDP and TCP under one number (0: any that is free in both); OSError with a message
+    where UDP cannot be had.
 
     Where another program has that port of TCP, OSC is heard over UDP alone.
     """
+    sockets = _listen_for_osc(host, port)
+    for _ in range(FREE_PORT_TRIES if port == 0 else 0):
+        if sockets.connections is not None:
+            break
+        sockets.close()
+        sockets = _listen_for_osc(host, port)
+    return sockets
+
+
+def _listen_for_osc(host: str, port: int) -> OscSockets:
     family = socket.AF_INET6 if ":" in host else socket.AF_INET
     datagrams = socket.socket(family, socket.SOCK_DGRAM)
     try:
