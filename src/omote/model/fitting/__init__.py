@@ -1,0 +1,1 @@
+"""Fits the generic head to scans, strangers' meshes and photographs."""
