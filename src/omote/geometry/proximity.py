@@ -12,6 +12,10 @@ Corners = NDArray[np.int32]
 
 # Barycentric slack of a ray that passes an edge: it belongs to both triangles.
 SLACK = 1e-6
+# A ray that passes a triangle by more than this, metres, does not meet it.
+ASIDE = 1e-6
+# Triangles are sorted into so many layers of height.
+LAYERS = 64
 
 
 @njit(cache=True)
@@ -94,30 +98,69 @@ def cast_level_rays(positions: Values, triangles: Corners, origins: Values, ways
     """Where level rays (their ways' y is 0) from origins (n, 3) along unit ways (n, 3) first meet triangles (t, 3) of
     positions (V, 3): distances (n,), infinity where none is met, and which triangle (n,).
 
-    Moeller and Trumbore (1997), of the triangles that reach the ray's height.
+    Moeller and Trumbore (1997), of the triangles that reach the ray's height (found by layers of height).
     """
     best, at = np.full(len(origins), np.inf), np.zeros(len(origins), np.int64)
+    if len(triangles) == 0:
+        return best, at
+    low, layer, starts, rows = _sort_by_height(positions, triangles)
     for n in range(len(origins)):
-        (wx, _, wz), height = ways[n], origins[n, 1]
-        for t in range(len(triangles)):
-            i, j, k = triangles[t]
-            low, high = min(positions[i, 1], positions[j, 1]), max(positions[i, 1], positions[j, 1])
-            if min(low, positions[k, 1]) > height or max(high, positions[k, 1]) < height:
-                continue
-            ax, ay, az = positions[i]
-            ux, uy, uz = positions[j, 0] - ax, positions[j, 1] - ay, positions[j, 2] - az
-            vx, vy, vz = positions[k, 0] - ax, positions[k, 1] - ay, positions[k, 2] - az
-            cx, cy, cz = -wz * vy, wz * vx - wx * vz, wx * vy
-            volume = ux * cx + uy * cy + uz * cz
-            x, y, z = origins[n, 0] - ax, height - ay, origins[n, 2] - az
-            ox, oy, oz = y * uz - z * uy, z * ux - x * uz, x * uy - y * ux
-            if abs(volume) < 1e-18:
-                continue
-            b, c = (x * cx + y * cy + z * cz) / volume, (wx * ox + wz * oz) / volume
-            far = (vx * ox + vy * oy + vz * oz) / volume
-            if b >= -SLACK and c >= -SLACK and b + c <= 1.0 + SLACK and 0.0 < far < best[n]:
-                best[n], at[n] = far, t
+        above = (origins[n, 1] - low) / layer
+        if not 0.0 <= above <= LAYERS:
+            continue
+        here = min(int(above), LAYERS - 1)
+        for r in range(starts[here], starts[here + 1]):
+            i, j, k = triangles[rows[r]]
+            far = _cast_level_ray(positions[i], positions[j], positions[k], origins[n], ways[n])
+            if far < best[n]:
+                best[n], at[n] = far, rows[r]
     return best, at
+
+
+@njit(cache=True)
+def _cast_level_ray(one: Values, two: Values, three: Values, origin: Values, way: Values) -> float:
+    """How far along a level ray from origin (3,) a triangle of three corners (3,) lies, infinity where it is missed."""
+    wx, wz = way[0], way[2]
+    x, y, z = origin[0] - one[0], origin[1] - one[1], origin[2] - one[2]
+    ux, uy, uz = two[0] - one[0], two[1] - one[1], two[2] - one[2]
+    vx, vy, vz = three[0] - one[0], three[1] - one[1], three[2] - one[2]
+    aside = z * wx - x * wz  # how far beside the ray the corners lie
+    left, right = aside + ux * wz - uz * wx, aside + vx * wz - vz * wx
+    if min(aside, left, right) > ASIDE or max(aside, left, right) < -ASIDE:
+        return np.inf
+    cx, cy, cz = -wz * vy, wz * vx - wx * vz, wx * vy
+    volume = ux * cx + uy * cy + uz * cz
+    if abs(volume) < 1e-18:
+        return np.inf
+    ox, oy, oz = y * uz - z * uy, z * ux - x * uz, x * uy - y * ux
+    b, c = (x * cx + y * cy + z * cz) / volume, (wx * ox + wz * oz) / volume
+    far = (vx * ox + vy * oy + vz * oz) / volume
+    met = b >= -SLACK and c >= -SLACK and b + c <= 1.0 + SLACK and far > 0.0
+    return far if met else np.inf
+
+
+@njit(cache=True)
+def _sort_by_height(positions: Values, triangles: Corners) -> tuple[float, float, Indices, Indices]:
+    """Sorts triangles into layers of height (y): the lowest height, a layer's height, where each layer begins in the
+    rows (LAYERS + 1,), and the rows, a triangle's in each layer that it reaches."""
+    reach = np.empty((len(triangles), 2))
+    for t in range(len(triangles)):
+        i, j, k = triangles[t]
+        reach[t, 0] = min(positions[i, 1], positions[j, 1], positions[k, 1])
+        reach[t, 1] = max(positions[i, 1], positions[j, 1], positions[k, 1])
+    low = reach[:, 0].min()
+    layer = max(reach[:, 1].max() - low, 1e-9) / LAYERS
+    ends = np.minimum((reach - low) / layer, LAYERS - 1).astype(np.int64)
+    starts = np.zeros(LAYERS + 1, np.int64)
+    for t in range(len(triangles)):
+        starts[ends[t, 0] + 1 : ends[t, 1] + 2] += 1
+    starts = np.cumsum(starts)
+    free, rows = starts[:-1].copy(), np.empty(starts[-1], np.int64)
+    for t in range(len(triangles)):
+        for b in range(ends[t, 0], ends[t, 1] + 1):
+            rows[free[b]] = t
+            free[b] += 1
+    return low, layer, starts, rows
 
 
 @njit(cache=True)

@@ -10,17 +10,10 @@ import omote
 from omote.geometry.proximity import nearest_triangles, winding_numbers
 from omote.model.sculpting.caricature import caricature
 from omote.model.sculpting.regions import regional
-from omote.model.sculpting.socket_depth import (
-    RIM,
-    SHALLOW,
-    SocketLining,
-    find_socket_lining,
-    fit_lining_at_rest,
-    measure_lining,
-    mend_lining,
-)
+from omote.model.sculpting.socket_depth import SHALLOW, fit_lining_at_rest, measure_lining, mend_lining
 from omote.model.space.face import Face
 from omote.model.transfer.compound import compound
+from omote.model.transfer.eyes.socket_skin import RIM, SocketLining, find_socket_lining
 from omote.model.transfer.mouth_bag import measure_distance
 from tests.synthetic import space
 

@@ -21,6 +21,7 @@ from omote.model.transfer.pipeline import (
     apply_smooth_map,
     clear_eyeballs,
     fit_mouth_bag,
+    fit_socket_lining,
     repair_folds,
     run,
     start,
@@ -79,7 +80,7 @@ def test_each_group_of_stages_changes_what_it_is_named_after(face: str, unit: st
 def test_the_groups_are_the_list_up_to_a_stage() -> None:
     assert (*CONTINUOUS_STAGES, clear_eyeballs) == STAGES[: len(CONTINUOUS_STAGES) + 1]
     assert (*SHEET_STAGES, weld_seams) == STAGES[: len(SHEET_STAGES) + 1]
-    assert (*LINEAR_INNER_STAGES, fit_mouth_bag) == STAGES
+    assert (*LINEAR_INNER_STAGES, fit_mouth_bag, fit_socket_lining) == STAGES
 
 
 @pytest.mark.parametrize(("face", "unit"), CASES)

@@ -19,7 +19,7 @@ from scipy.spatial import cKDTree
 from omote.model.space.lid_lip_lines import RUNGS, Kind, chains
 from omote.model.space.parameter_space import ParameterSpace
 from omote.model.space.parts import Part
-from omote.model.transfer.eyeball_clearance import REACH as BALL_REACH
+from omote.model.transfer.eyes.eyeball_clearance import REACH as BALL_REACH
 from omote.model.transfer.fold_repair import build_sheet_geometry
 
 Indices = NDArray[np.int32]

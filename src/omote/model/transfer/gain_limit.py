@@ -15,7 +15,7 @@ from omote.model.space.expression import Expression
 from omote.model.space.face_fit import generic_face
 from omote.model.space.gain import FieldGain, Gain, answer, field_gain, multiply_field
 from omote.model.space.parameter_space import ParameterSpace
-from omote.model.transfer.eyeball_clearance import measure_depth
+from omote.model.transfer.eyes.eyeball_clearance import measure_depth
 from omote.model.transfer.fold_repair import find_folds
 from omote.model.transfer.paper_map import compile_expression, displace_generic
 from omote.model.transfer.smooth_map import SmoothMap, prepare_smooth_map

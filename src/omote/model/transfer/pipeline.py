@@ -18,7 +18,8 @@ from omote.model.space.face_fit import fit
 from omote.model.space.parameter_space import ParameterSpace
 from omote.model.transfer import fold_repair, mouth_bag_fit
 from omote.model.transfer.detail_transfer import solve_detail
-from omote.model.transfer.eyeball_clearance import clear_eyeball
+from omote.model.transfer.eyes import socket_clearance
+from omote.model.transfer.eyes.eyeball_clearance import clear_eyeball
 from omote.model.transfer.lid_lip_contact import close_contact
 from omote.model.transfer.paper_map import Compiled, displace_generic, follow_anchors
 from omote.model.transfer.smooth_map import SmoothMap, prepare_smooth_map
@@ -128,6 +129,14 @@ def fit_mouth_bag(state: State, /) -> State:
     return replace(state, skin=mouth_bag_fit.fit_mouth_bag(state.space, state.face, state.skin))
 
 
+def fit_socket_lining(state: State, /) -> State:
+    """Pushes the lining of the eye sockets behind the skin where it comes out.
+
+    Rays from the cylinder's axis find the foremost skin; projection along its normal, up to four rounds.
+    """
+    return replace(state, skin=socket_clearance.fit_socket_lining(state.space, state.face, state.skin))
+
+
 STAGES: tuple[Stage, ...] = (
     transfer_detail,
     close_lids_and_lips,
@@ -138,6 +147,7 @@ STAGES: tuple[Stage, ...] = (
     weld_seams,
     follow_inner_skin,
     fit_mouth_bag,
+    fit_socket_lining,
 )
 """What the smooth map does to a face, in order."""
 

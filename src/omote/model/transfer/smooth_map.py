@@ -17,7 +17,7 @@ from omote.model.space.face_fit import FittedFace, fit, generic_face
 from omote.model.space.lid_lip_lines import Line, jaw_amplitude
 from omote.model.space.parameter_space import ParameterSpace
 from omote.model.transfer.detail_transfer import DetailSolver, factor_detail
-from omote.model.transfer.eyeball_clearance import Clearance, Eyeball, build_clearance
+from omote.model.transfer.eyes.eyeball_clearance import Clearance, Eyeball, build_clearance
 from omote.model.transfer.fold_repair import SheetGeometry, build_sheet_geometry
 from omote.model.transfer.lid_lip_contact import Contact, build_contact, compute_gain
 

@@ -7,7 +7,13 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from omote.model.transfer.eyeball_clearance import Clearance, Eyeball, build_clearance, clear_eyeball, measure_depth
+from omote.model.transfer.eyes.eyeball_clearance import (
+    Clearance,
+    Eyeball,
+    build_clearance,
+    clear_eyeball,
+    measure_depth,
+)
 
 BALL = Eyeball(np.zeros(3), 0.015)
 

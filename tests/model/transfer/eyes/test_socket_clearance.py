@@ -1,0 +1,63 @@
+"""The lining of the sockets lies behind the skin of every compound."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+import omote
+from omote.model.space.face import Face
+from omote.model.transfer.compound import compound
+from omote.model.transfer.eyes.socket_clearance import EXACT, fit_socket_lining, measure_out
+from omote.model.transfer.eyes.socket_skin import SocketLining, find_socket_lining
+from tests.synthetic import space
+
+CAST = omote.load_cast()
+
+
+def lining() -> SocketLining:
+    found = find_socket_lining(CAST.space)
+    assert found is not None
+    return found
+
+
+def push_out(face: Face, way: float) -> np.ndarray:
+    """A face at rest whose hidden lining came forward, metres."""
+    found, raised = lining(), face.positions.astype(np.float64)
+    raised[np.isin(CAST.space.welded, found.vertices[found.hidden]), 2] += way
+    return raised.astype(np.float32)
+
+
+@pytest.mark.parametrize("name", ["man", "kaori", "dog"])
+def test_a_lining_that_comes_out_goes_back_and_nothing_else_moves(name: str) -> None:
+    face = CAST.faces[name]
+    raised = push_out(face, 0.006)
+    at_rest = np.maximum(measure_out(CAST.space, lining(), face.positions.astype(np.float64))[0], 0.0)
+    assert (measure_out(CAST.space, lining(), raised.astype(np.float64))[0] - at_rest).max() > 0.001
+    placed = fit_socket_lining(CAST.space, face, raised)
+    assert (measure_out(CAST.space, lining(), placed.astype(np.float64))[0] - at_rest).max() < 2 * EXACT
+    others = ~np.isin(CAST.space.welded, lining().vertices)
+    assert np.array_equal(placed[others], raised[others])
+
+
+@pytest.mark.parametrize("unit", ["asleep", "pain", "laugh", "eyeSquintLeft"])
+def test_no_expression_brings_a_lining_out_further_than_at_rest(unit: str) -> None:
+    for face in CAST.faces.values():
+        if face.name == "generic":
+            continue
+        at_rest = np.maximum(measure_out(CAST.space, lining(), face.positions.astype(np.float64))[0], 0.0)
+        worn = compound(CAST.space, face, CAST.expressions[unit]).astype(np.float64)
+        assert (measure_out(CAST.space, lining(), worn)[0] - at_rest).max() < 1e-4
+
+
+def test_a_face_at_rest_and_the_generic_face_stay() -> None:
+    man, generic = CAST.faces["man"], CAST.faces["generic"]
+    assert fit_socket_lining(CAST.space, man, man.positions) is man.positions
+    raised = push_out(generic, 0.004)
+    assert fit_socket_lining(CAST.space, generic, raised) is raised
+
+
+def test_a_head_without_lids_stays() -> None:
+    built = space()
+    face = Face("egg", built.points)
+    assert fit_socket_lining(built, face, face.positions) is face.positions
