@@ -105,3 +105,14 @@ def test_a_head_without_teeth_comes_back_as_it_is() -> None:
     fitted = fit(built, face)
     kept = keep_teeth_inside(built, fitted, fitted.positions + np.float32(0.01), fitted.parts)
     assert all(kept[part] is fitted.parts[part] for part in fitted.parts)
+
+
+@pytest.mark.parametrize("unit", ["joy", "neutral"])
+def test_teeth_that_are_out_at_rest_are_inside_in_every_expression_and_at_rest(unit: str) -> None:
+    out = wide("gaunt", 1.8)
+    assert outside(out.positions, np.concatenate([out.parts[part] for part in GUMS])) > 1e-3
+    compiled, fitted = compile_answer(CAST.space, out, CAST.expressions["joy"]), fit(CAST.space, out)
+    skin = apply_expression(CAST.space, out, compiled) if unit == "joy" else fitted.positions
+    parts = {part: np.asarray(fitted.parts[part], np.float32) for part in GUMS}
+    after = keep_teeth_inside(CAST.space, fitted, skin, parts)
+    assert outside(skin, np.concatenate([after[part] for part in GUMS])) < 3e-4

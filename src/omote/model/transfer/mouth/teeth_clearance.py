@@ -2,7 +2,8 @@
 
 Level rays from outside find the foremost skin before each vertex of the rows of teeth, or the membrane of the open
 mouth, out of which no tooth stands either. What is not deep enough goes back along the skin's normal, its row with it,
-less and less. The depth that is asked for does not depend on the expression, so a face at rest stays.
+less and less. The depth that is asked for does not depend on the expression, so a face at rest stays, except where its
+teeth are out of its skin.
 """
 
 from __future__ import annotations
@@ -51,7 +52,7 @@ class _Rows:
 
 
 _rows: WeakKeyDictionary[ParameterSpace, tuple[_Rows, ...]] = WeakKeyDictionary()
-_limits: WeakKeyDictionary[FittedFace, tuple[ParameterSpace, Values]] = WeakKeyDictionary()
+_limits: WeakKeyDictionary[FittedFace, tuple[ParameterSpace, Values, bool]] = WeakKeyDictionary()
 
 
 def keep_teeth_inside(
@@ -62,10 +63,11 @@ def keep_teeth_inside(
     rows, result = _find_rows(space), dict(parts)
     if rows is None or np.array_equal(fitted.positions, space.points.astype(np.float32)):
         return result
-    if np.abs(skin[rows.region] - fitted.positions[rows.region]).max() < STILL:
+    wanted, inside = _limit_depths(space, fitted, rows)
+    if inside and np.abs(skin[rows.region] - fitted.positions[rows.region]).max() < STILL:
         return result
     teeth = np.concatenate([parts[name] for name in GUMS]).astype(np.float64)
-    placed = push_teeth(space, rows, _limit_depths(space, fitted, rows), skin.astype(np.float64), teeth)
+    placed = push_teeth(space, rows, wanted, skin.astype(np.float64), teeth)
     if placed is not teeth:
         starts = np.cumsum([len(parts[name]) for name in GUMS])[:-1]
         result |= dict(zip(GUMS, (part.astype(np.float32) for part in np.split(placed, starts)), strict=True))
@@ -98,15 +100,16 @@ def measure_teeth(space: ParameterSpace, rows: _Rows, skin: Values, teeth: Value
     return np.where(found, depth, np.inf), -normal
 
 
-def _limit_depths(space: ParameterSpace, fitted: FittedFace, rows: _Rows) -> Values:
-    """How far behind the skin the teeth of a face have to lie, (n,) metres: no farther than at rest."""
+def _limit_depths(space: ParameterSpace, fitted: FittedFace, rows: _Rows) -> tuple[Values, bool]:
+    """How far behind the skin the teeth of a face have to lie, (n,) metres: no farther than at rest, but behind it;
+    and whether they lie so at rest."""
     known = _limits.get(fitted)
     if known is None or known[0] is not space:
         teeth = np.concatenate([fitted.parts[name] for name in GUMS]).astype(np.float64)
         depth, _ = measure_teeth(space, rows, fitted.positions.astype(np.float64), teeth)
-        known = (space, np.minimum(depth, CLEAR))
+        known = (space, np.minimum(np.maximum(depth, 0.0), CLEAR), bool((depth >= 0.0).all()))
         _limits[fitted] = known
-    return known[1]
+    return known[1:]
 
 
 def _find_rows(space: ParameterSpace) -> _Rows | None:
