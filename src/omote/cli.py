@@ -103,6 +103,7 @@ def export(
         list[str] | None,
         typer.Option(help="Of a VRM: cc0, strict, or VRM's terms: avatarPermission=everyone,modification=..."),
     ] = None,
+    older: Annotated[bool, typer.Option("--vrm0", help="A VRM of version 0.x, for programs that want it.")] = False,
     show: ShowOption = None,
     force: Annotated[bool, typer.Option("--force", help="Replaces a file that is there.")] = False,
 ) -> None:
@@ -118,7 +119,7 @@ def export(
     from omote.stage_data.full_cast import build_full_cast, find_face
 
     with exit_on_refusal():
-        encode = find_encoder(output, credit, hair=hair)
+        encode = find_encoder(output, credit, hair=hair, older=older)
         cast = load_cast() if found is None else build_full_cast(load_cast(), found.stored, found.contents, say)
         face = find_face(cast, None if found is None else found.stored, face)
         names = choose_expressions(cast, expressions)
@@ -158,7 +159,7 @@ def read_credit(path: Path, authors: Sequence[str], licence: Sequence[str]) -> C
 
 
 def find_encoder(
-    path: Path, credit: Credit | None, *, hair: bool
+    path: Path, credit: Credit | None, *, hair: bool, older: bool
 ) -> Callable[[Cast, str, Iterable[tuple[str, Meshes]]], bytes]:
     """What makes the bytes of an exported face, by the file's ending."""
     from omote import builtin
@@ -175,7 +176,7 @@ def find_encoder(
         context = ExportContext(cast, builtin.load_meshes(), builtin.load_mask())
         if credit is not None:
             own = cast.faces.get(face) is not builtin.load_cast().faces.get(face)
-            return vrm_bytes(context, face, poses, credit, own=own, hair=hair)
+            return vrm_bytes(context, face, poses, credit, version="0.x" if older else "1.0", own=own, hair=hair)
         return glb_bytes(build_scene(context, face, poses, hair=hair))
 
     return encode

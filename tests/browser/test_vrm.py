@@ -2,109 +2,68 @@
 
 from __future__ import annotations
 
-import base64
 import math
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator
+from functools import partial
 from pathlib import Path
 
 import numpy as np
 import pytest
-from numpy.typing import NDArray
-from playwright.sync_api import Browser, Page, Route
+from playwright.sync_api import Browser, Page
 
 from omote.builtin import load_cast, load_mask, load_meshes
-from omote.inputs.trackers.arkit_names import ARKIT_NAMES
-from omote.interchange.avatar.export_vrm import vrm_bytes
-from omote.interchange.avatar.preset_expressions import EMOTIONS, PRESETS, preset_weights
+from omote.interchange.avatar.export_vrm import TURNED, Version, vrm_bytes
+from omote.interchange.avatar.preset_expressions import PRESETS, preset_weights
 from omote.interchange.avatar.vrm_licence import Credit
 from omote.interchange.export_face import ExportContext
-from omote.perform.blending.evaluate import evaluate, evaluate_parts
-from omote.perform.frame import Frame
+from tests.browser.avatar_page import NEAR, PERFECT_SYNC, distances, on_air, open_avatar, worn
 
 pytestmark = pytest.mark.long
 
-HERE = Path(__file__).resolve().parent
-PACKAGES = HERE.parents[1] / "web" / "node_modules"
-ADDRESS = "http://avatar.test"
 FACE = "dog"
-NEAR = 5e-5
-"""Metres that a vertex may be from where ours is."""
 
-Points = NDArray[np.float32]
+
+def write_face(file: Path, version: Version) -> Path:
+    """The face as a VRM."""
+    whole = ExportContext(load_cast(), load_meshes(), load_mask())
+    file.write_bytes(vrm_bytes(whole, FACE, [], Credit(("Ann", "Ben")), version=version))
+    return file
 
 
 @pytest.fixture(scope="module")
 def avatar(browser: Browser, tmp_path_factory: pytest.TempPathFactory) -> Iterator[Page]:
-    """A page with the face, as three-vrm has loaded it."""
-    file = tmp_path_factory.mktemp("avatar") / "face.vrm"
-    whole = ExportContext(load_cast(), load_meshes(), load_mask())
-    file.write_bytes(vrm_bytes(whole, FACE, [], Credit(("Ann", "Ben"))))
-
-    def answer(route: Route) -> None:
-        name = route.request.url.removeprefix(ADDRESS).removeprefix("/")
-        own = {"": HERE / "three_vrm.html", "face.vrm": file}
-        route.fulfill(path=own.get(name, PACKAGES / name))
-
-    page = browser.new_context(viewport={"width": 400, "height": 400}).new_page()
-    said: list[str] = []
-    page.on("console", lambda message: said.append(message.text) if message.type in ("warning", "error") else None)
-    page.on("pageerror", lambda error: said.append(str(error)))
-    page.route("**/*", answer)
-    page.goto(ADDRESS)
-    page.wait_for_function("() => Boolean(window.avatar)", polling=100)
-    yield page
-    page.context.close()
-    assert said == []
+    """The face as VRM 1.0."""
+    with open_avatar(browser, write_face(tmp_path_factory.mktemp("avatar") / "face.vrm", "1.0")) as page:
+        yield page
 
 
-def numbers(text: str) -> Points:
-    """Numbers as the page tells them."""
-    return np.frombuffer(base64.b64decode(text), np.float32)
-
-
-def worn(page: Page, weights: Mapping[str, float], at: list[float] | None = None) -> dict[str, Points]:
-    """Where three-vrm has the vertices of each mesh: (n, 3) metres."""
-    page.evaluate("([weights, at]) => window.avatar.wear(weights, at)", [dict(weights), at])
-    names = [name for name in page.evaluate("window.avatar.found.meshes") if name != "hair"]
-    found = page.evaluate("names => names.map((name) => window.avatar.points(name))", names)
-    return {name: numbers(text).reshape(-1, 3) for name, text in zip(names, found, strict=True)}
-
-
-def ours(weights: Mapping[str, float], *, channels: bool) -> dict[str, Points]:
-    """Where Omote has them."""
-    cast, rest = load_cast(), {"neutral": 1.0}
-    frame = Frame({FACE: 1.0}, rest, channels=weights) if channels else Frame({FACE: 1.0}, weights or rest)
-    return {"skin": evaluate(cast, frame), **evaluate_parts(cast, frame)}
-
-
-def farthest(theirs: Mapping[str, Points], own: Mapping[str, Points], rows: Mapping[str, NDArray[np.int_]]) -> float:
-    """The largest distance, when the skin's first vertex at rest is laid upon ours."""
-    return max(float(np.abs(theirs[name] - own[name][rows[name]]).max()) for name in theirs)
+@pytest.fixture
+def older(browser: Browser, tmp_path: Path) -> Iterator[Page]:
+    """The face as VRM 0.x."""
+    with open_avatar(browser, write_face(tmp_path / "face.vrm", "0.x")) as page:
+        yield page
 
 
 def test_three_vrm_plays_all_presets_and_all_units_by_name_where_omote_does(avatar: Page) -> None:
     found = avatar.evaluate("window.avatar.found")
-    customs = [name[0].upper() + name[1:] for name in ARKIT_NAMES]
     assert sorted(found["presets"]) == sorted(PRESETS)
-    assert sorted(found["customs"]) == sorted(customs)
-    rows = {
-        name: numbers(avatar.evaluate("name => window.avatar.rows(name)", name)).astype(int)
-        for name in found["meshes"]
-        if name != "hair"
-    }
-    rest, own = worn(avatar, {}), ours({}, channels=True)
-    shift = (rest["skin"].astype(np.float64) - own["skin"][rows["skin"]]).mean(axis=0)
-    names: dict[str, tuple[Mapping[str, float], bool]] = {
-        preset: (weights, preset not in EMOTIONS) for preset, weights in preset_weights(load_cast()).items()
-    }
-    names |= {custom: ({unit: 1.0}, True) for custom, unit in zip(customs, ARKIT_NAMES, strict=True)}
-    far = {}
-    for name, (weights, channels) in names.items():
-        theirs, aim = worn(avatar, {name: 1.0}), ours(weights, channels=channels)
-        far[name] = farthest({mesh: points - shift for mesh, points in theirs.items()}, aim, rows)
-        moves = max(float(np.abs(points - rest[mesh]).max()) for mesh, points in theirs.items())
-        assert (moves > 10 * NEAR) == (name != "neutral"), name
+    assert sorted(found["customs"]) == sorted(PERFECT_SYNC)
+    far = distances(avatar, {**preset_weights(load_cast()), **PERFECT_SYNC}, partial(on_air, FACE), np.ones(3))
     assert max(far.values()) <= NEAR, max(far, key=far.__getitem__)
+
+
+def test_three_vrm_plays_the_older_version_alike(older: Page) -> None:
+    found = older.evaluate("window.avatar.found")
+    assert sorted(found["presets"]) == sorted(set(PRESETS) - {"surprised"})
+    assert sorted(found["customs"]) == sorted([*PERFECT_SYNC, "Surprised"])  # no preset there
+    presets = preset_weights(load_cast())
+    names = {name: presets[name] for name in ("happy", "ih", "blinkLeft", "lookRight", "neutral")}
+    names |= {"Surprised": presets["surprised"], "JawOpen": PERFECT_SYNC["JawOpen"]}
+    far = distances(older, names, partial(on_air, FACE), TURNED)
+    assert max(far.values()) <= NEAR, max(far, key=far.__getitem__)
+    rest, looking = worn(older, {}), worn(older, {}, [-5.0, 0.0, -50.0])  # ahead is -z, so the left is at -x
+    front = rest["eye_left"][:, 2].argmin()
+    assert looking["eye_left"][front, 0] < rest["eye_left"][front, 0] - 1e-3
 
 
 @pytest.mark.parametrize(("yaw", "pitch"), [(10.0, 0.0), (-10.0, 0.0), (0.0, 6.0), (0.0, -6.0), (8.0, -5.0)])

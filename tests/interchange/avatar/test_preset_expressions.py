@@ -93,6 +93,6 @@ def test_what_would_close_lids_or_open_lips_twice_is_overridden(face: str, built
 
 def test_a_head_without_lids_overrides_nothing_but_the_gaze() -> None:
     space = synthetic.space()
-    still = dict.fromkeys(PRESETS, dict[str, float]())
+    still = {preset: dict[str, float]() for preset in PRESETS}
     found = find_overrides(space, space.points, {}, still)
     assert found == dict.fromkeys(EMOTIONS, Overrides()) | {"blink": Overrides(look=True)}
