@@ -357,6 +357,8 @@ def test_a_face_is_written_as_an_avatar_of_its_author(tmp_path: Path) -> None:
     told = ["export", "dog", "-o", str(path), "--author", "Ann", "--licence", "strict", "--force"]
     assert "others may use it so: avatarPermission onlyAuthor" in runner.invoke(app, told).stderr
     assert b'"avatarPermission":"onlyAuthor"' in path.read_bytes()
+    assert runner.invoke(app, [*told, "--vrm0"]).exit_code == 0
+    assert b'"VRM":{"exporterVersion"' in path.read_bytes()
 
 
 def test_an_own_face_becomes_an_avatar_when_its_licence_is_said(tmp_path: Path) -> None:
@@ -413,7 +415,8 @@ def test_a_face_is_written_as_numbers(tmp_path: Path, ending: str) -> None:
         (["dog", "-o", "a.glb", "--show", "none.omote"], "there is no show file"),
         (["dog", "-o", "a.vrm"], "a VRM names who made it: give --author NAME"),
         (["dog", "-o", "a.vrm", "--author", "Ann", "--licence", "mine"], "'mine' is no term of use"),
-        (["dog", "-o", "a.glb", "--author", "Ann"], "authors and licence are written into VRM alone; end 'a.glb' with"),
+        (["dog", "-o", "a.glb", "--author", "Ann"], "--author, --licence and --vrm0 are for a VRM alone; end 'a.glb'"),
+        (["dog", "-o", "a.npz", "--vrm0"], "--author, --licence and --vrm0 are for a VRM alone; end 'a.npz' with .vrm"),
     ],
 )
 def test_an_export_that_cannot_be_leaves_no_file(

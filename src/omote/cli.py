@@ -110,7 +110,7 @@ def export(
     """Writes a face with expressions: as morph targets (GLB, VRM), or as what each moves in numbers (NPZ, CSV)."""
     output = complete_name(output, ".glb")
     found = check_export(output, show, force=force)
-    credit = read_credit(output, author or [], licence or [])
+    credit = read_credit(output, author or [], licence or [], older=older)
     from rich.console import Console  # what is heavy comes after what can be refused without it
     from rich.progress import track
 
@@ -145,7 +145,7 @@ def check_export(output: Path, show: Path | None, *, force: bool) -> Inspection 
         return None if show is None else inspect_show(show)
 
 
-def read_credit(path: Path, authors: Sequence[str], licence: Sequence[str]) -> Credit | None:
+def read_credit(path: Path, authors: Sequence[str], licence: Sequence[str], *, older: bool) -> Credit | None:
     """Who made a VRM and what others may do with it; None for other files; ends the command where it is not said."""
     from omote.interchange.avatar.vrm_licence import Credit, parse_terms
     from omote.interchange.formats.file_names import VRM
@@ -153,8 +153,8 @@ def read_credit(path: Path, authors: Sequence[str], licence: Sequence[str]) -> C
     with exit_on_refusal():
         if path.suffix.lower() == VRM:
             return Credit(tuple(authors), parse_terms(licence))
-        if authors or licence:
-            raise ValueError(f"authors and licence are written into VRM alone; end {path.name!r} with {VRM}")
+        if authors or licence or older:
+            raise ValueError(f"--author, --licence and --vrm0 are for a VRM alone; end {path.name!r} with {VRM}")
     return None
 
 
