@@ -44,8 +44,18 @@ def test_every_mesh_names_all_targets_in_one_order_and_none_as_blender_names_its
     for name in ("Basis", ""):
         with pytest.raises(ValueError, match="which Blender keeps for itself"):
             scene(replace(shape, targets={name: shape.targets["one"]}))
+    others = [tetrahedron("a"), replace(tetrahedron("b"), targets={})]
     with pytest.raises(ValueError, match="'b' has other targets than 'a'"):
-        Scene("head", [tetrahedron("a"), replace(tetrahedron("b"), targets={})])
+        Scene("head", others)
+
+
+def test_meshes_may_have_targets_of_their_own_where_who_moves_them_knows() -> None:
+    shape = tetrahedron("a")
+    alone = replace(shape, name="b", targets={"one": shape.targets["one"]})
+    document, _ = taken_apart(glb_bytes(Scene("head", [shape, alone], apart=True)))
+    assert [mesh["extras"]["targetNames"] for mesh in document["meshes"]] == [list(NAMES), ["one"]]
+    with pytest.raises(ValueError, match="which Blender keeps for itself"):
+        Scene("head", [shape, replace(alone, targets={"Basis": shape.targets["one"]})], apart=True)
 
 
 def test_one_material_is_written_once() -> None:

@@ -14,6 +14,7 @@ SIGNATURES: Mapping[str, tuple[str, tuple[bytes, ...]]] = {
     ".jpg": ("JPEG picture", (b"\xff\xd8\xff",)),
     ".jpeg": ("JPEG picture", (b"\xff\xd8\xff",)),
     ".glb": ("GLB file", (b"glTF",)),
+    ".vrm": ("VRM file", (b"glTF",)),
     ".npz": ("NPZ file", (b"PK\x03\x04",)),
     ".csv": ("table that Omote wrote", (b"expression,facs,mesh,",)),
 }

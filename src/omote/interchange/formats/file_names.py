@@ -9,9 +9,9 @@ from typing import Literal
 Kind = Literal["image/png", "image/jpeg"]
 
 KINDS: dict[str, Kind] = {".png": "image/png", ".jpg": "image/jpeg", ".jpeg": "image/jpeg"}
-GLB, DOCUMENT = ".glb", ".json"
+GLB, VRM, DOCUMENT = ".glb", ".vrm", ".json"
 NUMBERS = (".npz", ".csv")
-"""What an export writes besides GLB."""
+"""What an export writes besides heads."""
 IMPORTS = (DOCUMENT, GLB, ".obj")
 HINTS = {
     ".omote": "a show file is opened with `omote show`; take single expressions out of it as documents (.json)",
@@ -37,11 +37,11 @@ def refuse_folder(path: Path) -> None:
 
 
 def check_export_name(path: Path) -> None:
-    """ValueError for a name that says neither GLB nor a table of numbers."""
+    """ValueError for a name that says neither GLB nor VRM nor a table of numbers."""
     refuse_folder(path)
-    if path.suffix.lower() not in (GLB, *NUMBERS):
-        numbers = " or ".join(NUMBERS)
-        raise ValueError(f"{path.name!r} is no name of a GLB file; end it with {GLB}, or with {numbers} for numbers")
+    if path.suffix.lower() not in (GLB, VRM, *NUMBERS):
+        others = f"with {VRM} for an avatar, or with {' or '.join(NUMBERS)} for numbers"
+        raise ValueError(f"{path.name!r} is no name of a GLB file; end it with {GLB}, {others}")
 
 
 def check_document_name(path: Path) -> None:

@@ -87,28 +87,37 @@ class Shape:
 
 @dataclass(frozen=True, eq=False)
 class Scene:
-    """A scene: shapes under one root; extras: plain data about it. ValueError where targets differ."""
+    """A scene: shapes under one root; extras: plain data about it. ValueError where targets differ.
+
+    apart: each shape has targets of its own; who moves them knows which.
+    """
 
     name: str
     shapes: Sequence[Shape]
     extras: Mapping[str, Any] = field(default_factory=dict)
+    apart: bool = False
 
     def __post_init__(self) -> None:
         names = list(self.shapes[0].targets) if self.shapes else []
         for shape in self.shapes:
-            if list(shape.targets) != names:
+            if not self.apart and list(shape.targets) != names:
                 raise ValueError(f"{shape.name!r} has other targets than {self.shapes[0].name!r}; give all of them all")
-        if reserved := RESERVED & set(names):
+        if reserved := RESERVED.intersection(name for shape in self.shapes for name in shape.targets):
             raise ValueError(f"a target is named {min(reserved)!r}, which Blender keeps for itself: rename it")
 
 
 def glb_bytes(scene: Scene, /) -> bytes:
     """Encodes a scene as a GLB."""
-    store = _Store()
+    store = Store()
+    return encode_glb(describe_scene(scene, store), store)
+
+
+def describe_scene(scene: Scene, store: Store, /) -> Json:
+    """The JSON of a scene, whose numbers and pictures go into the store: node 0 is the root, those of shapes follow."""
     materials = {id(shape.material): shape.material for shape in scene.shapes}
     places = {key: place for place, key in enumerate(materials)}
     root = {"name": scene.name, "children": list(range(1, 1 + len(scene.shapes))), "extras": dict(scene.extras)}
-    document: Json = {
+    return {
         "asset": {"version": "2.0", "generator": GENERATOR},
         "scene": 0,
         "scenes": [{"nodes": [0]}],
@@ -116,11 +125,9 @@ def glb_bytes(scene: Scene, /) -> bytes:
         "meshes": [_mesh(store, shape, places[id(shape.material)]) for shape in scene.shapes],
         "materials": [_material(store, material) for material in materials.values()],
     }
-    document |= store.document()
-    return _container(document, bytes(store.data))
 
 
-class _Store:
+class Store:
     """Builds the binary chunk with its views, accessors and pictures."""
 
     def __init__(self) -> None:
@@ -137,6 +144,7 @@ class _Store:
         return len(self.views) - 1
 
     def accessor(self, entry: Json) -> int:
+        """Adds the form of numbers."""
         self.accessors.append(entry)
         return len(self.accessors) - 1
 
@@ -164,7 +172,7 @@ def _node(shape: Shape, mesh: int) -> Json:
     return {"name": shape.name, "mesh": mesh, **moved}
 
 
-def _mesh(store: _Store, shape: Shape, material: int) -> Json:
+def _mesh(store: Store, shape: Shape, material: int) -> Json:
     attributes = {
         "POSITION": _full(store, shape.points, bounds=True),
         "NORMAL": _full(store, shape.normals),
@@ -185,7 +193,7 @@ def _mesh(store: _Store, shape: Shape, material: int) -> Json:
     return mesh
 
 
-def _indices(store: _Store, shape: Shape) -> int:
+def _indices(store: Store, shape: Shape) -> int:
     small = len(shape.points) < 0xFFFF  # the highest number would restart a strip
     kind = "<u2" if small else "<u4"
     view = store.view(shape.triangles.astype(kind).tobytes(), TRIANGLES)
@@ -193,12 +201,12 @@ def _indices(store: _Store, shape: Shape) -> int:
     return store.accessor({"bufferView": view, **entry, "type": "SCALAR"})
 
 
-def _full(store: _Store, values: Floats, *, bounds: bool = False) -> int:
+def _full(store: Store, values: Floats, *, bounds: bool = False) -> int:
     view = store.view(np.ascontiguousarray(values, "<f4").tobytes(), VERTICES)
     return store.accessor({"bufferView": view, **_form(values, bounds=bounds)})
 
 
-def _delta(store: _Store, values: Floats, name: str, *, bounds: bool = False) -> int:
+def _delta(store: Store, values: Floats, name: str, *, bounds: bool = False) -> int:
     """An accessor of displacements: without data where nothing moves, sparse where that is smaller."""
     moved = np.flatnonzero(values.any(axis=1))
     form = {"name": name, **_form(values, bounds=bounds)}
@@ -227,7 +235,7 @@ def _form(values: Floats, *, bounds: bool) -> Json:
     return form
 
 
-def _material(store: _Store, material: Material) -> Json:
+def _material(store: Store, material: Material) -> Json:
     shine: Json = {"metallicFactor": 0.0, "roughnessFactor": material.roughness}
     if material.picture is None:
         shine["baseColorFactor"] = [*material.colour, 1.0]
@@ -239,8 +247,9 @@ def _material(store: _Store, material: Material) -> Json:
     return entry | {"doubleSided": True} if material.both else entry
 
 
-def _container(document: Json, data: bytes) -> bytes:
-    text = msgspec.json.encode(document)
+def encode_glb(document: Json, store: Store, /) -> bytes:
+    """Encodes a document and what it names in the store as a GLB."""
+    text, data = msgspec.json.encode(document | store.document()), bytes(store.data)
     text += b" " * (-len(text) % 4)
     chunks = struct.pack("<II", len(text), JSON_CHUNK) + text + struct.pack("<II", len(data), BIN_CHUNK) + data
     return struct.pack("<III", MAGIC, VERSION, 12 + len(chunks)) + chunks

@@ -1,0 +1,129 @@
+"""Exports a face as an avatar: VRM 1.0 or 0.x, a head on a plain skeleton, with all presets and Perfect Sync."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from dataclasses import replace
+from typing import Literal, get_args
+
+import numpy as np
+
+from omote.interchange.avatar.humanoid_skeleton import Place, Skeleton, build_skeleton
+from omote.interchange.avatar.joint_binding import add_joints, bind_meshes
+from omote.interchange.avatar.preset_expressions import (
+    custom_expressions,
+    find_overrides,
+    preset_weights,
+    required_expressions,
+)
+from omote.interchange.avatar.vrm0_extension import EXTENSION as EXTENSION_0
+from omote.interchange.avatar.vrm0_extension import describe_vrm0
+from omote.interchange.avatar.vrm_extension import (
+    EXTENSION,
+    VERSION,
+    Json,
+    describe_bones,
+    describe_expressions,
+    describe_first_person,
+    describe_gaze,
+    describe_meta,
+)
+from omote.interchange.avatar.vrm_licence import Credit
+from omote.interchange.export_face import (
+    NOTICE,
+    SKIN,
+    ExportContext,
+    Meshes,
+    Points,
+    build_scene,
+    named_compound_meshes,
+)
+from omote.interchange.formats.glb_writer import GENERATOR, Scene, Shape, Store, Target, describe_scene, encode_glb
+from omote.model.space.face_fit import fit
+
+HEAD = "head"
+Version = Literal["1.0", "0.x"]
+VERSIONS: tuple[Version, ...] = get_args(Version)
+TURNED = np.array([-1.0, 1.0, -1.0])
+"""Half a turn: models of 0.x look along -z."""
+
+
+def vrm_bytes(
+    context: ExportContext,
+    face: str,
+    poses: Iterable[tuple[str, Meshes]],
+    credit: Credit,
+    /,
+    *,
+    version: Version = "1.0",
+    own: bool = False,
+    hair: bool = True,
+) -> bytes:
+    """Encodes a face of the cast as a VRM; poses: `named_compound_meshes` of what is chosen, by name.
+
+    What presets and Perfect Sync need besides is added. own: the face did not come with Omote, so its terms must have
+    been said. ValueError for a face that is not in the cast, and where terms are missing.
+    """
+    cast, terms = context.cast, credit.agreed(face, own=own)
+    given = dict(poses)
+    presets, customs = preset_weights(cast, given), custom_expressions(cast, given)
+    worn = {
+        name: given.get(name) or named_compound_meshes(cast, face, name) for name in required_expressions(cast, given)
+    }
+    fitted = fit(cast.space, cast.faces[face])
+    skeleton = build_skeleton(cast.space, fitted)
+    scene = _stand(build_scene(context, face, worn.items(), hair=hair), skeleton)
+    skins = {name: meshes[SKIN] for name, meshes in worn.items()}
+    overrides = find_overrides(cast.space, fitted.positions.astype(np.float64), skins, presets)
+    expressions = describe_expressions(scene.shapes, presets, customs, overrides)
+    meta = describe_meta(face, credit.authors, terms, NOTICE)
+    gaze = describe_gaze(cast, skeleton.eyes)
+    parts = {"meta": meta, "expressions": expressions} | ({"lookAt": gaze} if gaze else {})
+    return _encode(scene, skeleton, parts) if version == VERSION else _encode_old(scene, skeleton, parts)
+
+
+def _stand(scene: Scene, skeleton: Skeleton) -> Scene:
+    """The scene on its feet; each shape keeps the targets that move it."""
+    return replace(scene, shapes=[_placed(shape, skeleton.shift) for shape in scene.shapes], apart=True)
+
+
+def _placed(shape: Shape, shift: Points) -> Shape:
+    points = shape.points.astype(np.float64) + shape.place + shift
+    targets = {name: target for name, target in shape.targets.items() if target.moves.any()}
+    return replace(shape, points=points.astype(np.float32), place=(0.0, 0.0, 0.0), targets=targets)
+
+
+def _encode(scene: Scene, skeleton: Skeleton, parts: Mapping[str, Json]) -> bytes:
+    document, store, extension = _describe(scene, skeleton, parts)
+    return encode_glb(document | {"extensions": {EXTENSION: extension}, "extensionsUsed": [EXTENSION]}, store)
+
+
+def _encode_old(scene: Scene, skeleton: Skeleton, parts: Mapping[str, Json]) -> bytes:
+    """The same as VRM 0.x, turned to look along -z."""
+    joints = {name: replace(joint, place=_turned(joint.place)) for name, joint in skeleton.joints.items()}
+    shapes = [_turn_shape(shape) for shape in scene.shapes]
+    document, store, extension = _describe(replace(scene, shapes=shapes), replace(skeleton, joints=joints), parts)
+    old = describe_vrm0(extension, [each["name"] for each in document["materials"]], GENERATOR)
+    return encode_glb(document | {"extensions": {EXTENSION_0: old}, "extensionsUsed": [EXTENSION_0]}, store)
+
+
+def _turned(place: Place) -> Place:
+    x, y, z = place
+    return 0.0 - x, y, 0.0 - z
+
+
+def _turn_shape(shape: Shape) -> Shape:
+    half = TURNED.astype(np.float32)
+    targets = {name: Target(target.moves * half, target.turns * half) for name, target in shape.targets.items()}
+    return replace(shape, points=shape.points * half, normals=shape.normals * half, targets=targets)
+
+
+def _describe(scene: Scene, skeleton: Skeleton, parts: Mapping[str, Json]) -> tuple[Json, Store, Json]:
+    """The document of the scene on its skeleton, what it names, and the extension of 1.0."""
+    store = Store()
+    document = describe_scene(scene, store)
+    nodes = add_joints(document, skeleton.joints)
+    bind_meshes(document, store, skeleton.joints[HEAD], nodes[HEAD])
+    seen = describe_first_person(range(1, 1 + len(scene.shapes)))
+    extension = {"specVersion": VERSION, **parts, "humanoid": describe_bones(nodes), "firstPerson": seen}
+    return document, store, extension

@@ -1,0 +1,90 @@
+"""The JSON of `VRMC_vrm`: who and what for (meta), bones, expressions, gaze and first person.
+
+VRM Consortium, VRMC_vrm-1.0: https://github.com/vrm-c/vrm-specification/tree/master/specification/VRMC_vrm-1.0
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable, Mapping, Sequence
+from typing import Any
+
+from omote.interchange.avatar.humanoid_skeleton import Place
+from omote.interchange.avatar.preset_expressions import UNITS, Overrides, Weights
+from omote.interchange.avatar.vrm_licence import LICENCE_URL, Terms
+from omote.interchange.formats.glb_writer import Shape
+from omote.model.cast import Cast
+
+Json = dict[str, Any]
+
+EXTENSION, VERSION = "VRMC_vrm", "1.0"
+
+
+def describe_meta(name: str, authors: Sequence[str], terms: Terms, notice: str, /) -> Json:
+    """The model's name, its authors, and what others may do with it."""
+    known = {"name": name, "authors": list(authors), "copyrightInformation": notice, "licenseUrl": LICENCE_URL}
+    return {**known, **terms}
+
+
+def describe_expressions(
+    shapes: Sequence[Shape],
+    presets: Mapping[str, Weights],
+    customs: Mapping[str, str],
+    overrides: Mapping[str, Overrides],
+) -> Json:
+    """All presets and custom expressions; shapes stand at nodes from 1 on; customs: targets by what they are called."""
+    return {
+        "preset": {
+            preset: _expression(shapes, weights, overrides.get(preset, Overrides()))
+            for preset, weights in presets.items()
+        },
+        "custom": {custom: _expression(shapes, {name: 1.0}, Overrides()) for custom, name in customs.items()},
+    }
+
+
+def _expression(shapes: Sequence[Shape], weights: Weights, overrides: Overrides) -> Json:
+    binds = [
+        {"node": node, "index": list(shape.targets).index(name), "weight": part}
+        for node, shape in enumerate(shapes, start=1)
+        for name, part in weights.items()
+        if name in shape.targets
+    ]
+    words = {False: "none", True: "blend"}
+    found: Json = {"morphTargetBinds": binds} if binds else {}
+    return found | {
+        "isBinary": False,
+        "overrideBlink": words[overrides.blink],
+        "overrideLookAt": words[overrides.look],
+        "overrideMouth": words[overrides.mouth],
+    }
+
+
+def describe_gaze(cast: Cast, eyes: Place, /) -> Json:
+    """The gaze by expressions, so that lids go along; a direction is met by as much of `lookLeft` as turns there.
+
+    eyes: from the head's joint to between the eyes, metres; empty where the cast has no units that turn the eyes.
+    """
+    across, down, up = (_turn(cast, *names) for names in (("lookLeft", "lookRight"), ("lookDown",), ("lookUp",)))
+    if not across or not down or not up:
+        return {}
+    sides = {"rangeMapHorizontalInner": across, "rangeMapHorizontalOuter": across}
+    maps = {**sides, "rangeMapVerticalDown": down, "rangeMapVerticalUp": up}
+    reach = {name: {"inputMaxValue": degrees, "outputScale": 1.0} for name, degrees in maps.items()}
+    return {"type": "expression", "offsetFromHeadBone": list(eyes), **reach}
+
+
+def _turn(cast: Cast, *presets: str) -> float:
+    """By how many degrees presets turn an eye, in the mean."""
+    units = [cast.expressions[name] for preset in presets for name in UNITS[preset] if name in cast.expressions]
+    turns = [abs(unit.eyes).max() for unit in units]
+    return round(math.degrees(sum(turns) / len(turns)), 3) if turns else 0.0
+
+
+def describe_bones(nodes: Mapping[str, int], /) -> Json:
+    """Which node is which bone."""
+    return {"humanBones": {name: {"node": node} for name, node in nodes.items()}}
+
+
+def describe_first_person(nodes: Iterable[int], /) -> Json:
+    """All is the head, which the eyes in it do not see."""
+    return {"meshAnnotations": [{"node": node, "type": "thirdPersonOnly"} for node in nodes]}
