@@ -46,7 +46,7 @@ def test_errors_that_need_no_cast_do_not_wait_for_one(tmp_path: Path) -> None:
         "render -o a.png --background gren", "render -o a.png --gaze 80", "render -o a.png --face kaori=.3",
         "render -o a.png --quality best", "render -o a.png --light noon", "render -o a.png --show none.omote",
         "render -o a.jpg --transparent", "grid -o a.png", "grid -o a.png --faces old --turns x", "redraw none.json",
-        "export kaori -o a.obj", "export kaori -o nowhere/a.glb", "export kaori -o a.glb --show notes.txt",
+        "export kaori -o a.fbx", "export -o a.glb", "export kaori -o nowhere/a.glb", "export kaori -o a.glb --show notes.txt",
         "file list none.omote", "file list notes.txt", "file check notes.txt", "file history none.omote smile",
         "file import a.omote none.json", "file import notes.txt none.json", "file export none.omote smile -o a",
         "show notes.txt", "show nowhere/a.omote", "show --port 99999",

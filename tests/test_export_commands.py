@@ -2,11 +2,14 @@
 
 from pathlib import Path
 
+import numpy as np
 import pytest
 from typer.testing import CliRunner
 
+from omote.builtin import load_cast
 from omote.cli import app
 from omote.interchange.formats.glb_reader import read_glb
+from omote.interchange.formats.obj_reader import read_obj_pieces
 
 runner = CliRunner()
 
@@ -41,7 +44,15 @@ def test_a_face_is_written_as_numbers(tmp_path: Path, ending: str) -> None:
     ("arguments", "sentence"),
     [
         (["nobody", "-o", "a.glb"], "there is no face 'nobody'"),
-        (["dog", "-o", "a.gltf"], "is no name of a GLB file; end it with .glb, or with .npz or .csv for numbers"),
+        (["dog", "-o", "a.gltf"], "is no name of an exported face; end it with .glb, "),
+        (["dog", "-o", "a.obj", "--expressions", "smile,jawOpen"], "an OBJ holds one shape, and 2 expressions"),
+        (["-o", "a.glb"], "name a face (omote cast lists them), or --all and a folder"),
+        (["dog", "--all", "-o", "a"], "name one face (omote cast lists them), or --all"),
+        (["--all", "-o", "a", "--format", "fbx"], "there is no format 'fbx'; give one of glb, "),
+        (["--faces", "dog,nobody", "-o", "a"], "there is no face 'nobody'"),
+        (["--faces", ",", "-o", "a"], "names no face; give names by commas, all, or own with --show"),
+        (["--all", "-o", "a", "--show", "none.omote"], "there is no show file"),
+        (["--all", "-o", "a", "--expressions", "grin"], "there is no expression 'grin'"),
         (["dog", "-o", "a.glb", "--expressions", "grin"], "there is no expression 'grin'"),
         (["dog", "-o", "a.npz", "--expressions", ","], "',' names no expression; give names or a kind"),
         (["dog", "-o", "a.glb", "--show", "none.omote"], "there is no show file"),
@@ -55,3 +66,85 @@ def test_an_export_that_cannot_be_leaves_no_file(
     assert refused.exit_code == 1
     assert sentence in refused.output
     assert list(tmp_path.iterdir()) == []
+
+
+@pytest.mark.parametrize("ending", [".usdc", ".usda", ".usdz", ".obj"])
+def test_a_face_is_written_for_other_programs(tmp_path: Path, ending: str) -> None:
+    path = tmp_path / f"dog{ending}"
+    words = ["export", "dog", "-o", str(path), "--expressions", "jawOpen"]
+    done = runner.invoke(app, words)
+    assert done.exit_code == 0, done.output
+    beside = sorted(each.name for each in tmp_path.iterdir() if each != path)
+    assert beside == [] if ending == ".usdz" else all(name.startswith("dog.") for name in beside)
+    before = {each.name: each.read_bytes() for each in tmp_path.iterdir()}
+    path.unlink()
+    if beside:  # pictures of another export are not replaced either
+        refused = runner.invoke(app, words).stderr
+        assert any(f"{name} is there already and stays as it is" in refused for name in beside)
+        assert not path.exists()
+    assert runner.invoke(app, [*words, "--force"]).exit_code == 0
+    assert {each.name: each.read_bytes() for each in tmp_path.iterdir()} == before
+
+
+def test_a_single_obj_is_the_face_at_rest_unless_an_expression_is_named(tmp_path: Path) -> None:
+    assert runner.invoke(app, ["export", "dog", "-o", str(tmp_path / "dog.obj")]).exit_code == 0
+    pieces = read_obj_pieces((tmp_path / "dog.obj").read_bytes())
+    np.testing.assert_allclose(pieces[0].points, load_cast().faces["dog"].positions, atol=1e-7)
+
+
+def test_faces_are_written_into_a_folder_and_not_again(tmp_path: Path) -> None:
+    folder = tmp_path / "heads"
+    words = [
+        "export",
+        "--faces",
+        "dog,Kaori",
+        "-o",
+        str(folder),
+        "--expressions",
+        "smile",
+        "--format",
+        "npz",
+        "-j",
+        "1",
+    ]
+    done = runner.invoke(app, words)
+    assert (done.exit_code, "faces written: 2" in done.stderr) == (0, True), done.output
+    assert "1 of 2: dog" in done.stderr
+    assert {path.name for path in folder.iterdir()} == {"dog.npz", "kaori.npz", ".omote-export"}
+    again = runner.invoke(app, words)
+    assert "faces written: 0; there already, whole and current: 2" in again.stderr
+    (folder / "dog.npz").write_bytes(b"PK\x03\x04 theirs")
+    refused = runner.invoke(app, words)
+    assert (refused.exit_code, "failed: 1" in refused.stderr) == (1, True)
+    assert f"dog: {folder / 'dog.npz'} is there already and is not as Omote wrote it" in refused.stderr
+
+
+def test_one_face_becomes_a_folder_of_shapes(tmp_path: Path) -> None:
+    words = ["export", "dog", "--format", "obj", "-o", str(tmp_path), "--expressions", "smile,jawOpen", "-j", "1"]
+    assert runner.invoke(app, words).exit_code == 0
+    assert {path.name for path in (tmp_path / "dog").glob("*.obj")} == {"neutral.obj", "smile.obj", "jawOpen.obj"}
+
+
+def test_faces_of_a_show_file_are_chosen_as_own(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.chdir(tmp_path)
+    assert runner.invoke(app, ["export", "dog", "-o", "rover.obj"]).exit_code == 0
+    taken = runner.invoke(app, ["file", "import", "my.omote", "rover.obj", "--as", "face"])
+    assert taken.exit_code == 0, taken.output
+    words = ["export", "--faces", "own", "--show", "my.omote", "--format", "npz", "-o", "out", "--expressions", "smile"]
+    done = runner.invoke(app, [*words, "-j", "1"])
+    assert (done.exit_code, [path.name for path in (tmp_path / "out").glob("*.npz")]) == (0, ["rover.npz"]), done.output
+
+
+def test_a_run_that_is_stopped_says_how_to_go_on(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    def stop(*_: object) -> None:
+        raise KeyboardInterrupt
+
+    monkeypatch.setattr("omote.server.farm.export_run.run_export", stop)
+    done = runner.invoke(app, ["export", "--all", "-o", str(tmp_path / "heads")])
+    assert (done.exit_code, "the same command goes on from there" in done.stderr) == (130, True)
+
+
+def test_a_cluster_that_is_not_there_is_a_sentence(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("omote.server.farm.dask_pool.TIMEOUT", 0.2)
+    done = runner.invoke(app, ["export", "--all", "-o", str(tmp_path / "heads"), "--on", "tcp://127.0.0.1:9"])
+    assert (done.exit_code, "no Dask scheduler answers at 'tcp://127.0.0.1:9'" in done.stderr) == (1, True)

@@ -1,57 +1,97 @@
-"""The command `omote export`: faces with expressions into files of other programs."""
+"""The command `omote export`: faces with expressions into files of other programs, one or a whole folder of them."""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable
+import os
+import sys
+from collections.abc import Iterator
+from contextlib import contextmanager
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
 import typer
 
 from omote.picture_commands import ShowOption
-from omote.terminal import complete_name, exit_on_refusal, say
+from omote.terminal import INTERRUPTED, complete_name, exit_on_refusal, fail, say
 
 if TYPE_CHECKING:
-    from omote.interchange.export_face import Meshes
+    from omote.interchange.export_face import ExportContext
+    from omote.interchange.exports.export_formats import Files
     from omote.model.cast import Cast
+    from omote.server.farm.export_run import ExportRun, Finished, Pool, Report
     from omote.showfile.inspection import Inspection
+
+MOST_JOBS = 256
+STOPPED = "stopped; what is written stays, and the same command goes on from there."
+ARKIT, NEUTRAL = "arkit", "neutral"
 
 
 def export(
-    face: Annotated[str, typer.Argument(help="A face of the cast: kaori, dog.")],
-    output: Annotated[Path, typer.Option("--output", "-o", help="The file to write: face.glb, face.npz, face.csv.")],
+    output: Annotated[
+        Path,
+        typer.Option("--output", "-o", help="The file: .glb, .usdc, .usda, .usdz, .obj, .npz, .csv; or a folder."),
+    ],
+    face: Annotated[str, typer.Argument(help="A face of the cast: kaori, dog; or none with --all or --faces.")] = "",
     expressions: Annotated[
         str,
         typer.Option(
-            help="arkit, performed, makehuman, omote, own, all, neutral (the face alone), or names, by commas."
+            help="arkit, performed, makehuman, omote, own, all, neutral (the face alone), or names, by commas. "
+            "Left out: arkit; for a single OBJ neutral."
         ),
-    ] = "arkit",
+    ] = "",
     hair: Annotated[bool, typer.Option("--hair/--no-hair", help="The face's hair, as ribbons.")] = True,
     show: ShowOption = None,
-    force: Annotated[bool, typer.Option("--force", help="Replaces a file that is there.")] = False,
+    force: Annotated[bool, typer.Option("--force", help="Replaces files that are there.")] = False,
+    every: Annotated[bool, typer.Option("--all", help="Every face, into a folder.")] = False,
+    faces: Annotated[str, typer.Option(help="These faces, by commas, into a folder.")] = "",
+    form: Annotated[
+        str, typer.Option("--format", help="Of a folder's files: glb, usd, usda, usdz, obj, npz or csv.")
+    ] = "",
+    jobs: Annotated[
+        int, typer.Option("--jobs", "-j", min=0, max=MOST_JOBS, help="Processes at once; 0: one for each core.")
+    ] = 0,
+    on: Annotated[str, typer.Option("--on", metavar="ADDRESS", help="A Dask cluster: tcp://host:8786.")] = "",
 ) -> None:
-    """Writes a face with expressions: as morph targets (GLB), or as what each moves in numbers (NPZ, CSV)."""
+    """Writes faces with expressions: as heads (GLB, USD, OBJ), or as what each moves in numbers (NPZ, CSV)."""
+    os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")  # read when NumPy is loaded: each process has one core
+    if every or faces or form or on:
+        if bool(face) == bool(every or faces):
+            fail("name one face (omote cast lists them), or --all, or some with --faces kaori,dog.")
+        chosen = faces or face or "all"
+        pool = on or jobs or count_cores()
+        finish_folder(export_folder(output, chosen, expressions, form, hair=hair, show=show, force=force, pool=pool))
+    elif not face:
+        fail("name a face (omote cast lists them), or --all and a folder.")
+    else:
+        export_file(output, face, expressions, hair=hair, show=show, force=force)
+
+
+def export_file(
+    output: Path, face: str, expressions: str, *, hair: bool, show: Path | None, force: bool
+) -> None:  # fmt: skip
+    """Writes one face as one file, and the pictures that it names beside it."""
     output = complete_name(output, ".glb")
+    kind = output.suffix.lower()
     found = check_export(output, show, force=force)
     from rich.console import Console  # what is heavy comes after what can be refused without it
     from rich.progress import track
 
-    from omote.builtin import load_cast
     from omote.interchange.export_face import choose_expressions, named_compound_meshes
-    from omote.interchange.formats.atomic_file import write_whole
-    from omote.stage_data.full_cast import build_full_cast, find_face
+    from omote.interchange.exports.export_formats import check_count, encode_face
+    from omote.interchange.formats.file_names import NUMBERS, OBJ
+    from omote.stage_data.full_cast import find_face
 
     with exit_on_refusal():
-        encode = find_encoder(output, hair=hair)
-        cast = load_cast()
-        cast = cast if found is None else build_full_cast(cast, found.stored, found.contents, say)
+        cast = load_full_cast(found)
         face = find_face(cast, None if found is None else found.stored, face)
-        names = choose_expressions(cast, expressions)
+        names = choose_expressions(cast, expressions or (NEUTRAL if kind == OBJ else ARKIT))
+        check_count(kind, names)
         busy = track(names, f"omote: {face}", console=Console(stderr=True), transient=True)
         poses = ((name, named_compound_meshes(cast, face, name)) for name in busy)
-        write_whole(output, encode(cast, face, poses))
-    what = "morph targets" if output.suffix.lower() == ".glb" else "expressions"
-    say(f"{output}: {face}, {what}: {len(names)}, {output.stat().st_size / 1e6:.1f} MB")
+        files = encode_face(shared_context(cast), face, poses, kind, output.stem, hair=hair)
+        write_files(output, files, force=force)
+    what = "expressions" if kind in (*NUMBERS, OBJ) else "morph targets"
+    say(f"{output}: {face}, {what}: {len(names)}, {sum(map(len, files.values())) / 1e6:.1f} MB")
 
 
 def check_export(output: Path, show: Path | None, *, force: bool) -> Inspection | None:
@@ -64,21 +104,147 @@ def check_export(output: Path, show: Path | None, *, force: bool) -> Inspection 
         check_export_name(output)
         check_writable(output)
         require_free(output, force=force)
+        check_library(output.suffix.lower())
         return None if show is None else inspect_show(show)
 
 
-def find_encoder(path: Path, *, hair: bool) -> Callable[[Cast, str, Iterable[tuple[str, Meshes]]], bytes]:
-    """What makes the bytes of an exported face, by the file's ending."""
+def check_library(kind: str) -> None:
+    """ValueError where the library that a kind is written with is not installed."""
+    from omote.interchange.formats.file_names import USD
+
+    if kind in USD:
+        from omote.interchange.exports.usd_writer import check_usd
+
+        check_usd()
+
+
+def write_files(output: Path, files: Files, *, force: bool) -> None:
+    """Writes an export, its main file last, when all that it names is there; nothing where one of them is not free."""
+    from omote.interchange.formats.atomic_file import require_free, write_whole
+
+    main, *others = files
+    paths = {output: files[main], **{output.with_name(name): files[name] for name in others}}
+    for path in paths:
+        require_free(path, force=force)
+    for path, data in reversed(paths.items()):
+        write_whole(path, data)
+
+
+def export_folder(
+    folder: Path,
+    faces: str,
+    expressions: str,
+    form: str,
+    hair: bool,
+    show: Path | None,
+    force: bool,
+    pool: str | int,
+) -> Finished:
+    """Writes several faces into a folder, and shows how far that is; pool: as `choose_pool` has it."""
+    from omote.showfile.inspection import inspect_show
+
+    with exit_on_refusal():
+        if folder.exists() and not folder.is_dir():
+            raise NotADirectoryError(f"{folder} is a file; give the name of a folder")
+        found = None if show is None else inspect_show(show)
+        from omote.interchange.export_face import choose_expressions  # what is heavy comes after what can be refused
+        from omote.interchange.exports.export_formats import check_kind, find_kind
+        from omote.server.farm.export_run import ExportRun, run_export
+
+        check_kind(kind := find_kind(form or "glb"))
+        cast = load_full_cast(found)
+        chosen = choose_faces(cast, found, faces)
+        names = choose_expressions(cast, expressions or ARKIT)
+        run = ExportRun(shared_context(cast), folder, kind, chosen, names, hair, force)
+        with shown_progress(run) as report:
+            return run_export(run, choose_pool(pool), report)
+
+
+def choose_faces(cast: Cast, found: Inspection | None, text: str) -> list[str]:
+    """The faces that a person means: `all`, `own` (those of the show file), or names, by commas."""
+    from omote.stage_data.full_cast import find_face, playing_items
+
+    stored = None if found is None else found.stored
+    own = [item.name for item, _ in playing_items(stored) if item.kind == "face"] if stored is not None else []
+    chosen: dict[str, None] = {}
+    for word in filter(None, (word.strip() for word in text.split(","))):
+        known = {"all": list(cast.faces), "own": [name for name in own if name in cast.faces]}.get(word.lower())
+        chosen |= dict.fromkeys([find_face(cast, stored, word)] if known is None else known)
+    if not chosen:
+        raise ValueError(f"{text!r} names no face; give names by commas, all, or own with --show")
+    return list(chosen)
+
+
+def choose_pool(pool: str | int) -> Pool:
+    """Where a run is baked: on the cluster of an address, or in so many processes of this machine."""
+    if isinstance(pool, str):
+        from omote.server.farm.dask_pool import bake_on_cluster
+
+        return bake_on_cluster(pool)
+    from omote.server.farm.export_run import bake_in_processes
+
+    return bake_in_processes(pool)
+
+
+def count_cores() -> int:
+    """The cores that this process may use."""
+    return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
+
+
+def load_full_cast(found: Inspection | None) -> Cast:
+    """The built-in cast, with a show file's own work where one is named."""
+    from omote.builtin import load_cast
+    from omote.stage_data.full_cast import build_full_cast
+
+    cast = load_cast()
+    return cast if found is None else build_full_cast(cast, found.stored, found.contents, say)
+
+
+def shared_context(cast: Cast) -> ExportContext:
+    """What all exports of a cast share."""
     from omote.builtin import load_mask, load_meshes
-    from omote.interchange.export_deltas import encode_deltas, measure_deltas
-    from omote.interchange.export_face import ExportContext, build_scene
-    from omote.interchange.formats.file_names import GLB
-    from omote.interchange.formats.glb_writer import glb_bytes
+    from omote.interchange.export_face import ExportContext
 
-    if path.suffix.lower() != GLB:
-        return lambda cast, face, poses: encode_deltas(measure_deltas(cast, face, poses), path)
+    return ExportContext(cast, load_meshes(), load_mask())
 
-    def encode(cast: Cast, face: str, poses: Iterable[tuple[str, Meshes]]) -> bytes:
-        return glb_bytes(build_scene(ExportContext(cast, load_meshes(), load_mask()), face, poses, hair=hair))
 
-    return encode
+@contextmanager
+def shown_progress(run: ExportRun) -> Iterator[Report]:
+    """Shows how far a run is: a bar with the time that is left on a terminal, else a line for each face."""
+    try:
+        if not sys.stderr.isatty():
+            yield tell_face
+            return
+        from rich.console import Console
+        from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeRemainingColumn
+
+        columns = TextColumn("{task.description}"), BarColumn(), MofNCompleteColumn(), TimeRemainingColumn(compact=True)
+        # No thread of its own: processes are forked meanwhile.
+        with Progress(*columns, console=Console(stderr=True), transient=True, auto_refresh=False) as bar:
+            task = bar.add_task(str(run.folder), total=len(run.faces))
+
+            def report(done: int, _: int, face: str, failure: str) -> None:
+                if failure:
+                    tell_face(done, len(run.faces), face, failure)
+                bar.update(task, completed=done, description=face, refresh=True)
+
+            yield report
+    except KeyboardInterrupt:
+        say(STOPPED)
+        raise typer.Exit(INTERRUPTED) from None
+
+
+def tell_face(done: int, total: int, face: str, failure: str) -> None:
+    """Says that a face is done, or why not."""
+    say(f"{done} of {total}: {face}{f' failed: {failure}' if failure else ''}")
+
+
+def finish_folder(finished: Finished) -> None:
+    """Says what a run did; ends the command with status 1 where faces failed, which are named."""
+    made, current, failed = finished.made, finished.current, finished.failed
+    there = f"; there already, whole and current: {len(current)}" if current else ""
+    say(f"faces written: {len(made)}{there}{f'; failed: {len(failed)}' if failed else ''}")
+    for face, why in failed.items():
+        say(f"{face}: {why}")
+    if failed:
+        raise typer.Exit(1)
