@@ -1,6 +1,7 @@
 """USD files: the official library opens them anew, finds no fault, and moves points where our compounds are."""
 
 import builtins
+import os
 from pathlib import Path
 from typing import Any
 
@@ -177,3 +178,19 @@ def test_a_missing_library_is_told_with_what_to_install(monkeypatch: pytest.Monk
     monkeypatch.setattr(builtins, "__import__", without)
     with pytest.raises(ValueError, match=r'pip install "omote\[usd\]"'):
         usd_files(Scene("broad", []), "broad", ".usdc")
+
+
+@pytest.mark.parametrize("suffix", USD)
+def test_the_same_scene_is_the_same_bytes_at_any_time(suffix: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Otherwise a run that goes on could not tell its own files."""
+    scene = build_scene(context(), "broad", [])
+    first = usd_files(scene, "broad", suffix)
+    real = Path.write_bytes
+
+    def write_long_ago(path: Path, data: bytes) -> int:
+        size = real(path, data)
+        os.utime(path, (10**9, 10**9))
+        return size
+
+    monkeypatch.setattr(Path, "write_bytes", write_long_ago)
+    assert usd_files(scene, "broad", suffix) == first
