@@ -90,7 +90,6 @@ def numpy_seconds(context: ExportContext, face: str, units: list[str]) -> float:
     poses = [(name, named_compound_meshes(context.cast, face, name)) for name in units]
     arrays = measure_deltas(context.cast, face, poses).moves
 
-
     def save() -> None:
         for array in arrays.values():
             np.save(io.BytesIO(), array)
