@@ -24,7 +24,7 @@ SECONDS, MEMORY, FILES = 60, 2 * 2**30, 16
 
 READERS: Mapping[str, Callable[[bytes], tuple[Piece, ...]]] = {
     ".glb": glb_reader.read_glb,
-    ".obj": lambda data: (Piece("skin", obj_reader.read_obj(data)),),
+    ".obj": obj_reader.read_obj_pieces,
 }
 """Parsers by file name suffix."""
 
