@@ -86,7 +86,7 @@ def test_pictures_of_two_sizes_mix_at_the_larger() -> None:
     mixed = mix_albedos(((plain(0, 0, 0, 255), 0.5), (plain(255, 255, 255, 255, side=2048), 0.5)))
     assert mixed is not None
     assert mixed.side == 2048
-    half = encode_light(np.float32(0.5))
+    half = int(encode_light(np.array([0.5], np.float32))[0])
     np.testing.assert_array_equal(mixed.pixels[0, 0], [half, half, half, 255])
 
 

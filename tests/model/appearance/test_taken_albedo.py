@@ -25,7 +25,8 @@ PLACEMENT = Similarity(0.0254, TURN, np.array([0.3, -1.2, 0.05]))
 
 def away(points: Values) -> Values:
     """Points of a face as the scan has them."""
-    return (points - PLACEMENT.shift) @ TURN / PLACEMENT.scale
+    moved: Values = (points - PLACEMENT.shift) @ TURN / PLACEMENT.scale
+    return moved
 
 
 def divided(points: Values, triangles: NDArray[np.integer]) -> tuple[Values, NDArray[np.integer]]:
