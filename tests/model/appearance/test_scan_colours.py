@@ -68,3 +68,16 @@ def test_a_scan_without_colours_is_refused() -> None:
     points, triangles = sheet()
     with pytest.raises(ValueError, match="this scan has no colours"):
         place_colours(Scan(points, triangles), STILL, points)
+
+
+def test_what_lies_too_far_away_has_no_neighbour() -> None:
+    points, triangles = sheet()
+    for kept in (triangles, None):
+        colours = place_colours(Scan(points, kept, np.zeros((len(points), 3), np.uint8)), STILL, points)
+        over = np.array([[0.05, 0.05, 0.001], [0.05, 0.05, 0.02]])
+        up = np.tile([0.0, 0.0, 1.0], (2, 1))
+        faces = nearest_faces(colours, over, up, within=0.008)
+        assert faces[0] >= 0 > faces[1]
+        away = choose_nearest(colours, over, up, faces[:, None])[2]
+        assert away[0] < 0.008
+        assert away[1] == np.inf

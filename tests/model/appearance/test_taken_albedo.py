@@ -87,12 +87,13 @@ def test_a_texture_comes_back_as_it_was() -> None:
     assert np.percentile(off, 99) <= 3
 
 
-def test_half_a_head_is_carried_on_in_its_hue_over_what_is_painted() -> None:
-    """Where a scan is the painted skin in another light, so is what is filled: to the last texel."""
+@pytest.mark.parametrize("skin", [(188, 188, 188), (70, 42, 28)])
+def test_half_a_head_is_carried_on_in_its_hue_over_what_is_painted(skin: tuple[int, int, int]) -> None:
+    """Where a scan is the painted skin in another light, so is what is filled: to the last texel, on dark skin too."""
     assert CAST.atlas is not None
     tint = np.array([0.9, 0.55, 0.4])
     scan = scan_of("round", lambda points: encode_light(np.tile(tint * 0.5, (len(points), 1))), lambda at: at[:, 0])
-    painted = encode_light(np.full((SIDE, SIDE, 3), 0.5))
+    painted = np.broadcast_to(np.array(skin, np.uint8), (SIDE, SIDE, 3))
     taken = take_albedo(SPACE, CAST.atlas, CAST.faces["round"], scan, PLACEMENT, painted)
     assert 0.2 < (taken.seen == 255).mean() < 0.6
     assert np.abs(taken.albedo.pixels[..., :3].astype(int) - encode_light(tint * 0.5)).max() <= 2

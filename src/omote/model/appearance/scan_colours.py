@@ -73,20 +73,24 @@ def _normals(corners: Values) -> Values:
     return unit
 
 
-def nearest_faces(colours: ScanColours, points: Values, normals: Values, /, *, seed: int = 0) -> Indices:
-    """The triangle (n,) of the scan nearest to each of points (n, 3) with normals (n, 3), in six dimensions."""
+def nearest_faces(
+    colours: ScanColours, points: Values, normals: Values, /, *, within: float = np.inf, seed: int = 0
+) -> Indices:
+    """The triangle (n,) of the scan nearest to each of points (n, 3) with normals (n, 3), in six dimensions; -1 where
+    none lies within so many of their metres, which is found at once."""
     corners = colours.corners
     if corners.shape[1] == 1:
-        found: Indices = cKDTree(corners[:, 0]).query(points)[1]
-        return found
-    random = np.random.default_rng(seed)
-    area = np.linalg.norm(np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]), axis=1)
-    which = random.choice(len(corners), SAMPLES, p=area / area.sum())
-    shares = random.dirichlet(np.ones(3), SAMPLES)
-    places = np.einsum("nc,nck->nk", shares, corners[which])
-    tree = cKDTree(np.concatenate([places, TURN * colours.normals[which]], axis=1), balanced_tree=False)
-    nearest: Indices = which[tree.query(np.concatenate([points, TURN * normals], axis=1))[1]]
-    return nearest
+        which, places, wanted = np.arange(len(corners)), corners[:, 0], points
+    else:
+        random = np.random.default_rng(seed)
+        area = np.linalg.norm(np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]), axis=1)
+        which = random.choice(len(corners), SAMPLES, p=area / area.sum())
+        feet = np.einsum("nc,nck->nk", random.dirichlet(np.ones(3), SAMPLES), corners[which])
+        places = np.concatenate([feet, TURN * colours.normals[which]], axis=1)
+        wanted = np.concatenate([points, TURN * normals], axis=1)
+    nearest = cKDTree(places).query(wanted, distance_upper_bound=within)[1]
+    found: Indices = np.append(which, -1)[nearest]
+    return found
 
 
 def choose_nearest(
@@ -94,11 +98,13 @@ def choose_nearest(
 ) -> tuple[Indices, Values, Values]:
     """Of candidates (n, m), triangles, the nearest to each of points (n, 3) that faces as normals (n, 3) do.
 
-    Returns it (n,), the shares (n, c) of its corners at the nearest place, and the distance (n,), metres.
+    Returns it (n,), the shares (n, c) of its corners at the nearest place, and its distance (n,), metres: infinity
+    where all candidates are -1.
     """
     if colours.corners.shape[1] == 1:
-        first = candidates[:, 0]
-        return first, np.ones((len(first), 1)), np.linalg.norm(colours.corners[first, 0] - points, axis=1)
+        first = candidates.max(axis=1)
+        away = np.where(first < 0, np.inf, np.linalg.norm(colours.corners[first, 0] - points, axis=1))
+        return np.maximum(first, 0), np.ones((len(first), 1)), away
     return _choose(colours.corners, colours.normals, points, normals, candidates)
 
 
@@ -107,12 +113,14 @@ def _choose(
     corners: Values, turns: Values, points: Values, normals: Values, candidates: Indices
 ) -> tuple[Indices, Values, Values]:
     count = len(points)
-    best, shares = np.empty(count, np.int64), np.empty((count, 3))
+    best, shares = np.zeros(count, np.int64), np.zeros((count, 3))
     away, trial = np.full(count, np.inf), np.empty(3)
     for n in range(count):
         least = np.inf
         for m in range(candidates.shape[1]):
             t = candidates[n, m]
+            if t < 0:
+                continue
             gap = _nearest_shares(corners[t], points[n], trial)
             turned = TURN * TURN * (2.0 - 2.0 * (turns[t] * normals[n]).sum())
             if gap + turned < least:

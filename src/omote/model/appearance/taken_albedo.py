@@ -11,7 +11,7 @@ from scipy.ndimage import binary_closing, binary_opening, distance_transform_edt
 from omote.geometry.ramp import smooth_ramp
 from omote.model.albedo import Albedo, Light, SkinAtlas, decode_light, encode_light
 from omote.model.appearance.pull_push import double, halve, pull_push
-from omote.model.appearance.scan_colours import ScanColours, choose_nearest, nearest_faces, place_colours
+from omote.model.appearance.scan_colours import TURN, ScanColours, choose_nearest, nearest_faces, place_colours
 from omote.model.fitting.scan import Scan
 from omote.model.space.face import Face
 from omote.model.space.parameter_space import ParameterSpace
@@ -29,7 +29,7 @@ FEATHER = 10 / 1024
 SLOW = 3
 """Times that the ratio is halved before it is carried on: what is finer than 8 texels stays where it was seen."""
 _DARKEST = np.float32(0.004)  # linear light below which a ratio says nothing
-_MOST = np.float32(1.6)  # of the logarithm of a ratio: 5 times as bright or as dark
+_MOST = np.float32(3.0)  # of the logarithm of a ratio: 20 times as bright or as dark, pale skin over dark
 
 
 @dataclass(frozen=True, eq=False)
@@ -121,8 +121,9 @@ def _look_up(colours: ScanColours, spots: _Spots) -> tuple[Light, Mask]:
     """Linear light of every texel (k, k, 3), and where it is that skin's own."""
     side, around = len(spots.used), np.array([0, 1])
     coarse = spots.used[::2, ::2]
-    found = np.zeros(coarse.shape, np.int64)
-    found[coarse] = nearest_faces(colours, spots.places[::2, ::2][coarse], spots.normals[::2, ::2][coarse])
+    found = np.full(coarse.shape, -1)
+    places, normals = spots.places[::2, ::2][coarse], spots.normals[::2, ::2][coarse]
+    found[coarse] = nearest_faces(colours, places, normals, within=float(np.hypot(2.0 * NEAR, TURN)))
     rows, columns = np.nonzero(spots.used & (spots.outer > 0.0))
     most = side // 2 - 1
     down, right = (np.minimum(index[:, None] // 2 + around, most) for index in (rows, columns))
