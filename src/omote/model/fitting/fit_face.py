@@ -57,6 +57,16 @@ class Fit:
         From the scan's own frame and unit to the face's metres.
     doubts : tuple of str
         What should be looked at, in sentences; empty when sure.
+
+    Examples
+    --------
+    >>> found = omote.fit(cast.space, cast.faces["old"].positions, cast.space.triangles)
+    >>> isinstance(found, omote.Fit), found.residual.shape
+    (True, (4278,))
+
+    References
+    ----------
+    K. Arai (1993), section 5.1.
     """
 
     face: Face
