@@ -1,6 +1,7 @@
 """The baked cast: twelve people, five sculpted faces and what they can do, ready to be called.
 
-cast.npz, identity_modes.npz, mask.png and the notice of their origin are written beside this file by `make bake` (tools/bake.py).
+cast.npz, identity_modes.npz, mask.png and the notice of their origin are written beside this file by `make bake`
+(tools/bake.py).
 """
 
 from __future__ import annotations

@@ -1,0 +1,72 @@
+"""Scans as faces of the built-in head: found, placed and fitted with the modes that were baked."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import replace
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from omote.builtin import load_identity_modes
+from omote.model.fitting.find_head import find_head
+from omote.model.fitting.fit_face import Fit, fit_face
+from omote.model.fitting.scan import Scan
+from omote.model.space.parameter_space import ParameterSpace, refuse_no_space
+
+
+def fit(
+    space: ParameterSpace, positions: ArrayLike, triangles: ArrayLike | None = None, /, *,
+    colours: ArrayLike | None = None, landmarks: Mapping[str, ArrayLike] | None = None, name: str = "scan",
+    shut: bool | None = None,
+) -> Fit:  # fmt: skip
+    """Fits the generic head to a scan, a mesh of any topology or a cloud of points, in any unit and about any axes.
+
+    Parameters
+    ----------
+    space : ParameterSpace
+        The built-in cast's.
+    positions : array_like, (n, 3)
+        Points.
+    triangles : array_like of int, (t, 3), optional
+        Rows of positions, counterclockwise from outside; without them the points are a cloud.
+    colours : array_like of uint8, (n, 3), optional
+        sRGB of each point.
+    landmarks : mapping of array_like (3,), by name
+        Where the head is not found by its shape: at least three of left_eye_outer, left_eye_inner, right_eye_inner,
+        right_eye_outer, nose_tip, mouth_left, mouth_right, in the positions' frame; left is the character's own.
+    name : str
+        The face's.
+    shut : bool, optional
+        Whether the eyes of the scan are shut; None looks.
+
+    Returns
+    -------
+    Fit
+        Its face, how far that is from the scan, what was seen, and doubts in words.
+
+    Raises
+    ------
+    ValueError
+        On arrays that are no scan, too few or unknown landmarks, and where no head is found.
+
+    Examples
+    --------
+    >>> kaori = cast.faces["kaori"]
+    >>> found = omote.fit(cast.space, 1000.0 * kaori.positions, cast.space.triangles, name="Kaori again")
+    >>> found.face.name, found.placement.scale
+    ('Kaori again', 0.001)
+
+    References
+    ----------
+    K. Arai (1993), section 5.1.
+    """
+    refuse_no_space(space)
+    scan = Scan(
+        np.asarray(positions), None if triangles is None else np.asarray(triangles),
+        None if colours is None else np.asarray(colours),
+    )  # fmt: skip
+    modes = load_identity_modes()
+    place = find_head(space, modes, scan, landmarks=landmarks)
+    found = fit_face(space, modes, scan, place.similarity, landmarks=landmarks, name=name, shut=shut)
+    return replace(found, doubts=(*place.doubts, *found.doubts))
