@@ -24,8 +24,10 @@ from PIL import (
 
 from omote.interchange.formats.file_content import describe_content
 
-MOST_PIXELS = 128_000_000
-"""Of one picture."""
+MOST_PIXELS, MOST_SIDE = 2**26, 20_000
+"""Of one picture, and of its longer side."""
+MOST_PER_BYTE, ANY_RATIO = 1000, 2**22
+"""Pixels that a byte of a picture may stand for, where it has more than ANY_RATIO: only bombs hold more."""
 LARGEST_PICTURE = 256 * 2**20
 """Bytes of a picture's file at most."""
 _PLUGINS = (
@@ -42,7 +44,7 @@ _DEEP = ("I;16", "I;16B", "I;16L", "I;16N", "I")
 def read_picture(data: bytes, /) -> NDArray[np.uint8]:
     """The picture (height, width, 3) of a file, row 0 at the top of what people see.
 
-    ValueError for what is no picture, is damaged or has more than 128 million pixels.
+    ValueError for what is no picture, is damaged or has more than 67 million pixels.
     """
     if len(data) > LARGEST_PICTURE:
         raise ValueError(f"the picture has {len(data)} bytes; expected {LARGEST_PICTURE} at most: save a smaller one")
@@ -74,8 +76,15 @@ def _decode(data: bytes) -> NDArray[np.uint8]:
             f"the file is no picture, but {describe_content(data)}; expected PNG, JPEG or WebP: save it as one"
         ) from None
     columns, rows = image.size
-    if columns * rows > MOST_PIXELS or not columns * rows:
-        raise _PictureError(f"the picture has {columns} x {rows} pixels; expected {MOST_PIXELS} in all at most")
+    if not 0 < columns * rows <= MOST_PIXELS or max(columns, rows) > MOST_SIDE:
+        raise _PictureError(
+            f"the picture has {columns} x {rows} pixels; expected {MOST_PIXELS} in all at most, and {MOST_SIDE} a side: "
+            "save a smaller one"
+        )
+    if columns * rows > max(ANY_RATIO, MOST_PER_BYTE * len(data)):
+        raise _PictureError(
+            f"the picture declares {columns} x {rows} pixels in {len(data)} bytes; save it anew as JPEG"
+        )
     image.load()
     profile = image.info.get("icc_profile")
     image = ImageOps.exif_transpose(image)
