@@ -79,8 +79,8 @@ USED: dict[str, str] = {
     "editor/link": "link",
     "editor/session": "link ui face/pose face/gpu face editor/link",
     "editor/controls": "ui editor/session",
-    "editor/panels": "link ui face/pose editor/session editor/controls",
-    "editor/page": "link ui editor/session editor/controls",
+    "editor/panels": "link ui face/pose editor/session editor/controls editor/scan",
+    "editor/page": "link ui editor/session editor/controls editor/scan",
     "editor/canvas/math": "link face/anatomy",
     "editor/canvas/model": "link face/pose face/anatomy editor/session editor/canvas/math",
     "editor/canvas/draw": (
@@ -98,7 +98,10 @@ USED: dict[str, str] = {
         "link face/quality face/anatomy face/gpu editor/session editor/canvas/math editor/canvas/model "
         "editor/canvas/draw editor/canvas/scene editor/canvas/input"
     ),
-    "editor": "link ui access editor/link editor/session editor/controls editor/panels editor/page editor/canvas",
+    "editor/scan": "link ui face/anatomy face/gpu editor/session editor/controls editor/canvas/math",
+    "editor": (
+        "link ui access editor/link editor/session editor/controls editor/panels editor/page editor/canvas editor/scan"
+    ),
 }
 ALLOWED = {folder: set(used.split()) for folder, used in USED.items()}
 

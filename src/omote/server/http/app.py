@@ -72,6 +72,7 @@ class ShowServer:
         self.device_spoke: Callable[[], None] = lambda: None
         self.oscquery: OscQuery | None = None
         self._heard: dict[str, Respond] = {}
+        self.more_routes: list[Callable[[web.Application], None]] = []
         self._describe_devices: Callable[[], wire.Devices] = lambda: wire.Devices([])
         self._surface_allowed: Callable[[str], bool] = lambda _: False
         self.access: AccessControl | None = None
@@ -155,6 +156,8 @@ class ShowServer:
             lambda: self.authority,
         ).add_routes(application)
         self._add_device_routes(application)
+        for add_routes in self.more_routes:
+            add_routes(application)
         PhonePage(lambda: self._describe_devices(), lambda: self.access, self._pages).add_routes(application)
         for path in (*PAGES, "/{page:.+}"):
             application.router.add_get(path, self.page)

@@ -23,6 +23,7 @@ from omote.server.http.app import ShowServer
 from omote.server.http.cast_documents import CastDocuments, built_in_documents
 from omote.server.http.cast_reload import gather_cast
 from omote.server.http.static_pages import Page, read_pages
+from omote.server.http.uploads import RunFileJob
 from omote.server.persistence.authored_work import AuthoredWork, open_authored_work
 from omote.server.persistence.backup_thread import BackupThread
 from omote.server.persistence.commit_thread import CommitThread
@@ -32,6 +33,8 @@ from omote.server.persistence.journal import JournalWriter
 from omote.server.persistence.restore import journal_entry, open_journal, restore
 from omote.server.process.notice_board import NoticeBoard
 from omote.server.process.process_messages import Order, ShowMoved, write_notice
+from omote.server.scans.scan_previews import ScanPreviews
+from omote.server.scans.scan_routes import ScanRoutes
 from omote.server.supervision.device_sockets import NO_DEVICES, DeviceOptions
 from omote.server.supervision.device_sources import start_devices
 from omote.server.supervision.early_tick import EarlyTicks
@@ -112,19 +115,29 @@ async def play(
     server = ShowServer(restore(documents.playing, file, order, tell), documents, material.pages)
     server.post(board.notices)
     server.enable_editing(authored_work, reopen, tell)
+    scans = ScanPreviews()
     if file and jobs:
-        server.enable_files(lambda: file.path, jobs.run)
+        enable_files(server, lambda: file.path, jobs.run, scans)
     journal = JournalWriter(file, tell, gate) if file else None
     watch = FileWatch(file, gate, tell, partial(tell_moved, pipes.pulse)) if file else None
     try:
         await serve(server, ShowTick(server, journal, pipes.pulse, board).tick, pipes, show if file else None)
     finally:
         documents.close()
+        scans.close()
         if journal:
             journal.offer(journal_entry(server.session))
         for each in (jobs, watch, authored_work and authored_work.committer, journal, backup):
             if each:
                 each.close()
+
+
+def enable_files(server: ShowServer, show: Callable[[], Path], run_job: RunFileJob, scans: ScanPreviews) -> None:
+    """Adds imports, exports and scans; show: where the show file lies; scans: those under way."""
+    server.enable_files(show, run_job)
+    if server.editing is not None:
+        routes = ScanRoutes(show, run_job, server.long_requests, server.editing.take_in, scans)
+        server.more_routes.append(routes.add_routes)
 
 
 async def serve(server: ShowServer, tick: Tick, pipes: Pipes, show: Path | None = None) -> None:

@@ -1,0 +1,183 @@
+"""The jobs of a scan that a page brings: it is read, its head found and fitted for a look; then its face is taken.
+
+Between the two the fitted face lies in the preview's folder, packed as the show file keeps faces.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from dataclasses import replace
+from pathlib import Path
+
+import msgspec
+import numpy as np
+from msgspec import structs
+from numpy.typing import NDArray
+
+from omote.builtin import load_cast, load_identity_modes
+from omote.edit.compute.scan_preview import thin_scan
+from omote.edit.protocol.messages import ScanFigures, ScanPreview
+from omote.edit.store.import_items import ImportedItem
+from omote.interchange.scans.scan_reader import ScanFile
+from omote.model.cast import Cast, Look
+from omote.model.fitting.find_head import HeadPlacement, find_head
+from omote.model.fitting.fit_face import Fit, fit_face
+from omote.model.fitting.head_zones import head_zones
+from omote.model.fitting.landmarks import SEVEN
+from omote.model.fitting.scan import Scan
+from omote.model.space.similarity import Similarity
+from omote.server.sandbox.scan_files import read_scan_in_sandbox
+from omote.server.workers.job_server import Follow
+from omote.showfile.contents import pack_face, unpack_face
+from omote.stage_data.assets import rest_positions
+
+FILES, FACE, ORIGIN = "files", "face.omoc", "origin.txt"
+"""What lies in a preview's folder: what was sent, the fitted face, where it came from."""
+AROUND = 0.12
+"""Metres around the head that are shown of a scan."""
+UNITS: Mapping[str, float] = {
+    "metres": 1.0,
+    "decimetres": 0.1,
+    "centimetres": 0.01,
+    "millimetres": 0.001,
+    "inches": 0.0254,
+}
+READ, FOUND, FITTED = 5, 50, 97
+"""Parts of a hundred of the whole that are done by then."""
+SAME_UNIT = 0.25
+"""A head may be so much larger or smaller than the generic one, as a part of it, and its unit is still recognised."""
+
+
+class FitScan(msgspec.Struct, frozen=True, tag=True):
+    """The scan in a preview's folder with its fitted face, by points that people gave in the scan's own frame; shut:
+    whether its eyes are, None: look. Made: a `ScanPreview`, encoded."""
+
+    folder: str
+    file: str
+    token: str
+    points: dict[str, tuple[float, float, float]] = {}
+    shut: bool | None = None
+
+
+class TakeScan(msgspec.Struct, frozen=True, tag=True):
+    """The face fitted in a preview's folder as an item beside those of a show file, with a hair style and its colour;
+    wall: seconds since 1970. Made: `Imported`, encoded."""
+
+    show: str
+    folder: str
+    label: str
+    hair_style: str
+    hair: str
+    wall: float
+
+
+def run_fit(wanted: FitScan, follow: Follow, /) -> ScanPreview:
+    """Fits a scan and keeps its face in the folder; ValueError with a sentence for what cannot be read or fitted."""
+    unknown = [name for name in wanted.points if name not in SEVEN]
+    if unknown:
+        raise ValueError(f"there is no point {unknown[0][:80]!r}; expected some of {', '.join(SEVEN)}.")
+    folder = Path(wanted.folder)
+    follow(0, 100, "the file is read")
+    read = read_scan_in_sandbox(folder / FILES / wanted.file)
+    cast = load_cast()
+    follow(READ, 100, "the head is sought")
+    found = find_head(cast.space, read.scan, wanted.points or None)
+    fitted, doubts = _fit(cast, read.scan, found, wanted, follow)
+    if fitted is None:
+        (folder / FACE).unlink(missing_ok=True)
+    else:
+        (folder / FACE).write_bytes(pack_face(fitted.face, Look(hair_style="short")))
+        origin = describe_origin(wanted, fitted.placement, figures_of(cast, fitted))
+        (folder / ORIGIN).write_text(origin, encoding="utf-8")
+    follow(98, 100, "it is shown")
+    preview = structs.replace(_describe_scan(cast, read, found, fitted, wanted), doubts=doubts)
+    return preview if fitted is None else _add_face(cast, preview, fitted)
+
+
+def face_to_take(wanted: TakeScan, /) -> Iterator[tuple[ImportedItem, str]]:
+    """The fitted face as an item to import; ValueError where none has been fitted."""
+    folder = Path(wanted.folder)
+    if not (folder / FACE).exists():
+        raise ValueError("no face has been fitted to this scan yet; set the points that are missing and fit again.")
+    if wanted.hair_style not in ("", *load_cast().hair):
+        raise ValueError(f"there is no hair {wanted.hair_style[:80]!r}; choose one of {', '.join(load_cast().hair)}.")
+    face, look = unpack_face((folder / FACE).read_bytes(), wanted.label)
+    worn = replace(look, hair_style=wanted.hair_style, hair=wanted.hair)
+    note = (folder / ORIGIN).read_text(encoding="utf-8")
+    yield ImportedItem(wanted.label, (face, worn), note=note), f"{wanted.label}, {note}"
+
+
+def figures_of(cast: Cast, fitted: Fit, /) -> ScanFigures:
+    """How far a fitted face is from what the scan shows of it."""
+    face = fitted.residual[head_zones(cast.space).face]
+    seen = face[np.isfinite(face)]
+    if not seen.size:
+        return ScanFigures(0.0, 0.0, 0.0)
+    return ScanFigures(float(np.median(seen)), float(np.percentile(seen, 95)), len(seen) / len(face))
+
+
+def describe_origin(wanted: FitScan, placement: Similarity, figures: ScanFigures, /) -> str:
+    """Where a face comes from, for its revision: the file, its unit, the points that were given, how near it lies."""
+    points = f"{len(wanted.points)} points given" if wanted.points else "no point given"
+    near = f"half of the face within {figures.median:.2f} mm, 95 % within {figures.p95:.2f} mm"
+    return f"from {wanted.file} ({describe_frame(placement)}), {points}; {near}"
+
+
+def describe_frame(placement: Similarity, /) -> str:
+    """The unit and the upward axis of a scan that was placed, in words."""
+    unit = min(UNITS, key=lambda name: abs(np.log(placement.scale / UNITS[name])))
+    known = abs(np.log(placement.scale / UNITS[unit])) < np.log1p(SAME_UNIT)
+    words = unit if known else f"a unit of {1000.0 * placement.scale:.3g} mm"
+    return f"{words}, {_describe_axis(placement.rotation[1])} up, facing {_describe_axis(placement.rotation[2])}"
+
+
+def _describe_axis(axis: NDArray[np.float64]) -> str:
+    """The axis of a scan nearest to a direction in its frame."""
+    at = int(np.abs(axis).argmax())
+    return f"{'-' if axis[at] < 0.0 else ''}{'xyz'[at]}"
+
+
+def _fit(
+    cast: Cast, scan: Scan, found: HeadPlacement, wanted: FitScan, follow: Follow
+) -> tuple[Fit | None, list[str]]:  # fmt: skip
+    """The fit of a scan whose head was found, None where none can be made, and all doubts."""
+
+    def tell(done: float, what: str) -> None:
+        follow(round(FOUND + (FITTED - FOUND) * done), 100, what)
+
+    try:
+        fitted = fit_face(
+            cast.space, load_identity_modes(), scan, found.placement, landmarks=wanted.points,
+            name=Path(wanted.file).stem, shut=wanted.shut, follow=tell,
+        )  # fmt: skip
+    except ValueError as error:
+        return None, [*found.doubts, f"No face could be fitted ({error}); set the seven points and fit again."]
+    return fitted, [*found.doubts, *fitted.doubts]
+
+
+def _describe_scan(
+    cast: Cast, read: ScanFile, found: HeadPlacement, fitted: Fit | None, wanted: FitScan
+) -> ScanPreview:  # fmt: skip
+    placement = found.placement if fitted is None else fitted.placement
+    corners = np.stack([cast.space.points.min(axis=0) - AROUND, cast.space.points.max(axis=0) + AROUND])
+    thin = thin_scan(read.scan, placement, None if fitted is None else corners)
+    return ScanPreview(
+        token=wanted.token,
+        file=wanted.file,
+        placement=[placement.scale, *placement.rotation.reshape(-1).tolist(), *placement.shift.tolist()],
+        unit=describe_frame(placement),
+        doubts=[],
+        notes=list(read.notes),
+        given={name: list(point) for name, point in wanted.points.items()},
+        found={name: np.asarray(point).tolist() for name, point in found.landmarks.items()},
+        positions=le_bytes(thin.positions, "<f4"),
+        triangles=le_bytes(thin.triangles, "<u4"),
+        colours=b"" if thin.colours is None else le_bytes(thin.colours, "u1"),
+        shut=wanted.shut,
+    )
+
+
+def _add_face(cast: Cast, preview: ScanPreview, fitted: Fit) -> ScanPreview:
+    positions = le_bytes(rest_positions(cast, fitted.face), "<f4")
+    figures = figures_of(cast, fitted)
+    return structs.replace(preview, face=positions, residual=le_bytes(fitted.residual, "<f4"), figures=figures)
