@@ -5,7 +5,7 @@ Between the two the fitted face lies in the preview's folder, packed as the show
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator
 from dataclasses import replace
 from pathlib import Path
 
@@ -22,12 +22,13 @@ from omote.interchange.scans.scan_reader import ScanFile
 from omote.model.cast import Cast, Look
 from omote.model.fitting.find_head import HeadPlacement, find_head
 from omote.model.fitting.fit_face import Fit, fit_face
-from omote.model.fitting.head_zones import head_zones
-from omote.model.fitting.landmarks import SEVEN
+from omote.model.fitting.landmarks import FEWEST_LANDMARKS, SEVEN
 from omote.model.fitting.scan import Scan
+from omote.model.fitting.shape.head_zones import head_zones
 from omote.model.space.similarity import Similarity
 from omote.server.sandbox.scan_files import read_scan_in_sandbox
 from omote.server.workers.job_server import Follow
+from omote.show.wire import le_bytes
 from omote.showfile.contents import pack_face, unpack_face
 from omote.stage_data.assets import rest_positions
 
@@ -35,17 +36,10 @@ FILES, FACE, ORIGIN = "files", "face.omoc", "origin.txt"
 """What lies in a preview's folder: what was sent, the fitted face, where it came from."""
 AROUND = 0.12
 """Metres around the head that are shown of a scan."""
-UNITS: Mapping[str, float] = {
-    "metres": 1.0,
-    "decimetres": 0.1,
-    "centimetres": 0.01,
-    "millimetres": 0.001,
-    "inches": 0.0254,
-}
+FIRST_HAIR = "short"
+"""What a face wears until its editor chooses."""
 READ, FOUND, FITTED = 5, 50, 97
 """Parts of a hundred of the whole that are done by then."""
-SAME_UNIT = 0.25
-"""A head may be so much larger or smaller than the generic one, as a part of it, and its unit is still recognised."""
 
 
 class FitScan(msgspec.Struct, frozen=True, tag=True):
@@ -81,15 +75,15 @@ def run_fit(wanted: FitScan, follow: Follow, /) -> ScanPreview:
     read = read_scan_in_sandbox(folder / FILES / wanted.file)
     cast = load_cast()
     follow(READ, 100, "the head is sought")
-    found = find_head(cast.space, read.scan, wanted.points or None)
+    found = _find(cast, read.scan, wanted)
     fitted, doubts = _fit(cast, read.scan, found, wanted, follow)
     if fitted is None:
         (folder / FACE).unlink(missing_ok=True)
     else:
-        (folder / FACE).write_bytes(pack_face(fitted.face, Look(hair_style="short")))
-        origin = describe_origin(wanted, fitted.placement, figures_of(cast, fitted))
-        (folder / ORIGIN).write_text(origin, encoding="utf-8")
-    follow(98, 100, "it is shown")
+        frame = describe_frame(found.unit, fitted.placement)
+        (folder / FACE).write_bytes(pack_face(fitted.face, Look(hair_style=FIRST_HAIR)))
+        (folder / ORIGIN).write_text(describe_origin(wanted, frame, figures_of(cast, fitted)), encoding="utf-8")
+    follow(FITTED + 1, 100, "it is shown")
     preview = structs.replace(_describe_scan(cast, read, found, fitted, wanted), doubts=doubts)
     return preview if fitted is None else _add_face(cast, preview, fitted)
 
@@ -116,25 +110,40 @@ def figures_of(cast: Cast, fitted: Fit, /) -> ScanFigures:
     return ScanFigures(float(np.median(seen)), float(np.percentile(seen, 95)), len(seen) / len(face))
 
 
-def describe_origin(wanted: FitScan, placement: Similarity, figures: ScanFigures, /) -> str:
+def describe_origin(wanted: FitScan, frame: str, figures: ScanFigures, /) -> str:
     """Where a face comes from, for its revision: the file, its unit, the points that were given, how near it lies."""
     points = f"{len(wanted.points)} points given" if wanted.points else "no point given"
     near = f"half of the face within {figures.median:.2f} mm, 95 % within {figures.p95:.2f} mm"
-    return f"from {wanted.file} ({describe_frame(placement)}), {points}; {near}"
+    return f"from {wanted.file} ({frame}), {points}; {near}"
 
 
-def describe_frame(placement: Similarity, /) -> str:
-    """The unit and the upward axis of a scan that was placed, in words."""
-    unit = min(UNITS, key=lambda name: abs(np.log(placement.scale / UNITS[name])))
-    known = abs(np.log(placement.scale / UNITS[unit])) < np.log1p(SAME_UNIT)
-    words = unit if known else f"a unit of {1000.0 * placement.scale:.3g} mm"
-    return f"{words}, {_describe_axis(placement.rotation[1])} up, facing {_describe_axis(placement.rotation[2])}"
+def describe_frame(unit: str, placement: Similarity, /) -> str:
+    """The unit and the axes of a scan that was placed, in words."""
+    return f"{unit}, {_describe_axis(placement.rotation[1])} up, facing {_describe_axis(placement.rotation[2])}"
 
 
 def _describe_axis(axis: NDArray[np.float64]) -> str:
     """The axis of a scan nearest to a direction in its frame."""
     at = int(np.abs(axis).argmax())
     return f"{'-' if axis[at] < 0.0 else ''}{'xyz'[at]}"
+
+
+def _find(cast: Cast, scan: Scan, wanted: FitScan) -> HeadPlacement:
+    """Where the head is: by its shape, or by points once these say enough; where no head is, a look at all of it."""
+    landmarks = wanted.points if len(wanted.points) >= FEWEST_LANDMARKS else None
+    try:
+        return find_head(cast.space, load_identity_modes(), scan, landmarks=landmarks)
+    except ValueError as error:
+        return _place_unfound(cast, scan, f"{error}.")
+
+
+def _place_unfound(cast: Cast, scan: Scan, doubt: str) -> HeadPlacement:
+    """The whole scan as large as a head, as upright as it is."""
+    middle = (scan.positions.min(axis=0) + scan.positions.max(axis=0)) / 2
+    size = float(np.ptp(cast.space.points[:, 1])) / max(float(np.ptp(scan.positions, axis=0).max()), 1e-9)
+    place = Similarity(size, np.eye(3), cast.space.points.mean(axis=0) - size * middle)
+    everything = np.ones(len(scan.positions), np.bool_)
+    return HeadPlacement(place, everything, np.inf, "an unknown unit", {}, (doubt,))
 
 
 def _fit(
@@ -145,9 +154,11 @@ def _fit(
     def tell(done: float, what: str) -> None:
         follow(round(FOUND + (FITTED - FOUND) * done), 100, what)
 
+    if not np.isfinite(found.residual):
+        return None, [*found.doubts]
     try:
         fitted = fit_face(
-            cast.space, load_identity_modes(), scan, found.placement, landmarks=wanted.points,
+            cast.space, load_identity_modes(), scan, found.similarity, landmarks=wanted.points,
             name=Path(wanted.file).stem, shut=wanted.shut, follow=tell,
         )  # fmt: skip
     except ValueError as error:
@@ -158,14 +169,14 @@ def _fit(
 def _describe_scan(
     cast: Cast, read: ScanFile, found: HeadPlacement, fitted: Fit | None, wanted: FitScan
 ) -> ScanPreview:  # fmt: skip
-    placement = found.placement if fitted is None else fitted.placement
+    placement = found.similarity if fitted is None else fitted.placement
     corners = np.stack([cast.space.points.min(axis=0) - AROUND, cast.space.points.max(axis=0) + AROUND])
     thin = thin_scan(read.scan, placement, None if fitted is None else corners)
     return ScanPreview(
         token=wanted.token,
         file=wanted.file,
         placement=[placement.scale, *placement.rotation.reshape(-1).tolist(), *placement.shift.tolist()],
-        unit=describe_frame(placement),
+        unit=describe_frame(found.unit, placement),
         doubts=[],
         notes=list(read.notes),
         given={name: list(point) for name, point in wanted.points.items()},

@@ -27,7 +27,7 @@ const TURN = 0.008;
 /** Pixels within which a place of the canvas means a point where no surface faces it. */
 const NEAR = 10;
 /** A point is hidden where something of the scan lies so many metres before it. */
-const HIDDEN = 0.002;
+const HIDDEN = 0.012;
 
 /** The three boxes on a canvas of this size: beside each other, on a high one the front over the other two. */
 export function boxesOf(width: number, height: number): readonly Box[] {

@@ -216,7 +216,7 @@ export class ScanDialog extends EditorElement {
           })}>${at + 1} ${POINT_LABELS[name]}${given ? " ✓" : found ? "" : " ?"}</button>
         ${given ? html`<button class="icon quiet" aria-label="Take back: ${POINT_LABELS[name]}" title="Take it back" @click=${act(() => points.remove(name))}>✕</button>` : nothing}</li>`;
     };
-    return html`<h2>Points <span class="note">left is the person's own</span></h2>
+    return html`<header><h2>Points</h2><span class="note">left is the person's own</span></header>
       <div class="points">${pointPicture(points.chosen, points.given)}<ol>${LANDMARKS.map(row)}</ol></div>
       <div class="row">
         <button ?disabled=${!points.canUndo} @click=${act(() => points.undo())}>Undo</button>

@@ -13,8 +13,10 @@ export const style = css`
     padding: 10px;
     overflow: hidden;
   }
-  header {
+  section > header {
     grid-area: head;
+  }
+  header {
     display: flex;
     align-items: baseline;
     gap: 10px;
@@ -168,14 +170,17 @@ export const style = css`
   .acts {
     position: sticky;
     bottom: 0;
-    display: grid;
-    grid-template-columns: 1fr 1fr;
+    display: flex;
+    flex-wrap: wrap;
     gap: 6px;
     padding: 8px 0 2px;
     background: var(--panel);
   }
   .acts p {
-    grid-column: 1 / -1;
+    flex: 1 0 100%;
+  }
+  .acts button {
+    flex: 1;
   }
   @media (pointer: coarse) {
     li button {

@@ -3,7 +3,7 @@
 import type { SeenScan } from "./scan_document";
 
 /** Below this part of the face that the scan shows, it is said how much it is. */
-const NEARLY_ALL = 0.97;
+const NEARLY_ALL = 0.9;
 
 /** How near the face lies to the scan, and what the scan was taken for. */
 export function nearnessOf({ face, unit }: SeenScan): string {
