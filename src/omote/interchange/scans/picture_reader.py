@@ -82,9 +82,7 @@ def _decode(data: bytes) -> NDArray[np.uint8]:
             "save a smaller one"
         )
     if columns * rows > max(ANY_RATIO, MOST_PER_BYTE * len(data)):
-        raise _PictureError(
-            f"the picture declares {columns} x {rows} pixels in {len(data)} bytes; save it anew as JPEG"
-        )
+        raise _PictureError(f"the picture declares {columns} x {rows} pixels in {len(data)} bytes; save it again")
     image.load()
     profile = image.info.get("icc_profile")
     image = ImageOps.exif_transpose(image)
