@@ -17,7 +17,7 @@ Values = NDArray[np.float64]
 BESIDE, SIZES = 0.6, (0.6, 1.4)
 # It is round within this share of its radius in the mean, and reaches so far around it in each axis, in radii.
 ROUND, AROUND = 0.05, 1.2
-FEWEST = 60
+FEWEST, ENOUGH = 60, 400
 # How sure the place (metres) and the logarithm of the size are that modes and skin around give, beside one lid vertex.
 PLACE, SIZE, HEIGHT = 0.002, 0.05, 0.25
 # Lids lie at least so high over the ball, in radii, but for those that lie deeper on the generic head.
@@ -47,6 +47,7 @@ def _find_ball(surface: ScanSurface, expected: Values) -> tuple[Values, float] |
     found = list[tuple[float, Values]]()
     for label in labels[counts >= FEWEST]:
         points = surface.points[surface.component == label]
+        points = points[:: max(len(points) // ENOUGH, 1)]
         seen, size = fit_sphere(points)
         off = points - seen
         around = np.ptp(off, axis=0).min() > AROUND * size

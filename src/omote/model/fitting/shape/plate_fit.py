@@ -18,9 +18,8 @@ from omote.model.space.parameter_space import ParameterSpace
 Values = NDArray[np.float64]
 Indices = NDArray[np.intp]
 
-# The plate's stiffness as a length, metres, and how often the matches are found anew at each.
+# The plate's stiffness as a length, metres; matches are found anew at each.
 LENGTHS = (0.024, 0.016, 0.011, 0.008, 0.006, 0.0045, 0.0035, 0.0025, 0.0015, 0.001, 0.0007)
-ROUNDS = 2
 # The share of a match that pulls along the surface too.
 ALONG = 0.02
 # Normals of a match lie within 60 degrees.
@@ -30,7 +29,7 @@ REACH, LEAST = 0.5, 0.003
 # Normals of neighbours differ by so much (chord, in the mean) on a rough surface; it is not followed finer than NOISY,
 # metres.
 ROUGH, NOISY = 0.25, 0.003
-ITERATIONS, EXACT = 60, 1e-5
+ITERATIONS, EXACT = 60, 1e-4
 
 
 @dataclass(frozen=True, eq=False)
@@ -78,12 +77,9 @@ def bend(
     energy = sparse.csr_array(laplacian.T @ sparse.diags_array(1.0 / np.maximum(area, 1e-12)) @ laplacian)
     skin = rest.copy()
     for level, length in enumerate(lengths):
-        stiff = length**4 * energy
-        for _ in range(ROUNDS):
-            found = match(surface, space, skin, max(REACH * length, LEAST))
-            strength = area * weights * found.weights
-            held = [(pull, float(area.mean() * each[level])) for pull, each in pulls]
-            skin = _solve(rest, skin, stiff, surface, found.rows, strength, held)
+        found = match(surface, space, skin, max(REACH * length, LEAST))
+        held = [(pull, float(area.mean() * each[level])) for pull, each in pulls]
+        skin = _solve(rest, skin, length**4 * energy, surface, found.rows, area * weights * found.weights, held)
     return skin
 
 
