@@ -16,6 +16,7 @@ from aiohttp import web
 
 from omote.edit.session.brought_items import TakenIn
 from omote.interchange.formats.error_reasons import explain_error
+from omote.server.http.editor_link import NO_FILE
 from omote.server.http.long_requests import CancelledRequestError, LongRequests, request_id
 from omote.server.http.uploads import CANCELLED, RunFileJob
 from omote.server.scans.scan_previews import Preview, ScanPreviews
@@ -30,6 +31,7 @@ MSGPACK = "application/msgpack"
 
 TakeIn = Callable[[Sequence[BroughtItem], int | None], Awaitable[list[TakenIn] | str]]
 Point = tuple[float, float, float]
+FileWork = tuple[Callable[[], Path], RunFileJob]
 
 
 class Points(msgspec.Struct, frozen=True):
@@ -49,15 +51,13 @@ class Taking(msgspec.Struct, frozen=True):
 
 
 class ScanRoutes:
-    """Answers editors who bring scans; show: where the show file lies; run_job: does a `FileJob`; take_in: keeps items
-    in the show."""
+    """Answers editors who bring scans; work: where the show file lies, and what does a `FileJob`, None where there is
+    no file; take_in: keeps items in the show."""
 
     def __init__(
-        self, show: Callable[[], Path], run_job: RunFileJob, long_requests: LongRequests, take_in: TakeIn,
-        previews: ScanPreviews,
-    ) -> None:  # fmt: skip
-        self._show, self._run_job, self._long_requests, self._take_in = show, run_job, long_requests, take_in
-        self.previews = previews
+        self, work: FileWork | None, long_requests: LongRequests, take_in: TakeIn, previews: ScanPreviews
+    ) -> None:
+        self._work, self._long_requests, self._take_in, self.previews = work, long_requests, take_in, previews
 
     def add_routes(self, application: web.Application) -> None:
         """Adds where scans are brought to, and where each is fitted, taken and thrown away."""
@@ -98,6 +98,8 @@ class ScanRoutes:
             raise web.HTTPServiceUnavailable(text=f"nothing was done ({explain_error(error)}).") from error
 
     async def _bring(self, request: web.Request, follow: Follow) -> web.Response:
+        if self._work is None:
+            raise web.HTTPServiceUnavailable(text=f"nothing can be taken in: {NO_FILE}")
         preview = self.previews.add()
         try:
             follow(0, 0, "the file is sent")
@@ -118,18 +120,17 @@ class ScanRoutes:
 
     async def _fit(self, preview: Preview, said: Points, follow: Follow) -> web.Response:
         job = FitScan(str(preview.folder), preview.file, preview.token, said.points, said.shut)
-        async with self._long_requests.turn("scan", follow, "it waits until another scan is fitted"):
-            fitted = await self._run_job(msgspec.msgpack.encode(job), follow)
+        fitted = await self._do(job, follow)
         self.previews.touch(preview)
         return web.Response(body=fitted, content_type=MSGPACK, headers={"Cache-Control": "no-store"})
 
     async def _take(self, request: web.Request, follow: Follow) -> web.Response:
         preview = self.previews.find(request.match_info["token"])
         wanted = msgspec.json.decode(await request.read(), type=Taking)
-        wall = time.time()  # noqa: TID251  (dates the revision)
-        job = TakeScan(str(self._show()), str(preview.folder), wanted.label, wanted.hair_style, wanted.hair, wall)
-        async with self._long_requests.turn("scan", follow, "it waits until another scan is fitted"):
-            made = await self._run_job(msgspec.msgpack.encode(job), follow)
+        assert self._work is not None  # a preview is there
+        wall, show = time.time(), str(self._work[0]())  # noqa: TID251  (dates the revision)
+        job = TakeScan(show, str(preview.folder), wanted.label, wanted.hair_style, wanted.hair, wall)
+        made = await self._do(job, follow)
         decode = partial(msgspec.msgpack.decode, made, type=Imported)
         imported = await asyncio.get_running_loop().run_in_executor(None, decode)
         taken = await self._take_in(imported.items, wanted.replaced)
@@ -137,3 +138,9 @@ class ScanRoutes:
             raise web.HTTPServiceUnavailable(text=taken)
         self.previews.drop(preview.token)
         return web.json_response(body=msgspec.json.encode({"items": taken, "said": imported.said}))
+
+    async def _do(self, job: FitScan | TakeScan, follow: Follow) -> bytes:
+        """What a job makes, once no other scan is worked on."""
+        assert self._work is not None  # a preview is there
+        async with self._long_requests.turn("scan", follow, "it waits until another scan is fitted"):
+            return await self._work[1](msgspec.msgpack.encode(job), follow)

@@ -23,7 +23,6 @@ from omote.server.http.app import ShowServer
 from omote.server.http.cast_documents import CastDocuments, built_in_documents
 from omote.server.http.cast_reload import gather_cast
 from omote.server.http.static_pages import Page, read_pages
-from omote.server.http.uploads import RunFileJob
 from omote.server.persistence.authored_work import AuthoredWork, open_authored_work
 from omote.server.persistence.backup_thread import BackupThread
 from omote.server.persistence.commit_thread import CommitThread
@@ -34,7 +33,7 @@ from omote.server.persistence.restore import journal_entry, open_journal, restor
 from omote.server.process.notice_board import NoticeBoard
 from omote.server.process.process_messages import Order, ShowMoved, write_notice
 from omote.server.scans.scan_previews import ScanPreviews
-from omote.server.scans.scan_routes import ScanRoutes
+from omote.server.scans.scan_routes import FileWork, ScanRoutes
 from omote.server.supervision.device_sockets import NO_DEVICES, DeviceOptions
 from omote.server.supervision.device_sources import start_devices
 from omote.server.supervision.early_tick import EarlyTicks
@@ -116,8 +115,7 @@ async def play(
     server.post(board.notices)
     server.enable_editing(authored_work, reopen, tell)
     scans = ScanPreviews()
-    if file and jobs:
-        enable_files(server, lambda: file.path, jobs.run, scans)
+    enable_files(server, (lambda: file.path, jobs.run) if file and jobs else None, scans)
     journal = JournalWriter(file, tell, gate) if file else None
     watch = FileWatch(file, gate, tell, partial(tell_moved, pipes.pulse)) if file else None
     try:
@@ -132,11 +130,13 @@ async def play(
                 each.close()
 
 
-def enable_files(server: ShowServer, show: Callable[[], Path], run_job: RunFileJob, scans: ScanPreviews) -> None:
-    """Adds imports, exports and scans; show: where the show file lies; scans: those under way."""
-    server.enable_files(show, run_job)
+def enable_files(server: ShowServer, work: FileWork | None, scans: ScanPreviews) -> None:
+    """Adds imports, exports and scans; work: where the show file lies, and what does a `FileJob`, None where there is
+    no file."""
+    if work is not None:
+        server.enable_files(*work)
     if server.editing is not None:
-        routes = ScanRoutes(show, run_job, server.long_requests, server.editing.take_in, scans)
+        routes = ScanRoutes(work, server.long_requests, server.editing.take_in, scans)
         server.more_routes.append(routes.add_routes)
 
 

@@ -112,7 +112,8 @@ def figures_of(cast: Cast, fitted: Fit, /) -> ScanFigures:
 
 def describe_origin(wanted: FitScan, frame: str, figures: ScanFigures, /) -> str:
     """Where a face comes from, for its revision: the file, its unit, the points that were given, how near it lies."""
-    points = f"{len(wanted.points)} points given" if wanted.points else "no point given"
+    count = len(wanted.points)
+    points = f"{count or 'no'} point{'' if count < 2 else 's'} given"
     near = f"half of the face within {figures.median:.2f} mm, 95 % within {figures.p95:.2f} mm"
     return f"from {wanted.file} ({frame}), {points}; {near}"
 
@@ -175,7 +176,7 @@ def _describe_scan(
     return ScanPreview(
         token=wanted.token,
         file=wanted.file,
-        placement=[placement.scale, *placement.rotation.reshape(-1).tolist(), *placement.shift.tolist()],
+        placement=[float(placement.scale), *placement.rotation.reshape(-1).tolist(), *placement.shift.tolist()],
         unit=describe_frame(found.unit, placement),
         doubts=[],
         notes=list(read.notes),
