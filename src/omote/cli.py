@@ -13,6 +13,7 @@ import typer
 
 from omote.access_commands import access_app
 from omote.camera_commands import track
+from omote.face_commands import face
 from omote.file_commands import file_app
 from omote.picture_commands import ShowOption, grid, redraw, render
 from omote.show_command import show
@@ -69,6 +70,7 @@ def cast(json: Annotated[bool, typer.Option("--json", help="Print it for program
         print_table(loaded)
 
 
+app.command()(face)
 app.command()(render)
 app.command()(grid)
 app.command()(redraw)

@@ -78,8 +78,8 @@ def _decode(data: bytes) -> NDArray[np.uint8]:
     columns, rows = image.size
     if not 0 < columns * rows <= MOST_PIXELS or max(columns, rows) > MOST_SIDE:
         raise _PictureError(
-            f"the picture has {columns} x {rows} pixels; expected {MOST_PIXELS} in all at most, and {MOST_SIDE} a side: "
-            "save a smaller one"
+            f"the picture has {columns} x {rows} pixels; expected {MOST_PIXELS} in all at most, and {MOST_SIDE} a side"
+            ": save a smaller one"
         )
     if columns * rows > max(ANY_RATIO, MOST_PER_BYTE * len(data)):
         raise _PictureError(f"the picture declares {columns} x {rows} pixels in {len(data)} bytes; save it again")

@@ -84,6 +84,11 @@ def _try_work(work: Callable[[Tell], bytes], tell: Tell) -> tuple[bytes, bytes]:
         return _ANSWER, work(tell)
     except ValueError as error:
         return _REFUSED, str(error).encode("utf-8", "replace")
+    except (MemoryError, OSError):
+        raise  # it met a limit
+    except Exception as error:
+        what = f"{type(error).__name__}: {error}"
+        return _REFUSED, f"Omote failed at it ({what[:200]}); please report this".encode("utf-8", "replace")
 
 
 def _follow_child(come: int, limits: Limits, exhausted: str, follow: Tell) -> bytes:

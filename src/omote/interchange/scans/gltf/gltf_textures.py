@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import base64
 import binascii
-from urllib.parse import unquote
+import re
 
 from omote.interchange.formats.error_reasons import explain_error
 from omote.interchange.formats.gltf_accessors import AccessorReader, entry
@@ -23,7 +23,7 @@ def read_uri(uri: str, beside: Companions, /) -> bytes | None:
     ValueError for one that holds none.
     """
     if not uri.startswith("data:"):
-        return beside.find(unquote(uri))
+        return beside.find(_unquote(uri))
     head, comma, body = uri.partition(",")
     if not comma or not head.endswith(";base64"):
         raise ValueError(f"the file holds bytes as {head[:80]!r}; expected base64: export it as .glb")
@@ -31,6 +31,14 @@ def read_uri(uri: str, beside: Companions, /) -> bytes | None:
         return base64.b64decode(body, validate=True)
     except (binascii.Error, ValueError):
         raise ValueError("the file holds bytes in base64 that is damaged; export it anew, as .glb") from None
+
+
+def _unquote(uri: str) -> str:
+    """A name without percent signs for its blanks and letters (RFC 3986, section 2.1)."""
+    plain = re.sub(
+        rb"%([0-9A-Fa-f]{2})", lambda found: bytes.fromhex(found[1].decode()), uri.encode("utf-8", "replace")
+    )
+    return plain.decode("utf-8", "replace")
 
 
 def material_pictures(document: SceneDocument, reader: AccessorReader, beside: Companions) -> list[Picture]:
