@@ -10,6 +10,7 @@ import trimesh
 from numpy.typing import NDArray
 
 from benchmarks.scans.ict_people import SCLERA, Model
+from omote.geometry import mesh
 from omote.model.fitting.fit_face import Fit
 from omote.model.fitting.shape.fitted_eyes import fit_sphere
 from omote.model.fitting.shape.head_zones import head_zones
@@ -18,14 +19,14 @@ from omote.model.space.parameter_space import ParameterSpace
 Values = NDArray[np.float64]
 Mask = NDArray[np.bool_]
 MILLIMETRE = 1000.0
-FACE, PLAIN, LIDS, LIPS = "face", "without lids, lips, nostrils", "lids", "lips"
+FACE, PLAIN, LIDS, LIPS, NO_LIDS = "face", "without lids, lips, nostrils", "lids", "lips", "without lids"
 
 
 def regions(space: ParameterSpace, /) -> dict[str, Mask]:
     """The vertices (V,) that are measured, by region."""
     zones = head_zones(space)
     plain = zones.face & ~zones.lids & ~zones.lips & ~zones.nostrils
-    return {FACE: zones.face, PLAIN: plain, LIDS: zones.lids, LIPS: zones.lips, "no lids": zones.face & ~zones.lids}
+    return {FACE: zones.face, PLAIN: plain, LIDS: zones.lids, LIPS: zones.lips, NO_LIDS: zones.face & ~zones.lids}
 
 
 @dataclass(frozen=True, eq=False)
@@ -53,6 +54,13 @@ def quantiles(away: Values, where: Mask, /) -> tuple[float, float]:
     """The median and the 95th percentile of millimetres (V,) where asked."""
     middle, high = np.quantile(away[where], (0.5, 0.95))
     return float(middle), float(high)
+
+
+def count_folds(space: ParameterSpace, skin: Values, /) -> int:
+    """How many triangles of the face look the other way than on the generic head, a skin (V, 3) upright."""
+    sheet = space.sheet_triangles[regions(space)[FACE][space.sheet_triangles].all(axis=1)]
+    before, now = mesh.unit_normals(space.points[sheet]), mesh.unit_normals(skin[sheet])
+    return int(((before * now).sum(axis=1) < 0.0).sum())
 
 
 def eye_errors(fit: Fit, person: Values, /) -> list[float]:

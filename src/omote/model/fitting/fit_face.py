@@ -36,7 +36,7 @@ AROUND = 0.03
 # Modes go by lids and lips less: they may be open or shut.
 OPENINGS = 0.2
 # How strong landmarks pull the plate, first and last, and the rungs of lids that are opened.
-LANDMARKS, RUNGS = (4.0, 0.4), 40.0
+LANDMARKS, RUNGS = (4.0, 0.02), 40.0
 # Farther than this from the scan, metres, a vertex has not been seen.
 SEEN = 0.003
 
@@ -123,8 +123,9 @@ def fit_face(
     tell(0.7, "eyes and mouth")
     parts = _carry_parts(space, modes, found, head, bent, surface)
     upright = _set_upright(space, found, parts)
-    face = _finish(space, name, upright(bent), {part: upright(points) for part, points in parts.items()})
-    folds = find_folds(space, upright(head), face.positions.astype(np.float64))
+    guide = upright(head)
+    face = _finish(space, name, guide, upright(bent), {part: upright(points) for part, points in parts.items()})
+    folds = find_folds(space, guide, face.positions.astype(np.float64))
     residual, seen = _compare(space, skin, _back(upright)(face.positions))
     doubts = find_doubts(zones, found, residual, len(folds), filled and shut is None)
     tell(1.0, "done")
@@ -204,9 +205,10 @@ def _set_upright(space: ParameterSpace, found: ModeFit, parts: Mapping[str, Valu
     return Similarity(1.0, turn, there - turn @ here)
 
 
-def _finish(space: ParameterSpace, name: str, skin: Values, parts: dict[str, Values]) -> Face:
+def _finish(space: ParameterSpace, name: str, guide: Values, skin: Values, parts: dict[str, Values]) -> Face:
     """The face with lids on its eyes, lips that meet, and linings of mouth and sockets behind its skin."""
     seated = seat_lids(space, skin, {name: parts[name] for name, part in space.parts.items() if part.eye})
+    seated = mend_folds(space, guide, seated)
     placed = {name: points.astype(np.float32) for name, points in parts.items()}
     closed = fit_mouth_at_rest(space, seated.astype(np.float32), placed)
     face = Face(name, fit_lining_at_rest(space, closed), placed)

@@ -11,7 +11,8 @@ from omote.model.space.parameter_space import ParameterSpace
 
 Values = NDArray[np.float64]
 
-ROUNDS = 40
+# Each round smooths what is folded and so many rings around, one more after every WIDER.
+ROUNDS, RINGS, WIDER, PASSES = 60, 1, 6, 3
 
 
 def find_folds(space: ParameterSpace, guide: Values, skin: Values, /) -> NDArray[np.intp]:
@@ -32,8 +33,9 @@ def mend_folds(space: ParameterSpace, guide: Values, skin: Values, /) -> Values:
             break
         share = np.zeros(len(skin))
         share[space.sheet_triangles[folded]] = 1.0
-        for _ in range(number // 8):
-            share = np.minimum(3.0 * (average @ share), 1.0)
-        moves = moves + share[:, None] * (average @ moves - moves)
+        for _ in range(RINGS + number // WIDER):
+            share = np.minimum(2.0 * (average @ share), 1.0)
+        for _ in range(PASSES):
+            moves = moves + share[:, None] * (average @ moves - moves)
     result: Values = guide + moves
     return result
