@@ -161,6 +161,6 @@ async def test_without_a_show_file_nothing_is_read(cast: Cast) -> None:
         assert opened.show.editing is not None
         routes = ScanRoutes(None, opened.show.long_requests, opened.show.editing.take_in, ScanPreviews())
         opened.show.more_routes.append(routes.add_routes)
-        async with TestClient(TestServer(opened.show.application(own_names()))) as client:
-            async with client.post("/scans", data=b"") as response:
-                assert (response.status, "no show file that can be written" in await response.text()) == (503, True)
+        server = TestServer(opened.show.application(own_names()))
+        async with TestClient(server) as client, client.post("/scans", data=b"") as response:
+            assert (response.status, "no show file that can be written" in await response.text()) == (503, True)

@@ -55,7 +55,7 @@ class FalseFit:
         monkeypatch.setattr(scan_jobs, "find_head", self.find)
         monkeypatch.setattr(scan_jobs, "fit_face", self.fit)
 
-    def find(self, space: object, modes: object, scan: Scan, *, landmarks: Mapping[str, Any] | None) -> HeadPlacement:
+    def find(self, _: object, __: object, scan: Scan, *, landmarks: Mapping[str, Any] | None) -> HeadPlacement:
         self.sought.append(landmarks)
         if self.failure == "nothing":
             raise ValueError("nothing in the scan could be a face")
@@ -63,7 +63,7 @@ class FalseFit:
         marks = {name: scan.positions[rows[name]] for name in SEVEN} | dict(landmarks or {})
         return HeadPlacement(PLACE, np.ones(len(scan.positions), bool), 1.0, "centimetres", marks, ("Look here.",))
 
-    def fit(self, space: object, modes: object, scan: Scan, placement: Similarity, **given: Any) -> Fit:
+    def fit(self, _: object, __: object, ___: Scan, placement: Similarity, /, **given: Any) -> Fit:
         self.fitted.append(given)
         given["follow"](0.5, "the skin")
         if self.failure == "fit":
@@ -177,6 +177,40 @@ def test_a_face_is_taken_with_what_there_is_alone(
     fit(folder)
     with pytest.raises(ValueError, match=why):
         take(folder, **given)
+
+
+RED = (180, 30, 40)
+
+
+def coloured(folder: Path) -> None:
+    """Gives the scan in a folder a colour: all of it is red, the hair too."""
+    scan = scan_of("man")
+    assert scan.triangles is not None
+    points = "".join(f"{x} {y} {z} {RED[0]} {RED[1]} {RED[2]}\n" for x, y, z in scan.positions)
+    triangles = "".join(f"3 {a} {b} {c}\n" for a, b, c in scan.triangles)
+    head = f"ply\nformat ascii 1.0\nelement vertex {len(scan.positions)}\n"
+    head += "".join(f"property float {axis}\n" for axis in "xyz")
+    head += "".join(f"property uchar {colour}\n" for colour in ("red", "green", "blue"))
+    head += f"element face {len(scan.triangles)}\nproperty list uchar int vertex_indices\nend_header\n"
+    (folder / FILES / "anna.obj").write_text(head + points + triangles)  # what it is, its bytes say
+
+
+@pytest.mark.usefixtures("false_fit")
+def test_a_scan_with_colours_puts_them_on_the_skin_and_one_without_hair_proposes_none(folder: Path) -> None:
+    plain, _ = fit(folder)
+    assert (plain.hair_style, plain.colours) == (scan_jobs.FIRST_HAIR, b"")
+    coloured(folder)
+    seen, _ = fit(folder)
+    assert np.array_equal(np.unique(np.frombuffer(seen.colours, "u1").reshape(-1, 3), axis=0), [RED])
+    assert (seen.hair_style, seen.notes) == ("", [])
+    _, look = unpack_face((folder / FACE).read_bytes(), "anna")
+    assert look.albedo is not None
+    covered = look.albedo.pixels[look.albedo.pixels[..., 3] == 255][:, :3].astype(int)
+    assert np.abs(np.median(covered, axis=0) - RED).max() <= 3
+    (item,) = take(folder, hair_style="").items
+    _, worn = unpack_face(item.content, "anna")
+    assert worn.albedo is not None
+    assert np.array_equal(worn.albedo.pixels, look.albedo.pixels)
 
 
 def test_a_file_that_is_no_scan_is_refused_by_its_name(folder: Path) -> None:

@@ -491,6 +491,7 @@ export interface ScanFigures {
  * positions (n, 3) float32 in the face's metres, triangles (t, 3) uint32 (none of a cloud), colours (n, 3) uint8
  * (sRGB; none where the file has none): a thinned copy of the scan. face (v, 3) float32, residual (v,) float32 in
  * millimetres (nan: not seen): the fitted face; None where none could be made. shut: what was said of the eyes.
+ * hair_style, hair: the style and the colour that are proposed.
  */
 export interface ScanPreview {
   token: string;
@@ -508,6 +509,8 @@ export interface ScanPreview {
   residual: Uint8Array | null;
   figures: ScanFigures | null;
   shut: boolean | null;
+  hair_style: string;
+  hair: string;
 }
 
 export type FromEditor =

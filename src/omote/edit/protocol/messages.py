@@ -440,6 +440,7 @@ class ScanPreview(msgspec.Struct, frozen=True):
     positions (n, 3) float32 in the face's metres, triangles (t, 3) uint32 (none of a cloud), colours (n, 3) uint8
     (sRGB; none where the file has none): a thinned copy of the scan. face (v, 3) float32, residual (v,) float32 in
     millimetres (nan: not seen): the fitted face; None where none could be made. shut: what was said of the eyes.
+    hair_style, hair: the style and the colour that are proposed.
     """
 
     token: str
@@ -457,3 +458,5 @@ class ScanPreview(msgspec.Struct, frozen=True):
     residual: bytes | None = None
     figures: ScanFigures | None = None
     shut: bool | None = None
+    hair_style: str = ""
+    hair: str = ""

@@ -14,11 +14,14 @@ import numpy as np
 from msgspec import structs
 from numpy.typing import NDArray
 
-from omote.builtin import load_cast, load_identity_modes
+from omote.builtin import load_cast, load_identity_modes, load_mask, load_meshes
 from omote.edit.compute.scan_preview import thin_scan
 from omote.edit.protocol.messages import ScanFigures, ScanPreview
 from omote.edit.store.import_items import ImportedItem
+from omote.interchange.formats.png import read_png
+from omote.interchange.scan_look import find_look
 from omote.interchange.scans.scan_reader import ScanFile
+from omote.interchange.skin_texture import build_canvas, decode_srgb
 from omote.model.cast import Cast, Look
 from omote.model.fitting.find_head import HeadPlacement, find_head
 from omote.model.fitting.fit_face import Fit, fit_face
@@ -38,7 +41,9 @@ AROUND = 0.12
 """Metres around the head that are shown of a scan."""
 FIRST_HAIR = "short"
 """What a face wears until its editor chooses."""
-READ, FOUND, FITTED = 5, 50, 97
+BALD = 0.15
+"""Of linear light: where the scalp differs from the skin by less, a scan shows no hair."""
+READ, FOUND, FITTED, WORN = 5, 40, 70, 97
 """Parts of a hundred of the whole that are done by then."""
 
 
@@ -79,13 +84,15 @@ def run_fit(wanted: FitScan, follow: Follow, /) -> ScanPreview:
     fitted, doubts = _fit(cast, read.scan, found, wanted, follow)
     if fitted is None:
         (folder / FACE).unlink(missing_ok=True)
-    else:
-        frame = describe_frame(found.unit, fitted.placement)
-        (folder / FACE).write_bytes(pack_face(fitted.face, Look(hair_style=FIRST_HAIR)))
-        (folder / ORIGIN).write_text(describe_origin(wanted, frame, figures_of(cast, fitted)), encoding="utf-8")
-    follow(FITTED + 1, 100, "it is shown")
-    preview = structs.replace(_describe_scan(cast, read, found, fitted, wanted), doubts=doubts)
-    return preview if fitted is None else _add_face(cast, preview, fitted)
+        return structs.replace(_describe_scan(cast, read, found, found.similarity, wanted), doubts=doubts)
+    follow(FITTED, 100, "its colours")
+    look, notes = _find_look(cast, read.scan, fitted)
+    frame = describe_frame(found.unit, fitted.placement)
+    (folder / FACE).write_bytes(pack_face(fitted.face, look))
+    (folder / ORIGIN).write_text(describe_origin(wanted, frame, figures_of(cast, fitted)), encoding="utf-8")
+    follow(WORN, 100, "it is shown")
+    preview = _describe_scan(cast, read, found, fitted.placement, wanted)
+    return _add_face(cast, structs.replace(preview, doubts=doubts, notes=[*read.notes, *notes]), fitted, look)
 
 
 def face_to_take(wanted: TakeScan, /) -> Iterator[tuple[ImportedItem, str]]:
@@ -168,11 +175,10 @@ def _fit(
 
 
 def _describe_scan(
-    cast: Cast, read: ScanFile, found: HeadPlacement, fitted: Fit | None, wanted: FitScan
+    cast: Cast, read: ScanFile, found: HeadPlacement, placement: Similarity, wanted: FitScan
 ) -> ScanPreview:  # fmt: skip
-    placement = found.similarity if fitted is None else fitted.placement
     corners = np.stack([cast.space.points.min(axis=0) - AROUND, cast.space.points.max(axis=0) + AROUND])
-    thin = thin_scan(read.scan, placement, None if fitted is None else corners)
+    thin = thin_scan(read.scan, placement, corners if np.isfinite(found.residual) else None)
     return ScanPreview(
         token=wanted.token,
         file=wanted.file,
@@ -189,7 +195,25 @@ def _describe_scan(
     )
 
 
-def _add_face(cast: Cast, preview: ScanPreview, fitted: Fit) -> ScanPreview:
-    positions = le_bytes(rest_positions(cast, fitted.face), "<f4")
-    figures = figures_of(cast, fitted)
-    return structs.replace(preview, face=positions, residual=le_bytes(fitted.residual, "<f4"), figures=figures)
+def _find_look(cast: Cast, scan: Scan, fitted: Fit) -> tuple[Look, list[str]]:
+    """The look of a fitted face, and what could not be taken over; a scan without hair makes a face without."""
+    first = Look(hair_style=FIRST_HAIR)
+    canvas = build_canvas(read_png(load_mask()), load_meshes()[0], cast.space.points)
+    try:
+        look = find_look(cast, canvas, fitted.face, scan, fitted.placement, first)
+    except ValueError as error:
+        return first, [f"its colours were not taken over: {error}"]
+    if look.albedo is not None and np.abs(decode_srgb(look.hair) - decode_srgb(look.skin)).max() < BALD:
+        look = replace(look, hair_style="", hair=first.hair)
+    return look, []
+
+
+def _add_face(cast: Cast, preview: ScanPreview, fitted: Fit, look: Look) -> ScanPreview:
+    return structs.replace(
+        preview,
+        face=le_bytes(rest_positions(cast, fitted.face), "<f4"),
+        residual=le_bytes(fitted.residual, "<f4"),
+        figures=figures_of(cast, fitted),
+        hair_style=look.hair_style,
+        hair=look.hair,
+    )

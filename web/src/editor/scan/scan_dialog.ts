@@ -13,13 +13,13 @@ import type { Topic } from "../session/draft_store";
 import { freeLabel, openItem } from "../session/item_commands";
 import { HEAT_STOPS, heatGradient } from "./heat_scale";
 import { pointPicture } from "./point_picture";
-import type { LandmarkName, SeenScan } from "./scan_document";
+import type { Hair, LandmarkName, SeenScan } from "./scan_document";
 import { nameOf } from "./scan_files";
 import type { Shown } from "./scan_painter";
 import { POINT_LABELS, ScanPoints } from "./scan_points";
 import { bringScan, dropScan, FIT_TITLE, fitAgain, takeFace } from "./scan_requests";
 import { style } from "./scan_style";
-import { adviceOf, nearnessOf } from "./scan_words";
+import { adviceOf, asksEyes, nearnessOf } from "./scan_words";
 import "./scan_views";
 
 /** Tells `close` when there is nothing more to do. */
@@ -35,7 +35,8 @@ export class ScanDialog extends EditorElement {
   @state() private shown: Shown = { share: 0.5, heat: false };
   @state() private shut: boolean | null = null;
   @state() private label = "";
-  @state() private hair = { style: "short", colour: "#3a2a20" };
+  /** What was chosen; null: what is proposed. */
+  @state() private chosenHair: Hair | null = null;
   @state() private replaced: number | null = null;
   /** Raised where points change: they are not Lit's. */
   @state() private step = 0;
@@ -72,6 +73,10 @@ export class ScanDialog extends EditorElement {
     void this.#fit(() => bringScan(this.files, this.store.longRequests));
   }
 
+  get #hair(): Hair {
+    return this.chosenHair ?? this.scan?.hair ?? { style: "", colour: "#000000" };
+  }
+
   // --- what is asked --------------------------------------------------------------------------------------------------
 
   async #fit(ask: () => Promise<SeenScan>): Promise<void> {
@@ -104,8 +109,8 @@ export class ScanDialog extends EditorElement {
     [this.busy, this.failed] = ["take", ""];
     const taking = {
       label: this.label.trim() || nameOf([scan.file]),
-      hair_style: this.hair.style,
-      hair: this.hair.colour,
+      hair_style: this.#hair.style,
+      hair: this.#hair.colour,
       replaced: this.replaced,
     };
     try {
@@ -197,11 +202,11 @@ export class ScanDialog extends EditorElement {
         <span class="note">${nearnessOf(scan)}</span>
       </div>
       ${this.failed === "" ? nothing : html`<p class="failed" role="alert">${this.failed}</p>`}
-      ${this.#pointList()} ${this.#takingForm()} ${this.#acts(scan)}
+      ${this.#pointList(scan)} ${this.#takingForm()} ${this.#acts(scan)}
     </div>`;
   }
 
-  #pointList() {
+  #pointList(scan: SeenScan) {
     const points = this.#points;
     const act = (does: () => void) => () => {
       does();
@@ -221,7 +226,9 @@ export class ScanDialog extends EditorElement {
       <div class="row">
         <button ?disabled=${!points.canUndo} @click=${act(() => points.undo())}>Undo</button>
         <button ?disabled=${!points.canRedo} @click=${act(() => points.redo())}>Redo</button>
-        <select class="grow" aria-label="Eyes of the scan" @change=${(event: Event) => {
+        <select class="grow ${asksEyes(scan) && this.shut === null ? "asked" : ""}" aria-label="Eyes of the scan" @change=${(
+          event: Event,
+        ) => {
           this.shut = { shut: true, open: false }[textOf(event)] ?? null;
         }}>
           ${(["", "open", "shut"] as const).map(
@@ -254,13 +261,13 @@ export class ScanDialog extends EditorElement {
           this.label = textOf(event);
         }} />
       <label for="hair">Hair</label><div class="row"><select id="hair" class="grow" @change=${(event: Event) => {
-        this.hair = { ...this.hair, style: textOf(event) };
+        this.chosenHair = { ...this.#hair, style: textOf(event) };
       }}>
-        ${["", ...styles].map((name) => html`<option value=${name} ?selected=${name === this.hair.style}>${name === "" ? "none" : name}</option>`)}
-      </select><input type="color" aria-label="Colour of the hair" .value=${this.hair.colour} @input=${(
+        ${["", ...styles].map((name) => html`<option value=${name} ?selected=${name === this.#hair.style}>${name === "" ? "none" : name}</option>`)}
+      </select><input type="color" aria-label="Colour of the hair" .value=${this.#hair.colour} @input=${(
         event: Event,
       ) => {
-        this.hair = { ...this.hair, colour: textOf(event) };
+        this.chosenHair = { ...this.#hair, colour: textOf(event) };
       }} /></div>
     </div>`;
   }
@@ -271,8 +278,9 @@ export class ScanDialog extends EditorElement {
         <button @click=${() => this.#throwAway()}>Throw away</button>
         <button @click=${() => this.#escape()}>Keep looking</button></div>`;
     const again = this.#points.changed || this.shut !== scan.shut;
-    const take = html`<button class=${again || scan.face === null ? "" : "main"} ?disabled=${scan.face === null || this.busy !== "" || again}
-      @click=${() => this.#take()}>${this.busy === "take" ? "Taking it …" : "Take it"}</button>`;
+    const sure = scan.doubts.length === 0;
+    const take = html`<button class=${again || scan.face === null || !sure ? "" : "main"} ?disabled=${scan.face === null || this.busy !== "" || again}
+      @click=${() => this.#take()}>${this.busy === "take" ? "Taking it …" : sure || scan.face === null ? "Take it" : "Take it as it is"}</button>`;
     return html`<div class="acts">
       ${again ? html`<button class="main" ?disabled=${this.busy !== ""} @click=${() => this.#fitAgain()}>Fit again</button>` : nothing}
       ${take}<button ?disabled=${this.busy === "take"} @click=${() => this.#escape()}>Throw away</button></div>`;

@@ -44,6 +44,14 @@ export interface SeenScan {
   readonly placement: Placement;
   readonly surface: ScanSurface;
   readonly face: FittedFace | null;
+  /** What hair is proposed. */
+  readonly hair: Hair;
+}
+
+/** A hair style of the cast, "" for none, and its colour. */
+export interface Hair {
+  readonly style: string;
+  readonly colour: string;
 }
 
 export function readScan(bytes: Uint8Array): SeenScan {
@@ -63,6 +71,7 @@ export function readScan(bytes: Uint8Array): SeenScan {
     placement: { scale, rotation: rest.slice(0, 9), shift: rest.slice(9) as Triple },
     surface: { positions, triangles, normals: normalsOf(positions, triangles), colours },
     face: readFace(sent),
+    hair: { style: sent.hair_style, colour: sent.hair },
   };
 }
 

@@ -86,6 +86,9 @@ export const style = css`
     padding-left: 16px;
     color: var(--attention);
   }
+  .asked {
+    border-color: var(--attention);
+  }
   .failed {
     color: var(--attention);
   }

@@ -13,10 +13,16 @@ export function nearnessOf({ face, unit }: SeenScan): string {
   return `Half of the face lies within ${median.toFixed(2)} mm of the scan, 95 % within ${p95.toFixed(2)} mm.${share} Taken for: ${unit}.`;
 }
 
+/** Whether one of the doubts is about the eyes. */
+export const asksEyes = ({ doubts, shut }: Pick<SeenScan, "doubts" | "shut">): boolean =>
+  shut === null && doubts.some((doubt) => /\beyes are shut\b/.test(doubt));
+
 /** What to do now. */
 export function adviceOf(scan: SeenScan, changed: boolean): string {
   if (changed) return "Press Fit again when the points are where they belong.";
   if (scan.face === null) return "Click the seven points on the scan, then press Fit again.";
+  if (asksEyes(scan) && scan.doubts.length === 1)
+    return "Omote is sure of all but the eyes. Say below whether they are shut, or take it as it is.";
   if (scan.doubts.length === 0) return "Omote is sure. Look at the three sides, then take it.";
   return "Omote is not sure. Look at the three sides; where eyes, nose or mouth are off, click them on the scan.";
 }
