@@ -92,7 +92,7 @@ export class ScanCameras {
 
 function viewOf(name: ViewName): View {
   const [yaw, pitch] = VIEWS[name];
-  return { ...FIRST_VIEW, yaw, pitch, zoom: 1.15 };
+  return { ...FIRST_VIEW, yaw, pitch, zoom: 1 };
 }
 
 /** What of a scan a place of the canvas shows, metres; undefined: nothing. */

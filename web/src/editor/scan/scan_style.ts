@@ -63,7 +63,8 @@ export const style = css`
     height: 8px;
   }
   .over {
-    grid-area: views;
+    position: absolute;
+    inset: 0;
     z-index: 1;
     background: #08090ac0;
   }
