@@ -9,7 +9,7 @@ from collections.abc import Callable
 import numpy as np
 import pytest
 from numpy.typing import NDArray
-from playwright.sync_api import Page, expect
+from playwright.sync_api import FilePayload, Page, expect
 
 from omote import load_cast
 from tests.browser.pictures import picture
@@ -46,7 +46,7 @@ def strange_scan(seed: int) -> bytes:
     head += f"element face {len(parted)}\nproperty list uchar int vertex_indices\nend_header\n"
     rows = np.zeros(len(parted), np.dtype([("count", "u1"), ("corners", "<i4", 3)]))
     rows["count"], rows["corners"] = 3, place[parted]
-    return head.encode() + turned.astype("<f4").tobytes() + rows.tobytes()
+    return b"".join([head.encode(), turned.astype("<f4").tobytes(), rows.tobytes()])
 
 
 def drop(page: Page, name: str, data: bytes) -> None:
@@ -135,7 +135,7 @@ def test_what_is_no_scan_is_said_in_a_sentence_and_a_fit_is_cancelled(editor: Ed
     expect(notices).to_contain_text("A scan is being looked at")
     page.get_by_role("tab", name="Faces").click()
     page.get_by_label("A face from a scan").first.set_input_files(
-        [{"name": "uncle.ply", "mimeType": "application/octet-stream", "buffer": strange_scan(6)}]
+        FilePayload(name="uncle.ply", mimeType="application/octet-stream", buffer=strange_scan(6))
     )
     expect(dialog).to_contain_text("The head is sought")
     dialog.get_by_role("button", name="Cancel").click()

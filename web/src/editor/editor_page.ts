@@ -15,7 +15,7 @@ import type { Heading } from "./page/heading";
 import { hintOf } from "./page/hints";
 import type { ItemListPanel } from "./page/item_list";
 import { type Command, commandOf, type View } from "./page/keys";
-import { comingOf } from "./scan/scan_files";
+import { comingOf } from "./scan/data/dropped_files";
 import type { Topic } from "./session/draft_store";
 import { type Kind, redo, takeIn, takeInHead, undo } from "./session/item_commands";
 import "./page/heading";
@@ -25,6 +25,7 @@ import "./page/notices_view";
 import "./panels/item_panels";
 import "./page/item_list";
 import "./page/tools";
+import "./scan/scan_button";
 import "./scan/scan_dialog";
 
 const OLD = "You look at an old revision, not at your draft.";

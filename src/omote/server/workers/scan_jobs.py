@@ -5,7 +5,7 @@ Between the two the fitted face lies in the preview's folder, packed as the show
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from pathlib import Path
 
@@ -84,7 +84,8 @@ def run_fit(wanted: FitScan, follow: Follow, /) -> ScanPreview:
     fitted, doubts = _fit(cast, read.scan, found, wanted, follow)
     if fitted is None:
         (folder / FACE).unlink(missing_ok=True)
-        return structs.replace(_describe_scan(cast, read, found, found.similarity, wanted), doubts=doubts)
+        whole = _place_unfound(cast, read.scan, wanted, doubts)
+        return structs.replace(_describe_scan(cast, read, whole, whole.similarity, wanted), doubts=doubts)
     follow(FITTED, 100, "its colours")
     look, notes = _find_look(cast, read.scan, fitted)
     frame = describe_frame(found.unit, fitted.placement)
@@ -142,16 +143,17 @@ def _find(cast: Cast, scan: Scan, wanted: FitScan) -> HeadPlacement:
     try:
         return find_head(cast.space, load_identity_modes(), scan, landmarks=landmarks)
     except ValueError as error:
-        return _place_unfound(cast, scan, f"{error}.")
+        return _place_unfound(cast, scan, wanted, [f"{error}."])
 
 
-def _place_unfound(cast: Cast, scan: Scan, doubt: str) -> HeadPlacement:
-    """The whole scan as large as a head, as upright as it is."""
+def _place_unfound(cast: Cast, scan: Scan, wanted: FitScan, doubts: Sequence[str]) -> HeadPlacement:
+    """The whole scan as large as a head, as upright as it is, with no other points than those given."""
     middle = (scan.positions.min(axis=0) + scan.positions.max(axis=0)) / 2
     size = float(np.ptp(cast.space.points[:, 1])) / max(float(np.ptp(scan.positions, axis=0).max()), 1e-9)
     place = Similarity(size, np.eye(3), cast.space.points.mean(axis=0) - size * middle)
     everything = np.ones(len(scan.positions), np.bool_)
-    return HeadPlacement(place, everything, np.inf, "an unknown unit", {}, (doubt,))
+    given = {name: np.array(point) for name, point in wanted.points.items()}
+    return HeadPlacement(place, everything, np.inf, "an unknown unit", given, tuple(doubts))
 
 
 def _fit(
@@ -170,7 +172,7 @@ def _fit(
             name=Path(wanted.file).stem, shut=wanted.shut, follow=tell,
         )  # fmt: skip
     except ValueError as error:
-        return None, [*found.doubts, f"No face could be fitted ({error}); set the seven points and fit again."]
+        return None, [*found.doubts] or [f"No face could be fitted: {error}."]
     return fitted, [*found.doubts, *fitted.doubts]
 
 
@@ -178,7 +180,7 @@ def _describe_scan(
     cast: Cast, read: ScanFile, found: HeadPlacement, placement: Similarity, wanted: FitScan
 ) -> ScanPreview:  # fmt: skip
     corners = np.stack([cast.space.points.min(axis=0) - AROUND, cast.space.points.max(axis=0) + AROUND])
-    thin = thin_scan(read.scan, placement, corners if np.isfinite(found.residual) else None)
+    thin = thin_scan(read.scan, placement, None if found.doubts else corners)  # what is not sure may be elsewhere
     return ScanPreview(
         token=wanted.token,
         file=wanted.file,

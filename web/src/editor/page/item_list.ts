@@ -24,7 +24,6 @@ import {
 } from "../session/item_commands";
 import { grouped, type Source, sourcesOf } from "../session/sources";
 import { style } from "./item_list_style";
-import "../scan/scan_button";
 import "./new_item";
 
 const TABS: readonly (readonly [Kind, string])[] = [
@@ -116,8 +115,7 @@ export class ItemListPanel extends EditorElement {
           @input=${(event: Event) => {
             this.search = textOf(event);
           }} />
-        <button class="main" data-new @click=${() => this.make()}>New</button>
-        ${this.kind === "face" ? html`<omote-scan-button></omote-scan-button>` : nothing}
+        <button class="main" data-new @click=${() => this.make()}>New</button> ${this.kind === "face" ? html`<omote-scan-button></omote-scan-button>` : nothing}
       </div>
       ${
         this.making === null

@@ -9,7 +9,6 @@ import { controls, panel } from "../controls/controls_style";
 import { EditorElement } from "../controls/editor_element";
 import type { Topic } from "../session/draft_store";
 import { takeIn } from "../session/item_commands";
-import "../scan/scan_button";
 import { download, type Export, exportsOf, IMPORT_COMMAND } from "./exports";
 
 /** How the open item gets out of the show, and others in. */

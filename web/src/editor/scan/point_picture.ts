@@ -2,7 +2,7 @@
 
 import { html, svg } from "lit";
 import { LANDMARKS } from "../../link/constants";
-import type { LandmarkName, Points } from "./scan_document";
+import type { LandmarkName, Points } from "./data/scan_document";
 
 /** Where the points lie on the drawn face, as one looks at it: its left is on the right. */
 const PLACES: Readonly<Record<LandmarkName, readonly [number, number]>> = {

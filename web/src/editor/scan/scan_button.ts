@@ -3,7 +3,7 @@
 import { css, html, LitElement } from "lit";
 import { customElement } from "lit/decorators.js";
 import { base } from "../../ui/theme";
-import { ACCEPTED_SCANS } from "./scan_files";
+import { ACCEPTED_SCANS } from "./data/dropped_files";
 
 /** Tells `scan` with the files that were chosen. */
 @customElement("omote-scan-button")

@@ -2,7 +2,6 @@
 
 import { html, nothing } from "lit";
 import { customElement, property, query, state } from "lit/decorators.js";
-import { LANDMARKS } from "../../link/constants";
 import { curtain } from "../../ui/dialog_style";
 import { layerWhileShown } from "../../ui/key_presses";
 import { CancelledError } from "../../ui/long_requests";
@@ -11,16 +10,16 @@ import { controls } from "../controls/controls_style";
 import { EditorElement, textOf } from "../controls/editor_element";
 import type { Topic } from "../session/draft_store";
 import { freeLabel, openItem } from "../session/item_commands";
-import { HEAT_STOPS, heatGradient } from "./heat_scale";
-import { pointPicture } from "./point_picture";
-import type { Hair, LandmarkName, SeenScan } from "./scan_document";
-import { nameOf } from "./scan_files";
-import type { Shown } from "./scan_painter";
-import { POINT_LABELS, ScanPoints } from "./scan_points";
-import { bringScan, dropScan, FIT_TITLE, fitAgain, takeFace } from "./scan_requests";
+import { nameOf } from "./data/dropped_files";
+import { type Hair, quarterTurned, type SeenScan } from "./data/scan_document";
+import { ScanPoints } from "./data/scan_points";
+import { bringScan, dropScan, FIT_TITLE, fitAgain, takeFace } from "./data/scan_requests";
+import { adviceOf, asksEyes, nearnessOf } from "./data/scan_words";
+import { pointList } from "./point_list";
 import { style } from "./scan_style";
-import { adviceOf, asksEyes, nearnessOf } from "./scan_words";
-import "./scan_views";
+import { HEAT_STOPS, heatGradient } from "./views/heat_scale";
+import type { Shown } from "./views/scan_painter";
+import "./views/scan_views";
 
 /** Tells `close` when there is nothing more to do. */
 @customElement("omote-scan")
@@ -182,10 +181,19 @@ export class ScanDialog extends EditorElement {
         <button ?disabled=${scan.face === null} aria-pressed=${this.shown.share === 1} @click=${() => put({ share: 1 })}>Face</button>
         <button ?disabled=${scan.face === null} aria-pressed=${this.shown.heat}
           @click=${() => put({ heat: !this.shown.heat, share: this.shown.heat ? this.shown.share : 1 })}>Distance</button>
-        ${this.shown.heat ? this.#legend() : nothing}
+        ${this.shown.heat ? this.#legend() : nothing} ${scan.face === null ? this.#turns(scan) : nothing}
       </div>
-      <p id="keys" class="note">Click the scan to set a point, drag to turn. Keys: 1 to 7 choose a point, arrows move it (Alt: turn), V the next side, + and − closer.</p>
+      <p id="keys" class="note">Click the scan to set a point, drag to turn it (with Shift: to shift it), wheel or two fingers: closer. Keys: 1 to 7 choose a point, arrows move it (Alt: turn), V the next side, + and −.</p>
     </div>`;
+  }
+
+  /** Nobody knows which way up it is before it is fitted. */
+  #turns(scan: SeenScan) {
+    const button = (way: "tip" | "roll", label: string) =>
+      html`<button @click=${() => {
+        this.scan = quarterTurned(scan, way);
+      }}>${label}</button>`;
+    return [button("tip", "Tip forward"), button("roll", "Roll over")];
   }
 
   #legend() {
@@ -202,43 +210,19 @@ export class ScanDialog extends EditorElement {
         <span class="note">${nearnessOf(scan)}</span>
       </div>
       ${this.failed === "" ? nothing : html`<p class="failed" role="alert">${this.failed}</p>`}
-      ${this.#pointList(scan)} ${this.#takingForm()} ${this.#acts(scan)}
+      ${pointList({ points: this.#points, found: scan.found, changed: () => this.#changed() })} ${this.#eyes(scan)} ${this.#takingForm()} ${this.#acts(scan)}
     </div>`;
   }
 
-  #pointList(scan: SeenScan) {
-    const points = this.#points;
-    const act = (does: () => void) => () => {
-      does();
-      this.#changed();
-    };
-    const row = (name: LandmarkName, at: number) => {
-      const given = points.given[name] !== undefined;
-      const found = this.scan?.found[name] !== undefined;
-      return html`<li><button class="quiet" aria-pressed=${points.chosen === name} data-point=${name}
-          title="The next click on the scan sets this point" @click=${act(() => {
-            points.chosen = name;
-          })}>${at + 1} ${POINT_LABELS[name]}${given ? " ✓" : found ? "" : " ?"}</button>
-        ${given ? html`<button class="icon quiet" aria-label="Take back: ${POINT_LABELS[name]}" title="Take it back" @click=${act(() => points.remove(name))}>✕</button>` : nothing}</li>`;
-    };
-    return html`<header><h2>Points</h2><span class="note">left is the person's own</span></header>
-      <div class="points">${pointPicture(points.chosen, points.given)}<ol>${LANDMARKS.map(row)}</ol></div>
-      <div class="row">
-        <button ?disabled=${!points.canUndo} @click=${act(() => points.undo())}>Undo</button>
-        <button ?disabled=${!points.canRedo} @click=${act(() => points.redo())}>Redo</button>
-        <select class="grow ${asksEyes(scan) && this.shut === null ? "asked" : ""}" aria-label="Eyes of the scan" @change=${(
-          event: Event,
-        ) => {
-          this.shut = { shut: true, open: false }[textOf(event)] ?? null;
-        }}>
-          ${(["", "open", "shut"] as const).map(
-            (
-              value,
-            ) => html`<option value=${value} ?selected=${value === (this.shut === null ? "" : this.shut ? "shut" : "open")}>
-              ${value === "" ? "Its eyes: look" : `Its eyes are ${value}`}</option>`,
-          )}
-        </select>
-      </div>`;
+  #eyes(scan: SeenScan) {
+    const said = this.shut === null ? "" : this.shut ? "shut" : "open";
+    const choices = { "": "Its eyes: look", open: "Its eyes are open", shut: "Its eyes are shut" };
+    return html`<select class=${asksEyes(scan) && this.shut === null ? "asked" : ""} aria-label="Eyes of the scan"
+      @change=${(event: Event) => {
+        this.shut = { shut: true, open: false }[textOf(event)] ?? null;
+      }}>
+      ${Object.entries(choices).map(([value, label]) => html`<option value=${value} ?selected=${value === said}>${label}</option>`)}
+    </select>`;
   }
 
   #takingForm() {

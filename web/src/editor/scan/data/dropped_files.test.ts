@@ -1,5 +1,5 @@
 import { describe, expect, it } from "vitest";
-import { ACCEPTED_SCANS, comingOf, nameOf } from "./scan_files";
+import { ACCEPTED_SCANS, comingOf, nameOf } from "./dropped_files";
 
 describe("files that are dropped", () => {
   it.each([

@@ -1,7 +1,7 @@
 import { describe, expect, it } from "vitest";
-import type { Triple } from "../canvas/math/vectors";
+import type { Triple } from "../../canvas/math/vectors";
+import { normalsOf, type ScanSurface, type SeenScan } from "../data/scan_document";
 import { boxesOf, isHidden, pick, ScanCameras } from "./scan_cameras";
-import { normalsOf, type ScanSurface, type SeenScan } from "./scan_document";
 
 /** An octahedron of a head's size. */
 function octahedron(): ScanSurface {
@@ -56,6 +56,23 @@ describe("the three looks", () => {
     expect(cameras.camera(2).back[0]).toBeCloseTo(1, 9);
     cameras.reset();
     expect(cameras.camera(0).back).toEqual([0, 0, 1]);
+  });
+});
+
+describe("a closer look", () => {
+  it("keeps what lies under the pointer, and shifts with a hand", () => {
+    const cameras = camerasOf(octahedron());
+    const before = cameras.camera(0);
+    const point: Triple = [0.05, 0.04, before.middle[2]];
+    const [x, y] = before.project(point);
+    cameras.zoom(0, 2, x, y);
+    const [nearX, nearY] = cameras.camera(0).project(point);
+    expect(nearX).toBeCloseTo(x, 4);
+    expect(nearY).toBeCloseTo(y, 4);
+    cameras.shift(0, 7, -5);
+    const [movedX, movedY] = cameras.camera(0).project(point);
+    expect(movedX - nearX).toBeCloseTo(7, 4);
+    expect(movedY - nearY).toBeCloseTo(-5, 4);
   });
 });
 

@@ -1,8 +1,8 @@
 import { encode } from "@msgpack/msgpack";
 import { describe, expect, it } from "vitest";
-import type { ScanPreview } from "../../link/editing_messages";
-import type { Triple } from "../canvas/math/vectors";
-import { normalsOf, placed, readScan, unplaced } from "./scan_document";
+import type { ScanPreview } from "../../../link/editing_messages";
+import type { Triple } from "../../canvas/math/vectors";
+import { normalsOf, placed, quarterTurned, readScan, unplaced } from "./scan_document";
 
 const bytes = (array: Float32Array | Uint32Array): Uint8Array => new Uint8Array(array.buffer);
 const CORNERS = Float32Array.from([0, 0, 0, 2, 0, 0, 0, 3, 0]);
@@ -68,5 +68,24 @@ describe("normals", () => {
     const [x, y, z] = [normals[0] as number, normals[1] as number, normals[2] as number];
     expect(Math.hypot(x, y, z)).toBeCloseTo(1, 6);
     expect(z / y).toBeCloseTo(16, 5);
+  });
+});
+
+describe("a scan that lies", () => {
+  it.each(["tip", "roll"] as const)("is turned back by four quarters (%s), and its own points stay on it", (way) => {
+    const scan = readScan(encode(SENT));
+    let turned = scan;
+    for (let quarters = 0; quarters < 4; quarters += 1) {
+      const own = unplaced(turned.placement, [...turned.surface.positions.slice(3, 6)] as Triple);
+      turned = quarterTurned(turned, way);
+      placed(turned.placement, own).forEach((part, axis) => {
+        expect(part).toBeCloseTo(turned.surface.positions[3 + axis] as number, 4);
+      });
+    }
+    turned.surface.positions.forEach((part, at) => {
+      expect(part).toBeCloseTo(scan.surface.positions[at] as number, 4);
+    });
+    const [once] = [quarterTurned(scan, way).surface.normals.slice(0, 3)];
+    expect([...once].map(Math.round)).toEqual(way === "tip" ? [0, -1, 0] : [0, 0, 1]);
   });
 });

@@ -1,6 +1,6 @@
 import { describe, expect, it } from "vitest";
-import { LANDMARKS } from "../../link/constants";
-import type { Triple } from "../canvas/math/vectors";
+import { LANDMARKS } from "../../../link/constants";
+import type { Triple } from "../../canvas/math/vectors";
 import { POINT_LABELS, ScanPoints } from "./scan_points";
 
 const at = (x: number): Triple => [x, 0, 0];

@@ -1,6 +1,6 @@
 /** Three looks at a scan: where each lies on the canvas, which way it looks, and what of the scan a place of it shows. */
 
-import { type Box, inBox } from "../canvas/math/boxes";
+import { type Box, inBox } from "../../canvas/math/boxes";
 import {
   type Bounds,
   bounded,
@@ -10,10 +10,10 @@ import {
   VIEWS,
   type View,
   type ViewName,
-} from "../canvas/math/camera";
-import { hit } from "../canvas/math/hit_test";
-import { minus, rowOf, size, type Triple } from "../canvas/math/vectors";
-import type { ScanSurface, SeenScan } from "./scan_document";
+} from "../../canvas/math/camera";
+import { hit } from "../../canvas/math/hit_test";
+import { minus, rowOf, size, type Triple } from "../../canvas/math/vectors";
+import type { ScanSurface, SeenScan } from "../data/scan_document";
 
 const SIDES: readonly (readonly [ViewName, string])[] = [
   ["front", "Front"],
@@ -76,13 +76,30 @@ export class ScanCameras {
     this.#change(at, (view) => ({ ...view, yaw: view.yaw - TURN * dx, pitch: view.pitch + TURN * dy }));
   }
 
-  zoom(at: number, by: number): void {
+  /** Shifts a look by pixels to the right and down. */
+  shift(at: number, dx: number, dy: number): void {
+    const { metresPerPixel, middle } = this.#scale(at);
+    const [right, up] = middle;
+    this.#change(at, (view) => ({ ...view, pan: [right - dx * metresPerPixel, up + dy * metresPerPixel] }));
+  }
+
+  /** Brings a look closer, so that what lies at a place of the canvas stays there; without one, at its middle. */
+  zoom(at: number, by: number, x?: number, y?: number): void {
+    const { left, top, width, height } = this.#boxes[at] as Box;
+    const [dx, dy] = [(x ?? left + width / 2) - left - width / 2, (y ?? top + height / 2) - top - height / 2];
+    this.shift(at, -dx, -dy);
     this.#change(at, (view) => ({ ...view, zoom: view.zoom * by }));
+    this.shift(at, dx, dy);
   }
 
   /** The looks as they were at first. */
   reset(): void {
     this.#views = SIDES.map(([name]) => viewOf(name));
+  }
+
+  #scale(at: number): { metresPerPixel: number; middle: readonly [number, number] } {
+    const camera = this.camera(at);
+    return { metresPerPixel: camera.metresPerPixel(camera.middle), middle: (this.#views[at] as View).pan };
   }
 
   #change(at: number, made: (view: View) => View): void {

@@ -1,10 +1,10 @@
 /** A scan as the server shows it, in typed arrays, and the way between its own frame and the face's. */
 
 import { decode } from "@msgpack/msgpack";
-import { aligned } from "../../link/arrays";
-import type { LANDMARKS } from "../../link/constants";
-import type { ScanFigures, ScanPreview } from "../../link/editing_messages";
-import { cross, minus, rowOf, type Triple } from "../canvas/math/vectors";
+import { aligned } from "../../../link/arrays";
+import type { LANDMARKS } from "../../../link/constants";
+import type { ScanFigures, ScanPreview } from "../../../link/editing_messages";
+import { add, cross, minus, rowOf, type Triple, times } from "../../canvas/math/vectors";
 
 export type LandmarkName = (typeof LANDMARKS)[number];
 /** Points of a scan by name, in the scan's own frame and unit. */
@@ -115,4 +115,31 @@ export function normalsOf(positions: Float32Array, triangles: Uint32Array): Floa
     for (let axis = 0; axis < 3 && size > 0; axis++) normals[at + axis] = (normals[at + axis] as number) / size;
   }
   return normals;
+}
+
+/** A scan that was not fitted, turned by a quarter: "tip": its top comes forward, "roll": to its left. */
+export function quarterTurned(scan: SeenScan, way: "tip" | "roll"): SeenScan {
+  const { positions, triangles } = scan.surface;
+  const middle = centreOf(positions);
+  const turn = ([x, y, z]: Readonly<Triple>): Triple => (way === "tip" ? [x, -z, y] : [-y, x, z]);
+  const moved = new Float32Array(positions.length);
+  for (let row = 0; 3 * row < positions.length; row++)
+    moved.set(add(middle, turn(minus(rowOf(positions, row), middle))), 3 * row);
+  const { scale, rotation, shift } = scan.placement;
+  const columns = [0, 1, 2].map((axis) => turn([0, 1, 2].map((row) => rotation[3 * row + axis] as number) as Triple));
+  const turned = [0, 1, 2].flatMap((row) => columns.map((column) => column[row] as number));
+  const surface = { ...scan.surface, positions: moved, normals: normalsOf(moved, triangles) };
+  return { ...scan, surface, placement: { scale, rotation: turned, shift: add(middle, turn(minus(shift, middle))) } };
+}
+
+function centreOf(positions: Float32Array): Triple {
+  const [low, high]: [Triple, Triple] = [
+    [Infinity, Infinity, Infinity],
+    [-Infinity, -Infinity, -Infinity],
+  ];
+  positions.forEach((part, at) => {
+    low[at % 3] = Math.min(low[at % 3] as number, part);
+    high[at % 3] = Math.max(high[at % 3] as number, part);
+  });
+  return times(add(low, high), 0.5);
 }

@@ -1,15 +1,16 @@
 /** The canvas of a scan: three looks at it, and the points on it, set by clicks, drags and keys. */
 
-import { css, html, LitElement, svg } from "lit";
+import { html, LitElement, svg } from "lit";
 import { customElement, property, query, state } from "lit/decorators.js";
-import type { Mesh } from "../../link/assets";
-import { LANDMARKS } from "../../link/constants";
-import { base } from "../../ui/theme";
-import type { Triple } from "../canvas/math/vectors";
+import type { Mesh } from "../../../link/assets";
+import { LANDMARKS } from "../../../link/constants";
+import { base } from "../../../ui/theme";
+import type { Triple } from "../../canvas/math/vectors";
+import { type LandmarkName, placed, type SeenScan, unplaced } from "../data/scan_document";
+import type { ScanPoints } from "../data/scan_points";
 import { isHidden, pick, ScanCameras, SIDE_LABELS } from "./scan_cameras";
-import { type LandmarkName, placed, type SeenScan, unplaced } from "./scan_document";
 import { ScanPainter, type Shown } from "./scan_painter";
-import type { ScanPoints } from "./scan_points";
+import { style } from "./scan_views_style";
 
 /** A press that moves less, pixels, is a click. */
 const STILL = 6;
@@ -30,6 +31,7 @@ interface Hand {
   readonly from: readonly [number, number];
   last: readonly [number, number];
   readonly point: LandmarkName | null;
+  readonly shifts: boolean;
   moved: boolean;
 }
 
@@ -50,72 +52,7 @@ export class ScanViews extends LitElement {
   readonly #hands = new Map<number, Hand>();
   readonly #size = new ResizeObserver(() => this.#resize());
 
-  static override styles = [
-    base,
-    css`
-      :host {
-        position: relative;
-        min-width: 0;
-        min-height: 0;
-        overflow: hidden;
-      }
-      canvas {
-        position: absolute;
-        inset: 0;
-        width: 100%;
-        height: 100%;
-        touch-action: none;
-        cursor: crosshair;
-      }
-      canvas:focus-visible {
-        outline-offset: -2px;
-      }
-      svg,
-      .names {
-        position: absolute;
-        inset: 0;
-        width: 100%;
-        height: 100%;
-        pointer-events: none;
-      }
-      span {
-        position: absolute;
-        padding: 2px 6px;
-        font-size: 11.5px;
-        color: var(--dim);
-      }
-      .active {
-        color: var(--hand);
-      }
-      circle {
-        fill: #0008;
-        stroke: var(--hand);
-        stroke-width: 2;
-      }
-      .found circle {
-        stroke-dasharray: 3 3;
-        stroke: var(--attention);
-      }
-      .chosen circle {
-        fill: var(--coming);
-      }
-      .hidden {
-        opacity: 0.3;
-      }
-      text {
-        font-size: 11px;
-        font-weight: 700;
-        fill: var(--hand);
-        text-anchor: middle;
-        paint-order: stroke;
-        stroke: #000c;
-        stroke-width: 3px;
-      }
-      .found text {
-        fill: var(--attention);
-      }
-    `,
-  ];
+  static override styles = [base, style];
 
   override connectedCallback(): void {
     super.connectedCallback();
@@ -198,15 +135,18 @@ export class ScanViews extends LitElement {
   // --- hands ----------------------------------------------------------------------------------------------------------
 
   readonly #down = (event: PointerEvent): void => {
-    if (event.button !== 0) return;
+    if (event.button > 2) return;
     const [x, y] = this.#place(event);
     const at = this.#cameras?.at(x, y) ?? -1;
     if (at < 0) return;
     this.canvas.setPointerCapture(event.pointerId);
     this.active = at;
+    const shifts = event.button > 0;
     const point =
-      this.#hands.size === 0 ? this.#under(at, x, y, event.pointerType === "mouse" ? GRASP.mouse : GRASP.touch) : null;
-    this.#hands.set(event.pointerId, { at, from: [x, y], last: [x, y], point, moved: false });
+      this.#hands.size === 0 && !shifts
+        ? this.#under(at, x, y, event.pointerType === "mouse" ? GRASP.mouse : GRASP.touch)
+        : null;
+    this.#hands.set(event.pointerId, { at, from: [x, y], last: [x, y], point, shifts, moved: shifts });
     if (point !== null) this.points.chosen = point;
   };
 
@@ -219,8 +159,10 @@ export class ScanViews extends LitElement {
     if (!hand.moved && Math.hypot(x - hand.from[0], y - hand.from[1]) < STILL) return;
     hand.last = [x, y];
     if (this.#hands.size > 1) {
-      if (before > 0) this.#cameras?.zoom(hand.at, this.#spread() / before);
+      if (before > 0) this.#cameras?.zoom(hand.at, this.#spread() / before, x, y);
+      this.#cameras?.shift(hand.at, dx / 2, dy / 2);
     } else if (hand.point !== null) this.#put(hand.at, hand.point, x, y, { same: hand.moved });
+    else if (event.shiftKey || hand.shifts) this.#cameras?.shift(hand.at, dx, dy);
     else this.#cameras?.turn(hand.at, dx, dy);
     hand.moved = true;
     this.requestUpdate();
@@ -244,7 +186,7 @@ export class ScanViews extends LitElement {
     event.preventDefault();
     const at = this.#cameras?.at(...this.#place(event)) ?? -1;
     if (at < 0) return;
-    this.#cameras?.zoom(at, Math.exp(-0.0015 * event.deltaY));
+    this.#cameras?.zoom(at, Math.exp(-0.0015 * event.deltaY), ...this.#place(event));
     this.requestUpdate();
   };
 

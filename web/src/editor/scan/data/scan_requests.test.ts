@@ -1,6 +1,6 @@
 import { encode } from "@msgpack/msgpack";
 import { afterEach, describe, expect, it, vi } from "vitest";
-import { CancelledError, LongRequests } from "../../ui/long_requests";
+import { CancelledError, LongRequests } from "../../../ui/long_requests";
 import type { SeenScan } from "./scan_document";
 import { bringScan, dropScan, fitAgain, sentence, takeFace } from "./scan_requests";
 

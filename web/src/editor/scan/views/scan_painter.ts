@@ -1,13 +1,13 @@
 /** Draws a scan and its fitted face, one through the other, into boxes of a canvas. */
 
-import { rowTriangles } from "../../face/anatomy/topology";
-import { createProgram, uniformAt } from "../../face/gpu/gl";
-import type { Mesh } from "../../link/assets";
-import type { Box } from "../canvas/math/boxes";
-import type { Camera } from "../canvas/math/camera";
-import { add, times } from "../canvas/math/vectors";
+import { rowTriangles } from "../../../face/anatomy/topology";
+import { createProgram, uniformAt } from "../../../face/gpu/gl";
+import type { Mesh } from "../../../link/assets";
+import type { Box } from "../../canvas/math/boxes";
+import type { Camera } from "../../canvas/math/camera";
+import { add, times } from "../../canvas/math/vectors";
+import { normalsOf, type ScanSurface, type SeenScan } from "../data/scan_document";
 import { heatOf } from "./heat_scale";
-import { normalsOf, type ScanSurface, type SeenScan } from "./scan_document";
 
 const VERTEX = `#version 300 es
 in vec3 position; in vec3 normal; in vec3 colour;

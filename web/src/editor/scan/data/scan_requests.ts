@@ -1,6 +1,6 @@
 /** What the page asks of the server about a scan. */
 
-import type { LongRequests } from "../../ui/long_requests";
+import type { LongRequests } from "../../../ui/long_requests";
 import { type Points, readScan, type SeenScan } from "./scan_document";
 
 /** The title of a fit among the long requests of the page. */

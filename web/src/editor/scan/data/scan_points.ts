@@ -1,7 +1,7 @@
 /** The points that a person sets on a scan: which is next, undo and redo. It touches neither page nor server. */
 
-import { LANDMARKS } from "../../link/constants";
-import type { Triple } from "../canvas/math/vectors";
+import { LANDMARKS } from "../../../link/constants";
+import type { Triple } from "../../canvas/math/vectors";
 import type { LandmarkName, Points } from "./scan_document";
 
 /** What people call the points; left is the character's own. */
