@@ -48,5 +48,5 @@ def test_a_scan_without_colours_and_a_cast_without_a_texture_leave_the_look(canv
 
 def test_colours_that_lie_nowhere_on_the_face_are_refused(canvas: Canvas) -> None:
     far = Scan(POINTS + np.array([5.0, 0.0, 0.0]), CAST.space.triangles, np.full((len(POINTS), 3), 9, np.uint8))
-    with pytest.raises(ValueError, match="colour"):
+    with pytest.raises(ValueError, match="lies near the face"):
         find_look(CAST, canvas, MAN, far, STILL, Look())

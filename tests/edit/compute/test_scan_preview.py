@@ -47,11 +47,10 @@ def test_a_large_scan_is_thinned_to_the_limit_on_its_own_surface() -> None:
     assert np.abs(away - 0.001 * RADIUS).max() < 1e-3 * 0.001 * RADIUS, (
         "points of a cell of the grid have their middle in it"
     )
-    middles, directions = (
-        thin.positions[thin.triangles].mean(axis=1),
-        mesh.normals(thin.positions.astype(np.float64), thin.triangles.astype(np.int32)),
-    )
-    outward = ((middles - PLACE(np.zeros((1, 3)))) * directions[thin.triangles].mean(axis=1)).sum(axis=1)
+    triangles = thin.triangles.astype(np.int32)
+    middles = thin.positions[triangles].mean(axis=1)
+    directions = mesh.normals(thin.positions.astype(np.float64), triangles)
+    outward = ((middles - PLACE(np.zeros((1, 3)))) * directions[triangles].mean(axis=1)).sum(axis=1)
     assert max((outward > 0).mean(), (outward < 0).mean()) > 0.999, "no side is turned"
     assert thin.colours is not None
     up = PLACE.rotation @ [0.0, 1.0, 0.0]

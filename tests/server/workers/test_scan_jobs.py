@@ -146,9 +146,8 @@ def take(folder: Path, **given: str) -> Imported:
     """What is taken of the face fitted in a folder."""
     show = folder / "show.omote"
     open_show(show).close()
-    job = TakeScan(
-        str(show), str(folder), **({"label": "Anna", "hair_style": "bob", "hair": "#112233", "wall": 5.0} | given)
-    )
+    asked = {"label": "Anna", "hair_style": "bob", "hair": "#112233"} | given
+    job = TakeScan(str(show), str(folder), asked["label"], asked["hair_style"], asked["hair"], 5.0)
     return msgspec.msgpack.decode(run_file_job(msgspec.msgpack.encode(job), lambda *_: None), type=Imported)
 
 
