@@ -95,12 +95,10 @@ def measure_people(console: Console, space: ParameterSpace, people: People) -> l
     apart = fit_measures.spread(model, people.landings, where[FACE])
     marks = fit_measures.landmark_errors(space, model, people.fits, people.points)
     eyes = [fit_measures.eye_errors(fit, people.points[number]) for number, fit in people.fits.items()]
-    doubtful = sum(bool(fit.doubts) for fit in people.fits.values())
     folds = max(fit_measures.count_folds(space, fit.face.positions.astype(np.float64)) for fit in people.fits.values())
-    middle = {name: np.median(each, axis=0) for name, each in found.items()}
     limits = {FACE: (0.06, 1.2), PLAIN: (0.03, 0.4), LIDS: (0.4, 1.5)}
     bars = [
-        Bar(f"{name}, {what}, mm", float(middle[name][at]), limit[at])
+        Bar(f"{name}, {what}, mm", float(np.median(found[name][:, at])), limit[at])
         for name, limit in limits.items() for at, what in enumerate(("median", "p95"))
     ]  # fmt: skip
     return [
@@ -109,17 +107,16 @@ def measure_people(console: Console, space: ParameterSpace, people: People) -> l
         Bar("eyeballs, mean mm", float(np.mean(eyes)), 1.2),
         Bar("correspondence, median mm", float(np.median(apart)), 1.6),
         Bar("folds of a face at rest, the most", folds, 0),
-        Bar("people of whom it doubts", doubtful, len(people.fits) // 10),
+        Bar("people of whom it doubts", sum(bool(fit.doubts) for fit in people.fits.values()), len(people.fits) // 10),
     ]
 
 
 def measure_peers(console: Console, space: ParameterSpace, people: People, count: int) -> list[Bar]:
     """Prints what peers make of the first people, in several settings; the bars against their best."""
     model, where = ict_people.read_model(), fit_measures.regions(space)[FACE]
-    ours = [fit_measures.quantiles(each.away, where)[0] for each in people.landings[:count]]
+    ours = np.median([fit_measures.quantiles(each.away, where)[0] for each in people.landings[:count]])
     own = [fit_measures.count_folds(space, people.fits[i].face.positions.astype(np.float64)) for i in range(count)]
-    rows = [_peer_row("ours", "", space, people.landings[:count], own, people.seconds[:count])]
-    bars = []
+    rows, bars = [_peer_row("ours", "", space, people.landings[:count], own, people.seconds[:count])], list[Bar]()
     for peer, settings in nonrigid_peers.SETTINGS.items():
         tried: dict[str, tuple[float, int, float]] = {}
         for setting, steps in settings.items():
@@ -136,7 +133,7 @@ def measure_peers(console: Console, space: ParameterSpace, people: People, count
         allowed = [each for each in tried.values() if each[1] <= tried["default"][1]]
         best = min(allowed, key=lambda each: each[0])
         bars += [
-            Bar(f"our error over that of {peer}", float(np.median(ours)) / best[0], 1 / 8),
+            Bar(f"our error over that of {peer}", float(ours) / best[0], 1 / 8),
             Bar(f"our seconds over those of {peer}", float(np.median(people.seconds[:count])) / best[2], 1.0),
         ]
     report.show(console, f"The same {count} people, peers", PEER_HEAD, rows)

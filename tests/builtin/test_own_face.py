@@ -22,5 +22,5 @@ def test_a_scan_in_inches_about_other_axes_becomes_a_face() -> None:
 
 
 def test_too_few_landmarks_are_refused() -> None:
-    with pytest.raises(ValueError, match="expected at least 3"):
+    with pytest.raises(ValueError, match="landmarks"):
         omote.fit(CAST.space, OLD, CAST.space.triangles, landmarks={"nose_tip": OLD[0]})

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
-from omote.model.fitting.scan_surface import sample_cloud, sample_mesh
+from omote.model.fitting.scan_surface import face_outward, sample_cloud, sample_mesh
 
 BOX = np.array([[-1.0, -1.0, -1.0], [1.0, 1.0, 1.0]])
 
@@ -70,3 +70,10 @@ def test_nothing_near_the_head_is_refused() -> None:
         sample_mesh(points + 9.0, triangles, BOX, 0.1)
     with pytest.raises(ValueError, match="expected at least"):
         sample_cloud(points + 9.0, (points, points), BOX, 0.1)
+
+
+def test_a_surface_that_is_wound_the_other_way_is_turned() -> None:
+    points, triangles = ball()
+    for wound in (triangles, triangles[:, ::-1]):
+        surface = face_outward(sample_mesh(points, wound, BOX, 0.0), (points, points / 0.1))
+        assert ((surface.points * surface.normals).sum(axis=1) > 0.0).all()

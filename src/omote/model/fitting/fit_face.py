@@ -10,14 +10,14 @@ from numpy.typing import ArrayLike, NDArray
 
 from omote.geometry import mesh
 from omote.model.fitting.fit_doubts import find_doubts
+from omote.model.fitting.identity_modes import IdentityModes, refuse_other_topology
 from omote.model.fitting.landmarks import SEVEN, find_landmarks
 from omote.model.fitting.scan import Scan
 from omote.model.fitting.scan_skin import keep_skin, may_be_shut
-from omote.model.fitting.scan_surface import ScanSurface, sample_cloud, sample_mesh
+from omote.model.fitting.scan_surface import ScanSurface, face_outward, sample_cloud, sample_mesh
 from omote.model.fitting.shape.fitted_eyes import Ball, find_balls, place_balls, seat_lids
 from omote.model.fitting.shape.fold_mending import find_folds, mend_folds
 from omote.model.fitting.shape.head_zones import HeadZones, head_zones, row_matrix, rung_matrix
-from omote.model.fitting.shape.identity_modes import IdentityModes, refuse_other_topology
 from omote.model.fitting.shape.mode_fit import Marks, ModeFit, fit_modes
 from omote.model.fitting.shape.plate_fit import Pull, bend, find_lengths, match
 from omote.model.sculpting.socket_depth import fit_lining_at_rest
@@ -57,6 +57,16 @@ class Fit:
         From the scan's own frame and unit to the face's metres.
     doubts : tuple of str
         What should be looked at, in sentences; empty when sure.
+
+    Examples
+    --------
+    >>> found = omote.fit(cast.space, cast.faces["old"].positions, cast.space.triangles)
+    >>> isinstance(found, omote.Fit), found.residual.shape
+    (True, (4278,))
+
+    References
+    ----------
+    K. Arai (1993), section 5.1.
     """
 
     face: Face
@@ -151,9 +161,10 @@ def _find_marks(space: ParameterSpace, placement: Similarity, landmarks: Mapping
 def _sample(space: ParameterSpace, scan: Scan, placement: Similarity) -> ScanSurface:
     points = placement(scan.positions)
     box = np.stack([space.points.min(axis=0), space.points.max(axis=0)])
+    outside = (space.points, mesh.normals(space.points, space.triangles))
     if scan.triangles is not None and len(scan.triangles):
-        return sample_mesh(points, scan.triangles, box, AROUND)
-    return sample_cloud(points, (space.points, mesh.normals(space.points, space.triangles)), box, AROUND)
+        return face_outward(sample_mesh(points, scan.triangles, box, AROUND), outside)
+    return sample_cloud(points, outside, box, AROUND)
 
 
 def _bend(

@@ -7,7 +7,7 @@ import pytest
 
 import omote
 from omote.builtin import load_identity_modes
-from omote.model.fitting.shape.identity_modes import refuse_other_topology
+from omote.model.fitting.identity_modes import refuse_other_topology
 from tests import synthetic
 
 SPACE, MODES = omote.load_cast().space, load_identity_modes()
