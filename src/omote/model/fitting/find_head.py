@@ -140,7 +140,7 @@ def _place_by_landmarks(template: HeadTemplate, scan: Scan, given: Mapping[str, 
     points = np.array([given[name] for name in names])
     pose = fit_similarity(points, goals, np.ones(len(names)))
     clicked = Alignment(pose, np.zeros(0))
-    refined = refine(template, scan, clicked)
+    refined = refine(template, scan, clicked, rounds=3)
     agreement = refined.agreement
     moved = np.linalg.norm(refined.found.pose(points) - _marks(template, refined.found, names), axis=1).mean()
     good = agreement.residual < SURE and agreement.covered > 0.5 * COVERED and moved < STAYS

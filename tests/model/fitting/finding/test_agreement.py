@@ -53,4 +53,5 @@ def test_a_heap_of_points_agrees_one_way_only() -> None:
 
 def test_nothing_is_as_far_as_can_be() -> None:
     found = _measure(SKIN + 10.0)
-    assert found == Agreement(FARTHEST, FARTHEST, found.covered)
+    assert np.isclose(found.residual, FARTHEST)
+    assert found.back == FARTHEST

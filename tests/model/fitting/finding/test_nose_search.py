@@ -36,6 +36,17 @@ def test_a_ball_has_no_nose() -> None:
     assert guess_faces(TEMPLATE, sample_surface(ball((1.0, 1.0, 1.0))), 10) == []
 
 
+def test_a_crumb_far_away_changes_nothing() -> None:
+    points = sample_surface(head_scan(head_points()))
+    far = np.concatenate([points, [(1e6, -1e6, 1e6)]])
+    first, same = guess_faces(TEMPLATE, points, 1)[0], guess_faces(TEMPLATE, far, 1)[0]
+    assert np.linalg.norm(first.tip - same.tip) < 0.01
+
+
+def test_points_at_one_place_give_no_guess() -> None:
+    assert guess_faces(TEMPLATE, np.ones((200, 3)), 5) == []
+
+
 def test_poses_differ_by_place_size_or_turn() -> None:
     pose, tip = Similarity(1.0, np.eye(3), np.zeros(3)), np.zeros(3)
     assert are_alike(pose, pose, tip, tip)

@@ -57,12 +57,14 @@ def find_candidates(template: HeadTemplate, scan: Scan, /) -> list[Candidate]:
     return _best([refine(template, scan, each.found) for each in _best(left, LEFT[-1])], LEFT[-1])
 
 
-def refine(template: HeadTemplate, scan: Scan, found: Alignment, /) -> Candidate:
-    """A candidate aligned once more, to denser samples of what is around it."""
-    tip = _tip(template, found)
-    near = np.linalg.norm(scan.positions - tip, axis=1) * found.pose.scale < AROUND
+def refine(template: HeadTemplate, scan: Scan, found: Alignment, /, *, rounds: int = 1) -> Candidate:
+    """A candidate aligned by the last so many rounds, to denser samples of what is around it."""
+    near = np.linalg.norm(scan.positions - _tip(template, found), axis=1) * found.pose.scale < AROUND
     samples = take_samples(scan, near if near.any() else None)
-    return _candidate(template, samples, found, len(ROUNDS) - 1)
+    for number in range(len(ROUNDS) - rounds, len(ROUNDS)):
+        candidate = _candidate(template, samples, found, number)
+        found = candidate.found
+    return candidate
 
 
 def _candidate(template: HeadTemplate, samples: Samples, start: Alignment, number: int) -> Candidate:

@@ -19,6 +19,8 @@ HEAD = 0.25
 """Metres: about a head's height with its neck."""
 # From a head that is larger than what was scanned of it to one in a whole body, in extents of the scan.
 SIZES = 1.45 / 1.18 ** np.arange(16)
+# What is farther than so many extents from nearly all of a scan is left out.
+FAR = 0.5
 # Places are tried so far apart, metres; so many of each size are kept.
 APART, KEPT = 0.007, 40
 # Two guesses are one where noses, metres, sizes (logarithm) and turns (trace) are as near as this.
@@ -38,7 +40,11 @@ def guess_faces(template: HeadTemplate, points: Values, most: int, /) -> list[Gu
     """At most so many guesses for samples (n, 3) of a scan, the likeliest first."""
     low, high = np.percentile(points, (0.5, 99.5), axis=0)
     extent = float(np.linalg.norm(high - low)) / 1.3
-    found = [guess for size in SIZES for guess in _guess_at(template, points, HEAD / (extent * size))]
+    if not extent > 0.0:
+        return []
+    # Crumbs far away would make the lattices endless.
+    near = points[((points > low - FAR * extent) & (points < high + FAR * extent)).all(axis=1)]
+    found = [guess for size in SIZES for guess in _guess_at(template, near, HEAD / (extent * size))]
     kept = list[Guess]()
     for guess in sorted(found, key=lambda each: each.unlike):
         if not any(are_alike(guess.pose, other.pose, guess.tip, other.tip) for other in kept):
