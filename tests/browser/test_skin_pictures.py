@@ -29,6 +29,19 @@ SQUARE = 32
 """Texels along a side of the chequer's squares."""
 
 
+LOSE = """async () => {
+    const canvas = document.querySelector("canvas");
+    const handle = canvas.getContext("webgl2").getExtension("WEBGL_lose_context");
+    const happens = (what) => new Promise((done) => canvas.addEventListener(what, done, { once: true }));
+    const lost = happens("webglcontextlost");
+    handle.loseContext();
+    await lost;
+    const restored = happens("webglcontextrestored");
+    setTimeout(() => handle.restoreContext());
+    await restored;
+}"""
+
+
 def chequer() -> Albedo:
     """Red and green squares over the half of the texture with the character's left cheek; nothing over the other."""
     rows, columns = np.indices((SIDE, SIDE)) // SQUARE
@@ -77,3 +90,10 @@ def test_a_picture_shows_where_it_covers_and_mixes_in_linear_light(stage: Page) 
     live, baked = look(stage, {"chequered": 0.5, "kaori": 0.5}), look(stage, {"half": 1.0})
     assert np.abs(live - baked).mean() < 0.5
     assert np.percentile(np.abs(live - baked), 99.9) <= 4
+
+
+@pytest.mark.parametrize("stage", ["lowest"], indirect=True)
+def test_a_picture_comes_back_with_a_lost_context(stage: Page) -> None:
+    before = look(stage, {"chequered": 1.0})
+    stage.evaluate(LOSE)
+    np.testing.assert_array_equal(look(stage, {"chequered": 1.0}), before)
