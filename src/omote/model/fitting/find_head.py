@@ -14,9 +14,9 @@ from omote.geometry import mesh
 from omote.model.fitting.finding.alignment import Alignment
 from omote.model.fitting.finding.candidates import Candidate, find_candidates, place_back, refine, score
 from omote.model.fitting.finding.finding_template import HeadTemplate, make_template
+from omote.model.fitting.identity_modes import IdentityModes
 from omote.model.fitting.landmarks import FEWEST_LANDMARKS, SEVEN
 from omote.model.fitting.scan import Scan
-from omote.model.fitting.identity_modes import IdentityModes
 from omote.model.space.parameter_space import ParameterSpace
 from omote.model.space.similarity import Similarity, fit_similarity
 

@@ -13,7 +13,7 @@ import { freeLabel, openItem } from "../session/item_commands";
 import { nameOf } from "./data/dropped_files";
 import { type Hair, quarterTurned, type SeenScan } from "./data/scan_document";
 import { ScanPoints } from "./data/scan_points";
-import { bringScan, dropScan, FIT_TITLE, fitAgain, takeFace } from "./data/scan_requests";
+import { bringScan, dropScan, FIT_TITLE, fitAgain, sentence, takeFace } from "./data/scan_requests";
 import { adviceOf, asksEyes, nearnessOf } from "./data/scan_words";
 import { pointList } from "./point_list";
 import { style } from "./scan_style";
@@ -206,7 +206,7 @@ export class ScanDialog extends EditorElement {
     return html`<div class="side">
       <div class="verdict ${sure ? "" : "unsure"}" role="status">
         <p>${adviceOf(scan, this.#points.changed)}</p>
-        ${scan.doubts.length + scan.notes.length === 0 ? nothing : html`<ul>${[...scan.doubts, ...scan.notes].map((doubt) => html`<li>${doubt}</li>`)}</ul>`}
+        ${scan.doubts.length + scan.notes.length === 0 ? nothing : html`<ul>${[...scan.doubts, ...scan.notes.map(sentence)].map((doubt) => html`<li>${doubt}</li>`)}</ul>`}
         <span class="note">${nearnessOf(scan)}</span>
       </div>
       ${this.failed === "" ? nothing : html`<p class="failed" role="alert">${this.failed}</p>`}

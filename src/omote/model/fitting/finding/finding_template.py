@@ -11,9 +11,9 @@ from numpy.typing import NDArray
 from omote.geometry import mesh
 from omote.model.fitting.finding.depth_maps import CELL, DepthMaps, make_maps
 from omote.model.fitting.finding.surface_samples import sample_surface, thin_out
+from omote.model.fitting.identity_modes import IdentityModes, refuse_other_topology
 from omote.model.fitting.landmarks import SEVEN, find_landmarks
 from omote.model.fitting.scan import Scan
-from omote.model.fitting.identity_modes import IdentityModes, refuse_other_topology
 from omote.model.space.parameter_space import ParameterSpace
 
 Values = NDArray[np.float64]
