@@ -79,9 +79,12 @@ USED: dict[str, str] = {
     "editor/link": "link",
     "editor/session": "link ui face/pose face/gpu face editor/link",
     "editor/controls": "ui editor/session",
+    "editor/canvas/math": "link face/anatomy",
+    "editor/scan/data": "link ui editor/canvas/math",
+    "editor/scan/views": "link ui face/anatomy face/gpu editor/canvas/math editor/scan/data",
+    "editor/scan": "link ui editor/session editor/controls editor/scan/data editor/scan/views",
     "editor/panels": "link ui face/pose editor/session editor/controls",
     "editor/page": "link ui editor/session editor/controls",
-    "editor/canvas/math": "link face/anatomy",
     "editor/canvas/model": "link face/pose face/anatomy editor/session editor/canvas/math",
     "editor/canvas/draw": (
         "link face/quality face/anatomy face/gpu face/light face/skin face/head face/hair editor/session "
@@ -98,7 +101,10 @@ USED: dict[str, str] = {
         "link face/quality face/anatomy face/gpu editor/session editor/canvas/math editor/canvas/model "
         "editor/canvas/draw editor/canvas/scene editor/canvas/input"
     ),
-    "editor": "link ui access editor/link editor/session editor/controls editor/panels editor/page editor/canvas",
+    "editor": (
+        "link ui access editor/link editor/session editor/controls editor/panels editor/page editor/canvas editor/scan "
+        "editor/scan/data"
+    ),
 }
 ALLOWED = {folder: set(used.split()) for folder, used in USED.items()}
 

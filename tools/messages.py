@@ -24,6 +24,7 @@ from omote.inputs.performers import camera_messages as camera
 from omote.interchange.part_textures import ARCH, ARCH_DEPTH, TOOTH_REACH
 from omote.interchange.skin_texture import HAIRLINE
 from omote.interchange.skin_texture import LAYERS as SKIN_LAYERS
+from omote.model.fitting.landmarks import SEVEN
 from omote.model.hair import STRETCH
 from omote.model.known_names import PLAY_REGIONS
 from omote.model.sculpting.sculpt import WARP_UNIT
@@ -133,6 +134,7 @@ CONSTANTS: Mapping[str, tuple[str, object]] = {
     "CHANNEL_RANGE": ("The lowest and the highest weight of a channel.", (CHANNEL_LOWEST, CHANNEL_HIGHEST)),
     "NEUTRAL_GAINS": ("A face's gains where it sets none, by region, in the order of the panels.", dict(NEUTRAL_GAINS)),
     "GAIN_RANGE": ("The lowest and the highest gain.", (LEAST_GAIN, MOST_GAIN)),
+    "LANDMARKS": ("The points of a scan that people are asked for; left is the character's own.", SEVEN),
     "RUNGS": ("Pairs of points between the edges of lids and lips that corrective shapes keep apart.", RUNGS),
     "SOCKET_NEAR": ("In radii of an eyeball: skin below keeps its height over it exactly.", NEAR),
     "SOCKET_FAR": ("In radii of an eyeball: skin above moves freely.", FAR),

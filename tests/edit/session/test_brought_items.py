@@ -7,6 +7,7 @@ from omote.edit.session.brought_items import TakenIn, take_in
 from omote.edit.store.import_items import ImportedItem, changes_to_import
 from omote.model.cast import Cast
 from omote.server.workers.file_jobs import bring_items
+from omote.show.validation import Refusal
 from omote.showfile.changes import BroughtItem, PutItem, Stored
 from tests.authoring import EditHarness
 
@@ -52,3 +53,31 @@ def test_what_was_deleted_comes_in_again(harness: EditHarness, cast: Cast) -> No
     harness.session.authored.state.apply([PutItem(replace(item, deleted=True))])
     (again,) = take(harness, brought)
     assert (again.known, again.label) == (False, "Grin")
+
+
+def test_one_item_is_replaced_and_keeps_its_name_its_label_and_its_history(harness: EditHarness, cast: Cast) -> None:
+    (first,) = take(harness, bring(cast, "smile"))
+    state = harness.session.authored.state
+    (item,) = state.items.values()
+    result, (taken,) = take_in(harness.session.authored, bring(cast, "jawOpen", label="Other"), item.id)
+    harness.carry_out(harness.session.carry_out(lambda: result, "a t"))
+    assert taken == first
+    (now,) = state.items.values()
+    assert (now.name, now.label, now.head) == (item.name, item.label, 2)
+    assert state.revisions[item.id][2].parent == 1
+    assert state.revisions[item.id][2].content != state.revisions[item.id][1].content
+    (own,) = harness.session.own()
+    assert own.name == item.name
+
+
+@pytest.mark.parametrize("gone", ["missing", "deleted", "of another kind"])
+def test_what_is_not_there_is_not_replaced(harness: EditHarness, cast: Cast, gone: str) -> None:
+    take(harness, bring(cast, "smile"))
+    state = harness.session.authored.state
+    (item,) = state.items.values()
+    if gone == "deleted":
+        state.apply([PutItem(replace(item, deleted=True))])
+    if gone == "of another kind":
+        state.apply([PutItem(replace(item, kind="face"))])
+    with pytest.raises(Refusal, match="there is no expression"):
+        take_in(harness.session.authored, bring(cast, "jawOpen"), item.id + (gone == "missing"))

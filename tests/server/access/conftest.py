@@ -15,6 +15,8 @@ from omote.model.cast import Cast
 from omote.server.access.access_control import AccessControl
 from omote.server.access.people_file import new_person, open_people, people_path
 from omote.server.access.security import own_names
+from omote.server.scans.scan_previews import ScanPreviews
+from omote.server.scans.scan_routes import ScanRoutes
 from omote.show.access.access_role import ACCESS_ROLES, AccessRole
 from omote.show.access.people_list import add_person, token_of
 from tests.server.conftest import Clock, EditHarness, open_edit_harness
@@ -56,6 +58,9 @@ async def access_harness(cast: Cast, tmp_path: Path) -> AsyncIterator[AccessHarn
         opened.show.enable_oscquery(9000)
         for path in (MEDIAPIPE_PATH, MICROPHONE_PATH, CAMERA_PATH):
             opened.show.enable_sender(path, _hear)
+        assert opened.show.editing is not None
+        scans = ScanRoutes(None, opened.show.long_requests, opened.show.editing.take_in, ScanPreviews())
+        opened.show.more_routes.append(scans.add_routes)
         opened.show.enable_access(control, b"PEM")
         async with TestClient(TestServer(opened.show.application(own_names()))) as client:
             yield AccessHarness(

@@ -15,8 +15,9 @@ import type { Heading } from "./page/heading";
 import { hintOf } from "./page/hints";
 import type { ItemListPanel } from "./page/item_list";
 import { type Command, commandOf, type View } from "./page/keys";
+import { comingOf } from "./scan/data/dropped_files";
 import type { Topic } from "./session/draft_store";
-import { type Kind, redo, takeIn, undo } from "./session/item_commands";
+import { type Kind, redo, takeIn, takeInHead, undo } from "./session/item_commands";
 import "./page/heading";
 import "./page/help";
 import "./page/loading_view";
@@ -24,6 +25,8 @@ import "./page/notices_view";
 import "./panels/item_panels";
 import "./page/item_list";
 import "./page/tools";
+import "./scan/scan_button";
+import "./scan/scan_dialog";
 
 const OLD = "You look at an old revision, not at your draft.";
 
@@ -33,6 +36,8 @@ export class EditorPage extends EditorElement {
   /** The notices of the show, which have their place above those of the work. */
   @property({ attribute: false }) notices!: ShowNoticesView;
   @state() private helping = false;
+  /** The files of the scan that is looked at; null: none. */
+  @state() private scan: readonly File[] | null = null;
   /** Whether what is open is drawn, with all faces beside it. */
   @state() private loaded = false;
   @query("canvas") private canvas!: HTMLCanvasElement;
@@ -53,7 +58,7 @@ export class EditorPage extends EditorElement {
   override connectedCallback(): void {
     super.connectedCallback();
     this.#deaf = listenToKeys({ page: this.#key });
-    this.#closed = onFileDrop((files) => void takeIn(this.store, files, kindOf(files, this.store.item?.kind)));
+    this.#closed = onFileDrop((files) => void this.#receive(files));
   }
 
   override disconnectedCallback(): void {
@@ -80,7 +85,8 @@ export class EditorPage extends EditorElement {
     const { store, context } = this;
     return html`
       <omote-heading class="panel" .context=${context} @help=${this.#toggleHelp}></omote-heading>
-      <omote-item-list class="panel" .context=${context}></omote-item-list>
+      <omote-item-list class="panel" .context=${context}
+        @scan=${(event: CustomEvent<readonly File[]>) => this.#openScan(event.detail)}></omote-item-list>
       <main class="panel">
         <omote-tools .context=${context} @view=${(event: CustomEvent<View>) => this.#view?.view(event.detail)}></omote-tools>
         <div class="work">
@@ -92,11 +98,37 @@ export class EditorPage extends EditorElement {
       </main>
       <div class="side">
         <omote-panels class="panel" .context=${context}
-          @make=${(event: CustomEvent<Kind>) => this.library.make({}, event.detail)}></omote-panels>
+          @make=${(event: CustomEvent<Kind>) => this.library.make({}, event.detail)}
+          @scan=${(event: CustomEvent<readonly File[]>) => this.#openScan(event.detail)}></omote-panels>
         <div class="told">${this.notices}<omote-notices .context=${context}></omote-notices></div>
       </div>
+      ${
+        this.scan === null
+          ? nothing
+          : html`<omote-scan .context=${context} .files=${this.scan}
+              @close=${() => {
+                this.scan = null;
+              }}></omote-scan>`
+      }
       ${this.helping ? html`<omote-editor-help .context=${context} @close=${this.#toggleHelp}></omote-editor-help>` : nothing}
     `;
+  }
+
+  /** Takes in what is dropped; a head that is not of our topology is a scan. */
+  async #receive(files: readonly File[]): Promise<void> {
+    const open = this.store.item?.kind ?? "expression";
+    const coming = comingOf(
+      files.map(({ name }) => name),
+      open,
+    );
+    if (coming === "scan") this.#openScan(files);
+    else if (coming === "import") await takeIn(this.store, files, kindOf(files, open));
+    else if (!(await takeInHead(this.store, files[0] as File))) this.#openScan(files);
+  }
+
+  #openScan(files: readonly File[]): void {
+    if (this.scan === null) this.scan = files;
+    else this.store.say("A scan is being looked at: take it or throw it away first.");
   }
 
   #looking() {

@@ -40,6 +40,8 @@ export const CHANNEL_RANGE = [-0.5, 1.5] as const;
 export const NEUTRAL_GAINS = {"brows": 1.0, "eyes": 1.0, "nose": 1.0, "cheeks": 1.0, "mouth": 1.0, "jaw": 1.0, "ears": 0.0, "head": 0.0} as const;
 /** The lowest and the highest gain. */
 export const GAIN_RANGE = [0.0, 4.0] as const;
+/** The points of a scan that people are asked for; left is the character's own. */
+export const LANDMARKS = ["left_eye_outer", "left_eye_inner", "right_eye_inner", "right_eye_outer", "nose_tip", "mouth_left", "mouth_right"] as const;
 /** Pairs of points between the edges of lids and lips that corrective shapes keep apart. */
 export const RUNGS = 32;
 /** In radii of an eyeball: skin below keeps its height over it exactly. */

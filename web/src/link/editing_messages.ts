@@ -472,6 +472,47 @@ export interface HandlesAsset {
   mirror: number[];
 }
 
+/**
+ * How far a fitted face is from its scan, millimetres: half of what was seen of the face lies within `median`, 95 %
+ * of it within `p95`; `seen`: the part of the face that the scan shows, 0 to 1.
+ */
+export interface ScanFigures {
+  median: number;
+  p95: number;
+  seen: number;
+}
+
+/**
+ * A scan that an editor looks at before its face is taken, `/scans`.
+ * token: names it until it is taken or thrown away. placement: from the scan's own frame and unit to the face's
+ * metres: the scale, the rotation row by row, the shift. unit: the scan's, in words; doubts: what to look at, in
+ * sentences, none when sure; notes: what of the file could not be used. given: points that people clicked, found:
+ * those that were found, by name, in the scan's own frame.
+ * positions (n, 3) float32 in the face's metres, triangles (t, 3) uint32 (none of a cloud), colours (n, 3) uint8
+ * (sRGB; none where the file has none): a thinned copy of the scan. face (v, 3) float32, residual (v,) float32 in
+ * millimetres (nan: not seen): the fitted face; None where none could be made. shut: what was said of the eyes.
+ * hair_style, hair: the style and the colour that are proposed.
+ */
+export interface ScanPreview {
+  token: string;
+  file: string;
+  placement: number[];
+  unit: string;
+  doubts: string[];
+  notes: string[];
+  given: Record<string, number[]>;
+  found: Record<string, number[]>;
+  positions: Uint8Array;
+  triangles: Uint8Array;
+  colours: Uint8Array;
+  face: Uint8Array | null;
+  residual: Uint8Array | null;
+  figures: ScanFigures | null;
+  shut: boolean | null;
+  hair_style: string;
+  hair: string;
+}
+
 export type FromEditor =
   | Greet
   | CreateExpression

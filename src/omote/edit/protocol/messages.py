@@ -419,3 +419,44 @@ class HandlesAsset(msgspec.Struct, frozen=True):
     points: list[int]
     labels: list[str]
     mirror: list[int]
+
+
+class ScanFigures(msgspec.Struct, frozen=True):
+    """How far a fitted face is from its scan, millimetres: half of what was seen of the face lies within `median`, 95 %
+    of it within `p95`; `seen`: the part of the face that the scan shows, 0 to 1."""
+
+    median: float
+    p95: float
+    seen: float
+
+
+class ScanPreview(msgspec.Struct, frozen=True):
+    """A scan that an editor looks at before its face is taken, `/scans`.
+
+    token: names it until it is taken or thrown away. placement: from the scan's own frame and unit to the face's
+    metres: the scale, the rotation row by row, the shift. unit: the scan's, in words; doubts: what to look at, in
+    sentences, none when sure; notes: what of the file could not be used. given: points that people clicked, found:
+    those that were found, by name, in the scan's own frame.
+    positions (n, 3) float32 in the face's metres, triangles (t, 3) uint32 (none of a cloud), colours (n, 3) uint8
+    (sRGB; none where the file has none): a thinned copy of the scan. face (v, 3) float32, residual (v,) float32 in
+    millimetres (nan: not seen): the fitted face; None where none could be made. shut: what was said of the eyes.
+    hair_style, hair: the style and the colour that are proposed.
+    """
+
+    token: str
+    file: str
+    placement: list[float]
+    unit: str
+    doubts: list[str]
+    notes: list[str]
+    given: dict[str, list[float]]
+    found: dict[str, list[float]]
+    positions: bytes
+    triangles: bytes
+    colours: bytes
+    face: bytes | None = None
+    residual: bytes | None = None
+    figures: ScanFigures | None = None
+    shut: bool | None = None
+    hair_style: str = ""
+    hair: str = ""

@@ -11,6 +11,7 @@ from msgspec.structs import replace
 from omote.edit.protocol.names import free_label, new_name
 from omote.edit.protocol.wire import read_recipe, write_recipe
 from omote.edit.session.plan import Authored, Result
+from omote.show.validation import Refusal
 from omote.showfile.changes import BroughtItem, Change, Item, Kind, PutItem, PutRevision
 
 
@@ -23,9 +24,14 @@ class TakenIn(msgspec.Struct, frozen=True):
     known: bool = False
 
 
-def take_in(authored: Authored, brought: Sequence[BroughtItem]) -> tuple[Result, list[TakenIn]]:
+def take_in(
+    authored: Authored, brought: Sequence[BroughtItem], replaced: int | None = None
+) -> tuple[Result, list[TakenIn]]:
     """The changes that add brought items, which play at once, and what becomes of each; one whose content plays as an
-    item of its kind is not added again."""
+    item of its kind is not added again. replaced: the item whose next revision the first becomes, with its name and
+    label; Refusal where there is none of its kind."""
+    if replaced is not None:
+        return _replace(authored, brought[0], replaced)
     same = [_find_same(authored, each) for each in brought]
     result = _add(authored, [each for each, known in zip(brought, same, strict=True) if known is None])
     added = iter([change.item for change in result.changes if isinstance(change, PutItem)])
@@ -60,3 +66,16 @@ def _add(authored: Authored, brought: Sequence[BroughtItem]) -> Result:
         revision = replace(each.revision, item=item.id, number=1, parent=0)
         changes += [*store.changes_to_keep(key), PutItem(item), PutRevision(revision)]
     return Result(tuple(changes))
+
+
+def _replace(authored: Authored, brought: BroughtItem, number: int) -> tuple[Result, list[TakenIn]]:
+    """Makes what was brought the revision of an item that plays."""
+    state, store, item = authored.state, authored.store, authored.state.items.get(number)
+    if item is None or item.deleted or item.kind != brought.item.kind:
+        raise Refusal(f"there is no {brought.item.kind} {number} to replace: choose one from the list.")
+    key = brought.revision.content
+    store.remember_contents({key: brought.content})
+    store.remember_recipe(write_recipe(read_recipe(brought.revision.recipe)), key)
+    following = replace(item, head=state.last_number(number) + 1)
+    revision = replace(brought.revision, item=number, number=following.head, parent=item.head)
+    return Result((*store.changes_to_keep(key), PutItem(following), PutRevision(revision))), [_describe(item, False)]

@@ -72,6 +72,7 @@ class ShowServer:
         self.device_spoke: Callable[[], None] = lambda: None
         self.oscquery: OscQuery | None = None
         self._heard: dict[str, Respond] = {}
+        self.more_routes: list[Callable[[web.Application], None]] = []
         self._describe_devices: Callable[[], wire.Devices] = lambda: wire.Devices([])
         self._surface_allowed: Callable[[str], bool] = lambda _: False
         self.access: AccessControl | None = None
@@ -129,8 +130,7 @@ class ShowServer:
         """What a character has on air now, the first on the stage where none is named; `coming` includes what was
         called since the last tick."""
         found = read_on_air(self._state, character) if self._state else OnAir()
-        faces, expressions = self.session.names_held()
-        return replace(found, coming=found.coming | faces | expressions)
+        return replace(found, coming=found.coming.union(*self.session.names_held()))
 
     def application(self, names: frozenset[str]) -> web.Application:
         """Builds the aiohttp application; `names` are the host names it answers to, beside numeric addresses."""
@@ -161,12 +161,14 @@ class ShowServer:
         return application
 
     def _add_device_routes(self, application: web.Application) -> None:
-        """Adds what surfaces read, and where trackers and sounds are sent."""
+        """Adds what surfaces read, where trackers and sounds are sent, and what others add."""
         Sounds(self.session.sounds.set).add_routes(application)
         layout = TouchoscLayout(lambda: (self.session.cast, tuple(self.session.scene)))
         application.router.add_get(TOUCHOSC_PATH, layout.respond)
         for path, respond in self._heard.items():
             application.router.add_get(path, respond)
+        for add_routes in self.more_routes:
+            add_routes(application)
         if self.oscquery is not None:
             self.oscquery.add_routes(application, self.page)
 
@@ -184,11 +186,10 @@ class ShowServer:
 
     def broadcast_crew(self) -> None:
         """Broadcasts who is connected, once a second; those whose token has ended are not any more."""
-        now = self.clock()
         if self.access is not None:
             self.access.reload()
             self.close_revoked()
-        self.announce(self.session.crew_now(now))
+        self.announce(self.session.crew_now(self.clock()))
 
     def post(self, notices: list[wire.Notice]) -> None:
         """Sends all notices to consoles and editors; later ones get them with their welcome."""
@@ -280,8 +281,7 @@ class ShowServer:
                 for each in self.session.take_cancelled():
                     self.long_requests.cancel(each)
             elif message.type is WSMsgType.TEXT:
-                reason = "text came, but messages are binary MessagePack."
-                self._deliver([Outgoing(link.who, wire.Refused(reason))])
+                self._deliver([Outgoing(link.who, wire.Refused("text came, but messages are binary MessagePack."))])
 
     def _keep(self, requests: list[KeepRequest]) -> None:
         for request in requests:

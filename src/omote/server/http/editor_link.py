@@ -129,14 +129,14 @@ class EditorLinks:
             on_air = self._on_air(getattr(request.message, "character", ""))
             self._take(self.authored_work, partial(answer_console, request=request, on_air=on_air, wall=_wall()))
 
-    async def take_in(self, brought: Sequence[BroughtItem]) -> list[TakenIn] | str:
-        """Adds items of another show file, but what is there already; returns what became of each, once they are on
-        the disk and play, or why not."""
+    async def take_in(self, brought: Sequence[BroughtItem], replaced: int | None = None) -> list[TakenIn] | str:
+        """Adds items of another show file, but what is there already, or replaces one; returns what became of each,
+        once they are on the disk and play, or why not."""
         authored_work, done = self.authored_work, asyncio.get_running_loop().create_future()
         if authored_work is None:
             return NO_FILE
         try:
-            result, taken = take_in(authored_work.session.authored, brought)
+            result, taken = take_in(authored_work.session.authored, brought, replaced)
         except Refusal as refusal:
             return str(refusal)
         outcome = authored_work.session.carry_out(lambda: result, "")

@@ -32,6 +32,8 @@ from omote.server.persistence.journal import JournalWriter
 from omote.server.persistence.restore import journal_entry, open_journal, restore
 from omote.server.process.notice_board import NoticeBoard
 from omote.server.process.process_messages import Order, ShowMoved, write_notice
+from omote.server.scans.scan_previews import ScanPreviews
+from omote.server.scans.scan_routes import FileWork, ScanRoutes
 from omote.server.supervision.device_sockets import NO_DEVICES, DeviceOptions
 from omote.server.supervision.device_sources import start_devices
 from omote.server.supervision.early_tick import EarlyTicks
@@ -112,19 +114,30 @@ async def play(
     server = ShowServer(restore(documents.playing, file, order, tell), documents, material.pages)
     server.post(board.notices)
     server.enable_editing(authored_work, reopen, tell)
-    if file and jobs:
-        server.enable_files(lambda: file.path, jobs.run)
+    scans = ScanPreviews()
+    enable_files(server, (lambda: file.path, jobs.run) if file and jobs else None, scans)
     journal = JournalWriter(file, tell, gate) if file else None
     watch = FileWatch(file, gate, tell, partial(tell_moved, pipes.pulse)) if file else None
     try:
         await serve(server, ShowTick(server, journal, pipes.pulse, board).tick, pipes, show if file else None)
     finally:
         documents.close()
+        scans.close()
         if journal:
             journal.offer(journal_entry(server.session))
         for each in (jobs, watch, authored_work and authored_work.committer, journal, backup):
             if each:
                 each.close()
+
+
+def enable_files(server: ShowServer, work: FileWork | None, scans: ScanPreviews) -> None:
+    """Adds imports, exports and scans; work: where the show file lies, and what does a `FileJob`, None where there is
+    no file."""
+    if work is not None:
+        server.enable_files(*work)
+    if server.editing is not None:
+        routes = ScanRoutes(work, server.long_requests, server.editing.take_in, scans)
+        server.more_routes.append(routes.add_routes)
 
 
 async def serve(server: ShowServer, tick: Tick, pipes: Pipes, show: Path | None = None) -> None:

@@ -13,8 +13,10 @@ from omote.edit.store.import_items import changes_to_import, distinguish, export
 from omote.interchange.export_face import ExportContext, build_scene, choose_expressions, named_compound_meshes
 from omote.interchange.formats.expression_json import encode as encode_document
 from omote.interchange.formats.glb_writer import glb_bytes
-from omote.server.sandbox.import_files import expressions_from, faces_from
+from omote.model.cast import Cast
+from omote.server.sandbox.import_files import Brought, expressions_from, faces_from
 from omote.server.workers.job_server import Follow
+from omote.server.workers.scan_jobs import FitScan, TakeScan, face_to_take, run_fit
 from omote.showfile.changes import BroughtItem, Change, Item, Kind, PutContent, PutItem, PutRevision
 from omote.showfile.database_errors import describe_error
 from omote.showfile.inspection import Inspection, inspect_show
@@ -46,7 +48,7 @@ class ExportFace(msgspec.Struct, frozen=True, tag=True):
     expressions: str
 
 
-FileJob = ImportFile | ExportExpression | ExportFace
+FileJob = ImportFile | ExportExpression | ExportFace | FitScan | TakeScan
 
 
 class Imported(msgspec.Struct, frozen=True):
@@ -63,7 +65,9 @@ def run_file_job(job: bytes, follow: Follow, /) -> bytes:
     """Does an encoded job and returns what it makes; ValueError with a sentence for what cannot be done."""
     wanted = _job.decode(job)
     try:
-        if isinstance(wanted, ImportFile):
+        if isinstance(wanted, FitScan):
+            return msgspec.msgpack.encode(run_fit(wanted, follow))
+        if isinstance(wanted, ImportFile | TakeScan):
             return msgspec.msgpack.encode(_import_file(wanted, follow))
         found = inspect_show(Path(wanted.show))
         if isinstance(wanted, ExportExpression):
@@ -73,17 +77,20 @@ def run_file_job(job: bytes, follow: Follow, /) -> bytes:
         raise ValueError(describe_error(error)) from error
 
 
-def _import_file(wanted: ImportFile, follow: Follow) -> Imported:
-    found, path = inspect_show(Path(wanted.show)), Path(wanted.path)
-    left_out = list[str]()
+def _import_file(wanted: ImportFile | TakeScan, follow: Follow) -> Imported:
+    found, left_out = inspect_show(Path(wanted.show)), list[str]()
     cast = build_full_cast(load_cast(), found.stored, found.contents, left_out.append)
-    read = faces_from(cast, [path]) if wanted.kind == "face" else expressions_from(cast, [path], follow=follow)
-    brought = list(read)
+    brought = list(face_to_take(wanted) if isinstance(wanted, TakeScan) else _read_file(cast, wanted, follow))
     distinct = distinguish(load_cast(), found.stored, [arrival for arrival, _ in brought])
     arrivals = [arrival for arrival, _ in distinct]
     said = [f"{told}; {twin}" if twin else told for (_, told), (_, twin) in zip(brought, distinct, strict=True)]
     changes = changes_to_import(cast, found.stored, arrivals, wall=wanted.wall)
     return Imported(list(bring_items(changes)), [*said, *left_out])
+
+
+def _read_file(cast: Cast, wanted: ImportFile, follow: Follow) -> Iterator[Brought]:
+    path = Path(wanted.path)
+    return faces_from(cast, [path]) if wanted.kind == "face" else expressions_from(cast, [path], follow=follow)
 
 
 def _export_face(found: Inspection, wanted: ExportFace, follow: Follow) -> bytes:

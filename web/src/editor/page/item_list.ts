@@ -115,7 +115,7 @@ export class ItemListPanel extends EditorElement {
           @input=${(event: Event) => {
             this.search = textOf(event);
           }} />
-        <button class="main" data-new @click=${() => this.make()}>New</button>
+        <button class="main" data-new @click=${() => this.make()}>New</button> ${this.kind === "face" ? html`<omote-scan-button></omote-scan-button>` : nothing}
       </div>
       ${
         this.making === null

@@ -73,7 +73,9 @@ export class Exchange extends EditorElement {
       ${item === null ? nothing : exportsOf(item, work).map((one) => this.#export(one, item.head === 0))}
       <p>In, from files by other crews and other programs; or drop them on this page:</p>
       ${this.#import("expression", "Expressions: documents (JSON), heads with shapes (GLB)")}
-      ${this.#import("face", "A face: a head at rest (GLB, OBJ)")}
+      ${this.#import("face", "A face: a head of Omote at rest (GLB, OBJ)")}
+      <div class="command"><span class="note">A person: a scan, any mesh of a head (PLY, STL, OBJ, GLB, VRM, XYZ)</span>
+        <omote-scan-button></omote-scan-button></div>
       <p class="note">A head at rest and a shape each as OBJ come in together, on the show's computer while no show plays: <code>${IMPORT_COMMAND}</code></p>
     `;
   }

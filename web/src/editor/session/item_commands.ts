@@ -54,6 +54,13 @@ export async function takeIn(store: DraftStore, files: readonly File[], kind: Ki
   for (const sentence of failed) store.say(sentence);
 }
 
+/** Takes in a head with our topology as a face, and says so; false where it is none, of which nothing is said. */
+export async function takeInHead(store: DraftStore, file: File): Promise<boolean> {
+  const { done, failed } = await importFiles([file], "face", store.longRequests);
+  if (done !== "") store.say(done, "done");
+  return failed.length === 0;
+}
+
 // --- the open item ----------------------------------------------------------------------------------------------------
 
 export async function save(store: DraftStore, note: string): Promise<void> {

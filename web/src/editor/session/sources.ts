@@ -1,5 +1,6 @@
 /** What layers and new things can be made from: own items that were saved, then the built-in cast. */
 
+import { KEY } from "../../link/assets";
 import type { DraftStore } from "./draft_store";
 import type { Kind } from "./item_commands";
 import { ordered } from "./item_commands";
@@ -34,9 +35,9 @@ const expressionsOf = (store: DraftStore): Source[] =>
     .filter(({ kind }) => kind !== "neutral" && kind !== "own")
     .map(({ source, label, kind }) => ({ source, label, group: GROUPS[kind] ?? kind }));
 
-/** What people read of a source; an old content is named by what the list still knows, else by its key. */
+/** What people read of a source; a content that the list does not know is what came in from a file. */
 export const labelOf = (sources: readonly Source[], source: string): string =>
-  sources.find((one) => one.source === source)?.label ?? source.slice(0, 9);
+  sources.find((one) => one.source === source)?.label ?? (source.startsWith(KEY) ? "What came in" : source);
 
 /** Sources under their groups, in order. */
 export function grouped(sources: readonly Source[]): [string, Source[]][] {

@@ -1,0 +1,146 @@
+"""The addresses of a scan: it is brought, fitted anew by points, taken as a face, thrown away.
+
+A job beside the show does the work (`workers.scan_jobs`), one scan at a time.
+"""
+
+from __future__ import annotations
+
+import asyncio
+import time
+from collections.abc import Awaitable, Callable, Coroutine, Sequence
+from functools import partial
+from pathlib import Path
+
+import msgspec
+from aiohttp import web
+
+from omote.edit.session.brought_items import TakenIn
+from omote.interchange.formats.error_reasons import explain_error
+from omote.server.http.editor_link import NO_FILE
+from omote.server.http.long_requests import CancelledRequestError, LongRequests, request_id
+from omote.server.http.uploads import CANCELLED, RunFileJob
+from omote.server.scans.scan_previews import Preview, ScanPreviews
+from omote.server.scans.scan_upload import choose_scan, receive_files
+from omote.server.workers.file_jobs import Imported
+from omote.server.workers.job_server import Follow, JobError
+from omote.server.workers.scan_jobs import FILES, FitScan, TakeScan
+from omote.showfile.changes import BroughtItem
+
+SCANS_PATH = "/scans"
+MSGPACK = "application/msgpack"
+
+TakeIn = Callable[[Sequence[BroughtItem], int | None], Awaitable[list[TakenIn] | str]]
+Point = tuple[float, float, float]
+FileWork = tuple[Callable[[], Path], RunFileJob]
+
+
+class Points(msgspec.Struct, frozen=True):
+    """What an editor says of a scan: points by name, in its own frame; whether its eyes are shut, null: look."""
+
+    points: dict[str, Point]
+    shut: bool | None = None
+
+
+class Taking(msgspec.Struct, frozen=True):
+    """As what a face is taken: its name, its hair, and the item that it replaces, null: none."""
+
+    label: str
+    hair_style: str = ""
+    hair: str = "#3a2a20"
+    replaced: int | None = None
+
+
+class ScanRoutes:
+    """Answers editors who bring scans; work: where the show file lies, and what does a `FileJob`, None where there is
+    no file; take_in: keeps items in the show."""
+
+    def __init__(
+        self, work: FileWork | None, long_requests: LongRequests, take_in: TakeIn, previews: ScanPreviews
+    ) -> None:
+        self._work, self._long_requests, self._take_in, self.previews = work, long_requests, take_in, previews
+
+    def add_routes(self, application: web.Application) -> None:
+        """Adds where scans are brought to, and where each is fitted, taken and thrown away."""
+        application.router.add_post(SCANS_PATH, self.bring)
+        application.router.add_post(f"{SCANS_PATH}/{{token}}", self.fit_again)
+        application.router.add_post(f"{SCANS_PATH}/{{token}}/face", self.take)
+        application.router.add_delete(f"{SCANS_PATH}/{{token}}", self.drop)
+
+    async def bring(self, request: web.Request) -> web.Response:
+        """Fits the scan in a form of files; responds with a `ScanPreview` (MessagePack), 400 or 503 with a sentence,
+        204 where the page ended it."""
+        return await self._answer(request, partial(self._bring, request))
+
+    async def fit_again(self, request: web.Request) -> web.Response:
+        """Fits a scan by points that an editor gives (JSON); responds as `bring`."""
+        return await self._answer(request, partial(self._fit_again, request))
+
+    async def take(self, request: web.Request) -> web.Response:
+        """Keeps the fitted face in the show, as the body says (JSON), and throws the scan away; responds with what was
+        taken (JSON), 400 or 503 with a sentence."""
+        return await self._answer(request, partial(self._take, request))
+
+    async def drop(self, request: web.Request) -> web.Response:
+        """Throws a scan away."""
+        self.previews.drop(request.match_info["token"])
+        return web.Response(status=204)
+
+    async def _answer(
+        self, request: web.Request, work: Callable[[Follow], Coroutine[object, object, web.Response]]
+    ) -> web.Response:  # fmt: skip
+        try:
+            return await self._long_requests.run(request_id(request), work)
+        except (ValueError, JobError, msgspec.DecodeError) as error:
+            raise web.HTTPBadRequest(text=str(error)) from error
+        except CancelledRequestError:
+            return web.Response(status=CANCELLED)
+        except OSError as error:
+            raise web.HTTPServiceUnavailable(text=f"nothing was done ({explain_error(error)}).") from error
+
+    async def _bring(self, request: web.Request, follow: Follow) -> web.Response:
+        if self._work is None:
+            raise web.HTTPServiceUnavailable(text=f"nothing can be taken in: {NO_FILE}")
+        preview = self.previews.add()
+        try:
+            follow(0, 0, "the file is sent")
+            (preview.folder / FILES).mkdir()
+            await receive_files(request, preview.folder / FILES)
+            preview.file = choose_scan(sorted(path.name for path in (preview.folder / FILES).iterdir()))
+            response = await self._fit(preview, Points({}), follow)
+        except BaseException:
+            self.previews.drop(preview.token)
+            raise
+        if request.transport is None or request.transport.is_closing():  # nobody knows of it
+            self.previews.drop(preview.token)
+        return response
+
+    async def _fit_again(self, request: web.Request, follow: Follow) -> web.Response:
+        preview = self.previews.find(request.match_info["token"])
+        return await self._fit(preview, msgspec.json.decode(await request.read(), type=Points), follow)
+
+    async def _fit(self, preview: Preview, said: Points, follow: Follow) -> web.Response:
+        job = FitScan(str(preview.folder), preview.file, preview.token, said.points, said.shut)
+        fitted = await self._do(job, follow)
+        self.previews.touch(preview)
+        return web.Response(body=fitted, content_type=MSGPACK, headers={"Cache-Control": "no-store"})
+
+    async def _take(self, request: web.Request, follow: Follow) -> web.Response:
+        preview = self.previews.find(request.match_info["token"])
+        wanted = msgspec.json.decode(await request.read(), type=Taking)
+        assert self._work is not None  # a preview is there
+        wall, show = time.time(), str(self._work[0]())  # noqa: TID251  (dates the revision)
+        job = TakeScan(show, str(preview.folder), wanted.label, wanted.hair_style, wanted.hair, wall)
+        made = await self._do(job, follow)
+        decode = partial(msgspec.msgpack.decode, made, type=Imported)
+        imported = await asyncio.get_running_loop().run_in_executor(None, decode)
+        taken = await self._take_in(imported.items, wanted.replaced)
+        if isinstance(taken, str):
+            raise web.HTTPServiceUnavailable(text=taken)
+        self.previews.drop(preview.token)
+        return web.json_response(body=msgspec.json.encode({"items": taken, "said": imported.said}))
+
+    async def _do(self, job: FitScan | TakeScan, follow: Follow) -> bytes:
+        """What a job makes, once no other scan is worked on."""
+        assert self._work is not None  # a preview is there
+        async with self._long_requests.turn("scan", follow, "it waits until another scan is fitted"):
+            return await self._work[1](msgspec.msgpack.encode(job), follow)

@@ -1,0 +1,52 @@
+"""The look of a fitted face has the scan's colours, where it has any."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from omote.builtin import load_cast, load_mask, load_meshes
+from omote.interchange.formats.png import read_png
+from omote.interchange.scan_look import find_look
+from omote.interchange.skin_texture import Canvas, build_canvas
+from omote.model.cast import Look
+from omote.model.fitting.scan import Scan
+from omote.model.space.similarity import Similarity
+
+CAST = load_cast()
+MAN = CAST.faces["man"]
+POINTS = MAN.positions.astype(np.float64)
+STILL = Similarity(1.0, np.eye(3), np.zeros(3))
+GREEN = (20, 160, 60)
+
+
+@pytest.fixture(scope="module")
+def canvas() -> Canvas:
+    """The built-in skin's."""
+    return build_canvas(read_png(load_mask()), load_meshes()[0], CAST.space.points)
+
+
+def test_a_green_scan_makes_a_green_skin_under_the_same_hair(canvas: Canvas) -> None:
+    colours = np.tile(np.array(GREEN, np.uint8), (len(POINTS), 1))
+    scan = Scan(POINTS, CAST.space.triangles, colours)
+    look = find_look(CAST, canvas, MAN, scan, STILL, Look(hair_style="bun", freckles=0.5))
+    assert look.albedo is not None
+    covered = look.albedo.pixels[look.albedo.pixels[..., 3] == 255][:, :3].astype(int)
+    assert np.abs(np.median(covered, axis=0) - GREEN).max() <= 3
+    skin = [int(look.skin[at : at + 2], 16) for at in (1, 3, 5)]
+    assert skin[1] > 2 * max(skin[0], skin[2])
+    assert (look.hair_style, look.freckles) == ("bun", 0.0)
+
+
+def test_a_scan_without_colours_and_a_cast_without_a_texture_leave_the_look(canvas: Canvas) -> None:
+    look = Look(hair_style="bun")
+    plain = Scan(POINTS, CAST.space.triangles)
+    assert find_look(CAST, canvas, MAN, plain, STILL, look) is look
+    coloured = replace(plain, colours=np.full((len(POINTS), 3), 9, np.uint8))
+    assert find_look(replace(CAST, atlas=None), canvas, MAN, coloured, STILL, look) is look
+
+
+def test_colours_that_lie_nowhere_on_the_face_are_refused(canvas: Canvas) -> None:
+    far = Scan(POINTS + np.array([5.0, 0.0, 0.0]), CAST.space.triangles, np.full((len(POINTS), 3), 9, np.uint8))
+    with pytest.raises(ValueError, match="lies near the face"):
+        find_look(CAST, canvas, MAN, far, STILL, Look())

@@ -1,0 +1,166 @@
+"""Scans from pages: looked at, fitted by points, taken as faces, and thrown away for good."""
+
+import asyncio
+import json
+
+import aiohttp
+import msgspec
+import pytest
+from aiohttp.test_utils import TestClient, TestServer
+
+from omote.edit.protocol.messages import ScanPreview
+from omote.model.cast import Cast
+from omote.server.access.security import own_names
+from omote.server.http.uploads import CANCELLED
+from omote.server.scans.scan_previews import ScanPreviews
+from omote.server.scans.scan_routes import ScanRoutes
+from omote.server.workers.scan_jobs import FILES, FitScan, TakeScan
+from omote.show import messages as wire
+from omote.show.wire import encode
+from omote.showfile.contents import unpack_face
+from tests.server.conftest import open_edit_harness
+from tests.server.scans.conftest import ScanHarness, stored_in
+
+pytestmark = pytest.mark.asyncio
+
+TAKING = {"label": "Anna", "hair_style": "", "hair": "#000000", "replaced": None}
+NOSE = [1.0, 2.5, -3.0]
+
+
+async def test_a_scan_comes_with_what_lies_beside_it_and_is_kept_until_it_is_taken(scan_harness: ScanHarness) -> None:
+    files = {"../anna.obj": b"scan", "anna.mtl": b"material", "C:\\pictures\\skin.png": b"picture"}
+    status, body = await scan_harness.bring(files)
+    seen = msgspec.msgpack.decode(body, type=ScanPreview)
+    assert (status, seen.file) == (200, "anna.obj")
+    (folder,) = scan_harness.folders()
+    kept = {path.name: path.read_bytes() for path in (folder / FILES).iterdir()}
+    assert kept == {"anna.obj": b"scan", "anna.mtl": b"material", "skin.png": b"picture"}
+    assert folder.stat().st_mode & 0o077 == 0, "nobody else on this machine reads it"
+    status, text = await scan_harness.post(f"/scans/{seen.token}/face", TAKING)
+    assert (status, json.loads(text)["items"]) == (
+        200, [{"kind": "face", "name": "anna", "label": "Anna", "known": False}],
+    )  # fmt: skip
+    assert not folder.exists()
+    assert [(item.label, item.head) for item in stored_in(scan_harness.path).items] == [("Anna", 1)]
+    assert scan_harness.show.documents.playing.own[0].name == "anna", "it plays"
+
+
+async def test_points_and_shut_eyes_go_to_the_next_fit_of_the_same_scan(scan_harness: ScanHarness) -> None:
+    seen = await scan_harness.preview()
+    status, _ = await scan_harness.post(f"/scans/{seen.token}", {"points": {"nose_tip": NOSE}, "shut": True})
+    first, second = scan_harness.jobs.asked
+    assert isinstance(first, FitScan)
+    assert isinstance(second, FitScan)
+    assert status == 200
+    assert (first.points, first.shut) == ({}, None)
+    assert (second.points, second.shut) == ({"nose_tip": tuple(NOSE)}, True)
+    assert (second.folder, second.token, second.file) == (first.folder, seen.token, "anna.ply")
+
+
+async def test_a_better_scan_replaces_a_face_that_keeps_its_name(scan_harness: ScanHarness, cast: Cast) -> None:
+    await scan_harness.post(f"/scans/{(await scan_harness.preview()).token}/face", TAKING)
+    scan_harness.jobs.face = "long"
+    number = stored_in(scan_harness.path).items[0].id
+    token = (await scan_harness.preview()).token
+    status, text = await scan_harness.post(f"/scans/{token}/face", {**TAKING, "label": "Other", "replaced": number})
+    assert (status, json.loads(text)["items"][0]["label"]) == (200, "Anna")
+    stored = stored_in(scan_harness.path)
+    (item,) = stored.items
+    assert (item.id, item.name, item.label, item.head) == (number, "anna", "Anna", 2)
+    assert [(each.number, each.parent, each.note) for each in stored.revisions] == [
+        (1, 0, "a scan"),
+        (2, 1, "a scan"),
+    ]
+    contents = scan_harness.show.documents.contents
+    face, _ = unpack_face(contents[stored.revisions[1].content], "anna")
+    assert (face.positions == cast.faces["long"].positions).all()
+    token = (await scan_harness.preview()).token
+    status, text = await scan_harness.post(f"/scans/{token}/face", {**TAKING, "replaced": number + 1})
+    assert (status, "there is no face" in text) == (503, True)
+    assert len(stored_in(scan_harness.path).revisions) == 2
+    assert len(scan_harness.folders()) == 1, "what was not taken can still be"
+
+
+async def test_a_scan_that_is_thrown_away_is_gone_from_the_disk(scan_harness: ScanHarness) -> None:
+    seen = await scan_harness.preview()
+    (folder,) = scan_harness.folders()
+    for _ in range(2):  # a page that closes may say it twice
+        async with scan_harness.client.delete(f"/scans/{seen.token}") as response:
+            assert response.status == 204
+    assert not folder.exists()
+    for path, body in ((f"/scans/{seen.token}", {"points": {}}), (f"/scans/{seen.token}/face", TAKING)):
+        status, text = await scan_harness.post(path, body)
+        assert (status, "was thrown away" in text) == (400, True)
+
+
+@pytest.mark.parametrize(
+    ("files", "why"),
+    [
+        ({"anna.ply": b"words"}, "anna.ply is no scan."),
+        ({"anna.fbx": b"x"}, "no scan that is read here"),
+        ({"anna.mtl": b"x"}, "came without a scan"),
+        ({"anna.ply": b"x", "bert.ply": b"x"}, "two scans"),
+        ({}, "came without a scan"),
+    ],
+)
+async def test_what_cannot_be_read_is_refused_in_a_sentence_and_leaves_nothing(
+    scan_harness: ScanHarness, files: dict[str, bytes], why: str
+) -> None:
+    if files:
+        status, body = await scan_harness.bring(files)
+    else:
+        with aiohttp.MultipartWriter("form-data") as writer:
+            async with scan_harness.client.post("/scans", data=writer) as response:
+                status, body = response.status, await response.read()
+    assert (status, why in body.decode()) == (400, True)
+    assert scan_harness.folders() == []
+
+
+@pytest.mark.parametrize("body", [b"", b"{}", b'{"points": {"nose_tip": [1, 2]}}', b'{"points": 3}'])
+async def test_what_is_no_document_is_refused_and_the_scan_stays(scan_harness: ScanHarness, body: bytes) -> None:
+    seen = await scan_harness.preview()
+    async with scan_harness.client.post(f"/scans/{seen.token}", data=body) as response:
+        assert response.status == 400
+    async with scan_harness.client.post("/scans", data=b"no form") as response:
+        assert response.status == 400
+    assert len(scan_harness.folders()) == 1
+
+
+async def test_a_fit_tells_its_progress_and_its_page_ends_it(scan_harness: ScanHarness) -> None:
+    editor = await scan_harness.editor()
+    sent = asyncio.create_task(scan_harness.bring({"anna.ply": b"endless"}, "?request=mine"))
+    while await editor.next(wire.Progress) != wire.Progress("mine", 50, 100, "the head is sought"):
+        pass
+    (folder,) = scan_harness.folders()
+    waiting = asyncio.create_task(scan_harness.bring({"bert.ply": b"scan"}, "?request=next"))
+    sentence = "it waits until another scan is fitted"
+    while await editor.next(wire.Progress) != wire.Progress("next", 0, 0, sentence):
+        pass
+    await editor.socket.send_bytes(encode(wire.Cancel("mine")))
+    assert await sent == (CANCELLED, b"")
+    assert not folder.exists()
+    assert (await waiting)[0] == 200
+
+
+async def test_only_our_own_pages_may_bring_scans(scan_harness: ScanHarness) -> None:
+    headers = {aiohttp.hdrs.ORIGIN: "http://elsewhere.example"}
+    async with scan_harness.client.post("/scans", data=b"", headers=headers) as response:
+        assert response.status == 403
+
+
+async def test_what_is_asked_for_is_what_the_job_takes(scan_harness: ScanHarness) -> None:
+    seen = await scan_harness.preview()
+    await scan_harness.post(f"/scans/{seen.token}/face", {"label": "B", "hair_style": "bob", "hair": "#112233"})
+    taken = scan_harness.jobs.asked[-1]
+    assert isinstance(taken, TakeScan)
+    assert (taken.label, taken.hair_style, taken.hair, taken.show) == ("B", "bob", "#112233", str(scan_harness.path))
+
+
+async def test_without_a_show_file_nothing_is_read(cast: Cast) -> None:
+    async with open_edit_harness(cast, None) as opened:
+        assert opened.show.editing is not None
+        routes = ScanRoutes(None, opened.show.long_requests, opened.show.editing.take_in, ScanPreviews())
+        opened.show.more_routes.append(routes.add_routes)
+        server = TestServer(opened.show.application(own_names()))
+        async with TestClient(server) as client, client.post("/scans", data=b"") as response:
+            assert (response.status, "no show file that can be written" in await response.text()) == (503, True)

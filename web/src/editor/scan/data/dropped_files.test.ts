@@ -1,0 +1,31 @@
+import { describe, expect, it } from "vitest";
+import { ACCEPTED_SCANS, comingOf, nameOf } from "./dropped_files";
+
+describe("files that are dropped", () => {
+  it.each([
+    [["anna.ply"], "expression", "scan"],
+    [["Anna.STL"], "face", "scan"],
+    [["anna.vrm"], "expression", "scan"],
+    [["anna.obj", "anna.mtl", "skin.jpg"], "expression", "scan"],
+    [["anna.obj"], "face", "either"],
+    [["anna.glb"], "face", "either"],
+    [["anna.glb"], "expression", "import"],
+    [["a.obj", "b.obj"], "face", "import"],
+    [["smile.json", "anna.ply"], "face", "import"],
+    [["notes.txt"], "face", "import"],
+    [["README"], "expression", "import"],
+  ] as const)("%j while a %s is open are taken as %s", (names, open, coming) => {
+    expect(comingOf(names, open)).toBe(coming);
+  });
+
+  it("give a face its first name", () => {
+    expect(nameOf(["skin.jpg", "anna_b  scan.OBJ"])).toBe("Anna b scan");
+    expect(nameOf([".ply"])).toBe("Scanned face");
+    expect(nameOf([])).toBe("Scanned face");
+    expect(nameOf([`${"a".repeat(200)}.ply`]).length).toBeLessThanOrEqual(64);
+  });
+
+  it("may be chosen with what lies beside them", () => {
+    expect(ACCEPTED_SCANS.split(",")).toEqual(expect.arrayContaining([".ply", ".mtl", ".jpg", ".glb"]));
+  });
+});
