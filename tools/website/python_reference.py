@@ -28,7 +28,7 @@ GROUPS: Mapping[str, Sequence[str]] = {
     "Playing": ("Performer", "Scene", "connect", "connect_async", "parse_pose", "evaluate", "evaluate_parts"),
     "Pictures": ("render",),
     "Expressions": ("compound", "extract", "ExtractedExpression", "ControlNet", "action_units"),
-    "Faces": ("Sculpt", "read_sculpt", "sculpted", "regional", "caricature"),
+    "Faces": ("Sculpt", "read_sculpt", "sculpted", "regional", "caricature", "fit", "Fit"),
 }
 CONNECTED_HEAD = """# A program that plays a running show
 

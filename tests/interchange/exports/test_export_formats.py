@@ -5,21 +5,24 @@ from typing import Any
 
 import pytest
 
+from omote.interchange.avatar.vrm_licence import Credit, parse_terms
 from omote.interchange.exports.export_formats import FORMATS, OBJ_FOLDER, bake_face, check_kind, find_kind
-from omote.interchange.formats.file_names import EXPORTS
+from omote.interchange.formats.file_names import EXPORTS, VRM
 from omote.interchange.formats.glb_reader import read_glb
 from tests.stage_data.heads import context
 
 BEGINNINGS = {
     ".glb": b"glTF", ".usdc": b"PXR-USDC", ".usda": b"#usda", ".usdz": b"PK\x03\x04", ".npz": b"PK\x03\x04",
+    ".vrm": b"glTF",
     ".csv": b"expression,", ".obj": b"# Omote", OBJ_FOLDER: b"# Omote",
 }  # fmt: skip
 
 
 @pytest.mark.parametrize("kind", [*EXPORTS, OBJ_FOLDER])
 def test_each_kind_writes_files_of_its_own(kind: str) -> None:
-    check_kind(kind)
-    files = bake_face(context(), "broad", ["smile"], kind, "aunt")
+    credit = Credit(("Ann",), parse_terms(["strict"])) if kind == VRM else None
+    check_kind(kind, credit)
+    files = bake_face(context(), "broad", ["smile"], kind, "aunt", credit=credit)
     name, data = next(iter(files.items()))
     assert name == ("aunt/neutral.obj" if kind == OBJ_FOLDER else f"aunt{kind}")
     assert data.startswith(BEGINNINGS[kind])
@@ -28,8 +31,13 @@ def test_each_kind_writes_files_of_its_own(kind: str) -> None:
 def test_every_name_of_a_format_is_a_kind() -> None:
     assert {find_kind(name) for name in FORMATS} == {*EXPORTS, OBJ_FOLDER} - {".obj"}
     assert find_kind("USD") == ".usdc"
-    with pytest.raises(ValueError, match="there is no format 'fbx'; give one of glb, usd"):
+    with pytest.raises(ValueError, match="there is no format 'fbx'; give one of glb, vrm, usd"):
         find_kind("fbx")
+
+
+def test_an_avatar_without_an_author_is_refused_beforehand() -> None:
+    with pytest.raises(ValueError, match="a VRM names who made it: give --author NAME"):
+        check_kind(VRM)
 
 
 def test_hair_may_be_left_out() -> None:

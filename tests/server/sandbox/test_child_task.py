@@ -1,5 +1,6 @@
 """Work in a child process: its answer and its progress come back; what dies, lasts or takes too much is refused."""
 
+import contextlib
 import os
 import time
 from collections.abc import Callable
@@ -96,6 +97,18 @@ def test_files_are_written_only_where_that_is_allowed(tmp_path: Path) -> None:
     with pytest.raises(ValueError, match="too much"):
         run_limited(work, Limits(), exhausted="too much")
     assert run_limited(work, Limits(writes=True), exhausted="too much") == b"written"
+
+
+def test_descriptors_that_the_parent_has_open_do_not_count(tmp_path: Path) -> None:
+    (tmp_path / "a").write_bytes(b"x")
+
+    def work(_: Tell) -> bytes:
+        return (tmp_path / "a").read_bytes()
+
+    with contextlib.ExitStack() as stack:
+        for _ in range(40):
+            stack.enter_context((tmp_path / "a").open("rb"))
+        assert run_limited(work, Limits(files=4), exhausted="too much") == b"x"
 
 
 def test_nothing_is_printed_by_decoders(capfd: pytest.CaptureFixture[str]) -> None:

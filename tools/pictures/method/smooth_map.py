@@ -57,7 +57,8 @@ def stages(cast: Cast, face: Face, expression: str) -> list[Stage]:
     found = {"the paper's map": Stage("the paper's map", skin, find_folds(geometry, skin, state.source))}
     for stage in pipeline.STAGES:
         state = stage(state)
-        whole = state if stage is pipeline.fit_mouth_bag else pipeline.follow_inner_skin(pipeline.weld_seams(state))
+        inner = stage in (pipeline.fit_mouth_bag, pipeline.fit_socket_lining)
+        whole = state if inner else pipeline.follow_inner_skin(pipeline.weld_seams(state))
         name = stage.__name__ + (" again" if stage.__name__ in found else "")
         found[name] = Stage(name, whole.skin.astype(np.float64), find_folds(geometry, state.sheet, state.source))
     return list(found.values())

@@ -126,7 +126,8 @@ def _limit_resources(limits: Limits) -> None:
     pages = int(Path("/proc/self/statm").read_text().split()[0]) if Path("/proc/self/statm").exists() else 0
     resource.setrlimit(resource.RLIMIT_CPU, (limits.seconds, limits.seconds))
     resource.setrlimit(resource.RLIMIT_CORE, (0, 0))
-    resource.setrlimit(resource.RLIMIT_NOFILE, (limits.files, limits.files))
+    files = limits.files + max((int(each.name) for each in Path("/proc/self/fd").glob("*")), default=0)
+    resource.setrlimit(resource.RLIMIT_NOFILE, (files, files))  # the limit is of a descriptor's number: a show has many
     if not limits.writes:
         resource.setrlimit(resource.RLIMIT_FSIZE, (0, 0))
     if pages:
