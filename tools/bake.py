@@ -29,10 +29,10 @@ from tools.baking.hair.styles import GROOMS
 from tools.baking.heads.basemesh import BaseMesh, Floats, read_base_mesh
 from tools.baking.heads.fold_correction import correct_folds
 from tools.baking.heads.head import Head, cut_head
-from tools.baking.heads.identity_modes import identity_modes
 from tools.baking.heads.lower_lip import round_lower_lip
 from tools.baking.heads.moves import all_moves, jaw_vertices
 from tools.baking.heads.people import PEOPLE
+from tools.baking.heads.random_heads import identity_modes
 from tools.baking.layout import unwrap
 from tools.baking.notice import notice
 from tools.baking.package import BakeError, Package, find_wheel

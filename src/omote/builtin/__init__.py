@@ -1,6 +1,7 @@
 """The baked cast: twelve people, five sculpted faces and what they can do, ready to be called.
 
-cast.npz, identity_modes.npz, mask.png and the notice of their origin are written beside this file by `make bake` (tools/bake.py).
+cast.npz, identity_modes.npz, mask.png and the notice of their origin are written beside this file by `make bake`
+(tools/bake.py).
 """
 
 from __future__ import annotations
@@ -16,8 +17,8 @@ from numpy.typing import NDArray
 from omote.builtin.binding import PARTS
 from omote.builtin.castfile import BakedMesh, cast_of, meshes_of
 from omote.model.cast import Cast
-from omote.model.fitting.identity_modes import IdentityModes
 from omote.model.fitting.photographs.landmark_table import LandmarkTable
+from omote.model.fitting.shape.identity_modes import IdentityModes
 
 __all__ = ["BakedMesh", "load_cast", "load_identity_modes", "load_mask", "load_meshes", "read_cast"]
 

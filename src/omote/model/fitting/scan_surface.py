@@ -6,6 +6,8 @@ from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
+from scipy import sparse
+from scipy.sparse.csgraph import connected_components
 from scipy.spatial import cKDTree
 
 from omote.geometry import mesh
@@ -16,6 +18,7 @@ Indices = NDArray[np.intp]
 SAMPLES = 200_000
 # A normal that is the other way round is as far as so many metres.
 TURN = 0.006
+NOTHING = "the scan has no surface where the head is; expected triangles with an area there"
 # A local plane of a cloud goes through so many points.
 PLANE = 16
 
@@ -23,7 +26,7 @@ PLANE = 16
 @dataclass(frozen=True, eq=False)
 class ScanSurface:
     """Points on a surface, (n, 3) metres, their unit normals outward, whether they lie at an open border, and the
-    component that each belongs to, the largest 0."""
+    sheet that each belongs to."""
 
     points: Values
     normals: Values
@@ -71,15 +74,17 @@ def sample_mesh(points: Values, triangles: NDArray[np.integer], near: Values, re
     corners = joined[triangles]
     corners = corners[(corners != np.roll(corners, 1, axis=1)).all(axis=1)]
     inside = ((points > near[0] - reach) & (points < near[1] + reach)).all(axis=1)
-    labels = mesh.components(corners.astype(np.int32), len(points))
     edge = np.zeros(len(points), np.bool_)
     edge[mesh.boundary_edges(corners.astype(np.int32)).ravel()] = True
     corners = corners[inside[corners].any(axis=1)]
+    if not len(corners):
+        raise ValueError(NOTHING)
+    labels = _label_sheets(corners)
     a, b, c = (points[corners[:, k]] for k in range(3))
     across = np.cross(b - a, c - a)
     area = np.linalg.norm(across, axis=1)
     if not area.sum() > 0.0:
-        raise ValueError("the scan has no surface where the head is; expected triangles with an area there")
+        raise ValueError(NOTHING)
     draw = np.random.default_rng(0)
     owner = draw.choice(len(corners), SAMPLES, p=area / area.sum())
     u, v = draw.uniform(size=(2, SAMPLES, 1))
@@ -87,7 +92,24 @@ def sample_mesh(points: Values, triangles: NDArray[np.integer], near: Values, re
     u, v = np.where(over, 1.0 - u, u), np.where(over, 1.0 - v, v)
     found = (1.0 - u - v) * a[owner] + u * b[owner] + v * c[owner]
     normals = across[owner] / np.maximum(area[owner], 1e-30)[:, None]
-    return ScanSurface.of(found, normals, edge[corners].any(axis=1)[owner], labels[corners[owner, 0]])
+    return ScanSurface.of(found, normals, edge[corners].any(axis=1)[owner], labels[owner])
+
+
+def _label_sheets(corners: NDArray[np.integer]) -> NDArray[np.int32]:
+    """Which sheet each triangle (t, 3) belongs to: triangles hang together across edges that just two of them share, so
+    what was put onto the lids for tears or lashes is a sheet of its own."""
+    ends = np.sort(np.stack([corners, np.roll(corners, -1, axis=1)], axis=2).reshape(-1, 2), axis=1).astype(np.int64)
+    keys, owner = ends[:, 0] * (int(corners.max()) + 1) + ends[:, 1], np.repeat(np.arange(len(corners)), 3)
+    order = np.argsort(keys, kind="stable")
+    keys, owner = keys[order], owner[order]
+    first = np.flatnonzero(keys[1:] == keys[:-1])
+    alone = np.ones(len(first), np.bool_)
+    alone[1:] &= first[1:] != first[:-1] + 1
+    alone[:-1] &= first[1:] != first[:-1] + 1
+    one, other = owner[first[alone]], owner[first[alone] + 1]
+    graph = sparse.coo_array((np.ones(len(one)), (one, other)), shape=(len(corners), len(corners)))
+    result: NDArray[np.int32] = connected_components(graph, directed=False)[1]
+    return result
 
 
 def sample_cloud(points: Values, outside: tuple[Values, Values], near: Values, reach: float, /) -> ScanSurface:

