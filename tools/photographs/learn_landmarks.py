@@ -3,30 +3,33 @@
 from __future__ import annotations
 
 import argparse
+from dataclasses import dataclass
 from pathlib import Path
 
 import numpy as np
 from numpy.typing import NDArray
 
-from omote.builtin import LANDMARK_TABLE, load_cast
+from omote.builtin import LANDMARK_TABLE, load_cast, load_identity_modes
 from omote.geometry.proximity import nearest_triangles
 from omote.inputs.camera.landmark_map import UNITS
 from omote.model.fitting.photographs.landmark_table import ON_SKIN
-from omote.model.fitting.photographs.photograph_camera import PhotographCamera
 from omote.model.fitting.photographs.view_errors import measure_errors
 from omote.perform.blending.evaluate import evaluate
 from omote.perform.frame import Frame
 from tools.photographs.observations import Observation, read_observations
+from tools.tracking.picture import turn
 
 Values = NDArray[np.float64]
 NODES = np.radians([-75.0, -50.0, -25.0, 0.0, 25.0, 50.0, 75.0])
 FRONT = np.radians(35.0)
 """From views turned less than this is learned where points lie."""
-BASIS, RIDGE = 140, 30.0
-"""How many directions errors have in common; so many people say nothing of how errors depend on modes."""
+BASIS, PERSON = 120, 40
+"""How many directions errors have, and what is alike in all photographs of a person."""
+RIDGE, SURE = 300.0, 0.95
+"""So many photographs say nothing of how errors go with modes; what is alike is told from so few people that it is
+taken a little smaller."""
 FLOOR = 0.0004
 """Metres: no point is surer than that by itself."""
-PIECES = 8
 
 
 def find_places(observations: list[Observation]) -> tuple[NDArray[np.int32], Values]:
@@ -54,34 +57,48 @@ def _shares(corners: Values, points: Values) -> Values:
 
 
 def find_errors(observations: list[Observation], corners: NDArray[np.int32], shares: Values) -> Values:
-    """How far the landmarks of each photograph are off, (o, 3 p) metres."""
+    """How far the landmarks of each photograph are off, (o, 2 p) metres."""
     rows = []
     for each in observations:
         places = np.einsum("pk,pkc->pc", shares, each.skin[corners].astype(np.float64))
-        pixels = each.points[:ON_SKIN].astype(np.float64) * each.camera.width
+        pixels = each.points[:ON_SKIN, :2].astype(np.float64) * each.camera.width
         rows.append(measure_errors(pixels, each.camera, places))
     return np.array(rows)
 
 
-def learn_errors(errors: Values, modes: Values, yaws: Values) -> dict[str, NDArray[np.floating]]:
-    """The error's part of the table, from errors (o, 3 p), weights of modes (o, m) and turns (o,)."""
-    middle = errors - errors.mean(axis=0)
-    size, ways = np.linalg.eigh(middle.T @ middle / len(errors))
+@dataclass(frozen=True, eq=False)
+class Sample:
+    """What errors are learned from: errors (o, 2 p) metres, weights of modes (o, m), turns (o,), whose (o,); how modes
+    move the points of the generic head (m, p, 3)."""
+
+    errors: Values
+    modes: Values
+    yaws: Values
+    whose: NDArray[np.integer]
+    moves: Values
+
+
+def learn_errors(sample: Sample) -> dict[str, NDArray[np.floating]]:
+    """The error's part of the table."""
+    near, means, slopes = hats(sample.yaws), [], []
+    left = sample.errors.copy()
+    for node, weight in enumerate(near.T):
+        mean, slope = _regress(sample, NODES[node], weight)
+        means.append(mean)
+        slopes.append(slope)
+        left -= weight[:, None] * (mean + sample.modes @ slope)
+    rows = np.vstack([left, *np.array(means)[:, None], *np.array(slopes)])
+    _, ways = np.linalg.eigh(rows.T @ rows)
     basis = np.ascontiguousarray(ways[:, ::-1][:, :BASIS])
-    inside = errors @ basis
-    outside = errors - inside @ basis.T
-    near = hats(yaws)
-    means, slopes, shared, alone = [], [], [], []
-    for weight in near.T:
-        answer, left, count = _regress(inside, modes, weight)
-        means.append(answer[0])
-        slopes.append(answer[1:].T)
-        shared.append((left.T * weight) @ left / count)
-        alone.append((weight @ outside**2) / weight.sum() + FLOOR**2)
+    inside = left @ basis
+    person = _persons(inside, near, sample.whose)
+    shared = np.array([_whole(inside, weight) - part @ part.T for weight, part in zip(near.T, person, strict=True)])
+    outside = left - inside @ basis.T
     return {
-        "basis": basis.astype(np.float16), "mean": np.array(means, np.float32),
-        "slopes": np.array(slopes).astype(np.float16), "shared": np.array(shared, np.float32),
-        "alone": np.array(alone, np.float32),
+        "basis": basis.astype(np.float16), "mean": (np.array(means) @ basis).astype(np.float32),
+        "slopes": np.einsum("nmi,ik->nkm", slopes, basis).astype(np.float16), "person": person.astype(np.float32),
+        "shared": np.array([_positive(each) for each in shared]).astype(np.float32),
+        "alone": (near.T @ outside**2 / near.sum(axis=0)[:, None] + FLOOR**2).astype(np.float32),
     }  # fmt: skip
 
 
@@ -91,16 +108,47 @@ def hats(yaws: Values) -> Values:
     return np.maximum(1.0 - np.abs(at[:, None] - np.arange(len(NODES))), 0.0)
 
 
-def _regress(inside: Values, modes: Values, weight: Values) -> tuple[Values, Values, float]:
-    """Weighted ridge regression of errors (o, k) on the modes (o, m): mean and slopes (1 + m, k), what is left (o, k),
-    and how many photographs that stands for."""
-    regressors = np.column_stack([np.ones(len(modes)), modes])
-    penalty = np.diag([0.0, *np.full(modes.shape[1], RIDGE)])
-    matrix = (regressors.T * weight) @ regressors
-    answer = np.linalg.solve(matrix + penalty, (regressors.T * weight) @ inside)
-    spent = np.trace(np.linalg.solve(matrix + penalty, matrix))
-    count = weight.sum() ** 2 / (weight**2).sum()
-    return answer, inside - regressors @ answer, float(weight.sum() * max(1.0 - spent / count, 0.2))
+def _regress(sample: Sample, yaw: float, weight: Values) -> tuple[Values, Values]:
+    """The mean error (2 p,), and how it goes with the modes (m, 2 p): towards what the landmark model knows by a share,
+    one across the picture and one along it, and beside that by ridge regression."""
+    turned = (sample.moves @ turn("y", yaw).T)[..., :2].reshape(len(sample.moves), -1)
+    mean = weight @ sample.errors / weight.sum()
+    off, shown = sample.errors - mean, sample.modes @ turned
+    slope = turned.copy()
+    for axis in (slice(0, None, 2), slice(1, None, 2)):
+        share = weight @ (off[:, axis] * shown[:, axis]).sum(axis=1) / (weight @ (shown[:, axis] ** 2).sum(axis=1))
+        slope[:, axis] *= share
+    matrix = (sample.modes.T * weight) @ sample.modes + RIDGE * np.eye(len(slope))
+    return mean, slope + np.linalg.solve(matrix, (sample.modes.T * weight) @ (off - sample.modes @ slope))
+
+
+def _whole(inside: Values, weight: Values) -> Values:
+    result: Values = (inside.T * weight) @ inside / weight.sum()
+    return result
+
+
+def _persons(inside: Values, near: Values, whose: NDArray[np.integer]) -> Values:
+    """What is alike in the errors (o, k) of one person's photographs, (n, k, q): principal directions of the covariance
+    between different photographs of one person, over all nodes together."""
+    count, size = near.shape[1], inside.shape[1]
+    sums, pairs = np.zeros((count, size, count, size)), np.zeros((count, count))
+    for who in np.unique(whose):
+        rows = whose == who
+        spread = near[rows][:, :, None] * inside[rows][:, None]
+        total = spread.sum(axis=0)
+        sums += np.einsum("ik,jl->ikjl", total, total) - np.einsum("oik,ojl->ikjl", spread, spread)
+        pairs += np.outer(near[rows].sum(axis=0), near[rows].sum(axis=0)) - near[rows].T @ near[rows]
+    sums /= np.maximum(pairs, 1e-9)[:, None, :, None]
+    sizes, ways = np.linalg.eigh(sums.reshape(count * size, -1))
+    kept = slice(-PERSON, None)
+    return (ways[:, kept] * np.sqrt(np.maximum(sizes[kept], 0.0)) * SURE).reshape(count, size, PERSON)
+
+
+def _positive(matrix: Values) -> Values:
+    """The nearest covariance to a symmetric matrix: no direction is surer than the floor."""
+    sizes, ways = np.linalg.eigh(matrix)
+    result: Values = (ways * np.maximum(sizes, FLOOR**2)) @ ways.T
+    return result
 
 
 def find_unit_moves(corners: NDArray[np.int32], shares: Values) -> Values:
@@ -118,13 +166,17 @@ def learn(observations: list[Observation]) -> dict[str, NDArray[np.generic]]:
     """The arrays of the table."""
     corners, shares = find_places(observations)
     errors = find_errors(observations, corners, shares)
-    modes = np.array([each.modes for each in observations])
-    yaws = np.array([each.camera.yaw for each in observations])
     good = np.abs(errors).max(axis=1) < FARTHEST
     print(f"{good.sum()} of {len(good)} photographs, {1000 * np.sqrt((errors[good] ** 2).mean()):.2f} mm")
+    kept = [each for each, fine in zip(observations, good, strict=True) if fine]
+    sample = Sample(
+        errors[good], np.array([each.modes for each in kept]), np.array([each.camera.yaw for each in kept]),
+        np.unique([each.whose for each in kept], axis=0, return_inverse=True)[1].ravel(),
+        np.einsum("pk,mpkc->mpc", shares, load_identity_modes().moves[:, corners]),
+    )  # fmt: skip
     return {
         "corners": corners, "shares": shares.astype(np.float32), "nodes": NODES,
-        **learn_errors(errors[good], modes[good], yaws[good]),
+        **learn_errors(sample),
         "unit_names": np.array(UNITS), "units": find_unit_moves(corners, shares).astype(np.float16),
     }  # fmt: skip
 

@@ -109,7 +109,7 @@ def load_landmark_table() -> LandmarkTable:
     arrays = _arrays(LANDMARK_TABLE)
     values = {
         name: arrays[name].astype(np.float64)
-        for name in ("shares", "nodes", "basis", "mean", "slopes", "shared", "alone")
+        for name in ("shares", "nodes", "basis", "mean", "slopes", "person", "shared", "alone")
     }
     units = dict(zip(arrays["unit_names"].tolist(), arrays["units"].astype(np.float64), strict=True))
     return LandmarkTable(corners=arrays["corners"], units=units, **values)

@@ -7,13 +7,13 @@ by: the maximum a posteriori (Blanz and Vetter 1999; bundle adjustment after Tri
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
 
-from omote.model.fitting.shape.identity_modes import IdentityModes
-from omote.model.fitting.photographs.landmark_table import ON_SKIN, LandmarkError, LandmarkTable
+from omote.model.fitting.photographs.landmark_table import LandmarkTable
+from omote.model.fitting.photographs.outlines import REACH, find_outline
 from omote.model.fitting.photographs.photograph import Photograph
 from omote.model.fitting.photographs.photograph_camera import PhotographCamera
 from omote.model.fitting.photographs.pose_start import (
@@ -29,52 +29,86 @@ from omote.model.fitting.photographs.view_errors import (
     measure_errors,
 )
 
+from omote.model.fitting.shape.head_zones import head_zones
+from omote.model.fitting.shape.identity_modes import IdentityModes
+from omote.model.space.parameter_space import ParameterSpace
+
 Values = NDArray[np.float64]
 
-ROUNDS = 12
+ROUNDS = 10
+# From this round on, outlines are sought in the pictures.
+OUTLINES = 4
 # Of a unit of expression in a photograph.
 UNIT = 0.12
 # A point that is off by so many standard deviations counts half (Student's t).
 ODD = 5.0
 # Landmarks of real people err more than those of ours: variances times this.
 CARE = 1.5
+# Of an edge, metres, and how many neighbouring points of an outline say no more than one.
+EDGE, ALIKE = 0.0015, 4.0
 # No turn of one round is larger, radians, nor a change of a focal length's logarithm.
 STRIDE = 0.3
 
 
 @dataclass(frozen=True, eq=False)
 class Bundle:
-    """What explains the photographs: weights (m,) of the modes, their standard deviations (m,); a camera, weights (u,)
-    of units and errors (3 p,) in metres for each photograph."""
+    """What explains the photographs: weights (m,) of the modes, their standard deviations (m,); what each person is
+    beside that (q,); of each photograph a camera, weights (u,) of units and errors (2 p,) in metres."""
 
     weights: Values
     deviations: Values
+    person: Values
     cameras: tuple[PhotographCamera, ...]
     units: tuple[Values, ...]
     errors: tuple[Values, ...]
 
 
 @dataclass(frozen=True, eq=False)
-class _Points:
-    """Of the p landmarks: where they lie on the mean head (p, 3), and how modes (m, p, 3) and units (u, p, 3) move
-    them."""
+class Problem:
+    """What is adjusted: photographs on a space; of the p landmarks, where they lie on the mean head (p, 3), and how
+    modes (m, p, 3) and units (u, p, 3) move them; each photograph's lens, counted; brightness of the pictures."""
 
+    space: ParameterSpace
+    modes: IdentityModes
+    table: LandmarkTable
+    photographs: Sequence[Photograph]
     mean: Values
-    modes: Values
+    moves: Values
     units: Values
+    lenses: list[int]
+    luma: list[Values | None]
+
+    @property
+    def own(self) -> int:
+        """How many unknowns each photograph has beside its lens: six of a pose, units."""
+        return POSE - 1 + len(self.units)
+
+    @property
+    def common(self) -> int:
+        """How many unknowns all photographs share: modes, the person beside them."""
+        return len(self.moves) + self.table.person.shape[2]
+
+    def columns(self, view: int) -> NDArray[np.intp]:
+        """The unknowns on which a photograph depends: modes, person, turn, shift, lens, units."""
+        first = self.common + view * self.own
+        lens = self.common + len(self.photographs) * self.own + self.lenses[view]
+        return np.r_[: self.common, first : first + POSE - 1, lens, first + POSE - 1 : first + self.own]
 
 
-def adjust(modes: IdentityModes, table: LandmarkTable, photographs: Sequence[Photograph], /) -> Bundle:
+def adjust(
+    space: ParameterSpace, modes: IdentityModes, table: LandmarkTable, photographs: Sequence[Photograph], /
+) -> Bundle:  # fmt: skip
     """The most likely shape, cameras and expressions."""
-    points = _Points(
-        table.places(modes.skin), table.places(modes.moves), np.stack(list(table.units.values()))
+    problem = Problem(
+        space, modes, table, photographs, table.places(modes.skin), table.places(modes.moves),
+        np.stack(list(table.units.values())), _lenses(photographs), [_brightness(each) for each in photographs],
     )  # fmt: skip
-    cameras = tuple(start_camera(each, points.mean) for each in photographs)
-    units = tuple(np.zeros(len(points.units)) for _ in photographs)
-    found = Bundle(np.zeros(len(points.modes)), np.ones(len(points.modes)), cameras, units, ())
-    lenses = _lenses(photographs)
-    for _ in range(ROUNDS):
-        found = _step(points, table, photographs, lenses, found)
+    cameras = tuple(start_camera(each, problem.mean) for each in photographs)
+    units = tuple(np.zeros(len(problem.units)) for _ in photographs)
+    count = len(problem.moves)
+    found = Bundle(np.zeros(count), np.ones(count), np.zeros(problem.common - count), cameras, units, ())
+    for number in range(ROUNDS):
+        found = _step(problem, found, number >= OUTLINES)
     return found
 
 
@@ -85,67 +119,94 @@ def _lenses(photographs: Sequence[Photograph]) -> list[int]:
     return [order.index(name) for name in names]
 
 
-def _step(
-    points: _Points, table: LandmarkTable, photographs: Sequence[Photograph], lenses: list[int], last: Bundle
-) -> Bundle:  # fmt: skip
-    count, kinds, views = len(points.modes), len(points.units), len(photographs)
-    each = POSE - 1 + kinds
-    size = count + views * each + max(lenses) + 1
-    matrix, pull, errors = np.zeros((size, size)), np.zeros(size), []
-    for view, photograph in enumerate(photographs):
-        first = count + view * each
-        columns = np.r_[:count, first : first + POSE - 1, count + views * each + lenses[view], first + 6 : first + each]
-        error, slopes, law, trust = _look(points, table, photograph, last, view)
-        weighed = law.weigh(np.column_stack([slopes, error]), trust) / CARE
-        matrix[np.ix_(columns, columns)] += slopes.T @ weighed[:, :-1]
-        pull[columns] += slopes.T @ weighed[:, -1]
+def _brightness(photograph: Photograph) -> Values | None:
+    if photograph.picture is None:
+        return None
+    result: Values = photograph.picture.astype(np.float64).mean(axis=2)
+    return result
+
+
+def _step(problem: Problem, last: Bundle, outlined: bool) -> Bundle:
+    size = problem.common + len(problem.photographs) * problem.own + max(problem.lenses) + 1
+    matrix, pull, errors = np.eye(size) * 1e-9, np.zeros(size), []
+    shape = problem.modes.shape_skin(last.weights) if outlined else None
+    for view in range(len(problem.photographs)):
+        at = problem.columns(view)
+        slopes, error, weighed = _look(problem, last, view)
+        matrix[np.ix_(at, at)] += slopes.T @ weighed[:, :-1]
+        pull[at] += slopes.T @ weighed[:, -1]
         errors.append(error)
-        rows = np.arange(first + 6, first + each)
-        matrix[rows, rows] += UNIT**-2
-        pull[rows] += UNIT**-2 * last.units[view]
-        _expect_lens(photograph, last.cameras[view], count + views * each + lenses[view], matrix, pull)
-    rows = np.arange(count)
+        _expect(problem, last, view, matrix, pull)
+        if shape is not None:
+            _add_outline(problem, last, view, shape, matrix, pull)
+    rows = np.arange(problem.common)
     matrix[rows, rows] += 1.0
-    pull[:count] += last.weights
-    matrix[np.arange(size), np.arange(size)] += 1e-9
-    step = -np.linalg.solve(matrix, pull)
-    deviations = np.sqrt(np.diag(np.linalg.inv(matrix))[:count])
-    cameras, units = [], []
-    for view in range(views):
-        first = count + view * each
-        own = step[first : first + each]
-        share = min(1.0, STRIDE / max(np.linalg.norm(own[:3]), 1e-9))
-        growth = np.clip(step[count + views * each + lenses[view]], -STRIDE, STRIDE)
-        cameras.append(last.cameras[view].move(share * own[:3], share * own[3:6], float(growth)))
-        units.append(np.clip(last.units[view] + own[6:], 0.0, 1.0))
-    return Bundle(last.weights + step[:count], deviations, tuple(cameras), tuple(units), tuple(errors))
+    pull[rows] += np.concatenate([last.weights, last.person])
+    inverse = np.linalg.inv(matrix)
+    return _moved(problem, last, -inverse @ pull, np.sqrt(np.diag(inverse)), errors)
 
 
-def _look(
-    points: _Points, table: LandmarkTable, photograph: Photograph, last: Bundle, view: int
-) -> tuple[Values, Values, LandmarkError, Values]:
-    """Of a photograph: what is left of its errors (3 p,), how that changes (3 p, m + 7 + u), their law, and how much
-    each is trusted (3 p,)."""
-    camera = last.cameras[view]
-    places = points.mean + np.tensordot(last.weights, points.modes, 1) + np.tensordot(last.units[view], points.units, 1)
-    pixels, law = np.zeros((len(places), 3)), table.error_at(camera.yaw)
-    pixels[:, : photograph.landmarks.shape[1]] = photograph.landmarks[:ON_SKIN]
-    error = measure_errors(pixels, camera, places) - law.mean - law.slopes @ last.weights
+def _look(problem: Problem, last: Bundle, view: int) -> tuple[Values, Values, Values]:
+    """Of a photograph: how what is left of its errors changes (2 p, n), that itself (2 p,), and both weighed."""
+    camera, table = last.cameras[view], problem.table
+    places = problem.mean + np.tensordot(last.weights, problem.moves, 1)
+    places = places + np.tensordot(last.units[view], problem.units, 1)
+    pixels, law = problem.photographs[view].landmarks[: len(places), :2], table.error_at(camera.yaw)
+    explained = law.mean + law.slopes @ last.weights + law.person @ last.person
+    error = measure_errors(pixels, camera, places) - explained
     slopes = np.column_stack([
-        change_by_places(camera, places, points.modes) - law.slopes,
-        change_by_pose(camera, places),
-        change_by_places(camera, places, points.units),
+        change_by_places(camera, places, problem.moves) - law.slopes, -law.person,
+        change_by_pose(camera, places), change_by_places(camera, places, problem.units),
     ])  # fmt: skip
-    odd = (error**2 / law.variance).reshape(-1, 3)
-    if not photograph.has_depth:
-        odd[:, 2] = 0.0
-    trust = np.repeat(1.0 / (1.0 + odd.sum(axis=1) / ODD**2), 3)
-    if not photograph.has_depth:
-        trust[2::3] = 1e-9
-    return error, slopes, law, trust
+    odd = (error**2 / law.variance).reshape(-1, 2).sum(axis=1)
+    trust = np.repeat(1.0 / (1.0 + odd / ODD**2), 2)
+    return slopes, error, law.weigh(np.column_stack([slopes, error]), trust) / CARE
 
 
-def _expect_lens(photograph: Photograph, camera: PhotographCamera, row: int, matrix: Values, pull: Values) -> None:
+def _expect(problem: Problem, last: Bundle, view: int, matrix: Values, pull: Values) -> None:
+    """Adds what is expected of a photograph's expression and lens."""
+    at = problem.columns(view)[problem.common + POSE - 1 :]
+    matrix[at[1:], at[1:]] += UNIT**-2
+    pull[at[1:]] += UNIT**-2 * last.units[view]
+    photograph = problem.photographs[view]
     spread = FOCAL_SPREAD if photograph.focal is None else KNOWN_SPREAD
-    matrix[row, row] += spread**-2
-    pull[row] += spread**-2 * np.log(camera.focal / usual_focal(photograph))
+    matrix[at[0], at[0]] += spread**-2
+    pull[at[0]] += spread**-2 * np.log(last.cameras[view].focal / usual_focal(photograph))
+
+
+def _add_outline(
+    problem: Problem, last: Bundle, view: int, shape: Values, matrix: Values, pull: Values
+) -> None:  # fmt: skip
+    """Adds the edges found near where the head ends."""
+    luma, camera = problem.luma[view], last.cameras[view]
+    if luma is None:
+        return
+    face = head_zones(problem.space).face
+    found = find_outline(problem.space, camera, shape, luma, face)
+    if not len(found.rows):
+        return
+    places, moves = shape[found.rows], problem.modes.moves[:, found.rows]
+    across = found.ways.ravel()[:, None]
+    slopes = np.column_stack([
+        (across * part).reshape(len(places), 2, -1).sum(axis=1)
+        for part in (change_by_places(camera, places, moves), change_by_pose(camera, places))
+    ])  # fmt: skip
+    share = found.clear * (1.0 - (found.away / REACH) ** 2) ** 2 / (EDGE**2 * ALIKE)
+    at = problem.columns(view)[: problem.common + POSE]
+    at = np.r_[at[: len(moves)], at[problem.common :]]
+    matrix[np.ix_(at, at)] += (slopes.T * share) @ slopes
+    pull[at] += (slopes.T * share) @ found.away
+
+
+def _moved(problem: Problem, last: Bundle, step: Values, deviations: Values, errors: list[Values]) -> Bundle:
+    count, cameras, units = len(problem.moves), [], []
+    for view, camera in enumerate(last.cameras):
+        own = step[problem.columns(view)[problem.common :]]
+        share = min(1.0, STRIDE / max(float(np.linalg.norm(own[:3])), 1e-9))
+        growth = float(np.clip(own[6], -STRIDE, STRIDE))
+        cameras.append(camera.move(share * own[:3], share * own[3:6], growth))
+        units.append(np.clip(last.units[view] + own[POSE:], 0.0, 1.0))
+    return Bundle(
+        last.weights + step[:count], deviations[:count], last.person + step[count : problem.common],
+        tuple(cameras), tuple(units), tuple(errors),
+    )  # fmt: skip

@@ -1,6 +1,6 @@
 """What a landmark model says of heads whose shape is known: where its points lie on our skin, and how far it errs.
 
-The error of all points together, in each direction of the picture and in depth, is normally distributed about a
+The error of all points together, is normally distributed about a
 mean that depends on the head: a landmark model draws what it sees towards the faces that it has learned from.
 """
 
@@ -22,20 +22,22 @@ LANDMARKS, ON_SKIN = 478, 468
 
 @dataclass(frozen=True, eq=False)
 class LandmarkError:
-    """How landmarks of a head that is turned so far are off: right, up, towards the camera, point by point (3 p,).
+    """How landmarks of a head that is turned so far are off: right and up, point by point (2 p,).
 
-    mean (3 p,): metres; slopes (3 p, m): the same by the weights of modes; basis (3 p, k), shared (k, k): what they have
-    in common, as a covariance in a basis; alone (3 p,): the variance of the rest of each.
+    mean (2 p,): metres; slopes (2 p, m): the same by the weights of modes; person (2 p, q): by what a person is beside
+    that, the same in all their photographs, in standard deviations; basis (2 p, k), shared (k, k): what they have
+    in common, as a covariance in a basis; alone (2 p,): the variance of the rest of each.
     """
 
     mean: Values
     slopes: Values
+    person: Values
     basis: Values
     shared: Values
     alone: Values
 
     def weigh(self, matrix: Values, trust: Values, /) -> Values:
-        """The inverse of the covariance times a matrix (3 p, n); trust (3 p,): 1, or less where a point is odd."""
+        """The inverse of the covariance times a matrix (2 p, n); trust (2 p,): 1, or less where a point is odd."""
         inverse = trust / self.alone
         scaled = self.basis * inverse[:, None]
         inner = np.linalg.inv(self.shared) + self.basis.T @ scaled
@@ -44,7 +46,7 @@ class LandmarkError:
 
     @property
     def variance(self) -> Values:
-        """Of each coordinate by itself, (3 p,)."""
+        """Of each coordinate by itself, (2 p,)."""
         result: Values = self.alone + ((self.basis @ self.shared) * self.basis).sum(axis=1)
         return result
 
@@ -61,9 +63,9 @@ class LandmarkTable:
         Of these corners.
     nodes : ndarray, (n,)
         Turns of a head, radians, at which errors are known; `PhotographCamera.yaw`.
-    basis, mean, slopes, shared, alone : ndarray
-        Errors at the nodes, as in `LandmarkError`: basis (3 p, k); mean (n, k), slopes (n, k, m), shared (n, k, k) in
-        that basis; alone (n, 3 p).
+    basis, mean, slopes, person, shared, alone : ndarray
+        Errors at the nodes, as in `LandmarkError`: basis (2 p, k); mean (n, k), slopes (n, k, m), person (n, k, q), shared (n, k, k) in
+        that basis; alone (n, 2 p).
     units : mapping of ndarray (p, 3), by the name of an expression
         How each moves the points on the generic head, metres.
     """
@@ -74,6 +76,7 @@ class LandmarkTable:
     basis: Values
     mean: Values
     slopes: Values
+    person: Values
     shared: Values
     alone: Values
     units: Mapping[str, Values]
@@ -93,8 +96,8 @@ class LandmarkTable:
             result: Values = (1.0 - share) * values[low] + share * values[low + 1]
             return result
 
-        mean, slopes = self.basis @ between(self.mean), self.basis @ between(self.slopes)
-        return LandmarkError(mean, slopes, self.basis, between(self.shared), between(self.alone))
+        mean, slopes, person = (self.basis @ between(each) for each in (self.mean, self.slopes, self.person))
+        return LandmarkError(mean, slopes, person, self.basis, between(self.shared), between(self.alone))
 
 
 def refuse_other_space(space: ParameterSpace, table: LandmarkTable, /) -> None:

@@ -31,6 +31,8 @@ class Photograph:
         The lens' focal length in millimetres of 35 mm film, as a file's EXIF says; None where it is unknown.
     camera : str, optional
         Photographs with one name here were taken with one lens; None: nobody knows.
+    picture : array_like of uint8, (height, width, 3), optional
+        sRGB: where it is given, outlines of the face are sought in it.
     side : str, optional
         From where it was said to be taken ("front", "left", ...), for doubts.
 
@@ -45,6 +47,7 @@ class Photograph:
     height: int
     focal: float | None = None
     camera: str | None = None
+    picture: NDArray[np.uint8] | None = None
     side: str | None = None
 
     def __post_init__(self) -> None:
@@ -55,6 +58,9 @@ class Photograph:
             raise ValueError(
                 f"the focal length of a photograph is {self.focal}; expected {FOCALS[0]:g} to {FOCALS[1]:g} mm, or None"
             )
+        shape = np.shape(self.picture)
+        if self.picture is not None and (shape != (self.height, self.width, 3) or self.picture.dtype != np.uint8):
+            raise ValueError(f"a picture has shape {shape}; expected ({self.height}, {self.width}, 3) of uint8")
         object.__setattr__(self, "landmarks", _validate(self.landmarks, self.width, self.height))
 
     @property

@@ -14,38 +14,32 @@ POSE = 7
 
 
 def measure_errors(pixels: Values, camera: PhotographCamera, places: Values, /) -> Values:
-    """How far landmarks (p, 3) in pixels lie right, above and before the places (p, 3) of a head, (3 p,) metres.
-
-    A landmark's third coordinate is a depth in the picture's pixels, from wherever: its mean says nothing. Landmark
-    models see from afar, so that depth is in pixels of the head's middle.
-    """
+    """How far landmarks (p, 2) in pixels lie right of and above the places (p, 3) of a head, at their depth, (2 p,)
+    metres."""
     seen = camera.view(places)
-    scale = -seen[:, 2] / camera.focal
-    off = (pixels[:, :2] - camera.project(seen)) * scale[:, None]
-    depth = -pixels[:, 2] * scale.mean() - seen[:, 2]
-    return np.column_stack([off[:, 0], -off[:, 1], depth - depth.mean()]).ravel()
+    off = (pixels - camera.project(seen)) * (-seen[:, 2:] / camera.focal)
+    result: Values = (off * [1.0, -1.0]).ravel()
+    return result
 
 
 def change_by_places(camera: PhotographCamera, places: Values, moves: Values, /) -> Values:
-    """How the errors change with moves (n, p, 3) of the places (p, 3): (3 p, n)."""
+    """How the errors change with moves (n, p, 3) of the places (p, 3): (2 p, n)."""
     seen = camera.view(places)
     moved = moves @ camera.rotation.T
     return -_in_picture(seen, moved)
 
 
 def change_by_pose(camera: PhotographCamera, places: Values, /) -> Values:
-    """How the errors change with `PhotographCamera.move`: (3 p, 7)."""
+    """How the errors change with `PhotographCamera.move`: (2 p, 7)."""
     seen = camera.view(places)
     turned = places @ camera.rotation.T
     turns = np.stack([np.cross(axis, turned) for axis in np.eye(3)])
     shifts = np.broadcast_to(np.eye(3)[:, None], (3, len(places), 3))
-    growth = np.column_stack([seen[:, :2], np.zeros(len(seen))])
-    return -np.column_stack([_in_picture(seen, np.concatenate([turns, shifts])), growth.ravel()])
+    return -np.column_stack([_in_picture(seen, np.concatenate([turns, shifts])), seen[:, :2].ravel()])
 
 
 def _in_picture(seen: Values, moved: Values) -> Values:
-    """How moves (n, p, 3) in the camera's frame show: aside at each point's own depth, and in depth about its mean."""
+    """How moves (n, p, 3) in the camera's frame show at each point's own depth: (2 p, n)."""
     aside = moved[..., :2] - seen[:, :2] * (moved[..., 2:] / seen[:, 2:])
-    depth = moved[..., 2] - moved[..., 2].mean(axis=1, keepdims=True)
-    result: Values = np.concatenate([aside, depth[..., None]], axis=2).reshape(len(moved), -1).T
+    result: Values = aside.reshape(len(moved), -1).T
     return result
