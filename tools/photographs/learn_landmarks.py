@@ -41,10 +41,10 @@ def find_places(observations: list[Observation]) -> tuple[NDArray[np.int32], Val
     corners = space.points[triangles]
     _, at = nearest_triangles(np.ascontiguousarray(corners), np.ascontiguousarray(middle))
     chosen = triangles[at]
-    return chosen.astype(np.int32), _shares(space.points[chosen], middle)
+    return chosen.astype(np.int32), barycentric(space.points[chosen], middle)
 
 
-def _shares(corners: Values, points: Values) -> Values:
+def barycentric(corners: Values, points: Values) -> Values:
     """Barycentric shares (p, 3) of the nearest points of triangles (p, 3, 3), none of them negative."""
     u, v, w = corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0], points - corners[:, 0]
     uu, uv, vv = (u * u).sum(1), (u * v).sum(1), (v * v).sum(1)
@@ -141,7 +141,8 @@ def _persons(inside: Values, near: Values, whose: NDArray[np.integer]) -> Values
     sums /= np.maximum(pairs, 1e-9)[:, None, :, None]
     sizes, ways = np.linalg.eigh(sums.reshape(count * size, -1))
     kept = slice(-PERSON, None)
-    return (ways[:, kept] * np.sqrt(np.maximum(sizes[kept], 0.0)) * SURE).reshape(count, size, PERSON)
+    loadings: Values = (ways[:, kept] * np.sqrt(np.maximum(sizes[kept], 0.0)) * SURE).reshape(count, size, PERSON)
+    return loadings
 
 
 def _positive(matrix: Values) -> Values:
@@ -193,7 +194,7 @@ def main() -> None:
     asked = parser.parse_args()
     asked.out.parent.mkdir(parents=True, exist_ok=True)
     with asked.out.open("wb") as stream:
-        np.savez_compressed(stream, allow_pickle=False, **learn(list(read_observations(asked.folder))))  # type: ignore[arg-type]
+        np.savez_compressed(stream, allow_pickle=False, **learn(list(read_observations(asked.folder))))
 
 
 if __name__ == "__main__":

@@ -45,7 +45,7 @@ def read_observations(folder: Path) -> Iterator[Observation]:
             person = random_sculpted(np.random.default_rng([int(arrays["seed"]), int(number)]))
             weights = find_weights(person.face.positions.astype(np.float64))
             for row in np.flatnonzero(arrays["whose"] == number):
-                yield _observation(arrays, row, person, weights)
+                yield _observation(arrays, int(row), person, weights)
 
 
 def _observation(arrays: dict[str, Floats], row: int, person: Sculpted, weights: Values) -> Observation:
@@ -72,7 +72,7 @@ def find_weights(skin: Values) -> Values:
     """The weights (m,) of the modes of a known skin (V, 3), whatever its place and size."""
     modes, sheet = load_identity_modes(), load_cast().space.on_sheet
     moves, matrix = _mode_products()
-    weights = np.zeros(len(moves))
+    weights: Values = np.zeros(len(moves))
     for _ in range(6):
         shape = modes.shape_skin(weights)[sheet]
         back = fit_similarity(skin[sheet], shape, np.ones(len(shape)))(skin[sheet])

@@ -6,6 +6,7 @@ python -m tools.photographs.observe_heads FOLDER --seed 1 --people 400 --views 1
 from __future__ import annotations
 
 import argparse
+from collections.abc import Sequence
 from pathlib import Path
 
 import numpy as np
@@ -17,7 +18,7 @@ from omote.model.fitting.photographs.photograph_camera import PhotographCamera
 from tools.photographs.photographer import Hits, Model, look_through, photograph
 from tools.photographs.sculpted_people import Sculpted, model_of, random_sculpted
 from tools.photographs.views import camera_at, random_focal
-from tools.tracking.landmark_finder import LANDMARKS, Looks, find, open_finder
+from tools.tracking.landmark_finder import Looks, find, open_finder
 from tools.tracking.motions import random_talk
 from tools.tracking.picture import _meshes, random_setting
 from tools.tracking.rasterizer import SKIN
@@ -50,7 +51,7 @@ def random_gaze(draw: np.random.Generator, yaw: float) -> tuple[float, float]:
 
 def observe_person(
     person: Sculpted, count: int, finder: Looks, draw: np.random.Generator
-) -> list[tuple[NDArray[np.float32], ...]]:
+) -> Sequence[tuple[NDArray[np.float32], ...]]:
     """Of each photograph in which a face was found: points (478, 3), weights of UNITS, camera (15,), and where
     the points lie on the generic skin (478, 3)."""
     found, focal, setting = [], random_focal(draw), random_setting(draw)
@@ -76,7 +77,7 @@ def _plausible(points: NDArray[np.float32], camera: PhotographCamera) -> bool:
 
 
 def lift(points: NDArray[np.float32], hits: Hits, model: Model) -> NDArray[np.float32]:
-    """Where landmarks (478, 3) lie on the generic head's skin, (478, 3) metres: at the pixel they name; nan elsewhere."""
+    """Where landmarks (478, 3) lie on the generic head's skin, (478, 3) metres, by the pixel they name; else nan."""
     mesh = _meshes()
     generic = np.concatenate([load_cast().space.points, np.full((int(mesh.source.max()) + 1, 3), np.nan)])
     pixels = np.floor(points[:, :2] * SIDE).astype(int)
@@ -89,17 +90,19 @@ def lift(points: NDArray[np.float32], hits: Hits, model: Model) -> NDArray[np.fl
     shares = np.column_stack([1.0 - share.sum(axis=1), share])
     places = np.einsum("nk,nkc->nc", shares, corners).astype(np.float32)
     places[~good] = NOBODY
-    return places
+    lifted: NDArray[np.float32] = places
+    return lifted
 
 
 def write_part(folder: Path, seed: int, numbers: range, views: int, finder: Looks) -> None:
     """Writes the observations of some people into one file."""
-    rows, whose = [], []
+    rows: list[tuple[NDArray[np.float32], ...]] = []
+    whose: list[int] = []
     for number in numbers:
         draw = np.random.default_rng([seed, number])
         person = random_sculpted(draw)
         found = observe_person(person, views, finder, draw)
-        rows, whose = rows + found, whose + [number] * len(found)
+        rows, whose = rows + list(found), whose + [number] * len(found)
     points, weights, cameras, lifted = (np.array(each) for each in zip(*rows, strict=True))
     path = folder / f"{seed}-{numbers.start:05}.npz"
     np.savez(path, points=points, weights=weights, cameras=cameras, lifted=lifted, whose=whose, seed=seed)

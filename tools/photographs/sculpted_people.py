@@ -8,6 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from omote.builtin import load_cast, load_identity_modes
+from omote.model.albedo import encode_light
 from omote.model.cast import Cast, Look
 from omote.model.hair import place_strands
 from omote.model.recipes.compose_face import mix_looks
@@ -51,11 +52,24 @@ def random_sculpted(draw: np.random.Generator, spread: float = 1.1, warped: floa
 
 def dress(face: Face, draw: np.random.Generator) -> Sculpted:
     """The face in a random look."""
-    cast = load_cast()
-    chosen = draw.choice(len(HUMANS), 2, replace=False)
-    look = random_look(draw, mix_looks([(cast.looks[HUMANS[row]], 0.5) for row in chosen]))
+    cast, look = load_cast(), random_looks(draw)
     named = Face(NAME, face.positions, face.parts)
     return Sculpted(named, cast.with_faces(named, looks={NAME: look}), look)
+
+
+def random_looks(draw: np.random.Generator) -> Look:
+    """A random look between those of two of the cast."""
+    chosen = draw.choice(len(HUMANS), 2, replace=False)
+    return random_look(draw, mix_looks([(load_cast().looks[HUMANS[row]], 0.5) for row in chosen]))
+
+
+def fit_ball(points: NDArray[np.floating]) -> NDArray[np.float64]:
+    """The middle (3,) of the sphere nearest to points (n, 3)."""
+    middle = points.mean(axis=0)
+    off = points - middle
+    system = np.column_stack([2.0 * off, np.ones(len(off))])
+    found: NDArray[np.float64] = middle + np.linalg.lstsq(system, (off**2).sum(axis=1), rcond=None)[0][:3]
+    return found
 
 
 def model_of(person: Sculpted, weights: dict[str, float], gaze: tuple[float, float]) -> Model:
@@ -81,3 +95,15 @@ def _strands(person: Sculpted) -> tuple[Floats, Floats, Floats] | None:
     style = person.cast.hair[person.look.hair_style]
     places = place_strands(style, person.cast.space.points, person.face.positions.astype(np.float64))
     return np.asarray(places, np.float32), style.light, _linear(person.look.hair).astype(np.float32)
+
+
+def painted_colours(look: Look, *, plain: bool = False, side: int = 1024) -> NDArray[np.uint8]:
+    """What the skin of a look is painted with on the texture, (side, side, 3) of sRGB, as `rasterizer` does; plain:
+    without brows."""
+    mask = _meshes().mask[:side, :side, :3] / 255.0
+    skin, lip, brow, blush = (_linear(colour) for colour in (look.skin, look.lip, look.brow, look.blush))
+    light = skin + (0.3 * mask[..., 2:3]) * (blush - skin)
+    light = light + np.minimum(1.0, 1.6 * mask[..., :1]) * (lip - light)
+    if not plain:
+        light = light + np.minimum(1.0, 2.0 * look.brows * mask[..., 1:2]) * (brow - light)
+    return encode_light(light)

@@ -14,7 +14,7 @@ from omote.model.albedo import Light
 Values = NDArray[np.float64]
 
 ROUNDS = 6
-RIDGE = 0.01
+RIDGE = 0.001
 """Of the light's uneven parts, beside its even one, as a share of what shows them."""
 RANGE = (0.35, 2.5)
 """Shade is divided out between these, its mean being 1: darker and lighter than that is no soft light."""

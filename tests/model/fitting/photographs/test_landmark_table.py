@@ -23,7 +23,7 @@ def test_named_points_lie_where_the_space_names_them() -> None:
         "mouth_left": MOUTH_CORNERS[0], "mouth_right": MOUTH_CORNERS[1], "nose_tip": 4,
     }  # fmt: skip
     for name, point in points.items():
-        assert np.linalg.norm(places[point] - SPACE.points[rows[name]]) < 0.006, name
+        assert np.linalg.norm(places[point] - SPACE.points[rows[name]]) < 0.008, name
 
 
 def test_places_follow_every_skin_of_a_stack() -> None:

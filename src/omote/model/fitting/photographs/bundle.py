@@ -28,14 +28,13 @@ from omote.model.fitting.photographs.view_errors import (
     change_by_pose,
     measure_errors,
 )
-
 from omote.model.fitting.shape.head_zones import head_zones
 from omote.model.fitting.shape.identity_modes import IdentityModes
 from omote.model.space.parameter_space import ParameterSpace
 
 Values = NDArray[np.float64]
 
-ROUNDS = 10
+ROUNDS = 14
 # From this round on, outlines are sought in the pictures.
 OUTLINES = 4
 # Of a unit of expression in a photograph.
@@ -43,7 +42,7 @@ UNIT = 0.12
 # A point that is off by so many standard deviations counts half (Student's t).
 ODD = 5.0
 # Landmarks of real people err more than those of ours: variances times this.
-CARE = 1.5
+CARE = 4.0
 # Of an edge, metres, and how many neighbouring points of an outline say no more than one.
 EDGE, ALIKE = 0.0015, 4.0
 # No turn of one round is larger, radians, nor a change of a focal length's logarithm.
@@ -86,13 +85,16 @@ class Problem:
     @property
     def common(self) -> int:
         """How many unknowns all photographs share: modes, the person beside them."""
-        return len(self.moves) + self.table.person.shape[2]
+        return len(self.moves) + int(self.table.person.shape[2])
 
     def columns(self, view: int) -> NDArray[np.intp]:
         """The unknowns on which a photograph depends: modes, person, turn, shift, lens, units."""
         first = self.common + view * self.own
         lens = self.common + len(self.photographs) * self.own + self.lenses[view]
-        return np.r_[: self.common, first : first + POSE - 1, lens, first + POSE - 1 : first + self.own]
+        found: NDArray[np.intp] = np.r_[
+            : self.common, first : first + POSE - 1, lens, first + POSE - 1 : first + self.own
+        ]
+        return found
 
 
 def adjust(

@@ -64,8 +64,8 @@ class LandmarkTable:
     nodes : ndarray, (n,)
         Turns of a head, radians, at which errors are known; `PhotographCamera.yaw`.
     basis, mean, slopes, person, shared, alone : ndarray
-        Errors at the nodes, as in `LandmarkError`: basis (2 p, k); mean (n, k), slopes (n, k, m), person (n, k, q), shared (n, k, k) in
-        that basis; alone (n, 2 p).
+        Errors at the nodes, as in `LandmarkError`: basis (2 p, k); mean (n, k), slopes (n, k, m), person (n, k, q) and
+        shared (n, k, k) in that basis; alone (n, 2 p).
     units : mapping of ndarray (p, 3), by the name of an expression
         How each moves the points on the generic head, metres.
     """

@@ -58,15 +58,15 @@ class Photograph:
             raise ValueError(
                 f"the focal length of a photograph is {self.focal}; expected {FOCALS[0]:g} to {FOCALS[1]:g} mm, or None"
             )
-        shape = np.shape(self.picture)
-        if self.picture is not None and (shape != (self.height, self.width, 3) or self.picture.dtype != np.uint8):
-            raise ValueError(f"a picture has shape {shape}; expected ({self.height}, {self.width}, 3) of uint8")
+        wanted, picture = (self.height, self.width, 3), self.picture
+        if picture is not None and (picture.shape != wanted or picture.dtype != np.uint8):
+            raise ValueError(f"a picture has shape {picture.shape} of {picture.dtype}; expected {wanted} of uint8")
         object.__setattr__(self, "landmarks", _validate(self.landmarks, self.width, self.height))
 
     @property
     def has_depth(self) -> bool:
         """Whether the landmarks have a third coordinate."""
-        return self.landmarks.shape[1] == 3
+        return bool(self.landmarks.shape[1] == 3)
 
 
 def _validate(landmarks: ArrayLike, width: int, height: int) -> NDArray[np.float64]:

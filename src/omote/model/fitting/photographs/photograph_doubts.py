@@ -11,20 +11,20 @@ from omote.model.fitting.photographs.photograph import Photograph
 
 TURNED = np.radians(25.0)
 """From so far on a head shows its profile, and its other cheek no more."""
-STRANGE, LARGE, DIFFERENT = 2.0, 0.015, 0.5
+STRANGE, LARGE, DIFFERENT, FOLDS = 2.0, 0.015, 0.5, 5
 SIDES = {"front": 0.0, "left": -1.0, "right": 1.0}
 """Of a photograph that was said to show a side of the head, the sign of the turn that shows it."""
 
 
 def find_photograph_doubts(
-    photographs: Sequence[Photograph], found: Bundle, residual: Sequence[float], spread: float, /
+    photographs: Sequence[Photograph], found: Bundle, residual: Sequence[float], spread: float, folds: int, /
 ) -> tuple[str, ...]:  # fmt: skip
     """Sentences on a fit, none where it is sure.
 
-    residual: pixels of each photograph; spread: millimetres.
+    residual: pixels of each photograph; spread: millimetres; folds: how many triangles are folded.
     """
     yaws = [camera.yaw for camera in found.cameras]
-    return (*_of_views(yaws, spread), *_of_each(photographs, found, residual), *_of_shape(found))
+    return (*_of_views(yaws, spread), *_of_each(photographs, found, residual), *_of_shape(found, folds))
 
 
 def _of_views(yaws: Sequence[float], spread: float) -> list[str]:
@@ -32,8 +32,8 @@ def _of_views(yaws: Sequence[float], spread: float) -> list[str]:
     if len(yaws) == 1:
         return [
             "One photograph shows how wide and tall a face is, and hardly how far nose, brow and chin stand out: those "
-            f"are as people's mostly are, about {spread:.1f} mm off. Likeness comes from the picture; add one from each "
-            "side, or turn the head."
+            f"are as people's mostly are, about {spread:.1f} mm off. Likeness comes from the picture; add one from "
+            "each side, or turn the head."
         ]
     doubts = []
     if max(yaws) < TURNED:
@@ -60,6 +60,11 @@ def _of_each(photographs: Sequence[Photograph], found: Bundle, residual: Sequenc
     return doubts
 
 
-def _of_shape(found: Bundle) -> list[str]:
-    strange = float(np.sqrt((found.weights**2).mean()))
-    return ["The head is unlike those of people; look whether all photographs show one person."] * (strange > STRANGE)
+def _of_shape(found: Bundle, folds: int) -> list[str]:
+    """What is odd about the head."""
+    doubts, strange = [], float(np.sqrt((found.weights**2).mean()))
+    if strange > STRANGE:
+        doubts.append("The head is unlike those of people; look whether all photographs show one person.")
+    if folds > FOLDS:
+        doubts.append(f"The skin stays folded at {folds} triangles; look at them, or smooth them.")
+    return doubts

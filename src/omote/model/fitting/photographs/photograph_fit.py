@@ -14,6 +14,7 @@ from omote.model.fitting.photographs.photograph import Photograph
 from omote.model.fitting.photographs.photograph_camera import PhotographCamera
 from omote.model.fitting.photographs.photograph_doubts import find_photograph_doubts
 from omote.model.fitting.shape.face_closing import close_face
+from omote.model.fitting.shape.fold_mending import find_folds
 from omote.model.fitting.shape.identity_modes import IdentityModes, refuse_other_topology
 from omote.model.space.face import Face
 from omote.model.space.parameter_space import ParameterSpace
@@ -51,7 +52,7 @@ class PhotographFit:
     doubts: tuple[str, ...]
 
 
-def fit_photographs(
+def fit_photograph_views(
     space: ParameterSpace, modes: IdentityModes, table: LandmarkTable, photographs: Sequence[Photograph], /, *,
     name: str = "photograph", follow: Follow | None = None,
 ) -> PhotographFit:  # fmt: skip
@@ -96,14 +97,15 @@ def fit_photographs(
     found = adjust(space, modes, table, photographs)
     tell(0.8, "eyes and mouth")
     head, parts = modes.shape_skin(found.weights), modes.shape_parts(found.weights)
-    face = close_face(space, name, head, head, parts)
+    face = close_face(space, name, space.points, head, parts)
     residual = tuple(
         float(np.sqrt((error**2).sum() * 2 / len(error))) * camera.focal / float(-camera.shift[2])
         for error, camera in zip(found.errors, found.cameras, strict=True)
     )
     spread = _spread(modes, found)
     tell(1.0, "done")
-    doubts = find_photograph_doubts(photographs, found, residual, spread)
+    folds = len(find_folds(space, space.points, face.positions.astype(np.float64)))
+    doubts = find_photograph_doubts(photographs, found, residual, spread, folds)
     return PhotographFit(face, found.cameras, _worn(table, found), residual, spread, doubts)
 
 
