@@ -1,4 +1,4 @@
-"""Random people of ICT-FaceKit as they are photographed: their own shape, our skin's colours, their truth on our rows."""
+"""Random people of ICT-FaceKit as they are photographed: their shape, our colours, their truth on our rows."""
 
 from __future__ import annotations
 
@@ -75,7 +75,7 @@ def ict_person(draw: np.random.Generator) -> tuple[Values, Callable[[dict[str, f
     weights = draw.standard_normal(len(model.modes))
     head = fit.placement(model.points + np.tensordot(weights, model.modes, 1))
     look = random_looks(draw)
-    return np.einsum("vk,vkc->vc", shares, head[corners]), lambda units, gaze: _model(head, look, gaze)
+    return np.einsum("vk,vkc->vc", shares, head[corners]), lambda _, gaze: _model(head, look, gaze)
 
 
 def _model(head: Values, look: Look, gaze: tuple[float, float]) -> Model:

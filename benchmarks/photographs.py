@@ -115,9 +115,7 @@ def measure_colours(people: int, seed: int) -> None:
         found.append([*row, float((taken.seen == 255).sum() / (taken.albedo.pixels[..., 3] == 255).sum())])
     finder.close()
     left, removed, seen = np.mean(found, axis=0)
-    print(
-        f"colours, {len(found)} people, 4 photographs: delta E {left:.1f} with light, {removed:.1f} without, on {seen:.0%}"
-    )
+    print(f"colours, {len(found)} people, delta E {left:.1f} with light, {removed:.1f} without, on {seen:.0%}")
 
 
 def main() -> None:

@@ -76,5 +76,5 @@ def find_weights(skin: Values) -> Values:
     for _ in range(6):
         shape = modes.shape_skin(weights)[sheet]
         back = fit_similarity(skin[sheet], shape, np.ones(len(shape)))(skin[sheet])
-        weights = np.linalg.solve(matrix, moves @ (back - modes.skin[sheet]).ravel())
+        weights = np.asarray(np.linalg.solve(matrix, moves @ (back - modes.skin[sheet]).ravel()), np.float64)
     return weights

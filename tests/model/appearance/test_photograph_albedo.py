@@ -53,7 +53,8 @@ def test_two_photographs_show_both_sides_and_pass_over_smoothly() -> None:
     assert min(seen_share(whole, 1.0), seen_share(whole, -1.0)) > 0.5
     both = whole[:, 1:] & whole[:, :-1]
     steps = np.abs(np.diff(taken.albedo.pixels[..., 0].astype(int), axis=1))[both]
-    assert steps.max() < (180 - 150) / 4  # a seam would be all of it
+    # A seam would be all of 30; texels beside each other across a gap of the texture are no neighbours on the skin.
+    assert np.quantile(steps, 0.999) <= (180 - 150) / 6
 
 
 def test_photographs_without_a_picture_and_of_nothing_are_refused() -> None:

@@ -16,9 +16,8 @@ from omote.model.fitting.photographs.view_errors import (
 
 DRAW = np.random.default_rng(3)
 PLACES = DRAW.uniform(-0.1, 0.1, (20, 3))
-CAMERA = PhotographCamera(
-    Rotation.from_rotvec([0.2, -0.5, 0.1]).as_matrix(), np.array([0.02, 0.01, -0.7]), 600, 400, 500
-)
+TURN = Rotation.from_rotvec([0.2, -0.5, 0.1]).as_matrix()
+CAMERA = PhotographCamera(TURN, np.array([0.02, 0.01, -0.7]), 600, 400, 500)
 SMALL = 1e-6
 
 

@@ -40,6 +40,16 @@ class Photograph:
     ------
     ValueError
         On other shapes, numbers that are not finite, points far outside the picture, strange sizes and lenses.
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> omote.Photograph(np.full((478, 2), 300.0), 600, 600, focal=26.0).has_depth
+    False
+
+    References
+    ----------
+    K. Arai (1993), section 5.1 and [8]: faces from photographs.
     """
 
     landmarks: NDArray[np.float64]

@@ -42,6 +42,15 @@ class PhotographFit:
         as those from whom this was learned.
     doubts : tuple of str
         What the photographs do not say, and what should be looked at, in sentences.
+
+    Examples
+    --------
+    >>> fit = omote.fit_photographs(cast.space, [front, left, right])  # doctest: +SKIP
+    >>> cast.with_faces(fit.face)  # doctest: +SKIP
+
+    References
+    ----------
+    K. Arai (1993), section 5.1 and [8]: faces from photographs.
     """
 
     face: Face
