@@ -14,6 +14,7 @@ NEEDED = (
     "src/omote/builtin/cast.npz",
     "src/omote/builtin/identity_modes.npz",
     "src/omote/builtin/landmark_map.npz",
+    "src/omote/builtin/photographs/landmark_table.npz",
     "src/omote/builtin/mask.png",
     "src/omote/builtin/NOTICE-CC0.md",
 )

@@ -23,7 +23,7 @@ REGISTRIES = re.compile(
     r"pypi[.]org|pythonhosted[.]|registry[.]npmjs|registry[.]yarnpkg|deb[.]debian|https?://[^\s\"']+/simple\b"
 )
 PRIVATE = re.compile(r"/(?:home|Users)/\w|/roo[t]/|/wor[k]/|[A-Z]:\\Users")
-NETWORKS = {"viseme_network.npz", "observations.npz"}
+NETWORKS = {"viseme_network.npz", "landmark_table.npz", "observations.npz"}
 """Weights, and what weights are trained on, that no build can make: decisions 0136, 0134."""
 MESHES = {".fbx", ".glb", ".gltf", ".npz", ".obj", ".ply", ".stl", ".target"}
 

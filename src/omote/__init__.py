@@ -8,12 +8,15 @@ from typing import TYPE_CHECKING, Any
 if TYPE_CHECKING:
     from omote.builtin import load_cast as load_cast
     from omote.builtin.own_face import fit as fit
+    from omote.builtin.own_face import fit_photographs as fit_photographs
     from omote.interchange.formats.sculpt_toml import read_sculpt as read_sculpt
     from omote.model.action_units import action_units as action_units
     from omote.model.cast import Cast as Cast
     from omote.model.controls.control_net import ControlNet as ControlNet
     from omote.model.extraction.extract import extract as extract
     from omote.model.fitting.fit_face import Fit as Fit
+    from omote.model.fitting.photographs.photograph import Photograph as Photograph
+    from omote.model.fitting.photographs.photograph_fit import PhotographFit as PhotographFit
     from omote.model.sculpting.caricature import caricature as caricature
     from omote.model.sculpting.regions import regional as regional
     from omote.model.sculpting.sculpt import Sculpt as Sculpt
@@ -44,6 +47,8 @@ _HOMES = {
     "ExtractedExpression": "omote.model.extraction.extracted_expression",
     "Face": "omote.model.space.face",
     "Fit": "omote.model.fitting.fit_face",
+    "Photograph": "omote.model.fitting.photographs.photograph",
+    "PhotographFit": "omote.model.fitting.photographs.photograph_fit",
     "Gain": "omote.model.space.gain",
     "ParameterSpace": "omote.model.space.parameter_space",
     "Performer": "omote.perform.performer",
@@ -58,6 +63,7 @@ _HOMES = {
     "evaluate_parts": "omote.perform.blending.evaluate",
     "extract": "omote.model.extraction.extract",
     "fit": "omote.builtin.own_face",
+    "fit_photographs": "omote.builtin.own_face",
     "load_cast": "omote.builtin",
     "parse_pose": "omote.stage_data.pose_parser",
     "read_sculpt": "omote.interchange.formats.sculpt_toml",

@@ -18,12 +18,14 @@ from omote.builtin.binding import PARTS
 from omote.builtin.castfile import BakedMesh, cast_of, meshes_of
 from omote.model.cast import Cast
 from omote.model.fitting.identity_modes import IdentityModes
+from omote.model.fitting.photographs.landmark_table import LandmarkTable
 
 __all__ = ["BakedMesh", "load_cast", "load_identity_modes", "load_mask", "load_meshes", "read_cast"]
 
 HERE = Path(__file__).parent
 CAST, MASK, NOTICE = HERE / "cast.npz", HERE / "mask.png", HERE / "NOTICE-CC0.md"
 IDENTITY_MODES = HERE / "identity_modes.npz"
+LANDMARK_TABLE = HERE / "photographs" / "landmark_table.npz"
 _SIGNATURE = b"\x89PNG\r\n\x1a\n"
 
 
@@ -98,6 +100,19 @@ def load_identity_modes() -> IdentityModes:
         mean[: ends[0]], moves[:, : ends[0]],
         {part: mean[each] for part, each in rows.items()}, {part: moves[:, each] for part, each in rows.items()},
     )  # fmt: skip
+
+
+@functools.cache
+def load_landmark_table() -> LandmarkTable:
+    """Where a landmark model's points lie on the built-in head and how they err (tools/photographs); errors as
+    `load_cast`."""
+    arrays = _arrays(LANDMARK_TABLE)
+    values = {
+        name: arrays[name].astype(np.float64)
+        for name in ("shares", "nodes", "basis", "mean", "slopes", "person", "shared", "alone")
+    }
+    units = dict(zip(arrays["unit_names"].tolist(), arrays["units"].astype(np.float64), strict=True))
+    return LandmarkTable(corners=arrays["corners"], units=units, **values)
 
 
 def read_cast(path: Path) -> Cast:

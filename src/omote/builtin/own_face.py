@@ -2,15 +2,17 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
 
 import numpy as np
 from numpy.typing import ArrayLike
 
-from omote.builtin import load_identity_modes
+from omote.builtin import load_identity_modes, load_landmark_table
 from omote.model.fitting.find_head import find_head
 from omote.model.fitting.fit_face import Fit, fit_face
+from omote.model.fitting.photographs.photograph import Photograph
+from omote.model.fitting.photographs.photograph_fit import Follow, PhotographFit, fit_photograph_views
 from omote.model.fitting.scan import Scan
 from omote.model.space.parameter_space import ParameterSpace, refuse_no_space
 
@@ -70,3 +72,46 @@ def fit(
     place = find_head(space, modes, scan, landmarks=landmarks)
     found = fit_face(space, modes, scan, place.similarity, landmarks=landmarks, name=name, shut=shut)
     return replace(found, doubts=(*place.doubts, *found.doubts))
+
+
+def fit_photographs(
+    space: ParameterSpace, photographs: Sequence[Photograph], /, *, name: str = "photograph",
+    follow: Follow | None = None,
+) -> PhotographFit:  # fmt: skip
+    """Fits the generic head to photographs of one person in which a landmark model found a face.
+
+    Parameters
+    ----------
+    space : ParameterSpace
+        The built-in cast's.
+    photographs : sequence of Photograph
+        One or more; from the front and from both sides they say most. Nobody needs to know the cameras.
+    name : str
+        The face's.
+    follow : callable, optional
+        Told how much is done, 0 to 1, and what is being done.
+
+    Returns
+    -------
+    PhotographFit
+        The face, the cameras, and in doubts what the photographs do not say.
+
+    Raises
+    ------
+    ValueError
+        Without photographs, and on a space of another head.
+
+    Examples
+    --------
+    >>> front = omote.Photograph(landmarks, 1200, 1600, focal=26.0)  # doctest: +SKIP
+    >>> omote.fit_photographs(cast.space, [front]).doubts  # doctest: +SKIP
+    ('One photograph shows how wide and tall a face is, and hardly how far ...',)
+
+    References
+    ----------
+    K. Arai (1993), section 5.1; docs/decisions/0161.
+    """
+    refuse_no_space(space)
+    return fit_photograph_views(
+        space, load_identity_modes(), load_landmark_table(), photographs, name=name, follow=follow
+    )  # fmt: skip

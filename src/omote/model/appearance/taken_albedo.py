@@ -72,21 +72,27 @@ def take_albedo(
         Where the scan has no colours, or none of it lies on the face.
     """
     side = len(painted)
-    spots = _spots(space, atlas, face, side)
+    texels = place_texels(space, atlas, face, side)
     colours = place_colours(scan, placement, face.positions.astype(np.float64))
-    light, seen = _look_up(colours, spots)
+    light, seen = _look_up(colours, texels)
     if not seen.any():
         raise ValueError("no skin of the face lies on the scan; expected the placement that the face was fitted by")
-    share = _feathered(seen, FEATHER * side)
+    return complete_albedo(texels, light, seen, painted)
+
+
+def complete_albedo(texels: Texels, light: Light, seen: Mask, painted: NDArray[np.uint8], /) -> TakenAlbedo:
+    """The picture of linear light (k, k, 3) where skin was seen (k, k), carried on by the painted skin (k, k, 3)
+    elsewhere."""
+    share = _feathered(seen, FEATHER * len(painted))
     filled = _carried_on(light, share, decode_light(painted))
     whole = share[..., None] * light + (1.0 - share[..., None]) * filled
-    cover = np.rint(255.0 * spots.outer)
+    cover = np.rint(255.0 * texels.outer)
     pixels = np.concatenate([encode_light(whole), cover[..., None].astype(np.uint8)], axis=2)
-    return TakenAlbedo(Albedo(pixels), np.rint(255.0 * share * spots.outer).astype(np.uint8))
+    return TakenAlbedo(Albedo(pixels), np.rint(255.0 * share * texels.outer).astype(np.uint8))
 
 
 @dataclass(frozen=True, eq=False)
-class _Spots:
+class Texels:
     """Where each texel lies on the face: places, normals (k, k, 3); used (k, k); outer, 0 on inner skin, 1 outside."""
 
     places: Values
@@ -95,7 +101,8 @@ class _Spots:
     outer: Values
 
 
-def _spots(space: ParameterSpace, atlas: SkinAtlas, face: Face, side: int) -> _Spots:
+def place_texels(space: ParameterSpace, atlas: SkinAtlas, face: Face, side: int, /) -> Texels:
+    """Where the texels of a face's skin lie on it."""
     positions = face.positions.astype(np.float64)
     normals = _vertex_normals(positions, space.triangles)
     places, turns = (
@@ -106,7 +113,7 @@ def _spots(space: ParameterSpace, atlas: SkinAtlas, face: Face, side: int) -> _S
     outside = np.zeros(len(positions))
     outside[np.unique(space.skin_triangles)] = 1.0
     outer = smooth_ramp(0.5, 1.0, atlas.spread(outside, side))
-    return _Spots(places, turns, used, np.where(used, outer, 1.0))
+    return Texels(places, turns, used, np.where(used, outer, 1.0))
 
 
 def _vertex_normals(points: Values, triangles: NDArray[np.integer]) -> Values:
@@ -117,18 +124,18 @@ def _vertex_normals(points: Values, triangles: NDArray[np.integer]) -> Values:
     return normals
 
 
-def _look_up(colours: ScanColours, spots: _Spots) -> tuple[Light, Mask]:
+def _look_up(colours: ScanColours, texels: Texels) -> tuple[Light, Mask]:
     """Linear light of every texel (k, k, 3), and where it is that skin's own."""
-    side, around = len(spots.used), np.array([0, 1])
-    coarse = spots.used[::2, ::2]
+    side, around = len(texels.used), np.array([0, 1])
+    coarse = texels.used[::2, ::2]
     found = np.full(coarse.shape, -1)
-    places, normals = spots.places[::2, ::2][coarse], spots.normals[::2, ::2][coarse]
+    places, normals = texels.places[::2, ::2][coarse], texels.normals[::2, ::2][coarse]
     found[coarse] = nearest_faces(colours, places, normals, within=float(np.hypot(2.0 * NEAR, TURN)))
-    rows, columns = np.nonzero(spots.used & (spots.outer > 0.0))
+    rows, columns = np.nonzero(texels.used & (texels.outer > 0.0))
     most = side // 2 - 1
     down, right = (np.minimum(index[:, None] // 2 + around, most) for index in (rows, columns))
     candidates = np.stack([found[down[:, i], right[:, j]] for i in around for j in around], axis=1)
-    places, normals = spots.places[rows, columns], spots.normals[rows, columns]
+    places, normals = texels.places[rows, columns], texels.normals[rows, columns]
     faces, shares, away = choose_nearest(colours, places, normals, candidates)
     turned = (colours.normals[faces] * normals).sum(axis=1)
     good = (away < NEAR) & ((turned > LEVEL) | (not colours.normals.any()))

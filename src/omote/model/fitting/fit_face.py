@@ -15,17 +15,15 @@ from omote.model.fitting.landmarks import SEVEN, find_landmarks
 from omote.model.fitting.scan import Scan
 from omote.model.fitting.scan_skin import keep_skin, may_be_shut
 from omote.model.fitting.scan_surface import ScanSurface, face_outward, sample_cloud, sample_mesh
-from omote.model.fitting.shape.fitted_eyes import Ball, find_balls, place_balls, seat_lids
+from omote.model.fitting.shape.face_closing import close_face
+from omote.model.fitting.shape.fitted_eyes import Ball, find_balls, place_balls
 from omote.model.fitting.shape.fold_mending import find_folds, mend_folds
 from omote.model.fitting.shape.head_zones import HeadZones, head_zones, row_matrix, rung_matrix
 from omote.model.fitting.shape.mode_fit import Marks, ModeFit, fit_modes
 from omote.model.fitting.shape.plate_fit import Pull, bend, find_lengths, match
-from omote.model.sculpting.socket_depth import fit_lining_at_rest
 from omote.model.space.face import Face
-from omote.model.space.face_fit import fit
 from omote.model.space.parameter_space import ParameterSpace
 from omote.model.space.similarity import Similarity, fit_similarity
-from omote.model.transfer.mouth.mouth_at_rest import fit_mouth_at_rest
 
 Values = NDArray[np.float64]
 Follow = Callable[[float, str], None]
@@ -136,7 +134,7 @@ def fit_face(
     parts = _carry_parts(space, expected, head, bent, balls)
     upright = _set_upright(space, found, parts)
     guide = upright(head)
-    face = _finish(space, name, guide, upright(bent), {part: upright(points) for part, points in parts.items()})
+    face = close_face(space, name, guide, upright(bent), {part: upright(points) for part, points in parts.items()})
     folds = find_folds(space, guide, face.positions.astype(np.float64))
     residual, seen = _compare(space, skin, _back(upright)(face.positions))
     doubts = find_doubts(zones, found, residual, len(folds), filled and shut is None)
@@ -216,17 +214,6 @@ def _set_upright(space: ParameterSpace, found: ModeFit, parts: Mapping[str, Valu
     there = np.mean([space.parts[name].points.mean(axis=0) for name in eyes], axis=0)
     here = np.mean([parts[name].mean(axis=0) for name in eyes], axis=0)
     return Similarity(1.0, turn, there - turn @ here)
-
-
-def _finish(space: ParameterSpace, name: str, guide: Values, skin: Values, parts: dict[str, Values]) -> Face:
-    """The face with lids on its eyes, lips that meet, and linings of mouth and sockets behind its skin."""
-    seated = seat_lids(space, skin, {name: parts[name] for name, part in space.parts.items() if part.eye})
-    seated = mend_folds(space, guide, seated)
-    placed = {name: points.astype(np.float32) for name, points in parts.items()}
-    closed = fit_mouth_at_rest(space, seated.astype(np.float32), placed)
-    face = Face(name, fit_lining_at_rest(space, closed), placed)
-    fit(space, face)  # refuses what is no face of this space
-    return face
 
 
 def _compare(space: ParameterSpace, skin: ScanSurface, positions: Values) -> tuple[Values, Values]:

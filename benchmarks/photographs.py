@@ -1,0 +1,136 @@
+"""Faces from photographs of people whose shape is known: python -m benchmarks.photographs [--people 12] [--seed 0].
+
+Random people of ICT-FaceKit (where it is at hand) and fresh random people of the sculptor are photographed with random
+lenses, light and noise, the camera page's landmark model looks at them, and `omote.fit_photographs` fits them. Vertex
+error of the face (ears, skull and nape apart) after a similarity, the mean head's error being 1; and of the colours
+taken from the photographs, CIE delta E (2000) on the skin that was seen, without and with soft light divided out.
+"""
+
+from __future__ import annotations
+
+import argparse
+import time
+from collections.abc import Callable
+
+import numpy as np
+from numpy.typing import NDArray
+
+import omote
+from benchmarks.heads_before_cameras import ict_person
+from benchmarks.scans.ict_people import at_hand
+from omote.builtin import load_cast, load_identity_modes
+from omote.model.appearance.photograph_albedo import take_photograph_albedo
+from omote.model.fitting.photographs.photograph import FILM, Photograph
+from omote.model.fitting.shape.head_zones import head_zones
+from omote.model.space.similarity import fit_similarity
+from tools.photographs.colour_distance import delta_e
+from tools.photographs.observe_heads import random_gaze
+from tools.photographs.photographer import Model, photograph
+from tools.photographs.sculpted_people import model_of, painted_colours, random_sculpted
+from tools.photographs.views import camera_at, random_focal
+from tools.tracking.landmark_finder import Looks, find, open_finder
+from tools.tracking.picture import random_setting
+
+Values = NDArray[np.float64]
+Make = Callable[[dict[str, float], tuple[float, float]], Model]
+YAWS, SIDE = (0.0, 40.0, -40.0, 20.0), 512
+BARS = {1: 0.92, 4: 0.70}
+
+
+def take_views(
+    make: Make, draw: np.random.Generator, finder: Looks, *, told: bool = False
+) -> list[Photograph]:  # fmt: skip
+    """Four photographs of somebody by one camera, with the landmarks found; told: with the focal length."""
+    focal, setting, views = random_focal(draw), random_setting(draw), []
+    for degrees in YAWS:
+        yaw = float(np.radians(degrees) + draw.normal(0.0, 0.05))
+        camera = camera_at(draw, yaw, float(draw.normal(0, 0.06)), float(draw.normal(0, 0.05)), focal, SIDE)
+        picture, _ = photograph(camera, make({}, random_gaze(draw, yaw)), setting, draw)
+        points = find(finder, picture)
+        if points is not None:
+            views.append(Photograph(
+                points.astype(np.float64) * SIDE, SIDE, SIDE, FILM * focal if told else None, "one", picture
+            ))  # fmt: skip
+    return views
+
+
+def vertex_error(skin: Values, truth: Values) -> float:
+    """Millimetres between the faces of two skins (V, 3), the mean after a similarity."""
+    face = head_zones(load_cast().space).face
+    placed = fit_similarity(skin[face], truth[face], np.ones(int(face.sum())))(skin[face])
+    return 1000.0 * float(np.linalg.norm(placed - truth[face], axis=1).mean())
+
+
+def sculpted_person(draw: np.random.Generator) -> tuple[Values, Make]:
+    """A fresh person of the sculptor: skin (V, 3), and how to draw them."""
+    person = random_sculpted(draw, 1.0)
+    return person.face.positions.astype(np.float64), lambda weights, gaze: model_of(person, weights, gaze)
+
+
+def measure_shapes(name: str, someone: Callable[..., tuple[Values, Make]], people: int, seed: int) -> None:
+    """Prints vertex errors of one photograph and of four."""
+    finder, rows, seconds = open_finder(), [], []
+    space, mean = load_cast().space, load_identity_modes().skin
+    for number in range(people):
+        draw = np.random.default_rng([seed, number])
+        truth, make = someone(draw)
+        views = take_views(make, draw, finder)
+        if len(views) < len(YAWS):
+            print(f"  person {number}: a face found in {len(views)} of {len(YAWS)} photographs, left out")
+            continue
+        errors = [vertex_error(mean, truth)]
+        for count in BARS:
+            start = time.thread_time()
+            fit = omote.fit_photographs(space, views[:count])
+            seconds.append(time.thread_time() - start)
+            errors.append(vertex_error(fit.face.positions.astype(np.float64), truth))
+        rows.append(errors)
+    finder.close()
+    table = np.array(rows)
+    for column, (count, bar) in enumerate(BARS.items(), 1):
+        share = table[:, column].mean() / table[:, 0].mean()
+        print(
+            f"{name}, {len(table)} people, {count} photograph(s): {table[:, column].mean():.2f} mm, mean head "
+            f"{table[:, 0].mean():.2f} mm: {share:.3f} (at most {bar}), worst person "
+            f"{(table[:, column] / table[:, 0]).max():.2f}; {np.mean(seconds):.1f} s of one core a fit"
+        )
+
+
+def measure_colours(people: int, seed: int) -> None:
+    """Prints delta E of skin that was seen in four photographs, its light left in and divided out."""
+    cast, finder, found = load_cast(), open_finder(), []
+    assert cast.atlas is not None
+    for number in range(people):
+        draw = np.random.default_rng([seed, 7, number])
+        person = random_sculpted(draw, 1.0)
+        views = take_views(lambda weights, gaze, who=person: model_of(who, weights, gaze), draw, finder)  # type: ignore[misc]
+        if not views:
+            continue
+        fit, truth = omote.fit_photographs(cast.space, views), painted_colours(person.look)
+        plain = painted_colours(person.look, plain=True)
+        row = []
+        for even in (False, True):
+            taken = take_photograph_albedo(cast.space, cast.atlas, fit.face, views, fit.cameras, plain, even=even)
+            row.append(delta_e(taken.albedo.pixels[..., :3], truth, taken.seen == 255))
+        found.append([*row, float((taken.seen == 255).sum() / (taken.albedo.pixels[..., 3] == 255).sum())])
+    finder.close()
+    left, removed, seen = np.mean(found, axis=0)
+    print(f"colours, {len(found)} people, delta E {left:.1f} with light, {removed:.1f} without, on {seen:.0%}")
+
+
+def main() -> None:
+    """Measures shapes, then colours."""
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--people", type=int, default=12)
+    parser.add_argument("--seed", type=int, default=None)
+    asked = parser.parse_args()
+    seed = int(np.random.SeedSequence().entropy % 2**31) if asked.seed is None else asked.seed  # type: ignore[operator]
+    print(f"seed {seed}")
+    measure_shapes("the sculptor's", sculpted_person, asked.people, seed)
+    if at_hand():
+        measure_shapes("ICT-FaceKit's", ict_person, asked.people, seed)
+    measure_colours(max(asked.people // 4, 1), seed)
+
+
+if __name__ == "__main__":
+    main()

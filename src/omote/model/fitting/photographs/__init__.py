@@ -1,0 +1,1 @@
+"""Faces from photographs whose landmarks are known."""

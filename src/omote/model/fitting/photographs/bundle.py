@@ -1,0 +1,214 @@
+"""Shape, cameras and expressions that explain landmarks of several photographs best: Gauss-Newton, all at once.
+
+What landmarks are off by is weighed by its covariance (`LandmarkTable`), what a person looks like by what people differ
+by: the maximum a posteriori (Blanz and Vetter 1999; bundle adjustment after Triggs et al. 1999).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from omote.model.fitting.identity_modes import IdentityModes
+from omote.model.fitting.photographs.landmark_table import LandmarkTable
+from omote.model.fitting.photographs.outlines import REACH, find_outline
+from omote.model.fitting.photographs.photograph import Photograph
+from omote.model.fitting.photographs.photograph_camera import PhotographCamera
+from omote.model.fitting.photographs.pose_start import (
+    FOCAL_SPREAD,
+    KNOWN_SPREAD,
+    start_camera,
+    usual_focal,
+)
+from omote.model.fitting.photographs.view_errors import (
+    POSE,
+    change_by_places,
+    change_by_pose,
+    measure_errors,
+)
+from omote.model.fitting.shape.head_zones import head_zones
+from omote.model.space.parameter_space import ParameterSpace
+
+Values = NDArray[np.float64]
+
+ROUNDS = 14
+# From this round on, outlines are sought in the pictures.
+OUTLINES = 4
+# Of a unit of expression in a photograph.
+UNIT = 0.12
+# A point that is off by so many standard deviations counts half (Student's t).
+ODD = 5.0
+# Landmarks of real people err more than those of ours: variances times this.
+CARE = 4.0
+# Of an edge, metres, and how many neighbouring points of an outline say no more than one.
+EDGE, ALIKE = 0.0015, 4.0
+# No turn of one round is larger, radians, nor a change of a focal length's logarithm.
+STRIDE = 0.3
+
+
+@dataclass(frozen=True, eq=False)
+class Bundle:
+    """What explains the photographs: weights (m,) of the modes, their standard deviations (m,); what each person is
+    beside that (q,); of each photograph a camera, weights (u,) of units and errors (2 p,) in metres."""
+
+    weights: Values
+    deviations: Values
+    person: Values
+    cameras: tuple[PhotographCamera, ...]
+    units: tuple[Values, ...]
+    errors: tuple[Values, ...]
+
+
+@dataclass(frozen=True, eq=False)
+class Problem:
+    """What is adjusted: photographs on a space; of the p landmarks, where they lie on the mean head (p, 3), and how
+    modes (m, p, 3) and units (u, p, 3) move them; each photograph's lens, counted; brightness of the pictures."""
+
+    space: ParameterSpace
+    modes: IdentityModes
+    table: LandmarkTable
+    photographs: Sequence[Photograph]
+    mean: Values
+    moves: Values
+    units: Values
+    lenses: list[int]
+    luma: list[Values | None]
+
+    @property
+    def own(self) -> int:
+        """How many unknowns each photograph has beside its lens: six of a pose, units."""
+        return POSE - 1 + len(self.units)
+
+    @property
+    def common(self) -> int:
+        """How many unknowns all photographs share: modes, the person beside them."""
+        return len(self.moves) + int(self.table.person.shape[2])
+
+    def columns(self, view: int) -> NDArray[np.intp]:
+        """The unknowns on which a photograph depends: modes, person, turn, shift, lens, units."""
+        first = self.common + view * self.own
+        lens = self.common + len(self.photographs) * self.own + self.lenses[view]
+        found: NDArray[np.intp] = np.r_[
+            : self.common, first : first + POSE - 1, lens, first + POSE - 1 : first + self.own
+        ]
+        return found
+
+
+def adjust(
+    space: ParameterSpace, modes: IdentityModes, table: LandmarkTable, photographs: Sequence[Photograph], /
+) -> Bundle:  # fmt: skip
+    """The most likely shape, cameras and expressions."""
+    problem = Problem(
+        space, modes, table, photographs, table.places(modes.skin), table.places(modes.moves),
+        np.stack(list(table.units.values())), _lenses(photographs), [_brightness(each) for each in photographs],
+    )  # fmt: skip
+    cameras = tuple(start_camera(each, problem.mean) for each in photographs)
+    units = tuple(np.zeros(len(problem.units)) for _ in photographs)
+    count = len(problem.moves)
+    found = Bundle(np.zeros(count), np.ones(count), np.zeros(problem.common - count), cameras, units, ())
+    for number in range(ROUNDS):
+        found = _step(problem, found, number >= OUTLINES)
+    return found
+
+
+def _lenses(photographs: Sequence[Photograph]) -> list[int]:
+    """The number of each photograph's lens."""
+    names = [each.camera if each.camera is not None else at for at, each in enumerate(photographs)]
+    order = list(dict.fromkeys(names))
+    return [order.index(name) for name in names]
+
+
+def _brightness(photograph: Photograph) -> Values | None:
+    if photograph.picture is None:
+        return None
+    result: Values = photograph.picture.astype(np.float64).mean(axis=2)
+    return result
+
+
+def _step(problem: Problem, last: Bundle, outlined: bool) -> Bundle:
+    size = problem.common + len(problem.photographs) * problem.own + max(problem.lenses) + 1
+    matrix, pull, errors = np.eye(size) * 1e-9, np.zeros(size), []
+    shape = problem.modes.shape_skin(last.weights) if outlined else None
+    for view in range(len(problem.photographs)):
+        at = problem.columns(view)
+        slopes, error, weighed = _look(problem, last, view)
+        matrix[np.ix_(at, at)] += slopes.T @ weighed[:, :-1]
+        pull[at] += slopes.T @ weighed[:, -1]
+        errors.append(error)
+        _expect(problem, last, view, matrix, pull)
+        if shape is not None:
+            _add_outline(problem, last, view, shape, matrix, pull)
+    rows = np.arange(problem.common)
+    matrix[rows, rows] += 1.0
+    pull[rows] += np.concatenate([last.weights, last.person])
+    inverse = np.linalg.inv(matrix)
+    return _moved(problem, last, -inverse @ pull, np.sqrt(np.diag(inverse)), errors)
+
+
+def _look(problem: Problem, last: Bundle, view: int) -> tuple[Values, Values, Values]:
+    """Of a photograph: how what is left of its errors changes (2 p, n), that itself (2 p,), and both weighed."""
+    camera, table = last.cameras[view], problem.table
+    places = problem.mean + np.tensordot(last.weights, problem.moves, 1)
+    places = places + np.tensordot(last.units[view], problem.units, 1)
+    pixels, law = problem.photographs[view].landmarks[: len(places), :2], table.error_at(camera.yaw)
+    explained = law.mean + law.slopes @ last.weights + law.person @ last.person
+    error = measure_errors(pixels, camera, places) - explained
+    slopes = np.column_stack([
+        change_by_places(camera, places, problem.moves) - law.slopes, -law.person,
+        change_by_pose(camera, places), change_by_places(camera, places, problem.units),
+    ])  # fmt: skip
+    odd = (error**2 / law.variance).reshape(-1, 2).sum(axis=1)
+    trust = np.repeat(1.0 / (1.0 + odd / ODD**2), 2)
+    return slopes, error, law.weigh(np.column_stack([slopes, error]), trust) / CARE
+
+
+def _expect(problem: Problem, last: Bundle, view: int, matrix: Values, pull: Values) -> None:
+    """Adds what is expected of a photograph's expression and lens."""
+    at = problem.columns(view)[problem.common + POSE - 1 :]
+    matrix[at[1:], at[1:]] += UNIT**-2
+    pull[at[1:]] += UNIT**-2 * last.units[view]
+    photograph = problem.photographs[view]
+    spread = FOCAL_SPREAD if photograph.focal is None else KNOWN_SPREAD
+    matrix[at[0], at[0]] += spread**-2
+    pull[at[0]] += spread**-2 * np.log(last.cameras[view].focal / usual_focal(photograph))
+
+
+def _add_outline(
+    problem: Problem, last: Bundle, view: int, shape: Values, matrix: Values, pull: Values
+) -> None:  # fmt: skip
+    """Adds the edges found near where the head ends."""
+    luma, camera = problem.luma[view], last.cameras[view]
+    if luma is None:
+        return
+    face = head_zones(problem.space).face
+    found = find_outline(problem.space, camera, shape, luma, face)
+    if not len(found.rows):
+        return
+    places, moves = shape[found.rows], problem.modes.moves[:, found.rows]
+    across = found.ways.ravel()[:, None]
+    slopes = np.column_stack([
+        (across * part).reshape(len(places), 2, -1).sum(axis=1)
+        for part in (change_by_places(camera, places, moves), change_by_pose(camera, places))
+    ])  # fmt: skip
+    share = found.clear * (1.0 - (found.away / REACH) ** 2) ** 2 / (EDGE**2 * ALIKE)
+    at = problem.columns(view)[: problem.common + POSE]
+    at = np.r_[at[: len(moves)], at[problem.common :]]
+    matrix[np.ix_(at, at)] += (slopes.T * share) @ slopes
+    pull[at] += (slopes.T * share) @ found.away
+
+
+def _moved(problem: Problem, last: Bundle, step: Values, deviations: Values, errors: list[Values]) -> Bundle:
+    count, cameras, units = len(problem.moves), [], []
+    for view, camera in enumerate(last.cameras):
+        own = step[problem.columns(view)[problem.common :]]
+        share = min(1.0, STRIDE / max(float(np.linalg.norm(own[:3])), 1e-9))
+        growth = float(np.clip(own[6], -STRIDE, STRIDE))
+        cameras.append(camera.move(share * own[:3], share * own[3:6], growth))
+        units.append(np.clip(last.units[view] + own[POSE:], 0.0, 1.0))
+    return Bundle(
+        last.weights + step[:count], deviations[:count], last.person + step[count : problem.common],
+        tuple(cameras), tuple(units), tuple(errors),
+    )  # fmt: skip
