@@ -87,7 +87,7 @@ def wrong_calls(cast: omote.Cast) -> dict[tuple[str, type[Exception]], Callable[
         ("Expression", ValueError): lambda: omote.Expression(dtheta, dh, -ratio, residual),
         ("Expression", TypeError): lambda: omote.Expression(dtheta, dh, ratio, residual, no_parts),
         ("Face", ValueError): lambda: omote.Face("", kaori.positions),
-        ("Photograph", ValueError): lambda: omote.Photograph(kaori.positions, 640, 480),
+        ("Photograph", ValueError): lambda: omote.Photograph(np.asarray(kaori.positions, np.float64), 640, 480),
         ("fit_photographs", ValueError): lambda: omote.fit_photographs(space, []),
         ("Face", TypeError): lambda: omote.Face("one", kaori.positions, no_parts),
         ("fit", ValueError): lambda: omote.fit(space, np.zeros((3, 3))),

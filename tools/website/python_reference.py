@@ -29,6 +29,7 @@ GROUPS: Mapping[str, Sequence[str]] = {
     "Pictures": ("render",),
     "Expressions": ("compound", "extract", "ExtractedExpression", "ControlNet", "action_units"),
     "Faces": ("Sculpt", "read_sculpt", "sculpted", "regional", "caricature", "fit", "Fit"),
+    "Photographs": ("Photograph", "fit_photographs", "PhotographFit"),
 }
 CONNECTED_HEAD = """# A program that plays a running show
 
