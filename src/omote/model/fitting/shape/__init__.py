@@ -1,0 +1,1 @@
+"""How the generic head takes the shape of a scan."""

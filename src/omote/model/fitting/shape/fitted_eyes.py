@@ -1,0 +1,111 @@
+"""Where the eyeballs of a fitted face are: where the scan shows balls of its own, else where its lids say."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+import numpy as np
+from numpy.typing import NDArray
+
+from omote.model.fitting.scan_surface import ScanSurface
+from omote.model.space.eye_socket import FAR, NEAR, ball_heights, fall_off, radius_of, set_ball_heights
+from omote.model.space.parameter_space import ParameterSpace
+
+Values = NDArray[np.float64]
+
+# A ball of the scan: its middle lies so near to where one is expected, in radii, and is so much as large.
+BESIDE, SIZES = 0.6, (0.6, 1.4)
+# It is round within this share of its radius in the mean, and reaches so far around it in each axis, in radii.
+ROUND, AROUND = 0.05, 1.2
+FEWEST, ENOUGH = 60, 400
+# How sure the place (metres) and the logarithm of the size are that modes and skin around give, beside one lid vertex.
+PLACE, SIZE, HEIGHT = 0.002, 0.05, 0.25
+# Lids lie at least so high over the ball, in radii, but for those that lie deeper on the generic head.
+CLEAR = 1.01
+
+
+def place_balls(
+    space: ParameterSpace, expected: dict[str, Values], skin: Values, surface: ScanSurface, /
+) -> dict[str, Values]:  # fmt: skip
+    """The eyeballs (n, 3) by name, from where they are expected.
+
+    surface: all of the scan's, not only its skin; skin (V, 3): the fitted one.
+    """
+    found = {}
+    for name, ball in expected.items():
+        seen = _find_ball(surface, ball)
+        middle, radius = _settle(space, name, ball, skin) if seen is None else seen
+        found[name] = middle + (ball - ball.mean(axis=0)) * (radius / radius_of(ball))
+    return found
+
+
+def _find_ball(surface: ScanSurface, expected: Values) -> tuple[Values, float] | None:
+    """The middle and the radius of the widest component that is a ball near the expected one."""
+    middle, radius = expected.mean(axis=0), radius_of(expected)
+    near = surface.tree.query_ball_point(middle, radius * (1.0 + BESIDE) * SIZES[1])
+    labels, counts = np.unique(surface.component[near], return_counts=True)
+    found = list[tuple[float, Values]]()
+    for label in labels[counts >= FEWEST]:
+        points = surface.points[surface.component == label]
+        points = points[:: max(len(points) // ENOUGH, 1)]
+        seen, size = fit_sphere(points)
+        off = points - seen
+        around = np.ptp(off, axis=0).min() > AROUND * size
+        even = np.median(np.abs(np.linalg.norm(off, axis=1) - size)) < ROUND * size
+        beside = np.linalg.norm(seen - middle) < BESIDE * radius
+        if around and even and beside and SIZES[0] < size / radius < SIZES[1]:
+            found.append((size, seen))
+    size, seen = max(found, key=lambda ball: ball[0], default=(0.0, middle))
+    return (seen, size) if found else None
+
+
+def fit_sphere(points: Values, /) -> tuple[Values, float]:
+    """The middle (3,) and the radius of the sphere nearest to points (n, 3), those off it counted less (Tukey)."""
+    centre = points.mean(axis=0)
+    local, weights = points - centre, np.ones(len(points))
+    middle, radius = np.zeros(3), 1.0
+    for _ in range(12):
+        system = np.column_stack([2.0 * local, np.ones(len(local))]) * weights[:, None]
+        answer = np.linalg.lstsq(system, (local**2).sum(axis=1) * weights, rcond=None)[0]
+        middle, radius = answer[:3], float(np.sqrt(max(answer[3] + answer[:3] @ answer[:3], 1e-12)))
+        off = np.linalg.norm(local - middle, axis=1) - radius
+        wide = max(4.0 * float(np.median(np.abs(off))), 1e-5)
+        weights = np.maximum(1.0 - (off / wide) ** 2, 0.0)
+    return centre + middle, radius
+
+
+def _settle(space: ParameterSpace, name: str, ball: Values, skin: Values) -> tuple[Values, float]:
+    """The ball over which the lids lie as high as on the generic head, not far from where it is expected."""
+    wanted = ball_heights(space.points, space.parts[name].points)
+    rows = np.flatnonzero(space.on_sheet & (wanted < NEAR))
+    start, first = ball.mean(axis=0), radius_of(ball)
+    state = np.zeros(4)
+    for _ in range(8):
+        size = first * np.exp(state[3])
+        off = skin[rows] - (start + state[:3])
+        length = np.linalg.norm(off, axis=1)
+        left = length / size - wanted[rows]
+        slopes = np.column_stack([-off / (length * size)[:, None], -length / size])
+        share = HEIGHT**-2 * np.maximum(1.0 - (left / 0.3) ** 2, 0.0)
+        prior = np.array([PLACE**-2] * 3 + [SIZE**-2])
+        matrix = slopes.T @ (slopes * share[:, None]) + np.diag(prior)
+        state -= np.linalg.solve(matrix, slopes.T @ (share * left) + prior * state)
+    return start + state[:3], float(first * np.exp(state[3]))
+
+
+def seat_lids(space: ParameterSpace, skin: Values, balls: dict[str, Values], /) -> Values:
+    """The skin (V, 3) with the lining of the sockets as high over the balls as on the generic head, and the lids not in
+    them."""
+    wanted = {}
+    for name, ball, rest in _heights(space, balls):
+        now = ball_heights(skin, ball)
+        lids = np.where(now < np.minimum(rest, CLEAR), np.minimum(rest, CLEAR), now)
+        lids = np.where(rest > FAR, rest, np.minimum(lids, FAR))
+        share = fall_off((rest - NEAR) / (FAR - NEAR))
+        wanted[name] = np.where(space.on_sheet | (share == 0.0), np.where(rest > FAR, rest, lids), rest)
+    return set_ball_heights(skin, balls, wanted)
+
+
+def _heights(space: ParameterSpace, balls: dict[str, Values]) -> Iterator[tuple[str, Values, Values]]:
+    for name, ball in balls.items():
+        yield name, ball, ball_heights(space.points, space.parts[name].points)
