@@ -23,9 +23,9 @@ from rich.progress import track
 from rich.table import Table
 
 from omote.builtin import load_cast, load_mask, load_meshes
-from omote.interchange.avatar.export_vrm import TURNED, VERSIONS, Version, vrm_bytes
+from omote.interchange.avatar.export_vrm import TURNED, vrm_bytes
 from omote.interchange.avatar.preset_expressions import PRESETS, preset_weights
-from omote.interchange.avatar.vrm_licence import Credit
+from omote.interchange.avatar.vrm_licence import VERSIONS, Credit, Version
 from omote.interchange.export_face import ExportContext
 from tests.browser.avatar_page import NEAR, PERFECT_SYNC, blended, distances, on_air, open_avatar
 from tests.browser.conftest import KIOSK, PAGES, QUIET, RENDERER
@@ -52,7 +52,7 @@ class Found:
 def measure(browser: Browser, context: ExportContext, face: str, version: Version, folder: Path) -> Found:
     """Writes one face and has it judged."""
     file = folder / f"{face}.vrm"
-    file.write_bytes(vrm_bytes(context, face, [], Credit(("Omote",)), version=version))
+    file.write_bytes(vrm_bytes(context, face, [], Credit(("Omote",), version=version)))
     (seen,) = inspect([file])
     names = {**preset_weights(context.cast), **PERFECT_SYNC}
     if version == "0.x":

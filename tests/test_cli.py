@@ -15,14 +15,10 @@ from pathlib import Path
 import pytest
 from typer.testing import CliRunner
 
-from omote.builtin import load_cast
 from omote.cli import app
-from omote.edit.store.import_items import ImportedItem, changes_to_import
-from omote.interchange.formats.glb_reader import read_glb
 from omote.model.cast import Cast
 from omote.server.persistence.lock import lock_show
 from omote.server.supervision.supervisor import Supervisor
-from omote.showfile.changes import Stored
 from omote.showfile.show_file import JournalEntry, open_show
 
 runner = CliRunner()
@@ -50,7 +46,8 @@ def test_errors_that_need_no_cast_do_not_wait_for_one(tmp_path: Path) -> None:
         "render -o a.png --background gren", "render -o a.png --gaze 80", "render -o a.png --face kaori=.3",
         "render -o a.png --quality best", "render -o a.png --light noon", "render -o a.png --show none.omote",
         "render -o a.jpg --transparent", "grid -o a.png", "grid -o a.png --faces old --turns x", "redraw none.json",
-        "export kaori -o a.obj", "export kaori -o nowhere/a.glb", "export kaori -o a.glb --show notes.txt",
+        "export kaori -o a.fbx", "export -o a.glb", "export kaori -o nowhere/a.glb",
+        "export kaori -o a.glb --show notes.txt", "export --all -o a --show notes.txt",
         "file list none.omote", "file list notes.txt", "file check notes.txt", "file history none.omote smile",
         "file import a.omote none.json", "file import notes.txt none.json", "file export none.omote smile -o a",
         "show notes.txt", "show nowhere/a.omote", "show --port 99999",
@@ -333,47 +330,6 @@ def test_the_real_show_opens_and_ends(tmp_path: Path) -> None:
         assert show.wait(60.0) == 0
 
 
-def test_a_face_is_written_with_its_expressions_as_targets(tmp_path: Path) -> None:
-    path = tmp_path / "dog.glb"  # the ending may be left out
-    done = runner.invoke(app, ["export", "dog", "-o", str(tmp_path / "dog"), "--expressions", "smile,jawOpen"])
-    assert done.exit_code == 0, done.output
-    assert {tuple(piece.moves) for piece in read_glb(path.read_bytes())} == {("smile", "jawOpen")}
-    before = path.read_bytes()  # shaped in another program, it may have the same name
-    again = ["export", "dog", "-o", str(path), "--expressions", "smile"]
-    assert "dog.glb is there already and stays as it is; give another name, or --force" in (
-        runner.invoke(app, again).stderr
-    )
-    assert path.read_bytes() == before
-    assert runner.invoke(app, [*again, "--force"]).exit_code == 0
-    assert {tuple(piece.moves) for piece in read_glb(path.read_bytes())} == {("smile",)}
-
-
-def test_a_face_is_written_as_an_avatar_of_its_author(tmp_path: Path) -> None:
-    path = tmp_path / "dog.vrm"
-    done = runner.invoke(app, ["export", "dog", "-o", str(path), "--author", "Ann", "--author", "Ben"])
-    assert done.exit_code == 0, done.output
-    assert "dog is by Ann, Ben; it came with Omote and is CC0, so anyone may use it for anything" in done.stderr
-    assert b'"authors":["Ann","Ben"]' in path.read_bytes()
-    told = ["export", "dog", "-o", str(path), "--author", "Ann", "--licence", "strict", "--force"]
-    assert "others may use it so: avatarPermission onlyAuthor" in runner.invoke(app, told).stderr
-    assert b'"avatarPermission":"onlyAuthor"' in path.read_bytes()
-    assert runner.invoke(app, [*told, "--vrm0"]).exit_code == 0
-    assert b'"VRM":{"exporterVersion"' in path.read_bytes()
-
-
-def test_an_own_face_becomes_an_avatar_when_its_licence_is_said(tmp_path: Path) -> None:
-    show, path = tmp_path / "a.omote", tmp_path / "aunt.vrm"
-    cast = load_cast()
-    aunt = ImportedItem("Aunt", (cast.faces["auntie"], cast.looks["auntie"]))
-    with closing(open_show(show)) as file:
-        file.apply(changes_to_import(cast, Stored(), [aunt], wall=0.0))
-    words = ["export", "aunt", "-o", str(path), "--show", str(show), "--author", "Ann"]
-    assert "is an own face and not CC0 as the built-in cast is: say who may use it" in runner.invoke(app, words).stderr
-    assert not path.exists()
-    assert runner.invoke(app, [*words, "--licence", "strict"]).exit_code == 0
-    assert b'"avatarPermission":"onlyAuthor"' in path.read_bytes()
-
-
 def test_an_ending_that_is_left_out_is_the_files_own(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.chdir(tmp_path)
     open_show(tmp_path / "a.omote").close()
@@ -392,41 +348,6 @@ def test_an_ending_that_is_left_out_is_the_files_own(tmp_path: Path, monkeypatch
     )
     assert runner.invoke(app, ["file", "import", "b", "smile.json"]).exit_code == 0
     assert {path.name for path in tmp_path.iterdir()} >= {"smile.json", "b.omote"}
-
-
-@pytest.mark.parametrize("ending", [".npz", ".csv"])
-def test_a_face_is_written_as_numbers(tmp_path: Path, ending: str) -> None:
-    path = tmp_path / f"dog{ending}"
-    done = runner.invoke(app, ["export", "dog", "-o", str(path), "--expressions", "jawOpen"])
-    assert f"omote: {path}: dog, expressions: 1, " in done.stderr
-    assert b"jawOpen,26,skin" in path.read_bytes() or ending == ".npz"
-    path.write_bytes(b"somebody else's")
-    assert "it stays as it is" in runner.invoke(app, ["export", "dog", "-o", str(path), "--force"]).stderr
-    assert path.read_bytes() == b"somebody else's"
-
-
-@pytest.mark.parametrize(
-    ("arguments", "sentence"),
-    [
-        (["nobody", "-o", "a.glb"], "there is no face 'nobody'"),
-        (["dog", "-o", "a.gltf"], "is no name of a GLB file; end it with .glb, with .vrm for an avatar, or with .npz"),
-        (["dog", "-o", "a.glb", "--expressions", "grin"], "there is no expression 'grin'"),
-        (["dog", "-o", "a.npz", "--expressions", ","], "',' names no expression; give names or a kind"),
-        (["dog", "-o", "a.glb", "--show", "none.omote"], "there is no show file"),
-        (["dog", "-o", "a.vrm"], "a VRM names who made it: give --author NAME"),
-        (["dog", "-o", "a.vrm", "--author", "Ann", "--licence", "mine"], "'mine' is no term of use"),
-        (["dog", "-o", "a.glb", "--author", "Ann"], "--author, --licence and --vrm0 are for a VRM alone; end 'a.glb'"),
-        (["dog", "-o", "a.npz", "--vrm0"], "--author, --licence and --vrm0 are for a VRM alone; end 'a.npz' with .vrm"),
-    ],
-)
-def test_an_export_that_cannot_be_leaves_no_file(
-    arguments: list[str], sentence: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    monkeypatch.chdir(tmp_path)
-    refused = runner.invoke(app, ["export", *arguments])
-    assert refused.exit_code == 1
-    assert sentence in refused.output
-    assert list(tmp_path.iterdir()) == []
 
 
 @pytest.mark.parametrize("words", [["say"], ["say", "Hello", "--character", "one"]])

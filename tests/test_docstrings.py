@@ -88,6 +88,7 @@ def wrong_calls(cast: omote.Cast) -> dict[tuple[str, type[Exception]], Callable[
         ("Expression", TypeError): lambda: omote.Expression(dtheta, dh, ratio, residual, no_parts),
         ("Face", ValueError): lambda: omote.Face("", kaori.positions),
         ("Face", TypeError): lambda: omote.Face("one", kaori.positions, no_parts),
+        ("fit", ValueError): lambda: omote.fit(space, np.zeros((3, 3))),
         ("Gain", ValueError): lambda: omote.Gain("mouth", 9.0),
         ("ParameterSpace.build", ValueError): lambda: omote.ParameterSpace.build(np.eye(3), [[0, 1, 2]]),
         ("ParameterSpace.under", ValueError): lambda: space.under(words),

@@ -4,13 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 import trimesh
 from numpy.typing import NDArray
 
+from benchmarks.maps.measures import Creases
 from benchmarks.scans.ict_people import SCLERA, Model
-from omote.geometry import mesh
 from omote.model.fitting.fit_face import Fit
 from omote.model.fitting.shape.fitted_eyes import fit_sphere
 from omote.model.fitting.shape.head_zones import head_zones
@@ -19,7 +20,14 @@ from omote.model.space.parameter_space import ParameterSpace
 Values = NDArray[np.float64]
 Mask = NDArray[np.bool_]
 MILLIMETRE = 1000.0
+FOLDED = np.deg2rad(150.0)
+"""An edge whose triangles bend by more lies folded."""
 FACE, PLAIN, LIDS, LIPS, NO_LIDS = "face", "without lids, lips, nostrils", "lids", "lips", "without lids"
+
+
+# trimesh has no types for either.
+_closest_point: Any = trimesh.proximity.closest_point
+_barycentric: Any = trimesh.triangles.points_to_barycentric
 
 
 def regions(space: ParameterSpace, /) -> dict[str, Mask]:
@@ -43,10 +51,10 @@ def land(space: ParameterSpace, skin: Values, points: Values, triangles: NDArray
     """Exact nearest points (trimesh) of a surface (n, 3), (t, 3) to a skin (V, 3)."""
     surface = trimesh.Trimesh(points, triangles, process=False)
     rows, count = np.flatnonzero(space.on_sheet), len(skin)
-    nearest, away, owner = trimesh.proximity.closest_point(surface, skin[rows])
+    nearest, away, owner = _closest_point(surface, skin[rows])
     found = Landings(np.full(count, np.nan), np.zeros(count, np.int64), np.zeros((count, 3)))
     found.away[rows], found.triangle[rows] = MILLIMETRE * away, owner
-    found.weights[rows] = trimesh.triangles.points_to_barycentric(surface.triangles[owner], nearest)
+    found.weights[rows] = _barycentric(surface.triangles[owner], nearest)
     return found
 
 
@@ -57,10 +65,10 @@ def quantiles(away: Values, where: Mask, /) -> tuple[float, float]:
 
 
 def count_folds(space: ParameterSpace, skin: Values, /) -> int:
-    """How many triangles of the face look the other way than on the generic head, a skin (V, 3) upright."""
-    sheet = space.sheet_triangles[regions(space)[FACE][space.sheet_triangles].all(axis=1)]
-    before, now = mesh.unit_normals(space.points[sheet]), mesh.unit_normals(skin[sheet])
-    return int(((before * now).sum(axis=1) < 0.0).sum())
+    """How many edges of the sheet are folded on a skin (V, 3), and not on the generic head."""
+    creases = Creases.of(space.sheet_triangles)
+    before, now = np.abs(creases.angles(space.points)), np.abs(creases.angles(skin))
+    return int(((now > FOLDED) & (before <= FOLDED)).sum())
 
 
 def eye_errors(fit: Fit, person: Values, /) -> list[float]:
@@ -94,8 +102,8 @@ def landmark_errors(
     known, asked = names[: len(names) // 2], names[len(names) // 2 :]
     places = np.mean([_lift(space, space.points, fits[i], people[i][model.landmarks]) for i in known], axis=0)
     generic = trimesh.Trimesh(space.points, sheet, process=False)
-    nearest, _, owner = trimesh.proximity.closest_point(generic, places)
-    weights = trimesh.triangles.points_to_barycentric(generic.triangles[owner], nearest)
+    nearest, _, owner = _closest_point(generic, places)
+    weights = _barycentric(generic.triangles[owner], nearest)
     errors = []
     for i in asked:
         ours = np.einsum("lk,lkc->lc", weights, fits[i].face.positions.astype(np.float64)[sheet[owner]])
@@ -106,7 +114,7 @@ def landmark_errors(
 def _lift(space: ParameterSpace, to: Values, fit: Fit, points: Values) -> Values:
     """Points (n, 3) of a scan on its fit, carried to the same places of another skin (V, 3)."""
     surface = trimesh.Trimesh(fit.face.positions, space.sheet_triangles, process=False)
-    nearest, _, owner = trimesh.proximity.closest_point(surface, fit.placement(points))
-    weights = trimesh.triangles.points_to_barycentric(surface.triangles[owner], nearest)
+    nearest, _, owner = _closest_point(surface, fit.placement(points))
+    weights = _barycentric(surface.triangles[owner], nearest)
     result: Values = np.einsum("lk,lkc->lc", weights, to[space.sheet_triangles[owner]])
     return result

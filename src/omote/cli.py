@@ -4,26 +4,24 @@ from __future__ import annotations
 
 import shutil
 import textwrap
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Mapping
 from dataclasses import asdict
-from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
 import typer
 
 from omote.access_commands import access_app
 from omote.camera_commands import track
+from omote.export_commands import export
+from omote.face_commands import face
 from omote.file_commands import file_app
-from omote.picture_commands import ShowOption, grid, redraw, render
+from omote.picture_commands import grid, redraw, render
 from omote.show_command import show
 from omote.take_commands import play_take, record_take
-from omote.terminal import complete_name, exit_on_refusal, fail, fail_with, say
+from omote.terminal import fail, fail_with
 
 if TYPE_CHECKING:
-    from omote.interchange.avatar.vrm_licence import Credit
-    from omote.interchange.export_face import Meshes
     from omote.model.cast import Cast
-    from omote.showfile.inspection import Inspection
 
 app = typer.Typer(
     no_args_is_help=True,
@@ -70,9 +68,11 @@ def cast(json: Annotated[bool, typer.Option("--json", help="Print it for program
         print_table(loaded)
 
 
+app.command()(face)
 app.command()(render)
 app.command()(grid)
 app.command()(redraw)
+app.command()(export)
 app.command("play-take")(play_take)
 app.command()(track)
 app.command("record-take")(record_take)
@@ -85,101 +85,6 @@ def refuse_say() -> None:
         'no command speaks: a program does, omote.connect("http://127.0.0.1:8090")["one"].say("Hello") '
         "(docs/howto/speech.md), and the console, under Layers."
     )
-
-
-@app.command()
-def export(
-    face: Annotated[str, typer.Argument(help="A face of the cast: kaori, dog.")],
-    output: Annotated[Path, typer.Option("--output", "-o", help="The file to write: face.glb, .vrm, .npz, .csv.")],
-    expressions: Annotated[
-        str,
-        typer.Option(
-            help="arkit, performed, makehuman, omote, own, all, neutral (the face alone), or names, by commas."
-        ),
-    ] = "arkit",
-    hair: Annotated[bool, typer.Option("--hair/--no-hair", help="The face's hair, as ribbons.")] = True,
-    author: Annotated[list[str] | None, typer.Option(help="Of a VRM: who made it; again for others.")] = None,
-    licence: Annotated[
-        list[str] | None,
-        typer.Option(help="Of a VRM: cc0, strict, or VRM's terms: avatarPermission=everyone,modification=..."),
-    ] = None,
-    older: Annotated[bool, typer.Option("--vrm0", help="A VRM of version 0.x, for programs that want it.")] = False,
-    show: ShowOption = None,
-    force: Annotated[bool, typer.Option("--force", help="Replaces a file that is there.")] = False,
-) -> None:
-    """Writes a face with expressions: as morph targets (GLB, VRM), or as what each moves in numbers (NPZ, CSV)."""
-    output = complete_name(output, ".glb")
-    found = check_export(output, show, force=force)
-    credit = read_credit(output, author or [], licence or [], older=older)
-    from rich.console import Console  # what is heavy comes after what can be refused without it
-    from rich.progress import track
-
-    from omote.interchange.export_face import choose_expressions, named_compound_meshes
-    from omote.interchange.formats.atomic_file import write_whole
-    from omote.stage_data.full_cast import build_full_cast, find_face
-
-    with exit_on_refusal():
-        encode = find_encoder(output, credit, hair=hair, older=older)
-        cast = load_cast() if found is None else build_full_cast(load_cast(), found.stored, found.contents, say)
-        face = find_face(cast, None if found is None else found.stored, face)
-        names = choose_expressions(cast, expressions)
-        busy = track(names, f"omote: {face}", console=Console(stderr=True), transient=True)
-        poses = ((name, named_compound_meshes(cast, face, name)) for name in busy)
-        write_whole(output, encode(cast, face, poses))
-    what = "morph targets" if output.suffix.lower() == ".glb" else "expressions"
-    if credit is not None:
-        say(credit.sentence(face))
-    say(f"{output}: {face}, {what}: {len(names)}, {output.stat().st_size / 1e6:.1f} MB")
-
-
-def check_export(output: Path, show: Path | None, *, force: bool) -> Inspection | None:
-    """What the show file holds, if one is named; ends the command where the export could not be written."""
-    from omote.interchange.formats.atomic_file import check_writable, require_free
-    from omote.interchange.formats.file_names import check_export_name
-    from omote.showfile.inspection import inspect_show
-
-    with exit_on_refusal():
-        check_export_name(output)
-        check_writable(output)
-        require_free(output, force=force)
-        return None if show is None else inspect_show(show)
-
-
-def read_credit(path: Path, authors: Sequence[str], licence: Sequence[str], *, older: bool) -> Credit | None:
-    """Who made a VRM and what others may do with it; None for other files; ends the command where it is not said."""
-    from omote.interchange.avatar.vrm_licence import Credit, parse_terms
-    from omote.interchange.formats.file_names import VRM
-
-    with exit_on_refusal():
-        if path.suffix.lower() == VRM:
-            return Credit(tuple(authors), parse_terms(licence))
-        if authors or licence or older:
-            raise ValueError(f"--author, --licence and --vrm0 are for a VRM alone; end {path.name!r} with {VRM}")
-    return None
-
-
-def find_encoder(
-    path: Path, credit: Credit | None, *, hair: bool, older: bool
-) -> Callable[[Cast, str, Iterable[tuple[str, Meshes]]], bytes]:
-    """What makes the bytes of an exported face, by the file's ending."""
-    from omote import builtin
-    from omote.interchange.avatar.export_vrm import vrm_bytes
-    from omote.interchange.export_deltas import encode_deltas, measure_deltas
-    from omote.interchange.export_face import ExportContext, build_scene
-    from omote.interchange.formats.file_names import NUMBERS
-    from omote.interchange.formats.glb_writer import glb_bytes
-
-    if path.suffix.lower() in NUMBERS:
-        return lambda cast, face, poses: encode_deltas(measure_deltas(cast, face, poses), path)
-
-    def encode(cast: Cast, face: str, poses: Iterable[tuple[str, Meshes]]) -> bytes:
-        context = ExportContext(cast, builtin.load_meshes(), builtin.load_mask())
-        if credit is not None:
-            own = cast.faces.get(face) is not builtin.load_cast().faces.get(face)
-            return vrm_bytes(context, face, poses, credit, version="0.x" if older else "1.0", own=own, hair=hair)
-        return glb_bytes(build_scene(context, face, poses, hair=hair))
-
-    return encode
 
 
 @app.command()

@@ -1,5 +1,5 @@
-"""The commands `omote file ...`: list, check, history, import and export of a show file; all but `import` only read,
-also while a show plays it."""
+"""The commands `omote file ...`: list, check, history, import, forget and export of a show file; all but `import` and
+`forget` only read, also while a show plays it."""
 
 from __future__ import annotations
 
@@ -139,6 +139,24 @@ def take_in(
             if twin:
                 say(twin)
     say(f"{file} has {f'{len(new)} {kind}' if new else 'nothing'}{'s' if len(new) > 1 else ''} more.")
+
+
+@file_app.command()
+def forget(
+    file: ShowFileArgument,
+    names: Annotated[list[str], typer.Argument(help="Own faces (omote file list), and all that are made of them.")],
+    copies: Annotated[
+        bool, typer.Option("--copies", help="Removes damaged copies beside the file too, where one is in them.")
+    ] = False,
+) -> None:
+    """Removes own faces for good: all revisions and drafts, from the file and from its good copies."""
+    from omote.server.persistence.forget_face import forget_faces
+
+    with exit_on_refusal():
+        found = forget_faces(file, names, copies=copies)
+        for sentence in found.notes:
+            say(sentence)
+    say(f"{file} has nothing of {', '.join(found.labels)} any more, nor have its good copies.")
 
 
 def drop_known(stored: Stored, arrivals: Sequence[ImportedItem]) -> list[ImportedItem]:

@@ -12,9 +12,9 @@ import pytest
 from playwright.sync_api import Browser, Page
 
 from omote.builtin import load_cast, load_mask, load_meshes
-from omote.interchange.avatar.export_vrm import TURNED, Version, vrm_bytes
+from omote.interchange.avatar.export_vrm import TURNED, vrm_bytes
 from omote.interchange.avatar.preset_expressions import PRESETS, preset_weights
-from omote.interchange.avatar.vrm_licence import Credit
+from omote.interchange.avatar.vrm_licence import Credit, Version
 from omote.interchange.export_face import ExportContext
 from tests.browser.avatar_page import NEAR, PERFECT_SYNC, distances, on_air, open_avatar, worn
 
@@ -26,7 +26,7 @@ FACE = "dog"
 def write_face(file: Path, version: Version) -> Path:
     """The face as a VRM."""
     whole = ExportContext(load_cast(), load_meshes(), load_mask())
-    file.write_bytes(vrm_bytes(whole, FACE, [], Credit(("Ann", "Ben")), version=version))
+    file.write_bytes(vrm_bytes(whole, FACE, [], Credit(("Ann", "Ben"), version=version)))
     return file
 
 

@@ -7,7 +7,17 @@ import pytest
 
 from omote.builtin import load_cast, load_mask, load_meshes
 from omote.interchange.formats.png import read_png
-from omote.interchange.skin_texture import Canvas, build_canvas, decode_srgb, encode_srgb, hairline, paint_skin
+from omote.interchange.skin_texture import (
+    Canvas,
+    build_canvas,
+    decode_srgb,
+    encode_srgb,
+    enlarge,
+    hairline,
+    paint_skin,
+    zones_of,
+)  # fmt: skip
+from omote.model.albedo import Albedo
 from omote.model.cast import Look
 from tests import synthetic
 from tests.stage_data.heads import SIZE, layers, meshes
@@ -53,3 +63,46 @@ def test_each_trait_paints_where_its_layer_lies(built_in: Canvas) -> None:
 def test_hair_grows_behind_the_hairline_of_a_head() -> None:
     crown, forehead, nape = np.array([[0.0, 0.12, 0.0], [0.0, 0.04, 0.14], [0.0, 0.0, -0.08]])
     np.testing.assert_allclose(hairline(np.array([crown, forehead, nape])), [1.0, 0.0, 1.0])
+
+
+def test_a_picture_stands_in_place_of_what_is_painted_where_it_covers(built_in: Canvas) -> None:
+    side = len(built_in.hair)
+    texels = np.random.default_rng(4).integers(0, 256, (side, side, 4), np.uint8)
+    texels[: side // 2, :, 3], texels[side // 2 :, :, 3] = 255, 0
+    look = replace(BARE, albedo=Albedo(texels))
+    seen, painted = paint_skin(built_in, look), paint_skin(built_in, BARE)
+    np.testing.assert_array_equal(seen[side // 2 :], painted[side // 2 :])
+    open_ = built_in.layers["mask"][..., 3] == 1.0  # nothing takes light away, so there is no lining either
+    open_[side // 2 :] = False
+    assert open_.sum() > 0.2 * side * side
+    assert np.abs(seen[open_].astype(int) - texels[open_][:, :3]).max() <= 1
+
+
+def test_make_up_lies_on_a_picture_too(built_in: Canvas) -> None:
+    side = len(built_in.hair)
+    look = replace(BARE, albedo=Albedo(np.full((side, side, 4), 255, np.uint8)))
+    made_up = paint_skin(built_in, replace(look, makeup=1.0)).astype(int) - paint_skin(built_in, look)
+    drawn = built_in.layers["patches"][..., 2] > 0.5
+    assert (made_up[drawn] < -60).any(axis=1).mean() > 0.9
+    assert not made_up[built_in.layers["patches"][..., 2] == 0.0].any()
+
+
+def test_a_larger_picture_keeps_its_texels(built_in: Canvas) -> None:
+    side = len(built_in.hair)
+    texels = np.random.default_rng(5).integers(0, 256, (2 * side, 2 * side, 4), np.uint8)
+    texels[..., 3] = 255
+    seen = paint_skin(built_in, replace(BARE, albedo=Albedo(texels)))
+    open_ = enlarge(built_in, 2).layers["mask"][..., 3] == 1.0
+    assert seen.shape == (2 * side, 2 * side, 3)
+    assert np.abs(seen[open_].astype(int) - texels[open_][:, :3]).max() <= 1
+
+
+def test_zones_lie_where_their_colours_are_painted(built_in: Canvas) -> None:
+    """Another colour of a look changes its zone."""
+    zones, look = zones_of(built_in), replace(BARE, brows=1.0, scalp=1.0)
+    painted = paint_skin(built_in, look).astype(int)
+    for name in ("lip", "brow", "skin"):
+        changed = paint_skin(built_in, Look(**{**vars(look), name: "#0000ff"})).astype(int) - painted
+        zone = zones[name] > 0.6
+        assert zone.sum() > 1000
+        assert (np.abs(changed).max(axis=2)[zone] > 20).mean() > 0.9

@@ -11,6 +11,8 @@ from hypothesis import given
 from hypothesis import strategies as st
 from hypothesis.extra.numpy import arrays
 
+from omote.interchange.formats.png import png_bytes, read_png
+from omote.model.albedo import Albedo
 from omote.model.cast import TRAITS, Cast, Look
 from omote.model.space.expression import Expression
 from omote.model.space.face import Face
@@ -22,6 +24,7 @@ from omote.showfile.contents import (
     content_kind,
     pack_expression,
     pack_face,
+    read_albedo,
     unpack_expression,
     unpack_face,
 )
@@ -101,6 +104,25 @@ def test_a_face_comes_back_to_the_bit(face: Face, look: Look) -> None:
     }
     assert pack_face(again, look) == data
     assert content_kind(data) == "face"
+
+
+def test_a_picture_of_skin_comes_back_and_changes_no_content_without_one() -> None:
+    face, texels = Face("a", np.eye(3)), np.random.default_rng(5).integers(0, 256, (1024, 1024, 4), np.uint8)
+    look = replace(Look(), albedo=Albedo(texels))
+    data = pack_face(face, look)
+    assert unpack_face(data, "a")[1] == look
+    assert pack_face(face, unpack_face(data, "a")[1]) == data
+    picture = read_albedo(data)
+    assert picture is not None
+    np.testing.assert_array_equal(read_png(picture), texels)
+    assert read_albedo(pack_face(face, Look())) is None
+    assert "albedo" not in plain(pack_face(face, Look()))
+
+
+@pytest.mark.parametrize("picture", [b"", b"GIF89a", png_bytes(np.zeros((8, 8, 4), np.uint8))])
+def test_what_is_no_picture_of_skin_is_refused(picture: bytes) -> None:
+    with pytest.raises(ContentError, match="holds no face"):
+        unpack_face(packed(plain(pack_face(Face("a", np.eye(3)), Look())) | {"albedo": picture}), "a")
 
 
 def test_the_synthetic_cast_comes_back(cast: Cast) -> None:

@@ -17,7 +17,7 @@ from numpy.typing import NDArray
 from omote.builtin.binding import PARTS
 from omote.builtin.castfile import BakedMesh, cast_of, meshes_of
 from omote.model.cast import Cast
-from omote.model.fitting.shape.identity_modes import IdentityModes
+from omote.model.fitting.identity_modes import IdentityModes
 
 __all__ = ["BakedMesh", "load_cast", "load_identity_modes", "load_mask", "load_meshes", "read_cast"]
 

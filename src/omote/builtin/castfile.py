@@ -27,6 +27,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from omote.builtin.binding import PARTS, PartMesh, head_space
+from omote.model.albedo import SkinAtlas
 from omote.model.cast import Cast, Look
 from omote.model.hair import HairStyle
 from omote.model.known_names import GENERIC
@@ -71,6 +72,7 @@ def cast_of(arrays: Arrays) -> Cast:
         looks={name: Look(**look) for name, look in about["faces"].items()},
         titles=titles,
         hair=_hair(arrays),
+        atlas=SkinAtlas(*(arrays[f"drawn/{SKIN}/{what}"] for what in ("source", "uv", "triangles"))),
     )
 
 

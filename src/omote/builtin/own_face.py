@@ -3,16 +3,16 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from dataclasses import replace
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from omote.builtin import load_identity_modes
+from omote.model.fitting.find_head import find_head
 from omote.model.fitting.fit_face import Fit, fit_face
-from omote.model.fitting.landmarks import FEWEST_LANDMARKS, SEVEN, find_landmarks
 from omote.model.fitting.scan import Scan
 from omote.model.space.parameter_space import ParameterSpace, refuse_no_space
-from omote.model.space.similarity import Similarity, fit_similarity
 
 
 def fit(
@@ -33,8 +33,8 @@ def fit(
     colours : array_like of uint8, (n, 3), optional
         sRGB of each point.
     landmarks : mapping of array_like (3,), by name
-        At least three of left_eye_outer, left_eye_inner, right_eye_inner, right_eye_outer, nose_tip, mouth_left,
-        mouth_right, in the positions' frame; left is the character's own.
+        Where the head is not found by its shape: at least three of left_eye_outer, left_eye_inner, right_eye_inner,
+        right_eye_outer, nose_tip, mouth_left, mouth_right, in the positions' frame; left is the character's own.
     name : str
         The face's.
     shut : bool, optional
@@ -48,35 +48,25 @@ def fit(
     Raises
     ------
     ValueError
-        On arrays that are no scan, too few or unknown landmarks, and where there is no head.
+        On arrays that are no scan, too few or unknown landmarks, and where no head is found.
 
     Examples
     --------
     >>> kaori = cast.faces["kaori"]
-    >>> rows = {"left_eye_outer": 2427, "right_eye_outer": 2438, "nose_tip": 54}  # doctest: +SKIP
-    >>> clicks = {name: kaori.positions[row] for name, row in rows.items()}  # doctest: +SKIP
-    >>> omote.fit(cast.space, kaori.positions, cast.space.triangles, landmarks=clicks).doubts  # doctest: +SKIP
-    ()
+    >>> found = omote.fit(cast.space, 1000.0 * kaori.positions, cast.space.triangles, name="Kaori again")
+    >>> found.face.name, found.placement.scale
+    ('Kaori again', 0.001)
 
     References
     ----------
-    K. Arai (1993), section 5.1; docs/own-faces.md.
+    K. Arai (1993), section 5.1.
     """
     refuse_no_space(space)
     scan = Scan(
         np.asarray(positions), None if triangles is None else np.asarray(triangles),
         None if colours is None else np.asarray(colours),
     )  # fmt: skip
-    placement = _place_by_landmarks(space, landmarks or {})
-    return fit_face(space, load_identity_modes(), scan, placement, landmarks=landmarks, name=name, shut=shut)
-
-
-def _place_by_landmarks(space: ParameterSpace, landmarks: Mapping[str, ArrayLike]) -> Similarity:
-    known = [name for name in SEVEN if name in landmarks]
-    if len(known) < FEWEST_LANDMARKS:
-        raise ValueError(
-            f"{len(known)} landmarks are given; expected at least {FEWEST_LANDMARKS} of {', '.join(SEVEN)}"
-        )
-    rows = find_landmarks(space)
-    points = np.array([np.asarray(landmarks[name], np.float64) for name in known])
-    return fit_similarity(points, space.points[[rows[name] for name in known]], np.ones(len(known)))
+    modes = load_identity_modes()
+    place = find_head(space, modes, scan, landmarks=landmarks)
+    found = fit_face(space, modes, scan, place.similarity, landmarks=landmarks, name=name, shut=shut)
+    return replace(found, doubts=(*place.doubts, *found.doubts))

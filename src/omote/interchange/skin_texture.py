@@ -12,6 +12,7 @@ from omote.builtin import BakedMesh
 from omote.geometry.ramp import clamp_unit, smooth_ramp
 from omote.geometry.texture import paint
 from omote.interchange.formats.png import Picture
+from omote.model.albedo import decode_light
 from omote.model.cast import Look
 
 Values = NDArray[Any]
@@ -54,8 +55,35 @@ def hairline(points: Points) -> Points:
 
 
 def paint_skin(canvas: Canvas, look: Look) -> Picture:
-    """Paints the skin (k, k, 3) of a look, sRGB."""
-    return encode_srgb(_albedo(canvas, look))
+    """Paints the skin (k, k, 3) of a look, sRGB, with the picture on it where it has one; k is the larger of the two's
+    sides."""
+    if look.albedo is None:
+        return encode_srgb(_albedo(canvas, look))
+    side = max(look.albedo.side, len(canvas.hair))
+    at = enlarge(canvas, side // len(canvas.hair))
+    painted = _albedo(at, look)
+    return encode_srgb(_pictured(at, look, painted, side // look.albedo.side))
+
+
+def enlarge(canvas: Canvas, times: int) -> Canvas:
+    """A canvas with each texel as times by times of them."""
+    if times <= 1:
+        return canvas
+    layers = {name: layer.repeat(times, axis=0).repeat(times, axis=1) for name, layer in canvas.layers.items()}
+    return Canvas(layers, canvas.hair.repeat(times, axis=0).repeat(times, axis=1))
+
+
+def zones_of(canvas: Canvas) -> dict[str, Values]:
+    """Where each colour of a look shows on the skin, (k, k) 0..1 by its name; skin: cheeks, temples and forehead."""
+    mask = canvas.layers["mask"]
+    marked = np.maximum(np.maximum(mask[..., 0], mask[..., 1]), canvas.hair)
+    return {
+        "lip": smooth_ramp(0.4, 0.8, mask[..., 0]) * smooth_ramp(0.5, 0.7, mask[..., 3]),  # not the mouth's lining
+        "brow": mask[..., 1],
+        "blush": mask[..., 2],
+        "hair": canvas.hair,
+        "skin": np.where(marked < 0.02, smooth_ramp(0.85, 0.98, mask[..., 3]) * (mask[..., 2] > 0.05), 0.0),
+    }
 
 
 def decode_srgb(colour: str) -> NDArray[np.float32]:
@@ -74,7 +102,6 @@ def encode_srgb(light: Values) -> Picture:
 def _albedo(at: Canvas, look: Look) -> Values:
     mask, marks, patches = at.layers["mask"], at.layers["marks"], at.layers["patches"]
     skin, lip, brow, hair = (decode_srgb(colour) for colour in (look.skin, look.lip, look.brow, look.hair))
-    grown = at.hair + (marks[..., 3] - 0.5) * 2.8 * at.hair * (1.0 - at.hair)
     lips, lining = _lips(at, look)
     fur = look.fur * (1.0 - lips)
     seen = _mix(
@@ -84,11 +111,32 @@ def _albedo(at: Canvas, look: Look) -> Values:
     hairs = clamp_unit((mask[..., 1] - (1.0 - 1.12 * look.brows)) * 2.6)
     seen = _mix(seen, brow, hairs * 0.92)
     seen = _mix(seen, brow * 0.5, patches[..., 3] * look.lacquer)
-    seen = _mix(seen, hair * _grey(0.7 + 0.6 * marks[..., 3]), smooth_ramp(0.15, 0.9, grown) * look.scalp)
+    seen = _mix(seen, hair * _grey(0.7 + 0.6 * marks[..., 3]), _grown(at) * look.scalp)
     seen = _mix(seen, np.array(LINING, np.float32), lining)
     left = mask[..., 3]
     found: Values = seen * _grey(left * (0.7 + 0.3 * left))
     return found
+
+
+def _pictured(at: Canvas, look: Look, painted: Values, times: int) -> Values:
+    """The picture of a look over its painted skin, in linear light; make-up and shade of hair on both."""
+    assert look.albedo is not None  # `paint_skin` asks first
+    texels = look.albedo.pixels.repeat(times, axis=0).repeat(times, axis=1) if times > 1 else look.albedo.pixels
+    brow, lip, hair = (decode_srgb(colour) for colour in (look.brow, look.lip, look.hair))
+    mask, marks, patches = (at.layers[name] for name in ("mask", "marks", "patches"))
+    seen = _mix(decode_light(texels[..., :3]), brow * 0.6 + lip * 0.18, patches[..., 2] * look.makeup * 0.85)
+    seen = _mix(seen, brow * 0.5, patches[..., 3] * look.lacquer)
+    seen = _mix(seen, hair * _grey(0.7 + 0.6 * marks[..., 3]), _grown(at) * look.scalp)
+    left = mask[..., 3]
+    seen = seen * _grey(1.0 + (left * (0.7 + 0.3 * left) - 1.0) * 0.5)
+    _, lining = _lips(at, look)
+    return _mix(painted, seen, texels[..., 3].astype(np.float32) / np.float32(255.0) * (1.0 - lining))
+
+
+def _grown(at: Canvas) -> Values:
+    """How much of each texel hair of the scalp covers."""
+    marks = at.layers["marks"]
+    return smooth_ramp(0.15, 0.9, at.hair + (marks[..., 3] - 0.5) * 2.8 * at.hair * (1.0 - at.hair))
 
 
 def _lips(at: Canvas, look: Look) -> tuple[Values, Values]:

@@ -10,6 +10,7 @@ from types import MappingProxyType
 
 import numpy as np
 
+from omote.model.albedo import Albedo, SkinAtlas
 from omote.model.hair import HairStyle
 from omote.model.known_names import GENERIC, NEUTRAL, KnownNames
 from omote.model.space.expression import Expression, Title, refuse_name
@@ -42,6 +43,7 @@ class Look:
     Of the skin, 0 to 1: pores; age (lines, spots, thin lips); freckles; stubble; brows (0 none, 1 bushy); makeup of the
     eyes; gloss of the lips; fur instead of bare skin; stripes, from a hound's coat (0) to a tabby's (1); lacquer, the
     painted white of a mask; scalp, the shadow of hair on the skin.
+    albedo: the picture of a certain person that stands in place of what is painted, where there is one.
     """
 
     skin: str = "#d9a98c"
@@ -66,18 +68,23 @@ class Look:
     stripes: float = 0.0
     lacquer: float = 0.0
     scalp: float = 1.0
+    albedo: Albedo | None = None
 
     def __post_init__(self) -> None:
         for name, value in vars(self).items():
             if name in TRAITS:
                 object.__setattr__(self, name, _validate_trait(name, value))
                 continue
-            if name == "hair_style":
-                continue  # the cast knows which there are
+            if name in ("hair_style", "albedo"):
+                continue  # the cast knows which styles there are
             colour = value
             digits = colour[1:] if isinstance(colour, str) else ""
             if len(digits) != 6 or colour[0] != "#" or not all(digit in "0123456789abcdefABCDEF" for digit in digits):
                 raise ValueError(f"{name} of a look is {colour!r}; expected a colour such as '#c08a70'")
+        if not isinstance(self.albedo, Albedo | None):
+            raise ValueError(
+                f"albedo of a look is a {type(self.albedo).__name__}; expected an Albedo, or None for none"
+            )
 
 
 def _validate_trait(name: str, value: object) -> float:
@@ -134,6 +141,8 @@ class Cast:
         What people read of it; an expression without one gets a plain one.
     hair : mapping of HairStyle, by name
         The styles that looks may name.
+    atlas : SkinAtlas, optional
+        How the skin lies on its texture; without it regional mixes keep the picture of the rest.
 
     Raises
     ------
@@ -158,6 +167,7 @@ class Cast:
     looks: Mapping[str, Look] = field(default_factory=dict)
     titles: Mapping[str, Title] = field(default_factory=dict)
     hair: Mapping[str, HairStyle] = field(default_factory=dict)
+    atlas: SkinAtlas | None = None
 
     def __post_init__(self) -> None:
         for name, face in self.faces.items():

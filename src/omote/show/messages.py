@@ -1447,7 +1447,8 @@ class FaceDocument(msgspec.Struct, frozen=True):
     `ball_radii`: of the left and the right eyeball, what lids must leave. `extremes`: the farthest points
     of skin and hair, least then greatest x, y and z, metres: what a picture has to hold. `source`: its name in the
     addresses of compounds, `#` and a content key for an own face; `tags`, `place`: for palettes.
-    `gains`: those that differ from a person's.
+    `gains`: those that differ from a person's. `albedo`: the digest of its picture, a PNG of sRGB and coverage at
+    `/albedos/DIGEST/SOURCE`, "" for none.
     """
 
     name: str
@@ -1462,6 +1463,7 @@ class FaceDocument(msgspec.Struct, frozen=True):
     tags: list[str] = []
     place: float = 0.0
     gains: list[FaceGain] = []
+    albedo: str = ""
 
 
 class ExpressionDocument(msgspec.Struct, frozen=True):

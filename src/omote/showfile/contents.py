@@ -1,13 +1,15 @@
 """Packs own expressions and faces as bytes (contents) for storage and the workshop, named by their hash.
 
 `OMOC`, a version, then zlib over MessagePack: arrays little-endian, an expression's as float64 so that it comes back
-exactly, and only the rows that move; a face's as float32, as faces are kept. The same object gives the same bytes.
+exactly, and only the rows that move; a face's as float32, as faces are kept; the picture on its skin is a PNG. The same
+object gives the same bytes.
 """
 
 from __future__ import annotations
 
 import zlib
 from collections.abc import Mapping
+from functools import lru_cache
 from typing import Any
 
 import msgspec
@@ -15,6 +17,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from omote.interchange.formats.error_reasons import explain_error
+from omote.interchange.formats.png import png_bytes, read_png
+from omote.model.albedo import SIDES, Albedo
 from omote.model.cast import Look
 from omote.model.space.expression import Expression
 from omote.model.space.face import Face
@@ -71,6 +75,7 @@ class _Face(msgspec.Struct, frozen=True, forbid_unknown_fields=True, omit_defaul
     parts: dict[str, _Array]
     look: dict[str, str | float]
     gains: tuple[_Gain, ...] = ()
+    albedo: bytes | None = None
 
 
 _Content = _Expression | _Face
@@ -132,7 +137,9 @@ def pack_face(face: Face, look: Look, /) -> bytes:
     """Packs a face with its gains and its look, without its name."""
     parts = {name: _dense(face.parts[name], SINGLE) for name in sorted(face.parts)}
     gains = tuple(_Gain(gain.region, gain.value, gain.expression) for gain in face.gains)
-    return _compress(_Face(_dense(face.positions, SINGLE), parts, dict(vars(look)), gains))
+    traits = {name: value for name, value in vars(look).items() if name != "albedo"}
+    albedo = None if look.albedo is None else _pack_albedo(look.albedo)
+    return _compress(_Face(_dense(face.positions, SINGLE), parts, traits, gains, albedo))
 
 
 def unpack_face(data: bytes, /, name: str) -> tuple[Face, Look]:
@@ -147,19 +154,36 @@ def unpack_face(data: bytes, /, name: str) -> tuple[Face, Look]:
     try:
         parts = {part: _fill(points, dtype=SINGLE) for part, points in found.parts.items()}
         gains = tuple(Gain(check_gain_region(row.region), row.value, row.expression) for row in found.gains)
-        return Face(name, _fill(found.positions, dtype=SINGLE), parts, gains), _look(found.look)
+        return Face(name, _fill(found.positions, dtype=SINGLE), parts, gains), _look(found.look, found.albedo)
     except (ValueError, TypeError) as error:
         raise ContentError(f"this content holds no face: {error}") from error
 
 
-def _look(traits: Mapping[str, Any]) -> Look:
-    strange = [name for name in traits if name not in Look.__dataclass_fields__]
+def read_albedo(data: bytes, /) -> bytes | None:
+    """The picture on the skin of a face, a PNG, None where it has none; ContentError for invalid bytes."""
+    found = _decompress(data)
+    return found.albedo if isinstance(found, _Face) else None
+
+
+@lru_cache(maxsize=4)
+def _pack_albedo(albedo: Albedo) -> bytes:
+    """A picture as a PNG; the last ones stay, for while an artist drags a handle it is the same again and again."""
+    return png_bytes(albedo.pixels)
+
+
+@lru_cache(maxsize=4)
+def _unpack_albedo(data: bytes) -> Albedo:
+    return Albedo(read_png(data, sides=SIDES))
+
+
+def _look(traits: Mapping[str, Any], albedo: bytes | None) -> Look:
+    strange = [name for name in traits if name not in Look.__dataclass_fields__ or name == "albedo"]
     if strange:
         raise ContentError(f"its look has {strange[0]!r}, which this Omote does not know: update Omote")
     style = traits.get("hair_style", "")
     if not isinstance(style, str):
         raise ContentError(f"hair_style of its look is {style!r}; expected a name")
-    return Look(**traits)
+    return Look(**traits, albedo=None if albedo is None else _unpack_albedo(albedo))
 
 
 def _compress(content: _Content) -> bytes:

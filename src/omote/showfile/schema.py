@@ -113,7 +113,10 @@ CREATE TABLE performer (
     sum TEXT NOT NULL
 ) STRICT;
 """
-MIGRATIONS = (_JOURNAL, _AUTHORED, _GAINS, _IDENTITY, _BINDINGS, _PERFORMERS)
+# The same tables: from here on contents of faces may carry a picture of the skin, which an older Omote could
+# not read.
+_ALBEDOS = ""
+MIGRATIONS = (_JOURNAL, _AUTHORED, _GAINS, _IDENTITY, _BINDINGS, _PERFORMERS, _ALBEDOS)
 """Statements that migrate version n to n + 1; never changed once released."""
 SCHEMA_VERSION = len(MIGRATIONS)
 

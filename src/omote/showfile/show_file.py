@@ -10,7 +10,7 @@ import contextlib
 import hashlib
 import os
 import sqlite3
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
 
@@ -113,6 +113,25 @@ class ShowFile:
         finally:
             with contextlib.suppress(sqlite3.Error):
                 self._connection.execute("PRAGMA synchronous = NORMAL")
+
+    def erase(self, removals: Iterable[tuple[str, Sequence[str | int]]]) -> None:
+        """Makes statements that remove rows, all or none, and writes the file anew: nothing of them is left in it.
+
+        No other connection may be open. sqlite3.Error where that cannot be: what is not removed is there.
+        """
+        for setting in ("secure_delete = ON", "temp_store = MEMORY", "synchronous = FULL"):
+            self._connection.execute(f"PRAGMA {setting}").fetchone()
+        with self._connection:
+            self._connection.execute("BEGIN IMMEDIATE")
+            guards = self._connection.execute("SELECT name, sql FROM sqlite_schema WHERE type = 'trigger'").fetchall()
+            for name, _ in guards:  # they keep revisions from being removed
+                self._connection.execute(f'DROP TRIGGER "{name}"')
+            for statement, values in removals:
+                self._connection.execute(statement, values)
+            for _, guard in guards:
+                self._connection.execute(guard)
+        self._connection.execute("VACUUM")
+        self.merge_log()
 
     def identity(self) -> str:
         """Which show this is, hexadecimal: another one has another, a copy of the file elsewhere too.

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from dataclasses import asdict, dataclass
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
 from hashlib import blake2b
 
 import msgspec
@@ -11,6 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from omote.builtin import BakedMesh
+from omote.interchange.formats.png import png_bytes
 from omote.model.action_units import ACTION_UNITS, action_units, read_action_unit
 from omote.model.cast import Cast, Look
 from omote.model.hair import LINKS, HairStyle, place_strands
@@ -40,6 +41,7 @@ from omote.show.messages import (
     MeshDocument,
 )
 from omote.show.wire import le_bytes
+from omote.showfile.contents import read_albedo
 from omote.stage_data.correctives_document import allowance_document, ball_radii, settling_document
 from omote.stage_data.region_document import region_document
 
@@ -140,6 +142,19 @@ def content_asset(cast: Cast, key: str, face: Face, look: Look) -> ContentAsset:
     return ContentAsset(document, le_bytes(rest_positions(cast, face), "<f4"))
 
 
+def find_albedo(cast: Cast, source: str, contents: Mapping[str, bytes]) -> bytes:
+    """The picture on a face's skin, a PNG, by the face's source; contents: of authored faces. KeyError where the face
+    has none, ContentError where its content is damaged."""
+    if source.startswith(KEY):
+        found = read_albedo(contents[source.removeprefix(KEY)])
+    else:
+        albedo = cast.looks[source].albedo
+        found = None if albedo is None else png_bytes(albedo.pixels)
+    if found is None:
+        raise KeyError(f"picture on the face {source[:40]}")
+    return found
+
+
 def hair_asset(style: HairStyle) -> HairAsset:
     """A hair style, quantised: places to 10 micrometres, weights to a 255th."""
     return HairAsset(
@@ -191,7 +206,8 @@ def face_document(cast: Cast, face: Face, look: Look, *, label: str, url: str, s
         eye_radius=float(np.mean(spans)) if spans else 0.0,
         ball_radii=ball_radii(cast.space, face),
         extremes=[_vector(point) for point in extremes(outline(cast, face, look.hair_style))],
-        look=wire.Look(**asdict(look)),
+        look=wire.Look(**{name: value for name, value in vars(look).items() if name != "albedo"}),
+        albedo="" if look.albedo is None else look.albedo.digest,
         source=source,
         gains=[FaceGain(gain.region, gain.value, gain.expression) for gain in face.gains],
     )

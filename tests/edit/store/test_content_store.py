@@ -3,7 +3,7 @@
 import pytest
 
 from omote.edit.protocol.orders import Bake, Baked
-from omote.edit.store.content_store import PASSING, ContentStore
+from omote.edit.store.content_store import PASSING, PASSING_BYTES, ContentStore
 from omote.model.recipes.recipe import FaceRecipe, Recipe
 from omote.showfile.changes import PutContent
 from tests.authoring import make_baked, net_document
@@ -77,3 +77,12 @@ def test_what_a_recipe_made_in_another_run_is_known_when_its_bytes_are_there() -
     assert store.recall(order) is None
     store.remember_result(order, answer)
     assert store.changes_to_keep(answer.key) == ()
+
+
+def test_large_contents_of_drafts_are_forgotten_by_their_bytes_and_the_newest_stays() -> None:
+    store, large = ContentStore({}), bytes(PASSING_BYTES // 4 + 1)
+    for number in range(5):
+        store.remember_contents({f"face {number}": large})
+    assert list(store) == ["face 2", "face 3", "face 4"]
+    store.remember_contents({"huge": bytes(PASSING_BYTES + 1)})
+    assert list(store) == ["huge"]

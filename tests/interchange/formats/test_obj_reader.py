@@ -7,7 +7,7 @@ from hypothesis import strategies as st
 from hypothesis.extra.numpy import arrays
 
 from omote.interchange.formats import obj_reader
-from omote.interchange.formats.obj_reader import read_obj
+from omote.interchange.formats.obj_reader import read_obj, read_obj_pieces
 
 points = arrays(np.float64, st.tuples(st.integers(1, 6), st.just(3)), elements=st.floats(-1e6, 1e6))
 
@@ -47,3 +47,21 @@ def test_a_file_is_bounded(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(obj_reader, "LARGEST", 3)
     with pytest.raises(ValueError, match="expected 3 at most"):
         read_obj(b"v 0 0 0")
+
+
+@given(points, points)
+def test_a_head_of_several_objects_comes_back_by_their_names(skin: np.ndarray, tongue: np.ndarray) -> None:
+    lines = []
+    for name, part in (("skin", skin), ("tongue", tongue)):
+        lines += [f"o {name}", *(f"v {x!r} {y!r} {z!r}" for x, y, z in part.tolist())]
+    first, second = read_obj_pieces("\n".join(lines).encode())
+    assert (first.name, second.name) == ("skin", "tongue")
+    np.testing.assert_array_equal(first.points, skin)
+    np.testing.assert_array_equal(second.points, tongue)
+
+
+@pytest.mark.parametrize("text", [b"v 1 2 3\nv 4 5 6", b"o head\nv 1 2 3\no hat\nv 4 5 6", b"o\nv 1 2 3\nv 4 5 6"])
+def test_all_is_the_skin_where_no_object_says_so(text: bytes) -> None:
+    (piece,) = read_obj_pieces(text)
+    assert piece.name == "skin"
+    np.testing.assert_array_equal(piece.points, [[1, 2, 3], [4, 5, 6]])

@@ -1,6 +1,7 @@
 """PNG pictures: there and back, and what is none."""
 
 import struct
+import tracemalloc
 import zlib
 
 import numpy as np
@@ -54,3 +55,22 @@ def test_what_is_no_picture_is_refused(data: bytes) -> None:
 def test_a_picture_cut_short_is_refused() -> None:
     with pytest.raises(ValueError, match="no PNG of 8 bits"):
         read_png(png_bytes(np.zeros((8, 8, 4), np.uint8))[:-30])
+
+
+def test_other_sizes_than_asked_for_are_refused() -> None:
+    square = png_bytes(np.zeros((8, 8, 4), np.uint8))
+    np.testing.assert_array_equal(read_png(square, sides=(4, 8)), 0)
+    with pytest.raises(ValueError, match="no PNG of 8 bits"):
+        read_png(square, sides=(16,))
+
+
+def test_no_more_is_unpacked_than_the_head_says() -> None:
+    """A bomb: 1 x 1 pixels, behind whose head 64 MB of zeros are packed."""
+    body = zlib.compress(bytes(2**26), 9)
+    data = png_bytes(np.zeros((1, 1, 4), np.uint8))[:33] + struct.pack(">I", len(body)) + b"IDAT" + body + bytes(4)
+    tracemalloc.start()
+    with pytest.raises(ValueError, match="no PNG of 8 bits"):
+        read_png(data)
+    peak = tracemalloc.get_traced_memory()[1]
+    tracemalloc.stop()
+    assert peak < 2**22

@@ -10,6 +10,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from omote.builtin import load_cast
+from omote.model.albedo import Albedo
 from omote.model.cast import Look
 from omote.model.recipes.compose_face import FaceWithLook, compose_face, mix_faces, mix_looks
 from omote.model.recipes.face_handles import default_handles, drag_handles
@@ -200,3 +201,35 @@ def test_weights_that_were_rounded_on_air_are_scaled() -> None:
     rounded = compose_face(SPACE, "a", FaceRecipe({"kaori": 0.33334, "dog": 0.33334, "cat": 0.33334}), SOURCES)
     exact = compose_face(SPACE, "a", FaceRecipe(dict.fromkeys(("kaori", "dog", "cat"), 1 / 3)), SOURCES)
     assert np.allclose(rounded.face.positions, exact.face.positions, atol=1e-9)
+
+
+def photographed(name: str, cover: int = 255) -> FaceWithLook:
+    texels = np.full((1024, 1024, 4), (200, 120, 90, cover), np.uint8)
+    return FaceWithLook(SOURCES[name].face, replace(SOURCES[name].look, albedo=Albedo(texels)))
+
+
+def test_a_picture_of_skin_stays_through_caricature_and_handles() -> None:
+    kaori = photographed("kaori")
+    recipe = FaceRecipe(
+        {"kaori": 1.0}, amount=1.4, points=ROWS, moves=((0.0, 0.002, 0.0), *((0.0, 0.0, 0.0),) * (len(ROWS) - 1))
+    )
+    assert compose_face(SPACE, "hers", recipe, {"kaori": kaori}, CAST.atlas).look.albedo is kaori.look.albedo
+
+
+def test_a_mix_with_a_painted_face_is_covered_by_half_of_the_picture_and_painted_like_that_face() -> None:
+    sources = {"kaori": photographed("kaori"), "dog": SOURCES["dog"]}
+    found = compose_face(SPACE, "both", FaceRecipe({"kaori": 0.5, "dog": 0.5}), sources).look
+    assert found.albedo is not None
+    assert found.albedo.cover == pytest.approx(0.5, abs=0.5 / 255)
+    dog, kaori = SOURCES["dog"].look, sources["kaori"].look
+    assert (found.skin, found.coat, found.fur, found.brows) == (dog.skin, dog.coat, dog.fur, dog.brows)
+    assert found.pores == pytest.approx((dog.pores + kaori.pores) / 2)  # relief stays: its pores are half of both
+
+
+def test_regions_bring_their_pictures_where_the_skin_has_an_atlas() -> None:
+    sources = {"kaori": photographed("kaori"), "dog": SOURCES["dog"]}
+    recipe = FaceRecipe({"dog": 1.0}, regions={"mouth": "kaori"})
+    found = compose_face(SPACE, "hers", recipe, sources, CAST.atlas).look.albedo
+    assert found is not None
+    assert 0.0 < found.cover < 0.5
+    assert compose_face(SPACE, "hers", recipe, sources).look.albedo is None

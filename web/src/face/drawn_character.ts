@@ -3,15 +3,15 @@
 import * as THREE from "three";
 import type { Library } from "../link/assets";
 import type { Anatomy } from "./anatomy/anatomy";
-import { type AssetResidency, namesOf } from "./blend/asset_residency";
+import { AssetResidency, namesOf } from "./blend/asset_residency";
 import type { Blender, BlendTarget } from "./blend/blender";
 import type { Eyeballs } from "./blend/sum_pass";
 import { type Point, type Shot, shotOfHead } from "./framing";
 import { Hair } from "./hair/hair";
-import type { HairStock } from "./hair/hair_assignment";
+import { createHairStock, type HairStock } from "./hair/hair_assignment";
 import { FEET } from "./head/collar";
 import { eyeTraitsOf, writeEyeTraits } from "./head/eye_traits";
-import type { FaceLooks } from "./head/face_looks";
+import { FaceLooks } from "./head/face_looks";
 import type { HeadUniforms } from "./head/head";
 import { type CharacterUniforms, characterUniforms, copyHead, type HeadTemplate } from "./head/head_template";
 import { writeLight } from "./light/light_uniforms";
@@ -24,6 +24,7 @@ import type { CharacterPose } from "./pose/scene_pose";
 import { type Arrival, SourceCrossfade } from "./pose/source_crossfade";
 import type { Features } from "./quality/quality_levels";
 import type { Clearance, PlacedHead } from "./scene_framing";
+import { SkinPictures } from "./skin/skin_pictures";
 
 /** Seconds in which a character rises that came on the stage before all of it was here. */
 const RISE = 0.6;
@@ -38,6 +39,20 @@ export interface SharedParts {
   readonly looks: FaceLooks;
   readonly hairStock: HairStock;
   readonly residency: AssetResidency;
+  readonly pictures: SkinPictures;
+}
+
+/** What the characters of a view share; `upload`: a texture to the GPU. */
+export function sharedParts(library: Library, anatomy: Anatomy, upload: (texture: THREE.Texture) => void): SharedParts {
+  const pictures = new SkinPictures(library, upload);
+  return {
+    library,
+    anatomy,
+    pictures,
+    looks: new FaceLooks(library.faces, (face) => pictures.of(face)),
+    hairStock: createHairStock(library, anatomy.positions, (row) => anatomy.traits[4 * row + 2] ?? 0),
+    residency: new AssetResidency(library, anatomy.regions?.allowances),
+  };
 }
 
 /** Names that will be needed soon. */
@@ -125,12 +140,14 @@ export class DrawnCharacter {
     const faces = this.sourceCrossfade.wanted("faces", [...names.faces, ...coming.faces]);
     const expressions = this.sourceCrossfade.wanted("expressions", [...names.expressions, ...coming.expressions]);
     this.parts.residency.want(faces, expressions);
+    this.parts.pictures.want(faces);
     this.hair.want(faces);
   }
 
   /** Its pose by source, `seconds` after the last frame. */
   advance(seconds: number, blender: Blender, atOnce: boolean): Pose {
-    const arrival: Arrival = (faces, worn) => this.parts.residency.arrival(faces, worn, blender);
+    const { residency, pictures } = this.parts;
+    const arrival: Arrival = (faces, worn) => (pictures.here(faces) ? residency.arrival(faces, worn, blender) : "away");
     this.pose = this.sourceCrossfade.pose(this.called, seconds, arrival, atOnce);
     if (atOnce || this.called.presence === 0) this.risen = 1;
     else if (this.whole) this.risen = Math.min(1, this.risen + seconds / RISE);
@@ -174,7 +191,7 @@ export class DrawnCharacter {
     if (this.whole && !this.head.visible) return false;
     const touched = this.blendFace(blender);
     this.hair.dress(residency.faces(this.pose, blender), seconds, atOnce || !this.whole);
-    this.whole ||= this.blended !== "" && (atOnce || this.hair.here); // at once: what is wanted for later may be on its way
+    this.whole ||= this.blended !== "" && (atOnce || (this.hair.here && this.parts.pictures.here(this.faces))); // at once: what is wanted for later may be on its way
     this.head.visible &&= this.whole;
     return touched;
   }
@@ -194,12 +211,23 @@ export class DrawnCharacter {
   settled(blender: Blender): boolean {
     const { residency } = this.parts;
     if (!this.sourceCrossfade.settled(this.called) || !residency.settled(this.pose, blender)) return false;
+    if (!this.parts.pictures.settled(this.faces)) return false;
     return this.whole && this.risen === 1 && (!this.head.visible || this.hair.settled);
   }
 
-  /** Waits for all of its hair. */
-  complete(): Promise<void> {
-    return this.hair.complete();
+  /** The faces that are drawn of it, by source. */
+  get faces(): string[] {
+    return Object.keys(this.pose.faces);
+  }
+
+  /** The faces that an audience sees of it, by source. */
+  get facesSeen(): string[] {
+    return this.whole && this.head.visible ? this.faces : [];
+  }
+
+  /** Waits for all of its hair, and the pictures on its skin. */
+  async complete(): Promise<void> {
+    await Promise.all([this.hair.complete(), this.parts.pictures.complete()]);
   }
 
   /** Its blended positions, read back from the GPU. */

@@ -3,15 +3,12 @@
 import * as THREE from "three";
 import type { Library } from "../link/assets";
 import { type Anatomy, loadAnatomy } from "./anatomy/anatomy";
-import { AssetResidency } from "./blend/asset_residency";
 import { Blender } from "./blend/blender";
-import { type Coming, DrawnCharacter, type SharedParts } from "./drawn_character";
+import { type Coming, DrawnCharacter, type SharedParts, sharedParts } from "./drawn_character";
 import { type Box, PORTRAIT, portraitCamera, type Shot, type Tile, tileView } from "./framing";
 import { EdgeSmoothing } from "./gpu/edge_smoothing";
 import { PictureCrossfade } from "./gpu/picture_crossfade";
 import { createRenderer, NO_WEBGL2 } from "./gpu/renderer";
-import { createHairStock } from "./hair/hair_assignment";
-import { FaceLooks } from "./head/face_looks";
 import { type HeadUniforms, headUniforms } from "./head/head";
 import { type HeadTemplate, headTemplate } from "./head/head_template";
 import { Backdrop } from "./light/backdrop";
@@ -89,13 +86,7 @@ export class FaceView {
     this.renderer = createRenderer(canvas);
     this.crossfade = new PictureCrossfade(this.renderer);
     this.smoothing = new EdgeSmoothing(this.renderer);
-    this.parts = {
-      library,
-      anatomy,
-      looks: new FaceLooks(library.faces),
-      hairStock: createHairStock(library, anatomy.positions, (row) => anatomy.traits[4 * row + 2] ?? 0),
-      residency: new AssetResidency(library, anatomy.regions?.allowances),
-    };
+    this.parts = sharedParts(library, anatomy, (texture) => this.renderer.initTexture(texture));
     this.called = alone(restPose(library.manifest.faces[0]?.name ?? "generic"));
     this.light = lightOf(this.called) as Pose["light"];
     this.build();
@@ -165,6 +156,7 @@ export class FaceView {
       this.blender.finish();
       this.renderer.resetState();
     }
+    this.parts.pictures.advance(characters, seconds, atOnce);
     if (this.next !== undefined) this.exchange(this.next, columns);
     this.paint(columns);
     this.crossfade.paint(seconds);
@@ -216,7 +208,7 @@ export class FaceView {
     this.canvas.removeEventListener("webglcontextlost", this.contextLost);
     this.canvas.removeEventListener("webglcontextrestored", this.contextRestored);
     for (const character of this.characters.values()) character.dispose(this.blender);
-    for (const part of [this.blender, this.smoothing, this.renderer]) part.dispose();
+    for (const part of [this.parts.pictures, this.blender, this.smoothing, this.renderer]) part.dispose();
   }
 
   private templateOf(level: Level): HeadTemplate {
@@ -229,6 +221,7 @@ export class FaceView {
     this.blender = new Blender(this.context, this.library.manifest.vertices, fans, correctives, regions?.rows);
     this.common = headUniforms(null, null);
     applyLayers(this.common, this.layers, featuresHere(this.wanted));
+    this.parts.pictures.rebuild(featuresHere(this.wanted));
     this.scene = new THREE.Scene();
     this.backdrop = new Backdrop();
     if (!this.options.transparent) this.scene.add(this.backdrop.mesh);

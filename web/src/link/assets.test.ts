@@ -1,5 +1,5 @@
 import { encode } from "@msgpack/msgpack";
-import { describe, expect, it } from "vitest";
+import { describe, expect, it, vi } from "vitest";
 import { fetchWithRetry, Library, RefusedAddress, readCompound, readLine, readMesh } from "./assets";
 import type { Manifest } from "./messages";
 
@@ -44,6 +44,23 @@ describe("a library", () => {
     expect((await library.compound("kaori", "a smile")).indices).toEqual(Uint32Array.from([2]));
     await library.compound("kaori", "a smile");
     expect(asked).toEqual(["/assets/kaori", "/compounds/d/kaori/a%20smile"]);
+  });
+
+  it("fetches the picture on a face's skin by its digest, and its bytes stay as they are", async () => {
+    const asked: string[] = [];
+    const decoded = vi.fn(async () => "picture");
+    vi.stubGlobal("createImageBitmap", decoded);
+    const own = { name: "own", source: "#a/b", url: "", albedo: "digest" };
+    const pictured = { ...manifest, faces: [...manifest.faces, own] } as unknown as Manifest;
+    const library = new Library(pictured, async (address) => {
+      asked.push(address);
+      return new Uint8Array(4);
+    });
+    expect(await library.albedo("#a/b")).toBe("picture");
+    expect(asked).toEqual(["/albedos/digest/%23a%2Fb"]);
+    expect(decoded).toHaveBeenCalledWith(expect.any(Blob), { premultiplyAlpha: "none", colorSpaceConversion: "none" });
+    await expect(library.albedo("kaori")).rejects.toThrow('no picture on the skin of "kaori"');
+    vi.unstubAllGlobals();
   });
 
   it("refuses names and sizes that do not fit", async () => {

@@ -211,6 +211,14 @@ export class Library {
     });
   }
 
+  /** The picture on a face's skin, decoded off the main thread; it is the caller's to close. */
+  async albedo(face: string): Promise<ImageBitmap> {
+    const digest = this.faces.get(face)?.albedo;
+    if (!digest) throw new Error(`There is no picture on the skin of "${face}".`);
+    const bytes = await fetchWithRetry(`/albedos/${digest}/${encodeURIComponent(face)}`, this.read);
+    return createImageBitmap(new Blob([bytes as Uint8Array<ArrayBuffer>], { type: "image/png" }), RAW);
+  }
+
   /** The layers of the skin (tools/baking/skin/mask.py says what they hold): they lie one below the other in one picture. */
   layers(): Promise<ImageBitmap[]> {
     this.picture ??= fetchWithRetry(this.manifest.mask, this.read).then((bytes) =>
@@ -229,13 +237,15 @@ function remembered<T>(memory: Map<string, Promise<T>>, key: string, make: () =>
   return made;
 }
 
+/** Pictures whose bytes stay as they are. */
+const RAW: ImageBitmapOptions = { premultiplyAlpha: "none", colorSpaceConversion: "none" };
+
 /** The squares of a tall picture from top to bottom, their bytes untouched. */
 async function cutSquares(file: Blob): Promise<ImageBitmap[]> {
-  const raw: ImageBitmapOptions = { premultiplyAlpha: "none", colorSpaceConversion: "none" };
-  const whole = await createImageBitmap(file, raw);
+  const whole = await createImageBitmap(file, RAW);
   const { width: side, height } = whole;
   const rows = Array.from({ length: Math.floor(height / side) }, (_, row) => row * side);
-  const squares = await Promise.all(rows.map((top) => createImageBitmap(whole, 0, top, side, side, raw)));
+  const squares = await Promise.all(rows.map((top) => createImageBitmap(whole, 0, top, side, side, RAW)));
   whole.close();
   return squares;
 }

@@ -1373,7 +1373,8 @@ export interface FaceGain {
  * `ball_radii`: of the left and the right eyeball, what lids must leave. `extremes`: the farthest points
  * of skin and hair, least then greatest x, y and z, metres: what a picture has to hold. `source`: its name in the
  * addresses of compounds, `#` and a content key for an own face; `tags`, `place`: for palettes.
- * `gains`: those that differ from a person's.
+ * `gains`: those that differ from a person's. `albedo`: the digest of its picture, a PNG of sRGB and coverage at
+ * `/albedos/DIGEST/SOURCE`, "" for none.
  */
 export interface FaceDocument {
   name: string;
@@ -1388,6 +1389,7 @@ export interface FaceDocument {
   tags: string[];
   place: number;
   gains: FaceGain[];
+  albedo: string;
 }
 
 /**

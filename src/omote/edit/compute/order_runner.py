@@ -69,7 +69,7 @@ class OrderRunner:
 
     def _bake_face(self, recipe: FaceRecipe, contents: Contents) -> Baked:
         named = {source: self._face(source, contents) for source in sorted(sources(recipe))}
-        made = compose_face(self._cast.space, _DRAFT, recipe, named)
+        made = compose_face(self._cast.space, _DRAFT, recipe, named, atlas=self._cast.atlas)
         data = pack_face(made.face, made.look)
         return Baked(recipe, content_key(data), {content_key(data): data})
 

@@ -14,6 +14,8 @@ from omote.showfile.changes import PutContent
 
 PASSING = 2048
 """Contents of drafts that are cached, so that undo needs no computation."""
+PASSING_BYTES = 2**28
+"""All of them together: a face with a picture on its skin takes a few megabytes."""
 _NETS = 16
 _RECIPES = 4096
 
@@ -63,6 +65,15 @@ class ContentStore(Mapping[str, bytes]):
         for key, data in contents.items():
             if key not in self._given and key not in self._in_file:
                 _remember(self._passing, key, data, PASSING)
+        self._forget_passing(spare=len(contents))
+
+    def _forget_passing(self, spare: int) -> None:
+        """Drops the oldest cached contents beyond PASSING_BYTES, but the newest `spare`."""
+        total = sum(map(len, self._passing.values()))
+        for key in [*self._passing][: max(0, len(self._passing) - spare)]:
+            if total <= PASSING_BYTES:
+                return
+            total -= len(self._passing.pop(key))
 
     def remember_result(self, order: EditOrder, baked: Baked) -> None:
         """Caches the workshop's answer to an order, and its sources."""

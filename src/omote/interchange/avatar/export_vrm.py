@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
 from dataclasses import replace
-from typing import Literal, get_args
 
 import numpy as np
 
@@ -42,8 +41,6 @@ from omote.interchange.formats.glb_writer import GENERATOR, Scene, Shape, Store,
 from omote.model.space.face_fit import fit
 
 HEAD = "head"
-Version = Literal["1.0", "0.x"]
-VERSIONS: tuple[Version, ...] = get_args(Version)
 TURNED = np.array([-1.0, 1.0, -1.0])
 """Half a turn: models of 0.x look along -z."""
 
@@ -55,7 +52,6 @@ def vrm_bytes(
     credit: Credit,
     /,
     *,
-    version: Version = "1.0",
     own: bool = False,
     hair: bool = True,
 ) -> bytes:
@@ -79,7 +75,7 @@ def vrm_bytes(
     meta = describe_meta(face, credit.authors, terms, NOTICE)
     gaze = describe_gaze(cast, skeleton.eyes)
     parts = {"meta": meta, "expressions": expressions} | ({"lookAt": gaze} if gaze else {})
-    return _encode(scene, skeleton, parts) if version == VERSION else _encode_old(scene, skeleton, parts)
+    return _encode(scene, skeleton, parts) if credit.version == VERSION else _encode_old(scene, skeleton, parts)
 
 
 def _stand(scene: Scene, skeleton: Skeleton) -> Scene:

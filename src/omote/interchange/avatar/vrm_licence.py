@@ -4,8 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from typing import Literal, get_args
 
 Terms = Mapping[str, str | bool]
+Version = Literal["1.0", "0.x"]
+VERSIONS: tuple[Version, ...] = get_args(Version)
 
 LICENCE_URL = "https://vrm.dev/licenses/1.0/"
 CC0_URL = "https://creativecommons.org/publicdomain/zero/1.0/"
@@ -29,13 +32,15 @@ HOW = "--licence strict (the author alone), cc0 (anyone, for anything), or terms
 
 @dataclass(frozen=True)
 class Credit:
-    """Who made an avatar, and what others may do with it; terms None: not said, so only what is CC0 can be written.
+    """Who made an avatar, and what others may do with it; terms None: not said, so only what is CC0 can be written;
+    version: of VRM.
 
     Raises ValueError where no author is named.
     """
 
     authors: tuple[str, ...]
     terms: Terms | None = None
+    version: Version = "1.0"
 
     def __post_init__(self) -> None:
         if not self.authors or not all(name.strip() for name in self.authors):

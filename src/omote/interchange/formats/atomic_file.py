@@ -15,6 +15,11 @@ SIGNATURES: Mapping[str, tuple[str, tuple[bytes, ...]]] = {
     ".jpeg": ("JPEG picture", (b"\xff\xd8\xff",)),
     ".glb": ("GLB file", (b"glTF",)),
     ".vrm": ("VRM file", (b"glTF",)),
+    ".usdc": ("USD file", (b"PXR-USDC",)),
+    ".usda": ("USD file", (b"#usda ",)),
+    ".usdz": ("USDZ file", (b"PK\x03\x04",)),
+    ".obj": ("OBJ file", (b"#", b"mtllib ", b"o ", b"g ", b"v ")),
+    ".mtl": ("MTL file", (b"#", b"newmtl ")),
     ".npz": ("NPZ file", (b"PK\x03\x04",)),
     ".csv": ("table that Omote wrote", (b"expression,facs,mesh,",)),
 }

@@ -11,7 +11,9 @@ Kind = Literal["image/png", "image/jpeg"]
 KINDS: dict[str, Kind] = {".png": "image/png", ".jpg": "image/jpeg", ".jpeg": "image/jpeg"}
 GLB, VRM, DOCUMENT = ".glb", ".vrm", ".json"
 NUMBERS = (".npz", ".csv")
-"""What an export writes besides heads."""
+USD, OBJ = (".usdc", ".usda", ".usdz"), ".obj"
+EXPORTS = (GLB, VRM, *USD, OBJ, *NUMBERS)
+"""What an export writes: heads, and tables of numbers."""
 IMPORTS = (DOCUMENT, GLB, ".obj")
 HINTS = {
     ".omote": "a show file is opened with `omote show`; take single expressions out of it as documents (.json)",
@@ -37,11 +39,11 @@ def refuse_folder(path: Path) -> None:
 
 
 def check_export_name(path: Path) -> None:
-    """ValueError for a name that says neither GLB nor VRM nor a table of numbers."""
+    """ValueError for a name that says no kind of file that is exported."""
     refuse_folder(path)
-    if path.suffix.lower() not in (GLB, VRM, *NUMBERS):
-        others = f"with {VRM} for an avatar, or with {' or '.join(NUMBERS)} for numbers"
-        raise ValueError(f"{path.name!r} is no name of a GLB file; end it with {GLB}, {others}")
+    if path.suffix.lower() not in EXPORTS:
+        heads, numbers = ", ".join((GLB, VRM, *USD, OBJ)), " or ".join(NUMBERS)
+        raise ValueError(f"{path.name!r} is no name of an exported face; end it with {heads}, or {numbers} for numbers")
 
 
 def check_document_name(path: Path) -> None:

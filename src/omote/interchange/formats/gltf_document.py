@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Annotated
+from typing import Annotated, TypeVar
 
 import msgspec
 
@@ -111,11 +111,19 @@ class Document(msgspec.Struct, frozen=True, rename="camel"):
     extensions_required: list[str] = []
 
 
+D = TypeVar("D", bound=Document)
+
+
 def parse_document(text: bytes, /) -> Document:
     """Parses and validates the JSON of a GLB's first chunk; ValueError for an invalid document."""
+    return parse_document_as(Document, text)
+
+
+def parse_document_as(kind: type[D], text: bytes, /) -> D:
+    """Parses and validates the JSON as a document of which more is described; ValueError for an invalid one."""
     if len(text) > LARGEST:
         raise ValueError(f"the file's JSON has {len(text)} bytes; expected {LARGEST} at most")
     try:
-        return msgspec.json.decode(text, type=Document)
+        return msgspec.json.decode(text, type=kind)
     except (msgspec.DecodeError, UnicodeDecodeError, RecursionError) as error:
         raise ValueError(f"the file's JSON is no glTF document ({explain_error(error)}); export it anew") from error

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import struct
 import zlib
+from collections.abc import Collection
 
 import numpy as np
 from numba import njit
@@ -27,14 +28,19 @@ def png_bytes(picture: Picture, /) -> bytes:
     return SIGNATURE + _chunk(b"IHDR", head) + _chunk(b"IDAT", body) + _chunk(b"IEND", b"")
 
 
-def read_png(data: bytes, /) -> Picture:
-    """The picture (rows, columns, 3 or 4) in a PNG of 8 bits a channel, not interlaced; ValueError for any other."""
+def read_png(data: bytes, /, sides: Collection[int] | None = None) -> Picture:
+    """The picture (rows, columns, 3 or 4) in a PNG of 8 bits a channel, not interlaced; ValueError for any other.
+
+    sides: how many rows and columns there may be; nothing is unpacked of other pictures, nor beyond what the head says.
+    """
     try:
         parts = _parts(data)
         columns, rows, depth, colour, *rest = struct.unpack(">IIBBBBB", parts[b"IHDR"])
         channels = {kind: count for count, kind in _COLOURS.items()}[colour]
-        lines = np.frombuffer(zlib.decompress(parts[b"IDAT"]), np.uint8).reshape(rows, 1 + channels * columns)
-    except (struct.error, KeyError, ValueError, zlib.error) as error:
+        if sides is not None and not (rows in sides and columns in sides):
+            raise ValueError(f"it has {rows} rows of {columns}")
+        lines = _lines(parts[b"IDAT"], rows, 1 + channels * columns)
+    except (struct.error, KeyError, ValueError, OverflowError, zlib.error) as error:
         raise ValueError("a picture is no PNG of 8 bits and 3 or 4 channels") from error
     if depth != 8 or any(rest) or (lines[:, 0] > _PAETH).any():
         raise ValueError("a picture is a PNG of another kind; expected 8 bits a channel, not interlaced")
@@ -70,6 +76,11 @@ def _unfilter(lines: Picture, channels: int) -> Picture:
                     guess = above if away_above <= away_corner else corner
             found[row + 1, column + channels] = (np.int32(lines[row, column + 1]) + guess) & 255
     return found[1:, channels:].copy()
+
+
+def _lines(packed: bytes, rows: int, width: int) -> Picture:
+    plain = zlib.decompressobj().decompress(packed, rows * width + 1)
+    return np.frombuffer(plain, np.uint8).reshape(rows, width)
 
 
 def _parts(data: bytes) -> dict[bytes, bytes]:

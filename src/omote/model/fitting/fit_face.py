@@ -10,14 +10,14 @@ from numpy.typing import ArrayLike, NDArray
 
 from omote.geometry import mesh
 from omote.model.fitting.fit_doubts import find_doubts
+from omote.model.fitting.identity_modes import IdentityModes, refuse_other_topology
 from omote.model.fitting.landmarks import SEVEN, find_landmarks
 from omote.model.fitting.scan import Scan
 from omote.model.fitting.scan_skin import keep_skin, may_be_shut
-from omote.model.fitting.scan_surface import ScanSurface, sample_cloud, sample_mesh
-from omote.model.fitting.shape.fitted_eyes import place_balls, seat_lids
+from omote.model.fitting.scan_surface import ScanSurface, face_outward, sample_cloud, sample_mesh
+from omote.model.fitting.shape.fitted_eyes import Ball, find_balls, place_balls, seat_lids
 from omote.model.fitting.shape.fold_mending import find_folds, mend_folds
 from omote.model.fitting.shape.head_zones import HeadZones, head_zones, row_matrix, rung_matrix
-from omote.model.fitting.shape.identity_modes import IdentityModes, refuse_other_topology
 from omote.model.fitting.shape.mode_fit import Marks, ModeFit, fit_modes
 from omote.model.fitting.shape.plate_fit import Pull, bend, find_lengths, match
 from omote.model.sculpting.socket_depth import fit_lining_at_rest
@@ -57,6 +57,16 @@ class Fit:
         From the scan's own frame and unit to the face's metres.
     doubts : tuple of str
         What should be looked at, in sentences; empty when sure.
+
+    Examples
+    --------
+    >>> found = omote.fit(cast.space, cast.faces["old"].positions, cast.space.triangles)
+    >>> isinstance(found, omote.Fit), found.residual.shape
+    (True, (4278,))
+
+    References
+    ----------
+    K. Arai (1993), section 5.1.
     """
 
     face: Face
@@ -117,11 +127,13 @@ def fit_face(
     found = fit_modes(space, modes, surface, marks, blind)
     head = found.pose(modes.shape_skin(found.weights))
     skin = keep_skin(surface, zones, head)
-    filled = may_be_shut(space, skin, head)
+    expected = {name: found.pose(points) for name, points in modes.shape_parts(found.weights).items()}
+    balls = find_balls(surface, {name: expected[name] for name, part in space.parts.items() if part.eye})
+    filled = len(balls) < 2 and may_be_shut(space, skin, head)  # who is made with eyeballs looks
     tell(0.25, "the skin")
     bent = _bend(space, zones, skin, marks, head, filled if shut is None else shut)
     tell(0.7, "eyes and mouth")
-    parts = _carry_parts(space, modes, found, head, bent, surface)
+    parts = _carry_parts(space, expected, head, bent, balls)
     upright = _set_upright(space, found, parts)
     guide = upright(head)
     face = _finish(space, name, guide, upright(bent), {part: upright(points) for part, points in parts.items()})
@@ -149,9 +161,10 @@ def _find_marks(space: ParameterSpace, placement: Similarity, landmarks: Mapping
 def _sample(space: ParameterSpace, scan: Scan, placement: Similarity) -> ScanSurface:
     points = placement(scan.positions)
     box = np.stack([space.points.min(axis=0), space.points.max(axis=0)])
+    outside = (space.points, mesh.normals(space.points, space.triangles))
     if scan.triangles is not None and len(scan.triangles):
-        return sample_mesh(points, scan.triangles, box, AROUND)
-    return sample_cloud(points, (space.points, mesh.normals(space.points, space.triangles)), box, AROUND)
+        return face_outward(sample_mesh(points, scan.triangles, box, AROUND), outside)
+    return sample_cloud(points, outside, box, AROUND)
 
 
 def _bend(
@@ -173,11 +186,11 @@ def _bend(
 
 
 def _carry_parts(
-    space: ParameterSpace, modes: IdentityModes, found: ModeFit, head: Values, bent: Values, surface: ScanSurface
+    space: ParameterSpace, expected: dict[str, Values], head: Values, bent: Values, balls: Mapping[str, Ball]
 ) -> dict[str, Values]:  # fmt: skip
     """The parts from where modes put them, as the skin around them went on; the mouth's together, lashes with the lids,
     eyeballs where the scan shows them."""
-    parts = {name: found.pose(points) for name, points in modes.shape_parts(found.weights).items()}
+    parts = dict(expected)
     mouth = [name for name, part in space.parts.items() if not part.eye and not _on_skin(space, name)]
     around = np.unique(np.concatenate([space.parts[name].ring for name in mouth]))
     for name, part in space.parts.items():
@@ -186,8 +199,8 @@ def _carry_parts(
         else:
             ring = part.ring if part.eye else around
             parts[name] = fit_similarity(head[ring], bent[ring], np.ones(len(ring)))(parts[name])
-    balls = {name: parts[name] for name, part in space.parts.items() if part.eye}
-    return parts | place_balls(space, balls, bent, surface)
+    eyes = {name: parts[name] for name, part in space.parts.items() if part.eye}
+    return parts | place_balls(space, eyes, bent, balls)
 
 
 def _on_skin(space: ParameterSpace, name: str) -> bool:

@@ -132,7 +132,22 @@ def sample_cloud(points: Values, outside: tuple[Values, Values], near: Values, r
     off = kept[rows] - kept[rows].mean(axis=1, keepdims=True)
     _, axes = np.linalg.eigh(np.einsum("nki,nkj->nij", off, off))
     normals = axes[:, :, 0]
-    _, beside = cKDTree(outside[0]).query(kept, workers=1)
-    normals = normals * np.where((normals * outside[1][beside]).sum(axis=1) < 0.0, -1.0, 1.0)[:, None]
+    normals = normals * np.where(_facing(kept, normals, outside) < 0.0, -1.0, 1.0)[:, None]
     none = np.zeros(len(kept))
     return ScanSurface.of(kept, normals, none.astype(np.bool_), none.astype(np.int32), np.full(len(kept), -1, np.int32))
+
+
+def face_outward(surface: ScanSurface, outside: tuple[Values, Values], /) -> ScanSurface:
+    """The surface with its normals as those of a head (k, 3), (k, 3) near it; some programs wind triangles the other
+    way."""
+    some = slice(None, None, 16)
+    if _facing(surface.points[some], surface.normals[some], outside).mean() >= 0.0:
+        return surface
+    return ScanSurface.of(surface.points, -surface.normals, surface.border, surface.component, surface.triangle)
+
+
+def _facing(points: Values, normals: Values, outside: tuple[Values, Values]) -> Values:
+    """The cosines (n,) between normals and those of the nearest points of a head."""
+    _, beside = cKDTree(outside[0]).query(points, workers=1)
+    result: Values = (normals * outside[1][beside]).sum(axis=1)
+    return result

@@ -8,6 +8,7 @@ from dataclasses import dataclass, fields
 import numpy as np
 from numpy.typing import NDArray
 
+from omote.model.albedo import Albedo, SkinAtlas, mix_albedos, regional_albedo
 from omote.model.cast import TRAITS, Look
 from omote.model.recipes.face_handles import drag_handles
 from omote.model.recipes.recipe import FaceRecipe
@@ -22,6 +23,11 @@ from omote.model.space.parameter_space import ParameterSpace
 Values = NDArray[np.float64]
 
 _SUM = 1e-3  # How far weights of faces may be from summing to one: what is on air was rounded on its way.
+
+_BARELY = 1e-3  # of painted skin that shows: less says nothing of a look
+
+# What of a look only its painted skin shows: where a picture stands in its place, it counts as much less.
+_PAINTED = ("skin", "lip", "brow", "blush", "coat", "freckles", "stubble", "brows", "fur", "stripes")
 
 # What of a look lies in which region; the rest goes with the mix.
 _OF_REGIONS: Mapping[Region, tuple[str, ...]] = {
@@ -43,13 +49,15 @@ class FaceWithLook:
 
 
 def compose_face(
-    space: ParameterSpace, name: str, recipe: FaceRecipe, sources: Mapping[str, FaceWithLook], /
+    space: ParameterSpace, name: str, recipe: FaceRecipe, sources: Mapping[str, FaceWithLook], /,
+    atlas: SkinAtlas | None = None,
 ) -> FaceWithLook:  # fmt: skip
     """Composes the face of a recipe, under a name: base, then regions, then caricature, then handles; its gains
     are those of the base and of the regions' faces, except where the recipe sets its own.
 
-    sources: the faces that it names. Raises ValueError on faces, regions and handles that nobody knows, weights that do
-    not sum to one, and what makes no face of this space.
+    sources: the faces that it names; atlas: how the skin lies on its texture, without which regions bring no pictures.
+    Raises ValueError on faces, regions and handles that nobody knows, weights that do not sum to one, and what makes
+    no face of this space.
     """
     shares = _shares(recipe, sources)
     chosen = {check_region(region): _find_source(sources, source) for region, source in recipe.regions.items()}
@@ -63,6 +71,9 @@ def compose_face(
         face = drag_handles(space, face, name, rows=recipe.points, moves=recipe.moves)
     look = mix_looks([(sources[source].look, share) for source, share in shares.items()])
     worn = {trait: getattr(one.look, trait) for region, one in chosen.items() for trait in _OF_REGIONS.get(region, ())}
+    if atlas is not None and chosen:
+        pictures = tuple((region, one.look.albedo) for region, one in chosen.items())
+        worn["albedo"] = regional_albedo(space, atlas, look.albedo, pictures)
     gains = override_gains(face.gains, _gains(recipe))
     return FaceWithLook(Face(name, face.positions, face.parts, gains), Look(**{**vars(look), **worn}))
 
@@ -88,14 +99,16 @@ def mix_looks(looks: Sequence[tuple[Look, float]], /) -> Look:
 
     Hair is one style, whole, on the scalp that goes with it: a mixed hairline would fit none. It is that of the largest
     share (of styles worn by several, all their shares) where half of the mix or more wear any; its colour is mixed from
-    all who wear hair.
+    all who wear hair. Pictures of skin mix too; what is painted is mixed from those whose paint shows.
     """
     style = _style(looks)
+    painted = _painted_shares(looks)
     wearers = _normalize_shares([(look, share) for look, share in looks if look.hair_style == style])
     haired = _normalize_shares([(look, share) for look, share in looks if look.hair_style]) or looks
-    found: dict[str, str | float] = {"hair_style": style}
-    for trait in (field.name for field in fields(Look) if field.name != "hair_style"):
-        those = wearers if trait == "scalp" else haired if trait == "hair" else looks
+    pictures = tuple((look.albedo, share) for look, share in looks)
+    found: dict[str, str | float | Albedo | None] = {"hair_style": style, "albedo": mix_albedos(pictures)}
+    for trait in (field.name for field in fields(Look) if field.name not in found):
+        those = {"scalp": wearers, "hair": haired, **dict.fromkeys(_PAINTED, painted)}.get(trait, looks)
         worn = [(getattr(look, trait), share) for look, share in those]
         if trait in TRAITS:
             low, high = TRAITS[trait]
@@ -113,6 +126,14 @@ def _style(looks: Sequence[tuple[Look, float]]) -> str:
     if shares.pop("", 0.0) > sum(shares.values()):
         return ""
     return max(shares, key=lambda style: shares[style])
+
+
+def _painted_shares(looks: Sequence[tuple[Look, float]]) -> Sequence[tuple[Look, float]]:
+    """The shares of looks by how much of their painted skin shows beside pictures; all of them where none does."""
+    if all(look.albedo is None for look, _ in looks):
+        return looks
+    shown = [(look, share * (1.0 - (look.albedo.cover if look.albedo else 0.0))) for look, share in looks]
+    return _normalize_shares(shown) if sum(share for _, share in shown) > _BARELY else looks
 
 
 def _normalize_shares(looks: Sequence[tuple[Look, float]]) -> list[tuple[Look, float]]:

@@ -28,7 +28,8 @@ from omote.server.workers.workshop import ClosedWorkshopError, FailedOrderError,
 from omote.show.messages import ContentAsset, FaceDocument, State
 from omote.show.state import names_on_air
 from omote.show.wire import encode
-from omote.stage_data.assets import content_name, documents
+from omote.showfile.contents import ContentError
+from omote.stage_data.assets import content_name, documents, find_albedo
 from omote.stage_data.playing_cast import PlayingCast, build_playing_cast, manifest_of
 
 CACHED_FACES = 256
@@ -101,6 +102,16 @@ class CastDocuments:
                 self._faces.popitem(last=False)
         self._faces.move_to_end(key)
         return self._faces[key]
+
+    async def albedo(self, source: str) -> bytes:
+        """The picture on a face's skin, a PNG, by the face's source; KeyError where the face or its picture is
+        missing."""
+        self._check(source, self.cast.faces)
+        loop, contents = asyncio.get_running_loop(), self._contents(source)
+        try:
+            return await loop.run_in_executor(None, find_albedo, self.cast, source, contents)
+        except ContentError as error:
+            raise RefusedOrderError(str(error)) from error
 
     async def tangents(self, face: str) -> bytes:
         """The `TangentsAsset` of a face by its source; KeyError where it is missing."""

@@ -28,6 +28,7 @@ class DocumentRoutes:
         application.router.add_get("/tangents/{base}/{face}", self.tangents)
         application.router.add_get("/handles", self.handles)
         application.router.add_get("/contents/{key}", self.content)
+        application.router.add_get("/albedos/{digest}/{source}", self.albedo)
 
     async def manifest(self, request: web.Request) -> web.Response:
         """Responds with the manifest of the cast."""
@@ -66,8 +67,17 @@ class DocumentRoutes:
         """Responds with an authored face, by the key of its content."""
         return await self._respond_computed(request, lambda: self.documents.face(request.match_info["key"]))
 
+    async def albedo(self, request: web.Request) -> web.Response:
+        """Responds with the picture on a face's skin, a PNG, by the face's source."""
+        source = request.match_info["source"]
+        return await self._respond_computed(request, lambda: self.documents.albedo(source), kind="image/png")
+
     async def _respond_computed(
-        self, request: web.Request, make: Callable[[], Awaitable[bytes]], keep: str = CACHE_FOREVER
+        self,
+        request: web.Request,
+        make: Callable[[], Awaitable[bytes]],
+        keep: str = CACHE_FOREVER,
+        kind: str = MESSAGEPACK,
     ) -> web.Response:
         """Responds with what `make` computes; by default cacheable for ever, for the address names the content."""
         if request.match_info.get("base", self.documents.cast.digest) != self.documents.cast.digest:
@@ -80,4 +90,4 @@ class DocumentRoutes:
             raise web.HTTPNotFound(text=f"{error}.") from error
         except FailedOrderError as error:
             raise web.HTTPServiceUnavailable(text=f"{error}.") from error
-        return web.Response(body=data, content_type=MESSAGEPACK, headers={"Cache-Control": keep})
+        return web.Response(body=data, content_type=kind, headers={"Cache-Control": keep})

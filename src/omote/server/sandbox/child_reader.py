@@ -5,9 +5,6 @@ The child sends back plain arrays, which are validated again here.
 
 from __future__ import annotations
 
-import contextlib
-import os
-import resource
 from collections.abc import Callable, Mapping
 from pathlib import Path
 from typing import Any
@@ -18,13 +15,14 @@ from numpy.typing import NDArray
 
 from omote.interchange.formats import glb_reader, obj_reader
 from omote.interchange.formats.glb_reader import Piece
+from omote.server.sandbox.child_task import Limits, run_limited
 
-SECONDS, MEMORY, FILES = 60, 2 * 2**30, 16
-"""Limits of the child: CPU seconds, bytes of memory beyond what it starts with, open files."""
+LIMITS = Limits(seconds=60, memory=2 * 2**30)
+_TOO_MUCH = "reading it needs more time or memory than any face; export a smaller one"
 
 READERS: Mapping[str, Callable[[bytes], tuple[Piece, ...]]] = {
     ".glb": glb_reader.read_glb,
-    ".obj": lambda data: (Piece("skin", obj_reader.read_obj(data)),),
+    ".obj": obj_reader.read_obj_pieces,
 }
 """Parsers by file name suffix."""
 
@@ -36,11 +34,6 @@ class _Plain(msgspec.Struct, frozen=True, array_like=True):
     moves: dict[str, bytes]
 
 
-class _Answer(msgspec.Struct, frozen=True, array_like=True):
-    pieces: list[_Plain] = []
-    refused: str = ""
-
-
 def read_in_sandbox(path: Path, /) -> tuple[Piece, ...]:
     """Parses a GLB or OBJ file into its pieces; ValueError for an invalid file, OSError where it cannot be read."""
     reader = READERS.get(path.suffix.lower())
@@ -49,51 +42,13 @@ def read_in_sandbox(path: Path, /) -> tuple[Piece, ...]:
     if path.stat().st_size > glb_reader.LARGEST:
         raise ValueError(f"{path.name} has {path.stat().st_size} bytes; expected {glb_reader.LARGEST} at most")
     data = path.read_bytes()
-    answer = _run_in_child(lambda: _Answer([_plain(piece) for piece in reader(data)]))
-    if answer.refused:
-        raise ValueError(f"{path.name}: {answer.refused}")
-    return tuple(_piece(plain) for plain in answer.pieces)
-
-
-def _run_in_child(work: Callable[[], _Answer]) -> _Answer:
-    """Runs `work` in a child process; returns its answer, or a rejection where the file exhausted or killed it."""
-    come, go = os.pipe()
-    child = os.fork()
-    if child == 0:
-        status = 1
-        with contextlib.suppress(BaseException):
-            os.close(come)
-            _limit_resources()
-            with os.fdopen(go, "wb") as pipe:
-                pipe.write(msgspec.msgpack.encode(_try_work(work)))
-            status = 0
-        os._exit(status)
-    os.close(go)
-    with os.fdopen(come, "rb") as pipe:
-        data = pipe.read()
-    _, status = os.waitpid(child, 0)
-    if status:
-        return _Answer(refused="reading it needs more time or memory than any face; export a smaller one")
-    return msgspec.msgpack.decode(data, type=_Answer)
-
-
-def _try_work(work: Callable[[], _Answer]) -> _Answer:
     try:
-        return work()
+        answer = run_limited(
+            lambda _: msgspec.msgpack.encode([_plain(piece) for piece in reader(data)]), LIMITS, exhausted=_TOO_MUCH
+        )
     except ValueError as error:
-        return _Answer(refused=str(error))
-
-
-def _limit_resources() -> None:
-    """Limits this process: CPU time, memory, file writes, descriptors; no core dumps."""
-    pages = int(Path("/proc/self/statm").read_text().split()[0]) if Path("/proc/self/statm").exists() else 0
-    resource.setrlimit(resource.RLIMIT_CPU, (SECONDS, SECONDS))
-    resource.setrlimit(resource.RLIMIT_FSIZE, (0, 0))
-    resource.setrlimit(resource.RLIMIT_CORE, (0, 0))
-    resource.setrlimit(resource.RLIMIT_NOFILE, (FILES, FILES))
-    if pages:
-        most = pages * resource.getpagesize() + MEMORY
-        resource.setrlimit(resource.RLIMIT_AS, (most, most))
+        raise ValueError(f"{path.name}: {error}") from error
+    return tuple(_piece(plain) for plain in msgspec.msgpack.decode(answer, type=list[_Plain]))
 
 
 def _plain(piece: Piece) -> _Plain:

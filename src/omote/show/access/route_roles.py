@@ -26,6 +26,7 @@ ROUTES: Mapping[tuple[str, str], AccessRole] = MappingProxyType(
         ("GET", "/tangents/{base}/{face}"): "view",
         ("GET", "/handles"): "view",
         ("GET", "/contents/{key}"): "view",
+        ("GET", "/albedos/{digest}/{source}"): "view",
         ("GET", "/mediapipe"): "operate",
         ("POST", "/sounds"): "operate",
         ("GET", "/sounds/{key}"): "view",

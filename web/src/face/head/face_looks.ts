@@ -4,6 +4,7 @@ import * as THREE from "three";
 import type { FaceDocument } from "../../link/messages";
 import { faceWeights } from "../pose/mix_terms";
 import type { Pose } from "../pose/pose";
+import { dressPictures, type ShownPicture } from "../skin/picture_mix";
 import { mixScalp } from "../skin/scalp";
 import { mixSkinTraits, SKIN_TRAITS, type SkinTraits } from "../skin/skin_layers";
 import type { EyeUniforms, HeadUniforms } from "./head";
@@ -11,6 +12,7 @@ import type { EyeUniforms, HeadUniforms } from "./head";
 const COLOURS = ["skin", "lip", "brow", "blush", "iris", "hair", "coat"] as const;
 
 type FaceLook = Record<(typeof COLOURS)[number], THREE.Color> & {
+  source: string;
   traits: SkinTraits;
   haired: boolean;
   eyeRadius: number;
@@ -23,8 +25,11 @@ type FaceLook = Record<(typeof COLOURS)[number], THREE.Color> & {
 export class FaceLooks {
   private readonly looks = new Map<string, FaceLook>();
 
-  /** `faces`: documents by source; more may come. */
-  constructor(private readonly faces: ReadonlyMap<string, FaceDocument>) {}
+  /** `faces`: documents by source; more may come. `picture`: what a face, by its source, shows on its skin. */
+  constructor(
+    private readonly faces: ReadonlyMap<string, FaceDocument>,
+    private readonly picture: (face: string) => ShownPicture | undefined = () => undefined,
+  ) {}
 
   /** The mix in linear light, for the shaders. */
   dress(pose: Pose, shared: HeadUniforms, eyes: readonly EyeUniforms[]): void {
@@ -36,6 +41,10 @@ export class FaceLooks {
     const traits = mixSkinTraits(shares.map(([look, share]) => [look.traits, share]));
     for (const name of SKIN_TRAITS) shared[name].value = traits[name];
     dressScalp(shares, shared);
+    dressPictures(
+      shares.map(([look, weight]) => ({ weight, look, picture: this.picture(look.source) })),
+      shared,
+    );
     const radius = shares.reduce((sum, [look, share]) => sum + share * look.eyeRadius, 0);
     for (const eye of eyes) eye.radius.value = radius;
   }
@@ -95,6 +104,7 @@ function readLook(face: FaceDocument): FaceLook {
   const colours = COLOURS.map((part) => [part, new THREE.Color().setStyle(face.look[part])]); // sRGB in, linear out
   return {
     ...Object.fromEntries(colours),
+    source: face.source,
     traits: face.look,
     haired: face.look.hair_style !== "",
     eyeRadius: face.eye_radius,

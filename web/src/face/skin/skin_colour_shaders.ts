@@ -2,7 +2,8 @@
 
 /**
  * The skin's own colour: every layer of the cast's picture, weighed by the traits of the faces on air. All of it is a sum
- * of traits, so nothing pops while faces mix.
+ * of traits, so nothing pops while faces mix. Over it the pictures of certain people, by the weights of their faces, in
+ * linear light; make-up, a mask's paint and stubble of the scalp lie on these too. Needs `layer(sampler2D)`.
  */
 export const SKIN_COLOURS = `
 uniform sampler2D mask;
@@ -25,6 +26,18 @@ uniform float fur;
 uniform float stripes;
 uniform float lacquer;
 uniform float scalp;
+uniform sampler2D picture0;
+uniform sampler2D picture1;
+uniform sampler2D picture2;
+uniform sampler2D picture3;
+uniform vec4 pictureWeights;
+
+/** What a look says of the painted skin alone. */
+struct Painted {
+  vec3 skin; vec3 lip; vec3 brow; vec3 blush; vec3 coat;
+  float pores; float age; float freckles; float stubble; float brows; float fur; float stripes;
+};
+uniform Painted pictured; // the mean of the faces that have pictures
 
 const float RIM = 0.22; // of the brows' colour, the dark skin along lids and lips under fur
 
@@ -41,49 +54,93 @@ struct Layers {
 struct Ground { vec3 albedo; float lips; float hair; float fur; float leather; float lining; };
 
 /** How much a brow's hairs cover: the thinner the brow, the higher the threshold. */
-float browHairs(float drawn) { return clamp((drawn - mix(1.0, -0.12, brows)) * 2.3, 0.0, 1.0); }
+float browHairs(float drawn, float brows) { return clamp((drawn - mix(1.0, -0.12, brows)) * 2.3, 0.0, 1.0); }
 
-vec3 bare(Layers at) {
-  vec3 seen = skin * (1.0 + pores * (at.finish.a - 0.5) * vec3(0.08, -0.34, -0.30));
-  seen *= mix(1.0, at.finish.b, 0.5 * pores);
-  seen *= mix(vec3(1.0), vec3(0.70, 0.50, 0.42), at.marks.r * age);
-  seen *= mix(vec3(1.0), vec3(0.70, 0.50, 0.36), at.marks.g * freckles);
-  seen = mix(seen, blush, at.mask.b * 0.4);
-  seen = mix(seen, 0.5 * brow + 0.14 * skin, at.marks.b * stubble * 0.78);
-  return mix(seen, brow * 0.6 + lip * 0.18, at.patches.b * makeup * 0.85);
+/** The light of the pictures times how far they cover this place, and that: a weighted sum over the faces. */
+vec4 pictures() {
+  vec4 sum = vec4(0.0);
+  if (pictureWeights.x != 0.0) { vec4 seen = layer(picture0); sum += pictureWeights.x * vec4(seen.rgb, 1.0) * seen.a; }
+  if (pictureWeights.y != 0.0) { vec4 seen = layer(picture1); sum += pictureWeights.y * vec4(seen.rgb, 1.0) * seen.a; }
+  if (pictureWeights.z != 0.0) { vec4 seen = layer(picture2); sum += pictureWeights.z * vec4(seen.rgb, 1.0) * seen.a; }
+  if (pictureWeights.w != 0.0) { vec4 seen = layer(picture3); sum += pictureWeights.w * vec4(seen.rgb, 1.0) * seen.a; }
+  return sum;
 }
 
-vec3 furred(Layers at) {
-  vec2 drawn = mix(at.pelt.rg, at.pelt.ba, stripes);
-  vec3 seen = mix(mix(skin, coat, drawn.r), brow, drawn.g * 0.9);
-  seen = mix(seen, brow * RIM, at.patches.g * 0.92);
+/** The mean of all looks less those whose paint a picture covers, so that half-way to a painted face its own paint shows. */
+Painted painted(float covered) {
+  Painted all = Painted(skin, lip, brow, blush, coat, pores, age, freckles, stubble, brows, fur, stripes);
+  float left = 1.0 - covered;
+  if (covered == 0.0 || abs(left) < 0.01) return all;
+  float more = covered / left;
+  all.skin = clamp(all.skin + more * (all.skin - pictured.skin), 0.0, 1.0);
+  all.lip = clamp(all.lip + more * (all.lip - pictured.lip), 0.0, 1.0);
+  all.brow = clamp(all.brow + more * (all.brow - pictured.brow), 0.0, 1.0);
+  all.blush = clamp(all.blush + more * (all.blush - pictured.blush), 0.0, 1.0);
+  all.coat = clamp(all.coat + more * (all.coat - pictured.coat), 0.0, 1.0);
+  all.pores = clamp(all.pores + more * (all.pores - pictured.pores), 0.0, 1.0);
+  all.age = clamp(all.age + more * (all.age - pictured.age), 0.0, 1.0);
+  all.freckles = clamp(all.freckles + more * (all.freckles - pictured.freckles), 0.0, 1.0);
+  all.stubble = clamp(all.stubble + more * (all.stubble - pictured.stubble), 0.0, 1.0);
+  all.brows = clamp(all.brows + more * (all.brows - pictured.brows), 0.0, 1.0);
+  all.fur = clamp(all.fur + more * (all.fur - pictured.fur), 0.0, 1.0);
+  all.stripes = clamp(all.stripes + more * (all.stripes - pictured.stripes), 0.0, 1.0);
+  return all;
+}
+
+vec3 bare(Layers at, Painted own) {
+  vec3 seen = own.skin * (1.0 + own.pores * (at.finish.a - 0.5) * vec3(0.08, -0.34, -0.30));
+  seen *= mix(1.0, at.finish.b, 0.5 * own.pores);
+  seen *= mix(vec3(1.0), vec3(0.70, 0.50, 0.42), at.marks.r * own.age);
+  seen *= mix(vec3(1.0), vec3(0.70, 0.50, 0.36), at.marks.g * own.freckles);
+  seen = mix(seen, own.blush, at.mask.b * 0.4);
+  seen = mix(seen, 0.5 * own.brow + 0.14 * own.skin, at.marks.b * own.stubble * 0.78);
+  return mix(seen, own.brow * 0.6 + own.lip * 0.18, at.patches.b * makeup * 0.85);
+}
+
+vec3 furred(Layers at, Painted own) {
+  vec2 drawn = mix(at.pelt.rg, at.pelt.ba, own.stripes);
+  vec3 seen = mix(mix(own.skin, own.coat, drawn.r), own.brow, drawn.g * 0.9);
+  seen = mix(seen, own.brow * RIM, at.patches.g * 0.92);
   float strand = at.marks.a - 0.5;
   return seen * (1.0 + 1.15 * strand) + max(strand, 0.0) * 0.10;
 }
 
+/** A picture's light times its coverage, with what lies on the skin of every face. */
+vec3 madeUp(Layers at, vec4 picture, float grown) {
+  vec3 seen = mix(picture.rgb, (brow * 0.6 + lip * 0.18) * picture.a, at.patches.b * makeup * 0.85);
+  seen = mix(seen, brow * 0.5 * picture.a, at.patches.a * lacquer);
+  return mix(seen, hair * (0.7 + 0.6 * at.marks.a) * picture.a, grown);
+}
+
 Ground ground(Layers at, float hairline) {
   Ground found;
-  found.hair = smoothstep(0.15, 0.9, hairline + (at.marks.a - 0.5) * 2.8 * hairline * (1.0 - hairline)) * scalp;
-  float narrow = 0.12 * age;
+  vec4 picture = pictures();
+  Painted own = painted(picture.a);
+  float grown = smoothstep(0.15, 0.9, hairline + (at.marks.a - 0.5) * 2.8 * hairline * (1.0 - hairline)) * scalp;
+  float narrow = 0.12 * own.age;
   float human = smoothstep(0.06 + narrow, 0.5 + narrow, at.mask.r);
-  found.lips = mix(human, smoothstep(0.86, 0.97, at.mask.r), fur);
-  // The mouth's lining: painted like lips, in little light; wet flesh on every face, under fur too.
+  found.lips = mix(human, smoothstep(0.86, 0.97, at.mask.r), own.fur);
+  // The mouth's lining: painted like lips, in little light; wet flesh on every face, under fur and pictures too.
   float lining = smoothstep(0.55, 0.7, at.mask.r) * (1.0 - smoothstep(0.38, 0.5, at.mask.a));
+  picture *= 1.0 - lining;
+  float bareness = 1.0 - picture.a;
   found.lips = max(found.lips, lining);
   found.lining = lining;
-  found.fur = fur * (1.0 - found.lips);
+  found.fur = own.fur * (1.0 - found.lips);
   float leather = at.patches.r;
-  found.leather = found.fur * leather;
-  vec3 seen = mix(bare(at), lip * (0.86 + 0.28 * at.finish.a), found.lips * 0.9);
-  seen = mix(seen, mix(furred(at), lip, leather), found.fur);
-  float hairs = browHairs(at.mask.g);
-  seen = mix(seen, brow * (0.7 + 0.6 * at.marks.a), hairs * 0.88);
-  seen = mix(seen, brow * 0.5, at.patches.a * lacquer);
-  seen = mix(seen, hair * (0.7 + 0.6 * at.marks.a), found.hair);
-  found.hair = max(found.hair, hairs * 0.85);
+  vec3 seen = mix(bare(at, own), own.lip * (0.86 + 0.28 * at.finish.a), found.lips * 0.9);
+  seen = mix(seen, mix(furred(at, own), own.lip, leather), found.fur);
+  float hairs = browHairs(at.mask.g, own.brows);
+  seen = mix(seen, own.brow * (0.7 + 0.6 * at.marks.a), hairs * 0.88);
+  seen = mix(seen, own.brow * 0.5, at.patches.a * lacquer);
+  seen = mix(seen, hair * (0.7 + 0.6 * at.marks.a), grown);
   seen = mix(seen, vec3(0.62, 0.16, 0.14), lining);
   float left = mix(at.mask.a, 0.75, max(lining, 0.6 * human * smoothstep(0.5, 0.8, at.mask.r))); // light comes in between lips, and through them
-  found.albedo = seen * left * mix(1.0, left, 0.3); // what cavities and the lash line leave of the light
+  left *= mix(1.0, left, 0.3); // what cavities and the lash line leave of the light
+  found.albedo = max(seen * left * bareness + madeUp(at, picture, grown) * mix(1.0, left, 0.5), 0.0);
+  found.fur *= bareness;
+  found.leather = found.fur * leather;
+  found.hair = max(grown, hairs * 0.85 * bareness);
   return found;
 }
 `;

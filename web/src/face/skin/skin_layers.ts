@@ -4,6 +4,7 @@ import * as THREE from "three";
 import { SKIN_LAYERS } from "../../link/constants";
 import type { Look } from "../../link/messages";
 import type { Uniforms } from "../gpu/renderer";
+import { type PictureUniforms, pictureUniforms } from "./picture_mix";
 
 type Layer = (typeof SKIN_LAYERS)[number];
 
@@ -36,15 +37,20 @@ type SkinTrait = (typeof SKIN_TRAITS)[number];
 /** A look's traits of the skin. */
 export type SkinTraits = Record<SkinTrait, number>;
 
-/** What the skin's shaders take: its layers, and the traits of the faces on air. */
+/** What the skin's shaders take: its layers, and the traits and pictures of the faces on air. */
 export type SkinUniforms = Uniforms &
+  PictureUniforms &
   Record<Layer, THREE.IUniform<THREE.Texture>> &
   Record<SkinTrait, THREE.IUniform<number>>;
 
 /** Uniforms of a skin without layers, or with those of another one. */
 export function skinUniforms(layers?: SkinUniforms): SkinUniforms {
   const plain = SKIN_LAYERS.map((name) => [name, layers?.[name] ?? { value: plainTexture(BLANKS[name]) }]);
-  return { ...Object.fromEntries(plain), ...Object.fromEntries(SKIN_TRAITS.map((name) => [name, { value: 0 }])) };
+  return {
+    ...Object.fromEntries(plain),
+    ...Object.fromEntries(SKIN_TRAITS.map((name) => [name, { value: 0 }])),
+    ...pictureUniforms(layers?.picture0.value ?? plainTexture([0, 0, 0, 0])),
+  };
 }
 
 /** How a level of quality filters the layers: between the levels of a mipmap too, and along a slant from so many samples. */

@@ -10,6 +10,7 @@ from types import MappingProxyType
 import numpy as np
 from numpy.typing import NDArray
 
+from omote.geometry import mesh
 from omote.model.extraction.extract import extract
 from omote.model.extraction.extracted_expression import ExtractedExpression
 from omote.model.fitting.fit_face import Fit
@@ -19,7 +20,7 @@ from omote.model.fitting.foreign.scan_correspondence import correspond
 from omote.model.fitting.foreign.shape_doubts import explain_unfit
 from omote.model.fitting.scan import Scan
 from omote.model.fitting.scan_skin import keep_skin
-from omote.model.fitting.scan_surface import sample_mesh
+from omote.model.fitting.scan_surface import face_outward, sample_mesh
 from omote.model.fitting.shape.head_zones import head_zones
 from omote.model.space.face_fit import fit
 from omote.model.space.parameter_space import ParameterSpace, refuse_no_space
@@ -123,7 +124,11 @@ def carry_shapes(space: ParameterSpace, fitted: Fit, scan: Scan, /) -> dict[str,
     face, triangles = fit(space, fitted.face), np.asarray(scan.triangles)
     skin, points = face.positions.astype(np.float64), fitted.placement(scan.positions)
     box = np.stack([skin.min(axis=0), skin.max(axis=0)])
-    surface = keep_skin(sample_mesh(points, triangles, box, AROUND), head_zones(space), skin)
+    sampled = sample_mesh(points, triangles, box, AROUND)
+    outward = face_outward(sampled, (skin, mesh.normals(skin, space.triangles)))
+    if outward is not sampled:
+        triangles = triangles[:, ::-1]
+    surface = keep_skin(outward, head_zones(space), skin)
     found = correspond(space, skin, points, triangles, surface)
     rows = np.unique(triangles[np.unique(surface.triangle)])
     parts = find_parts(space, face, points, triangles, rows)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 
 import numpy as np
 from numpy.typing import NDArray
@@ -12,6 +12,8 @@ from omote.model.space.eye_socket import FAR, NEAR, ball_heights, fall_off, radi
 from omote.model.space.parameter_space import ParameterSpace
 
 Values = NDArray[np.float64]
+Ball = tuple[Values, float]
+"""The middle (3,) and the radius of an eyeball, metres."""
 
 # A ball of the scan: its middle lies so near to where one is expected, in radii, and is so much as large.
 BESIDE, SIZES = 0.6, (0.6, 1.4)
@@ -24,22 +26,25 @@ PLACE, SIZE, HEIGHT = 0.002, 0.05, 0.25
 CLEAR = 1.01
 
 
-def place_balls(
-    space: ParameterSpace, expected: dict[str, Values], skin: Values, surface: ScanSurface, /
-) -> dict[str, Values]:  # fmt: skip
-    """The eyeballs (n, 3) by name, from where they are expected.
+def find_balls(surface: ScanSurface, expected: Mapping[str, Values], /) -> dict[str, Ball]:
+    """The balls that a scan shows near expected eyeballs (n, 3), by name; surface: all of it, not only its skin."""
+    found = {name: _find_ball(surface, ball) for name, ball in expected.items()}
+    return {name: ball for name, ball in found.items() if ball is not None}
 
-    surface: all of the scan's, not only its skin; skin (V, 3): the fitted one.
-    """
+
+def place_balls(
+    space: ParameterSpace, expected: Mapping[str, Values], skin: Values, seen: Mapping[str, Ball], /
+) -> dict[str, Values]:  # fmt: skip
+    """The eyeballs (n, 3) by name, where they were seen, else near where they are expected, as the lids of a
+    fitted skin (V, 3) say."""
     found = {}
     for name, ball in expected.items():
-        seen = _find_ball(surface, ball)
-        middle, radius = _settle(space, name, ball, skin) if seen is None else seen
+        middle, radius = seen[name] if name in seen else _settle(space, name, ball, skin)
         found[name] = middle + (ball - ball.mean(axis=0)) * (radius / radius_of(ball))
     return found
 
 
-def _find_ball(surface: ScanSurface, expected: Values) -> tuple[Values, float] | None:
+def _find_ball(surface: ScanSurface, expected: Values) -> Ball | None:
     """The middle and the radius of the widest component that is a ball near the expected one."""
     middle, radius = expected.mean(axis=0), radius_of(expected)
     near = surface.tree.query_ball_point(middle, radius * (1.0 + BESIDE) * SIZES[1])

@@ -11,15 +11,26 @@ from omote.model.space.parameter_space import ParameterSpace
 
 Values = NDArray[np.float64]
 
-# Each round smooths what is folded and so many rings around, one more after every WIDER.
+# Triangles lie on each other where they bend by more than 148 degrees.
+CREASED = -0.85
+# Each round smooths what is folded and so many rings around, one more after every WIDER, and more often each time.
 ROUNDS, RINGS, WIDER, PASSES = 60, 1, 6, 3
 
 
 def find_folds(space: ParameterSpace, guide: Values, skin: Values, /) -> NDArray[np.intp]:
-    """The sheet's triangles whose normal on a skin (V, 3) points against that on a guide (V, 3)."""
+    """The sheet's triangles whose normal on a skin (V, 3) points against that on a guide (V, 3), and those that lie on
+    a neighbour as they do not on the guide."""
     sheet = space.sheet_triangles
     before, now = mesh.unit_normals(guide[sheet]), mesh.unit_normals(skin[sheet])
-    return np.flatnonzero((before * now).sum(axis=1) <= 0.0)
+    beside = mesh.neighbours(sheet)
+    lying = (_bend(now, beside) < CREASED) & (_bend(before, beside) >= CREASED)
+    return np.flatnonzero(((before * now).sum(axis=1) <= 0.0) | lying.any(axis=1))
+
+
+def _bend(normals: Values, beside: NDArray[np.integer]) -> Values:
+    """The cosines (t, 3) between the normals of triangles and those of their neighbours; 1 where there is none."""
+    result: Values = np.where(beside >= 0, (normals[:, None] * normals[beside]).sum(axis=2), 1.0)
+    return result
 
 
 def mend_folds(space: ParameterSpace, guide: Values, skin: Values, /) -> Values:
@@ -35,7 +46,7 @@ def mend_folds(space: ParameterSpace, guide: Values, skin: Values, /) -> Values:
         share[space.sheet_triangles[folded]] = 1.0
         for _ in range(RINGS + number // WIDER):
             share = np.minimum(2.0 * (average @ share), 1.0)
-        for _ in range(PASSES):
+        for _ in range(PASSES + number):
             moves = moves + share[:, None] * (average @ moves - moves)
     result: Values = guide + moves
     return result

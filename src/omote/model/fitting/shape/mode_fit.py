@@ -8,8 +8,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from omote.geometry import mesh
+from omote.model.fitting.identity_modes import IdentityModes
 from omote.model.fitting.scan_surface import ScanSurface
-from omote.model.fitting.shape.identity_modes import IdentityModes
 from omote.model.space.parameter_space import ParameterSpace
 from omote.model.space.similarity import Similarity
 

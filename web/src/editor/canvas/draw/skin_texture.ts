@@ -41,14 +41,15 @@ const PAINT_FRAGMENT = `#version 300 es
 precision highp float;
 in vec2 vUv;
 in vec2 vTrait;
-out vec4 painted;
+out vec4 colour;
+vec4 layer(sampler2D picture) { return texture(picture, vUv); }
 ${SKIN_COLOURS}
 void main() {
   Layers layers = Layers(texture(mask, vUv), texture(marks, vUv), texture(patches, vUv), vec4(0.45, 0.2, 1.0, 0.5), texture(pelt, vUv));
   Ground at = ground(layers, vTrait.x);
   float open = smoothstep(-0.25, 0.75, vTrait.y);
   vec3 shade = mix(vec3(0.34, 0.24, 0.22), vec3(1.0), open); // hollows stay warm
-  painted = vec4(sqrt(clamp(at.albedo * shade, 0.0, 1.0)), clamp(at.lips + 0.6 * at.leather + 0.5 * lacquer, 0.0, 1.0));
+  colour = vec4(sqrt(clamp(at.albedo * shade, 0.0, 1.0)), clamp(at.lips + 0.6 * at.leather + 0.5 * lacquer, 0.0, 1.0));
 }
 `;
 

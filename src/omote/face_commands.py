@@ -1,0 +1,239 @@
+"""The command `omote face`: scans become own faces of a show file; what is doubtful is stored only if asked."""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from dataclasses import dataclass
+from functools import partial
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated
+
+import typer
+
+from omote.file_commands import drop_known, print_rows, read_own_work
+from omote.terminal import complete_show, escape_controls, exit_on_refusal, fail, say
+
+if TYPE_CHECKING:
+    from omote.model.cast import Cast, Look
+    from omote.server.sandbox.scan_fits import ScanFit
+
+
+@dataclass(frozen=True, eq=False)
+class Outcome:
+    """What came of a scan: a fit, or why there is none."""
+
+    path: Path
+    label: str
+    fit: ScanFit | None
+    trouble: str = ""
+
+    @property
+    def doubts(self) -> tuple[str, ...]:
+        """What should be looked at."""
+        return () if self.fit is None else self.fit.doubts
+
+
+def face(
+    scans: Annotated[
+        list[Path], typer.Argument(help="Scans or meshes of heads: .ply, .obj, .stl, .glb, .vrm, .xyz and others.")
+    ],
+    output: Annotated[
+        Path | None,
+        typer.Option("--output", "-o", callback=complete_show, help="The show file (.omote) that gets the faces."),
+    ] = None,
+    name: Annotated[str, typer.Option(help="What the face is called; else as its file.")] = "",
+    landmarks: Annotated[
+        list[str] | None, typer.Option(help="Where a point is, nose_tip=x,y,z, again for each; or a JSON file of them.")
+    ] = None,
+    look: Annotated[str, typer.Option(help="The face of the cast whose colours and hair it gets.")] = "",
+    shut: Annotated[
+        bool | None, typer.Option("--shut/--open", help="Whether the eyes of the scans are shut; else it is seen.")
+    ] = None,
+    accept: Annotated[bool, typer.Option("--accept", help="Store faces in spite of doubts.")] = False,
+    report: Annotated[
+        Path | None, typer.Option(help="A folder for a table and pictures of how far each face is from its scan.")
+    ] = None,
+) -> None:
+    """Makes faces of scans: found, fitted to our head, stored in a show file that no show plays.
+
+    Scans are read on this machine alone, and are not stored: only the face is.
+    """
+    with exit_on_refusal():
+        check_request(scans, output, name, landmarks or [], report)
+        own = None if output is None else read_own_work(output)
+        from omote.builtin import load_cast
+        from omote.stage_data.full_cast import build_full_cast, find_face
+
+        cast = load_cast() if own is None else build_full_cast(load_cast(), *own, say)
+        worn = own_look(cast, find_face(cast, None if own is None else own[0], look) if look else "")
+        outcomes = fit_all(cast, scans, name, landmarks or [], shut)
+        tell(outcomes, accept)
+        good = [each for each in outcomes if each.fit is not None and (accept or not each.doubts)]
+        if output is not None and good:
+            store(output, cast, good, worn)
+        if report is not None:
+            write_report(report, cast, outcomes)
+    if len(good) < len(outcomes):
+        raise typer.Exit(1)
+
+
+def check_request(
+    scans: list[Path], output: Path | None, name: str, landmarks: list[str], report: Path | None
+) -> None:  # fmt: skip
+    """Ends the command where the options cannot mean anything, before a scan is read."""
+    from omote.interchange.landmark_points import parse_point, require_enough
+
+    if output is None and report is None:
+        fail("say where the faces go: -o show.omote, or --report FOLDER to try what the scans are like.")
+    if len(scans) > 1 and name:
+        fail(
+            f"--name {name} is of one face, and {len(scans)} scans are given; leave it out: each is called as its file."
+        )
+    if len(scans) > 1 and any("=" in word for word in landmarks):
+        fail("landmarks on the line are of one scan; give a JSON file of them by the names of the scans.")
+    missing = [path for path in scans if not path.exists()]
+    if missing:
+        fail(f"there is no file {missing[0]}; name scans that are there.")
+    require_enough(dict(parse_point(word) for word in landmarks if "=" in word))
+
+
+def own_look(cast: Cast, name: str) -> Look:
+    """The look of a face of the cast, a plain one for none."""
+    from omote.model.cast import Look
+
+    return cast.looks[name] if name else Look()
+
+
+def read_landmarks(words: list[str], scan: Path) -> dict[str, tuple[float, float, float]]:
+    """The landmarks of a scan, from words and files of them."""
+    from omote.interchange.landmark_points import LARGEST, parse_document, parse_point
+
+    found: dict[str, tuple[float, float, float]] = {}
+    for word in words:
+        if "=" in word:
+            found.update([parse_point(word)])
+            continue
+        path = Path(word)
+        if not path.is_file() or path.stat().st_size > LARGEST:
+            raise ValueError(f"there is no file of landmarks {word}; give nose_tip=x,y,z, or a JSON file")
+        found.update(parse_document(path.read_bytes(), scan.name))
+    return found
+
+
+def fit_all(cast: Cast, scans: list[Path], name: str, landmarks: list[str], shut: bool | None) -> list[Outcome]:
+    """Reads and fits each scan; what fails is told and stops no other."""
+    outcomes = []
+    with shown_progress(len(scans)) as step:
+        for number, path in enumerate(scans):
+            label = name or path.stem
+            step(number, f"{path.name}: reading")
+            outcomes.append(fit_one(cast, path, label, landmarks, shut, partial(step, number)))
+    return outcomes
+
+
+def fit_one(
+    cast: Cast, path: Path, label: str, landmarks: list[str], shut: bool | None, step: Callable[[str], None]
+) -> Outcome:  # fmt: skip
+    """Reads and fits one scan."""
+    from omote.server.sandbox.scan_files import read_scan_in_sandbox
+    from omote.server.sandbox.scan_fits import fit_in_child
+
+    try:
+        points = read_landmarks(landmarks, path)
+        found = read_scan_in_sandbox(path)
+        for note in found.notes:
+            say(f"{path.name}: {note}.")
+        step(f"{path.name}: fitting")
+        return Outcome(
+            path, label, fit_in_child(cast.space, found.scan, name=label, landmarks=points or None, shut=shut)
+        )
+    except (ValueError, OSError) as error:
+        from omote.showfile.database_errors import describe_error
+
+        return Outcome(path, label, None, describe_error(error).removeprefix(f"{path.name}: "))
+
+
+@contextmanager
+def shown_progress(count: int) -> Iterator[Callable[[int, str], None]]:
+    """Shows which scan is worked at: a bar on a terminal, else a line for each step."""
+    if not sys.stderr.isatty():
+        yield lambda number, what: say(f"{number + 1} of {count}: {what}")
+        return
+    from rich.console import Console
+    from rich.progress import BarColumn, MofNCompleteColumn, Progress, SpinnerColumn, TextColumn, TimeElapsedColumn
+
+    columns = (
+        SpinnerColumn(),
+        TextColumn("{task.description}"),
+        BarColumn(),
+        MofNCompleteColumn(),
+        TimeElapsedColumn(),
+    )
+    with Progress(*columns, console=Console(stderr=True), transient=True) as bar:
+        task = bar.add_task("", total=count)
+        yield lambda number, what: bar.update(task, completed=number, description=escape_controls(what))
+
+
+def tell(outcomes: list[Outcome], accept: bool) -> None:
+    """Says what came of the scans: sentences for one, a table for several."""
+    from omote.interchange.landmark_points import explain_landmarks
+
+    for each in outcomes:
+        if each.fit is not None:
+            say(f"{each.path.name}: {each.fit.describe()}.")
+        for sentence in (each.trouble, *each.doubts):
+            if sentence:
+                say(f"{each.path.name}: {sentence}")
+    if len(outcomes) > 1:
+        print_rows([row_of(each) for each in outcomes], json=False, none="")
+    if any(each.trouble and "landmarks" in each.trouble for each in outcomes) or (
+        any(each.doubts for each in outcomes) and not accept
+    ):
+        say(explain_landmarks())
+    if any(each.doubts for each in outcomes) and not accept:
+        say("What is doubtful is not stored; --accept stores it as it is.")
+
+
+def row_of(outcome: Outcome) -> dict[str, object]:
+    """What a table says of a scan."""
+    state = "failed" if outcome.fit is None else "doubtful" if outcome.doubts else "good"
+    text = outcome.trouble if outcome.fit is None else outcome.fit.describe()
+    return {"scan": outcome.path.name, "face": outcome.label, "state": state, "what": " ".join([text, *outcome.doubts])}
+
+
+def store(output: Path, cast: Cast, good: list[Outcome], look: Look) -> None:
+    """Stores faces as items of a show file, as `omote file import --as face` does."""
+    from omote.builtin import load_cast
+    from omote.edit.store.import_items import ImportedItem, changes_to_import, distinguish
+    from omote.server.persistence.offline_show import open_offline_show, wall_clock
+
+    arrivals = [
+        ImportedItem(each.label, (each.fit.face, look), note=f"from {each.path.name}"[:200])
+        for each in good
+        if each.fit is not None
+    ]
+    with open_offline_show(output, new=True) as show:
+        stored = show.stored()
+        distinct = distinguish(load_cast(), stored, drop_known(stored, arrivals))
+        show.apply(changes_to_import(cast, stored, [each for each, _ in distinct], wall=wall_clock()))
+    for _, twin in distinct:
+        if twin:
+            say(twin)
+    say(f"{output} has {f'{len(distinct)} face' if distinct else 'nothing'}{'s' if len(distinct) > 1 else ''} more.")
+
+
+def write_report(folder: Path, cast: Cast, outcomes: list[Outcome]) -> None:
+    """Writes a table of all scans and a sheet of pictures of the fitted ones."""
+    from omote.interchange.fit_report import contact_sheet, table_of
+    from omote.interchange.formats.atomic_file import write_whole
+    from omote.interchange.formats.png import png_bytes
+
+    folder.mkdir(parents=True, exist_ok=True)
+    write_whole(folder / "scans.csv", table_of([row_of(each) for each in outcomes]))
+    fitted = [each for each in outcomes if each.fit is not None]
+    if fitted:
+        faces = [(each.label, each.fit.face.positions, each.fit.residual) for each in fitted if each.fit is not None]
+        write_whole(folder / "scans.png", png_bytes(contact_sheet(cast.space.triangles, faces)))
+    say(f"{folder} has scans.csv{' and scans.png' if fitted else ''}: {len(fitted)} of {len(outcomes)} were fitted.")

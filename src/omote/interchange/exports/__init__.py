@@ -1,0 +1,1 @@
+"""Files for other programs: USD, OBJ, and the table of all formats."""

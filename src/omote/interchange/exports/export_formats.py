@@ -1,0 +1,100 @@
+"""The formats of exported faces, a function each: a face of the cast and what it wears, as files."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from functools import partial
+from pathlib import Path
+
+from omote import builtin
+from omote.interchange.avatar.export_vrm import vrm_bytes
+from omote.interchange.avatar.vrm_licence import Credit
+from omote.interchange.export_deltas import encode_deltas, measure_deltas
+from omote.interchange.export_face import ExportContext, Meshes, build_scene, named_compound_meshes
+from omote.interchange.exports.obj_writer import obj_files, obj_folder, require_single
+from omote.interchange.exports.usd_writer import check_usd, usd_files
+from omote.interchange.formats.file_names import GLB, NUMBERS, OBJ, USD, VRM
+from omote.interchange.formats.glb_writer import Scene, glb_bytes
+
+Files = dict[str, bytes]
+"""The bytes of files, by their paths from the folder that they are written into; the first is the one that is named."""
+Encode = Callable[[Scene, str], Files]
+"""Encodes a scene under a name without an ending."""
+
+OBJ_FOLDER = "obj"
+FORMATS = ("glb", "vrm", "usd", "usdc", "usda", "usdz", "obj", "npz", "csv")
+"""What `--format` knows; usd is usdc, obj a folder of shapes for each face."""
+
+
+def _glb(scene: Scene, stem: str) -> Files:
+    return {f"{stem}{GLB}": glb_bytes(scene)}
+
+
+SCENES: Mapping[str, Encode] = {
+    GLB: _glb,
+    OBJ: obj_files,
+    OBJ_FOLDER: obj_folder,
+    **{suffix: partial(usd_files, suffix=suffix) for suffix in USD},
+}
+"""The formats that hold a head, by the ending of their files; a folder of OBJ has none."""
+
+
+def find_kind(name: str, /) -> str:
+    """The kind that `encode_face` writes for a name of `--format`; ValueError for another name."""
+    if name.lower() not in FORMATS:
+        raise ValueError(f"there is no format {name!r}; give one of {', '.join(FORMATS)}")
+    return {"obj": OBJ_FOLDER, "usd": ".usdc"}.get(name.lower(), f".{name.lower()}")
+
+
+def check_kind(kind: str, credit: Credit | None = None, /) -> None:
+    """ValueError that says what to install, or to say of it, where a kind cannot be written here."""
+    if kind in USD:
+        check_usd()
+    if kind == VRM and credit is None:
+        Credit(())  # says what is missing
+
+
+def check_count(kind: str, expressions: Sequence[str], /) -> None:
+    """ValueError where a kind cannot hold so many expressions."""
+    if kind == OBJ:
+        require_single(expressions)
+
+
+def encode_face(
+    context: ExportContext,
+    face: str,
+    poses: Iterable[tuple[str, Meshes]],
+    kind: str,
+    stem: str,
+    /,
+    *,
+    hair: bool = True,
+    credit: Credit | None = None,
+) -> Files:
+    """Encodes a face of the cast wearing each of some poses (`named_compound_meshes`, by name) as files named STEM.
+
+    kind: an ending (.glb, .usdc, .obj, .npz), or OBJ_FOLDER; credit: of a VRM. ValueError where that cannot be.
+    """
+    name = f"{stem}{kind}"
+    if kind in NUMBERS:
+        return {name: encode_deltas(measure_deltas(context.cast, face, poses), Path(name))}
+    if kind == VRM:
+        own = context.cast.faces.get(face) is not builtin.load_cast().faces.get(face)
+        return {name: vrm_bytes(context, face, poses, credit or Credit(()), own=own, hair=hair)}
+    return SCENES[kind](build_scene(context, face, poses, hair=hair), stem)
+
+
+def bake_face(
+    context: ExportContext,
+    face: str,
+    expressions: Iterable[str],
+    kind: str,
+    stem: str,
+    /,
+    *,
+    hair: bool = True,
+    credit: Credit | None = None,
+) -> Files:
+    """Computes what a face of the cast wears, by the names of expressions, and encodes it as `encode_face` does."""
+    poses = ((name, named_compound_meshes(context.cast, face, name)) for name in expressions)
+    return encode_face(context, face, poses, kind, stem, hair=hair, credit=credit)

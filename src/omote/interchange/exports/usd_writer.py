@@ -1,0 +1,248 @@
+"""Writes USD: a face as a UsdSkel character whose blend shapes are the morph targets of its scene.
+
+UsdSkel (OpenUSD, "Skinning a Skeleton", "Blend Shapes"): below a SkelRoot lie a skeleton (the head, and a joint for
+each eyeball), an animation that holds one weight for each expression, and meshes bound rigidly to one joint each. A
+mesh names only the shapes that move it; each holds only the vertices that move.
+"""
+
+from __future__ import annotations
+
+import os
+import tempfile
+from collections.abc import Iterable, Mapping
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from omote.interchange.exports.identifiers import identifiers
+from omote.interchange.exports.usd_surfaces import COORDINATES, add_material
+from omote.interchange.formats.glb_writer import GENERATOR, ROWS, Scene, Shape, Target
+
+Files = dict[str, bytes]
+
+
+NEEDS_USD = 'USD is written with the package usd-core: pip install "omote[usd]", or export GLB (.glb)'
+HEAD, SKELETON = "head", "skeleton"
+_MADE = 320000000
+"""Seconds since 1970: in 1980, where the calendar of ZIP begins."""
+ORIGINAL = "omote:name"
+"""The key of a prim's custom data that holds its name as it is in the cast, where identifiers cannot spell it."""
+
+
+def check_usd() -> None:
+    """ValueError that says what to install where USD cannot be written here."""
+    try:
+        import pxr.Usd  # noqa: F401
+    except ImportError as error:
+        raise ValueError(NEEDS_USD) from error
+
+
+def usd_files(scene: Scene, stem: str, /, suffix: str) -> Files:
+    """Encodes a scene as USD: the file STEM.SUFFIX first; unless it is a package (.usdz), then its pictures.
+
+    ValueError where usd-core is not installed.
+    """
+    check_usd()
+    pictures = {f"{stem}.{name}.png": data for name, data in _pictures(scene).items()}
+    with tempfile.TemporaryDirectory(prefix="omote-") as folder:
+        path = Path(folder) / f"{stem}{'.usdc' if suffix == '.usdz' else suffix}"
+        stage = build_stage(scene, stem)  # a layer does not outlive its stage
+        stage.GetRootLayer().Export(str(path))
+        if suffix != ".usdz":
+            return {path.name: path.read_bytes(), **pictures}
+        for name, data in pictures.items():
+            (path.parent / name).write_bytes(data)
+        return {f"{stem}.usdz": _package(path, pictures)}
+
+
+def build_stage(scene: Scene, stem: str, /) -> Any:
+    """Builds the stage (pxr.Usd.Stage) of a scene; stem: what the files of its pictures begin with."""
+    from pxr import Usd, UsdGeom, UsdShade, UsdSkel
+
+    stage = Usd.Stage.CreateInMemory()
+    top = "/" + identifiers([scene.name])[scene.name]
+    root = UsdSkel.Root.Define(stage, top)
+    _describe(stage, root.GetPrim(), scene)
+    names = identifiers(scene.shapes[0].targets if scene.shapes else [])
+    joints = _skeleton(stage, top, scene, list(names.values()))
+    surfaces = _surfaces(stage, top, scene, stem)
+    boxes = [_box(shape) for shape in scene.shapes] or [np.zeros((2, 3), np.float32)]
+    for shape, box in zip(scene.shapes, boxes, strict=False):
+        mesh = _mesh(stage, top, shape, box)
+        UsdShade.MaterialBindingAPI.Apply(mesh.GetPrim()).Bind(surfaces[id(shape.material)])
+        _bind(stage, mesh, shape, joints.get(shape.name, 0), names)
+    UsdGeom.Boundable(root).CreateExtentAttr(_extent(np.stack([np.min(boxes, axis=0)[0], np.max(boxes, axis=0)[1]])))
+    return stage
+
+
+def _describe(stage: Any, root: Any, scene: Scene) -> None:
+    """What programs ask a stage first: its unit, its axes, its root; and whose it is."""
+    from pxr import UsdGeom
+
+    UsdGeom.SetStageUpAxis(stage, UsdGeom.Tokens.y)
+    UsdGeom.SetStageMetersPerUnit(stage, 1.0)
+    stage.SetDefaultPrim(root)
+    _name(root, scene.name)
+    layer = stage.GetRootLayer()
+    layer.documentation = str(scene.extras.get("notice", ""))
+    layer.customLayerData = {"generator": GENERATOR, **{key: str(value) for key, value in scene.extras.items()}}
+
+
+def _surfaces(stage: Any, top: str, scene: Scene, stem: str) -> dict[int, Any]:
+    """The material of each mesh, by the identity of ours."""
+    from pxr import UsdGeom
+
+    UsdGeom.Scope.Define(stage, f"{top}/materials")
+    materials = {id(shape.material): shape.material for shape in scene.shapes}
+    return {
+        key: add_material(
+            stage, f"{top}/materials/{each.name}", each, f"./{stem}.{each.name}.png" if each.picture else ""
+        )
+        for key, each in materials.items()
+    }
+
+
+def _name(prim: Any, name: str) -> None:
+    """Keeps the name as it is in the cast beside the identifier."""
+    if prim.GetName() != name:
+        prim.SetDisplayName(name)
+    prim.SetCustomDataByKey(ORIGINAL, name)
+
+
+def _skeleton(stage: Any, top: str, scene: Scene, expressions: list[str]) -> dict[str, int]:
+    """The skeleton and the animation that rests in it; the number of each eyeball's joint, by the mesh's name."""
+    from pxr import Gf, UsdSkel, Vt
+
+    eyes = [shape for shape in scene.shapes if any(shape.place)]
+    paths = Vt.TokenArray([HEAD, *(f"{HEAD}/{shape.name}" for shape in eyes)])
+    places = [Gf.Vec3f(0.0), *(Gf.Vec3f(*shape.place) for shape in eyes)]
+    still = Vt.Matrix4dArray([Gf.Matrix4d().SetTranslate(Gf.Vec3d(place)) for place in places])
+    skeleton = UsdSkel.Skeleton.Define(stage, f"{top}/{SKELETON}")
+    skeleton.CreateJointsAttr(paths)
+    skeleton.CreateBindTransformsAttr(still)
+    skeleton.CreateRestTransformsAttr(still)  # the head's joint lies in the origin, so places are its children's too
+    animation = UsdSkel.Animation.Define(stage, f"{top}/animation")
+    animation.CreateJointsAttr(paths)
+    animation.CreateTranslationsAttr(Vt.Vec3fArray(places))
+    animation.CreateRotationsAttr(Vt.QuatfArray([Gf.Quatf(1.0)] * len(places)))
+    animation.CreateScalesAttr(Vt.Vec3hArray([Gf.Vec3h(1.0)] * len(places)))
+    animation.CreateBlendShapesAttr(Vt.TokenArray(expressions))
+    animation.CreateBlendShapeWeightsAttr(Vt.FloatArray([0.0] * len(expressions)))
+    binding = UsdSkel.BindingAPI.Apply(skeleton.GetPrim())
+    binding.CreateAnimationSourceRel().SetTargets([animation.GetPath()])
+    return {shape.name: number for number, shape in enumerate(eyes, 1)}
+
+
+def _mesh(stage: Any, top: str, shape: Shape, box: NDArray[np.float32]) -> Any:
+    """A mesh in the skeleton's space."""
+    from pxr import Sdf, UsdGeom, Vt
+
+    mesh = UsdGeom.Mesh.Define(stage, f"{top}/{shape.name}")
+    mesh.CreatePointsAttr(Vt.Vec3fArray.FromNumpy(_points(shape)))
+    mesh.CreateFaceVertexCountsAttr(Vt.IntArray.FromNumpy(np.full(len(shape.triangles), 3, np.int32)))
+    mesh.CreateFaceVertexIndicesAttr(Vt.IntArray.FromNumpy(shape.triangles.astype(np.int32).ravel()))
+    mesh.CreateSubdivisionSchemeAttr(UsdGeom.Tokens.none)
+    mesh.CreateNormalsAttr(Vt.Vec3fArray.FromNumpy(_contiguous(shape.normals)))
+    mesh.SetNormalsInterpolation(UsdGeom.Tokens.vertex)
+    mesh.CreateDoubleSidedAttr(shape.material.both)
+    mesh.CreateExtentAttr(_extent(box))
+    _primvars(UsdGeom.PrimvarsAPI(mesh), shape, Sdf.ValueTypeNames)
+    return mesh
+
+
+def _bind(stage: Any, mesh: Any, shape: Shape, joint: int, names: Mapping[str, str]) -> None:
+    """Binds a mesh rigidly to a joint, with the blend shapes that move it."""
+    from pxr import UsdSkel, Vt
+
+    binding = UsdSkel.BindingAPI.Apply(mesh.GetPrim())
+    binding.CreateSkeletonRel().SetTargets([mesh.GetPath().GetParentPath().AppendChild(SKELETON)])
+    binding.CreateJointIndicesPrimvar(True, 1).Set(Vt.IntArray([joint]))
+    binding.CreateJointWeightsPrimvar(True, 1).Set(Vt.FloatArray([1.0]))
+    moved = {name: rows for name, target in shape.targets.items() if len(rows := _moved_rows(target))}
+    made = [
+        _blend_shape(stage, f"{mesh.GetPath()}/{names[name]}", name, shape.targets[name], rows)
+        for name, rows in moved.items()
+    ]
+    if made:
+        binding.CreateBlendShapesAttr(Vt.TokenArray([names[name] for name in moved]))
+        binding.CreateBlendShapeTargetsRel().SetTargets(made)
+
+
+def _primvars(variables: Any, shape: Shape, types: Any) -> None:
+    """Texture coordinates, upwards from below; which vertex of the cast each is, and what is left of the light."""
+    from pxr import UsdGeom, Vt
+
+    upwards = np.stack([shape.uv[:, 0], 1.0 - shape.uv[:, 1]], axis=1).astype(np.float32)
+    made = variables.CreatePrimvar(COORDINATES, types.TexCoord2fArray, UsdGeom.Tokens.vertex)
+    made.Set(Vt.Vec2fArray.FromNumpy(upwards))
+    if shape.rows is not None:
+        made = variables.CreatePrimvar(ROWS, types.IntArray, UsdGeom.Tokens.vertex)
+        made.Set(Vt.IntArray.FromNumpy(shape.rows.astype(np.int32)))
+    if shape.shade is not None:
+        made = variables.CreatePrimvar("shade", types.FloatArray, UsdGeom.Tokens.vertex)
+        made.Set(Vt.FloatArray.FromNumpy(_contiguous(shape.shade)))
+
+
+def _moved_rows(target: Target) -> NDArray[np.int32]:
+    """The vertices that move or turn."""
+    return np.flatnonzero(target.moves.any(axis=1) | target.turns.any(axis=1)).astype(np.int32)
+
+
+def _blend_shape(stage: Any, path: str, name: str, target: Target, rows: NDArray[np.int32]) -> Any:
+    """A blend shape of some vertices alone; returns its path."""
+    from pxr import UsdSkel, Vt
+
+    made = UsdSkel.BlendShape.Define(stage, path)
+    made.CreateOffsetsAttr(Vt.Vec3fArray.FromNumpy(_contiguous(target.moves[rows])))
+    made.CreateNormalOffsetsAttr(Vt.Vec3fArray.FromNumpy(_contiguous(target.turns[rows])))
+    made.CreatePointIndicesAttr(Vt.IntArray.FromNumpy(rows))
+    _name(made.GetPrim(), name)
+    return made.GetPath()
+
+
+def _points(shape: Shape) -> NDArray[np.float32]:
+    return _contiguous(shape.points + np.asarray(shape.place, np.float32))
+
+
+def _contiguous(values: NDArray[np.floating]) -> NDArray[np.float32]:
+    return np.ascontiguousarray(values, np.float32)
+
+
+def _box(shape: Shape) -> NDArray[np.float32]:
+    """The box (2, 3) around a mesh at rest and in every target, as USD's programs frame and cull it."""
+    points = _points(shape)
+    low, high = points.T.min(axis=1), points.T.max(axis=1)
+    for target in shape.targets.values():
+        rows = np.flatnonzero(target.moves.any(axis=1))
+        moved = (points[rows] + target.moves[rows]).T.copy()  # rows of numbers side by side are summed up faster
+        low, high = (
+            np.minimum(low, moved.min(axis=1, initial=np.inf)),
+            np.maximum(high, moved.max(axis=1, initial=-np.inf)),
+        )
+    return np.stack([low, high])
+
+
+def _extent(box: NDArray[np.float32]) -> Any:
+    from pxr import Vt
+
+    return Vt.Vec3fArray.FromNumpy(_contiguous(box))
+
+
+def _pictures(scene: Scene) -> dict[str, bytes]:
+    """The pictures (PNG) of a scene's materials, by the material's name."""
+    found = {shape.material.name: shape.material.picture for shape in scene.shapes}
+    return {name: picture for name, picture in found.items() if picture is not None}
+
+
+def _package(path: Path, pictures: Iterable[str]) -> bytes:
+    """A package (USDZ) of a stage and its pictures, without compression, as the format wants it."""
+    from pxr import Sdf
+
+    package = path.with_suffix(".usdz")
+    with Sdf.ZipFileWriter.CreateNew(str(package)) as writer:
+        for name in (path.name, *pictures):
+            os.utime(path.parent / name, (_MADE, _MADE))  # it writes this down, and the same face is the same bytes
+            writer.AddFile(str(path.parent / name), name)
+    return package.read_bytes()

@@ -1,0 +1,112 @@
+"""A report of how far faces are from their scans: a table (CSV), and a sheet of three views each, drawn in software."""
+
+from __future__ import annotations
+
+import csv
+import io
+from collections.abc import Mapping, Sequence
+
+import numpy as np
+from numba import njit
+from numpy.typing import NDArray
+from PIL import Image, ImageDraw
+
+Values = NDArray[np.float64]
+Picture = NDArray[np.uint8]
+
+VIEWS = (-40.0, 0.0, 40.0)
+"""Degrees that the head is turned to its left."""
+TALL, WIDE, BAND = 300, 240, 28
+"""Pixels of a view, and of the line of text above a face's views."""
+FARTHEST = 2.0
+"""Millimetres that the hottest colour stands for."""
+_STOPS = np.array([[70, 110, 170], [120, 180, 150], [230, 200, 90], [210, 60, 40]], np.float64)
+_UNSEEN, _BACK = np.array([150.0, 150.0, 150.0]), 32
+
+
+def table_of(rows: Sequence[Mapping[str, object]], /) -> bytes:
+    """Rows as CSV with a line of names; a cell that a spreadsheet would run as a formula is quoted as text."""
+    found = io.StringIO(newline="")
+    writer = csv.writer(found)
+    writer.writerow(rows[0].keys() if rows else [])
+    for row in rows:
+        cells = [str(value) for value in row.values()]
+        writer.writerow([f"'{cell}" if cell[:1] in ("=", "+", "-", "@", "\t") else cell for cell in cells])
+    return found.getvalue().encode()
+
+
+def heat_colours(residual: Values, /) -> Values:
+    """Colours (n, 3), 0 to 255: blue where a face lies on its scan, red from 2 mm on, grey where nothing was seen."""
+    share = np.clip(np.nan_to_num(residual) / FARTHEST, 0.0, 1.0) * (len(_STOPS) - 1)
+    below = np.minimum(share.astype(int), len(_STOPS) - 2)
+    mixed = _STOPS[below] + (share - below)[:, None] * (_STOPS[below + 1] - _STOPS[below])
+    return np.where(np.isfinite(residual)[:, None], mixed, _UNSEEN)
+
+
+def contact_sheet(
+    triangles: NDArray[np.integer], faces: Sequence[tuple[str, NDArray[np.floating], Values]], /
+) -> Picture:  # fmt: skip
+    """A picture (height, width, 3) with a row for each face: its name and three views, coloured by the distance.
+
+    triangles (F, 3); faces: label, positions (V, 3) metres, residual (V,) millimetres, nan for unseen.
+    """
+    rows = []
+    for label, positions, residual in faces:
+        views = [
+            draw_view(np.asarray(positions, np.float64), triangles, heat_colours(residual), turn) for turn in VIEWS
+        ]
+        band = Image.new("RGB", (WIDE * len(VIEWS), BAND), (16, 16, 16))
+        plain = label.encode("ascii", "replace").decode()[:40]
+        seen = residual[np.isfinite(residual)]
+        middle = f"{np.median(seen):.2f} mm" if len(seen) else "unseen"
+        ImageDraw.Draw(band).text((8, 8), f"{plain}   {middle}   blue 0, red {FARTHEST:g} mm", fill=(230, 230, 230))
+        rows += [np.asarray(band), np.concatenate(views, axis=1)]
+    sheet: Picture = np.concatenate(rows, axis=0)
+    return sheet
+
+
+def draw_view(positions: Values, triangles: NDArray[np.integer], colours: Values, turn: float, /) -> Picture:
+    """One view (TALL, WIDE, 3) from the front of a head turned by some degrees, lit from the camera, without depth."""
+    angle = np.radians(turn)
+    spin = np.array([[np.cos(angle), 0, np.sin(angle)], [0, 1, 0], [-np.sin(angle), 0, np.cos(angle)]])
+    points = (positions - (positions.min(axis=0) + positions.max(axis=0)) / 2.0) @ spin.T
+    scale = 0.9 * min(
+        TALL / max(np.ptp(positions[:, 1]), 1e-9), WIDE / max(np.ptp(positions[:, [0, 2]], axis=0).max(), 1e-9)
+    )
+    screen = np.stack([WIDE / 2 + scale * points[:, 0], TALL / 2 - scale * points[:, 1], scale * points[:, 2]], axis=1)
+    corners = points[triangles]
+    across = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
+    light = 0.25 + 0.75 * np.clip(across[:, 2] / np.maximum(np.linalg.norm(across, axis=1), 1e-30), 0.0, 1.0)
+    picture = np.full((TALL, WIDE, 3), float(_BACK))
+    _fill(screen, np.ascontiguousarray(triangles, np.int64), colours, light, picture, np.full((TALL, WIDE), -np.inf))
+    drawn: Picture = np.clip(picture, 0, 255).astype(np.uint8)
+    return drawn
+
+
+@njit(cache=True)
+def _fill(
+    screen: Values, triangles: NDArray[np.int64], colours: Values, light: Values, picture: Values, depth: Values
+) -> None:  # fmt: skip
+    """Fills triangles nearest first by a depth buffer; barycentric coordinates say what lies in one."""
+    tall, wide = depth.shape
+    for face in range(len(triangles)):
+        a, b, c = screen[triangles[face, 0]], screen[triangles[face, 1]], screen[triangles[face, 2]]
+        area = (b[0] - a[0]) * (c[1] - a[1]) - (c[0] - a[0]) * (b[1] - a[1])
+        if area == 0.0:
+            continue
+        left, right = max(int(min(a[0], b[0], c[0])), 0), min(int(max(a[0], b[0], c[0])) + 1, wide - 1)
+        top, bottom = max(int(min(a[1], b[1], c[1])), 0), min(int(max(a[1], b[1], c[1])) + 1, tall - 1)
+        for row in range(top, bottom + 1):
+            for column in range(left, right + 1):
+                u = ((b[0] - column) * (c[1] - row) - (c[0] - column) * (b[1] - row)) / area
+                v = ((c[0] - column) * (a[1] - row) - (a[0] - column) * (c[1] - row)) / area
+                w = 1.0 - u - v
+                near = u * a[2] + v * b[2] + w * c[2]
+                if u >= 0.0 and v >= 0.0 and w >= 0.0 and near > depth[row, column]:
+                    depth[row, column] = near
+                    for channel in range(3):
+                        picture[row, column, channel] = light[face] * (
+                            u * colours[triangles[face, 0], channel]
+                            + v * colours[triangles[face, 1], channel]
+                            + w * colours[triangles[face, 2], channel]
+                        )

@@ -1,0 +1,65 @@
+"""Landmarks as people give them: `nose_tip=0,1.2,9.4`, or a JSON file of names and places."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+
+import msgspec
+import numpy as np
+
+from omote.interchange.formats.error_reasons import explain_error
+from omote.model.fitting.landmarks import FEWEST_LANDMARKS, SEVEN
+
+Points = dict[str, tuple[float, float, float]]
+LARGEST = 2**20
+"""Bytes of a file of landmarks at most."""
+EXAMPLE = "--landmarks nose_tip=0,1.2,9.4"
+
+
+def parse_point(word: str, /) -> tuple[str, tuple[float, float, float]]:
+    """The name and the place in `nose_tip=0,1.2,9.4`; ValueError for another word."""
+    name, _, place = word.partition("=")
+    try:
+        numbers = [float(part) for part in place.split(",")]
+    except ValueError:
+        numbers = []
+    if name.strip() not in SEVEN or len(numbers) != 3 or not np.isfinite(numbers).all():
+        raise ValueError(f"{word!r} is no landmark; expected one of {', '.join(SEVEN)} as in {EXAMPLE}")
+    return name.strip(), (numbers[0], numbers[1], numbers[2])
+
+
+def parse_document(data: bytes, scan: str, /) -> Points:
+    """The landmarks of a scan in a JSON document: {"nose_tip": [0, 1.2, 9.4], ...}, or such ones by the names of scans.
+
+    ValueError for an invalid document; none for a scan that it does not name.
+    """
+    if len(data) > LARGEST:
+        raise ValueError(f"the landmarks have {len(data)} bytes; expected {LARGEST} at most")
+    try:
+        document = msgspec.json.decode(data, type=dict[str, list[float] | dict[str, list[float]]])
+    except (msgspec.DecodeError, UnicodeDecodeError, RecursionError) as error:
+        raise ValueError(
+            f'the landmarks are no JSON such as {{"nose_tip": [0, 1.2, 9.4]}} ({explain_error(error)})'
+        ) from error
+    found = document.get(scan, document)
+    points = (
+        {name: place for name, place in found.items() if isinstance(place, list)} if isinstance(found, dict) else {}
+    )
+    return dict(parse_point(f"{name}={','.join(map(repr, place))}") for name, place in points.items())
+
+
+def require_enough(points: Mapping[str, object], /) -> None:
+    """ValueError where some landmarks are given, and fewer than say where a face is."""
+    if points and len(points) < FEWEST_LANDMARKS:
+        raise ValueError(
+            f"{len(points)} landmarks are given; expected at least {FEWEST_LANDMARKS} of {', '.join(SEVEN)}"
+        )
+
+
+def explain_landmarks(names: Sequence[str] = SEVEN, /) -> str:
+    """What people do to give them."""
+    return (
+        f"Say where the face is, with at least {FEWEST_LANDMARKS} of {', '.join(names)} in the scan's own numbers, left"
+        f" being the person's own: {EXAMPLE}, again for each, or a JSON file of them. MeshLab, CloudCompare and Blender"
+        " show the numbers of a point that you click."
+    )

@@ -1,0 +1,1 @@
+"""Reads scans and pictures that were made elsewhere, from untrusted bytes."""

@@ -1,0 +1,84 @@
+"""Reads a scan in whichever format its bytes are, and says of other files what they are and what to do."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+
+import numpy as np
+
+from omote.interchange.formats.file_content import describe_content
+from omote.interchange.scans.cloud_reader import read_cloud
+from omote.interchange.scans.companions import Companions
+from omote.interchange.scans.gltf.gltf_scan import read_gltf
+from omote.interchange.scans.ply_reader import read_ply
+from omote.interchange.scans.stl_reader import read_stl
+from omote.interchange.scans.wavefront_reader import read_wavefront
+from omote.model.fitting.scan import Scan
+
+Reader = Callable[[bytes, Companions], Scan]
+
+READERS: Mapping[str, Reader] = {
+    ".ply": read_ply,
+    ".obj": read_wavefront,
+    ".stl": lambda data, _: read_stl(data),
+    **dict.fromkeys((".glb", ".gltf", ".vrm"), read_gltf),
+    **dict.fromkeys((".xyz", ".pts", ".csv", ".txt", ".asc"), lambda data, _: read_cloud(data)),
+}
+"""Readers by the suffix of a file's name."""
+ADVICE: Mapping[str, str] = {
+    ".blend": "in Blender, File > Export > glTF 2.0 (.glb) or Stanford PLY (.ply)",
+    ".fbx": "export it as .glb or .obj, or open it in Blender and export it from there",
+    **dict.fromkeys((".usd", ".usda", ".usdc", ".usdz"), "export it as .glb or .obj; scanning apps offer that too"),
+    **dict.fromkeys((".zip", ".rar", ".7z", ".gz"), "unpack it and give the .obj, .ply or .glb that is in it"),
+    **dict.fromkeys((".las", ".laz", ".e57", ".pcd"), "export the cloud as .ply or .xyz, in CloudCompare for example"),
+    **dict.fromkeys(
+        (".dae", ".3ds", ".max", ".ma", ".mb", ".abc", ".ztl", ".3mf", ".x3d"), "export it as .glb or .obj"
+    ),
+    **dict.fromkeys(
+        (".png", ".jpg", ".jpeg", ".webp", ".heic", ".tif", ".tiff", ".bmp", ".gif"),
+        "a photograph has no shape; give a scan, or photographs where the editor asks for these",
+    ),
+}
+"""What to do with files that people have instead, by the suffix of their names."""
+_BEGINNINGS: Mapping[bytes, str] = {
+    b"ply\n": ".ply", b"ply\r": ".ply", b"glTF": ".glb", b"BLENDER": ".blend", b"Kaydara FBX": ".fbx",
+    b"PXR-USDC": ".usdc", b"#usda": ".usda", b"PK\x03\x04": ".zip", b"\x1f\x8b": ".gz", b"\x89PNG": ".png",
+    b"\xff\xd8\xff": ".jpg", b"GIF8": ".gif", b"ASTM-E57": ".e57", b"LASF": ".las", b"# .PCD": ".pcd",
+}  # fmt: skip
+
+
+@dataclass(frozen=True, eq=False)
+class ScanFile:
+    """A scan with sentences about what of its file could not be used."""
+
+    scan: Scan
+    notes: tuple[str, ...] = ()
+
+
+def read_scan(suffix: str, data: bytes, beside: Companions | None = None, /) -> ScanFile:
+    """Reads a scan by its bytes; suffix: of the file's name, which decides where these say nothing.
+
+    ValueError, with what the file is and what to do, for any other file.
+    """
+    if not data.strip():
+        raise ValueError("the file is empty; copy or export it anew")
+    suffix = suffix.lower()
+    told = next((kind for beginning, kind in _BEGINNINGS.items() if data.startswith(beginning)), suffix)
+    if told == ".zip" and suffix == ".usdz":
+        told = suffix
+    if told not in READERS:
+        advice = ADVICE.get(told, f"export it as one of {', '.join(READERS)}")
+        raise ValueError(f"the file is {_name(told, data)}, which is not read here; {advice}")
+    companions = Companions() if beside is None else beside
+    with np.errstate(invalid="ignore", over="ignore"):  # of numbers that are none, which are refused at the end
+        return ScanFile(READERS[told](data, companions), tuple(companions.notes))
+
+
+def _name(suffix: str, data: bytes) -> str:
+    described = describe_content(data)
+    return (
+        described
+        if described not in ("text", "binary data of another kind")
+        else f"{described} ({suffix or 'no suffix'})"
+    )

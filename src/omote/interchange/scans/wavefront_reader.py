@@ -1,0 +1,185 @@
+"""Parses untrusted Wavefront OBJ files: polygons, colours of vertices, and textures by the materials beside them."""
+
+from __future__ import annotations
+
+import re
+
+import numpy as np
+
+from omote.interchange.formats.file_content import describe_content
+from omote.interchange.scans.atlas import Picture, join_textures, plain_picture
+from omote.interchange.scans.companions import Companions
+from omote.interchange.scans.scan_parts import (
+    LARGEST,
+    MOST_POINTS,
+    MOST_TRIANGLES,
+    Rows,
+    Values,
+    bytes_of_colours,
+    fan_polygons,
+    make_scan,
+    refuse_many,
+)  # fmt: skip
+from omote.interchange.scans.text_table import TextTable, parse_numbers
+from omote.model.fitting.scan import Scan
+
+MOST_MATERIALS = 64
+_COLOURED = (6, 7)
+"""Numbers of a vertex with a colour: x y z r g b, and what some programs write after them."""
+
+
+def read_wavefront(data: bytes, beside: Companions, /) -> Scan:
+    """The scan in an OBJ file, its points in the file's order; beside: reads materials and textures.
+
+    ValueError for an invalid file.
+    """
+    refuse_many(len(data), "bytes", LARGEST)
+    table = TextTable(data.replace(b"\\\r\n", b" ").replace(b"\\\n", b" "))
+    lines = table.lines_of(b"v")
+    refuse_many(len(lines), "points", MOST_POINTS)
+    if not len(lines):
+        raise ValueError(f"the file is no OBJ with vertices, but {describe_content(data)}; export the scan as .obj")
+    vertices = _columns(table, lines, "a vertex of the OBJ", least=3)
+    colours = bytes_of_colours(vertices[:, 3:6]) if vertices.shape[1] in _COLOURED else None
+    faces = table.lines_of(b"f")
+    if not len(faces):
+        return make_scan(vertices[:, :3], None, colours)
+    corners, of = _corners(table, faces)
+    triangles = _absolute(corners[:, :, 0], table, lines, faces[of])
+    texture, texcoords = _texture(table, corners[:, :, 1], faces[of], beside)
+    return make_scan(vertices[:, :3], triangles, colours, texture, texcoords)
+
+
+def _columns(table: TextTable, lines: Rows, what: str, least: int) -> Values:
+    """The numbers of lines of one keyword, as many of each as the shortest has."""
+    words = table.words[lines] - 1
+    if (words < least).any():
+        bad = table.line(int(lines[int((words < least).argmax())]))
+        raise ValueError(f"the line {bad!r} is no {what[2:]}; expected {least} numbers: export it anew")
+    begin = len(table.text[table.begins[lines[0]] : table.ends[lines[0]]].tobytes().split(None, 1)[0])
+    numbers = parse_numbers(table.join(lines, skip=begin), what)
+    if len(numbers) != words.sum():
+        raise ValueError(f"{what} has words that run together; export it anew")
+    if (words == words[0]).all():
+        return numbers.reshape(len(lines), -1)
+    begins = np.cumsum(words) - words
+    rows: Values = numbers[begins[:, None] + np.arange(int(words.min()))]
+    return rows
+
+
+def _corners(table: TextTable, faces: Rows) -> tuple[Rows, Rows]:
+    """The corners of all triangles (t, 3, 2), each a vertex and a texture coordinate as written (0: none), and the
+    face, of those given, that each triangle is of."""
+    refuse_many(len(faces), "faces", MOST_TRIANGLES)
+    text = table.join(faces, skip=1)
+    words = np.frombuffer(re.sub(rb"/(?=[/\s])", b"/0", text + b"\n"), np.uint8)
+    solid = words > 32
+    begins = np.flatnonzero(solid & ~np.concatenate([[False], solid[:-1]]))
+    slashes = np.add.reduceat(words == ord("/"), begins) if len(begins) else np.zeros(0, np.int64)
+    numbers = parse_numbers(words.tobytes().replace(b"/", b" "), "a face of the OBJ")
+    counts = table.words[faces] - 1
+    if len(numbers) != int((slashes + 1).sum()) or len(begins) != counts.sum() or (slashes > 2).any():
+        raise ValueError("a face of the OBJ is no row of corners such as 1/2/3; export it anew")
+    if not (np.abs(numbers) < 2**31).all() or (numbers != np.rint(numbers)).any():
+        raise ValueError("a face of the OBJ names corners that are no whole numbers; export it anew")
+    whole = numbers.astype(np.int64)
+    first = np.cumsum(slashes + 1) - slashes - 1
+    second = np.where(slashes > 0, whole[np.minimum(first + 1, len(whole) - 1)], 0) if len(whole) else whole
+    places = fan_polygons(counts)
+    of = np.repeat(np.arange(len(counts)), np.maximum(counts - 2, 0))
+    return np.stack([whole[first], second], axis=1)[places], of
+
+
+def _absolute(corners: Rows, table: TextTable, lines: Rows, faces: Rows) -> Rows:
+    """Rows from 0 of what is named from 1, or backwards from the last one before the face (negative)."""
+    before = np.searchsorted(lines, faces)[:, None] if len(corners) and corners.min() < 0 else 0
+    rows = np.where(corners < 0, corners + before, corners - 1)
+    if len(rows) and (rows.min() < 0 or rows.max() >= len(lines)):
+        bad = int(((rows < 0) | (rows >= len(lines))).any(axis=1).argmax())
+        raise ValueError(
+            f"the line {table.line(int(faces[bad]))!r} names a corner that is not among the {len(lines)} of the OBJ; "
+            "expected 1 or more: export it anew"
+        )
+    return rows
+
+
+def _texture(
+    table: TextTable, corners: Rows, faces: Rows, beside: Companions
+) -> tuple[Picture | None, Values | None]:  # fmt: skip
+    lines = table.lines_of(b"vt")
+    if not len(lines) or not len(corners) or not (corners != 0).any():
+        return None, None
+    pairs = _columns(table, lines, "a texture coordinate of the OBJ", least=2)[:, :2]
+    named = (corners != 0).all(axis=1)
+    rows = _absolute(np.where(named[:, None], corners, 1), table, lines, faces)
+    texcoords = pairs[rows] * [1.0, -1.0] + [0.0, 1.0]
+    texcoords = np.nan_to_num(texcoords, posinf=0.0, neginf=0.0)
+    switches = np.flatnonzero((table.initials == np.frombuffer(b"use", np.uint8)).all(axis=1))
+    names = [table.line(int(line)).partition(" ")[2].strip() for line in switches[: 10 * MOST_MATERIALS]]
+    materials = _materials(table, beside)
+    pictures = [materials.get(name) for name in ["", *names]]
+    if not names and len(materials) == 1:  # one material and nobody says that it is used
+        pictures = [*materials.values()]
+    of = np.minimum(np.searchsorted(switches, faces), len(pictures) - 1)
+    distinct, which = _distinct(pictures)
+    return join_textures(distinct, texcoords, which[of])
+
+
+def _distinct(pictures: list[Picture | None]) -> tuple[list[Picture | None], Rows]:
+    """Each picture once, and which of them each one is."""
+    keys = [id(picture) for picture in pictures]
+    order = list(dict.fromkeys(keys))
+    return [pictures[keys.index(key)] for key in order], np.array([order.index(key) for key in keys], np.int64)
+
+
+def _materials(table: TextTable, beside: Companions) -> dict[str, Picture]:
+    """The picture of each material of the libraries that the file names."""
+    lines = np.flatnonzero((table.initials == np.frombuffer(b"mtl", np.uint8)).all(axis=1))
+    found: dict[str, Picture] = {}
+    for line in lines[:8].tolist():
+        name = table.line(line).partition(" ")[2].strip()
+        try:
+            data = beside.find(name)
+        except (OSError, ValueError):
+            data = None
+        if data is None:
+            beside.note(f"its materials {name[-80:]!r} do not lie beside it")
+        else:
+            found |= _parse_materials(data, beside)
+    return found
+
+
+def _parse_materials(data: bytes, beside: Companions) -> dict[str, Picture]:
+    pictures, shown, current = dict[str, Picture](), dict[str, Picture | None](), ""
+    for line in data[: 2**20].decode("utf-8", "replace").splitlines():
+        keyword, _, rest = line.strip().partition(" ")
+        match keyword.lower():
+            case "newmtl" if len(pictures) < MOST_MATERIALS:
+                current = rest.strip()
+            case "kd":
+                pictures.setdefault(current, _colour(rest))
+            case "map_kd" if len(shown) < MOST_MATERIALS:
+                name = _file_name(rest)
+                if name not in shown:
+                    shown[name] = beside.picture(name)
+                if (picture := shown[name]) is not None:
+                    pictures[current] = picture
+    return pictures
+
+
+def _colour(words: str) -> Picture:
+    try:
+        numbers = [float(word) for word in words.split()[:3]]
+    except ValueError:
+        numbers = []
+    return plain_picture(numbers if len(numbers) == 3 else (0.5, 0.5, 0.5))
+
+
+def _file_name(rest: str) -> str:
+    """The name behind a map's options (-s 1 1 1 -bm 0.5 name with blanks.jpg)."""
+    words = rest.strip().split(" ")
+    while len(words) > 1 and words[0].startswith("-"):
+        words = words[1:]
+        while len(words) > 1 and re.fullmatch(r"[-+.\deE]+|on|off", words[0]):
+            words = words[1:]
+    return " ".join(words)

@@ -1,0 +1,159 @@
+"""Takes the colours of a scan over to a face fitted to it, and carries them on where the scan saw nothing."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.ndimage import binary_closing, binary_opening, distance_transform_edt
+
+from omote.geometry.ramp import smooth_ramp
+from omote.model.albedo import Albedo, Light, SkinAtlas, decode_light, encode_light
+from omote.model.appearance.pull_push import double, halve, pull_push
+from omote.model.appearance.scan_colours import TURN, ScanColours, choose_nearest, nearest_faces, place_colours
+from omote.model.fitting.scan import Scan
+from omote.model.space.face import Face
+from omote.model.space.parameter_space import ParameterSpace
+from omote.model.space.similarity import Similarity
+
+Values = NDArray[np.float64]
+Mask = NDArray[np.bool_]
+
+NEAR = 0.003
+"""Metres from the fitted face within which a scan's surface is that skin."""
+LEVEL = 0.5
+"""Cosine between the normals of both beyond which it is (60 degrees)."""
+FEATHER = 10 / 1024
+"""Of a side, the width of the border in which what was seen passes over into what is filled."""
+SLOW = 3
+"""Times that the ratio is halved before it is carried on: what is finer than 8 texels stays where it was seen."""
+_DARKEST = np.float32(0.004)  # linear light below which a ratio says nothing
+_MOST = np.float32(3.0)  # of the logarithm of a ratio: 20 times as bright or as dark, pale skin over dark
+
+
+@dataclass(frozen=True, eq=False)
+class TakenAlbedo:
+    """A picture of a person's skin, and how far each texel was seen, (k, k) uint8: 255 on the scan, 0 filled in."""
+
+    albedo: Albedo
+    seen: NDArray[np.uint8]
+
+
+def take_albedo(
+    space: ParameterSpace, atlas: SkinAtlas, face: Face, scan: Scan, placement: Similarity, painted: NDArray[np.uint8]
+) -> TakenAlbedo:  # fmt: skip
+    """Takes the colours of a scan over to the skin of a face that was fitted to it.
+
+    Parameters
+    ----------
+    space : ParameterSpace
+        Of the face; its inner skin (sockets of the eyes, lining of the mouth) stays uncovered.
+    atlas : SkinAtlas
+        How the skin lies on its texture.
+    face : Face
+        Fitted to the scan.
+    scan : Scan
+        With a texture, or a colour for each point; light that fell on it stays in the picture.
+    placement : Similarity
+        From the scan to the face.
+    painted : array of uint8, (k, k, 3)
+        The face's painted skin in sRGB, without brows, freckles and the like: what is filled where nothing was seen,
+        in the scan's hue and light. k is 1024 or 2048.
+
+    Returns
+    -------
+    TakenAlbedo
+        The picture, and what of it was seen.
+
+    Raises
+    ------
+    ValueError
+        Where the scan has no colours, or none of it lies on the face.
+    """
+    side = len(painted)
+    spots = _spots(space, atlas, face, side)
+    colours = place_colours(scan, placement, face.positions.astype(np.float64))
+    light, seen = _look_up(colours, spots)
+    if not seen.any():
+        raise ValueError("no skin of the face lies on the scan; expected the placement that the face was fitted by")
+    share = _feathered(seen, FEATHER * side)
+    filled = _carried_on(light, share, decode_light(painted))
+    whole = share[..., None] * light + (1.0 - share[..., None]) * filled
+    cover = np.rint(255.0 * spots.outer)
+    pixels = np.concatenate([encode_light(whole), cover[..., None].astype(np.uint8)], axis=2)
+    return TakenAlbedo(Albedo(pixels), np.rint(255.0 * share * spots.outer).astype(np.uint8))
+
+
+@dataclass(frozen=True, eq=False)
+class _Spots:
+    """Where each texel lies on the face: places, normals (k, k, 3); used (k, k); outer, 0 on inner skin, 1 outside."""
+
+    places: Values
+    normals: Values
+    used: Mask
+    outer: Values
+
+
+def _spots(space: ParameterSpace, atlas: SkinAtlas, face: Face, side: int) -> _Spots:
+    positions = face.positions.astype(np.float64)
+    normals = _vertex_normals(positions, space.triangles)
+    places, turns = (
+        np.stack([atlas.spread(values[:, axis], side) for axis in range(3)], axis=2) for values in (positions, normals)
+    )
+    turns /= np.maximum(np.linalg.norm(turns, axis=2, keepdims=True), 1e-9)
+    used = atlas.spread(np.ones(len(positions)), side) > 0.0
+    outside = np.zeros(len(positions))
+    outside[np.unique(space.skin_triangles)] = 1.0
+    outer = smooth_ramp(0.5, 1.0, atlas.spread(outside, side))
+    return _Spots(places, turns, used, np.where(used, outer, 1.0))
+
+
+def _vertex_normals(points: Values, triangles: NDArray[np.integer]) -> Values:
+    a, b, c = (points[triangles[:, corner]] for corner in range(3))
+    across, normals = np.cross(b - a, c - a), np.zeros(points.shape)
+    for corner in range(3):
+        np.add.at(normals, triangles[:, corner], across)
+    return normals
+
+
+def _look_up(colours: ScanColours, spots: _Spots) -> tuple[Light, Mask]:
+    """Linear light of every texel (k, k, 3), and where it is that skin's own."""
+    side, around = len(spots.used), np.array([0, 1])
+    coarse = spots.used[::2, ::2]
+    found = np.full(coarse.shape, -1)
+    places, normals = spots.places[::2, ::2][coarse], spots.normals[::2, ::2][coarse]
+    found[coarse] = nearest_faces(colours, places, normals, within=float(np.hypot(2.0 * NEAR, TURN)))
+    rows, columns = np.nonzero(spots.used & (spots.outer > 0.0))
+    most = side // 2 - 1
+    down, right = (np.minimum(index[:, None] // 2 + around, most) for index in (rows, columns))
+    candidates = np.stack([found[down[:, i], right[:, j]] for i in around for j in around], axis=1)
+    places, normals = spots.places[rows, columns], spots.normals[rows, columns]
+    faces, shares, away = choose_nearest(colours, places, normals, candidates)
+    turned = (colours.normals[faces] * normals).sum(axis=1)
+    good = (away < NEAR) & ((turned > LEVEL) | (not colours.normals.any()))
+    light, seen = np.zeros((side, side, 3), np.float32), np.zeros((side, side), np.bool_)
+    light[rows, columns] = colours.light(faces, shares)
+    seen[rows, columns] = good
+    return light, seen
+
+
+def _feathered(seen: Mask, width: float) -> Light:
+    """How far each texel is what was seen, (k, k): specks and pinholes apart, rising over a border of its own."""
+    whole = binary_opening(binary_closing(seen, iterations=2), iterations=3) & seen
+    share: Light = smooth_ramp(0.0, 1.0, distance_transform_edt(whole) / width).astype(np.float32)
+    return share
+
+
+def _carried_on(light: Light, share: Light, painted: Light) -> Light:
+    """The painted skin in the hue and light of what was seen nearest."""
+    ratio = np.log(np.maximum(light, _DARKEST)) - np.log(np.maximum(painted, _DARKEST))
+    slow, weights = ratio * share[..., None], share[..., None]
+    for _ in range(SLOW):
+        slow, weights = halve(slow), halve(weights)
+    means = slow / np.maximum(weights, np.float32(1e-9))
+    even = pull_push(np.minimum(np.maximum(means, -_MOST), _MOST), np.minimum(4.0 * weights[..., 0], 1.0))
+    for _ in range(SLOW):
+        even = double(even)
+    filled: Light = painted * np.exp(even)
+    return filled

@@ -1,0 +1,1 @@
+"""Finds where in a scan a head is."""

@@ -1,0 +1,103 @@
+"""Brings a scan onto the template: trimmed iterative closest points, point to plane, pose and modes together
+(Chen and Medioni 1992; Chetverikov, Svirko, Stepanov and Krsek 2002)."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.spatial import cKDTree
+from scipy.spatial.transform import Rotation
+
+from omote.model.fitting.finding.finding_template import HeadTemplate
+from omote.model.space.similarity import Similarity
+
+Values = NDArray[np.float64]
+Indices = NDArray[np.intp]
+
+# How much a match counts along the surface beside across it: without it heads slide.
+ALONG = 0.05
+# One standard deviation of a mode costs as much as so many metres at every point.
+PRIOR = 0.0004
+# The most that one step turns, radians, and grows, logarithm; and the most that all steps grow together.
+TURN, GROW, GROWN = 0.3, 0.15, 0.55
+
+
+@dataclass(frozen=True, eq=False)
+class Alignment:
+    """The similarity that brings the scan to the template, metres, and the weights (m,) of the template's modes."""
+
+    pose: Similarity
+    weights: Values
+
+
+@dataclass(frozen=True, eq=False)
+class Samples:
+    """Samples of a scan (n, 3) in its own unit, the tree of them, and how far they are apart there."""
+
+    points: Values
+    tree: cKDTree
+    spacing: float
+
+
+def align(
+    template: HeadTemplate, samples: Samples, start: Alignment, rows: Indices, counted: Values, *,
+    reaches: Sequence[float], modes: int,
+) -> Alignment:  # fmt: skip
+    """The alignment after a round for each reach, metres: rows (k,) of the template with how much each counts (k,)."""
+    weights = np.zeros(modes)
+    weights[: len(start.weights)] = start.weights[:modes]
+    found = Alignment(start.pose, weights)
+    for reach in reaches:
+        found = _step(template, samples, found, rows, counted, reach)
+        if abs(np.log(found.pose.scale / start.pose.scale)) > GROWN:
+            break
+    return found
+
+
+def find_matches(samples: Samples, pose: Similarity, points: Values, /) -> Values:
+    """The samples nearest to points (k, 3) of the template, brought there: (k, 3) metres."""
+    back = ((points - pose.shift) @ pose.rotation) / pose.scale
+    _, rows = samples.tree.query(back, workers=1)
+    return pose(samples.points[rows])
+
+
+def _step(
+    template: HeadTemplate, samples: Samples, last: Alignment, rows: Indices, counted: Values, reach: float
+) -> Alignment:
+    goals, normals = template.shape(rows, last.weights), template.normals[rows]
+    came = find_matches(samples, last.pose, goals)
+    off, middle = came - goals, goals.mean(axis=0)
+    share = counted * np.maximum(1.0 - (off**2).sum(axis=1) / reach**2, 0.0) ** 2
+    if not share.sum() > 0.0:
+        return last
+    arm, count = came - middle, len(last.weights)
+    moves = np.einsum("mkc,kc->km", template.moves[:count, rows], normals)
+    slopes = np.hstack([np.cross(arm, normals), normals, (arm * normals).sum(axis=1, keepdims=True), -moves])
+    matrix, pull = _square(slopes, (off * normals).sum(axis=1), share)
+    for axis in np.eye(3):
+        along = np.broadcast_to(axis, arm.shape)
+        slopes = np.hstack([np.cross(arm, along), along, arm @ axis[:, None]])
+        more = _square(slopes, off @ axis, ALONG * share)
+        matrix[:7, :7] += more[0]
+        pull[:7] += more[1]
+    prior = PRIOR**2 * share.sum()
+    matrix += np.diag(np.append(np.full(7, 1e-12), np.full(count, prior)))
+    pull[7:] += prior * last.weights
+    step: Values = -np.linalg.solve(matrix, pull).astype(np.float64)
+    return Alignment(_moved(last.pose, step[:7], middle), last.weights + step[7:])
+
+
+def _square(slopes: Values, heights: Values, share: Values) -> tuple[Values, Values]:
+    weighted = slopes * share[:, None]
+    return slopes.T @ weighted, weighted.T @ heights
+
+
+def _moved(pose: Similarity, step: Values, middle: Values) -> Similarity:
+    """The pose after a turn (3,) about a middle (3,), a shift (3,) and growth, none larger than a step may be."""
+    turn = Rotation.from_rotvec(step[:3] * min(1.0, TURN / max(float(np.linalg.norm(step[:3])), 1e-12))).as_matrix()
+    growth = float(np.exp(step[6] * min(1.0, GROW / max(abs(step[6]), 1e-12))))
+    shift = middle + growth * turn @ (pose.shift - middle) + step[3:6]
+    return Similarity(pose.scale * growth, turn @ pose.rotation, shift)

@@ -1,0 +1,1 @@
+"""Exports many faces at once: in processes of this machine, or on a cluster."""

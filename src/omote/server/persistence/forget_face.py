@@ -1,0 +1,160 @@
+"""Removes own faces for good from a show file that no show plays: nothing of them is left in its bytes, nor in the good
+copies beside it."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+
+import msgspec
+
+from omote.edit.protocol.wire import read_recipe
+from omote.model.recipes.recipe import KEY, sources
+from omote.server.persistence.offline_show import open_offline_show
+from omote.showfile.backup import back_up, backup_paths, refuse_foreign, remove
+from omote.showfile.changes import Item, Stored
+from omote.showfile.inspection import item_named
+from omote.showfile.schema import ShowFileError
+from omote.showfile.show_file import ShowFile
+
+SAMPLE, EVERY = 48, 1000
+"""Bytes of a content that are looked for in other files, and how far apart: pages of SQLite part contents."""
+
+
+@dataclass(frozen=True)
+class Forgotten:
+    """The labels of what was removed, and notes: what else went."""
+
+    labels: tuple[str, ...]
+    notes: tuple[str, ...] = ()
+
+
+def forget_faces(path: Path, names: Sequence[str], /, *, copies: bool = False) -> Forgotten:
+    """Removes faces with revisions, drafts and contents, the last state where that plays them, and the good copies of
+    before; a good copy of what is left is made.
+
+    Parameters
+    ----------
+    path : Path
+        The show file, which no show plays.
+    names : sequence of str
+        Names or labels of own faces.
+    copies : bool
+        Whether damaged copies beside the file that hold them are removed too.
+
+    Returns
+    -------
+    Forgotten
+        What went.
+
+    Raises
+    ------
+    ShowFileError
+        On a name that no own face has, where others are made of them, and where damaged copies hold them and are to
+        stay; nothing is changed.
+    OSError, sqlite3.Error
+        Where the disk fails; the same call again goes on.
+    """
+    with open_offline_show(path) as show:
+        stored, contents = show.stored(), show.contents()
+        items = list(dict.fromkeys(item_named(stored, name, "face") for name in names))
+        _refuse_dependents(stored, items)
+        keys = _own_keys(stored, items)
+        damaged = [each for each in _damaged_copies(show.path) if _holds(each, [contents[key] for key in keys])]
+        if damaged and not copies:
+            raise ShowFileError(
+                f"{' and '.join(each.name for each in damaged)} beside it hold{'s' * (len(damaged) < 2)} it too, so "
+                "nothing was removed: --copies removes what was put aside there with it."
+            )
+        for backup in (
+            *backup_paths(show.path),
+            *damaged,
+        ):  # first: a call that is cut off finds the face still, and goes on
+            if backup not in damaged:
+                refuse_foreign(backup, show.path)
+            remove(backup)
+        notes = tuple(_notes(show, stored, items))
+        show.erase(_removals(items, sorted(keys), clear_state=_is_played(show, items)))
+        back_up(show)
+    return Forgotten(tuple(item.label for item in items), notes)
+
+
+def _refuse_dependents(stored: Stored, items: Sequence[Item]) -> None:
+    """ShowFileError where the look of other items is made of these."""
+    ids, names = {item.id for item in items}, {item.name for item in items}
+    made = {KEY + revision.content for revision in stored.revisions if revision.item in ids}
+    others = [item for item in stored.items if item.id not in ids and _sources(stored, item.id) & (made | names)]
+    if others:
+        raise ShowFileError(
+            f"{', '.join(item.name for item in others)} {'are' if len(others) > 1 else 'is'} made of "
+            f"{', '.join(sorted(names))}: name {'them' if len(others) > 1 else 'it'} too, to forget all of it."
+        )
+
+
+def _sources(stored: Stored, item: int) -> set[str]:
+    """All that an item's revisions and drafts are made of, and what they made, as sources."""
+    recipes = [each.recipe for each in stored.revisions if each.item == item]
+    recipes += [each.recipe for each in stored.edits if each.item == item]
+    found = {KEY + revision.content for revision in stored.revisions if revision.item == item}
+    for recipe in recipes:
+        try:
+            found |= sources(read_recipe(recipe))
+        except (ValueError, msgspec.MsgspecError):  # of a newer Omote: its text is looked through
+            text = recipe.decode("utf-8", "replace")
+            found |= {each for revision in stored.revisions if (each := KEY + revision.content) in text}
+    return found
+
+
+def _own_keys(stored: Stored, items: Sequence[Item]) -> set[str]:
+    """Keys of the contents that only these items name."""
+    ids = {item.id for item in items}
+    own = {name for item in ids for name in _sources(stored, item) if name.startswith(KEY)}
+    others = {name for item in stored.items if item.id not in ids for name in _sources(stored, item.id)}
+    return {name.removeprefix(KEY) for name in own - others}
+
+
+def _removals(
+    items: Sequence[Item], keys: Sequence[str], *, clear_state: bool
+) -> Iterator[tuple[str, tuple[str | int, ...]]]:  # fmt: skip
+    for item in items:
+        yield "UPDATE item SET head = 0 WHERE id = ?", (item.id,)
+        for table in ("edit", "draft", "revision"):
+            yield f"DELETE FROM {table} WHERE item = ?", (item.id,)
+        yield "DELETE FROM item WHERE id = ?", (item.id,)
+        yield "DELETE FROM journal_aside WHERE instr(snapshot, CAST(? AS BLOB)) > 0", (item.name,)
+    for key in keys:
+        yield "DELETE FROM content WHERE key = ?", (key,)
+    if clear_state:
+        yield "DELETE FROM journal", ()
+
+
+def _is_played(show: ShowFile, items: Sequence[Item]) -> bool:
+    snapshot = show.journal().snapshot or b""
+    return any(item.name.encode() in snapshot for item in items)
+
+
+def _notes(show: ShowFile, stored: Stored, items: Sequence[Item]) -> Iterator[str]:
+    if _is_played(show, items):
+        yield "the last state of the show played it: the show starts neutral."
+    names = [item.name.encode() for item in items]
+    pages = [page for page, document in stored.layouts.items() if any(name in document for name in names)]
+    if any(name in stored.bindings for name in names):
+        pages.append("bindings")
+    if pages:
+        yield f"its name still stands in {', '.join(pages)}: take it out there."
+
+
+def _damaged_copies(path: Path) -> list[Path]:
+    """Files that recovery has put aside."""
+    return sorted(each for each in path.parent.glob(f"{_escape(path.name)}.corrupt-*") if each.is_file())
+
+
+def _escape(name: str) -> str:
+    return "".join(f"[{letter}]" if letter in "*?[" else letter for letter in name)
+
+
+def _holds(path: Path, contents: Sequence[bytes]) -> bool:
+    data = path.read_bytes()
+    samples = [each[at : at + SAMPLE] for each in contents for at in range(len(each) // 3, len(each) - SAMPLE, EVERY)]
+    return any(sample in data for sample in samples)

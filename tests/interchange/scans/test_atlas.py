@@ -1,0 +1,38 @@
+"""Textures of several materials in one picture: every corner keeps its pixel."""
+
+import numpy as np
+
+from omote.interchange.scans.atlas import PATCH, encode_srgb, join_textures, plain_picture
+from tests.interchange.scans import scan_samples as samples
+
+
+def test_corners_keep_their_pixels_when_pictures_of_other_sizes_are_joined() -> None:
+    one, other = samples.picture(), samples.picture(9, 3)[:, ::-1].copy()
+    of = np.arange(252) % 2
+    whole, moved = join_textures([one, other], samples.texcoords(), of)
+    assert whole is not None
+    assert moved is not None
+    at = (moved * [whole.shape[1], whole.shape[0]]).astype(int)
+    seen = whole[at[..., 1], at[..., 0]]
+    for number, picture in enumerate((one, other)):
+        rows, columns = picture.shape[:2]
+        own = np.minimum((samples.texcoords()[of == number] * [columns, rows]).astype(int), [columns - 1, rows - 1])
+        np.testing.assert_array_equal(seen[of == number], picture[own[..., 1], own[..., 0]])
+
+
+def test_one_picture_stays_as_it_is_and_plain_colours_alone_are_none() -> None:
+    picture, uv = samples.picture(), samples.texcoords()
+    whole, moved = join_textures([picture, None], uv, np.zeros(252, np.int64))
+    assert whole is picture
+    assert moved is uv
+    assert join_textures([plain_picture((1, 0, 0))], uv, np.zeros(252, np.int64)) == (None, None)
+
+
+def test_colours_are_encoded_as_the_standard_says() -> None:
+    """IEC 61966-2-1: a fifth of white is byte 124, and 0.0031308 is where the line meets the curve."""
+    np.testing.assert_array_equal(
+        encode_srgb(np.array([0.0, 1.0, 0.2])), [0, 255, round(255 * (1.055 * 0.2 ** (1 / 2.4) - 0.055))]
+    )
+    np.testing.assert_array_equal(
+        plain_picture((0.0, 1.0, float("nan"))), np.broadcast_to([0, 255, 0], (PATCH, PATCH, 3))
+    )

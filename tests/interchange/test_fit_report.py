@@ -1,0 +1,54 @@
+"""Reports of fits: the table is CSV, and the nearest surface is seen in the colour of its distance."""
+
+import csv
+import io
+
+import numpy as np
+
+from omote.interchange.fit_report import (
+    BAND,
+    FARTHEST,
+    TALL,
+    VIEWS,
+    WIDE,
+    contact_sheet,
+    draw_view,
+    heat_colours,
+    table_of,
+)
+
+SQUARE = np.array([[-1.0, -1, 0], [1, -1, 0], [1, 1, 0], [-1, 1, 0]])
+SIDES = np.array([[0, 1, 2], [0, 2, 3]])
+
+
+def test_a_table_comes_back_and_runs_no_formula() -> None:
+    rows = [{"scan": "a,b.ply", "what": '=cmd|"x"'}, {"scan": "c.ply", "what": "good"}]
+    found = list(csv.DictReader(io.StringIO(table_of(rows).decode(), newline="")))
+    assert found == [{"scan": "a,b.ply", "what": '\'=cmd|"x"'}, {"scan": "c.ply", "what": "good"}]
+
+
+def test_heat_rises_from_blue_to_red_and_what_was_not_seen_is_grey() -> None:
+    cold, middle, hot, beyond, unseen = heat_colours(np.array([0.0, FARTHEST / 2, FARTHEST, 99.0, np.nan]))
+    assert cold[2] > cold[0]
+    assert middle[1] > max(middle[2], 99)
+    assert hot[0] > max(hot[1], hot[2])
+    np.testing.assert_array_equal(beyond, hot)
+    assert unseen[0] == unseen[1] == unseen[2]
+
+
+def test_what_is_nearer_hides_what_is_behind_it_in_any_order() -> None:
+    """A small red square stands before a large blue one: the middle is red, what is around it blue."""
+    near = SQUARE * 0.5 + [0, 0, 0.5]
+    points, sides = np.concatenate([SQUARE, near]), np.concatenate([SIDES, SIDES + 4])
+    colours = np.repeat([[0.0, 0, 255], [255.0, 0, 0]], 4, axis=0)
+    for order in (sides, sides[::-1]):
+        picture = draw_view(points, order, colours, 0.0)
+        np.testing.assert_array_equal(picture[TALL // 2, WIDE // 2], [255, 0, 0])
+        np.testing.assert_array_equal(picture[TALL // 2, WIDE // 2 + int(0.35 * WIDE)], [0, 0, 255])
+
+
+def test_a_sheet_has_a_row_of_three_views_for_each_face() -> None:
+    residual = np.array([0.0, 0.5, np.nan, 3.0])
+    sheet = contact_sheet(SIDES, [("Ann", SQUARE, residual), ("Bo \u2603", SQUARE, np.full(4, np.nan))])
+    assert sheet.shape == (2 * (TALL + BAND), len(VIEWS) * WIDE, 3)
+    assert len(np.unique(sheet.reshape(-1, 3), axis=0)) > 50

@@ -1,0 +1,49 @@
+"""Candidates: the true place first, by far; no two alike; refined from near it to the same."""
+
+from __future__ import annotations
+
+from functools import cache
+
+import numpy as np
+
+from omote.builtin import load_identity_modes
+from omote.model.fitting.finding.alignment import Alignment
+from omote.model.fitting.finding.candidates import Candidate, find_candidates, place_back, refine, score
+from omote.model.fitting.finding.finding_template import make_template
+from omote.model.fitting.finding.nose_search import are_alike
+from omote.model.space.similarity import Similarity
+from tests.model.fitting.placed_heads import CAST, degrees_between, head_points, head_scan, turn_by
+
+TEMPLATE = make_template(CAST.space, load_identity_modes())
+SCAN = head_scan(head_points("man") @ turn_by(7).T)
+
+
+@cache
+def _found() -> list[Candidate]:
+    return find_candidates(TEMPLATE, SCAN)
+
+
+def test_the_first_candidate_is_the_head() -> None:
+    best = _found()[0]
+    assert degrees_between(best.found.pose.rotation @ turn_by(7), np.eye(3)) < 5.0
+    tip = head_points("man")[TEMPLATE.marks[4]] @ turn_by(7).T
+    assert np.linalg.norm(best.tip - tip) < 0.01
+
+
+def test_candidates_come_in_order_and_no_two_are_alike() -> None:
+    found = _found()
+    assert [score(each) for each in found] == sorted(score(each) for each in found)
+    for number, one in enumerate(found):
+        assert not any(are_alike(one.found.pose, other.found.pose, one.tip, other.tip) for other in found[:number])
+
+
+def test_from_near_the_head_the_same_place_is_refined() -> None:
+    best = _found()[0]
+    near = Similarity(best.found.pose.scale, best.found.pose.rotation, best.found.pose.shift + 0.003)
+    again = refine(TEMPLATE, SCAN, Alignment(near, np.zeros(0)))
+    assert np.linalg.norm(again.found.pose(SCAN.positions) - best.found.pose(SCAN.positions), axis=1).max() < 0.004
+
+
+def test_places_go_to_the_template_and_back() -> None:
+    found = _found()[0].found
+    assert np.allclose(place_back(found, found.pose(SCAN.positions)), SCAN.positions)

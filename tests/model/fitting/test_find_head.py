@@ -1,0 +1,151 @@
+"""Heads are found whatever the unit, the axes and the order of points; what is no head is asked about or rejected."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from functools import cache
+from typing import Any
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from omote.builtin import load_identity_modes
+from omote.model.fitting.find_head import UNITS, HeadPlacement, find_head
+from omote.model.fitting.landmarks import SEVEN, find_landmarks
+from omote.model.fitting.scan import Scan
+from tests.model.fitting.placed_heads import CAST, ball, degrees_between, head_points, head_scan, turn_by
+
+SPACE, MODES = CAST.space, load_identity_modes()
+ROWS = find_landmarks(SPACE)
+KAORI = head_points()
+
+
+def _find(scan: Scan, **given: Any) -> HeadPlacement:
+    return find_head(SPACE, MODES, scan, **given)
+
+
+@cache
+def _plain() -> HeadPlacement:
+    return _find(head_scan(KAORI))
+
+
+def _marks(points: np.ndarray) -> dict[str, np.ndarray]:
+    return {name: points[row] for name, row in ROWS.items()}
+
+
+def test_a_head_in_metres_is_found_where_it_is_and_is_sure() -> None:
+    found = _plain()
+    assert found.doubts == ()
+    assert found.unit == "metres"
+    assert degrees_between(found.similarity.rotation, np.eye(3)) < 5.0
+    for name, place in _marks(KAORI).items():
+        assert np.linalg.norm(found.landmarks[name] - place) < 0.01
+    assert found.inside.mean() > 0.95
+
+
+@settings(max_examples=2)
+@given(seed=st.integers(0, 1000), unit=st.sampled_from([*UNITS]))
+def test_turn_shift_unit_and_order_of_points_change_nothing(seed: int, unit: str) -> None:
+    turn, shift = turn_by(seed), np.random.default_rng(seed).normal(size=3)
+    points = (KAORI @ turn.T + shift) / UNITS[unit]
+    found, plain = _find(head_scan(points, seed=seed)), _plain()
+    assert found.doubts == ()
+    assert found.unit == unit
+    assert found.similarity.scale == UNITS[unit]
+    assert degrees_between(found.similarity.rotation @ turn, plain.similarity.rotation) < 2.0
+    assert np.linalg.norm(found.similarity(points) - plain.similarity(KAORI), axis=1).max() < 0.006
+
+
+def test_triangles_that_face_inward_and_mirrored_axes_are_no_matter() -> None:
+    scan = head_scan(KAORI)
+    assert scan.triangles is not None
+    inward = _find(Scan(scan.positions, scan.triangles[:, ::-1]))
+    assert np.allclose(inward.similarity.rotation, _plain().similarity.rotation, atol=0.02)
+    mirrored = _find(head_scan(KAORI * [-1, 1, 1]))
+    assert mirrored.doubts == ()
+    assert np.isclose(np.linalg.det(mirrored.similarity.rotation), 1.0)
+    assert degrees_between(mirrored.similarity.rotation, np.eye(3)) < 5.0
+
+
+def test_points_far_from_the_head_are_not_its_own() -> None:
+    scan = ball((0.05, 0.05, 0.05))
+    head = head_scan(KAORI)
+    assert head.triangles is not None
+    assert scan.triangles is not None
+    both = Scan(
+        np.concatenate([head.positions, scan.positions + np.array([0.6, -0.5, 0.0])]),
+        np.concatenate([head.triangles, scan.triangles + len(head.positions)]),
+    )
+    found = _find(both)
+    assert found.inside[: len(head.positions)].mean() > 0.95
+    assert not found.inside[len(head.positions) :].any()
+
+
+def test_two_heads_are_asked_about() -> None:
+    one, other = head_scan(KAORI), head_scan(head_points("man") + np.array([0.4, 0.0, 0.0]))
+    assert one.triangles is not None
+    assert other.triangles is not None
+    both = Scan(
+        np.concatenate([one.positions, other.positions]),
+        np.concatenate([one.triangles, other.triangles + len(one.positions)]),
+    )
+    assert any("more than one head" in doubt for doubt in _find(both).doubts)
+
+
+def test_a_back_of_a_head_is_no_face() -> None:
+    assert _find(Scan(KAORI[KAORI[:, 2] < 0.08])).doubts
+
+
+def test_a_ball_is_no_head_in_words() -> None:
+    with pytest.raises(ValueError, match="nothing in the scan could be a face"):
+        _find(ball((1.0, 1.0, 1.0)))
+
+
+def test_noise_is_asked_about() -> None:
+    assert _find(Scan(np.random.default_rng(3).normal(size=(8000, 3)))).doubts
+
+
+def test_clicks_on_a_person_are_refined() -> None:
+    points = 1000.0 * KAORI @ turn_by(5).T
+    clicks = {name: place + 2.0 for name, place in _marks(points).items()}
+    found = _find(head_scan(points), landmarks=clicks)
+    assert found.doubts == ()
+    assert found.unit == "millimetres"
+    assert degrees_between(found.similarity.rotation @ turn_by(5), _plain().similarity.rotation) < 2.0
+    assert all(np.array_equal(found.landmarks[name], clicks[name]) for name in SEVEN)
+
+
+def test_clicks_decide_where_no_person_is() -> None:
+    """An animal's muzzle is no person's nose: the place is the similarity of the clicks."""
+    dog = 3.0 * head_points("dog")
+    found = _find(head_scan(dog), landmarks=_marks(dog))
+    assert degrees_between(found.similarity.rotation, np.eye(3)) < 20.0
+
+
+def test_sides_that_are_exchanged_are_said() -> None:
+    marks = _marks(KAORI)
+    swap = {name: name.replace("left", "?").replace("right", "left").replace("?", "right") for name in SEVEN}
+    found = _find(head_scan(KAORI), landmarks={swap[name]: place for name, place in marks.items()})
+    assert any("exchanged" in doubt for doubt in found.doubts)
+
+
+@pytest.mark.parametrize(
+    ("landmarks", "words"),
+    [
+        ({"ear": (0, 0, 0)}, "there is no landmark 'ear'; expected some of left_eye_outer"),
+        ({"nose_tip": (0, 0, 0), "mouth_left": (1, 0, 0)}, "there are 2 landmarks; expected at least 3"),
+        (dict.fromkeys(SEVEN, (1, 2, 3)), "at one place or on one line"),
+        ({name: (k, 0, np.nan) for k, name in enumerate(SEVEN)}, "landmarks"),
+    ],
+)
+def test_landmarks_that_say_nothing_are_rejected(landmarks: dict[str, Any], words: str) -> None:
+    with pytest.raises(ValueError, match=words):
+        _find(head_scan(KAORI), landmarks=landmarks)
+
+
+def test_modes_of_another_head_are_rejected() -> None:
+    other = replace(MODES, skin=MODES.skin[1:], moves=MODES.moves[:, 1:])
+    with pytest.raises(ValueError, match="identity modes are of"):
+        find_head(SPACE, other, head_scan(KAORI))

@@ -1,0 +1,107 @@
+"""Work in a child process: its answer and its progress come back; what dies, lasts or takes too much is refused."""
+
+import os
+import time
+from collections.abc import Callable
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from omote.server.sandbox.child_task import Limits, Tell, run_limited
+
+
+def test_an_answer_and_the_progress_come_back() -> None:
+    told: list[tuple[float, str]] = []
+
+    def work(tell: Tell) -> bytes:
+        tell(0.25, "reading")
+        tell(0.5, "thinking")
+        return bytes(3_000_000)
+
+    answer = run_limited(work, Limits(), exhausted="too much", follow=lambda *each: told.append(each))
+    assert answer == bytes(3_000_000)
+    assert told == [(0.25, "reading"), (0.5, "thinking")]
+
+
+def test_a_sentence_comes_back() -> None:
+    def work(_: Tell) -> bytes:
+        raise ValueError("no head: give one")
+
+    with pytest.raises(ValueError, match=r"^no head: give one$"):
+        run_limited(work, Limits(), exhausted="too much")
+
+
+def test_an_error_of_ours_is_told_as_one() -> None:
+    def work(_: Tell) -> bytes:
+        raise KeyError("strange")
+
+    with pytest.raises(ValueError, match=r"^Omote failed at it \(KeyError: 'strange'\); please report this$"):
+        run_limited(work, Limits(), exhausted="too much")
+
+
+def die(_: Tell) -> bytes:
+    os._exit(0)
+
+
+def spin(_: Tell) -> bytes:
+    while True:
+        pass
+
+
+def sleep(_: Tell) -> bytes:
+    time.sleep(60)
+    return b""
+
+
+def hoard(_: Tell) -> bytes:
+    return np.ones(2**31).tobytes()
+
+
+def open_many(_: Tell) -> bytes:
+    return bytes(len([Path("/dev/null").open("rb") for _ in range(100)]))
+
+
+@pytest.mark.parametrize("work", [die, spin, sleep, hoard, open_many])
+def test_what_takes_too_much_or_dies_is_refused_in_time(work: Callable[[Tell], bytes]) -> None:
+    begun = time.monotonic()
+    with pytest.raises(ValueError, match=r"^too much$"):
+        run_limited(work, Limits(seconds=1, patience=3.0, memory=2**28), exhausted="too much")
+    assert time.monotonic() - begun < 20.0
+
+
+def test_the_child_is_gone_when_following_it_fails() -> None:
+    seen: list[int] = []
+
+    def work(tell: Tell) -> bytes:
+        tell(float(os.getpid()), "")
+        time.sleep(60)
+        return b""
+
+    def follow(pid: float, _: str) -> None:
+        seen.append(int(pid))
+        raise KeyboardInterrupt
+
+    with pytest.raises(KeyboardInterrupt):
+        run_limited(work, Limits(), exhausted="too much", follow=follow)
+    with pytest.raises(ProcessLookupError):
+        os.kill(seen[0], 0)
+
+
+def test_files_are_written_only_where_that_is_allowed(tmp_path: Path) -> None:
+    def work(_: Tell) -> bytes:
+        (tmp_path / "a").write_bytes(b"x")
+        return b"written"
+
+    with pytest.raises(ValueError, match="too much"):
+        run_limited(work, Limits(), exhausted="too much")
+    assert run_limited(work, Limits(writes=True), exhausted="too much") == b"written"
+
+
+def test_nothing_is_printed_by_decoders(capfd: pytest.CaptureFixture[str]) -> None:
+    def work(_: Tell) -> bytes:
+        os.write(2, b"libtiff is astonished")
+        return b""
+
+    run_limited(work, Limits(), exhausted="too much")
+    assert capfd.readouterr().err == ""

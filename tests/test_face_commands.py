@@ -1,0 +1,129 @@
+"""`omote face`: sure fits are stored, doubtful ones only if asked, and what fails stops no other scan."""
+
+import csv
+from pathlib import Path
+
+import pytest
+from typer.testing import CliRunner
+
+from omote.builtin import load_cast
+from omote.cli import app
+from omote.interchange.formats.png import read_png
+from omote.model.fitting.fit_face import Fit
+from omote.server.sandbox import scan_fits
+from omote.showfile.contents import unpack_face
+from omote.showfile.inspection import Inspection, inspect_show
+from tests.interchange.scans import scan_samples as samples
+from tests.server.sandbox.test_scan_fits import double
+
+
+@pytest.fixture
+def doubts(monkeypatch: pytest.MonkeyPatch) -> list[str]:
+    """What the double of `omote.fit` doubts; a scan named `nobody` has no head."""
+    found: list[str] = []
+
+    def fit(*_: object, name: str, landmarks: object, **__: object) -> Fit:
+        if name == "nobody":
+            raise ValueError("there is no head in it")
+        return double(*([] if landmarks else found), face="old" if name == "bo" else "kaori")
+
+    monkeypatch.setattr(scan_fits, "fit", fit)
+    return found
+
+
+def scan(folder: Path, name: str) -> Path:
+    """A scan in a file."""
+    path = folder / name
+    path.write_bytes(samples.write_ply())
+    return path
+
+
+def said(*arguments: object, status: int = 0) -> str:
+    """What the command prints."""
+    result = CliRunner().invoke(app, ["face", *map(str, arguments)], env={"COLUMNS": "160"})
+    assert result.exit_code == status, result.output
+    return result.output
+
+
+def kept(show: Path) -> Inspection:
+    """What is in a show file."""
+    return inspect_show(show)
+
+
+def test_a_face_is_stored_with_where_it_came_from(tmp_path: Path, doubts: list[str]) -> None:
+    show = tmp_path / "a.omote"
+    text = said(scan(tmp_path, "a.ply"), "-o", show, "--name", "Ann", "--look", "dog")
+    assert "a.ply: 0.25 mm from the scan" in text
+    assert "1 face more" in text
+    found = kept(show)
+    (item,), (revision,) = found.stored.items, found.stored.revisions
+    assert (item.kind, item.label, revision.note) == ("face", "Ann", "from a.ply")
+    face, look = unpack_face(found.contents[revision.content], "Ann")
+    assert look == load_cast().looks["dog"]
+    assert (face.positions == load_cast().faces["kaori"].positions).all()
+
+
+def test_what_is_doubtful_is_stored_only_if_asked(tmp_path: Path, doubts: list[str]) -> None:
+    doubts.append("The head is strange.")
+    show, path = tmp_path / "a.omote", scan(tmp_path, "a.ply")
+    text = said(path, "-o", show, status=1)
+    assert "The head is strange." in text
+    assert "--landmarks nose_tip=" in text
+    assert "--accept stores it" in text
+    assert not show.exists()
+    assert "1 face more" in said(path, "-o", show, "--accept")
+    assert len(kept(show).stored.items) == 1
+
+
+def test_landmarks_take_a_doubt_away(tmp_path: Path, doubts: list[str]) -> None:
+    doubts.append("Where is it?")
+    points = [f"--landmarks={name}=1,2,3" for name in ("nose_tip", "mouth_left", "mouth_right")]
+    assert "1 face more" in said(scan(tmp_path, "a.ply"), "-o", tmp_path / "a.omote", *points)
+    (tmp_path / "points.json").write_text('{"b.ply": {"nose_tip": [1, 2, 3]}}')
+    both = (scan(tmp_path, "b.ply"), scan(tmp_path, "c.ply"))
+    text = said(*both, "-o", tmp_path / "b.omote", "--landmarks", tmp_path / "points.json", status=1)
+    assert "c.ply: Where is it?" in text
+    assert "b.ply: Where is it?" not in text
+
+
+def test_several_scans_make_a_table_and_one_that_fails_stops_no_other(tmp_path: Path, doubts: list[str]) -> None:
+    (tmp_path / "text.ply").write_bytes(b"hello")
+    paths = [scan(tmp_path, "ann.ply"), scan(tmp_path, "nobody.ply"), tmp_path / "text.ply", scan(tmp_path, "bo.obj")]
+    show, folder = tmp_path / "a.omote", tmp_path / "report"
+    text = said(*paths, "-o", show, "--report", folder, status=1)
+    assert "nobody.ply: there is no head in it" in text
+    assert "text.ply: the file is no PLY, but text" in text
+    assert [item.label for item in kept(show).stored.items] == ["ann", "bo"]
+    rows = list(csv.DictReader((folder / "scans.csv").read_text().splitlines()))
+    assert [(row["scan"], row["state"]) for row in rows] == [
+        ("ann.ply", "good"), ("nobody.ply", "failed"), ("text.ply", "failed"), ("bo.obj", "good"),
+    ]  # fmt: skip
+    assert read_png((folder / "scans.png").read_bytes()).shape[2] == 3
+
+
+def test_a_report_alone_stores_nothing(tmp_path: Path, doubts: list[str]) -> None:
+    said(scan(tmp_path, "a.ply"), "--report", tmp_path / "report")
+    assert sorted(path.name for path in tmp_path.iterdir()) == ["a.ply", "report"]
+
+
+@pytest.mark.parametrize(
+    ("arguments", "sentence"),
+    [
+        (["a.ply"], "say where the faces go"),
+        (["a.ply", "b.ply", "-o", "x.omote", "--name", "Ann"], "is of one face, and 2 scans are given"),
+        (["a.ply", "b.ply", "-o", "x.omote", "--landmarks", "nose_tip=1,2,3"], "landmarks on the line are of one scan"),
+        (["gone.ply", "-o", "x.omote"], "there is no file gone.ply"),
+        (["a.ply", "-o", "x.omote", "--landmarks", "nose=1,2,3"], "is no landmark; expected one of"),
+        (["a.ply", "-o", "x.omote", "--landmarks", "nose_tip=1,2,3"], "1 landmarks are given; expected at least 3"),
+        (["a.ply", "-o", "x.omote", "--landmarks", "gone.json"], "there is no file of landmarks gone.json"),
+        (["a.ply", "-o", "x.omote", "--look", "nobody"], "nobody"),
+    ],
+)
+def test_what_cannot_be_meant_is_refused(
+    arguments: list[str], sentence: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, doubts: list[str]
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    scan(tmp_path, "a.ply")
+    scan(tmp_path, "b.ply")
+    assert sentence in said(*arguments, status=1)
+    assert not (tmp_path / "x.omote").exists()
