@@ -103,13 +103,18 @@ def relative(moved: Values, true: Values) -> tuple[float, float]:
 def copy_nearest(skin: Values, points: Values, triangles: NDArray[np.integer]) -> tuple[NDArray[np.integer], Values]:
     """The corners (k, 3) and weights (k, 3) of the nearest places of a whole mesh to points (k, 3)."""
     surface = trimesh.Trimesh(points, triangles, process=False)
-    nearest, _, owner = trimesh.proximity.closest_point(surface, skin)
-    return triangles[owner], trimesh.triangles.points_to_barycentric(surface.triangles[owner], nearest)
+    nearest, _, owner = trimesh.proximity.closest_point(surface, skin)  # type: ignore[no-untyped-call]
+    weights = trimesh.triangles.points_to_barycentric(surface.triangles[owner], nearest)  # type: ignore[no-untyped-call]
+    return triangles[owner], weights
 
 
-def openings(space: ParameterSpace, skin: Values) -> dict[str, float]:
+def openings(space: ParameterSpace, skin: NDArray[np.floating]) -> dict[str, float]:
     """How far the lids of each eye are apart, metres, the mean of the rungs' heights; below zero where they cross."""
-    return {line.name: float(line.rungs(skin)[:, 1].mean()) for line in space.lines if line.kind == "lids"}
+    return {
+        line.name: float(line.rungs(skin.astype(np.float64))[:, 1].mean())
+        for line in space.lines
+        if line.kind == "lids"
+    }
 
 
 def count_turned(
@@ -119,7 +124,8 @@ def count_turned(
     inside = head_zones(space).face[space.sheet_triangles].all(axis=1)
     before, now = (mesh.unit_normals(points[space.sheet_triangles]) for points in (rest, worn))
     turned = inside & ((before * now).sum(axis=1) < 0.0)
-    return turned if allowed is None else turned & ~allowed
+    result: NDArray[np.bool_] = turned if allowed is None else turned & ~allowed
+    return result
 
 
 def measure(
@@ -147,9 +153,9 @@ def look_at_others(cast: Cast, face: Face, taken: dict[str, ExtractedExpression]
     for name in (name for name in FOR_OTHERS if name in taken):
         wearers = [face, *(cast.faces[each] for each in WEARERS)]
         worn = [compound(space, each, taken[name]).astype(np.float64) for each in wearers]
-        own = count_turned(space, face.positions, worn[0], None)
+        own = count_turned(space, face.positions.astype(np.float64), worn[0], None)
         folds += sum(
-            int(count_turned(space, each.positions, points, own).sum())
+            int(count_turned(space, each.positions.astype(np.float64), points, own).sum())
             for each, points in zip(wearers[1:], worn[1:], strict=True)
         )
         if name.startswith("eyeBlink"):
