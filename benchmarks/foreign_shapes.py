@@ -2,7 +2,8 @@
 
 A person is fitted, all of the model's shapes are taken as expressions, and the fitted face wears each. What it does is
 compared with what the person's own mesh does at corresponding places: for each vertex of our face the exact nearest
-place of the person's skin that faces the same way, within a millimetre; vertices without one are left out, and their
+place of the person's skin that faces the same way
+and goes with the jaw as much, within a millimetre; vertices without one are left out, and their
 share is printed. The error of a shape is the root of the summed squared distances over the summed squared displacements
 there ("of the displacement"); beside it, the worst vertex over the farthest displacement.
 
@@ -45,6 +46,8 @@ from omote.model.transfer.compound import compound
 Values = NDArray[np.float64]
 MEDIAN, WORST, FOLDS = 0.02, 0.08, 0
 WITHIN, LOOKED_AT = 1e-3, 40
+# Lips whose shares in an open jaw differ by so much are not the same one.
+OTHER_LIP = 0.4
 WEARERS = ("kaori", "dog")
 FOR_OTHERS = (
     "jawOpen", "mouthSmile_L", "eyeBlink_L", "mouthPucker", "browInnerUp_L", "browDown_R", "mouthFunnel", "noseSneer_L",
@@ -78,8 +81,11 @@ class Case:
     copied_worst: float
 
 
-def find_truth(space: ParameterSpace, skin: Values, points: Values, triangles: NDArray[np.integer]) -> Truth:
-    """The nearest places that face the same way, of the triangles whose middles are nearest."""
+def find_truth(
+    space: ParameterSpace, skin: Values, points: Values, triangles: NDArray[np.integer], jaws: tuple[Values, Values]
+) -> Truth:  # fmt: skip
+    """The nearest places that face the same way, of the triangles whose middles are nearest, and belong to the same
+    lip: jaws, how far vertices of ours (V,) and points of theirs (n,) go with the jaw, each by its own open jaw."""
     rows = np.flatnonzero(head_zones(space).face)
     normals = mesh.normals(skin, space.triangles)[rows]
     near = cKDTree(points[triangles].mean(axis=1)).query(skin[rows], k=LOOKED_AT)[1]
@@ -87,11 +93,18 @@ def find_truth(space: ParameterSpace, skin: Values, points: Values, triangles: N
     weights, off = nearest_in(points[corners].reshape(-1, 3, 3), np.repeat(skin[rows], LOOKED_AT, axis=0))
     away = np.linalg.norm(off, axis=1).reshape(near.shape)
     same = (mesh.unit_normals(points[triangles])[near] * normals[:, None]).sum(axis=2) > 0.0
-    away = np.where(same, away, np.inf)
+    apart = np.abs(jaws[1][corners].mean(axis=2) - jaws[0][rows][:, None])
+    away = np.where(same & (apart < OTHER_LIP), away, np.inf)
     best, each = away.argmin(axis=1), np.arange(len(rows))
     good = away[each, best] < WITHIN
     weights = weights.reshape(*near.shape, 3)[each, best]
     return Truth(rows[good], corners[each, best][good], weights[good], float(good.mean()))
+
+
+def share_of_jaw(opened: Values) -> Values:
+    """How far each point goes down with an open jaw (n, 3), of the farthest, (n,)."""
+    down = np.maximum(-opened[:, 1], 0.0)
+    return np.asarray(down / down.max())
 
 
 def relative(moved: Values, true: Values) -> tuple[float, float]:
@@ -135,7 +148,10 @@ def measure(
     """All shapes of one person, and the share of the face that has corresponding places."""
     space, face = cast.space, fitted.face
     skin, points = face.positions.astype(np.float64), fitted.placement(person)
-    truth, turn = find_truth(space, skin, points, model.skin), fitted.placement.scale * fitted.placement.rotation
+    opened = compound(space, face, cast.expressions["jawOpen"]).astype(np.float64) - skin
+    jaws = share_of_jaw(opened), share_of_jaw(read_shapes()["jawOpen"])
+    truth = find_truth(space, skin, points, model.skin, jaws)
+    turn = fitted.placement.scale * fitted.placement.rotation
     corners, weights = copy_nearest(skin[truth.rows], points, model.triangles)
     cases = []
     for name, expression in taken.items():
