@@ -16,6 +16,7 @@ import numpy as np
 import pytest
 
 import omote
+from omote.model.space.similarity import Similarity
 
 SECTIONS = ("Parameters", "Attributes", "Returns", "Raises", "Notes", "Examples", "References")
 SOURCE = re.compile(r"Arai \(1993\)|docs/[a-z]+\.md")
@@ -163,6 +164,12 @@ def wrong_calls(cast: omote.Cast) -> dict[tuple[str, type[Exception]], Callable[
         ("Scene.restored", TypeError): lambda: omote.Scene.restored(cast, words),
         ("Sculpt", ValueError): lambda: omote.Sculpt("same", np.zeros((4, 3)), np.zeros((4, 3))),
         ("caricature", ValueError): lambda: omote.caricature(space, kaori, math.nan),
+        ("Scan", ValueError): lambda: omote.Scan(np.zeros((4, 3))),
+        ("take_expressions", ValueError): lambda: omote.take_expressions(
+            space,
+            omote.Fit(kaori, np.zeros(4278), np.ones(4278), Similarity(1.0, np.eye(3), np.zeros(3)), ()),
+            omote.Scan(kaori.positions),
+        ),
         ("compound", ValueError): lambda: omote.compound(space, strange, smile),
         ("connect", ConnectionError): lambda: omote.connect("http://127.0.0.1:1", timeout=0.1),
         ("connect", OSError): lambda: omote.connect("https://127.0.0.1:1", timeout=0.1, authority="nowhere.pem"),

@@ -129,6 +129,15 @@ def test_a_face_from_a_text_file_smiles(folder: Path) -> None:
     assert 'name = "elf"' in (folder / "elf.toml").read_text()
 
 
+def test_strangers_wear_each_other_s_shapes_and_morph_evenly(folder: Path) -> None:
+    told = [float(line.split()[-2]) for line in run("strangers_morph", folder).splitlines()]
+    assert len(told) == 2
+    assert min(told) > 5.0  # millimetres: an open jaw and half a smile
+    steps = [largest_step(folder / f"{step}.obj", folder / f"{step + 1}.obj") for step in range(4)]
+    whole = largest_step(folder / "0.obj", folder / "4.obj")
+    assert 0.0 < max(steps) < 0.5 * whole
+
+
 def test_faces_from_faces_are_three_different_ones(folder: Path) -> None:
     run("faces_from_faces", folder)
     made = sorted(folder.glob("*.obj"))

@@ -67,3 +67,13 @@ def read_model() -> Model:
         points, np.array(fans, np.int32), CENTIMETRE * float(modes["scale"]) * modes["q"].astype(np.float64),
         np.array(named["idx_to_landmark_verts"]),
     )  # fmt: skip
+
+
+@cache
+def read_shapes() -> dict[str, Values]:
+    """Its blendshapes of the face by name, displacements (n, 3) in metres; without those of pupils alone."""
+    data = np.load(FOLDER / "expressions_f32.npz")
+    shapes = {
+        str(name): CENTIMETRE * each.astype(np.float64) for name, each in zip(data["names"], data["delta"], strict=True)
+    }
+    return {name: each for name, each in shapes.items() if not name.startswith("Pupil")}

@@ -15,8 +15,10 @@ if TYPE_CHECKING:
     from omote.model.controls.control_net import ControlNet as ControlNet
     from omote.model.extraction.extract import extract as extract
     from omote.model.fitting.fit_face import Fit as Fit
+    from omote.model.fitting.foreign.take_expressions import take_expressions as take_expressions
     from omote.model.fitting.photographs.photograph import Photograph as Photograph
     from omote.model.fitting.photographs.photograph_fit import PhotographFit as PhotographFit
+    from omote.model.fitting.scan import Scan as Scan
     from omote.model.sculpting.caricature import caricature as caricature
     from omote.model.sculpting.regions import regional as regional
     from omote.model.sculpting.sculpt import Sculpt as Sculpt
@@ -52,6 +54,7 @@ _HOMES = {
     "Gain": "omote.model.space.gain",
     "ParameterSpace": "omote.model.space.parameter_space",
     "Performer": "omote.perform.performer",
+    "Scan": "omote.model.fitting.scan",
     "Scene": "omote.perform.scene.scene",
     "Sculpt": "omote.model.sculpting.sculpt",
     "action_units": "omote.model.action_units",
@@ -71,6 +74,7 @@ _HOMES = {
     "regional": "omote.model.sculpting.regions",
     "render": "omote.server.headless.picture_renderer",
     "sculpted": "omote.model.sculpting.sculpt",
+    "take_expressions": "omote.model.fitting.foreign.take_expressions",
 }
 
 __all__ = [*_HOMES]

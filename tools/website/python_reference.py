@@ -27,8 +27,8 @@ GROUPS: Mapping[str, Sequence[str]] = {
     "The cast": ("load_cast", "read_show", "Cast", "Face", "Gain", "Expression", "ParameterSpace"),
     "Playing": ("Performer", "Scene", "connect", "connect_async", "parse_pose", "evaluate", "evaluate_parts"),
     "Pictures": ("render",),
-    "Expressions": ("compound", "extract", "ExtractedExpression", "ControlNet", "action_units"),
-    "Faces": ("Sculpt", "read_sculpt", "sculpted", "regional", "caricature", "fit", "Fit"),
+    "Expressions": ("compound", "extract", "ExtractedExpression", "take_expressions", "ControlNet", "action_units"),
+    "Faces": ("fit", "Fit", "Scan", "Sculpt", "read_sculpt", "sculpted", "regional", "caricature"),
     "Photographs": ("Photograph", "fit_photographs", "PhotographFit"),
 }
 CONNECTED_HEAD = """# A program that plays a running show

@@ -57,7 +57,7 @@ def test_names_in_a_file_lead_nowhere_else(name: str, tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize(
-    "name", ["head.png", "sub/deep.png", "sub\\deep.png", r"C:\Users\me\head.png", "/anywhere/me/head.png"]
+    "name", ["head.png", "sub/deep.png", "sub\\deep.png", r"D:\scans\me\head.png", "/anywhere/me/head.png"]
 )
 def test_names_find_what_lies_beside_or_below(name: str, tmp_path: Path) -> None:
     path = lay_out(tmp_path / "scan")

@@ -39,6 +39,16 @@ class Scan:
     ------
     ValueError
         On other shapes, values that are not finite, fewer than 100 points, triangles of rows that there are not.
+
+    Examples
+    --------
+    >>> kaori = cast.faces["kaori"]
+    >>> omote.Scan(1000.0 * kaori.positions, cast.space.triangles).positions.shape
+    (4278, 3)
+
+    References
+    ----------
+    K. Arai (1993), section 5.1.
     """
 
     positions: NDArray[np.float64]

@@ -25,26 +25,32 @@ PLANE = 16
 
 @dataclass(frozen=True, eq=False)
 class ScanSurface:
-    """Points on a surface, (n, 3) metres, their unit normals outward, whether they lie at an open border, and the
-    sheet that each belongs to."""
+    """Points on a surface, (n, 3) metres, their unit normals outward, whether they lie at an open border, the sheet
+    that each belongs to, and the triangle of the scan that it lies in, -1 for a cloud's."""
 
     points: Values
     normals: Values
     border: NDArray[np.bool_]
     component: NDArray[np.int32]
+    triangle: NDArray[np.int32]
     tree: cKDTree
     turned: cKDTree
 
     @staticmethod
-    def of(points: Values, normals: Values, border: NDArray[np.bool_], component: NDArray[np.int32], /) -> ScanSurface:
+    def of(
+        points: Values, normals: Values, border: NDArray[np.bool_], component: NDArray[np.int32],
+        triangle: NDArray[np.int32], /,
+    ) -> ScanSurface:  # fmt: skip
         """The surface with its trees."""
-        return ScanSurface(
-            points, normals, border, component, cKDTree(points), cKDTree(np.hstack([points, TURN * normals]))
-        )
+        turned = cKDTree(np.hstack([points, TURN * normals]))
+        return ScanSurface(points, normals, border, component, triangle, cKDTree(points), turned)
 
     def keep(self, chosen: NDArray[np.bool_], /) -> ScanSurface:
         """This surface without the points that are not chosen (n,)."""
-        return ScanSurface.of(self.points[chosen], self.normals[chosen], self.border[chosen], self.component[chosen])
+        return ScanSurface.of(
+            self.points[chosen], self.normals[chosen], self.border[chosen], self.component[chosen],
+            self.triangle[chosen],
+        )  # fmt: skip
 
     def find_nearest(self, points: Values, normals: Values, /) -> Indices:
         """The rows (m,) nearest to points (m, 3) that look along normals (m, 3): place and way together."""
@@ -72,11 +78,12 @@ def sample_mesh(points: Values, triangles: NDArray[np.integer], near: Values, re
     """Samples of a mesh (n, 3), (t, 3), denser than its triangles, of what lies within reach of a box (2, 3)."""
     joined = mesh.weld(points)
     corners = joined[triangles]
-    corners = corners[(corners != np.roll(corners, 1, axis=1)).all(axis=1)]
+    rows = np.flatnonzero((corners != np.roll(corners, 1, axis=1)).all(axis=1))
     inside = ((points > near[0] - reach) & (points < near[1] + reach)).all(axis=1)
     edge = np.zeros(len(points), np.bool_)
-    edge[mesh.boundary_edges(corners.astype(np.int32)).ravel()] = True
-    corners = corners[inside[corners].any(axis=1)]
+    edge[mesh.boundary_edges(corners[rows].astype(np.int32)).ravel()] = True
+    rows = rows[inside[corners[rows]].any(axis=1)]
+    corners = corners[rows]
     if not len(corners):
         raise ValueError(NOTHING)
     labels = _label_sheets(corners)
@@ -92,7 +99,7 @@ def sample_mesh(points: Values, triangles: NDArray[np.integer], near: Values, re
     u, v = np.where(over, 1.0 - u, u), np.where(over, 1.0 - v, v)
     found = (1.0 - u - v) * a[owner] + u * b[owner] + v * c[owner]
     normals = across[owner] / np.maximum(area[owner], 1e-30)[:, None]
-    return ScanSurface.of(found, normals, edge[corners].any(axis=1)[owner], labels[owner])
+    return ScanSurface.of(found, normals, edge[corners].any(axis=1)[owner], labels[owner], rows[owner].astype(np.int32))
 
 
 def _label_sheets(corners: NDArray[np.integer]) -> NDArray[np.int32]:
@@ -127,7 +134,7 @@ def sample_cloud(points: Values, outside: tuple[Values, Values], near: Values, r
     normals = axes[:, :, 0]
     normals = normals * np.where(_facing(kept, normals, outside) < 0.0, -1.0, 1.0)[:, None]
     none = np.zeros(len(kept))
-    return ScanSurface.of(kept, normals, none.astype(np.bool_), none.astype(np.int32))
+    return ScanSurface.of(kept, normals, none.astype(np.bool_), none.astype(np.int32), np.full(len(kept), -1, np.int32))
 
 
 def face_outward(surface: ScanSurface, outside: tuple[Values, Values], /) -> ScanSurface:
@@ -136,7 +143,7 @@ def face_outward(surface: ScanSurface, outside: tuple[Values, Values], /) -> Sca
     some = slice(None, None, 16)
     if _facing(surface.points[some], surface.normals[some], outside).mean() >= 0.0:
         return surface
-    return ScanSurface.of(surface.points, -surface.normals, surface.border, surface.component)
+    return ScanSurface.of(surface.points, -surface.normals, surface.border, surface.component, surface.triangle)
 
 
 def _facing(points: Values, normals: Values, outside: tuple[Values, Values]) -> Values:

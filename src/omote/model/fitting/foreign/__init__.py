@@ -1,0 +1,1 @@
+"""Shapes of strangers' heads as expressions of ours."""
