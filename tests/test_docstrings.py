@@ -168,7 +168,7 @@ def wrong_calls(cast: omote.Cast) -> dict[tuple[str, type[Exception]], Callable[
         ("take_expressions", ValueError): lambda: omote.take_expressions(
             space,
             omote.Fit(kaori, np.zeros(4278), np.ones(4278), Similarity(1.0, np.eye(3), np.zeros(3)), ()),
-            omote.Scan(kaori.positions),
+            omote.Scan(np.asarray(kaori.positions, np.float64)),
         ),
         ("compound", ValueError): lambda: omote.compound(space, strange, smile),
         ("connect", ConnectionError): lambda: omote.connect("http://127.0.0.1:1", timeout=0.1),
