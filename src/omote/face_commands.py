@@ -47,7 +47,7 @@ def face(
     landmarks: Annotated[
         list[str] | None, typer.Option(help="Where a point is, nose_tip=x,y,z, again for each; or a JSON file of them.")
     ] = None,
-    look: Annotated[str, typer.Option(help="The face of the cast whose colours and hair it gets.")] = "",
+    look: Annotated[str, typer.Option(help="A face of the cast whose colours and hair it gets; else the scan's.")] = "",
     shut: Annotated[
         bool | None, typer.Option("--shut/--open", help="Whether the eyes of the scans are shut; else it is seen.")
     ] = None,
@@ -67,7 +67,7 @@ def face(
         from omote.stage_data.full_cast import build_full_cast, find_face
 
         cast = load_cast() if own is None else build_full_cast(load_cast(), *own, say)
-        worn = own_look(cast, find_face(cast, None if own is None else own[0], look) if look else "")
+        worn = cast.looks[find_face(cast, None if own is None else own[0], look)] if look else None
         outcomes = fit_all(cast, scans, name, landmarks or [], shut)
         tell(outcomes, accept)
         good = [each for each in outcomes if each.fit is not None and (accept or not each.doubts)]
@@ -97,13 +97,6 @@ def check_request(
     if missing:
         fail(f"there is no file {missing[0]}; name scans that are there.")
     require_enough(dict(parse_point(word) for word in landmarks if "=" in word))
-
-
-def own_look(cast: Cast, name: str) -> Look:
-    """The look of a face of the cast, a plain one for none."""
-    from omote.model.cast import Look
-
-    return cast.looks[name] if name else Look()
 
 
 def read_landmarks(words: list[str], scan: Path) -> dict[str, tuple[float, float, float]]:
@@ -146,9 +139,7 @@ def fit_one(
         for note in found.notes:
             say(f"{path.name}: {note}.")
         step(f"{path.name}: fitting")
-        return Outcome(
-            path, label, fit_in_child(cast.space, found.scan, name=label, landmarks=points or None, shut=shut)
-        )
+        return Outcome(path, label, fit_in_child(cast, found.scan, name=label, landmarks=points or None, shut=shut))
     except (ValueError, OSError) as error:
         from omote.showfile.database_errors import describe_error
 
@@ -183,7 +174,7 @@ def tell(outcomes: list[Outcome], accept: bool) -> None:
     for each in outcomes:
         if each.fit is not None:
             say(f"{each.path.name}: {each.fit.describe()}.")
-        for sentence in (each.trouble, *each.doubts):
+        for sentence in (each.trouble, *each.doubts, *(() if each.fit is None else each.fit.notes)):
             if sentence:
                 say(f"{each.path.name}: {sentence}")
     if len(outcomes) > 1:
@@ -203,14 +194,14 @@ def row_of(outcome: Outcome) -> dict[str, object]:
     return {"scan": outcome.path.name, "face": outcome.label, "state": state, "what": " ".join([text, *outcome.doubts])}
 
 
-def store(output: Path, cast: Cast, good: list[Outcome], look: Look) -> None:
+def store(output: Path, cast: Cast, good: list[Outcome], look: Look | None) -> None:
     """Stores faces as items of a show file, as `omote file import --as face` does."""
     from omote.builtin import load_cast
     from omote.edit.store.import_items import ImportedItem, changes_to_import, distinguish
     from omote.server.persistence.offline_show import open_offline_show, wall_clock
 
     arrivals = [
-        ImportedItem(each.label, (each.fit.face, look), note=f"from {each.path.name}"[:200])
+        ImportedItem(each.label, (each.fit.face, look or each.fit.look), note=f"from {each.path.name}"[:200])
         for each in good
         if each.fit is not None
     ]

@@ -2,13 +2,22 @@
 
 from __future__ import annotations
 
-from omote.interchange.skin_texture import Canvas, paint_skin, zones_of
+from dataclasses import replace
+
+import numpy as np
+
+from omote.interchange.skin_texture import Canvas, decode_srgb, paint_skin, zones_of
 from omote.model.appearance.look_suggestion import plain_look, suggest_look
 from omote.model.appearance.taken_albedo import take_albedo
 from omote.model.cast import Cast, Look
 from omote.model.fitting.scan import Scan
 from omote.model.space.face import Face
 from omote.model.space.similarity import Similarity
+
+FIRST_HAIR = "short"
+"""What a face wears until its editor chooses."""
+BALD = 0.15
+"""Of linear light: where the scalp differs from the skin by less, a scan shows no hair."""
 
 
 def find_look(cast: Cast, canvas: Canvas, face: Face, scan: Scan, placement: Similarity, look: Look, /) -> Look:
@@ -44,3 +53,18 @@ def find_look(cast: Cast, canvas: Canvas, face: Face, scan: Scan, placement: Sim
     painted = paint_skin(canvas, plain_look(look))
     taken = take_albedo(cast.space, cast.atlas, face, scan, placement, painted)
     return suggest_look(look, taken, zones_of(canvas))
+
+
+def suggest_scan_look(
+    cast: Cast, canvas: Canvas, face: Face, scan: Scan, placement: Similarity, /
+) -> tuple[Look, list[str]]:  # fmt: skip
+    """The look of a face fitted to a scan before anybody has chosen, and what could not be taken over, in words; a
+    scan without hair makes a face without. Parameters as `find_look`."""
+    first = Look(hair_style=FIRST_HAIR)
+    try:
+        look = find_look(cast, canvas, face, scan, placement, first)
+    except ValueError as error:
+        return first, [f"its colours were not taken over: {error}"]
+    if look.albedo is not None and np.abs(decode_srgb(look.hair) - decode_srgb(look.skin)).max() < BALD:
+        look = replace(look, hair_style="", hair=first.hair)
+    return look, []

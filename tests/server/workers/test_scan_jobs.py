@@ -10,6 +10,7 @@ import pytest
 
 from omote.builtin import load_cast
 from omote.edit.protocol.messages import ScanPreview
+from omote.interchange.scan_look import FIRST_HAIR
 from omote.model.fitting.find_head import HeadPlacement
 from omote.model.fitting.fit_face import Fit
 from omote.model.fitting.landmarks import SEVEN, find_landmarks
@@ -198,7 +199,7 @@ def coloured(folder: Path) -> None:
 @pytest.mark.usefixtures("false_fit")
 def test_a_scan_with_colours_puts_them_on_the_skin_and_one_without_hair_proposes_none(folder: Path) -> None:
     plain, _ = fit(folder)
-    assert (plain.hair_style, plain.colours) == (scan_jobs.FIRST_HAIR, b"")
+    assert (plain.hair_style, plain.colours) == (FIRST_HAIR, b"")
     coloured(folder)
     seen, _ = fit(folder)
     assert np.array_equal(np.unique(np.frombuffer(seen.colours, "u1").reshape(-1, 3), axis=0), [RED])

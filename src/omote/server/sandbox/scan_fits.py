@@ -9,12 +9,18 @@ import msgspec
 import numpy as np
 from numpy.typing import NDArray
 
+from omote.builtin import load_mask, load_meshes
 from omote.builtin.own_face import fit
+from omote.interchange.formats.png import read_png
+from omote.interchange.scan_look import suggest_scan_look
+from omote.interchange.skin_texture import build_canvas
+from omote.model.cast import Cast, Look
 from omote.model.fitting.scan import Scan
 from omote.model.space.face import Face
 from omote.model.space.face_fit import fit as fit_to_space
 from omote.model.space.parameter_space import ParameterSpace
 from omote.server.sandbox.child_task import Limits, Tell, ignore_progress, run_limited
+from omote.showfile.contents import pack_face, unpack_face
 
 LIMITS = Limits(seconds=900, patience=1800.0, memory=6 * 2**30, files=64, writes=True)
 _TOO_MUCH = "fitting a face to it needs more time or memory than any head; export the head alone, with fewer points"
@@ -26,13 +32,16 @@ Points = Mapping[str, tuple[float, float, float]]
 class ScanFit:
     """A face that was fitted to a scan.
 
-    residual (V,): millimetres from the scan, nan where it shows nothing; seen (V,): 0 to 1; doubts: sentences.
+    look: with the scan's colours, where it has any; residual (V,): millimetres from the scan, nan where it shows
+    nothing; seen (V,): 0 to 1; doubts: sentences; notes: what could not be taken over.
     """
 
     face: Face
+    look: Look
     residual: NDArray[np.float64]
     seen: NDArray[np.float64]
     doubts: tuple[str, ...]
+    notes: tuple[str, ...] = ()
 
     def describe(self) -> str:
         """How near the face is to the scan, in words."""
@@ -44,42 +53,40 @@ class ScanFit:
 
 
 class _PlainFit(msgspec.Struct, frozen=True, array_like=True):
-    positions: bytes
-    parts: dict[str, bytes]
+    content: bytes
     residual: bytes
     seen: bytes
     doubts: list[str]
+    notes: list[str]
 
 
 def fit_in_child(
-    space: ParameterSpace, scan: Scan, /, *, name: str, landmarks: Points | None = None, shut: bool | None = None,
+    cast: Cast, scan: Scan, /, *, name: str, landmarks: Points | None = None, shut: bool | None = None,
     follow: Tell = ignore_progress,
 ) -> ScanFit:  # fmt: skip
-    """Fits a face to a scan; ValueError with a sentence where that cannot be."""
+    """Fits a face of the built-in cast's head to a scan; ValueError with a sentence where that cannot be."""
 
     def work(_: Tell) -> bytes:
         found = fit(
-            space, scan.positions, scan.triangles, colours=scan.colours, landmarks=landmarks, name=name, shut=shut
+            cast.space, scan.positions, scan.triangles, colours=scan.colours, landmarks=landmarks, name=name, shut=shut
         )
-        parts = {part: points.astype(np.float32).tobytes() for part, points in found.face.parts.items()}
+        canvas = build_canvas(read_png(load_mask()), load_meshes()[0], cast.space.points)
+        look, notes = suggest_scan_look(cast, canvas, found.face, scan, found.placement)
         residual, seen = np.asarray(found.residual, np.float64), np.asarray(found.seen, np.float64)
-        positions = found.face.positions.astype(np.float32).tobytes()
-        return msgspec.msgpack.encode(
-            _PlainFit(positions, parts, residual.tobytes(), seen.tobytes(), list(found.doubts))
-        )
+        content = pack_face(found.face, look)
+        return msgspec.msgpack.encode(_PlainFit(content, residual.tobytes(), seen.tobytes(), list(found.doubts), notes))
 
     answer = run_limited(work, LIMITS, exhausted=_TOO_MUCH, follow=follow)
     try:
-        return _scan_fit(space, name, msgspec.msgpack.decode(answer, type=_PlainFit))
+        return _scan_fit(cast.space, name, msgspec.msgpack.decode(answer, type=_PlainFit))
     except msgspec.MsgspecError as error:
         raise ValueError(_TOO_MUCH) from error
 
 
 def _scan_fit(space: ParameterSpace, name: str, plain: _PlainFit) -> ScanFit:
-    parts = {part: np.frombuffer(data, np.float32).reshape(-1, 3) for part, data in plain.parts.items()}
-    face = Face(name, np.frombuffer(plain.positions, np.float32).reshape(-1, 3), parts)
+    face, look = unpack_face(plain.content, name)
     fit_to_space(space, face)  # refuses what is no face of this space
     residual, seen = np.frombuffer(plain.residual), np.frombuffer(plain.seen)
     if not len(residual) == len(seen) == space.vertex_count:
         raise ValueError(f"a fit brought back {len(residual)} distances; expected {space.vertex_count}")
-    return ScanFit(face, residual, seen, tuple(plain.doubts))
+    return ScanFit(face, look, residual, seen, tuple(plain.doubts), tuple(plain.notes))

@@ -19,9 +19,9 @@ from omote.edit.compute.scan_preview import thin_scan
 from omote.edit.protocol.messages import ScanFigures, ScanPreview
 from omote.edit.store.import_items import ImportedItem
 from omote.interchange.formats.png import read_png
-from omote.interchange.scan_look import find_look
+from omote.interchange.scan_look import suggest_scan_look
 from omote.interchange.scans.scan_reader import ScanFile
-from omote.interchange.skin_texture import build_canvas, decode_srgb
+from omote.interchange.skin_texture import build_canvas
 from omote.model.cast import Cast, Look
 from omote.model.fitting.find_head import HeadPlacement, find_head
 from omote.model.fitting.fit_face import Fit, fit_face
@@ -39,10 +39,6 @@ FILES, FACE, ORIGIN = "files", "face.omoc", "origin.txt"
 """What lies in a preview's folder: what was sent, the fitted face, where it came from."""
 AROUND = 0.12
 """Metres around the head that are shown of a scan."""
-FIRST_HAIR = "short"
-"""What a face wears until its editor chooses."""
-BALD = 0.15
-"""Of linear light: where the scalp differs from the skin by less, a scan shows no hair."""
 READ, FOUND, FITTED, WORN = 5, 40, 70, 97
 """Parts of a hundred of the whole that are done by then."""
 
@@ -87,7 +83,8 @@ def run_fit(wanted: FitScan, follow: Follow, /) -> ScanPreview:
         whole = _place_unfound(cast, read.scan, wanted, doubts)
         return structs.replace(_describe_scan(cast, read, whole, whole.similarity, wanted), doubts=doubts)
     follow(FITTED, 100, "its colours")
-    look, notes = _find_look(cast, read.scan, fitted)
+    canvas = build_canvas(read_png(load_mask()), load_meshes()[0], cast.space.points)
+    look, notes = suggest_scan_look(cast, canvas, fitted.face, read.scan, fitted.placement)
     frame = describe_frame(found.unit, fitted.placement)
     (folder / FACE).write_bytes(pack_face(fitted.face, look))
     (folder / ORIGIN).write_text(describe_origin(wanted, frame, figures_of(cast, fitted)), encoding="utf-8")
@@ -195,19 +192,6 @@ def _describe_scan(
         colours=b"" if thin.colours is None else le_bytes(thin.colours, "u1"),
         shut=wanted.shut,
     )
-
-
-def _find_look(cast: Cast, scan: Scan, fitted: Fit) -> tuple[Look, list[str]]:
-    """The look of a fitted face, and what could not be taken over; a scan without hair makes a face without."""
-    first = Look(hair_style=FIRST_HAIR)
-    canvas = build_canvas(read_png(load_mask()), load_meshes()[0], cast.space.points)
-    try:
-        look = find_look(cast, canvas, fitted.face, scan, fitted.placement, first)
-    except ValueError as error:
-        return first, [f"its colours were not taken over: {error}"]
-    if look.albedo is not None and np.abs(decode_srgb(look.hair) - decode_srgb(look.skin)).max() < BALD:
-        look = replace(look, hair_style="", hair=first.hair)
-    return look, []
 
 
 def _add_face(cast: Cast, preview: ScanPreview, fitted: Fit, look: Look) -> ScanPreview:
