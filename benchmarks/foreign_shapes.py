@@ -2,12 +2,13 @@
 
 A person is fitted, all of the model's shapes are taken as expressions, and the fitted face wears each. What it does is
 compared with what the person's own mesh does at corresponding places: for each vertex of our face the exact nearest
-place of the person's skin that faces the same way
-and goes with the jaw as much, within a millimetre; vertices without one are left out, and their
-share is printed. The error of a shape is the root of the summed squared distances over the summed squared displacements
+place of the person's skin that faces the same way and goes with the jaw as much (where lips touch, the nearest place
+may be on the other one), within a millimetre; vertices without one are left out, and their share is printed. "either
+lip" is the same without asking for the jaw, the measure that 0163 was tuned by. The error of a shape is the root of the summed squared distances over the summed squared displacements
 there ("of the displacement"); beside it, the worst vertex over the farthest displacement.
 
 * worn: our way: carried along slits, extracted, worn
+* either lip: ours, where the truth may be on the other lip
 * copied: a peer: each vertex copies the displacement of the nearest place of the person's whole mesh
 * lids: what a blink leaves of the opening of an eye on the person, and on faces of the cast that wear it
 * folds: triangles of the face of others that turn over where those of the fitted face do not
@@ -79,13 +80,17 @@ class Case:
     copied: float
     worn_worst: float
     copied_worst: float
+    either: float
+    either_worst: float
 
 
 def find_truth(
-    space: ParameterSpace, skin: Values, points: Values, triangles: NDArray[np.integer], jaws: tuple[Values, Values]
+    space: ParameterSpace, skin: Values, points: Values, triangles: NDArray[np.integer],
+    jaws: tuple[Values, Values] | None,
 ) -> Truth:  # fmt: skip
     """The nearest places that face the same way, of the triangles whose middles are nearest, and belong to the same
-    lip: jaws, how far vertices of ours (V,) and points of theirs (n,) go with the jaw, each by its own open jaw."""
+    lip: jaws, how far vertices of ours (V,) and points of theirs (n,) go with the jaw, each by its own open jaw; None:
+    to either."""
     rows = np.flatnonzero(head_zones(space).face)
     normals = mesh.normals(skin, space.triangles)[rows]
     near = cKDTree(points[triangles].mean(axis=1)).query(skin[rows], k=LOOKED_AT)[1]
@@ -93,8 +98,9 @@ def find_truth(
     weights, off = nearest_in(points[corners].reshape(-1, 3, 3), np.repeat(skin[rows], LOOKED_AT, axis=0))
     away = np.linalg.norm(off, axis=1).reshape(near.shape)
     same = (mesh.unit_normals(points[triangles])[near] * normals[:, None]).sum(axis=2) > 0.0
-    apart = np.abs(jaws[1][corners].mean(axis=2) - jaws[0][rows][:, None])
-    away = np.where(same & (apart < OTHER_LIP), away, np.inf)
+    if jaws is not None:
+        same &= np.abs(jaws[1][corners].mean(axis=2) - jaws[0][rows][:, None]) < OTHER_LIP
+    away = np.where(same, away, np.inf)
     best, each = away.argmin(axis=1), np.arange(len(rows))
     good = away[each, best] < WITHIN
     weights = weights.reshape(*near.shape, 3)[each, best]
@@ -150,7 +156,7 @@ def measure(
     skin, points = face.positions.astype(np.float64), fitted.placement(person)
     opened = compound(space, face, cast.expressions["jawOpen"]).astype(np.float64) - skin
     jaws = share_of_jaw(opened), share_of_jaw(read_shapes()["jawOpen"])
-    truth = find_truth(space, skin, points, model.skin, jaws)
+    truth, either = (find_truth(space, skin, points, model.skin, asked) for asked in (jaws, None))
     turn = fitted.placement.scale * fitted.placement.rotation
     corners, weights = copy_nearest(skin[truth.rows], points, model.triangles)
     cases = []
@@ -159,7 +165,8 @@ def measure(
         worn = compound(space, face, expression).astype(np.float64) - skin
         ours = relative(worn[truth.rows], truth.moves(moves))
         peer = relative(np.einsum("vk,vkc->vc", weights, moves[corners]), truth.moves(moves))
-        cases.append(Case(number, name, ours[0], peer[0], ours[1], peer[1]))
+        loose = relative(worn[either.rows], either.moves(moves))
+        cases.append(Case(number, name, ours[0], peer[0], ours[1], peer[1], *loose))
     return cases, truth.share
 
 
@@ -197,12 +204,12 @@ def tell(cases: Sequence[Case], console: Console) -> None:
     table = Table(title="error, of the displacement")
     for column in ("way", "cases", "median", "p95", "worst", "which", "worst vertex, median", "worst"):
         table.add_column(column, justify="left" if column in ("way", "which") else "right")
-    for way in ("worn", "copied"):
+    for way, title in (("worn", "worn"), ("either", "worn, either lip"), ("copied", "copied")):
         off = np.array([getattr(each, way) for each in cases])
         vertex = np.array([getattr(each, f"{way}_worst") for each in cases])
         worst = cases[int(off.argmax())]
         table.add_row(
-            way, str(len(cases)), f"{np.median(off):.2%}", f"{np.quantile(off, 0.95):.2%}", f"{off.max():.2%}",
+            title, str(len(cases)), f"{np.median(off):.2%}", f"{np.quantile(off, 0.95):.2%}", f"{off.max():.2%}",
             f"{worst.shape} of {worst.person}", f"{np.median(vertex):.2%}", f"{vertex.max():.2%}",
         )  # fmt: skip
     console.print(table)
