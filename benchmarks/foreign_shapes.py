@@ -3,9 +3,9 @@
 A person is fitted, all of the model's shapes are taken as expressions, and the fitted face wears each. What it does is
 compared with what the person's own mesh does at corresponding places: for each vertex of our face the exact nearest
 place of the person's skin that faces the same way and goes with the jaw as much (where lips touch, the nearest place
-may be on the other one), within a millimetre; vertices without one are left out, and their share is printed. "either
-lip" is the same without asking for the jaw, the measure that 0163 was tuned by. The error of a shape is the root of the summed squared distances over the summed squared displacements
-there ("of the displacement"); beside it, the worst vertex over the farthest displacement.
+may be on the other one), within a millimetre; vertices without one are left out, and their share is printed. The error
+of a shape is the root of the summed squared distances over the summed squared displacements there ("of the
+displacement"); beside it, the worst vertex over the farthest displacement.
 
 * worn: our way: carried along slits, extracted, worn
 * either lip: ours, where the truth may be on the other lip
