@@ -54,7 +54,8 @@ def test_a_face_is_stored_with_where_it_came_from(tmp_path: Path, doubts: list[s
     show = tmp_path / "a.omote"
     text = said(scan(tmp_path, "a.ply"), "-o", show, "--name", "Ann", "--look", "dog")
     assert "a.ply: 0.25 mm from the scan" in text
-    assert "1 face more" in text
+    assert "added to" in text
+    assert "'Ann'." in text
     found = kept(show)
     (item,), (revision,) = found.stored.items, found.stored.revisions
     assert (item.kind, item.label, revision.note) == ("face", "Ann", "from a.ply")
@@ -71,14 +72,14 @@ def test_what_is_doubtful_is_stored_only_if_asked(tmp_path: Path, doubts: list[s
     assert "--landmarks nose_tip=" in text
     assert "--accept stores it" in text
     assert not show.exists()
-    assert "1 face more" in said(path, "-o", show, "--accept")
+    assert "added to" in said(path, "-o", show, "--accept")
     assert len(kept(show).stored.items) == 1
 
 
 def test_landmarks_take_a_doubt_away(tmp_path: Path, doubts: list[str]) -> None:
     doubts.append("Where is it?")
     points = [f"--landmarks={name}=1,2,3" for name in ("nose_tip", "mouth_left", "mouth_right")]
-    assert "1 face more" in said(scan(tmp_path, "a.ply"), "-o", tmp_path / "a.omote", *points)
+    assert "added to" in said(scan(tmp_path, "a.ply"), "-o", tmp_path / "a.omote", *points)
     (tmp_path / "points.json").write_text('{"b.ply": {"nose_tip": [1, 2, 3]}}')
     both = (scan(tmp_path, "b.ply"), scan(tmp_path, "c.ply"))
     text = said(*both, "-o", tmp_path / "b.omote", "--landmarks", tmp_path / "points.json", status=1)
@@ -127,3 +128,36 @@ def test_what_cannot_be_meant_is_refused(
     scan(tmp_path, "b.ply")
     assert sentence in said(*arguments, status=1)
     assert not (tmp_path / "x.omote").exists()
+
+
+def test_the_same_scan_is_added_again_only_where_that_is_asked_for(tmp_path: Path, doubts: list[str]) -> None:
+    show, path = tmp_path / "a.omote", scan(tmp_path, "a.ply")
+    said(path, "-o", show)
+    again = said(path, "-o", show)
+    assert "--keep-both adds a copy" in again
+    assert "nothing was added to" in again
+    said(path, "-o", show, "--keep-both")
+    assert len(kept(show).stored.items) == 2
+
+
+def test_a_doubt_about_eyes_is_answered_by_an_option_not_by_points(tmp_path: Path, doubts: list[str]) -> None:
+    doubts.append("The scan is closed between its lids; say whether its eyes are shut.")
+    text = said(scan(tmp_path, "a.ply"), "-o", tmp_path / "a.omote", status=1)
+    assert "--shut says that the eyes of the scan are shut" in text
+    assert "MeshLab" not in text
+
+
+def test_a_report_that_is_a_file_is_refused_before_a_scan_is_read(tmp_path: Path, doubts: list[str]) -> None:
+    path = scan(tmp_path, "a.ply")
+    text = said(path, "--report", path, status=1)
+    assert "is a file; give the name of a folder" in text
+    assert "reading" not in text
+
+
+def test_landmarks_of_other_scans_alone_are_refused_before_a_scan_is_read(tmp_path: Path, doubts: list[str]) -> None:
+    (tmp_path / "points.json").write_text('{"b.ply": {"nose_tip": [1, 2, 3]}}')
+    show = tmp_path / "a.omote"
+    text = said(scan(tmp_path, "a.ply"), "-o", show, "--landmarks", tmp_path / "points.json", status=1)
+    assert "the landmarks have none for a.ply; they name b.ply" in text
+    assert "reading" not in text
+    assert not show.exists()

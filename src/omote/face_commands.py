@@ -15,6 +15,10 @@ import typer
 from omote.file_commands import drop_known, print_rows, read_own_work
 from omote.terminal import complete_show, escape_controls, exit_on_refusal, fail, say
 
+Landmarks = dict[str, tuple[float, float, float]]
+EYES = "whether its eyes are shut"
+"""In a doubt that no landmark ends, but --shut or --open."""
+
 if TYPE_CHECKING:
     from omote.model.cast import Cast, Look
     from omote.server.sandbox.scan_fits import ScanFit
@@ -52,6 +56,9 @@ def face(
         bool | None, typer.Option("--shut/--open", help="Whether the eyes of the scans are shut; else it is seen.")
     ] = None,
     accept: Annotated[bool, typer.Option("--accept", help="Store faces in spite of doubts.")] = False,
+    keep_both: Annotated[
+        bool, typer.Option("--keep-both", help="Adds a copy of what is there already, exactly the same.")
+    ] = False,
     report: Annotated[
         Path | None, typer.Option(help="A folder for a table and pictures of how far each face is from its scan.")
     ] = None,
@@ -72,7 +79,7 @@ def face(
         tell(outcomes, accept)
         good = [each for each in outcomes if each.fit is not None and (accept or not each.doubts)]
         if output is not None and good:
-            store(output, cast, good, worn)
+            store(output, cast, good, worn, keep_both=keep_both)
         if report is not None:
             write_report(report, cast, outcomes)
     if len(good) < len(outcomes):
@@ -85,6 +92,8 @@ def check_request(
     """Ends the command where the options cannot mean anything, before a scan is read."""
     from omote.interchange.landmark_points import parse_point, require_enough
 
+    if report is not None and report.exists() and not report.is_dir():
+        fail(f"{report} is a file; give the name of a folder for the report.")
     if output is None and report is None:
         fail("say where the faces go: -o show.omote, or --report FOLDER to try what the scans are like.")
     if len(scans) > 1 and name:
@@ -99,11 +108,11 @@ def check_request(
     require_enough(dict(parse_point(word) for word in landmarks if "=" in word))
 
 
-def read_landmarks(words: list[str], scan: Path) -> dict[str, tuple[float, float, float]]:
-    """The landmarks of a scan, from words and files of them."""
+def read_landmarks(words: list[str], scan: Path, scans: list[Path]) -> Landmarks:
+    """The landmarks of one of several scans, from words and files of them."""
     from omote.interchange.landmark_points import LARGEST, parse_document, parse_point
 
-    found: dict[str, tuple[float, float, float]] = {}
+    found: Landmarks = {}
     for word in words:
         if "=" in word:
             found.update([parse_point(word)])
@@ -111,30 +120,29 @@ def read_landmarks(words: list[str], scan: Path) -> dict[str, tuple[float, float
         path = Path(word)
         if not path.is_file() or path.stat().st_size > LARGEST:
             raise ValueError(f"there is no file of landmarks {word}; give nose_tip=x,y,z, or a JSON file")
-        found.update(parse_document(path.read_bytes(), scan.name))
+        found.update(parse_document(path.read_bytes(), scan.name, others=[each.name for each in scans]))
     return found
 
 
 def fit_all(cast: Cast, scans: list[Path], name: str, landmarks: list[str], shut: bool | None) -> list[Outcome]:
     """Reads and fits each scan; what fails is told and stops no other."""
-    outcomes = []
+    outcomes, points = [], {path: read_landmarks(landmarks, path, scans) for path in scans}
     with shown_progress(len(scans)) as step:
         for number, path in enumerate(scans):
             label = name or path.stem
             step(number, f"{path.name}: reading")
-            outcomes.append(fit_one(cast, path, label, landmarks, shut, partial(step, number)))
+            outcomes.append(fit_one(cast, path, label, points[path], shut, partial(step, number)))
     return outcomes
 
 
 def fit_one(
-    cast: Cast, path: Path, label: str, landmarks: list[str], shut: bool | None, step: Callable[[str], None]
+    cast: Cast, path: Path, label: str, points: Landmarks, shut: bool | None, step: Callable[[str], None]
 ) -> Outcome:  # fmt: skip
     """Reads and fits one scan."""
     from omote.server.sandbox.scan_files import read_scan_in_sandbox
     from omote.server.sandbox.scan_fits import fit_in_child
 
     try:
-        points = read_landmarks(landmarks, path)
         found = read_scan_in_sandbox(path)
         for note in found.notes:
             say(f"{path.name}: {note}.")
@@ -169,8 +177,6 @@ def shown_progress(count: int) -> Iterator[Callable[[int, str], None]]:
 
 def tell(outcomes: list[Outcome], accept: bool) -> None:
     """Says what came of the scans: sentences for one, a table for several."""
-    from omote.interchange.landmark_points import explain_landmarks
-
     for each in outcomes:
         if each.fit is not None:
             say(f"{each.path.name}: {each.fit.describe()}.")
@@ -179,12 +185,22 @@ def tell(outcomes: list[Outcome], accept: bool) -> None:
                 say(f"{each.path.name}: {sentence}")
     if len(outcomes) > 1:
         print_rows([row_of(each) for each in outcomes], json=False, none="")
-    if any(each.trouble and "landmarks" in each.trouble for each in outcomes) or (
-        any(each.doubts for each in outcomes) and not accept
-    ):
-        say(explain_landmarks())
+    advise(outcomes, accept)
     if any(each.doubts for each in outcomes) and not accept:
         say("What is doubtful is not stored; --accept stores it as it is.")
+
+
+def advise(outcomes: list[Outcome], accept: bool) -> None:
+    """Says what ends the doubts."""
+    from omote.interchange.landmark_points import explain_landmarks
+
+    asked = [sentence for each in outcomes for sentence in each.doubts if not accept]
+    if any(EYES in sentence for sentence in asked):
+        say("--shut says that the eyes of the scan are shut, --open that they are not.")
+    if any(EYES not in sentence for sentence in asked) or any(
+        word in each.trouble for each in outcomes for word in ("landmarks", "click the")
+    ):
+        say(explain_landmarks())
 
 
 def row_of(outcome: Outcome) -> dict[str, object]:
@@ -194,7 +210,7 @@ def row_of(outcome: Outcome) -> dict[str, object]:
     return {"scan": outcome.path.name, "face": outcome.label, "state": state, "what": " ".join([text, *outcome.doubts])}
 
 
-def store(output: Path, cast: Cast, good: list[Outcome], look: Look | None) -> None:
+def store(output: Path, cast: Cast, good: list[Outcome], look: Look | None, *, keep_both: bool) -> None:
     """Stores faces as items of a show file, as `omote file import --as face` does."""
     from omote.builtin import load_cast
     from omote.edit.store.import_items import ImportedItem, changes_to_import, distinguish
@@ -207,12 +223,13 @@ def store(output: Path, cast: Cast, good: list[Outcome], look: Look | None) -> N
     ]
     with open_offline_show(output, new=True) as show:
         stored = show.stored()
-        distinct = distinguish(load_cast(), stored, drop_known(stored, arrivals))
+        distinct = distinguish(load_cast(), stored, arrivals if keep_both else drop_known(stored, arrivals))
         show.apply(changes_to_import(cast, stored, [each for each, _ in distinct], wall=wall_clock()))
     for _, twin in distinct:
         if twin:
             say(twin)
-    say(f"{output} has {f'{len(distinct)} face' if distinct else 'nothing'}{'s' if len(distinct) > 1 else ''} more.")
+    names = ", ".join(repr(each.label) for each, _ in distinct)
+    say(f"added to {output}: {names}." if names else f"nothing was added to {output}.")
 
 
 def write_report(folder: Path, cast: Cast, outcomes: list[Outcome]) -> None:

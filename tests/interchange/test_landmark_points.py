@@ -8,8 +8,11 @@ from omote.model.fitting.landmarks import SEVEN
 
 def test_a_word_names_a_point() -> None:
     assert parse_point("nose_tip=0,-1.25,9e1") == ("nose_tip", (0.0, -1.25, 90.0))
-    for word in ("nose=0,1,2", "nose_tip", "nose_tip=1,2", "nose_tip=1,2,x", "nose_tip=1,2,nan", ""):
+    for word in ("nose=0,1,2", "nose", ""):
         with pytest.raises(ValueError, match="is no landmark; expected one of left_eye_outer"):
+            parse_point(word)
+    for word in ("nose_tip", "nose_tip=1,2", "nose_tip=1,2,x", "nose_tip=1,2,nan", "nose_tip=1;2;3"):
+        with pytest.raises(ValueError, match="says no place; expected three numbers with commas"):
             parse_point(word)
 
 
@@ -20,12 +23,14 @@ def test_a_document_is_of_one_scan_or_of_several_by_their_names() -> None:
     several = b'{"a.ply": ' + plain + b', "b.ply": {"nose_tip": [9, 9, 9]}}'
     assert parse_document(several, "a.ply") == points
     assert parse_document(several, "b.ply") == {"nose_tip": (9.0, 9.0, 9.0)}
-    assert parse_document(several, "c.ply") == {}
+    with pytest.raises(ValueError, match=r"the landmarks have none for c\.ply; they name a\.ply, b\.ply"):
+        parse_document(several, "c.ply")
+    assert parse_document(several, "c.ply", others=["b.ply"]) == {}
 
 
 @pytest.mark.parametrize("data", [b"", b"[]", b'{"nose_tip": "here"}', b'{"nose_tip": [1, 2]}', b'{"nose": [1, 2, 3]}'])
 def test_other_documents_are_refused(data: bytes) -> None:
-    with pytest.raises(ValueError, match=r"no JSON such as|is no landmark"):
+    with pytest.raises(ValueError, match=r"no JSON such as|is no landmark|says no place"):
         parse_document(data, "a.ply")
 
 

@@ -70,7 +70,13 @@ def fit(
     )  # fmt: skip
     modes = load_identity_modes()
     place = find_head(space, modes, scan, landmarks=landmarks)
-    found = fit_face(space, modes, scan, place.similarity, landmarks=landmarks, name=name, shut=shut)
+    try:
+        found = fit_face(space, modes, scan, place.similarity, landmarks=landmarks, name=name, shut=shut)
+    except ValueError as error:
+        if not place.doubts:
+            raise
+        # What is no face of our space was no head where it was looked for: that helps, the other is an engineer's.
+        raise ValueError(" ".join(place.doubts)) from error
     return replace(found, doubts=(*place.doubts, *found.doubts))
 
 

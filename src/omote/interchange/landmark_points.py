@@ -23,15 +23,17 @@ def parse_point(word: str, /) -> tuple[str, tuple[float, float, float]]:
         numbers = [float(part) for part in place.split(",")]
     except ValueError:
         numbers = []
-    if name.strip() not in SEVEN or len(numbers) != 3 or not np.isfinite(numbers).all():
+    if name.strip() not in SEVEN:
         raise ValueError(f"{word!r} is no landmark; expected one of {', '.join(SEVEN)} as in {EXAMPLE}")
+    if len(numbers) != 3 or not np.isfinite(numbers).all():
+        raise ValueError(f"{word!r} says no place; expected three numbers with commas, as in {EXAMPLE}")
     return name.strip(), (numbers[0], numbers[1], numbers[2])
 
 
-def parse_document(data: bytes, scan: str, /) -> Points:
+def parse_document(data: bytes, scan: str, /, *, others: Sequence[str] = ()) -> Points:
     """The landmarks of a scan in a JSON document: {"nose_tip": [0, 1.2, 9.4], ...}, or such ones by the names of scans.
 
-    ValueError for an invalid document; none for a scan that it does not name.
+    others: the scans that are fitted beside it. ValueError for an invalid document, and for one that names none of all.
     """
     if len(data) > LARGEST:
         raise ValueError(f"the landmarks have {len(data)} bytes; expected {LARGEST} at most")
@@ -45,6 +47,8 @@ def parse_document(data: bytes, scan: str, /) -> Points:
     points = (
         {name: place for name, place in found.items() if isinstance(place, list)} if isinstance(found, dict) else {}
     )
+    if not points and not document.keys() & set(others):
+        raise ValueError(f"the landmarks have none for {scan}; they name {', '.join(document)[:200] or 'nothing'}")
     return dict(parse_point(f"{name}={','.join(map(repr, place))}") for name, place in points.items())
 
 

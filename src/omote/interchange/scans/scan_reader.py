@@ -37,7 +37,7 @@ ADVICE: Mapping[str, str] = {
     ),
     **dict.fromkeys(
         (".png", ".jpg", ".jpeg", ".webp", ".heic", ".tif", ".tiff", ".bmp", ".gif"),
-        "a photograph has no shape; give a scan, or photographs where the editor asks for these",
+        "a photograph has no shape; give a scan of the head, or a mesh",
     ),
 }
 """What to do with files that people have instead, by the suffix of their names."""

@@ -36,7 +36,8 @@ def find_doubts(
     if strange > STRANGE:
         doubts.append("The head is unlike those of people; look whether eyes, nose and mouth are in place.")
     if folds:
-        doubts.append(f"The skin stays folded at {folds} triangles; look at them, or smooth them.")
+        places = "one triangle" if folds == 1 else f"{folds} triangles"
+        doubts.append(f"The skin stays folded at {places}: points that were given may be off, or the scan is rough.")
     if filled:
         doubts.append("The scan is closed between its lids, so they were opened; say whether its eyes are shut.")
     return tuple(doubts)
