@@ -88,8 +88,7 @@ def zones_of(canvas: Canvas) -> dict[str, Values]:
 
 def decode_srgb(colour: str) -> NDArray[np.float32]:
     """Converts a colour "#rrggbb" to linear light, (3,)."""
-    code = np.array([int(colour[at : at + 2], 16) for at in (1, 3, 5)]) / 255.0
-    return np.where(code <= 0.04045, code / 12.92, ((code + 0.055) / 1.055) ** 2.4).astype(np.float32)
+    return decode_light(np.frombuffer(bytes.fromhex(colour[1:]), np.uint8))
 
 
 def encode_srgb(light: Values) -> Picture:

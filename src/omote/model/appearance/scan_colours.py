@@ -10,6 +10,7 @@ from numba import njit
 from numpy.typing import NDArray
 from scipy.spatial import cKDTree
 
+from omote.geometry import mesh
 from omote.model.albedo import Light, decode_light
 from omote.model.fitting.scan import Scan
 from omote.model.space.similarity import Similarity
@@ -61,16 +62,10 @@ def place_colours(scan: Scan, placement: Similarity, around: Values, /) -> ScanC
     if not len(near):
         raise ValueError("nothing of this scan lies near the face; expected the placement that the face was fitted by")
     corners = points[rows[near]]
-    normals = np.zeros((len(near), 3)) if scan.triangles is None else _normals(corners)
+    normals = np.zeros((len(near), 3)) if scan.triangles is None else mesh.unit_normals(corners)
     texcoords = None if scan.texcoords is None else scan.texcoords[near]
     picture = None if scan.texture is None else decode_light(scan.texture)
     return ScanColours(scan, corners, normals, rows[near], texcoords, picture)
-
-
-def _normals(corners: Values) -> Values:
-    across = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
-    unit: Values = across / np.maximum(np.linalg.norm(across, axis=1, keepdims=True), 1e-30)
-    return unit
 
 
 def nearest_faces(
