@@ -1,6 +1,8 @@
 """A forked process works, ends, and holds no descriptor of its parent open."""
 
 import os
+import subprocess
+import sys
 
 import pytest
 
@@ -40,3 +42,32 @@ def test_what_a_copy_lets_go_ends_with_its_parent() -> None:
     assert os.waitpid(pid, 0) == (pid, 0)
     for descriptor in (end, wait, go):
         os.close(descriptor)
+
+
+SIGNALLED = """
+import os, signal, sys
+from omote.server.process.fork import fork_process
+
+class Signalling:
+    def flush(self):
+        os.kill(os.getpid(), signal.SIGTERM)
+
+def stop(*_):
+    raise KeyboardInterrupt
+
+def work():
+    signal.signal(signal.SIGTERM, stop)
+    sys.stderr = Signalling()
+
+try:
+    pid = fork_process(work)
+except KeyboardInterrupt:
+    print("the copy went on as its parent", flush=True)
+    os._exit(1)
+print(os.waitstatus_to_exitcode(os.waitpid(pid, 0)[1]))
+"""
+
+
+def test_a_copy_ends_although_a_signal_comes_as_it_ends() -> None:
+    said = subprocess.run([sys.executable, "-c", SIGNALLED], capture_output=True, text=True, timeout=60, check=True)
+    assert said.stdout.split() == ["0"]

@@ -115,10 +115,11 @@ def _hear(worker: _Worker) -> Outcome:
 
 def _end(worker: _Worker) -> None:
     """Ends a worker; one that writes a file removes its draft first."""
-    worker.line.close()
     if worker.pid:
         with suppress(ProcessLookupError):
             os.kill(worker.pid, signal.SIGTERM)
+    worker.line.close()  # after the signal, which may be lost in a finalizer; this end is not
+    if worker.pid:
         with suppress(ChildProcessError):
             os.waitpid(worker.pid, 0)
 

@@ -21,15 +21,18 @@ def fork_process(work: Callable[[], None]) -> int:
         return pid
     code = 1
     try:
-        signal.set_wakeup_fd(-1)
-        signal.signal(signal.SIGCHLD, signal.SIG_DFL)
-        work()
-        code = 0
-    except BaseException:
-        traceback.print_exc()
-    finally:
+        try:
+            signal.set_wakeup_fd(-1)
+            signal.signal(signal.SIGCHLD, signal.SIG_DFL)
+            work()
+            code = 0
+        except BaseException:
+            traceback.print_exc()
         sys.stderr.flush()
-        os._exit(code)  # not further up: what follows there belongs to the parent
+    finally:
+        # Not further up: what follows there belongs to the parent. A signal's handler may raise after any call, so none
+        # comes before this one.
+        os._exit(code)
 
 
 def close_descriptors(keep: Collection[int]) -> None:
