@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from omote.geometry import mesh
+from omote.model.fitting.doubt import Doubt
 from omote.model.fitting.fit_doubts import find_doubts
 from omote.model.fitting.identity_modes import IdentityModes, refuse_other_topology
 from omote.model.fitting.landmarks import SEVEN, find_landmarks
@@ -53,7 +54,7 @@ class Fit:
         How much of each vertex comes from the scan, 0 to 1; the rest was made up from what people are like.
     placement : Similarity
         From the scan's own frame and unit to the face's metres.
-    doubts : tuple of str
+    doubts : tuple of Doubt
         What should be looked at, in sentences; empty when sure.
 
     Examples
@@ -71,7 +72,7 @@ class Fit:
     residual: Values
     seen: Values
     placement: Similarity
-    doubts: tuple[str, ...]
+    doubts: tuple[Doubt, ...]
 
 
 def fit_face(
