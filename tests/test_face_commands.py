@@ -8,14 +8,20 @@ from typer.testing import CliRunner
 
 from omote.builtin import load_cast
 from omote.cli import app
+from omote.face_commands import EXPRESSIONS
 from omote.interchange.formats.png import read_png
 from omote.model.fitting.doubt import EYES, PLACE, Doubt
 from omote.model.fitting.fit_face import Fit
+from omote.server.headless import people_table
+from omote.server.headless.devtools import BrowserError
 from omote.server.sandbox import scan_fits
 from omote.showfile.contents import unpack_face
 from omote.showfile.inspection import Inspection, inspect_show
 from tests.interchange.scans import scan_samples as samples
 from tests.server.sandbox.test_scan_fits import double
+
+drawn: list[tuple[Path, list[str], str]] = []
+"""What a browser was asked to draw: where to, who, in which expressions."""
 
 
 @pytest.fixture
@@ -29,6 +35,12 @@ def doubts(monkeypatch: pytest.MonkeyPatch) -> list[Doubt]:
         return double(*([] if landmarks else found), face="old" if name == "bo" else "kaori")
 
     monkeypatch.setattr(scan_fits, "fit", fit)
+    monkeypatch.setattr(
+        people_table,
+        "draw_people",
+        lambda path, people, worn, _: drawn.append((path, [each.label for each in people], worn)),
+    )
+    drawn.clear()
     return found
 
 
@@ -101,6 +113,7 @@ def test_several_scans_make_a_table_and_one_that_fails_stops_no_other(tmp_path: 
         ("ann.ply", "good"), ("nobody.ply", "failed"), ("text.ply", "failed"), ("bo.obj", "good"),
     ]  # fmt: skip
     assert "there is no head in it" in rows[1]["what"]
+    assert [(path, people) for path, people, _ in drawn] == [(folder / "people.png", ["ann", "bo"])]
     assert read_png((folder / "scans.png").read_bytes()).shape[2] == 3
     assert "MeshLab" in text, "a head that is not found is shown by points"
 
@@ -138,6 +151,22 @@ def test_hair_that_was_chosen_for_a_scan_is_told_and_another_is_chosen(tmp_path:
     assert all(style in helped for style in (*load_cast().hair, "none"))
 
 
+def test_people_of_a_report_wear_what_is_asked_for(
+    tmp_path: Path, doubts: list[Doubt], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    plain = scan(tmp_path, "a.ply")
+    said(plain, "--report", tmp_path / "r")
+    said(plain, "--report", tmp_path / "r", "--expressions", "smile,joy")
+    said(plain, "--report", tmp_path / "r", "--expressions", "none")
+    assert [worn for _, _, worn in drawn] == [EXPRESSIONS, "smile,joy"]
+
+    def refuse(*_: object) -> None:
+        raise BrowserError("there is no browser")
+
+    monkeypatch.setattr(people_table, "draw_people", refuse)
+    assert "people.png is not drawn: there is no browser" in said(plain, "--report", tmp_path / "r")
+
+
 def test_a_report_alone_stores_nothing(tmp_path: Path, doubts: list[Doubt]) -> None:
     said(scan(tmp_path, "a.ply"), "--report", tmp_path / "report")
     assert sorted(path.name for path in tmp_path.iterdir()) == ["a.ply", "report"]
@@ -151,6 +180,7 @@ def test_a_report_alone_stores_nothing(tmp_path: Path, doubts: list[Doubt]) -> N
         (["a.ply", "b.ply", "-o", "x.omote", "--landmarks", "nose_tip=1,2,3"], "landmarks on the line are of one scan"),
         (["a.ply", "-o", "b.ply.new"], "b.ply.new does not end as a show file does; write -o b.ply.omote"),
         (["a.ply", "-o", "x.omote", "--hair", "wig"], "there is no hair 'wig'; choose one of bob, bun, crop"),
+        (["a.ply", "--report", "r", "--expressions", "neutral,grin"], "grin"),
         (["gone.ply", "-o", "x.omote"], "there is no file gone.ply"),
         (["a.ply", "-o", "x.omote", "--landmarks", "nose=1,2,3"], "is no landmark; expected one of"),
         (["a.ply", "-o", "x.omote", "--landmarks", "nose_tip=1,2,3"], "1 landmarks are given; expected at least 3"),
@@ -166,6 +196,7 @@ def test_what_cannot_be_meant_is_refused(
     scan(tmp_path, "b.ply")
     assert sentence in said(*arguments, status=1)
     assert not (tmp_path / "x.omote").exists()
+    assert not (tmp_path / "r").exists()
 
 
 def test_the_same_scan_is_added_again_only_where_that_is_asked_for(tmp_path: Path, doubts: list[Doubt]) -> None:

@@ -17,9 +17,12 @@ from omote.terminal import complete_show, escape_controls, exit_on_refusal, fail
 
 Landmarks = dict[str, tuple[float, float, float]]
 SHOW = ".omote"
-NO_HAIR = "none"
+NO_TABLE = "none"
+EXPRESSIONS = "neutral,joy,angry,surprise,eyeBlinkLeft+eyeBlinkRight,jawOpen"
+"""At rest, three feelings, eyes shut, jaw open."""
 
 if TYPE_CHECKING:
+    from omote.edit.store.import_items import ImportedItem
     from omote.model.cast import Cast, Look
     from omote.model.fitting.doubt import Doubt
     from omote.server.sandbox.scan_fits import ScanFit
@@ -78,6 +81,9 @@ def face(
     report: Annotated[
         Path | None, typer.Option(help="A folder for a table and pictures of how far each face is from its scan.")
     ] = None,
+    expressions: Annotated[
+        str, typer.Option(help="What the people of a report wear, by commas; none: no such picture.")
+    ] = EXPRESSIONS,
 ) -> None:
     """Makes faces of scans: found, fitted to our head, stored in a show file that no show plays.
 
@@ -87,11 +93,15 @@ def face(
         check_request(scans, output, name, landmarks or [], report)
         own = None if output is None else read_own_work(output)
         from omote.builtin import load_cast
+        from omote.interchange.scan_look import choose_hair
+        from omote.server.headless.people_table import check_people
         from omote.stage_data.full_cast import build_full_cast, find_face
 
         cast = load_cast() if own is None else build_full_cast(load_cast(), *own, say)
         worn = cast.looks[find_face(cast, None if own is None else own[0], look)] if look else None
         style = choose_hair(cast, hair)
+        if report is not None and expressions != NO_TABLE:
+            check_people(expressions)
         outcomes = [dress(each, worn, style) for each in fit_all(cast, scans, name, landmarks or [], shut)]
         tell(outcomes, accept)
         good = [each for each in outcomes if each.fit is not None and (accept or not each.doubts)]
@@ -99,6 +109,7 @@ def face(
             store(output, cast, good, keep_both=keep_both)
         if report is not None:
             write_report(report, cast, outcomes)
+            write_people(report / "people.png", outcomes, expressions)
     if len(good) < len(outcomes):
         raise typer.Exit(1)
 
@@ -127,24 +138,10 @@ def check_request(
     require_enough(dict(parse_point(word) for word in landmarks if "=" in word))
 
 
-def read_landmarks(words: list[str], scan: Path, scans: list[Path]) -> Landmarks:
-    """The landmarks of one of several scans, from words and files of them."""
-    from omote.interchange.landmark_points import LARGEST, parse_document, parse_point
-
-    found: Landmarks = {}
-    for word in words:
-        if "=" in word:
-            found.update([parse_point(word)])
-            continue
-        path = Path(word)
-        if not path.is_file() or path.stat().st_size > LARGEST:
-            raise ValueError(f"there is no file of landmarks {word}; give nose_tip=x,y,z, or a JSON file")
-        found.update(parse_document(path.read_bytes(), scan.name, others=[each.name for each in scans]))
-    return found
-
-
 def fit_all(cast: Cast, scans: list[Path], name: str, landmarks: list[str], shut: bool | None) -> list[Outcome]:
     """Reads and fits each scan; what fails is told and stops no other."""
+    from omote.interchange.landmark_points import read_landmarks
+
     outcomes, points = [], {path: read_landmarks(landmarks, path, scans) for path in scans}
     with shown_progress(len(scans)) as step:
         for number, path in enumerate(scans):
@@ -175,15 +172,6 @@ def fit_one(
         return Outcome(path, label, None, describe_error(error).removeprefix(f"{path.name}: "), read)
 
 
-def choose_hair(cast: Cast, hair: str) -> str | None:
-    """The hair style that a word names, "" for none, None where no word is given."""
-    if hair.lower() == NO_HAIR or not hair:
-        return "" if hair else None
-    if hair not in cast.hair:
-        raise ValueError(f"there is no hair {hair!r}; choose one of {', '.join(cast.hair)}, or {NO_HAIR}")
-    return hair
-
-
 def dress(outcome: Outcome, look: Look | None, hair: str | None) -> Outcome:
     """What came of a scan with the look and the hair that a person chose; says which hair was chosen for them."""
     fit = outcome.fit
@@ -193,7 +181,7 @@ def dress(outcome: Outcome, look: Look | None, hair: str | None) -> Outcome:
     if hair is not None:
         worn = replace(worn, hair_style=hair)
     elif look is None and worn.albedo is None and worn.hair_style:
-        note = f"it shows no colours, so it gets {worn.hair_style} hair; --hair chooses another, or {NO_HAIR}"
+        note = f"it shows no colours, so it gets {worn.hair_style} hair; --hair chooses another, or none"
         fit = replace(fit, notes=(*fit.notes, note))
     return replace(outcome, fit=replace(fit, look=worn))
 
@@ -207,13 +195,7 @@ def shown_progress(count: int) -> Iterator[Callable[[int, str], None]]:
     from rich.console import Console
     from rich.progress import BarColumn, MofNCompleteColumn, Progress, SpinnerColumn, TextColumn, TimeElapsedColumn
 
-    columns = (
-        SpinnerColumn(),
-        TextColumn("{task.description}"),
-        BarColumn(),
-        MofNCompleteColumn(),
-        TimeElapsedColumn(),
-    )
+    columns = SpinnerColumn(), TextColumn("{task.description}"), BarColumn(), MofNCompleteColumn(), TimeElapsedColumn()
     with Progress(*columns, console=Console(stderr=True), transient=True) as bar:
         task = bar.add_task("", total=count)
         yield lambda number, what: bar.update(task, completed=number, description=escape_controls(what))
@@ -254,17 +236,24 @@ def row_of(outcome: Outcome) -> dict[str, object]:
     return found | {"median mm": near[0], "95 % mm": near[1]}
 
 
+def items_of(outcomes: list[Outcome]) -> list[ImportedItem]:
+    """The fitted faces as items that a show file can keep."""
+    from omote.edit.store.import_items import ImportedItem
+
+    return [
+        ImportedItem(each.label, (each.fit.face, each.fit.look), note=f"from {each.path.name}"[:200])
+        for each in outcomes
+        if each.fit is not None
+    ]
+
+
 def store(output: Path, cast: Cast, good: list[Outcome], *, keep_both: bool) -> None:
     """Stores faces as items of a show file, as `omote file import --as face` does."""
     from omote.builtin import load_cast
-    from omote.edit.store.import_items import ImportedItem, changes_to_import, distinguish
+    from omote.edit.store.import_items import changes_to_import, distinguish
     from omote.server.persistence.offline_show import open_offline_show, wall_clock
 
-    arrivals = [
-        ImportedItem(each.label, (each.fit.face, each.fit.look), note=f"from {each.path.name}"[:200])
-        for each in good
-        if each.fit is not None
-    ]
+    arrivals = items_of(good)
     with open_offline_show(output, new=True) as show:
         stored = show.stored()
         distinct = distinguish(load_cast(), stored, arrivals if keep_both else drop_known(stored, arrivals))
@@ -293,3 +282,17 @@ def write_report(folder: Path, cast: Cast, outcomes: list[Outcome]) -> None:
     write_whole(folder / "scans.png", png_bytes(contact_sheet(cast.space.triangles, rows)))
     fitted = sum(each.fit is not None for each in outcomes)
     say(f"{folder} has scans.csv and scans.png: {fitted} of {len(outcomes)} were fitted.")
+
+
+def write_people(path: Path, outcomes: list[Outcome], expressions: str) -> None:
+    """Draws all people that were fitted by expressions; says why not where no browser is there to draw them."""
+    from omote.server.headless.devtools import BrowserError
+    from omote.server.headless.people_table import draw_people
+
+    people = items_of(outcomes)
+    if not people or expressions == NO_TABLE:
+        return
+    try:
+        draw_people(path, people, expressions, lambda drawn: say(f"{path.name}: {drawn} of {len(people)} drawn"))
+    except (BrowserError, FileNotFoundError) as error:
+        say(f"{path.name} is not drawn: {error}")

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Mapping, Sequence
+from pathlib import Path
 
 import msgspec
 import numpy as np
@@ -52,6 +53,20 @@ def parse_document(data: bytes, scan: str, /, *, others: Sequence[str] = ()) -> 
     if not points and not document.keys() & set(others):
         raise ValueError(f"the landmarks have none for {scan}; they name {', '.join(document)[:200] or 'nothing'}")
     return dict(parse_point(f"{name}={','.join(map(repr, place))}") for name, place in points.items())
+
+
+def read_landmarks(words: Sequence[str], scan: Path, scans: Sequence[Path], /) -> Points:
+    """The landmarks of one of several scans, from words and files of them; ValueError where these say none."""
+    found: Points = {}
+    for word in words:
+        if "=" in word:
+            found.update([parse_point(word)])
+            continue
+        path = Path(word)
+        if not path.is_file() or path.stat().st_size > LARGEST:
+            raise ValueError(f"there is no file of landmarks {word}; give nose_tip=x,y,z, or a JSON file")
+        found.update(parse_document(path.read_bytes(), scan.name, others=[each.name for each in scans]))
+    return found
 
 
 def _explain(error: Exception, data: bytes) -> str:
