@@ -18,12 +18,12 @@ STRANGE = 2.5
 
 
 def find_doubts(
-    zones: HeadZones, found: ModeFit, residual: Values, folds: int, filled: bool, /
+    zones: HeadZones, found: ModeFit, residual: Values, folds: int, filled: bool, turned: bool, /
 ) -> tuple[Doubt, ...]:  # fmt: skip
     """Sentences on a fit, none where it is sure.
 
     residual (V,): millimetres, nan where nothing was seen; folds: how many triangles are folded; filled: whether the
-    scan is closed between its lids and nobody said what that means.
+    scan is closed between its lids and nobody said what that means; turned: whether its triangles face inward.
     """
     face = residual[zones.face]
     seen, doubts = np.isfinite(face), list[Doubt]()
@@ -42,4 +42,6 @@ def find_doubts(
     if filled:
         asked = "The scan is closed between its lids, so they were opened; say whether its eyes are shut."
         doubts.append(Doubt(asked, EYES))
+    if turned:
+        doubts.append(Doubt("The scan is inside out, so it may be mirrored; look whether its left is its left."))
     return tuple(doubts)
