@@ -16,6 +16,8 @@ from omote.model.space.similarity import Similarity
 
 FIRST_HAIR = "short"
 """What a face wears until its editor chooses."""
+NO_HAIR = "none"
+"""What people say for no hair."""
 BALD = 0.15
 """Of linear light: where the scalp differs from the skin by less, a scan shows no hair."""
 
@@ -68,3 +70,12 @@ def suggest_scan_look(
     if look.albedo is not None and np.abs(decode_srgb(look.hair) - decode_srgb(look.skin)).max() < BALD:
         look = replace(look, hair_style="", hair=first.hair)
     return look, []
+
+
+def choose_hair(cast: Cast, word: str, /) -> str | None:
+    """The hair style that a word names, "" for none, None where no word is given; ValueError for another word."""
+    if word.lower() == NO_HAIR or not word:
+        return "" if word else None
+    if word not in cast.hair:
+        raise ValueError(f"there is no hair {word!r}; choose one of {', '.join(cast.hair)}, or {NO_HAIR}")
+    return word

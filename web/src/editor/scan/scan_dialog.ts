@@ -206,7 +206,7 @@ export class ScanDialog extends EditorElement {
     return html`<div class="side">
       <div class="verdict ${sure ? "" : "unsure"}" role="status">
         <p>${adviceOf(scan, this.#points.changed)}</p>
-        ${scan.doubts.length + scan.notes.length === 0 ? nothing : html`<ul>${[...scan.doubts, ...scan.notes.map(sentence)].map((doubt) => html`<li>${doubt}</li>`)}</ul>`}
+        ${scan.doubts.length + scan.notes.length === 0 ? nothing : html`<ul>${[...scan.doubts.map((doubt) => doubt.sentence), ...scan.notes.map(sentence)].map((doubt) => html`<li>${doubt}</li>`)}</ul>`}
         <span class="note">${nearnessOf(scan)}</span>
       </div>
       ${this.failed === "" ? nothing : html`<p class="failed" role="alert">${this.failed}</p>`}
