@@ -1,4 +1,4 @@
-"""What a shape folds on the generic head is turned back: lids and lips stay where they were, and nobody wears a fold."""
+"""What a shape folds on the generic head is turned back: lids and lips stay where they were, nobody wears a fold."""
 
 from __future__ import annotations
 
