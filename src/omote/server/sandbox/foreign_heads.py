@@ -9,17 +9,20 @@ from pathlib import Path
 import msgspec
 import numpy as np
 
-from omote.builtin import load_meshes
-from omote.builtin.own_face import fit
+from omote.builtin import load_identity_modes, load_meshes
 from omote.edit.store.import_items import ImportedItem
 from omote.inputs.shape_names import ShapeMeaning, read_shape_name
 from omote.interchange.formats.glb_reader import Piece
 from omote.interchange.mesh_correspondence import match_head
 from omote.model.cast import Cast
 from omote.model.extraction.extracted_expression import describe_uncertainty
+from omote.model.fitting.find_head import find_head
+from omote.model.fitting.fit_face import fit_face
 from omote.model.fitting.foreign.take_expressions import take_expressions
+from omote.model.fitting.identity_modes import IdentityModes
 from omote.model.fitting.scan import Scan
 from omote.model.space.expression import Expression
+from omote.model.space.similarity import Similarity
 from omote.model.transfer.paper_map import refuse_foreign
 from omote.server.sandbox.child_task import Tell, run_limited
 from omote.server.sandbox.scan_files import read_scan_in_sandbox
@@ -27,6 +30,10 @@ from omote.server.sandbox.scan_fits import LIMITS
 from omote.showfile.contents import ContentError, pack_expression, unpack_expression
 
 _TOO_MUCH = "fitting a face to it needs more time or memory than any head; export the head alone, with its shapes"
+_NO_POINTS = (
+    "Points cannot be given to this command: export the head alone, without body and hair, or take its shapes in "
+    "Python (omote.fit with landmarks, omote.take_expressions)"
+)
 
 STILL = 1e-6
 """Radians; eyeballs that turn less are at rest."""
@@ -38,9 +45,7 @@ class _PlainTaken(msgspec.Struct, frozen=True, array_like=True):
 
 
 def is_foreign(cast: Cast, pieces: Sequence[Piece], /) -> bool:
-    """Whether a file's pieces bring shapes of a head that has not the cast's topology."""
-    if not any(piece.moves for piece in pieces):
-        return False
+    """Whether none of a file's pieces is a head of the cast's topology."""
     try:
         match_head(cast, load_meshes(), pieces)
     except ValueError:
@@ -56,7 +61,10 @@ def foreign_expressions(cast: Cast, path: Path, /) -> Iterator[tuple[ImportedIte
     """
     scan = read_scan_in_sandbox(path).scan
     if not scan.shapes:
-        raise ValueError(f"{path.name}: the head has no shapes that can be read; export it with its morph targets")
+        raise ValueError(
+            f"{path.name}: the head has no shapes that can be read; export it with its morph targets, or make a face "
+            f"of it: omote face {path.name} -o show.omote"
+        )
     try:
         found = _take_in_child(cast, scan, path.stem)
     except ValueError as error:
@@ -76,7 +84,9 @@ def foreign_expressions(cast: Cast, path: Path, /) -> Iterator[tuple[ImportedIte
 
 def _take_in_child(cast: Cast, scan: Scan, name: str) -> _PlainTaken:
     def work(_: Tell) -> bytes:
-        fitted = fit(cast.space, scan.positions, scan.triangles, colours=scan.colours, name=name[:80])
+        modes = load_identity_modes()
+        place = _find_surely(cast, modes, scan)
+        fitted = fit_face(cast.space, modes, scan, place, name=name[:80])
         taken = take_expressions(cast.space, fitted, scan)
         packed = {
             name: (pack_expression(each), describe_uncertainty(cast.space, each))
@@ -89,6 +99,18 @@ def _take_in_child(cast: Cast, scan: Scan, name: str) -> _PlainTaken:
         return msgspec.msgpack.decode(answer, type=_PlainTaken)
     except msgspec.MsgspecError as error:
         raise ValueError(_TOO_MUCH) from error
+
+
+def _find_surely(cast: Cast, modes: IdentityModes, scan: Scan) -> Similarity:
+    """Where the head is; ValueError where that is not sure, for nobody looks at this fit, and all faces would wear what
+    was read off a fox's shoulder."""
+    try:
+        place = find_head(cast.space, modes, scan)
+    except ValueError as error:
+        raise ValueError(f"{error}. {_NO_POINTS}") from error
+    if place.doubts:
+        raise ValueError(f"{' '.join(place.doubts)} {_NO_POINTS}")
+    return place.similarity
 
 
 def _unpack(cast: Cast, packed: bytes) -> Expression:

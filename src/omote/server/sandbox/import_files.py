@@ -7,6 +7,7 @@ from pathlib import Path
 
 from omote.builtin import load_meshes
 from omote.edit.store.import_items import ImportedItem, import_document
+from omote.inputs.shape_names import read_shape_name
 from omote.interchange.formats import expression_json
 from omote.interchange.formats.file_names import DOCUMENT, GLB, VRM, require_imports
 from omote.interchange.import_meshes import Follow, ignore_progress, import_expressions, import_face
@@ -49,7 +50,8 @@ def expressions_from(
         off = f"; it misses its shape by up to {1000 * each.error:.2f} mm" if each.error > FAR else ""
         note = f"from {', '.join(path.name for path in paths)}"[:200]
         doubt = f"; {each.doubt}" if each.doubt else ""
-        yield ImportedItem(each.label, each.expression, note=note), f"{each.label}, taken from {each.face}{off}{doubt}"
+        tags = read_shape_name(each.label).tags
+        yield ImportedItem(each.label, each.expression, tags, note), f"{each.label}, taken from {each.face}{off}{doubt}"
 
 
 def faces_from(cast: Cast, paths: Sequence[Path], *, look: str = "") -> Iterator[Brought]:
