@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable
+from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -13,7 +14,8 @@ from playwright.sync_api import Page, Route, expect
 
 from omote import load_cast
 from tests.browser.test_console import console
-from tests.browser.test_editor import BENCH, SETTLED, bench, editor, positions, save, wait_for
+from tests.browser.test_editor import BENCH, SETTLED, bench, editor, notice, positions, save, wait_for
+from tests.interchange.formats.scenes import taken_apart
 
 __all__ = ["console", "editor"]
 
@@ -229,3 +231,24 @@ def test_a_gain_makes_an_expression_stronger_there_is_undone_saved_and_read_on_t
     expect(answers).to_have_count(0)
     desk.locator("omote-palette .tile[data-name='old']").click()
     expect(line).to_have_count(0)
+
+
+def test_a_face_goes_out_as_an_avatar_by_keys_once_its_author_is_named(editor: Editor) -> None:
+    page = editor()
+    make_face(page, "Aunt Ann")
+    save(page)
+    page.get_by_role("tab", name="Import & export").click()
+    button, author = page.get_by_role("button", name="Download aunt_ann.vrm"), page.get_by_label("Author of the avatar")
+    button.press("Enter")
+    expect(notice(page).filter(has_text="An avatar names who made it: fill in its author.")).to_be_visible()
+    author.focus()
+    page.keyboard.type("Ann Lee")
+    page.keyboard.press("Tab")
+    expect(page.get_by_label("Who may use the avatar")).to_be_focused()
+    button.focus()
+    with page.expect_download() as coming:
+        page.keyboard.press("Enter")
+    document, _ = taken_apart(Path(coming.value.path()).read_bytes())
+    meta = document["extensions"]["VRMC_vrm"]["meta"]
+    assert coming.value.suggested_filename == "aunt_ann.vrm"
+    assert (meta["name"], meta["authors"], meta["avatarPermission"]) == ("Aunt Ann", ["Ann Lee"], "onlyAuthor")

@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 from pathlib import Path
 from types import SimpleNamespace
+from typing import Any
 
 import numpy as np
 import pytest
@@ -13,6 +14,8 @@ from numpy.typing import NDArray
 from omote.builtin import load_cast
 from omote.interchange.formats.glb_reader import Piece
 from omote.interchange.scans.scan_reader import ScanFile
+from omote.model.fitting.doubt import EYES, Doubt
+from omote.model.fitting.fit_face import Fit, fit_face
 from omote.model.fitting.scan import Scan
 from omote.model.transfer.compound import compound
 from omote.server.sandbox import foreign_heads
@@ -68,6 +71,21 @@ def test_shapes_of_strangers_come_in_by_name(
     agape, told = found["Agape"]
     assert agape.tags == ()
     assert "'empty' moves nothing of the face, so it is left out." in told
+
+
+def test_what_is_doubtful_of_a_strangers_head_is_told_with_its_shapes(
+    scan: Scan, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    path = tmp_path / "head.glb"
+    path.write_bytes(b"glTF")
+
+    def doubt(*given: Any, **options: Any) -> Fit:
+        return replace(fit_face(*given, **options), doubts=(Doubt("Are its eyes shut?", EYES),))
+
+    monkeypatch.setattr(foreign_heads, "fit_face", doubt)
+    monkeypatch.setattr(foreign_heads, "read_scan_in_sandbox", lambda _: ScanFile(scan))
+    *_, (_, told) = foreign_expressions(CAST, path)
+    assert "Are its eyes shut?" in told
 
 
 def test_heads_of_ours_are_not_foreign(scan: Scan) -> None:

@@ -92,7 +92,7 @@ def _take_in_child(cast: Cast, scan: Scan, name: str) -> _PlainTaken:
             name: (pack_expression(each), describe_uncertainty(cast.space, each))
             for name, each in taken.expressions.items()
         }
-        return msgspec.msgpack.encode(_PlainTaken(packed, [*fitted.doubts, *taken.notes]))
+        return msgspec.msgpack.encode(_PlainTaken(packed, [*map(str, fitted.doubts), *taken.notes]))
 
     try:
         answer = run_limited(work, LIMITS, exhausted=_TOO_MUCH)
