@@ -16,7 +16,6 @@ from aiohttp import web
 
 from omote.edit.session.brought_items import TakenIn
 from omote.interchange.formats.error_reasons import explain_error
-from omote.interchange.scans.scan_parts import LARGEST
 from omote.server.http.editor_link import NO_FILE
 from omote.server.http.long_requests import CancelledRequestError, LongRequests, request_id
 from omote.server.http.uploads import CANCELLED, RunFileJob
@@ -123,7 +122,7 @@ class ScanRoutes:
             preview.file = choose_scan(sorted(path.name for path in (preview.folder / FILES).iterdir()))
             return await self._fit(preview, Points({}), follow)
 
-        return await self._receive(request, follow, fit, LARGEST)
+        return await self._receive(request, follow, fit)
 
     async def _bring_photographs(self, request: web.Request, follow: Follow) -> web.Response:
         async def fit(preview: Preview) -> web.Response:
@@ -135,7 +134,7 @@ class ScanRoutes:
         return await self._receive(request, follow, fit, MOST_PHOTOGRAPHS * LARGEST_PHOTOGRAPH)
 
     async def _receive(
-        self, request: web.Request, follow: Follow, fit: Callable[[Preview], Awaitable[web.Response]], room: int
+        self, request: web.Request, follow: Follow, fit: Callable[[Preview], Awaitable[web.Response]], most: int | None = None
     ) -> web.Response:
         """Keeps the files of a form in a preview of their own as long as they can be fitted."""
         if self._work is None:
@@ -144,7 +143,7 @@ class ScanRoutes:
         try:
             follow(0, 0, "the file is sent")
             (preview.folder / FILES).mkdir()
-            await receive_files(request, preview.folder / FILES, room=room)
+            await receive_files(request, preview.folder / FILES, most=most)
             response = await fit(preview)
         except BaseException:
             self.previews.drop(preview.token)

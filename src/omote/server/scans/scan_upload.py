@@ -39,12 +39,12 @@ def choose_scan(names: Sequence[str], /) -> str:
     return scans[0]
 
 
-async def receive_files(request: web.Request, folder: Path, /, *, room: int = LARGEST) -> None:
+async def receive_files(request: web.Request, folder: Path, /, *, most: int | None = None) -> None:
     """Writes the files of a form into a folder; ValueError with a sentence where they are too large or too many.
 
-    room: bytes of all of them at most.
+    most: bytes of all of them, None: as many as of a scan.
     """
-    most = room >> 20
+    room = most = LARGEST if most is None else most
     try:
         form = await request.multipart()
         for _ in range(MOST_FILES + 1):
@@ -65,6 +65,6 @@ async def _write(part: BodyPartReader, path: Path, room: int, most: int) -> int:
         while chunk := await part.read_chunk(CHUNK):
             room -= len(chunk)
             if room < 0:
-                raise ValueError(f"{path.name} is too large: {most} MB are read at most; export a smaller one.")
+                raise ValueError(f"{path.name} is too large: {most >> 20} MB are read at most; export a smaller one.")
             file.write(chunk)
     return room
