@@ -31,9 +31,15 @@ def colour_skin(
     corners = np.concatenate([positions, uv], axis=1).astype(np.float64)
     for _ in range(FINER):
         corners, triangles = halve_edges(corners, triangles)
-    side = len(painted)
-    columns, rows = np.clip((corners[:, 3:] * side).astype(np.int64), 0, side - 1).T
-    return ColouredSkin(corners[:, :3].astype(np.float32), triangles.astype(np.uint32), painted[rows, columns])
+    colours = texels_at(corners[:, 3:], painted)
+    return ColouredSkin(corners[:, :3].astype(np.float32), triangles.astype(np.uint32), colours)
+
+
+def texels_at(uv: NDArray[np.floating], texture: NDArray[np.uint8], /) -> NDArray[np.uint8]:
+    """The texels of a texture (s, s, ...) in which texture coordinates (n, 2) lie."""
+    side = len(texture)
+    columns, rows = np.clip((uv * side).astype(np.int64), 0, side - 1).T
+    return texture[rows, columns]
 
 
 def halve_edges(corners: Values, triangles: NDArray[np.integer], /) -> tuple[Values, NDArray[np.integer]]:

@@ -40,6 +40,7 @@ MSGPACK = "application/msgpack"
 
 TakeIn = Callable[[Sequence[BroughtItem], int | None], Awaitable[list[TakenIn] | str]]
 Point = tuple[float, float, float]
+FitPreview = Callable[[Preview], Awaitable[web.Response]]
 FileWork = tuple[Callable[[], Path], RunFileJob]
 
 
@@ -134,7 +135,7 @@ class ScanRoutes:
         return await self._receive(request, follow, fit, MOST_PHOTOGRAPHS * LARGEST_PHOTOGRAPH)
 
     async def _receive(
-        self, request: web.Request, follow: Follow, fit: Callable[[Preview], Awaitable[web.Response]], most: int | None = None
+        self, request: web.Request, follow: Follow, fit: FitPreview, most: int | None = None
     ) -> web.Response:
         """Keeps the files of a form in a preview of their own as long as they can be fitted."""
         if self._work is None:

@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 
 from omote.builtin import load_cast, load_mask, load_meshes
 from omote.builtin.own_face import fit_photographs
-from omote.edit.compute.photograph_preview import colour_skin
+from omote.edit.compute.photograph_preview import colour_skin, texels_at
 from omote.edit.protocol.messages import PhotographPreview
 from omote.interchange.formats.png import read_png
 from omote.interchange.photograph_look import suggest_photograph_look
@@ -96,10 +96,9 @@ def _read(folder: Path, seen: SeenPhotograph) -> Photograph:
 
 def _at_vertices(cast: Cast, shown: NDArray[np.uint8]) -> NDArray[np.uint8]:
     """What of the skin's vertices (V,) was seen, of what of its texels (k, k) was."""
-    skin, side = load_meshes()[0], len(shown)
-    columns, rows = np.clip((skin.uv * side).astype(np.int64), 0, side - 1).T
+    skin = load_meshes()[0]
     found = np.zeros(cast.space.vertex_count, np.uint8)
-    np.maximum.at(found, skin.source, shown[rows, columns])
+    np.maximum.at(found, skin.source, texels_at(skin.uv, shown))
     return found
 
 
