@@ -109,6 +109,9 @@ def test_photographs_become_a_face_that_is_corrected_taken_and_plays(editor: Edi
     assert np.allclose(centre(page.get_by_role("button", name="Chin")), chin, atol=0.1)
     page.keyboard.press("Shift+ArrowLeft")
     assert np.allclose(np.subtract(centre(nose), moved), [-10, 0], atol=1.5)
+    before = centre(nose)
+    touch(page, before, (before[0] - 8, before[1] + 8))
+    assert np.allclose(np.subtract(centre(nose), before), [-8, 8], atol=1.5), "a finger moves it too"
     expect(dialog.get_by_role("button", name=re.compile("Take it"))).to_be_disabled()
     dialog.get_by_role("button", name="Undo").click()
     dialog.get_by_role("button", name="Fit again").click()
@@ -128,6 +131,15 @@ def test_photographs_become_a_face_that_is_corrected_taken_and_plays(editor: Edi
     expect(console().locator("omote-palette .tile[data-name='anna_p']")).to_be_visible()
 
 
+def touch(page: Page, start: tuple[float, float], end: tuple[float, float]) -> None:
+    """Draws a finger over the page."""
+    tools = page.context.new_cdp_session(page)
+    for kind, points in (("touchStart", [start]), ("touchMove", [end]), ("touchEnd", [])):
+        places = [{"x": x, "y": y} for x, y in points]
+        tools.send("Input.dispatchTouchEvent", {"type": kind, "touchPoints": places})
+    tools.detach()
+
+
 def centre(handle: Locator) -> tuple[float, float]:
     """The middle of a handle, pixels of the page."""
     box = handle.locator("path").last.bounding_box()
@@ -144,6 +156,9 @@ def test_one_photograph_says_what_it_cannot_know_and_none_with_a_face_is_said(ed
     choose(page, payload("words.jpg", b"words"))
     expect(dialog.get_by_role("alert")).to_contain_text("words.jpg is no picture that this browser reads")
     dialog.get_by_role("button", name="Close").click()
+    choose(page, payload("anna.jpg", portrait(0.0)))
+    page.keyboard.press("Escape")  # while it is looked at
+    expect(dialog).to_have_count(0)
     choose(page, *(payload(f"{number}.jpg", b"") for number in range(9)))
     expect(dialog.get_by_role("alert")).to_contain_text("9 pictures came; bring at most 8 of one person.")
     dialog.get_by_role("button", name="Close").click()

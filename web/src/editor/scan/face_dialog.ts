@@ -274,6 +274,6 @@ export abstract class FaceDialog<Seen extends SeenFace> extends EditorElement {
   }
 
   #close(): void {
-    this.dispatchEvent(new CustomEvent("close"));
+    if (this.isConnected) this.dispatchEvent(new CustomEvent("close"));
   }
 }

@@ -2,6 +2,7 @@
 
 import { html, nothing, type TemplateResult } from "lit";
 import { customElement, state } from "lit/decorators.js";
+import { CancelledError } from "../../ui/long_requests";
 import { textOf } from "../controls/editor_element";
 import { FaceDialog } from "./face_dialog";
 import type { SeenPhotographs } from "./photographs/photograph_document";
@@ -67,6 +68,7 @@ export class PhotographDialog extends FaceDialog<SeenPhotographs> {
   /** A photograph with its landmarks; null where there is no face in it. */
   async #look(file: File, at: number): Promise<FoundPhotograph | null> {
     const { picture, bitmap } = await readPhotograph(file);
+    if (!this.isConnected) throw new CancelledError("closed meanwhile");
     const { width, height } = bitmap;
     const points = await this.#finder.find(bitmap);
     if (points.length === 0) return null;
