@@ -75,8 +75,9 @@ $(MAP): $(MAP_FROM) $(CAST)
 
 # ---- checks and tests
 
-test: setup
-	@$(MAKE) --jobs=2 check
+# Checks need neither pages nor cast: they run beside their making, which waits for one core at a time.
+test: $(PACKAGES) $(MODULES)
+	@$(MAKE) --jobs=2 $(MAP) $(PAGES) check-python check-web
 	@$(MAKE) tests-and-wheel browser-tests
 	@echo "== All checks and tests passed"
 

@@ -8,19 +8,26 @@ from typer.testing import CliRunner
 
 from omote.builtin import load_cast
 from omote.cli import app
+from omote.face_commands import EXPRESSIONS
 from omote.interchange.formats.png import read_png
+from omote.model.fitting.doubt import EYES, PLACE, Doubt
 from omote.model.fitting.fit_face import Fit
+from omote.server.headless import people_table
+from omote.server.headless.devtools import BrowserError
 from omote.server.sandbox import scan_fits
 from omote.showfile.contents import unpack_face
 from omote.showfile.inspection import Inspection, inspect_show
 from tests.interchange.scans import scan_samples as samples
 from tests.server.sandbox.test_scan_fits import double
 
+drawn: list[tuple[Path, list[str], str]] = []
+"""What a browser was asked to draw: where to, who, in which expressions."""
+
 
 @pytest.fixture
-def doubts(monkeypatch: pytest.MonkeyPatch) -> list[str]:
+def doubts(monkeypatch: pytest.MonkeyPatch) -> list[Doubt]:
     """What the double of `omote.fit` doubts; a scan named `nobody` has no head."""
-    found: list[str] = []
+    found: list[Doubt] = []
 
     def fit(*_: object, name: str, landmarks: object, **__: object) -> Fit:
         if name == "nobody":
@@ -28,6 +35,12 @@ def doubts(monkeypatch: pytest.MonkeyPatch) -> list[str]:
         return double(*([] if landmarks else found), face="old" if name == "bo" else "kaori")
 
     monkeypatch.setattr(scan_fits, "fit", fit)
+    monkeypatch.setattr(
+        people_table,
+        "draw_people",
+        lambda path, people, worn, _: drawn.append((path, [each.label for each in people], worn)),
+    )
+    drawn.clear()
     return found
 
 
@@ -38,9 +51,9 @@ def scan(folder: Path, name: str) -> Path:
     return path
 
 
-def said(*arguments: object, status: int = 0) -> str:
+def said(*arguments: object, status: int = 0, columns: int = 160) -> str:
     """What the command prints."""
-    result = CliRunner().invoke(app, ["face", *map(str, arguments)], env={"COLUMNS": "160"})
+    result = CliRunner().invoke(app, ["face", *map(str, arguments)], env={"COLUMNS": str(columns)})
     assert result.exit_code == status, result.output
     return result.output
 
@@ -50,7 +63,7 @@ def kept(show: Path) -> Inspection:
     return inspect_show(show)
 
 
-def test_a_face_is_stored_with_where_it_came_from(tmp_path: Path, doubts: list[str]) -> None:
+def test_a_face_is_stored_with_where_it_came_from(tmp_path: Path, doubts: list[Doubt]) -> None:
     show = tmp_path / "a.omote"
     text = said(scan(tmp_path, "a.ply"), "-o", show, "--name", "Ann", "--look", "dog")
     assert "a.ply: 0.25 mm from the scan" in text
@@ -64,8 +77,8 @@ def test_a_face_is_stored_with_where_it_came_from(tmp_path: Path, doubts: list[s
     assert (face.positions == load_cast().faces["kaori"].positions).all()
 
 
-def test_what_is_doubtful_is_stored_only_if_asked(tmp_path: Path, doubts: list[str]) -> None:
-    doubts.append("The head is strange.")
+def test_what_is_doubtful_is_stored_only_if_asked(tmp_path: Path, doubts: list[Doubt]) -> None:
+    doubts.append(Doubt("The head is strange."))
     show, path = tmp_path / "a.omote", scan(tmp_path, "a.ply")
     text = said(path, "-o", show, status=1)
     assert "The head is strange." in text
@@ -76,8 +89,8 @@ def test_what_is_doubtful_is_stored_only_if_asked(tmp_path: Path, doubts: list[s
     assert len(kept(show).stored.items) == 1
 
 
-def test_landmarks_take_a_doubt_away(tmp_path: Path, doubts: list[str]) -> None:
-    doubts.append("Where is it?")
+def test_landmarks_take_a_doubt_away(tmp_path: Path, doubts: list[Doubt]) -> None:
+    doubts.append(Doubt("Where is it?", PLACE))
     points = [f"--landmarks={name}=1,2,3" for name in ("nose_tip", "mouth_left", "mouth_right")]
     assert "added to" in said(scan(tmp_path, "a.ply"), "-o", tmp_path / "a.omote", *points)
     (tmp_path / "points.json").write_text('{"b.ply": {"nose_tip": [1, 2, 3]}}')
@@ -87,7 +100,7 @@ def test_landmarks_take_a_doubt_away(tmp_path: Path, doubts: list[str]) -> None:
     assert "b.ply: Where is it?" not in text
 
 
-def test_several_scans_make_a_table_and_one_that_fails_stops_no_other(tmp_path: Path, doubts: list[str]) -> None:
+def test_several_scans_make_a_table_and_one_that_fails_stops_no_other(tmp_path: Path, doubts: list[Doubt]) -> None:
     (tmp_path / "text.ply").write_bytes(b"hello")
     paths = [scan(tmp_path, "ann.ply"), scan(tmp_path, "nobody.ply"), tmp_path / "text.ply", scan(tmp_path, "bo.obj")]
     show, folder = tmp_path / "a.omote", tmp_path / "report"
@@ -99,10 +112,62 @@ def test_several_scans_make_a_table_and_one_that_fails_stops_no_other(tmp_path: 
     assert [(row["scan"], row["state"]) for row in rows] == [
         ("ann.ply", "good"), ("nobody.ply", "failed"), ("text.ply", "failed"), ("bo.obj", "good"),
     ]  # fmt: skip
+    assert "there is no head in it" in rows[1]["what"]
+    assert [(path, people) for path, people, _ in drawn] == [(folder / "people.png", ["ann", "bo"])]
     assert read_png((folder / "scans.png").read_bytes()).shape[2] == 3
+    assert "MeshLab" in text, "a head that is not found is shown by points"
 
 
-def test_a_report_alone_stores_nothing(tmp_path: Path, doubts: list[str]) -> None:
+def test_the_table_of_many_scans_fits_a_terminal_and_whole_sentences_come_once_below_it(
+    tmp_path: Path, doubts: list[Doubt]
+) -> None:
+    doubts += [Doubt(f"Doubt {number} is a sentence {'as long as they are ' * 5}.") for number in range(3)]
+    text = said(scan(tmp_path, "ann.ply"), scan(tmp_path, "nobody.ply"), "--report", tmp_path / "r", status=1)
+    table = [line for line in text.splitlines() if not line.startswith("omote: ")]
+    assert [line.split()[:3] for line in table[1:]] == [
+        ["ann.ply", "ann", "doubtful"],
+        ["nobody.ply", "nobody", "failed"],
+    ]
+    assert max(map(len, table)) <= 80
+    assert [text.count(doubt) for doubt in doubts] == [1, 1, 1]
+    assert text.index(doubts[0]) > text.index(table[-1])
+
+
+def test_a_scan_that_could_not_be_read_gets_no_advice_on_points(tmp_path: Path, doubts: list[Doubt]) -> None:
+    (tmp_path / "text.ply").write_bytes(b"hello")
+    assert "MeshLab" not in said(tmp_path / "text.ply", "--report", tmp_path / "r", status=1)
+
+
+def test_hair_that_was_chosen_for_a_scan_is_told_and_another_is_chosen(tmp_path: Path, doubts: list[Doubt]) -> None:
+    plain = scan(tmp_path, "a.ply")
+    show = tmp_path / "a.omote"
+    assert "it shows no colours, so it gets short hair; --hair chooses another" in said(plain, "-o", show)
+    for hair, style in (("bob", "bob"), ("none", "")):
+        assert "--hair" not in said(plain, "-o", show, "--hair", hair, "--keep-both")
+        found = kept(show)
+        _, look = unpack_face(found.contents[found.stored.revisions[-1].content], "a")
+        assert look.hair_style == style
+    helped = said("--help", columns=240)
+    assert all(style in helped for style in (*load_cast().hair, "none"))
+
+
+def test_people_of_a_report_wear_what_is_asked_for(
+    tmp_path: Path, doubts: list[Doubt], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    plain = scan(tmp_path, "a.ply")
+    said(plain, "--report", tmp_path / "r")
+    said(plain, "--report", tmp_path / "r", "--expressions", "smile,joy")
+    said(plain, "--report", tmp_path / "r", "--expressions", "none")
+    assert [worn for _, _, worn in drawn] == [EXPRESSIONS, "smile,joy"]
+
+    def refuse(*_: object) -> None:
+        raise BrowserError("there is no browser")
+
+    monkeypatch.setattr(people_table, "draw_people", refuse)
+    assert "people.png is not drawn: there is no browser" in said(plain, "--report", tmp_path / "r")
+
+
+def test_a_report_alone_stores_nothing(tmp_path: Path, doubts: list[Doubt]) -> None:
     said(scan(tmp_path, "a.ply"), "--report", tmp_path / "report")
     assert sorted(path.name for path in tmp_path.iterdir()) == ["a.ply", "report"]
 
@@ -113,6 +178,9 @@ def test_a_report_alone_stores_nothing(tmp_path: Path, doubts: list[str]) -> Non
         (["a.ply"], "say where the faces go"),
         (["a.ply", "b.ply", "-o", "x.omote", "--name", "Ann"], "is of one face, and 2 scans are given"),
         (["a.ply", "b.ply", "-o", "x.omote", "--landmarks", "nose_tip=1,2,3"], "landmarks on the line are of one scan"),
+        (["a.ply", "-o", "b.ply.new"], "b.ply.new does not end as a show file does; write -o b.ply.omote"),
+        (["a.ply", "-o", "x.omote", "--hair", "wig"], "there is no hair 'wig'; choose one of bob, bun, crop"),
+        (["a.ply", "--report", "r", "--expressions", "neutral,grin"], "grin"),
         (["gone.ply", "-o", "x.omote"], "there is no file gone.ply"),
         (["a.ply", "-o", "x.omote", "--landmarks", "nose=1,2,3"], "is no landmark; expected one of"),
         (["a.ply", "-o", "x.omote", "--landmarks", "nose_tip=1,2,3"], "1 landmarks are given; expected at least 3"),
@@ -121,16 +189,17 @@ def test_a_report_alone_stores_nothing(tmp_path: Path, doubts: list[str]) -> Non
     ],
 )
 def test_what_cannot_be_meant_is_refused(
-    arguments: list[str], sentence: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, doubts: list[str]
+    arguments: list[str], sentence: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, doubts: list[Doubt]
 ) -> None:
     monkeypatch.chdir(tmp_path)
     scan(tmp_path, "a.ply")
     scan(tmp_path, "b.ply")
     assert sentence in said(*arguments, status=1)
     assert not (tmp_path / "x.omote").exists()
+    assert not (tmp_path / "r").exists()
 
 
-def test_the_same_scan_is_added_again_only_where_that_is_asked_for(tmp_path: Path, doubts: list[str]) -> None:
+def test_the_same_scan_is_added_again_only_where_that_is_asked_for(tmp_path: Path, doubts: list[Doubt]) -> None:
     show, path = tmp_path / "a.omote", scan(tmp_path, "a.ply")
     said(path, "-o", show)
     again = said(path, "-o", show)
@@ -140,21 +209,21 @@ def test_the_same_scan_is_added_again_only_where_that_is_asked_for(tmp_path: Pat
     assert len(kept(show).stored.items) == 2
 
 
-def test_a_doubt_about_eyes_is_answered_by_an_option_not_by_points(tmp_path: Path, doubts: list[str]) -> None:
-    doubts.append("The scan is closed between its lids; say whether its eyes are shut.")
+def test_a_doubt_about_eyes_is_answered_by_an_option_not_by_points(tmp_path: Path, doubts: list[Doubt]) -> None:
+    doubts.append(Doubt("Its lids were opened.", EYES))
     text = said(scan(tmp_path, "a.ply"), "-o", tmp_path / "a.omote", status=1)
     assert "--shut says that the eyes of the scan are shut" in text
     assert "MeshLab" not in text
 
 
-def test_a_report_that_is_a_file_is_refused_before_a_scan_is_read(tmp_path: Path, doubts: list[str]) -> None:
+def test_a_report_that_is_a_file_is_refused_before_a_scan_is_read(tmp_path: Path, doubts: list[Doubt]) -> None:
     path = scan(tmp_path, "a.ply")
     text = said(path, "--report", path, status=1)
     assert "is a file; give the name of a folder" in text
     assert "reading" not in text
 
 
-def test_landmarks_of_other_scans_alone_are_refused_before_a_scan_is_read(tmp_path: Path, doubts: list[str]) -> None:
+def test_landmarks_of_other_scans_alone_are_refused_before_a_scan_is_read(tmp_path: Path, doubts: list[Doubt]) -> None:
     (tmp_path / "points.json").write_text('{"b.ply": {"nose_tip": [1, 2, 3]}}')
     show = tmp_path / "a.omote"
     text = said(scan(tmp_path, "a.ply"), "-o", show, "--landmarks", tmp_path / "points.json", status=1)

@@ -31,6 +31,7 @@ from tools.baking.heads.fold_correction import correct_folds
 from tools.baking.heads.head import Head, cut_head
 from tools.baking.heads.lower_lip import round_lower_lip
 from tools.baking.heads.moves import all_moves, jaw_vertices
+from tools.baking.heads.one_eye import leave_other_socket
 from tools.baking.heads.people import PEOPLE
 from tools.baking.heads.random_heads import identity_modes
 from tools.baking.layout import unwrap
@@ -77,7 +78,8 @@ def cast_arrays(package: Package, base: BaseMesh, head: Head, layout: Floats, st
     fit_mouths(arrays, space, [name for name in PEOPLE if name != GENERIC])
     arrays.update(sculpt_arrays(arrays, space, sculpts, step))
     fit_mouths(arrays, space, [sculpt.name for sculpt in sculpts])
-    arrays.update(field_arrays(arrays, space, correct_folds(space, round_lower_lip(space, moves)), step))
+    corrected = correct_folds(space, round_lower_lip(space, leave_other_socket(space, moves)))
+    arrays.update(field_arrays(arrays, space, corrected, step))
     arrays.update(hair_arrays(space, step))
     arrays.update(openness_arrays(arrays))
     arrays.update(about(moves, sculpts))

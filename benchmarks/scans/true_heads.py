@@ -13,6 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from benchmarks.maps.random_faces import ORDINARY, PeopleMaker, draw_person
+from benchmarks.scans import perry_smith as perry_smith_scan
 from omote.model.cast import Cast
 from omote.model.fitting.landmarks import SEVEN, find_landmarks
 from tools.baking.heads.head import METRES, split_quads
@@ -22,10 +23,12 @@ Values = NDArray[np.float64]
 Triangles = NDArray[np.int64]
 
 DATA = Path(__file__).resolve().parents[3] / "shared" / "data"
-ICT, PERRY = DATA / "ict_facekit", DATA / "lee_perry_smith_ccby" / "LeePerrySmith.obj"
+ICT = DATA / "ict_facekit"
 # iBUG's numbers of the seven.
 ICT_SEVEN = (45, 42, 39, 36, 30, 54, 48)
 ICT_STRENGTH = 0.9
+EYES_APART = 0.088
+"""Metres between the outer corners of a man's eyes."""
 ANIMALS: Mapping[str, str] = {"Fox": "Fox_4", "Husky": "Cube_3", "ShibaInu": "ShibaInu_3", "Wolf": "Wolf_2"}
 """Each animal's file, and the mesh of it that is its eyes."""
 
@@ -58,17 +61,11 @@ def _read_ict() -> tuple[Values, Triangles, NDArray[np.int16], float, list[int]]
 
 def perry_smith() -> TrueHead:
     """Lee Perry-Smith's scan, of no unit that its maker names: here so large that his eyes are a person's apart."""
-    points, triangles = read_obj(PERRY)
-    points = 0.0315 * points
-    places = {"left_eye_outer": (0.043, 0.040), "left_eye_inner": (0.016, 0.036), "right_eye_inner": (-0.016, 0.036),
-              "right_eye_outer": (-0.043, 0.040), "nose_tip": (0.0, 0.0), "mouth_left": (0.027, -0.035),
-              "mouth_right": (-0.027, -0.035)}  # fmt: skip
-    tip = points[points[:, 2].argmax()]
-    front = points[points[:, 2] > tip[2] - 0.07]
-    found = {}
-    for name, (x, y) in places.items():
-        found[name] = front[np.hypot(front[:, 0] - tip[0] - x, front[:, 1] - tip[1] - y).argmin()]
-    return TrueHead("Lee Perry-Smith", points, triangles, found)
+    points, triangles = perry_smith_scan.read_scan()
+    marks = perry_smith_scan.clicks(points)
+    size = EYES_APART / float(np.linalg.norm(marks["left_eye_outer"] - marks["right_eye_outer"]))
+    found = {name: size * place for name, place in marks.items()}
+    return TrueHead("Lee Perry-Smith", size * points, triangles.astype(np.int64), found)
 
 
 def cast_head(cast: Cast, name: str) -> TrueHead:

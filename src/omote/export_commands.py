@@ -6,7 +6,7 @@ import os
 import sys
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
@@ -104,7 +104,7 @@ def read_credit(kind: str, authors: Sequence[str], licence: Sequence[str], *, ol
 def export_file(output: Path, face: str, options: ExportOptions) -> None:
     """Writes one face as one file, and the pictures that it names beside it."""
     output = complete_name(output, ".glb")
-    kind, credit = output.suffix.lower(), options.credit
+    kind = output.suffix.lower()
     found = check_export(output, options.show, force=options.force)
     from rich.console import Console  # what is heavy comes after what can be refused without it
     from rich.progress import track
@@ -115,7 +115,7 @@ def export_file(output: Path, face: str, options: ExportOptions) -> None:
     from omote.stage_data.full_cast import find_face
 
     with exit_on_refusal():
-        cast = load_full_cast(found)
+        cast, credit = load_full_cast(found), label_credit(options.credit, found)
         face = find_face(cast, None if found is None else found.stored, face)
         names = choose_expressions(cast, options.expressions or (NEUTRAL if kind == OBJ else ARKIT))
         check_count(kind, names)
@@ -182,7 +182,7 @@ def export_folder(folder: Path, faces: str, form: str, options: ExportOptions, p
         chosen = choose_faces(cast, found, faces)
         names = choose_expressions(cast, options.expressions or ARKIT)
         context, hair, force = shared_context(cast), options.hair, options.force
-        run = ExportRun(context, folder, kind, chosen, names, hair, force, options.credit)
+        run = ExportRun(context, folder, kind, chosen, names, hair, force, label_credit(options.credit, found))
         with shown_progress(run) as report:
             return run_export(run, choose_pool(pool), report)
 
@@ -200,6 +200,13 @@ def choose_faces(cast: Cast, found: Inspection | None, text: str) -> list[str]:
     if not chosen:
         raise ValueError(f"{text!r} names no face; give names by commas, all, or own with --show")
     return list(chosen)
+
+
+def label_credit(credit: Credit | None, found: Inspection | None) -> Credit | None:
+    """Who made a VRM, with what a show file calls its own faces."""
+    from omote.stage_data.full_cast import face_labels
+
+    return credit if credit is None or found is None else replace(credit, labels=face_labels(found.stored))
 
 
 def choose_pool(pool: str | int) -> Pool:

@@ -105,7 +105,7 @@ def history(
 def take_in(
     file: ShowFileArgument,
     things: Annotated[
-        list[Path], typer.Argument(help="Expressions (.json), heads with morph targets (.glb), shapes (.obj).")
+        list[Path], typer.Argument(help="Expressions (.json), heads with morph targets (.glb, .vrm), shapes (.obj).")
     ],
     face: Annotated[str, typer.Option(help="The face of the cast that shapes start from; else it is seen.")] = "",
     kind: Annotated[

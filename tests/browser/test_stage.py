@@ -129,9 +129,11 @@ def pose_of(cast: Cast, frame: Frame) -> dict[str, Any]:
     return {name: whole[name] for name in POSE}
 
 
-def test_gpu_positions_equal_the_bilinear_evaluator(stage: Callable[..., Page], cast: Cast) -> None:
-    """With and without regions that go their own way, in turn: what one leaves on the GPU is not in the next."""
-    page, rng = stage(), np.random.default_rng(1993)
+@pytest.mark.parametrize("level", ["lowest", "medium"])
+def test_positions_equal_the_bilinear_evaluator(stage: Callable[..., Page], cast: Cast, level: str) -> None:
+    """Blended by shaders or, at low levels without a graphics processor, not. With and without regions that go their own
+    way, in turn: what one leaves on the GPU is not in the next."""
+    page, rng = stage(f"?quality={level}"), np.random.default_rng(1993)
     pool = Pool.drawn(cast, rng)
     for number in range(FRAMES):
         frame = random_frame(pool, rng, regional=number % 2 == 1)
@@ -140,9 +142,12 @@ def test_gpu_positions_equal_the_bilinear_evaluator(stage: Callable[..., Page], 
         assert wrong.max() < TOLERANCE, (frame, wrong.argmax())
 
 
-def test_one_unit_beyond_its_end_is_corrected_as_by_the_evaluator(stage: Callable[..., Page], cast: Cast) -> None:
+@pytest.mark.parametrize("level", ["lowest", "medium"])
+def test_one_unit_beyond_its_end_is_corrected_as_by_the_evaluator(
+    stage: Callable[..., Page], cast: Cast, level: str
+) -> None:
     """Lids that are asked for more than a closed eye press, and triangles stay upright."""
-    page = stage()
+    page = stage(f"?quality={level}")
     for name in ("eyeBlinkLeft", "mouthPucker"):
         frame = Frame({"baby": 1.0}, {"neutral": 1.0}, channels={name: 1.5})
         hold(page, pose_of(cast, frame))

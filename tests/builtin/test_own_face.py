@@ -9,6 +9,7 @@ import pytest
 
 import omote
 from omote.builtin import load_identity_modes, own_face
+from omote.model.fitting.doubt import Doubt
 from omote.model.fitting.find_head import find_head
 from omote.model.fitting.landmarks import find_landmarks
 from omote.model.fitting.scan import Scan
@@ -34,7 +35,9 @@ def test_too_few_landmarks_are_refused() -> None:
 def test_what_was_no_head_where_it_was_sought_is_said_in_those_words(monkeypatch: pytest.MonkeyPatch) -> None:
     clicks = {name: OLD[row] for name, row in ROWS.items()}
     doubtful = find_head(CAST.space, load_identity_modes(), Scan(OLD), landmarks=clicks)
-    monkeypatch.setattr(own_face, "find_head", lambda *_, **__: replace(doubtful, doubts=("This may be no face.",)))
+    monkeypatch.setattr(
+        own_face, "find_head", lambda *_, **__: replace(doubtful, doubts=(Doubt("This may be no face."),))
+    )
 
     def refuse(*_: object, **__: object) -> None:
         raise ValueError("the axis is outside the head")

@@ -8,10 +8,13 @@ import numpy as np
 from omote.interchange.fit_report import (
     BAND,
     FARTHEST,
+    KEY,
     TALL,
     VIEWS,
     WIDE,
+    SheetRow,
     contact_sheet,
+    describe_distances,
     draw_view,
     heat_colours,
     table_of,
@@ -47,8 +50,21 @@ def test_what_is_nearer_hides_what_is_behind_it_in_any_order() -> None:
         np.testing.assert_array_equal(picture[TALL // 2, WIDE // 2 + int(0.35 * WIDE)], [0, 0, 255])
 
 
-def test_a_sheet_has_a_row_of_three_views_for_each_face() -> None:
+def test_a_sheet_says_what_its_colours_mean_and_has_three_views_of_each_face() -> None:
     residual = np.array([0.0, 0.5, np.nan, 3.0])
-    sheet = contact_sheet(SIDES, [("Ann", SQUARE, residual), ("Bo \u2603", SQUARE, np.full(4, np.nan))])
-    assert sheet.shape == (2 * (TALL + BAND), len(VIEWS) * WIDE, 3)
+    rows = [SheetRow("Ann", "good", SQUARE, residual), SheetRow("Bo \u2603", "doubtful", SQUARE, np.full(4, np.nan))]
+    sheet = contact_sheet(SIDES, rows)
+    assert sheet.shape == (len(KEY) * BAND + 2 * (TALL + BAND), len(VIEWS) * WIDE, 3)
     assert len(np.unique(sheet.reshape(-1, 3), axis=0)) > 50
+    for word in ("blue", "red", "grey", "doubtful", "failed"):
+        assert word in " ".join(KEY)
+    named = contact_sheet(SIDES, [*rows, SheetRow("Cy", "failed")])
+    assert named.shape[0] == sheet.shape[0] + BAND
+    assert (named[: len(sheet)] == sheet).all()
+    key = sheet[: len(KEY) * BAND]
+    assert (key[:, -1] == key[0, 0]).all(), "no line of text is cut"
+
+
+def test_distances_are_of_what_was_seen() -> None:
+    assert describe_distances(np.array([1.0, 1.0, np.nan])) == ("1.00", "1.00")
+    assert describe_distances(np.full(3, np.nan)) == ("", "")

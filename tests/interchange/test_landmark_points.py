@@ -34,6 +34,19 @@ def test_other_documents_are_refused(data: bytes) -> None:
         parse_document(data, "a.ply")
 
 
+@pytest.mark.parametrize(
+    ("text", "place"),
+    [
+        ('{\n  "nose_tip": [1, 2,],\n}', "line 2, column 21: trailing comma"),
+        ('{"\u00fc": [1, 2, 3],\n"b": [1; 2]}', "line 2, column 8: "),
+        ('{"nose_tip": [1, 2\n', "line 2, column 1: it ends too soon"),
+    ],
+)
+def test_broken_json_is_shown_by_line_and_column(text: str, place: str) -> None:
+    with pytest.raises(ValueError, match=place):
+        parse_document(text.encode(), "a.ply")
+
+
 def test_fewer_than_three_say_nothing() -> None:
     require_enough({})
     require_enough(dict.fromkeys(SEVEN[:3]))

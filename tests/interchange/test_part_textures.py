@@ -82,3 +82,13 @@ def test_hairs_are_denser_at_their_roots_and_wear_their_colour() -> None:
     assert cover[-1] < 0.1 < cover[20] < cover[0]
     assert (picture[..., 1:3] == 0).all()
     assert picture[..., 0].max() > 200
+
+
+def test_an_eye_is_the_same_whatever_was_painted_before_it() -> None:
+    """What all eyes share is kept, and no eye changes it."""
+    one, other = Look(iris="#2060ff", slit=0.5), Look(iris="#a0a040")
+    first = part_textures.paint_eye(one, 64)
+    assert (part_textures.paint_eye(other, 64) != first).any()
+    assert (part_textures.paint_eye(one, 32).shape, part_textures.paint_eye(one, 64).tobytes()) == (
+        (32, 32, 3), first.tobytes(),
+    )  # fmt: skip

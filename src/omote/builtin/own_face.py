@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from omote.builtin import load_identity_modes, load_landmark_table
+from omote.model.fitting.doubt import join_doubts
 from omote.model.fitting.find_head import find_head
 from omote.model.fitting.fit_face import Fit, fit_face
 from omote.model.fitting.photographs.photograph import Photograph
@@ -77,7 +78,7 @@ def fit(
             raise
         # What is no face of our space was no head where it was looked for: that helps, the other is an engineer's.
         raise ValueError(" ".join(place.doubts)) from error
-    return replace(found, doubts=(*place.doubts, *found.doubts))
+    return replace(found, doubts=join_doubts(place.doubts, found.doubts))
 
 
 def fit_photographs(

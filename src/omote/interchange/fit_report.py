@@ -5,6 +5,7 @@ from __future__ import annotations
 import csv
 import io
 from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
 
 import numpy as np
 from numba import njit
@@ -20,8 +21,33 @@ TALL, WIDE, BAND = 300, 240, 28
 """Pixels of a view, and of the line of text above a face's views."""
 FARTHEST = 2.0
 """Millimetres that the hottest colour stands for."""
+KEY = (
+    f"blue: it lies on its scan; red: {FARTHEST:g} mm off, or more; grey: the scan shows nothing there, it is made up",
+    "doubtful: look at it, it is stored only with --accept; failed: there is no face; scans.csv says why",
+)
+"""What colours and states mean, above a sheet."""
+_DARK, _LIGHT = (16, 16, 16), (230, 230, 230)
 _STOPS = np.array([[70, 110, 170], [120, 180, 150], [230, 200, 90], [210, 60, 40]], np.float64)
 _UNSEEN, _BACK = np.array([150.0, 150.0, 150.0]), 32
+
+
+@dataclass(frozen=True, eq=False)
+class SheetRow:
+    """A face of a sheet: positions (V, 3) metres, residual (V,) millimetres, nan: unseen; neither of a failed one."""
+
+    label: str
+    state: str
+    positions: NDArray[np.floating] | None = None
+    residual: Values | None = None
+
+
+def describe_distances(residual: Values, /) -> tuple[str, str]:
+    """Within how many millimetres half of what was seen lies, and 95 % of it; empty where nothing was."""
+    seen = residual[np.isfinite(residual)]
+    if not len(seen):
+        return "", ""
+    middle, most = np.percentile(seen, [50, 95])
+    return f"{middle:.2f}", f"{most:.2f}"
 
 
 def table_of(rows: Sequence[Mapping[str, object]], /) -> bytes:
@@ -43,26 +69,31 @@ def heat_colours(residual: Values, /) -> Values:
     return np.where(np.isfinite(residual)[:, None], mixed, _UNSEEN)
 
 
-def contact_sheet(
-    triangles: NDArray[np.integer], faces: Sequence[tuple[str, NDArray[np.floating], Values]], /
-) -> Picture:  # fmt: skip
-    """A picture (height, width, 3) with a row for each face: its name and three views, coloured by the distance.
+def contact_sheet(triangles: NDArray[np.integer], faces: Sequence[SheetRow], /) -> Picture:
+    """A picture (height, width, 3): what its colours mean, then a row for each face: its name and three views, coloured
+    by the distance; of a failed one its name alone.
 
-    triangles (F, 3); faces: label, positions (V, 3) metres, residual (V,) millimetres, nan for unseen.
+    triangles (F, 3).
     """
-    rows = []
-    for label, positions, residual in faces:
-        views = [
-            draw_view(np.asarray(positions, np.float64), triangles, heat_colours(residual), turn) for turn in VIEWS
-        ]
-        band = Image.new("RGB", (WIDE * len(VIEWS), BAND), (16, 16, 16))
-        plain = label.encode("ascii", "replace").decode()[:40]
-        seen = residual[np.isfinite(residual)]
-        middle = f"{np.median(seen):.2f} mm" if len(seen) else "unseen"
-        ImageDraw.Draw(band).text((8, 8), f"{plain}   {middle}   blue 0, red {FARTHEST:g} mm", fill=(230, 230, 230))
-        rows += [np.asarray(band), np.concatenate(views, axis=1)]
+    rows = [_write(line) for line in KEY]
+    for face in faces:
+        if face.positions is None or face.residual is None:
+            rows.append(_write(f"{face.label[:40]}   {face.state}"))
+            continue
+        points, colours = np.asarray(face.positions, np.float64), heat_colours(face.residual)
+        middle = describe_distances(face.residual)[0]
+        near = f"half of it within {middle} mm" if middle else "unseen"
+        views = [draw_view(points, triangles, colours, turn) for turn in VIEWS]
+        rows += [_write(f"{face.label[:40]}   {face.state}   {near}"), np.concatenate(views, axis=1)]
     sheet: Picture = np.concatenate(rows, axis=0)
     return sheet
+
+
+def _write(text: str) -> Picture:
+    """A line of text, as wide as the views."""
+    band = Image.new("RGB", (WIDE * len(VIEWS), BAND), _DARK)
+    ImageDraw.Draw(band).text((8, 8), text.encode("ascii", "replace").decode(), fill=_LIGHT)
+    return np.asarray(band)
 
 
 def draw_view(positions: Values, triangles: NDArray[np.integer], colours: Values, turn: float, /) -> Picture:

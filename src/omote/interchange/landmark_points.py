@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Mapping, Sequence
+from pathlib import Path
 
 import msgspec
 import numpy as np
@@ -14,6 +16,7 @@ Points = dict[str, tuple[float, float, float]]
 LARGEST = 2**20
 """Bytes of a file of landmarks at most."""
 EXAMPLE = "--landmarks nose_tip=0,1.2,9.4"
+_MALFORMED = re.compile(r"JSON is malformed: (.+) \(byte (\d+)\)")
 
 
 def parse_point(word: str, /) -> tuple[str, tuple[float, float, float]]:
@@ -41,7 +44,7 @@ def parse_document(data: bytes, scan: str, /, *, others: Sequence[str] = ()) -> 
         document = msgspec.json.decode(data, type=dict[str, list[float] | dict[str, list[float]]])
     except (msgspec.DecodeError, UnicodeDecodeError, RecursionError) as error:
         raise ValueError(
-            f'the landmarks are no JSON such as {{"nose_tip": [0, 1.2, 9.4]}} ({explain_error(error)})'
+            f'the landmarks are no JSON such as {{"nose_tip": [0, 1.2, 9.4]}} ({_explain(error, data)})'
         ) from error
     found = document.get(scan, document)
     points = (
@@ -50,6 +53,31 @@ def parse_document(data: bytes, scan: str, /, *, others: Sequence[str] = ()) -> 
     if not points and not document.keys() & set(others):
         raise ValueError(f"the landmarks have none for {scan}; they name {', '.join(document)[:200] or 'nothing'}")
     return dict(parse_point(f"{name}={','.join(map(repr, place))}") for name, place in points.items())
+
+
+def read_landmarks(words: Sequence[str], scan: Path, scans: Sequence[Path], /) -> Points:
+    """The landmarks of one of several scans, from words and files of them; ValueError where these say none."""
+    found: Points = {}
+    for word in words:
+        if "=" in word:
+            found.update([parse_point(word)])
+            continue
+        path = Path(word)
+        if not path.is_file() or path.stat().st_size > LARGEST:
+            raise ValueError(f"there is no file of landmarks {word}; give nose_tip=x,y,z, or a JSON file")
+        found.update(parse_document(path.read_bytes(), scan.name, others=[each.name for each in scans]))
+    return found
+
+
+def _explain(error: Exception, data: bytes) -> str:
+    """What is wrong with a document, and in which line and column, counted from 1, where its text is."""
+    if isinstance(error, msgspec.ValidationError) or not isinstance(error, msgspec.DecodeError):
+        return explain_error(error)
+    found = _MALFORMED.fullmatch(str(error))
+    what, before = (found[1], data[: int(found[2])]) if found else ("it ends too soon", data)
+    column = len(before.rpartition(b"\n")[2].decode("utf-8", "replace")) + 1
+    line = before.count(b"\n") + 1
+    return f"line {line}, column {column}: {what}"
 
 
 def require_enough(points: Mapping[str, object], /) -> None:

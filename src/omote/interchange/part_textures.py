@@ -6,6 +6,7 @@ those of web/src/face (eye_shaders, mouth_shaders, lashes), without their light.
 
 from __future__ import annotations
 
+from functools import lru_cache
 from typing import Any
 
 import numpy as np
@@ -46,7 +47,7 @@ def paint_eye(look: Look, size: int = 512) -> Picture:
     edge = LIMBUS * look.iris_size
     out = off / edge
     place = np.stack([np.cos(angle), np.sin(angle)]) * out
-    iris = _iris(look, angle, out, _pupil(place, look.slit))
+    iris = _iris(look, size, out, _pupil(place, look.slit))
     white = np.broadcast_to(np.array([0.80, 0.745, 0.69]), (*off.shape, 3))
     white = white * (1.0 + look.age * (np.array([0.94, 0.86, 0.72]) - 1.0))
     white = white * (1.0 + look.fur * (np.array([0.62, 0.50, 0.38]) * 0.65 - 1.0))
@@ -71,10 +72,10 @@ def _pupil(place: Values, slit: float) -> Values:
     return result
 
 
-def _iris(look: Look, angle: Values, out: Values, hole: Values) -> Values:
+def _iris(look: Look, size: int, out: Values, hole: Values) -> Values:
     rim = out / np.maximum(hole, 0.05)
     share = clamp_unit((out - rim) / np.maximum(1.0 - rim, 0.05))
-    fine, coarse = _fibres(angle, 90), _fibres(angle, 22)
+    fine, coarse = _fibres(size, 90), _fibres(size, 22)
     ridge = 0.30 + 0.05 * coarse
     inner = 1.0 - smooth_ramp(-0.05, 0.06, share - ridge)
     tone = decode_srgb(look.iris) * (1.25 - 0.45 * smooth_ramp(0.2, 0.95, share))[..., None] + np.array(
@@ -88,14 +89,21 @@ def _iris(look: Look, angle: Values, out: Values, hole: Values) -> Values:
     return result
 
 
-def _fibres(angle: Values, most: int) -> Values:
-    """Noise around the iris, about -1..1, without a seam: waves of whole numbers up to `most`."""
+@lru_cache(maxsize=4)
+def _fibres(size: int, most: int) -> Values:
+    """Noise around the iris (size, size), about -1..1, without a seam: waves of whole numbers up to `most`.
+
+    It is the same for all eyes, and takes most of the time of one: it is kept.
+    """
+    x, y, _ = _disc(size)
+    angle = np.arctan2(y, x)
     chance = np.random.default_rng(SEED + most)
     waves = np.arange(most // 3, most)
     total = np.zeros(angle.shape)
     for wave, phase in zip(waves, chance.uniform(0.0, 2.0 * np.pi, len(waves)), strict=True):
         total += np.cos(wave * angle + phase)
     result: Values = total / np.sqrt(len(waves))
+    result.flags.writeable = False
     return result
 
 

@@ -16,6 +16,8 @@ from omote.model.space.similarity import Similarity
 
 FIRST_HAIR = "short"
 """What a face wears until its editor chooses."""
+NO_HAIR = "none"
+"""What people say for no hair."""
 BALD = 0.3
 """Of the skin's linear light: where the scalp differs from the skin by less, no hair is seen; black hair on dark skin
 differs by little light, but by much of it."""
@@ -75,3 +77,12 @@ def bald_where_bare(look: Look, /) -> Look:
     if look.albedo is None or np.abs(hair - skin).max() >= BALD * skin.max():
         return look
     return replace(look, hair_style="", hair=Look().hair)
+
+
+def choose_hair(cast: Cast, word: str, /) -> str | None:
+    """The hair style that a word names, "" for none, None where no word is given; ValueError for another word."""
+    if word.lower() == NO_HAIR or not word:
+        return "" if word else None
+    if word not in cast.hair:
+        raise ValueError(f"there is no hair {word!r}; choose one of {', '.join(cast.hair)}, or {NO_HAIR}")
+    return word

@@ -93,8 +93,12 @@ def find_face(cast: Cast, stored: Stored | None, typed: str, /) -> str:
 
     stored: what the cast's own ones are of, None where it has none.
     """
-    own = () if stored is None else playing_items(stored)
-    return find_name(typed, cast.faces, "face", {item.name: item.label for item, _ in own if item.kind == "face"})
+    return find_name(typed, cast.faces, "face", {} if stored is None else face_labels(stored))
+
+
+def face_labels(stored: Stored, /) -> dict[str, str]:
+    """What the own faces that play are called, by their names."""
+    return {item.name: item.label for item, _ in playing_items(stored) if item.kind == "face"}
 
 
 def playing_items(stored: Stored, /) -> list[tuple[Item, str]]:

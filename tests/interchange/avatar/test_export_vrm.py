@@ -1,5 +1,6 @@
 """Faces as VRM 1.0: what the specification asks for is there, what it forbids is not, vertices are where ours are."""
 
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -87,6 +88,12 @@ def test_terms_are_as_they_were_agreed_and_an_own_face_is_asked_about() -> None:
     strict = Credit(("Ann", "Ben"), parse_terms(["strict"]))
     meta = taken_apart(vrm_bytes(context(), "long", [], strict, own=True))[0]["extensions"]["VRMC_vrm"]["meta"]
     assert (meta["authors"], meta["avatarPermission"]) == (["Ann", "Ben"], "onlyAuthor")
+    called = replace(strict, labels={"long": "Long John"})
+    assert (
+        taken_apart(vrm_bytes(context(), "long", [], called))[0]["extensions"]["VRMC_vrm"]["meta"]["name"]
+        == "Long John"
+    )
+    assert meta["name"] == "long"
     with pytest.raises(ValueError, match="'long' is an own face"):
         vrm_bytes(context(), "long", [], ANN, own=True)
     with pytest.raises(ValueError, match="there is no face 'nobody' in this cast"):

@@ -45,7 +45,7 @@ def test_files_to_be_taken_in_are_there_and_say_what_they_are(tmp_path: Path) ->
         (tmp_path / f"smile{ending}").touch()
     require_imports(tmp_path.iterdir())
     (tmp_path / "smile.txt").touch()
-    with pytest.raises(ValueError, match=r"smile\.txt holds is told by its name; end that with \.json, \.glb, \.obj"):
+    with pytest.raises(ValueError, match=r"smile\.txt holds is told by its name; end that with \.json, \.glb, \.vrm, \.obj"):
         require_imports([tmp_path / "smile.txt"])
     (tmp_path / "head.FBX").touch()
     with pytest.raises(ValueError, match=r"head\.FBX cannot be imported: export it as glTF binary"):

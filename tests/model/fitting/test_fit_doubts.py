@@ -22,20 +22,23 @@ def found(weight: float = 0.0) -> ModeFit:
 
 
 def test_a_good_fit_leaves_no_doubt() -> None:
-    assert find_doubts(ZONES, found(), GOOD, 0, False) == ()
+    assert find_doubts(ZONES, found(), GOOD, 0, False, False) == ()
 
 
 @pytest.mark.parametrize(
-    ("fit", "residual", "folds", "filled", "word"),
+    ("fit", "residual", "folds", "filled", "turned", "word"),
     [
-        (found(), np.where(ZONES.face, np.nan, 0.1), 0, False, "Only 0%"),
-        (found(), 20 * GOOD, 0, False, "2.0 mm from the scan"),
-        (found(5.0), GOOD, 0, False, "unlike those of people"),
-        (found(), GOOD, 3, False, "folded at 3 triangles"),
-        (found(), GOOD, 0, True, "closed between its lids"),
+        (found(), np.where(ZONES.face, np.nan, 0.1), 0, False, False, "Only 0%"),
+        (found(), 20 * GOOD, 0, False, False, "2.0 mm from the scan"),
+        (found(5.0), GOOD, 0, False, False, "unlike those of people"),
+        (found(), GOOD, 3, False, False, "folded at 3 triangles"),
+        (found(), GOOD, 0, True, False, "closed between its lids"),
+        (found(), GOOD, 0, False, True, "may be mirrored"),
     ],
 )
-def test_each_fault_is_said(fit: ModeFit, residual: np.ndarray, folds: int, filled: bool, word: str) -> None:
-    (sentence,) = find_doubts(ZONES, fit, residual, folds, filled)
+def test_each_fault_is_said(
+    fit: ModeFit, residual: np.ndarray, folds: int, filled: bool, turned: bool, word: str
+) -> None:
+    (sentence,) = find_doubts(ZONES, fit, residual, folds, filled, turned)
     assert word in sentence
     assert sentence.endswith(".")

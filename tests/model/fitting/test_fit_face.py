@@ -45,6 +45,12 @@ def test_somebody_of_the_cast_is_found_again_without_doubt(kaori: Fit) -> None:
     assert kaori.face.name == "Kaori"
 
 
+def test_a_mirrored_scan_is_asked_about() -> None:
+    found = fit_face(SPACE, MODES, Scan(KAORI * [-1.0, 1.0, 1.0], SPACE.triangles), HERE)
+    assert [doubt for doubt in found.doubts if "mirrored" in doubt]
+    assert np.nanmedian(found.residual[ZONES.face]) < 0.05
+
+
 def test_the_placement_brings_the_scan_onto_the_face(kaori: Fit) -> None:
     turn = eye_rotation(0.1, 0.05)
     placed = kaori.placement(1000.0 * (KAORI + RAISED) @ turn.T)

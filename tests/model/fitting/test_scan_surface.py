@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
-from omote.model.fitting.scan_surface import face_outward, sample_cloud, sample_mesh
+from omote.model.fitting.scan_surface import face_outward, is_inside_out, sample_cloud, sample_mesh
 
 BOX = np.array([[-1.0, -1.0, -1.0], [1.0, 1.0, 1.0]])
 
@@ -77,3 +77,17 @@ def test_a_surface_that_is_wound_the_other_way_is_turned() -> None:
     for wound in (triangles, triangles[:, ::-1]):
         surface = face_outward(sample_mesh(points, wound, BOX, 0.0), (points, points / 0.1))
         assert ((surface.points * surface.normals).sum(axis=1) > 0.0).all()
+
+
+def test_a_mirrored_or_turned_surface_is_inside_out_and_one_of_both_sides_is_not() -> None:
+    points, triangles = ball()
+    outside = (points, points / np.linalg.norm(points, axis=1, keepdims=True))
+
+    def told(places: NDArray[np.float64], corners: NDArray[np.int64]) -> bool:
+        return is_inside_out(sample_mesh(places, corners, BOX, 0.0), outside)
+
+    both = np.concatenate([triangles, triangles[:, ::-1]])
+    mirrored = points * [-1.0, 1.0, 1.0]
+    assert [told(points, triangles), told(points, triangles[:, ::-1]), told(mirrored, triangles)] == [False, True, True]
+    assert not told(points, both)
+    assert not told(mirrored, triangles[:, ::-1]), "who mirrors with care leaves no trace"

@@ -78,6 +78,18 @@ def test_what_does_not_play_is_refused(playing: PlayingCast, file: str, query: d
         plan_download(SHOW, file, query, playing)
 
 
+def test_a_face_goes_out_as_an_avatar_and_for_other_programs(playing: PlayingCast) -> None:
+    wanted = {"author": "Ann, Ben,", "licence": "strict"}
+    avatar = plan_download(SHOW, "broad.vrm", wanted, playing)
+    assert avatar.job == ExportFace("my.omote", "broad", "arkit", ".vrm", ("Ann", "Ben"), "strict")
+    assert (avatar.file, avatar.content_type) == ("broad.vrm", "model/gltf-binary")
+    usd = plan_download(SHOW, "broad.usdz", {}, playing)
+    assert (usd.job, usd.file) == (ExportFace("my.omote", "broad", "arkit", ".usdz"), "broad.usdz")
+    plain = plan_download(SHOW, "broad.obj", {"expressions": "neutral"}, playing)
+    assert plain.job == ExportFace("my.omote", "broad", "neutral", ".obj")
+    assert (plain.file, plain.content_type) == ("broad-neutral.zip", "application/zip")
+
+
 @pytest.mark.parametrize("kind", ["arkit", "performed"])
 def test_a_kind_of_expressions_is_asked_for_by_its_name(playing: PlayingCast, kind: str) -> None:
     assert plan_download(SHOW, "broad.glb", {"expressions": kind}, playing).job == ExportFace("my.omote", "broad", kind)

@@ -36,7 +36,7 @@ def test_what_is_wrong_is_told_with_its_file(tmp_path: Path) -> None:
     path.write_bytes(b"hello")
     with pytest.raises(ValueError, match=r"a\.glb: the file is no GLB"):
         read_in_sandbox(path)
-    with pytest.raises(ValueError, match=r"'a\.fbx' is no file with a head; expected \.glb, \.obj or \.json"):
+    with pytest.raises(ValueError, match=r"'a\.fbx' is no file with a head; expected \.glb, \.vrm, \.obj or \.json"):
         read_in_sandbox(tmp_path / "a.fbx")
 
 

@@ -51,7 +51,7 @@ def test_shapes_of_strangers_come_in_by_name(
     found = {arrival.label: (arrival, told) for arrival, told in expressions_from(CAST, [path])}
     assert set(found) == {"eyeLookUp_L", "Agape"}
     look, told = found["eyeLookUp_L"]
-    assert look.tags == ("eyeLookUpLeft",)
+    assert look.tags == ("eyeLookUpLeft", "gaze")
     assert "taken from the head in head.glb, as eyeLookUpLeft" in told
     assert not isinstance(look.made, tuple)
     np.testing.assert_array_equal(look.made.eyes, CAST.expressions["eyeLookUpLeft"].eyes)

@@ -7,6 +7,7 @@ from omote.builtin import load_cast
 from omote.interchange.scan_look import FIRST_HAIR
 from omote.interchange.scans.scan_parts import make_scan
 from omote.model.cast import Look
+from omote.model.fitting.doubt import EYES, Doubt
 from omote.model.fitting.fit_face import Fit
 from omote.model.fitting.scan import Scan
 from omote.model.space.face import Face
@@ -18,7 +19,7 @@ from tests.interchange.scans import scan_samples as samples
 SCAN = make_scan(*samples.ball())
 
 
-def double(*doubts: str, face: str = "kaori", rows: slice = slice(None)) -> Fit:
+def double(*doubts: Doubt, face: str = "kaori", rows: slice = slice(None)) -> Fit:
     """A fit that found a face of the cast, whatever the scan."""
     cast = load_cast()
     found = cast.faces[face]
@@ -30,12 +31,13 @@ def double(*doubts: str, face: str = "kaori", rows: slice = slice(None)) -> Fit:
 
 def test_a_fit_comes_back(monkeypatch: pytest.MonkeyPatch) -> None:
     cast = load_cast()
-    monkeypatch.setattr(scan_fits, "fit", lambda *_, **options: double(f"It is {options['name']}."))
+    monkeypatch.setattr(scan_fits, "fit", lambda *_, **options: double(Doubt(f"It is {options['name']}.", EYES)))
     found = fit_in_child(cast, SCAN, name="Ann", landmarks={"nose_tip": (0.0, 1.0, 2.0)})
     np.testing.assert_array_equal(found.face.positions, cast.faces["kaori"].positions)
     for part, points in cast.faces["kaori"].parts.items():
         np.testing.assert_array_equal(found.face.parts[part], points)
     assert (found.face.name, found.doubts) == ("Ann", ("It is Ann.",))
+    assert [doubt.kind for doubt in found.doubts] == [EYES]
     assert found.describe() == "0.25 mm from the scan (95 of 100 points within 0.25)"
 
 

@@ -1,10 +1,13 @@
 """Jobs of files do what the commands do, say how far they are, and reject with a sentence."""
 
+import io
+import zipfile
 from pathlib import Path
 
 import msgspec
 import numpy as np
 import pytest
+from msgspec import structs
 
 from omote.builtin import load_cast
 from omote.edit.store.import_items import ImportedItem, changes_to_import, make_document
@@ -15,7 +18,7 @@ from omote.model.cast import Cast
 from omote.server.workers.file_jobs import ExportExpression, ExportFace, FileJob, Imported, ImportFile, run_file_job
 from omote.showfile.changes import PutContent, PutItem, PutRevision, Stored
 from omote.showfile.show_file import open_show
-from tests.interchange.formats.scenes import head_glb
+from tests.interchange.formats.scenes import head_glb, taken_apart
 
 Steps = list[tuple[int, int, str]]
 
@@ -59,6 +62,42 @@ def test_a_face_goes_out_with_its_expressions_and_tells_of_each(show: Path) -> N
     assert {name for piece in read_glb(made) for name in piece.moves} == {"smile", "jawOpen"}
     assert [step[:2] for step in steps] == [(0, 2), (1, 2), (2, 2)]
     assert [step[2] for step in steps[:2]] == ["smile", "jawOpen"]
+
+
+@pytest.fixture
+def own_show(built_in: Cast, show: Path) -> Path:
+    """The show file with a face of its own, called otherwise than its name."""
+    file = open_show(show)
+    arrival = ImportedItem("Aunt Ann!", (built_in.faces["old"], built_in.looks["old"]))
+    file.apply(changes_to_import(built_in, Stored(), [arrival], wall=1.0))
+    file.close()
+    return show
+
+
+def test_an_own_face_goes_out_as_an_avatar_with_its_label_its_author_and_its_terms(own_show: Path) -> None:
+    job = ExportFace(str(own_show), "aunt_ann", "smile", ".vrm", ("Ann",), "strict")
+    document, _ = taken_apart(done(job)[0])
+    meta = document["extensions"]["VRMC_vrm"]["meta"]
+    assert (meta["name"], meta["authors"], meta["avatarPermission"]) == ("Aunt Ann!", ["Ann"], "onlyAuthor")
+    for lacking in ({"authors": ()}, {"licence": ""}):
+        with pytest.raises(ValueError, match=r"who made it|say who may use it"):
+            done(structs.replace(job, **lacking))
+
+
+def test_several_files_go_out_as_one_zip_the_same_each_time(show: Path) -> None:
+    job = ExportFace(str(show), "dog", "neutral", ".obj")
+    made, _ = done(job)
+    names = zipfile.ZipFile(io.BytesIO(made)).namelist()
+    assert names[:2] == ["dog.obj", "dog.mtl"]
+    assert all(name.endswith(".png") for name in names[2:])
+    assert done(job)[0] == made
+    with pytest.raises(ValueError, match="OBJ"):
+        done(structs.replace(job, expressions="smile,cry"))
+
+
+def test_a_package_of_usd_goes_out(show: Path) -> None:
+    made, _ = done(ExportFace(str(show), "dog", "smile", ".usdz"))
+    assert zipfile.ZipFile(io.BytesIO(made)).namelist()[0] == "dog.usdc"
 
 
 def test_shapes_come_in_and_tell_of_each(built_in: Cast, show: Path, tmp_path: Path) -> None:

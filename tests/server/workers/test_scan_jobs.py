@@ -9,8 +9,10 @@ import numpy as np
 import pytest
 
 from omote.builtin import load_cast
-from omote.edit.protocol.messages import ScanPreview
+from omote.edit.protocol.messages import ScanDoubt, ScanPreview
 from omote.interchange.scan_look import FIRST_HAIR
+from omote.model.fitting.doubt import PLACE as ABOUT_PLACE
+from omote.model.fitting.doubt import Doubt
 from omote.model.fitting.find_head import HeadPlacement
 from omote.model.fitting.fit_face import Fit
 from omote.model.fitting.landmarks import SEVEN, find_landmarks
@@ -62,7 +64,9 @@ class FalseFit:
             raise ValueError("nothing in the scan could be a face")
         rows = find_landmarks(CAST.space)
         marks = {name: scan.positions[rows[name]] for name in SEVEN} | dict(landmarks or {})
-        return HeadPlacement(PLACE, np.ones(len(scan.positions), bool), 1.0, "centimetres", marks, ("Look here.",))
+        return HeadPlacement(
+            PLACE, np.ones(len(scan.positions), bool), 1.0, "centimetres", marks, (Doubt("Look here.", ABOUT_PLACE),)
+        )
 
     def fit(self, _: object, __: object, ___: Scan, placement: Similarity, /, **given: Any) -> Fit:
         self.fitted.append(given)
@@ -72,7 +76,7 @@ class FalseFit:
         face = CAST.faces["man"]
         residual = np.full(len(face.positions), 0.1)
         residual[find_landmarks(CAST.space)["nose_tip"]] = np.nan
-        return Fit(face, residual, np.isfinite(residual).astype(float), placement, ("And there.",))
+        return Fit(face, residual, np.isfinite(residual).astype(float), placement, (Doubt("And there."),))
 
 
 @pytest.fixture
@@ -101,7 +105,8 @@ def test_scan_and_face_are_shown_in_one_frame_with_figures_and_doubts(folder: Pa
     assert seen.figures is not None
     assert (seen.figures.median, seen.figures.p95) == pytest.approx((0.1, 0.1))
     assert 0.9 < seen.figures.seen < 1.0
-    assert (seen.token, seen.file, seen.doubts) == ("token", "anna.obj", ["Look here.", "And there."])
+    assert (seen.token, seen.file) == ("token", "anna.obj")
+    assert seen.doubts == [ScanDoubt("place", "Look here."), ScanDoubt("shape", "And there.")]
     assert seen.unit == "centimetres, z up, facing -y"
     place = Similarity(seen.placement[0], np.reshape(seen.placement[1:10], (3, 3)), np.array(seen.placement[10:]))
     nose = find_landmarks(CAST.space)["nose_tip"]
@@ -133,7 +138,8 @@ def test_what_cannot_be_found_or_fitted_is_shown_and_asked_about(
     false_fit.failure = failure
     seen, _ = fit(folder)
     assert (seen.face, seen.residual, seen.figures) == (None, None, None)
-    assert seen.doubts == (["Look here."] if failure == "fit" else ["nothing in the scan could be a face."])
+    said = "Look here." if failure == "fit" else "nothing in the scan could be a face."
+    assert seen.doubts == [ScanDoubt("place", said)]
     assert seen.found == {}, "what was sought and not found is nowhere"
     positions = np.frombuffer(seen.positions, "<f4").reshape(-1, 3)
     size, head = np.ptp(positions, axis=0).max(), np.ptp(CAST.space.points[:, 1])

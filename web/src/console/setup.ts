@@ -113,7 +113,7 @@ export class Setup extends ConsoleElement {
         <a href="/microphone" target="omote-microphone">Speak through a character by a microphone</a>
       </div>
       <h2>Bring in files</h2>
-      <p>Expressions (.json, .glb, .obj) and heads of our topology (.glb, .obj) come under Own; the show goes on meanwhile.</p>
+      <p>Expressions (.json, .glb, .vrm, .obj) and heads of our topology (.glb, .obj) come under Own; the show goes on meanwhile.</p>
       <div class="row">${(["expression", "face"] as const).map((kind) => this.#files(kind))}</div>
       <div class="row">
         <button class="close" @click=${() => this.#close()}>Close</button>

@@ -153,6 +153,7 @@ export class FaceView {
     const columns = this.frame();
     const blended = characters.map((character) => character.blend(this.blender, seconds, atOnce));
     if (blended.includes(true)) {
+      this.blender.onProcessor = !featuresHere(this.level).shaderBlend;
       this.blender.finish();
       this.renderer.resetState();
     }
@@ -218,7 +219,8 @@ export class FaceView {
 
   private build(): void {
     const { fans, correctives, regions } = this.parts.anatomy;
-    this.blender = new Blender(this.context, this.library.manifest.vertices, fans, correctives, regions?.rows);
+    const { vertices } = this.library.manifest;
+    this.blender = new Blender(this.context, vertices, fans, correctives, regions?.rows, drawsInSoftware());
     this.common = headUniforms(null, null);
     applyLayers(this.common, this.layers, featuresHere(this.wanted));
     this.parts.pictures.rebuild(featuresHere(this.wanted));

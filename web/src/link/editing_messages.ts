@@ -482,11 +482,17 @@ export interface ScanFigures {
   seen: number;
 }
 
+/** What is not sure of a fitted scan; kind: what it is about, and so what ends it. */
+export interface ScanDoubt {
+  kind: "place" | "sides" | "eyes" | "shape";
+  sentence: string;
+}
+
 /**
  * A scan that an editor looks at before its face is taken, `/scans`.
  * token: names it until it is taken or thrown away. placement: from the scan's own frame and unit to the face's
- * metres: the scale, the rotation row by row, the shift. unit: the scan's, in words; doubts: what to look at, in
- * sentences, none when sure; notes: what of the file could not be used. given: points that people clicked, found:
+ * metres: the scale, the rotation row by row, the shift. unit: the scan's, in words; doubts: what to look at,
+ * none when sure; notes: what of the file could not be used. given: points that people clicked, found:
  * those that were found, by name, in the scan's own frame.
  * positions (n, 3) float32 in the face's metres, triangles (t, 3) uint32 (none of a cloud), colours (n, 3) uint8
  * (sRGB; none where the file has none): a thinned copy of the scan. face (v, 3) float32, residual (v,) float32 in
@@ -498,7 +504,7 @@ export interface ScanPreview {
   file: string;
   placement: number[];
   unit: string;
-  doubts: string[];
+  doubts: ScanDoubt[];
   notes: string[];
   given: Record<string, number[]>;
   found: Record<string, number[]>;

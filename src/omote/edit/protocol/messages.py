@@ -12,6 +12,7 @@ from typing import Annotated, Literal, get_args
 
 import msgspec
 
+from omote.model.fitting.doubt import DoubtKind
 from omote.model.recipes.recipe import FaceRecipe, GainRow, Layer, Pull, Recipe, Vector  # noqa: F401  (the same)
 from omote.show.messages import Cancel, Message, Name, Notice, Notices, Progress  # noqa: F401  (the mirror has all)
 from omote.showfile.changes import Kind
@@ -430,12 +431,19 @@ class ScanFigures(msgspec.Struct, frozen=True):
     seen: float
 
 
+class ScanDoubt(msgspec.Struct, frozen=True):
+    """What is not sure of a fitted scan; kind: what it is about, and so what ends it."""
+
+    kind: DoubtKind
+    sentence: str
+
+
 class ScanPreview(msgspec.Struct, frozen=True):
     """A scan that an editor looks at before its face is taken, `/scans`.
 
     token: names it until it is taken or thrown away. placement: from the scan's own frame and unit to the face's
-    metres: the scale, the rotation row by row, the shift. unit: the scan's, in words; doubts: what to look at, in
-    sentences, none when sure; notes: what of the file could not be used. given: points that people clicked, found:
+    metres: the scale, the rotation row by row, the shift. unit: the scan's, in words; doubts: what to look at,
+    none when sure; notes: what of the file could not be used. given: points that people clicked, found:
     those that were found, by name, in the scan's own frame.
     positions (n, 3) float32 in the face's metres, triangles (t, 3) uint32 (none of a cloud), colours (n, 3) uint8
     (sRGB; none where the file has none): a thinned copy of the scan. face (v, 3) float32, residual (v,) float32 in
@@ -447,7 +455,7 @@ class ScanPreview(msgspec.Struct, frozen=True):
     file: str
     placement: list[float]
     unit: str
-    doubts: list[str]
+    doubts: list[ScanDoubt]
     notes: list[str]
     given: dict[str, list[float]]
     found: dict[str, list[float]]

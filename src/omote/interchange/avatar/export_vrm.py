@@ -72,7 +72,7 @@ def vrm_bytes(
     skins = {name: meshes[SKIN] for name, meshes in worn.items()}
     overrides = find_overrides(cast.space, fitted.positions.astype(np.float64), skins, presets)
     expressions = describe_expressions(scene.shapes, presets, customs, overrides)
-    meta = describe_meta(face, credit.authors, terms, NOTICE)
+    meta = describe_meta(credit.labels.get(face, face), credit.authors, terms, NOTICE)
     gaze = describe_gaze(cast, skeleton.eyes)
     parts = {"meta": meta, "expressions": expressions} | ({"lookAt": gaze} if gaze else {})
     return _encode(scene, skeleton, parts) if credit.version == VERSION else _encode_old(scene, skeleton, parts)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import Literal, get_args
 
 Terms = Mapping[str, str | bool]
@@ -33,7 +33,7 @@ HOW = "--licence strict (the author alone), cc0 (anyone, for anything), or terms
 @dataclass(frozen=True)
 class Credit:
     """Who made an avatar, and what others may do with it; terms None: not said, so only what is CC0 can be written;
-    version: of VRM.
+    version: of VRM. labels: what own faces are called, by their names.
 
     Raises ValueError where no author is named.
     """
@@ -41,6 +41,7 @@ class Credit:
     authors: tuple[str, ...]
     terms: Terms | None = None
     version: Version = "1.0"
+    labels: Mapping[str, str] = field(default_factory=dict)
 
     def __post_init__(self) -> None:
         if not self.authors or not all(name.strip() for name in self.authors):
@@ -48,7 +49,7 @@ class Credit:
 
     def sentence(self, face: str) -> str:
         """Whose a written avatar is said to be, for people."""
-        who = f"{face} is by {', '.join(self.authors)}"
+        who = f"{self.labels.get(face, face)} is by {', '.join(self.authors)}"
         if self.terms is None:
             return f"{who}; it came with Omote and is CC0, so anyone may use it for anything (--licence says otherwise)"
         said = [f"{name} {ANSWERED.get(value, value)}" for name, value in self.terms.items() if name in TERMS]

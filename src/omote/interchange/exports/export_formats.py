@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import io
+import zipfile
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from functools import partial
 from pathlib import Path
@@ -82,6 +84,17 @@ def encode_face(
         own = context.cast.faces.get(face) is not builtin.load_cast().faces.get(face)
         return {name: vrm_bytes(context, face, poses, credit or Credit(()), own=own, hair=hair)}
     return SCENES[kind](build_scene(context, face, poses, hair=hair), stem)
+
+
+def pack_files(files: Files, /) -> bytes:
+    """Files as one that is downloaded: the only one as it is, several in a ZIP, the same bytes for the same files."""
+    if len(files) == 1:
+        return next(iter(files.values()))
+    packed = io.BytesIO()
+    with zipfile.ZipFile(packed, "w", zipfile.ZIP_DEFLATED) as archive:
+        for name, data in files.items():
+            archive.writestr(zipfile.ZipInfo(name), data, zipfile.ZIP_DEFLATED)
+    return packed.getvalue()
 
 
 def bake_face(

@@ -14,7 +14,7 @@ NUMBERS = (".npz", ".csv")
 USD, OBJ = (".usdc", ".usda", ".usdz"), ".obj"
 EXPORTS = (GLB, VRM, *USD, OBJ, *NUMBERS)
 """What an export writes: heads, and tables of numbers."""
-IMPORTS = (DOCUMENT, GLB, ".obj")
+IMPORTS = (DOCUMENT, GLB, VRM, ".obj")
 HINTS = {
     ".omote": "a show file is opened with `omote show`; take single expressions out of it as documents (.json)",
     **dict.fromkeys((".gltf", ".fbx", ".blend", ".dae", ".stl", ".ply", ".usdz"), "export it as glTF binary (.glb)"),

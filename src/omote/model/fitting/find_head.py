@@ -11,6 +11,7 @@ from numpy.typing import ArrayLike, NDArray
 from scipy.spatial import cKDTree
 
 from omote.geometry import mesh
+from omote.model.fitting.doubt import PLACE, SIDES, Doubt
 from omote.model.fitting.finding.alignment import Alignment
 from omote.model.fitting.finding.candidates import Candidate, find_candidates, place_back, refine, score
 from omote.model.fitting.finding.finding_template import HeadTemplate, make_template
@@ -39,8 +40,6 @@ INSIDE, BELOW = 0.08, 0.005
 # Clicks may miss a person's landmarks by so many metres before they are asked about; a refined place stays so near.
 MISSED, STAYS = 0.02, 0.008
 
-_CLICK = "click the corners of both eyes, the tip of the nose and the corners of the mouth"
-
 
 @dataclass(frozen=True, eq=False)
 class HeadPlacement:
@@ -58,8 +57,8 @@ class HeadPlacement:
         The scan's unit in words.
     landmarks : mapping of ndarray (3,), by name
         The seven landmarks in the scan's frame: those given, the others found.
-    doubts : tuple of str
-        What is not sure, in sentences that say what to do; empty when sure.
+    doubts : tuple of Doubt
+        What is not sure, in sentences; empty when sure.
     """
 
     similarity: Similarity
@@ -67,7 +66,7 @@ class HeadPlacement:
     residual: float
     unit: str
     landmarks: Mapping[str, Values]
-    doubts: tuple[str, ...]
+    doubts: tuple[Doubt, ...]
 
 
 def find_head(
@@ -107,24 +106,26 @@ def find_head(
         return _place_by_landmarks(template, scan, _validate_landmarks(landmarks))
     candidates = find_candidates(template, scan)
     if not candidates:
-        raise ValueError(f"nothing in the scan could be a face: expected a head; if there is one, {_CLICK}")
+        raise ValueError(
+            "nothing in the scan could be a face: expected a head; if there is one, points on it say where"
+        )
     return _describe(template, scan, candidates[0], _doubt(candidates), {})
 
 
-def _doubt(candidates: list[Candidate]) -> tuple[str, ...]:
+def _doubt(candidates: list[Candidate]) -> tuple[Doubt, ...]:
     """What is not sure of the best candidate, and of there being no other."""
     best = candidates[0]
     rivals = [score(each) for each in candidates[1:] if not _is_other_head(best, each)]
-    doubts = []
+    doubts = list[str]()
     if best.agreement.residual > SURE or best.agreement.back > BACK:
-        doubts.append(f"This may be no face: it is {1000 * best.agreement.residual:.1f} mm off; {_CLICK}.")
+        doubts.append(f"This may be no face: it is {1000 * best.agreement.residual:.1f} mm off.")
     elif best.agreement.covered < COVERED:
-        doubts.append(f"Only {100 * best.agreement.covered:.0f} % of the face is there; {_CLICK}.")
+        doubts.append(f"Only {100 * best.agreement.covered:.0f} % of the face is there.")
     elif rivals and score(best) > MARGIN * min(rivals):
-        doubts.append(f"The face may be elsewhere, or the other way up; {_CLICK}.")
+        doubts.append("The face may be elsewhere, or the other way up.")
     if any(_is_other_head(best, each) for each in candidates[1:]):
-        doubts.append(f"There is more than one head; of the one that you want, {_CLICK}.")
-    return tuple(doubts)
+        doubts.append("There is more than one head; points on one say which is meant.")
+    return tuple(Doubt(sentence, PLACE) for sentence in doubts)
 
 
 def _is_other_head(best: Candidate, other: Candidate) -> bool:
@@ -154,21 +155,21 @@ def _marks(template: HeadTemplate, found: Alignment, names: list[str]) -> Values
     return template.shape(template.marks[[SEVEN.index(name) for name in names]], found.weights)
 
 
-def _doubt_clicks(template: HeadTemplate, points: Values, names: list[str], missed: float) -> tuple[str, ...]:
+def _doubt_clicks(template: HeadTemplate, points: Values, names: list[str], missed: float) -> tuple[Doubt, ...]:
     """What is odd about clicks: sides exchanged, or places that no face has."""
     swap = {"left": "right", "right": "left"}
     other = ["_".join(swap.get(word, word) for word in name.split("_")) for name in names]
     goals = template.points[template.marks[[SEVEN.index(name) for name in other]]]
     swapped = fit_similarity(points, goals, np.ones(len(names)))(points) - goals
     if 2.0 * float(np.linalg.norm(swapped, axis=1).mean()) < missed:
-        return ("Left and right seem to be exchanged: left is the character's own; click them anew.",)
+        return (Doubt("Left and right seem to be exchanged: left is the character's own.", SIDES),)
     if missed > MISSED:
-        return (f"The points clicked are {1000 * missed:.0f} mm from any face's; look at them, and click them anew.",)
+        return (Doubt(f"The points that were given are {1000 * missed:.0f} mm from any face's.", PLACE),)
     return ()
 
 
 def _describe(
-    template: HeadTemplate, scan: Scan, best: Candidate, doubts: tuple[str, ...], given: Mapping[str, Values]
+    template: HeadTemplate, scan: Scan, best: Candidate, doubts: tuple[Doubt, ...], given: Mapping[str, Values]
 ) -> HeadPlacement:
     """The placement of a candidate, in a unit that people use where one is near."""
     found = place_back(best.found, _marks(template, best.found, [*SEVEN]))

@@ -5,6 +5,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
+from omote.model.fitting.doubt import EYES, Doubt
 from omote.model.fitting.shape.head_zones import HeadZones
 from omote.model.fitting.shape.mode_fit import ModeFit
 
@@ -17,27 +18,30 @@ STRANGE = 2.5
 
 
 def find_doubts(
-    zones: HeadZones, found: ModeFit, residual: Values, folds: int, filled: bool, /
-) -> tuple[str, ...]:  # fmt: skip
+    zones: HeadZones, found: ModeFit, residual: Values, folds: int, filled: bool, turned: bool, /
+) -> tuple[Doubt, ...]:  # fmt: skip
     """Sentences on a fit, none where it is sure.
 
     residual (V,): millimetres, nan where nothing was seen; folds: how many triangles are folded; filled: whether the
-    scan is closed between its lids and nobody said what that means.
+    scan is closed between its lids and nobody said what that means; turned: whether its triangles face inward.
     """
     face = residual[zones.face]
-    seen, doubts = np.isfinite(face), []
+    seen, doubts = np.isfinite(face), list[Doubt]()
     if seen.mean() < LEAST_SEEN:
-        doubts.append(f"Only {seen.mean():.0%} of the face was seen; the rest is made up.")
+        doubts.append(Doubt(f"Only {seen.mean():.0%} of the face was seen; the rest is made up."))
     if seen.any() and np.median(face[seen]) > NEAR:
-        doubts.append(
-            f"The face lies {np.median(face[seen]):.1f} mm from the scan; it may be noisy, or wrongly placed."
-        )
+        far = f"{np.median(face[seen]):.1f} mm"
+        doubts.append(Doubt(f"The face lies {far} from the scan; it may be noisy, or wrongly placed."))
     strange = float(np.sqrt((found.weights**2).mean()))
     if strange > STRANGE:
-        doubts.append("The head is unlike those of people; look whether eyes, nose and mouth are in place.")
+        doubts.append(Doubt("The head is unlike those of people; look whether eyes, nose and mouth are in place."))
     if folds:
         places = "one triangle" if folds == 1 else f"{folds} triangles"
-        doubts.append(f"The skin stays folded at {places}: points that were given may be off, or the scan is rough.")
+        why = "points that were given may be off, or the scan is rough"
+        doubts.append(Doubt(f"The skin stays folded at {places}: {why}."))
     if filled:
-        doubts.append("The scan is closed between its lids, so they were opened; say whether its eyes are shut.")
+        asked = "The scan is closed between its lids, so they were opened; say whether its eyes are shut."
+        doubts.append(Doubt(asked, EYES))
+    if turned:
+        doubts.append(Doubt("The scan is inside out, so it may be mirrored; look whether its left is its left."))
     return tuple(doubts)

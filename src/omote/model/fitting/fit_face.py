@@ -9,12 +9,13 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from omote.geometry import mesh
+from omote.model.fitting.doubt import Doubt
 from omote.model.fitting.fit_doubts import find_doubts
 from omote.model.fitting.identity_modes import IdentityModes, refuse_other_topology
 from omote.model.fitting.landmarks import SEVEN, find_landmarks
 from omote.model.fitting.scan import Scan
 from omote.model.fitting.scan_skin import keep_skin, may_be_shut
-from omote.model.fitting.scan_surface import ScanSurface, face_outward, sample_cloud, sample_mesh
+from omote.model.fitting.scan_surface import ScanSurface, face_outward, is_inside_out, sample_cloud, sample_mesh
 from omote.model.fitting.shape.face_closing import close_face
 from omote.model.fitting.shape.fitted_eyes import Ball, find_balls, place_balls
 from omote.model.fitting.shape.fold_mending import find_folds, mend_folds
@@ -53,7 +54,7 @@ class Fit:
         How much of each vertex comes from the scan, 0 to 1; the rest was made up from what people are like.
     placement : Similarity
         From the scan's own frame and unit to the face's metres.
-    doubts : tuple of str
+    doubts : tuple of Doubt
         What should be looked at, in sentences; empty when sure.
 
     Examples
@@ -71,7 +72,7 @@ class Fit:
     residual: Values
     seen: Values
     placement: Similarity
-    doubts: tuple[str, ...]
+    doubts: tuple[Doubt, ...]
 
 
 def fit_face(
@@ -119,7 +120,7 @@ def fit_face(
     tell = follow or _say_nothing
     zones, marks = head_zones(space), _find_marks(space, placement, landmarks or {})
     tell(0.0, "the surface of the scan")
-    surface = _sample(space, scan, placement)
+    surface, turned = _sample(space, scan, placement)
     tell(0.1, "what heads differ by")
     blind = np.where(zones.lids | zones.lips, OPENINGS, 1.0) * zones.weights
     found = fit_modes(space, modes, surface, marks, blind)
@@ -137,7 +138,7 @@ def fit_face(
     face = close_face(space, name, guide, upright(bent), {part: upright(points) for part, points in parts.items()})
     folds = find_folds(space, guide, face.positions.astype(np.float64))
     residual, seen = _compare(space, skin, _back(upright)(face.positions))
-    doubts = find_doubts(zones, found, residual, len(folds), filled and shut is None)
+    doubts = find_doubts(zones, found, residual, len(folds), filled and shut is None, turned)
     tell(1.0, "done")
     return Fit(face, residual, seen, _after(upright, placement), doubts)
 
@@ -156,13 +157,15 @@ def _find_marks(space: ParameterSpace, placement: Similarity, landmarks: Mapping
     return Marks(np.array([rows[name] for name in landmarks], np.intp), placement(points))
 
 
-def _sample(space: ParameterSpace, scan: Scan, placement: Similarity) -> ScanSurface:
+def _sample(space: ParameterSpace, scan: Scan, placement: Similarity) -> tuple[ScanSurface, bool]:
+    """The surface of a scan facing outward, and whether its triangles faced inward."""
     points = placement(scan.positions)
     box = np.stack([space.points.min(axis=0), space.points.max(axis=0)])
     outside = (space.points, mesh.normals(space.points, space.triangles))
     if scan.triangles is not None and len(scan.triangles):
-        return face_outward(sample_mesh(points, scan.triangles, box, AROUND), outside)
-    return sample_cloud(points, outside, box, AROUND)
+        sampled = sample_mesh(points, scan.triangles, box, AROUND)
+        return face_outward(sampled, outside), is_inside_out(sampled, outside)
+    return sample_cloud(points, outside, box, AROUND), False
 
 
 def _bend(

@@ -18,6 +18,8 @@ Indices = NDArray[np.intp]
 SAMPLES = 200_000
 # A normal that is the other way round is as far as so many metres.
 TURN = 0.006
+# A surface of one side only is inside out where it faces so much against a head, in the mean of cosines.
+INSIDE_OUT = 0.5
 NOTHING = "the scan has no surface where the head is; expected triangles with an area there"
 # A local plane of a cloud goes through so many points.
 PLANE = 16
@@ -144,6 +146,13 @@ def face_outward(surface: ScanSurface, outside: tuple[Values, Values], /) -> Sca
     if _facing(surface.points[some], surface.normals[some], outside).mean() >= 0.0:
         return surface
     return ScanSurface.of(surface.points, -surface.normals, surface.border, surface.component, surface.triangle)
+
+
+def is_inside_out(surface: ScanSurface, outside: tuple[Values, Values], /) -> bool:
+    """Whether nearly all of a surface faces the other way than a head (k, 3), (k, 3) near it: its triangles are wound
+    the other way, or its points were mirrored since they were wound."""
+    some = slice(None, None, 16)
+    return bool(_facing(surface.points[some], surface.normals[some], outside).mean() < -INSIDE_OUT)
 
 
 def _facing(points: Values, normals: Values, outside: tuple[Values, Values]) -> Values:

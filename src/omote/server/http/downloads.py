@@ -18,6 +18,14 @@ from omote.server.workers.job_server import Follow, JobError
 from omote.stage_data.playing_cast import PlayingCast
 
 GLB, JSON = "model/gltf-binary", "application/json"
+FACES = {
+    "glb": ("glb", GLB),
+    "vrm": ("vrm", GLB),
+    "usdz": ("usdz", "model/vnd.usdz+zip"),
+    "obj": ("zip", "application/zip"),
+}
+"""What faces go out as, by the ending that is asked for: the ending and the type of the file."""
+NEUTRAL = "neutral"
 KINDS = ("arkit", "performed", "makehuman", "all")
 
 
@@ -60,7 +68,8 @@ class Downloads:
 
 
 def plan_download(show: Path, file: str, query: Mapping[str, str], playing: PlayingCast) -> Download:
-    """What a page asks for by the name of a file: `crooked_smile.json`, `my_aunt.glb`, `dog.glb?expressions=smile`.
+    """What a page asks for by the name of a file: `crooked_smile.json`, `my_aunt.glb`, `dog.glb?expressions=smile`,
+    `my_aunt.vrm?author=Ann&licence=strict`, `my_aunt.usdz`, `my_aunt.obj?expressions=neutral` (a ZIP).
 
     ValueError with a message for a name that does not play, or is not saved yet, and for another format.
     """
@@ -68,15 +77,19 @@ def plan_download(show: Path, file: str, query: Mapping[str, str], playing: Play
     if suffix == "json":
         _check(name, "expression", playing.expression_sources)
         return Download(ExportExpression(str(show), name), f"{name}.json", JSON)
-    if suffix != "glb":
-        raise ValueError(f"{file[:80]!r} is no export; there are .json for expressions and .glb for faces")
+    if suffix not in FACES:
+        known = ", ".join(f".{each}" for each in FACES)
+        raise ValueError(f"{file[:80]!r} is no export; there are .json for expressions and {known} for faces")
     _check(name, "face", playing.faces)
     expressions = query.get("expressions", "arkit")
-    if expressions not in KINDS:
+    authors = tuple(filter(None, map(str.strip, query.get("author", "").split(","))))
+    if expressions not in (*KINDS, NEUTRAL):
         for each in expressions.split(","):
             _check(each, "expression", playing.expression_sources)
     whole = name if expressions == "arkit" else f"{name}-{expressions[:60].replace(',', '-')}"
-    return Download(ExportFace(str(show), name, expressions), f"{whole}.glb", GLB)
+    ending, content_type = FACES[suffix]
+    job = ExportFace(str(show), name, expressions, f".{suffix}", authors, query.get("licence", ""))
+    return Download(job, f"{whole}.{ending}", content_type)
 
 
 def _check(name: str, what: str, names: Mapping[str, str]) -> None:

@@ -24,7 +24,7 @@ from omote.server.workers.file_jobs import Imported, ImportFile
 from omote.server.workers.job_server import Follow, JobError
 from omote.showfile.changes import BroughtItem, Kind
 
-SUFFIXES = (".json", ".glb", ".obj")
+SUFFIXES = (".json", ".glb", ".vrm", ".obj")
 KINDS = ("expression", "face")
 CHUNK = 2**18
 CANCELLED = 204
@@ -81,7 +81,9 @@ def plan_upload(file: str, kind: str) -> tuple[str, Kind]:
     suffix = Path(name).suffix.lower()
     if suffix not in SUFFIXES or (kind == "face" and suffix == ".json"):
         expected = (
-            "a head (.glb, .obj)" if kind == "face" else "an expression (.json), or a head with shapes (.glb, .obj)"
+            "a head (.glb, .vrm, .obj)"
+            if kind == "face"
+            else "an expression (.json), or a head with shapes (.glb, .vrm, .obj)"
         )
         hint = f": {HINTS[suffix]}" if suffix in HINTS else ""
         raise ValueError(

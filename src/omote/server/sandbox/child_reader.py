@@ -22,6 +22,7 @@ _TOO_MUCH = "reading it needs more time or memory than any face; export a smalle
 
 READERS: Mapping[str, Callable[[bytes], tuple[Piece, ...]]] = {
     ".glb": glb_reader.read_glb,
+    ".vrm": glb_reader.read_glb,
     ".obj": obj_reader.read_obj_pieces,
 }
 """Parsers by file name suffix."""

@@ -7,11 +7,12 @@ from dataclasses import replace
 from pathlib import Path
 
 import msgspec
+import numpy as np
 
 from omote.builtin import load_meshes
 from omote.builtin.own_face import fit
 from omote.edit.store.import_items import ImportedItem
-from omote.inputs.trackers.arkit_names import ARKIT_CHANNELS
+from omote.inputs.shape_names import ShapeMeaning, read_shape_name
 from omote.interchange.formats.glb_reader import Piece
 from omote.interchange.mesh_correspondence import match_head
 from omote.model.cast import Cast
@@ -50,8 +51,8 @@ def is_foreign(cast: Cast, pieces: Sequence[Piece], /) -> bool:
 def foreign_expressions(cast: Cast, path: Path, /) -> Iterator[tuple[ImportedItem, str]]:
     """Yields each expression of a stranger's head with a report about it; ValueError where there is none.
 
-    A shape named as one of ARKit's is tagged with the cast's unit of that name; it takes no unit's place, for all other
-    faces and trackers play those.
+    A shape whose name is known (`shape_names`) is tagged with the cast's units that do the same; it takes no unit's
+    place, for all other faces and trackers play those.
     """
     scan = read_scan_in_sandbox(path).scan
     if not scan.shapes:
@@ -64,12 +65,13 @@ def foreign_expressions(cast: Cast, path: Path, /) -> Iterator[tuple[ImportedIte
     if not found.expressions:
         raise ValueError(f"{path.name}: no shape is an expression. {notes}")
     for number, (name, (packed, doubt)) in enumerate(found.expressions.items()):
-        channels = ARKIT_CHANNELS.find(name)
-        made = _with_gaze(cast, channels, _unpack(cast, packed))
-        told = f"{name}, taken from the head in {path.name}" + (f", as {channels[0]}" if len(channels) == 1 else "")
+        meaning = read_shape_name(name)
+        made = _with_gaze(cast, meaning, _unpack(cast, packed))
+        told = f"{name}, taken from the head in {path.name}"
+        told += f", as {' and '.join(meaning.units) or meaning.named}" if meaning.part else ""
         told += f"; {doubt}" if doubt else ""
         told += f". {notes}" if notes and number == len(found.expressions) - 1 else ""
-        yield ImportedItem(name, made, tags=channels, note=f"from {path.name}"[:200]), told
+        yield ImportedItem(name, made, tags=meaning.tags, note=f"from {path.name}"[:200]), told
 
 
 def _take_in_child(cast: Cast, scan: Scan, name: str) -> _PlainTaken:
@@ -98,10 +100,10 @@ def _unpack(cast: Cast, packed: bytes) -> Expression:
     return made
 
 
-def _with_gaze(cast: Cast, channels: Sequence[str], made: Expression) -> Expression:
-    """The expression; where it is a look of ARKit's and the head's own eyeballs stay, for bones turn them, with the
-    turn of the cast's."""
-    if len(channels) != 1 or not channels[0].startswith("eyeLook") or abs(made.eyes).max() > STILL:
+def _with_gaze(cast: Cast, meaning: ShapeMeaning, made: Expression) -> Expression:
+    """The expression; where it is a look and the head's own eyeballs stay, for bones turn them, with the turn of the
+    cast's."""
+    if not meaning.is_gaze or abs(made.eyes).max() > STILL:
         return made
-    own = cast.expressions.get(channels[0])
-    return made if own is None else replace(made, eyes=own.eyes)
+    turns = [cast.expressions[unit].eyes for unit in meaning.units if unit in cast.expressions]
+    return replace(made, eyes=np.sum(turns, axis=0)) if turns else made

@@ -8,7 +8,7 @@ from pathlib import Path
 from omote.builtin import load_meshes
 from omote.edit.store.import_items import ImportedItem, import_document
 from omote.interchange.formats import expression_json
-from omote.interchange.formats.file_names import DOCUMENT, GLB, require_imports
+from omote.interchange.formats.file_names import DOCUMENT, GLB, VRM, require_imports
 from omote.interchange.import_meshes import Follow, ignore_progress, import_expressions, import_face
 from omote.model.cast import Cast
 from omote.perform.name_lookup import find_name
@@ -40,7 +40,7 @@ def expressions_from(
             raise ValueError(f"{path.name}: {error}") from error
         yield arrival, f"{arrival.label}, from {path.name}"
     shapes = {path.stem: read_in_sandbox(path) for path in paths if path not in documents}
-    for path in (path for path in paths if path.suffix.lower() == GLB and is_foreign(cast, shapes[path.stem])):
+    for path in (path for path in paths if path.suffix.lower() in (GLB, VRM) and is_foreign(cast, shapes[path.stem])):
         del shapes[path.stem]
         yield from foreign_expressions(cast, path)
     if not shapes:

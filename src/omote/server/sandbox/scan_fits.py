@@ -15,6 +15,7 @@ from omote.interchange.formats.png import read_png
 from omote.interchange.scan_look import suggest_scan_look
 from omote.interchange.skin_texture import build_canvas
 from omote.model.cast import Cast, Look
+from omote.model.fitting.doubt import Doubt, DoubtKind
 from omote.model.fitting.scan import Scan
 from omote.model.space.face import Face
 from omote.model.space.face_fit import fit as fit_to_space
@@ -40,7 +41,7 @@ class ScanFit:
     look: Look
     residual: NDArray[np.float64]
     seen: NDArray[np.float64]
-    doubts: tuple[str, ...]
+    doubts: tuple[Doubt, ...]
     notes: tuple[str, ...] = ()
 
     def describe(self) -> str:
@@ -56,7 +57,7 @@ class _PlainFit(msgspec.Struct, frozen=True, array_like=True):
     content: bytes
     residual: bytes
     seen: bytes
-    doubts: list[str]
+    doubts: list[tuple[str, DoubtKind]]
     notes: list[str]
 
 
@@ -74,7 +75,8 @@ def fit_in_child(
         look, notes = suggest_scan_look(cast, canvas, found.face, scan, found.placement)
         residual, seen = np.asarray(found.residual, np.float64), np.asarray(found.seen, np.float64)
         content = pack_face(found.face, look)
-        return msgspec.msgpack.encode(_PlainFit(content, residual.tobytes(), seen.tobytes(), list(found.doubts), notes))
+        doubts = [(str(doubt), doubt.kind) for doubt in found.doubts]
+        return msgspec.msgpack.encode(_PlainFit(content, residual.tobytes(), seen.tobytes(), doubts, notes))
 
     answer = run_limited(work, LIMITS, exhausted=_TOO_MUCH, follow=follow)
     try:
@@ -89,4 +91,4 @@ def _scan_fit(space: ParameterSpace, name: str, plain: _PlainFit) -> ScanFit:
     residual, seen = np.frombuffer(plain.residual), np.frombuffer(plain.seen)
     if not len(residual) == len(seen) == space.vertex_count:
         raise ValueError(f"a fit brought back {len(residual)} distances; expected {space.vertex_count}")
-    return ScanFit(face, look, residual, seen, tuple(plain.doubts), tuple(plain.notes))
+    return ScanFit(face, look, residual, seen, tuple(Doubt(*each) for each in plain.doubts), tuple(plain.notes))

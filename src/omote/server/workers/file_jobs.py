@@ -10,9 +10,11 @@ import msgspec
 
 from omote.builtin import load_cast, load_mask, load_meshes
 from omote.edit.store.import_items import changes_to_import, distinguish, export_document
-from omote.interchange.export_face import ExportContext, build_scene, choose_expressions, named_compound_meshes
+from omote.interchange.avatar.vrm_licence import Credit, parse_terms
+from omote.interchange.export_face import ExportContext, choose_expressions, named_compound_meshes
+from omote.interchange.exports.export_formats import check_count, check_kind, encode_face, pack_files
 from omote.interchange.formats.expression_json import encode as encode_document
-from omote.interchange.formats.glb_writer import glb_bytes
+from omote.interchange.formats.file_names import GLB, VRM
 from omote.model.cast import Cast
 from omote.server.sandbox.import_files import Brought, expressions_from, faces_from
 from omote.server.workers.job_server import Follow
@@ -22,7 +24,7 @@ from omote.showfile.changes import BroughtItem, Change, Item, Kind, PutContent, 
 from omote.showfile.database_errors import describe_error
 from omote.showfile.inspection import Inspection, inspect_show
 from omote.showfile.schema import ShowFileError
-from omote.stage_data.full_cast import build_full_cast
+from omote.stage_data.full_cast import build_full_cast, face_labels
 
 
 class ImportFile(msgspec.Struct, frozen=True, tag=True):
@@ -42,11 +44,17 @@ class ExportExpression(msgspec.Struct, frozen=True, tag=True):
 
 
 class ExportFace(msgspec.Struct, frozen=True, tag=True):
-    """A face with expressions (`arkit`, names by commas) as morph targets (GLB)."""
+    """A face with expressions (`arkit`, names by commas) in a kind of file; what is several files is a ZIP of them.
+
+    authors, licence: of a VRM, who made it and who may use it (`strict`, `cc0`, or terms by commas).
+    """
 
     show: str
     face: str
     expressions: str
+    kind: str = GLB
+    authors: tuple[str, ...] = ()
+    licence: str = ""
 
 
 FileJob = ImportFile | ExportExpression | ExportFace | FitScan | FitPhotographs | TakeScan
@@ -100,8 +108,14 @@ def _export_face(found: Inspection, wanted: ExportFace, follow: Follow) -> bytes
     left_out = list[str]()  # not told: a download has no room for it, and import and the show's notices do
     cast = build_full_cast(load_cast(), found.stored, found.contents, left_out.append)
     names = choose_expressions(cast, wanted.expressions)
+    credit = None
+    if wanted.kind == VRM:
+        credit = Credit(wanted.authors, parse_terms([wanted.licence]), labels=face_labels(found.stored))
+    check_kind(wanted.kind, credit)
+    check_count(wanted.kind, names)
     poses = ((name, named_compound_meshes(cast, wanted.face, name)) for name in _followed(names, follow))
-    return glb_bytes(build_scene(ExportContext(cast, load_meshes(), load_mask()), wanted.face, poses))
+    context = ExportContext(cast, load_meshes(), load_mask())
+    return pack_files(encode_face(context, wanted.face, poses, wanted.kind, wanted.face, credit=credit))
 
 
 def _followed(names: list[str], follow: Follow) -> Iterator[str]:

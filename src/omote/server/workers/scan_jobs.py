@@ -16,13 +16,14 @@ from numpy.typing import NDArray
 
 from omote.builtin import load_cast, load_identity_modes, load_mask, load_meshes
 from omote.edit.compute.scan_preview import thin_scan
-from omote.edit.protocol.messages import ScanFigures, ScanPreview
+from omote.edit.protocol.messages import ScanDoubt, ScanFigures, ScanPreview
 from omote.edit.store.import_items import ImportedItem
 from omote.interchange.formats.png import read_png
 from omote.interchange.scan_look import suggest_scan_look
 from omote.interchange.scans.scan_reader import ScanFile
 from omote.interchange.skin_texture import build_canvas
 from omote.model.cast import Cast, Look
+from omote.model.fitting.doubt import PLACE, Doubt, join_doubts
 from omote.model.fitting.find_head import HeadPlacement, find_head
 from omote.model.fitting.fit_face import Fit, fit_face
 from omote.model.fitting.landmarks import FEWEST_LANDMARKS, SEVEN
@@ -77,10 +78,11 @@ def run_fit(wanted: FitScan, follow: Follow, /) -> ScanPreview:
     cast = load_cast()
     follow(READ, 100, "the head is sought")
     found = _find(cast, read.scan, wanted)
-    fitted, doubts = _fit(cast, read.scan, found, wanted, follow)
+    fitted, doubted = _fit(cast, read.scan, found, wanted, follow)
+    doubts = [ScanDoubt(doubt.kind, str(doubt)) for doubt in doubted]
     if fitted is None:
         (folder / FACE).unlink(missing_ok=True)
-        whole = _place_unfound(cast, read.scan, wanted, doubts)
+        whole = _place_unfound(cast, read.scan, wanted, doubted)
         return structs.replace(_describe_scan(cast, read, whole, whole.similarity, wanted), doubts=doubts)
     follow(FITTED, 100, "its colours")
     canvas = build_canvas(read_png(load_mask()), load_meshes()[0], cast.space.points)
@@ -140,10 +142,10 @@ def _find(cast: Cast, scan: Scan, wanted: FitScan) -> HeadPlacement:
     try:
         return find_head(cast.space, load_identity_modes(), scan, landmarks=landmarks)
     except ValueError as error:
-        return _place_unfound(cast, scan, wanted, [f"{error}."])
+        return _place_unfound(cast, scan, wanted, [Doubt(f"{error}.", PLACE)])
 
 
-def _place_unfound(cast: Cast, scan: Scan, wanted: FitScan, doubts: Sequence[str]) -> HeadPlacement:
+def _place_unfound(cast: Cast, scan: Scan, wanted: FitScan, doubts: Sequence[Doubt]) -> HeadPlacement:
     """The whole scan as large as a head, as upright as it is, with no other points than those given."""
     middle = (scan.positions.min(axis=0) + scan.positions.max(axis=0)) / 2
     size = float(np.ptp(cast.space.points[:, 1])) / max(float(np.ptp(scan.positions, axis=0).max()), 1e-9)
@@ -155,22 +157,22 @@ def _place_unfound(cast: Cast, scan: Scan, wanted: FitScan, doubts: Sequence[str
 
 def _fit(
     cast: Cast, scan: Scan, found: HeadPlacement, wanted: FitScan, follow: Follow
-) -> tuple[Fit | None, list[str]]:  # fmt: skip
+) -> tuple[Fit | None, Sequence[Doubt]]:  # fmt: skip
     """The fit of a scan whose head was found, None where none can be made, and all doubts."""
 
     def tell(done: float, what: str) -> None:
         follow(round(FOUND + (FITTED - FOUND) * done), 100, what)
 
     if not np.isfinite(found.residual):
-        return None, [*found.doubts]
+        return None, found.doubts
     try:
         fitted = fit_face(
             cast.space, load_identity_modes(), scan, found.similarity, landmarks=wanted.points,
             name=Path(wanted.file).stem, shut=wanted.shut, follow=tell,
         )  # fmt: skip
     except ValueError as error:
-        return None, [*found.doubts] or [f"No face could be fitted: {error}."]
-    return fitted, [*found.doubts, *fitted.doubts]
+        return None, found.doubts or [Doubt(f"No face could be fitted: {error}.", PLACE)]
+    return fitted, join_doubts(found.doubts, fitted.doubts)
 
 
 def _describe_scan(

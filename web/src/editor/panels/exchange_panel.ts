@@ -9,7 +9,7 @@ import { controls, panel } from "../controls/controls_style";
 import { EditorElement } from "../controls/editor_element";
 import type { Topic } from "../session/draft_store";
 import { takeIn } from "../session/item_commands";
-import { download, type Export, exportsOf, IMPORT_COMMAND } from "./exports";
+import { credit, download, type Export, exportsOf, IMPORT_COMMAND, LICENCES } from "./exports";
 
 /** How the open item gets out of the show, and others in. */
 @customElement("omote-exchange")
@@ -23,6 +23,12 @@ export class Exchange extends EditorElement {
         display: grid;
         grid-template-columns: 1fr auto;
         gap: 4px;
+      }
+      .credit {
+        display: grid;
+        grid-template-columns: 1fr 1fr;
+        gap: 4px;
+        grid-column: 1 / -1;
       }
       .button {
         position: relative;
@@ -61,6 +67,9 @@ export class Exchange extends EditorElement {
 
   /** The address of the export, or the kind of import, that is under way; empty: none. */
   @state() private busy = "";
+  /** What an avatar names: its author, by commas, and who may use it. */
+  @state() private author = "";
+  @state() private licence = LICENCES[0]?.[0] ?? "";
 
   protected override topics(): readonly Topic[] {
     return ["draft", "items", "cast"];
@@ -106,13 +115,24 @@ export class Exchange extends EditorElement {
       <button aria-label="Download ${one.file}" ?disabled=${unsaved || this.busy !== ""} @click=${() => this.#download(one)}>
         ${busy ? "Exporting ..." : `Download ${one.file.slice(one.file.lastIndexOf("."))}`}
       </button>
+      ${one.credited ? this.#credit() : nothing}
+    </div>`;
+  }
+
+  #credit() {
+    return html`<div class="credit">
+      <input type="text" aria-label="Author of the avatar" placeholder="Its author" maxlength="200" .value=${this.author}
+        @input=${(event: Event) => (this.author = (event.target as HTMLInputElement).value)} />
+      <select aria-label="Who may use the avatar" @change=${(event: Event) => (this.licence = (event.target as HTMLSelectElement).value)}>
+        ${LICENCES.map(([value, what]) => html`<option value=${value} ?selected=${value === this.licence}>${what}</option>`)}
+      </select>
     </div>`;
   }
 
   async #download(one: Export): Promise<void> {
     this.busy = one.address;
     try {
-      await download(one, this.store.longRequests);
+      await download(credit(one, { author: this.author, licence: this.licence }), this.store.longRequests);
       this.store.say(`${one.file} is in your downloads.`, "done");
     } catch (error) {
       this.store.say((error as Error).message, error instanceof CancelledError ? "done" : "refusal");

@@ -1,6 +1,6 @@
 import { afterEach, expect, it, vi } from "vitest";
 import { LongRequests } from "../../ui/long_requests";
-import { download, exportsOf } from "./exports";
+import { credit, download, exportsOf, LICENCES } from "./exports";
 
 afterEach(() => vi.unstubAllGlobals());
 
@@ -23,7 +23,27 @@ it("a face goes out by its own name", () => {
   expect(found.map(({ address }) => address)).toEqual([
     "/exports/my_aunt.glb?expressions=arkit",
     "/exports/my_aunt.glb?expressions=performed",
+    "/exports/my_aunt.vrm?expressions=arkit",
+    "/exports/my_aunt.usdz?expressions=arkit",
+    "/exports/my_aunt.obj?expressions=neutral",
   ]);
+  expect(found.map(({ file }) => file.replace("my_aunt", ""))).toEqual([
+    ".glb",
+    "-performed.glb",
+    ".vrm",
+    ".usdz",
+    ".zip",
+  ]);
+});
+
+it("an avatar goes out with its author and its terms, and only then; nothing else asks for them", () => {
+  const [plain, , avatar] = exportsOf({ kind: "face", name: "ann", label: "Ann" }, "dog");
+  if (plain === undefined || avatar === undefined) throw new Error("it has both");
+  const said = { author: " Ann & Bo ", licence: "strict" };
+  expect(credit(avatar, said).address).toBe("/exports/ann.vrm?expressions=arkit&author=Ann%20%26%20Bo&licence=strict");
+  expect(() => credit(avatar, { ...said, author: " , " })).toThrow("fill in its author");
+  expect(credit(plain, { ...said, author: "" })).toBe(plain);
+  expect(LICENCES[0]?.[0]).toBe("strict");
 });
 
 const one = { what: "", address: "/exports/smirk.json", file: "smirk.json" };

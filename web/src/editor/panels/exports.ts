@@ -8,7 +8,22 @@ export interface Export {
   readonly what: string;
   readonly address: string;
   readonly file: string;
+  /** Whether it names who made it and who may use it. */
+  readonly credited?: boolean;
 }
+
+/** Who made an avatar, by commas, and who may use it: one of `LICENCES`. */
+export interface Credit {
+  readonly author: string;
+  readonly licence: string;
+}
+
+/** Who may use an avatar: what the server reads, and what people do. */
+export const LICENCES: readonly (readonly [string, string])[] = [
+  ["strict", "Its author alone may use it"],
+  ["avatarPermission=everyone", "Anyone may play it, unchanged"],
+  ["cc0", "Anyone, for anything (CC0)"],
+];
 
 /** The files that an item goes out as; `work`: the name of the face under work, which wears an expression. */
 export function exportsOf(
@@ -16,15 +31,18 @@ export function exportsOf(
   work: string,
 ): Export[] {
   const called = fileName(label) || name;
-  const glb = (face: string, expressions: string, file: string, what: string): Export => ({
+  const worn = (face: string, expressions: string, file: string, what: string, kind = "glb"): Export => ({
     what,
-    address: `/exports/${encodeURIComponent(face)}.glb?expressions=${encodeURIComponent(expressions)}`,
-    file: `${file}.glb`,
+    address: `/exports/${encodeURIComponent(face)}.${kind}?expressions=${encodeURIComponent(expressions)}`,
+    file: `${file}.${kind === "obj" ? "zip" : kind}`,
   });
   if (kind === "face")
     return [
-      glb(name, "arkit", called, "This face with the ARKit shapes, for Blender, three.js or a game engine (GLB)"),
-      glb(name, "performed", `${called}-performed`, "This face with the performed expressions (GLB)"),
+      worn(name, "arkit", called, "This face with the ARKit shapes, for Blender, three.js or a game engine (GLB)"),
+      worn(name, "performed", `${called}-performed`, "This face with the performed expressions (GLB)"),
+      { ...worn(name, "arkit", called, "An avatar for VTuber programs (VRM)", "vrm"), credited: true },
+      worn(name, "arkit", called, "This face with the ARKit shapes, for Houdini, Maya or Unreal (USDZ)", "usdz"),
+      worn(name, "neutral", called, "This face at rest with its pictures (OBJ, in a ZIP)", "obj"),
     ];
   return [
     {
@@ -32,8 +50,16 @@ export function exportsOf(
       address: `/exports/${encodeURIComponent(name)}.json`,
       file: `${called}.json`,
     },
-    glb(work, name, `${work}-${called}`, "The face under work with this expression as a morph target (GLB)"),
+    worn(work, name, `${work}-${called}`, "The face under work with this expression as a morph target (GLB)"),
   ];
+}
+
+/** An export with what it names: who made it, and who may use it; an Error with a sentence where nobody is named. */
+export function credit(one: Export, { author, licence }: Credit): Export {
+  if (one.credited !== true) return one;
+  if (author.replaceAll(",", "").trim() === "") throw new Error("An avatar names who made it: fill in its author.");
+  const said = `author=${encodeURIComponent(author.trim())}&licence=${encodeURIComponent(licence)}`;
+  return { ...one, address: `${one.address}&${said}` };
 }
 
 /** A file is called as people call the item now; its name in the show is the first that it had. */

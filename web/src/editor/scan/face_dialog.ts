@@ -18,7 +18,7 @@ import { style } from "./scan_style";
 /** What a fit shows. */
 export type SeenFace = Drawable & {
   readonly token: string;
-  readonly doubts: readonly string[];
+  readonly doubts: readonly { readonly sentence: string }[];
   readonly notes: readonly string[];
   readonly hair: Hair;
 };
@@ -189,7 +189,7 @@ export abstract class FaceDialog<Seen extends SeenFace> extends EditorElement {
 
   #side(seen: Seen) {
     const { advice, known } = this.advice(seen);
-    const said = [...seen.doubts, ...seen.notes.map(sentence)];
+    const said = [...seen.doubts.map((doubt) => doubt.sentence), ...seen.notes.map(sentence)];
     return html`<div class="side">
       <div class="verdict ${this.#isSure(seen) ? "" : "unsure"}" role="status">
         <p>${advice}</p>

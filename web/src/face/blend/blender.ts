@@ -7,6 +7,7 @@ import { NORMAL_FRAGMENT, PASS_VERTEX, ROW_WIDTH } from "../gpu/pass_shaders";
 import { type Correction, CorrectivePasses } from "./corrective_passes";
 import { SLOTS } from "./corrective_shaders";
 import { LayerTable } from "./layer_table";
+import { ProcessorBlend, socketsOf } from "./processor_blend";
 import { type Entry, type Eyeballs, type Sum, SumPass } from "./sum_pass";
 
 /** What is to be added up: all terms, those of them that are faces, and what the others are allowed. */
@@ -46,7 +47,10 @@ export class Blender {
   private readonly correctivePasses: CorrectivePasses | undefined;
   /** By slot of the corrective passes: the mix of faces that lies there without expression. */
   private readonly rested: string[] = [];
+  private readonly processor: ProcessorBlend | undefined;
   private jobs: Job[] = [];
+  /** Whether all is blended on the processor, where it can be (`software`); either way draws the same. */
+  onProcessor = false;
   private store: WebGLTexture;
 
   constructor(
@@ -55,6 +59,7 @@ export class Blender {
     fan: Fans,
     correctives?: CorrectivesData,
     regions?: Float32Array,
+    software = false,
   ) {
     if (gl.getExtension("EXT_color_buffer_float") === null)
       throw new Error("This graphics driver cannot draw into float textures (EXT_color_buffer_float); update it.");
@@ -70,6 +75,7 @@ export class Blender {
     this.ranges = dataTexture(gl, fanSpans(fan), ROW_WIDTH);
     this.corners = dataTexture(gl, fan.pairs, CORNER_WIDTH);
     this.correctivePasses = correctives === undefined ? undefined : new CorrectivePasses(gl, correctives, this.height);
+    this.processor = software ? new ProcessorBlend(rows, fan, correctives, regions) : undefined;
   }
 
   /** A target for one more character. */
@@ -89,6 +95,7 @@ export class Blender {
   upload(layer: number, values: Float32Array): void {
     const { gl } = this;
     this.rested.length = 0; // a layer holds something else now
+    this.processor?.keep(layer, values);
     gl.bindTexture(gl.TEXTURE_2D_ARRAY, this.store);
     if (layer >= this.storeDepth) this.growStore();
     gl.texSubImage3D(gl.TEXTURE_2D_ARRAY, 0, 0, 0, layer, ROW_WIDTH, this.height, 1, gl.RGBA, gl.FLOAT, values);
@@ -106,8 +113,15 @@ export class Blender {
 
   /** Draws all that was taken on since the last time, the correctives of several characters at once. */
   finish(): void {
-    const { gl, jobs } = this;
+    const { jobs } = this;
     this.jobs = [];
+    if (this.onProcessor && this.processor !== undefined) this.blendOn(this.processor, jobs);
+    else this.draw(jobs);
+  }
+
+  /** Draws sums, correctives and normals with the graphics context. */
+  private draw(jobs: readonly Job[]): void {
+    const { gl } = this;
     for (const state of [gl.BLEND, gl.DEPTH_TEST, gl.SCISSOR_TEST, gl.CULL_FACE]) gl.disable(state);
     gl.colorMask(true, true, true, true);
     const passes = this.correctivePasses;
@@ -153,11 +167,24 @@ export class Blender {
         passes.rested(slot);
       }
       sumPass.draw(store, mix, eyes, passes.mixedIn(slot));
-      const sights = [6, 7, 8, 15, 16, 17].map((at) => eyes.turns[at] as number);
-      const sockets = { ...eyes, sights: Float32Array.from(sights) };
-      return { allowed: mix.allowed ?? new Float32Array(), sockets, into: target.positionFrame };
+      return { allowed: mix.allowed ?? new Float32Array(), sockets: socketsOf(eyes), into: target.positionFrame };
     });
     passes.correct(corrections);
+  }
+
+  /** Hands over what the processor blends, one character after the other. */
+  private blendOn(processor: ProcessorBlend, jobs: readonly Job[]): void {
+    const { gl, height } = this;
+    gl.pixelStorei(gl.UNPACK_FLIP_Y_WEBGL, false);
+    gl.pixelStorei(gl.UNPACK_PREMULTIPLY_ALPHA_WEBGL, false);
+    gl.activeTexture(gl.TEXTURE0);
+    for (const { mix, eyes, target } of jobs) {
+      processor.blend(mix, eyes, target);
+      for (const kind of ["positions", "normals"] as const) {
+        gl.bindTexture(gl.TEXTURE_2D, target[kind]);
+        gl.texSubImage2D(gl.TEXTURE_2D, 0, 0, 0, ROW_WIDTH, height, gl.RGBA, gl.FLOAT, processor[kind]);
+      }
+    }
   }
 
   private deriveNormals({ positions, normalFrame }: BlendTarget): void {

@@ -18,6 +18,8 @@ export interface Features {
   readonly multisample: boolean;
   /** Samples along a texture that is seen at a slant, 1 or more. */
   readonly anisotropy: number;
+  /** Faces are blended by shaders; false: on the processor, where that is what draws. */
+  readonly shaderBlend: boolean;
   /** Pixels drawn at most; a larger picture is drawn smaller and stretched. */
   readonly pixels: number;
 }
@@ -33,6 +35,7 @@ export const FEATURES: Readonly<Record<Level, Features>> = {
     ribbons: 1,
     multisample: false,
     anisotropy: 1,
+    shaderBlend: false,
     pixels: 0.5e6,
   },
   low: {
@@ -43,6 +46,7 @@ export const FEATURES: Readonly<Record<Level, Features>> = {
     ribbons: 1,
     multisample: false,
     anisotropy: 1,
+    shaderBlend: false,
     pixels: 1e6,
   },
   medium: {
@@ -53,6 +57,7 @@ export const FEATURES: Readonly<Record<Level, Features>> = {
     ribbons: 1,
     multisample: true,
     anisotropy: 4,
+    shaderBlend: true,
     pixels: 2.1e6,
   },
   good: {
@@ -63,6 +68,7 @@ export const FEATURES: Readonly<Record<Level, Features>> = {
     ribbons: 4,
     multisample: true,
     anisotropy: 4,
+    shaderBlend: true,
     pixels: 2.1e6,
   },
   high: {
@@ -73,6 +79,7 @@ export const FEATURES: Readonly<Record<Level, Features>> = {
     ribbons: 4,
     multisample: true,
     anisotropy: 8,
+    shaderBlend: true,
     pixels: Infinity,
   },
 };

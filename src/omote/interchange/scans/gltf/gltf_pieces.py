@@ -21,6 +21,7 @@ from omote.interchange.scans.gltf.gltf_scene import (
     SurfaceMesh,
     SurfacePrimitive,
 )  # fmt: skip
+from omote.interchange.scans.gltf.vrm_expressions import read_vrm_expressions
 from omote.interchange.scans.scan_parts import MOST_NUMBERS, MOST_POINTS, MOST_TRIANGLES, Rows, refuse_many
 
 Places = Mapping[int, Values]
@@ -51,6 +52,7 @@ class SceneReader(AccessorReader):
     def __init__(self, document: SceneDocument, buffers: Sequence[bytes]) -> None:
         super().__init__(document, buffers)
         self.document = document
+        self.expressions = read_vrm_expressions(document)
 
     def refuse_costly(self, nodes: Sequence[SkinnedNode]) -> None:
         """Rejects documents that declare too many numbers, before any of them is allocated."""
@@ -75,16 +77,16 @@ class SceneReader(AccessorReader):
             return []
         mesh = entry(self.document.meshes, node.mesh, "mesh")
         shown = [each for each in mesh.primitives if "POSITION" in each.attributes and each.mode in _SHOWN]
-        return [self._piece(mesh, each, node, places[at], places) for each in shown]
+        return [self._piece(mesh, each, at, places) for each in shown]
 
-    def _piece(
-        self, mesh: SurfaceMesh, primitive: SurfacePrimitive, node: SkinnedNode, place: Values, places: Places
-    ) -> ScenePiece:  # fmt: skip
+    def _piece(self, mesh: SurfaceMesh, primitive: SurfacePrimitive, at: int, places: Places) -> ScenePiece:
+        node, place = self.document.nodes[at], places[at]
         points = self.numbers(primitive.attributes["POSITION"], 3, "POSITION", MOST_POINTS)
         count = len(points)
+        names = _target_names(mesh, primitive)
         moves = {
             name: self._column(target["POSITION"], 3, "POSITION of a target", count)
-            for name, target in zip(_target_names(mesh, primitive), primitive.targets, strict=True)
+            for name, target in zip(names, primitive.targets, strict=True)
             if "POSITION" in target
         }
         placed = self._skin(primitive, node, count, places)
@@ -95,7 +97,7 @@ class SceneReader(AccessorReader):
             colours=self._colours(primitive, count),
             texcoords=self._texcoords(primitive, count),
             material=-1 if primitive.material is None else primitive.material,
-            moves={name: _turned(move, turn) for name, move in moves.items()},
+            moves={name: _turned(move, turn) for name, move in self.expressions.rename(at, names, moves).items()},
         )
 
     def _column(self, index: int, columns: int, what: str, count: int) -> Values:

@@ -3,7 +3,7 @@
 import { decode } from "@msgpack/msgpack";
 import { aligned } from "../../../link/arrays";
 import type { LANDMARKS } from "../../../link/constants";
-import type { ScanFigures, ScanPreview } from "../../../link/editing_messages";
+import type { ScanDoubt, ScanFigures, ScanPreview } from "../../../link/editing_messages";
 import { add, cross, minus, rowOf, type Triple, times } from "../../canvas/math/vectors";
 
 export type LandmarkName = (typeof LANDMARKS)[number];
@@ -36,7 +36,7 @@ export interface SeenScan {
   readonly token: string;
   readonly file: string;
   readonly unit: string;
-  readonly doubts: readonly string[];
+  readonly doubts: readonly ScanDoubt[];
   readonly notes: readonly string[];
   readonly given: Points;
   readonly found: Points;

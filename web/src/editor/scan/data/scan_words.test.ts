@@ -3,7 +3,8 @@ import type { SeenScan } from "./scan_document";
 import { adviceOf, asksEyes, nearnessOf } from "./scan_words";
 
 const FIGURES = { median: 0.034, p95: 0.5, seen: 0.99 };
-const EYES = "The scan is closed between its lids, so they were opened; say whether its eyes are shut.";
+const EYES = { kind: "eyes", sentence: "Its lids were opened." } as const;
+const LOST = { kind: "place", sentence: "Where are its eyes, and are these eyes shut?" } as const;
 const scan = (change: Partial<SeenScan> = {}): SeenScan =>
   ({ unit: "metres, y up", doubts: [], shut: null, face: { figures: FIGURES }, ...change }) as SeenScan;
 
@@ -19,18 +20,19 @@ describe("what is said of a fit", () => {
 
   it("says what to do in each state", () => {
     expect(adviceOf(scan(), false)).toContain("Omote is sure");
-    expect(adviceOf(scan({ doubts: ["It may be no face."] }), false)).toContain("not sure");
+    expect(adviceOf(scan({ doubts: [LOST] }), false)).toContain("not sure");
     expect(adviceOf(scan({ face: null }), false)).toContain("Click the seven points");
     expect(adviceOf(scan({ face: null }), true)).toContain("Fit again");
     expect(adviceOf(scan({ doubts: [EYES] }), false)).toContain("sure of all but the eyes");
-    expect(adviceOf(scan({ doubts: [EYES, "It may be no face."] }), false)).toContain("not sure");
+    expect(adviceOf(scan({ doubts: [EYES, LOST] }), false)).toContain("not sure");
   });
 
-  it("asks for the eyes until it is told", () => {
+  it("asks for the eyes until it is told, by the kind of a doubt and not by its words", () => {
     expect([
       asksEyes(scan()),
       asksEyes(scan({ doubts: [EYES] })),
       asksEyes(scan({ doubts: [EYES], shut: true })),
-    ]).toEqual([false, true, false]);
+      asksEyes(scan({ doubts: [LOST] })),
+    ]).toEqual([false, true, false, false]);
   });
 });

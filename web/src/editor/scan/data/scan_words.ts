@@ -15,7 +15,7 @@ export function nearnessOf({ face, unit }: SeenScan): string {
 
 /** Whether one of the doubts is about the eyes. */
 export const asksEyes = ({ doubts, shut }: Pick<SeenScan, "doubts" | "shut">): boolean =>
-  shut === null && doubts.some((doubt) => /\beyes are shut\b/.test(doubt));
+  shut === null && doubts.some(({ kind }) => kind === "eyes");
 
 /** What to do now. */
 export function adviceOf(scan: SeenScan, changed: boolean): string {

@@ -6,7 +6,8 @@ import type { PhotographPreview } from "../../../link/editing_messages";
 import { normalsOf, type SeenScan } from "../data/scan_document";
 
 /** What is looked at as a scan is: its surface is the skin as photographed, its residual 0 where a photograph shows it. */
-export interface SeenPhotographs extends Pick<SeenScan, "token" | "doubts" | "hair" | "surface" | "placement"> {
+export interface SeenPhotographs extends Pick<SeenScan, "token" | "hair" | "surface" | "placement"> {
+  readonly doubts: readonly { readonly sentence: string }[];
   /** Of what was left out, sentences. */
   readonly notes: readonly string[];
   readonly found: Record<string, never>;
@@ -27,7 +28,7 @@ export function readPhotographs(bytes: Uint8Array): SeenPhotographs {
   const [positions, triangles] = [new Float32Array(aligned(sent.positions)), new Uint32Array(aligned(sent.triangles))];
   return {
     token: sent.token,
-    doubts: sent.doubts,
+    doubts: sent.doubts.map((sentence) => ({ sentence })),
     notes: [],
     hair: { style: sent.hair_style, colour: sent.hair },
     surface: { positions, triangles, normals: normalsOf(positions, triangles), colours: sent.colours.slice() },

@@ -15,8 +15,8 @@ it("says of one photograph what it cannot know, and of all what they show", () =
 
 it("says what to do: drag what is off, fit again, take it", () => {
   expect(photographAdvice({ doubts: [] }, false)).toContain("take it");
-  expect(photographAdvice({ doubts: ["x"] }, false)).toContain("drag those that are off");
-  expect(photographAdvice({ doubts: ["x"] }, true)).toContain("Fit again");
+  expect(photographAdvice({ doubts: [{ sentence: "x" }] }, false)).toContain("drag those that are off");
+  expect(photographAdvice({ doubts: [{ sentence: "x" }] }, true)).toContain("Fit again");
 });
 
 it("says which photograph has no face", () => {
