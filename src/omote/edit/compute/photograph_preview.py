@@ -39,7 +39,8 @@ def texels_at(uv: NDArray[np.floating], texture: NDArray[np.uint8], /) -> NDArra
     """The texels of a texture (s, s, ...) in which texture coordinates (n, 2) lie."""
     side = len(texture)
     columns, rows = np.clip((uv * side).astype(np.int64), 0, side - 1).T
-    return texture[rows, columns]
+    found: NDArray[np.uint8] = texture[rows, columns]
+    return found
 
 
 def halve_edges(corners: Values, triangles: NDArray[np.integer], /) -> tuple[Values, NDArray[np.integer]]:
