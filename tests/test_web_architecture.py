@@ -15,12 +15,13 @@ SHORT_MODULE = 30
 LONELY_MODULES: dict[str, str] = {"microphone/capture_worklet": "the browser loads it as a file of its own"}
 
 # Where the browser begins: pages, and workers, which their pages name by a URL.
-PAGES_AND_WORKERS = {"main", "landmark_worker"}
+PAGES_AND_WORKERS = {"main", "landmark_worker", "photograph_worker"}
 
 # Which folders each folder imports from, lowest first. A page imports from no other page, `face` and `ui` nothing from
 # each other.
 USED: dict[str, str] = {
     "link": "",
+    "face_mesh": "",
     "ui": "link",
     "access": "link ui",
     "face/pose": "link",
@@ -73,8 +74,8 @@ USED: dict[str, str] = {
         "console/device_panel console"
     ),
     "microphone": "link ui access",
-    "camera/landmarks": "",
-    "camera/session": "link camera/landmarks",
+    "camera/landmarks": "face_mesh",
+    "camera/session": "link face_mesh camera/landmarks",
     "camera": "ui access camera/landmarks camera/session",
     "editor/link": "link",
     "editor/session": "link ui face/pose face/gpu face editor/link",
@@ -82,7 +83,10 @@ USED: dict[str, str] = {
     "editor/canvas/math": "link face/anatomy",
     "editor/scan/data": "link ui editor/canvas/math",
     "editor/scan/views": "link ui face/anatomy face/gpu editor/canvas/math editor/scan/data",
-    "editor/scan": "link ui editor/session editor/controls editor/scan/data editor/scan/views",
+    "editor/scan/photographs": "link ui face_mesh editor/scan/data",
+    "editor/scan": (
+        "link ui editor/session editor/controls editor/scan/data editor/scan/views editor/scan/photographs"
+    ),
     "editor/panels": "link ui face/pose editor/session editor/controls",
     "editor/page": "link ui editor/session editor/controls",
     "editor/canvas/model": "link face/pose face/anatomy editor/session editor/canvas/math",

@@ -18,8 +18,9 @@ FIRST_HAIR = "short"
 """What a face wears until its editor chooses."""
 NO_HAIR = "none"
 """What people say for no hair."""
-BALD = 0.15
-"""Of linear light: where the scalp differs from the skin by less, a scan shows no hair."""
+BALD = 0.3
+"""Of the skin's linear light: where the scalp differs from the skin by less, no hair is seen; black hair on dark skin
+differs by little light, but by much of it."""
 
 
 def find_look(cast: Cast, canvas: Canvas, face: Face, scan: Scan, placement: Similarity, look: Look, /) -> Look:
@@ -67,9 +68,15 @@ def suggest_scan_look(
         look = find_look(cast, canvas, face, scan, placement, first)
     except ValueError as error:
         return first, [f"its colours were not taken over: {error}"]
-    if look.albedo is not None and np.abs(decode_srgb(look.hair) - decode_srgb(look.skin)).max() < BALD:
-        look = replace(look, hair_style="", hair=first.hair)
-    return look, []
+    return bald_where_bare(look), []
+
+
+def bald_where_bare(look: Look, /) -> Look:
+    """A look without hair where the scalp in its picture is as the skin is; else as it is."""
+    hair, skin = decode_srgb(look.hair), decode_srgb(look.skin)
+    if look.albedo is None or np.abs(hair - skin).max() >= BALD * skin.max():
+        return look
+    return replace(look, hair_style="", hair=Look().hair)
 
 
 def choose_hair(cast: Cast, word: str, /) -> str | None:

@@ -10,7 +10,7 @@ import msgspec
 import pytest_asyncio
 from aiohttp.test_utils import TestClient, TestServer
 
-from omote.edit.protocol.messages import ScanPreview
+from omote.edit.protocol.messages import PhotographPreview, ScanPreview
 from omote.edit.store.import_items import ImportedItem, changes_to_import
 from omote.model.cast import Cast
 from omote.server.access.security import own_names
@@ -18,12 +18,14 @@ from omote.server.scans.scan_previews import ScanPreviews
 from omote.server.scans.scan_routes import ScanRoutes
 from omote.server.workers.file_jobs import Imported, bring_items
 from omote.server.workers.job_server import Follow, JobError
+from omote.server.workers.photograph_jobs import FitPhotographs
 from omote.server.workers.scan_jobs import FILES, FitScan, TakeScan
 from omote.showfile.changes import Stored
 from omote.showfile.show_file import open_show
 from tests.server.conftest import EditHarness, open_edit_harness
 
-_job: "msgspec.msgpack.Decoder[FitScan | TakeScan]" = msgspec.msgpack.Decoder(FitScan | TakeScan)
+Job = FitScan | FitPhotographs | TakeScan
+_job: msgspec.msgpack.Decoder[Job] = msgspec.msgpack.Decoder(Job)
 
 
 @dataclass
@@ -31,7 +33,7 @@ class FalseJobs:
     """Stands for `run_file_job` in its process: a fit says what it was asked, a face is one of the cast's."""
 
     cast: Cast
-    asked: list[FitScan | TakeScan] = field(default_factory=list)
+    asked: list[Job] = field(default_factory=list)
     face: str = "broad"
 
     async def __call__(self, job: bytes, follow: Follow) -> bytes:
@@ -39,6 +41,11 @@ class FalseJobs:
         self.asked.append(wanted)
         if isinstance(wanted, TakeScan):
             return self._take(wanted)
+        if isinstance(wanted, FitPhotographs):
+            follow(20, 100, "shape and cameras")
+            return msgspec.msgpack.encode(
+                PhotographPreview(wanted.token, [], [0.5], 4.0, 0.7, b"", b"", b"", b"", b"", "", "#000000")
+            )
         data = (Path(wanted.folder) / FILES / wanted.file).read_bytes()
         follow(50, 100, "the head is sought")
         if data == b"words":
@@ -65,12 +72,12 @@ class ScanHarness(EditHarness):
     jobs: FalseJobs = field(kw_only=True)
     previews: ScanPreviews = field(kw_only=True)
 
-    async def bring(self, files: dict[str, bytes], query: str = "") -> tuple[int, bytes]:
+    async def bring(self, files: dict[str, bytes], query: str = "", path: str = "/scans") -> tuple[int, bytes]:
         """What the show answers to files of a form."""
         form = aiohttp.FormData(quote_fields=False)  # as browsers write names
         for name, data in files.items():
             form.add_field("file", data, filename=name)
-        async with self.client.post(f"/scans{query}", data=form) as response:
+        async with self.client.post(f"{path}{query}", data=form) as response:
             return response.status, await response.read()
 
     async def preview(self, data: bytes = b"scan") -> ScanPreview:

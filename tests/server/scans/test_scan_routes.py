@@ -1,6 +1,7 @@
 """Scans from pages: looked at, fitted by points, taken as faces, and thrown away for good."""
 
 import asyncio
+import io
 import json
 
 import aiohttp
@@ -8,18 +9,21 @@ import msgspec
 import pytest
 from aiohttp.test_utils import TestClient, TestServer
 
-from omote.edit.protocol.messages import ScanPreview
+from omote.edit.protocol.messages import PhotographPreview, ScanPreview
 from omote.model.cast import Cast
 from omote.server.access.security import own_names
 from omote.server.http.uploads import CANCELLED
+from omote.server.scans.photograph_upload import LARGEST_POINTS, POINTS_FILE
 from omote.server.scans.scan_previews import ScanPreviews
 from omote.server.scans.scan_routes import ScanRoutes
+from omote.server.workers.photograph_jobs import FitPhotographs
 from omote.server.workers.scan_jobs import FILES, FitScan, TakeScan
 from omote.show import messages as wire
 from omote.show.wire import encode
 from omote.showfile.contents import unpack_face
 from tests.server.conftest import open_edit_harness
 from tests.server.scans.conftest import ScanHarness, stored_in
+from tests.server.scans.test_photograph_upload import described
 
 pytestmark = pytest.mark.asyncio
 
@@ -164,3 +168,51 @@ async def test_without_a_show_file_nothing_is_read(cast: Cast) -> None:
         server = TestServer(opened.show.application(own_names()))
         async with TestClient(server) as client, client.post("/scans", data=b"") as response:
             assert (response.status, "no show file that can be written" in await response.text()) == (503, True)
+
+
+async def test_photographs_are_fitted_again_by_moved_points_and_taken_as_scans_are(scan_harness: ScanHarness) -> None:
+    said = [described("1.jpg"), described("2.jpg")]
+    files = {"1.jpg": b"one", "2.jpg": b"two", POINTS_FILE: msgspec.json.encode(said)}
+    status, body = await scan_harness.bring(files, path="/photographs")
+    assert status == 200
+    seen = msgspec.msgpack.decode(body, type=PhotographPreview)
+    (folder,) = scan_harness.folders()
+    assert (folder / FILES / "2.jpg").read_bytes() == b"two"
+    said[1]["points"] = [[0.25, 0.5, 0.125]] * len(said[1]["points"])
+    status, _ = await scan_harness.post(f"/photographs/{seen.token}", said)
+    first, second = scan_harness.jobs.asked
+    assert isinstance(first, FitPhotographs)
+    assert isinstance(second, FitPhotographs)
+    assert status == 200
+    assert [each.file for each in first.photographs] == ["1.jpg", "2.jpg"]
+    assert second.photographs[0] == first.photographs[0]
+    assert second.photographs[1].points[0] == (0.25, 0.5, 0.125)
+    status, _ = await scan_harness.post(f"/scans/{seen.token}/face", TAKING)
+    assert status == 200
+    assert not folder.exists()
+    assert [item.label for item in stored_in(scan_harness.path).items] == ["Anna"]
+
+
+async def test_photographs_that_cannot_be_fitted_are_refused_and_leave_nothing(scan_harness: ScanHarness) -> None:
+    for files, why in (
+        ({"1.jpg": b"one"}, "without their landmarks"),
+        ({POINTS_FILE: msgspec.json.encode([described()])}, "did not come as JPEG or PNG"),
+    ):
+        status, body = await scan_harness.bring(files, path="/photographs")
+        assert (status, why in body.decode()) == (400, True)
+    assert scan_harness.folders() == []
+    status, text = await scan_harness.post("/photographs/gone", [described()])
+    assert (status, "was thrown away" in text) == (400, True)
+
+
+async def test_landmarks_have_room_for_eight_photographs_and_no_more(scan_harness: ScanHarness) -> None:
+    said = [described(f"{number}.jpg") for number in range(8)]
+    exact = [[1 / 3, 2 / 3, -1 / 7]] * len(said[0]["points"])
+    long = msgspec.json.encode([{**each, "points": exact} for each in said])
+    assert wire.MESSAGE_LIMIT < len(long) < LARGEST_POINTS
+    files = {each["file"]: b"x" for each in said} | {POINTS_FILE: long}
+    _, body = await scan_harness.bring(files, path="/photographs")
+    token = msgspec.msgpack.decode(body, type=PhotographPreview).token
+    for data, wanted in ((long, 200), (long + b" " * LARGEST_POINTS, 400)):
+        async with scan_harness.client.post(f"/photographs/{token}", data=io.BytesIO(data)) as response:
+            assert response.status == wanted

@@ -15,7 +15,7 @@ import type { Heading } from "./page/heading";
 import { hintOf } from "./page/hints";
 import type { ItemListPanel } from "./page/item_list";
 import { type Command, commandOf, type View } from "./page/keys";
-import { comingOf } from "./scan/data/dropped_files";
+import { arePhotographs, comingOf } from "./scan/data/dropped_files";
 import type { Topic } from "./session/draft_store";
 import { type Kind, redo, takeIn, takeInHead, undo } from "./session/item_commands";
 import "./page/heading";
@@ -25,6 +25,7 @@ import "./page/notices_view";
 import "./panels/item_panels";
 import "./page/item_list";
 import "./page/tools";
+import "./scan/photograph_dialog";
 import "./scan/scan_button";
 import "./scan/scan_dialog";
 
@@ -36,7 +37,7 @@ export class EditorPage extends EditorElement {
   /** The notices of the show, which have their place above those of the work. */
   @property({ attribute: false }) notices!: ShowNoticesView;
   @state() private helping = false;
-  /** The files of the scan that is looked at; null: none. */
+  /** The files of the scan, or the photographs, that are looked at; null: none. */
   @state() private scan: readonly File[] | null = null;
   /** Whether what is open is drawn, with all faces beside it. */
   @state() private loaded = false;
@@ -102,16 +103,19 @@ export class EditorPage extends EditorElement {
           @scan=${(event: CustomEvent<readonly File[]>) => this.#openScan(event.detail)}></omote-panels>
         <div class="told">${this.notices}<omote-notices .context=${context}></omote-notices></div>
       </div>
-      ${
-        this.scan === null
-          ? nothing
-          : html`<omote-scan .context=${context} .files=${this.scan}
-              @close=${() => {
-                this.scan = null;
-              }}></omote-scan>`
-      }
+      ${this.scan === null ? nothing : this.#person(this.scan)}
       ${this.helping ? html`<omote-editor-help .context=${context} @close=${this.#toggleHelp}></omote-editor-help>` : nothing}
     `;
+  }
+
+  /** The dialog in which somebody's face is made. */
+  #person(files: readonly File[]) {
+    const close = (): void => {
+      this.scan = null;
+    };
+    return arePhotographs(files.map(({ name }) => name))
+      ? html`<omote-photographs .context=${this.context} .files=${files} @close=${close}></omote-photographs>`
+      : html`<omote-scan .context=${this.context} .files=${files} @close=${close}></omote-scan>`;
   }
 
   /** Takes in what is dropped; a head that is not of our topology is a scan. */

@@ -519,6 +519,30 @@ export interface ScanPreview {
   hair: string;
 }
 
+/**
+ * A face made of photographs that an editor looks at before it is taken, `/photographs`.
+ * token: as a scan's, whose addresses take it and throw it away. doubts: what to look at, in sentences. off: how far
+ * the landmarks of each photograph lie from the face, pixels; spread: how far the face may lie from the person's,
+ * millimetres; seen: which share of its skin a photograph shows.
+ * positions (n, 3) float32 metres, triangles (t, 3) uint32, colours (n, 3) uint8 (sRGB): its skin as photographed.
+ * face (v, 3) float32: skin and parts; shown (s,) uint8: how well a photograph shows each vertex of the skin, 0 to
+ * 255. hair_style, hair: the style and the colour that are proposed.
+ */
+export interface PhotographPreview {
+  token: string;
+  doubts: string[];
+  off: number[];
+  spread: number;
+  seen: number;
+  positions: Uint8Array;
+  triangles: Uint8Array;
+  colours: Uint8Array;
+  face: Uint8Array;
+  shown: Uint8Array;
+  hair_style: string;
+  hair: string;
+}
+
 export type FromEditor =
   | Greet
   | CreateExpression

@@ -19,7 +19,10 @@ export interface Imported {
 }
 
 /** What a page may be given of each kind, as a file dialog has it. */
-export const ACCEPTED: Readonly<Record<ImportKind, string>> = { expression: ".json,.glb,.vrm,.obj", face: ".glb,.vrm,.obj" };
+export const ACCEPTED: Readonly<Record<ImportKind, string>> = {
+  expression: ".json,.glb,.vrm,.obj",
+  face: ".glb,.vrm,.obj",
+};
 
 /** Sends one file; an Error with a sentence where the show cannot take it in, CancelledError where it was ended. */
 export async function importFile(file: File, kind: ImportKind, requests = new LongRequests()): Promise<Imported> {

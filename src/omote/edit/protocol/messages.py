@@ -468,3 +468,28 @@ class ScanPreview(msgspec.Struct, frozen=True):
     shut: bool | None = None
     hair_style: str = ""
     hair: str = ""
+
+
+class PhotographPreview(msgspec.Struct, frozen=True):
+    """A face made of photographs that an editor looks at before it is taken, `/photographs`.
+
+    token: as a scan's, whose addresses take it and throw it away. doubts: what to look at, in sentences. off: how far
+    the landmarks of each photograph lie from the face, pixels; spread: how far the face may lie from the person's,
+    millimetres; seen: which share of its skin a photograph shows.
+    positions (n, 3) float32 metres, triangles (t, 3) uint32, colours (n, 3) uint8 (sRGB): its skin as photographed.
+    face (v, 3) float32: skin and parts; shown (s,) uint8: how well a photograph shows each vertex of the skin, 0 to
+    255. hair_style, hair: the style and the colour that are proposed.
+    """
+
+    token: str
+    doubts: list[str]
+    off: list[float]
+    spread: float
+    seen: float
+    positions: bytes
+    triangles: bytes
+    colours: bytes
+    face: bytes
+    shown: bytes
+    hair_style: str
+    hair: str

@@ -1,4 +1,4 @@
-"""The addresses of a scan: it is brought, fitted anew by points, taken as a face, thrown away.
+"""The addresses of a scan: it is brought, fitted anew by points, taken as a face, thrown away; photographs too.
 
 A job beside the show does the work (`workers.scan_jobs`), one scan at a time.
 """
@@ -19,18 +19,28 @@ from omote.interchange.formats.error_reasons import explain_error
 from omote.server.http.editor_link import NO_FILE
 from omote.server.http.long_requests import CancelledRequestError, LongRequests, request_id
 from omote.server.http.uploads import CANCELLED, RunFileJob
+from omote.server.scans.photograph_upload import (
+    LARGEST_PHOTOGRAPH,
+    MOST_PHOTOGRAPHS,
+    POINTS_FILE,
+    read_photographs,
+    receive_points,
+)  # fmt: skip
 from omote.server.scans.scan_previews import Preview, ScanPreviews
 from omote.server.scans.scan_upload import choose_scan, receive_files
 from omote.server.workers.file_jobs import Imported
 from omote.server.workers.job_server import Follow, JobError
+from omote.server.workers.photograph_jobs import FitPhotographs
 from omote.server.workers.scan_jobs import FILES, FitScan, TakeScan
 from omote.showfile.changes import BroughtItem
 
 SCANS_PATH = "/scans"
+PHOTOGRAPHS_PATH = "/photographs"
 MSGPACK = "application/msgpack"
 
 TakeIn = Callable[[Sequence[BroughtItem], int | None], Awaitable[list[TakenIn] | str]]
 Point = tuple[float, float, float]
+FitPreview = Callable[[Preview], Awaitable[web.Response]]
 FileWork = tuple[Callable[[], Path], RunFileJob]
 
 
@@ -60,7 +70,9 @@ class ScanRoutes:
         self._work, self._long_requests, self._take_in, self.previews = work, long_requests, take_in, previews
 
     def add_routes(self, application: web.Application) -> None:
-        """Adds where scans are brought to, and where each is fitted, taken and thrown away."""
+        """Adds where scans and photographs are brought to, and where each is fitted, taken and thrown away."""
+        application.router.add_post(PHOTOGRAPHS_PATH, self.bring_photographs)
+        application.router.add_post(f"{PHOTOGRAPHS_PATH}/{{token}}", self.fit_photographs_again)
         application.router.add_post(SCANS_PATH, self.bring)
         application.router.add_post(f"{SCANS_PATH}/{{token}}", self.fit_again)
         application.router.add_post(f"{SCANS_PATH}/{{token}}/face", self.take)
@@ -70,6 +82,15 @@ class ScanRoutes:
         """Fits the scan in a form of files; responds with a `ScanPreview` (MessagePack), 400 or 503 with a sentence,
         204 where the page ended it."""
         return await self._answer(request, partial(self._bring, request))
+
+    async def bring_photographs(self, request: web.Request) -> web.Response:
+        """Fits the photographs in a form of files, their landmarks among them (`photograph_upload.POINTS_FILE`);
+        responds with a `PhotographPreview` (MessagePack), else as `bring`."""
+        return await self._answer(request, partial(self._bring_photographs, request))
+
+    async def fit_photographs_again(self, request: web.Request) -> web.Response:
+        """Fits photographs by landmarks that an editor moved (JSON); responds as `bring_photographs`."""
+        return await self._answer(request, partial(self._fit_photographs_again, request))
 
     async def fit_again(self, request: web.Request) -> web.Response:
         """Fits a scan by points that an editor gives (JSON); responds as `bring`."""
@@ -98,15 +119,33 @@ class ScanRoutes:
             raise web.HTTPServiceUnavailable(text=f"nothing was done ({explain_error(error)}).") from error
 
     async def _bring(self, request: web.Request, follow: Follow) -> web.Response:
+        async def fit(preview: Preview) -> web.Response:
+            preview.file = choose_scan(sorted(path.name for path in (preview.folder / FILES).iterdir()))
+            return await self._fit(preview, Points({}), follow)
+
+        return await self._receive(request, follow, fit)
+
+    async def _bring_photographs(self, request: web.Request, follow: Follow) -> web.Response:
+        async def fit(preview: Preview) -> web.Response:
+            described = preview.folder / FILES / POINTS_FILE
+            if not described.exists():
+                raise ValueError("these photographs came without their landmarks; bring them to the editor's page.")
+            return await self._fit_photographs(preview, described.read_bytes(), follow)
+
+        return await self._receive(request, follow, fit, MOST_PHOTOGRAPHS * LARGEST_PHOTOGRAPH)
+
+    async def _receive(
+        self, request: web.Request, follow: Follow, fit: FitPreview, most: int | None = None
+    ) -> web.Response:
+        """Keeps the files of a form in a preview of their own as long as they can be fitted."""
         if self._work is None:
             raise web.HTTPServiceUnavailable(text=f"nothing can be taken in: {NO_FILE}")
         preview = self.previews.add()
         try:
             follow(0, 0, "the file is sent")
             (preview.folder / FILES).mkdir()
-            await receive_files(request, preview.folder / FILES)
-            preview.file = choose_scan(sorted(path.name for path in (preview.folder / FILES).iterdir()))
-            response = await self._fit(preview, Points({}), follow)
+            await receive_files(request, preview.folder / FILES, most=most)
+            response = await fit(preview)
         except BaseException:
             self.previews.drop(preview.token)
             raise
@@ -118,8 +157,21 @@ class ScanRoutes:
         preview = self.previews.find(request.match_info["token"])
         return await self._fit(preview, msgspec.json.decode(await request.read(), type=Points), follow)
 
+    async def _fit_photographs_again(self, request: web.Request, follow: Follow) -> web.Response:
+        preview = self.previews.find(request.match_info["token"])
+        return await self._fit_photographs(preview, await receive_points(request), follow)
+
+    async def _fit_photographs(self, preview: Preview, described: bytes, follow: Follow) -> web.Response:
+        sizes = {path.name: path.stat().st_size for path in (preview.folder / FILES).iterdir()}
+        job = FitPhotographs(str(preview.folder), preview.token, read_photographs(described, sizes))
+        return await self._respond(preview, job, follow)
+
     async def _fit(self, preview: Preview, said: Points, follow: Follow) -> web.Response:
         job = FitScan(str(preview.folder), preview.file, preview.token, said.points, said.shut)
+        return await self._respond(preview, job, follow)
+
+    async def _respond(self, preview: Preview, job: FitScan | FitPhotographs, follow: Follow) -> web.Response:
+        """What a fit shows, of a preview that is kept for another while."""
         fitted = await self._do(job, follow)
         self.previews.touch(preview)
         return web.Response(body=fitted, content_type=MSGPACK, headers={"Cache-Control": "no-store"})
@@ -139,7 +191,7 @@ class ScanRoutes:
         self.previews.drop(preview.token)
         return web.json_response(body=msgspec.json.encode({"items": taken, "said": imported.said}))
 
-    async def _do(self, job: FitScan | TakeScan, follow: Follow) -> bytes:
+    async def _do(self, job: FitScan | FitPhotographs | TakeScan, follow: Follow) -> bytes:
         """What a job makes, once no other scan is worked on."""
         assert self._work is not None  # a preview is there
         async with self._long_requests.turn("scan", follow, "it waits until another scan is fitted"):

@@ -39,9 +39,12 @@ def choose_scan(names: Sequence[str], /) -> str:
     return scans[0]
 
 
-async def receive_files(request: web.Request, folder: Path, /) -> None:
-    """Writes the files of a form into a folder; ValueError with a sentence where they are too large or too many."""
-    room = LARGEST
+async def receive_files(request: web.Request, folder: Path, /, *, most: int | None = None) -> None:
+    """Writes the files of a form into a folder; ValueError with a sentence where they are too large or too many.
+
+    most: bytes of all of them, None: as many as of a scan.
+    """
+    room = most = LARGEST if most is None else most
     try:
         form = await request.multipart()
         for _ in range(MOST_FILES + 1):
@@ -50,20 +53,18 @@ async def receive_files(request: web.Request, folder: Path, /) -> None:
                 return
             if isinstance(part, MultipartReader) or not clean_name(part.filename or ""):
                 raise ValueError("what came holds something that is no file; bring the files anew.")
-            room = await _write(part, folder / clean_name(part.filename or ""), room)
+            room = await _write(part, folder / clean_name(part.filename or ""), room, most)
     except (AssertionError, ValueError) as error:
         raise error if str(error).endswith(".") else ValueError("what came is no form with files.") from error
     raise ValueError(f"more than {MOST_FILES} files came; bring the scan and its own pictures alone.")
 
 
-async def _write(part: BodyPartReader, path: Path, room: int) -> int:
+async def _write(part: BodyPartReader, path: Path, room: int, most: int) -> int:
     """Writes one file; returns for how many bytes more there is room."""
     with path.open("wb") as file:
         while chunk := await part.read_chunk(CHUNK):
             room -= len(chunk)
             if room < 0:
-                raise ValueError(
-                    f"{path.name} is too large: {LARGEST >> 20} MB are read at most; export a smaller one."
-                )
+                raise ValueError(f"{path.name} is too large: {most >> 20} MB are read at most; export a smaller one.")
             file.write(chunk)
     return room

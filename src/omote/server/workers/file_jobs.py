@@ -18,6 +18,7 @@ from omote.interchange.formats.file_names import GLB, VRM
 from omote.model.cast import Cast
 from omote.server.sandbox.import_files import Brought, expressions_from, faces_from
 from omote.server.workers.job_server import Follow
+from omote.server.workers.photograph_jobs import FitPhotographs, run_photograph_fit
 from omote.server.workers.scan_jobs import FitScan, TakeScan, face_to_take, run_fit
 from omote.showfile.changes import BroughtItem, Change, Item, Kind, PutContent, PutItem, PutRevision
 from omote.showfile.database_errors import describe_error
@@ -56,7 +57,7 @@ class ExportFace(msgspec.Struct, frozen=True, tag=True):
     licence: str = ""
 
 
-FileJob = ImportFile | ExportExpression | ExportFace | FitScan | TakeScan
+FileJob = ImportFile | ExportExpression | ExportFace | FitScan | FitPhotographs | TakeScan
 
 
 class Imported(msgspec.Struct, frozen=True):
@@ -75,6 +76,8 @@ def run_file_job(job: bytes, follow: Follow, /) -> bytes:
     try:
         if isinstance(wanted, FitScan):
             return msgspec.msgpack.encode(run_fit(wanted, follow))
+        if isinstance(wanted, FitPhotographs):
+            return msgspec.msgpack.encode(run_photograph_fit(wanted, follow))
         if isinstance(wanted, ImportFile | TakeScan):
             return msgspec.msgpack.encode(_import_file(wanted, follow))
         found = inspect_show(Path(wanted.show))

@@ -20,6 +20,8 @@ ROUTES: Mapping[tuple[str, str], AccessRole] = MappingProxyType(
         ("GET", "/layouts/{name}"): "view",
         ("GET", "/exports/{file}"): "operate",
         ("POST", "/imports/{file}"): "edit",
+        ("POST", "/photographs"): "edit",
+        ("POST", "/photographs/{token}"): "edit",
         ("POST", "/scans"): "edit",
         ("POST", "/scans/{token}"): "edit",
         ("POST", "/scans/{token}/face"): "edit",

@@ -1,6 +1,7 @@
 /** The page's side of the landmark worker: the newest picture is looked at, those that came meanwhile are not. */
 
-import type { Backend, FromWorker, Landmarks, ToWorker } from "./landmark_messages";
+import type { Backend } from "../../face_mesh/face_mesh";
+import type { FromWorker, Landmarks, ToWorker } from "./landmark_messages";
 
 /** What the page is told. */
 export interface LandmarkListener {

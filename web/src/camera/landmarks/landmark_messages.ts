@@ -1,10 +1,6 @@
 /** What the page and its landmark worker say to each other. */
 
-/** Points of MediaPipe's face mesh with irises. */
-export const LANDMARK_COUNT = 478;
-
-/** Where the model computes. */
-export type Backend = "CPU" | "GPU";
+import type { Backend } from "../../face_mesh/face_mesh";
 
 /** What the page sends: the picture to warm up with, then one picture of the camera at a time. */
 export type ToWorker =

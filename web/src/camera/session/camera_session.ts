@@ -1,8 +1,9 @@
 /** What happens at the camera page: pictures go to the landmark worker, landmarks to the show, news to the page. */
 
+import type { Backend } from "../../face_mesh/face_mesh";
 import { LandmarkClient, type Messenger } from "../landmarks/landmark_client";
 import { writeLandmarkFrame } from "../landmarks/landmark_frame";
-import type { Backend, Landmarks } from "../landmarks/landmark_messages";
+import type { Landmarks } from "../landmarks/landmark_messages";
 import { CameraLink } from "./camera_link";
 import type { CameraStatus, FromCamera } from "./camera_messages";
 import { type CameraDevice, CameraStream, type CameraTrouble } from "./camera_stream";

@@ -1,5 +1,6 @@
 import { expect, it } from "vitest";
-import { LANDMARK_COUNT, type Landmarks } from "../landmarks/landmark_messages";
+import { LANDMARK_COUNT } from "../../face_mesh/face_mesh";
+import type { Landmarks } from "../landmarks/landmark_messages";
 import { judgeFace, Rate } from "./face_health";
 
 /** A face: centre, half height and how far the nose is from the middle, of the half width. */

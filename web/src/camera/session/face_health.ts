@@ -1,6 +1,7 @@
 /** What is good and what is not of the picture, and what the performer can do about it. */
 
-import { LANDMARK_COUNT, type Landmarks } from "../landmarks/landmark_messages";
+import { LANDMARK_COUNT } from "../../face_mesh/face_mesh";
+import type { Landmarks } from "../landmarks/landmark_messages";
 
 /** One thing that is looked at. */
 export interface HealthLine {

@@ -115,8 +115,8 @@ export class ItemListPanel extends EditorElement {
           @input=${(event: Event) => {
             this.search = textOf(event);
           }} />
-        <button class="main" data-new @click=${() => this.make()}>New</button> ${this.kind === "face" ? html`<omote-scan-button></omote-scan-button>` : nothing}
-      </div>
+        <button class="main" data-new @click=${() => this.make()}>New</button></div>
+      ${this.kind === "face" ? html`<div class="row"><omote-scan-button></omote-scan-button><omote-scan-button of="photographs"></omote-scan-button></div>` : nothing}
       ${
         this.making === null
           ? nothing

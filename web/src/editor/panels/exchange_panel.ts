@@ -85,6 +85,8 @@ export class Exchange extends EditorElement {
       ${this.#import("face", "A face: a head of Omote at rest (GLB, OBJ)")}
       <div class="command"><span class="note">A person: a scan, any mesh of a head (PLY, STL, OBJ, GLB, VRM, XYZ)</span>
         <omote-scan-button></omote-scan-button></div>
+      <div class="command"><span class="note">A person: one to eight photographs (JPEG, PNG)</span>
+        <omote-scan-button of="photographs"></omote-scan-button></div>
       <p class="note">A head at rest and a shape each as OBJ come in together, on the show's computer while no show plays: <code>${IMPORT_COMMAND}</code></p>
     `;
   }

@@ -1,13 +1,20 @@
-/** The button that opens a scan from the desk. */
+/** The buttons that open a scan, or photographs, from the desk. */
 
 import { css, html, LitElement } from "lit";
-import { customElement } from "lit/decorators.js";
+import { customElement, property } from "lit/decorators.js";
 import { base } from "../../ui/theme";
-import { ACCEPTED_SCANS } from "./data/dropped_files";
+import { ACCEPTED_PHOTOGRAPHS, ACCEPTED_SCANS } from "./data/dropped_files";
+
+const TITLES = {
+  scan: "A scan or any mesh of a head: PLY, STL, OBJ with its materials and pictures, GLB, VRM, XYZ",
+  photographs: "One to eight photographs of one person: JPEG, PNG",
+};
 
 /** Tells `scan` with the files that were chosen. */
 @customElement("omote-scan-button")
 export class ScanButton extends LitElement {
+  @property() of: "scan" | "photographs" = "scan";
+
   static override styles = [
     base,
     css`
@@ -43,8 +50,9 @@ export class ScanButton extends LitElement {
   ];
 
   override render() {
-    return html`<label title="A scan or any mesh of a head: PLY, STL, OBJ with its materials and pictures, GLB, VRM, XYZ">From a scan<input
-      type="file" multiple aria-label="A face from a scan" accept=${ACCEPTED_SCANS} @change=${this.#choose} /></label>`;
+    const [what, accepted] = this.of === "scan" ? ["a scan", ACCEPTED_SCANS] : ["photographs", ACCEPTED_PHOTOGRAPHS];
+    return html`<label title=${TITLES[this.of]}>From ${what}<input
+      type="file" multiple aria-label="A face from ${what}" accept=${accepted} @change=${this.#choose} /></label>`;
   }
 
   readonly #choose = (event: Event): void => {

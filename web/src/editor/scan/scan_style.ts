@@ -35,7 +35,8 @@ export const style = css`
     gap: 6px;
     min-height: 0;
   }
-  omote-scan-views {
+  omote-scan-views,
+  omote-photograph {
     border: 1px solid var(--line);
     border-radius: 5px;
   }
@@ -63,6 +64,7 @@ export const style = css`
     height: 8px;
   }
   .over {
+    grid-area: 1 / 1 / -1 / -1;
     position: absolute;
     inset: 0;
     z-index: 1;

@@ -1,5 +1,5 @@
 import { describe, expect, it } from "vitest";
-import { ACCEPTED_SCANS, comingOf, nameOf } from "./dropped_files";
+import { ACCEPTED_PHOTOGRAPHS, ACCEPTED_SCANS, arePhotographs, comingOf, nameOf } from "./dropped_files";
 
 describe("files that are dropped", () => {
   it.each([
@@ -13,6 +13,9 @@ describe("files that are dropped", () => {
     [["a.obj", "b.obj"], "face", "import"],
     [["smile.json", "anna.ply"], "face", "import"],
     [["notes.txt"], "face", "import"],
+    [["front.JPG", "left.png"], "expression", "scan"],
+    [["anna.jpeg"], "face", "scan"],
+    [["anna.jpeg", "notes.txt"], "face", "import"],
     [["README"], "expression", "import"],
   ] as const)("%j while a %s is open are taken as %s", (names, open, coming) => {
     expect(comingOf(names, open)).toBe(coming);
@@ -23,6 +26,13 @@ describe("files that are dropped", () => {
     expect(nameOf([".ply"])).toBe("Scanned face");
     expect(nameOf([])).toBe("Scanned face");
     expect(nameOf([`${"a".repeat(200)}.ply`]).length).toBeLessThanOrEqual(64);
+  });
+
+  it("are photographs where all of them are pictures", () => {
+    expect(arePhotographs(["a.jpg", "b.PNG", "c.jpeg"])).toBe(true);
+    expect(arePhotographs(["a.jpg", "b.obj"])).toBe(false);
+    expect(arePhotographs([])).toBe(false);
+    expect(ACCEPTED_PHOTOGRAPHS).toBe(".jpg,.jpeg,.png");
   });
 
   it("may be chosen with what lies beside them", () => {

@@ -8,13 +8,22 @@ export const ACCEPTED_SCANS = [...SCAN_SUFFIXES, ...BESIDE].join(",");
 /** These may be a head with our own topology as well, which comes in as it is. */
 const MAYBE_OURS: ReadonlySet<string> = new Set([".obj", ".glb"]);
 
-/** "scan": to be fitted; "either": a face with our topology, else a scan; "import": to be taken in as it is. */
+/** Photographs of a person, where they come without a scan. */
+const PHOTOGRAPHS: ReadonlySet<string> = new Set([".jpg", ".jpeg", ".png"]);
+export const ACCEPTED_PHOTOGRAPHS = [...PHOTOGRAPHS].join(",");
+
+/** Whether files are pictures, and nothing else. */
+export const arePhotographs = (names: readonly string[]): boolean =>
+  names.length > 0 && names.every((name) => PHOTOGRAPHS.has(suffixOf(name)));
+
+/** "scan": a person, to be fitted; "either": a face with our topology, else a scan; "import": to be taken in as it is. */
 export type Coming = "scan" | "either" | "import";
 
 /** What to do with files that were dropped while an item of a kind is open. */
 export function comingOf(names: readonly string[], open: "expression" | "face"): Coming {
   const suffixes = names.map(suffixOf);
   if (suffixes.includes(".json")) return "import";
+  if (arePhotographs(names)) return "scan";
   const scans = suffixes.filter((suffix) => (SCAN_SUFFIXES as readonly string[]).includes(suffix));
   if (scans.some((suffix) => !MAYBE_OURS.has(suffix))) return "scan";
   if (scans.length > 0 && scans.length < suffixes.length) return "scan"; // with materials and pictures beside it

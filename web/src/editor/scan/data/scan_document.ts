@@ -48,6 +48,13 @@ export interface SeenScan {
   readonly hair: Hair;
 }
 
+/** What is drawn: a surface, and a face that may lie in it. */
+export type Drawable = Pick<SeenScan, "surface" | "placement" | "found"> & {
+  readonly face: Pick<FittedFace, "positions" | "residual"> | null;
+  /** The surface is skin alone: eyes and teeth of the face belong to it. */
+  readonly bare?: boolean;
+};
+
 /** A hair style of the cast, "" for none, and its colour. */
 export interface Hair {
   readonly style: string;

@@ -34,7 +34,11 @@ export async function fitAgain(
 }
 
 /** Takes the face of a scan; its name in the show. An Error with a sentence where that fails. */
-export async function takeFace({ token }: SeenScan, taking: Taking, requests: LongRequests): Promise<string> {
+export async function takeFace(
+  { token }: Pick<SeenScan, "token">,
+  taking: Taking,
+  requests: LongRequests,
+): Promise<string> {
   const body = JSON.stringify(taking);
   const answer = await answerOf(
     requests.fetch(`Face ${taking.label}`, `/scans/${token}/face`, { method: "POST", body }),
@@ -44,13 +48,16 @@ export async function takeFace({ token }: SeenScan, taking: Taking, requests: Lo
 }
 
 /** Throws a scan away, even while the page closes. */
-export function dropScan({ token }: SeenScan): void {
+export function dropScan({ token }: Pick<SeenScan, "token">): void {
   void fetch(`/scans/${token}`, { method: "DELETE", keepalive: true }).catch(() => undefined); // it goes by itself later
 }
 
-async function scanIn(coming: Promise<Response | null>): Promise<SeenScan> {
+const scanIn = async (coming: Promise<Response | null>): Promise<SeenScan> => readScan(await bytesOf(coming));
+
+/** What a request is answered with; an Error with a sentence where it is refused. */
+export async function bytesOf(coming: Promise<Response | null>): Promise<Uint8Array> {
   const answer = await answerOf(coming);
-  return readScan(new Uint8Array(await answer.arrayBuffer()));
+  return new Uint8Array(await answer.arrayBuffer());
 }
 
 async function answerOf(coming: Promise<Response | null>): Promise<Response> {

@@ -13,7 +13,7 @@ import {
 } from "../../canvas/math/camera";
 import { hit } from "../../canvas/math/hit_test";
 import { minus, rowOf, size, type Triple } from "../../canvas/math/vectors";
-import type { ScanSurface, SeenScan } from "../data/scan_document";
+import type { Drawable, ScanSurface } from "../data/scan_document";
 
 const SIDES: readonly (readonly [ViewName, string])[] = [
   ["front", "Front"],
@@ -50,7 +50,7 @@ export class ScanCameras {
   #views: View[] = SIDES.map(([name]) => viewOf(name));
   #boxes: readonly Box[] = boxesOf(1, 1);
 
-  constructor(scan: SeenScan) {
+  constructor(scan: Pick<Drawable, "face" | "surface">) {
     this.#bounds = boundsOf(scan.face?.positions ?? scan.surface.positions);
   }
 

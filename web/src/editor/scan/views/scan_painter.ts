@@ -6,7 +6,7 @@ import type { Mesh } from "../../../link/assets";
 import type { Box } from "../../canvas/math/boxes";
 import type { Camera } from "../../canvas/math/camera";
 import { add, times } from "../../canvas/math/vectors";
-import { normalsOf, type ScanSurface, type SeenScan } from "../data/scan_document";
+import { type Drawable, normalsOf, type ScanSurface } from "../data/scan_document";
 import { heatOf } from "./heat_scale";
 
 const VERTEX = `#version 300 es
@@ -64,6 +64,7 @@ export interface Shown {
 export class ScanPainter {
   private readonly program: WebGLProgram;
   private scan: Drawn | null = null;
+  private parts: Drawn | null = null;
   private face: Drawn | null = null;
   private heat: Drawn | null = null;
 
@@ -72,7 +73,7 @@ export class ScanPainter {
   }
 
   /** Takes in what is drawn from now on; meshes: those of the head. */
-  load({ surface, face }: SeenScan, meshes: readonly Mesh[]): void {
+  load({ surface, face, bare = false }: Drawable, meshes: readonly Mesh[]): void {
     this.dispose();
     const colours = surface.colours ?? evenly(surface.positions.length / 3, CLAY);
     this.scan = this.build(surface, colours);
@@ -85,6 +86,8 @@ export class ScanPainter {
     face.residual.forEach((away, row) => {
       warm.set(heatOf(away), 3 * row);
     });
+    const parts = Uint32Array.from(drawn.flatMap((mesh) => (mesh.name === "skin" ? [] : [...rowTriangles(mesh)])));
+    this.parts = bare ? this.build({ ...whole, triangles: parts }, natural) : null;
     this.face = this.build(whole, natural);
     this.heat = this.build(whole, warm);
   }
@@ -106,19 +109,20 @@ export class ScanPainter {
     gl.clearColor(0.03, 0.035, 0.04, 1);
     gl.clear(gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT);
     const face = heat ? this.heat : this.face;
-    if (this.scan !== null && (share < 1 || face === null)) this.draw(this.scan, camera, 1, ratio);
+    for (const each of [this.scan, this.parts])
+      if (each !== null && (share < 1 || face === null)) this.draw(each, camera, 1, ratio);
     if (face === null || share <= 0) return;
     if (share < 1) gl.clear(gl.DEPTH_BUFFER_BIT);
     this.draw(face, camera, share, ratio);
   }
 
   dispose(): void {
-    for (const one of [this.scan, this.face, this.heat]) {
+    for (const one of [this.scan, this.parts, this.face, this.heat]) {
       if (one === null) continue;
       this.gl.deleteVertexArray(one.array);
       for (const buffer of one.buffers) this.gl.deleteBuffer(buffer);
     }
-    [this.scan, this.face, this.heat] = [null, null, null];
+    [this.scan, this.parts, this.face, this.heat] = [null, null, null, null];
   }
 
   /** What is seen through lies over what is behind once: its depth comes first. */

@@ -6,7 +6,7 @@ import type { Mesh } from "../../../link/assets";
 import { LANDMARKS } from "../../../link/constants";
 import { base } from "../../../ui/theme";
 import type { Triple } from "../../canvas/math/vectors";
-import { type LandmarkName, placed, type SeenScan, unplaced } from "../data/scan_document";
+import { type Drawable, type LandmarkName, placed, unplaced } from "../data/scan_document";
 import type { ScanPoints } from "../data/scan_points";
 import { isHidden, pick, ScanCameras, SIDE_LABELS } from "./scan_cameras";
 import { ScanPainter, type Shown } from "./scan_painter";
@@ -38,8 +38,9 @@ interface Hand {
 /** Tells `set` when a point has been set or moved. */
 @customElement("omote-scan-views")
 export class ScanViews extends LitElement {
-  @property({ attribute: false }) scan!: SeenScan;
-  @property({ attribute: false }) points!: ScanPoints;
+  @property({ attribute: false }) scan!: Drawable;
+  /** Null: nothing is set on it. */
+  @property({ attribute: false }) points: ScanPoints | null = null;
   @property({ attribute: false }) meshes: readonly Mesh[] = [];
   @property({ attribute: false }) shown: Shown = { share: 0.5, heat: false };
   /** Raised where points have changed. */
@@ -48,7 +49,7 @@ export class ScanViews extends LitElement {
   @query("canvas") private canvas!: HTMLCanvasElement;
   #painter: ScanPainter | null = null;
   #cameras: ScanCameras | null = null;
-  #loaded: SeenScan | null = null;
+  #loaded: Drawable | null = null;
   readonly #hands = new Map<number, Hand>();
   readonly #size = new ResizeObserver(() => this.#resize());
 
@@ -89,15 +90,15 @@ export class ScanViews extends LitElement {
     return html`<canvas tabindex="0" aria-label="The scan from three sides" aria-describedby="keys"
         @pointerdown=${this.#down} @pointermove=${this.#move} @pointerup=${this.#up} @pointercancel=${this.#cancel}
         @wheel=${this.#wheel} @keydown=${this.#key} @contextmenu=${(event: Event) => event.preventDefault()}></canvas>
-      <svg aria-hidden="true">${boxes.map((_, at) => LANDMARKS.map((name) => this.#mark(at, name)))}</svg>
+      <svg aria-hidden="true">${boxes.map((_, at) => LANDMARKS.map((name) => this.points && this.#mark(this.points, at, name)))}</svg>
       <div class="names" aria-hidden="true">${boxes.map(
         ({ left, top }, at) =>
           html`<span class=${at === this.active ? "active" : ""} style="left:${left}px;top:${top}px">${SIDE_LABELS[at]}</span>`,
       )}</div>`;
   }
 
-  #mark(at: number, name: LandmarkName) {
-    const given = this.points.given[name];
+  #mark(points: ScanPoints, at: number, name: LandmarkName) {
+    const given = points.given[name];
     const own = given ?? this.scan.found[name];
     const camera = this.#cameras?.camera(at);
     if (own === undefined || camera === undefined) return null;
@@ -105,7 +106,7 @@ export class ScanViews extends LitElement {
     const [x, y] = camera.project(place);
     if (this.#cameras?.at(x, y) !== at) return null;
     const names = [given === undefined ? "found" : "given"];
-    if (name === this.points.chosen) names.push("chosen");
+    if (name === points.chosen) names.push("chosen");
     if (this.#hands.size === 0 && isHidden(this.scan.surface, camera, place)) names.push("hidden");
     return svg`<g class=${names.join(" ")} data-point=${name}><circle cx=${x} cy=${y} r="6"></circle>
       <text x=${x} y=${y - 10}>${LANDMARKS.indexOf(name) + 1}</text></g>`;
@@ -147,7 +148,7 @@ export class ScanViews extends LitElement {
         ? this.#under(at, x, y, event.pointerType === "mouse" ? GRASP.mouse : GRASP.touch)
         : null;
     this.#hands.set(event.pointerId, { at, from: [x, y], last: [x, y], point, shifts, moved: shifts });
-    if (point !== null) this.points.chosen = point;
+    if (point !== null && this.points !== null) this.points.chosen = point;
   };
 
   readonly #move = (event: PointerEvent): void => {
@@ -173,7 +174,8 @@ export class ScanViews extends LitElement {
     this.#hands.delete(event.pointerId);
     if (hand === undefined) return;
     if (hand.moved || this.#hands.size > 0) this.requestUpdate();
-    else if (hand.point === null) this.#put(hand.at, this.points.chosen, ...hand.from, { goes: true });
+    else if (hand.point === null && this.points !== null)
+      this.#put(hand.at, this.points.chosen, ...hand.from, { goes: true });
     else this.#tell();
   };
 
@@ -208,7 +210,7 @@ export class ScanViews extends LitElement {
     const camera = this.#cameras?.camera(at);
     if (camera === undefined) return null;
     const far = (name: LandmarkName): number => {
-      const own = this.points.given[name];
+      const own = this.points?.given[name];
       if (own === undefined) return Infinity;
       const place = placed(this.scan.placement, own);
       const [px, py] = camera.project(place);
@@ -221,7 +223,7 @@ export class ScanViews extends LitElement {
   #put(at: number, name: LandmarkName, x: number, y: number, how: { goes?: boolean; same?: boolean }): void {
     const camera = this.#cameras?.camera(at);
     const point: Triple | undefined = camera && pick(this.scan.surface, camera, x, y);
-    if (point === undefined) return;
+    if (point === undefined || this.points === null) return;
     this.points.set(name, unplaced(this.scan.placement, point), how);
     this.#tell();
   }
@@ -247,7 +249,7 @@ export class ScanViews extends LitElement {
       const far = shiftKey ? MORE : 1;
       if (altKey) this.#cameras?.turn(this.active, 20 * arrow[0], 20 * arrow[1]);
       else this.#nudge(far * arrow[0], far * arrow[1]);
-    } else if (number >= 1 && number <= LANDMARKS.length) {
+    } else if (number >= 1 && number <= LANDMARKS.length && this.points !== null) {
       this.points.chosen = LANDMARKS[number - 1] as LandmarkName;
       this.#tell();
     } else if (key === "v") this.active = (this.active + 1) % SIDE_LABELS.length;
@@ -261,7 +263,7 @@ export class ScanViews extends LitElement {
   /** Moves the chosen point by pixels of the active look; one that is neither set nor found begins in its middle. */
   #nudge(dx: number, dy: number): void {
     const camera = this.#cameras?.camera(this.active);
-    if (camera === undefined) return;
+    if (camera === undefined || this.points === null) return;
     const name = this.points.chosen;
     const own = this.points.given[name] ?? this.scan.found[name];
     const { left, top, width, height } = camera.box;

@@ -4,7 +4,12 @@
  */
 
 import { FACE_MESH } from "virtual:face_mesh";
-import { type Backend, LANDMARK_COUNT } from "./landmark_messages";
+
+/** Points of MediaPipe's face mesh with irises. */
+export const LANDMARK_COUNT = 478;
+
+/** Where the model computes. */
+export type Backend = "CPU" | "GPU";
 
 interface Point {
   x: number;

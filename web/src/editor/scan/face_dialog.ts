@@ -1,0 +1,279 @@
+/** What the dialogs share in which somebody's face is made: waited for, looked at, corrected, taken or thrown away. */
+
+import { html, nothing, type TemplateResult } from "lit";
+import { property, query, state } from "lit/decorators.js";
+import { curtain } from "../../ui/dialog_style";
+import { layerWhileShown } from "../../ui/key_presses";
+import { CancelledError } from "../../ui/long_requests";
+import { base } from "../../ui/theme";
+import { controls } from "../controls/controls_style";
+import { EditorElement, textOf } from "../controls/editor_element";
+import type { Topic } from "../session/draft_store";
+import { freeLabel, openItem } from "../session/item_commands";
+import { nameOf } from "./data/dropped_files";
+import type { Drawable, Hair } from "./data/scan_document";
+import { dropScan, sentence, takeFace } from "./data/scan_requests";
+import { style } from "./scan_style";
+
+/** What a fit shows. */
+export type SeenFace = Drawable & {
+  readonly token: string;
+  readonly doubts: readonly { readonly sentence: string }[];
+  readonly notes: readonly string[];
+  readonly hair: Hair;
+};
+
+/** What a dialog says of what it works on. */
+export interface Words {
+  /** The title of the dialog, and of a fit among the long requests. */
+  readonly title: string;
+  /** "the face of ... now". */
+  readonly source: string;
+  /** What is asked before work is lost. */
+  readonly thrown: string;
+}
+
+/** Tells `close` when there is nothing more to do. */
+export abstract class FaceDialog<Seen extends SeenFace> extends EditorElement {
+  /** What came from the desk. */
+  @property({ attribute: false }) files!: readonly File[];
+  @state() protected seen: Seen | null = null;
+  /** What is under way: a fit, the taking; empty: nothing. */
+  @state() protected busy: "" | "fit" | "take" = "";
+  @state() protected failed = "";
+  @state() private leaving = false;
+  @state() private label = "";
+  /** What was chosen; null: what is proposed. */
+  @state() private chosenHair: Hair | null = null;
+  @state() private replaced: number | null = null;
+  @query(".acts button") private first!: HTMLElement | null;
+  protected abstract readonly words: Words;
+  #deaf: () => void = () => undefined;
+  readonly #left = (): void => this.#drop();
+
+  static override styles = [base, controls, curtain, style];
+
+  constructor() {
+    super();
+    layerWhileShown(this, "dialog", () => this.escape());
+  }
+
+  /** Asks for the first fit. */
+  protected abstract begin(): Promise<Seen>;
+  /** Takes note of a fit that has come, after the one before. */
+  protected abstract fitted(seen: Seen, before: Seen | null): void;
+  /** Asks for another fit. */
+  protected abstract fitAgain(seen: Seen): Promise<Seen>;
+  /** Whether a fit would now be another than that which is shown. */
+  protected abstract isChanged(seen: Seen): boolean;
+  /** What to do now, and what is known of the fit. */
+  protected abstract advice(seen: Seen): { readonly advice: string; readonly known: string };
+  /** What lies to the left, and under the verdict. */
+  protected abstract views(seen: Seen): TemplateResult;
+  protected abstract corrections(seen: Seen): unknown;
+
+  protected override topics(): readonly Topic[] {
+    return ["items", "cast"];
+  }
+
+  override connectedCallback(): void {
+    super.connectedCallback();
+    this.#deaf = this.store.longRequests.listen(() => this.requestUpdate());
+    window.addEventListener("pagehide", this.#left);
+  }
+
+  override disconnectedCallback(): void {
+    super.disconnectedCallback();
+    this.#deaf();
+    window.removeEventListener("pagehide", this.#left);
+  }
+
+  override firstUpdated(): void {
+    this.label = freeLabel(this.store.items, nameOf(this.files.map(({ name }) => name)));
+    void this.#fit(() => this.begin());
+  }
+
+  get #hair(): Hair {
+    return this.chosenHair ?? this.seen?.hair ?? { style: "", colour: "#000000" };
+  }
+
+  // --- what is asked --------------------------------------------------------------------------------------------------
+
+  async #fit(ask: () => Promise<Seen>): Promise<void> {
+    [this.busy, this.failed, this.leaving] = ["fit", "", false];
+    try {
+      const before = this.seen;
+      this.seen = await ask();
+      if (this.isConnected) this.fitted(this.seen, before);
+      else this.#drop(); // closed meanwhile
+    } catch (error) {
+      if (error instanceof CancelledError && this.seen === null) this.#close();
+      else if (!(error instanceof CancelledError)) this.failed = (error as Error).message;
+    } finally {
+      this.busy = "";
+    }
+    await this.updateComplete;
+    this.first?.focus();
+  }
+
+  async #take(): Promise<void> {
+    const { seen, store } = this;
+    if (seen === null) return;
+    [this.busy, this.failed] = ["take", ""];
+    const taking = {
+      label: this.label.trim() || nameOf(this.files.map(({ name }) => name)),
+      hair_style: this.#hair.style,
+      hair: this.#hair.colour,
+      replaced: this.replaced,
+    };
+    try {
+      const name = await takeFace(seen, taking, store.longRequests);
+      this.seen = null; // the server has let go of it
+      this.#sayTaken(name, taking.label);
+      this.#close();
+    } catch (error) {
+      if (!(error instanceof CancelledError)) this.failed = (error as Error).message;
+    } finally {
+      this.busy = "";
+    }
+  }
+
+  #sayTaken(name: string, label: string): void {
+    const { store } = this;
+    const own = store.items.find(({ id }) => id === this.replaced);
+    const what =
+      own === undefined
+        ? `"${label}" plays, with all expressions: consoles have it among the faces.`
+        : `"${own.label}" is the face of ${this.words.source} now, wherever it plays; its history has the one before.`;
+    const open = (): void => {
+      const item = store.items.find((each) => each.kind === "face" && each.name === name);
+      if (item !== undefined) void openItem(store, item.id);
+    };
+    store.say(what, "done", [
+      { label: "Open it here", act: open },
+      { label: "Open the console", act: () => void window.open("/console", "_blank") },
+    ]);
+  }
+
+  // --- what is seen ---------------------------------------------------------------------------------------------------
+
+  override render() {
+    const { title } = this.words;
+    return html`<section class="panel" role="dialog" aria-modal="true" aria-label=${title}>
+      <header><h2>${title}</h2><b>${this.files.map(({ name }) => name).join(", ")}</b></header>
+      ${this.seen === null ? this.#beginning() : [this.views(this.seen), this.#side(this.seen)]}
+    </section>`;
+  }
+
+  #beginning() {
+    if (this.busy !== "") return html`<div class="waiting">${this.progress()}</div>`;
+    return html`<div class="waiting"><p class="failed" role="alert">${this.failed}</p>
+      <div class="acts"><button @click=${() => this.#close()}>Close</button></div></div>`;
+  }
+
+  /** How far the fit is; the page stays usable, and so does the show. */
+  protected progress(): TemplateResult {
+    const { title } = this.words;
+    const request = this.store.longRequests.all.find((each) => each.title === title);
+    const { done = 0, total = 0, what = "", ending = false } = request ?? {};
+    const words = ending ? "It is being cancelled" : what === "" ? "It begins" : what;
+    return html`<p role="status">${words.charAt(0).toUpperCase() + words.slice(1)} …${total > 0 ? ` ${Math.round((100 * done) / total)} %` : ""}</p>
+      <progress aria-label=${title} max=${Math.max(1, total)} .value=${total === 0 ? null : done}></progress>
+      <button ?disabled=${ending || request === undefined} @click=${() => request && this.store.longRequests.cancel(request.id)}>Cancel</button>`;
+  }
+
+  /** The progress of another fit over what is seen. */
+  protected waiting(): unknown {
+    return this.busy === "fit" ? html`<div class="waiting over">${this.progress()}</div>` : nothing;
+  }
+
+  #side(seen: Seen) {
+    const { advice, known } = this.advice(seen);
+    const said = [...seen.doubts.map((doubt) => doubt.sentence), ...seen.notes.map(sentence)];
+    return html`<div class="side">
+      <div class="verdict ${this.#isSure(seen) ? "" : "unsure"}" role="status">
+        <p>${advice}</p>
+        ${said.length === 0 ? nothing : html`<ul>${said.map((doubt) => html`<li>${doubt}</li>`)}</ul>`}
+        <span class="note">${known}</span>
+      </div>
+      ${this.failed === "" ? nothing : html`<p class="failed" role="alert">${this.failed}</p>`}
+      ${this.corrections(seen)} ${this.#takingForm()} ${this.#acts(seen)}
+    </div>`;
+  }
+
+  #isSure({ doubts, face }: Seen): boolean {
+    return doubts.length === 0 && face !== null;
+  }
+
+  #takingForm() {
+    const styles = (this.store.library?.manifest.hair ?? []).map(({ name }) => name);
+    const own = this.store.items.find(({ id }) => id === this.replaced);
+    return html`<h2>Take it as</h2><div class="taking">
+      ${this.#places()}
+      <label for="label">Name</label><input id="label" maxlength="64" ?disabled=${this.replaced !== null}
+        .value=${own?.label ?? this.label}
+        @input=${(event: Event) => {
+          this.label = textOf(event);
+        }} />
+      <label for="hair">Hair</label><div class="row"><select id="hair" class="grow" @change=${(event: Event) => {
+        this.chosenHair = { ...this.#hair, style: textOf(event) };
+      }}>
+        ${["", ...styles].map((name) => html`<option value=${name} ?selected=${name === this.#hair.style}>${name === "" ? "none" : name}</option>`)}
+      </select><input type="color" aria-label="Colour of the hair" .value=${this.#hair.colour} @input=${(
+        event: Event,
+      ) => {
+        this.chosenHair = { ...this.#hair, colour: textOf(event) };
+      }} /></div>
+    </div>`;
+  }
+
+  /** A new face, or instead of which. */
+  #places() {
+    const faces = this.store.items.filter(({ kind, deleted, head }) => kind === "face" && !deleted && head > 0);
+    if (faces.length === 0) return nothing;
+    return html`<label for="replaced">Place</label><select id="replaced" @change=${(event: Event) => {
+      this.replaced = textOf(event) === "" ? null : Number(textOf(event));
+    }}>
+      <option value="">A new face</option>
+      ${faces.map(({ id, label }) => html`<option value=${id} ?selected=${id === this.replaced}>Instead of ${label}</option>`)}
+    </select>`;
+  }
+
+  #acts(seen: Seen) {
+    if (this.leaving)
+      return html`<div class="acts" role="alertdialog" aria-label="Throw it away?"><p>${this.words.thrown}</p>
+        <button @click=${() => this.#throwAway()}>Throw away</button>
+        <button @click=${() => this.escape()}>Keep looking</button></div>`;
+    const again = this.isChanged(seen);
+    const [sure, made] = [seen.doubts.length === 0, seen.face !== null];
+    const take = html`<button class=${again || !made || !sure ? "" : "main"} ?disabled=${!made || this.busy !== "" || again}
+      @click=${() => this.#take()}>${this.busy === "take" ? "Taking it …" : sure || !made ? "Take it" : "Take it as it is"}</button>`;
+    return html`<div class="acts">
+      ${again ? html`<button class="main" ?disabled=${this.busy !== ""} @click=${() => this.#fit(() => this.fitAgain(seen))}>Fit again</button>` : nothing}
+      ${take}<button ?disabled=${this.busy === "take"} @click=${() => this.escape()}>Throw away</button></div>`;
+  }
+
+  // --- the end --------------------------------------------------------------------------------------------------------
+
+  /** Escape asks before work is lost; while nothing has come it cancels. */
+  protected escape(): void {
+    const request = this.store.longRequests.all.find(({ title }) => title === this.words.title);
+    if (this.busy === "fit" && request !== undefined) this.store.longRequests.cancel(request.id);
+    else if (this.seen === null) this.#close();
+    else if (this.busy === "") this.leaving = !this.leaving;
+  }
+
+  #throwAway(): void {
+    this.#drop();
+    this.#close();
+  }
+
+  #drop(): void {
+    if (this.seen !== null) dropScan(this.seen);
+    this.seen = null;
+  }
+
+  #close(): void {
+    if (this.isConnected) this.dispatchEvent(new CustomEvent("close"));
+  }
+}
