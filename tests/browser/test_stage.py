@@ -131,8 +131,8 @@ def pose_of(cast: Cast, frame: Frame) -> dict[str, Any]:
 
 @pytest.mark.parametrize("level", ["lowest", "medium"])
 def test_positions_equal_the_bilinear_evaluator(stage: Callable[..., Page], cast: Cast, level: str) -> None:
-    """Blended by shaders or, at low levels without a graphics processor, not. With and without regions that go their own
-    way, in turn: what one leaves on the GPU is not in the next."""
+    """By shaders, or at low levels without a graphics processor not. With and without regions that go their own way, in
+    turn: what one leaves on the GPU is not in the next."""
     page, rng = stage(f"?quality={level}"), np.random.default_rng(1993)
     pool = Pool.drawn(cast, rng)
     for number in range(FRAMES):

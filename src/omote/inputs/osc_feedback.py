@@ -7,7 +7,7 @@ from collections.abc import Callable, Mapping
 from functools import lru_cache
 
 from omote.inputs.addresses.address import ROOT
-from omote.inputs.character_patterns import characters_meant
+from omote.inputs.addresses.character_patterns import characters_meant
 from omote.inputs.osc_addresses import CHANNEL, find_address
 from omote.inputs.osc_packet import Argument, OscError
 from omote.model.known_names import PLAY_REGIONS, PlayRegion

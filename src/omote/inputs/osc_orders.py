@@ -8,7 +8,7 @@ from functools import partial
 from typing import Any, NamedTuple
 
 from omote.inputs.addresses.address import Value
-from omote.inputs.character_patterns import characters_meant
+from omote.inputs.addresses.character_patterns import characters_meant
 from omote.inputs.osc_addresses import BY_HAND, CALL_SECONDS, CHANNEL, find_address
 from omote.inputs.osc_packet import Argument, OscError, OscMessage
 from omote.model.known_names import check_play_region

@@ -18,7 +18,7 @@ from omote.model.fitting.foreign.carried_parts import carry_parts, find_parts
 from omote.model.fitting.foreign.carried_skin import carry_skin
 from omote.model.fitting.foreign.scan_correspondence import correspond
 from omote.model.fitting.foreign.shape_doubts import explain_unfit
-from omote.model.fitting.foreign.upright_field import turn_field_upright
+from omote.model.fitting.foreign.unfolded_field import turn_field_upright
 from omote.model.fitting.scan import Scan
 from omote.model.fitting.scan_skin import keep_skin
 from omote.model.fitting.scan_surface import face_outward, sample_mesh

@@ -2,7 +2,7 @@
 
 import pytest
 
-from omote.inputs.character_patterns import characters_meant, matches
+from omote.inputs.addresses.character_patterns import characters_meant, matches
 from omote.inputs.osc_packet import OscError
 
 

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 import omote
 from omote.model.extraction.extract import extract
 from omote.model.extraction.extracted_expression import ExtractedExpression
-from omote.model.fitting.foreign.upright_field import closes_open_jaw, turn_field_upright
+from omote.model.fitting.foreign.unfolded_field import closes_open_jaw, turn_field_upright
 from omote.model.space.face import Face
 from omote.model.space.face_fit import generic_face
 from omote.model.transfer.fold_repair import find_folds
@@ -38,7 +38,8 @@ def crumple(name: str, seed: int) -> ExtractedExpression:
     moved = worn_by(GENERIC, CAST.expressions[name]) - GENERIC.positions
     draw = np.random.default_rng(seed)
     middle = np.flatnonzero(SPACE.on_sheet)[GENERIC.positions[SPACE.on_sheet][:, 2].argmax()]
-    near = np.exp(-(((GENERIC.positions - GENERIC.positions[middle]) / 0.012) ** 2).sum(axis=1))
+    apart = np.linalg.norm(GENERIC.positions - GENERIC.positions[middle], axis=1)
+    near: NDArray[np.float64] = np.exp(-((apart / 0.012) ** 2))
     rough = moved + 0.003 * near[:, None] * draw.normal(size=moved.shape)[SPACE.welded]
     return extract(SPACE, GENERIC, rough)
 
