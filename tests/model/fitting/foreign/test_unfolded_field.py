@@ -40,7 +40,8 @@ def crumple(name: str, seed: int) -> ExtractedExpression:
     middle = np.flatnonzero(SPACE.on_sheet)[GENERIC.positions[SPACE.on_sheet][:, 2].argmax()]
     apart = np.linalg.norm(GENERIC.positions - GENERIC.positions[middle], axis=1)
     near: NDArray[np.float64] = np.exp(-((apart / 0.012) ** 2))
-    rough = moved + 0.003 * near[:, None] * draw.normal(size=moved.shape)[SPACE.welded]
+    noise = np.array(draw.normal(size=moved.shape))[SPACE.welded]
+    rough = moved + 0.003 * near[:, None] * noise
     return extract(SPACE, GENERIC, rough)
 
 
