@@ -3,7 +3,8 @@
 Random people of ICT-FaceKit (where it is at hand) and fresh random people of the sculptor are photographed with random
 lenses, light and noise, the camera page's landmark model looks at them, and `omote.fit_photographs` fits them. Vertex
 error of the face (ears, skull and nape apart) after a similarity, the mean head's error being 1; and of the colours
-taken from the photographs, CIE delta E (2000) on the skin that was seen, without and with soft light divided out.
+taken from the photographs, CIE delta E (2000) on the skin that was seen, without and with soft light divided out; and
+of hair, beside the known skin.
 """
 
 from __future__ import annotations
@@ -19,11 +20,15 @@ import omote
 from benchmarks.heads_before_cameras import ict_person
 from benchmarks.scans.ict_people import at_hand
 from omote.builtin import load_cast, load_identity_modes
+from omote.interchange.skin_texture import decode_srgb
+from omote.model.appearance.hair_colour import HairColour, find_hair_colour, find_scalp
+from omote.model.appearance.lab import to_lab
 from omote.model.appearance.photograph_albedo import take_photograph_albedo
+from omote.model.cast import Look
 from omote.model.fitting.photographs.photograph import FILM, Photograph
 from omote.model.fitting.shape.head_zones import head_zones
 from omote.model.space.similarity import fit_similarity
-from tools.photographs.colour_distance import delta_e
+from tools.photographs.colour_distance import colour_distance, delta_e
 from tools.photographs.observe_heads import random_gaze
 from tools.photographs.photographer import Model, photograph
 from tools.photographs.sculpted_people import model_of, painted_colours, random_sculpted
@@ -118,8 +123,40 @@ def measure_colours(people: int, seed: int) -> None:
     print(f"colours, {len(found)} people, delta E {left:.1f} with light, {removed:.1f} without, on {seen:.0%}")
 
 
+def measure_hair(people: int, seed: int) -> None:
+    """Prints delta E of hair in random looks, beside their own skin, from one photograph and from four."""
+    cast, finder = load_cast(), open_finder()
+    scalp = find_scalp(cast.space, cast.hair)
+    found: dict[int, list[tuple[Look, HairColour]]] = {count: [] for count in BARS}
+    for number in range(people):
+        draw = np.random.default_rng([seed, 9, number])
+        person = random_sculpted(draw, 1.0)
+        views = take_views(lambda weights, gaze, who=person: model_of(who, weights, gaze), draw, finder)  # type: ignore[misc]
+        for count in BARS if len(views) == len(YAWS) else ():
+            fit, skin = omote.fit_photographs(cast.space, views[:count]), person.look.skin
+            hair = find_hair_colour(cast.space, scalp, fit.face, views[:count], fit.cameras, skin)
+            found[count].append((person.look, hair))
+    finder.close()
+    for count, each in found.items():
+        print_hair(count, each)
+
+
+def print_hair(count: int, found: list[tuple[Look, HairColour]]) -> None:
+    """Prints what was found of hair in so many photographs."""
+    wearers = [(look, hair) for look, hair in found if look.hair_style]
+    known = [(look.hair, hair.colour) for look, hair in wearers if hair.colour is not None]
+    seen, true = (np.concatenate([decode_srgb(colour)[None] for colour in each]) for each in zip(*known, strict=True))
+    off = colour_distance(to_lab(seen.astype(np.float64)), to_lab(true.astype(np.float64)))
+    bald = [hair for look, hair in found if not look.hair_style]
+    print(
+        f"hair, {count} photograph(s): delta E median {np.median(off):.1f}, worst {off.max():.1f}, of {len(known)} of "
+        f"{len(wearers)} people with hair, the others doubted; {sum(hair.colour is None for hair in bald)} of "
+        f"{len(bald)} bald ones without"
+    )
+
+
 def main() -> None:
-    """Measures shapes, then colours."""
+    """Measures shapes, then colours, then hair."""
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--people", type=int, default=12)
     parser.add_argument("--seed", type=int, default=None)
@@ -130,6 +167,7 @@ def main() -> None:
     if at_hand():
         measure_shapes("ICT-FaceKit's", ict_person, asked.people, seed)
     measure_colours(max(asked.people // 4, 1), seed)
+    measure_hair(2 * asked.people, seed)
 
 
 if __name__ == "__main__":

@@ -41,10 +41,10 @@ def canvas() -> Canvas:
 def test_skin_of_any_shade_keeps_its_colour_and_black_hair_is_seen_on_all(
     canvas: Canvas, skin: tuple[int, int, int]
 ) -> None:
-    look, seen = suggest_photograph_look(CAST, canvas, MAN, [photograph(skin, (14, 12, 12))], [CAMERA])
+    look, seen, _ = suggest_photograph_look(CAST, canvas, MAN, [photograph(skin, (14, 12, 12))], [CAMERA])
     assert look.hair_style == FIRST_HAIR
     assert decode_srgb(look.hair).max() < 0.5 * decode_srgb(look.skin).max()
-    bald, _ = suggest_photograph_look(CAST, canvas, MAN, [photograph(skin, skin)], [CAMERA])
+    bald, *_ = suggest_photograph_look(CAST, canvas, MAN, [photograph(skin, skin)], [CAMERA])
     assert bald.hair_style == ""
     assert look.albedo is not None
     assert seen.shape == look.albedo.pixels.shape[:2]

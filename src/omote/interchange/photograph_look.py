@@ -1,14 +1,16 @@
-"""The look of a face that was fitted to photographs: their picture on its skin, and colours that go with it."""
+"""The look of a face that was fitted to photographs: their picture on its skin, colours and hair that go with it."""
 
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import replace
 
 import numpy as np
 from numpy.typing import NDArray
 
-from omote.interchange.scan_look import FIRST_HAIR, bald_where_bare
+from omote.interchange.scan_look import FIRST_HAIR
 from omote.interchange.skin_texture import Canvas, paint_skin, zones_of
+from omote.model.appearance.hair_colour import find_hair_colour, find_scalp
 from omote.model.appearance.look_suggestion import plain_look, suggest_look
 from omote.model.appearance.photograph_albedo import take_photograph_albedo
 from omote.model.cast import Cast, Look
@@ -19,8 +21,8 @@ from omote.model.space.face import Face
 
 def suggest_photograph_look(
     cast: Cast, canvas: Canvas, face: Face, photographs: Sequence[Photograph], cameras: Sequence[PhotographCamera], /
-) -> tuple[Look, NDArray[np.uint8]]:
-    """The look of a face fitted to photographs before anybody has chosen, and what of it was seen.
+) -> tuple[Look, NDArray[np.uint8], tuple[str, ...]]:
+    """The look of a face fitted to photographs before anybody has chosen, what of it was seen, and doubts.
 
     Parameters
     ----------
@@ -37,8 +39,9 @@ def suggest_photograph_look(
 
     Returns
     -------
-    tuple of Look and array of uint8, (k, k)
-        With the photographs' colours; 255 where a photograph shows the skin, 0 where it is filled in.
+    tuple of Look, array of uint8 (k, k) and doubts
+        With the photographs' colours and the colour of their hair, none on a bald head; 255 where a photograph shows
+        the skin, 0 where it is filled in; what is not known of the hair, in sentences.
 
     Raises
     ------
@@ -50,4 +53,12 @@ def suggest_photograph_look(
     first = Look(hair_style=FIRST_HAIR)
     painted = paint_skin(canvas, plain_look(first))
     taken = take_photograph_albedo(cast.space, cast.atlas, face, photographs, cameras, painted)
-    return bald_where_bare(suggest_look(first, taken, zones_of(canvas))), taken.seen
+    look = suggest_look(first, taken, zones_of(canvas))
+    hair = find_hair_colour(
+        cast.space, find_scalp(cast.space, cast.hair), face, photographs, cameras, look.skin
+    )  # fmt: skip
+    if hair.bare:
+        look = replace(look, hair_style="", hair=first.hair)
+    elif hair.colour is not None:
+        look = replace(look, hair=hair.colour)
+    return look, taken.seen, (hair.doubt,) if hair.doubt else ()

@@ -5,6 +5,7 @@ The fitted face lies in the preview's folder as a scan's does, and is taken by t
 
 from __future__ import annotations
 
+from dataclasses import replace
 from pathlib import Path
 
 import msgspec
@@ -65,13 +66,14 @@ def run_photograph_fit(wanted: FitPhotographs, follow: Follow, /) -> PhotographP
     fitted = fit_photographs(cast.space, photographs, name="photograph", follow=tell)
     follow(FITTED, 100, "its colours")
     canvas = build_canvas(read_png(load_mask()), load_meshes()[0], cast.space.points)
-    look, shown = suggest_photograph_look(cast, canvas, fitted.face, photographs, fitted.cameras)
+    look, shown, unsure = suggest_photograph_look(cast, canvas, fitted.face, photographs, fitted.cameras)
     (folder / FACE).write_bytes(pack_face(fitted.face, look))
     vertices = _at_vertices(cast, shown)
     seen_share = float((vertices[np.unique(cast.space.skin_triangles)] > 0).mean())
     (folder / ORIGIN).write_text(describe_photographs(wanted, seen_share), encoding="utf-8")
     follow(WORN, 100, "it is shown")
-    return _describe(cast, canvas, wanted, fitted, look, vertices, seen_share)
+    known = replace(fitted, doubts=(*fitted.doubts, *unsure))
+    return _describe(cast, canvas, wanted, known, look, vertices, seen_share)
 
 
 def describe_photographs(wanted: FitPhotographs, seen: float, /) -> str:
