@@ -98,8 +98,8 @@ def test_eyeballs_only_turn(head: Head, base_points: Floats, moves: dict[str, Mo
 def test_the_cast_wears_what_was_published(moves: dict[str, Move]) -> None:
     """On the generic face the field on S gives back every unit, to a micrometre where the walks end in a triangle.
 
-    Where the bag goes, how a lower lip is round, the other eye's socket at rest and what is turned back where units fold
-    is our own.
+    Where the bag goes, how a lower lip is round, that the other eye's socket rests and what is turned back where units
+    fold is our own.
     """
     cast = omote.load_cast()
     face = cast.faces["generic"]
