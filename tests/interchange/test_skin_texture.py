@@ -11,13 +11,12 @@ from omote.interchange.skin_texture import (
     Canvas,
     build_canvas,
     decode_srgb,
-    encode_srgb,
     enlarge,
     hairline,
     paint_skin,
     zones_of,
 )  # fmt: skip
-from omote.model.albedo import Albedo
+from omote.model.albedo import Albedo, encode_light
 from omote.model.cast import Look
 from tests import synthetic
 from tests.stage_data.heads import SIZE, layers, meshes
@@ -33,7 +32,7 @@ def built_in() -> Canvas:
 
 def test_colours_come_back_from_linear_light() -> None:
     for colour in ("#000000", "#ffffff", "#0a0b0c", "#c08a70"):
-        code = encode_srgb(decode_srgb(colour))
+        code = encode_light(decode_srgb(colour))
         assert "#" + "".join(f"{value:02x}" for value in code) == colour
 
 

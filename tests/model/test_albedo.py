@@ -61,6 +61,13 @@ def test_every_colour_comes_back_from_linear_light() -> None:
     np.testing.assert_array_equal(encode_light(decode_light(codes)), codes)
 
 
+@pytest.mark.parametrize("kind", [np.float32, np.float64])
+def test_light_is_encoded_as_the_standard_says(kind: type) -> None:
+    """IEC 61966-2-1: a fifth of white is byte 124, and what is beyond white is white."""
+    coded = round(255 * (1.055 * 0.2 ** (1 / 2.4) - 0.055))
+    np.testing.assert_array_equal(encode_light(np.array([-1.0, 0.0, 0.2, 1.0, 2.0], kind)), [0, 0, coded, 255, 255])
+
+
 def test_a_mix_is_linear_in_light_and_coverage() -> None:
     one, other = noise(1), noise(2)
     mixed = mix_albedos(((one, 0.3), (other, 0.7)))

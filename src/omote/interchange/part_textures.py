@@ -14,7 +14,8 @@ from numpy.typing import NDArray
 
 from omote.geometry.ramp import clamp_unit, smooth_ramp
 from omote.interchange.formats.png import Picture
-from omote.interchange.skin_texture import decode_srgb, encode_srgb
+from omote.interchange.skin_texture import decode_srgb
+from omote.model.albedo import encode_light
 from omote.model.cast import Look
 
 Values = NDArray[Any]
@@ -53,7 +54,7 @@ def paint_eye(look: Look, size: int = 512) -> Picture:
     white = white * (1.0 + look.fur * (np.array([0.62, 0.50, 0.38]) * 0.65 - 1.0))
     white = white * (1.0 - np.array([0.02, 0.10, 0.11]) * smooth_ramp(0.45, 0.95, np.where(front, off, 1.0))[..., None])
     disc = np.where(front, 1.0 - smooth_ramp(0.91, 1.07, out), 0.0)[..., None]
-    return encode_srgb(white + (iris - white) * disc)
+    return encode_light(white + (iris - white) * disc)
 
 
 def _disc(size: int) -> tuple[Values, Values, Values]:
@@ -133,7 +134,7 @@ def paint_teeth(look: Look, *, upper: bool, size: int = 512) -> Picture:
     enamel = enamel * (1.0 + look.age * (np.array([0.93, 0.84, 0.66]) - 1.0)) * (1.0 - 0.62 * groove)
     pink = _interpolate((0.50, 0.17, 0.16), (0.60, 0.27, 0.25), smooth_ramp(-0.16, 0.0, height - line))
     there = np.where(height > end + 0.02, 0, 255).astype(np.uint8)[..., None]
-    return np.concatenate([encode_srgb(enamel + (pink - enamel) * gum), there], axis=2)
+    return np.concatenate([encode_light(enamel + (pink - enamel) * gum), there], axis=2)
 
 
 def _teeth_at(angle: Values, *, upper: bool) -> tuple[Values, Values]:
@@ -157,7 +158,7 @@ def paint_tongue(size: int = 128) -> Picture:
     bumps = 0.12 * np.random.default_rng(SEED).standard_normal((size, size))
     flesh = _interpolate((0.42, 0.115, 0.105), (0.50, 0.21, 0.19), clamp_unit(0.35 + bumps))
     furrow = np.exp(-((across / 0.12) ** 2))
-    return encode_srgb(flesh * ((1.0 - 0.38 * furrow) * (1.0 - 0.35 * back))[..., None])
+    return encode_light(flesh * ((1.0 - 0.38 * furrow) * (1.0 - 0.35 * back))[..., None])
 
 
 def lash_uv(points: Values, centre: Values) -> NDArray[np.float32]:
@@ -190,7 +191,7 @@ def paint_strands(
         here = clamp_unit((wide - np.abs(x - start - lean * y**2 / strands)) * columns + 0.5) * (wide > 0.0)
         tone = np.where(here > hidden, 0.75 + 0.5 * end * end, tone)
         hidden = np.maximum(hidden, here)
-    drawn = encode_srgb(colour * tone[..., None])
+    drawn = encode_light(colour * tone[..., None])
     return np.concatenate([drawn, np.rint(255.0 * hidden).astype(np.uint8)[..., None]], axis=2)
 
 

@@ -12,7 +12,7 @@ from omote.builtin import BakedMesh
 from omote.geometry.ramp import clamp_unit, smooth_ramp
 from omote.geometry.texture import paint
 from omote.interchange.formats.png import Picture
-from omote.model.albedo import decode_light
+from omote.model.albedo import decode_light, encode_light
 from omote.model.cast import Look
 
 Values = NDArray[Any]
@@ -58,11 +58,11 @@ def paint_skin(canvas: Canvas, look: Look) -> Picture:
     """Paints the skin (k, k, 3) of a look, sRGB, with the picture on it where it has one; k is the larger of the two's
     sides."""
     if look.albedo is None:
-        return encode_srgb(_albedo(canvas, look))
+        return encode_light(_albedo(canvas, look))
     side = max(look.albedo.side, len(canvas.hair))
     at = enlarge(canvas, side // len(canvas.hair))
     painted = _albedo(at, look)
-    return encode_srgb(_pictured(at, look, painted, side // look.albedo.side))
+    return encode_light(_pictured(at, look, painted, side // look.albedo.side))
 
 
 def enlarge(canvas: Canvas, times: int) -> Canvas:
@@ -89,13 +89,6 @@ def zones_of(canvas: Canvas) -> dict[str, Values]:
 def decode_srgb(colour: str) -> NDArray[np.float32]:
     """Converts a colour "#rrggbb" to linear light, (3,)."""
     return decode_light(np.frombuffer(bytes.fromhex(colour[1:]), np.uint8))
-
-
-def encode_srgb(light: Values) -> Picture:
-    """Converts linear light (..., 3) to sRGB, 8 bits."""
-    seen = clamp_unit(light)
-    code = np.where(seen <= 0.0031308, 12.92 * seen, 1.055 * seen ** (1.0 / 2.4) - 0.055)
-    return np.rint(255.0 * code).astype(np.uint8)
 
 
 def _albedo(at: Canvas, look: Look) -> Values:

@@ -8,6 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from omote.interchange.scans.picture_reader import MOST_PIXELS
+from omote.model.albedo import encode_light
 
 Picture = NDArray[np.uint8]
 Values = NDArray[np.float64]
@@ -18,13 +19,7 @@ PATCH = 4
 def plain_picture(colour: Sequence[float], /) -> Picture:
     """A small picture of one colour: linear, 0 to 1, as glTF and OBJ materials have it; alpha is passed over."""
     linear = np.clip(np.nan_to_num(np.asarray(colour[:3], np.float64)), 0.0, 1.0)
-    return np.broadcast_to(encode_srgb(linear), (PATCH, PATCH, 3)).copy()
-
-
-def encode_srgb(linear: Values, /) -> Picture:
-    """Linear colours, 0 to 1, as sRGB in uint8 (IEC 61966-2-1)."""
-    low, high = 12.92 * linear, 1.055 * np.maximum(linear, 1e-9) ** (1 / 2.4) - 0.055
-    return np.rint(255.0 * np.where(linear <= 0.0031308, low, high)).astype(np.uint8)
+    return np.broadcast_to(encode_light(linear), (PATCH, PATCH, 3)).copy()
 
 
 def join_textures(

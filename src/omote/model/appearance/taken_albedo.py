@@ -8,6 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.ndimage import binary_closing, binary_opening, distance_transform_edt
 
+from omote.geometry import mesh
 from omote.geometry.ramp import smooth_ramp
 from omote.model.albedo import Albedo, Light, SkinAtlas, decode_light, encode_light
 from omote.model.appearance.pull_push import double, halve, pull_push
@@ -104,7 +105,7 @@ class Texels:
 def place_texels(space: ParameterSpace, atlas: SkinAtlas, face: Face, side: int, /) -> Texels:
     """Where the texels of a face's skin lie on it."""
     positions = face.positions.astype(np.float64)
-    normals = _vertex_normals(positions, space.triangles)
+    normals = mesh.normals(positions.astype(np.float64), space.triangles)
     places, turns = (
         np.stack([atlas.spread(values[:, axis], side) for axis in range(3)], axis=2) for values in (positions, normals)
     )
@@ -114,14 +115,6 @@ def place_texels(space: ParameterSpace, atlas: SkinAtlas, face: Face, side: int,
     outside[np.unique(space.skin_triangles)] = 1.0
     outer = smooth_ramp(0.5, 1.0, atlas.spread(outside, side))
     return Texels(places, turns, used, np.where(used, outer, 1.0))
-
-
-def _vertex_normals(points: Values, triangles: NDArray[np.integer]) -> Values:
-    a, b, c = (points[triangles[:, corner]] for corner in range(3))
-    across, normals = np.cross(b - a, c - a), np.zeros(points.shape)
-    for corner in range(3):
-        np.add.at(normals, triangles[:, corner], across)
-    return normals
 
 
 def _look_up(colours: ScanColours, texels: Texels) -> tuple[Light, Mask]:

@@ -8,7 +8,7 @@ from dataclasses import dataclass, fields
 import numpy as np
 from numpy.typing import NDArray
 
-from omote.model.albedo import Albedo, SkinAtlas, mix_albedos, regional_albedo
+from omote.model.albedo import Albedo, SkinAtlas, decode_light, encode_light, mix_albedos, regional_albedo
 from omote.model.cast import TRAITS, Look
 from omote.model.recipes.face_handles import drag_handles
 from omote.model.recipes.recipe import FaceRecipe
@@ -143,16 +143,9 @@ def _normalize_shares(looks: Sequence[tuple[Look, float]]) -> list[tuple[Look, f
 
 
 def _colour(worn: list[tuple[str, float]]) -> str:
-    linear = sum((share * _linear(colour) for colour, share in worn), np.zeros(3))
-    coded = np.where(linear <= 0.0031308, 12.92 * linear, 1.055 * np.maximum(linear, 0.0) ** (1 / 2.4) - 0.055)
-    return "#" + "".join(f"{int(byte):02x}" for byte in np.clip(np.rint(255 * coded), 0, 255))
-
-
-def _linear(colour: str) -> Values:
-    """The linear light of "#rrggbb" (IEC 61966-2-1): (3,), 0 to 1."""
-    coded = np.frombuffer(bytes.fromhex(colour[1:]), np.uint8) / 255
-    result: Values = np.where(coded <= 0.04045, coded / 12.92, ((coded + 0.055) / 1.055) ** 2.4)
-    return result
+    """The colour between those given as "#rrggbb" with their shares, mixed as light."""
+    codes = np.frombuffer(bytes.fromhex("".join(colour[1:] for colour, _ in worn)), np.uint8).reshape(-1, 3)
+    return "#" + encode_light(np.array([share for _, share in worn]) @ decode_light(codes)).tobytes().hex()
 
 
 def _shares(recipe: FaceRecipe, sources: Mapping[str, FaceWithLook]) -> dict[str, float]:

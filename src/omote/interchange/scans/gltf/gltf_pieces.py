@@ -10,7 +10,6 @@ from numpy.typing import NDArray
 
 from omote.interchange.formats.glb_reader import MOST_TARGETS
 from omote.interchange.formats.gltf_accessors import AccessorReader, Values, entry
-from omote.interchange.scans.atlas import encode_srgb
 from omote.interchange.scans.gltf.gltf_scene import (
     FAN,
     POINTS,
@@ -23,6 +22,7 @@ from omote.interchange.scans.gltf.gltf_scene import (
 )  # fmt: skip
 from omote.interchange.scans.gltf.vrm_expressions import read_vrm_expressions
 from omote.interchange.scans.scan_parts import MOST_NUMBERS, MOST_POINTS, MOST_TRIANGLES, Rows, refuse_many
+from omote.model.albedo import encode_light
 
 Places = Mapping[int, Values]
 _MOST_JOINTS = 4096
@@ -127,7 +127,7 @@ class SceneReader(AccessorReader):
         if index is None:
             return None
         columns = 4 if entry(self.document.accessors, index, "accessor").type == "VEC4" else 3
-        return encode_srgb(np.clip(self._column(index, columns, "COLOR_0", count)[:, :3], 0.0, 1.0))
+        return encode_light(np.clip(self._column(index, columns, "COLOR_0", count)[:, :3], 0.0, 1.0))
 
     def _texcoords(self, primitive: SurfacePrimitive, count: int) -> Values | None:
         materials = self.document.materials
