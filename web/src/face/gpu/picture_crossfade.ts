@@ -13,6 +13,8 @@ void main() { colour = texture(before, place); }
 
 /** Seconds in which a picture gives way to its successor. */
 const LENGTH = 0.4;
+/** Seconds that one frame may take of it: where frames are long, too, there are pictures in between. */
+const STEP = LENGTH / 8;
 
 /** The picture of before over the picture of now, less and less: so a change of the level does not pop. */
 export class PictureCrossfade {
@@ -54,7 +56,7 @@ export class PictureCrossfade {
     this.renderer.autoClear = false;
     this.renderer.render(this.scene, this.camera);
     this.renderer.autoClear = true;
-    this.left -= seconds;
+    this.left -= Math.min(seconds, STEP);
     if (this.left > 0) return;
     this.before.dispose();
     this.before = undefined;
