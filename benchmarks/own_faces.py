@@ -95,7 +95,8 @@ def measure_people(console: Console, space: ParameterSpace, people: People) -> l
     apart = fit_measures.spread(model, people.landings, where[FACE])
     marks = fit_measures.landmark_errors(space, model, people.fits, people.points)
     eyes = [fit_measures.eye_errors(fit, people.points[number]) for number, fit in people.fits.items()]
-    folds = max(fit_measures.count_folds(space, fit.face.positions.astype(np.float64)) for fit in people.fits.values())
+    sure = [fit.face.positions.astype(np.float64) for fit in people.fits.values() if not fit.doubts]
+    folds = max((fit_measures.count_folds(space, skin) for skin in sure), default=0)
     limits = {FACE: (0.06, 1.2), PLAIN: (0.03, 0.4), LIDS: (0.4, 1.5)}
     bars = [
         Bar(f"{name}, {what}, mm", float(np.median(found[name][:, at])), limit[at])
@@ -106,7 +107,7 @@ def measure_people(console: Console, space: ParameterSpace, people: People) -> l
         Bar("68 landmarks of others, mean mm", float(marks.mean()), 2.0),
         Bar("eyeballs, mean mm", float(np.mean(eyes)), 1.2),
         Bar("correspondence, median mm", float(np.median(apart)), 1.6),
-        Bar("folds of a face at rest, the most", folds, 0),
+        Bar("folds at rest of a face without doubts, the most", folds, 0),
         Bar("people of whom it doubts", sum(bool(fit.doubts) for fit in people.fits.values()), len(people.fits) // 10),
     ]
 
