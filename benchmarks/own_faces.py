@@ -97,19 +97,23 @@ def measure_people(console: Console, space: ParameterSpace, people: People) -> l
     eyes = [fit_measures.eye_errors(fit, people.points[number]) for number, fit in people.fits.items()]
     sure = [fit.face.positions.astype(np.float64) for fit in people.fits.values() if not fit.doubts]
     folds = max((fit_measures.count_folds(space, skin) for skin in sure), default=0)
-    limits = {FACE: (0.06, 1.2), PLAIN: (0.03, 0.4), LIDS: (0.4, 1.5)}
-    bars = [
-        Bar(f"{name}, {what}, mm", float(np.median(found[name][:, at])), limit[at])
-        for name, limit in limits.items() for at, what in enumerate(("median", "p95"))
-    ]  # fmt: skip
     return [
-        *bars,
+        *_distance_bars(found),
         Bar("68 landmarks of others, mean mm", float(marks.mean()), 2.0),
         Bar("eyeballs, mean mm", float(np.mean(eyes)), 1.2),
         Bar("correspondence, median mm", float(np.median(apart)), 1.6),
         Bar("folds at rest of a face without doubts, the most", folds, 0),
         Bar("people of whom it doubts", sum(bool(fit.doubts) for fit in people.fits.values()), len(people.fits) // 10),
     ]
+
+
+def _distance_bars(found: Mapping[str, Values]) -> list[Bar]:
+    """The bars of distances, found (people, 2) by region: the median person's median and 95th percentile."""
+    limits = {FACE: (0.06, 1.2), PLAIN: (0.03, 0.4), LIDS: (0.4, 1.5)}
+    return [
+        Bar(f"{name}, {what}, mm", float(np.median(found[name][:, at])), limit[at])
+        for name, limit in limits.items() for at, what in enumerate(("median", "p95"))
+    ]  # fmt: skip
 
 
 def measure_peers(console: Console, space: ParameterSpace, people: People, count: int) -> list[Bar]:
