@@ -215,6 +215,15 @@ HANDS = """() => {
 """What a show is played with that is not whole: T-bars with their ways, times, the first tile of each palette."""
 
 
+NINE_SCREENS = f"""() => {{
+    const [store, screen] = [{DESK}, {{ fps: 4.2, level: "lowest" }}];
+    const receive = store.receiveCrew.bind(store);
+    store.receiveCrew = (crew) => receive({{ ...crew, lost: 12, stages: Array(9).fill(screen) }});
+    if (store.crew !== null) store.receiveCrew(store.crew);
+}}"""
+"""Has a console hear of nine slow screens, and of twelve whose links broke."""
+
+
 def found_wrong(page: Page, width: int, height: int) -> list[object]:
     """What is wrong with a window of a size, in each of its views."""
     wrong: list[object] = []
@@ -235,6 +244,7 @@ def found_wrong(page: Page, width: int, height: int) -> list[object]:
 @pytest.mark.parametrize("touch", [True, False])
 def test_no_window_grows_and_hands_are_always_in_view(console: Console, show: str, touch: bool) -> None:
     page = console(**({"has_touch": True} if touch else {}))
+    page.evaluate(NINE_SCREENS)
     with omote.connect(show, name="crowd") as program:  # the bar is fullest with a seat and with others' characters
         program.add("crowd")
         program.set_leases(True)

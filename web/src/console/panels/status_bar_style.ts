@@ -22,6 +22,13 @@ export const style = css`
     color: var(--dim);
     font-size: 12px;
   }
+  .item.stages {
+    min-width: 0;
+    overflow: hidden; /* nine slow screens give way, buttons and panic do not */
+  }
+  :is(.log, .learn, .setup, .help, .step) {
+    flex: none;
+  }
   .item b {
     color: var(--text);
     font-weight: 600;
