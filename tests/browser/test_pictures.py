@@ -26,18 +26,17 @@ SMILING = {"faces": {"kaori": 0.5, "old": 0.5}, "expressions": {"smile": 1.0}}
 # Each picture's distance from the first until the new level stands still, on black: what is clear has no colour.
 SEEN = """async () => {
     const [canvas, seen] = [document.querySelector("canvas"), []];
-    let [first, still] = [undefined, 0];
     const look = new OffscreenCanvas(canvas.width, canvas.height).getContext("2d", { willReadFrequently: true });
-    void window.omoteStage.change("high");
-    while (still < 8) {
-        await new Promise(requestAnimationFrame);
+    let [first, still, ended] = [undefined, 0, undefined];
+    const frame = () => {
         look.clearRect(0, 0, canvas.width, canvas.height);
         look.drawImage(canvas, 0, 0);
         const drawn = look.getImageData(0, 0, canvas.width, canvas.height).data.some((value) => value > 0);
-        if (!drawn && seen.length > 0) { // a picture that stands still is not drawn again: the display keeps it
+        if (!drawn && seen.length === 0) return;
+        if (!drawn) { // a picture that stands still is not drawn again: the display keeps it
             seen.push(seen.at(-1));
             still = seen.at(-1)[1] === "high" ? still + 1 : 0;
-            continue;
+            return;
         }
         look.globalCompositeOperation = "destination-over"; // on black
         look.fillRect(0, 0, canvas.width, canvas.height);
@@ -48,7 +47,18 @@ SEEN = """async () => {
         const { level } = window.omoteStage.counters();
         still = level === "high" && distance === seen.at(-1)?.[0] ? still + 1 : 0;
         seen.push([distance, level]);
-    }
+    };
+    const request = window.requestAnimationFrame;
+    // Looked at right after the stage has drawn: a frame later the display has taken the picture away.
+    window.requestAnimationFrame = (draw) => request((now) => {
+        draw(now);
+        frame();
+        if (still >= 8) ended();
+    });
+    const end = new Promise((done) => { ended = done; });
+    void window.omoteStage.change("high");
+    await end;
+    window.requestAnimationFrame = request;
     return seen;
 }"""
 
