@@ -22,6 +22,7 @@ PAGES_AND_WORKERS = {"main", "landmark_worker", "photograph_worker"}
 USED: dict[str, str] = {
     "link": "",
     "face_mesh": "",
+    "webcam": "",
     "ui": "link",
     "access": "link ui",
     "face/pose": "link",
@@ -74,9 +75,8 @@ USED: dict[str, str] = {
         "console/device_panel console"
     ),
     "microphone": "link ui access",
-    "camera/landmarks": "face_mesh",
-    "camera/session": "link face_mesh camera/landmarks",
-    "camera": "ui access camera/landmarks camera/session",
+    "camera/session": "link face_mesh webcam",
+    "camera": "ui access face_mesh camera/session",
     "editor/link": "link",
     "editor/session": "link ui face/pose face/gpu face editor/link",
     "editor/controls": "ui editor/session",
