@@ -84,8 +84,10 @@ USED: dict[str, str] = {
     "editor/scan/data": "link ui editor/canvas/math",
     "editor/scan/views": "link ui face/anatomy face/gpu editor/canvas/math editor/scan/data",
     "editor/scan/photographs": "link ui face_mesh editor/scan/data",
+    "editor/scan/turn": "ui face_mesh webcam editor/controls",
     "editor/scan": (
-        "link ui editor/session editor/controls editor/scan/data editor/scan/views editor/scan/photographs"
+        "link ui editor/session editor/controls editor/scan/data editor/scan/views editor/scan/photographs "
+        "editor/scan/turn"
     ),
     "editor/panels": "link ui face/pose editor/session editor/controls",
     "editor/page": "link ui editor/session editor/controls",

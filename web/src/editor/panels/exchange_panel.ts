@@ -87,6 +87,8 @@ export class Exchange extends EditorElement {
         <omote-scan-button></omote-scan-button></div>
       <div class="command"><span class="note">A person: one to eight photographs (JPEG, PNG)</span>
         <omote-scan-button of="photographs"></omote-scan-button></div>
+      <div class="command"><span class="note">A person: a turn of the head before this computer's camera</span>
+        <omote-scan-button of="camera"></omote-scan-button></div>
       <p class="note">A head at rest and a shape each as OBJ come in together, on the show's computer while no show plays: <code>${IMPORT_COMMAND}</code></p>
     `;
   }
