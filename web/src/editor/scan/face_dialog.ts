@@ -163,7 +163,7 @@ export abstract class FaceDialog<Seen extends SeenFace> extends EditorElement {
   override render() {
     const { title } = this.words;
     return html`<section class="panel" role="dialog" aria-modal="true" aria-label=${title}>
-      <header><h2>${title}</h2><b>${this.files.map(({ name }) => name).join(", ")}</b></header>
+      <header><h2>${title}</h2><b>${this.files.map(({ name }) => name).join(", ") || "A turn of the head"}</b></header>
       ${this.seen === null ? this.beginning() : [this.views(this.seen), this.#side(this.seen)]}
     </section>`;
   }

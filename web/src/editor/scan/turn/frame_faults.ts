@@ -3,6 +3,7 @@
 import { judgePicture } from "../../../face_mesh/face_health";
 import type { Landmarks } from "../../../face_mesh/landmark_messages";
 import { type HeadMeasures, measureHead, speedBetween } from "./head_measures";
+import { HOLD } from "./turn_words";
 
 /** Heights of the face a second from which on a picture is not taken. */
 export const MOVING = 0.3;
@@ -34,7 +35,7 @@ const FAULTS: readonly (readonly [string, (head: HeadMeasures, speed: number, fo
   ["Hold your head upright.", ({ roll }) => Math.abs(roll) > LEANS],
   ["Lower your chin a little.", ({ pitch }) => pitch > NODS],
   ["Raise your chin a little.", ({ pitch }) => pitch < -NODS],
-  ["Hold still …", (_, speed) => speed === Number.POSITIVE_INFINITY], // it is not known yet whether it is
+  [HOLD, (_, speed) => speed === Number.POSITIVE_INFINITY], // it is not known yet whether it is
   ["Slower: the picture blurs while you move.", (_, speed) => speed > MOVING],
   ["Close your mouth.", ({ mouth }) => mouth > MOUTH_OPEN],
   ["Open your eyes.", ({ lids }) => lids < EYES_SHUT],

@@ -8,8 +8,8 @@ import { FrameChoice } from "./frame_choice";
 import { BLURRED, judgeFrame, MOVING, NOT_SHARP } from "./frame_faults";
 import { measureHead } from "./head_measures";
 import { greyOfFace, sharpnessOf } from "./sharpness";
-import { type DirectionName, directionAt, nextWanted } from "./turn_directions";
-import { guideTo } from "./turn_words";
+import { type DirectionName, directionAt } from "./turn_directions";
+import { guideTo, HOLD } from "./turn_words";
 
 /** What the page is told. */
 export interface TurnListener {
@@ -165,12 +165,12 @@ export class TurnSession {
   /** Says what is wrong, or what to do next; what was said stays long enough to be read. */
   #say(found: Landmarks, fault: string): void {
     const yaw = found.points.length === 0 ? null : measureHead(found).yaw;
-    const sentence = fault === "" ? guideTo(nextWanted(this.choice.wanted), yaw ?? 0) : fault;
+    const sentence = fault === "" ? guideTo(this.choice.wanted, yaw ?? 0) : fault;
     const here = yaw === null ? null : (directionAt(yaw)?.name ?? null);
     if (sentence === this.sentence || found.time - this.#said < READ_MS) this.#set({ here });
     else {
       this.#said = found.time;
-      this.#set({ here, sentence, faulty: fault !== "" });
+      this.#set({ here, sentence, faulty: fault !== "" && fault !== HOLD });
     }
   }
 
@@ -197,7 +197,8 @@ async function fileOf(name: DirectionName, picture: ImageBitmap): Promise<File> 
   const canvas = new OffscreenCanvas(picture.width, picture.height);
   canvas.getContext("2d")?.drawImage(picture, 0, 0);
   const type = "image/png";
-  return new File([await canvas.convertToBlob({ type })], `${name}.png`, { type });
+  const file = name === "front" ? "front.png" : `turned ${name}.png`;
+  return new File([await canvas.convertToBlob({ type })], file, { type });
 }
 
 /** Milliseconds for which a sentence stands. */

@@ -3,7 +3,7 @@ import { css } from "lit";
 export const style = css`
   :host {
     display: grid;
-    grid-template-rows: minmax(0, 1fr) auto auto auto;
+    grid-template-rows: minmax(0, 1fr) auto auto;
     gap: 10px;
     min-height: 0;
     --finger: 40px;
@@ -130,6 +130,12 @@ export const style = css`
     align-items: center;
     gap: 6px;
   }
+  .acts .note {
+    flex: 1;
+    min-width: 300px;
+    max-width: 110ch;
+    margin-left: 12px;
+  }
   .acts label {
     display: flex;
     align-items: center;
@@ -151,6 +157,16 @@ export const style = css`
     }
     li {
       width: 64px;
+    }
+    video,
+    figure > canvas {
+      object-fit: cover; /* a tall window shows the middle of a wide picture */
+    }
+    .acts .note {
+      order: -1;
+      flex: 1 0 100%;
+      margin: 0;
+      min-width: 0;
     }
     .acts button {
       flex: 1;

@@ -51,8 +51,6 @@ export class TurnView extends LitElement {
         <ol aria-label="Directions">${DIRECTIONS.map((one) => this.#mark(one))}</ol>
         <p class="sentence ${faulty ? "faulty" : ""}" role="status">${trouble === null && model.kind !== "failed" ? words : ""}</p>
       </div>
-      <p class="note">Face at rest, mouth shut, hair off the face, the light even. Nothing of the camera leaves this browser but the
-        pictures in the rings: they go to the show's computer when you go on, for the fit alone, and are not stored.</p>
       ${this.#acts()}
     `;
   }
@@ -68,7 +66,7 @@ export class TurnView extends LitElement {
       return html`<div class="cover" role="alert"><h2>The face model does not run here</h2>
         <p>${model.reason}. Load the page again, or choose photographs instead.</p></div>`;
     if (model.kind === "loading")
-      return html`<div class="cover loading" role="status"><p>The face model is loaded …</p>
+      return html`<div class="cover loading" role="status"><p>Loading the face model …</p>
         <progress aria-label="The face model" max="1" .value=${model.share}></progress></div>`;
     return nothing;
   }
@@ -98,7 +96,10 @@ export class TurnView extends LitElement {
           : html`<label>Camera <select @change=${(event: Event) => this.#session.open(textOf(event))}>
           ${devices.map(({ id, label }) => html`<option value=${id} ?selected=${id === device}>${label}</option>`)}
         </select></label>`
-      }</div>`;
+      }
+      <p class="note">Face at rest, mouth shut, hair off the face, the light even. Nothing of the camera leaves this browser but the
+        pictures in the rings: they go to the show's computer when you go on, for the fit alone, and are not stored.</p>
+    </div>`;
   }
 
   #draw(found: Landmarks): void {

@@ -3,7 +3,7 @@ import { DIRECTIONS, type DirectionName, directionAt, nextWanted } from "./turn_
 import { guideTo } from "./turn_words";
 
 const all = (): Set<DirectionName> => new Set(DIRECTIONS.map(({ name }) => name));
-const wanting = (name: DirectionName) => nextWanted(new Set([name]));
+const only = (name: DirectionName) => new Set([name]);
 
 it("asks for the front first, then once to the left and over to the right", () => {
   const [wanted, asked] = [all(), [] as string[]];
@@ -24,11 +24,14 @@ it("knows the direction of every yaw, none between two, and both sides alike", (
 });
 
 it("says which way to turn, how far it still is, and when to hold still", () => {
-  expect(guideTo(wanting("front"), 30)).toBe("Look straight into the camera.");
-  expect(guideTo(wanting("left"), 0)).toBe("Turn your head slowly to your left.");
-  expect(guideTo(wanting("left"), 25)).toBe("A little further to your left.");
-  expect(guideTo(wanting("left"), 55)).toBe("A little further to your right.");
-  expect(guideTo(wanting("right"), -30)).toBe("A little further to your right.");
-  for (const { name, yaw } of DIRECTIONS) expect(guideTo(wanting(name), yaw)).toBe("Hold still …");
-  expect(guideTo(null, 0)).toBe("All are taken.");
+  expect(guideTo(only("front"), 30)).toBe("Look straight into the camera.");
+  expect(guideTo(only("left"), 0)).toBe("Turn your head slowly to your left.");
+  expect(guideTo(only("half left"), 0)).toBe("Turn your head slowly to your left.");
+  expect(guideTo(only("half left"), 42)).toBe("Turn your head slowly to your right."); // back from the left
+  expect(guideTo(only("left"), 25)).toBe("A little further to your left.");
+  expect(guideTo(only("left"), 55)).toBe("A little further to your right.");
+  expect(guideTo(only("right"), -30)).toBe("A little further to your right.");
+  for (const { name, yaw } of DIRECTIONS) expect(guideTo(only(name), yaw)).toBe("Hold still …");
+  expect(guideTo(new Set<DirectionName>(["front", "left"]), 38)).toBe("Hold still …"); // whatever is asked for next
+  expect(guideTo(new Set(), 0)).toBe("All are taken.");
 });
