@@ -1,6 +1,6 @@
 /** A turn of the head before the webcam, as people see it: themselves as in a mirror, and the directions still wanted. */
 
-import { html, LitElement, nothing, svg } from "lit";
+import { html, LitElement, nothing } from "lit";
 import { customElement } from "lit/decorators.js";
 import { faceBox } from "../../../face_mesh/face_light";
 import { openLandmarkWorker } from "../../../face_mesh/landmark_client";
@@ -15,6 +15,7 @@ import { style } from "./turn_style";
 
 /** Pixels a side of the picture in a mark. */
 const MARK = 108;
+const DEGREES = 180 / Math.PI;
 /** Of the face's box, what a mark shows around it. */
 const AROUND = 1.35;
 
@@ -74,11 +75,9 @@ export class TurnView extends LitElement {
   #mark({ name, yaw }: Direction) {
     const { choice, here } = this.#session;
     const share = choice.share(name);
-    const aside = -yaw / 6; // as in a mirror
     return html`<li class="${here === name ? "here" : ""} ${share >= 1 ? "done" : ""}" aria-label="${label(name)}: ${share >= 1 ? "taken" : "wanted"}">
       <div class="ring" style="--share: ${share}">
-        <svg viewBox="0 0 40 40" aria-hidden="true">${svg`<ellipse cx="20" cy="20" rx="9" ry="12"></ellipse>
-          <path d="M20 8Q${20 + 1.6 * aside} 20 20 32M${13 + aside} 18h3.5M${23.5 + aside} 18h3.5M${18 + aside} 27h4"></path>`}</svg>
+        <svg viewBox="0 0 40 40" aria-hidden="true"><ellipse cx="20" cy="20" rx="9" ry="12"></ellipse><path d=${faceTurned(yaw)}></path></svg>
         <canvas width=${MARK} height=${MARK} data-name=${name} aria-hidden="true"></canvas>
       </div>
       <span>${label(name)}</span></li>`;
@@ -124,6 +123,14 @@ export class TurnView extends LitElement {
     const files = await this.#session.files();
     if (this.isConnected) this.dispatchEvent(new CustomEvent("use", { detail: files }));
   }
+}
+
+/** Midline, eyes and mouth of the drawn head, turned as a mirror shows it. */
+function faceTurned(yaw: number): string {
+  const [aside, narrow] = [-6 * Math.sin(yaw / DEGREES), Math.cos(yaw / DEGREES)];
+  const tick = (x: number, y: number, wide: number): string =>
+    `M${20 + aside + narrow * (x - wide / 2)} ${y}h${narrow * wide}`;
+  return `M20 8Q${20 + 2.6 * aside} 20 20 32${tick(-4.4, 18, 3.4)}${tick(4.4, 18, 3.4)}${tick(0, 26, 4)}`;
 }
 
 const label = (name: DirectionName): string => name.charAt(0).toUpperCase() + name.slice(1);
