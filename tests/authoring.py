@@ -56,7 +56,7 @@ def net_of(cast: Cast, count: int = POINTS) -> tuple[int, ...]:
 def welcome() -> wire.Greeted:
     """An answer to greet with two muscles and no pictures."""
     muscles = [wire.MuscleDocument(name, name.title(), "linear", [0, 1], b"") for name in MUSCLES]
-    return wire.Greeted(0, "", "", muscles, list(REGIONS), b"", b"", b"", b"", [], [])
+    return wire.Greeted(0, "", "", muscles, list(REGIONS), b"", b"", b"", b"", [], [], {})
 
 
 def net_document(net: tuple[int, ...]) -> wire.NetDocument:

@@ -22,6 +22,7 @@ PAGES_AND_WORKERS = {"main", "landmark_worker", "photograph_worker"}
 USED: dict[str, str] = {
     "link": "",
     "face_mesh": "",
+    "webcam": "",
     "ui": "link",
     "access": "link ui",
     "face/pose": "link",
@@ -74,9 +75,8 @@ USED: dict[str, str] = {
         "console/device_panel console"
     ),
     "microphone": "link ui access",
-    "camera/landmarks": "face_mesh",
-    "camera/session": "link face_mesh camera/landmarks",
-    "camera": "ui access camera/landmarks camera/session",
+    "camera/session": "link face_mesh webcam",
+    "camera": "ui access face_mesh camera/session",
     "editor/link": "link",
     "editor/session": "link ui face/pose face/gpu face editor/link",
     "editor/controls": "ui editor/session",
@@ -84,8 +84,10 @@ USED: dict[str, str] = {
     "editor/scan/data": "link ui editor/canvas/math",
     "editor/scan/views": "link ui face/anatomy face/gpu editor/canvas/math editor/scan/data",
     "editor/scan/photographs": "link ui face_mesh editor/scan/data",
+    "editor/scan/turn": "ui face_mesh webcam editor/controls",
     "editor/scan": (
-        "link ui editor/session editor/controls editor/scan/data editor/scan/views editor/scan/photographs"
+        "link ui editor/session editor/controls editor/scan/data editor/scan/views editor/scan/photographs "
+        "editor/scan/turn"
     ),
     "editor/panels": "link ui face/pose editor/session editor/controls",
     "editor/page": "link ui editor/session editor/controls",

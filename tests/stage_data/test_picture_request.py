@@ -2,6 +2,7 @@
 
 import pytest
 
+from omote.face_commands import EXPRESSIONS
 from omote.model.cast import Cast
 from omote.stage_data.picture_grid import lay_out
 from omote.stage_data.picture_request import GridRequest, file_name, morph_steps, plan_cells
@@ -15,6 +16,14 @@ def test_a_grid_of_faces_has_a_row_for_each() -> None:
         "dog-neutral-0", "dog-neutral--30", "dog-smile-0", "dog-smile--30",
     ]  # fmt: skip
     assert plan.cells[1][3][1].turn == "-30"
+
+
+def test_a_column_of_shut_eyes_is_called_so() -> None:
+    plan = plan_cells(GridRequest(faces="kaori", expressions=EXPRESSIONS))
+    assert plan.columns == ["neutral", "joy", "angry", "surprise", "eyes shut", "jawOpen"]
+    turned = plan_cells(GridRequest(faces="kaori", expressions="eyeBlinkLeft+eyeBlinkRight", turns="0,20"))
+    assert turned.columns == ["eyes shut 0°", "eyes shut 20°"]
+    assert plan.cells[0][4][0] == "kaori-eyeBlinkLeft+eyeBlinkRight", "files keep the names that draw them again"
 
 
 def test_a_morph_goes_from_face_to_face_in_even_steps(cast: Cast) -> None:

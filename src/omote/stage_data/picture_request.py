@@ -12,6 +12,8 @@ from omote.stage_data.pose_words import PoseWords, read_pose
 
 MOST_STEPS = 1000
 LONGEST_FILE_NAME = 80
+TITLES = {"eyeBlinkLeft+eyeBlinkRight": "eyes shut"}
+"""What mixes are called above a column that nobody would call by their names."""
 
 
 class Look(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
@@ -93,7 +95,8 @@ def plan_cells(grid: GridRequest) -> CellPlan:
     worn = [(expression, turn) for expression in split_list(grid.expressions) for turn in split_list(grid.turns)]
     count = len(morph_steps(grid.morph)) if grid.morph.strip() else len(split_list(grid.faces))
     refuse_count(count * len(worn))
-    titles = [f"{expression} {turn}°" if turned else expression for expression, turn in worn]
+    called = [TITLES.get(expression, expression) for expression, _ in worn]
+    titles = [f"{title} {turn}°" if turned else title for title, (_, turn) in zip(called, worn, strict=True)]
     files = [file_name(f"{expression}-{turn}" if turned else expression) for expression, turn in worn]
     if grid.morph.strip():
         steps = morph_steps(grid.morph)

@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 import numpy as np
+import pytest
 
 import omote
+from omote.edit.compute import welcome
 from omote.edit.compute.welcome import build_welcome, followers
 from omote.edit.protocol.wire import encode
 from omote.model.controls.face_muscles import muscle_fields
@@ -31,6 +33,11 @@ def test_followers_move_with_the_sheet_as_the_bindings_say() -> None:
         last = first + len(part.points)
         assert np.allclose(found[first:last], np.einsum("nk,nkc->nc", part.weights, whole[part.anchors]), atol=1e-6)
         first = last
+
+
+def test_the_welcome_says_which_downloads_cannot_be_made_here(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(welcome, "unwritable_kinds", lambda: {".usdz": "usd-core is missing"})
+    assert build_welcome(CAST).unwritable == {"usdz": "usd-core is missing"}
 
 
 def test_masks_and_muscles_decode_to_what_they_are() -> None:

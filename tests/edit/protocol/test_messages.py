@@ -1,5 +1,8 @@
 """Messages of the editors' link: one tag each, a number to answer to, and limits that fit its messages."""
 
+import hashlib
+import re
+
 import msgspec
 import pytest
 
@@ -9,6 +12,16 @@ from omote.edit.protocol.wire import decode, encode
 from omote.model.recipes.recipe import Layer, Pull
 from omote.model.space.head_regions import REGIONS
 from omote.show.validation import Refusal
+from tools.messages import editing_module
+
+WIRE = (6, "eaaac8093f880942")
+"""The version of the link, and a fingerprint of what its messages hold."""
+
+
+def test_the_version_rises_with_every_change_of_the_messages() -> None:
+    """A page that stays open over an upgrade would misread them: raise EDITING_VERSION, then write both down here."""
+    bare = re.sub(r"/\*\*.*?\*/|EDITING_VERSION = \d+", "", editing_module(), flags=re.DOTALL)
+    assert (wire.EDITING_VERSION, hashlib.sha256(bare.encode()).hexdigest()[:16]) == WIRE
 
 
 def test_every_message_has_a_tag_of_its_own() -> None:

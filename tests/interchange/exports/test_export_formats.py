@@ -6,8 +6,16 @@ from typing import Any
 import pytest
 
 from omote.interchange.avatar.vrm_licence import Credit, parse_terms
-from omote.interchange.exports.export_formats import FORMATS, OBJ_FOLDER, bake_face, check_kind, find_kind
-from omote.interchange.formats.file_names import EXPORTS, VRM
+from omote.interchange.exports import usd_writer
+from omote.interchange.exports.export_formats import (
+    FORMATS,
+    OBJ_FOLDER,
+    bake_face,
+    check_kind,
+    find_kind,
+    unwritable_kinds,
+)
+from omote.interchange.formats.file_names import EXPORTS, USD, VRM
 from omote.interchange.formats.glb_reader import read_glb
 from tests.stage_data.heads import context
 
@@ -56,5 +64,9 @@ def test_a_kind_whose_library_is_missing_is_told_beforehand(monkeypatch: pytest.
 
     monkeypatch.setattr(builtins, "__import__", without)
     check_kind(".glb")
-    with pytest.raises(ValueError, match=r'pip install "omote\[usd\]"'):
+    with pytest.raises(ValueError, match=r'pip install "omote\[usd\]"') as refused:
         check_kind(".usdz")
+    monkeypatch.setattr(usd_writer, "find_spec", lambda _: None)
+    assert unwritable_kinds() == dict.fromkeys(USD, str(refused.value)), "the same sentence"
+    monkeypatch.setattr(usd_writer, "find_spec", lambda _: object())
+    assert unwritable_kinds() == {}

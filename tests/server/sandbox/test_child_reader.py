@@ -6,10 +6,14 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from omote.interchange.formats.glb_reader import Piece
+from omote.interchange.avatar.export_vrm import vrm_bytes
+from omote.interchange.avatar.vrm_licence import Credit, parse_terms
+from omote.interchange.export_face import named_compound_meshes
+from omote.interchange.formats.glb_reader import Piece, read_glb
 from omote.server.sandbox import child_reader
 from omote.server.sandbox.child_reader import read_in_sandbox
-from tests.interchange.formats.scenes import NAMES, plain_glb
+from tests.interchange.formats.scenes import NAMES, plain_glb, taken_apart
+from tests.stage_data.heads import context
 
 
 def test_pieces_come_back_whole(tmp_path: Path) -> None:
@@ -29,6 +33,22 @@ def test_a_shape_comes_back(tmp_path: Path) -> None:
     (piece,) = read_in_sandbox(path)
     np.testing.assert_array_equal(piece.points, [[1, 2, 3], [4, 5, 6]])
     assert piece.rows is None
+
+
+@pytest.mark.parametrize("suffix", [".vrm", ".glb"])
+def test_shapes_of_an_avatar_come_back_as_its_expressions(suffix: str, tmp_path: Path) -> None:
+    cast, path = context().cast, tmp_path / f"broad{suffix}"
+    poses = [(name, named_compound_meshes(cast, "broad", name)) for name in ("smile", "jawOpen")]
+    path.write_bytes(vrm_bytes(context(), "broad", poses, Credit(("Ann",), parse_terms(["strict"]))))
+    found, raw = (
+        {name: moved for piece in pieces if piece.name == "skin" for name, moved in piece.moves.items()}
+        for pieces in (read_in_sandbox(path), read_glb(path.read_bytes()))
+    )
+    kinds = taken_apart(path.read_bytes())[0]["extensions"]["VRMC_vrm"]["expressions"]
+    assert {"relaxed", "JawOpen"} <= found.keys() <= {*kinds["preset"], *kinds["custom"]}
+    assert "jawOpen" in raw
+    np.testing.assert_array_equal(found["JawOpen"], raw["jawOpen"])
+    np.testing.assert_array_equal(found["relaxed"], raw["smile"])
 
 
 def test_what_is_wrong_is_told_with_its_file(tmp_path: Path) -> None:

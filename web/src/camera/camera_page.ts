@@ -2,12 +2,12 @@
 
 import { html, nothing } from "lit";
 import { customElement } from "lit/decorators.js";
+import { drawLandmarks } from "../face_mesh/landmark_drawing";
+import type { Landmarks } from "../face_mesh/landmark_messages";
 import { listenToKeys } from "../ui/key_presses";
 import { base, palette } from "../ui/theme";
 import { CameraElement } from "./camera_element";
 import { cameraPageStyle } from "./camera_page_style";
-import type { Landmarks } from "./landmarks/landmark_messages";
-import { drawLandmarks } from "./preview";
 import "./guide_view";
 import "./performer_panel";
 

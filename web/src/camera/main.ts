@@ -2,16 +2,15 @@
 
 import { showAccess } from "../access/access_banner";
 import { missingRole, readAccess } from "../access/page_access";
+import { openLandmarkWorker, warmUpPicture } from "../face_mesh/landmark_client";
 import { CameraPage } from "./camera_page";
 import { guestName } from "./guest_name";
-import warmUpFace from "./landmarks/warm_up_face.jpg?no-inline";
 import { CameraSession } from "./session/camera_session";
 
 async function start(): Promise<void> {
-  const worker = new Worker(new URL("./landmarks/landmark_worker.ts", import.meta.url), { name: "landmarks" });
   const page = new CameraPage();
   page.session = new CameraSession(
-    worker,
+    openLandmarkWorker(),
     localStorage,
     () => page.changed(),
     (found) => page.draw(found),
@@ -19,8 +18,7 @@ async function start(): Promise<void> {
   );
   document.body.append(page);
   void readAccess().then((access) => showAccess(missingRole(access, "operate", "playing by a camera")));
-  const face = await (await fetch(warmUpFace)).blob();
-  await page.session.start(await createImageBitmap(face), guestName(Math.random));
+  await page.session.start(await warmUpPicture(), guestName(Math.random));
 }
 
 void start();

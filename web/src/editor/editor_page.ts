@@ -2,6 +2,7 @@
 
 import { html, nothing } from "lit";
 import { customElement, property, query, state } from "lit/decorators.js";
+import { keyed } from "lit/directives/keyed.js";
 import { onFileDrop } from "../ui/file_import";
 import { listenToKeys } from "../ui/key_presses";
 import type { ShowNoticesView } from "../ui/show_notices_view";
@@ -37,7 +38,7 @@ export class EditorPage extends EditorElement {
   /** The notices of the show, which have their place above those of the work. */
   @property({ attribute: false }) notices!: ShowNoticesView;
   @state() private helping = false;
-  /** The files of the scan, or the photographs, that are looked at; null: none. */
+  /** The files of the scan, or the photographs, that are looked at, none where the camera takes them; null: no dialog. */
   @state() private scan: readonly File[] | null = null;
   /** Whether what is open is drawn, with all faces beside it. */
   @state() private loaded = false;
@@ -113,8 +114,14 @@ export class EditorPage extends EditorElement {
     const close = (): void => {
       this.scan = null;
     };
-    return arePhotographs(files.map(({ name }) => name))
-      ? html`<omote-photographs .context=${this.context} .files=${files} @close=${close}></omote-photographs>`
+    const instead = (event: CustomEvent<readonly File[]>): void => {
+      this.scan = event.detail;
+    };
+    return files.length === 0 || arePhotographs(files.map(({ name }) => name))
+      ? keyed(
+          files,
+          html`<omote-photographs .context=${this.context} .files=${files} @close=${close} @scan=${instead}></omote-photographs>`,
+        )
       : html`<omote-scan .context=${this.context} .files=${files} @close=${close}></omote-scan>`;
   }
 

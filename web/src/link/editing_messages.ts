@@ -1,6 +1,6 @@
 // Written by tools/messages.py from src/omote/edit/protocol/messages.py. Do not edit: run `python tools/messages.py`.
 
-export const EDITING_VERSION = 5;
+export const EDITING_VERSION = 6;
 export const EDITING_PATH = "/editing";
 /** Bytes; no message of an editor is longer. */
 export const EDITING_LIMIT = 65536;
@@ -370,7 +370,8 @@ export interface NetDocument {
  * (regions, V) u8 little-endian, 255 all; `followers`, `anchors`, `shares`: the rows (skin, then parts, as in the
  * manifest) that follow the sheet, (f,) u32, (f, k) u32, (f, k) f32; all items; `show`: which show this is, as in
  * `Welcome`: requests that wait for answers of another one are not sent again; `unsaved`: the items of which this
- * editor has a draft that is not saved.
+ * editor has a draft that is not saved; `unwritable`: the endings of downloads that the show's computer cannot make,
+ * and why.
  */
 export interface Greeted {
   type: "greeted";
@@ -385,6 +386,7 @@ export interface Greeted {
   shares: Uint8Array;
   items: ItemDocument[];
   unsaved: number[];
+  unwritable: Record<string, string>;
 }
 
 /** All items, whenever one has changed, and the digest of the cast that pages may load now. */

@@ -143,10 +143,18 @@ function forget(event: Event): void {
 }
 
 /** What can have the focus in a layer, in order. */
-function stopsOf({ element }: Layer): HTMLElement[] {
-  const all = (element.shadowRoot ?? element).querySelectorAll<HTMLElement>("button, input, select, a[href]");
-  return [...all].filter((one) => one.offsetParent !== null);
+const stopsOf = ({ element }: Layer): HTMLElement[] =>
+  stopsIn(element.shadowRoot ?? element).filter((one) => one.offsetParent !== null);
+
+/** Also those inside the elements that it is made of. */
+function stopsIn(root: ParentNode): HTMLElement[] {
+  return [...root.querySelectorAll<HTMLElement>("*")].flatMap((one) => [
+    ...(one.matches(STOPS) ? [one] : []),
+    ...(one.shadowRoot === null ? [] : stopsIn(one.shadowRoot)),
+  ]);
 }
+
+const STOPS = "button:enabled, input:enabled, select:enabled, a[href]";
 
 /** Tab goes round in a dialog: it never leads behind it. */
 function goRound(event: KeyboardEvent, layer: Layer): void {

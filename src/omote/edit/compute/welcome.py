@@ -6,6 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from omote.edit.protocol.messages import EDITING_VERSION, Greeted, MuscleDocument
+from omote.interchange.exports.export_formats import unwritable_kinds
 from omote.model.cast import Cast
 from omote.model.controls.face_muscles import muscle_fields, muscles
 from omote.model.space.head_regions import REGIONS, region_weights
@@ -32,6 +33,7 @@ def build_welcome(cast: Cast, /) -> Greeted:
         shares=le_bytes(shares, "<f4"),
         items=[],
         unsaved=[],
+        unwritable={kind.removeprefix("."): why for kind, why in unwritable_kinds().items()},
     )
 
 

@@ -17,7 +17,7 @@ from omote.model.recipes.recipe import FaceRecipe, GainRow, Layer, Pull, Recipe,
 from omote.show.messages import Cancel, Message, Name, Notice, Notices, Progress  # noqa: F401  (the mirror has all)
 from omote.showfile.changes import Kind
 
-EDITING_VERSION = 5
+EDITING_VERSION = 6
 EDITING_PATH = "/editing"
 EDITING_LIMIT = 65536
 """Bytes; no message of an editor is longer."""
@@ -287,7 +287,8 @@ class Greeted(Message, frozen=True):
     (regions, V) u8 little-endian, 255 all; `followers`, `anchors`, `shares`: the rows (skin, then parts, as in the
     manifest) that follow the sheet, (f,) u32, (f, k) u32, (f, k) f32; all items; `show`: which show this is, as in
     `Welcome`: requests that wait for answers of another one are not sent again; `unsaved`: the items of which this
-    editor has a draft that is not saved."""
+    editor has a draft that is not saved; `unwritable`: the endings of downloads that the show's computer cannot make,
+    and why."""
 
     version: int
     digest: str
@@ -300,6 +301,7 @@ class Greeted(Message, frozen=True):
     shares: bytes
     items: list[ItemDocument]
     unsaved: list[int]
+    unwritable: dict[str, str]
 
 
 class Items(Message, frozen=True):

@@ -14,7 +14,7 @@ from omote.interchange.avatar.vrm_licence import Credit
 from omote.interchange.export_deltas import encode_deltas, measure_deltas
 from omote.interchange.export_face import ExportContext, Meshes, build_scene, named_compound_meshes
 from omote.interchange.exports.obj_writer import obj_files, obj_folder, require_single
-from omote.interchange.exports.usd_writer import check_usd, usd_files
+from omote.interchange.exports.usd_writer import NEEDS_USD, check_usd, has_usd, usd_files
 from omote.interchange.formats.file_names import GLB, NUMBERS, OBJ, USD, VRM
 from omote.interchange.formats.glb_writer import Scene, glb_bytes
 
@@ -54,6 +54,11 @@ def check_kind(kind: str, credit: Credit | None = None, /) -> None:
         check_usd()
     if kind == VRM and credit is None:
         Credit(())  # says what is missing
+
+
+def unwritable_kinds() -> dict[str, str]:
+    """The endings that cannot be written here, and what to install; packages are looked for, not loaded."""
+    return {} if has_usd() else dict.fromkeys(USD, NEEDS_USD)
 
 
 def check_count(kind: str, expressions: Sequence[str], /) -> None:

@@ -10,6 +10,7 @@ from __future__ import annotations
 import os
 import tempfile
 from collections.abc import Iterable, Mapping
+from importlib.util import find_spec
 from pathlib import Path
 from typing import Any
 
@@ -29,6 +30,11 @@ _MADE = 320000000
 """Seconds since 1970: in 1980, where the calendar of ZIP begins."""
 ORIGINAL = "omote:name"
 """The key of a prim's custom data that holds its name as it is in the cast, where identifiers cannot spell it."""
+
+
+def has_usd() -> bool:
+    """Whether the package that writes USD is installed; it is not loaded, for it is large."""
+    return find_spec("pxr") is not None
 
 
 def check_usd() -> None:

@@ -6,8 +6,9 @@ before it is allocated, nothing outside the file is opened, and invalid files ar
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
+from typing import Protocol
 
 import numpy as np
 from numpy.typing import NDArray
@@ -16,7 +17,7 @@ from omote.geometry.mesh import FARTHEST, rows_out_of_reach
 from omote.interchange.formats.glb_writer import ROWS
 from omote.interchange.formats.gltf_accessors import LARGEST as LARGEST
 from omote.interchange.formats.gltf_accessors import AccessorReader, Values, entry, node_places, split_glb
-from omote.interchange.formats.gltf_document import Document, Mesh, Node, Primitive, parse_document
+from omote.interchange.formats.gltf_document import Document, Mesh, Primitive, parse_document
 
 MOST_TARGETS, MOST_NUMBERS = 1024, 40_000_000
 """Of one primitive; and numbers of all together: every expression of the cast on a head with hair makes 15 million."""
@@ -37,21 +38,27 @@ class Piece:
     moves: Mapping[str, Values] = field(default_factory=dict)
 
 
-def read_glb(data: bytes, /) -> tuple[Piece, ...]:
+class TargetNames(Protocol):
+    """What the targets of nodes are called, and what is made of them."""
+
+    def rename(self, node: int, names: Sequence[str], moves: Mapping[str, Values], /) -> Mapping[str, Values]:
+        """What a node's targets, `names` in the order of the file, do under the names that count."""
+
+
+def read_glb(data: bytes, /, *, naming: Callable[[Document], TargetNames] | None = None) -> tuple[Piece, ...]:
     """The pieces of every mesh that a node shows, in the nodes' order.
 
-    ValueError for an invalid GLB or one that is larger than any face.
+    naming: finds what a document calls its targets; else by their own names. ValueError for an invalid GLB or one that
+    is larger than any face.
     """
     text, binary = split_glb(data)
     document = parse_document(text)
     _refuse_outside(document, binary)
-    shown = [(document.nodes[node], place) for node, place in node_places(document).items()]
-    meshes = [
-        (entry(document.meshes, node.mesh, "mesh"), node, place) for node, place in shown if node.mesh is not None
-    ]
+    shown = [(at, document.nodes[at].mesh, place) for at, place in node_places(document).items()]
+    meshes = [(entry(document.meshes, mesh, "mesh"), at, place) for at, mesh, place in shown if mesh is not None]
     _refuse_costly(document, [primitive for mesh, _, _ in meshes for primitive in mesh.primitives])
-    reader = _Reader(document, (binary,))
-    return tuple(piece for mesh, node, place in meshes for piece in reader.pieces(mesh, node, place))
+    reader = _Reader(document, (binary,), None if naming is None else naming(document))
+    return tuple(piece for mesh, at, place in meshes for piece in reader.pieces(mesh, at, place))
 
 
 def _refuse_outside(document: Document, binary: bytes) -> None:
@@ -78,18 +85,23 @@ def _refuse_costly(document: Document, primitives: list[Primitive]) -> None:
 
 
 class _Reader(AccessorReader):
-    """Reads the pieces of a document."""
+    """Reads the pieces of a document; named: what its targets are called."""
 
-    def pieces(self, mesh: Mesh, node: Node, place: Values) -> list[Piece]:
-        name = node.name or mesh.name or "mesh"
-        return [self.piece(mesh, primitive, name, place) for primitive in mesh.primitives]
+    def __init__(self, document: Document, buffers: Sequence[bytes], named: TargetNames | None) -> None:
+        super().__init__(document, buffers)
+        self.named = named
 
-    def piece(self, mesh: Mesh, primitive: Primitive, name: str, place: Values) -> Piece:
-        points = self.numbers(primitive.attributes["POSITION"], 3, "POSITION")
-        moves = {
+    def pieces(self, mesh: Mesh, at: int, place: Values) -> list[Piece]:
+        return [self.piece(mesh, primitive, at, place) for primitive in mesh.primitives]
+
+    def piece(self, mesh: Mesh, primitive: Primitive, at: int, place: Values) -> Piece:
+        name = self.document.nodes[at].name or mesh.name or "mesh"
+        points, labels = self.numbers(primitive.attributes["POSITION"], 3, "POSITION"), _labels(mesh, primitive, name)
+        moves: Mapping[str, Values] = {
             label: self.moves(target, len(points)) @ place[:3, :3].T
-            for label, target in zip(_labels(mesh, primitive, name), primitive.targets, strict=True)
+            for label, target in zip(labels, primitive.targets, strict=True)
         }
+        moves = moves if self.named is None else self.named.rename(at, labels, moves)
         standing = points @ place[:3, :3].T + place[:3, 3]
         if any(len(rows_out_of_reach(values)) for values in (standing, *moves.values())):
             raise ValueError(f"mesh {name[:80]!r} stands further off than {FARTHEST:g} metres; export it in metres")

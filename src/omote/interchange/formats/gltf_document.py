@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Annotated, TypeVar
+from typing import Annotated, Any, TypeVar
 
 import msgspec
 
@@ -109,6 +109,7 @@ class Document(msgspec.Struct, frozen=True, rename="camel"):
     buffer_views: list[View] = []
     buffers: list[Buffer] = []
     extensions_required: list[str] = []
+    extensions: Any = None
 
 
 D = TypeVar("D", bound=Document)

@@ -6,6 +6,7 @@ The child sends back plain arrays, which are validated again here.
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
+from functools import partial
 from pathlib import Path
 from typing import Any
 
@@ -15,14 +16,17 @@ from numpy.typing import NDArray
 
 from omote.interchange.formats import glb_reader, obj_reader
 from omote.interchange.formats.glb_reader import Piece
+from omote.interchange.scans.gltf.vrm_expressions import read_vrm_expressions
 from omote.server.sandbox.child_task import Limits, run_limited
 
 LIMITS = Limits(seconds=60, memory=2 * 2**30)
 _TOO_MUCH = "reading it needs more time or memory than any face; export a smaller one"
 
+_read_avatar = partial(glb_reader.read_glb, naming=read_vrm_expressions)
+
 READERS: Mapping[str, Callable[[bytes], tuple[Piece, ...]]] = {
-    ".glb": glb_reader.read_glb,
-    ".vrm": glb_reader.read_glb,
+    ".glb": _read_avatar,
+    ".vrm": _read_avatar,
     ".obj": obj_reader.read_obj_pieces,
 }
 """Parsers by file name suffix."""

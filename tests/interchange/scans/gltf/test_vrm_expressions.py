@@ -67,6 +67,13 @@ def test_a_whole_target_takes_the_name_of_its_expression() -> None:
     np.testing.assert_array_equal(scan.shapes["aa"], BARE)
 
 
+def test_an_expression_of_several_meshes_is_the_whole_of_one_target_at_each() -> None:
+    found = read(version_1({"aa": [bind(0, node=1), bind(4, node=2)], "oh": [bind(1, node=1), bind(2, node=1)]}))
+    assert found.alone == {(1, 0), (2, 4)}, "a sum is the whole of none"
+    halved = read(version_1({"aa": [bind(0, node=1), bind(4, 0.5, node=2)]}))
+    assert halved.alone == frozenset()
+
+
 def test_a_part_of_a_target_stands_beside_it() -> None:
     scan = ball_with(version_1({"aa": [bind(0, 0.25, NODE)]}, {"Agape": [bind(0, 0.5, NODE), bind(0, 0.25, NODE)]}))
     assert set(scan.shapes) == {"jawOpen", "aa", "Agape"}

@@ -1,14 +1,14 @@
 /** What happens at the camera page: pictures go to the landmark worker, landmarks to the show, news to the page. */
 
+import { type HealthLine, judgeFace, Rate } from "../../face_mesh/face_health";
 import type { Backend } from "../../face_mesh/face_mesh";
-import { LandmarkClient, type Messenger } from "../landmarks/landmark_client";
-import { writeLandmarkFrame } from "../landmarks/landmark_frame";
-import type { Landmarks } from "../landmarks/landmark_messages";
+import { LandmarkClient, type Messenger } from "../../face_mesh/landmark_client";
+import type { Landmarks } from "../../face_mesh/landmark_messages";
+import { CAMERA_KEY, type CameraDevice, CameraStream, type CameraTrouble } from "../../webcam/camera_stream";
+import { takePictures } from "../../webcam/picture_stream";
 import { CameraLink } from "./camera_link";
 import type { CameraStatus, FromCamera } from "./camera_messages";
-import { type CameraDevice, CameraStream, type CameraTrouble } from "./camera_stream";
-import { type HealthLine, judgeFace, Rate } from "./face_health";
-import { takePictures } from "./picture_stream";
+import { writeLandmarkFrame } from "./landmark_frame";
 
 /** How far the model is. */
 export type ModelState =
@@ -51,11 +51,12 @@ export class CameraSession {
       landmarks: (found) => this.#receive(found),
       failed: (reason) => this.#setModel({ kind: "failed", reason }),
     });
-    this.#stream = new CameraStream({
-      opened: (stream, device) => this.#opened(stream, device),
-      devices: (found) => this.#set({ devices: found }),
-      trouble: (trouble) => this.#lose(trouble),
-    });
+    const told = {
+      opened: (stream: MediaStream, device: string) => this.#opened(stream, device),
+      devices: (found: CameraDevice[]) => this.#set({ devices: found }),
+      trouble: (trouble: CameraTrouble) => this.#lose(trouble),
+    };
+    this.#stream = new CameraStream(told, WISH);
     this.#link = new CameraLink({
       status: (status) => this.#follow(status),
       refused: (reason) => this.#note(reason),
@@ -83,7 +84,7 @@ export class CameraSession {
     if (this.name === "") this.storage.setItem(NAME_KEY, fallbackName);
     this.#client.start(face);
     this.#link.perform(this.name);
-    await this.#stream.open(this.storage.getItem(DEVICE_KEY) ?? "");
+    await this.#stream.open(this.storage.getItem(CAMERA_KEY) ?? "");
   }
 
   /** Performs as somebody else. */
@@ -97,7 +98,7 @@ export class CameraSession {
 
   /** Opens a camera, or the same again. */
   async choose(device: string): Promise<void> {
-    if (device) this.storage.setItem(DEVICE_KEY, device);
+    if (device) this.storage.setItem(CAMERA_KEY, device);
     this.#set({ trouble: null });
     await this.#stream.open(device);
   }
@@ -166,7 +167,13 @@ export class CameraSession {
   }
 }
 
+/** More pixels than these cost more and find nothing more. */
+const WISH = {
+  width: 640,
+  height: 480,
+  insecure:
+    "This page came over plain http from another machine. On the machine with the camera run “omote track --to ADDRESS” with the address of the show, or start the show with https: “omote show --https”.",
+};
 const STOPPED = "The guided minute is stopped: no face was made, so nothing is kept and nothing has changed.";
 const NAME_KEY = "omote.performer";
-const DEVICE_KEY = "omote.camera";
 const HEALTH_MS = 400;

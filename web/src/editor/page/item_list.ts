@@ -116,7 +116,7 @@ export class ItemListPanel extends EditorElement {
             this.search = textOf(event);
           }} />
         <button class="main" data-new @click=${() => this.make()}>New</button></div>
-      ${this.kind === "face" ? html`<div class="row"><omote-scan-button></omote-scan-button><omote-scan-button of="photographs"></omote-scan-button></div>` : nothing}
+      ${this.kind === "face" ? html`<div class="row"><omote-scan-button></omote-scan-button><omote-scan-button of="photographs"></omote-scan-button><omote-scan-button of="camera"></omote-scan-button></div>` : nothing}
       ${
         this.making === null
           ? nothing

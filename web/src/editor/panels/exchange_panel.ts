@@ -30,6 +30,10 @@ export class Exchange extends EditorElement {
         gap: 4px;
         grid-column: 1 / -1;
       }
+      .refused {
+        grid-column: 1 / -1;
+        color: var(--attention);
+      }
       .button {
         position: relative;
         display: grid;
@@ -79,7 +83,7 @@ export class Exchange extends EditorElement {
     const { item, work } = this.store;
     return html`
       ${item?.head === 0 ? html`<p class="note">Save first: only what is saved goes out.</p>` : nothing}
-      ${item === null ? nothing : exportsOf(item, work).map((one) => this.#export(one, item.head === 0))}
+      ${item === null ? nothing : exportsOf(item, work, this.store.unwritable).map((one) => this.#export(one, item.head === 0))}
       <p>In, from files by other crews and other programs; or drop them on this page:</p>
       ${this.#import("expression", "Expressions: documents (JSON), heads with shapes (GLB)")}
       ${this.#import("face", "A face: a head of Omote at rest (GLB, OBJ)")}
@@ -87,6 +91,8 @@ export class Exchange extends EditorElement {
         <omote-scan-button></omote-scan-button></div>
       <div class="command"><span class="note">A person: one to eight photographs (JPEG, PNG)</span>
         <omote-scan-button of="photographs"></omote-scan-button></div>
+      <div class="command"><span class="note">A person: a turn of the head before this computer's camera</span>
+        <omote-scan-button of="camera"></omote-scan-button></div>
       <p class="note">A head at rest and a shape each as OBJ come in together, on the show's computer while no show plays: <code>${IMPORT_COMMAND}</code></p>
     `;
   }
@@ -112,9 +118,10 @@ export class Exchange extends EditorElement {
     const busy = this.busy === one.address;
     return html`<div class="command">
       <span class="note">${one.what}</span>
-      <button aria-label="Download ${one.file}" ?disabled=${unsaved || this.busy !== ""} @click=${() => this.#download(one)}>
+      <button aria-label="Download ${one.file}" ?disabled=${unsaved || this.busy !== "" || one.unwritable !== undefined} @click=${() => this.#download(one)}>
         ${busy ? "Exporting ..." : `Download ${one.file.slice(one.file.lastIndexOf("."))}`}
       </button>
+      ${one.unwritable === undefined ? nothing : html`<span class="note refused">Not on the show's computer: ${one.unwritable}.</span>`}
       ${one.credited ? this.#credit() : nothing}
     </div>`;
   }

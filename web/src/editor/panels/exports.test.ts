@@ -36,6 +36,13 @@ it("a face goes out by its own name", () => {
   ]);
 });
 
+it("says which files the show's computer cannot make, and why", () => {
+  const [item, why] = [{ kind: "face", name: "ann", label: "Ann" } as const, "USD needs usd-core"];
+  const found = exportsOf(item, "dog", { usdz: why });
+  expect(found.map(({ unwritable }) => unwritable)).toEqual([undefined, undefined, undefined, why, undefined]);
+  expect(exportsOf(item, "dog").some((one) => "unwritable" in one)).toBe(false);
+});
+
 it("an avatar goes out with its author and its terms, and only then; nothing else asks for them", () => {
   const [plain, , avatar] = exportsOf({ kind: "face", name: "ann", label: "Ann" }, "dog");
   if (plain === undefined || avatar === undefined) throw new Error("it has both");

@@ -10,6 +10,8 @@ export interface Export {
   readonly file: string;
   /** Whether it names who made it and who may use it. */
   readonly credited?: boolean;
+  /** Why the show's computer cannot make it; left out: it can. */
+  readonly unwritable?: string;
 }
 
 /** Who made an avatar, by commas, and who may use it: one of `LICENCES`. */
@@ -25,16 +27,21 @@ export const LICENCES: readonly (readonly [string, string])[] = [
   ["cc0", "Anyone, for anything (CC0)"],
 ];
 
-/** The files that an item goes out as; `work`: the name of the face under work, which wears an expression. */
+/**
+ * The files that an item goes out as; `work`: the name of the face under work, which wears an expression;
+ * `unwritable`: the endings that the show's computer cannot make, and why.
+ */
 export function exportsOf(
   { kind, name, label }: Pick<ItemDocument, "kind" | "name" | "label">,
   work: string,
+  unwritable: Readonly<Record<string, string>> = {},
 ): Export[] {
   const called = fileName(label) || name;
   const worn = (face: string, expressions: string, file: string, what: string, kind = "glb"): Export => ({
     what,
     address: `/exports/${encodeURIComponent(face)}.${kind}?expressions=${encodeURIComponent(expressions)}`,
     file: `${file}.${kind === "obj" ? "zip" : kind}`,
+    ...(kind in unwritable ? { unwritable: unwritable[kind] as string } : {}),
   });
   if (kind === "face")
     return [

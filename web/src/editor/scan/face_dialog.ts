@@ -49,6 +49,8 @@ export abstract class FaceDialog<Seen extends SeenFace> extends EditorElement {
   @query(".acts button") private first!: HTMLElement | null;
   protected abstract readonly words: Words;
   #deaf: () => void = () => undefined;
+  /** What it is called where nobody says so. */
+  #proposed = "";
   readonly #left = (): void => this.#drop();
 
   static override styles = [base, controls, curtain, style];
@@ -89,7 +91,8 @@ export abstract class FaceDialog<Seen extends SeenFace> extends EditorElement {
   }
 
   override firstUpdated(): void {
-    this.label = freeLabel(this.store.items, nameOf(this.files.map(({ name }) => name)));
+    this.#proposed = nameOf(this.files.map(({ name }) => name));
+    this.label = freeLabel(this.store.items, this.#proposed);
     void this.#fit(() => this.begin());
   }
 
@@ -107,7 +110,7 @@ export abstract class FaceDialog<Seen extends SeenFace> extends EditorElement {
       if (this.isConnected) this.fitted(this.seen, before);
       else this.#drop(); // closed meanwhile
     } catch (error) {
-      if (error instanceof CancelledError && this.seen === null) this.#close();
+      if (error instanceof CancelledError && this.seen === null) this.close();
       else if (!(error instanceof CancelledError)) this.failed = (error as Error).message;
     } finally {
       this.busy = "";
@@ -121,7 +124,7 @@ export abstract class FaceDialog<Seen extends SeenFace> extends EditorElement {
     if (seen === null) return;
     [this.busy, this.failed] = ["take", ""];
     const taking = {
-      label: this.label.trim() || nameOf(this.files.map(({ name }) => name)),
+      label: this.label.trim() || this.#proposed,
       hair_style: this.#hair.style,
       hair: this.#hair.colour,
       replaced: this.replaced,
@@ -130,7 +133,7 @@ export abstract class FaceDialog<Seen extends SeenFace> extends EditorElement {
       const name = await takeFace(seen, taking, store.longRequests);
       this.seen = null; // the server has let go of it
       this.#sayTaken(name, taking.label);
-      this.#close();
+      this.close();
     } catch (error) {
       if (!(error instanceof CancelledError)) this.failed = (error as Error).message;
     } finally {
@@ -160,15 +163,16 @@ export abstract class FaceDialog<Seen extends SeenFace> extends EditorElement {
   override render() {
     const { title } = this.words;
     return html`<section class="panel" role="dialog" aria-modal="true" aria-label=${title}>
-      <header><h2>${title}</h2><b>${this.files.map(({ name }) => name).join(", ")}</b></header>
-      ${this.seen === null ? this.#beginning() : [this.views(this.seen), this.#side(this.seen)]}
+      <header><h2>${title}</h2><b>${this.files.map(({ name }) => name).join(", ") || "A turn of the head"}</b></header>
+      ${this.seen === null ? this.beginning() : [this.views(this.seen), this.#side(this.seen)]}
     </section>`;
   }
 
-  #beginning() {
+  /** What is seen before the first fit has come. */
+  protected beginning(): TemplateResult {
     if (this.busy !== "") return html`<div class="waiting">${this.progress()}</div>`;
     return html`<div class="waiting"><p class="failed" role="alert">${this.failed}</p>
-      <div class="acts"><button @click=${() => this.#close()}>Close</button></div></div>`;
+      <div class="acts"><button @click=${() => this.close()}>Close</button></div></div>`;
   }
 
   /** How far the fit is; the page stays usable, and so does the show. */
@@ -259,13 +263,13 @@ export abstract class FaceDialog<Seen extends SeenFace> extends EditorElement {
   protected escape(): void {
     const request = this.store.longRequests.all.find(({ title }) => title === this.words.title);
     if (this.busy === "fit" && request !== undefined) this.store.longRequests.cancel(request.id);
-    else if (this.seen === null) this.#close();
+    else if (this.seen === null) this.close();
     else if (this.busy === "") this.leaving = !this.leaving;
   }
 
   #throwAway(): void {
     this.#drop();
-    this.#close();
+    this.close();
   }
 
   #drop(): void {
@@ -273,7 +277,7 @@ export abstract class FaceDialog<Seen extends SeenFace> extends EditorElement {
     this.seen = null;
   }
 
-  #close(): void {
+  protected close(): void {
     if (this.isConnected) this.dispatchEvent(new CustomEvent("close"));
   }
 }

@@ -13,14 +13,17 @@ import { type FoundPhotograph, PhotographPoints } from "./photographs/photograph
 import { bringPhotographs, fitPhotographsAgain, PHOTOGRAPH_TITLE } from "./photographs/photograph_requests";
 import { knowledgeOf, noFace, photographAdvice } from "./photographs/photograph_words";
 import "./photographs/photograph_view";
+import "./turn/turn_view";
 import "./views/scan_views";
 
 /** What is seen: a photograph by its place, or the face. */
 type Place = number | "face";
 
-/** Files: one to eight photographs of one person. */
+/** Files: one to eight photographs of one person; none: the camera takes them. */
 @customElement("omote-photographs")
 export class PhotographDialog extends FaceDialog<SeenPhotographs> {
+  /** Takes the pictures of a turn before the camera; null: no turn is under way. */
+  @state() private turned: ((files: readonly File[]) => void) | null = null;
   /** What the page itself does now, before it asks; empty: it has asked. */
   @state() private looking = "It begins";
   @state() private place: Place = "face";
@@ -37,7 +40,7 @@ export class PhotographDialog extends FaceDialog<SeenPhotographs> {
   protected readonly words = {
     title: PHOTOGRAPH_TITLE,
     source: "these photographs",
-    thrown: "Throw the photographs and their points away? They stay on your disk.",
+    thrown: "Throw the photographs and their points away? What came from your disk stays there.",
   };
 
   override disconnectedCallback(): void {
@@ -49,6 +52,7 @@ export class PhotographDialog extends FaceDialog<SeenPhotographs> {
   // --- what is asked --------------------------------------------------------------------------------------------------
 
   protected override async begin(): Promise<SeenPhotographs> {
+    if (this.files.length === 0) this.files = await this.#turn();
     if (this.files.length > MOST_PHOTOGRAPHS)
       throw new Error(`${this.files.length} pictures came; bring at most ${MOST_PHOTOGRAPHS} of one person.`);
     const found: FoundPhotograph[] = [];
@@ -63,6 +67,16 @@ export class PhotographDialog extends FaceDialog<SeenPhotographs> {
     if (found.length === 0) throw new Error(left.join(" "));
     [this.#points, this.#left, this.looking] = [new PhotographPoints(found), left, ""];
     return await this.#kept(bringPhotographs(this.#points, this.store.longRequests));
+  }
+
+  /** The pictures of a turn before the camera; none come where the dialog is left. */
+  async #turn(): Promise<readonly File[]> {
+    const files = await new Promise<readonly File[]>((taken) => {
+      this.turned = taken;
+    });
+    this.turned = null; // the camera's view goes, and the camera with it
+    await this.updateComplete;
+    return files;
   }
 
   /** A photograph with its landmarks; null where there is no face in it. */
@@ -96,6 +110,13 @@ export class PhotographDialog extends FaceDialog<SeenPhotographs> {
   }
 
   // --- what is seen ---------------------------------------------------------------------------------------------------
+
+  protected override beginning(): TemplateResult {
+    const { turned } = this;
+    if (turned === null) return super.beginning();
+    return html`<omote-turn @leave=${() => this.close()}
+      @use=${(event: CustomEvent<readonly File[]>) => turned(event.detail)}></omote-turn>`;
+  }
 
   protected override progress(): TemplateResult {
     if (this.looking === "") return super.progress();

@@ -59,6 +59,9 @@ export const style = css`
     gap: 12px;
     text-align: center;
   }
+  omote-turn {
+    grid-area: views / views / side / side;
+  }
   .waiting progress {
     width: min(420px, 70vw);
     height: 8px;

@@ -74,6 +74,7 @@ const greeting = (show: string, unsaved: number[] = []): Greeted => ({
   shares: bytes(new Float32Array(0)),
   items: [item(1), item(2)],
   unsaved,
+  unwritable: {},
 });
 
 /** A server that answers when the test says so. */

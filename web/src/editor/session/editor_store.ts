@@ -49,6 +49,8 @@ export class EditorStore extends TopicStore<Topic> {
   unsaved: ReadonlySet<number> = new Set();
   /** Which show is served; null before the server has greeted. */
   show: string | null = null;
+  /** The endings of downloads that the show's computer cannot make, and why. */
+  unwritable: Readonly<Record<string, string>> = {};
   /** Of the cast that pages may load now; "" before the server has said. */
   digest = "";
   /** The name of the face shown large, and of those beside it. */
@@ -114,6 +116,7 @@ export class EditorStore extends TopicStore<Topic> {
     this.headControls = readHeadControls(greeted);
     this.show = greeted.show;
     this.unsaved = new Set(greeted.unsaved);
+    this.unwritable = greeted.unwritable;
     this.setItems(greeted.items, greeted.digest);
   }
 

@@ -91,7 +91,6 @@ class SceneDocument(Document, frozen=True, rename="camel"):
     images: list[Image] = msgspec.field(default_factory=list)
     scenes: list[SceneRoots] = msgspec.field(default_factory=list)
     scene: Whole = 0
-    extensions: Any = None
 
 
 def shown_nodes(document: SceneDocument, /) -> set[int]:

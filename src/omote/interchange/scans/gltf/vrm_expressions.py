@@ -10,7 +10,7 @@ import msgspec
 
 from omote.interchange.formats.glb_reader import MOST_TARGETS
 from omote.interchange.formats.gltf_accessors import Values
-from omote.interchange.scans.gltf.gltf_scene import SceneDocument
+from omote.interchange.formats.gltf_document import Document
 from omote.interchange.scans.scan_parts import refuse_many
 
 FULL = 100.0
@@ -30,7 +30,7 @@ class Bind(msgspec.Struct, frozen=True):
 @dataclass(frozen=True)
 class VrmExpressions:
     """binds: by node and by the name of an expression, targets and their weights; alone: targets (node, index) that are
-    the whole of an expression, and so have its name."""
+    the whole of an expression at their node, and so have its name."""
 
     binds: Mapping[int, Mapping[str, Sequence[tuple[int, float]]]] = field(default_factory=dict)
     alone: frozenset[tuple[int, int]] = frozenset()
@@ -47,22 +47,22 @@ class VrmExpressions:
         return result
 
 
-def read_vrm_expressions(document: SceneDocument, /) -> VrmExpressions:
+def read_vrm_expressions(document: Document, /) -> VrmExpressions:
     """The expressions that a document's extension declares; what it declares wrongly is left out."""
     found: dict[int, dict[str, list[tuple[int, float]]]] = {}
     alone = set[tuple[int, int]]()
     named = [*_of_version_1(document), *_of_version_0(document)]
     refuse_many(len(named), "expressions of an avatar", MOST_TARGETS)
     for name, binds in named:
-        if len(binds) == 1 and binds[0].weight == 1.0:
-            alone |= {(node, binds[0].index) for node in _nodes(document, binds[0])}
-        for bind in binds:
-            for node in _nodes(document, bind):
-                found.setdefault(node, {}).setdefault(name, []).append((bind.index, bind.weight))
+        bound = [(node, bind) for bind in binds for node in _nodes(document, bind)]
+        if all(bind.weight == 1.0 for bind in binds) and len({node for node, _ in bound}) == len(bound):
+            alone |= {(node, bind.index) for node, bind in bound}
+        for node, bind in bound:
+            found.setdefault(node, {}).setdefault(name, []).append((bind.index, bind.weight))
     return VrmExpressions(found, frozenset(alone))
 
 
-def _of_version_1(document: SceneDocument) -> Iterator[tuple[str, list[Bind]]]:
+def _of_version_1(document: Document) -> Iterator[tuple[str, list[Bind]]]:
     expressions = _entry(_entry(document.extensions, "VRMC_vrm"), "expressions")
     for kind in ("preset", "custom"):
         for name, expression in _entry(expressions, kind).items():
@@ -71,7 +71,7 @@ def _of_version_1(document: SceneDocument) -> Iterator[tuple[str, list[Bind]]]:
                 yield name, binds
 
 
-def _of_version_0(document: SceneDocument) -> Iterator[tuple[str, list[Bind]]]:
+def _of_version_0(document: Document) -> Iterator[tuple[str, list[Bind]]]:
     master = _entry(_entry(document.extensions, "VRM"), "blendShapeMaster")
     for group in _items(master, "blendShapeGroups"):
         preset, own = _text(group, "presetName"), _text(group, "name")
@@ -95,7 +95,7 @@ def _binds(given: list[Any], full: float) -> list[Bind]:
     return found
 
 
-def _nodes(document: SceneDocument, bind: Bind) -> list[int]:
+def _nodes(document: Document, bind: Bind) -> list[int]:
     """The nodes that show what is bound."""
     if bind.node >= 0:
         return [bind.node]

@@ -24,7 +24,7 @@ describe("files that are dropped", () => {
   it("give a face its first name", () => {
     expect(nameOf(["skin.jpg", "anna_b  scan.OBJ"])).toBe("Anna b scan");
     expect(nameOf([".ply"])).toBe("Scanned face");
-    expect(nameOf([])).toBe("Scanned face");
+    expect(nameOf([])).toBe("Face from the camera");
     expect(nameOf([`${"a".repeat(200)}.ply`]).length).toBeLessThanOrEqual(64);
   });
 

@@ -35,8 +35,9 @@ const suffixOf = (name: string): string => {
   return dot < 0 ? "" : name.slice(dot).toLowerCase();
 };
 
-/** What a face made of files is called at first. */
+/** What a face made of files is called at first; of none: the camera takes them. */
 export function nameOf(names: readonly string[]): string {
+  if (names.length === 0) return "Face from the camera";
   const scan = names.find((name) => (SCAN_SUFFIXES as readonly string[]).includes(suffixOf(name))) ?? names[0] ?? "";
   const plain = scan
     .replace(/\.[^.]*$/, "")

@@ -1,6 +1,6 @@
 import { expect, it } from "vitest";
-import type { Backend } from "../../face_mesh/face_mesh";
 import { chooseBackend, type Raced } from "./backend_choice";
+import type { Backend } from "./face_mesh";
 
 const FACE = new Float32Array(3);
 const picture = {} as ImageBitmap;

@@ -1,7 +1,7 @@
 /** What is good and what is not of the picture, and what the performer can do about it. */
 
-import { LANDMARK_COUNT } from "../../face_mesh/face_mesh";
-import type { Landmarks } from "../landmarks/landmark_messages";
+import { LANDMARK_COUNT } from "./face_mesh";
+import type { Landmarks } from "./landmark_messages";
 
 /** One thing that is looked at. */
 export interface HealthLine {
@@ -29,16 +29,23 @@ const TURNED = 0.62;
 
 /** The lines of health for the newest picture. rate: pictures a second. */
 export function judgeFace(found: Landmarks | null, rate: number): HealthLine[] {
-  const seen = found !== null && found.points.length === 3 * LANDMARK_COUNT;
   const speed = {
     what: `${Math.round(rate)} ${Math.round(rate) === 1 ? "picture" : "pictures"} a second`,
     good: rate >= SLOW,
     advice: rate >= SLOW ? "" : SLOWLY,
   };
-  if (!seen) return [speed, { what: "No face", good: false, advice: noFaceAdvice(found) }];
-  const face = { what: "Face found", good: true, advice: "" };
-  return [speed, face, judgeLight(found.light), judgePlace(found.points), judgeTurn(found)];
+  return [speed, ...judgePicture(found), ...(isFace(found) ? [judgeTurn(found)] : [])];
 }
+
+/** Those of the lines that count for a face that is turned, too. */
+export function judgePicture(found: Landmarks | null): HealthLine[] {
+  if (!isFace(found)) return [{ what: "No face", good: false, advice: noFaceAdvice(found) }];
+  const face = { what: "Face found", good: true, advice: "" };
+  return [face, judgeLight(found.light), judgePlace(found.points)];
+}
+
+const isFace = (found: Landmarks | null): found is Landmarks =>
+  found !== null && found.points.length === 3 * LANDMARK_COUNT;
 
 const SLOWLY = "Close other programs and tabs; on a laptop, plug the power in.";
 

@@ -1,7 +1,8 @@
 /** The page's side of the landmark worker: the newest picture is looked at, those that came meanwhile are not. */
 
-import type { Backend } from "../../face_mesh/face_mesh";
+import type { Backend } from "./face_mesh";
 import type { FromWorker, Landmarks, ToWorker } from "./landmark_messages";
+import warmUpFace from "./warm_up_face.jpg?no-inline";
 
 /** What the page is told. */
 export interface LandmarkListener {
@@ -17,6 +18,14 @@ export interface Messenger {
   onmessage: ((event: MessageEvent<FromWorker>) => void) | null;
   onerror: ((event: ErrorEvent) => void) | null;
 }
+
+/** Makes a worker that loads nothing before it is started. */
+export const openLandmarkWorker = (): Worker =>
+  new Worker(new URL("./landmark_worker.ts", import.meta.url), { name: "landmarks" });
+
+/** A face for the model's first look. */
+export const warmUpPicture = async (): Promise<ImageBitmap> =>
+  await createImageBitmap(await (await fetch(warmUpFace)).blob());
 
 /** The worker's state: nothing is sent to one that loads or looks. */
 export class LandmarkClient {

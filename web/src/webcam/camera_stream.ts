@@ -1,5 +1,8 @@
 /** The camera: asked for, chosen, lost; why there is none, in words and with what to do. */
 
+/** Under which a browser keeps the camera that was chosen last, for all pages. */
+export const CAMERA_KEY = "omote.camera";
+
 /** A camera that can be chosen. */
 export interface CameraDevice {
   id: string;
@@ -12,11 +15,6 @@ export interface CameraTrouble {
   advice: string;
 }
 
-const INSECURE: CameraTrouble = {
-  title: "This browser gives cameras to secure pages only",
-  advice:
-    "This page came over plain http from another machine. On the machine with the camera run “omote track --to ADDRESS” with the address of the show, or start the show with https: “omote show --https”.",
-};
 const TROUBLES: Record<string, CameraTrouble> = {
   NotAllowedError: {
     title: "The browser may not use the camera",
@@ -51,6 +49,14 @@ export const UNPLUGGED: CameraTrouble = {
 /** What a browser gives of cameras; it has none on an insecure page. */
 export type Cameras = Pick<MediaDevices, "getUserMedia" | "enumerateDevices" | "addEventListener">;
 
+/** What a page wants of a camera. */
+export interface CameraWish {
+  readonly width: number;
+  readonly height: number;
+  /** What to do where the page is not secure, so that it gets no camera. */
+  readonly insecure: string;
+}
+
 /** What the page is told. */
 export interface CameraListener {
   opened(stream: MediaStream, device: string): void;
@@ -58,16 +64,20 @@ export interface CameraListener {
   trouble(trouble: CameraTrouble): void;
 }
 
-/** One camera at a time; one that comes back is taken up again. */
+/** One camera at a time; one that comes back is taken up again, until it has ended. */
 export class CameraStream {
   #stream: MediaStream | null = null;
   #wanted = "";
+  /** Counts what was asked for: a camera that comes when another is wanted, or none, is let go. */
+  #asked = 0;
+  readonly #ending = new AbortController();
 
   constructor(
     private readonly listener: CameraListener,
+    private readonly wish: CameraWish,
     private readonly cameras: Cameras | null = navigator.mediaDevices ?? null,
   ) {
-    cameras?.addEventListener("devicechange", () => void this.#look());
+    cameras?.addEventListener("devicechange", () => void this.#look(), { signal: this.#ending.signal });
   }
 
   /** Opens a camera, by its id, or any for "". */
@@ -75,24 +85,31 @@ export class CameraStream {
     this.#wanted = device;
     this.close();
     if (this.cameras === null) {
-      this.listener.trouble(INSECURE);
+      this.listener.trouble({ title: INSECURE, advice: this.wish.insecure });
       return;
     }
+    const asked = this.#asked;
     try {
-      this.#use(await this.cameras.getUserMedia({ audio: false, video: constraints(device) }));
+      const stream = await this.cameras.getUserMedia({ audio: false, video: constraints(device, this.wish) });
+      if (asked === this.#asked) this.#use(stream);
+      else stop(stream);
     } catch (error) {
-      this.listener.trouble(explainTrouble(error));
+      if (asked === this.#asked) this.listener.trouble(explainTrouble(error));
     }
-    await this.#list();
+    if (!this.#ending.signal.aborted) await this.#list();
   }
 
-  /** Lets go of the camera. */
+  /** Lets go of the camera, also of one that is on its way. */
   close(): void {
-    for (const track of this.#stream?.getTracks() ?? []) {
-      track.onended = null;
-      track.stop();
-    }
+    this.#asked += 1;
+    if (this.#stream !== null) stop(this.#stream);
     this.#stream = null;
+  }
+
+  /** Lets go of the camera for good: none that is plugged in is taken up again. */
+  end(): void {
+    this.#ending.abort();
+    this.close();
   }
 
   #use(stream: MediaStream): void {
@@ -124,12 +141,20 @@ export class CameraStream {
   }
 }
 
-/** 640 x 480 at 30 a second is what the model needs: more costs and finds nothing more. */
-function constraints(device: string): MediaTrackConstraints {
+const INSECURE = "This browser gives cameras to secure pages only";
+
+function stop(stream: MediaStream): void {
+  for (const track of stream.getTracks()) {
+    track.onended = null;
+    track.stop();
+  }
+}
+
+function constraints(device: string, { width, height }: CameraWish): MediaTrackConstraints {
   return {
     ...(device ? { deviceId: { exact: device } } : { facingMode: "user" }),
-    width: { ideal: 640 },
-    height: { ideal: 480 },
+    width: { ideal: width },
+    height: { ideal: height },
     frameRate: { ideal: 30 },
   };
 }

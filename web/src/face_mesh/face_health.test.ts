@@ -1,7 +1,7 @@
 import { expect, it } from "vitest";
-import { LANDMARK_COUNT } from "../../face_mesh/face_mesh";
-import type { Landmarks } from "../landmarks/landmark_messages";
 import { judgeFace, Rate } from "./face_health";
+import { LANDMARK_COUNT } from "./face_mesh";
+import type { Landmarks } from "./landmark_messages";
 
 /** A face: centre, half height and how far the nose is from the middle, of the half width. */
 function face({ x = 0.5, half = 0.25, turn = 0, light = 0.5, count = LANDMARK_COUNT } = {}): Landmarks {

@@ -1,6 +1,8 @@
 import { expect, it } from "vitest";
 import { CameraStream, type Cameras, explainTrouble, UNPLUGGED } from "./camera_stream";
 
+const WISH = { width: 1280, height: 720, insecure: "Use https." };
+
 interface Track {
   onended: (() => void) | null;
   stopped: boolean;
@@ -13,22 +15,29 @@ class FakeCameras {
   asked: unknown[] = [];
   tracks: Track[] = [];
   changed: () => void = () => undefined;
+  /** What a camera waits for before it comes. */
+  allowed: Promise<void> = Promise.resolve();
 
-  addEventListener(_: string, changed: () => void): void {
-    this.changed = changed;
+  addEventListener(_: string, changed: () => void, { signal }: { signal: AbortSignal }): void {
+    this.changed = () => {
+      if (!signal.aborted) changed();
+    };
   }
 
-  getUserMedia(asked: unknown): Promise<MediaStream> {
+  async getUserMedia(asked: unknown): Promise<MediaStream> {
     this.asked.push(asked);
-    if (this.error) return Promise.reject(Object.assign(new Error("said"), { name: this.error }));
+    await this.allowed;
+    if (this.error) throw Object.assign(new Error("said"), { name: this.error });
     const track = {
       onended: null,
       stopped: false,
       getSettings: () => ({ deviceId: this.plugged[0] }),
-      stop: () => undefined,
+      stop: () => {
+        track.stopped = true;
+      },
     };
     this.tracks.push(track);
-    return Promise.resolve({ getTracks: () => [track], getVideoTracks: () => [track] } as unknown as MediaStream);
+    return { getTracks: () => [track], getVideoTracks: () => [track] } as unknown as MediaStream;
   }
 
   enumerateDevices(): Promise<MediaDeviceInfo[]> {
@@ -44,7 +53,7 @@ function open(cameras: FakeCameras | undefined) {
     devices: (found: { label: string }[]) => told.push(`devices ${found.map(({ label }) => label).join()}`),
     trouble: ({ title }: { title: string }) => told.push(title),
   };
-  return { told, stream: new CameraStream(listener, (cameras ?? null) as unknown as Cameras | null) };
+  return { told, stream: new CameraStream(listener, WISH, (cameras ?? null) as unknown as Cameras | null) };
 }
 
 const settled = () => new Promise((done) => setTimeout(done));
@@ -54,7 +63,9 @@ it("opens the camera that is wanted, and lists all", async () => {
   const { told, stream } = open(cameras);
   await stream.open("front");
   expect(told).toEqual(["opened front", "devices front"]);
-  expect(cameras.asked).toMatchObject([{ audio: false, video: { deviceId: { exact: "front" } } }]);
+  expect(cameras.asked).toMatchObject([
+    { audio: false, video: { deviceId: { exact: "front" }, width: { ideal: 1280 }, height: { ideal: 720 } } },
+  ]);
 });
 
 it("says why there is none", async () => {
@@ -79,6 +90,34 @@ it("says what to do where the page is not secure", async () => {
   const { told, stream } = open(undefined);
   await stream.open("");
   expect(told[0]).toContain("secure pages only");
+});
+
+it("lets go of a camera that comes too late", async () => {
+  const cameras = new FakeCameras();
+  let allow = (): void => undefined;
+  cameras.allowed = new Promise((allowed) => {
+    allow = allowed;
+  });
+  const { told, stream } = open(cameras);
+  const first = stream.open("");
+  const second = stream.open("front");
+  allow();
+  await Promise.all([first, second]);
+  expect(cameras.tracks.map(({ stopped }) => stopped)).toEqual([true, false]);
+  expect(told.filter((what) => what.startsWith("opened"))).toHaveLength(1);
+});
+
+it("has no camera once it has ended, not even one that is on its way or is plugged in then", async () => {
+  const cameras = new FakeCameras();
+  const { told, stream } = open(cameras);
+  await stream.open("front");
+  const another = stream.open("back");
+  stream.end();
+  await another;
+  cameras.changed();
+  await settled();
+  expect(cameras.tracks.map(({ stopped }) => stopped)).toEqual([true, true]);
+  expect(told).toEqual(["opened front", "devices front"]);
 });
 
 it("says that a camera was unplugged, and goes on when it comes back", async () => {

@@ -1,6 +1,6 @@
 /** Writes landmarks as the show reads them: one binary message a picture, little endian. */
 
-import type { Landmarks } from "./landmark_messages";
+import type { Landmarks } from "../../face_mesh/landmark_messages";
 
 const MAGIC = "OMLM";
 const VERSION = 1;

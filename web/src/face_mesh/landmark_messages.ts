@@ -1,6 +1,6 @@
 /** What the page and its landmark worker say to each other. */
 
-import type { Backend } from "../../face_mesh/face_mesh";
+import type { Backend } from "./face_mesh";
 
 /** What the page sends: the picture to warm up with, then one picture of the camera at a time. */
 export type ToWorker =

@@ -1,6 +1,6 @@
 /** Draws the landmarks over the camera's picture: lips, lids, brows, irises, and a cloud of all points. */
 
-import type { Landmarks } from "./landmarks/landmark_messages";
+import type { Landmarks } from "./landmark_messages";
 
 /** Rows of points of the face mesh that make lines. */
 const LINES: readonly (readonly number[])[] = [

@@ -1,6 +1,6 @@
 /** Chooses where the model computes, by a short race before the first picture of the camera. */
 
-import type { Backend } from "../../face_mesh/face_mesh";
+import type { Backend } from "./face_mesh";
 
 /** What is chosen for: the face mesh. */
 export interface Raced {

@@ -1,8 +1,8 @@
 /** The worker of the camera page: pictures in, landmarks out, one at a time. */
 
-import { FaceMesh } from "../../face_mesh/face_mesh";
 import { chooseBackend } from "./backend_choice";
 import { faceLight } from "./face_light";
+import { FaceMesh } from "./face_mesh";
 import type { FromWorker, ToWorker } from "./landmark_messages";
 
 const scope = self as unknown as {
