@@ -146,7 +146,7 @@ def test_hair_that_was_chosen_for_a_scan_is_told_and_another_is_chosen(tmp_path:
         assert "--hair" not in said(plain, "-o", show, "--hair", hair, "--keep-both")
         found = kept(show)
         _, look = unpack_face(found.contents[found.stored.revisions[-1].content], "a")
-        assert look.hair_style == style
+        assert (look.hair_style, look.scalp) == (style, 1.0 if style else 0.0)
     helped = said("--help", columns=240)
     assert all(style in helped for style in (*load_cast().hair, "none"))
 

@@ -174,12 +174,14 @@ def fit_one(
 
 def dress(outcome: Outcome, look: Look | None, hair: str | None) -> Outcome:
     """What came of a scan with the look and the hair that a person chose; says which hair was chosen for them."""
+    from omote.model.appearance.look_suggestion import wear_hair
+
     fit = outcome.fit
     if fit is None:
         return outcome
     worn = look or fit.look
     if hair is not None:
-        worn = replace(worn, hair_style=hair)
+        worn = wear_hair(worn, hair)
     elif look is None and worn.albedo is None and worn.hair_style:
         note = f"it shows no colours, so it gets {worn.hair_style} hair; --hair chooses another, or none"
         fit = replace(fit, notes=(*fit.notes, note))

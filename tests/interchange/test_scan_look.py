@@ -7,8 +7,9 @@ import pytest
 
 from omote.builtin import load_cast, load_mask, load_meshes
 from omote.interchange.formats.png import read_png
-from omote.interchange.scan_look import find_look
+from omote.interchange.scan_look import find_look, suggest_scan_look
 from omote.interchange.skin_texture import Canvas, build_canvas
+from omote.model.appearance.look_suggestion import wear_hair
 from omote.model.cast import Look
 from omote.model.fitting.scan import Scan
 from omote.model.space.similarity import Similarity
@@ -44,6 +45,14 @@ def test_a_scan_without_colours_and_a_cast_without_a_texture_leave_the_look(canv
     assert find_look(CAST, canvas, MAN, plain, STILL, look) is look
     coloured = replace(plain, colours=np.full((len(POINTS), 3), 9, np.uint8))
     assert find_look(replace(CAST, atlas=None), canvas, MAN, coloured, STILL, look) is look
+
+
+def test_a_bald_scan_has_no_shade_of_hair_on_its_scalp_until_hair_is_chosen(canvas: Canvas) -> None:
+    scan = Scan(POINTS, CAST.space.triangles, np.tile(np.array(GREEN, np.uint8), (len(POINTS), 1)))
+    bald, _ = suggest_scan_look(CAST, canvas, MAN, scan, STILL)
+    assert (bald.hair_style, bald.scalp) == ("", 0.0)
+    assert wear_hair(bald, "bob").scalp == Look().scalp
+    assert wear_hair(Look(hair_style="bob"), "").scalp == 0.0
 
 
 def test_colours_that_lie_nowhere_on_the_face_are_refused(canvas: Canvas) -> None:

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from omote.interchange.scan_look import FIRST_HAIR
 from omote.interchange.skin_texture import Canvas, paint_skin, zones_of
 from omote.model.appearance.hair_colour import find_hair_colour, find_scalp
-from omote.model.appearance.look_suggestion import plain_look, suggest_look
+from omote.model.appearance.look_suggestion import plain_look, suggest_look, wear_hair
 from omote.model.appearance.photograph_albedo import take_photograph_albedo
 from omote.model.cast import Cast, Look
 from omote.model.fitting.photographs.photograph import Photograph
@@ -58,7 +58,7 @@ def suggest_photograph_look(
         cast.space, find_scalp(cast.space, cast.hair), face, photographs, cameras, look.skin
     )  # fmt: skip
     if hair.bare:
-        look = replace(look, hair_style="", hair=first.hair)
+        look = wear_hair(replace(look, hair=first.hair), "")
     elif hair.colour is not None:
         look = replace(look, hair=hair.colour)
     return look, taken.seen, (hair.doubt,) if hair.doubt else ()

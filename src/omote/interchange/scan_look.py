@@ -7,7 +7,7 @@ from dataclasses import replace
 import numpy as np
 
 from omote.interchange.skin_texture import Canvas, decode_srgb, paint_skin, zones_of
-from omote.model.appearance.look_suggestion import plain_look, suggest_look
+from omote.model.appearance.look_suggestion import plain_look, suggest_look, wear_hair
 from omote.model.appearance.taken_albedo import take_albedo
 from omote.model.cast import Cast, Look
 from omote.model.fitting.scan import Scan
@@ -76,7 +76,7 @@ def bald_where_bare(look: Look, /) -> Look:
     hair, skin = decode_srgb(look.hair), decode_srgb(look.skin)
     if look.albedo is None or np.abs(hair - skin).max() >= BALD * skin.max():
         return look
-    return replace(look, hair_style="", hair=Look().hair)
+    return wear_hair(replace(look, hair=Look().hair), "")
 
 
 def choose_hair(cast: Cast, word: str, /) -> str | None:

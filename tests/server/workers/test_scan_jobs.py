@@ -218,6 +218,7 @@ def test_a_scan_with_colours_puts_them_on_the_skin_and_one_without_hair_proposes
     _, worn = unpack_face(item.content, "anna")
     assert worn.albedo is not None
     assert np.array_equal(worn.albedo.pixels, look.albedo.pixels)
+    assert worn.scalp == 0.0, "no shade of hair is painted on a bald head"
 
 
 def test_a_file_that_is_no_scan_is_refused_by_its_name(folder: Path) -> None:

@@ -30,6 +30,11 @@ def plain_look(look: Look, /) -> Look:
     return Look(**{**vars(look), **PLAIN})
 
 
+def wear_hair(look: Look, style: str, /) -> Look:
+    """A look with a hair style, "" for none, and the shade on the scalp that goes with it: none on a bald head."""
+    return Look(**{**vars(look), "hair_style": style, "scalp": Look().scalp if style else 0.0})
+
+
 def suggest_look(look: Look, taken: TakenAlbedo, zones: Mapping[str, NDArray[Any]], /) -> Look:
     """The look of a face with a taken picture: so that what is painted, a mix or a panic is near to the picture.
 

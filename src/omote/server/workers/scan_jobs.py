@@ -22,6 +22,7 @@ from omote.interchange.formats.png import read_png
 from omote.interchange.scan_look import suggest_scan_look
 from omote.interchange.scans.scan_reader import ScanFile
 from omote.interchange.skin_texture import build_canvas
+from omote.model.appearance.look_suggestion import wear_hair
 from omote.model.cast import Cast, Look
 from omote.model.fitting.doubt import PLACE, Doubt, join_doubts
 from omote.model.fitting.find_head import HeadPlacement, find_head
@@ -103,7 +104,7 @@ def face_to_take(wanted: TakeScan, /) -> Iterator[tuple[ImportedItem, str]]:
     if wanted.hair_style not in ("", *load_cast().hair):
         raise ValueError(f"there is no hair {wanted.hair_style[:80]!r}; choose one of {', '.join(load_cast().hair)}.")
     face, look = unpack_face((folder / FACE).read_bytes(), wanted.label)
-    worn = replace(look, hair_style=wanted.hair_style, hair=wanted.hair)
+    worn = wear_hair(replace(look, hair=wanted.hair), wanted.hair_style)
     note = (folder / ORIGIN).read_text(encoding="utf-8")
     yield ImportedItem(wanted.label, (face, worn), note=note), f"{wanted.label}, {note}"
 
