@@ -61,6 +61,8 @@ def test_a_sheet_says_what_its_colours_mean_and_has_three_views_of_each_face() -
     named = contact_sheet(SIDES, [*rows, SheetRow("Cy", "failed")])
     assert named.shape[0] == sheet.shape[0] + BAND
     assert (named[: len(sheet)] == sheet).all()
+    accents, plain = (contact_sheet(SIDES, [SheetRow(name, "failed")]) for name in ("Jürgen Łukasz", "Jurgen Lukasz"))
+    assert (accents == plain).all(), "letters that the font lacks are written by those that it has"
     key = sheet[: len(KEY) * BAND]
     assert (key[:, -1] == key[0, 0]).all(), "no line of text is cut"
 

@@ -8,6 +8,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 import numpy as np
+from anyascii import anyascii
 from numba import njit
 from numpy.typing import NDArray
 from PIL import Image, ImageDraw
@@ -90,9 +91,9 @@ def contact_sheet(triangles: NDArray[np.integer], faces: Sequence[SheetRow], /) 
 
 
 def _write(text: str) -> Picture:
-    """A line of text, as wide as the views."""
+    """A line of text, as wide as the views, in letters that Pillow's own font has."""
     band = Image.new("RGB", (WIDE * len(VIEWS), BAND), _DARK)
-    ImageDraw.Draw(band).text((8, 8), text.encode("ascii", "replace").decode(), fill=_LIGHT)
+    ImageDraw.Draw(band).text((8, 8), anyascii(text), fill=_LIGHT)
     return np.asarray(band)
 
 

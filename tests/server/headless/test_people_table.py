@@ -48,5 +48,6 @@ def test_a_table_is_written_alone_with_a_row_for_each_person_and_a_column_for_ea
     assert [path.name for path in tmp_path.iterdir()] == ["people.png"]
     (run,) = planned
     assert len(run.pictures) == len(PEOPLE) * len(EXPRESSIONS.split(","))
+    assert [*run.whole.sheet.rows] == ["Ann", "Ann"], "people are called as the report calls them"
     with pytest.raises(ValueError, match="grin"):
         draw_people(tmp_path / "people.png", PEOPLE, "grin", told.append)

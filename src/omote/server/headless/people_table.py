@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
+from dataclasses import replace
 from pathlib import Path
 from tempfile import TemporaryDirectory
 
 from omote.builtin import load_cast
 from omote.edit.store.import_items import ImportedItem, changes_to_import
 from omote.interchange.formats.atomic_file import write_whole
-from omote.server.headless.picture_run import PictureStudio, Progress, draw_run
+from omote.server.headless.picture_run import PictureRun, PictureStudio, Progress, draw_run
 from omote.showfile.changes import PutContent, PutItem, PutRevision, Stored
 from omote.showfile.inspection import Inspection
 from omote.showfile.schema import SCHEMA_VERSION
@@ -47,8 +48,15 @@ def draw_people(path: Path, people: Sequence[ImportedItem], expressions: str, re
 
     with TemporaryDirectory(prefix="omote-") as folder:
         drawn = Path(folder) / "people.png"
-        draw_run(studio, studio.plan(_ask(names, expressions), drawn), tell)
+        run = studio.plan(_ask(names, expressions), drawn)
+        draw_run(studio, _call_rows(run, [item.label for item in held.stored.items]), tell)
         write_whole(path, drawn.read_bytes())
+
+
+def _call_rows(run: PictureRun, labels: Sequence[str]) -> PictureRun:
+    """A run whose table calls its rows so."""
+    table = run.whole
+    return replace(run, table=replace(table, sheet=replace(table.sheet, rows=labels)))
 
 
 def _ask(faces: str, expressions: str) -> GridRequest:
