@@ -45,6 +45,7 @@ export class EditorPage extends EditorElement {
   @query("canvas") private canvas!: HTMLCanvasElement;
   @query("omote-item-list") private library!: ItemListPanel;
   @query("omote-heading") private heading!: Heading;
+  @query("omote-scan, omote-photographs") private dialog!: { refuse(sentence: string): void } | null;
   #view: EditorCanvas | null = null;
   #deaf: () => void = () => undefined;
   #closed: () => void = () => undefined;
@@ -139,7 +140,7 @@ export class EditorPage extends EditorElement {
 
   #openScan(files: readonly File[]): void {
     if (this.scan === null) this.scan = files;
-    else this.store.say("A scan is being looked at: take it or throw it away first.");
+    else this.dialog?.refuse("Somebody's face is being made here: take it or throw it away first.");
   }
 
   #looking() {

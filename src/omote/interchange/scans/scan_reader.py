@@ -37,7 +37,7 @@ ADVICE: Mapping[str, str] = {
     ),
     **dict.fromkeys(
         (".png", ".jpg", ".jpeg", ".webp", ".heic", ".tif", ".tiff", ".bmp", ".gif"),
-        "a photograph has no shape; give a scan of the head, or a mesh",
+        "a photograph has no shape; drop it on the editor, which makes faces of photographs too, or give a scan",
     ),
 }
 """What to do with files that people have instead, by the suffix of their names."""

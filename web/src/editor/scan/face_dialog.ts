@@ -47,6 +47,7 @@ export abstract class FaceDialog<Seen extends SeenFace> extends EditorElement {
   @state() private chosenHair: Hair | null = null;
   @state() private replaced: number | null = null;
   @query(".acts button") private first!: HTMLElement | null;
+  @query(".panel") private panel!: HTMLElement | null;
   protected abstract readonly words: Words;
   #deaf: () => void = () => undefined;
   /** What it is called where nobody says so. */
@@ -100,6 +101,21 @@ export abstract class FaceDialog<Seen extends SeenFace> extends EditorElement {
     return this.chosenHair ?? this.seen?.hair ?? { style: "", colour: "#000000" };
   }
 
+  /** The name that was typed. */
+  get #typed(): string {
+    return this.label.trim().replace(/\s+/g, " ") || this.#proposed;
+  }
+
+  /** What a new face will be called: no two have one name. */
+  get #called(): string {
+    return freeLabel(this.store.items, this.#typed);
+  }
+
+  /** Says in the dialog why something is not done now; the page's own notices lie behind it. */
+  refuse(sentence: string): void {
+    this.failed = sentence;
+  }
+
   // --- what is asked --------------------------------------------------------------------------------------------------
 
   async #fit(ask: () => Promise<Seen>): Promise<void> {
@@ -116,7 +132,10 @@ export abstract class FaceDialog<Seen extends SeenFace> extends EditorElement {
       this.busy = "";
     }
     await this.updateComplete;
-    this.first?.focus();
+    const { seen } = this;
+    if (seen !== null && !this.#isSure(seen))
+      this.panel?.focus(); // what is doubtful is not one Enter away
+    else this.first?.focus();
   }
 
   async #take(): Promise<void> {
@@ -124,7 +143,7 @@ export abstract class FaceDialog<Seen extends SeenFace> extends EditorElement {
     if (seen === null) return;
     [this.busy, this.failed] = ["take", ""];
     const taking = {
-      label: this.label.trim() || this.#proposed,
+      label: this.#called,
       hair_style: this.#hair.style,
       hair: this.#hair.colour,
       replaced: this.replaced,
@@ -146,7 +165,7 @@ export abstract class FaceDialog<Seen extends SeenFace> extends EditorElement {
     const own = store.items.find(({ id }) => id === this.replaced);
     const what =
       own === undefined
-        ? `"${label}" plays, with all expressions: consoles have it among the faces.`
+        ? `"${label}" plays, with all expressions: consoles have it among their faces, under Own.`
         : `"${own.label}" is the face of ${this.words.source} now, wherever it plays; its history has the one before.`;
     const open = (): void => {
       const item = store.items.find((each) => each.kind === "face" && each.name === name);
@@ -162,7 +181,7 @@ export abstract class FaceDialog<Seen extends SeenFace> extends EditorElement {
 
   override render() {
     const { title } = this.words;
-    return html`<section class="panel" role="dialog" aria-modal="true" aria-label=${title}>
+    return html`<section class="panel" role="dialog" aria-modal="true" aria-label=${title} tabindex="-1">
       <header><h2>${title}</h2><b>${this.files.map(({ name }) => name).join(", ") || "A turn of the head"}</b></header>
       ${this.seen === null ? this.beginning() : [this.views(this.seen), this.#side(this.seen)]}
     </section>`;
@@ -170,8 +189,8 @@ export abstract class FaceDialog<Seen extends SeenFace> extends EditorElement {
 
   /** What is seen before the first fit has come. */
   protected beginning(): TemplateResult {
-    if (this.busy !== "") return html`<div class="waiting">${this.progress()}</div>`;
-    return html`<div class="waiting"><p class="failed" role="alert">${this.failed}</p>
+    if (this.busy !== "") return html`<div class="waiting">${this.progress()}${this.#refusal()}</div>`;
+    return html`<div class="waiting">${this.#refusal()}
       <div class="acts"><button @click=${() => this.close()}>Close</button></div></div>`;
   }
 
@@ -200,9 +219,13 @@ export abstract class FaceDialog<Seen extends SeenFace> extends EditorElement {
         ${said.length === 0 ? nothing : html`<ul>${said.map((doubt) => html`<li>${doubt}</li>`)}</ul>`}
         <span class="note">${known}</span>
       </div>
-      ${this.failed === "" ? nothing : html`<p class="failed" role="alert">${this.failed}</p>`}
+      ${this.#refusal()}
       ${this.corrections(seen)} ${this.#takingForm()} ${this.#acts(seen)}
     </div>`;
+  }
+
+  #refusal() {
+    return this.failed === "" ? nothing : html`<p class="failed" role="alert">${this.failed}</p>`;
   }
 
   #isSure({ doubts, face }: Seen): boolean {
@@ -219,6 +242,11 @@ export abstract class FaceDialog<Seen extends SeenFace> extends EditorElement {
         @input=${(event: Event) => {
           this.label = textOf(event);
         }} />
+      ${
+        this.replaced !== null || this.#called === this.#typed
+          ? nothing
+          : html`<p class="note called" role="status">There is a face "${this.#typed}" already: this one will be "${this.#called}".</p>`
+      }
       <label for="hair">Hair</label><div class="row"><select id="hair" class="grow" @change=${(event: Event) => {
         this.chosenHair = { ...this.#hair, style: textOf(event) };
       }}>

@@ -94,7 +94,7 @@ export class ScanDialog extends FaceDialog<SeenScan> {
 
   #eyes(scan: SeenScan) {
     const said = this.shut === null ? "" : this.shut ? "shut" : "open";
-    const choices = { "": "Its eyes: look", open: "Its eyes are open", shut: "Its eyes are shut" };
+    const choices = { "": "Its eyes: open or shut?", open: "Its eyes are open", shut: "Its eyes are shut" };
     return html`<select class=${asksEyes(scan) && this.shut === null ? "asked" : ""} aria-label="Eyes of the scan"
       @change=${(event: Event) => {
         this.shut = { shut: true, open: false }[textOf(event)] ?? null;

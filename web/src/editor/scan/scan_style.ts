@@ -168,6 +168,10 @@ export const style = css`
     align-items: center;
     gap: 6px 8px;
   }
+  .called {
+    grid-column: 2;
+    margin: 0;
+  }
   input[type="color"] {
     width: 40px;
     height: 30px;

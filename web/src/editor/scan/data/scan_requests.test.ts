@@ -66,7 +66,7 @@ describe("what is asked of the server", () => {
       () => new Response(null, { status: 204 }),
     );
     const bring = (): Promise<SeenScan> => bringScan([new File([], "anna.ply")], new LongRequests());
-    await expect(bring()).rejects.toThrow("Anna.ply: the file is empty.");
+    await expect(bring()).rejects.toThrow("anna.ply: the file is empty.");
     await expect(bring()).rejects.toThrow(CancelledError);
     vi.stubGlobal("fetch", () => Promise.reject(new TypeError("gone")));
     await expect(bring()).rejects.toThrow("does not answer");
@@ -81,5 +81,6 @@ describe("what is asked of the server", () => {
   it("makes sentences of what the server says", () => {
     expect(sentence("there is no hair")).toBe("There is no hair.");
     expect(sentence("Done!")).toBe("Done!");
+    expect(sentence("notes.ply: the file is no PLY")).toBe("notes.ply: the file is no PLY.");
   });
 });

@@ -67,8 +67,8 @@ async function answerOf(coming: Promise<Response | null>): Promise<Response> {
   return answer;
 }
 
-/** What the server says, as a sentence of its own. */
+/** What the server says, as a sentence of its own; a file's name at its beginning stays as it is. */
 export const sentence = (text: string): string => {
-  const begun = text.charAt(0).toUpperCase() + text.slice(1);
+  const begun = /^\S+\.\w+: /.test(text) ? text : text.charAt(0).toUpperCase() + text.slice(1);
   return /[.!?]$/.test(begun) ? begun : `${begun}.`;
 };

@@ -18,7 +18,8 @@ export function knowledgeOf({ off, seen, spread }: SeenPhotographs): string {
 /** What to do now. */
 export function photographAdvice({ doubts }: Pick<SeenPhotographs, "doubts">, changed: boolean): string {
   if (changed) return "Press Fit again when the points are where they belong.";
-  if (doubts.length === 0) return "Omote is sure. Look at the three sides, then take it.";
+  if (doubts.length === 0)
+    return "The photographs fit together. Compare the three sides with the person, then take it.";
   return "Omote is not sure. Look at the three sides and at the points on each photograph; drag those that are off.";
 }
 
