@@ -78,10 +78,12 @@ def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--inputs", type=int, default=200)
     parser.add_argument("--seed", type=int, default=int(np.random.SeedSequence().generate_state(1)[0]))
+    parser.add_argument("--kinds", default="", help="these alone, separated by commas; else all")
     asked = parser.parse_args()
+    kinds = [kind for kind in asked.kinds.split(",") if kind]
     space, table, clicked = omote.load_cast().space, defaultdict[str, list[Outcome]](list), list[bool]()
     print(f"seed {asked.seed}")
-    for number, given in enumerate(draw_inputs(omote.load_cast(), asked.inputs, asked.seed)):
+    for number, given in enumerate(draw_inputs(omote.load_cast(), asked.inputs, asked.seed, kinds=kinds)):
         outcome = try_input(space, given)
         table[given.kind].append(outcome)
         if outcome.verdict == "asked" and given.marks:

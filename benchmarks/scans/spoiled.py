@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from itertools import permutations, product
 
@@ -43,15 +43,16 @@ class Spoiled:
     marks: Mapping[str, Values] | None = None
 
 
-def draw_inputs(cast: Cast, count: int, seed: int) -> Iterator[Spoiled]:
-    """So many inputs of all kinds, by turns; the same for the same seed."""
-    maker, kinds = PeopleMaker(cast), [*_kinds()]
+def draw_inputs(cast: Cast, count: int, seed: int, *, kinds: Sequence[str] = ()) -> Iterator[Spoiled]:
+    """So many inputs of some kinds, or of all, by turns; the same for the same seed."""
+    maker, kinds = PeopleMaker(cast), kinds or all_kinds()
     for number in range(count):
         draw = np.random.default_rng([seed, number])
         yield _make(cast, maker, kinds[number % len(kinds)], number // len(kinds), draw)
 
 
-def _kinds() -> list[str]:
+def all_kinds() -> list[str]:
+    """What there is of inputs, by name."""
     strange = ["headless body", "two heads", *SHAPES]
     return [*SPOILS, *BODY_SPOILS, "sculpted", "animal", *strange]
 

@@ -25,6 +25,15 @@ def head_scan(points: Values, *, seed: int = 0, cut: bool = True) -> Scan:
     return Scan(points[order], triangles if cut else None)
 
 
+def join_scans(*scans: Scan) -> Scan:
+    """One scan of several."""
+    starts = np.cumsum([0, *(len(scan.positions) for scan in scans)])
+    triangles = [
+        scan.triangles + start for scan, start in zip(scans, starts, strict=False) if scan.triangles is not None
+    ]
+    return Scan(np.concatenate([scan.positions for scan in scans]), np.concatenate(triangles))
+
+
 def turn_by(seed: int) -> Values:
     """A rotation drawn at random."""
     turn, _ = np.linalg.qr(np.random.default_rng(seed).normal(size=(3, 3)))

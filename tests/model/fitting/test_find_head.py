@@ -13,9 +13,13 @@ from hypothesis import strategies as st
 
 from omote.builtin import load_identity_modes
 from omote.model.fitting.find_head import UNITS, HeadPlacement, find_head
+from omote.model.fitting.finding.alignment import Alignment
+from omote.model.fitting.finding.candidates import Candidate, refine
+from omote.model.fitting.finding.finding_template import HeadTemplate, make_template
 from omote.model.fitting.landmarks import SEVEN, find_landmarks
 from omote.model.fitting.scan import Scan
-from tests.model.fitting.placed_heads import CAST, ball, degrees_between, head_points, head_scan, turn_by
+from omote.model.space.similarity import Similarity
+from tests.model.fitting.placed_heads import CAST, ball, degrees_between, head_points, head_scan, join_scans, turn_by
 
 SPACE, MODES = CAST.space, load_identity_modes()
 ROWS = find_landmarks(SPACE)
@@ -70,28 +74,32 @@ def test_triangles_that_face_inward_and_mirrored_axes_are_no_matter() -> None:
 
 
 def test_points_far_from_the_head_are_not_its_own() -> None:
-    scan = ball((0.05, 0.05, 0.05))
-    head = head_scan(KAORI)
-    assert head.triangles is not None
-    assert scan.triangles is not None
-    both = Scan(
-        np.concatenate([head.positions, scan.positions + np.array([0.6, -0.5, 0.0])]),
-        np.concatenate([head.triangles, scan.triangles + len(head.positions)]),
-    )
+    head, crumb = head_scan(KAORI), ball((0.05, 0.05, 0.05))
+    both = join_scans(head, Scan(crumb.positions + np.array([0.6, -0.5, 0.0]), crumb.triangles))
     found = _find(both)
     assert found.inside[: len(head.positions)].mean() > 0.95
     assert not found.inside[len(head.positions) :].any()
 
 
 def test_two_heads_are_asked_about() -> None:
-    one, other = head_scan(KAORI), head_scan(head_points("man") + np.array([0.4, 0.0, 0.0]))
-    assert one.triangles is not None
-    assert other.triangles is not None
-    both = Scan(
-        np.concatenate([one.positions, other.positions]),
-        np.concatenate([one.triangles, other.triangles + len(one.positions)]),
-    )
+    both = join_scans(head_scan(KAORI), head_scan(head_points("man") + np.array([0.4, 0.0, 0.0])))
     assert any("more than one head" in doubt for doubt in _find(both).doubts)
+
+
+def test_two_heads_are_asked_about_where_the_first_made_all_candidates(monkeypatch: pytest.MonkeyPatch) -> None:
+    """A scan of two was taken for one: places on the first had left none of the second among the best."""
+    both = join_scans(head_scan(KAORI), head_scan(head_points("man") + np.array([0.4, 0.0, 0.0])))
+    template = make_template(SPACE, MODES)
+    start = Alignment(Similarity(1.0, np.eye(3), np.zeros(3)), np.zeros(0))
+
+    def find_first(_template: HeadTemplate, scan: Scan) -> list[Candidate]:
+        return [refine(template, scan, start, rounds=3)]
+
+    monkeypatch.setattr("omote.model.fitting.find_head.find_candidates", find_first)
+    assert _find(head_scan(KAORI)).doubts == ()
+    assert [str(doubt) for doubt in _find(both).doubts] == [
+        "There is more than one head; points on one say which is meant."
+    ]
 
 
 def test_a_back_of_a_head_is_no_face() -> None:

@@ -13,7 +13,14 @@ from scipy.spatial import cKDTree
 from omote.geometry import mesh
 from omote.model.fitting.doubt import PLACE, SIDES, Doubt
 from omote.model.fitting.finding.alignment import Alignment
-from omote.model.fitting.finding.candidates import Candidate, find_candidates, place_back, refine, score
+from omote.model.fitting.finding.candidates import (
+    Candidate,
+    find_candidates,
+    find_others,
+    place_back,
+    refine,
+    score,
+)
 from omote.model.fitting.finding.finding_template import HeadTemplate, make_template
 from omote.model.fitting.identity_modes import IdentityModes
 from omote.model.fitting.landmarks import FEWEST_LANDMARKS, SEVEN
@@ -109,23 +116,32 @@ def find_head(
         raise ValueError(
             "nothing in the scan could be a face: expected a head; if there is one, points on it say where"
         )
-    return _describe(template, scan, candidates[0], _doubt(candidates), {})
+    return _describe(template, scan, candidates[0], _doubt(template, scan, candidates), {})
 
 
-def _doubt(candidates: list[Candidate]) -> tuple[Doubt, ...]:
+def _doubt(template: HeadTemplate, scan: Scan, candidates: list[Candidate]) -> tuple[Doubt, ...]:
     """What is not sure of the best candidate, and of there being no other."""
-    best = candidates[0]
-    rivals = [score(each) for each in candidates[1:] if not _is_other_head(best, each)]
-    doubts = list[str]()
-    if best.agreement.residual > SURE or best.agreement.back > BACK:
-        doubts.append(f"This may be no face: it is {1000 * best.agreement.residual:.1f} mm off.")
-    elif best.agreement.covered < COVERED:
-        doubts.append(f"Only {100 * best.agreement.covered:.0f} % of the face is there.")
-    elif rivals and score(best) > MARGIN * min(rivals):
-        doubts.append("The face may be elsewhere, or the other way up.")
-    if any(_is_other_head(best, each) for each in candidates[1:]):
+    doubts, best = _doubt_best(candidates), candidates[0]
+    others = candidates[1:]
+    if not doubts and not any(_is_other_head(best, each) for each in others):
+        # One head alone may have made all candidates: another is looked for where this one is not.
+        others = find_others(template, scan, best)
+    if any(_is_other_head(best, each) for each in others):
         doubts.append("There is more than one head; points on one say which is meant.")
     return tuple(Doubt(sentence, PLACE) for sentence in doubts)
+
+
+def _doubt_best(candidates: list[Candidate]) -> list[str]:
+    """What is not sure of the best candidate, in sentences."""
+    best = candidates[0]
+    rivals = [score(each) for each in candidates[1:] if not _is_other_head(best, each)]
+    if best.agreement.residual > SURE or best.agreement.back > BACK:
+        return [f"This may be no face: it is {1000 * best.agreement.residual:.1f} mm off."]
+    if best.agreement.covered < COVERED:
+        return [f"Only {100 * best.agreement.covered:.0f} % of the face is there."]
+    if rivals and score(best) > MARGIN * min(rivals):
+        return ["The face may be elsewhere, or the other way up."]
+    return []
 
 
 def _is_other_head(best: Candidate, other: Candidate) -> bool:

@@ -52,3 +52,14 @@ def test_nothing_within_reach_leaves_the_start() -> None:
     samples = _samples(MODES.skin + 10.0)
     found = align(TEMPLATE, samples, START, TEMPLATE.front, np.ones(len(TEMPLATE.front)), reaches=REACHES, modes=0)
     assert found.pose is START.pose
+
+
+def test_matches_out_of_reach_are_nowhere() -> None:
+    samples = Samples(MODES.skin, cKDTree(MODES.skin), 0.001)
+    points = np.concatenate([MODES.skin[:5] + 1e-6, MODES.skin[:5] + 10.0])
+    for scale in (1.0, 1000.0):
+        apart = Samples(MODES.skin / scale, cKDTree(MODES.skin / scale), 0.001 / scale)
+        found = find_matches(apart, Similarity(scale, np.eye(3), np.zeros(3)), points, reach=0.01)
+        assert np.allclose(found[:5], MODES.skin[:5], atol=1e-5)
+        assert np.isinf(found[5:]).all()
+    assert np.isfinite(find_matches(samples, START.pose, points)).all()

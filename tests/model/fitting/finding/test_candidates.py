@@ -1,18 +1,19 @@
-"""Candidates: the true place first, by far; no two alike; refined from near it to the same."""
+"""Candidates: the true place first, by far; no two alike; refined from near it to the same; another head beside it."""
 
 from __future__ import annotations
 
 from functools import cache
 
 import numpy as np
+import pytest
 
 from omote.builtin import load_identity_modes
 from omote.model.fitting.finding.alignment import Alignment
-from omote.model.fitting.finding.candidates import Candidate, find_candidates, place_back, refine, score
+from omote.model.fitting.finding.candidates import Candidate, find_candidates, find_others, place_back, refine, score
 from omote.model.fitting.finding.finding_template import make_template
 from omote.model.fitting.finding.nose_search import are_alike
 from omote.model.space.similarity import Similarity
-from tests.model.fitting.placed_heads import CAST, degrees_between, head_points, head_scan, turn_by
+from tests.model.fitting.placed_heads import CAST, degrees_between, head_points, head_scan, join_scans, turn_by
 
 TEMPLATE = make_template(CAST.space, load_identity_modes())
 SCAN = head_scan(head_points("man") @ turn_by(7).T)
@@ -47,3 +48,20 @@ def test_from_near_the_head_the_same_place_is_refined() -> None:
 def test_places_go_to_the_template_and_back() -> None:
     found = _found()[0].found
     assert np.allclose(place_back(found, found.pose(SCAN.positions)), SCAN.positions)
+
+
+@pytest.mark.parametrize(("other", "seed", "unit"), [("baby", 1, 1.0), ("old", 2, 1000.0), ("round", 3, 39.37)])
+def test_another_head_is_found_in_what_the_first_leaves(other: str, seed: int, unit: float) -> None:
+    """However it is turned, and whatever its size beside the first's."""
+    turn, head = turn_by(seed), head_points(other)
+    points = (head - head.mean(axis=0)) @ turn.T + head_points("man").mean(axis=0) + np.array([0.36, 0.1, 0.0])
+    scan = join_scans(head_scan(unit * head_points("man")), head_scan(unit * points, seed=seed))
+    start = Alignment(Similarity(1.0 / unit, np.eye(3), np.zeros(3)), np.zeros(0))
+    found = find_others(TEMPLATE, scan, refine(TEMPLATE, scan, start, rounds=3))[0]
+    assert found.agreement.residual < 0.0016
+    assert degrees_between(found.found.pose.rotation @ turn, np.eye(3)) < 8.0
+    assert np.linalg.norm(found.tip / unit - points[TEMPLATE.marks[4]]) < 0.01
+
+
+def test_beside_a_head_that_is_alone_there_is_none() -> None:
+    assert not [each for each in find_others(TEMPLATE, SCAN, _found()[0]) if each.agreement.residual < 0.0019]

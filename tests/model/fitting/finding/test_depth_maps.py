@@ -53,3 +53,12 @@ def test_a_map_is_unlike_another_shape() -> None:
     assert straight.distance[0] > 0.004
     assert other.distance[0] > same.distance[0]
     assert wanted.shape == (1, RINGS * TURNS)
+
+
+def test_turns_that_are_barred_are_not_asked() -> None:
+    wanted = make_maps(_hill(), PEAK).depths
+    first = compare_maps(wanted, wanted[0])
+    other = compare_maps(wanted, wanted[0], barred=first.turn)
+    away = (other.turn - first.turn) % TURNS
+    assert min(away[0], TURNS - away[0]) >= TURNS // 4
+    assert other.distance[0] > first.distance[0]

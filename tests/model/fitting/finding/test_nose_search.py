@@ -7,7 +7,7 @@ import pytest
 
 from omote.builtin import load_identity_modes
 from omote.model.fitting.finding.finding_template import make_template
-from omote.model.fitting.finding.nose_search import are_alike, guess_faces
+from omote.model.fitting.finding.nose_search import are_alike, guess_faces, guess_faces_beside, leave_out_crumbs
 from omote.model.fitting.finding.surface_samples import sample_surface
 from omote.model.space.similarity import Similarity
 from tests.model.fitting.placed_heads import CAST, ball, degrees_between, head_points, head_scan, turn_by
@@ -53,3 +53,20 @@ def test_poses_differ_by_place_size_or_turn() -> None:
     assert not are_alike(pose, pose, tip, tip + 0.02)
     assert not are_alike(pose, Similarity(1.3, np.eye(3), np.zeros(3)), tip, tip)
     assert not are_alike(pose, Similarity(1.0, np.diag([-1.0, -1.0, 1.0]), np.zeros(3)), tip, tip)
+
+
+def test_of_a_known_size_either_way_up_is_guessed() -> None:
+    points = sample_surface(head_scan(1000.0 * head_points()))
+    guesses = guess_faces_beside(TEMPLATE, points, 0.001, 40)
+    turned = [degrees_between(each.pose.rotation, np.eye(3)) for each in guesses]
+    assert min(turned) < 20.0
+    assert max(turned) > 140.0
+    assert all(0.6e-3 < each.pose.scale < 1.3e-3 for each in guesses)
+    assert guess_faces_beside(TEMPLATE, np.zeros((0, 3)), 0.001, 40) == []
+
+
+def test_crumbs_are_left_out_and_the_extent_is_the_rest_s() -> None:
+    points = sample_surface(head_scan(head_points()))
+    kept, extent = leave_out_crumbs(np.concatenate([points, [(1e6, -1e6, 1e6)]]))
+    assert np.array_equal(kept, points)
+    assert np.isclose(extent, leave_out_crumbs(points)[1], rtol=0.01)

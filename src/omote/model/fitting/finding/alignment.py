@@ -57,37 +57,50 @@ def align(
     return found
 
 
-def find_matches(samples: Samples, pose: Similarity, points: Values, /) -> Values:
-    """The samples nearest to points (k, 3) of the template, brought there: (k, 3) metres."""
+def find_matches(samples: Samples, pose: Similarity, points: Values, /, *, reach: float = np.inf) -> Values:
+    """The samples nearest to points (k, 3) of the template, brought there: (k, 3) metres; inf where out of reach."""
     back = ((points - pose.shift) @ pose.rotation) / pose.scale
-    _, rows = samples.tree.query(back, workers=1)
-    return pose(samples.points[rows])
+    away, rows = samples.tree.query(back, distance_upper_bound=reach / pose.scale, workers=1)
+    matches: Values = pose(samples.points[np.minimum(rows, len(samples.points) - 1)])
+    matches[np.isinf(away)] = np.inf
+    return matches
 
 
 def _step(
     template: HeadTemplate, samples: Samples, last: Alignment, rows: Indices, counted: Values, reach: float
 ) -> Alignment:
     goals, normals = template.shape(rows, last.weights), template.normals[rows]
-    came = find_matches(samples, last.pose, goals)
-    off, middle = came - goals, goals.mean(axis=0)
-    share = counted * np.maximum(1.0 - (off**2).sum(axis=1) / reach**2, 0.0) ** 2
-    if not share.sum() > 0.0:
+    came = find_matches(samples, last.pose, goals, reach=reach)
+    middle, near = goals.mean(axis=0), np.isfinite(came[:, 0])
+    if not near.any():
         return last
-    arm, count = came - middle, len(last.weights)
-    moves = np.einsum("mkc,kc->km", template.moves[:count, rows], normals)
-    slopes = np.hstack([np.cross(arm, normals), normals, (arm * normals).sum(axis=1, keepdims=True), -moves])
+    came, normals = came[near], normals[near]
+    off, arm, count = came - goals[near], came - middle, len(last.weights)
+    share = counted[near] * np.maximum(1.0 - (off**2).sum(axis=1) / reach**2, 0.0) ** 2
+    shifts = _shifts(arm)
+    moves = np.einsum("mkc,kc->km", template.moves[:count, rows[near]], normals)
+    slopes = np.hstack([np.einsum("kcj,kc->kj", shifts, normals), -moves])
     matrix, pull = _square(slopes, (off * normals).sum(axis=1), share)
-    for axis in np.eye(3):
-        along = np.broadcast_to(axis, arm.shape)
-        slopes = np.hstack([np.cross(arm, along), along, arm @ axis[:, None]])
-        more = _square(slopes, off @ axis, ALONG * share)
-        matrix[:7, :7] += more[0]
-        pull[:7] += more[1]
+    more = _square(shifts.reshape(-1, 7), off.ravel(), ALONG * np.repeat(share, 3))
+    matrix[:7, :7] += more[0]
+    pull[:7] += more[1]
     prior = PRIOR**2 * share.sum()
     matrix += np.diag(np.append(np.full(7, 1e-12), np.full(count, prior)))
     pull[7:] += prior * last.weights
     step: Values = -np.linalg.solve(matrix, pull).astype(np.float64)
     return Alignment(_moved(last.pose, step[:7], middle), last.weights + step[7:])
+
+
+def _shifts(arm: Values) -> Values:
+    """How far places (k, 3) about a middle go (k, 3, 7) with each part of a step: turn, shift, growth."""
+    x, y, z = arm.T
+    shifts = np.zeros((len(arm), 3, 7))
+    shifts[:, 0, 1], shifts[:, 0, 2] = z, -y
+    shifts[:, 1, 0], shifts[:, 1, 2] = -z, x
+    shifts[:, 2, 0], shifts[:, 2, 1] = y, -x
+    shifts[:, :, 3:6] = np.eye(3)
+    shifts[:, :, 6] = arm
+    return shifts
 
 
 def _square(slopes: Values, heights: Values, share: Values) -> tuple[Values, Values]:

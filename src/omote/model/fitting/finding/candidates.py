@@ -12,7 +12,13 @@ from scipy.spatial import cKDTree
 from omote.model.fitting.finding.agreement import Agreement, measure_agreement
 from omote.model.fitting.finding.alignment import Alignment, Samples, align
 from omote.model.fitting.finding.finding_template import MODES, HeadTemplate
-from omote.model.fitting.finding.nose_search import are_alike, guess_faces
+from omote.model.fitting.finding.nose_search import (
+    Guess,
+    are_alike,
+    guess_faces,
+    guess_faces_beside,
+    leave_out_crumbs,
+)
 from omote.model.fitting.finding.surface_samples import measure_spacing, sample_surface
 from omote.model.fitting.scan import Scan
 
@@ -24,6 +30,9 @@ GUESSES, LEFT = 60, (16, 5)
 ROUNDS = ((0.03, 0.015, 6, 0), (0.02, 0.012, 6, 12), (0.012, 0.006, 8, 30), (0.008, 0.005, 8, MODES))
 # How much the way back counts beside the residual: small patches of smooth skin lie on anything, one way.
 BOTH = 0.5
+# What is left of a scan beside a head lies so far from its skin, metres; so many guesses of another head are aligned
+# there, and so many left after each round.
+BESIDE, OTHERS, OTHERS_LEFT = 0.03, 40, (10, 4)
 # What is sampled anew about a candidate, metres from the nose.
 AROUND = 0.25
 
@@ -48,13 +57,30 @@ def take_samples(scan: Scan, chosen: NDArray[np.bool_] | None = None, /) -> Samp
 def find_candidates(template: HeadTemplate, scan: Scan, /) -> list[Candidate]:
     """The best places for a head in a scan, no two alike, the best first; none where nothing juts out."""
     samples = take_samples(scan)
-    left = [
-        _candidate(template, samples, Alignment(guess.pose, np.zeros(0)), 0)
-        for guess in guess_faces(template, samples.points, GUESSES)
-    ]
-    for number, most in enumerate(LEFT, start=1):
-        left = [_candidate(template, samples, each.found, number) for each in _best(left, most)]
-    return _best([refine(template, scan, each.found) for each in _best(left, LEFT[-1])], LEFT[-1])
+    return _align(template, scan, samples, guess_faces(template, samples.points, GUESSES), LEFT)
+
+
+def find_others(template: HeadTemplate, scan: Scan, best: Candidate, /) -> list[Candidate]:
+    """The best places for another head about as large, in what is left of a scan beside a head, the best first."""
+    points, _ = leave_out_crumbs(take_samples(scan).points)
+    found, skin = best.found, template.shape(template.skin, best.found.weights)
+    away, _ = cKDTree(skin).query(found.pose(points), distance_upper_bound=BESIDE, workers=1)
+    rest = points[np.isinf(away)]
+    guesses = guess_faces_beside(template, rest, found.pose.scale, OTHERS)
+    if not guesses:
+        return []
+    tree = cKDTree(rest)
+    return _align(template, scan, Samples(rest, tree, measure_spacing(rest, tree)), guesses, OTHERS_LEFT)
+
+
+def _align(
+    template: HeadTemplate, scan: Scan, samples: Samples, guesses: Sequence[Guess], most: Sequence[int]
+) -> list[Candidate]:
+    """The best of some guesses, aligned by all rounds; at most so many are left after each."""
+    left = [_candidate(template, samples, Alignment(guess.pose, np.zeros(0)), 0) for guess in guesses]
+    for number, count in enumerate(most, start=1):
+        left = [_candidate(template, samples, each.found, number) for each in _best(left, count)]
+    return _best([refine(template, scan, each.found) for each in _best(left, most[-1])], most[-1])
 
 
 def refine(template: HeadTemplate, scan: Scan, found: Alignment, /, *, rounds: int = 1) -> Candidate:

@@ -62,18 +62,26 @@ def make_maps(points: Values, places: Values, /) -> DepthMaps:
     frames = _frames(axes)
     depths = np.full((len(near), RINGS * TURNS), NOTHING)
     if len(near):
-        _draw_maps(points, *_lattice(points, REACH), near, frames, depths)
+        _draw_maps(*_lattice(points, REACH), near, frames, depths)
     shown = (depths[:, TURNS:] > NOTHING).mean(axis=1) > 0.5
     return DepthMaps(near[shown], depths[shown], frames[shown])
 
 
-def compare_maps(depths: Values, wanted: Values, /) -> Likeness:
-    """How alike maps (n, RINGS * TURNS) are to a wanted one (RINGS * TURNS,), turned as they fit best."""
+def compare_maps(depths: Values, wanted: Values, /, *, barred: Indices | None = None) -> Likeness:
+    """How alike maps (n, RINGS * TURNS) are to a wanted one (RINGS * TURNS,), turned as they fit best.
+
+    barred (n,): turns that are not asked, with those less than a quarter from them.
+    """
     found = Likeness(np.full(len(depths), np.inf), np.zeros(len(depths), np.int64), np.zeros((len(depths), 2)))
     ring, turn = np.divmod(np.arange(RINGS * TURNS), TURNS)
     radius, angle = (ring + 0.5) * REACH / RINGS, (turn + 0.5) * 2.0 * np.pi / TURNS - np.pi
     across = np.stack([radius * np.cos(angle), radius * np.sin(angle)], axis=1)
-    _match(depths, wanted, across, np.sqrt(ring + 0.5), found.distance, found.turn, found.lean)
+    every = np.stack([np.roll(wanted.reshape(RINGS, TURNS), step, axis=1).ravel() for step in range(TURNS)])
+    allowed = np.ones((len(depths), TURNS), np.bool_)
+    if barred is not None:
+        away = (np.arange(TURNS) - barred[:, None]) % TURNS
+        allowed = np.minimum(away, TURNS - away) >= TURNS // 4
+    _match(depths, every, across, np.sqrt(ring + 0.5), allowed, found.distance, found.turn, found.lean)
     return found
 
 
@@ -90,19 +98,19 @@ def _middles(points: Values, places: Values, reach: float) -> tuple[Values, Valu
     """From each place (k, 3) to the middle of the points within reach, (k, 3), and how far that is (k,)."""
     middles = np.zeros((len(places), 3))
     if len(places):
-        _add_middles(points, *_lattice(points, reach), places, middles)
+        _add_middles(*_lattice(points, reach), places, middles)
     return middles, np.maximum(np.linalg.norm(middles, axis=1), 1e-12)
 
 
-def _lattice(points: Values, cell: float) -> tuple[Indices, Indices, Indices, Values, float]:
-    """The points' order by cubes of a lattice, where each cube's begin, how many cubes there are, its low corner."""
+def _lattice(points: Values, cell: float) -> tuple[Values, Indices, Indices, Values, float]:
+    """The points by cubes of a lattice, where each cube's begin, how many cubes there are, its low corner."""
     low = points.min(axis=0) - 1e-9
     at = ((points - low) / cell).astype(np.int64)
     sizes = at.max(axis=0) + 1
     key = (at[:, 0] * sizes[1] + at[:, 1]) * sizes[2] + at[:, 2]
     starts = np.zeros(int(np.prod(sizes)) + 1, np.int64)
     np.cumsum(np.bincount(key, minlength=len(starts) - 1), out=starts[1:])
-    return np.argsort(key, kind="stable"), starts, sizes, low, cell
+    return points[np.argsort(key, kind="stable")], starts, sizes, low, cell
 
 
 @njit(cache=True)
@@ -120,13 +128,13 @@ def _cubes(place: Values, sizes: Indices, low: Values, cell: float) -> Indices:
 
 @njit(cache=True)
 def _add_middles(
-    points: Values, order: Indices, starts: Indices, sizes: Indices, low: Values, cell: float,
+    points: Values, starts: Indices, sizes: Indices, low: Values, cell: float,
     places: Values, middles: Values,
 ) -> None:  # fmt: skip
     for k in range(len(places)):
         sx, sy, sz, count = 0.0, 0.0, 0.0, 0
         for cube in _cubes(places[k], sizes, low, cell):
-            for row in order[starts[cube] : starts[cube + 1]]:
+            for row in range(starts[cube], starts[cube + 1]):
                 x, y, z = points[row, 0] - places[k, 0], points[row, 1] - places[k, 1], points[row, 2] - places[k, 2]
                 if x * x + y * y + z * z < cell * cell:
                     sx, sy, sz, count = sx + x, sy + y, sz + z, count + 1
@@ -137,13 +145,13 @@ def _add_middles(
 
 @njit(cache=True)
 def _draw_maps(
-    points: Values, order: Indices, starts: Indices, sizes: Indices, low: Values, cell: float,
+    points: Values, starts: Indices, sizes: Indices, low: Values, cell: float,
     places: Values, frames: Values, depths: Values,
 ) -> None:  # fmt: skip
     for k in range(len(places)):
         p, f = places[k], frames[k]
         for cube in _cubes(p, sizes, low, cell):
-            for row in order[starts[cube] : starts[cube + 1]]:
+            for row in range(starts[cube], starts[cube + 1]):
                 x, y, z = points[row, 0] - p[0], points[row, 1] - p[1], points[row, 2] - p[2]
                 depth = x * f[2, 0] + y * f[2, 1] + z * f[2, 2]
                 if depth < _BEHIND or depth > _BEFORE:
@@ -159,22 +167,22 @@ def _draw_maps(
 
 @njit(cache=True)
 def _match(
-    depths: Values, wanted: Values, across: Values, weights: Values,
+    depths: Values, every: Values, across: Values, weights: Values, allowed: NDArray[np.bool_],
     distance: Values, turns: Indices, leans: Values,
 ) -> None:  # fmt: skip
     for k in range(len(depths)):
-        for turn in range(TURNS):
-            away, a, b = _compare(depths[k], wanted, across, weights, turn)
+        for turn in np.flatnonzero(allowed[k]):
+            away, a, b = _compare(depths[k], every[turn], across, weights)
             if away < distance[k]:
                 distance[k], turns[k], leans[k, 0], leans[k, 1] = away, turn, a, b
 
 
 @njit(cache=True)
-def _compare(depths: Values, wanted: Values, across: Values, weights: Values, turn: int) -> tuple[float, float, float]:
+def _compare(depths: Values, wanted: Values, across: Values, weights: Values) -> tuple[float, float, float]:
     """The weighted distance of two maps after the lean (a, b) between them is taken out."""
     s, total, xx, xy, yy, ex, ey, ee = 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0
     for i in range(len(depths)):
-        goal = wanted[i - i % TURNS + (i % TURNS - turn) % TURNS]
+        goal = wanted[i]
         if goal <= NOTHING:
             continue
         w, x, y = weights[i], across[i, 0], across[i, 1]

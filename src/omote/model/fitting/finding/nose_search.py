@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -19,6 +20,8 @@ HEAD = 0.25
 """Metres: about a head's height with its neck."""
 # From a head that is larger than what was scanned of it to one in a whole body, in extents of the scan.
 SIZES = 1.45 / 1.18 ** np.arange(16)
+# The sizes of another person's head beside somebody's: of a child's to a giant's.
+BESIDE = 1.2 ** np.arange(-2, 2)
 # What is farther than so many extents from nearly all of a scan is left out.
 FAR = 0.5
 # Places are tried so far apart, metres; so many of each size are kept.
@@ -38,13 +41,28 @@ class Guess:
 
 def guess_faces(template: HeadTemplate, points: Values, most: int, /) -> list[Guess]:
     """At most so many guesses for samples (n, 3) of a scan, the likeliest first."""
-    low, high = np.percentile(points, (0.5, 99.5), axis=0)
-    extent = float(np.linalg.norm(high - low)) / 1.3
+    near, extent = leave_out_crumbs(points)
     if not extent > 0.0:
         return []
-    # Crumbs far away would make the lattices endless.
-    near = points[((points > low - FAR * extent) & (points < high + FAR * extent)).all(axis=1)]
-    found = [guess for size in SIZES for guess in _guess_at(template, near, HEAD / (extent * size))]
+    return _choose([guess for size in SIZES for guess in _guess_at(template, near, HEAD / (extent * size))], most)
+
+
+def guess_faces_beside(template: HeadTemplate, points: Values, scale: float, most: int, /) -> list[Guess]:
+    """At most so many guesses for samples (n, 3), either way up, of about a size, whose scale brings them to metres."""
+    if not len(points):
+        return []
+    return _choose([guess for size in BESIDE for guess in _guess_at(template, points, size * scale, both=True)], most)
+
+
+def leave_out_crumbs(points: Values, /) -> tuple[Values, float]:
+    """The samples (n, 3) of a scan without crumbs far away, which would make lattices endless; its extent."""
+    low, high = np.percentile(points, (0.5, 99.5), axis=0)
+    extent = float(np.linalg.norm(high - low)) / 1.3
+    return points[((points >= low - FAR * extent) & (points <= high + FAR * extent)).all(axis=1)], extent
+
+
+def _choose(found: Sequence[Guess], most: int) -> list[Guess]:
+    """At most so many guesses, no two alike, the likeliest first."""
     kept = list[Guess]()
     for guess in sorted(found, key=lambda each: each.unlike):
         if not any(are_alike(guess.pose, other.pose, guess.tip, other.tip) for other in kept):
@@ -63,12 +81,20 @@ def are_alike(one: Similarity, other: Similarity, tip: Values, other_tip: Values
     )
 
 
-def _guess_at(template: HeadTemplate, points: Values, scale: float) -> list[Guess]:
-    """The likeliest guesses of one size."""
+def _guess_at(template: HeadTemplate, points: Values, scale: float, *, both: bool = False) -> list[Guess]:
+    """The likeliest guesses of one size; both: also as many the other way up."""
     surface = thin_out(points * scale, CELL)
     _, rows = cKDTree(surface).query(thin_out(surface, APART), workers=1)
     maps = make_maps(surface, surface[np.unique(rows)])
     likeness = compare_maps(maps.depths, template.nose.depths[0])
+    found = _likeliest(template, maps, likeness, scale)
+    if both:
+        other = compare_maps(maps.depths, template.nose.depths[0], barred=likeness.turn)
+        found += _likeliest(template, maps, other, scale)
+    return found
+
+
+def _likeliest(template: HeadTemplate, maps: DepthMaps, likeness: Likeness, scale: float) -> list[Guess]:
     order = np.argsort(likeness.distance, kind="stable")[:KEPT]
     return [
         Guess(float(likeness.distance[row]), maps.points[row] / scale, _pose(template, maps, likeness, int(row), scale))
