@@ -8,6 +8,7 @@ import { type LightUniforms, lightUniforms } from "../light/light_uniforms";
 import { type ShadowUniforms, shadowUniforms } from "../light/shadow";
 import { definesOf, type Features } from "../quality/quality_levels";
 import { type SkinUniforms, skinUniforms } from "../skin/skin_layers";
+import { type PaintUniforms, paintUniforms } from "../skin/skin_paint";
 import { skinParts } from "../skin/skin_parts";
 import { COLLAR_FRAGMENT, COLLAR_VERTEX, collar } from "./collar";
 import { eyeball } from "./eyeballs";
@@ -25,7 +26,7 @@ export interface BlendedLook {
 }
 
 /** The uniforms all materials share; written once a frame. */
-export interface HeadUniforms extends Uniforms, LightUniforms, ShadowUniforms, SkinUniforms {
+export interface HeadUniforms extends Uniforms, LightUniforms, ShadowUniforms, SkinUniforms, PaintUniforms {
   positions: THREE.IUniform<THREE.Texture>;
   normals: THREE.IUniform<THREE.Texture>;
   headTurn: THREE.IUniform<THREE.Matrix3>;
@@ -65,6 +66,7 @@ export function headUniforms(
   return {
     ...lightUniforms(),
     ...skinUniforms(common),
+    ...paintUniforms(),
     ...shadowUniforms(),
     positions: { value: new THREE.ExternalTexture(positions) },
     normals: { value: new THREE.ExternalTexture(normals) },

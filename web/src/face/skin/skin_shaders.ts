@@ -1,7 +1,8 @@
 /** Shaders of the skin: its light in hollows and through flesh, fine relief, two specular lobes. */
 
 import { FRAGMENT_HEAD, LIGHTS, VERTEX_HEAD } from "../light/shader_prelude";
-import { SKIN_COLOURS } from "./skin_colour_shaders";
+import { SCALP_COLOURS, SKIN_COLOURS } from "./skin_colour_shaders";
+import { OILY } from "./skin_paint_shaders";
 
 /** The slope that 0 and 1 of the layer `relief` stand for (tools/baking/skin/relief.py: STEEPEST). */
 const STEEPEST = 0.8;
@@ -233,26 +234,33 @@ void main() {
 }
 `;
 
-export const SKIN_FRAGMENT = `${FRAGMENT_HEAD}
-in vec2 vUv;
-in vec3 vTraits;
-#ifdef FAST
+/** The skin's colour at a pixel, from the picture that `SkinPaint` keeps of it, in the light of its vertices: for slow machines. */
+const PAINTED_LIGHT = `${SCALP_COLOURS}
+uniform sampler2D paint;
+uniform sampler2D sheen;
 in vec3 vDiffuse;
 in vec3 vGloss;
-uniform float gloss;
-#else
+
+vec3 seenAt(vec3 traits) {
+  vec4 painted = texture(paint, vUv);
+  vec4 finish = texture(sheen, vUv);
+  float grown = stubbled(traits.y, finish.b) * scalp;
+  vec3 albedo = mix(painted.rgb * painted.rgb, scalpHair(finish.b) * painted.a, grown);
+  float oil = ${(1 / OILY).toFixed(4)} * finish.r * (1.0 - grown) * traits.x;
+  return albedo * vDiffuse + KEY_LIGHT * oil * (vGloss.x + (1.2 + 3.0 * finish.g) * vGloss.y)
+    + RIM_LIGHT * vGloss.z * mix(0.02 + 0.85 * albedo, vec3(0.06), grown);
+}
+`;
+
+/** The skin's colour and light at a pixel, from all of its layers. */
+const LAYERED_LIGHT = `
 in vec3 vPoint;
 in vec3 vNormal;
-#endif
 #ifdef DETAIL
 uniform sampler2D finish;
 #endif
-${LAYER_SAMPLING}${SKIN_COLOURS}
-#ifndef FAST
-${SHADE_LIGHT}${PIXEL_LIGHT}
-#endif
-
-void main() {
+${LAYER_SAMPLING}${SKIN_COLOURS}${SHADE_LIGHT}${PIXEL_LIGHT}
+vec3 seenAt(vec3 traits) {
 #ifdef SHARPEN
   sharper = -slant();
 #endif
@@ -262,15 +270,19 @@ void main() {
   const vec4 finished = vec4(0.45, 0.2, 1.0, 0.5);
 #endif
   Layers layers = Layers(layer(mask), layer(marks), layer(patches), finished, fur > 0.0 ? layer(pelt) : vec4(0.0));
-  Ground at = ground(layers, vTraits.y);
-#ifdef FAST
-  float oil = (0.05 + 0.13 * at.lips * gloss + 0.06 * lacquer) * (1.0 - at.hair) * (1.0 - 0.7 * at.fur) * vTraits.x;
-  vec3 seen = at.albedo * vDiffuse;
-  seen += KEY_LIGHT * oil * (vGloss.x + (1.2 + 3.0 * at.lips) * vGloss.y);
-  seen += RIM_LIGHT * vGloss.z * mix(0.02 + 0.85 * at.albedo, vec3(0.06), at.hair);
-#else
-  vec3 seen = lit(layers, at, max(vTraits.x, ${GLOW} * max(at.lining, at.lips)));
-#endif
-  colour = premultiplied(seen * vTraits.z, 1.0);
+  Ground at = ground(layers, traits.y);
+  return lit(layers, at, max(traits.x, ${GLOW} * max(at.lining, at.lips)));
 }
+`;
+
+export const SKIN_FRAGMENT = `${FRAGMENT_HEAD}
+in vec2 vUv;
+in vec3 vTraits;
+#ifdef FAST
+${PAINTED_LIGHT}
+#else
+${LAYERED_LIGHT}
+#endif
+
+void main() { colour = premultiplied(seenAt(vTraits) * vTraits.z, 1.0); }
 `;
