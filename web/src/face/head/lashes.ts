@@ -4,7 +4,7 @@ import * as THREE from "three";
 import type { Anatomy } from "../anatomy/anatomy";
 import { ballFrame } from "../anatomy/eye_mesh";
 import { EDGE_POINTS, opening } from "../anatomy/openings";
-import { material, type Uniforms } from "../gpu/renderer";
+import { LAID_OVER, material, type Uniforms } from "../gpu/renderer";
 import { LASH_FRAGMENT, LASH_VERTEX } from "./lash_shaders";
 
 /** How lashes grow on a lid: how many, in clumps of how many, how long at most (metres on an eye of 15 mm). */
@@ -60,8 +60,7 @@ export function lashes(anatomy: Anatomy, shared: Uniforms): THREE.Mesh | undefin
     edgeRows: { value: rows.edgeRows },
     ballRows: { value: rows.ballRows },
   });
-  hair.side = THREE.DoubleSide;
-  hair.depthWrite = false;
+  Object.assign(hair, LAID_OVER, { side: THREE.DoubleSide, depthWrite: false });
   const drawn = new THREE.Mesh(geometry, hair);
   drawn.renderOrder = 1;
   drawn.onBeforeRender = (renderer, _scene, camera) => {

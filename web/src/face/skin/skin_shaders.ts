@@ -203,13 +203,14 @@ export const SKIN_VERTEX = `${VERTEX_HEAD}${LIGHTS}${SHADE_LIGHT}${VERTEX_LIGHT}
 in vec2 uv;
 in vec4 traits; // turn with the head, open sky, hair, light at the neck
 ${SURFACE}
-out vec2 vUv;
-out vec3 vTraits;
 #ifdef FAST
 uniform float scalp;
-out vec3 vDiffuse;
-out vec3 vGloss;
+uniform vec3 hair;
+out vec4 vPaint; // place on its pictures, hairline, shine
+out vec4 vLight; // and shine on lips
 #else
+out vec2 vUv;
+out vec3 vTraits;
 out vec3 vPoint;
 out vec3 vNormal;
 #endif
@@ -220,13 +221,16 @@ void main() {
   vec3 normal;
   vec3 point = turned(surface(normal), traits.x);
   normal = turnedNormal(normal, traits.x);
-  vUv = uv;
-  vTraits = vec3(openness(traits.y), traits.zw);
+  float open = openness(traits.y);
 #ifdef FAST
-  Fall light = fall(point, normal, vTraits.x, traits.z * scalp);
-  vDiffuse = light.diffuse;
-  vGloss = vec3(light.gloss, light.rim);
+  Fall light = fall(point, normal, open, traits.z * scalp);
+  vec2 shines = traits.w * open * light.gloss;
+  vec3 edges = mix(0.85 + 0.02 / max(skin, 0.02), 0.06 / max(hair, 0.02), traits.z * scalp); // as the colour that they are multiplied with wants it
+  vPaint = vec4(uv, traits.z, shines.x + 1.2 * shines.y);
+  vLight = vec4(traits.w * (light.diffuse + light.rim * edges * RIM_LIGHT), 3.0 * shines.y);
 #else
+  vUv = uv;
+  vTraits = vec3(open, traits.zw);
   vPoint = point;
   vNormal = normal;
 #endif
@@ -238,29 +242,30 @@ void main() {
 const PAINTED_LIGHT = `${SCALP_COLOURS}
 uniform sampler2D paint;
 uniform sampler2D sheen;
-in vec3 vDiffuse;
-in vec3 vGloss;
+in vec4 vPaint;
+in vec4 vLight;
 
-vec3 seenAt(vec3 traits) {
-  vec4 painted = texture(paint, vUv);
-  vec4 finish = texture(sheen, vUv);
-  float grown = stubbled(traits.y, finish.b) * scalp;
+vec3 seen() {
+  vec4 painted = texture(paint, vPaint.xy);
+  vec4 finish = texture(sheen, vPaint.xy);
+  float grown = stubbled(vPaint.z, finish.b) * scalp;
   vec3 albedo = mix(painted.rgb * painted.rgb, scalpHair(finish.b) * painted.a, grown);
-  float oil = ${(1 / OILY).toFixed(4)} * finish.r * (1.0 - grown) * traits.x;
-  return albedo * vDiffuse + KEY_LIGHT * oil * (vGloss.x + (1.2 + 3.0 * finish.g) * vGloss.y)
-    + RIM_LIGHT * vGloss.z * mix(0.02 + 0.85 * albedo, vec3(0.06), grown);
+  float oil = ${(1 / OILY).toFixed(4)} * finish.r * (1.0 - grown);
+  return albedo * vLight.rgb + KEY_LIGHT * (oil * (vPaint.w + finish.g * vLight.a));
 }
 `;
 
 /** The skin's colour and light at a pixel, from all of its layers. */
 const LAYERED_LIGHT = `
+in vec2 vUv;
+in vec3 vTraits;
 in vec3 vPoint;
 in vec3 vNormal;
 #ifdef DETAIL
 uniform sampler2D finish;
 #endif
 ${LAYER_SAMPLING}${SKIN_COLOURS}${SHADE_LIGHT}${PIXEL_LIGHT}
-vec3 seenAt(vec3 traits) {
+vec3 seen() {
 #ifdef SHARPEN
   sharper = -slant();
 #endif
@@ -270,19 +275,17 @@ vec3 seenAt(vec3 traits) {
   const vec4 finished = vec4(0.45, 0.2, 1.0, 0.5);
 #endif
   Layers layers = Layers(layer(mask), layer(marks), layer(patches), finished, fur > 0.0 ? layer(pelt) : vec4(0.0));
-  Ground at = ground(layers, traits.y);
-  return lit(layers, at, max(traits.x, ${GLOW} * max(at.lining, at.lips)));
+  Ground at = ground(layers, vTraits.y);
+  return lit(layers, at, max(vTraits.x, ${GLOW} * max(at.lining, at.lips))) * vTraits.z;
 }
 `;
 
 export const SKIN_FRAGMENT = `${FRAGMENT_HEAD}
-in vec2 vUv;
-in vec3 vTraits;
 #ifdef FAST
 ${PAINTED_LIGHT}
 #else
 ${LAYERED_LIGHT}
 #endif
 
-void main() { colour = premultiplied(seenAt(vTraits) * vTraits.z, 1.0); }
+void main() { colour = premultiplied(seen(), 1.0); }
 `;
