@@ -109,11 +109,12 @@ export interface HeadParts {
 export function buildHead(from: HeadParts): THREE.Group {
   const head = new THREE.Group();
   for (const mesh of from.meshes) if (mesh.name !== "lashes") head.add(...drawn(mesh, from));
-  const grown = lashes(from.anatomy, from.shared);
+  const fast = !from.features.pixelLight;
+  const grown = lashes(from.anatomy, from.shared, fast);
   if (grown !== undefined) head.add(grown);
   if (from.anatomy.rim.length > 0) {
     const cloth = material(COLLAR_VERTEX, COLLAR_FRAGMENT, from.shared);
-    head.add(new THREE.Mesh(collar(from.anatomy), cloth));
+    head.add(new THREE.Mesh(collar(from.anatomy, fast), cloth));
   }
   for (const child of head.children) {
     child.frustumCulled = false; // the vertices are where the GPU puts them
