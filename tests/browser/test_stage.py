@@ -207,7 +207,7 @@ def test_a_face_stands_on_a_dark_stage(stage: Callable[..., Page]) -> None:
 
 
 def test_skin_is_painted_anew_whenever_its_look_changes(stage: Callable[..., Page]) -> None:
-    """At `lowest` a skin's colour is a picture of its own: what one face leaves in it is not on the next, nor in a mix."""
+    """At `lowest` a skin's colour is a picture of its own: what one face leaves in it is not on the next."""
     page = stage("?quality=lowest", width=160, height=120)
     faces: list[dict[str, float]] = [{"kaori": 1.0}, {"dog": 1.0}, {"kaori": 0.5, "noh": 0.5}, {"noh": 1.0}]
     looks = []
@@ -219,7 +219,7 @@ def test_skin_is_painted_anew_whenever_its_look_changes(stage: Callable[..., Pag
         assert np.array_equal(picture(page), look), mix
     dog, noh = looks[1][..., :3], looks[3][..., :3]
     assert dog[40:90, 60:100, 0].mean() > dog[40:90, 60:100, 2].mean() + 40, "orange fur"
-    assert np.ptp(noh[40:60, 70:90].mean(axis=(0, 1))) < 40, "white paint"
+    assert noh[40:60, 70:90].mean(axis=(0, 1)).min() > 160, "white paint, whatever the light"
 
 
 def test_two_faces_and_two_expressions_look_different(stage: Callable[..., Page]) -> None:
