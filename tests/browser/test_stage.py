@@ -206,6 +206,22 @@ def test_a_face_stands_on_a_dark_stage(stage: Callable[..., Page]) -> None:
     assert middle[0] > middle[2], "skin is warm"
 
 
+def test_skin_is_painted_anew_whenever_its_look_changes(stage: Callable[..., Page]) -> None:
+    """At `lowest` a skin's colour is a picture of its own: what one face leaves in it is not on the next."""
+    page = stage("?quality=lowest", width=160, height=120)
+    faces: list[dict[str, float]] = [{"kaori": 1.0}, {"dog": 1.0}, {"kaori": 0.5, "noh": 0.5}, {"noh": 1.0}]
+    looks = []
+    for mix in faces:
+        hold(page, {"faces": mix})
+        looks.append(picture(page))
+    for mix, look in zip(reversed(faces), reversed(looks), strict=True):
+        hold(page, {"faces": mix})
+        assert np.array_equal(picture(page), look), mix
+    dog, noh = looks[1][..., :3], looks[3][..., :3]
+    assert dog[40:90, 60:100, 0].mean() > dog[40:90, 60:100, 2].mean() + 40, "orange fur"
+    assert noh[40:60, 70:90].mean(axis=(0, 1)).min() > 160, "white paint, whatever the light"
+
+
 def test_two_faces_and_two_expressions_look_different(stage: Callable[..., Page]) -> None:
     page, seen = stage(), []
     poses = [("kaori", "neutral"), ("old", "neutral"), ("kaori", "laugh"), ("kaori", "neutral")]

@@ -24,6 +24,7 @@ import type { CharacterPose } from "./pose/scene_pose";
 import { type Arrival, SourceCrossfade } from "./pose/source_crossfade";
 import type { Features } from "./quality/quality_levels";
 import type { Clearance, PlacedHead } from "./scene_framing";
+import { SkinPaint } from "./skin/skin_paint";
 import { SkinPictures } from "./skin/skin_pictures";
 
 /** Seconds in which a character rises that came on the stage before all of it was here. */
@@ -77,6 +78,8 @@ export class DrawnCharacter {
   private points: readonly Point[] = [];
   /** Its farthest points as they were drawn last; none where no part of it was in the picture. */
   seen: readonly Point[] = [];
+  /** Its skin without light, for levels that light vertices. */
+  paint!: SkinPaint;
   /** Its head at the level that is drawn. */
   head = new THREE.Group();
 
@@ -107,6 +110,7 @@ export class DrawnCharacter {
     this.target = blender.createTarget();
     this.uniforms = characterUniforms(this.target.positions, this.target.normals, common);
     this.shadow = new Shadow(this.uniforms.shared);
+    this.paint = new SkinPaint(this.uniforms.shared);
     this.blended = "";
   }
 
@@ -197,13 +201,14 @@ export class DrawnCharacter {
   }
 
   /** Dresses it in its faces' looks and in the light. */
-  dress(renderer: THREE.WebGLRenderer, light: Light, shadow: number): void {
+  dress(renderer: THREE.WebGLRenderer, light: Light, { pixelLight, shadow }: Features): void {
     const { pose, parts, uniforms } = this;
     const local = lightTurned(light, this.called.place.turn);
     parts.looks.dress(pose, uniforms.shared, uniforms.eyes);
     writeEyeTraits(eyeTraitsOf(pose, parts.library), uniforms.shared);
     writeLight(local, uniforms.shared);
     this.turnEyes();
+    if (!pixelLight) this.paint.draw(renderer);
     this.shadow.draw(renderer, local, this.head, shadow);
   }
 
@@ -240,6 +245,7 @@ export class DrawnCharacter {
     this.forget(this.head);
     this.hair.dispose();
     this.shadow.dispose();
+    this.paint.dispose();
     blender.drop(this.target);
   }
 

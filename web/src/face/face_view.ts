@@ -128,8 +128,8 @@ export class FaceView {
     const [template, heads] = [this.templateOf(level), new Map<DrawnCharacter, THREE.Group>()];
     for (const character of this.characters.values())
       heads.set(character, character.prepare(template, featuresHere(level)));
-    const [first] = heads.values();
-    if (first !== undefined) await this.renderer.compileAsync(first, this.camera, this.scene);
+    const [first] = heads;
+    if (first !== undefined) await this.compile(first, featuresHere(level));
     if (this.wanted === level && this.common === common) this.next = { level, template, heads };
     else for (const [character, head] of heads) character.forget(head); // another was wished for, or the context was lost
   }
@@ -212,6 +212,13 @@ export class FaceView {
     for (const part of [this.parts.pictures, this.blender, this.smoothing, this.renderer]) part.dispose();
   }
 
+  /** Waits for the shaders of a head that is not drawn yet: all others have the same. */
+  private async compile([character, head]: [DrawnCharacter, THREE.Group], { pixelLight }: Features): Promise<void> {
+    const { renderer, camera, scene } = this;
+    await renderer.compileAsync(head, camera, scene);
+    if (!pixelLight) await renderer.compileAsync(character.paint.mesh, camera, scene);
+  }
+
   private templateOf(level: Level): HeadTemplate {
     const { library, anatomy } = this.parts;
     return headTemplate({ meshes: library.meshes, anatomy, features: featuresHere(level) }, this.common);
@@ -287,7 +294,7 @@ export class FaceView {
     const mixed = mixLights(own === undefined ? this.light : { [own]: 1 }); // on air, or of this stage alone
     const light = background === undefined ? mixed : before(mixed, background);
     for (const character of this.characters.values())
-      if (character.head.visible) character.dress(this.renderer, light, featuresHere(this.level).shadow);
+      if (character.head.visible) character.dress(this.renderer, light, featuresHere(this.level));
     this.backdrop.first = featuresHere(this.level).multisample;
     this.backdrop.light(light);
     this.smoothing.render(this.scene, this.camera, this.backdrop.first, columns);

@@ -42,6 +42,27 @@ describe("the blend on the processor", () => {
       );
   });
 
+  it("passes over what a layer leaves alone, and over layers that are not here, and adds the same", () => {
+    const many = 150; // several blocks of rows
+    const blend = new ProcessorBlend(many, fans([triangles], many));
+    const reach = [many, 40, 3, 0, 100];
+    const value = (number: number, at: number, axis: number): number =>
+      at < (reach[number] ?? 0) ? made(number, at, axis) : 0;
+    reach.forEach((_, number) => {
+      blend.keep(
+        number,
+        new Float32Array(4 * 256).map((_, at) => value(number, at >> 2, at & 3)),
+      );
+    });
+    const entries = [...reach.keys(), 77].map((layer) => ({ layer, weight: 0.4 - 0.1 * layer }));
+    blend.blend({ entries, regional: [], rest: [], allowed: undefined }, { ...eyes, rows: new Int32Array(4) }, {});
+    for (let at = 0; at < many; at++)
+      close(
+        row(blend.positions, at),
+        [0, 1, 2].map((axis) => entries.reduce((sum, { layer, weight }) => sum + weight * value(layer, at, axis), 0)),
+      );
+  });
+
   it("weighs a layer by the regions of each row", () => {
     const blend = blended(2);
     const regional = [{ layer: 1, weights: [0.1, 0.2, 0.4, 0.8] }];

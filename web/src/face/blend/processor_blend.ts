@@ -16,12 +16,17 @@ interface Correctable extends Sum {
 
 const NOTHING = new Float32Array();
 
+/** Numbers of a block of rows, in which a layer may hold nothing but zeros: most expressions move a part of the face. */
+const BLOCK = 3 * 32;
+
 /**
  * Weighted sums, correctives and normals on the processor. Where it draws everything anyway, shaders of small textures are a
  * dear way to do so: nothing is left out there that a sum does not need.
  */
 export class ProcessorBlend {
   private readonly layers: Float32Array[] = [];
+  private readonly filled: Uint8Array[] = []; // by layer: whether a block holds anything
+  private readonly here: Entry[] = []; // what is added up in the present block
   private readonly triangles: Uint32Array;
   private readonly sum: Float64Array;
   private readonly facing: Float64Array;
@@ -53,6 +58,9 @@ export class ProcessorBlend {
     for (let row = 0; row < this.rows; row++)
       for (let axis = 0; axis < 3; axis++) own[3 * row + axis] = values[4 * row + axis] as number;
     this.layers[layer] = own;
+    this.filled[layer] = Uint8Array.from({ length: Math.ceil(own.length / BLOCK) }, (_, block) =>
+      own.subarray(BLOCK * block, BLOCK * (block + 1)).some((value) => value !== 0) ? 1 : 0,
+    );
     this.restings = new WeakMap(); // a layer holds something else now
   }
 
@@ -83,18 +91,31 @@ export class ProcessorBlend {
   /** The weighted sum of layers, with turned eyeballs. */
   private add({ entries, regional }: Sum, eyes: Eyeballs): void {
     this.sum.fill(0);
-    for (let n = 0; n < entries.length; n += 4) this.addFour(entries.slice(n, n + 4));
+    const known = entries.filter(({ layer }) => this.layers[layer] !== undefined);
+    for (let block = 0; BLOCK * block < this.sum.length; block++) this.addBlock(known, block);
     for (const entry of regional) this.addRegional(entry);
     for (const side of [0, 1]) this.turn(eyes, side);
   }
 
-  /** Adds up to four layers at once: memory is what limits a sum. */
-  private addFour(entries: readonly Entry[]): void {
-    const { sum, layers } = this;
-    const given = [0, 1, 2, 3].map((n) => entries[n] ?? { layer: entries[0]?.layer ?? 0, weight: 0 });
-    const [a, b, c, d] = given.map(({ layer }) => layers[layer] ?? NOTHING) as [Float32Array, Float32Array, Float32Array, Float32Array]; // biome-ignore format: four
-    const [p, q, r, s] = given.map(({ weight }) => weight) as [number, number, number, number];
-    for (let n = 0; n < sum.length; n++)
+  /** Adds up a block of those layers that hold anything there; four at once: memory is what limits a sum. */
+  private addBlock(entries: readonly Entry[], block: number): void {
+    const { filled, here } = this;
+    here.length = 0;
+    for (const entry of entries) if ((filled[entry.layer] as Uint8Array)[block] === 1) here.push(entry);
+    while (here.length % 4 !== 0) here.push({ layer: (here[0] as Entry).layer, weight: 0 });
+    const [from, to] = [BLOCK * block, Math.min(BLOCK * (block + 1), this.sum.length)];
+    for (let n = 0; n < here.length; n += 4) this.addFour(n, from, to);
+  }
+
+  /** Adds four layers of those that are here, beginning with the `first`. */
+  private addFour(first: number, from: number, to: number): void {
+    const { sum, layers, here } = this;
+    const [one, two] = [here[first] as Entry, here[first + 1] as Entry];
+    const [three, four] = [here[first + 2] as Entry, here[first + 3] as Entry];
+    const [a, b] = [layers[one.layer] as Float32Array, layers[two.layer] as Float32Array];
+    const [c, d] = [layers[three.layer] as Float32Array, layers[four.layer] as Float32Array];
+    const [p, q, r, s] = [one.weight, two.weight, three.weight, four.weight];
+    for (let n = from; n < to; n++)
       sum[n] =
         (sum[n] as number) + p * (a[n] as number) + q * (b[n] as number) + r * (c[n] as number) + s * (d[n] as number);
   }

@@ -60,9 +60,11 @@ export class ProcessorCorrectives {
   }
 
   private gather(positions: Float64Array, into: Float64Array): void {
-    this.data.rows.forEach((row, place) => {
-      for (let axis = 0; axis < 3; axis++) into[3 * place + axis] = positions[3 * row + axis] as number;
-    });
+    const { rows } = this.data;
+    for (let place = 0; place < rows.length; place++) {
+      const row = 3 * (rows[place] as number);
+      for (let axis = 0; axis < 3; axis++) into[3 * place + axis] = positions[row + axis] as number;
+    }
   }
 
   /** Opens lines that cross, either side by half; whether any did. */
@@ -242,16 +244,27 @@ export class ProcessorCorrectives {
       some ||= move[n] !== 0;
     }
     if (!some) return;
-    data.rows.forEach((row, place) => {
-      for (let axis = 0; axis < 3; axis++) positions[3 * row + axis] = points[3 * place + axis] as number;
-    });
-    for (let n = 0; n < data.width * data.followers.length; n++) {
-      const row = 3 * (data.followers[Math.floor(n / data.width)] as number);
+    for (let place = 0; place < data.rows.length; place++) {
+      const row = 3 * (data.rows[place] as number);
+      for (let axis = 0; axis < 3; axis++) positions[row + axis] = points[3 * place + axis] as number;
+    }
+    for (let n = 0; n < data.followers.length; n++) this.follow(positions, n);
+  }
+
+  /** Moves what hangs on places that have been corrected by as much of their move as it takes. */
+  private follow(positions: Float64Array, follower: number): void {
+    const { before: move, data } = this;
+    let [x, y, z] = [0, 0, 0];
+    for (let n = data.width * follower; n < data.width * (follower + 1); n++) {
       const place = 3 * (data.anchors[2 * n] as number);
       const weight = data.anchors[2 * n + 1] as number;
-      positions[row] = (positions[row] as number) + weight * (move[place] as number);
-      positions[row + 1] = (positions[row + 1] as number) + weight * (move[place + 1] as number);
-      positions[row + 2] = (positions[row + 2] as number) + weight * (move[place + 2] as number);
+      x += weight * (move[place] as number);
+      y += weight * (move[place + 1] as number);
+      z += weight * (move[place + 2] as number);
     }
+    const row = 3 * (data.followers[follower] as number);
+    positions[row] = (positions[row] as number) + x;
+    positions[row + 1] = (positions[row + 1] as number) + y;
+    positions[row + 2] = (positions[row + 2] as number) + z;
   }
 }

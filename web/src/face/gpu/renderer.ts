@@ -23,6 +23,8 @@ export function createRenderer(canvas: HTMLCanvasElement | OffscreenCanvas): THR
 /** Edges by samples: alpha says how many of a pixel's samples are covered; the picture's own alpha only grows. */
 export const COVERAGE = {
   alphaToCoverage: true,
+  blending: THREE.CustomBlending,
+  blendSrc: THREE.OneFactor,
   blendDst: THREE.ZeroFactor,
   blendSrcAlpha: THREE.OneFactor,
   blendDstAlpha: THREE.OneFactor,
@@ -30,16 +32,21 @@ export const COVERAGE = {
 
 export type Uniforms = Record<string, THREE.IUniform>;
 
-/** A material of the head from its two shaders; its colours are premultiplied. */
+/** Premultiplied colours over what lies behind: for what is not opaque. */
+export const LAID_OVER = {
+  blending: THREE.CustomBlending,
+  blendSrc: THREE.OneFactor,
+  blendDst: THREE.OneMinusSrcAlphaFactor,
+};
+
+/** A material of the head from its two shaders: opaque; to mix with what is there costs as much as to light it, on llvmpipe. */
 export function material(vertexShader: string, fragmentShader: string, uniforms: Uniforms): THREE.RawShaderMaterial {
   return new THREE.RawShaderMaterial({
     glslVersion: THREE.GLSL3,
     vertexShader,
     fragmentShader,
     uniforms,
-    blending: THREE.CustomBlending,
-    blendSrc: THREE.OneFactor,
-    blendDst: THREE.OneMinusSrcAlphaFactor,
+    blending: THREE.NoBlending,
     transparent: false,
   });
 }

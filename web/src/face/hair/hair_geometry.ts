@@ -16,14 +16,12 @@ export interface RibbonStyle {
   readonly strands: Float32Array;
 }
 
-/** Pieces of a ribbon where all ribbons are drawn, and where few are. */
-const PIECES = { fine: 11, coarse: 5 };
-
 /**
- * Triangles of a ribbon whose course is drawn round: a zigzag. On a software renderer a thin triangle costs by the squares
- * of pixels that it touches, and the two triangles of a piece touch the same.
+ * Triangles of a ribbon: thin ones, whose course is drawn round; broad ones where all are drawn; and where few are. They
+ * lie in a zigzag: on a software renderer a thin triangle costs by the squares of pixels that it touches, and the two
+ * triangles of a piece between two places touch the same.
  */
-const TRIANGLES = 20;
+const TRIANGLES = { round: 20, fine: 15, coarse: 8 };
 
 /** How wide each of several ribbons of a strand is, of a single one. */
 const THIN = 0.47;
@@ -97,7 +95,7 @@ export function ribbons(style: RibbonStyle, shared: HeadUniforms, own: StyleUnif
   const shape = { KIN: features.ribbons, ...(features.multisample ? { SOFT: "" } : {}) };
   look.defines = { ...definesOf({ ...features, detail: thin }), ...shape };
   look.side = THREE.DoubleSide;
-  Object.assign(look, features.multisample ? COVERAGE : { blending: THREE.NoBlending });
+  if (features.multisample) Object.assign(look, COVERAGE);
   const mesh = new THREE.Mesh(geometry, look);
   mesh.name = style.name;
   mesh.frustumCulled = false;
@@ -122,9 +120,8 @@ function geometryOf(hair: HairStrands, features: Features): THREE.InstancedBuffe
 
 /** The places along a ribbon (across -1..1, along 0..1) that one triangle lies between each three of. */
 function courseOf({ ribbons, hair }: Features): [number, number][] {
-  if (ribbons > 1) return zigzag(TRIANGLES);
-  const pieces = hair < 0.5 ? PIECES.coarse : PIECES.fine;
-  return Array.from({ length: 2 * pieces + 2 }, (_, place) => [place % 2 === 0 ? -1 : 1, (place >> 1) / pieces]);
+  if (ribbons > 1) return zigzag(TRIANGLES.round);
+  return zigzag(hair < 0.5 ? TRIANGLES.coarse : TRIANGLES.fine);
 }
 
 /** From side to side; across at the root and at the tip. */

@@ -96,14 +96,15 @@ uniform float stations;
 uniform float width;
 uniform float pixel; // metres a pixel is wide, one metre away
 in vec2 place; // across -1..1, along 0..1
+#ifdef FAST
+out vec4 vFibre; // place on the noise, and what covers between the fibres as below
+out vec4 vDiffuse; // times the ribbon's own brightness; and its place across
+out vec3 vSheen;
+#else
 out vec3 vPlace; // and half of the ribbon's width, in fibres
 out vec2 vChance;
 out vec2 vCover; // what covers between the fibres (nothing below zero), and how far a pixel shows them, 0..1
 out vec3 vDiffuse;
-#ifdef FAST
-out vec3 vSheen;
-out vec3 vGlow;
-#else
 out vec3 vRim;
 out vec4 vHalves;
 out vec2 vFacing; // and open sky
@@ -194,20 +195,26 @@ void main() {
   float wide = pixel * length(view);
   float pixels = width * thin * dot(aside, beside) / wide;
   point += place.x * (aside * width * thin + beside * wide * max(NARROWEST - pixels, OVERLAP));
-  vPlace = vec3(place.x * clamp(pixels / NARROWEST - 1.0, 0.0, 1.0), place.y, width * thin / FIBRE); // a line has no edges
+  vec3 within = vec3(place.x * clamp(pixels / NARROWEST - 1.0, 0.0, 1.0), place.y, width * thin / FIBRE); // a line has no edges
 #ifdef DETAIL
   float bare = 0.16 * end + 0.5 * smoothstep(0.9, 1.06, place.y);
 #else
   float bare = 0.34 * end + 0.9 * smoothstep(0.86, 1.06, place.y + 0.12 * chance * end);
 #endif
   float left = 4.0 * (half_ / (NARROWEST * wide) - SCARCE * chance);
-  vCover = vec2(min(left, 0.5 - bare), clamp(FIBRE / wide - 1.0, 0.0, 1.0));
-  vChance = vec2(chance, chanceOf(6u));
+  vec2 cover = vec2(min(left, 0.5 - bare), clamp(FIBRE / wide - 1.0, 0.0, 1.0));
+  vec2 chances = vec2(chance, chanceOf(6u));
 #ifdef FAST
   HairFall light = hairFall(point, normal, along, open, 1.0);
-  vDiffuse = light.diffuse;
-  sheens(light.rim, light.halves, light.facing, open, 0.2 * (vChance.y - 0.5), vSheen, vGlow);
+  vec3 sheen, glow;
+  sheens(light.rim, light.halves, light.facing, open, 0.2 * (chances.y - 0.5), sheen, glow);
+  vFibre = vec4(chances.x * 7.3 + within.x * within.z / 256.0, chances.y + within.y * 0.0025, cover);
+  vDiffuse = vec4((0.72 + 0.56 * chances.x) * (light.diffuse + 0.8 * glow), within.x);
+  vSheen = sheen + 0.4 * glow;
 #else
+  vPlace = within;
+  vCover = cover;
+  vChance = chances;
   HairFall light = hairFall(point, normal, along, open, shadow(point, normal));
   vDiffuse = light.diffuse;
   vRim = light.rim;
@@ -224,14 +231,15 @@ void main() {
 export const HAIR_FRAGMENT = `${FRAGMENT_HEAD}${HAIR_LIGHT}
 uniform sampler2D grain;
 uniform vec3 tint;
+#ifdef FAST
+in vec4 vFibre;
+in vec4 vDiffuse;
+in vec3 vSheen;
+#else
 in vec3 vPlace;
 in vec2 vChance;
 in vec2 vCover;
 in vec3 vDiffuse;
-#ifdef FAST
-in vec3 vSheen;
-in vec3 vGlow;
-#else
 in vec3 vRim;
 in vec4 vHalves;
 in vec2 vFacing;
@@ -246,6 +254,15 @@ in float vSway;
 #define EDGE 0.30
 #endif
 
+#ifdef FAST
+void main() {
+  vec4 fibre = texture(grain, vFibre.xy);
+  float edge = vDiffuse.w * vDiffuse.w;
+  if (vFibre.z + vFibre.w * (fibre.r - 0.5) - EDGE * edge * edge <= 0.0) discard;
+  vec3 albedo = tint * (0.25 + 1.5 * fibre.r);
+  colour = vec4(display(albedo * vDiffuse.rgb + (0.05 + 0.25 * albedo) * (0.4 + 1.2 * fibre.g) * vSheen), 1.0);
+}
+#else
 void main() {
   // A ribbon is a bundle: fibres as wide on every ribbon, that sway along it, and single hairs within them.
   vec2 start = vec2(vChance.x * 7.3, vChance.y);
@@ -264,13 +281,8 @@ void main() {
   cover = clamp(cover / max(fwidth(cover), 0.1) + 0.5, 0.0, 1.0);
 #endif
   if (cover <= 0.0) discard;
-#ifdef FAST
-  vec3 sheen = vSheen;
-  vec3 glow = vGlow;
-#else
   vec3 sheen, glow;
   sheens(vRim, vHalves, vFacing.x, vFacing.y, 0.35 * (fibre.g - 0.5), sheen, glow);
-#endif
 #ifdef DETAIL
   vec3 albedo = tint * (0.78 + 0.5 * vChance.x) * (0.22 + 1.5 * fibre.r) * mix(0.62, 1.12, vPlace.y);
   albedo *= mix(vec3(1.10, 0.98, 0.86), vec3(0.92, 1.02, 1.12), fract(vChance.y * 3.0 + 0.4 * fibre.g)); // no two of one hue
@@ -285,4 +297,5 @@ void main() {
   colour = vec4(display(seen), 1.0);
 #endif
 }
+#endif
 `;

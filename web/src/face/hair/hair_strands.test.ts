@@ -67,7 +67,7 @@ describe("a style", () => {
     const style = (count: number): HairStrands => ({ ...hair, anchors: new Uint32Array(count) });
     expect(drawnStrands(style(1600), 1)).toBe(1600);
     expect(drawnStrands(style(1600), 0.5)).toBe(800);
-    expect(drawnStrands(style(500), 0.5)).toBe(420);
+    expect(drawnStrands(style(500), 0.5)).toBe(350);
     expect(drawnStrands(style(300), 0.5)).toBe(300);
   });
 

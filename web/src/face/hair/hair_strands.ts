@@ -92,7 +92,7 @@ function addOffsets(offsets: Offsets, weight: number, into: Float32Array): void 
 }
 
 /** Ribbons that a sparse style keeps where few are drawn: fewer and wider ones would lie on a bald head like chips. */
-const LEAST = 420;
+const LEAST = 350;
 
 /** How many of a style's strands are drawn where about this share of all ribbons is; the first ones cover the head. */
 export function drawnStrands({ anchors }: HairStrands, share: number): number {

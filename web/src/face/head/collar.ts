@@ -24,8 +24,8 @@ const PROFILE: readonly (readonly [number, number, number])[] = [
   [0.216, -0.32, 0],
   [0.216, FEET, 0],
 ];
-/** Places around the neck. */
-const COLUMNS = 48;
+/** Places around the neck, near and far from what the machine can do. */
+const [FINE, COARSE] = [48, 32];
 /** How far along the rim its radius is averaged: the concentration of a von Mises distribution. */
 const CONCENTRATION = 8;
 
@@ -46,14 +46,15 @@ interface Neck {
  * four of its rows (front, left, back, right) carry an ellipse (an affine map of the circle), which is smooth on every
  * face, and `offset` leads from that of the generic face to its averaged rim.
  */
-export function collar(anatomy: Anatomy): THREE.BufferGeometry {
+export function collar(anatomy: Anatomy, fast = false): THREE.BufferGeometry {
+  const columns = fast ? COARSE : FINE;
   const { rim, positions } = anatomy;
   const neck = measureNeck(rim, positions);
   const anchors = [0, 1, 2, 3].map((quarter) => rim[nearest(neck, (quarter * Math.PI) / 2)] as number);
   const [points, offset, shares, fade]: [number[], number[], number[], number[]] = [[], [], [], []];
   for (const [out, up, light] of PROFILE)
-    for (let column = 0; column < COLUMNS; column++) {
-      const angle = (2 * Math.PI * column) / COLUMNS;
+    for (let column = 0; column < columns; column++) {
+      const angle = (2 * Math.PI * column) / columns;
       const weights = anchors.map((_, quarter) => 0.25 + 0.5 * Math.cos(angle - (quarter * Math.PI) / 2));
       const point = pointOf(neck, angle, out, up);
       points.push(...point);
@@ -61,7 +62,7 @@ export function collar(anatomy: Anatomy): THREE.BufferGeometry {
       shares.push(...weights);
       fade.push(light);
     }
-  return assemble({ points, offset, shares, fade }, anchors);
+  return assemble({ points, offset, shares, fade }, anchors, columns);
 }
 
 function measureNeck(rim: readonly number[], positions: Float32Array): Neck {
@@ -108,11 +109,11 @@ function carried(
 }
 
 /** Quads between neighbouring rings, as triangles that face outwards. */
-function ringTriangles(): number[] {
-  return Array.from({ length: (PROFILE.length - 1) * COLUMNS }, (_, at) => {
-    const [inner, column] = [Math.floor(at / COLUMNS) * COLUMNS, at % COLUMNS];
-    const [a, b] = [inner + column, inner + ((column + 1) % COLUMNS)];
-    return [a + COLUMNS, b, a, a + COLUMNS, b + COLUMNS, b];
+function ringTriangles(columns: number): number[] {
+  return Array.from({ length: (PROFILE.length - 1) * columns }, (_, at) => {
+    const [inner, column] = [Math.floor(at / columns) * columns, at % columns];
+    const [a, b] = [inner + column, inner + ((column + 1) % columns)];
+    return [a + columns, b, a, a + columns, b + columns, b];
   }).flat();
 }
 
@@ -123,9 +124,13 @@ interface Rings {
   readonly fade: number[];
 }
 
-function assemble({ points, offset, shares, fade }: Rings, anchors: readonly number[]): THREE.BufferGeometry {
+function assemble(
+  { points, offset, shares, fade }: Rings,
+  anchors: readonly number[],
+  columns: number,
+): THREE.BufferGeometry {
   const geometry = new THREE.BufferGeometry();
-  geometry.setIndex(ringTriangles());
+  geometry.setIndex(ringTriangles(columns));
   geometry.setAttribute("position", new THREE.Float32BufferAttribute(points, 3));
   geometry.computeVertexNormals();
   const facing = geometry.getAttribute("normal") as THREE.BufferAttribute;

@@ -9,12 +9,12 @@ import { EYE_FRAGMENT, EYE_VERTEX } from "./eye_shaders";
 
 /** Rings and spokes of a drawn eyeball, near and far from what the machine can do. */
 const FINE: [number, number] = [26, 40];
-const COARSE: [number, number] = [16, 24];
+const COARSE: [number, number] = [12, 18];
 
-/** The rows of an opening's edges, for the shaders. */
+/** The rows of an opening's edges, for the shaders; whole numbers in a row, which are handed over every frame. */
 export const edgeUniforms = ({ upper, lower }: Opening): Uniforms => ({
-  upperRows: { value: upper },
-  lowerRows: { value: lower },
+  upperRows: { value: Int32Array.from(upper) },
+  lowerRows: { value: Int32Array.from(lower) },
 });
 
 /** An eyeball, left (0) or right (1), as it is drawn: a fine dome on the axes of the cast's own coarse ball. */
@@ -28,7 +28,7 @@ export function eyeball(side: 0 | 1, anatomy: Anatomy, uniforms: Uniforms, fast:
   const look = material(EYE_VERTEX, EYE_FRAGMENT, {
     ...uniforms,
     ...edgeUniforms(lids(side, anatomy, rows)),
-    frameRows: { value: rows },
+    frameRows: { value: Int32Array.from(rows) },
     fromPairs: { value: new THREE.Matrix3().fromArray(fromPairs) },
   });
   return new THREE.Mesh(geometry, look);

@@ -8,6 +8,7 @@ import { type LightUniforms, lightUniforms } from "../light/light_uniforms";
 import { type ShadowUniforms, shadowUniforms } from "../light/shadow";
 import { definesOf, type Features } from "../quality/quality_levels";
 import { type SkinUniforms, skinUniforms } from "../skin/skin_layers";
+import { type PaintUniforms, paintUniforms } from "../skin/skin_paint";
 import { skinParts } from "../skin/skin_parts";
 import { COLLAR_FRAGMENT, COLLAR_VERTEX, collar } from "./collar";
 import { eyeball } from "./eyeballs";
@@ -25,7 +26,7 @@ export interface BlendedLook {
 }
 
 /** The uniforms all materials share; written once a frame. */
-export interface HeadUniforms extends Uniforms, LightUniforms, ShadowUniforms, SkinUniforms {
+export interface HeadUniforms extends Uniforms, LightUniforms, ShadowUniforms, SkinUniforms, PaintUniforms {
   positions: THREE.IUniform<THREE.Texture>;
   normals: THREE.IUniform<THREE.Texture>;
   headTurn: THREE.IUniform<THREE.Matrix3>;
@@ -65,6 +66,7 @@ export function headUniforms(
   return {
     ...lightUniforms(),
     ...skinUniforms(common),
+    ...paintUniforms(),
     ...shadowUniforms(),
     positions: { value: new THREE.ExternalTexture(positions) },
     normals: { value: new THREE.ExternalTexture(normals) },
@@ -107,11 +109,12 @@ export interface HeadParts {
 export function buildHead(from: HeadParts): THREE.Group {
   const head = new THREE.Group();
   for (const mesh of from.meshes) if (mesh.name !== "lashes") head.add(...drawn(mesh, from));
-  const grown = lashes(from.anatomy, from.shared);
+  const fast = !from.features.pixelLight;
+  const grown = lashes(from.anatomy, from.shared, fast);
   if (grown !== undefined) head.add(grown);
   if (from.anatomy.rim.length > 0) {
     const cloth = material(COLLAR_VERTEX, COLLAR_FRAGMENT, from.shared);
-    head.add(new THREE.Mesh(collar(from.anatomy), cloth));
+    head.add(new THREE.Mesh(collar(from.anatomy, fast), cloth));
   }
   for (const child of head.children) {
     child.frustumCulled = false; // the vertices are where the GPU puts them

@@ -4,7 +4,7 @@ import * as THREE from "three";
 import type { Anatomy } from "../anatomy/anatomy";
 import { ballFrame } from "../anatomy/eye_mesh";
 import { EDGE_POINTS, opening } from "../anatomy/openings";
-import { material, type Uniforms } from "../gpu/renderer";
+import { LAID_OVER, material, type Uniforms } from "../gpu/renderer";
 import { LASH_FRAGMENT, LASH_VERTEX } from "./lash_shaders";
 
 /** How lashes grow on a lid: how many, in clumps of how many, how long at most (metres on an eye of 15 mm). */
@@ -16,7 +16,8 @@ interface Growth {
 
 const UPPER: Growth = { count: 84, clump: 4, length: 0.0078 };
 const LOWER: Growth = { count: 44, clump: 3, length: 0.0042 };
-const STATIONS = 5;
+/** Places along a lash, near and far from what the machine can do. */
+const [FINE, COARSE] = [5, 3];
 
 /** The ribbons of all lashes: what `LASH_VERTEX` reads. */
 export interface Ribbons {
@@ -45,10 +46,10 @@ export function lashRows(anatomy: Anatomy): LashRows | undefined {
 }
 
 /** Lashes on both lids of both eyes; undefined in a cast that names no lids. */
-export function lashes(anatomy: Anatomy, shared: Uniforms): THREE.Mesh | undefined {
+export function lashes(anatomy: Anatomy, shared: Uniforms, fast = false): THREE.Mesh | undefined {
   const rows = lashRows(anatomy);
   if (rows === undefined) return undefined;
-  const { strands, bends, triangles } = ribbons();
+  const { strands, bends, triangles } = ribbons(UPPER, LOWER, fast ? COARSE : FINE);
   const geometry = new THREE.BufferGeometry();
   geometry.setIndex(new THREE.BufferAttribute(triangles, 1));
   geometry.setAttribute("strand", new THREE.BufferAttribute(strands, 4));
@@ -57,11 +58,10 @@ export function lashes(anatomy: Anatomy, shared: Uniforms): THREE.Mesh | undefin
   const hair = material(LASH_VERTEX, LASH_FRAGMENT, {
     ...shared,
     pixel,
-    edgeRows: { value: rows.edgeRows },
-    ballRows: { value: rows.ballRows },
+    edgeRows: { value: Int32Array.from(rows.edgeRows) },
+    ballRows: { value: Int32Array.from(rows.ballRows) },
   });
-  hair.side = THREE.DoubleSide;
-  hair.depthWrite = false;
+  Object.assign(hair, LAID_OVER, { side: THREE.DoubleSide, depthWrite: false });
   const drawn = new THREE.Mesh(geometry, hair);
   drawn.renderOrder = 1;
   drawn.onBeforeRender = (renderer, _scene, camera) => {
@@ -77,7 +77,7 @@ function ballRows(anatomy: Anatomy, side: number): number[] {
 }
 
 /** The ribbons of both eyes' lashes: for each edge of an opening its strands, in clumps. */
-export function ribbons(upper = UPPER, lower = LOWER): Ribbons {
+export function ribbons(upper = UPPER, lower = LOWER, stations = FINE): Ribbons {
   const [strands, bends, triangles]: [number[], number[], number[]] = [[], [], []];
   [upper, lower, upper, lower].forEach((growth, edge) => {
     const isUpper = edge % 2 === 0;
@@ -92,12 +92,12 @@ export function ribbons(upper = UPPER, lower = LOWER): Ribbons {
         (0.45 + 0.55 * Math.sin(Math.PI * (0.12 + 0.72 * outer)) ** 0.7) *
         (0.75 + 0.25 * hashed(n, edge + 5));
       const start = strands.length / 4;
-      for (let station = 0; station < STATIONS; station++)
+      for (let station = 0; station < stations; station++)
         for (const side of [-1, 1]) {
-          strands.push(share, station / (STATIONS - 1), side, chance);
+          strands.push(share, station / (stations - 1), side, chance);
           bends.push(edge * EDGE_POINTS, meeting, length, isUpper ? 1 : -1);
         }
-      for (let station = 0; station < STATIONS - 1; station++) {
+      for (let station = 0; station < stations - 1; station++) {
         const at = start + 2 * station;
         triangles.push(at, at + 1, at + 2, at + 1, at + 3, at + 2);
       }

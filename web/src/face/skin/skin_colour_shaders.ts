@@ -1,11 +1,23 @@
 /** Shader code of the skin's own colour. */
 
+/** The scalp under hair: by a vertex's hairline, and by the strands that are painted there (0..1). */
+export const SCALP_COLOURS = `
+uniform vec3 hair;
+uniform float scalp;
+
+float stubbled(float hairline, float strands) {
+  return smoothstep(0.15, 0.9, hairline + (strands - 0.5) * 2.8 * hairline * (1.0 - hairline));
+}
+
+vec3 scalpHair(float strands) { return hair * (0.7 + 0.6 * strands); }
+`;
+
 /**
  * The skin's own colour: every layer of the cast's picture, weighed by the traits of the faces on air. All of it is a sum
  * of traits, so nothing pops while faces mix. Over it the pictures of certain people, by the weights of their faces, in
  * linear light; make-up, a mask's paint and stubble of the scalp lie on these too. Needs `layer(sampler2D)`.
  */
-export const SKIN_COLOURS = `
+export const SKIN_COLOURS = `${SCALP_COLOURS}
 uniform sampler2D mask;
 uniform sampler2D marks;
 uniform sampler2D patches;
@@ -14,7 +26,6 @@ uniform vec3 skin;
 uniform vec3 lip;
 uniform vec3 brow;
 uniform vec3 blush;
-uniform vec3 hair;
 uniform vec3 coat;
 uniform float pores;
 uniform float age;
@@ -25,7 +36,6 @@ uniform float makeup;
 uniform float fur;
 uniform float stripes;
 uniform float lacquer;
-uniform float scalp;
 uniform sampler2D picture0;
 uniform sampler2D picture1;
 uniform sampler2D picture2;
@@ -50,8 +60,11 @@ struct Layers {
   vec4 pelt; // a hound's pale and dark fur, a tabby's pale and dark fur
 };
 
-/** What the light falls on: the colour, and how much of it is lip, hair (brows too), fur, bare leather, or lining (0..1 each). */
-struct Ground { vec3 albedo; float lips; float hair; float fur; float leather; float lining; };
+/**
+ * What the light falls on: the colour, how much of it is lip, hair (brows too), fur, bare leather, or lining (0..1 each),
+ * and what light is left, which the colour has in it.
+ */
+struct Ground { vec3 albedo; float lips; float hair; float fur; float leather; float lining; float left; };
 
 /** How much a brow's hairs cover: the thinner the brow, the higher the threshold. */
 float browHairs(float drawn, float brows) { return clamp((drawn - mix(1.0, -0.12, brows)) * 2.3, 0.0, 1.0); }
@@ -109,14 +122,14 @@ vec3 furred(Layers at, Painted own) {
 vec3 madeUp(Layers at, vec4 picture, float grown) {
   vec3 seen = mix(picture.rgb, (brow * 0.6 + lip * 0.18) * picture.a, at.patches.b * makeup * 0.85);
   seen = mix(seen, brow * 0.5 * picture.a, at.patches.a * lacquer);
-  return mix(seen, hair * (0.7 + 0.6 * at.marks.a) * picture.a, grown);
+  return mix(seen, scalpHair(at.marks.a) * picture.a, grown);
 }
 
 Ground ground(Layers at, float hairline) {
   Ground found;
   vec4 picture = pictures();
   Painted own = painted(picture.a);
-  float grown = smoothstep(0.15, 0.9, hairline + (at.marks.a - 0.5) * 2.8 * hairline * (1.0 - hairline)) * scalp;
+  float grown = stubbled(hairline, at.marks.a) * scalp;
   float narrow = 0.12 * own.age;
   float human = smoothstep(0.06 + narrow, 0.5 + narrow, at.mask.r);
   found.lips = mix(human, smoothstep(0.86, 0.97, at.mask.r), own.fur);
@@ -133,11 +146,12 @@ Ground ground(Layers at, float hairline) {
   float hairs = browHairs(at.mask.g, own.brows);
   seen = mix(seen, own.brow * (0.7 + 0.6 * at.marks.a), hairs * 0.88);
   seen = mix(seen, own.brow * 0.5, at.patches.a * lacquer);
-  seen = mix(seen, hair * (0.7 + 0.6 * at.marks.a), grown);
+  seen = mix(seen, scalpHair(at.marks.a), grown);
   seen = mix(seen, vec3(0.62, 0.16, 0.14), lining);
   float left = mix(at.mask.a, 0.75, max(lining, 0.6 * human * smoothstep(0.5, 0.8, at.mask.r))); // light comes in between lips, and through them
   left *= mix(1.0, left, 0.3); // what cavities and the lash line leave of the light
   found.albedo = max(seen * left * bareness + madeUp(at, picture, grown) * mix(1.0, left, 0.5), 0.0);
+  found.left = left * bareness + picture.a * mix(1.0, left, 0.5);
   found.fur *= bareness;
   found.leather = found.fur * leather;
   found.hair = max(grown, hairs * 0.85 * bareness);

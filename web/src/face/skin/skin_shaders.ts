@@ -1,7 +1,8 @@
 /** Shaders of the skin: its light in hollows and through flesh, fine relief, two specular lobes. */
 
 import { FRAGMENT_HEAD, LIGHTS, VERTEX_HEAD } from "../light/shader_prelude";
-import { SKIN_COLOURS } from "./skin_colour_shaders";
+import { SCALP_COLOURS, SKIN_COLOURS } from "./skin_colour_shaders";
+import { OILY } from "./skin_paint_shaders";
 
 /** The slope that 0 and 1 of the layer `relief` stand for (tools/baking/skin/relief.py: STEEPEST). */
 const STEEPEST = 0.8;
@@ -202,13 +203,14 @@ export const SKIN_VERTEX = `${VERTEX_HEAD}${LIGHTS}${SHADE_LIGHT}${VERTEX_LIGHT}
 in vec2 uv;
 in vec4 traits; // turn with the head, open sky, hair, light at the neck
 ${SURFACE}
-out vec2 vUv;
-out vec3 vTraits;
 #ifdef FAST
 uniform float scalp;
-out vec3 vDiffuse;
-out vec3 vGloss;
+uniform vec3 hair;
+out vec4 vPaint; // place on its pictures, hairline, shine
+out vec4 vLight; // and shine on lips
 #else
+out vec2 vUv;
+out vec3 vTraits;
 out vec3 vPoint;
 out vec3 vNormal;
 #endif
@@ -219,13 +221,16 @@ void main() {
   vec3 normal;
   vec3 point = turned(surface(normal), traits.x);
   normal = turnedNormal(normal, traits.x);
-  vUv = uv;
-  vTraits = vec3(openness(traits.y), traits.zw);
+  float open = openness(traits.y);
 #ifdef FAST
-  Fall light = fall(point, normal, vTraits.x, traits.z * scalp);
-  vDiffuse = light.diffuse;
-  vGloss = vec3(light.gloss, light.rim);
+  Fall light = fall(point, normal, open, traits.z * scalp);
+  vec2 shines = traits.w * open * light.gloss;
+  vec3 edges = mix(0.85 + 0.02 / max(skin, 0.02), 0.06 / max(hair, 0.02), traits.z * scalp); // as the colour that they are multiplied with wants it
+  vPaint = vec4(uv, traits.z, shines.x + 1.2 * shines.y);
+  vLight = vec4(traits.w * (light.diffuse + light.rim * edges * RIM_LIGHT), 3.0 * shines.y);
 #else
+  vUv = uv;
+  vTraits = vec3(open, traits.zw);
   vPoint = point;
   vNormal = normal;
 #endif
@@ -233,26 +238,34 @@ void main() {
 }
 `;
 
-export const SKIN_FRAGMENT = `${FRAGMENT_HEAD}
+/** The skin's colour at a pixel, from the picture that `SkinPaint` keeps of it, in the light of its vertices: for slow machines. */
+const PAINTED_LIGHT = `${SCALP_COLOURS}
+uniform sampler2D paint;
+uniform sampler2D sheen;
+in vec4 vPaint;
+in vec4 vLight;
+
+vec3 seen() {
+  vec4 painted = texture(paint, vPaint.xy);
+  vec4 finish = texture(sheen, vPaint.xy);
+  float grown = stubbled(vPaint.z, finish.b) * scalp;
+  vec3 albedo = mix(painted.rgb * painted.rgb, scalpHair(finish.b) * painted.a, grown);
+  float oil = ${(1 / OILY).toFixed(4)} * finish.r * (1.0 - grown);
+  return albedo * vLight.rgb + KEY_LIGHT * (oil * (vPaint.w + finish.g * vLight.a));
+}
+`;
+
+/** The skin's colour and light at a pixel, from all of its layers. */
+const LAYERED_LIGHT = `
 in vec2 vUv;
 in vec3 vTraits;
-#ifdef FAST
-in vec3 vDiffuse;
-in vec3 vGloss;
-uniform float gloss;
-#else
 in vec3 vPoint;
 in vec3 vNormal;
-#endif
 #ifdef DETAIL
 uniform sampler2D finish;
 #endif
-${LAYER_SAMPLING}${SKIN_COLOURS}
-#ifndef FAST
-${SHADE_LIGHT}${PIXEL_LIGHT}
-#endif
-
-void main() {
+${LAYER_SAMPLING}${SKIN_COLOURS}${SHADE_LIGHT}${PIXEL_LIGHT}
+vec3 seen() {
 #ifdef SHARPEN
   sharper = -slant();
 #endif
@@ -263,14 +276,16 @@ void main() {
 #endif
   Layers layers = Layers(layer(mask), layer(marks), layer(patches), finished, fur > 0.0 ? layer(pelt) : vec4(0.0));
   Ground at = ground(layers, vTraits.y);
-#ifdef FAST
-  float oil = (0.05 + 0.13 * at.lips * gloss + 0.06 * lacquer) * (1.0 - at.hair) * (1.0 - 0.7 * at.fur) * vTraits.x;
-  vec3 seen = at.albedo * vDiffuse;
-  seen += KEY_LIGHT * oil * (vGloss.x + (1.2 + 3.0 * at.lips) * vGloss.y);
-  seen += RIM_LIGHT * vGloss.z * mix(0.02 + 0.85 * at.albedo, vec3(0.06), at.hair);
-#else
-  vec3 seen = lit(layers, at, max(vTraits.x, ${GLOW} * max(at.lining, at.lips)));
-#endif
-  colour = premultiplied(seen * vTraits.z, 1.0);
+  return lit(layers, at, max(vTraits.x, ${GLOW} * max(at.lining, at.lips))) * vTraits.z;
 }
+`;
+
+export const SKIN_FRAGMENT = `${FRAGMENT_HEAD}
+#ifdef FAST
+${PAINTED_LIGHT}
+#else
+${LAYERED_LIGHT}
+#endif
+
+void main() { colour = premultiplied(seen(), 1.0); }
 `;
