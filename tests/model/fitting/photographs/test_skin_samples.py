@@ -27,8 +27,7 @@ def test_brows_and_the_border_of_the_lips_are_known_less_than_skin() -> None:
     assert SAMPLES.spread[border].min() > 1.2 * EVEN
 
 
-def test_lips_lie_below_brows_and_units_move_them() -> None:
+def test_lips_lie_below_brows() -> None:
     height = SAMPLES.on(SPACE.points)[:, 1]
     lips, brows = SAMPLES.layers[:, LIPS] > 0.9, SAMPLES.layers[:, BROWS] > 0.5
     assert height[lips].max() < height[brows].min()
-    assert np.linalg.norm(SAMPLES.units, axis=2).max(axis=1).min() > 1e-4

@@ -31,7 +31,7 @@ ALIKE = 8.0
 """So many neighbouring points say no more than one."""
 ODD = 3.0
 """A point that is off by so many standard deviations counts half (Student's t)."""
-FALL, PAINT = 0.7, (0.7, 1.0, 0.5)
+FALL, PAINT = (0.7, 0.7, 0.7, 0.25, 0.25, 0.25, 0.25, 0.25), (0.7, 1.0, 0.5)
 """How uneven light is, and how much lips, brows and cheeks differ from skin: standard deviations."""
 SURE = 0.2
 """Skin whose colour is not known better than that does not begin the light."""
@@ -142,9 +142,8 @@ def unknowns(problem: Problem, view: int, /) -> NDArray[np.intp]:
 def _expect(problem: Problem, last: Bundle, matrix: Values, pull: Values) -> None:
     """Adds what is expected of lights and paint."""
     at = np.arange(problem.lit, problem.size)
-    even = np.full(last.lights.shape, FALL**-2)
-    even[:, 0] = 0.0
-    sure = np.concatenate([even.ravel(), np.array(PAINT) ** -2.0])
+    even = [0.0, *(np.array(FALL) ** -2.0)]  # how bright a picture is, nobody knows
+    sure = np.concatenate([even * len(last.lights), np.array(PAINT) ** -2.0])
     matrix[at, at] += sure
     pull[at] += sure * np.concatenate([last.lights.ravel(), last.paint])
 
