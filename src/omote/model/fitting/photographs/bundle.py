@@ -43,8 +43,9 @@ OUTLINES = 4
 UNIT = 0.12
 # A point that is off by so many standard deviations counts half (Student's t).
 ODD = 5.0
-# Landmarks of real people err more than those of ours: variances times this.
-CARE = 4.0
+# Landmarks of real people err more than those of ours: variances times this, and times the other where pictures say
+# better.
+CARE, LATE = 4.0, 16.0
 # Of an edge, metres, and how many neighbouring points of an outline say no more than one.
 EDGE, ALIKE = 0.0015, 4.0
 # No turn of one round is larger, radians, nor a change of a focal length's logarithm; nor one of a mode where pictures
@@ -108,6 +109,7 @@ def _step(
     for view in range(len(problem.photographs)):
         at = problem.columns(view)
         slopes, error, weighed = _look(problem, last, view)
+        weighed /= CARE if evidence is None else LATE
         matrix[np.ix_(at, at)] += slopes.T @ weighed[:, :-1]
         pull[at] += slopes.T @ weighed[:, -1]
         errors.append(error)
@@ -140,7 +142,7 @@ def _look(problem: Problem, last: Bundle, view: int) -> tuple[Values, Values, Va
     ])  # fmt: skip
     odd = (error**2 / law.variance).reshape(-1, 2).sum(axis=1)
     trust = np.repeat(1.0 / (1.0 + odd / ODD**2), 2)
-    return slopes, error, law.weigh(np.column_stack([slopes, error]), trust) / CARE
+    return slopes, error, law.weigh(np.column_stack([slopes, error]), trust)
 
 
 def _expect(problem: Problem, last: Bundle, view: int, matrix: Values, pull: Values) -> None:
