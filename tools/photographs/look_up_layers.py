@@ -23,28 +23,29 @@ LINED = 0.9
 """Skin that less light reaches is the lining of an opening."""
 
 
-def look_up_layers() -> tuple[NDArray[np.int32], Values]:
-    """Triangles (s, 3) of the face's skin, and how far the middle of each lies on lips, brows and cheeks (s, 3)."""
+def look_up_layers() -> tuple[NDArray[np.intp], Values]:
+    """Triangles (s,) of the face's skin, as rows of the space's, and how far the middle of each lies on lips, brows and
+    cheeks (s, 3)."""
     cast = load_cast()
     assert cast.atlas is not None
     space, atlas = cast.space, cast.atlas
     first = np.zeros(space.vertex_count, np.intp)
     first[atlas.source] = np.arange(len(atlas.source))
-    corners = space.triangles[head_zones(space).face[space.triangles].all(axis=1)]
-    uv = np.asarray(atlas.uv, np.float64)[first[corners]].mean(axis=1)
+    rows = np.flatnonzero(head_zones(space).face[space.triangles].all(axis=1))
+    uv = np.asarray(atlas.uv, np.float64)[first[space.triangles[rows]]].mean(axis=1)
     column, row = np.clip((uv * SIDE).astype(np.intp), 0, SIDE - 1).T
     mask = read_png(load_mask())[:SIDE] / 255.0
     shown = np.stack([gaussian_filter(mask[..., c], SMEAR)[row, column] for c in range(4)], axis=1)
     used = shown[:, 3] > LINED
-    return corners[used], np.minimum(shown[used, :3] * STRONG, 1.0)
+    return rows[used], np.minimum(shown[used, :3] * STRONG, 1.0)
 
 
 def main() -> None:
     """Writes them beside the landmark table."""
-    corners, layers = look_up_layers()
+    rows, layers = look_up_layers()
     with SKIN_LAYERS.open("wb") as stream:
         np.savez_compressed(
-            stream, allow_pickle=False, corners=corners.astype(np.uint16), layers=np.rint(255 * layers).astype(np.uint8)
+            stream, allow_pickle=False, rows=rows.astype(np.uint16), layers=np.rint(255 * layers).astype(np.uint8)
         )
 
 

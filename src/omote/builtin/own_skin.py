@@ -27,4 +27,4 @@ def load_skin_samples() -> SkinSamples:
 
     units = np.stack([worn({name: 1.0}) - worn({}) for name in names])
     with np.load(SKIN_LAYERS, allow_pickle=False) as file:
-        return sample_skin(cast.space, file["corners"].astype(np.int64), file["layers"].astype(np.float64) / 255, units)
+        return sample_skin(cast.space, file["rows"].astype(np.int64), file["layers"].astype(np.float64) / 255.0, units)

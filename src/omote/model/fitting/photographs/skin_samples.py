@@ -41,9 +41,10 @@ class SkinSamples:
 
 
 def sample_skin(
-    space: ParameterSpace, corners: NDArray[np.int64], layers: Values, units: Values, /
+    space: ParameterSpace, rows: NDArray[np.int64], layers: Values, units: Values, /
 ) -> SkinSamples:  # fmt: skip
-    """The points in the middles of triangles (s, 3); layers and units as in `SkinSamples`."""
+    """The points in the middles of triangles (s,), rows of the space's; layers and units as in `SkinSamples`."""
+    corners = space.triangles[rows].astype(np.int64)
     areas = mesh.areas(space.points, corners.astype(np.int32))
     border = BORDER * layers[:, LIPS] * (1.0 - layers[:, LIPS])
     spread = np.sqrt(EVEN**2 + border**2 + (BROW * layers[:, BROWS]) ** 2)
