@@ -29,8 +29,9 @@ ERROR = 0.05
 """Of a brightness' logarithm: what is neither light as we know it nor the skin's colour."""
 ALIKE = 8.0
 """So many neighbouring points say no more than one."""
-ODD = 3.0
-"""A point that is off by so many standard deviations counts half (Student's t)."""
+ODD = 2.0
+"""A point that is off by so many standard deviations counts a quarter, and one far off nothing: hair before the face
+(Geman and McClure)."""
 FALL, PAINT = (0.7, 0.7, 0.7, 0.25, 0.25, 0.25, 0.25, 0.25), (0.7, 1.0, 0.5)
 """How uneven light is, and how much lips, brows and cheeks differ from skin: standard deviations."""
 SURE = 0.2
@@ -185,7 +186,7 @@ def compare(problem: Problem, evidence: SkinEvidence, last: Bundle, view: int, b
         -basis[rows] / fall[rows, None], -samples.layers[rows],
     ])  # fmt: skip
     odd = left**2 / (ERROR**2 + samples.spread[rows] ** 2)
-    trust = samples.areas[rows] / ALIKE * shown.seen[rows] / (1.0 + odd / ODD**2)
+    trust = samples.areas[rows] / ALIKE * shown.seen[rows] / (1.0 + odd / ODD**2) ** 2
     return Compared(rows, left, slopes, trust / ERROR**2)
 
 
