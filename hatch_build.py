@@ -15,6 +15,7 @@ NEEDED = (
     "src/omote/builtin/identity_modes.npz",
     "src/omote/builtin/landmark_map.npz",
     "src/omote/builtin/photographs/landmark_table.npz",
+    "src/omote/builtin/photographs/skin_layers.npz",
     "src/omote/builtin/mask.png",
     "src/omote/builtin/NOTICE-CC0.md",
 )

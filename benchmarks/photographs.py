@@ -43,18 +43,19 @@ BARS = {1: 0.92, 4: 0.70}
 
 
 def take_views(
-    make: Make, draw: np.random.Generator, finder: Looks, *, told: bool = False
+    make: Make, draw: np.random.Generator, finder: Looks, *, told: bool = False, side: int = SIDE
 ) -> list[Photograph]:  # fmt: skip
-    """Four photographs of somebody by one camera, with the landmarks found; told: with the focal length."""
+    """Four photographs (side, side) of somebody by one camera, with the landmarks found; told: with the focal
+    length."""
     focal, setting, views = random_focal(draw), random_setting(draw), []
     for degrees in YAWS:
         yaw = float(np.radians(degrees) + draw.normal(0.0, 0.05))
-        camera = camera_at(draw, yaw, float(draw.normal(0, 0.06)), float(draw.normal(0, 0.05)), focal, SIDE)
+        camera = camera_at(draw, yaw, float(draw.normal(0, 0.06)), float(draw.normal(0, 0.05)), focal, side)
         picture, _ = photograph(camera, make({}, random_gaze(draw, yaw)), setting, draw)
         points = find(finder, picture)
         if points is not None:
             views.append(Photograph(
-                points.astype(np.float64) * SIDE, SIDE, SIDE, FILM * focal if told else None, "one", picture
+                points.astype(np.float64) * side, side, side, FILM * focal if told else None, "one", picture
             ))  # fmt: skip
     return views
 
@@ -72,14 +73,16 @@ def sculpted_person(draw: np.random.Generator) -> tuple[Values, Make]:
     return person.face.positions.astype(np.float64), lambda weights, gaze: model_of(person, weights, gaze)
 
 
-def measure_shapes(name: str, someone: Callable[..., tuple[Values, Make]], people: int, seed: int) -> None:
-    """Prints vertex errors of one photograph and of four."""
+def measure_shapes(
+    name: str, someone: Callable[..., tuple[Values, Make]], people: int, seed: int, side: int
+) -> None:  # fmt: skip
+    """Prints vertex errors of one photograph and of four, (side, side) pixels each."""
     finder, rows, seconds = open_finder(), [], []
     space, mean = load_cast().space, load_identity_modes().skin
     for number in range(people):
         draw = np.random.default_rng([seed, number])
         truth, make = someone(draw)
-        views = take_views(make, draw, finder)
+        views = take_views(make, draw, finder, side=side)
         if len(views) < len(YAWS):
             print(f"  person {number}: a face found in {len(views)} of {len(YAWS)} photographs, left out")
             continue
@@ -160,12 +163,13 @@ def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--people", type=int, default=12)
     parser.add_argument("--seed", type=int, default=None)
+    parser.add_argument("--side", type=int, default=SIDE, help="of the photographs that show shapes, pixels")
     asked = parser.parse_args()
     seed = int(np.random.SeedSequence().entropy % 2**31) if asked.seed is None else asked.seed  # type: ignore[operator]
     print(f"seed {seed}")
-    measure_shapes("the sculptor's", sculpted_person, asked.people, seed)
+    measure_shapes("the sculptor's", sculpted_person, asked.people, seed, asked.side)
     if at_hand():
-        measure_shapes("ICT-FaceKit's", ict_person, asked.people, seed)
+        measure_shapes("ICT-FaceKit's", ict_person, asked.people, seed, asked.side)
     measure_colours(max(asked.people // 4, 1), seed)
     measure_hair(2 * asked.people, seed)
 

@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from omote.builtin import load_identity_modes, load_landmark_table
+from omote.builtin.own_skin import load_skin_samples
 from omote.model.fitting.doubt import join_doubts
 from omote.model.fitting.find_head import find_head
 from omote.model.fitting.fit_face import Fit, fit_face
@@ -120,5 +121,6 @@ def fit_photographs(
     """
     refuse_no_space(space)
     return fit_photograph_views(
-        space, load_identity_modes(), load_landmark_table(), photographs, name=name, follow=follow
+        space, load_identity_modes(), load_landmark_table(), photographs, skin=load_skin_samples(), name=name,
+        follow=follow,
     )  # fmt: skip

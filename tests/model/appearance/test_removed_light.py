@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from omote.model.appearance.removed_light import harmonics, remove_light
+from omote.model.appearance.removed_light import remove_light
 
 SIDE = 210
 
@@ -45,11 +45,3 @@ def test_little_skin_and_what_is_not_seen_stay() -> None:
     half = np.where(np.arange(SIDE) < 100, 1.0, 0.0) * np.ones((SIDE, 1))
     even = remove_light(lit(painted), half.astype(np.float32), sphere(), painted)
     assert np.array_equal(even[:, 100:], lit(painted)[:, 100:])
-
-
-def test_harmonics_are_orthogonal_over_the_ball() -> None:
-    normals = np.random.default_rng(1).normal(size=(200_000, 3))
-    basis = harmonics(normals / np.linalg.norm(normals, axis=1, keepdims=True))
-    products = basis.T @ basis / len(basis)
-    sizes = np.sqrt(np.diag(products))
-    assert products / np.outer(sizes, sizes) == pytest.approx(np.eye(9), abs=0.02)

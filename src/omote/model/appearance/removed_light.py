@@ -10,12 +10,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from omote.model.albedo import Light
+from omote.model.fitting.soft_light import fit_soft_light, harmonics
 
 Values = NDArray[np.float64]
 
-ROUNDS = 6
-RIDGE = 0.001
-"""Of the light's uneven parts, beside its even one, as a share of what shows them."""
 RANGE = (0.35, 2.5)
 """Shade is divided out between these, its mean being 1: darker and lighter than that is no soft light."""
 _DARKEST = 0.004
@@ -38,27 +36,8 @@ def remove_light(light: Light, weight: Light, normals: Values, painted: Light, /
     used = weight > 0.0
     everywhere = harmonics(normals[used])
     for channel in range(3):
-        answer = _fit(basis, ratio[:, channel].astype(np.float64), weight[rows, columns].astype(np.float64))
+        answer = fit_soft_light(basis, ratio[:, channel].astype(np.float64), weight[rows, columns].astype(np.float64))
         even = float((weight[rows, columns] * (basis @ answer)).sum() / weight[rows, columns].sum())
         shade = np.clip(everywhere @ answer / max(even, _DARKEST), *RANGE)
         result[used, channel] = light[used, channel] / shade
     return result
-
-
-def harmonics(normals: Values, /) -> Values:
-    """The nine real spherical harmonics up to the second degree at unit normals (n, 3), not normed: (n, 9)."""
-    x, y, z = normals.T
-    return np.stack([np.ones(len(x)), x, y, z, x * y, y * z, x * z, x * x - y * y, 3.0 * z * z - 1.0], axis=1)
-
-
-def _fit(basis: Values, ratio: Values, weight: Values) -> Values:
-    """The weights (9,) of harmonics that explain ratios (n,), those far off counted less (Tukey)."""
-    share = weight.copy()
-    for _ in range(ROUNDS):
-        matrix = (basis.T * share) @ basis
-        penalty = RIDGE * np.trace(matrix) / 9.0 * np.diag([0.0, *np.ones(8)])
-        answer: Values = np.linalg.solve(matrix + penalty, (basis.T * share) @ ratio)
-        off = ratio - basis @ answer
-        wide = 4.0 * float(np.median(np.abs(off))) + 1e-9
-        share = weight * np.maximum(1.0 - (off / wide) ** 2, 0.0) ** 2
-    return answer

@@ -7,7 +7,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from omote.model.fitting.photographs.bundle import Bundle
+from omote.model.fitting.photographs.bundle_problem import Bundle
 from omote.model.fitting.photographs.photograph import Photograph
 from omote.model.fitting.photographs.photograph_camera import PhotographCamera
 from omote.model.fitting.photographs.photograph_doubts import FOLDS, find_photograph_doubts
@@ -17,7 +17,10 @@ from tools.tracking.picture import turn
 def bundle(*yaws: float) -> Bundle:
     cameras = tuple(PhotographCamera(turn("y", yaw), np.array([0, 0, -1.0]), 1000.0, 500, 500) for yaw in yaws)
     still = tuple(np.zeros(3) for _ in yaws)
-    return Bundle(np.zeros(5), np.ones(5), np.zeros(2), cameras, still, tuple(np.zeros(8) for _ in yaws))
+    return Bundle(
+        np.zeros(5), np.ones(5), np.zeros(2), cameras, still, tuple(np.zeros(8) for _ in yaws),
+        np.zeros((len(yaws), 9)), np.zeros(3),
+    )  # fmt: skip
 
 
 def doubts(found: Bundle, *sides: str | None, residual: float = 2.0, folds: int = 0) -> tuple[str, ...]:

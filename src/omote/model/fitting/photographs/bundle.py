@@ -7,22 +7,24 @@ by: the maximum a posteriori (Blanz and Vetter 1999; bundle adjustment after Tri
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import replace
 
 import numpy as np
 from numpy.typing import NDArray
 
 from omote.model.fitting.identity_modes import IdentityModes
+from omote.model.fitting.photographs.bundle_problem import LIGHTS, PAINTS, Bundle, Problem
 from omote.model.fitting.photographs.landmark_table import LandmarkTable
 from omote.model.fitting.photographs.outlines import REACH, find_outline
 from omote.model.fitting.photographs.photograph import Photograph
-from omote.model.fitting.photographs.photograph_camera import PhotographCamera
 from omote.model.fitting.photographs.pose_start import (
     FOCAL_SPREAD,
     KNOWN_SPREAD,
     start_camera,
     usual_focal,
 )
+from omote.model.fitting.photographs.skin_evidence import SkinEvidence, add_skin, open_evidence, start_lights
+from omote.model.fitting.photographs.skin_samples import SkinSamples
 from omote.model.fitting.photographs.view_errors import (
     POSE,
     change_by_places,
@@ -41,77 +43,48 @@ OUTLINES = 4
 UNIT = 0.12
 # A point that is off by so many standard deviations counts half (Student's t).
 ODD = 5.0
-# Landmarks of real people err more than those of ours: variances times this.
-CARE = 4.0
+# Landmarks of real people err more than those of ours: variances times this, and times the other where pictures say
+# better.
+CARE, LATE = 4.0, 16.0
 # Of an edge, metres, and how many neighbouring points of an outline say no more than one.
 EDGE, ALIKE = 0.0015, 4.0
-# No turn of one round is larger, radians, nor a change of a focal length's logarithm.
-STRIDE = 0.3
-
-
-@dataclass(frozen=True, eq=False)
-class Bundle:
-    """What explains the photographs: weights (m,) of the modes, their standard deviations (m,); what each person is
-    beside that (q,); of each photograph a camera, weights (u,) of units and errors (2 p,) in metres."""
-
-    weights: Values
-    deviations: Values
-    person: Values
-    cameras: tuple[PhotographCamera, ...]
-    units: tuple[Values, ...]
-    errors: tuple[Values, ...]
-
-
-@dataclass(frozen=True, eq=False)
-class Problem:
-    """What is adjusted: photographs on a space; of the p landmarks, where they lie on the mean head (p, 3), and how
-    modes (m, p, 3) and units (u, p, 3) move them; each photograph's lens, counted; brightness of the pictures."""
-
-    space: ParameterSpace
-    modes: IdentityModes
-    table: LandmarkTable
-    photographs: Sequence[Photograph]
-    mean: Values
-    moves: Values
-    units: Values
-    lenses: list[int]
-    luma: list[Values | None]
-
-    @property
-    def own(self) -> int:
-        """How many unknowns each photograph has beside its lens: six of a pose, units."""
-        return POSE - 1 + len(self.units)
-
-    @property
-    def common(self) -> int:
-        """How many unknowns all photographs share: modes, the person beside them."""
-        return len(self.moves) + int(self.table.person.shape[2])
-
-    def columns(self, view: int) -> NDArray[np.intp]:
-        """The unknowns on which a photograph depends: modes, person, turn, shift, lens, units."""
-        first = self.common + view * self.own
-        lens = self.common + len(self.photographs) * self.own + self.lenses[view]
-        found: NDArray[np.intp] = np.r_[
-            : self.common, first : first + POSE - 1, lens, first + POSE - 1 : first + self.own
-        ]
-        return found
+# No turn of one round is larger, radians, nor a change of a focal length's logarithm; nor one of a mode where pictures
+# are looked at, which are known only nearby.
+STRIDE, LEAP = 0.3, 1.0
+# Metres by which pictures are blurred, round by round, where skin is looked at.
+BLURS = (0.005, 0.005, 0.004, 0.003, 0.0025, 0.002, 0.0015, 0.0015)
 
 
 def adjust(
-    space: ParameterSpace, modes: IdentityModes, table: LandmarkTable, photographs: Sequence[Photograph], /
+    space: ParameterSpace, modes: IdentityModes, table: LandmarkTable, photographs: Sequence[Photograph], /,
+    skin: SkinSamples | None = None,
 ) -> Bundle:  # fmt: skip
-    """The most likely shape, cameras and expressions."""
+    """The most likely shape, cameras and expressions: by landmarks, then, where skin is known and pictures come along,
+    by what these show of it."""
     problem = Problem(
         space, modes, table, photographs, table.places(modes.skin), table.places(modes.moves),
         np.stack(list(table.units.values())), _lenses(photographs), [_brightness(each) for each in photographs],
     )  # fmt: skip
-    cameras = tuple(start_camera(each, problem.mean) for each in photographs)
-    units = tuple(np.zeros(len(problem.units)) for _ in photographs)
-    count = len(problem.moves)
-    found = Bundle(np.zeros(count), np.ones(count), np.zeros(problem.common - count), cameras, units, ())
+    found = _start(problem)
     for number in range(ROUNDS):
         found = _step(problem, found, number >= OUTLINES)
+    if skin is None or all(each.picture is None for each in photographs):
+        return found
+    evidence = open_evidence(problem, skin, found)
+    found = replace(found, lights=start_lights(problem, evidence, found, BLURS[0]))
+    for blur in BLURS:
+        found = _step(problem, found, True, evidence, blur)
     return found
+
+
+def _start(problem: Problem) -> Bundle:
+    """A usual head, seen as if from afar."""
+    count, views = len(problem.moves), problem.photographs
+    return Bundle(
+        np.zeros(count), np.ones(count), np.zeros(problem.common - count),
+        tuple(start_camera(each, problem.mean) for each in views),
+        tuple(np.zeros(len(problem.units)) for _ in views), (), np.zeros((len(views), LIGHTS)), np.zeros(PAINTS),
+    )  # fmt: skip
 
 
 def _lenses(photographs: Sequence[Photograph]) -> list[int]:
@@ -128,13 +101,15 @@ def _brightness(photograph: Photograph) -> Values | None:
     return result
 
 
-def _step(problem: Problem, last: Bundle, outlined: bool) -> Bundle:
-    size = problem.common + len(problem.photographs) * problem.own + max(problem.lenses) + 1
-    matrix, pull, errors = np.eye(size) * 1e-9, np.zeros(size), []
+def _step(
+    problem: Problem, last: Bundle, outlined: bool, evidence: SkinEvidence | None = None, blur: float = 0.0
+) -> Bundle:  # fmt: skip
+    matrix, pull, errors = np.eye(problem.size) * 1e-9, np.zeros(problem.size), []
     shape = problem.modes.shape_skin(last.weights) if outlined else None
     for view in range(len(problem.photographs)):
         at = problem.columns(view)
         slopes, error, weighed = _look(problem, last, view)
+        weighed /= CARE if evidence is None else LATE
         matrix[np.ix_(at, at)] += slopes.T @ weighed[:, :-1]
         pull[at] += slopes.T @ weighed[:, -1]
         errors.append(error)
@@ -144,8 +119,13 @@ def _step(problem: Problem, last: Bundle, outlined: bool) -> Bundle:
     rows = np.arange(problem.common)
     matrix[rows, rows] += 1.0
     pull[rows] += np.concatenate([last.weights, last.person])
+    if evidence is not None:
+        add_skin(problem, evidence, last, blur, matrix, pull)
     inverse = np.linalg.inv(matrix)
-    return _moved(problem, last, -inverse @ pull, np.sqrt(np.diag(inverse)), errors)
+    step = -inverse @ pull
+    if evidence is not None:
+        step *= min(1.0, LEAP / max(float(np.abs(step[: len(problem.moves)]).max()), 1e-9))
+    return _moved(problem, last, step, np.sqrt(np.diag(inverse)), errors)
 
 
 def _look(problem: Problem, last: Bundle, view: int) -> tuple[Values, Values, Values]:
@@ -162,7 +142,7 @@ def _look(problem: Problem, last: Bundle, view: int) -> tuple[Values, Values, Va
     ])  # fmt: skip
     odd = (error**2 / law.variance).reshape(-1, 2).sum(axis=1)
     trust = np.repeat(1.0 / (1.0 + odd / ODD**2), 2)
-    return slopes, error, law.weigh(np.column_stack([slopes, error]), trust) / CARE
+    return slopes, error, law.weigh(np.column_stack([slopes, error]), trust)
 
 
 def _expect(problem: Problem, last: Bundle, view: int, matrix: Values, pull: Values) -> None:
@@ -208,7 +188,9 @@ def _moved(problem: Problem, last: Bundle, step: Values, deviations: Values, err
         growth = float(np.clip(own[6], -STRIDE, STRIDE))
         cameras.append(camera.move(share * own[:3], share * own[3:6], growth))
         units.append(np.clip(last.units[view] + own[POSE:], 0.0, 1.0))
+    lit = problem.lit + last.lights.size
     return Bundle(
         last.weights + step[:count], deviations[:count], last.person + step[count : problem.common],
         tuple(cameras), tuple(units), tuple(errors),
+        last.lights + step[problem.lit : lit].reshape(last.lights.shape), last.paint + step[lit:],
     )  # fmt: skip

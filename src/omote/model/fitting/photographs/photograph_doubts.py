@@ -6,7 +6,7 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from omote.model.fitting.photographs.bundle import Bundle
+from omote.model.fitting.photographs.bundle_problem import Bundle
 from omote.model.fitting.photographs.photograph import Photograph
 
 TURNED = np.radians(25.0)

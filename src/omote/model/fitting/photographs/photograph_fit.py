@@ -9,11 +9,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from omote.model.fitting.identity_modes import IdentityModes, refuse_other_topology
-from omote.model.fitting.photographs.bundle import Bundle, adjust
+from omote.model.fitting.photographs.bundle import adjust
+from omote.model.fitting.photographs.bundle_problem import Bundle
 from omote.model.fitting.photographs.landmark_table import LandmarkTable, refuse_other_space
 from omote.model.fitting.photographs.photograph import Photograph
 from omote.model.fitting.photographs.photograph_camera import PhotographCamera
 from omote.model.fitting.photographs.photograph_doubts import find_photograph_doubts
+from omote.model.fitting.photographs.skin_samples import SkinSamples
 from omote.model.fitting.shape.face_closing import close_face
 from omote.model.fitting.shape.fold_mending import find_folds
 from omote.model.space.face import Face
@@ -63,7 +65,7 @@ class PhotographFit:
 
 def fit_photograph_views(
     space: ParameterSpace, modes: IdentityModes, table: LandmarkTable, photographs: Sequence[Photograph], /, *,
-    name: str = "photograph", follow: Follow | None = None,
+    skin: SkinSamples | None = None, name: str = "photograph", follow: Follow | None = None,
 ) -> PhotographFit:  # fmt: skip
     """Fits the generic head to photographs of one person: shape, cameras and expressions together.
 
@@ -77,6 +79,8 @@ def fit_photograph_views(
         How the landmark model errs.
     photographs : sequence of Photograph
         One or more, of one person.
+    skin : SkinSamples, optional
+        Where the skin is looked at in photographs that come with pictures; without it landmarks and outlines count.
     name : str
         The face's.
     follow : callable, optional
@@ -103,7 +107,7 @@ def fit_photograph_views(
         raise ValueError("there are no photographs; expected at least one")
     tell = follow or _say_nothing
     tell(0.0, "shape and cameras")
-    found = adjust(space, modes, table, photographs)
+    found = adjust(space, modes, table, photographs, skin)
     tell(0.8, "eyes and mouth")
     head, parts = modes.shape_skin(found.weights), modes.shape_parts(found.weights)
     face = close_face(space, name, space.points, head, parts)
