@@ -25,7 +25,7 @@ REGISTRIES = re.compile(
 PRIVATE = re.compile(r"/(?:home|Users)/\w|/roo[t]/|/wor[k]/|[A-Z]:\\Users")
 NETWORKS = {"viseme_network.npz", "landmark_table.npz", "observations.npz", "skin_layers.npz"}
 """Weights, and what weights are trained on, that no build can make: decisions 0136, 0134; and where skin is painted,
-with which photographs are compared (0166): no points, and a test holds it to the baked mask."""
+with which photographs are compared (0167): no points, and a test holds it to the baked mask."""
 MESHES = {".fbx", ".glb", ".gltf", ".npz", ".obj", ".ply", ".stl", ".target"}
 
 
