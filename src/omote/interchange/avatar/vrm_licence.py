@@ -45,7 +45,10 @@ class Credit:
 
     def __post_init__(self) -> None:
         if not self.authors or not all(name.strip() for name in self.authors):
-            raise ValueError("a VRM names who made it: give --author NAME, again for each further one")
+            raise ValueError(
+                "a VRM names who made it: give --author NAME, again for each further one; of an own face also who may "
+                "use it, --licence strict for example"
+            )
 
     def sentence(self, face: str) -> str:
         """Whose a written avatar is said to be, for people."""

@@ -16,6 +16,7 @@ from omote.model.fitting.photographs.photograph import Photograph
 from omote.model.fitting.photographs.photograph_camera import PhotographCamera
 from omote.model.fitting.photographs.skin_evidence import SkinEvidence, compare, open_evidence, start_lights, unknowns
 from omote.model.fitting.shape.head_zones import head_zones
+from omote.model.space.similarity import fit_similarity
 from tools.photographs.photographer import photograph
 from tools.photographs.sculpted_people import Sculpted, model_of, random_sculpted
 from tools.tracking.picture import random_setting, turn
@@ -24,17 +25,28 @@ SPACE, MODES, TABLE = load_cast().space, load_identity_modes(), load_landmark_ta
 SIDE, BLUR = 320, 0.004
 
 
+def weights_of(person: Sculpted) -> np.ndarray:
+    """The modes that are nearest to a person."""
+    flat = MODES.moves.reshape(len(MODES.moves), -1)
+    off = (person.face.positions - MODES.skin).ravel()
+    return np.asarray(np.linalg.solve(flat @ flat.T + 1e-6 * np.eye(len(flat)), flat @ off))
+
+
 @cache
 def taken(*yaws: float) -> tuple[Sculpted, tuple[Photograph, ...]]:
-    """Somebody photographed, with the landmarks of the mean head instead of theirs: only the pictures know better."""
+    """Somebody without hair photographed, with landmarks that err as the landmark model's do."""
     draw = np.random.default_rng(5)
     person, setting, views = random_sculpted(draw, 1.0), random_setting(draw), []
+    person = replace(person, look=replace(person.look, hair_style=""))
+    alike = draw.normal(size=TABLE.person.shape[2])
     for yaw in yaws:
         camera = PhotographCamera(turn("y", yaw), np.array([0.0, 0.0, -0.8]), 1.3 * SIDE, SIDE, SIDE)
         picture, _ = photograph(camera, model_of(person, {}, (0.0, 0.0)), setting, draw)
         law, points = TABLE.error_at(yaw), np.full((478, 2), SIDE / 2.0)
-        seen = camera.view(TABLE.places(MODES.skin))
-        seen[:, :2] += law.mean.reshape(-1, 2)
+        seen = camera.view(TABLE.places(person.face.positions))
+        own = law.basis @ (np.linalg.cholesky(law.shared) @ draw.normal(size=len(law.shared)))
+        off = law.mean + law.slopes @ weights_of(person) + law.person @ alike + own
+        seen[:, :2] += (off + np.sqrt(law.alone) * draw.normal(size=len(off))).reshape(-1, 2)
         points[: len(seen)] = camera.project(seen)
         views.append(Photograph(points, SIDE, SIDE, camera="one", picture=picture))
     return person, tuple(views)
@@ -85,18 +97,18 @@ def test_slopes_are_those_of_differences(name: str, column: int, step: float) ->
 
 
 def error(skin: np.ndarray, person: Sculpted) -> float:
-    """Root mean square of heights of the face, both freed of where they lie."""
+    """Metres between the faces, the mean after a similarity."""
     face = head_zones(SPACE).face
-    off = (skin - person.face.positions)[face]
-    return float(np.sqrt(((off - off.mean(axis=0)) ** 2).mean()))
+    truth = person.face.positions[face].astype(np.float64)
+    placed = fit_similarity(skin[face], truth, np.ones(len(truth)))(skin[face])
+    return float(np.linalg.norm(placed - truth, axis=1).mean())
 
 
 def test_pictures_bring_a_face_nearer_to_the_person_and_lights_start_bright() -> None:
     person, views = taken(0.0, 0.6, -0.6)
     blind, seeing = (adjust(SPACE, MODES, TABLE, views, each) for each in (None, load_skin_samples()))
     before, after = (error(MODES.shape_skin(each.weights), person) for each in (blind, seeing))
-    assert after < 0.95 * before
-    assert seeing.deviations.mean() < blind.deviations.mean()
+    assert after < 0.85 * before
     assert np.isfinite(seeing.lights).all()
 
 
