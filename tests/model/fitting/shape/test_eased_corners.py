@@ -7,7 +7,6 @@ from numpy.typing import NDArray
 
 import omote
 from omote.builtin import load_identity_modes
-from omote.geometry import mesh
 from omote.model.fitting.fit_face import fit_face
 from omote.model.fitting.landmarks import find_landmarks
 from omote.model.fitting.scan import Scan
