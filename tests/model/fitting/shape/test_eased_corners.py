@@ -1,4 +1,4 @@
-"""Corners of eyes: their triangles come nearer to the generic head's, on the surface, and what is far stays."""
+"""Inner corners of eyes: their triangles come nearer to the generic head's, on the surface, and what is far stays."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ from omote.model.space.similarity import Similarity
 
 CAST = omote.load_cast()
 SPACE, MODES = CAST.space, load_identity_modes()
-CORNERS = [row for name, row in find_landmarks(SPACE).items() if "_eye_" in name]
+CORNERS = [row for name, row in find_landmarks(SPACE).items() if name.endswith("_eye_inner")]
 AWAY = np.linalg.norm(SPACE.points[:, None] - SPACE.points[CORNERS], axis=2).min(axis=1)
 BESIDE = SPACE.sheet_triangles[(AWAY[SPACE.sheet_triangles] < 0.008).all(axis=1)]
 SEEDS = range(4)

@@ -1,4 +1,4 @@
-"""Slides the skin around the corners of the eyes along itself until its triangles are shaped as the generic head's.
+"""Slides skin around the inner corners of the eyes along itself until its triangles are shaped as the generic head's.
 
 Identity modes and matches say where a surface is and little about where along it a vertex belongs: people's corners
 came out twice as long and a quarter as wide as the generic ones, and a shape that folds nothing there folds the generic
@@ -29,8 +29,8 @@ FREE, ON_LINE, HELD = 0.02, 1.0, 10.0
 
 
 def ease_corners(space: ParameterSpace, skin: Values, /) -> Values:
-    """A skin (V, 3), metres, that bends near the corners of the eyes from the generic head as little as it can while it
-    stays on its planes; far from them the same."""
+    """A skin (V, 3), metres, that bends near the inner corners of the eyes from the generic head as little as it can
+    while it stays on its planes; far from them the same."""
     away = _measure_distance(space)
     share = np.clip((away - NEAR) / (FAR - NEAR), 0.0, 1.0)
     share = share * share * (3.0 - 2.0 * share)
@@ -51,8 +51,8 @@ def ease_corners(space: ParameterSpace, skin: Values, /) -> Values:
 
 
 def _measure_distance(space: ParameterSpace) -> Values:
-    """How far each vertex of the generic head (V,) is from the nearest corner of an eye, metres."""
-    corners = [row for name, row in find_landmarks(space).items() if "_eye_" in name]
+    """How far each vertex of the generic head (V,) is from the nearest inner corner of an eye, metres."""
+    corners = [row for name, row in find_landmarks(space).items() if name.endswith("_eye_inner")]
     off = space.points[:, None] - space.points[corners]
     result: Values = np.linalg.norm(off, axis=2).min(axis=1)
     return result
