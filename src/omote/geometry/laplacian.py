@@ -7,7 +7,7 @@ from numpy.typing import NDArray
 from scipy import sparse
 from scipy.sparse.linalg import splu
 
-from omote.geometry.mesh import Points, Triangles
+from omote.geometry.mesh import Points, Triangles, areas
 
 Values = NDArray[np.float64]
 Indices = NDArray[np.int32]
@@ -31,6 +31,15 @@ def cotangents(points: Points, triangles: Triangles, /) -> sparse.csr_array:
         values += [cotangent, cotangent]
     shape = (len(points), len(points))
     return sparse.coo_array((np.concatenate(values), (np.concatenate(rows), np.concatenate(cols))), shape=shape).tocsr()
+
+
+def bending_energy(points: Points, triangles: Triangles, /) -> tuple[sparse.csr_array, Values]:
+    """The bending of a thin plate with points (V, 3) as a quadratic form (V, V), and the area of each vertex (V,)."""
+    links = cotangents(points, triangles)
+    laplacian = sparse.csr_array(sparse.diags_array(links.sum(axis=1)) - links)
+    area = np.zeros(len(points))
+    np.add.at(area, triangles.ravel(), np.repeat(areas(points, triangles) / 3.0, 3))
+    return sparse.csr_array(laplacian.T @ sparse.diags_array(1.0 / np.maximum(area, 1e-12)) @ laplacian), area
 
 
 def smoothing_matrix(triangles: Triangles, vertex_count: int, /) -> sparse.csr_array:

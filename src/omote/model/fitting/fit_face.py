@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
+from functools import partial
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -16,6 +17,7 @@ from omote.model.fitting.landmarks import SEVEN, find_landmarks
 from omote.model.fitting.scan import Scan
 from omote.model.fitting.scan_skin import keep_skin, may_be_shut
 from omote.model.fitting.scan_surface import ScanSurface, face_outward, is_inside_out, sample_cloud, sample_mesh
+from omote.model.fitting.shape.eased_corners import ease_corners
 from omote.model.fitting.shape.face_closing import close_face
 from omote.model.fitting.shape.fitted_eyes import Ball, find_balls, place_balls
 from omote.model.fitting.shape.fold_mending import find_folds, mend_folds
@@ -183,7 +185,8 @@ def _bend(
             rungs = rung_matrix(line, count)
             pull = Pull(rungs, wide * line.rungs(space.points), np.ones(rungs.shape[0]))
             pulls.append((pull, np.full(len(lengths), RUNGS)))
-    return mend_folds(space, head, bend(space, head, skin, weights, pulls, lengths))
+    ease = None if shut else partial(ease_corners, space)
+    return mend_folds(space, head, bend(space, head, skin, weights, pulls, lengths, ease))
 
 
 def _carry_parts(

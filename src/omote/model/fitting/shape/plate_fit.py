@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -11,15 +11,18 @@ from scipy import sparse
 from scipy.sparse.linalg import LinearOperator, cg, splu
 
 from omote.geometry import mesh
-from omote.geometry.laplacian import cotangents
+from omote.geometry.laplacian import bending_energy
 from omote.model.fitting.scan_surface import ScanSurface
 from omote.model.space.parameter_space import ParameterSpace
 
 Values = NDArray[np.float64]
 Indices = NDArray[np.intp]
+Ease = Callable[[Values], Values]
 
 # The plate's stiffness as a length, metres; matches are found anew at each.
 LENGTHS = (0.024, 0.014, 0.007, 0.0035, 0.0018, 0.0009, 0.0005)
+# Before this one the skin is eased, once it lies near the surface.
+EASED = 0.0035
 # The share of a match that pulls along the surface too.
 ALONG = 0.02
 # Normals of a match lie within 60 degrees.
@@ -64,19 +67,19 @@ def match(surface: ScanSurface, space: ParameterSpace, skin: Values, reach: floa
 
 def bend(
     space: ParameterSpace, rest: Values, surface: ScanSurface, weights: Values, pulls: Sequence[tuple[Pull, Values]],
-    lengths: Sequence[float] = LENGTHS,
+    lengths: Sequence[float] = LENGTHS, ease: Ease | None = None,
 ) -> Values:  # fmt: skip
     """The skin (V, 3) at rest bent onto a surface.
 
-    weights (V,): how much each vertex's match counts; pulls: with how strong each is at each of the lengths.
+    weights (V,): how much each vertex's match counts; pulls: with how strong each is at each of the lengths; ease:
+    slides the skin along itself once, before the length EASED, and what it is at rest goes along.
     """
-    links = cotangents(rest, space.triangles)
-    laplacian = sparse.csr_array(sparse.diags_array(links.sum(axis=1)) - links)
-    area = np.zeros(len(rest))
-    np.add.at(area, space.triangles.ravel(), np.repeat(mesh.areas(rest, space.triangles) / 3.0, 3))
-    energy = sparse.csr_array(laplacian.T @ sparse.diags_array(1.0 / np.maximum(area, 1e-12)) @ laplacian)
+    energy, area = bending_energy(rest, space.triangles)
     skin = rest.copy()
     for level, length in enumerate(lengths):
+        if ease and length == EASED:
+            eased = ease(skin)
+            rest, skin = rest + eased - skin, eased
         found = match(surface, space, skin, max(REACH * length, LEAST))
         held = [(pull, float(area.mean() * each[level])) for pull, each in pulls]
         skin = _solve(rest, skin, length**4 * energy, surface, found.rows, area * weights * found.weights, held)
