@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from omote.builtin import load_cast, load_landmark_table
-from omote.model.fitting.photographs.skin_samples import SkinSamples, sample_skin
+from omote.model.fitting.photographs.skin.skin_samples import SkinSamples, sample_skin
 from omote.perform.blending.evaluate import evaluate
 from omote.perform.frame import Frame
 
@@ -22,9 +22,9 @@ def load_skin_samples() -> SkinSamples:
     `load_cast`."""
     cast, names = load_cast(), list(load_landmark_table().units)
 
-    def worn(units: dict[str, float]) -> NDArray[np.float64]:
+    def wear(units: dict[str, float]) -> NDArray[np.float64]:
         return evaluate(cast, Frame({"generic": 1.0}, {"neutral": 1.0}, units)).astype(np.float64)
 
-    units = np.stack([worn({name: 1.0}) - worn({}) for name in names])
+    units = np.stack([wear({name: 1.0}) - wear({}) for name in names])
     with np.load(SKIN_LAYERS, allow_pickle=False) as file:
         return sample_skin(cast.space, file["rows"].astype(np.int64), file["layers"].astype(np.float64) / 255.0, units)

@@ -114,6 +114,16 @@ export class DrawnCharacter {
     this.blended = "";
   }
 
+  /** Waits for the shaders of a head that is not drawn yet: those of all other characters are the same. */
+  async compile(
+    head: THREE.Group,
+    features: Features,
+    compile: (part: THREE.Object3D) => Promise<void>,
+  ): Promise<void> {
+    await compile(head);
+    if (!features.pixelLight) await compile(this.paint.mesh);
+  }
+
   /** A head at another level, with hair; `exchange` puts it on the stage. */
   prepare(template: HeadTemplate, features: Features): THREE.Group {
     const head = copyHead(template, this.uniforms);

@@ -128,8 +128,9 @@ export class FaceView {
     const [template, heads] = [this.templateOf(level), new Map<DrawnCharacter, THREE.Group>()];
     for (const character of this.characters.values())
       heads.set(character, character.prepare(template, featuresHere(level)));
+    const compile = (part: THREE.Object3D) => this.renderer.compileAsync(part, this.camera, this.scene).then(() => {});
     const [first] = heads;
-    if (first !== undefined) await this.compile(first, featuresHere(level));
+    if (first !== undefined) await first[0].compile(first[1], featuresHere(level), compile);
     if (this.wanted === level && this.common === common) this.next = { level, template, heads };
     else for (const [character, head] of heads) character.forget(head); // another was wished for, or the context was lost
   }
@@ -210,13 +211,6 @@ export class FaceView {
     this.canvas.removeEventListener("webglcontextrestored", this.contextRestored);
     for (const character of this.characters.values()) character.dispose(this.blender);
     for (const part of [this.parts.pictures, this.blender, this.smoothing, this.renderer]) part.dispose();
-  }
-
-  /** Waits for the shaders of a head that is not drawn yet: all others have the same. */
-  private async compile([character, head]: [DrawnCharacter, THREE.Group], { pixelLight }: Features): Promise<void> {
-    const { renderer, camera, scene } = this;
-    await renderer.compileAsync(head, camera, scene);
-    if (!pixelLight) await renderer.compileAsync(character.paint.mesh, camera, scene);
   }
 
   private templateOf(level: Level): HeadTemplate {

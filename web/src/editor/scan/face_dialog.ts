@@ -14,6 +14,7 @@ import { nameOf } from "./data/dropped_files";
 import type { Drawable, Hair } from "./data/scan_document";
 import { dropScan, sentence, takeFace } from "./data/scan_requests";
 import { style } from "./scan_style";
+import { hairChoice, nameNote, placeChoice } from "./taking_form";
 
 /** What a fit shows. */
 export type SeenFace = Drawable & {
@@ -233,42 +234,25 @@ export abstract class FaceDialog<Seen extends SeenFace> extends EditorElement {
   }
 
   #takingForm() {
-    const styles = (this.store.library?.manifest.hair ?? []).map(({ name }) => name);
     const own = this.store.items.find(({ id }) => id === this.replaced);
     return html`<h2>Take it as</h2><div class="taking">
-      ${this.#places()}
-      <label for="label">Name</label><input id="label" maxlength="64" ?disabled=${this.replaced !== null}
+      ${placeChoice(this.store.items, this.replaced, (id) => {
+        this.replaced = id;
+      })}
+      <label for="label">Name</label><input id="label" maxlength="64" ?disabled=${own !== undefined}
         .value=${own?.label ?? this.label}
         @input=${(event: Event) => {
           this.label = textOf(event);
         }} />
-      ${
-        this.replaced !== null || this.#called === this.#typed
-          ? nothing
-          : html`<p class="note called" role="status">There is a face "${this.#typed}" already: this one will be "${this.#called}".</p>`
-      }
-      <label for="hair">Hair</label><div class="row"><select id="hair" class="grow" @change=${(event: Event) => {
-        this.chosenHair = { ...this.#hair, style: textOf(event) };
-      }}>
-        ${["", ...styles].map((name) => html`<option value=${name} ?selected=${name === this.#hair.style}>${name === "" ? "none" : name}</option>`)}
-      </select><input type="color" aria-label="Colour of the hair" .value=${this.#hair.colour} @input=${(
-        event: Event,
-      ) => {
-        this.chosenHair = { ...this.#hair, colour: textOf(event) };
-      }} /></div>
+      ${own !== undefined || this.#called === this.#typed ? nothing : nameNote(this.#typed, this.#called)}
+      ${hairChoice(
+        (this.store.library?.manifest.hair ?? []).map(({ name }) => name),
+        this.#hair,
+        (hair) => {
+          this.chosenHair = hair;
+        },
+      )}
     </div>`;
-  }
-
-  /** A new face, or instead of which. */
-  #places() {
-    const faces = this.store.items.filter(({ kind, deleted, head }) => kind === "face" && !deleted && head > 0);
-    if (faces.length === 0) return nothing;
-    return html`<label for="replaced">Place</label><select id="replaced" @change=${(event: Event) => {
-      this.replaced = textOf(event) === "" ? null : Number(textOf(event));
-    }}>
-      <option value="">A new face</option>
-      ${faces.map(({ id, label }) => html`<option value=${id} ?selected=${id === this.replaced}>Instead of ${label}</option>`)}
-    </select>`;
   }
 
   #acts(seen: Seen) {

@@ -237,8 +237,7 @@ in vec4 vDiffuse;
 in vec3 vSheen;
 #else
 in vec3 vPlace;
-in vec2 vChance;
-in vec2 vCover;
+in vec2 vChance, vCover;
 in vec3 vDiffuse;
 in vec3 vRim;
 in vec4 vHalves;

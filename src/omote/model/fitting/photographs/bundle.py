@@ -23,8 +23,8 @@ from omote.model.fitting.photographs.pose_start import (
     start_camera,
     usual_focal,
 )
-from omote.model.fitting.photographs.skin_evidence import SkinEvidence, add_skin, open_evidence, start_lights
-from omote.model.fitting.photographs.skin_samples import SkinSamples
+from omote.model.fitting.photographs.skin.skin_evidence import SkinEvidence, add_skin, open_evidence, start_lights
+from omote.model.fitting.photographs.skin.skin_samples import SkinSamples
 from omote.model.fitting.photographs.view_errors import (
     POSE,
     change_by_places,

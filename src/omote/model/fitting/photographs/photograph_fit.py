@@ -15,7 +15,7 @@ from omote.model.fitting.photographs.landmark_table import LandmarkTable, refuse
 from omote.model.fitting.photographs.photograph import Photograph
 from omote.model.fitting.photographs.photograph_camera import PhotographCamera
 from omote.model.fitting.photographs.photograph_doubts import find_photograph_doubts
-from omote.model.fitting.photographs.skin_samples import SkinSamples
+from omote.model.fitting.photographs.skin.skin_samples import SkinSamples
 from omote.model.fitting.shape.face_closing import close_face
 from omote.model.fitting.shape.fold_mending import find_folds
 from omote.model.space.face import Face

@@ -7,7 +7,7 @@ import pytest
 
 from omote.builtin import load_cast
 from omote.geometry import mesh
-from omote.model.fitting.photographs.normal_slopes import slope_normals
+from omote.model.fitting.photographs.skin.normal_slopes import slope_normals
 
 SPACE = load_cast().space
 NORMALS, CHANGE = slope_normals(SPACE.points, SPACE.triangles)

@@ -7,7 +7,7 @@ import pytest
 
 from omote.builtin import load_cast
 from omote.builtin.own_skin import load_skin_samples
-from omote.model.fitting.photographs.skin_samples import BROWS, EVEN, LIPS
+from omote.model.fitting.photographs.skin.skin_samples import BROWS, EVEN, LIPS
 from omote.model.fitting.shape.head_zones import head_zones
 
 SPACE, SAMPLES = load_cast().space, load_skin_samples()

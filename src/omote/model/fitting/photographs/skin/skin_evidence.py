@@ -15,10 +15,10 @@ from numpy.typing import NDArray
 from scipy import sparse
 
 from omote.model.fitting.photographs.bundle_problem import LIGHTS, PAINTS, Bundle, Problem
-from omote.model.fitting.photographs.normal_slopes import slope_normals
 from omote.model.fitting.photographs.photograph_camera import PhotographCamera
-from omote.model.fitting.photographs.skin_samples import SkinSamples
-from omote.model.fitting.photographs.soft_pictures import Shown, SoftPicture, cut_face, look_at, unhidden
+from omote.model.fitting.photographs.skin.normal_slopes import slope_normals
+from omote.model.fitting.photographs.skin.skin_samples import SkinSamples
+from omote.model.fitting.photographs.skin.soft_pictures import Shown, SoftPicture, cut_face, look_at, unhidden
 from omote.model.fitting.photographs.view_errors import POSE, change_by_pose
 from omote.model.fitting.shape.head_zones import head_zones
 from omote.model.fitting.soft_light import fit_soft_light, harmonics, slope_harmonics

@@ -12,7 +12,7 @@ from omote.geometry import mesh
 from omote.model.albedo import encode_light
 from omote.model.fitting.photographs.photograph import Photograph
 from omote.model.fitting.photographs.photograph_camera import PhotographCamera
-from omote.model.fitting.photographs.soft_pictures import COARSE, cut_face, look_at, unhidden
+from omote.model.fitting.photographs.skin.soft_pictures import COARSE, cut_face, look_at, unhidden
 
 SPACE = load_cast().space
 SIDE = 400

@@ -14,7 +14,13 @@ from omote.model.fitting.photographs.bundle import adjust
 from omote.model.fitting.photographs.bundle_problem import Bundle, Problem
 from omote.model.fitting.photographs.photograph import Photograph
 from omote.model.fitting.photographs.photograph_camera import PhotographCamera
-from omote.model.fitting.photographs.skin_evidence import SkinEvidence, compare, open_evidence, start_lights, unknowns
+from omote.model.fitting.photographs.skin.skin_evidence import (
+    SkinEvidence,
+    compare,
+    open_evidence,
+    start_lights,
+    unknowns,
+)
 from omote.model.fitting.shape.head_zones import head_zones
 from omote.model.space.similarity import fit_similarity
 from tools.photographs.photographer import photograph

@@ -1,0 +1,1 @@
+"""What photographs show of the skin, as evidence for the shape of a face."""
