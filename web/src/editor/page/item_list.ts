@@ -34,10 +34,6 @@ const TABS: readonly (readonly [Kind, string])[] = [
 /** The face that wears what is pictured of expressions. */
 const PLAIN = "generic";
 
-/** What deleting is not. */
-const FORGET =
-  "Deleted faces can be brought back: they are still in the show file. To remove one for good, end the show and run: omote file forget SHOW NAME";
-
 /** Two sheets, one behind the other; few fonts have it. */
 const COPY = html`<svg width="13" height="13" viewBox="0 0 13 13" fill="none" stroke="currentColor" aria-hidden="true">
   <path d="M4.5 4.5h7v7h-7zM8.5 4.5v-3h-7v7h3" />
@@ -147,7 +143,6 @@ export class ItemListPanel extends EditorElement {
         }
       </header>
       ${own.length === 0 ? html`<p class="note">${this.#nothing()}</p>` : nothing}
-      ${this.deleted && this.kind === "face" && own.length > 0 ? html`<p class="note">${FORGET}</p>` : nothing}
       <ul>${repeat(
         own,
         ({ id }) => id,

@@ -193,7 +193,10 @@ export async function remove(store: DraftStore, item: ItemDocument): Promise<voi
   store.deleted = gone;
   if (gone.open) store.leave();
   else store.tell("draft");
-  store.say(`"${item.label}" is deleted.`, "done", [{ label: "Undo", act: () => void bringItemBack(store, gone) }]);
+  const still = item.kind === "face" ? ", and is still in the show file: omote file forget removes it for good" : "";
+  store.say(`"${item.label}" is deleted${still}.`, "done", [
+    { label: "Undo", act: () => void bringItemBack(store, gone) },
+  ]);
 }
 
 /** Undoes a delete: the item is in its place again, and open where it was. */
