@@ -56,6 +56,7 @@ SEEN = """async () => {
         if (still >= 8) ended();
     });
     const end = new Promise((done) => { ended = done; });
+    while (seen.length === 0) await new Promise((next) => request(next)); // a still picture is seldom drawn
     void window.omoteStage.change("high");
     await end;
     window.requestAnimationFrame = request;

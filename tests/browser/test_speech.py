@@ -169,7 +169,7 @@ def test_the_mouth_of_the_picture_moves(open_page: OpenPage, program: ConnectedS
     wait_until(page, "window.omoteStage.settled()")
     rest = np.array(page.evaluate("window.omoteStage.readPositions()"))
     program["one"].say(timing="visemes", marks=["aa"], times=[0.0, 20.0])
-    wait_until(page, "(window.omoteStage.pose().channels.jawOpen ?? 0) > 0.3")
+    wait_until(page, "(window.omoteStage.pose().channels.jawOpen ?? 0) > 0.3 && window.omoteStage.settled()")
     opened = np.array(page.evaluate("window.omoteStage.readPositions()"))
     assert np.abs(opened - rest).max() > 0.004  # metres
     program["one"].stop_speaking()
