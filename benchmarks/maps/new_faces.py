@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 
 import numpy as np
 
 from benchmarks.maps.bars import Run, Verdict, at_most, slow, worst
 from benchmarks.maps.figures import Figures
-from benchmarks.maps.methods import OURS
+from benchmarks.maps.methods import DEFORMATION, OURS
 from benchmarks.maps.random_faces import CARICATURES, MIXES, PEOPLE
 from benchmarks.maps.report import Row
 
@@ -26,6 +26,8 @@ WORST_HEAD = (
 TRIPLE_HEAD = ("triple", "faces", "triangles")
 INSIDE = ("eyes", "bag", "teeth", "sockets")
 PIERCED = 0.3e-3
+PEER_MILLISECONDS = 1.8
+"""What a compound took deformation transfer on the machine for which issue 13 set its bars of time."""
 
 Kinds = Mapping[str, Run]
 
@@ -35,7 +37,6 @@ def new_verdicts(kinds: Kinds) -> list[Verdict]:
     named = {name: figures for kind in NATURAL if kind in kinds for name, figures in kinds[kind][OURS].items()}
     natural = [*named.values()]
     every = [figures for run in kinds.values() for figures in run[OURS].values()]
-    times = {name: figures for run in kinds.values() for name, figures in run[OURS].items()}
     pierced = {part: _share(every, part) for part in INSIDE}
     return [
         Verdict("faces with a fold, % of people, mixes, caricatures", _folding(natural), 0.0),
@@ -47,9 +48,33 @@ def new_verdicts(kinds: Kinds) -> list[Verdict]:
         worst("lids along, worst of people, mixes, caricatures", named, lambda f: f.lids[1], 0.08),
         worst("lips, worst of people, mixes, caricatures", named, lambda f: f.lips[0], 0.06),
         *(Verdict(f"{part} over .3 mm, % of faces", share, 0.0) for part, share in pierced.items()),
-        Verdict("milliseconds, median", 1e3 * float(np.median([t for f in every for t in f.times])), 4.0),
-        Verdict("milliseconds, 95th percentile", 1e3 * slow(times), 10.0),
+        *_time_verdicts(kinds),
     ]
+
+
+def _time_verdicts(kinds: Kinds) -> list[Verdict]:
+    """Time beside deformation transfer's in the same run; alone where it was not asked, for that machine only.
+
+    Issue 13 asks for 4 and 10 ms. Its machine made a compound by deformation transfer in 1.8 ms (docs/transfer.md),
+    and the same code takes twice as long on the next one.
+    """
+    times = {name: figures for run in kinds.values() for name, figures in run[OURS].items()}
+    median, late = 1e3 * _median_time(times.values()), 1e3 * slow(times)
+    peers = [figures for run in kinds.values() for figures in run.get(DEFORMATION, {}).values()]
+    if not peers:
+        return [
+            Verdict("milliseconds, median", median, 4.0),
+            Verdict("milliseconds, 95th percentile", late, 10.0),
+        ]
+    peer = 1e3 * _median_time(peers)
+    return [
+        Verdict("time, median, over deformation transfer's median", median / peer, 4.0 / PEER_MILLISECONDS),
+        Verdict("time, 95th percentile, over deformation transfer's median", late / peer, 10.0 / PEER_MILLISECONDS),
+    ]
+
+
+def _median_time(faces: Iterable[Figures]) -> float:
+    return float(np.median([time for figures in faces for time in figures.times]))
 
 
 def _folding(faces: Sequence[Figures]) -> float:
