@@ -31,9 +31,9 @@ def _of_views(yaws: Sequence[float], spread: float) -> list[str]:
     """What is not seen from where the cameras were."""
     if len(yaws) == 1:
         return [
-            "One photograph shows how wide and tall a face is, and hardly how far nose, brow and chin stand out: those "
-            f"are as people's mostly are, about {spread:.1f} mm off. Likeness comes from the picture; add one from "
-            "each side, or turn the head."
+            "One photograph shows how wide and tall a face is; how far nose, brow and chin stand out only shades and "
+            f"what people's faces have in common tell, about {spread:.1f} mm off. Add one from each side, or turn the "
+            "head."
         ]
     doubts = []
     if max(yaws) < TURNED:
