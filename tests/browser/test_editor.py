@@ -531,6 +531,22 @@ def test_an_own_face_has_a_picture_as_soon_as_it_is_saved(editor: Editor) -> Non
     assert max(int(part) for part in level.split(",")) > 80  # its skin, not black
 
 
+def test_the_list_shows_the_item_that_has_just_been_opened(editor: Editor) -> None:
+    page = editor()
+    page.set_viewport_size({"width": 1280, "height": 600})
+    for label in ("Above one", "Above two", "Above three", "Above four", "Below them"):
+        page.evaluate(f"""() => {BENCH}.ask(
+            {{type: "create_face", label: {label!r}, base: {{goblin: 1}}, on_air: false}}).then(() => null)""")
+        wait_for(page, f"bench.item?.label === {label!r} && bench.face !== null")
+    row = page.locator("omote-item-list .item.open")
+    expect(row).to_have_attribute("data-item", str(bench(page, "item.name")))
+    expect(row).to_be_in_viewport(ratio=1)
+    page.locator("omote-item-list .list").evaluate("one => { one.scrollTop = 0; }")
+    expect(row).not_to_be_in_viewport(ratio=1)
+    page.get_by_label("Search by name or tag").press("Tab")
+    expect(row).not_to_be_in_viewport(ratio=1)  # who scrolls away from what is open stays there
+
+
 def test_what_is_saved_is_downloaded_by_a_button_and_what_is_not_says_why(editor: Editor) -> None:
     page = editor()
     make(page, "Goes out", "Smile")

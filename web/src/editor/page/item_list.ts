@@ -53,6 +53,8 @@ export class ItemListPanel extends EditorElement {
   #watch: IntersectionObserver | null = null;
   #carried: ItemDocument | null = null;
   #open = -1;
+  /** An item was opened whose row has not been scrolled to yet. */
+  #sought = false;
   readonly #stopStrayClicks = strayClickStopper();
   /** What items that are not saved yet look like, as far as they have been open here. */
   readonly #drafts = new Map<number, string>();
@@ -96,7 +98,7 @@ export class ItemListPanel extends EditorElement {
     const { item, draft } = this.store;
     if (draft !== null) this.#drafts.set(draft.item, draft.content);
     if (item === null || item.id === this.#open) return;
-    [this.#open, this.kind] = [item.id, item.kind];
+    [this.#open, this.kind, this.#sought] = [item.id, item.kind, true];
   }
 
   override render() {
@@ -274,12 +276,24 @@ export class ItemListPanel extends EditorElement {
   }
 
   override updated(): void {
+    if (this.#sought) this.#scrollToOpen();
     this.#watch ??= new IntersectionObserver((entries) => this.#see(entries));
     for (const canvas of this.#sight) if (!canvas.isConnected) this.#sight.delete(canvas);
     for (const canvas of this.canvases) {
       if (this.#sight.has(canvas)) this.#portray(canvas);
       else this.#watch.observe(canvas);
     }
+  }
+
+  /** Scrolls the list alone: on a phone the page itself goes on to what is edited. */
+  #scrollToOpen(): void {
+    const row = this.renderRoot.querySelector(".item.open");
+    const list = row?.closest(".list");
+    if (!row || !list) return;
+    this.#sought = false;
+    const [inner, outer] = [row.getBoundingClientRect(), list.getBoundingClientRect()];
+    if (inner.bottom > outer.bottom) list.scrollTop += inner.bottom - outer.bottom;
+    else if (inner.top < outer.top) list.scrollTop -= outer.top - inner.top;
   }
 
   #see(entries: readonly IntersectionObserverEntry[]): void {
