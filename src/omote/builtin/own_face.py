@@ -113,7 +113,7 @@ def fit_photographs(
     --------
     >>> front = omote.Photograph(landmarks, 1200, 1600, focal=26.0)  # doctest: +SKIP
     >>> omote.fit_photographs(cast.space, [front]).doubts  # doctest: +SKIP
-    ('One photograph shows how wide and tall a face is; how far nose, brow ...',)
+    ('One photograph shows how wide and tall a face is; only shades and what ...',)
 
     References
     ----------

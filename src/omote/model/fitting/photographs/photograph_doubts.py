@@ -31,8 +31,8 @@ def _of_views(yaws: Sequence[float], spread: float) -> list[str]:
     """What is not seen from where the cameras were."""
     if len(yaws) == 1:
         return [
-            "One photograph shows how wide and tall a face is; how far nose, brow and chin stand out only shades and "
-            f"what people's faces have in common tell, about {spread:.1f} mm off. Add one from each side, or turn the "
+            "One photograph shows how wide and tall a face is; only shades and what people's faces have in common tell "
+            f"how far nose, brow and chin stand out, about {spread:.1f} mm off. Add one from each side, or turn the "
             "head."
         ]
     doubts = []
