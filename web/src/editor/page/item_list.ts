@@ -9,6 +9,7 @@ import { base } from "../../ui/theme";
 import { THUMBNAIL_SIZE } from "../../ui/thumbnails";
 import { controls } from "../controls/controls_style";
 import { EditorElement, textOf } from "../controls/editor_element";
+import { PicturesInSight, scrollToRow } from "../controls/scrolled_list";
 import type { Topic } from "../session/draft_store";
 import {
   describe,
@@ -48,9 +49,8 @@ export class ItemListPanel extends EditorElement {
   @state() private making: Readonly<Record<string, number>> | null = null;
   @state() private naming = -1;
   @queryAll("canvas") private canvases!: NodeListOf<HTMLCanvasElement>;
-  /** Pictures that lie in sight; others are drawn when they are scrolled to. */
-  readonly #sight = new Set<Element>();
-  #watch: IntersectionObserver | null = null;
+  /** Others are drawn when they are scrolled to. */
+  readonly #sight = new PicturesInSight<HTMLCanvasElement>((canvas) => this.#portray(canvas));
   #carried: ItemDocument | null = null;
   #open = -1;
   /** An item was opened whose row has not been scrolled to yet. */
@@ -81,8 +81,7 @@ export class ItemListPanel extends EditorElement {
 
   override disconnectedCallback(): void {
     super.disconnectedCallback();
-    this.#watch?.disconnect();
-    this.#watch = null;
+    this.#sight.stop();
   }
 
   override focus(): void {
@@ -277,12 +276,7 @@ export class ItemListPanel extends EditorElement {
 
   override updated(): void {
     if (this.#sought) this.#scrollToOpen();
-    this.#watch ??= new IntersectionObserver((entries) => this.#see(entries));
-    for (const canvas of this.#sight) if (!canvas.isConnected) this.#sight.delete(canvas);
-    for (const canvas of this.canvases) {
-      if (this.#sight.has(canvas)) this.#portray(canvas);
-      else this.#watch.observe(canvas);
-    }
+    this.#sight.watch(this.canvases);
   }
 
   /** Scrolls the list alone: on a phone the page itself goes on to what is edited. */
@@ -291,17 +285,7 @@ export class ItemListPanel extends EditorElement {
     const list = row?.closest(".list");
     if (!row || !list) return;
     this.#sought = false;
-    const [inner, outer] = [row.getBoundingClientRect(), list.getBoundingClientRect()];
-    if (inner.bottom > outer.bottom) list.scrollTop += inner.bottom - outer.bottom;
-    else if (inner.top < outer.top) list.scrollTop -= outer.top - inner.top;
-  }
-
-  #see(entries: readonly IntersectionObserverEntry[]): void {
-    for (const { target, isIntersecting } of entries) {
-      if (isIntersecting) this.#sight.add(target);
-      else this.#sight.delete(target);
-      if (isIntersecting) this.#portray(target as HTMLCanvasElement);
-    }
+    scrollToRow(list, row);
   }
 
   /** What is neither saved nor has been open here has no picture, rather than that of something else. */
