@@ -10,6 +10,7 @@ import numpy as np
 from benchmarks.maps.bars import Run, Verdict, at_most, slow, worst
 from benchmarks.maps.figures import Figures
 from benchmarks.maps.methods import DEFORMATION, OURS
+from benchmarks.maps.pace import PEER_MILLISECONDS
 from benchmarks.maps.random_faces import CARICATURES, MIXES, PEOPLE
 from benchmarks.maps.report import Row
 
@@ -26,8 +27,6 @@ WORST_HEAD = (
 TRIPLE_HEAD = ("triple", "faces", "triangles")
 INSIDE = ("eyes", "bag", "teeth", "sockets")
 PIERCED = 0.3e-3
-PEER_MILLISECONDS = 1.8
-"""What a compound took deformation transfer on the machine for which issue 13 set its bars of time."""
 
 Kinds = Mapping[str, Run]
 
