@@ -17,7 +17,7 @@ from omote.model.fitting.landmarks import SEVEN, find_landmarks
 from omote.model.fitting.scan import Scan
 from omote.model.fitting.scan_skin import keep_skin, may_be_shut
 from omote.model.fitting.scan_surface import ScanSurface, face_outward, is_inside_out, sample_cloud, sample_mesh
-from omote.model.fitting.shape.eased_corners import ease_corners
+from omote.model.fitting.shape.eased_corners import ease_corners, ease_folded_corners
 from omote.model.fitting.shape.face_closing import close_face
 from omote.model.fitting.shape.fitted_eyes import Ball, find_balls, place_balls
 from omote.model.fitting.shape.fold_mending import find_folds, mend_folds
@@ -186,7 +186,8 @@ def _bend(
             pull = Pull(rungs, wide * line.rungs(space.points), np.ones(rungs.shape[0]))
             pulls.append((pull, np.full(len(lengths), RUNGS)))
     ease = None if shut else partial(ease_corners, space)
-    return mend_folds(space, head, bend(space, head, skin, weights, pulls, lengths, ease))
+    bent = bend(space, head, skin, weights, pulls, lengths, ease)
+    return mend_folds(space, head, ease_folded_corners(space, head, bent) if ease else bent)
 
 
 def _carry_parts(

@@ -7,11 +7,13 @@ from numpy.typing import NDArray
 
 import omote
 from omote.builtin import load_identity_modes
+from omote.geometry import mesh
 from omote.model.fitting.fit_face import fit_face
 from omote.model.fitting.landmarks import find_landmarks
 from omote.model.fitting.scan import Scan
 from omote.model.fitting.scan_surface import sample_mesh
-from omote.model.fitting.shape.eased_corners import FAR, ease_corners
+from omote.model.fitting.shape.eased_corners import FAR, NEAR, ease_corners, ease_folded_corners
+from omote.model.fitting.shape.fold_mending import find_folds, mend_folds
 from omote.model.fitting.shape.head_zones import head_zones
 from omote.model.space.similarity import Similarity
 
@@ -70,6 +72,46 @@ def test_eased_corners_are_wider_and_stay_near_the_surface() -> None:
 def test_what_is_far_from_corners_stays() -> None:
     person = draw_person(0)
     np.testing.assert_array_equal(ease_corners(SPACE, person)[AWAY > FAR], person[AWAY > FAR])
+
+
+def fold_corner(person: Values, corner: int) -> Values:
+    """The skin with the ring of a vertex 3 to 6 mm beside an eye's inner corner laid over its neighbours."""
+    away = np.linalg.norm(SPACE.points - SPACE.points[corner], axis=1)
+    row = int(np.flatnonzero(SPACE.on_sheet & (away > 0.003) & (away < 0.006))[0])
+    ring = np.unique(SPACE.sheet_triangles[(SPACE.sheet_triangles == row).any(axis=1)])
+    folded = person.copy()
+    folded[row] += 2.5 * (person[ring].mean(axis=0) - person[row]) + 1.5 * (person[ring[0]] - person[row])
+    return folded
+
+
+def test_a_corner_that_folds_is_eased_and_the_other_eye_stays() -> None:
+    """What mends folds squeezed the inner corner of an eye to a fifth: a shape was 28 % off there."""
+    for seed, corner in zip(SEEDS, [*CORNERS, *CORNERS], strict=True):
+        person = ease_corners(SPACE, draw_person(seed))
+        folded = fold_corner(person, corner)
+        assert len(find_folds(SPACE, person, folded))
+        eased = ease_folded_corners(SPACE, person, folded)
+        assert len(find_folds(SPACE, person, mend_folds(SPACE, person, eased))) == 0
+        other = np.linalg.norm(SPACE.points - SPACE.points[corner], axis=1) > FAR
+        np.testing.assert_array_equal(eased[other], folded[other])
+        narrowest = [
+            measure_areas(mend_folds(SPACE, person, skin), corner).min() / measure_areas(person, corner).min()
+            for skin in (eased, folded)
+        ]
+        assert narrowest[0] > narrowest[1]
+
+
+def measure_areas(skin: Values, corner: int) -> Values:
+    """The areas of triangles near a corner against the generic head's."""
+    near = SPACE.sheet_triangles[
+        (np.linalg.norm(SPACE.points - SPACE.points[corner], axis=1)[SPACE.sheet_triangles] < NEAR).all(axis=1)
+    ]
+    return mesh.areas(skin, near) / mesh.areas(SPACE.points, near)
+
+
+def test_corners_that_fold_nothing_are_not_eased() -> None:
+    person = draw_person(0)
+    assert ease_folded_corners(SPACE, person, person) is person
 
 
 def test_a_head_as_the_generic_one_is_not_moved() -> None:
