@@ -86,6 +86,14 @@ def test_two_heads_are_asked_about() -> None:
     assert any("more than one head" in doubt for doubt in _find(both).doubts)
 
 
+@pytest.mark.parametrize("apart", [0.35, 0.45])
+def test_two_heads_are_asked_about_where_the_second_is_not_like_others(apart: float) -> None:
+    """A second head was not noticed: guessed from thinned samples it stayed 2 mm beside itself."""
+    beside = CAST.faces["round"].positions + np.array([apart, 0.02, 0.0])
+    both = join_scans(*(Scan(points, SPACE.triangles) for points in (CAST.faces["kaori"].positions, beside)))
+    assert any("more than one head" in doubt for doubt in _find(both).doubts)
+
+
 def test_two_heads_are_asked_about_where_the_first_made_all_candidates(monkeypatch: pytest.MonkeyPatch) -> None:
     """A scan of two was taken for one: places on the first had left none of the second among the best."""
     both = join_scans(head_scan(KAORI), head_scan(head_points("man") + np.array([0.4, 0.0, 0.0])))

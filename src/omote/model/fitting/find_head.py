@@ -40,8 +40,9 @@ NEAR_UNIT = 0.2
 SURE, MARGIN = 0.0016, 0.7
 # What of the face must be there, and how near to it what is there must lie: metres.
 COVERED, BACK = 0.6, 0.0025
-# A second head is one whose nose is so far from the first's, metres, and which agrees as well as a sure one.
-OTHER_HEAD = 0.12
+# A second head is one whose nose is so far from the first's and which agrees within so many metres; the likeliest that
+# agrees within NEARLY is aligned once more.
+OTHER_HEAD, ALSO, NEARLY = 0.12, 0.0019, 0.003
 # The points within so many metres of the skin, and at most so far below the neck's end, are the head's.
 INSIDE, BELOW = 0.08, 0.005
 # Clicks may miss a person's landmarks by so many metres before they are asked about; a refined place stays so near.
@@ -122,13 +123,21 @@ def find_head(
 def _doubt(template: HeadTemplate, scan: Scan, candidates: list[Candidate]) -> tuple[Doubt, ...]:
     """What is not sure of the best candidate, and of there being no other."""
     doubts, best = _doubt_best(candidates), candidates[0]
-    others = candidates[1:]
-    if not doubts and not any(_is_other_head(best, each) for each in others):
-        # One head alone may have made all candidates: another is looked for where this one is not.
-        others = find_others(template, scan, best)
-    if any(_is_other_head(best, each) for each in others):
+    # One head alone may have made all candidates: another is looked for where this one is not.
+    if any(_is_other_head(best, each) for each in candidates[1:]) or (
+        not doubts and _has_other_head(template, scan, best, [*candidates[1:], *find_others(template, scan, best)])
+    ):
         doubts.append("There is more than one head; points on one say which is meant.")
     return tuple(Doubt(sentence, PLACE) for sentence in doubts)
+
+
+def _has_other_head(template: HeadTemplate, scan: Scan, best: Candidate, others: list[Candidate]) -> bool:
+    """Whether one of other candidates is a head too, the likeliest aligned once more from farther off: what was sampled
+    of the whole scan may have led it beside the head."""
+    if any(_is_other_head(best, each) for each in others):
+        return True
+    maybe = [each for each in others if _may_be_other_head(best, each)]
+    return bool(maybe) and _is_other_head(best, refine(template, scan, min(maybe, key=score).found, rounds=3))
 
 
 def _doubt_best(candidates: list[Candidate]) -> list[str]:
@@ -146,8 +155,15 @@ def _doubt_best(candidates: list[Candidate]) -> list[str]:
 
 def _is_other_head(best: Candidate, other: Candidate) -> bool:
     """Whether another candidate is a head too, somewhere else."""
+    return _may_be_other_head(best, other) and other.agreement.residual < ALSO
+
+
+def _may_be_other_head(best: Candidate, other: Candidate) -> bool:
+    """Whether another candidate, somewhere else, is near to being a head."""
     apart = float(np.linalg.norm(best.tip - other.tip)) * best.found.pose.scale
-    return apart > OTHER_HEAD and other.agreement.residual < SURE and other.agreement.covered > COVERED
+    agreement = other.agreement
+    near = agreement.residual < NEARLY and agreement.back < BACK and agreement.covered > COVERED
+    return apart > OTHER_HEAD and near
 
 
 def _place_by_landmarks(template: HeadTemplate, scan: Scan, given: Mapping[str, Values]) -> HeadPlacement:
