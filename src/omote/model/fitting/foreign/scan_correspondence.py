@@ -18,11 +18,12 @@ Rows = NDArray[np.intp]
 
 # A normal that is the other way round is as far as twice so many metres: the face lies on the scan already, and where
 # lids curl a stronger pull to what looks the same way slides along them.
-TURN = 0.001
+TURN = 0.0007
 # Of so many samples nearest in place and way, the triangles are looked at.
 CANDIDATES = 6
-# A match farther than this, metres, says nothing; normals of one lie within 60 degrees.
-FAR, ALIKE = 0.004, 0.5
+# A match farther than this, metres, says nothing; normals of one lie within 90 degrees, for the rim of a lid turns by
+# as much from one row to the next.
+FAR, ALIKE = 0.0025, 0.0
 
 
 @dataclass(frozen=True, eq=False)

@@ -18,7 +18,7 @@ Edges = NDArray[np.integer]
 # Sides are told so far from a line, metres; those of the other skin start from what lies so far from ours.
 REACH, SEEDS = 0.014, (0.003, 0.008)
 # A point has a side where the way to one side is shorter than to the other by this share of both; a seed, by more.
-CLEAR, SURE = 0.25, 0.5
+CLEAR, SURE = 0.4, 0.5
 # Near its corners a line has no sides, this share of its length at each end.
 CORNERS = 0.12
 
