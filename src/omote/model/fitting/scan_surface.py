@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import cached_property
 
 import numpy as np
 from numpy.typing import NDArray
@@ -35,21 +36,21 @@ class ScanSurface:
     border: NDArray[np.bool_]
     component: NDArray[np.int32]
     triangle: NDArray[np.int32]
-    tree: cKDTree
-    turned: cKDTree
 
-    @staticmethod
-    def of(
-        points: Values, normals: Values, border: NDArray[np.bool_], component: NDArray[np.int32],
-        triangle: NDArray[np.int32], /,
-    ) -> ScanSurface:  # fmt: skip
-        """The surface with its trees."""
-        turned = cKDTree(np.hstack([points, TURN * normals]))
-        return ScanSurface(points, normals, border, component, triangle, cKDTree(points), turned)
+    # Trees are made when they are first asked for; halves of unequal size are as fast to ask and sooner made.
+    @cached_property
+    def tree(self) -> cKDTree:
+        """The points, by place."""
+        return cKDTree(self.points, balanced_tree=False)
+
+    @cached_property
+    def turned(self) -> cKDTree:
+        """The points, by place and way."""
+        return cKDTree(np.hstack([self.points, TURN * self.normals]), balanced_tree=False)
 
     def keep(self, chosen: NDArray[np.bool_], /) -> ScanSurface:
         """This surface without the points that are not chosen (n,)."""
-        return ScanSurface.of(
+        return ScanSurface(
             self.points[chosen], self.normals[chosen], self.border[chosen], self.component[chosen],
             self.triangle[chosen],
         )  # fmt: skip
@@ -101,7 +102,7 @@ def sample_mesh(points: Values, triangles: NDArray[np.integer], near: Values, re
     u, v = np.where(over, 1.0 - u, u), np.where(over, 1.0 - v, v)
     found = (1.0 - u - v) * a[owner] + u * b[owner] + v * c[owner]
     normals = across[owner] / np.maximum(area[owner], 1e-30)[:, None]
-    return ScanSurface.of(found, normals, edge[corners].any(axis=1)[owner], labels[owner], rows[owner].astype(np.int32))
+    return ScanSurface(found, normals, edge[corners].any(axis=1)[owner], labels[owner], rows[owner].astype(np.int32))
 
 
 def _label_sheets(corners: NDArray[np.integer]) -> NDArray[np.int32]:
@@ -136,7 +137,7 @@ def sample_cloud(points: Values, outside: tuple[Values, Values], near: Values, r
     normals = axes[:, :, 0]
     normals = normals * np.where(_facing(kept, normals, outside) < 0.0, -1.0, 1.0)[:, None]
     none = np.zeros(len(kept))
-    return ScanSurface.of(kept, normals, none.astype(np.bool_), none.astype(np.int32), np.full(len(kept), -1, np.int32))
+    return ScanSurface(kept, normals, none.astype(np.bool_), none.astype(np.int32), np.full(len(kept), -1, np.int32))
 
 
 def face_outward(surface: ScanSurface, outside: tuple[Values, Values], /) -> ScanSurface:
@@ -145,7 +146,7 @@ def face_outward(surface: ScanSurface, outside: tuple[Values, Values], /) -> Sca
     some = slice(None, None, 16)
     if _facing(surface.points[some], surface.normals[some], outside).mean() >= 0.0:
         return surface
-    return ScanSurface.of(surface.points, -surface.normals, surface.border, surface.component, surface.triangle)
+    return ScanSurface(surface.points, -surface.normals, surface.border, surface.component, surface.triangle)
 
 
 def is_inside_out(surface: ScanSurface, outside: tuple[Values, Values], /) -> bool:

@@ -44,7 +44,7 @@ def test_without_matches_pulls_alone_say_where_the_plate_goes() -> None:
 def test_far_points_and_those_that_look_away_have_no_match() -> None:
     surface = surface_of("generic")
     assert not match(surface, SPACE, SPACE.points + 0.2, 0.003).weights.any()
-    inside_out = ScanSurface.of(surface.points, -surface.normals, surface.border, surface.component, surface.triangle)
+    inside_out = ScanSurface(surface.points, -surface.normals, surface.border, surface.component, surface.triangle)
     weights = match(inside_out, SPACE, SPACE.points, 0.003).weights
     assert weights[ZONES.closed].mean() < 0.02 < match(surface, SPACE, SPACE.points, 0.003).weights[ZONES.closed].mean()
 
@@ -54,5 +54,5 @@ def test_a_rough_surface_is_not_followed_finely() -> None:
     spoiled = rough.normals + np.random.default_rng(0).normal(scale=0.4, size=rough.normals.shape)
     spoiled /= np.linalg.norm(spoiled, axis=1, keepdims=True)
     assert find_lengths(rough) == LENGTHS
-    lengths = find_lengths(ScanSurface.of(rough.points, spoiled, rough.border, rough.component, rough.triangle))
+    lengths = find_lengths(ScanSurface(rough.points, spoiled, rough.border, rough.component, rough.triangle))
     assert min(lengths) >= NOISY > LENGTHS[-1]
