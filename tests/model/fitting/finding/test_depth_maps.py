@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from omote.model.fitting.finding.depth_maps import RINGS, TURNS, compare_maps, make_maps
+from omote.model.fitting.finding.depth_maps import RINGS, TURNS, compare_maps, find_turn, make_maps
 from tests.model.fitting.placed_heads import degrees_between, turn_by
 
 PEAK = np.zeros((1, 3))
@@ -62,3 +62,11 @@ def test_turns_that_are_barred_are_not_asked() -> None:
     away = (other.turn - first.turn) % TURNS
     assert min(away[0], TURNS - away[0]) >= TURNS // 4
     assert other.distance[0] > first.distance[0]
+
+
+def test_turns_are_those_of_the_arc_tangent() -> None:
+    ways = np.random.default_rng(0).normal(size=(2000, 2))
+    angles = np.arctan2(ways[:, 1], ways[:, 0])
+    expected = ((angles + np.pi) / (2.0 * np.pi) * TURNS).astype(int) % TURNS
+    assert [find_turn(u, v) for u, v in ways] == expected.tolist()
+    assert all(0 <= find_turn(u, v) < TURNS for u in (-1.0, 0.0, 1.0) for v in (-1.0, 0.0, 1.0))

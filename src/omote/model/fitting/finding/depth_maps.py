@@ -27,6 +27,10 @@ _WIDE, _NEAR = 0.05, 0.02
 _BEHIND, _BEFORE = -0.055, 0.03
 # A surface juts out where the middle of what is near lies so far behind: noses' are 6 and 14 mm and more.
 _LEAST_NEAR, _LEAST_WIDE = 0.0045, 0.011
+# The slopes between the turns of a quarter.
+_SLOPES = tuple(np.tan(2.0 * np.pi / TURNS * np.arange(1, TURNS // 4)).tolist())
+# Sums may be taken in any order, not a number is not to be left out.
+_FAST = {"reassoc", "contract", "arcp", "nsz"}
 # Farther than this from each other depths are simply different.
 _DIFFERENT = 0.02
 # What a map that shows nothing where it should adds, for all of it.
@@ -126,7 +130,7 @@ def _cubes(place: Values, sizes: Indices, low: Values, cell: float) -> Indices:
     return found[:count]
 
 
-@njit(cache=True)
+@njit(cache=True, fastmath=_FAST)
 def _add_middles(
     points: Values, starts: Indices, sizes: Indices, low: Values, cell: float,
     places: Values, middles: Values,
@@ -143,7 +147,7 @@ def _add_middles(
             middles[k, 0], middles[k, 1], middles[k, 2] = sx / count, sy / count, sz / count
 
 
-@njit(cache=True)
+@njit(cache=True, fastmath=_FAST)
 def _draw_maps(
     points: Values, starts: Indices, sizes: Indices, low: Values, cell: float,
     places: Values, frames: Values, depths: Values,
@@ -158,11 +162,26 @@ def _draw_maps(
                     continue
                 u = x * f[0, 0] + y * f[0, 1] + z * f[0, 2]
                 v = x * f[1, 0] + y * f[1, 1] + z * f[1, 2]
-                ring = int(np.sqrt(u * u + v * v) / REACH * RINGS)
-                if ring < RINGS:
-                    turn = int((np.arctan2(v, u) + np.pi) / (2.0 * np.pi) * TURNS) % TURNS
+                square = u * u + v * v
+                if square < REACH * REACH:
+                    at = int(np.sqrt(square) * (RINGS / REACH)) * TURNS + find_turn(u, v)
                     # The outermost counts: linings and eyeballs lie behind.
-                    depths[k, ring * TURNS + turn] = max(depths[k, ring * TURNS + turn], depth)
+                    depths[k, at] = max(depths[k, at], depth)
+
+
+@njit(cache=True)
+def find_turn(u: float, v: float) -> int:
+    """In which of the TURNS from -pi on a direction lies; slopes tell it in a fraction of an arc tangent's time."""
+    if v < 0.0:
+        quarter, along, up = (0, -u, -v) if u < 0.0 else (1, -v, u)
+    else:
+        quarter, along, up = (2, u, v) if u > 0.0 else (3, v, -u)
+    turn = quarter * (TURNS // 4)
+    for slope in _SLOPES:
+        if up < slope * along:
+            break
+        turn += 1
+    return turn
 
 
 @njit(cache=True)
@@ -177,7 +196,7 @@ def _match(
                 distance[k], turns[k], leans[k, 0], leans[k, 1] = away, turn, a, b
 
 
-@njit(cache=True)
+@njit(cache=True, fastmath=_FAST)
 def _compare(depths: Values, wanted: Values, across: Values, weights: Values) -> tuple[float, float, float]:
     """The weighted distance of two maps after the lean (a, b) between them is taken out."""
     s, total, xx, xy, yy, ex, ey, ee = 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0
