@@ -89,8 +89,9 @@ def test_two_heads_are_asked_about() -> None:
 @pytest.mark.parametrize("apart", [0.35, 0.45])
 def test_two_heads_are_asked_about_where_the_second_is_not_like_others(apart: float) -> None:
     """A second head was not noticed: guessed from thinned samples it stayed 2 mm beside itself."""
-    beside = CAST.faces["round"].positions + np.array([apart, 0.02, 0.0])
-    both = join_scans(*(Scan(points, SPACE.triangles) for points in (CAST.faces["kaori"].positions, beside)))
+    first, second = (CAST.faces[name].positions.astype(np.float64) for name in ("kaori", "round"))
+    beside = second + np.array([apart, 0.02, 0.0])
+    both = join_scans(Scan(first, SPACE.triangles), Scan(beside, SPACE.triangles))
     assert any("more than one head" in doubt for doubt in _find(both).doubts)
 
 
