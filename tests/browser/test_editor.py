@@ -523,7 +523,7 @@ def test_an_own_face_has_a_picture_as_soon_as_it_is_saved(editor: Editor) -> Non
     expect(page.locator("[data-kind=face]")).to_have_attribute("aria-selected", "true")
     save(page)
     source = bench(page, "item.content")
-    canvas = page.locator(f"omote-item-list canvas[data-source='{source}']").first
+    canvas = page.locator("omote-item-list .item.open canvas")
     expect(canvas).to_have_attribute("data-drawn", f"{source} neutral")
     level = canvas.evaluate(
         "one => one.getContext('2d').getImageData(one.width / 2, one.height / 2, 1, 1).data.slice(0, 3).join()"
@@ -545,6 +545,14 @@ def test_the_list_shows_the_item_that_has_just_been_opened(editor: Editor) -> No
     expect(row).not_to_be_in_viewport(ratio=1)
     page.get_by_label("Search by name or tag").press("Tab")
     expect(row).not_to_be_in_viewport(ratio=1)  # who scrolls away from what is open stays there
+    other = editor()  # where expressions were listed, and what takes in scans comes with the faces
+    other.set_viewport_size({"width": 1280, "height": 600})
+    other.evaluate(f"""() => {BENCH}.ask(
+        {{type: "create_face", label: "Last of all", base: {{goblin: 1}}, on_air: false}}).then(() => null)""")
+    row = other.locator("omote-item-list .item.open")
+    expect(row).to_have_attribute("data-item", "last_of_all")
+    wait_for(other, "bench.face !== null")
+    expect(row).to_be_in_viewport(ratio=1)
 
 
 def test_what_is_saved_is_downloaded_by_a_button_and_what_is_not_says_why(editor: Editor) -> None:

@@ -275,12 +275,13 @@ export class ItemListPanel extends EditorElement {
   }
 
   override updated(): void {
-    if (this.#sought) this.#scrollToOpen();
+    if (this.#sought) requestAnimationFrame(() => this.#scrollToOpen()); // what stands above has its height by then
     this.#sight.watch(this.canvases);
   }
 
   /** Scrolls the list alone: on a phone the page itself goes on to what is edited. */
   #scrollToOpen(): void {
+    if (!this.#sought || this.store.draft?.item !== this.#open) return; // the row before is open until the draft comes
     const row = this.renderRoot.querySelector(".item.open");
     const list = row?.closest(".list");
     if (!row || !list) return;
