@@ -31,7 +31,8 @@ window.pad = {
 window.pads = [];
 navigator.getGamepads = () => pads;
 """
-BINDINGS = "document.querySelector('omote-console, omote-devices-page').context.devices.store.bindings"
+DEVICE_STORE = "document.querySelector('omote-console, omote-devices-page').context.devices.store"
+BINDINGS = f"{DEVICE_STORE}.bindings"
 SHOWN_LEFT = "(each) => (each.isConnected && !each.hidden ? each.getBoundingClientRect().left : null)"
 TURN = "(values) => { for (const value of values) dial.emit([0xb0, 7, value]); }"
 
@@ -49,10 +50,18 @@ def open_with_devices(open_page: OpenPage) -> Callable[..., Page]:
         page.goto(page.url.replace("/nothing", path))
         wait_until(page, "document.querySelector('omote-console, omote-devices-page')?.context.store.state")
         wait_until(page, "document.querySelector('omote-console, omote-devices-page').context.store.manifest")
+        wait_until(page, "document.querySelector('omote-console, omote-devices-page').context.store.online")
         assert not blocked
         return page
 
     return open_one
+
+
+def connect(page: Page) -> None:
+    """Plugs the dial in, and waits until the show hears it from here: the page before may not have let it go yet."""
+    page.evaluate("dial.connect()")
+    dial = f"{DEVICE_STORE}.devices.find(({{ name }}) => name === 'Dial')"
+    wait_until(page, f"(dial.emit([0xb0, 7, 1]), dial.emit([0xb0, 7, 0]), {dial}?.values['1/cc7'] === 0)", told=dial)
 
 
 def bound(page: Page, count: int) -> None:
@@ -124,7 +133,7 @@ def test_what_is_learned_by_touch_plays_to_the_picture_and_waits_for_its_device(
 ) -> None:
     page = open_with_devices("/console")
     page.evaluate(f"{DESK}.arrange({{ tab: 'jaw', kind: 'performed' }})")
-    page.evaluate("dial.connect()")
+    connect(page)
     page.keyboard.press("z")
     page.locator(".spot[data-to='/omote/one/channel/jawOpen']").click()
     page.evaluate(TURN, [100, 110, 120])
@@ -170,7 +179,7 @@ def test_what_is_learned_by_touch_plays_to_the_picture_and_waits_for_its_device(
 
 def test_the_devices_page_shows_edits_and_takes_back(open_with_devices: Callable[..., Page]) -> None:
     page = open_with_devices("/devices", width=390, height=844)
-    page.evaluate("dial.connect()")
+    connect(page)
     source = page.locator("article[data-device='Dial']")
     page.evaluate(TURN, [127])
     bar = source.locator(".bar[data-control='1/cc7']")
