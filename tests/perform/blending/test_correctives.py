@@ -132,15 +132,6 @@ def test_the_throat_folds_nothing_under_an_open_jaw(face: str, names: tuple[str,
     assert not (over(face, worn(face, dict.fromkeys(names, 1.0))) & ~alone).any()
 
 
-@pytest.mark.parametrize("face", ["kaori", "man", "old", "baby", "heavy", "goblin", "dog"])
-@pytest.mark.parametrize("more", ["jawOpen", "eye-left-opened-up"])
-def test_an_eye_that_is_closed_twice_folds_nothing(face: str, more: str) -> None:
-    """Two closures of one eye want opposite things of lids and triangles; few rounds left corners turned over."""
-    names = ("eyeBlinkRight", "eye-right-closure", more)
-    alone = np.any([over(face, summed(face, name)) for name in names], axis=0)
-    assert not (over(face, worn(face, dict.fromkeys(names, 1.0))) & ~alone).any()
-
-
 @settings(max_examples=60)
 @given(face=faces, name=units, weight=st.floats(1.0, 1.5))
 def test_a_unit_beyond_its_end_turns_over_nothing_that_it_does_not_there(face: str, name: str, weight: float) -> None:

@@ -28,7 +28,7 @@ Floats = NDArray[np.float32]
 Values = NDArray[np.float64]
 Indices = NDArray[np.int32]
 
-ROUNDS = (16, 16, 16)
+ROUNDS = (8, 8, 8)
 """How often triangles are projected; before each block lids and lips are separated, and lids leave the eyeballs."""
 LEAST_AREA = 0.1
 """A triangle keeps this share of its area at rest, seen along its normal at rest; less where a compound alone does."""
