@@ -29,6 +29,11 @@ def test_the_document_holds_corrective_regions() -> None:
     rows = np.frombuffer(document.rows, "<u4")
     assert np.array_equal(rows, regions.rows)
     assert np.array_equal(np.frombuffer(document.triangles, "<u4").reshape(-1, 3), regions.triangles)
+    patches = regions.patches
+    assert np.array_equal(np.frombuffer(document.heard, "<u4"), patches.triangles)
+    assert np.array_equal(np.frombuffer(document.ends, "<u4"), patches.ends)
+    assert np.array_equal(np.frombuffer(document.members, "<u4").reshape(len(rows), -1), patches.members)
+    assert np.array_equal(np.frombuffer(document.shares, "<f4").reshape(len(rows), -1), patches.shares)
     for sent, own in zip(document.crossings, regions.crossings, strict=True):
         assert sent.upward == (own.kind == "lips")
         assert np.array_equal(np.frombuffer(sent.vertices, "<u4").reshape(-1, 4), own.vertices)

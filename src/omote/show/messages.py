@@ -1510,7 +1510,8 @@ class SettlingDocument(msgspec.Struct, frozen=True):
 
     `rows` (m,) u32: rows of the positions, all else counts in them: `triangles` (t, 3) u32, `lids` and `eye` (r,) u32
     (0 left), `anchors` (f, k) u32; but `followers` (f,) u32 are rows of the positions too; `weights` (f, k) f32.
-    An allowance counts triangles, then 32 rungs a crossing, then lids.
+    An allowance counts triangles, then 32 rungs a crossing, then lids. Patches in which sums are damped: `heard` (n,)
+    u32 triangles, patch after patch, `ends` (p,) u32 of each; `members` (m, j) u32 patches of a row, `shares` f32.
     """
 
     rounds: list[int]
@@ -1524,11 +1525,17 @@ class SettlingDocument(msgspec.Struct, frozen=True):
     farthest: float
     bulge: float
     cornea: float
+    deep: float
+    kept: float
     rows: bytes
     triangles: bytes
     crossings: list[CrossingDocument]
     lids: bytes
     eye: bytes
+    heard: bytes
+    ends: bytes
+    members: bytes
+    shares: bytes
     followers: bytes
     anchors: bytes
     weights: bytes

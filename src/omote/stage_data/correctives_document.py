@@ -15,8 +15,10 @@ from omote.model.transfer.corrective_regions import CorrectiveRegions, Crossing,
 from omote.perform.blending.correctives import (
     BULGE,
     CORNEA,
+    DEEP,
     FARTHEST,
     FLOOR,
+    KEPT,
     LEAST_AREA,
     MARGIN,
     MOMENTUM,
@@ -37,13 +39,17 @@ def settling_document(cast: Cast, starts: dict[str, int]) -> SettlingDocument | 
     if regions is None:
         return None
     followers, anchors, weights = _followers(cast, regions, starts)
+    patches = regions.patches
     return SettlingDocument(
         rounds=list(ROUNDS), upright=LEAST_AREA, floor=FLOOR, eager=OVER_RELAXATION, flattest=LEAST_SLOPE, full=FULL,
         momentum=MOMENTUM, margin=MARGIN, farthest=FARTHEST, bulge=BULGE, cornea=CORNEA,
+        deep=DEEP, kept=KEPT,
         rows=le_bytes(regions.rows, "<u4"),
         triangles=le_bytes(regions.triangles, "<u4"),
         crossings=[_crossing(crossing) for crossing in regions.crossings],
         lids=le_bytes(regions.lids, "<u4"), eye=le_bytes(regions.eye, "<u4"),
+        heard=le_bytes(patches.triangles, "<u4"), ends=le_bytes(patches.ends, "<u4"),
+        members=le_bytes(patches.members, "<u4"), shares=le_bytes(patches.shares, "<f4"),
         followers=le_bytes(followers, "<u4"), anchors=le_bytes(anchors, "<u4"), weights=le_bytes(weights, "<f4"),
     )  # fmt: skip
 

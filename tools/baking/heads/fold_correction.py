@@ -19,7 +19,7 @@ from omote.model.space.parameter_space import ParameterSpace
 from omote.model.space.parts import eye_angles
 from omote.model.transfer.compound import predict_part
 from omote.model.transfer.corrective_regions import CorrectiveRegions, find_corrective_regions
-from omote.perform.blending.correctives import Eyeballs, correct_combination, measure_allowance
+from omote.perform.blending.correctives import Eyeballs, correct_damped, measure_allowance
 from tools.baking.expressions import PERFORMED, unit_weights
 from tools.baking.heads.basemesh import Floats
 from tools.baking.heads.moves import Move
@@ -81,7 +81,8 @@ def _limit_lids(regions: CorrectiveRegions, allowed: Allowance) -> None:
 def _correct(space: ParameterSpace, regions: CorrectiveRegions, move: Move, allowed: Allowance) -> Move:
     rest, worn = space.points.astype(np.float32), (space.points + move.skin).astype(np.float32)
     balls = Eyeballs.of(_generic(space), regions.eyes, _eyes(space, regions, move))
-    mended = (correct_combination(regions, rest, worn, allowed, balls).astype(np.float64) - worn)[space.welded]
+    plain = worn[regions.rows].astype(np.float64)
+    mended = (correct_damped(regions, rest, worn, plain, allowed, balls).astype(np.float64) - worn)[space.welded]
     if not mended.any():
         return move
     hung = {name: move.parts[name] + predict_part(space, name, mended) for name in regions.attached_parts}

@@ -1434,7 +1434,8 @@ export interface CrossingDocument {
  * Correctives: how stages repair sums that fold or pierce (`perform.blending.correctives`), little-endian.
  * `rows` (m,) u32: rows of the positions, all else counts in them: `triangles` (t, 3) u32, `lids` and `eye` (r,) u32
  * (0 left), `anchors` (f, k) u32; but `followers` (f,) u32 are rows of the positions too; `weights` (f, k) f32.
- * An allowance counts triangles, then 32 rungs a crossing, then lids.
+ * An allowance counts triangles, then 32 rungs a crossing, then lids. Patches in which sums are damped: `heard` (n,)
+ * u32 triangles, patch after patch, `ends` (p,) u32 of each; `members` (m, j) u32 patches of a row, `shares` f32.
  */
 export interface SettlingDocument {
   rounds: number[];
@@ -1448,11 +1449,17 @@ export interface SettlingDocument {
   farthest: number;
   bulge: number;
   cornea: number;
+  deep: number;
+  kept: number;
   rows: Uint8Array;
   triangles: Uint8Array;
   crossings: CrossingDocument[];
   lids: Uint8Array;
   eye: Uint8Array;
+  heard: Uint8Array;
+  ends: Uint8Array;
+  members: Uint8Array;
+  shares: Uint8Array;
   followers: Uint8Array;
   anchors: Uint8Array;
   weights: Uint8Array;

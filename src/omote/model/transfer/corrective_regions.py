@@ -13,6 +13,7 @@ from weakref import WeakKeyDictionary
 import numpy as np
 from numpy.typing import NDArray
 from scipy import sparse
+from scipy.sparse.csgraph import dijkstra
 from scipy.sparse.linalg import splu
 from scipy.spatial import cKDTree
 
@@ -30,6 +31,9 @@ Values = NDArray[np.float64]
 REACH, THROAT = 1.0, 2.0
 # What separates two lids dies out over this share of their line's width; below LEAST of it, it is zero.
 FADE, LEAST = 0.2, 0.03
+# So many patches, whose sums are damped as wholes; each listens to triangles within so many edges of it, and its share
+# of a vertex fades by so many averages over neighbours; so many patches a vertex belongs to at most.
+PATCHES, HEARD, FADED, SHARED = 64, 2, 16, 8
 
 
 @dataclass(frozen=True, eq=False)
@@ -49,11 +53,26 @@ class Crossing:
 
 
 @dataclass(frozen=True, eq=False)
+class Patches:
+    """Overlapping patches of skin, within each of which a sum that folds is damped as a whole.
+
+    triangles (n,): those that a patch listens to, patch after patch; ends (p,): where each patch's end among them.
+    members, shares (m, SHARED): to which patches each of the rows belongs, and how much; shares add up to one, to less near the
+    jaw's skin, to none on it.
+    """
+
+    triangles: Indices
+    ends: Indices
+    members: Indices
+    shares: NDArray[np.float32]
+
+
+@dataclass(frozen=True, eq=False)
 class CorrectiveRegions:
     """The skin that combinations of compounds can fold or pierce.
 
     rows (m,): its vertices; all else counts in them: crossings of lids and lips; triangles (t, 3); lids (r,) around
-    eyeballs and which of `eyes`, part names, it is (r,). followers (f,): inner skin that moves with rows, by anchors
+    eyeballs and which of `eyes`, part names, it is (r,); patches in which sums are damped. followers (f,): inner skin that moves with rows, by anchors
     and weights (f, k). attached_parts: names of parts that move with the skin under them.
     """
 
@@ -63,6 +82,7 @@ class CorrectiveRegions:
     lids: Indices
     eye: Indices
     eyes: tuple[str, ...]
+    patches: Patches
     followers: Indices
     anchors: Indices
     weights: NDArray[np.float32]
@@ -92,10 +112,11 @@ def _search(space: ParameterSpace) -> CorrectiveRegions:
     eyes = {name: part for name, part in space.parts.items() if part.eye}
     eye = _nearest_eye(space.points[rows], list(eyes.values()))
     anchors, weights, followers = _followers(space, place)
+    triangles = np.ascontiguousarray(corners[(corners >= 0).all(axis=1)])
     return CorrectiveRegions(
         rows=rows,
         crossings=_crossings(space, place),
-        triangles=np.ascontiguousarray(corners[(corners >= 0).all(axis=1)]),
+        triangles=triangles, patches=_find_patches(space.points[rows], triangles, _chin(space)),
         lids=np.flatnonzero(eye >= 0).astype(np.int32), eye=eye[eye >= 0], eyes=tuple(eyes),
         followers=followers, anchors=anchors, weights=weights,
         attached_parts=tuple(
@@ -200,3 +221,49 @@ def _extend(matrix: sparse.csr_array, free: NDArray[np.intp], fixed: Indices, va
     result[free] = splu(sparse.csc_array(rows[:, free])).solve(-(rows[:, fixed] @ values))
     result[fixed] = values
     return result
+
+
+# ---- patches in which sums are damped
+
+
+def _chin(space: ParameterSpace) -> float:
+    """Where the lips end below, metres: what is lower goes with the jaw and its teeth, which no sum damps."""
+    return min((float(space.points[line.loop, 1].min()) for line in space.lines if line.kind == "lips"), default=-np.inf)
+
+
+def _find_patches(points: Values, triangles: Indices, chin: float) -> Patches:
+    """Cells around vertices far from each other, blurred over their neighbours, none below the chin's height (metres):
+    a smooth partition of unity that fades there."""
+    count = len(points)
+    ends = triangles[:, [0, 1, 1, 2, 2, 0]].reshape(-1, 2)
+    beside = sparse.coo_array((np.ones(len(ends)), (ends[:, 0], ends[:, 1])), shape=(count, count))
+    beside = (sparse.csr_array(beside + beside.T) != 0).astype(np.float64) + sparse.eye_array(count)
+    cells = _scatter_cells(points, sparse.csr_array(beside)) * (points[:, 1:2] >= chin)
+    mean, shares, heard = sparse.diags_array(1.0 / beside.sum(axis=1)) @ beside, cells, cells
+    for _ in range(FADED):
+        shares = mean @ shares
+    for _ in range(HEARD):
+        heard = beside @ heard
+    inside = cells.any(axis=0)  # a cell below the chin is none
+    shares, heard = shares[:, inside], heard[:, inside]
+    listed = [np.flatnonzero((of_cell > 0.0)[triangles].any(axis=1)) for of_cell in heard.T]
+    members = np.argsort(-shares, axis=1, kind="stable")[:, :SHARED]
+    weights = np.take_along_axis(shares, members, axis=1)
+    weights *= shares.sum(axis=1, keepdims=True) / np.maximum(weights.sum(axis=1, keepdims=True), 1e-9)
+    return Patches(
+        np.concatenate(listed).astype(np.int32), np.cumsum([len(each) for each in listed]).astype(np.int32),
+        members.astype(np.int32), weights.astype(np.float32),
+    )  # fmt: skip
+
+
+def _scatter_cells(points: Values, beside: sparse.csr_array) -> Values:
+    """Which of PATCHES cells each point (m, 3) is in, (m, PATCHES) of zeros and ones: farthest point sampling by edges
+    (Gonzalez 1985), a point and its mirror image at a time, so that both halves of a face are damped alike."""
+    _, mirrors = cKDTree(points).query(points * [-1.0, 1.0, 1.0])
+    right, seed, steps = points[:, 0] <= 0.0, int(points[:, 2].argmax()), np.empty((0, len(points)))
+    while len(steps) < PATCHES:
+        fresh = list({seed: None, int(mirrors[seed]): None})[: PATCHES - len(steps)]
+        steps = np.concatenate([steps, dijkstra(beside, unweighted=True, indices=fresh)])
+        reached = steps.min(axis=0)
+        seed = int(np.where(right & np.isfinite(reached), reached, -1.0).argmax())
+    return np.eye(PATCHES)[steps.argmin(axis=0)]

@@ -39,6 +39,9 @@ MOMENTUM = 0.5
 MARGIN, FARTHEST = 0.5, 0.03
 """So much of what a triangle lacks of its area it is to have beyond its goal, and at most so large a share of its area:
 what a few rounds leave lacking turns nothing over."""
+DEEP, KEPT = 0.4, 0.3
+"""A sum is damped where a triangle would be turned over by more than this share of its area beyond its goal; at least
+so much of a sum is kept."""
 BULGE, CORNEA = 0.035, 0.6
 """How far the cornea stands out of the ball, in radii, and where it ends, radians from the line of sight."""
 AREA_SLACK, LENGTH_SLACK = 1e-3, 1e-6
@@ -126,13 +129,21 @@ def _beyond_slack(regions: CorrectiveRegions, values: Values) -> NDArray[np.bool
 def correct_combination(
     regions: CorrectiveRegions, rest: Floats, positions: Floats, allowed: Floats, balls: Eyeballs, /
 ) -> Floats:
-    """The skin (V, 3) of a mix, corrected; rest (V, 3): the mixed face without expression.
+    """The skin (V, 3) of a mix, damped and corrected; rest (V, 3): the mixed face without expression.
 
     allowed (regions.size,): the sum of the compounds' allowances, each times the size of its weight. Where nothing is
     beyond it, the positions come back as they were.
     """
     here, points = rest[regions.rows].astype(np.float64), positions[regions.rows].astype(np.float64)
-    blended = points.copy()
+    return correct_damped(regions, rest, positions, _damp(regions, here, points, allowed), allowed, balls)
+
+
+def correct_damped(
+    regions: CorrectiveRegions, rest: Floats, positions: Floats, damped: Values, allowed: Floats, balls: Eyeballs, /
+) -> Floats:  # fmt: skip
+    """As `correct_combination`, from rows damped (m, 3), or as they are in positions: as the built-in cast is baked."""
+    here, points = rest[regions.rows].astype(np.float64), damped.copy()
+    blended = positions[regions.rows].astype(np.float64)
     areas, rungs, lids = _split(regions, allowed)
     normals, sizes = rest_normals(here, regions.triangles)
     goals = np.maximum(LEAST_AREA - areas, FLOOR)
@@ -152,6 +163,36 @@ def correct_combination(
     out[regions.rows] = points
     out[regions.followers] += np.einsum("fk,fkc->fc", regions.weights, move[regions.anchors]).astype(np.float32)
     return out
+
+
+def _damp(regions: CorrectiveRegions, rest: Values, points: Values, allowed: Floats) -> Values:
+    """Rows (m, 3) of a mix, brought back towards those at rest where the sum turns triangles far over.
+
+    A patch keeps what the worst of its triangles may keep: its area is a quadratic of the share that is kept.
+    """
+    patches, goals = regions.patches, LEAST_AREA - _split(regions, allowed)[0] - DEEP
+    normals, sizes = rest_normals(rest, regions.triangles)
+    whole = area_shares(points, normals, sizes, regions.triangles)
+    over = whole < goals
+    if not over.any():
+        return points
+    half = area_shares(0.5 * (rest + points), normals, sizes, regions.triangles)
+    keep = np.ones(len(goals))
+    keep[over] = np.maximum(_share_at_goal(whole[over], half[over], goals[over]), KEPT)
+    kept = np.minimum.reduceat(keep[patches.triangles], np.concatenate([[0], patches.ends[:-1]]))
+    lost = (patches.shares * (1.0 - kept[patches.members])).sum(axis=1)
+    result: Values = points + lost[:, None] * (rest - points)
+    return result
+
+
+def _share_at_goal(whole: Values, half: Values, goals: Values) -> Values:
+    """The share of a move at which a triangle's area, 1 at none of it, is at its goal, which all of it misses."""
+    square = 2.0 * (whole - 1.0) - 4.0 * (half - 1.0)
+    slope = whole - 1.0 - square
+    root = np.sqrt(np.maximum(slope**2 - 4.0 * square * (1.0 - goals), 0.0))
+    # The one root of 1 - goal + slope s + square s^2 in (0, 1): it is above zero at 0 and below at 1.
+    result: Values = 2.0 * (1.0 - goals) / np.maximum(root - slope, 1e-12)
+    return result
 
 
 def _split(regions: CorrectiveRegions, allowed: Floats) -> tuple[Values, Values, Values]:

@@ -29,6 +29,12 @@ export interface CorrectivesData {
   /** Per follower: (place, weight) pairs, `width` of them. */
   anchors: Float32Array;
   width: number;
+  /** Triangles that patches listen to, patch after patch, and 0 behind each; per patch: the first of them and the end. */
+  heard: Uint32Array;
+  patches: Uint32Array;
+  /** Per place: (patch, share) pairs, `patchesEach` of them. */
+  members: Float32Array;
+  patchesEach: number;
   /** Numbers in an allowance. */
   size: number;
 }
@@ -52,7 +58,8 @@ export function readCorrectives(document: SettlingDocument): CorrectivesData {
     triangles: inFours(triangles),
     ...readRungs(document),
     followers,
-    anchors: readAnchors(document),
+    anchors: readPairs(document.anchors, document.weights),
+    ...readPatches(document, rows.length),
     width: followers.length === 0 ? 0 : document.anchors.length / 4 / followers.length,
     size: firstLid + document.lids.length / 4,
   };
@@ -115,13 +122,26 @@ function readRungs({ crossings }: SettlingDocument): Pick<CorrectivesData, "rung
   return { rungs, rungWeights, upward: Float32Array.from(crossings, ({ upward }) => (upward ? 1 : 0)) };
 }
 
-function readAnchors(document: SettlingDocument): Float32Array {
-  const [places, weights] = [whole(document.anchors), real(document.weights)];
-  const anchors = new Float32Array(2 * places.length);
+/** Whole numbers, each with its weight behind it. */
+function readPairs(numbers: Uint8Array, weights: Uint8Array): Float32Array {
+  const [places, shares] = [whole(numbers), real(weights)];
+  const pairs = new Float32Array(2 * places.length);
   places.forEach((place, n) => {
-    anchors.set([place, weights[n] as number], 2 * n);
+    pairs.set([place, shares[n] as number], 2 * n);
   });
-  return anchors;
+  return pairs;
+}
+
+type Patches = Pick<CorrectivesData, "heard" | "patches" | "members" | "patchesEach">;
+
+function readPatches({ heard, ends, members, shares }: SettlingDocument, count: number): Patches {
+  const [triangles, last] = [whole(heard), whole(ends)];
+  return {
+    heard: new Uint32Array(2 * triangles.length).map((_, at) => (at % 2 === 0 ? (triangles[at / 2] as number) : 0)),
+    patches: Uint32Array.from([...last].flatMap((end, n) => [n === 0 ? 0 : (last[n - 1] as number), end])),
+    members: readPairs(members, shares),
+    patchesEach: members.length / 4 / count,
+  };
 }
 
 /** Per row of the positions: its place counted from 1 (0: none), and which follower it is, from 1 on. */

@@ -29,7 +29,7 @@ interface Target {
   size: [number, number];
 }
 
-type TargetName = "before" | "one" | "other" | "third" | "rungs" | "rest" | "normals" | "goals";
+type TargetName = "before" | "one" | "other" | "third" | "rungs" | "rest" | "normals" | "goals" | "patches";
 type Textures = Record<string, WebGLTexture>;
 
 /**
@@ -65,6 +65,7 @@ export class CorrectivePasses {
       rest: slots(places),
       normals: slots(faces),
       goals: slots(faces),
+      patches: slots(1),
     };
     this.allowedTexels = new Float32Array(SLOTS * allowed * DATA_WIDTH);
     this.allowed = floatTexture(gl, this.allowedTexels, 1, DATA_WIDTH);
@@ -95,7 +96,7 @@ export class CorrectivePasses {
     corrections.forEach((_, slot) => {
       this.gather(targets.before, slot);
     });
-    let from = this.part(targets.before, count, false);
+    let from = this.part(this.damp(targets.before, count), count, false);
     this.correctives.document.rounds.forEach((rounds, block) => {
       from = this.part(from, count, true);
       if (block === 0) this.aim(from, count);
@@ -143,6 +144,9 @@ export class CorrectivePasses {
       rungPlaces: wholeTexture(gl, correctives.rungs, RUNGS),
       rungWeights: floatTexture(gl, correctives.rungWeights, 4, RUNGS),
       anchors: floatTexture(gl, correctives.anchors, 2, DATA_WIDTH),
+      heard: dataTexture(gl, correctives.heard, DATA_WIDTH),
+      patches: dataTexture(gl, correctives.patches, DATA_WIDTH),
+      members: floatTexture(gl, correctives.members, 2, DATA_WIDTH),
       roles: dataTexture(gl, rolesOf(correctives, ROW_WIDTH * height), ROW_WIDTH),
     };
   }
@@ -176,6 +180,22 @@ export class CorrectivePasses {
     gl.uniform1i(uniformAt(gl, programs.gather, "slot"), slot);
     const textures = { mixed: this.mixedOf(slot).texture, rows: data.rows as WebGLTexture };
     this.pass("gather", target, [slot * lines[0], lines[0]], textures);
+  }
+
+  /** Brings patches that turn triangles far over back towards rest; where the result is. */
+  private damp(from: Target, count: number): Target {
+    const { targets, data, lines } = this;
+    const { heard, patches, members, triangles } = data as Record<string, WebGLTexture>;
+    const shared = { points: from.texture, rest: targets.rest.texture };
+    const turned = { allowed: this.allowed, restNormals: targets.normals.texture, triangles };
+    this.pass("keep", targets.goals, [0, count * lines[1]], { ...shared, ...turned } as Textures);
+    this.pass("patch", targets.patches, [0, count], { kept: targets.goals.texture, heard, patches } as Textures);
+    this.pass("damp", targets.one, [0, count * lines[0]], {
+      ...shared,
+      least: targets.patches.texture,
+      members,
+    } as Textures);
+    return targets.one;
   }
 
   /** Opens lines that cross; where leaving, lids leave the eyeballs too; where the result is. */

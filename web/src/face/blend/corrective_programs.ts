@@ -12,16 +12,21 @@ import {
   SPREAD_FRAGMENT,
   UPRIGHT_FRAGMENT,
 } from "./corrective_shaders";
+import { DAMP_FRAGMENT, KEEP_FRAGMENT, PATCH_FRAGMENT } from "./damping_shaders";
 
 /** Lines of a slot in the textures: places, triangles, rungs, allowances. */
 export type Lines = readonly [places: number, triangles: number, rungs: number, allowed: number];
 
-export type Programs = Record<"gather" | "rung" | "part" | "normal" | "goal" | "upright" | "spread", WebGLProgram>;
+type Name = "gather" | "keep" | "patch" | "damp" | "rung" | "part" | "normal" | "goal" | "upright" | "spread";
+export type Programs = Record<Name, WebGLProgram>;
 
 /** The programs, told what holds for all frames: what is to be corrected, and where its textures' lines begin. */
 export function createPrograms(gl: WebGL2RenderingContext, correctives: CorrectivesData, lines: Lines): Programs {
   const programs = {
     gather: createProgram(gl, PASS_VERTEX, GATHER_FRAGMENT),
+    keep: createProgram(gl, PASS_VERTEX, KEEP_FRAGMENT),
+    patch: createProgram(gl, PASS_VERTEX, PATCH_FRAGMENT),
+    damp: createProgram(gl, PASS_VERTEX, DAMP_FRAGMENT),
     rung: createProgram(gl, PASS_VERTEX, RUNG_FRAGMENT),
     part: createProgram(gl, PASS_VERTEX, PART_FRAGMENT),
     normal: createProgram(gl, PASS_VERTEX, REST_FRAGMENT),
@@ -34,6 +39,7 @@ export function createPrograms(gl: WebGL2RenderingContext, correctives: Correcti
     gl.uniform4i(uniformAt(gl, program, "lines"), ...lines);
   }
   fixSteps(gl, programs, correctives);
+  fixDamping(gl, programs, correctives);
   gl.useProgram(programs.rung);
   gl.uniform1i(uniformAt(gl, programs.rung, "first"), correctives.triangles.length / 4);
   gl.uniform1fv(uniformAt(gl, programs.rung, "upward"), correctives.upward);
@@ -54,4 +60,15 @@ function fixSteps(gl: WebGL2RenderingContext, programs: Programs, { document }: 
   gl.uniform1f(uniformAt(gl, programs.goal, "upright"), upright);
   gl.uniform1f(uniformAt(gl, programs.goal, "least"), floor);
   gl.uniform2f(uniformAt(gl, programs.goal, "margin"), margin, farthest);
+}
+
+/** How far a sum is damped, and by which patches. */
+function fixDamping(gl: WebGL2RenderingContext, programs: Programs, correctives: CorrectivesData): void {
+  const { upright, deep, kept } = correctives.document;
+  gl.useProgram(programs.keep);
+  gl.uniform3f(uniformAt(gl, programs.keep, "limits"), upright, deep, kept);
+  gl.useProgram(programs.patch);
+  gl.uniform1ui(uniformAt(gl, programs.patch, "count"), correctives.patches.length / 2);
+  gl.useProgram(programs.damp);
+  gl.uniform1i(uniformAt(gl, programs.damp, "each"), correctives.patchesEach);
 }

@@ -11,7 +11,7 @@ export const SLOTS = 8;
  * All passes but the first and the last draw one texel per place (`correctives_data.ts`), not one point per row: software
  * renderers shade whole blocks of texels at once.
  */
-const HEAD = `#version 300 es
+export const HEAD = `#version 300 es
 precision highp float;
 precision highp int;
 precision highp sampler2D;

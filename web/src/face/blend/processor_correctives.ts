@@ -6,10 +6,12 @@
 import { RUNGS } from "../../link/constants";
 import type { CorrectivesData } from "../anatomy/correctives_data";
 import type { Sockets } from "./corrective_passes";
+import { ProcessorDamping } from "./processor_damping";
 import { areaLeft, between, cornersOf, cross, dot, type Rested, restTriangles } from "./rest_triangles";
 
 /** Corrects one sum after another; what it needs for that is allocated once. */
 export class ProcessorCorrectives {
+  private readonly damping: ProcessorDamping;
   private readonly before: Float64Array;
   private readonly points: Float64Array;
   private readonly push: Float64Array;
@@ -23,6 +25,7 @@ export class ProcessorCorrectives {
 
   constructor(private readonly data: CorrectivesData) {
     const [places, triangles] = [data.rows.length, data.triangles.length / 4];
+    this.damping = new ProcessorDamping(data);
     this.before = new Float64Array(3 * places);
     this.points = new Float64Array(3 * places);
     this.push = new Float64Array(3 * places);
@@ -47,7 +50,8 @@ export class ProcessorCorrectives {
     const { points, before, data } = this;
     this.gather(positions, points);
     before.set(points);
-    let moved = this.part(rest, allowed);
+    const damped = this.damping.damp(points, rest, allowed);
+    let moved = this.part(rest, allowed) || damped;
     data.document.rounds.forEach((rounds, block) => {
       if (block > 0 && !moved) return; // the last block found all as it should be
       const parted = moved && this.part(rest, allowed);
