@@ -70,6 +70,19 @@ def test_rows_lie_around_the_lines_and_on_the_throat_below_the_lips(regions: Cor
     assert np.array_equal(inside, near | throat)
 
 
+def test_patches_share_all_skin_but_the_jaws(regions: CorrectiveRegions, cast: Cast) -> None:
+    patches = regions.patches
+    shares, heights = patches.shares.sum(axis=1), cast.space.points[regions.rows, 1]
+    lips = next(line for line in cast.space.lines if line.kind == "lips")
+    eyes = np.concatenate([line.loop for line in cast.space.lines if line.kind == "lids"])
+    assert (patches.shares >= 0.0).all()
+    assert shares.max() < 1.0 + 1e-6
+    assert (shares[np.isin(regions.rows, eyes)] > 1.0 - 1e-6).all()
+    assert (shares[heights < cast.space.points[lips.loop, 1].min() - 0.05] < 0.01).all()
+    assert (np.diff(patches.ends, prepend=0) > 0).all()
+    assert (patches.ends[-1], patches.members.max() + 1) == (len(patches.triangles), len(patches.ends))
+
+
 def test_lids_lie_around_their_own_eye(regions: CorrectiveRegions, cast: Cast) -> None:
     x = cast.space.points[regions.rows[regions.lids], 0]
     for number, name in enumerate(regions.eyes):

@@ -30,6 +30,11 @@ MOMENTS = (
     {"eyeBlink": 0.94, "eyeSquint": 0.64, "eyeLookDown": 0.4, "browDown": 0.93, "cheekSquint": 0.6, "noseSneer": 0.8},
     {"eyeBlink": 1.08, "eyeSquint": 0.7, "cheekSquint": 0.7, "mouthSmile": 0.9},
 )
+OVERDRIVEN = (
+    ("mouth-corner-puller", "mouthSmileLeft", "mouth-upward-retraction"),
+    ("eye-left-closure", "eyeBlinkLeft", "eye-left-slit"),
+    ("eye-right-slit", "eyeBlinkRight", "eyeLookDownRight"),
+)
 SEEN = 1e-4
 """Metres that nobody sees."""
 
@@ -86,6 +91,13 @@ def test_one_compound_alone_changes_only_where_a_triangle_has_next_to_nothing_le
         assert np.array_equal(worn, alone)
     elif least >= 0.0:
         assert worn == pytest.approx(alone, abs=1e-5 if least >= FLOOR else SEEN)
+
+
+@pytest.mark.parametrize("face", ["round", "man", "baby"])
+@pytest.mark.parametrize("names", OVERDRIVEN)
+def test_a_mouth_or_an_eye_driven_over_and_over_folds_nothing(face: str, names: tuple[str, ...]) -> None:
+    alone = np.any([over(face, worn(face, {name: 1.0})) for name in names], axis=0)
+    assert not (over(face, worn(face, dict.fromkeys(names, 1.0))) & ~alone).any()
 
 
 @pytest.mark.parametrize("face", ["generic", "kaori", "baby", "man"])

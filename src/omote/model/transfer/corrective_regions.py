@@ -57,8 +57,8 @@ class Patches:
     """Overlapping patches of skin, within each of which a sum that folds is damped as a whole.
 
     triangles (n,): those that a patch listens to, patch after patch; ends (p,): where each patch's end among them.
-    members, shares (m, SHARED): to which patches each of the rows belongs, and how much; shares add up to one, to less near the
-    jaw's skin, to none on it.
+    members, shares (m, SHARED): to which patches each of the rows belongs, and how much; shares add up to one, to less
+    near the jaw's skin, to none on it.
     """
 
     triangles: Indices
@@ -72,8 +72,8 @@ class CorrectiveRegions:
     """The skin that combinations of compounds can fold or pierce.
 
     rows (m,): its vertices; all else counts in them: crossings of lids and lips; triangles (t, 3); lids (r,) around
-    eyeballs and which of `eyes`, part names, it is (r,); patches in which sums are damped. followers (f,): inner skin that moves with rows, by anchors
-    and weights (f, k). attached_parts: names of parts that move with the skin under them.
+    eyeballs and which of `eyes`, part names, it is (r,); patches: in which sums are damped. followers (f,): inner skin
+    that moves with rows, by anchors and weights (f, k). attached_parts: names of parts that move with the skin.
     """
 
     rows: Indices
@@ -228,7 +228,9 @@ def _extend(matrix: sparse.csr_array, free: NDArray[np.intp], fixed: Indices, va
 
 def _chin(space: ParameterSpace) -> float:
     """Where the lips end below, metres: what is lower goes with the jaw and its teeth, which no sum damps."""
-    return min((float(space.points[line.loop, 1].min()) for line in space.lines if line.kind == "lips"), default=-np.inf)
+    return min(
+        (float(space.points[line.loop, 1].min()) for line in space.lines if line.kind == "lips"), default=-np.inf
+    )
 
 
 def _find_patches(points: Values, triangles: Indices, chin: float) -> Patches:
