@@ -268,4 +268,5 @@ def _scatter_cells(points: Values, beside: sparse.csr_array) -> Values:
         steps = np.concatenate([steps, dijkstra(beside, unweighted=True, indices=fresh)])
         reached = steps.min(axis=0)
         seed = int(np.where(right & np.isfinite(reached), reached, -1.0).argmax())
-    return np.eye(PATCHES)[steps.argmin(axis=0)]
+    result: Values = np.eye(PATCHES)[steps.argmin(axis=0)]
+    return result
