@@ -3,7 +3,7 @@
 import pytest
 from msgspec.structs import replace
 
-from omote.edit.session.brought_items import TakenIn, take_in
+from omote.edit.session.brought_items import TakenIn, take_in, take_made
 from omote.edit.store.import_items import ImportedItem, changes_to_import
 from omote.model.cast import Cast
 from omote.server.workers.file_jobs import bring_items
@@ -55,11 +55,21 @@ def test_what_was_deleted_comes_in_again(harness: EditHarness, cast: Cast) -> No
     assert (again.known, again.label) == (False, "Grin")
 
 
+def test_what_somebody_made_and_named_is_an_item_of_its_own_though_the_same_plays(
+    harness: EditHarness, cast: Cast
+) -> None:
+    take(harness, bring(cast, "smile"))
+    result, (made,) = take_made(harness.session.authored, bring(cast, "smile", label="My smile"))
+    harness.carry_out(harness.session.carry_out(lambda: result, "a t"))
+    assert (made.label, made.known) == ("My smile", False)
+    assert [each.label for each in harness.session.own()] == ["Grin", "My smile"]
+
+
 def test_one_item_is_replaced_and_keeps_its_name_its_label_and_its_history(harness: EditHarness, cast: Cast) -> None:
     (first,) = take(harness, bring(cast, "smile"))
     state = harness.session.authored.state
     (item,) = state.items.values()
-    result, (taken,) = take_in(harness.session.authored, bring(cast, "jawOpen", label="Other"), item.id)
+    result, (taken,) = take_made(harness.session.authored, bring(cast, "jawOpen", label="Other"), item.id)
     harness.carry_out(harness.session.carry_out(lambda: result, "a t"))
     assert taken == first
     (now,) = state.items.values()
@@ -80,4 +90,4 @@ def test_what_is_not_there_is_not_replaced(harness: EditHarness, cast: Cast, gon
     if gone == "of another kind":
         state.apply([PutItem(replace(item, kind="face"))])
     with pytest.raises(Refusal, match="there is no expression"):
-        take_in(harness.session.authored, bring(cast, "jawOpen"), item.id + (gone == "missing"))
+        take_made(harness.session.authored, bring(cast, "jawOpen"), item.id + (gone == "missing"))

@@ -67,7 +67,7 @@ def test_a_texture_that_is_missing_is_told_and_the_shape_stays() -> None:
     scan = read_ply(samples.write_ply(corners="face"), beside)
     assert scan.texture is None
     assert len(scan.positions) == len(POINTS)
-    assert beside.notes == ["its texture 'head.png' does not lie beside it"]
+    assert beside.notes == ["its texture 'head.png' does not lie beside it: give both together"]
 
 
 def test_points_that_a_scanner_did_not_see_go_from_a_cloud() -> None:

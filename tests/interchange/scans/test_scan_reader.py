@@ -27,7 +27,7 @@ def test_bytes_say_more_than_a_name() -> None:
 
 def test_what_could_not_be_used_is_told() -> None:
     assert read_scan(".ply", samples.write_ply(corners="face")).notes == (
-        "its texture 'head.png' does not lie beside it",
+        "its texture 'head.png' does not lie beside it: give both together",
     )
 
 

@@ -59,7 +59,7 @@ async def access_harness(cast: Cast, tmp_path: Path) -> AsyncIterator[AccessHarn
         for path in (MEDIAPIPE_PATH, MICROPHONE_PATH, CAMERA_PATH):
             opened.show.enable_sender(path, _hear)
         assert opened.show.editing is not None
-        scans = ScanRoutes(None, opened.show.long_requests, opened.show.editing.take_in, ScanPreviews())
+        scans = ScanRoutes(None, opened.show.long_requests, opened.show.editing.add_items, ScanPreviews())
         opened.show.more_routes.append(scans.add_routes)
         opened.show.enable_access(control, b"PEM")
         async with TestClient(TestServer(opened.show.application(own_names()))) as client:

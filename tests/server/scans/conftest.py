@@ -112,7 +112,7 @@ async def scan_harness(cast: Cast, tmp_path: Path) -> AsyncIterator[ScanHarness]
         assert opened.show.editing is not None
         jobs, previews = FalseJobs(cast), ScanPreviews()
         work = (lambda: opened.path, jobs)
-        routes = ScanRoutes(work, opened.show.long_requests, opened.show.editing.take_in, previews)
+        routes = ScanRoutes(work, opened.show.long_requests, opened.show.editing.add_items, previews)
         opened.show.more_routes.append(routes.add_routes)
         async with TestClient(TestServer(opened.show.application(own_names()))) as client:
             yield ScanHarness(opened.show, client, opened.clock, opened.said, opened.path, jobs=jobs, previews=previews)

@@ -61,6 +61,15 @@ async def test_points_and_shut_eyes_go_to_the_next_fit_of_the_same_scan(scan_har
     assert (second.folder, second.token, second.file) == (first.folder, seen.token, "anna.ply")
 
 
+async def test_the_same_scan_under_two_names_is_two_faces(scan_harness: ScanHarness) -> None:
+    for label in ("Anna", "Bo"):
+        token = (await scan_harness.preview()).token
+        status, text = await scan_harness.post(f"/scans/{token}/face", {**TAKING, "label": label})
+        assert (status, json.loads(text)["items"][0]["label"]) == (200, label)
+    assert [item.label for item in stored_in(scan_harness.path).items] == ["Anna", "Bo"]
+    assert [own.name for own in scan_harness.show.documents.playing.own] == ["anna", "bo"]
+
+
 async def test_a_better_scan_replaces_a_face_that_keeps_its_name(scan_harness: ScanHarness, cast: Cast) -> None:
     await scan_harness.post(f"/scans/{(await scan_harness.preview()).token}/face", TAKING)
     scan_harness.jobs.face = "long"
@@ -163,7 +172,7 @@ async def test_what_is_asked_for_is_what_the_job_takes(scan_harness: ScanHarness
 async def test_without_a_show_file_nothing_is_read(cast: Cast) -> None:
     async with open_edit_harness(cast, None) as opened:
         assert opened.show.editing is not None
-        routes = ScanRoutes(None, opened.show.long_requests, opened.show.editing.take_in, ScanPreviews())
+        routes = ScanRoutes(None, opened.show.long_requests, opened.show.editing.add_items, ScanPreviews())
         opened.show.more_routes.append(routes.add_routes)
         server = TestServer(opened.show.application(own_names()))
         async with TestClient(server) as client, client.post("/scans", data=b"") as response:

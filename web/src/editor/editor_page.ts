@@ -19,6 +19,7 @@ import { type Command, commandOf, type View } from "./page/keys";
 import { arePhotographs, comingOf } from "./scan/data/dropped_files";
 import type { Topic } from "./session/draft_store";
 import { type Kind, redo, takeIn, takeInHead, undo } from "./session/item_commands";
+import type { Notice } from "./session/notices";
 import "./page/heading";
 import "./page/help";
 import "./page/loading_view";
@@ -128,14 +129,19 @@ export class EditorPage extends EditorElement {
 
   /** Takes in what is dropped; a head that is not of our topology is a scan. */
   async #receive(files: readonly File[]): Promise<void> {
-    const open = this.store.item?.kind ?? "expression";
-    const coming = comingOf(
-      files.map(({ name }) => name),
-      open,
-    );
+    const open = this.store.item?.kind ?? null;
+    const kind = open ?? this.library.kind;
+    const names = files.map(({ name }) => name);
+    const coming = comingOf(names, open);
     if (coming === "scan") this.#openScan(files);
-    else if (coming === "import") await takeIn(this.store, files, kindOf(files, open));
-    else if (!(await takeInHead(this.store, files[0] as File))) this.#openScan(files);
+    else if (coming === "import") await takeIn(this.store, files, kindOf(files, kind), this.#otherwise(files));
+    else if (!(await takeInHead(this.store, files[0] as File, kind))) this.#openScan(files);
+  }
+
+  /** What else can be done with a head that is no expression. */
+  #otherwise(files: readonly File[]): Notice["actions"] {
+    const isHead = files.length === 1 && comingOf([(files[0] as File).name], null) === "either";
+    return isHead ? [{ label: "Make a face of it", act: () => this.#openScan(files) }] : [];
   }
 
   #openScan(files: readonly File[]): void {
@@ -196,5 +202,5 @@ export class EditorPage extends EditorElement {
 }
 
 /** Documents are expressions; a head is what is under work. */
-const kindOf = (files: readonly File[], open: Kind = "expression"): Kind =>
+const kindOf = (files: readonly File[], open: Kind): Kind =>
   files.some(({ name }) => name.toLowerCase().endsWith(".json")) ? "expression" : open;

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from typing import get_args
 
 import msgspec
@@ -24,18 +24,29 @@ class TakenIn(msgspec.Struct, frozen=True):
     known: bool = False
 
 
-def take_in(
-    authored: Authored, brought: Sequence[BroughtItem], replaced: int | None = None
-) -> tuple[Result, list[TakenIn]]:
+Adding = Callable[[Authored], tuple[Result, list[TakenIn]]]
+"""The changes that add items, and what becomes of each; Refusal where they cannot be added."""
+
+
+def take_in(authored: Authored, brought: Sequence[BroughtItem]) -> tuple[Result, list[TakenIn]]:
     """The changes that add brought items, which play at once, and what becomes of each; one whose content plays as an
-    item of its kind is not added again. replaced: the item whose next revision the first becomes, with its name and
-    label; Refusal where there is none of its kind."""
-    if replaced is not None:
-        return _replace(authored, brought[0], replaced)
+    item of its kind is not added again."""
     same = [_find_same(authored, each) for each in brought]
     result = _add(authored, [each for each, known in zip(brought, same, strict=True) if known is None])
     added = iter([change.item for change in result.changes if isinstance(change, PutItem)])
     return result, [_describe(next(added) if known is None else known, known is not None) for known in same]
+
+
+def take_made(
+    authored: Authored, brought: Sequence[BroughtItem], replaced: int | None = None
+) -> tuple[Result, list[TakenIn]]:
+    """The changes that add items that somebody made and named, and what becomes of each: what plays already under
+    another name is another item. replaced: the item whose next revision the first becomes, with its name and label;
+    Refusal where there is none of its kind."""
+    if replaced is not None:
+        return _replace(authored, brought[0], replaced)
+    result = _add(authored, brought)
+    return result, [_describe(change.item, False) for change in result.changes if isinstance(change, PutItem)]
 
 
 def _describe(item: Item, known: bool) -> TakenIn:

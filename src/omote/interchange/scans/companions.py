@@ -33,7 +33,7 @@ class Companions:
         try:
             data = self.find(name)
             if data is None:
-                self.note(f"its texture {_short(name)!r} does not lie beside it")
+                self.note(f"its texture {_short(name)!r} does not lie beside it: give both together")
                 return None
             return read_picture(data)
         except (ValueError, OSError) as error:

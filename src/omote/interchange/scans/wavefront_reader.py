@@ -143,7 +143,7 @@ def _materials(table: TextTable, beside: Companions) -> dict[str, Picture]:
         except (OSError, ValueError):
             data = None
         if data is None:
-            beside.note(f"its materials {name[-80:]!r} do not lie beside it")
+            beside.note(f"its materials {name[-80:]!r} do not lie beside it: give both together, with its pictures")
         else:
             found |= _parse_materials(data, beside)
     return found

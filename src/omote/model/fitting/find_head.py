@@ -145,7 +145,7 @@ def _doubt_best(candidates: list[Candidate]) -> list[str]:
     best = candidates[0]
     rivals = [score(each) for each in candidates[1:] if not _is_other_head(best, each)]
     if best.agreement.residual > SURE or best.agreement.back > BACK:
-        return [f"This may be no face: it is {1000 * best.agreement.residual:.1f} mm off."]
+        return [f"This may be no face: what is most like one is {1000 * best.agreement.residual:.1f} mm off."]
     if best.agreement.covered < COVERED:
         return [f"Only {100 * best.agreement.covered:.0f} % of the face is there."]
     if rivals and score(best) > MARGIN * min(rivals):

@@ -258,7 +258,7 @@ class ShowServer:
         """Takes in a file that a page sends, as expressions or a face (`?as=face`); responds with what it was."""
         if self.uploads is None or self.editing is None:
             raise web.HTTPServiceUnavailable(text=f"nothing can be taken in: {NO_FILE}")
-        return await self.uploads.respond(request, self.editing.take_in)
+        return await self.uploads.respond(request, self.editing.add_items)
 
     async def page(self, request: web.Request) -> web.Response:
         """Responds with a built page or one of its files."""

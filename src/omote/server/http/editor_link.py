@@ -11,7 +11,7 @@ import contextlib
 import sys
 import time
 import traceback
-from collections.abc import Awaitable, Callable, Coroutine, Sequence
+from collections.abc import Awaitable, Callable, Coroutine
 from dataclasses import dataclass, field
 from functools import partial
 
@@ -20,7 +20,7 @@ from aiohttp import WSMsgType, web
 from omote.edit.protocol.messages import EDITING_LIMIT, EditRefused, Greeted, ToEditor
 from omote.edit.protocol.orders import EditOrder
 from omote.edit.protocol.wire import encode
-from omote.edit.session.brought_items import TakenIn, take_in
+from omote.edit.session.brought_items import Adding, TakenIn
 from omote.edit.session.console_requests import answer_console, reply_to_console
 from omote.edit.session.edit_session import EditSession, Outcome
 from omote.edit.session.plan import KeepOutcome
@@ -37,7 +37,7 @@ from omote.show import messages as wire
 from omote.show.outgoing import KeepRequest
 from omote.show.rate_limit import TokenBucket
 from omote.show.validation import Refusal
-from omote.showfile.changes import BroughtItem, Change, DropLayout, PutLayout
+from omote.showfile.changes import Change, DropLayout, PutLayout
 
 HEARD_RATE, HEARD_BURST = 60.0, 60.0
 """Messages per second read from one editor (a slider being dragged); more waits in the socket."""
@@ -129,14 +129,13 @@ class EditorLinks:
             on_air = self._on_air(getattr(request.message, "character", ""))
             self._take(self.authored_work, partial(answer_console, request=request, on_air=on_air, wall=_wall()))
 
-    async def take_in(self, brought: Sequence[BroughtItem], replaced: int | None = None) -> list[TakenIn] | str:
-        """Adds items of another show file, but what is there already, or replaces one; returns what became of each,
-        once they are on the disk and play, or why not."""
+    async def add_items(self, adding: Adding) -> list[TakenIn] | str:
+        """Adds items; returns what became of each, once they are on the disk and play, or why not."""
         authored_work, done = self.authored_work, asyncio.get_running_loop().create_future()
         if authored_work is None:
             return NO_FILE
         try:
-            result, taken = take_in(authored_work.session.authored, brought, replaced)
+            result, taken = adding(authored_work.session.authored)
         except Refusal as refusal:
             return str(refusal)
         outcome = authored_work.session.carry_out(lambda: result, "")

@@ -8,21 +8,21 @@ from __future__ import annotations
 import asyncio
 import tempfile
 import time
-from collections.abc import Awaitable, Callable, Sequence
+from collections.abc import Awaitable, Callable
 from functools import partial
 from pathlib import Path
 
 import msgspec
 from aiohttp import web
 
-from omote.edit.session.brought_items import TakenIn
+from omote.edit.session.brought_items import Adding, TakenIn, take_in
 from omote.interchange.formats.error_reasons import explain_error
 from omote.interchange.formats.file_names import HINTS
 from omote.interchange.formats.glb_reader import LARGEST
 from omote.server.http.long_requests import CancelledRequestError, LongRequests, request_id
 from omote.server.workers.file_jobs import Imported, ImportFile
 from omote.server.workers.job_server import Follow, JobError
-from omote.showfile.changes import BroughtItem, Kind
+from omote.showfile.changes import Kind
 
 SUFFIXES = (".json", ".glb", ".vrm", ".obj")
 KINDS = ("expression", "face")
@@ -31,7 +31,7 @@ CANCELLED = 204
 """The status of a request that its page ended: there is nothing, and browsers log no error."""
 
 RunFileJob = Callable[[bytes, Follow], Awaitable[bytes]]
-TakeIn = Callable[[Sequence[BroughtItem]], Awaitable[list[TakenIn] | str]]
+AddItems = Callable[[Adding], Awaitable[list[TakenIn] | str]]
 """Saves items in the show; returns what became of each, once they are stored and play, or why not."""
 
 
@@ -41,7 +41,7 @@ class Uploads:
     def __init__(self, show: Callable[[], Path], run_job: RunFileJob, long_requests: LongRequests) -> None:
         self._show, self._run_job, self._long_requests = show, run_job, long_requests
 
-    async def respond(self, request: web.Request, take_in: TakeIn) -> web.Response:
+    async def respond(self, request: web.Request, add_items: AddItems) -> web.Response:
         """Responds with what was taken in and what is to be said of it (JSON); 400 or 503 with a sentence, 204 where
         the page ended it."""
         name = ""
@@ -55,7 +55,7 @@ class Uploads:
             return web.Response(status=CANCELLED)
         except OSError as error:
             raise web.HTTPServiceUnavailable(text=f"nothing was taken in ({explain_error(error)}).") from error
-        taken = await take_in(imported.items)
+        taken = await add_items(partial(take_in, brought=imported.items))
         if isinstance(taken, str):
             raise web.HTTPServiceUnavailable(text=taken)
         return web.json_response(body=msgspec.json.encode({"items": taken, "said": imported.said}))

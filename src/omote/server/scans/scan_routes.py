@@ -7,18 +7,18 @@ from __future__ import annotations
 
 import asyncio
 import time
-from collections.abc import Awaitable, Callable, Coroutine, Sequence
+from collections.abc import Awaitable, Callable, Coroutine
 from functools import partial
 from pathlib import Path
 
 import msgspec
 from aiohttp import web
 
-from omote.edit.session.brought_items import TakenIn
+from omote.edit.session.brought_items import take_made
 from omote.interchange.formats.error_reasons import explain_error
 from omote.server.http.editor_link import NO_FILE
 from omote.server.http.long_requests import CancelledRequestError, LongRequests, request_id
-from omote.server.http.uploads import CANCELLED, RunFileJob
+from omote.server.http.uploads import CANCELLED, AddItems, RunFileJob
 from omote.server.scans.photograph_upload import (
     LARGEST_PHOTOGRAPH,
     MOST_PHOTOGRAPHS,
@@ -32,13 +32,11 @@ from omote.server.workers.file_jobs import Imported
 from omote.server.workers.job_server import Follow, JobError
 from omote.server.workers.photograph_jobs import FitPhotographs
 from omote.server.workers.scan_jobs import FILES, FitScan, TakeScan
-from omote.showfile.changes import BroughtItem
 
 SCANS_PATH = "/scans"
 PHOTOGRAPHS_PATH = "/photographs"
 MSGPACK = "application/msgpack"
 
-TakeIn = Callable[[Sequence[BroughtItem], int | None], Awaitable[list[TakenIn] | str]]
 Point = tuple[float, float, float]
 FitPreview = Callable[[Preview], Awaitable[web.Response]]
 FileWork = tuple[Callable[[], Path], RunFileJob]
@@ -62,12 +60,12 @@ class Taking(msgspec.Struct, frozen=True):
 
 class ScanRoutes:
     """Answers editors who bring scans; work: where the show file lies, and what does a `FileJob`, None where there is
-    no file; take_in: keeps items in the show."""
+    no file; add_items: keeps items in the show."""
 
     def __init__(
-        self, work: FileWork | None, long_requests: LongRequests, take_in: TakeIn, previews: ScanPreviews
+        self, work: FileWork | None, long_requests: LongRequests, add_items: AddItems, previews: ScanPreviews
     ) -> None:
-        self._work, self._long_requests, self._take_in, self.previews = work, long_requests, take_in, previews
+        self._work, self._long_requests, self._add_items, self.previews = work, long_requests, add_items, previews
 
     def add_routes(self, application: web.Application) -> None:
         """Adds where scans and photographs are brought to, and where each is fitted, taken and thrown away."""
@@ -185,7 +183,7 @@ class ScanRoutes:
         made = await self._do(job, follow)
         decode = partial(msgspec.msgpack.decode, made, type=Imported)
         imported = await asyncio.get_running_loop().run_in_executor(None, decode)
-        taken = await self._take_in(imported.items, wanted.replaced)
+        taken = await self._add_items(partial(take_made, brought=imported.items, replaced=wanted.replaced))
         if isinstance(taken, str):
             raise web.HTTPServiceUnavailable(text=taken)
         self.previews.drop(preview.token)

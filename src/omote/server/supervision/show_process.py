@@ -136,7 +136,7 @@ def enable_files(server: ShowServer, work: FileWork | None, scans: ScanPreviews)
     if work is not None:
         server.enable_files(*work)
     if server.editing is not None:
-        routes = ScanRoutes(work, server.long_requests, server.editing.take_in, scans)
+        routes = ScanRoutes(work, server.long_requests, server.editing.add_items, scans)
         server.more_routes.append(routes.add_routes)
 
 

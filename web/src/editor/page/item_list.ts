@@ -43,7 +43,8 @@ const COPY = html`<svg width="13" height="13" viewBox="0 0 13 13" fill="none" st
 /** Own expressions and faces, and all that they can begin from. */
 @customElement("omote-item-list")
 export class ItemListPanel extends EditorElement {
-  @state() private kind: Kind = "expression";
+  /** Which of both lists is shown. */
+  @state() kind: Kind = "expression";
   @state() private search = "";
   @state() private deleted = false;
   @state() private making: Readonly<Record<string, number>> | null = null;

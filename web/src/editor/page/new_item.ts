@@ -60,7 +60,7 @@ export class NewItem extends EditorElement {
     const [source] = Object.keys(this.mix);
     const stem = this.kind === "face" ? "New face" : "New expression";
     const known = source === undefined ? stem : `My ${labelOf(sourcesOf(this.store, this.kind), source).toLowerCase()}`;
-    return freeLabel(this.store.items, known);
+    return freeLabel(this.store, this.kind, known);
   }
 
   override render() {

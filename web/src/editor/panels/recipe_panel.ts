@@ -22,7 +22,7 @@ import { sourceChoice } from "../controls/source_choice";
 import { GAIN, MILLIMETRES, PERCENT, shown } from "../controls/units";
 import type { Topic } from "../session/draft_store";
 import { loadHandles } from "../session/face_handles";
-import { normalised } from "../session/item_commands";
+import { normalised, weighed } from "../session/item_commands";
 import { labelOf, type Source, sourcesOf } from "../session/sources";
 
 /** How a face is made from faces: a mix, regions from others, caricature, handles; and how strongly it answers. */
@@ -75,12 +75,12 @@ export class FaceRecipePanel extends EditorElement {
     const one = Object.keys(mix).length === 1;
     const put = (made: (mix: FaceRecipe["base"]) => FaceRecipe["base"]): void =>
       this.#set((before) => ({ base: normalised(made(before.base)) }), "mix of faces");
-    const weigh = (source: string, weight: number): void => put((before) => ({ ...before, [source]: weight }));
+    const weigh = (source: string, weight: number): void => put((before) => weighed(before, source, weight));
     return html`<h2>Mix of faces</h2>
       ${Object.entries(mix).map(
         ([source, weight]) => html`<div class="row">
           <omote-amount class="grow" label=${labelOf(sources, source)} .unit=${PERCENT} .value=${weight} ?disabled=${one}
-            @done=${(event: Event) => weigh(source, Math.max(0, amountOf(event)))}></omote-amount>
+            @done=${(event: Event) => weigh(source, amountOf(event))}></omote-amount>
           <button class="icon quiet" ?disabled=${one} title="Without it" aria-label="Without ${labelOf(sources, source)}"
             @click=${() => put((before) => Object.fromEntries(Object.entries(before).filter(([name]) => name !== source)))}>✕</button>
         </div>`,

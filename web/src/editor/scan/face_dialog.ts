@@ -12,7 +12,7 @@ import type { Topic } from "../session/draft_store";
 import { freeLabel, openItem } from "../session/item_commands";
 import { nameOf } from "./data/dropped_files";
 import type { Drawable, Hair } from "./data/scan_document";
-import { dropScan, sentence, takeFace } from "./data/scan_requests";
+import { dropScan, sentence, type Taken, takeFace } from "./data/scan_requests";
 import { style } from "./scan_style";
 import { hairChoice, nameNote, placeChoice } from "./taking_form";
 
@@ -94,7 +94,7 @@ export abstract class FaceDialog<Seen extends SeenFace> extends EditorElement {
 
   override firstUpdated(): void {
     this.#proposed = nameOf(this.files.map(({ name }) => name));
-    this.label = freeLabel(this.store.items, this.#proposed);
+    this.label = freeLabel(this.store, "face", this.#proposed);
     void this.#fit(() => this.begin());
   }
 
@@ -109,7 +109,7 @@ export abstract class FaceDialog<Seen extends SeenFace> extends EditorElement {
 
   /** What a new face will be called: no two have one name. */
   get #called(): string {
-    return freeLabel(this.store.items, this.#typed);
+    return freeLabel(this.store, "face", this.#typed);
   }
 
   /** Says in the dialog why something is not done now; the page's own notices lie behind it. */
@@ -150,9 +150,9 @@ export abstract class FaceDialog<Seen extends SeenFace> extends EditorElement {
       replaced: this.replaced,
     };
     try {
-      const name = await takeFace(seen, taking, store.longRequests);
+      const taken = await takeFace(seen, taking, store.longRequests);
       this.seen = null; // the server has let go of it
-      this.#sayTaken(name, taking.label);
+      this.#sayTaken(taken);
       this.close();
     } catch (error) {
       if (!(error instanceof CancelledError)) this.failed = (error as Error).message;
@@ -161,13 +161,16 @@ export abstract class FaceDialog<Seen extends SeenFace> extends EditorElement {
     }
   }
 
-  #sayTaken(name: string, label: string): void {
+  #sayTaken({ name, label }: Taken): void {
     const { store } = this;
-    const own = store.items.find(({ id }) => id === this.replaced);
+    const behind = store.draft?.item === this.replaced && store.draft?.dirty === true;
+    const draft = behind
+      ? " Your draft is still of that one: Bring back in the history puts the new face into it."
+      : "";
     const what =
-      own === undefined
+      this.replaced === null
         ? `"${label}" plays, with all expressions: consoles have it among their faces, under Own.`
-        : `"${own.label}" is the face of ${this.words.source} now, wherever it plays; its history has the one before.`;
+        : `"${label}" is the face of ${this.words.source} now, wherever it plays; its history has the one before.${draft}`;
     const open = (): void => {
       const item = store.items.find((each) => each.kind === "face" && each.name === name);
       if (item !== undefined) void openItem(store, item.id);
@@ -239,7 +242,7 @@ export abstract class FaceDialog<Seen extends SeenFace> extends EditorElement {
       ${placeChoice(this.store.items, this.replaced, (id) => {
         this.replaced = id;
       })}
-      <label for="label">Name</label><input id="label" maxlength="64" ?disabled=${own !== undefined}
+      <label for="label">Name</label><input id="label" maxlength="64" placeholder=${freeLabel(this.store, "face", this.#proposed)} ?disabled=${own !== undefined}
         .value=${own?.label ?? this.label}
         @input=${(event: Event) => {
           this.label = textOf(event);

@@ -4,6 +4,7 @@ import type { FaceRecipe, ItemDocument, RevisionDocument, Saved } from "../../li
 import { importFiles } from "../../ui/file_import";
 import type { Request } from "../link/requests";
 import type { DraftStore } from "./draft_store";
+import type { Notice } from "./notices";
 
 /** Where something new begins: sources by weight, or what is on air now. */
 export interface Start {
@@ -38,25 +39,33 @@ export async function openItem(store: DraftStore, item: number): Promise<void> {
     ]);
 }
 
-/** A name for something new that no item has yet: `stem`, else with the first number that is free. */
-export function freeLabel(items: readonly ItemDocument[], stem: string): string {
-  const taken = new Set(items.filter(({ deleted }) => !deleted).map(({ label }) => label.toLowerCase()));
+/** A name for something new that nothing of its kind has yet, built in or own: `stem`, else with the first number
+ * that is free. */
+export function freeLabel(store: Pick<DraftStore, "items" | "manifest">, kind: Kind, stem: string): string {
+  const own = store.items.filter((item) => item.kind === kind && !item.deleted);
+  const builtIn = kind === "face" ? store.manifest?.faces : store.manifest?.expressions;
+  const taken = new Set([...own, ...(builtIn ?? [])].map(({ label }) => label.toLowerCase()));
   for (let number = 1; ; number += 1) {
     const label = number === 1 ? stem : `${stem} ${number}`;
     if (!taken.has(label.toLowerCase())) return label;
   }
 }
 
-/** Takes files in, and says what came of each. */
-export async function takeIn(store: DraftStore, files: readonly File[], kind: Kind): Promise<void> {
+/** Takes files in, and says what came of each, with what else can be done with those that were refused. */
+export async function takeIn(
+  store: DraftStore,
+  files: readonly File[],
+  kind: Kind,
+  otherwise: Notice["actions"] = [],
+): Promise<void> {
   const { done, failed } = await importFiles(files, kind, store.longRequests);
   if (done !== "") store.say(done, "done");
-  for (const sentence of failed) store.say(sentence);
+  for (const sentence of failed) store.say(sentence, "refusal", otherwise);
 }
 
-/** Takes in a head with our topology as a face, and says so; false where it is none, of which nothing is said. */
-export async function takeInHead(store: DraftStore, file: File): Promise<boolean> {
-  const { done, failed } = await importFiles([file], "face", store.longRequests);
+/** Takes in a head, and says so; false where it cannot be, of which nothing is said. */
+export async function takeInHead(store: DraftStore, file: File, kind: Kind): Promise<boolean> {
+  const { done, failed } = await importFiles([file], kind, store.longRequests);
   if (done !== "") store.say(done, "done");
   return failed.length === 0;
 }
@@ -166,6 +175,15 @@ export function normalised(mix: FaceRecipe["base"]): FaceRecipe["base"] {
   return Object.fromEntries(Object.entries(mix).map(([name, weight]) => [name, sum > 0 ? weight / sum : even]));
 }
 
+/** A mix with one weight as it was given, at most all; the others share what is left, in the same proportions. */
+export function weighed(mix: FaceRecipe["base"], source: string, weight: number): FaceRecipe["base"] {
+  const others = Object.fromEntries(Object.entries(mix).filter(([name]) => name !== source));
+  if (Object.keys(others).length === 0) return { [source]: 1 };
+  const given = Math.min(1, Math.max(0, weight));
+  const shared = Object.entries(normalised(others)).map(([name, share]) => [name, (1 - given) * share]);
+  return { ...mix, ...Object.fromEntries(shared), [source]: given };
+}
+
 // --- any item ---------------------------------------------------------------------------------------------------------
 
 type Description = Partial<Pick<ItemDocument, "label" | "tags" | "place">>;
@@ -183,8 +201,8 @@ export async function describe(store: DraftStore, { id }: ItemDocument, change: 
   if (answer === null) put({ label: before.label, tags: before.tags, place: before.place });
 }
 
-export const duplicate = (store: DraftStore, { id, label }: ItemDocument): void =>
-  void store.ask({ type: "duplicate", item: id, label: freeLabel(store.items, `${label} copy`) });
+export const duplicate = (store: DraftStore, { id, kind, label }: ItemDocument): void =>
+  void store.ask({ type: "duplicate", item: id, label: freeLabel(store, kind, `${label} copy`) });
 
 export async function remove(store: DraftStore, item: ItemDocument): Promise<void> {
   const answer = await store.ask({ type: "delete", item: item.id });

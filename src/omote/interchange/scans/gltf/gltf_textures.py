@@ -71,7 +71,7 @@ def _picture(document: SceneDocument, source: int, reader: AccessorReader, besid
     try:
         data = _bytes(entry(document.images, source, "image"), reader, beside)
         if data is None:
-            beside.note("a texture that it names does not lie beside it")
+            beside.note("a texture that it names does not lie beside it: give both together")
             return None
         return read_picture(data)
     except (ValueError, OSError) as error:

@@ -10,6 +10,9 @@ describe("files that are dropped", () => {
     [["anna.obj"], "face", "either"],
     [["anna.glb"], "face", "either"],
     [["anna.glb"], "expression", "import"],
+    [["anna.glb"], null, "either"],
+    [["anna.obj"], null, "either"],
+    [["a.obj", "b.obj"], null, "import"],
     [["a.obj", "b.obj"], "face", "import"],
     [["smile.json", "anna.ply"], "face", "import"],
     [["notes.txt"], "face", "import"],
@@ -17,7 +20,7 @@ describe("files that are dropped", () => {
     [["anna.jpeg"], "face", "scan"],
     [["anna.jpeg", "notes.txt"], "face", "import"],
     [["README"], "expression", "import"],
-  ] as const)("%j while a %s is open are taken as %s", (names, open, coming) => {
+  ] as const)("%j while %s is open are taken as %s", (names, open, coming) => {
     expect(comingOf(names, open)).toBe(coming);
   });
 

@@ -16,18 +16,19 @@ export const ACCEPTED_PHOTOGRAPHS = [...PHOTOGRAPHS].join(",");
 export const arePhotographs = (names: readonly string[]): boolean =>
   names.length > 0 && names.every((name) => PHOTOGRAPHS.has(suffixOf(name)));
 
-/** "scan": a person, to be fitted; "either": a face with our topology, else a scan; "import": to be taken in as it is. */
+/** "scan": a person, to be fitted; "either": taken in as it is where that can be, else a scan; "import": to be taken in
+ * as it is. */
 export type Coming = "scan" | "either" | "import";
 
-/** What to do with files that were dropped while an item of a kind is open. */
-export function comingOf(names: readonly string[], open: "expression" | "face"): Coming {
+/** What to do with files that were dropped while an item of a kind is open, or none. */
+export function comingOf(names: readonly string[], open: "expression" | "face" | null): Coming {
   const suffixes = names.map(suffixOf);
   if (suffixes.includes(".json")) return "import";
   if (arePhotographs(names)) return "scan";
   const scans = suffixes.filter((suffix) => (SCAN_SUFFIXES as readonly string[]).includes(suffix));
   if (scans.some((suffix) => !MAYBE_OURS.has(suffix))) return "scan";
   if (scans.length > 0 && scans.length < suffixes.length) return "scan"; // with materials and pictures beside it
-  return open === "face" && scans.length === 1 ? "either" : "import";
+  return open !== "expression" && scans.length === 1 ? "either" : "import";
 }
 
 const suffixOf = (name: string): string => {

@@ -47,14 +47,14 @@ describe("what is asked of the server", () => {
   });
 
   it("sends points and what is said of the eyes, and as what the face is taken", async () => {
-    const taken = { items: [{ name: "anna" }] };
+    const taken = { items: [{ name: "anna_2", label: "Anna 2" }] };
     const asked = answering(
       () => new Response(encode(SENT)),
       () => Response.json(taken),
     );
     await fitAgain(SCAN, { nose_tip: [1, 2, 3] }, true, new LongRequests());
     const taking = { label: "Anna", hair_style: "", hair: "#112233", replaced: 3 };
-    expect(await takeFace(SCAN, taking, new LongRequests())).toBe("anna");
+    expect(await takeFace(SCAN, taking, new LongRequests())).toEqual({ name: "anna_2", label: "Anna 2" });
     const bodies = asked.mock.calls.map(([, options]) => JSON.parse(String(options?.body)));
     expect(bodies).toEqual([{ points: { nose_tip: [1, 2, 3] }, shut: true }, taking]);
     expect(asked.mock.calls.map(([address]) => address.split("?")[0])).toEqual(["/scans/t", "/scans/t/face"]);

@@ -33,18 +33,24 @@ export async function fitAgain(
   return await scanIn(requests.fetch(FIT_TITLE, `/scans/${token}`, { method: "POST", body }));
 }
 
-/** Takes the face of a scan; its name in the show. An Error with a sentence where that fails. */
+/** What a face that was taken is called: its name in the show, and as people read it. */
+export interface Taken {
+  readonly name: string;
+  readonly label: string;
+}
+
+/** Takes the face of a scan. An Error with a sentence where that fails. */
 export async function takeFace(
   { token }: Pick<SeenScan, "token">,
   taking: Taking,
   requests: LongRequests,
-): Promise<string> {
+): Promise<Taken> {
   const body = JSON.stringify(taking);
   const answer = await answerOf(
     requests.fetch(`Face ${taking.label}`, `/scans/${token}/face`, { method: "POST", body }),
   );
-  const { items } = (await answer.json()) as { items: { name: string }[] };
-  return items[0]?.name ?? "";
+  const { items } = (await answer.json()) as { items: Taken[] };
+  return items[0] ?? { name: "", label: taking.label };
 }
 
 /** Throws a scan away, even while the page closes. */
