@@ -20,7 +20,10 @@ from omote.showfile.changes import Stored
 from omote.showfile.show_file import open_show
 from tests.browser.conftest import playing
 from tests.browser.pictures import picture
+from tests.browser.test_editor import SETTLED, Editor, editor, wait_for
 from tests.browser.waiting import draw_on_demand, wait_until
+
+__all__ = ["editor"]
 
 pytestmark = pytest.mark.long
 
@@ -29,6 +32,10 @@ SQUARE = 32
 """Texels along a side of the chequer's squares."""
 
 
+OPEN = """async label => {
+    const { store } = document.querySelector("omote-editor").context;
+    await store.ask({ type: "open_item", item: store.items.find((each) => each.label === label).id });
+}"""
 LOSE = """async () => {
     const canvas = document.querySelector("canvas");
     const handle = canvas.getContext("webgl2").getExtension("WEBGL_lose_context");
@@ -97,3 +104,25 @@ def test_a_picture_comes_back_with_a_lost_context(stage: Page) -> None:
     before = look(stage, {"chequered": 1.0})
     stage.evaluate(LOSE)
     np.testing.assert_array_equal(look(stage, {"chequered": 1.0}), before)
+
+
+def work(page: Page, label: str) -> NDArray[np.int16]:
+    """The large picture of an own face at rest in the editor."""
+    page.evaluate(OPEN, label)
+    wait_for(page, f"bench.item?.label === {label!r} && {SETTLED} && canvas.refined()")
+    box = page.locator("omote-editor main .work canvas").first.bounding_box()
+    assert box is not None
+    across = slice(int(box["x"]), int(box["x"] + 0.65 * box["width"]))
+    return picture(page)[int(box["y"]) : int(box["y"] + box["height"]), across, :3]
+
+
+def test_the_editor_shows_the_picture_of_a_face_and_of_a_mix(editor: Editor) -> None:
+    page = editor()
+    under, half = work(page, "chequered"), work(page, "half")
+    redder, mixed = (each[..., 0] - each[..., 1] for each in (under, half))
+    squares = redder < -40  # skin is never green
+    assert squares.mean() > 0.02
+    middle = under.shape[1] // 2
+    assert squares[:, middle:].sum() > 20 * squares[:, :middle].sum(), "it covers the left half alone"
+    assert (mixed < -40).sum() < 0.1 * squares.sum(), "half of it is skin"
+    assert np.median((mixed - redder)[squares]) > 20

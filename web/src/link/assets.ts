@@ -216,7 +216,7 @@ export class Library {
     const digest = this.faces.get(face)?.albedo;
     if (!digest) throw new Error(`There is no picture on the skin of "${face}".`);
     const bytes = await fetchWithRetry(`/albedos/${digest}/${encodeURIComponent(face)}`, this.read);
-    return createImageBitmap(new Blob([bytes as Uint8Array<ArrayBuffer>], { type: "image/png" }), RAW);
+    return decodePicture(bytes);
   }
 
   /** The layers of the skin (tools/baking/skin/mask.py says what they hold): they lie one below the other in one picture. */
@@ -239,6 +239,10 @@ function remembered<T>(memory: Map<string, Promise<T>>, key: string, make: () =>
 
 /** Pictures whose bytes stay as they are. */
 const RAW: ImageBitmapOptions = { premultiplyAlpha: "none", colorSpaceConversion: "none" };
+
+/** The texels of a PNG as they are, decoded off the main thread. */
+export const decodePicture = (bytes: Uint8Array): Promise<ImageBitmap> =>
+  createImageBitmap(new Blob([bytes as Uint8Array<ArrayBuffer>], { type: "image/png" }), RAW);
 
 /** The squares of a tall picture from top to bottom, their bytes untouched. */
 async function cutSquares(file: Blob): Promise<ImageBitmap[]> {

@@ -11,8 +11,11 @@ import { sourceChoice } from "../controls/source_choice";
 import { PERCENT } from "../controls/units";
 import type { Topic } from "../session/draft_store";
 import { create, freeLabel, type Kind } from "../session/item_commands";
-import { labelOf, sourcesOf } from "../session/sources";
+import { labelOf, OWN, sourcesOf } from "../session/sources";
 import "../controls/amount";
+
+/** Letters that a name may have here. */
+const LONGEST = 64;
 
 /** Where something new begins: neutral, any expression or mix, what is on air now. Tells `close`. */
 @customElement("omote-new")
@@ -59,8 +62,15 @@ export class NewItem extends EditorElement {
   get #proposed(): string {
     const [source] = Object.keys(this.mix);
     const stem = this.kind === "face" ? "New face" : "New expression";
-    const known = source === undefined ? stem : `My ${labelOf(sourcesOf(this.store, this.kind), source).toLowerCase()}`;
+    const known = source === undefined ? stem : `My ${this.#nameOf(source)}`.slice(0, LONGEST - 3);
     return freeLabel(this.store, this.kind, known);
+  }
+
+  /** What a source is called within a name: people's own names stay as they wrote them. */
+  #nameOf(source: string): string {
+    const sources = sourcesOf(this.store, this.kind);
+    const label = labelOf(sources, source);
+    return sources.find((one) => one.source === source)?.group === OWN ? label : label.toLowerCase();
   }
 
   override render() {
@@ -68,7 +78,7 @@ export class NewItem extends EditorElement {
     const rest = this.kind === "face" ? "Generic face" : "Neutral";
     return html`<form @submit=${this.#create} aria-label="New ${this.kind}">
       <h2>New ${this.kind}</h2>
-      <input aria-label="Name" maxlength="64" .value=${this.label || this.#proposed}
+      <input aria-label="Name" maxlength=${LONGEST} .value=${this.label || this.#proposed}
         @input=${(event: Event) => {
           this.label = textOf(event);
         }} />

@@ -2,7 +2,15 @@
 
 import { decode } from "@msgpack/msgpack";
 import { aligned } from "../../link/arrays";
-import { type Fetch, fetchBytes, fetchWithRetry, KEY, RefusedAddress, readCompound } from "../../link/assets";
+import {
+  decodePicture,
+  type Fetch,
+  fetchBytes,
+  fetchWithRetry,
+  KEY,
+  RefusedAddress,
+  readCompound,
+} from "../../link/assets";
 import type { FaceDocument, Manifest } from "../../link/messages";
 import { Backoff } from "../../link/reconnecting_socket";
 
@@ -41,6 +49,11 @@ export async function loadFace(manifest: Manifest, source: string, read: Fetch =
   if (document === undefined || positions.length !== 3 * manifest.vertices)
     throw new Error(`The face ${source} has ${positions.length / 3} vertices, expected ${manifest.vertices}.`);
   return { document, positions };
+}
+
+/** The picture on the skin of a face that has one. */
+export async function loadPicture({ albedo, source }: FaceDocument, read: Fetch = fetchBytes): Promise<ImageBitmap> {
+  return decodePicture(await fetchContent(`/albedos/${albedo}/${key(source)}`, read));
 }
 
 /** How a face answers to a field, (3, V, 3); undefined where the server knows no such face. */

@@ -11,6 +11,9 @@ export interface Source {
   readonly group: string;
 }
 
+/** The group of what people made. */
+export const OWN = "Own";
+
 const GROUPS: Readonly<Record<string, string>> = {
   performed: "Performed",
   arkit: "ARKit",
@@ -21,7 +24,7 @@ const GROUPS: Readonly<Record<string, string>> = {
 export function sourcesOf(store: DraftStore, kind: Kind): Source[] {
   const own = ordered(store.items, kind)
     .filter(({ deleted, content }) => !deleted && content !== "")
-    .map(({ content, label }) => ({ source: content, label, group: "Own" }));
+    .map(({ content, label }) => ({ source: content, label, group: OWN }));
   return [...own, ...(kind === "face" ? facesOf(store) : expressionsOf(store))];
 }
 

@@ -1,4 +1,5 @@
-/** A face's skin as one picture, painted once: the cast's layers in the face's colours, as the stage has them. */
+/** A face's skin as one picture, painted once: the cast's layers in the face's colours, and over them the picture of a
+ * certain person's skin, as the stage has them. */
 
 import type { Anatomy } from "../../../face/anatomy/anatomy";
 import { createProgram, vertexArray } from "../../../face/gpu/gl";
@@ -6,7 +7,8 @@ import { decodeSrgb } from "../../../face/light/tone";
 import { SKIN_COLOURS } from "../../../face/skin/skin_colour_shaders";
 import type { Library, Mesh } from "../../../link/assets";
 import { SKIN_LAYERS } from "../../../link/constants";
-import type { Look } from "../../../link/messages";
+import type { FaceDocument, Look } from "../../../link/messages";
+import { loadPicture } from "../../session/asset_loading";
 
 const COLOURS = ["skin", "lip", "brow", "blush", "hair", "coat"] as const;
 const TRAITS = [
@@ -22,6 +24,8 @@ const TRAITS = [
   "scalp",
 ] as const;
 const LAYERS = ["mask", "marks", "patches", "pelt"] as const;
+/** Pictures of skin that are remembered, 4 or 16 MB each: most edits of a face leave its picture as it is. */
+const REMEMBERED = 4;
 
 /** Twice: over the whole picture, so that no seam is bare, then the head itself with what is known by its rows. */
 const PAINT_VERTEX = `#version 300 es
@@ -59,6 +63,7 @@ export class SkinTextures {
   private readonly head: WebGLVertexArrayObject;
   private readonly sheet: WebGLVertexArrayObject;
   private readonly count: number;
+  private readonly pictures = new Map<string, Promise<ImageBitmap>>();
 
   private constructor(
     private readonly gl: WebGL2RenderingContext,
@@ -83,9 +88,27 @@ export class SkinTextures {
     return new SkinTextures(gl, await library.layers(), skin, anatomy.traits);
   }
 
-  /** The skin of a look, `side` texels square, with smaller copies of itself. */
-  paint(look: Look, side: number): WebGLTexture {
+  /** The picture on a face's skin; undefined where it has none, or where that cannot be had. */
+  async picture(document: FaceDocument): Promise<ImageBitmap | undefined> {
+    const { albedo } = document;
+    if (albedo === "") return undefined;
+    const asked = this.pictures.get(albedo) ?? loadPicture(document);
+    this.pictures.delete(albedo); // the last in the order is the newest
+    this.pictures.set(albedo, asked);
+    for (const oldest of [...this.pictures.keys()].slice(0, -REMEMBERED)) this.pictures.delete(oldest);
+    try {
+      return await asked;
+    } catch (error) {
+      this.pictures.delete(albedo); // it may be asked again
+      console.warn(`${document.label} shows without its picture: ${String(error)}`);
+      return undefined;
+    }
+  }
+
+  /** The skin of a look under a picture, `side` texels square, with smaller copies of itself. */
+  paint(look: Look, picture: ImageBitmap | undefined, side: number): WebGLTexture {
     const { gl } = this;
+    const laid = picture === undefined ? null : pictureTexture(gl, picture);
     const texture = gl.createTexture();
     gl.bindTexture(gl.TEXTURE_2D, texture);
     gl.texStorage2D(gl.TEXTURE_2D, Math.floor(Math.log2(side)) + 1, gl.RGBA8, side, side);
@@ -94,7 +117,7 @@ export class SkinTextures {
     gl.framebufferTexture2D(gl.FRAMEBUFFER, gl.COLOR_ATTACHMENT0, gl.TEXTURE_2D, texture, 0);
     gl.viewport(0, 0, side, side);
     for (const feature of [gl.BLEND, gl.DEPTH_TEST, gl.SCISSOR_TEST, gl.CULL_FACE]) gl.disable(feature);
-    this.dress(look);
+    this.dress(look, laid);
     for (const [array, count] of [
       [this.sheet, 6],
       [this.head, this.count],
@@ -105,30 +128,55 @@ export class SkinTextures {
     gl.bindVertexArray(null);
     gl.bindFramebuffer(gl.FRAMEBUFFER, null);
     gl.deleteFramebuffer(target);
+    gl.deleteTexture(laid);
     gl.bindTexture(gl.TEXTURE_2D, texture);
-    gl.generateMipmap(gl.TEXTURE_2D);
-    gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MIN_FILTER, gl.LINEAR_MIPMAP_NEAREST);
-    gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MAG_FILTER, gl.LINEAR);
+    makeSmaller(gl);
     return texture;
   }
 
-  private dress(look: Look): void {
+  private dress(look: Look, picture: WebGLTexture | null): void {
     const { gl, program } = this;
     gl.useProgram(program);
+    gl.activeTexture(gl.TEXTURE0 + LAYERS.length);
+    gl.bindTexture(gl.TEXTURE_2D, picture);
+    gl.uniform1i(gl.getUniformLocation(program, "picture0"), LAYERS.length);
+    gl.uniform4f(gl.getUniformLocation(program, "pictureWeights"), picture === null ? 0 : 1, 0, 0, 0);
     LAYERS.forEach((name, unit) => {
       gl.activeTexture(gl.TEXTURE0 + unit);
       gl.bindTexture(gl.TEXTURE_2D, this.layers[unit] as WebGLTexture);
       gl.uniform1i(gl.getUniformLocation(program, name), unit);
     });
     gl.activeTexture(gl.TEXTURE0);
-    for (const name of COLOURS) gl.uniform3fv(gl.getUniformLocation(program, name), [...decodeSrgb(look[name])]);
-    for (const name of TRAITS) gl.uniform1f(gl.getUniformLocation(program, name), look[name]);
+    // The look has the paint alone already, less what its picture covers: `pictured` is the look itself.
+    for (const name of COLOURS)
+      for (const uniform of [name, `pictured.${name}`])
+        gl.uniform3fv(gl.getUniformLocation(program, uniform), [...decodeSrgb(look[name])]);
+    for (const name of TRAITS)
+      for (const uniform of [name, `pictured.${name}`])
+        gl.uniform1f(gl.getUniformLocation(program, uniform), look[name]);
   }
 
   private array(uv: Float32Array, traits: Float32Array, triangles: Uint32Array): WebGLVertexArrayObject {
     const attributes = [["uv", uv, 2] as const, ["trait", traits, 2] as const];
     return vertexArray(this.gl, this.program, attributes, triangles);
   }
+}
+
+/** A picture in sRGB, read and made smaller in linear light. */
+function pictureTexture(gl: WebGL2RenderingContext, picture: ImageBitmap): WebGLTexture {
+  const texture = gl.createTexture();
+  gl.bindTexture(gl.TEXTURE_2D, texture);
+  gl.pixelStorei(gl.UNPACK_PREMULTIPLY_ALPHA_WEBGL, false);
+  gl.texImage2D(gl.TEXTURE_2D, 0, gl.SRGB8_ALPHA8, gl.RGBA, gl.UNSIGNED_BYTE, picture);
+  makeSmaller(gl);
+  return texture;
+}
+
+/** Gives the bound texture smaller copies of itself. */
+function makeSmaller(gl: WebGL2RenderingContext): void {
+  gl.generateMipmap(gl.TEXTURE_2D);
+  gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MIN_FILTER, gl.LINEAR_MIPMAP_NEAREST);
+  gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MAG_FILTER, gl.LINEAR);
 }
 
 function layerTexture(gl: WebGL2RenderingContext, picture: ImageBitmap): WebGLTexture {

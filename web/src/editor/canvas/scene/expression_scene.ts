@@ -170,7 +170,8 @@ export class ExpressionScene {
     const [face, tangents] = await Promise.all([loadFace(manifest, source), loadTangents(manifest, source)]);
     const { document, positions } = face;
     const figure = new Figure(document.name, positions, tangents);
-    const skinTexture = this.skinTextures.paint(document.look, this.side);
+    const picture = await this.skinTextures.picture(document);
+    const skinTexture = this.skinTextures.paint(document.look, picture, this.side);
     const bounds = boundsOf(positions);
     const member = { source, document, figure, rest: positions, bounds, skinTexture, block: -1 };
     this.members.set(source, member);

@@ -2,7 +2,7 @@
 
 import type { Anatomy } from "../../../face/anatomy/anatomy";
 import type { FaceRecipe, HandlesAsset } from "../../../link/editing_messages";
-import type { FaceDocument, Look, Manifest } from "../../../link/messages";
+import type { FaceDocument, Manifest } from "../../../link/messages";
 import { loadFace, loadWorn } from "../../session/asset_loading";
 import { type Handles, handlesOf, loadHandles } from "../../session/face_handles";
 import { MOST_BLOCKS } from "../draw/atlas_shaders";
@@ -35,6 +35,7 @@ interface Arrival {
   content: string;
   item: number;
   document: FaceDocument;
+  picture: ImageBitmap | undefined;
   shape: HandleDeform;
   under: string;
   handles: Handles;
@@ -101,7 +102,10 @@ export class FaceScene {
       const worn = await Promise.all(known.map((name) => loadWorn(manifest, content, name, positions)));
       return positions.map((rest, at) => worn.reduce((sum, one) => sum + (one[at] as number) - rest, rest));
     };
-    const truths = await Promise.all(WORN.map(({ expressions }) => wear(expressions)));
+    const [picture, ...truths] = await Promise.all([
+      this.skinTextures.picture(document),
+      ...WORN.map(({ expressions }) => wear(expressions)),
+    ]);
     if (content !== this.content) return; // something newer is on its way
     const handles = handlesOf(asset, recipe);
     const under = JSON.stringify([item, recipe.base, recipe.regions, recipe.amount, handles.rows]);
@@ -109,7 +113,7 @@ export class FaceScene {
     const known = under === this.under ? this.shape : undefined;
     known?.hold(handles.moves);
     const shape = known ?? handleDeform(positions, this.rows, handles.rows, handles.moves);
-    this.arrival = { content, item, document, shape, under, handles, truths };
+    this.arrival = { content, item, document, picture, shape, under, handles, truths };
   }
 
   /** Whether the item that was asked for last is still to come, while nothing or another one is shown. */
@@ -161,15 +165,15 @@ export class FaceScene {
   }
 
   private take(arrival: Arrival, time: number, ahead: boolean): void {
-    const { content, item, document, shape, under, handles, truths } = arrival;
+    const { content, item, document, picture, shape, under, handles, truths } = arrival;
     this.arrival = undefined;
     const fresh = item !== this.item || this.all.length === 0;
-    if (fresh) this.begin(document, truths);
+    if (fresh) this.begin(document, picture, truths);
     const shown = this.all.map(({ figure }) => figure.base.slice());
     if (!ahead || fresh) this.moves = handles.moves;
     [this.item, this.shape, this.under, this.handles] = [item, shape, under, handles];
     this.made = shape.at(handles.moves).slice();
-    this.dress(document.look);
+    this.dress(document, picture);
     for (const picture of this.all) {
       picture.rest = truths[0] as Float32Array;
       picture.truth = truths[WORN.findIndex(({ label }) => label === picture.label)] as Float32Array;
@@ -182,10 +186,10 @@ export class FaceScene {
     });
   }
 
-  private begin(document: FaceDocument, truths: readonly Float32Array[]): void {
+  private begin(document: FaceDocument, painted: ImageBitmap | undefined, truths: readonly Float32Array[]): void {
     const bounds = boundsOf(truths[0] as Float32Array); // kept while the face is under work: the view stays
-    const skinTexture = this.skinTextures.paint(document.look, this.side);
-    this.look = JSON.stringify(document.look);
+    const skinTexture = this.skinTextures.paint(document.look, painted, this.side);
+    this.look = lookOf(document);
     this.all = WORN.map(({ label }, block) => {
       const truth = truths[block] as Float32Array;
       return {
@@ -202,11 +206,11 @@ export class FaceScene {
     });
   }
 
-  private dress(look: Look): void {
-    const wanted = JSON.stringify(look);
+  private dress(document: FaceDocument, painted: ImageBitmap | undefined): void {
+    const wanted = lookOf(document);
     if (wanted === this.look) return;
     this.look = wanted;
-    const skinTexture = this.skinTextures.paint(look, this.side);
+    const skinTexture = this.skinTextures.paint(document.look, painted, this.side);
     for (const picture of this.all) picture.skinTexture = skinTexture;
   }
 
@@ -222,6 +226,9 @@ export class FaceScene {
     }
   }
 }
+
+/** Faces of one skin have the same. */
+const lookOf = ({ look, albedo }: FaceDocument): string => JSON.stringify([look, albedo]);
 
 /** The picture goes from what was shown to what is there now, from a time on. */
 function ease({ figure }: FacePicture, shown: Float32Array, time: number): void {
