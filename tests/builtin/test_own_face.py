@@ -42,7 +42,7 @@ def test_what_was_no_head_where_it_was_sought_is_said_in_those_words(monkeypatch
     def refuse(*_: object, **__: object) -> None:
         raise ValueError("the axis is outside the head")
 
-    monkeypatch.setattr(own_face, "fit_face", refuse)
+    monkeypatch.setattr(own_face, "fit_kinds", refuse)
     with pytest.raises(ValueError, match=r"^This may be no face\.$"):
         omote.fit(CAST.space, OLD, CAST.space.triangles)
     monkeypatch.setattr(own_face, "find_head", lambda *_, **__: replace(doubtful, doubts=()))

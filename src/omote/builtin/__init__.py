@@ -8,7 +8,10 @@ from __future__ import annotations
 
 import functools
 import zipfile
+from collections.abc import Mapping
+from dataclasses import replace
 from pathlib import Path
+from types import MappingProxyType
 from typing import Any
 
 import numpy as np
@@ -20,12 +23,14 @@ from omote.model.cast import Cast
 from omote.model.fitting.identity_modes import IdentityModes
 from omote.model.fitting.photographs.landmark_table import LandmarkTable
 
-__all__ = ["BakedMesh", "load_cast", "load_identity_modes", "load_mask", "load_meshes", "read_cast"]
+__all__ = ["BakedMesh", "load_cast", "load_head_kinds", "load_identity_modes", "load_mask", "load_meshes", "read_cast"]
 
 HERE = Path(__file__).parent
 CAST, MASK, NOTICE = HERE / "cast.npz", HERE / "mask.png", HERE / "NOTICE-CC0.md"
 IDENTITY_MODES = HERE / "identity_modes.npz"
 LANDMARK_TABLE = HERE / "photographs" / "landmark_table.npz"
+ANIMALS = ("cat", "dog")
+"""From whom of the cast the face of an animal begins."""
 _SIGNATURE = b"\x89PNG\r\n\x1a\n"
 
 
@@ -100,6 +105,20 @@ def load_identity_modes() -> IdentityModes:
         mean[: ends[0]], moves[:, : ends[0]],
         {part: mean[each] for part, each in rows.items()}, {part: moves[:, each] for part, each in rows.items()},
     )  # fmt: skip
+
+
+@functools.cache
+def load_head_kinds() -> Mapping[str, IdentityModes]:
+    """What a scan's head may be, by name: people first, then animals of the cast, which differ as people do."""
+    people, faces = load_identity_modes(), load_cast().faces
+    animals = {
+        name: replace(
+            people, skin=faces[name].positions.astype(np.float64),
+            parts={part: faces[name].parts[part].astype(np.float64) for part in people.parts},
+        )
+        for name in ANIMALS
+    }  # fmt: skip
+    return MappingProxyType({"people": people, **animals})
 
 
 @functools.cache

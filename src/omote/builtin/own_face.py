@@ -8,11 +8,12 @@ from dataclasses import replace
 import numpy as np
 from numpy.typing import ArrayLike
 
-from omote.builtin import load_identity_modes, load_landmark_table
+from omote.builtin import load_head_kinds, load_identity_modes, load_landmark_table
 from omote.builtin.own_skin import load_skin_samples
 from omote.model.fitting.doubt import join_doubts
 from omote.model.fitting.find_head import find_head
-from omote.model.fitting.fit_face import Fit, fit_face
+from omote.model.fitting.fit_face import Fit
+from omote.model.fitting.fit_kinds import fit_kinds
 from omote.model.fitting.photographs.photograph import Photograph
 from omote.model.fitting.photographs.photograph_fit import Follow, PhotographFit, fit_photograph_views
 from omote.model.fitting.scan import Scan
@@ -38,7 +39,8 @@ def fit(
         sRGB of each point.
     landmarks : mapping of array_like (3,), by name
         Where the head is not found by its shape: at least three of left_eye_outer, left_eye_inner, right_eye_inner,
-        right_eye_outer, nose_tip, mouth_left, mouth_right, in the positions' frame; left is the character's own.
+        right_eye_outer, nose_tip, mouth_left, mouth_right, in the positions' frame; left is the character's own. Of an
+        animal five or more.
     name : str
         The face's.
     shut : bool, optional
@@ -70,10 +72,9 @@ def fit(
         np.asarray(positions), None if triangles is None else np.asarray(triangles),
         None if colours is None else np.asarray(colours),
     )  # fmt: skip
-    modes = load_identity_modes()
-    place = find_head(space, modes, scan, landmarks=landmarks)
+    place = find_head(space, load_identity_modes(), scan, landmarks=landmarks)
     try:
-        found = fit_face(space, modes, scan, place.similarity, landmarks=landmarks, name=name, shut=shut)
+        found = fit_kinds(space, load_head_kinds(), scan, place, landmarks=landmarks, name=name, shut=shut)
     except ValueError as error:
         if not place.doubts:
             raise

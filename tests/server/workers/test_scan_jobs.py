@@ -56,7 +56,7 @@ class FalseFit:
         self.fitted: list[dict[str, Any]] = []
         self.failure = ""
         monkeypatch.setattr(scan_jobs, "find_head", self.find)
-        monkeypatch.setattr(scan_jobs, "fit_face", self.fit)
+        monkeypatch.setattr(scan_jobs, "fit_kinds", self.fit)
 
     def find(self, _: object, __: object, scan: Scan, *, landmarks: Mapping[str, Any] | None) -> HeadPlacement:
         self.sought.append(landmarks)
@@ -68,7 +68,7 @@ class FalseFit:
             PLACE, np.ones(len(scan.positions), bool), 1.0, "centimetres", marks, (Doubt("Look here.", ABOUT_PLACE),)
         )
 
-    def fit(self, _: object, __: object, ___: Scan, placement: Similarity, /, **given: Any) -> Fit:
+    def fit(self, _: object, __: object, ___: Scan, place: HeadPlacement, /, **given: Any) -> Fit:
         self.fitted.append(given)
         given["follow"](0.5, "the skin")
         if self.failure == "fit":
@@ -76,7 +76,7 @@ class FalseFit:
         face = CAST.faces["man"]
         residual = np.full(len(face.positions), 0.1)
         residual[find_landmarks(CAST.space)["nose_tip"]] = np.nan
-        return Fit(face, residual, np.isfinite(residual).astype(float), placement, (Doubt("And there."),))
+        return Fit(face, residual, np.isfinite(residual).astype(float), place.similarity, (Doubt("And there."),))
 
 
 @pytest.fixture

@@ -24,6 +24,7 @@ from omote.model.fitting.shape.fold_mending import find_folds, mend_folds
 from omote.model.fitting.shape.head_zones import HeadZones, head_zones, row_matrix, rung_matrix
 from omote.model.fitting.shape.mode_fit import Marks, ModeFit, fit_modes
 from omote.model.fitting.shape.plate_fit import Pull, bend, find_lengths, match
+from omote.model.sculpting.caricature import find_way_back
 from omote.model.space.face import Face
 from omote.model.space.parameter_space import ParameterSpace
 from omote.model.space.similarity import Similarity, fit_similarity
@@ -135,7 +136,7 @@ def fit_face(
     bent = _bend(space, zones, skin, marks, head, filled if shut is None else shut)
     tell(0.7, "eyes and mouth")
     parts = _carry_parts(space, expected, head, bent, balls)
-    upright = _set_upright(space, found, parts)
+    upright = _set_upright(space, found, parts, bent)
     guide = upright(head)
     face = close_face(space, name, guide, upright(bent), {part: upright(points) for part, points in parts.items()})
     folds = find_folds(space, guide, face.positions.astype(np.float64))
@@ -214,13 +215,18 @@ def _on_skin(space: ParameterSpace, name: str) -> bool:
     return bool(part.weights.any()) and not part.follows_jaw
 
 
-def _set_upright(space: ParameterSpace, found: ModeFit, parts: Mapping[str, Values]) -> Similarity:
-    """The turn that undoes the pose's, and the shift that brings the middle of the eyes to the generic ones'."""
+def _set_upright(space: ParameterSpace, found: ModeFit, parts: Mapping[str, Values], bent: Values) -> Similarity:
+    """The turn that undoes the pose's, and the shift that brings the middle of the eyes to the generic ones', or as
+    far behind as puts the axis inside of the bent skin."""
     eyes = [name for name, part in space.parts.items() if part.eye]
     turn = found.pose.rotation.T
     there = np.mean([space.parts[name].points.mean(axis=0) for name in eyes], axis=0)
     here = np.mean([parts[name].mean(axis=0) for name in eyes], axis=0)
-    return Similarity(1.0, turn, there - turn @ here)
+    upright = Similarity(1.0, turn, there - turn @ here)
+    way = find_way_back(space, upright(bent))
+    if way is None:
+        raise ValueError("what was fitted is too flat or too crooked to be a head; points on eyes, nose and mouth help")
+    return Similarity(1.0, turn, upright.shift - [0.0, 0.0, way])
 
 
 def _compare(space: ParameterSpace, skin: ScanSurface, positions: Values) -> tuple[Values, Values]:

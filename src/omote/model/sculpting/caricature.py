@@ -103,17 +103,26 @@ def stand_around_axis(space: ParameterSpace, skin: Values, what: str, /) -> Valu
     A head that is smaller than the generic one has its back nearer to the eyes, twice as near when drawn twice. Raises
     ValueError, which names what was drawn, where no place is far enough back.
     """
-    if _is_around_axis(space, skin, 0.0):
-        return skin
-    nearest, farthest = 0.0, _FARTHEST
-    if not _is_around_axis(space, skin, farthest):
+    way = find_way_back(space, skin)
+    if way is None:
         raise ValueError(
             f"{what} itself is too flat or too crooked to stand around the axis of the head; expected a smaller amount"
         )
+    return skin - [0.0, 0.0, way] if way else skin
+
+
+def find_way_back(space: ParameterSpace, skin: Values, /) -> float | None:
+    """The least way back, metres, that puts the cylinder's axis BEHIND metres inside a skin (V, 3): 0 where it is; None
+    where no place is far enough back."""
+    if _is_around_axis(space, skin, 0.0):
+        return 0.0
+    nearest, farthest = 0.0, _FARTHEST
+    if not _is_around_axis(space, skin, farthest):
+        return None
     while farthest - nearest > _EXACT:
         middle = 0.5 * (nearest + farthest)
         nearest, farthest = (nearest, middle) if _is_around_axis(space, skin, middle) else (middle, farthest)
-    return skin - [0.0, 0.0, farthest]
+    return farthest
 
 
 def _is_around_axis(space: ParameterSpace, skin: Values, back: float) -> bool:

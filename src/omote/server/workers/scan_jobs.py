@@ -14,7 +14,7 @@ import numpy as np
 from msgspec import structs
 from numpy.typing import NDArray
 
-from omote.builtin import load_cast, load_identity_modes, load_mask, load_meshes
+from omote.builtin import load_cast, load_head_kinds, load_identity_modes, load_mask, load_meshes
 from omote.edit.compute.scan_preview import thin_scan
 from omote.edit.protocol.messages import ScanDoubt, ScanFigures, ScanPreview
 from omote.edit.store.import_items import ImportedItem
@@ -26,7 +26,8 @@ from omote.model.appearance.look_suggestion import wear_hair
 from omote.model.cast import Cast, Look
 from omote.model.fitting.doubt import PLACE, Doubt, join_doubts
 from omote.model.fitting.find_head import HeadPlacement, find_head
-from omote.model.fitting.fit_face import Fit, fit_face
+from omote.model.fitting.fit_face import Fit
+from omote.model.fitting.fit_kinds import fit_kinds
 from omote.model.fitting.landmarks import FEWEST_LANDMARKS, SEVEN
 from omote.model.fitting.scan import Scan
 from omote.model.fitting.shape.head_zones import head_zones
@@ -167,8 +168,8 @@ def _fit(
     if not np.isfinite(found.residual):
         return None, found.doubts
     try:
-        fitted = fit_face(
-            cast.space, load_identity_modes(), scan, found.similarity, landmarks=wanted.points,
+        fitted = fit_kinds(
+            cast.space, load_head_kinds(), scan, found, landmarks=wanted.points,
             name=Path(wanted.file).stem, shut=wanted.shut, follow=tell,
         )  # fmt: skip
     except ValueError as error:

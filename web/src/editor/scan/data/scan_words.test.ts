@@ -6,7 +6,7 @@ const FIGURES = { median: 0.034, p95: 0.5, seen: 0.99 };
 const EYES = { kind: "eyes", sentence: "Its lids were opened." } as const;
 const LOST = { kind: "place", sentence: "Where are its eyes, and are these eyes shut?" } as const;
 const scan = (change: Partial<SeenScan> = {}): SeenScan =>
-  ({ unit: "metres, y up", doubts: [], shut: null, face: { figures: FIGURES }, ...change }) as SeenScan;
+  ({ unit: "metres, y up", doubts: [], shut: null, given: {}, face: { figures: FIGURES }, ...change }) as SeenScan;
 
 describe("what is said of a fit", () => {
   it("has its distances, its unit, and how much was made up", () => {
@@ -23,6 +23,8 @@ describe("what is said of a fit", () => {
     expect(adviceOf(scan({ doubts: [LOST] }), false)).toContain("not sure");
     expect(adviceOf(scan({ face: null }), false)).toContain("Click the seven points");
     expect(adviceOf(scan({ face: null }), true)).toContain("Fit again");
+    const given = Object.fromEntries([..."abcdefg"].map((name) => [name, [0, 0, 0]]));
+    expect(adviceOf(scan({ face: null, given } as Partial<SeenScan>), false)).toContain("move those that are off");
     expect(adviceOf(scan({ doubts: [EYES] }), false)).toContain("sure of all but the eyes");
     expect(adviceOf(scan({ doubts: [EYES, LOST] }), false)).toContain("not sure");
   });
