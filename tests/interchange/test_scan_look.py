@@ -11,7 +11,9 @@ from omote.interchange.scan_look import find_look, suggest_scan_look
 from omote.interchange.skin_texture import Canvas, build_canvas
 from omote.model.appearance.look_suggestion import wear_hair
 from omote.model.cast import Look
+from omote.model.fitting.fit_face import Fit
 from omote.model.fitting.scan import Scan
+from omote.model.space.face import Face
 from omote.model.space.similarity import Similarity
 
 CAST = load_cast()
@@ -39,6 +41,18 @@ def test_a_green_scan_makes_a_green_skin_under_the_same_hair(canvas: Canvas) -> 
     assert (look.hair_style, look.freckles) == ("bun", 0.0)
 
 
+def fitted(face: Face, kind: str = "people") -> Fit:
+    """A fit that lies where its scan is."""
+    nothing = np.zeros(len(face.positions))
+    return Fit(face, nothing, nothing, STILL, (), kind)
+
+
+def test_an_animal_without_colours_has_the_fur_of_that_from_which_it_began(canvas: Canvas) -> None:
+    plain = Scan(POINTS, CAST.space.triangles)
+    assert suggest_scan_look(CAST, canvas, fitted(MAN, "dog"), plain) == (CAST.looks["dog"], [])
+    assert suggest_scan_look(CAST, canvas, fitted(MAN), plain) == (Look(hair_style="short"), [])
+
+
 def test_a_scan_without_colours_and_a_cast_without_a_texture_leave_the_look(canvas: Canvas) -> None:
     look = Look(hair_style="bun")
     plain = Scan(POINTS, CAST.space.triangles)
@@ -49,7 +63,7 @@ def test_a_scan_without_colours_and_a_cast_without_a_texture_leave_the_look(canv
 
 def test_a_bald_scan_has_no_shade_of_hair_on_its_scalp_until_hair_is_chosen(canvas: Canvas) -> None:
     scan = Scan(POINTS, CAST.space.triangles, np.tile(np.array(GREEN, np.uint8), (len(POINTS), 1)))
-    bald, _ = suggest_scan_look(CAST, canvas, MAN, scan, STILL)
+    bald, _ = suggest_scan_look(CAST, canvas, fitted(MAN), scan)
     assert (bald.hair_style, bald.scalp) == ("", 0.0)
     assert wear_hair(bald, "bob").scalp == Look().scalp
     assert wear_hair(Look(hair_style="bob"), "").scalp == 0.0

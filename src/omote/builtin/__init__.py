@@ -20,6 +20,7 @@ from numpy.typing import NDArray
 from omote.builtin.binding import PARTS
 from omote.builtin.castfile import BakedMesh, cast_of, meshes_of
 from omote.model.cast import Cast
+from omote.model.fitting.fit_face import PEOPLE
 from omote.model.fitting.identity_modes import IdentityModes
 from omote.model.fitting.photographs.landmark_table import LandmarkTable
 
@@ -118,7 +119,7 @@ def load_head_kinds() -> Mapping[str, IdentityModes]:
         )
         for name in ANIMALS
     }  # fmt: skip
-    return MappingProxyType({"people": people, **animals})
+    return MappingProxyType({PEOPLE: people, **animals})
 
 
 @functools.cache

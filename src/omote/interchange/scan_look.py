@@ -10,6 +10,7 @@ from omote.interchange.skin_texture import Canvas, decode_srgb, paint_skin, zone
 from omote.model.appearance.look_suggestion import plain_look, suggest_look, wear_hair
 from omote.model.appearance.taken_albedo import take_albedo
 from omote.model.cast import Cast, Look
+from omote.model.fitting.fit_face import Fit
 from omote.model.fitting.scan import Scan
 from omote.model.space.face import Face
 from omote.model.space.similarity import Similarity
@@ -59,11 +60,13 @@ def find_look(cast: Cast, canvas: Canvas, face: Face, scan: Scan, placement: Sim
 
 
 def suggest_scan_look(
-    cast: Cast, canvas: Canvas, face: Face, scan: Scan, placement: Similarity, /
+    cast: Cast, canvas: Canvas, fitted: Fit, scan: Scan, /
 ) -> tuple[Look, list[str]]:  # fmt: skip
     """The look of a face fitted to a scan before anybody has chosen, and what could not be taken over, in words; a
-    scan without hair makes a face without. Parameters as `find_look`."""
-    first = Look(hair_style=FIRST_HAIR)
+    scan without hair makes a face without, an animal has the fur of that from which it began. Parameters as
+    `find_look`."""
+    face, placement = fitted.face, fitted.placement
+    first = cast.looks.get(fitted.kind, Look(hair_style=FIRST_HAIR))
     try:
         look = find_look(cast, canvas, face, scan, placement, first)
     except ValueError as error:

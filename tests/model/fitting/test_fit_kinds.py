@@ -43,6 +43,7 @@ def test_an_animal_is_found_again_from_an_animal_without_a_fold_and_with_one_dou
     assert np.nanmedian(found.residual) < 0.05
     (doubt,) = found.doubts  # so nothing stays folded
     assert "it began from the cast's dog" in doubt
+    assert found.kind == "dog"
     assert told == sorted(told)
     assert told[-1] == 1.0
 
@@ -53,7 +54,7 @@ def test_a_person_is_fitted_as_before() -> None:
     plain = fit_face(SPACE, MODES, scan, place.similarity, landmarks=marks, shut=False)
     found = fit_marked(OLD, marks)
     np.testing.assert_array_equal(found.face.positions, plain.face.positions)
-    assert found.doubts == plain.doubts
+    assert (found.doubts, found.kind) == (plain.doubts, "people")
 
 
 def test_few_landmarks_and_none_say_too_little_for_an_animal() -> None:

@@ -33,6 +33,8 @@ Values = NDArray[np.float64]
 Follow = Callable[[float, str], None]
 """Told how much is done, 0 to 1, and what is being done."""
 
+PEOPLE = "people"
+"""The kind of head that most are."""
 # The scan is looked at so far around the generic head, metres.
 AROUND = 0.03
 # Modes go by lids and lips less: they may be open or shut.
@@ -59,6 +61,8 @@ class Fit:
         From the scan's own frame and unit to the face's metres.
     doubts : tuple of Doubt
         What should be looked at, in sentences; empty when sure.
+    kind : str
+        "people", or the name of the cast's face from which one that is no person's began.
 
     Examples
     --------
@@ -76,6 +80,7 @@ class Fit:
     seen: Values
     placement: Similarity
     doubts: tuple[Doubt, ...]
+    kind: str = PEOPLE
 
 
 def fit_face(

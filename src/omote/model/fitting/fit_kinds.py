@@ -111,7 +111,7 @@ def _fit_each(
         doubt = Doubt(f"This is no person's head: it began from the cast's {kind}. Look whether all is in its place.")
         seen = fit.residual[np.isfinite(fit.residual)]
         away = float(np.median(seen)) if len(seen) else np.inf
-        fits.append((folds, away, replace(fit, doubts=(doubt, *fit.doubts))))
+        fits.append((folds, away, replace(fit, doubts=(doubt, *fit.doubts), kind=kind)))
     return fits
 
 

@@ -72,7 +72,7 @@ def fit_in_child(
             cast.space, scan.positions, scan.triangles, colours=scan.colours, landmarks=landmarks, name=name, shut=shut
         )
         canvas = build_canvas(read_png(load_mask()), load_meshes()[0], cast.space.points)
-        look, notes = suggest_scan_look(cast, canvas, found.face, scan, found.placement)
+        look, notes = suggest_scan_look(cast, canvas, found, scan)
         residual, seen = np.asarray(found.residual, np.float64), np.asarray(found.seen, np.float64)
         content = pack_face(found.face, look)
         doubts = [(str(doubt), doubt.kind) for doubt in found.doubts]

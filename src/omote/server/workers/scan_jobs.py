@@ -88,7 +88,7 @@ def run_fit(wanted: FitScan, follow: Follow, /) -> ScanPreview:
         return structs.replace(_describe_scan(cast, read, whole, whole.similarity, wanted), doubts=doubts)
     follow(FITTED, 100, "its colours")
     canvas = build_canvas(read_png(load_mask()), load_meshes()[0], cast.space.points)
-    look, notes = suggest_scan_look(cast, canvas, fitted.face, read.scan, fitted.placement)
+    look, notes = suggest_scan_look(cast, canvas, fitted, read.scan)
     frame = describe_frame(found.unit, fitted.placement)
     (folder / FACE).write_bytes(pack_face(fitted.face, look))
     (folder / ORIGIN).write_text(describe_origin(wanted, frame, figures_of(cast, fitted)), encoding="utf-8")
