@@ -23,7 +23,7 @@ Values = NDArray[np.float64]
 Triangles = NDArray[np.int64]
 
 DATA = Path(__file__).resolve().parents[3] / "shared" / "data"
-ICT = DATA / "ict_facekit"
+ICT, ANIMALS_AT = DATA / "ict_facekit", DATA / "quaternius_animals_cc0"
 # iBUG's numbers of the seven.
 ICT_SEVEN = (45, 42, 39, 36, 30, 54, 48)
 ICT_STRENGTH = 0.9
@@ -105,7 +105,7 @@ def animal(name: str) -> TrueHead:
     """The whole body of an animal with seven clicks: corners of its eyes' meshes, nose, sides of the muzzle."""
     import trimesh
 
-    scene: Any = trimesh.load(DATA / "quaternius_animals_cc0" / f"{name}.glb", process=False)
+    scene: Any = trimesh.load(ANIMALS_AT / f"{name}.glb", process=False)
     whole = scene.to_geometry()
     place, mesh = scene.graph[
         next(node for node in scene.graph.nodes_geometry if scene.graph[node][1] == ANIMALS[name])

@@ -16,8 +16,11 @@ from omote.model.fitting.identity_modes import IdentityModes
 from omote.model.fitting.landmarks import find_landmarks
 from omote.model.fitting.scan import Scan
 from omote.model.fitting.shape.fold_mending import find_folds
+from omote.model.space.face import Face
 from omote.model.space.parameter_space import ParameterSpace
 from omote.model.space.similarity import fit_similarity
+from omote.model.space.skin_sheet import winding_number
+from omote.model.transfer.mouth.mouth_at_rest import fit_mouth_at_rest
 
 Values = NDArray[np.float64]
 
@@ -26,6 +29,8 @@ Values = NDArray[np.float64]
 BEYOND, FEWEST = 0.010, 5
 # How far around itself a landmark bends a head, metres, and how far it gives way to the others.
 WIDTH, SLACK = 0.06, 0.02
+# Of the points in a mouth each so manieth is looked at; they get so much smaller at a time, down to so much.
+RARE, SMALLER, SMALLEST = 4, 0.85, 0.3
 
 
 def fit_kinds(
@@ -122,7 +127,28 @@ def _fit_bent(
     """The fit of one kind of head, bent to landmarks first."""
     placement = find_head(space, head, scan, landmarks=marks).similarity
     bent = bend_to_landmarks(space, head, {each: placement(point) for each, point in marks.items()})
-    return fit_face(space, bent, scan, placement, landmarks=marks, name=name, shut=shut, follow=follow)
+    fit = fit_face(space, bent, scan, placement, landmarks=marks, name=name, shut=shut, follow=follow)
+    return replace(fit, face=_fit_mouth(space, fit.face))
+
+
+def _fit_mouth(space: ParameterSpace, face: Face) -> Face:
+    """The face with tongue and teeth so much smaller that they lie inside of a muzzle, and its mouth closed there."""
+    names = [name for name, part in space.parts.items() if part.follows_jaw or not (part.eye or part.weights.any())]
+    around = np.unique(np.concatenate([space.parts[name].ring for name in names]))
+    middle, size, found = face.positions[around].mean(axis=0), 1.0, face
+    while size > SMALLEST and _is_outside(space, found, names):
+        size *= SMALLER
+        parts = {name: middle + size * (face.parts[name] - middle) for name in names}
+        closed = fit_mouth_at_rest(space, face.positions, dict(face.parts) | parts)
+        found = replace(face, positions=closed, parts=dict(face.parts) | parts)
+    return found
+
+
+def _is_outside(space: ParameterSpace, face: Face, names: Sequence[str]) -> bool:
+    """Whether parts of a face lie outside of its skin somewhere, by winding number; each RARE-th point is looked at."""
+    skin = face.positions.astype(np.float64)
+    probes = np.concatenate([face.parts[name][::RARE] for name in names]).astype(np.float64)
+    return any(winding_number(skin, space.location_triangles, probe) < 0.5 for probe in probes)
 
 
 def _tell_part(follow: Follow, at: int, count: int, done: float, what: str) -> None:
