@@ -10,6 +10,7 @@ from typing import Any
 
 import numpy as np
 import pytest
+from numpy.typing import NDArray
 
 from omote.builtin import load_cast
 from omote.edit.store.import_items import make_document
@@ -97,11 +98,15 @@ def commands() -> list[str]:
 
 @pytest.fixture(scope="module")
 def crew(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """A folder with what the README takes for granted: two show files, an own expression, shapes of another program."""
+    """A folder with what the README takes for granted: two show files, an own expression, shapes of another program,
+    scans of two people."""
     folder = tmp_path_factory.mktemp("crew")
     cast = load_cast()
     made = make_document(cast.space, "Crooked smile", (), cast.expressions["cheeky"])
     (folder / "made.json").write_bytes(encode(made))
+    (folder / "scans").mkdir()
+    for name, path in (("old", "ann.ply"), ("man", "scans/bo.ply")):
+        (folder / path).write_text(as_ply(1000.0 * cast.faces[name].positions, cast.space.triangles))
     for words in (
         ["file", "import", "my.omote", "made.json"],
         ["file", "import", "their.omote", "made.json"],
@@ -109,6 +114,15 @@ def crew(tmp_path_factory: pytest.TempPathFactory) -> Path:
     ):
         typed(words, folder)
     return folder
+
+
+def as_ply(points: NDArray[np.floating], triangles: NDArray[np.integer]) -> str:
+    """A mesh as PLY text."""
+    head = ["ply", "format ascii 1.0", f"element vertex {len(points)}", *(f"property float {axis}" for axis in "xyz"),
+            f"element face {len(triangles)}", "property list uchar int vertex_indices", "end_header"]  # fmt: skip
+    rows = [" ".join(f"{value:.4f}" for value in point) for point in points]
+    rows += [f"3 {a} {b} {c}" for a, b, c in triangles.tolist()]
+    return "\n".join([*head, *rows, ""])
 
 
 def typed(words: list[str] | str, folder: Path) -> None:
