@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 import pytest
 from numpy.typing import NDArray
-from playwright.sync_api import Page, Route, expect
+from playwright.sync_api import Locator, Page, Route, expect
 
 from omote import load_cast
 from tests.browser.test_console import console
@@ -168,6 +168,33 @@ def test_a_mix_a_part_of_another_and_caricature_keep_the_handles_and_save(editor
     assert off[SHEET].max() < 2e-4
     assert off.max() < 0.005, "the server fits what lies behind the skin anew"
     save(page)
+
+
+def type_amount(page: Page, label: str, text: str) -> Locator:
+    """Types a number into the field of an amount."""
+    field = page.locator(f"omote-amount[label='{label}'] input[type=text]")
+    field.fill(text)
+    field.press("Enter")
+    return field
+
+
+def test_numbers_stay_as_typed_within_limits_and_what_goes_out_is_told(editor: Editor) -> None:
+    page = editor()
+    make_face(page, "Typed")
+    save(page)
+    page.get_by_label("Mix in a face").select_option(label="Old")
+    expect(type_amount(page, "Old", "30")).to_have_value("30")
+    expect(page.locator("omote-amount[label=Kaori] input[type=text]")).to_have_value("70")
+    expect(type_amount(page, "Old", "-5")).to_have_value("0")
+    expect(type_amount(page, "Exaggerate", "-5")).to_have_value("100")
+    name = page.locator("omote-heading").get_by_label("Name", exact=True)
+    name.fill("")
+    name.press("Enter")
+    expect(name).to_have_value("Typed")
+    page.get_by_role("tab", name="Import & export").click()
+    expect(page.locator("omote-panels .behind")).to_contain_text("What goes out is your last save")
+    save(page)
+    expect(page.locator("omote-panels .behind")).to_have_count(0)
 
 
 def test_arrows_move_what_is_chosen_and_the_panel_puts_it_back(editor: Editor) -> None:

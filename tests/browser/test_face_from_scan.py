@@ -14,7 +14,7 @@ from playwright.sync_api import FilePayload, Page, expect
 from omote import load_cast
 from tests.browser.pictures import picture
 from tests.browser.test_console import console
-from tests.browser.test_editor import editor
+from tests.browser.test_editor import editor, make
 
 __all__ = ["console", "editor"]
 
@@ -121,6 +121,37 @@ def _sides(page: Page) -> tuple[NDArray[np.int16], NDArray[np.int16]]:
     scan = views(page)
     page.get_by_role("button", name="Face", exact=True).click()
     return scan, views(page)
+
+
+def as_obj(ply: bytes) -> bytes:
+    """The points and triangles of `strange_scan` as OBJ: a file that may be a head of Omote's own too."""
+    head, body = ply.split(b"end_header\n", 1)
+    count, size = (int(found) for found in re.findall(rb"element \w+ (\d+)", head))
+    points = np.frombuffer(body[: 12 * count], "<f4").reshape(-1, 3)
+    rows = np.frombuffer(body[12 * count :], np.dtype([("count", "u1"), ("corners", "<i4", 3)]), size)
+    lines = [f"v {x:.5f} {y:.5f} {z:.5f}" for x, y, z in points]
+    lines += [f"f {a} {b} {c}" for a, b, c in (rows["corners"] + 1).tolist()]
+    return "\n".join(lines).encode()
+
+
+def test_a_strangers_head_is_a_scan_where_nothing_is_open_and_a_name_of_the_cast_is_told(editor: Editor) -> None:
+    page = editor()
+    drop(page, "uncle.obj", as_obj(strange_scan(8)))
+    dialog = page.get_by_role("dialog", name="A face from a scan")
+    expect(page.locator("omote-scan .verdict")).to_contain_text("Taken for: inches")
+    page.get_by_label("Name", exact=True).fill("Dog")
+    expect(dialog).to_contain_text('There is a face "Dog" already: this one will be "Dog 2".')
+    dialog.get_by_role("button", name=re.compile("Take it")).click()
+    expect(dialog).to_have_count(0)
+    expect(page.locator("omote-notices")).to_contain_text('"Dog 2" plays, with all expressions')
+
+
+def test_a_strangers_head_on_an_open_expression_is_refused_and_offered_as_a_face(editor: Editor) -> None:
+    page = editor()
+    make(page, "A smirk")
+    drop(page, "uncle.obj", as_obj(strange_scan(9)))
+    page.get_by_role("button", name="Make a face of it").click()
+    expect(page.get_by_role("dialog", name="A face from a scan")).to_contain_text("uncle.obj")
 
 
 def test_what_is_no_scan_is_said_in_a_sentence_and_a_fit_is_cancelled(editor: Editor) -> None:

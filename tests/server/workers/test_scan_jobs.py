@@ -1,6 +1,7 @@
 """Jobs of scans: what is read is found, fitted and shown; what cannot be is asked about; what was fitted is taken."""
 
 from collections.abc import Mapping
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -11,6 +12,7 @@ import pytest
 from omote.builtin import load_cast
 from omote.edit.protocol.messages import ScanDoubt, ScanPreview
 from omote.interchange.scan_look import FIRST_HAIR
+from omote.interchange.scans.scan_reader import ScanFile
 from omote.model.fitting.doubt import PLACE as ABOUT_PLACE
 from omote.model.fitting.doubt import Doubt
 from omote.model.fitting.find_head import HeadPlacement
@@ -18,6 +20,7 @@ from omote.model.fitting.fit_face import Fit
 from omote.model.fitting.landmarks import SEVEN, find_landmarks
 from omote.model.fitting.scan import Scan
 from omote.model.space.similarity import Similarity
+from omote.server.sandbox.scan_files import read_scan_in_sandbox
 from omote.server.workers import scan_jobs
 from omote.server.workers.file_jobs import Imported, run_file_job
 from omote.server.workers.scan_jobs import FACE, FILES, ORIGIN, FitScan, TakeScan
@@ -200,6 +203,18 @@ def coloured(folder: Path) -> None:
     head += "".join(f"property uchar {colour}\n" for colour in ("red", "green", "blue"))
     head += f"element face {len(scan.triangles)}\nproperty list uchar int vertex_indices\nend_header\n"
     (folder / FILES / "anna.obj").write_text(head + points + triangles)  # what it is, its bytes say
+
+
+@pytest.mark.usefixtures("false_fit")
+def test_a_scan_with_shapes_says_that_its_face_takes_none(folder: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    def with_shapes(path: Path) -> ScanFile:
+        found = read_scan_in_sandbox(path)
+        shapes = dict.fromkeys(("smile", "frown"), np.zeros_like(found.scan.positions))
+        return replace(found, scan=replace(found.scan, shapes=shapes))
+
+    monkeypatch.setattr(scan_jobs, "read_scan_in_sandbox", with_shapes)
+    seen, _ = fit(folder)
+    assert seen.notes == ["it brings 2 shapes of its own: import it as expressions, too, and all faces wear them"]
 
 
 @pytest.mark.usefixtures("false_fit")

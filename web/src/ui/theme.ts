@@ -69,9 +69,11 @@ export const portrait = css`
 /** The declarations of the name under a tile's picture. */
 export const caption = css`
   display: grid;
-  place-content: center;
+  place-content: safe center center;
   min-height: 19px;
+  max-height: 40px; /* three lines: a name of one long word would cover the tiles below */
   padding: 1px 2px 3px;
+  overflow: hidden;
   font-size: 11.5px;
   line-height: 12px;
   text-align: center;

@@ -48,7 +48,8 @@ def _lock_idle(path: Path) -> int:
     try:
         return lock_show(path)
     except ShowLockedError as error:
-        raise ShowLockedError(f"{error} A running show takes files in by its console and its editor.") from error
+        instead = "End that show first; while it runs, files are taken in by its console and its editor."
+        raise ShowLockedError(f"{error} {instead}") from error
 
 
 def _open_whole(path: Path) -> ShowFile:

@@ -94,7 +94,8 @@ def run_fit(wanted: FitScan, follow: Follow, /) -> ScanPreview:
     (folder / ORIGIN).write_text(describe_origin(wanted, frame, figures_of(cast, fitted)), encoding="utf-8")
     follow(WORN, 100, "it is shown")
     preview = _describe_scan(cast, read, found, fitted.placement, wanted)
-    return _add_face(cast, structs.replace(preview, doubts=doubts, notes=[*read.notes, *notes]), fitted, look)
+    notes = [*read.notes, *notes, *_describe_shapes(read.scan)]
+    return _add_face(cast, structs.replace(preview, doubts=doubts, notes=notes), fitted, look)
 
 
 def face_to_take(wanted: TakeScan, /) -> Iterator[tuple[ImportedItem, str]]:
@@ -117,6 +118,13 @@ def figures_of(cast: Cast, fitted: Fit, /) -> ScanFigures:
     if not seen.size:
         return ScanFigures(0.0, 0.0, 0.0)
     return ScanFigures(float(np.median(seen)), float(np.percentile(seen, 95)), len(seen) / len(face))
+
+
+def _describe_shapes(scan: Scan, /) -> list[str]:
+    """That a scan has shapes of its own, of which its face takes none."""
+    count = len(scan.shapes)
+    shapes = "one shape" if count == 1 else f"{count} shapes"
+    return [f"it brings {shapes} of its own: import it as expressions, too, and all faces wear them"] if count else []
 
 
 def describe_origin(wanted: FitScan, frame: str, figures: ScanFigures, /) -> str:

@@ -2,6 +2,7 @@
 
 import { css, html, LitElement } from "lit";
 import { customElement, property } from "lit/decorators.js";
+import { live } from "lit/directives/live.js";
 import { base } from "../../ui/theme";
 import { controls } from "./controls_style";
 import { shown, typed, type Unit } from "./units";
@@ -59,7 +60,7 @@ export class Amount extends LitElement {
         @change=${(event: Event) => this.#tell("done", Number((event.target as HTMLInputElement).value) / unit.per)}
         @dblclick=${() => this.#tell("done", Math.max(this.low, Math.min(this.high, this.rest)))} />
       <input type="text" inputmode="decimal" aria-label="${this.label}, ${unit.name}" ?disabled=${this.disabled}
-        .value=${shown(this.value, unit)} @change=${this.#type} />
+        .value=${live(shown(this.value, unit))} @change=${this.#type} />
       <span class="unit">${unit.name}</span>
     `;
   }
@@ -79,3 +80,10 @@ export class Amount extends LitElement {
 
 /** The number that a `live` or `done` carries. */
 export const amountOf = (event: Event): number => (event as CustomEvent<number>).detail;
+
+/** The number that a `done` carries, brought between limits; the field shows it so. */
+export function amountWithin(event: Event, least: number, most: number): number {
+  const field = event.currentTarget as Amount;
+  field.value = Math.min(most, Math.max(least, amountOf(event)));
+  return field.value;
+}

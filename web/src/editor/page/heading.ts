@@ -2,6 +2,7 @@
 
 import { html, nothing } from "lit";
 import { customElement, state } from "lit/decorators.js";
+import { live } from "lit/directives/live.js";
 import type { DraftState, ItemDocument } from "../../link/editing_messages";
 import { base } from "../../ui/theme";
 import { controls } from "../controls/controls_style";
@@ -42,7 +43,7 @@ export class Heading extends EditorElement {
     return html`
       <span class="dot ${dirty ? "dirty" : ""}" role="img" title=${dirty ? "Not saved yet" : "Saved"}
         aria-label=${dirty ? "Not saved yet" : "Saved"}></span>
-      <input class="label" aria-label="Name" title="Rename" maxlength="64" .value=${item.label}
+      <input class="label" aria-label="Name" title="Rename" maxlength="64" .value=${live(item.label)}
         @change=${(event: Event) => this.#relabel(item, textOf(event))} />
       <input class="tags" aria-label="Tags" placeholder="tags" title="Tags to find it by, with commas between them" .value=${item.tags.join(", ")}
         @change=${(event: Event) => void describe(store, item, { tags: tagsOf(textOf(event)) })} />

@@ -80,9 +80,10 @@ export class Exchange extends EditorElement {
   }
 
   override render() {
-    const { item, work } = this.store;
+    const { draft, item, work } = this.store;
     return html`
       ${item?.head === 0 ? html`<p class="note">Save first: only what is saved goes out.</p>` : nothing}
+      ${draft?.dirty === true && (item?.head ?? 0) > 0 ? html`<p class="note behind">What goes out is your last save: save first for what you see.</p>` : nothing}
       ${item === null ? nothing : exportsOf(item, work, this.store.unwritable).map((one) => this.#export(one, item.head === 0))}
       <p>In, from files by other crews and other programs; or drop them on this page:</p>
       ${this.#import("expression", "Expressions: documents (JSON), heads with shapes (GLB)")}

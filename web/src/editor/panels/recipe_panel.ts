@@ -15,7 +15,7 @@ import {
 import { GAIN_RANGE } from "../../link/constants";
 import type { FaceRecipe, HandlesAsset } from "../../link/editing_messages";
 import { base } from "../../ui/theme";
-import { amountOf } from "../controls/amount";
+import { amountOf, amountWithin } from "../controls/amount";
 import { controls, panel } from "../controls/controls_style";
 import { EditorElement, textOf } from "../controls/editor_element";
 import { sourceChoice } from "../controls/source_choice";
@@ -64,7 +64,7 @@ export class FaceRecipePanel extends EditorElement {
       <omote-amount label="Exaggerate" .unit=${PERCENT} .low=${1} .high=${2} .value=${recipe.amount}
         hint="How far its own traits are taken; 100 % as it is"
         @done=${(event: Event) => {
-          const amount = Math.min(2, Math.max(1, amountOf(event)));
+          const amount = amountWithin(event, 1, 2);
           this.#set(() => ({ amount }), "caricature");
         }}></omote-amount>
       ${this.#handles(recipe)} ${this.#gains(recipe)}
@@ -80,7 +80,7 @@ export class FaceRecipePanel extends EditorElement {
       ${Object.entries(mix).map(
         ([source, weight]) => html`<div class="row">
           <omote-amount class="grow" label=${labelOf(sources, source)} .unit=${PERCENT} .value=${weight} ?disabled=${one}
-            @done=${(event: Event) => weigh(source, amountOf(event))}></omote-amount>
+            @done=${(event: Event) => weigh(source, amountWithin(event, 0, 1))}></omote-amount>
           <button class="icon quiet" ?disabled=${one} title="Without it" aria-label="Without ${labelOf(sources, source)}"
             @click=${() => put((before) => Object.fromEntries(Object.entries(before).filter(([name]) => name !== source)))}>✕</button>
         </div>`,
