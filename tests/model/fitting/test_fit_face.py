@@ -7,6 +7,7 @@ import pytest
 
 import omote
 from omote.builtin import load_identity_modes
+from omote.model.fitting import fit_face as module
 from omote.model.fitting.fit_face import Fit, fit_face
 from omote.model.fitting.landmarks import find_landmarks
 from omote.model.fitting.scan import Scan
@@ -89,3 +90,16 @@ def test_unknown_landmarks_and_other_heads_are_refused() -> None:
         fit_face(SPACE, MODES, scan, HERE, landmarks={"ear": [0, 0, 0]})
     with pytest.raises(ValueError, match="no surface where the head is"):
         fit_face(SPACE, MODES, scan, Similarity(1.0, np.eye(3), np.full(3, 5.0)))
+
+
+def test_only_who_was_said_to_be_a_head_is_moved_back_to_stand_around_the_axis(monkeypatch: pytest.MonkeyPatch) -> None:
+    scan, marks = Scan(KAORI, SPACE.triangles), {"nose_tip": KAORI[ROWS["nose_tip"]]}
+    plain = fit_face(SPACE, MODES, scan, HERE, landmarks=marks)
+    monkeypatch.setattr(module, "find_way_back", lambda *_: 0.01)
+    moved = fit_face(SPACE, MODES, scan, HERE, landmarks=marks)
+    np.testing.assert_allclose(moved.face.positions, plain.face.positions - [0.0, 0.0, 0.01], atol=2e-4)
+    with pytest.raises(ValueError, match="too flat or too crooked"):
+        fit_face(SPACE, MODES, scan, HERE)
+    monkeypatch.setattr(module, "find_way_back", lambda *_: None)
+    with pytest.raises(ValueError, match="points on eyes, nose and mouth help"):
+        fit_face(SPACE, MODES, scan, HERE, landmarks=marks)

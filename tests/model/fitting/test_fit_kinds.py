@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -18,6 +19,8 @@ from omote.model.fitting.fit_face import Fit, fit_face
 from omote.model.fitting.fit_kinds import BEYOND, FEWEST, bend_to_landmarks, fit_kinds, measure_miss
 from omote.model.fitting.landmarks import find_landmarks
 from omote.model.fitting.scan import Scan
+from omote.model.space.face import Face
+from omote.model.space.skin_sheet import winding_number
 
 CAST = omote.load_cast()
 SPACE, MODES, KINDS = CAST.space, load_identity_modes(), load_head_kinds()
@@ -68,6 +71,24 @@ def test_where_no_animal_can_be_fitted_a_person_is(monkeypatch: pytest.MonkeyPat
 
     monkeypatch.setattr(module, "_fit_bent", refuse)
     assert not any("no person's" in doubt for doubt in fit_marked(DOG, marks_of(DOG)).doubts)
+
+
+def test_a_tongue_below_the_chin_becomes_smaller_until_it_lies_inside_of_the_mouth_that_closes_again() -> None:
+    cat = CAST.faces["cat"]
+    low = {name: cat.parts[name] - np.array([0.0, 0.02, 0.0], np.float32) for name in ("tongue", "teeth_lower")}
+    assert outside(replace(cat, parts={**cat.parts, **low})) > 0
+    found = module._fit_mouth(SPACE, replace(cat, parts={**cat.parts, **low}))
+    assert outside(found) == 0
+    assert np.ptp(found.parts["tongue"]) < np.ptp(cat.parts["tongue"])
+    np.testing.assert_array_equal(found.parts["eye_left"], cat.parts["eye_left"])
+    assert module._fit_mouth(SPACE, cat) is cat
+
+
+def outside(face: Face) -> int:
+    """How many points of the tongue lie outside of a skin."""
+    probes = face.parts["tongue"].astype(np.float64)
+    skin = face.positions.astype(np.float64)
+    return sum(winding_number(skin, SPACE.location_triangles, probe) < 0.5 for probe in probes)
 
 
 def test_people_and_animals_are_told_apart_by_their_landmarks() -> None:

@@ -141,7 +141,7 @@ def fit_face(
     bent = _bend(space, zones, skin, marks, head, filled if shut is None else shut)
     tell(0.7, "eyes and mouth")
     parts = _carry_parts(space, expected, head, bent, balls)
-    upright = _set_upright(space, found, parts, bent)
+    upright = _set_upright(space, found, parts, bent, bool(landmarks))
     guide = upright(head)
     face = close_face(space, name, guide, upright(bent), {part: upright(points) for part, points in parts.items()})
     folds = find_folds(space, guide, face.positions.astype(np.float64))
@@ -220,16 +220,18 @@ def _on_skin(space: ParameterSpace, name: str) -> bool:
     return bool(part.weights.any()) and not part.follows_jaw
 
 
-def _set_upright(space: ParameterSpace, found: ModeFit, parts: Mapping[str, Values], bent: Values) -> Similarity:
-    """The turn that undoes the pose's, and the shift that brings the middle of the eyes to the generic ones', or as
-    far behind as puts the axis inside of the bent skin."""
+def _set_upright(
+    space: ParameterSpace, found: ModeFit, parts: Mapping[str, Values], bent: Values, said: bool
+) -> Similarity:  # fmt: skip
+    """The turn that undoes the pose's, and the shift that brings the middle of the eyes to the generic ones'; where
+    landmarks said that this is a head, as far behind as puts the axis inside of the bent skin."""
     eyes = [name for name, part in space.parts.items() if part.eye]
     turn = found.pose.rotation.T
     there = np.mean([space.parts[name].points.mean(axis=0) for name in eyes], axis=0)
     here = np.mean([parts[name].mean(axis=0) for name in eyes], axis=0)
     upright = Similarity(1.0, turn, there - turn @ here)
     way = find_way_back(space, upright(bent))
-    if way is None:
+    if way is None or (way > 0.0 and not said):
         raise ValueError("what was fitted is too flat or too crooked to be a head; points on eyes, nose and mouth help")
     return Similarity(1.0, turn, upright.shift - [0.0, 0.0, way])
 

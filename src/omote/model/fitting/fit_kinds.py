@@ -21,6 +21,7 @@ from omote.model.space.parameter_space import ParameterSpace
 from omote.model.space.similarity import fit_similarity
 from omote.model.space.skin_sheet import winding_number
 from omote.model.transfer.mouth.mouth_at_rest import fit_mouth_at_rest
+from omote.model.transfer.mouth_bag import MouthBag, find_mouth_bag
 
 Values = NDArray[np.float64]
 
@@ -31,6 +32,8 @@ BEYOND, FEWEST = 0.010, 5
 WIDTH, SLACK = 0.06, 0.02
 # Of the points in a mouth each so manieth is looked at; they get so much smaller at a time, down to so much.
 RARE, SMALLER, SMALLEST = 4, 0.85, 0.3
+# What lies less deep in the mouth, metres along its skin, goes with the lips.
+DEEP = 0.01
 
 
 def fit_kinds(
@@ -132,22 +135,27 @@ def _fit_bent(
 
 
 def _fit_mouth(space: ParameterSpace, face: Face) -> Face:
-    """The face with tongue and teeth so much smaller that they lie inside of a muzzle, and its mouth closed there."""
+    """The face with tongue, teeth and mouth bag so much smaller that they lie inside of a muzzle, the mouth closed."""
     names = [name for name, part in space.parts.items() if part.follows_jaw or not (part.eye or part.weights.any())]
+    bag = find_mouth_bag(space)
     around = np.unique(np.concatenate([space.parts[name].ring for name in names]))
     middle, size, found = face.positions[around].mean(axis=0), 1.0, face
-    while size > SMALLEST and _is_outside(space, found, names):
+    while size > SMALLEST and _is_outside(space, found, names, bag):
         size *= SMALLER
-        parts = {name: middle + size * (face.parts[name] - middle) for name in names}
-        closed = fit_mouth_at_rest(space, face.positions, dict(face.parts) | parts)
-        found = replace(face, positions=closed, parts=dict(face.parts) | parts)
+        parts = dict(face.parts) | {name: middle + size * (face.parts[name] - middle) for name in names}
+        skin = face.positions.astype(np.float64)
+        if bag is not None:
+            share = (size + (1.0 - size) * np.exp(-bag.distance / DEEP))[:, None]
+            skin[bag.vertices] = middle + share * (skin[bag.vertices] - middle)
+        found = replace(face, positions=fit_mouth_at_rest(space, skin.astype(np.float32), parts), parts=parts)
     return found
 
 
-def _is_outside(space: ParameterSpace, face: Face, names: Sequence[str]) -> bool:
-    """Whether parts of a face lie outside of its skin somewhere, by winding number; each RARE-th point is looked at."""
+def _is_outside(space: ParameterSpace, face: Face, names: Sequence[str], bag: MouthBag | None) -> bool:
+    """Whether parts or the bag of a face lie outside of its skin, by winding number, of each RARE-th point."""
     skin = face.positions.astype(np.float64)
-    probes = np.concatenate([face.parts[name][::RARE] for name in names]).astype(np.float64)
+    inner = [] if bag is None else [skin[bag.vertices[bag.distance > DEEP]]]
+    probes = np.concatenate([*(face.parts[name].astype(np.float64) for name in names), *inner])[::RARE]
     return any(winding_number(skin, space.location_triangles, probe) < 0.5 for probe in probes)
 
 
