@@ -11,6 +11,7 @@ from scipy.ndimage import distance_transform_edt, gaussian_filter, map_coordinat
 from omote.geometry.depth_map import draw_depth, visible
 from omote.geometry.ramp import smooth_ramp
 from omote.model.albedo import Light, SkinAtlas, decode_light
+from omote.model.appearance.photograph_background import find_background
 from omote.model.appearance.removed_light import remove_light
 from omote.model.appearance.taken_albedo import TakenAlbedo, Texels, complete_albedo, place_texels
 from omote.model.fitting.photographs.photograph import Photograph
@@ -101,6 +102,8 @@ def _sample(
     good = smooth_ramp(GRAZING, FACING, facing) * visible(depth, at, SLACK)
     light, weight = np.zeros((*texels.used.shape, 3), np.float32), np.zeros(texels.used.shape, np.float32)
     picture, places = decode_light(photograph.picture), [at[:, 1] - 0.5, at[:, 0] - 0.5]
+    metre = camera.focal / float(np.median(at[:, 2])) if len(at) else 1.0
+    good *= ~find_background(picture, depth, at[:, :2], metre)
     light[rows, columns] = np.stack(
         [map_coordinates(picture[..., c], places, order=1, mode="nearest") for c in range(3)], axis=1
     )
