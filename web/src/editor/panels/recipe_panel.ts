@@ -79,9 +79,9 @@ export class FaceRecipePanel extends EditorElement {
     return html`<h2>Mix of faces</h2>
       ${Object.entries(mix).map(
         ([source, weight]) => html`<div class="row">
-          <omote-amount class="grow" label=${labelOf(sources, source)} .unit=${PERCENT} .value=${weight} ?disabled=${one}
+          <omote-amount class="grow" label=${labelOf(sources, source, this.store.items)} .unit=${PERCENT} .value=${weight} ?disabled=${one}
             @done=${(event: Event) => weigh(source, amountWithin(event, 0, 1))}></omote-amount>
-          <button class="icon quiet" ?disabled=${one} title="Without it" aria-label="Without ${labelOf(sources, source)}"
+          <button class="icon quiet" ?disabled=${one} title="Without it" aria-label="Without ${labelOf(sources, source, this.store.items)}"
             @click=${() => put((before) => Object.fromEntries(Object.entries(before).filter(([name]) => name !== source)))}>✕</button>
         </div>`,
       )}

@@ -38,9 +38,13 @@ const expressionsOf = (store: DraftStore): Source[] =>
     .filter(({ kind }) => kind !== "neutral" && kind !== "own")
     .map(({ source, label, kind }) => ({ source, label, group: GROUPS[kind] ?? kind }));
 
-/** What people read of a source; a content that the list does not know is what came in from a file. */
-export const labelOf = (sources: readonly Source[], source: string): string =>
-  sources.find((one) => one.source === source)?.label ?? (source.startsWith(KEY) ? "What came in" : source);
+/** What people read of a source, of one that was deleted too; a content that nobody has is what came in from a file. */
+export function labelOf(sources: readonly Source[], source: string, items: DraftStore["items"] = []): string {
+  const known = sources.find((one) => one.source === source)?.label;
+  const gone = items.find(({ deleted, content }) => deleted && content === source);
+  if (known === undefined && gone !== undefined) return `${gone.label} (deleted)`;
+  return known ?? (source.startsWith(KEY) ? "What came in" : source);
+}
 
 /** Sources under their groups, in order. */
 export function grouped(sources: readonly Source[]): [string, Source[]][] {
