@@ -89,6 +89,12 @@ def test_what_is_doubtful_is_stored_only_if_asked(tmp_path: Path, doubts: list[D
     assert len(kept(show).stored.items) == 1
 
 
+def test_where_no_face_was_fitted_there_is_none_to_accept(tmp_path: Path, doubts: list[Doubt]) -> None:
+    text = said(scan(tmp_path, "nobody.ply"), "-o", tmp_path / "a.omote", "--accept", status=1)
+    assert "there is none that --accept could store" in text
+    assert not (tmp_path / "a.omote").exists()
+
+
 def test_landmarks_take_a_doubt_away(tmp_path: Path, doubts: list[Doubt]) -> None:
     doubts.append(Doubt("Where is it?", PLACE))
     points = [f"--landmarks={name}=1,2,3" for name in ("nose_tip", "mouth_left", "mouth_right")]
