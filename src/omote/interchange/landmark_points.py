@@ -91,7 +91,7 @@ def require_enough(points: Mapping[str, object], /) -> None:
 def explain_landmarks(names: Sequence[str] = SEVEN, /) -> str:
     """What people do to give them."""
     return (
-        f"Say where the face is, with at least {FEWEST_LANDMARKS} of {', '.join(names)} in the scan's own numbers, of an"
-        f" animal all; left is the person's own: {EXAMPLE}, again for each, or a JSON file of them. MeshLab, CloudCompare and Blender"
-        " show the numbers of a point that you click."
+        f"Say where the face is, with at least {FEWEST_LANDMARKS} of {', '.join(names)} in the scan's own numbers,"
+        f" of an animal all; left is the person's own: {EXAMPLE}, again for each, or a JSON file of them. MeshLab,"
+        " CloudCompare and Blender show the numbers of a point that you click."
     )
