@@ -212,8 +212,6 @@ def tell(outcomes: list[Outcome], accept: bool) -> None:
             say(f"{each.path.name}: {each.fit.describe()}.")
         for sentence in each.sentences:
             say(f"{each.path.name}: {sentence}")
-    if accept and any(each.fit is None and each.read for each in outcomes):
-        say("Where no face was fitted there is none that --accept could store.")
     advise(outcomes, accept)
     if any(each.doubts for each in outcomes) and not accept:
         say("What is doubtful is not stored; --accept stores it as it is.")
@@ -228,7 +226,7 @@ def advise(outcomes: list[Outcome], accept: bool) -> None:
     if EYES in asked:
         say("--shut says that the eyes of the scan are shut, --open that they are not.")
     if asked - {EYES} or any(each.fit is None and each.read for each in outcomes):
-        say(explain_landmarks())
+        say(explain_landmarks(accepted=accept))
 
 
 def row_of(outcome: Outcome) -> dict[str, object]:

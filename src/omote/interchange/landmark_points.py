@@ -88,10 +88,11 @@ def require_enough(points: Mapping[str, object], /) -> None:
         )
 
 
-def explain_landmarks(names: Sequence[str] = SEVEN, /) -> str:
-    """What people do to give them."""
+def explain_landmarks(names: Sequence[str] = SEVEN, /, *, accepted: bool = False) -> str:
+    """What people do to give them; accepted: who accepted what there is, which is no face."""
+    nothing = "Where no face was fitted there is none that --accept could store. " if accepted else ""
     return (
-        f"Say where the face is, with at least {FEWEST_LANDMARKS} of {', '.join(names)} in the scan's own numbers,"
+        f"{nothing}Say where the face is, with at least {FEWEST_LANDMARKS} of {', '.join(names)} in the scan's own numbers,"
         f" of an animal all; left is the person's own: {EXAMPLE}, again for each, or a JSON file of them. MeshLab,"
         " CloudCompare and Blender show the numbers of a point that you click."
     )

@@ -11,6 +11,7 @@ from omote.model.appearance.lab import to_lab
 
 Values = NDArray[np.float64]
 Mask = NDArray[np.bool_]
+Rows = NDArray[np.intp]
 
 BAND = 0.015
 """Metres in from where a fitted head ends, within which what is behind it may be seen."""
@@ -48,13 +49,8 @@ def find_background(picture: Light, depth: NDArray[np.floating], at: Values, met
     far = away[places[:, 0], places[:, 1]]
     rows = np.flatnonzero((far > 0.0) & (far < BAND * metre))
     end = nearest[:, places[rows, 0], places[rows, 1]].T
-    inward = (places[rows] - end) / far[rows, None]
-    outer = np.rint(end - OUTSIDE * metre * inward).astype(np.intp)
-    inner = np.rint(end + (BAND + INSIDE) * metre * inward).astype(np.intp)
-    whole = ((np.minimum(outer, inner) >= 0) & (np.maximum(outer, inner) < size)).all(axis=1)
-    rows, outer, inner = rows[whole], outer[whole], inner[whole]
-    told = ~head[outer[:, 0], outer[:, 1]] & head[inner[:, 0], inner[:, 1]]
-    rows, outer, inner = rows[told], outer[told], inner[told]
+    told, outer, inner = _look_across(head, end, (places[rows] - end) / far[rows, None], metre)
+    rows = rows[told]
     soft = gaussian_filter(picture, (BLUR * metre, BLUR * metre, 0.0))
     here, behind, skin = (
         to_lab(light[where[:, 0], where[:, 1]].astype(np.float64))
@@ -65,6 +61,16 @@ def find_background(picture: Light, depth: NDArray[np.floating], at: Values, met
     )
     found[rows] = (to_behind < to_skin) & (to_behind < 0.5 * apart) & (apart > UNLIKE)
     return found
+
+
+def _look_across(head: Mask, end: Rows, inward: Values, metre: float) -> tuple[Rows, Rows, Rows]:
+    """Which ends (n, 2) of the head have both sides in the picture, and the pixels (k, 2) beside and well inside it."""
+    outer = np.rint(end - OUTSIDE * metre * inward).astype(np.intp)
+    inner = np.rint(end + (BAND + INSIDE) * metre * inward).astype(np.intp)
+    whole = ((np.minimum(outer, inner) >= 0) & (np.maximum(outer, inner) < head.shape)).all(axis=1)
+    told = np.flatnonzero(whole)
+    told = told[~head[tuple(outer[told].T)] & head[tuple(inner[told].T)]]
+    return told, outer[told], inner[told]
 
 
 def _frame(head: Mask, margin: int) -> tuple[int, int, int, int]:
