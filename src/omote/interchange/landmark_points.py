@@ -92,7 +92,7 @@ def explain_landmarks(names: Sequence[str] = SEVEN, /, *, accepted: bool = False
     """What people do to give them; accepted: who accepted what there is, which is no face."""
     nothing = "Where no face was fitted there is none that --accept could store. " if accepted else ""
     return (
-        f"{nothing}Say where the face is, with at least {FEWEST_LANDMARKS} of {', '.join(names)} in the scan's own numbers,"
-        f" of an animal all; left is the person's own: {EXAMPLE}, again for each, or a JSON file of them. MeshLab,"
+        f"{nothing}Say where the face is, with at least {FEWEST_LANDMARKS} of {', '.join(names)} in the scan's own"
+        f" numbers, of an animal all; left is the person's own: {EXAMPLE}, again for each, or a JSON file of them. MeshLab,"
         " CloudCompare and Blender show the numbers of a point that you click."
     )
