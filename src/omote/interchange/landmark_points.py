@@ -93,6 +93,6 @@ def explain_landmarks(names: Sequence[str] = SEVEN, /, *, accepted: bool = False
     nothing = "Where no face was fitted there is none that --accept could store. " if accepted else ""
     return (
         f"{nothing}Say where the face is, with at least {FEWEST_LANDMARKS} of {', '.join(names)} in the scan's own"
-        f" numbers, of an animal all; left is the person's own: {EXAMPLE}, again for each, or a JSON file of them. MeshLab,"
-        " CloudCompare and Blender show the numbers of a point that you click."
+        f" numbers, of an animal all; left is the person's own: {EXAMPLE}, again for each, or a JSON file of them."
+        " MeshLab, CloudCompare and Blender show the numbers of a point that you click."
     )
