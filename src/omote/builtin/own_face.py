@@ -12,10 +12,10 @@ from omote.builtin import load_head_kinds, load_identity_modes, load_landmark_ta
 from omote.builtin.own_skin import load_skin_samples
 from omote.model.fitting.doubt import join_doubts
 from omote.model.fitting.find_head import find_head
-from omote.model.fitting.fit_face import Fit
+from omote.model.fitting.fit_face import Fit, Follow
 from omote.model.fitting.fit_kinds import fit_kinds
 from omote.model.fitting.photographs.photograph import Photograph
-from omote.model.fitting.photographs.photograph_fit import Follow, PhotographFit, fit_photograph_views
+from omote.model.fitting.photographs.photograph_fit import PhotographFit, fit_photograph_views
 from omote.model.fitting.scan import Scan
 from omote.model.space.parameter_space import ParameterSpace, refuse_no_space
 

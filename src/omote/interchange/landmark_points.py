@@ -89,7 +89,7 @@ def require_enough(points: Mapping[str, object], /) -> None:
 
 
 def explain_landmarks(names: Sequence[str] = SEVEN, /, *, accepted: bool = False) -> str:
-    """What people do to give them; accepted: who accepted what there is, which is no face."""
+    """What people do to give them; accepted: whether --accept was given, though no face was fitted."""
     nothing = "Where no face was fitted there is none that --accept could store. " if accepted else ""
     return (
         f"{nothing}Say where the face is, with at least {FEWEST_LANDMARKS} of {', '.join(names)} in the scan's own"

@@ -63,8 +63,8 @@ def suggest_scan_look(
     cast: Cast, canvas: Canvas, fitted: Fit, scan: Scan, /
 ) -> tuple[Look, list[str]]:  # fmt: skip
     """The look of a face fitted to a scan before anybody has chosen, and what could not be taken over, in words; a
-    scan without hair makes a face without, an animal has the fur of that from which it began. Parameters as
-    `find_look`."""
+    scan without hair makes a face without, an animal has the fur of that from which it began. fitted: to the
+    scan; else as `find_look`."""
     face, placement = fitted.face, fitted.placement
     first = cast.looks.get(fitted.kind, Look(hair_style=FIRST_HAIR))
     try:

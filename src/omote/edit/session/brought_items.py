@@ -1,4 +1,4 @@
-"""Takes in what a file of other people brought: as new items, but what is there already."""
+"""Takes in what a file of other people brought, but what is there already, and what somebody made of a scan."""
 
 from __future__ import annotations
 

@@ -26,7 +26,7 @@ from omote.model.fitting.identity_modes import IdentityModes
 from omote.model.fitting.landmarks import FEWEST_LANDMARKS, SEVEN
 from omote.model.fitting.scan import Scan
 from omote.model.space.parameter_space import ParameterSpace
-from omote.model.space.similarity import Similarity, fit_similarity
+from omote.model.space.similarity import Similarity, fit_similarity, measure_misfit
 
 Values = NDArray[np.float64]
 
@@ -169,17 +169,14 @@ def _may_be_other_head(best: Candidate, other: Candidate) -> bool:
 def _place_by_landmarks(template: HeadTemplate, scan: Scan, given: Mapping[str, Values]) -> HeadPlacement:
     """Places a head by landmarks, then by its shape where that hardly moves it."""
     names = [*given]
-    goals = template.points[template.marks[[SEVEN.index(name) for name in names]]]
     points = np.array([given[name] for name in names])
-    pose = fit_similarity(points, goals, np.ones(len(names)))
-    clicked = Alignment(pose, np.zeros(0))
+    clicked = Alignment(fit_similarity(points, _goals(template, names), np.ones(len(names))), np.zeros(0))
     refined = refine(template, scan, clicked, rounds=3)
     agreement = refined.agreement
     moved = np.linalg.norm(refined.found.pose(points) - _marks(template, refined.found, names), axis=1).mean()
     good = agreement.residual < SURE and agreement.covered > 0.5 * COVERED and moved < STAYS
-    missed = float(np.linalg.norm(pose(points) - goals, axis=1).mean())
     best = refined if good else Candidate(clicked, agreement, refined.tip, refined.samples)
-    return _describe(template, scan, best, _doubt_clicks(template, points, names, missed), given)
+    return _describe(template, scan, best, _doubt_clicks(template, points, names), given)
 
 
 def _marks(template: HeadTemplate, found: Alignment, names: list[str]) -> Values:
@@ -187,13 +184,18 @@ def _marks(template: HeadTemplate, found: Alignment, names: list[str]) -> Values
     return template.shape(template.marks[[SEVEN.index(name) for name in names]], found.weights)
 
 
-def _doubt_clicks(template: HeadTemplate, points: Values, names: list[str], missed: float) -> tuple[Doubt, ...]:
+def _goals(template: HeadTemplate, names: list[str]) -> Values:
+    """The landmarks of some names (k, 3) on the mean head."""
+    result: Values = template.points[template.marks[[SEVEN.index(name) for name in names]]]
+    return result
+
+
+def _doubt_clicks(template: HeadTemplate, points: Values, names: list[str]) -> tuple[Doubt, ...]:
     """What is odd about clicks: sides exchanged, or places that no face has."""
     swap = {"left": "right", "right": "left"}
     other = ["_".join(swap.get(word, word) for word in name.split("_")) for name in names]
-    goals = template.points[template.marks[[SEVEN.index(name) for name in other]]]
-    swapped = fit_similarity(points, goals, np.ones(len(names)))(points) - goals
-    if 2.0 * float(np.linalg.norm(swapped, axis=1).mean()) < missed:
+    missed = measure_misfit(points, _goals(template, names))
+    if 2.0 * measure_misfit(points, _goals(template, other)) < missed:
         return (Doubt("Left and right seem to be exchanged: left is the character's own.", SIDES),)
     if missed > MISSED:
         return (Doubt(f"The points that were given are {1000 * missed:.0f} mm from any face's.", PLACE),)

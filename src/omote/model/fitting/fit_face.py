@@ -125,7 +125,7 @@ def fit_face(
     Vetter (1999).
     """
     refuse_other_topology(space, modes)
-    tell = follow or _say_nothing
+    tell = follow or say_nothing
     zones, marks = head_zones(space), _find_marks(space, placement, landmarks or {})
     tell(0.0, "the surface of the scan")
     surface, turned = _sample(space, scan, placement)
@@ -151,7 +151,7 @@ def fit_face(
     return Fit(face, residual, seen, _after(upright, placement), doubts)
 
 
-def _say_nothing(done: float, what: str, /) -> None:
+def say_nothing(done: float, what: str, /) -> None:
     """Where nobody wants to know the progress."""
 
 
@@ -202,8 +202,7 @@ def _carry_parts(
     """The parts from where modes put them, as the skin around them went on; the mouth's together, lashes with the lids,
     eyeballs where the scan shows them."""
     parts = dict(expected)
-    mouth = [name for name, part in space.parts.items() if not part.eye and not _on_skin(space, name)]
-    around = np.unique(np.concatenate([space.parts[name].ring for name in mouth]))
+    _, around = find_mouth(space)
     for name, part in space.parts.items():
         if _on_skin(space, name):
             parts[name] = parts[name] + np.einsum("nk,nkc->nc", part.weights, (bent - head)[part.anchors])
@@ -212,6 +211,12 @@ def _carry_parts(
             parts[name] = fit_similarity(head[ring], bent[ring], np.ones(len(ring)))(parts[name])
     eyes = {name: parts[name] for name, part in space.parts.items() if part.eye}
     return parts | place_balls(space, eyes, bent, balls)
+
+
+def find_mouth(space: ParameterSpace, /) -> tuple[list[str], NDArray[np.intp]]:
+    """The parts in the mouth, by name, and the rows of the skin around them."""
+    names = [name for name, part in space.parts.items() if not part.eye and not _on_skin(space, name)]
+    return names, np.unique(np.concatenate([space.parts[name].ring for name in names]))
 
 
 def _on_skin(space: ParameterSpace, name: str) -> bool:

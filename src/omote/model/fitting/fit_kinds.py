@@ -11,14 +11,14 @@ from numpy.typing import ArrayLike, NDArray
 
 from omote.model.fitting.doubt import Doubt
 from omote.model.fitting.find_head import HeadPlacement, find_head
-from omote.model.fitting.fit_face import Fit, Follow, fit_face
+from omote.model.fitting.fit_face import Fit, Follow, find_mouth, fit_face, say_nothing
 from omote.model.fitting.identity_modes import IdentityModes
 from omote.model.fitting.landmarks import find_landmarks
 from omote.model.fitting.scan import Scan
 from omote.model.fitting.shape.fold_mending import find_folds
 from omote.model.space.face import Face
 from omote.model.space.parameter_space import ParameterSpace
-from omote.model.space.similarity import fit_similarity
+from omote.model.space.similarity import measure_misfit
 from omote.model.space.skin_sheet import winding_number
 from omote.model.transfer.mouth.mouth_at_rest import fit_mouth_at_rest
 from omote.model.transfer.mouth_bag import MouthBag, find_mouth_bag
@@ -68,22 +68,16 @@ def fit_kinds(
     marks = {each: np.asarray(point, np.float64) for each, point in (landmarks or {}).items()}
     (_, people), *others = kinds.items()
     if len(marks) >= FEWEST and measure_miss(space, people, marks) > BEYOND:
-        fits = _fit_each(space, others, scan, marks, name, shut, follow or _say_nothing)
+        fits = _fit_each(space, others, scan, marks, name, shut, follow or say_nothing)
         if fits:
             return min(fits, key=lambda each: each[:2])[2]
     return fit_face(space, people, scan, place.similarity, landmarks=landmarks, name=name, shut=shut, follow=follow)
 
 
-def _say_nothing(done: float, what: str, /) -> None:
-    """Where nobody wants to know the progress."""
-
-
 def measure_miss(space: ParameterSpace, head: IdentityModes, landmarks: Mapping[str, Values], /) -> float:
     """How far landmarks (3,) by name are from a head's at their best place, metres in the mean."""
-    rows, points = find_landmarks(space), np.array([*landmarks.values()])
-    goals = head.skin[[rows[name] for name in landmarks]]
-    off = fit_similarity(points, goals, np.ones(len(points)))(points) - goals
-    return float(np.linalg.norm(off, axis=1).mean())
+    rows = find_landmarks(space)
+    return measure_misfit(np.array([*landmarks.values()]), head.skin[[rows[name] for name in landmarks]])
 
 
 def bend_to_landmarks(
@@ -136,9 +130,7 @@ def _fit_bent(
 
 def _fit_mouth(space: ParameterSpace, face: Face) -> Face:
     """The face with tongue, teeth and mouth bag so much smaller that they lie inside of a muzzle, the mouth closed."""
-    names = [name for name, part in space.parts.items() if part.follows_jaw or not (part.eye or part.weights.any())]
-    bag = find_mouth_bag(space)
-    around = np.unique(np.concatenate([space.parts[name].ring for name in names]))
+    (names, around), bag = find_mouth(space), find_mouth_bag(space)
     middle, size, found = face.positions[around].mean(axis=0), 1.0, face
     while size > SMALLEST and _is_outside(space, found, names, bag):
         size *= SMALLER

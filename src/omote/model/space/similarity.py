@@ -42,3 +42,9 @@ def fit_similarity(
     rotation = (left * signs) @ right
     scale = float((sizes * signs).sum() / (share @ (away**2).sum(axis=1)))
     return Similarity(scale, rotation, there - scale * rotation @ middle)
+
+
+def measure_misfit(points: NDArray[np.floating], targets: NDArray[np.floating], /) -> float:
+    """How far points (n, 3) are from targets (n, 3) at their best place, all counting alike: the mean distance."""
+    off = fit_similarity(points, targets, np.ones(len(points)))(points) - targets
+    return float(np.linalg.norm(off, axis=1).mean())

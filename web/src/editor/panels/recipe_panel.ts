@@ -15,7 +15,7 @@ import {
 import { GAIN_RANGE } from "../../link/constants";
 import type { FaceRecipe, HandlesAsset } from "../../link/editing_messages";
 import { base } from "../../ui/theme";
-import { amountOf, amountWithin } from "../controls/amount";
+import { amountWithin } from "../controls/amount";
 import { controls, panel } from "../controls/controls_style";
 import { EditorElement, textOf } from "../controls/editor_element";
 import { sourceChoice } from "../controls/source_choice";
@@ -155,7 +155,7 @@ export class FaceRecipePanel extends EditorElement {
     const { region, expression } = gain;
     const name = expression === null ? titled(region) : `${titled(region)}, ${this.#expressionLabel(expression)}`;
     const done = (event: Event): void => {
-      const value = Math.min(GAIN_RANGE[1], Math.max(GAIN_RANGE[0], amountOf(event)));
+      const value = amountWithin(event, ...GAIN_RANGE);
       this.#set(withGain({ region, expression, value }), `gain of ${name.toLowerCase()}`);
     };
     return html`<omote-amount data-gain="${region}${expression === null ? "" : `:${expression}`}" label=${name} .unit=${GAIN}

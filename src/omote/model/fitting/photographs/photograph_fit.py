@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
 
+from omote.model.fitting.fit_face import Follow, say_nothing
 from omote.model.fitting.identity_modes import IdentityModes, refuse_other_topology
 from omote.model.fitting.photographs.bundle import adjust
 from omote.model.fitting.photographs.bundle_problem import Bundle
@@ -22,7 +23,6 @@ from omote.model.space.face import Face
 from omote.model.space.parameter_space import ParameterSpace
 
 Values = NDArray[np.float64]
-Follow = Callable[[float, str], None]
 
 
 @dataclass(frozen=True, eq=False)
@@ -105,7 +105,7 @@ def fit_photograph_views(
     refuse_other_space(space, table)
     if not photographs:
         raise ValueError("there are no photographs; expected at least one")
-    tell = follow or _say_nothing
+    tell = follow or say_nothing
     tell(0.0, "shape and cameras")
     found = adjust(space, modes, table, photographs, skin)
     tell(0.8, "eyes and mouth")
@@ -120,10 +120,6 @@ def fit_photograph_views(
     folds = len(find_folds(space, space.points, face.positions.astype(np.float64)))
     doubts = find_photograph_doubts(photographs, found, residual, spread, folds)
     return PhotographFit(face, found.cameras, _worn(table, found), residual, spread, doubts)
-
-
-def _say_nothing(done: float, what: str, /) -> None:
-    """Where nobody wants to know the progress."""
 
 
 def _worn(table: LandmarkTable, found: Bundle) -> tuple[dict[str, float], ...]:

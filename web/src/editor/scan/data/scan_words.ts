@@ -1,12 +1,10 @@
 /** What is said of a fitted scan, in sentences. */
 
+import { LANDMARKS } from "../../../link/constants";
 import type { SeenScan } from "./scan_document";
 
 /** Below this part of the face that the scan shows, it is said how much it is. */
 const NEARLY_ALL = 0.9;
-
-/** Points that can be given. */
-const MOST_POINTS = 7;
 
 /** How near the face lies to the scan, and what the scan was taken for. */
 export function nearnessOf({ face, unit }: SeenScan): string {
@@ -23,7 +21,7 @@ export const asksEyes = ({ doubts, shut }: Pick<SeenScan, "doubts" | "shut">): b
 /** What to do now. */
 export function adviceOf(scan: SeenScan, changed: boolean): string {
   if (changed) return "Press Fit again when the points are where they belong.";
-  const all = Object.keys(scan.given).length === MOST_POINTS;
+  const all = Object.keys(scan.given).length === LANDMARKS.length;
   if (scan.face === null && all) return "No face came of these points: move those that are off, then press Fit again.";
   if (scan.face === null) return "Click the seven points on the scan, then press Fit again.";
   if (asksEyes(scan) && scan.doubts.length === 1)
