@@ -71,7 +71,7 @@ export const caption = css`
   display: grid;
   place-content: safe center center;
   min-height: 19px;
-  max-height: 40px; /* three lines: a name of one long word would cover the tiles below */
+  max-height: 37px; /* three lines to its very edge: a name of one long word would cover the tiles below */
   padding: 1px 2px 3px;
   overflow: hidden;
   font-size: 11.5px;
