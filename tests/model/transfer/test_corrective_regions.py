@@ -4,9 +4,11 @@ import numpy as np
 import pytest
 
 from omote.builtin import load_cast
+from omote.geometry.orientation import area_shares, rest_normals
 from omote.model.cast import Cast
 from omote.model.space.lid_lip_lines import RUNGS
-from omote.model.transfer.corrective_regions import REACH, THROAT, CorrectiveRegions, find_corrective_regions
+from omote.model.transfer.compound import compound
+from omote.model.transfer.corrective_regions import CORNERS, REACH, THROAT, CorrectiveRegions, find_corrective_regions
 
 
 @pytest.fixture(scope="module")
@@ -56,7 +58,9 @@ def test_triangles_are_those_of_the_sheet_between_rows(regions: CorrectiveRegion
     assert np.array_equal(regions.rows[regions.triangles], cast.space.sheet_triangles[inside])
 
 
-def test_rows_lie_around_the_lines_and_on_the_throat_below_the_lips(regions: CorrectiveRegions, cast: Cast) -> None:
+def test_rows_lie_around_the_lines_on_the_throat_and_at_the_jaws_corners(
+    regions: CorrectiveRegions, cast: Cast
+) -> None:
     points = cast.space.points
     loops = {line.kind: points[line.loop] for line in cast.space.lines}
     width = max(np.ptp(points[line.loop, 0]) for line in cast.space.lines)
@@ -65,9 +69,20 @@ def test_rows_lie_around_the_lines_and_on_the_throat_below_the_lips(regions: Cor
     inside = np.isin(np.unique(cast.space.sheet_triangles), regions.rows)
     near = np.linalg.norm(here[:, None] - every, axis=2).min(axis=1) < REACH * width
     lips = loops["lips"]
-    below = here[:, 1] < lips[:, 1].min()
+    below = here[:, 1] < lips[:, 1].min() + CORNERS * np.ptp(lips[:, 0])
     throat = below & (np.linalg.norm(here[:, None] - lips, axis=2).min(axis=1) < THROAT * np.ptp(lips[:, 0]))
     assert np.array_equal(inside, near | throat)
+
+
+@pytest.mark.parametrize("face", ["baby", "round", "kaori", "alien", "dog"])
+def test_a_mouth_opened_wide_leaves_a_quarter_of_each_triangle_beyond_rows(
+    regions: CorrectiveRegions, cast: Cast, face: str
+) -> None:
+    triangles = cast.space.sheet_triangles
+    beyond = triangles[~np.isin(triangles, regions.rows).all(axis=1)]
+    normals, sizes = rest_normals(cast.faces[face].positions.astype(np.float64), beyond)
+    worn = compound(cast.space, cast.faces[face], cast.expressions["mouth-open"]).astype(np.float64)
+    assert area_shares(worn, normals, sizes, beyond).min() > 0.25
 
 
 def test_patches_share_all_skin_but_the_jaws(regions: CorrectiveRegions, cast: Cast) -> None:

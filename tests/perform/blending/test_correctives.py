@@ -9,6 +9,7 @@ from omote.builtin import load_cast
 from omote.geometry.orientation import area_shares, rest_normals
 from omote.model.cast import Cast
 from omote.model.known_names import NEUTRAL
+from omote.model.sculpting.regions import regional
 from omote.model.space.face_fit import fit
 from omote.model.transfer.compound import compound
 from omote.model.transfer.corrective_regions import CorrectiveRegions, find_corrective_regions
@@ -142,6 +143,29 @@ def test_sums_turn_over_nothing_that_no_unit_does(face: str, names: list[str]) -
 def test_the_throat_folds_nothing_under_an_open_jaw(face: str, names: tuple[str, ...]) -> None:
     alone = np.any([over(face, summed(face, name)) for name in names], axis=0)
     assert not (over(face, worn(face, dict.fromkeys(names, 1.0))) & ~alone).any()
+
+
+@pytest.mark.parametrize(
+    ("jaw", "rest", "third"),
+    [
+        ("baby", "kaori", "mouthRollLower"), ("auntie", "child", "noseSneerLeft"), ("man", "baby", "mouthRollLower"),
+        ("auntie", "gaunt", "noseSneerLeft"), ("round", "baby", "jawLeft"),
+    ],
+)  # fmt: skip
+def test_a_jaw_opened_twice_folds_nothing_on_a_mix_of_faces(jaw: str, rest: str, third: str) -> None:
+    """What eight rounds in the last block left turned over beside the chin."""
+    mix = regional(CAST.space, "mix", {"jaw": CAST.faces[jaw]}, rest=CAST.faces[rest])
+    units = ("jawOpen", "mouth-open", third)
+    cast = Cast(CAST.space, {"mix": mix}, {name: CAST.expressions[name] for name in (NEUTRAL, *units)})
+    now = evaluate(cast, Frame({"mix": 1.0}, {NEUTRAL: 1.0}, dict.fromkeys(units, 1.0)))
+    triangles = CAST.space.sheet_triangles
+    normals, sizes = rest_normals(mix.positions.astype(np.float64), triangles)
+
+    def turned(positions: np.ndarray) -> np.ndarray:
+        return area_shares(positions.astype(np.float64), normals, sizes, triangles) < 0.0
+
+    alone = [turned(compound(CAST.space, mix, CAST.expressions[name])) for name in units]
+    assert not (turned(now) & ~np.any(alone, axis=0)).any()
 
 
 @settings(max_examples=60)

@@ -29,6 +29,9 @@ Allowance = NDArray[np.float32]
 # Lids that close lie over each other by so much, metres: the published blink laid one 4.2 mm over the other, and eyes
 # twice as large made that a flap of 12 mm.
 OVERLAP = 0.0003
+# Blocks of rounds, fewer than on air: no unit folds so much that they do not end it, and the built-in cast stays as
+# published.
+ROUNDS = (8, 8, 8)
 # Closes the lips of an open jaw; without the jaw lips lie over each other by intent, and so does what they fold.
 WITH_OPEN_JAW = ("mouthClose",)
 
@@ -82,7 +85,8 @@ def _correct(space: ParameterSpace, regions: CorrectiveRegions, move: Move, allo
     rest, worn = space.points.astype(np.float32), (space.points + move.skin).astype(np.float32)
     balls = Eyeballs.of(_generic(space), regions.eyes, _eyes(space, regions, move))
     plain = worn[regions.rows].astype(np.float64)
-    mended = (correct_damped(regions, rest, worn, plain, allowed, balls).astype(np.float64) - worn)[space.welded]
+    corrected = correct_damped(regions, rest, worn, plain, allowed, balls, ROUNDS)
+    mended = (corrected.astype(np.float64) - worn)[space.welded]
     if not mended.any():
         return move
     hung = {name: move.parts[name] + predict_part(space, name, mended) for name in regions.attached_parts}

@@ -26,9 +26,9 @@ from omote.model.transfer.fold_repair import build_sheet_geometry
 Indices = NDArray[np.int32]
 Values = NDArray[np.float64]
 
-# The skin within so many widths of the widest line is corrected; below the lips, within so many of theirs: an open jaw
-# and the neck's muscle fold the throat.
-REACH, THROAT = 1.0, 2.0
+# The skin within so many widths of the widest line is corrected; from the neck to CORNERS widths above the lips, within
+# THROAT of their widths: an open jaw and the neck's muscle fold the throat, a wide open mouth the jaw's corners.
+REACH, THROAT, CORNERS = 1.0, 2.0, 1.0
 # What separates two lids dies out over this share of their line's width; below LEAST of it, it is zero.
 FADE, LEAST = 0.2, 0.03
 # So many patches, whose sums are damped as wholes; each listens to triangles within so many edges of it, and its share
@@ -126,7 +126,7 @@ def _search(space: ParameterSpace) -> CorrectiveRegions:
 
 
 def _around(space: ParameterSpace) -> Indices:
-    """The sheet's vertices within REACH of the lines, or within THROAT of the lips and below them."""
+    """The sheet's vertices within REACH of the lines, or within THROAT of the lips and not above CORNERS."""
     used = np.unique(space.sheet_triangles).astype(np.int32)
     points, loops = space.points[used], [(line.kind, space.points[line.loop]) for line in space.lines]
     far = REACH * max(float(np.ptp(loop[:, 0])) for _, loop in loops)
@@ -135,7 +135,8 @@ def _around(space: ParameterSpace) -> Indices:
         distance, _ = cKDTree(loop).query(points)
         inside |= distance < far
         if kind == "lips":
-            inside |= (distance < THROAT * float(np.ptp(loop[:, 0]))) & (points[:, 1] < loop[:, 1].min())
+            width = float(np.ptp(loop[:, 0]))
+            inside |= (distance < THROAT * width) & (points[:, 1] < loop[:, 1].min() + CORNERS * width)
     return used[inside]
 
 

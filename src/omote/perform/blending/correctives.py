@@ -28,7 +28,7 @@ Floats = NDArray[np.float32]
 Values = NDArray[np.float64]
 Indices = NDArray[np.int32]
 
-ROUNDS = (8, 8, 8)
+ROUNDS = (8, 8, 32)
 """How often triangles are projected; before each block lids and lips are separated, and lids leave the eyeballs."""
 LEAST_AREA = 0.1
 """A triangle keeps this share of its area at rest, seen along its normal at rest; less where a compound alone does."""
@@ -139,9 +139,11 @@ def correct_combination(
 
 
 def correct_damped(
-    regions: CorrectiveRegions, rest: Floats, positions: Floats, damped: Values, allowed: Floats, balls: Eyeballs, /
+    regions: CorrectiveRegions, rest: Floats, positions: Floats, damped: Values, allowed: Floats, balls: Eyeballs, /,
+    rounds: tuple[int, ...] = ROUNDS,
 ) -> Floats:  # fmt: skip
-    """As `correct_combination`, from rows damped (m, 3), or as they are in positions: as the built-in cast is baked."""
+    """As `correct_combination`, from rows damped (m, 3), by blocks of so many rounds each; the built-in cast is
+    baked from rows as they are in positions."""
     here, points = rest[regions.rows].astype(np.float64), damped.copy()
     blended = positions[regions.rows].astype(np.float64)
     areas, rungs, lids = _split(regions, allowed)
@@ -149,13 +151,13 @@ def correct_damped(
     goals = np.maximum(LEAST_AREA - areas, FLOOR)
     lids = lids + _lid_depths(regions, here, balls.ahead())
     _open_crossings(regions, here, points, rungs)
-    for number, rounds in enumerate(ROUNDS):
+    for block, count in enumerate(rounds):
         _open_crossings(regions, here, points, rungs)
         _push_out_of_eyeballs(regions, points, lids, balls)
-        if number == 0:
+        if block == 0:
             lacking = np.maximum(goals - area_shares(points, normals, sizes, regions.triangles), 0.0)
             goals += np.minimum(MARGIN * lacking, FARTHEST)
-        keep_orientation(points, normals, sizes, regions.triangles, goals, rounds, MOMENTUM)
+        keep_orientation(points, normals, sizes, regions.triangles, goals, count, MOMENTUM)
     move = points - blended
     if not move.any():
         return positions
