@@ -178,6 +178,27 @@ def type_amount(page: Page, label: str, text: str) -> Locator:
     return field
 
 
+def test_a_mix_that_takes_long_is_said_to_be_made_and_a_drag_is_not(editor: Editor) -> None:
+    page = editor()
+    make_face(page, "Long in the making")
+    sign = page.locator("omote-making")
+    held: list[Route] = []
+    holds = True
+    page.route("**/contents/*", lambda route: held.append(route) if holds else route.continue_())
+    one = handle(page, "chin")
+    page.locator("omote-editor main .work canvas").first.click(position={"x": one["head"][0], "y": one["head"][1]})
+    page.keyboard.press("ArrowDown")
+    wait_for(page, "bench.draft.undo === 1 && !bench.waiting")
+    expect(sign).to_have_count(0)  # a hand shows by itself where it moves the face
+    page.get_by_label("Mix in a face").select_option(label="Old")
+    expect(sign.get_by_text("Making the face")).to_be_visible()
+    holds = False
+    for route in held:
+        route.continue_()
+    expect(sign).to_have_count(0)
+    wait_for(page, SETTLED)
+
+
 def test_numbers_stay_as_typed_within_limits_and_what_goes_out_is_told(editor: Editor) -> None:
     page = editor()
     make_face(page, "Typed")

@@ -43,6 +43,8 @@ export class EditorPage extends EditorElement {
   @state() private scan: readonly File[] | null = null;
   /** Whether what is open is drawn, with all faces beside it. */
   @state() private loaded = false;
+  /** Whether the face on the canvas is the one before a change of its mix. */
+  @state() private making = false;
   @query("canvas") private canvas!: HTMLCanvasElement;
   @query("omote-item-list") private library!: ItemListPanel;
   @query("omote-heading") private heading!: Heading;
@@ -78,9 +80,13 @@ export class EditorPage extends EditorElement {
     this.#open = open;
     this.classList.toggle("lost", !this.store.online);
     if (this.#view === null && this.store.library !== null) {
-      this.#view = new EditorCanvas(this.canvas, this.store, (whole) => {
+      const shows = (whole: boolean): void => {
         this.loaded = whole;
-      });
+      };
+      const makes = (still: boolean): void => {
+        this.making = still;
+      };
+      this.#view = new EditorCanvas(this.canvas, this.store, shows, makes);
       exposeProbe(this.#view);
     }
   }
@@ -96,6 +102,7 @@ export class EditorPage extends EditorElement {
         <div class="work">
           <canvas tabindex="0" aria-label="The face under work and the faces beside it" aria-describedby="hint"></canvas>
           ${this.loaded ? nothing : html`<omote-loading .faces=${store.face === null ? 1 + store.neighbours.length : 1}></omote-loading>`}
+          ${this.loaded && this.making ? html`<omote-making></omote-making>` : nothing}
           ${store.look === null && store.layerPreview.solo.size === 0 ? nothing : this.#looking()}
         </div>
         <p id="hint" class="hint">${hintOf(store, matchMedia("(pointer: coarse)").matches)}</p>

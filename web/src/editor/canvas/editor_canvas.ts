@@ -47,11 +47,13 @@ export class EditorCanvas {
   private readonly gl: WebGL2RenderingContext;
   private readonly leave: (() => void)[] = [];
 
-  /** Draws what the store knows; throws where it cannot. Tells `shows` with each picture whether what is open is on it. */
+  /** Draws what the store knows; throws where it cannot. Tells `shows` with each picture whether what is open is on it,
+   * and `makes` whether the server still makes the face that the hand has mixed. */
   constructor(
     readonly canvas: HTMLCanvasElement,
     readonly store: DraftStore,
     private readonly shows: (whole: boolean) => void = () => undefined,
+    private readonly makes: (still: boolean) => void = () => undefined,
   ) {
     const gl = canvas.getContext("webgl2", {
       alpha: false,
@@ -189,13 +191,13 @@ export class EditorCanvas {
   /** Lets a face under work sit, or an old revision of it that is looked at. */
   private async sit(manifest: Manifest): Promise<void> {
     const { draft, face, look } = this.store;
-    if (face === null || draft === null) {
+    if (face === null || draft?.recipe.kind !== "face") {
       this.faceScene?.leave();
       return;
     }
     this.handles?.takeAnswer();
-    const recipe = look === null ? face : { ...face, points: [], moves: [] };
-    await this.faceScene?.show(manifest, draft.item, look ?? draft.content, recipe);
+    const [hand, recipe] = look === null ? [face, draft.recipe] : [{ ...face, points: [], moves: [] }, face];
+    await this.faceScene?.show(manifest, { item: draft.item, content: look ?? draft.content, recipe }, hand);
   }
 
   private dress(expressionScene: ExpressionScene, anew: boolean): void {
@@ -216,6 +218,7 @@ export class EditorCanvas {
   private frame(): void {
     const time = now();
     this.pacing.look(performance.now());
+    this.makes(this.faceScene?.makes === true);
     if (this.pacing.busy) return;
     if (this.moving) this.changedAt = performance.now(); // slow machines are not still while they draw
     this.moving = false;
@@ -261,7 +264,9 @@ export class EditorCanvas {
       boxes,
     );
     this.pacing.frame(moved, fenced(this.gl));
-    this.watch();
+    this.pacing.whenDone(() => {
+      if (!this.ended) this.frame();
+    });
     if (this.faceScene?.awaits === true) this.shows(false);
     else if (members.every((member) => tiles.shown(member))) this.shows(true);
   }
@@ -278,16 +283,6 @@ export class EditorCanvas {
     for (const tile of tiles.tile(scene, members[n], n, true, version)) tilePainter.drawWhole(tile);
     this.pacing.frame(false, fenced(this.gl));
     return true;
-  }
-
-  /** Draws on as soon as the machine is done, not only when the display asks next: what it is late by is not doubled. */
-  private watch(): void {
-    setTimeout(() => {
-      if (this.ended) return;
-      this.pacing.look(performance.now());
-      if (this.pacing.busy) this.watch();
-      else this.frame();
-    });
   }
 
   /** Who is drawn, the work first; undefined: not here yet. */

@@ -1,10 +1,14 @@
-/** What of the faces is still being fetched, as a bar with words, until the first picture of all of them. */
+/** What of the faces is still being fetched, as a bar with words, until the first picture of all of them; and the sign
+ * that a new one is made. */
 
-import { css, html, LitElement } from "lit";
-import { customElement, property } from "lit/decorators.js";
+import { css, html, LitElement, nothing } from "lit";
+import { customElement, property, state } from "lit/decorators.js";
 import { type Download, downloads } from "../../link/fetch_progress";
 import { base } from "../../ui/theme";
 import { progressOf } from "../session/loading_progress";
+
+/** Milliseconds of work that nobody is told of. */
+const UNSEEN = 500;
 
 /** Shown over the canvas until it has drawn what was asked for. */
 @customElement("omote-loading")
@@ -67,5 +71,69 @@ export class LoadingView extends LitElement {
     this.#share = Math.max(this.#share, share); // what comes to light late takes nothing back
     return html`<p role="status">${words}</p>
       <progress aria-label="Loading the faces" max="1" .value=${this.#share}></progress>`;
+  }
+}
+
+/** Shown on the canvas while the face on it is the one before, and the new one is made. */
+@customElement("omote-making")
+export class MakingView extends LitElement {
+  @state() private told = false;
+  #timer = 0;
+
+  static override styles = [
+    base,
+    css`
+      :host {
+        position: absolute;
+        left: 12px;
+        bottom: 12px;
+        pointer-events: none;
+      }
+      p {
+        margin: 0;
+        padding: 6px 12px;
+        border-radius: 6px;
+        color: var(--text);
+        background: #111315e0;
+        border: 1px solid var(--line);
+      }
+      p::before {
+        content: "";
+        display: inline-block;
+        width: 10px;
+        height: 10px;
+        margin-right: 8px;
+        border-radius: 50%;
+        border: 2px solid var(--dim);
+        border-top-color: var(--text);
+        animation: turn 1s linear infinite;
+      }
+      @keyframes turn {
+        to {
+          transform: rotate(1turn);
+        }
+      }
+      @media (prefers-reduced-motion: reduce) {
+        p::before {
+          animation: none;
+        }
+      }
+    `,
+  ];
+
+  override connectedCallback(): void {
+    super.connectedCallback();
+    this.#timer = window.setTimeout(() => {
+      this.told = true;
+    }, UNSEEN);
+  }
+
+  override disconnectedCallback(): void {
+    super.disconnectedCallback();
+    window.clearTimeout(this.#timer);
+  }
+
+  override render() {
+    return html`<div role="status">${this.told ? html`<p>Making the face</p>` : nothing}</div>`;
   }
 }

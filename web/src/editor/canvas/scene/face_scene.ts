@@ -30,10 +30,18 @@ export interface FacePicture extends ShownFace {
   truth: Float32Array;
 }
 
+/** A face under work as the server has it: its item, what it is made of, and where that is kept. */
+interface Made {
+  item: number;
+  content: string;
+  recipe: FaceRecipe;
+}
+
 /** A face as the server made it, with all it wears. */
 interface Arrival {
   content: string;
   item: number;
+  mix: string;
   document: FaceDocument;
   picture: ImageBitmap | undefined;
   shape: HandleDeform;
@@ -51,6 +59,8 @@ export class FaceScene {
   private item = -1;
   /** The item that was asked for last; -1: none, or it cannot be had. */
   private awaited = -1;
+  /** What is mixed in the pictures, and what the hand has mixed. */
+  private mixes = { shown: "", asked: "" };
   private look = "";
   private content = "";
   private shape: HandleDeform | undefined;
@@ -82,19 +92,22 @@ export class FaceScene {
     this.rows = { skin, balls: [ball(0), ball(1)].filter((rows) => rows.length > 0) };
   }
 
-  /** Shows a draft's content, made by a recipe; what is there stays until all of it has come. */
-  async show(manifest: Manifest, item: number, content: string, recipe: FaceRecipe): Promise<void> {
+  /** Shows a draft as the server made it, its content, by its recipe; what is there stays until all of it has come.
+   * hand: the recipe as the hand has it, with steps that are not answered. */
+  async show(manifest: Manifest, draft: Made, hand: FaceRecipe): Promise<void> {
+    const { item, content } = draft;
+    this.mixes.asked = mixOf(item, hand);
     if (content === this.content && item === this.item) return;
     [this.content, this.awaited] = [content, item];
     try {
-      await this.fetch(manifest, item, content, recipe);
+      await this.fetch(manifest, draft, hand);
     } catch (error) {
-      if (content === this.content) this.awaited = -1;
+      if (content === this.content) [this.awaited, this.mixes.asked] = [-1, this.mixes.shown];
       throw error;
     }
   }
 
-  private async fetch(manifest: Manifest, item: number, content: string, recipe: FaceRecipe): Promise<void> {
+  private async fetch(manifest: Manifest, { item, content, recipe: made }: Made, recipe: FaceRecipe): Promise<void> {
     this.asset ??= loadHandles();
     const [{ document, positions }, asset] = await Promise.all([loadFace(manifest, content), this.asset]);
     const wear = async (expressions: readonly string[]): Promise<Float32Array> => {
@@ -113,12 +126,17 @@ export class FaceScene {
     const known = under === this.under ? this.shape : undefined;
     known?.hold(handles.moves);
     const shape = known ?? handleDeform(positions, this.rows, handles.rows, handles.moves);
-    this.arrival = { content, item, document, picture, shape, under, handles, truths };
+    this.arrival = { content, item, mix: mixOf(item, made), document, picture, shape, under, handles, truths };
   }
 
   /** Whether the item that was asked for last is still to come, while nothing or another one is shown. */
   get awaits(): boolean {
     return this.awaited >= 0 && (this.all.length === 0 || this.item !== this.awaited);
+  }
+
+  /** Whether another mix than the hand's is shown: the server makes it, or it is on its way. */
+  get makes(): boolean {
+    return this.all.length > 0 && this.mixes.asked !== this.mixes.shown;
   }
 
   /** Whether all pictures show what was asked for last, and nothing eases. */
@@ -136,7 +154,7 @@ export class FaceScene {
   /** Forgets what is shown: the canvas is needed for something else. */
   leave(): void {
     [this.all, this.content, this.item, this.handles, this.under] = [[], "", -1, undefined, ""];
-    this.awaited = -1;
+    [this.awaited, this.mixes] = [-1, { shown: "", asked: "" }];
     [this.shape, this.arrival] = [undefined, undefined];
   }
 
@@ -165,8 +183,9 @@ export class FaceScene {
   }
 
   private take(arrival: Arrival, time: number, ahead: boolean): void {
-    const { content, item, document, picture, shape, under, handles, truths } = arrival;
+    const { content, item, mix, document, picture, shape, under, handles, truths } = arrival;
     this.arrival = undefined;
+    this.mixes.shown = mix;
     const fresh = item !== this.item || this.all.length === 0;
     if (fresh) this.begin(document, picture, truths);
     const shown = this.all.map(({ figure }) => figure.base.slice());
@@ -226,6 +245,10 @@ export class FaceScene {
     }
   }
 }
+
+/** Faces of one mix have the same, whatever their handles and gains. */
+const mixOf = (item: number, { base, regions, amount }: FaceRecipe): string =>
+  JSON.stringify([item, base, regions, amount]);
 
 /** Faces of one skin have the same. */
 const lookOf = ({ look, albedo }: FaceDocument): string => JSON.stringify([look, albedo]);

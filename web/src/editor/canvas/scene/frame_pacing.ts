@@ -64,6 +64,15 @@ export class FramePacing {
     if (since !== undefined) push(this.waits, time - since);
   }
 
+  /** Goes on as soon as the machine is done, not only when the display asks next: what it is late by is not doubled. */
+  whenDone(next: () => void): void {
+    setTimeout(() => {
+      this.look(performance.now());
+      if (this.busy) this.whenDone(next);
+      else next();
+    });
+  }
+
   /** Frames in a second, of the last dozen. */
   get fps(): number {
     const recent = this.intervals.slice(-12);
