@@ -5,7 +5,13 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from omote.geometry.proximity import cast_level_rays, cast_rays, nearest_triangles, winding_numbers
+from omote.geometry.proximity import (
+    cast_level_rays,
+    cast_rays,
+    measure_outside,
+    nearest_triangles,
+    winding_numbers,
+)
 
 RNG = np.random.default_rng(75)
 
@@ -39,6 +45,27 @@ def test_within_a_reach_distances_are_the_same_and_beyond_it_no_triangle_is_name
     assert 0 < near.sum() < len(near)
     assert np.array_equal(found, np.where(near, far, 0.4))
     assert np.array_equal(named, np.where(near, triangles, -1))
+
+
+def test_before_walls_that_meet_the_way_back_ends_on_them_and_behind_there_is_none() -> None:
+    walls = cube()[(cube()[..., [0, 2]].min(axis=1) > 0.5).any(axis=1)]  # the sides x = 1 and z = 1
+    points = np.column_stack([RNG.uniform(0.8, 1.2, 400), RNG.uniform(0.3, 0.7, 400), RNG.uniform(0.8, 1.2, 400)])
+    points = np.concatenate([points, [[1.1, 0.5, 1.1]]])  # before the edge itself
+    away, back = measure_outside(walls, points, 1.0)
+    assert np.allclose(away, outside_of(points), atol=1e-12)
+    out = away > 0
+    assert 0 < out.sum() < len(out)
+    assert np.allclose(points + away[:, None] * back, np.clip(points, 0.0, 1.0), atol=1e-9)
+    assert not back[~out].any()
+    assert not measure_outside(walls, points, 0.1)[0][outside_of(points) > 0.1].any()
+
+
+def test_a_patch_of_a_surface_tells_its_two_sides_apart_near_it() -> None:
+    wall = cube()[cube()[..., 2].min(axis=1) > 0.5]  # the side z = 1
+    points = np.column_stack([RNG.uniform(0.1, 0.9, (200, 2)), 1.0 + RNG.uniform(-0.1, 0.1, 200)])
+    away, back = measure_outside(wall, points, 0.2)
+    assert np.allclose(away, np.maximum(points[:, 2] - 1.0, 0.0), atol=1e-12)
+    assert np.allclose(back[away > 0], [0.0, 0.0, -1.0])
 
 
 def test_the_winding_number_says_what_is_inside() -> None:

@@ -14,51 +14,104 @@ Corners = NDArray[np.int32]
 SLACK = 1e-6
 # A ray that passes a triangle by more than this, metres, does not meet it.
 ASIDE = 1e-6
+# Triangles as near as the nearest one, but for this share of the distance: its neighbours at an edge or a corner.
+ALIKE = 1e-7
+# What is behind the planes of the nearest triangles by less than this share of its distance may be before the surface.
+DOUBT = 0.1
 # Triangles are sorted into so many layers of height.
 LAYERS = 64
 
 
-@njit(cache=True)
 def nearest_triangles(corners: Values, points: Values, within: float = np.inf) -> tuple[Values, Indices]:
     """The distance (n,) of points (n, 3) to a mesh with triangles (t, 3, 3), and which of them is nearest (n,).
 
     Points farther away than within metres are at that distance of triangle -1: a short reach looks at few triangles.
     """
-    best, at = np.full(len(points), within), np.full(len(points), -1, np.int64)
-    u, v = np.empty(3), np.empty(3)
-    for t in range(len(corners)):
-        for c in range(3):
-            u[c], v[c] = corners[t, 1, c] - corners[t, 0, c], corners[t, 2, c] - corners[t, 0, c]
-        reach = np.sqrt(max(u[0] * u[0] + u[1] * u[1] + u[2] * u[2], v[0] * v[0] + v[1] * v[1] + v[2] * v[2]))
-        for n in range(len(points)):
-            x, y, z = points[n, 0] - corners[t, 0, 0], points[n, 1] - corners[t, 0, 1], points[n, 2] - corners[t, 0, 2]
-            if x * x + y * y + z * z > (best[n] + reach) ** 2:
-                continue
-            away = _distance(x, y, z, u, v)
-            if away < best[n]:
-                best[n], at[n] = away, t
-    return best, at
+    away, nearest, _ = _find_nearest(corners, points, within)
+    return away, nearest
+
+
+def measure_outside(corners: Values, points: Values, within: float) -> tuple[Values, Values]:
+    """How far points (n, 3) lie before a patch of a surface, triangles (t, 3, 3) that face outward, (n,) metres, none
+    where they are behind it or farther away than within; and the ways back to it, unit vectors (n, 3), or zero.
+
+    Near a patch winding numbers are about a half behind it, less by one before it. They are found where the nearest
+    triangles leave a doubt (Baerentzen & Aanaes 2005, normals of edges unweighted).
+    """
+    away, nearest, side = _find_nearest(corners, points, within)
+    near = np.flatnonzero((nearest >= 0) & (side > -DOUBT * away) & (away > 0.0))
+    out = near[winding_numbers(corners, points[near]) < 0.0]
+    far, back = np.zeros(len(points)), np.zeros((len(points), 3))
+    far[out] = away[out]
+    back[out] = (_nearest_places(corners[nearest[out]], points[out]) - points[out]) / away[out, None]
+    return far, back
 
 
 @njit(cache=True)
-def _distance(x: float, y: float, z: float, u: Values, v: Values) -> float:
-    """How far (x, y, z) is from the triangle of the origin, u and v (Ericson 2005, section 5.1.5)."""
-    uu, uv, vv = (u * u).sum(), (u * v).sum(), (v * v).sum()
+def _find_nearest(corners: Values, points: Values, within: float) -> tuple[Values, Indices, Values]:
+    """As `nearest_triangles`; and how far (n,) before the planes of triangles that are as near, in sum."""
+    best, at, side = np.full(len(points), within), np.full(len(points), -1, np.int64), np.zeros(len(points))
+    for t in range(len(corners)):
+        ax, ay, az = corners[t, 0, 0], corners[t, 0, 1], corners[t, 0, 2]
+        ux, uy, uz = corners[t, 1, 0] - ax, corners[t, 1, 1] - ay, corners[t, 1, 2] - az
+        vx, vy, vz = corners[t, 2, 0] - ax, corners[t, 2, 1] - ay, corners[t, 2, 2] - az
+        nx, ny, nz = uy * vz - uz * vy, uz * vx - ux * vz, ux * vy - uy * vx
+        size = max(_length(nx, ny, nz), 1e-30)
+        reach = np.sqrt(max(ux * ux + uy * uy + uz * uz, vx * vx + vy * vy + vz * vz))
+        for n in range(len(points)):
+            x, y, z = points[n, 0] - ax, points[n, 1] - ay, points[n, 2] - az
+            if x * x + y * y + z * z > (best[n] * (1.0 + ALIKE) + reach) ** 2:
+                continue
+            b, c = _nearest_weights(x, y, z, ux, uy, uz, vx, vy, vz)
+            away = _length(x - b * ux - c * vx, y - b * uy - c * vy, z - b * uz - c * vz)
+            before = (x * nx + y * ny + z * nz) / size
+            if away < best[n] * (1.0 - ALIKE):
+                side[n] = before
+            elif away <= best[n] * (1.0 + ALIKE):
+                side[n] += before
+            if away < best[n]:
+                best[n], at[n] = away, t
+    return best, at, side
+
+
+@njit(cache=True)
+def _nearest_places(corners: Values, points: Values) -> Values:
+    """Where a triangle each, (n, 3, 3), is nearest to points (n, 3)."""
+    places = np.empty(points.shape)
+    for n in range(len(points)):
+        a, u, v = corners[n, 0], corners[n, 1] - corners[n, 0], corners[n, 2] - corners[n, 0]
+        off = points[n] - a
+        b, c = _nearest_weights(off[0], off[1], off[2], u[0], u[1], u[2], v[0], v[1], v[2])
+        places[n] = a + b * u + c * v
+    return places
+
+
+@njit(cache=True, inline="always")
+def _nearest_weights(
+    x: float, y: float, z: float, ux: float, uy: float, uz: float, vx: float, vy: float, vz: float
+) -> tuple[float, float]:  # fmt: skip
+    """The weights b, c of the place b u + c v of the triangle of the origin, u and v that is nearest to (x, y, z)
+    (Ericson 2005, section 5.1.5)."""
+    uu, uv, vv = ux * ux + uy * uy + uz * uz, ux * vx + uy * vy + uz * vz, vx * vx + vy * vy + vz * vz
     area = uu * vv - uv * uv
-    along, across = u[0] * x + u[1] * y + u[2] * z, v[0] * x + v[1] * y + v[2] * z
+    along, across = ux * x + uy * y + uz * z, vx * x + vy * y + vz * z
     if area > 0.0:
         b, c = (vv * along - uv * across) / area, (uu * across - uv * along) / area
         if b >= 0.0 and c >= 0.0 and b + c <= 1.0:
-            return _length(x - b * u[0] - c * v[0], y - b * u[1] - c * v[1], z - b * u[2] - c * v[2])
-    result = min(_to_edge(x, y, z, u), _to_edge(x, y, z, v))
-    return min(result, _to_edge(x - u[0], y - u[1], z - u[2], v - u))
-
-
-@njit(cache=True)
-def _to_edge(x: float, y: float, z: float, edge: Values) -> float:
-    share = (edge[0] * x + edge[1] * y + edge[2] * z) / max((edge * edge).sum(), 1e-30)
-    share = min(max(share, 0.0), 1.0)
-    return _length(x - share * edge[0], y - share * edge[1], z - share * edge[2])
+            return b, c
+    first = min(max(along / max(uu, 1e-30), 0.0), 1.0)
+    second = min(max(across / max(vv, 1e-30), 0.0), 1.0)
+    third = (across - along - uv + uu) / max(uu - 2.0 * uv + vv, 1e-30)
+    third = min(max(third, 0.0), 1.0)
+    # Squared distances, less that of the corner: |p - s e|^2 = |p|^2 - 2 s p.e + s^2 e.e
+    to_first, to_second = first * (first * uu - 2.0 * along), second * (second * vv - 2.0 * across)
+    b, c = 1.0 - third, third
+    to_third = b * b * uu + 2.0 * b * c * uv + c * c * vv - 2.0 * (b * along + c * across)
+    if to_first <= to_second and to_first <= to_third:
+        return first, 0.0
+    if to_second <= to_third:
+        return 0.0, second
+    return b, c
 
 
 @njit(cache=True)

@@ -14,6 +14,8 @@ from omote.model.transfer.mouth_bag import find_mouth_bag
 from omote.model.transfer.mouth_bag_fit import (
     EXACT,
     OUT,
+    OUT_AT_RIM,
+    PASSED_AT_RIM,
     fit_mouth_bag,
     keep_bag_inside,
     limit_depths,
@@ -86,6 +88,25 @@ def test_the_bag_stays_behind_lips_that_cover_each_other(name: str, amount: floa
     assert foremost_out(space, face.positions, rows) < 2e-4
     for unit in ("doubt", "contempt", "mouthSmileRight", "mouth-parling"):
         assert foremost_out(space, compound(space, face, built().expressions[unit]), rows) < 3e-4, unit
+
+
+@pytest.mark.parametrize(
+    ("head", "mouth", "unit"),
+    [("child", "baby", "mouthRollUpper"), ("baby", "gaunt", "mouth-depression-retraction"),
+     ("kaori", "round", "contempt"), ("man", "old", "sleepy")],
+)  # fmt: skip
+def test_beside_the_lips_no_bag_stands_out_of_skin_or_membranes(head: str, mouth: str, unit: str) -> None:
+    """What lies there was seen by rays that met no skin, or another layer of it."""
+    cast = built()
+    space, bag = cast.space, find_mouth_bag(cast.space)
+    assert bag is not None
+    face = omote.regional(space, "mix", {"mouth": cast.faces[mouth]}, rest=cast.faces[head])
+    worn = compound(space, face, cast.expressions[unit]).astype(np.float64)
+    corners = worn[np.concatenate([bag.skin, bag.membranes])]
+    points = worn[bag.vertices[bag.rim]]
+    away, _ = nearest_triangles(corners, points)
+    out = (winding_numbers(corners, points) < 0.0) & (away < PASSED_AT_RIM)
+    assert away[out].max(initial=0.0) < OUT_AT_RIM + 1e-5
 
 
 def test_at_rest_nothing_moves() -> None:

@@ -25,7 +25,8 @@ class MouthBag:
     vertices (m,); triangles (t, 3) of the mesh that touch it; rows (n,): the row in `vertices` of each inner vertex, or
     -1; distance (m,): metres along the mesh to the sheet; neighbours (m, k): rows, a vertex's own where it has fewer;
     starts (m,): sheet vertices at which a walk to the skin outside begins; region (k,): the bag and the skin within
-    REACH of it; skin (s, 3), membranes (o, 3): the triangles of the sheet there, and what closes its openings.
+    REACH of it; skin (s, 3), membranes (o, 3): the triangles of the sheet there, and what closes its openings; rim
+    (r,): the rows nearer to the lips than RIM; around (a, 3): the skin and membranes within AROUND of these.
     """
 
     vertices: Indices
@@ -37,8 +38,12 @@ class MouthBag:
     region: Indices
     skin: Indices
     membranes: Indices
+    rim: NDArray[np.int64]
+    around: Indices
 
 
+# The bag's rim reaches so far along the mesh from the lips, and the skin around it so far from it, metres.
+RIM, AROUND = 0.004, 0.008
 # The bag is behind skin that is no farther from it than this, metres.
 REACH = 0.03
 
@@ -62,15 +67,28 @@ def _search(space: ParameterSpace) -> Sequence[MouthBag]:
     place = np.full(space.vertex_count, -1, np.int32)
     place[vertices] = np.arange(len(vertices), dtype=np.int32)
     rows = place[space.welded[space.inner.vertices]]
-    distance, neighbours = (
-        measure_distance(space, triangles, vertices),
-        _list_neighbours(triangles, place, len(vertices)),
-    )
+    distance = measure_distance(space, triangles, vertices)
+    neighbours = _list_neighbours(triangles, place, len(vertices))
     near, _ = cKDTree(space.points[vertices]).query(space.points)
     region = np.flatnonzero(near < REACH).astype(np.int32)
     starts = _nearest_on_sheet(space, vertices)
     skin, membranes = (part[(near < REACH)[part].all(axis=1)] for part in (space.sheet_triangles, space.membranes))
-    return (MouthBag(vertices, triangles, rows, distance, neighbours, starts, region, skin, membranes),)
+    rim = np.flatnonzero(distance < RIM)
+    around = _find_around(space, vertices[rim], np.concatenate([skin, membranes]))
+    return (
+        MouthBag(
+            vertices, triangles, rows, distance, neighbours, starts, region, skin, membranes, rim=rim, around=around
+        ),
+    )
+
+
+def _find_around(space: ParameterSpace, vertices: Indices, triangles: Indices) -> Indices:
+    """The triangles whose middles are within AROUND of vertices."""
+    if len(vertices) == 0:
+        return triangles[:0]
+    away, _ = cKDTree(space.points[vertices]).query(space.points[triangles].mean(axis=1))
+    result: Indices = triangles[away < AROUND]
+    return result
 
 
 def find_behind(corners: Indices, inner: NDArray[np.bool_], line: Indices, /) -> Indices:

@@ -15,7 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from omote.geometry import mesh
-from omote.geometry.proximity import cast_level_rays, nearest_triangles, winding_numbers
+from omote.geometry.proximity import cast_level_rays, measure_outside, nearest_triangles, winding_numbers
 from omote.geometry.ramp import smooth_ramp
 from omote.model.space.eye_socket import fall_off
 from omote.model.space.face import Face
@@ -28,6 +28,7 @@ Values = NDArray[np.float64]
 Rows = NDArray[np.intp] | slice
 
 ALL = slice(None)
+NONE = np.zeros(0, np.int64)
 _limits: WeakKeyDictionary[Face, tuple[ParameterSpace, Values]] = WeakKeyDictionary()
 
 # How far behind the skin the bag stays, where it is as far behind it on the generic face at rest, metres; less toward
@@ -50,6 +51,8 @@ BEFORE = 0.01
 # What is outside by less than the first, metres, is so at rest too; what is by more than the second is between lips
 # that have passed each other, which no bag mends.
 OUT, PASSED = 0.0003, 0.004
+# The same beside the lips, where skin is bent so much that a ray from the axis meets none, or another layer of it.
+OUT_AT_RIM, PASSED_AT_RIM = 0.00002, 0.001
 
 
 @dataclass(frozen=True, eq=False)
@@ -122,8 +125,11 @@ def missing_depths(wanted: Values, here: Depths, /) -> Values:
     return result
 
 
-def push_inside(space: ParameterSpace, bag: MouthBag, wanted: Values, positions: Values, /) -> Values:
-    """Where the bag of positions (V, 3) goes, (m, 3), to lie as far behind the skin as wanted (m,).
+def push_inside(
+    space: ParameterSpace, bag: MouthBag, wanted: Values, positions: Values, rim: NDArray[np.int64] = NONE, /
+) -> Values:  # fmt: skip
+    """Where the bag of positions (V, 3) goes, (m, 3), to lie as far behind the skin as wanted (m,), and rows of its rim
+    not outside of the nearest skin or membrane.
 
     Each round projects what is not deep enough along the skin's normal, its neighbours with it as far as they have no
     depth to spare, so no dent is left.
@@ -131,6 +137,7 @@ def push_inside(space: ParameterSpace, bag: MouthBag, wanted: Values, positions:
     result, here = positions.copy(), measure_depths(space, bag, positions)
     for _ in range(ROUNDS):
         push, inward = _push_doubtful(bag, result, here, missing_depths(wanted, here))
+        push, inward = _push_rim(bag, result, push, inward, rim)
         if push.max() < EXACT:
             break
         spare = np.maximum(here.depth - wanted, 0.0)
@@ -165,6 +172,22 @@ def _push_doubtful(bag: MouthBag, positions: Values, here: Depths, push: Values)
     return push, inward
 
 
+def _push_rim(
+    bag: MouthBag, positions: Values, push: Values, inward: Values, rim: NDArray[np.int64]
+) -> tuple[Values, Values]:  # fmt: skip
+    """Pushes (m,) and their ways (m, 3), with those of rows of the rim that are outside: to the nearest surface."""
+    rows = rim[push[rim] <= 0]
+    if len(rows) == 0:
+        return push, inward
+    away, back = measure_outside(positions[bag.around], positions[bag.vertices[rows]], PASSED_AT_RIM)
+    out = away > OUT_AT_RIM
+    if not out.any():
+        return push, inward
+    push, inward = push.copy(), inward.copy()
+    push[rows[out]], inward[rows[out]] = away[out] - OUT_AT_RIM, back[out]
+    return push, inward
+
+
 def fit_mouth_bag(space: ParameterSpace, face: Face, positions: Floats, /) -> Floats:
     """A face's compound (V, 3) with the mouth bag behind its skin; the generic face's own is the source and stays."""
     bag = find_mouth_bag(space)
@@ -172,9 +195,8 @@ def fit_mouth_bag(space: ParameterSpace, face: Face, positions: Floats, /) -> Fl
         return positions
     if _is_at_rest(bag, positions, face.positions):
         return positions
-    return place_bag(
-        space, bag, positions, push_inside(space, bag, limit_depths(space, face, bag), positions.astype(np.float64))
-    )
+    wanted = limit_depths(space, face, bag)
+    return place_bag(space, bag, positions, push_inside(space, bag, wanted, positions.astype(np.float64), bag.rim))
 
 
 def keep_bag_inside(space: ParameterSpace, displacement: Values, /) -> Values:

@@ -62,6 +62,13 @@ def test_teeth_that_would_come_out_stay_inside(name: str, scale: float, unit: st
         assert outside(skin, np.concatenate([before[part] for part in GUMS])) > 3e-4
 
 
+def test_teeth_stay_inside_where_rays_only_graze_the_skin() -> None:
+    face, unit = wide("old", 1.1), CAST.expressions["mouth-upward-retraction"]
+    skin = apply_expression(CAST.space, face, compile_answer(CAST.space, face, unit))
+    parts = compound_parts(CAST.space, face, unit)
+    assert outside(skin, np.concatenate([parts[part] for part in GUMS])) < 1e-4
+
+
 @pytest.mark.parametrize("name", CAST.faces)
 def test_at_rest_no_tooth_moves(name: str) -> None:
     fitted = fit(CAST.space, CAST.faces[name])

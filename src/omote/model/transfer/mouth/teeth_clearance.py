@@ -16,7 +16,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from omote.geometry import mesh
-from omote.geometry.proximity import cast_level_rays
+from omote.geometry.proximity import cast_level_rays, measure_outside
 from omote.geometry.ramp import smooth_ramp
 from omote.model.space.face_fit import FittedFace
 from omote.model.space.parameter_space import ParameterSpace
@@ -33,6 +33,8 @@ CLEAR = 0.0005
 NEAR = 0.012
 # Skin that a ray only grazes, by a smaller cosine, says nothing of what lies behind it.
 MET = 0.1
+# Where no ray tells, teeth that stand out of the nearest skin or membrane by up to this, metres, go back to it.
+PASSED = 0.004
 # A push takes what is nearer along, less toward SPREAD, metres: a row bends, no tooth does.
 SPREAD = 0.02
 ROUNDS, EXACT = 8, 1e-5
@@ -78,8 +80,9 @@ def push_teeth(space: ParameterSpace, rows: _Rows, wanted: Values, skin: Values,
     """Where teeth (n, 3) go to lie as far as wanted (n,) behind the skin (V, 3); themselves where they do."""
     result = teeth
     for _ in range(ROUNDS):
-        depth, inward = measure_teeth(space, rows, skin, result)
+        depth, inward, doubtful = measure_teeth(space, rows, skin, result)
         push = np.maximum(wanted - depth, 0.0)
+        _push_doubtful(rows, skin, result, push, inward, np.flatnonzero(doubtful & (push <= 0.0)))
         if push.max() < EXACT:
             break
         goes = rows.shares * push
@@ -88,16 +91,31 @@ def push_teeth(space: ParameterSpace, rows: _Rows, wanted: Values, skin: Values,
     return result
 
 
-def measure_teeth(space: ParameterSpace, rows: _Rows, skin: Values, teeth: Values, /) -> tuple[Values, Values]:
+def _push_doubtful(
+    rows: _Rows, skin: Values, teeth: Values, push: Values, inward: Values, doubtful: NDArray[np.intp]
+) -> None:
+    """Puts into pushes (n,) and their ways (n, 3) those of doubtful teeth that are outside: to the nearest surface."""
+    if len(doubtful) == 0:
+        return
+    away, back = measure_outside(skin[rows.around], teeth[doubtful], PASSED)
+    out = away > EXACT
+    push[doubtful[out]], inward[doubtful[out]] = away[out], back[out]
+
+
+def measure_teeth(
+    space: ParameterSpace, rows: _Rows, skin: Values, teeth: Values, /
+) -> tuple[Values, Values, NDArray[np.bool_]]:
     """How far behind the skin (V, 3) teeth (n, 3) lie, (n,) metres along its normal, less than zero in front of it,
-    infinite where none is before them; behind a membrane CLEAR more. And the way to go deeper, (n, 3)."""
+    infinite where none is before them; behind a membrane CLEAR more. And the way to go deeper, (n, 3); and where the
+    ray leaves a doubt, (n,): it grazes skin, or meets a membrane, which may lie in folds before other skin."""
     ahead = space.cylinder.outward(teeth)
     far, at = cast_level_rays(skin, rows.around, teeth + NEAR * ahead, -ahead)
     normal = mesh.unit_normals(skin[rows.around[at]])
     met = (ahead * normal).sum(axis=1)
-    found = (far < 2.0 * NEAR) & (met > MET)
-    depth = (NEAR - np.where(found, far, 0.0)) * met + np.where(at < rows.skin, 0.0, CLEAR)
-    return np.where(found, depth, np.inf), -normal
+    before, membrane = far < 2.0 * NEAR, at >= rows.skin
+    found = before & (met > MET)
+    depth = (NEAR - np.where(found, far, 0.0)) * met + np.where(membrane, CLEAR, 0.0)
+    return np.where(found, depth, np.inf), -normal, before & (membrane | ~found)
 
 
 def _limit_depths(space: ParameterSpace, fitted: FittedFace, rows: _Rows) -> tuple[Values, bool]:
@@ -106,7 +124,7 @@ def _limit_depths(space: ParameterSpace, fitted: FittedFace, rows: _Rows) -> tup
     known = _limits.get(fitted)
     if known is None or known[0] is not space:
         teeth = np.concatenate([fitted.parts[name] for name in GUMS]).astype(np.float64)
-        depth, _ = measure_teeth(space, rows, fitted.positions.astype(np.float64), teeth)
+        depth, _, _ = measure_teeth(space, rows, fitted.positions.astype(np.float64), teeth)
         known = (space, np.minimum(np.maximum(depth, 0.0), CLEAR), bool((depth >= 0.0).all()))
         _limits[fitted] = known
     return known[1:]
