@@ -48,8 +48,9 @@ def test_within_a_reach_distances_are_the_same_and_beyond_it_no_triangle_is_name
 
 
 def test_before_walls_that_meet_the_way_back_ends_on_them_and_behind_there_is_none() -> None:
+    draw = np.random.default_rng(76)
     walls = cube()[(cube()[..., [0, 2]].min(axis=1) > 0.5).any(axis=1)]  # the sides x = 1 and z = 1
-    points = np.column_stack([RNG.uniform(0.8, 1.2, 400), RNG.uniform(0.3, 0.7, 400), RNG.uniform(0.8, 1.2, 400)])
+    points = np.column_stack([draw.uniform(0.8, 1.2, 400), draw.uniform(0.3, 0.7, 400), draw.uniform(0.8, 1.2, 400)])
     points = np.concatenate([points, [[1.1, 0.5, 1.1]]])  # before the edge itself
     away, back = measure_outside(walls, points, 1.0)
     assert np.allclose(away, outside_of(points), atol=1e-12)
@@ -61,8 +62,9 @@ def test_before_walls_that_meet_the_way_back_ends_on_them_and_behind_there_is_no
 
 
 def test_a_patch_of_a_surface_tells_its_two_sides_apart_near_it() -> None:
+    draw = np.random.default_rng(77)
     wall = cube()[cube()[..., 2].min(axis=1) > 0.5]  # the side z = 1
-    points = np.column_stack([RNG.uniform(0.1, 0.9, (200, 2)), 1.0 + RNG.uniform(-0.1, 0.1, 200)])
+    points = np.column_stack([draw.uniform(0.1, 0.9, (200, 2)), 1.0 + draw.uniform(-0.1, 0.1, 200)])
     away, back = measure_outside(wall, points, 0.2)
     assert np.allclose(away, np.maximum(points[:, 2] - 1.0, 0.0), atol=1e-12)
     assert np.allclose(back[away > 0], [0.0, 0.0, -1.0])

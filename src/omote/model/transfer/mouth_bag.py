@@ -43,7 +43,7 @@ class MouthBag:
 
 
 # The bag's rim reaches so far along the mesh from the lips, and the skin around it so far from it, metres.
-RIM, AROUND = 0.004, 0.008
+RIM, AROUND = 0.006, 0.008
 # The bag is behind skin that is no farther from it than this, metres.
 REACH = 0.03
 

@@ -176,15 +176,14 @@ def _push_rim(
     bag: MouthBag, positions: Values, push: Values, inward: Values, rim: NDArray[np.int64]
 ) -> tuple[Values, Values]:  # fmt: skip
     """Pushes (m,) and their ways (m, 3), with those of rows of the rim that are outside: to the nearest surface."""
-    rows = rim[push[rim] <= 0]
-    if len(rows) == 0:
+    if len(rim) == 0:
         return push, inward
-    away, back = measure_outside(positions[bag.around], positions[bag.vertices[rows]], PASSED_AT_RIM)
-    out = away > OUT_AT_RIM
-    if not out.any():
+    away, back = measure_outside(positions[bag.around], positions[bag.vertices[rim]], PASSED_AT_RIM)
+    farther = away - OUT_AT_RIM > push[rim]
+    if not farther.any():
         return push, inward
-    push, inward = push.copy(), inward.copy()
-    push[rows[out]], inward[rows[out]] = away[out] - OUT_AT_RIM, back[out]
+    push, inward, rows = push.copy(), inward.copy(), rim[farther]
+    push[rows], inward[rows] = away[farther] - OUT_AT_RIM, back[farther]
     return push, inward
 
 
