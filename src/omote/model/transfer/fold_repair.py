@@ -30,6 +30,8 @@ FREE_ROUNDS, FAR_RINGS, FAR = 8, 3, 0.02
 # Then what is still folded: how many rounds, of how many steps, on how many rings; a triangle gets this share of its
 # area.
 LAST_ROUNDS, STEPS, LAST_RINGS, UPRIGHT = 12, 10, 3, 0.05
+# What is repaired keeps more than this share of its area: single precision, in which skin is kept, would turn it over.
+ROUNDED = 1e-4
 
 
 @dataclass(frozen=True, eq=False)
@@ -74,13 +76,13 @@ def repair(
     source (V, 3): the generic face wearing the expression; on_line (V,): the vertices of lids' and lips' lines, held in
     the first rounds; close: brings them into contact again, in place, once they move too. The best round counts.
     """
-    free, folded = np.zeros_like(on_line), find_folds(geometry, positions, source)
+    free, folded = np.zeros_like(on_line), find_folds(geometry, positions, source, ROUNDED)
     best, fewest = positions, int(folded.sum())
     for number in range(HELD_ROUNDS + FREE_ROUNDS + LAST_ROUNDS):
         if fewest == 0:
             break
         if number == HELD_ROUNDS + FREE_ROUNDS:
-            positions, folded = best, find_folds(geometry, best, source)
+            positions, folded = best, find_folds(geometry, best, source, ROUNDED)
         positions = positions.copy()
         if number < HELD_ROUNDS:
             relax_patches(geometry, positions, source, folded, on_line, NEAR_RINGS, NEAR)
@@ -90,22 +92,23 @@ def repair(
             else:
                 turn_upright(geometry, positions, source, folded)
             close(positions)
-        folded = find_folds(geometry, positions, source)
+        folded = find_folds(geometry, positions, source, ROUNDED)
         if folded.sum() < fewest:
             best, fewest = positions, int(folded.sum())
     return best
 
 
-def find_folds(geometry: SheetGeometry, positions: Values, source: Values, /) -> Mask:
-    """The sheet triangles (T,) turned over on the face (V, 3) but not on the source (V, 3), the generic face."""
+def find_folds(geometry: SheetGeometry, positions: Values, source: Values, least: float = 0.0, /) -> Mask:
+    """The sheet triangles (T,) turned over on the face (V, 3) but not on the source (V, 3), the generic face; or that
+    keep less than the least share of their area along the normal at rest."""
     here = np.empty(len(geometry.triangles), np.bool_)
-    mark_folds(positions, geometry.triangles, geometry.normals, here)
+    mark_folds(positions, geometry.triangles, geometry.normals, least, here)
     return here & ~_find_source_folds(geometry, source)
 
 
 def _find_source_folds(geometry: SheetGeometry, source: Values) -> Mask:
     found = np.empty(len(geometry.triangles), np.bool_)
-    mark_folds(source, geometry.triangles, geometry.generic_normals, found)
+    mark_folds(source, geometry.triangles, geometry.generic_normals, 0.0, found)
     return found
 
 
@@ -178,15 +181,16 @@ def _gradients(positions: Values, triangles: Indices) -> tuple[Values, Values]:
 
 
 @njit(cache=True)
-def mark_folds(positions: Values, triangles: Indices, rest: Values, out: Mask) -> None:
-    """Marks in out (T,) the triangles whose normal points against that at rest (T, 3)."""
+def mark_folds(positions: Values, triangles: Indices, rest: Values, least: float, out: Mask) -> None:
+    """Marks in out (T,) the triangles that keep less than this share of their area along the normal at rest (T, 3)."""
     for t in range(len(triangles)):
         i, j, k = triangles[t]
         a, b, c = positions[i], positions[j], positions[k]
         ax, ay, az = b[0] - a[0], b[1] - a[1], b[2] - a[2]
         bx, by, bz = c[0] - a[0], c[1] - a[1], c[2] - a[2]
         along = (ay * bz - az * by) * rest[t, 0] + (az * bx - ax * bz) * rest[t, 1] + (ax * by - ay * bx) * rest[t, 2]
-        out[t] = along < 0.0
+        size = rest[t, 0] * rest[t, 0] + rest[t, 1] * rest[t, 1] + rest[t, 2] * rest[t, 2]
+        out[t] = along < least * size
 
 
 @njit(cache=True)

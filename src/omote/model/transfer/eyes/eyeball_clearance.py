@@ -39,7 +39,8 @@ class Clearance:
     """The lids around one eyeball of a face.
 
     near (m,): the sheet's vertices around it; starts (m,), neighbours: the rings around each, itself among them; rest
-    (m, 3): on the generic face at rest; deeper (m,): how much deeper in the ball than there they lie here, metres.
+    (m, 3): on the generic face at rest; deeper (m,): how much deeper in the ball than there they lie here, metres,
+    negative where less deep.
     """
 
     near: Indices
@@ -61,7 +62,7 @@ def build_clearance(
     used = np.unique(triangles)
     near = used[np.linalg.norm(positions[used] - ball.centre, axis=1) < REACH * ball.radius].astype(np.int32)
     rings = smoothing_matrix(triangles, len(positions))[near][:, near]
-    deeper = np.maximum(measure_depth(ball, positions[near]) - measure_depth(source, generic[near]), 0.0)
+    deeper = measure_depth(ball, positions[near]) - measure_depth(source, generic[near])
     return Clearance(near, rings.indptr[:-1], rings.indices, source, ball, generic[near], deeper)
 
 
@@ -75,13 +76,13 @@ def clear_eyeball(clearance: Clearance, positions: Values, moved: Values, /) -> 
     """Pushes the lids of positions (V, 3) out of the ball, in place; says whether anything had to go.
 
     moved (V, 3): the generic face wearing the expression. A vertex may lie as deep as it does there, and one that stays
-    where it was at rest as much deeper as at rest; what is too deep goes out along the ball's normal, its neighbours
-    with it, so that no dent is left.
+    where it was at rest as much deeper, or less deep, as at rest; what is too deep goes out along the ball's normal,
+    its neighbours with it, so that no dent is left.
     """
     points = positions[clearance.near]
     there = moved[clearance.near]
     still = np.maximum(1.0 - np.linalg.norm(there - clearance.rest, axis=1) / HIDDEN, 0.0)
-    allowed = measure_depth(clearance.source, there) + still * clearance.deeper
+    allowed = np.maximum(measure_depth(clearance.source, there) + still * clearance.deeper, 0.0)
     push = np.maximum(measure_depth(clearance.ball, points) - allowed, 0.0)
     if not push.any():
         return False
