@@ -5,9 +5,11 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
+from omote.geometry.orientation import area_shares, rest_normals
 from omote.model.transfer.fold_repair import (
     LAST_ROUNDS,
     NEAR,
+    ROUNDED,
     build_sheet_geometry,
     find_folds,
     nearest_rotations,
@@ -68,6 +70,18 @@ def test_repair_gives_back_what_folds_nowhere_and_closes_the_lines_only_once_the
     result = repair(sheet, folded(), points, on_line, lambda sheet: closed.append(1))
     assert closed
     assert not folds_of(result).any()
+
+
+def test_a_triangle_with_next_to_no_area_gets_what_single_precision_can_keep() -> None:
+    points, triangles = grid()
+    sheet, worn = build_sheet_geometry(points, points, triangles), grid()[0]
+    worn[5 * SIZE + 5, 0] += 1.0 - 1e-6  # two triangles keep a millionth
+    assert not folds_of(worn).any()
+    result = repair(sheet, worn, points, np.zeros(len(points), np.bool_), lambda sheet: None)
+    normals, sizes = rest_normals(points, triangles)
+    assert area_shares(worn, normals, sizes, triangles).min() < ROUNDED
+    assert area_shares(result, normals, sizes, triangles).min() >= ROUNDED
+    assert not folds_of(result.astype(np.float32).astype(np.float64)).any()
 
 
 def test_folded_triangles_are_turned_upright_and_those_of_the_source_stay() -> None:

@@ -52,6 +52,13 @@ def test_what_lay_in_the_ball_at_rest_may_stay_there() -> None:
     assert np.array_equal(still, positions)
 
 
+def test_what_lay_less_deep_at_rest_than_on_the_source_stays_so_where_the_source_stays() -> None:
+    generic, positions, clearance = lids(0.0146, 0.0149)  # .4 mm deep there, .1 mm here
+    pressed = positions * (0.0147 / 0.0149)
+    assert clear_eyeball(clearance, pressed, generic)
+    assert np.allclose(pressed, positions, atol=1e-12)
+
+
 def test_a_push_leaves_no_vertex_standing_out() -> None:
     generic, positions, clearance = lids(0.016, 0.0151)
     middle = int(positions[:, 2].argmax())

@@ -2,10 +2,13 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
 import omote
+from omote.geometry.mesh import unit_normals
 from omote.model.space.face import Face
 from omote.model.transfer.compound import compound
 from omote.model.transfer.eyes.socket_clearance import EXACT, fit_socket_lining, measure_out
@@ -48,6 +51,23 @@ def test_no_expression_brings_a_lining_out_further_than_at_rest(unit: str) -> No
         at_rest = np.maximum(measure_out(CAST.space, lining(), face.positions.astype(np.float64))[0], 0.0)
         worn = compound(CAST.space, face, CAST.expressions[unit]).astype(np.float64)
         assert (measure_out(CAST.space, lining(), worn)[0] - at_rest).max() < 1e-4
+
+
+def test_before_a_lids_edge_that_looks_away_a_lining_is_out() -> None:
+    found, points = lining(), CAST.faces["kaori"].positions.astype(np.float64)
+    corners = points[found.skin]
+    middles = corners.mean(axis=1)
+    ahead = CAST.space.cylinder.outward(middles)
+    away = np.flatnonzero((unit_normals(corners) * ahead).sum(axis=1) < -0.3)
+    hidden = found.vertices[found.hidden][0]
+    assert len(away)
+    for triangle in away:
+        alone, raised = replace(found, skin=found.skin[[triangle]]), points.copy()
+        raised[hidden] = middles[triangle] + 0.0004 * ahead[triangle]
+        out, inward = measure_out(CAST.space, alone, raised)
+        assert out[0] > 1e-4
+        raised[hidden] += (out[0] + 1e-4) * inward[0]
+        assert measure_out(CAST.space, alone, raised)[0][0] < 0.0
 
 
 def test_a_face_at_rest_and_the_generic_face_stay() -> None:

@@ -36,14 +36,15 @@ _allowed: WeakKeyDictionary[Face, tuple[ParameterSpace, Values]] = WeakKeyDictio
 
 def measure_out(space: ParameterSpace, lining: SocketLining, positions: Values, /) -> tuple[Values, Values]:
     """How far the hidden vertices of a lining have come out of the foremost skin of positions (V, 3), (h,) metres along
-    its normal, less than zero behind it, minus infinity where no skin is met; and the ways in (h, 3)."""
+    its normal, less than zero behind it, minus infinity where no skin is met; and the ways in (h, 3). Skin that looks
+    away is met as well: a lid's edge that is seen through the opening."""
     points = positions[lining.vertices[lining.hidden]]
     ahead = space.cylinder.outward(points)
     far, at = cast_level_rays(positions, lining.skin, points + BEFORE * ahead, -ahead)
     normal = mesh.unit_normals(positions[lining.skin[at]])
     cosine = (normal * ahead).sum(axis=1)
-    met = (far < 2.0 * BEFORE) & (cosine > MET)
-    return np.where(met, (far - BEFORE) * cosine, -np.inf), -normal
+    met = (far < 2.0 * BEFORE) & (np.abs(cosine) > MET)
+    return np.where(met, (far - BEFORE) * np.abs(cosine), -np.inf), -normal * np.sign(cosine)[:, None]
 
 
 def fit_socket_lining(space: ParameterSpace, face: Face, positions: Floats, /) -> Floats:
