@@ -197,6 +197,12 @@ def test_a_mix_that_takes_long_is_said_to_be_made_and_a_drag_is_not(editor: Edit
         route.continue_()
     expect(sign).to_have_count(0)
     wait_for(page, SETTLED)
+    type_amount(page, "Old", "0")
+    wait_for(page, f"bench.draft.undo === 3 && {SETTLED}")
+    expect(sign).to_have_count(0)
+    page.get_by_role("button", name="Without Old").click()  # it looks the same
+    wait_for(page, f"bench.draft.undo === 4 && {SETTLED}")
+    expect(sign).to_have_count(0)
 
 
 def test_numbers_stay_as_typed_within_limits_and_what_goes_out_is_told(editor: Editor) -> None:

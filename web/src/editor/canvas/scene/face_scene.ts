@@ -41,7 +41,6 @@ interface Made {
 interface Arrival {
   content: string;
   item: number;
-  mix: string;
   document: FaceDocument;
   picture: ImageBitmap | undefined;
   shape: HandleDeform;
@@ -59,8 +58,8 @@ export class FaceScene {
   private item = -1;
   /** The item that was asked for last; -1: none, or it cannot be had. */
   private awaited = -1;
-  /** What is mixed in the pictures, and what the hand has mixed. */
-  private mixes = { shown: "", asked: "" };
+  /** What is mixed in the pictures, in the content that was asked for last, and by the hand. */
+  private mixes = { shown: "", made: "", asked: "" };
   private look = "";
   private content = "";
   private shape: HandleDeform | undefined;
@@ -96,18 +95,21 @@ export class FaceScene {
    * hand: the recipe as the hand has it, with steps that are not answered. */
   async show(manifest: Manifest, draft: Made, hand: FaceRecipe): Promise<void> {
     const { item, content } = draft;
-    this.mixes.asked = mixOf(item, hand);
-    if (content === this.content && item === this.item) return;
+    [this.mixes.made, this.mixes.asked] = [mixOf(item, draft.recipe), mixOf(item, hand)];
+    if (content === this.content && item === this.item) {
+      if (this.all[0]?.source === content) this.mixes.shown = this.mixes.made; // it looks the same
+      return;
+    }
     [this.content, this.awaited] = [content, item];
     try {
-      await this.fetch(manifest, draft, hand);
+      await this.fetch(manifest, item, content, hand);
     } catch (error) {
       if (content === this.content) [this.awaited, this.mixes.asked] = [-1, this.mixes.shown];
       throw error;
     }
   }
 
-  private async fetch(manifest: Manifest, { item, content, recipe: made }: Made, recipe: FaceRecipe): Promise<void> {
+  private async fetch(manifest: Manifest, item: number, content: string, recipe: FaceRecipe): Promise<void> {
     this.asset ??= loadHandles();
     const [{ document, positions }, asset] = await Promise.all([loadFace(manifest, content), this.asset]);
     const wear = async (expressions: readonly string[]): Promise<Float32Array> => {
@@ -126,7 +128,7 @@ export class FaceScene {
     const known = under === this.under ? this.shape : undefined;
     known?.hold(handles.moves);
     const shape = known ?? handleDeform(positions, this.rows, handles.rows, handles.moves);
-    this.arrival = { content, item, mix: mixOf(item, made), document, picture, shape, under, handles, truths };
+    this.arrival = { content, item, document, picture, shape, under, handles, truths };
   }
 
   /** Whether the item that was asked for last is still to come, while nothing or another one is shown. */
@@ -154,7 +156,7 @@ export class FaceScene {
   /** Forgets what is shown: the canvas is needed for something else. */
   leave(): void {
     [this.all, this.content, this.item, this.handles, this.under] = [[], "", -1, undefined, ""];
-    [this.awaited, this.mixes] = [-1, { shown: "", asked: "" }];
+    [this.awaited, this.mixes] = [-1, { shown: "", made: "", asked: "" }];
     [this.shape, this.arrival] = [undefined, undefined];
   }
 
@@ -183,9 +185,9 @@ export class FaceScene {
   }
 
   private take(arrival: Arrival, time: number, ahead: boolean): void {
-    const { content, item, mix, document, picture, shape, under, handles, truths } = arrival;
+    const { content, item, document, picture, shape, under, handles, truths } = arrival;
     this.arrival = undefined;
-    this.mixes.shown = mix;
+    this.mixes.shown = this.mixes.made;
     const fresh = item !== this.item || this.all.length === 0;
     if (fresh) this.begin(document, picture, truths);
     const shown = this.all.map(({ figure }) => figure.base.slice());
