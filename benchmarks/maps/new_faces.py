@@ -145,12 +145,15 @@ def triple_rows(kinds: Kinds, count: int = 10) -> list[Row]:
 
 
 def crossing_rows(kinds: Kinds) -> list[Row]:
-    """How far lids and lips cross and lids pierce in triples, more than their summands, the worst of a kind, mm."""
+    """How far lids and lips cross, lids pierce and teeth stand out in triples, more than their summands, the worst of a
+    kind, mm; and in how many triples teeth do by more than .3 mm."""
     return [
         (kind, f"{1e3 * max(at_most(f.sums.crossed).value for f in run[OURS].values()):.2f}",
-         f"{1e3 * max(at_most(f.sums.eyes).value for f in run[OURS].values()):.2f}")
+         f"{1e3 * max(at_most(f.sums.eyes).value for f in run[OURS].values()):.2f}",
+         f"{1e3 * max(at_most(f.sums.teeth).value for f in run[OURS].values()):.2f}",
+         f"{100 * np.mean([bare > PIERCED for f in run[OURS].values() for bare in f.sums.teeth]):.2f}")
         for kind, run in kinds.items()
     ]  # fmt: skip
 
 
-CROSSING_HEAD = ("kind", "lids and lips cross in triples, mm", "eyes, mm")
+CROSSING_HEAD = ("kind", "lids and lips cross in triples, mm", "eyes, mm", "teeth, mm", "triples with teeth out, %")

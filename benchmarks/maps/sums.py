@@ -8,7 +8,7 @@ from dataclasses import dataclass, field
 import numpy as np
 from numpy.typing import NDArray
 
-from benchmarks.maps.inside.piercing import balls_of
+from benchmarks.maps.inside.piercing import TEETH, balls_of, teeth_on, teeth_out
 from benchmarks.maps.measures import find_folds
 from benchmarks.maps.methods import OURS
 from benchmarks.maps.source import Source
@@ -29,8 +29,8 @@ SEEN = 0.0004
 @dataclass
 class SumFigures:
     """All triples on one face: triangles turned over that are not on the source's sum, those that no summand turns over
-    alone (by triple in folded); how far lids and lips cross, and skin lies in eyeballs, more than the summands allow
-    together, metres."""
+    alone (by triple in folded); how far lids and lips cross, skin lies in eyeballs, and teeth stand out of the skin,
+    more than the summands allow together, metres."""
 
     triples: int
     folds: int = 0
@@ -38,6 +38,7 @@ class SumFigures:
     folded: dict[Triple, int] = field(default_factory=dict)
     crossed: list[float] = field(default_factory=list)
     eyes: list[float] = field(default_factory=list)
+    teeth: list[float] = field(default_factory=list)
 
 
 class Sums:
@@ -60,6 +61,9 @@ class Sums:
         alone = {unit: find_folds(rest, rest + move, source.sheet) for unit, move in moves.items()}
         crossed = {unit: self.find_crossed(rest, rest + move) for unit, move in moves.items()}
         deep = {unit: self.measure_deep(face, rest, rest + move) for unit, move in moves.items()}
+        teeth = np.concatenate([fit(source.space, face).parts[name] for name in TEETH]).astype(np.float64)
+        chewed = {unit: teeth_on(source, face, rest + move, unit) - teeth for unit, move in moves.items()}
+        bared = {unit: teeth_out(rest + moves[unit], source.sheet, teeth + move) for unit, move in chewed.items()}
         found = SumFigures(len(source.triples))
         for triple, folded in zip(source.triples, self._folded, strict=True):
             now = add(triple)
@@ -70,6 +74,8 @@ class Sums:
             if new:
                 found.folded[triple] = new
             found.crossed.append(float((self.find_crossed(rest, now) - sum(crossed[unit] for unit in triple)).max()))
+            bare = teeth_out(now, source.sheet, teeth + sum(chewed[unit] for unit in triple))
+            found.teeth.append(bare - sum(bared[unit] for unit in triple))
             found.eyes.append(float((self.measure_deep(face, rest, now) - sum(deep[unit] for unit in triple)).max()))
         return found
 
