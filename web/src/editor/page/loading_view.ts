@@ -86,7 +86,7 @@ export class MakingView extends LitElement {
       :host {
         position: absolute;
         left: 12px;
-        bottom: 12px;
+        top: 12px; /* below are labels */
         pointer-events: none;
       }
       p {
