@@ -67,6 +67,21 @@ def show_all(page: Page) -> None:
     wait_for(page, f"canvas.counters().drawn > {before}")
 
 
+def hold_contents(page: Page) -> Callable[[], None]:
+    """Lets no content of the editor's come; calling what is returned lets all of it come."""
+    held: list[Route] = []
+    holds = True
+    page.route("**/contents/*", lambda route: held.append(route) if holds else route.continue_())
+
+    def let_go() -> None:
+        nonlocal holds
+        holds = False
+        for route in held:
+            route.continue_()
+
+    return let_go
+
+
 def row_of(page: Page, label: str) -> int:
     return int(handle(page, label)["row"])
 
@@ -75,16 +90,13 @@ def test_opening_a_face_says_what_is_loading(editor: Editor) -> None:
     page = editor()
     bar = page.get_by_role("progressbar", name="Loading the faces")
     expect(bar).to_have_count(0)
-    held: list[Route] = []
-    page.route("**/contents/*", lambda route: held.append(route))
-    label = "Long in coming"
-    page.evaluate(f"""async () => {{
-        await {BENCH}.ask({{ type: "create_face", label: {label!r}, base: {{ kaori: 1 }}, on_air: false }});
-    }}""")
+    let_go, label = hold_contents(page), "Long in coming"
+    with page.expect_request("**/contents/*"):
+        page.evaluate(f"""async () => {{
+            await {BENCH}.ask({{ type: "create_face", label: {label!r}, base: {{ kaori: 1 }}, on_air: false }});
+        }}""")
     expect(bar).to_be_visible()
-    assert held, "the face has been asked for"
-    for route in held:
-        route.continue_()
+    let_go()
     expect(bar).to_have_count(0)
     wait_for(page, SETTLED)
     expect(page.get_by_title("Which faces are shown")).to_have_count(0)  # those beside are the face itself
@@ -182,9 +194,7 @@ def test_a_mix_that_takes_long_is_said_to_be_made_and_a_drag_is_not(editor: Edit
     page = editor()
     make_face(page, "Long in the making")
     sign = page.locator("omote-making")
-    held: list[Route] = []
-    holds = True
-    page.route("**/contents/*", lambda route: held.append(route) if holds else route.continue_())
+    let_go = hold_contents(page)
     one = handle(page, "chin")
     page.locator("omote-editor main .work canvas").first.click(position={"x": one["head"][0], "y": one["head"][1]})
     page.keyboard.press("ArrowDown")
@@ -192,9 +202,7 @@ def test_a_mix_that_takes_long_is_said_to_be_made_and_a_drag_is_not(editor: Edit
     expect(sign).to_have_count(0)  # a hand shows by itself where it moves the face
     page.get_by_label("Mix in a face").select_option(label="Old")
     expect(sign.get_by_text("Making the face")).to_be_visible()
-    holds = False
-    for route in held:
-        route.continue_()
+    let_go()
     expect(sign).to_have_count(0)
     wait_for(page, SETTLED)
     type_amount(page, "Old", "0")
