@@ -122,6 +122,7 @@ export class EditorCanvas {
 
   dispose(): void {
     this.ended = true;
+    this.pacing.end();
     for (const leave of this.leave) leave();
     this.input.dispose();
     this.viewports.dispose();
@@ -196,7 +197,8 @@ export class EditorCanvas {
       return;
     }
     this.handles?.takeAnswer();
-    const [hand, recipe] = look === null ? [face, draft.recipe] : [{ ...face, points: [], moves: [] }, face];
+    const hand = look === null ? face : { ...face, points: [], moves: [] };
+    const recipe = look === null ? draft.recipe : hand;
     await this.faceScene?.show(manifest, { item: draft.item, content: look ?? draft.content, recipe }, hand);
   }
 

@@ -1,4 +1,4 @@
-import { expect, it } from "vitest";
+import { expect, it, vi } from "vitest";
 import { FramePacing } from "./frame_pacing";
 
 it("counts a hand's wait until the frame in which the others followed is finished", () => {
@@ -31,4 +31,25 @@ it("measures intervals between finished frames, none across a pause", () => {
   expect(pace.intervals).toEqual([20, 20]);
   expect(pace.fps).toBe(50);
   expect(pace.drawn).toBe(4);
+});
+
+it("goes on when the frame is finished, or none is waited for any more", () => {
+  vi.useFakeTimers();
+  const pace = new FramePacing();
+  const next = vi.fn();
+  let done = false;
+  pace.frame(false, () => done);
+  pace.whenDone(next);
+  vi.advanceTimersByTime(100);
+  expect(next).not.toHaveBeenCalled();
+  done = true;
+  vi.advanceTimersByTime(100);
+  expect(next).toHaveBeenCalledTimes(1);
+  pace.frame(false, () => false);
+  pace.whenDone(next);
+  pace.end();
+  vi.advanceTimersByTime(100);
+  expect(next).toHaveBeenCalledTimes(2);
+  expect(vi.getTimerCount()).toBe(0);
+  vi.useRealTimers();
 });

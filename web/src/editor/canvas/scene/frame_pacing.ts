@@ -53,6 +53,11 @@ export class FramePacing {
     this.last = undefined;
   }
 
+  /** No frame is waited for any more: of a canvas that has gone none may ever be finished. */
+  end(): void {
+    this.drawing = undefined;
+  }
+
   /** Looks at this time (ms) whether the frame is finished. */
   look(time: number): void {
     if (this.drawing === undefined || !this.drawing.done()) return;
