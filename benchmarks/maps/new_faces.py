@@ -151,7 +151,7 @@ def crossing_rows(kinds: Kinds) -> list[Row]:
         (kind, f"{1e3 * max(at_most(f.sums.crossed).value for f in run[OURS].values()):.2f}",
          f"{1e3 * max(at_most(f.sums.eyes).value for f in run[OURS].values()):.2f}",
          f"{1e3 * max(at_most(f.sums.teeth).value for f in run[OURS].values()):.2f}",
-         f"{100 * np.mean([bare > PIERCED for f in run[OURS].values() for bare in f.sums.teeth]):.2f}")
+         f"{100 * np.mean([out > PIERCED for f in run[OURS].values() for out in f.sums.teeth]):.2f}")
         for kind, run in kinds.items()
     ]  # fmt: skip
 

@@ -62,8 +62,10 @@ class Sums:
         crossed = {unit: self.find_crossed(rest, rest + move) for unit, move in moves.items()}
         deep = {unit: self.measure_deep(face, rest, rest + move) for unit, move in moves.items()}
         teeth = np.concatenate([fit(source.space, face).parts[name] for name in TEETH]).astype(np.float64)
-        chewed = {unit: teeth_on(source, face, rest + move, unit) - teeth for unit, move in moves.items()}
-        bared = {unit: teeth_out(rest + moves[unit], source.sheet, teeth + move) for unit, move in chewed.items()}
+        teeth_moves = {unit: teeth_on(source, face, rest + move, unit) - teeth for unit, move in moves.items()}
+        teeth_alone = {
+            unit: teeth_out(rest + moves[unit], source.sheet, teeth + move) for unit, move in teeth_moves.items()
+        }
         found = SumFigures(len(source.triples))
         for triple, folded in zip(source.triples, self._folded, strict=True):
             now = add(triple)
@@ -74,8 +76,8 @@ class Sums:
             if new:
                 found.folded[triple] = new
             found.crossed.append(float((self.find_crossed(rest, now) - sum(crossed[unit] for unit in triple)).max()))
-            bare = teeth_out(now, source.sheet, teeth + sum(chewed[unit] for unit in triple))
-            found.teeth.append(bare - sum(bared[unit] for unit in triple))
+            out = teeth_out(now, source.sheet, teeth + sum(teeth_moves[unit] for unit in triple))
+            found.teeth.append(out - sum(teeth_alone[unit] for unit in triple))
             found.eyes.append(float((self.measure_deep(face, rest, now) - sum(deep[unit] for unit in triple)).max()))
         return found
 

@@ -84,8 +84,6 @@ def _search(space: ParameterSpace) -> Sequence[MouthBag]:
 
 def _find_around(space: ParameterSpace, vertices: Indices, triangles: Indices) -> Indices:
     """The triangles whose middles are within AROUND of vertices."""
-    if len(vertices) == 0:
-        return triangles[:0]
     away, _ = cKDTree(space.points[vertices]).query(space.points[triangles].mean(axis=1))
     result: Indices = triangles[away < AROUND]
     return result
