@@ -61,11 +61,7 @@ class Sums:
         alone = {unit: find_folds(rest, rest + move, source.sheet) for unit, move in moves.items()}
         crossed = {unit: self.find_crossed(rest, rest + move) for unit, move in moves.items()}
         deep = {unit: self.measure_deep(face, rest, rest + move) for unit, move in moves.items()}
-        teeth = np.concatenate([fit(source.space, face).parts[name] for name in TEETH]).astype(np.float64)
-        teeth_moves = {unit: teeth_on(source, face, rest + move, unit) - teeth for unit, move in moves.items()}
-        teeth_alone = {
-            unit: teeth_out(rest + moves[unit], source.sheet, teeth + move) for unit, move in teeth_moves.items()
-        }
+        teeth_in_sums = self._teeth_in_sums(face, rest, moves)
         found = SumFigures(len(source.triples))
         for triple, folded in zip(source.triples, self._folded, strict=True):
             now = add(triple)
@@ -76,8 +72,7 @@ class Sums:
             if new:
                 found.folded[triple] = new
             found.crossed.append(float((self.find_crossed(rest, now) - sum(crossed[unit] for unit in triple)).max()))
-            out = teeth_out(now, source.sheet, teeth + sum(teeth_moves[unit] for unit in triple))
-            found.teeth.append(out - sum(teeth_alone[unit] for unit in triple))
+            found.teeth.append(teeth_in_sums(triple, now))
             found.eyes.append(float((self.measure_deep(face, rest, now) - sum(deep[unit] for unit in triple)).max()))
         return found
 
@@ -97,6 +92,21 @@ class Sums:
             return correct_combination(regions, fitted.positions, mixed, together, balls).astype(np.float64)
 
         return add
+
+    def _teeth_in_sums(
+        self, face: Face, rest: Values, moves: Mapping[str, Values]
+    ) -> Callable[[Triple, Values], float]:
+        """How far teeth stand out of the skin (V, 3) of a sum more than the summands allow together, metres."""
+        source = self._source
+        teeth = np.concatenate([fit(source.space, face).parts[name] for name in TEETH]).astype(np.float64)
+        own = {unit: teeth_on(source, face, rest + move, unit) - teeth for unit, move in moves.items()}
+        alone = {unit: teeth_out(rest + moves[unit], source.sheet, teeth + move) for unit, move in own.items()}
+
+        def measure(triple: Triple, now: Values) -> float:
+            out = teeth_out(now, source.sheet, teeth + sum(own[unit] for unit in triple))
+            return out - sum(alone[unit] for unit in triple)
+
+        return measure
 
     def find_crossed(self, rest: Values, now: Values) -> Values:
         """How far both sides of each line have passed each other, rung by rung, metres, more than at rest."""
