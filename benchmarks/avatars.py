@@ -68,7 +68,8 @@ def measure(browser: Browser, context: ExportContext, face: str, version: Versio
 
 def corrected(face: str, weights: Mapping[str, float]) -> float:
     """How far what is on air is from the compounds alone, metres."""
-    drawn, summed = on_air(face, weights), blended(face, weights)
+    drawn = on_air(face, weights)
+    summed = blended(face, weights)
     return max(float(np.abs(drawn[name] - summed[name]).max()) for name in drawn)
 
 
@@ -80,7 +81,9 @@ def is_good(found: Found, version: Version) -> bool:
 
 def main(faces: Sequence[str], versions: Sequence[Version]) -> int:
     """Prints the table; 0 when every bar is held."""
-    cast, console, path = load_cast(), Console(width=110), find_browser()
+    cast = load_cast()
+    console = Console(width=110)
+    path = find_browser()
     context = ExportContext(cast, load_meshes(), load_mask())
     table = Table(title="VRM of the cast, in three-vrm (off in mm)")
     for column in ("face", "version", "MB", "errors", "warnings", "presets", "customs", "off", "on air", "held"):

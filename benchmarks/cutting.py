@@ -28,7 +28,10 @@ from omote.showfile.inspection import verdicts
 from omote.showfile.show_file import JournalEntry, open_show
 
 NAME = "show.omote"
-OLDER, COPIED, FLUSHED, MADE = STEPS, 2 * STEPS, 4 * STEPS - 3, 4 * STEPS
+OLDER = STEPS
+COPIED = 2 * STEPS
+FLUSHED = 4 * STEPS - 3
+MADE = 4 * STEPS
 """Lists of changes when the backups were made, when the log was merged for the last time, in all."""
 VERTICES = 50
 State = tuple[Stored, dict[str, bytes]]
@@ -51,7 +54,8 @@ def populate(folder: Path, page: int) -> CutFiles:
     connection.execute(f"PRAGMA page_size = {page}")
     connection.execute("PRAGMA journal_mode = WAL")
     connection.close()
-    show, reference = open_show(folder / NAME), Reference()
+    show = open_show(folder / NAME)
+    reference = Reference()
     states: list[State] = [(reference.show.stored(), {})]
     for number in range(1, MADE + 1):
         show.apply(changes(number, VERTICES))
@@ -131,7 +135,8 @@ def tried(folder: Path, kind: str, damaged: Iterable[Damaged], states: list[Stat
 
 def holds(folder: Path, made: CutFiles, page: int, stride: int) -> bool:
     """Damages one populated file in every way; whether the claim holds."""
-    newest, log = backup_paths(Path(NAME))[0].name, f"{NAME}-wal"
+    newest = backup_paths(Path(NAME))[0].name
+    log = f"{NAME}-wal"
     lengths = lengths_of(made.closed[NAME], page, stride)
     both = cut(made.closed, (NAME, newest), [length for length in lengths if length < len(made.closed[newest])])
     logs = cut(made.killed, (log,), lengths_of(made.killed[log], page, stride))
@@ -150,7 +155,8 @@ def main() -> int:
     """Cuts, prints; exit status 1 when anything was lost that must not be."""
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--stride", type=int, default=1)
-    stride, good = parser.parse_args().stride, True
+    stride = parser.parse_args().stride
+    good = True
     memory = Path("/dev/shm")  # no disk is asked to sync so many files
     for page, every in ((512, stride), (4096, 97 * stride)):
         with tempfile.TemporaryDirectory(dir=memory if memory.is_dir() else None) as folder:

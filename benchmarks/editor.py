@@ -31,14 +31,20 @@ from playwright.async_api import Page, async_playwright
 from rich.console import Console
 from rich.table import Table
 
+from benchmarks.pace import measure_waiting_pace
+
 sys.path.insert(0, str(Path(__file__).resolve().parent.parent))
 
 from tools.browser import SENTENCE, find_browser
 
-WIDTH, HEIGHT = 1280, 720
+WIDTH = 1280
+HEIGHT = 720
 FACES = ("dog", "child", "old", "kaori", "cat", "goblin", "noh", "man", "auntie", "baby")
-FPS, WAIT_MS = 30.0, 50.0
-SECONDS, RATE = 5.0, 60.0
+FPS = 30.0
+WAIT_MS = 50.0
+"""Where the pace is 1 (benchmarks/pace.py)."""
+SECONDS = 5.0
+RATE = 60.0
 # Places of the generic face, metres: the left corner of the mouth, the outer end of the left brow.
 GRABBED = ((0.025, -0.068, 0.141), (0.045, 0.026, 0.13))
 REACH = 18.0
@@ -144,7 +150,8 @@ async def drag(page: Page, goal: tuple[float, float, float], figures: Figures, s
     start = await needle_at(page, goal)
     await page.mouse.move(*start)
     await asyncio.sleep(0.3)
-    sent_before, before = sent.bytes, await counters(page)
+    sent_before = sent.bytes
+    before = await counters(page)
     await page.mouse.down()
     await lead(page, start)
     during = await counters(page)
@@ -159,7 +166,8 @@ async def drag(page: Page, goal: tuple[float, float, float], figures: Figures, s
 
 async def run_once(page: Page, url: str, faces: tuple[str, ...]) -> Figures:
     """All figures in a fresh editor."""
-    figures, sent = Figures([], [], [], [], []), Sent(page)
+    figures = Figures([], [], [], [], [])
+    sent = Sent(page)
     await page.goto(f"{url}/editor")
     await until(page, READY)
     await page.evaluate(BEGIN, list(faces))
@@ -229,13 +237,16 @@ def paces(figures: list[Figures]) -> list[tuple[str, str, str, bool]]:
     """Rows about frames, waits and bytes: what, measured, bar, whether it holds."""
     best = min(figures, key=lambda each: float(np.median(each.dragging)))
     wait = min(float(np.median(each.waits)) for each in figures)
+    pace = measure_waiting_pace()
+    most = WAIT_MS * pace
+    least = FPS / pace
     frames = " ".join(f"{fps(each.dragging):.1f}" for each in figures)
     return [
         ("frames per second of the idle page", f"{fps(best.idle):.1f}", "", True),
-        ("frames per second while dragging (median)", frames, f">= {FPS:g}", fps(best.dragging) >= FPS),
+        ("frames per second while dragging (median)", frames, f">= {least:.0f}", fps(best.dragging) >= least),
         ("as a share of the idle page's", f"{fps(best.dragging) / fps(best.idle):.2f}", "", True),
         ("frame interval while dragging (95th percentile), ms", f"{slow(best.dragging):.1f}", "", True),
-        ("pointer to the other faces (median), ms", f"{wait:.1f}", f"<= {WAIT_MS:g}", wait <= WAIT_MS),
+        ("pointer to the other faces (median), ms", f"{wait:.1f}", f"<= {most:.0f}", wait <= most),
         ("pointer to the other faces (greatest), ms", f"{max(best.waits):.1f}", "", True),
         ("sent for a drag, bytes", f"{max(best.sent)}", "", True),
     ]

@@ -39,7 +39,7 @@ from omote.model.space.skin_sheet import unwrap_corners
 from omote.model.transfer.paper_map import Compiled, apply_paper_map, compile_expression
 from omote.perform.blending.evaluate import evaluate
 from omote.perform.blending.expression_tables import tables_of
-from omote.perform.blending.weighted_sum import blend_four, gather_rows
+from omote.perform.blending.weighted_sum import blend_four
 from omote.perform.frame import Frame
 
 SIZES = (4_278, 50_000, 500_000)
@@ -148,7 +148,8 @@ def _rows_in(rows: Indices, others: Indices) -> NDArray[np.bool_]:
 
 
 def _finer_space(space: ParameterSpace, fine: Cut) -> ParameterSpace:
-    skins, holes = len(space.skin_triangles), len(space.membranes)
+    skins = len(space.skin_triangles)
+    holes = len(space.membranes)
     points = fine.at(space.points)
     around = space.theta[fine.corners]
     theta = wrap(around[:, 0] + (fine.weights * wrap(around - around[:, :1])).sum(axis=1))
@@ -197,7 +198,9 @@ def _finer_inner(space: ParameterSpace, fine: Cut, vertices: NDArray[np.int64]) 
 def _finer_expression(worn: Expression, fine: Cut, space: ParameterSpace) -> Expression:
     still = ~space.on_sheet
     dtheta, dh, ratio = (fine.at(values) for values in (worn.dtheta, worn.dh, worn.ratio))
-    dtheta[still], dh[still], ratio[still] = 0.0, 0.0, 1.0
+    dtheta[still] = 0.0
+    dh[still] = 0.0
+    ratio[still] = 1.0
     return Expression(
         dtheta, dh, ratio, np.zeros((len(space.inner.vertices), 3)), radius=space.radius, transfer="paper"
     )
@@ -212,6 +215,17 @@ def _blend_again(a: Floats, b: Floats, c: Floats, d: Floats, out: Floats, times:
         blend_four(a, b, c, d, 0.1 * time, 0.2, 0.3, 0.4, out)
 
 
+@njit(fastmath={"contract"})
+def _gather_rows(points: Floats, indices: NDArray[np.int32], weights: Floats, out: Floats) -> None:
+    """Writes into row v of out (V, 3) the weights[v] (V, 3) of the three rows indices[v] (V, 3) of points (n, 3)."""
+    for v in range(len(indices)):
+        i, j, k = indices[v, 0], indices[v, 1], indices[v, 2]
+        a, b, c = weights[v, 0], weights[v, 1], weights[v, 2]
+        out[v, 0] = a * points[i, 0] + b * points[j, 0] + c * points[k, 0]
+        out[v, 1] = a * points[i, 1] + b * points[j, 1] + c * points[k, 1]
+        out[v, 2] = a * points[i, 2] + b * points[j, 2] + c * points[k, 2]
+
+
 @njit()
 def _copy_again(source: Floats, out: Floats, times: int) -> None:
     for time in range(times):
@@ -222,7 +236,9 @@ def _copy_again(source: Floats, out: Floats, times: int) -> None:
 
 def _fastest(ours: Callable[[], object], peer: Callable[[], object]) -> tuple[float, float]:
     """The shortest times of both in seconds, taken in turns: other programs on the machine only ever lengthen them."""
-    best, rounds, end = [np.inf, np.inf], 0, perf_counter() + SECONDS
+    best = [np.inf, np.inf]
+    rounds = 0
+    end = perf_counter() + SECONDS
     while rounds < ROUNDS or perf_counter() < end:
         for side, function in enumerate((ours, peer)):
             start = perf_counter()
@@ -238,7 +254,8 @@ def blend_and_copy(cast: Cast) -> tuple[float, float]:
     four = [
         apply_paper_map(cast.space, fit(cast.space, face), one).ravel() for face in cast.faces.values() for one in worn
     ]
-    out, times = np.empty_like(four[0]), max(1, 200_000 // cast.space.vertex_count)
+    out = np.empty_like(four[0])
+    times = max(1, 200_000 // cast.space.vertex_count)
     source = np.zeros(len(out) * 5 // 2, np.float32)
     target = np.empty_like(source)
     a, b, c, d = four
@@ -251,7 +268,7 @@ def gather_and_product(cast: Cast) -> tuple[float, float]:
     positions, compiled, product = _worn(cast)
     out = np.empty_like(positions)
     ours = _fastest(
-        lambda: gather_rows(positions, compiled.indices, compiled.weights, out), lambda: product @ positions
+        lambda: _gather_rows(positions, compiled.indices, compiled.weights, out), lambda: product @ positions
     )
     np.testing.assert_allclose(out, product @ positions, atol=1e-6)
     return ours
@@ -260,7 +277,8 @@ def gather_and_product(cast: Cast) -> tuple[float, float]:
 def compound_and_product(cast: Cast) -> tuple[float, float]:
     """A whole compound, radii and inner skin with it; the bare product."""
     positions, compiled, product = _worn(cast)
-    face, out = fit(cast.space, cast.faces[FACES[1]]), np.empty_like(positions)
+    face = fit(cast.space, cast.faces[FACES[1]])
+    out = np.empty_like(positions)
     return _fastest(lambda: apply_paper_map(cast.space, face, compiled, out), lambda: product @ positions)
 
 

@@ -82,7 +82,8 @@ def came_back(cast: Cast, face: str, pieces: Sequence[Piece], compounds: dict[st
 
 def measure(context: ExportContext, face: str, folder: Path) -> Found:
     """Exports one face, reads it and takes it in."""
-    cast, names = context.cast, choose_expressions(context.cast, "arkit")
+    cast = context.cast
+    names = choose_expressions(context.cast, "arkit")
     compounds = {name: named_compound_meshes(cast, face, name) for name in names}
     begun = time.perf_counter()
     data = glb_bytes(build_scene(context, face, compounds.items()))
@@ -101,7 +102,8 @@ def measure(context: ExportContext, face: str, folder: Path) -> Found:
 
 def main() -> int:
     """Prints the table; 0 when every bar is held."""
-    cast, console = load_cast(), Console(width=120)
+    cast = load_cast()
+    console = Console(width=120)
     context = ExportContext(cast, load_meshes(), load_mask())
     assert context.canvas.hair.any()  # painted once, for all faces
     shapes = len(choose_expressions(cast, "arkit"))

@@ -65,7 +65,8 @@ def used() -> float:
 
 def timed(work: Callable[[], object]) -> Times:
     """How long a piece of work takes."""
-    clock, cpu = time.perf_counter(), used()
+    clock = time.perf_counter()
+    cpu = used()
     work()
     return Times(time.perf_counter() - clock, used() - cpu)
 
@@ -75,7 +76,7 @@ def export(context: ExportContext, faces: list[str], units: list[str], jobs: int
     with tempfile.TemporaryDirectory() as folder:
         run = ExportRun(context, Path(folder), ".glb", faces, units)
         done = run_export(run, bake_in_processes(jobs), lambda *_: None)
-        assert len(done.made) == len(faces), done.failed
+        assert len(done.exported) == len(faces), done.failed
 
 
 def bake_plainly(context: ExportContext, faces: list[str], units: list[str]) -> None:
@@ -116,9 +117,11 @@ def main() -> int:
     parser.add_argument("--faces", type=int, default=100)
     parser.add_argument("--rounds", type=int, default=3)
     parser.add_argument("--seed", type=int, default=int(np.random.default_rng().integers(1_000_000)))
-    given, console = parser.parse_args(), Console(width=120)
+    given = parser.parse_args()
+    console = Console(width=120)
     cast = make_cast(load_cast(), given.faces, np.random.default_rng(given.seed))
-    context, units = ExportContext(cast, load_meshes(), load_mask()), choose_expressions(cast, UNITS)
+    context = ExportContext(cast, load_meshes(), load_mask())
+    units = choose_expressions(cast, UNITS)
     faces = [name for name in cast.faces if name.startswith("random ")]
     console.print(f"{len(faces)} faces x {len(units)} units, seed {given.seed}, load {os.getloadavg()[0]:.1f}")
     bake_plainly(context, faces[:1], units)  # kernels are loaded, the skin's layers decoded

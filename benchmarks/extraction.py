@@ -32,7 +32,8 @@ from omote.model.space.expression import Expression
 from omote.model.space.face import Face
 from omote.model.transfer.compound import compound
 
-BAR_SELF, BAR_OTHERS = 0.05, 1.0
+BAR_SELF = 0.05
+BAR_OTHERS = 1.0
 """Millimetres, the worst vertex: on the face itself, and worn by others. Judged where the unit is known."""
 HARD = (
     "jawOpen", "mouthSmileLeft", "mouthSmileRight", "mouth-open", "mouth-corner-puller", "mouth-upward-retraction",
@@ -116,7 +117,8 @@ def add_units(units: Mapping[str, Expression], rng: np.random.Generator) -> tupl
 
 def mix_faces(cast: Cast, rng: np.random.Generator, number: int) -> Face:
     """A random mix of three faces of the cast."""
-    names, weights = rng.choice(sorted(cast.faces), 3, replace=False), rng.dirichlet(np.ones(3))
+    names = rng.choice(sorted(cast.faces), 3, replace=False)
+    weights = rng.dirichlet(np.ones(3))
     mixed = sum(weight * cast.faces[name].positions for weight, name in zip(weights, names, strict=True))
     return Face(f"random {number}", np.asarray(mixed))
 
@@ -139,7 +141,9 @@ def list_known(units: Mapping[str, Expression], case: Case, way: str) -> list[Ex
 
 def measure(cast: Cast, case: Case, known: Sequence[Expression]) -> Error:
     """Extracts one shape on one face: what it misses on it and on the wearers."""
-    space, face, shape = cast.space, case.face, case.shape
+    space = cast.space
+    face = case.face
+    shape = case.shape
     worn = compound(space, face, shape).astype(np.float64)
     begun = time.process_time()
     taken = extract(space, face, worn - face.positions, known=known)
@@ -156,7 +160,9 @@ def measure(cast: Cast, case: Case, known: Sequence[Expression]) -> Error:
 
 def list_cases(cast: Cast, options: argparse.Namespace) -> Iterator[Case]:
     """The cases named, or random ones until the minutes are spent."""
-    units, rng, begun = list_units(cast), np.random.default_rng(options.seed), time.monotonic()
+    units = list_units(cast)
+    rng = np.random.default_rng(options.seed)
+    begun = time.monotonic()
     if options.cases:
         for face, name in (each.split(":") for each in options.cases.split(",")):
             yield Case(cast.faces[face], name, units[name], unit=True)
@@ -216,8 +222,11 @@ def print_found(found: Mapping[str, Sequence[Error]], seed: int, console: Consol
 
 def main() -> int:
     """Prints the table; 0 when every bar is held."""
-    options, cast, console = parse_options(), load_cast(), Console(width=200)
-    units, found = list_units(cast), {way: list[Error]() for way in options.ways.split(",")}
+    options = parse_options()
+    cast = load_cast()
+    console = Console(width=200)
+    units = list_units(cast)
+    found = {way: list[Error]() for way in options.ways.split(",")}
     for case in track(list_cases(cast, options), "cases", console=console):
         for way, errors in found.items():
             if case.unit or way != "without":  # a sum has no unit of its own to be left out

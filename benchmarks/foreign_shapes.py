@@ -36,17 +36,20 @@ from omote.geometry import mesh
 from omote.model.cast import Cast
 from omote.model.extraction.extracted_expression import ExtractedExpression
 from omote.model.fitting.fit_face import Fit
-from omote.model.fitting.foreign.scan_correspondence import nearest_in
-from omote.model.fitting.foreign.take_expressions import take_expressions
+from omote.model.fitting.head_zones import head_zones
 from omote.model.fitting.scan import Scan
-from omote.model.fitting.shape.head_zones import head_zones
+from omote.model.fitting.scan_correspondence import nearest_in
+from omote.model.fitting.take_expressions import take_expressions
 from omote.model.space.face import Face
 from omote.model.space.parameter_space import ParameterSpace
 from omote.model.transfer.compound import compound
 
 Values = NDArray[np.float64]
-MEDIAN, WORST, FOLDS = 0.02, 0.08, 0
-WITHIN, LOOKED_AT = 1e-3, 40
+MEDIAN = 0.02
+WORST = 0.08
+FOLDS = 0
+WITHIN = 1e-3
+LOOKED_AT = 40
 # Lips whose shares in an open jaw differ by so much are not the same one.
 OTHER_LIP = 0.4
 WEARERS = ("kaori", "dog")
@@ -101,7 +104,8 @@ def find_truth(
     if jaws is not None:
         same &= np.abs(jaws[1][corners].mean(axis=2) - jaws[0][rows][:, None]) < OTHER_LIP
     away = np.where(same, away, np.inf)
-    best, each = away.argmin(axis=1), np.arange(len(rows))
+    best = away.argmin(axis=1)
+    each = np.arange(len(rows))
     good = away[each, best] < WITHIN
     weights = weights.reshape(*near.shape, 3)[each, best]
     return Truth(rows[good], corners[each, best][good], weights[good], float(good.mean()))
@@ -115,7 +119,8 @@ def share_of_jaw(opened: Values) -> Values:
 
 def relative(moved: Values, true: Values) -> tuple[float, float]:
     """The error of displacements (k, 3), and that of the worst vertex over the farthest displacement."""
-    off, far = np.linalg.norm(moved - true, axis=1), np.linalg.norm(true, axis=1)
+    off = np.linalg.norm(moved - true, axis=1)
+    far = np.linalg.norm(true, axis=1)
     return float(np.linalg.norm(off) / np.linalg.norm(far)), float(off.max() / far.max())
 
 
@@ -152,8 +157,10 @@ def measure(
     shapes: dict[str, Values],
 ) -> tuple[list[Case], float]:  # fmt: skip
     """All shapes of one person, and the share of the face that has corresponding places."""
-    space, face = cast.space, fitted.face
-    skin, points = face.positions.astype(np.float64), fitted.placement(person)
+    space = cast.space
+    face = fitted.face
+    skin = face.positions.astype(np.float64)
+    points = fitted.placement(person)
     opened = compound(space, face, cast.expressions["jawOpen"]).astype(np.float64) - skin
     jaws = share_of_jaw(opened), share_of_jaw(read_shapes()["jawOpen"])
     truth, either = (find_truth(space, skin, points, model.skin, asked) for asked in (jaws, None))
@@ -172,7 +179,9 @@ def measure(
 
 def look_at_others(cast: Cast, face: Face, taken: dict[str, ExtractedExpression]) -> tuple[int, list[str]]:
     """How many triangles turn over on others alone, and what blinks leave open, in words."""
-    space, folds, told = cast.space, 0, []
+    space = cast.space
+    folds = 0
+    told = []
     for name in (name for name in FOR_OTHERS if name in taken):
         wearers = [face, *(cast.faces[each] for each in WEARERS)]
         worn = [compound(space, each, taken[name]).astype(np.float64) for each in wearers]
@@ -220,17 +229,22 @@ def main() -> int:
     if not at_hand():
         print("ICT-FaceKit is not beside the repository, in ../shared/data: nothing is measured.")
         return 0
-    options, cast, model, console = parse_options(), load_cast(), read_model(), Console(width=160)
+    options = parse_options()
+    cast = load_cast()
+    model = read_model()
+    console = Console(width=160)
     chosen = options.shapes.split(",") if options.shapes else [*read_shapes()]
     shapes = {name: read_shapes()[name] for name in chosen}
-    cases, folds = list[Case](), 0
+    cases = list[Case]()
+    folds = 0
     for number in track(range(options.people), "people", console=console):
         person = model.draw((options.seed, number))
         fitted = fit(cast.space, person, model.triangles, landmarks=model.clicks(person), name=f"person {number}")
         taken = take_expressions(cast.space, fitted, Scan(person, model.triangles, shapes=shapes))
         found, share = measure(cast, model, person, fitted, dict(taken.expressions), number, shapes)
         more, told = look_at_others(cast, fitted.face, dict(taken.expressions))
-        cases, folds = [*cases, *found], folds + more
+        cases = [*cases, *found]
+        folds = folds + more
         console.print(f"person {number}: {share:.1%} of the face has a corresponding place; notes: {taken.notes}")
         console.print(f"  of an eye's opening a blink leaves: {', '.join(told)}; {more} triangles turn over on others")
     tell(cases, console)

@@ -39,8 +39,12 @@ from omote.model.transfer.smooth_map import prepare_smooth_map
 
 Values = NDArray[np.float64]
 
-KINDS, ANIMALS, MOST_GAIN, SLACK = ("arkit", "makehuman", "performed"), ("dog", "cat"), 2.0, 0.5
-LIMITED, UNLIMITED = "limited", "without the limit"
+KINDS = ("arkit", "makehuman", "performed")
+ANIMALS = ("dog", "cat")
+MOST_GAIN = 2.0
+SLACK = 0.5
+LIMITED = "limited"
+UNLIMITED = "without the limit"
 
 
 @dataclass
@@ -69,7 +73,8 @@ class GainFolds:
     """The measure of faces with gains against the generic face without."""
 
     def __init__(self, source: Source) -> None:
-        self._source, self._sums = source, Sums(source)
+        self._source = source
+        self._sums = Sums(source)
         cast = source.cast
         self._worn = {
             name: replace(cast.expressions[name], ears=np.zeros((2, 3)))  # how far ears turn is no fold
@@ -84,7 +89,8 @@ class GainFolds:
 
     def add(self, tallies: dict[str, Tally], face: Face) -> None:
         """Counts what a face does in every expression that its gains change."""
-        space, rest = self._source.space, face.positions.astype(np.float64)
+        space = self._source.space
+        rest = face.positions.astype(np.float64)
         for name, expression in self._worn.items():
             if field_gain(space, face.gains, name) is None:
                 continue
@@ -134,7 +140,9 @@ def main() -> int:
     parser.add_argument("--faces", type=int, default=20, help="this many random faces")
     parser.add_argument("--seed", type=int, default=1993)
     given = parser.parse_args()
-    console, source, draw = Console(width=170), load_source(), np.random.default_rng(given.seed)
+    console = Console(width=170)
+    source = load_source()
+    draw = np.random.default_rng(given.seed)
     bench = GainFolds(source)
     groups = {
         "dog and cat": [source.cast.faces[name] for name in ANIMALS],

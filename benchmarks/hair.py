@@ -45,13 +45,16 @@ from tools.browser import SENTENCE, find_browser
 
 FORMER = "1d92172"
 """The last commit in which every style grew beside the others."""
-WIDTH, HEIGHT = 280, 320
+WIDTH = 280
+HEIGHT = 320
 SMALL = 1 / 400  # of a picture
 TURNS = (0.0, 0.7)  # radians to the character's left
 WAYS = (0.1, 0.25, 0.75, 0.9)
 MOST_COST = 1.1  # times a frame of the former way
-DYE, IRIS = "#10b010", "#503020"
-STUBBLE, STRAND = 1.35, 2.5  # times greener than red or blue
+DYE = "#10b010"
+IRIS = "#503020"
+STUBBLE = 1.35
+STRAND = 2.5  # times greener than red or blue
 FOUND = np.ones((3, 3), int)  # pixels touch at corners too
 OPEN = "() => Boolean(window.omoteStage)"
 LOOK = """async (pose) => {
@@ -110,7 +113,8 @@ def first_wearers(cast: Cast) -> list[str]:
 
 def mixes(cast: Cast, pairs: int, seed: int) -> dict[str, list[Mix]]:
     """The mixes by what they are: styles alone, half ways, fresh pairs on their way."""
-    wearers, rng = first_wearers(cast), np.random.default_rng(seed)
+    wearers = first_wearers(cast)
+    rng = np.random.default_rng(seed)
     faces = [face for face in cast.looks if face != "goblin"]  # green himself
     fresh = [rng.choice(faces, 2, replace=False).tolist() for _ in range(pairs)]
     return {
@@ -123,7 +127,8 @@ class Pages:
     """Pages of one way of drawing hair, at every level, and what was found in their pictures."""
 
     def __init__(self, address: str, browser: Browser) -> None:
-        self._address, self._browser = address, browser
+        self._address = address
+        self._browser = browser
         self._known: dict[tuple[str, str], Stray] = {}
         self._open: dict[str, Page] = {}
 
@@ -205,7 +210,8 @@ async def measure(former: dict[str, static_pages.Page] | None, levels: Sequence[
             serve_pages(documents[0], static_pages.read_pages()) as ours,
             serve_pages(documents[1], former or static_pages.read_pages()) as theirs,
         ):
-            now, then = Pages(ours, browser), Pages(theirs, browser) if former else None
+            now = Pages(ours, browser)
+            then = Pages(theirs, browser) if former else None
             chosen = mixes(cast, pairs, seed).items()
             rows = [await compare(level, kind, among, now, then) for level in levels for kind, among in chosen]
             await now.close()

@@ -38,11 +38,17 @@ from omote.perform.limits import CHANNEL_HIGHEST, CHANNEL_LOWEST
 from omote.perform.mix import mix_in
 from omote.perform.performer import Performer
 
-COUNT, CHANNELS, RATE = 10_000, 24, 60
-NOISE, FADE_SECONDS = 0.03, 0.33
-MEAN_REST, MEAN_HOLD, MEAN_STEP = 1.5, 1.5, 0.5
+COUNT = 10_000
+CHANNELS = 24
+RATE = 60
+NOISE = 0.03
+FADE_SECONDS = 0.33
+MEAN_REST = 1.5
+MEAN_HOLD = 1.5
+MEAN_STEP = 0.5
 """Seconds, in the mean: between two holds, of a hold, and between two steps of one."""
-BAR, BAR_SUM = 1 / 30, 1e-9
+BAR = 1 / 30
+BAR_SUM = 1e-9
 
 Values = NDArray[np.float64]
 
@@ -81,7 +87,8 @@ class Tracker:
 
     def __init__(self, rng: np.random.Generator) -> None:
         self.rng = rng
-        self.speed, self.phase = rng.uniform(0.2, 2.0, CHANNELS), rng.uniform(0.0, 6.3, CHANNELS)
+        self.speed = rng.uniform(0.2, 2.0, CHANNELS)
+        self.phase = rng.uniform(0.0, 6.3, CHANNELS)
         self.blind_until = -1.0
 
     def frame(self, now: float) -> Values | None:
@@ -112,8 +119,10 @@ class LinearFade:
     """What shows fades to who has the channel now."""
 
     def __init__(self) -> None:
-        self.origin, self.start = np.zeros(CHANNELS), np.full(CHANNELS, -10.0)
-        self.sent, self.shown = np.zeros(CHANNELS), np.zeros(CHANNELS)
+        self.origin = np.zeros(CHANNELS)
+        self.start = np.full(CHANNELS, -10.0)
+        self.sent = np.zeros(CHANNELS)
+        self.shown = np.zeros(CHANNELS)
 
     def hear(self, sent: Values | None, moves: list[tuple[int, float]], held: Values, now: float) -> Values:
         """What shows after these messages."""
@@ -130,7 +139,9 @@ class Gliding:
     """What shows glides with its speed to each message."""
 
     def __init__(self) -> None:
-        self.origin, self.rate, self.goal = np.zeros(CHANNELS), np.zeros(CHANNELS), np.zeros(CHANNELS)
+        self.origin = np.zeros(CHANNELS)
+        self.rate = np.zeros(CHANNELS)
+        self.goal = np.zeros(CHANNELS)
         self.elapsed = np.full(CHANNELS, FADE_SECONDS)
         self.sent = np.zeros(CHANNELS)
 
@@ -140,14 +151,18 @@ class Gliding:
         goal = np.where(np.isnan(held), self.sent, held)
         news = goal != self.goal
         value, rate = self._state()
-        self.origin, self.rate = np.where(news, value, self.origin), np.where(news, rate, self.rate)
-        self.elapsed, self.goal = np.where(news, 0.0, self.elapsed), goal
+        self.origin = np.where(news, value, self.origin)
+        self.rate = np.where(news, rate, self.rate)
+        self.elapsed = np.where(news, 0.0, self.elapsed)
+        self.goal = goal
         self.elapsed = np.minimum(self.elapsed + 1 / RATE, FADE_SECONDS)
         return self._state()[0]
 
     def _state(self) -> tuple[Values, Values]:
         """As `easing.glide_state`, of all channels at once."""
-        u, reach, carried = self.elapsed / FADE_SECONDS, self.goal - self.origin, self.rate * FADE_SECONDS
+        u = self.elapsed / FADE_SECONDS
+        reach = self.goal - self.origin
+        carried = self.rate * FADE_SECONDS
         value = self.origin + reach * u * u * (3.0 - 2.0 * u) + carried * u * (1.0 - u) ** 2
         return value, (reach * 6.0 * u * (1.0 - u) + carried * (1.0 - u) * (1.0 - 3.0 * u)) / FADE_SECONDS
 
@@ -156,7 +171,9 @@ class Layered:
     """Ours: one performer of the built-in cast."""
 
     def __init__(self, cast: omote.Cast, names: list[str], rng: np.random.Generator) -> None:
-        self.performer, self.names, self.rng = Performer(cast), names, rng
+        self.performer = Performer(cast)
+        self.names = names
+        self.rng = rng
         self.expressions = [name for name, title in cast.titles.items() if title.kind == "performed"]
         self.worst_sum = 0.0
         self.outside = 0
@@ -190,11 +207,14 @@ def measure(cast: omote.Cast, seed: int, count: int) -> tuple[dict[str, float], 
     rng = np.random.default_rng(seed)
     names = [name for name, title in cast.titles.items() if title.kind == "arkit" and not name.startswith("eyeLook")]
     names = [str(name) for name in rng.permutation(names)[:CHANNELS]]
-    operator, tracker, ours = Operator(rng), Tracker(rng), Layered(cast, names, rng)
+    operator = Operator(rng)
+    tracker = Tracker(rng)
+    ours = Layered(cast, names, rng)
     operator.next_move = rng.exponential(MEAN_REST, CHANNELS)
     ways = {"last message wins": LastWins(), "linear fade": LinearFade(), "glide": Gliding(), "layers": ours}
     before = {name: [np.zeros(CHANNELS)] * 2 for name in ways}
-    worst, frames = dict.fromkeys(ways, 0.0), 0
+    worst = dict.fromkeys(ways, 0.0)
+    frames = 0
     sent = None
     while operator.count < count:
         now = frames / RATE

@@ -34,7 +34,8 @@ def _mean_fit() -> tuple[Fit, Rows, Values]:
     """Their mean head as a face of ours, and where our vertices lie on it: corners (V, 3), shares (V, 3)."""
     model = read_model()
     fit = omote.fit(load_cast().space, model.points, model.skin, landmarks=model.clicks(model.points))
-    head, ours = fit.placement(model.points), np.ascontiguousarray(fit.face.positions, np.float64)
+    head = fit.placement(model.points)
+    ours = np.ascontiguousarray(fit.face.positions, np.float64)
     corners = model.skin[nearest_triangles(np.ascontiguousarray(head[model.skin]), ours)[1]]
     return fit, corners, barycentric(head[corners], ours)
 
@@ -42,17 +43,21 @@ def _mean_fit() -> tuple[Fit, Rows, Values]:
 @cache
 def _drawing() -> tuple[NDArray[np.intp], Rows, Rows, NDArray[np.float32], NDArray[np.float32]]:
     """Of what is drawn: rows of their points (k,), triangles, materials, uv (k, 2) of ours, openness (k,)."""
-    model, (fit, _, _), own = read_model(), _mean_fit(), load_meshes()[0]
+    model = read_model()
+    (fit, _, _) = _mean_fit()
+    own = load_meshes()[0]
     balls = {kind: _within(model.triangles, SCLERA[name]) for name, kind in EYES.items()}
     triangles = np.concatenate([model.skin, *balls.values()])
     material = np.concatenate(
         [np.full(len(model.skin), rasterizer.SKIN), *(np.full(len(b), k) for k, b in balls.items())]
     )
-    head, used = fit.placement(model.points), np.unique(model.skin)
+    head = fit.placement(model.points)
+    used = np.unique(model.skin)
     drawn = fit.face.positions.astype(np.float64)[own.source][own.triangles]
     at = nearest_triangles(np.ascontiguousarray(drawn), np.ascontiguousarray(head[used]))[1]
     shares = barycentric(drawn[at], head[used])
-    uv, openness = np.zeros((len(head), 2), np.float32), np.ones(len(head), np.float32)
+    uv = np.zeros((len(head), 2), np.float32)
+    openness = np.ones(len(head), np.float32)
     uv[used] = np.einsum("vk,vkc->vc", shares, own.uv[own.triangles[at]])
     openness[used] = (shares * own.openness[own.triangles[at]] / 255.0).sum(axis=1)
     wide = np.flatnonzero((np.ptp(uv[triangles], axis=1).max(axis=1) > WIDE) & (material == rasterizer.SKIN))
@@ -71,7 +76,8 @@ def _within(triangles: Rows, rows: slice) -> Rows:
 
 def ict_person(draw: np.random.Generator) -> tuple[Values, Callable[[dict[str, float], tuple[float, float]], Model]]:
     """Somebody of theirs, at rest: where our vertices lie on them (V, 3), and how to draw them."""
-    model, (fit, corners, shares) = read_model(), _mean_fit()
+    model = read_model()
+    (fit, corners, shares) = _mean_fit()
     weights = draw.standard_normal(len(model.modes))
     head = fit.placement(model.points + np.tensordot(weights, model.modes, 1))
     look = random_looks(draw)

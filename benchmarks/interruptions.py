@@ -39,9 +39,15 @@ from omote.perform.axis import Axis, advanced, called, weights
 from omote.perform.blending.compound_cache import CompoundCache
 from omote.perform.easing import DEFAULT_EASING, EASINGS, bump_rate
 
-SEED, COUNT, RATE = 1993, 10_000, 240
-SHORTEST, LONGEST = 0.5, 4.0
-BAR_KICK, BAR_SUM, BAR_LOW, BAR_HIGH = 1 / 12, 1e-6, -0.1, 1.1
+SEED = 1993
+COUNT = 10_000
+RATE = 240
+SHORTEST = 0.5
+LONGEST = 4.0
+BAR_KICK = 1 / 12
+BAR_SUM = 1e-6
+BAR_LOW = -0.1
+BAR_HIGH = 1.1
 PICTURE = Path(__file__).parent.parent / "docs" / "pictures" / "interruptions.svg"
 SHOWN = (61.0, 9.0)
 """Start and length of the picture, seconds."""
@@ -84,10 +90,13 @@ def orders(rng: np.random.Generator, names: list[str], count: int) -> list[Order
 def play_log(log: list[Order], names: list[str], steps: int, *, inertial: bool) -> Track:
     """The axis through the log, looked at in each step."""
     column = {name: n for n, name in enumerate(names)}
-    mixes, rates = np.zeros((steps, len(names))), np.zeros(steps)
-    axis, since = Axis(names[0]), 0.0
+    mixes = np.zeros((steps, len(names)))
+    rates = np.zeros(steps)
+    axis = Axis(names[0])
+    since = 0.0
     for order in [*log, Order(steps / RATE, names[0], 1.0)]:
-        first, last = int(np.ceil(since * RATE)), min(steps, int(np.ceil(order.time * RATE)))
+        first = int(np.ceil(since * RATE))
+        last = min(steps, int(np.ceil(order.time * RATE)))
         for step in range(first, last):
             for name, weight in weights(advanced(axis, step / RATE - since)).items():
                 mixes[step, column[name]] = weight
@@ -203,7 +212,8 @@ def largest_kick(faces: Track, expressions: Track, base: Basis, steps: Rows) -> 
     bound = _kick_bound(faces, expressions, base)[steps - 1]
     order = steps[np.argsort(-bound)]
     sorted_bound = np.sort(bound)[::-1]
-    worst, looked = 0.0, 0
+    worst = 0.0
+    looked = 0
     for some in chunks(order):
         if sorted_bound[looked] <= worst:
             break
@@ -241,9 +251,16 @@ def speeds(faces: Track, expressions: Track, base: Basis, steps: Rows) -> Values
     return RATE * np.concatenate(found).astype(np.float64)
 
 
-WIDTH, HEIGHT, LEFT, TOP = 960, 360, 56, 48
-ACROSS, UP = WIDTH - LEFT - 16, HEIGHT - TOP - 44
-GREY, LIGHT, OURS, FREEZE = "#8a8f98", "#d7dae0", "#6fc3a8", "#e0705a"
+WIDTH = 960
+HEIGHT = 360
+LEFT = 56
+TOP = 48
+ACROSS = WIDTH - LEFT - 16
+UP = HEIGHT - TOP - 44
+GREY = "#8a8f98"
+LIGHT = "#d7dae0"
+OURS = "#6fc3a8"
+FREEZE = "#e0705a"
 
 
 def draw(ours: Values, freeze: Values, calls: list[float]) -> str:
@@ -309,12 +326,15 @@ def show(cast: Cast) -> Show:
 
 def measure_claims(played_show: Show, ours: tuple[Track, Track], freeze: tuple[Track, Track]) -> dict[str, Claim]:
     """What was found, the bar and whether it is met, by claim."""
-    base, around, inner = played_show.base, played_show.around(), np.arange(1, played_show.steps - 1)
+    base = played_show.base
+    around = played_show.around()
+    inner = np.arange(1, played_show.steps - 1)
     share = max(moved_beyond(*ours, base, around, 1), moved_beyond(*ours, base, inner, 16))
     kick, looked = largest_kick(*ours, base, inner)
     frozen_kick, _ = largest_kick(*freeze, base, around)
     sums = max(float(np.abs(track.weights.sum(axis=1) - 1.0).max()) for track in ours)
-    low, high = min(track.weights.min() for track in ours), max(track.weights.max() for track in ours)
+    low = min(track.weights.min() for track in ours)
+    high = max(track.weights.max() for track in ours)
     print(f"largest change of velocity: ours {1000 * kick:.2f} mm/s, plain freeze {1000 * frozen_kick:.2f} mm/s")
     print(f"steps whose vertices had to be looked at for it: {looked:,}")
     return {
@@ -341,7 +361,8 @@ def report(found: dict[str, Claim]) -> bool:
 def main() -> bool:
     """Plays, measures, draws and prints."""
     shown = show(omote.load_cast())
-    (faces, expressions), steps = shown.logs, shown.steps
+    (faces, expressions) = shown.logs
+    steps = shown.steps
     print(f"{steps:,} steps ({steps / RATE / 60:.0f} minutes of show), {len(shown.base.compounds)} compounds")
     ours, freeze = (
         (

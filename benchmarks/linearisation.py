@@ -39,7 +39,8 @@ Values = NDArray[np.float64]
 
 def drags(space: ParameterSpace, net_field: NetField, step: float) -> list[Values]:
     """One field (V, 3) per point: it goes `step` metres in a random direction, its neighbours by a bell of FALLOFF."""
-    rows, random = np.array(net_field.rows), np.random.default_rng(SEED)
+    rows = np.array(net_field.rows)
+    random = np.random.default_rng(SEED)
     radius = space.cylinder.unroll(space.points[rows])[2]
     found = []
     for point, row in enumerate(rows):
@@ -56,7 +57,8 @@ def drags(space: ParameterSpace, net_field: NetField, step: float) -> list[Value
 
 def errors(space: ParameterSpace, face: Face, fields: list[Values]) -> Values:
     """Per drag: the median error of what moves, as a share of its way."""
-    slope, found = tangents(space, face), []
+    slope = tangents(space, face)
+    found = []
     for field in fields:
         way = compound(space, face, add_field(space, None, field)).astype(np.float64) - face.positions
         far = np.linalg.norm(way, axis=1)

@@ -49,7 +49,8 @@ def play_sound(sound: np.ndarray, begin: Begin, lips: Lips) -> np.ndarray:
     microphones = MicrophoneInput(lambda: session)
     microphones.hear("page", msgspec.msgpack.encode(begin), 0.0)
     pcm = (np.clip(sound, -1, 1) * 32767).astype("<i2")
-    gaps, sent = [], 0
+    gaps = []
+    sent = 0
     for tick in range(int(len(sound) / SAMPLE_RATE / TICK)):
         now = (tick + 1) * TICK
         while (sent + 1) * HOP <= now * SAMPLE_RATE:
@@ -64,7 +65,8 @@ def play_sound(sound: np.ndarray, begin: Begin, lips: Lips) -> np.ndarray:
 
 def smooth(weights: np.ndarray, lips: Lips) -> np.ndarray:
     """The gap at each tick of visemes that come every 10 ms."""
-    stream, gaps = VisemeStream(), []
+    stream = VisemeStream()
+    gaps = []
     for row in weights:
         stream = follow_visemes(stream, np.clip(row, 0.0, 1.0), 1.0, HOP / SAMPLE_RATE)
         gaps.append(lips.gap(dict(zip(MOUTH_UNITS, (0.7 * stream.mouth).tolist(), strict=True))))

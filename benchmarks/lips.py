@@ -56,7 +56,9 @@ LEAST_PAUSE = 0.14
 LONGEST_ONSET = 0.4
 SHORTEST_VOWEL = 0.06
 _OPEN = ("aa", "E", "I", "O")
-BAR_CLOSED, BAR_CLASS, BAR_ONSET = 0.9, 0.7, 0.06
+BAR_CLOSED = 0.9
+BAR_CLASS = 0.7
+BAR_ONSET = 0.06
 TITLES = ("voices", "sound", "closed", "closed at once", "shut wrongly", "class", "onset, median", "onset, 90 %")
 CONDITIONS = {
     "plain": Condition(peak=-12.0),
@@ -156,7 +158,9 @@ def hear(
 
 def measure(said: Iterable[Said], condition: str, calibrated: bool, options: Options) -> tuple[list[Score], float]:
     """Scores of ours and of the baseline for some recordings, and how late ours is."""
-    ours, peer, late = Score(), Score(), []
+    ours = Score()
+    peer = Score()
+    late = []
     for spoken, sentence in said:
         heard, measured = hear(spoken, sentence, CONDITIONS[condition], options.rng, options.others)
         begin = Begin("voice")

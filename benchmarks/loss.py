@@ -18,6 +18,15 @@ from __future__ import annotations
 
 import os
 
+from omote.show.declaration import ClientMessage
+from omote.show.messages import PROTOCOL_VERSION
+from omote.show.objects.calls import CallExpression
+from omote.show.objects.characters import AddCharacter
+from omote.show.objects.link import Hello, Refused
+from omote.show.objects.motion import LookAt, SetMotion
+from omote.show.objects.sources import Drive, LeaveSource, RouteSource, Source, SourceIs, StreamKind
+from omote.show.objects.state import CharacterState
+
 os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")  # read when NumPy is loaded
 
 import argparse
@@ -38,15 +47,18 @@ from omote.inputs.trackers.tracker_input import TrackerInput
 from omote.inputs.trackers.tracker_protocols import TRACKER_PROTOCOLS
 from omote.inputs.trackers.vmc_messages import encode_vmc
 from omote.perform.performer import Performer
-from omote.show import messages as wire
 from omote.show.session import ShowSession
 
-COUNT, RATE, BAR = 1000, 60, 1 / 30
-MEAN_PLAY, MEAN_LOSS = 0.8, 0.8
+COUNT = 1000
+RATE = 60
+BAR = 1 / 30
+MEAN_PLAY = 0.8
+MEAN_LOSS = 0.8
 """Seconds, in the mean, for which a source plays and is lost."""
 AFTER = 10.0
 """Seconds after the end of all in which everything comes to rest."""
-OPERATOR, PLAIN = "operator", "one"
+OPERATOR = "operator"
+PLAIN = "one"
 """Who commands, and the character that no source plays."""
 NAMES = tuple(name for name in ARKIT_NAMES if not name.startswith("eye"))
 MOUTH = tuple(name for name in NAMES if name.startswith(("mouth", "jaw")))
@@ -55,10 +67,10 @@ LIPS_INFLUENCE = 0.7
 Values = NDArray[np.float64]
 
 
-def obey(session: ShowSession, who: str, message: wire.FromClient, now: float) -> None:
+def obey(session: ShowSession, who: str, message: ClientMessage, now: float) -> None:
     """Has a message obeyed; RuntimeError where it is rejected."""
     answers = session.receive(who, message, now)
-    if any(isinstance(each.message, wire.Refused) for each in answers):
+    if any(isinstance(each.message, Refused) for each in answers):
         raise RuntimeError(f"{message}: {answers}")
 
 
@@ -69,9 +81,14 @@ class Kind:
     ways: ClassVar[tuple[str, ...]] = ("silence", "not found", "ends", "link breaks")
 
     def __init__(self, session: ShowSession, character: str, rng: np.random.Generator) -> None:
-        self.session, self.character, self.rng, self.who = session, character, rng, f"source of {character}"
-        self.speed, self.phase = rng.uniform(0.2, 2.0, len(NAMES)), rng.uniform(0.0, 6.3, len(NAMES))
-        self.weights, self.head = np.zeros(len(NAMES)), (0.0, 0.0, 0.0)
+        self.session = session
+        self.character = character
+        self.rng = rng
+        self.who = f"source of {character}"
+        self.speed = rng.uniform(0.2, 2.0, len(NAMES))
+        self.phase = rng.uniform(0.0, 6.3, len(NAMES))
+        self.weights = np.zeros(len(NAMES))
+        self.head = (0.0, 0.0, 0.0)
         self.begin(0.0)
 
     def begin(self, now: float) -> None:
@@ -103,17 +120,17 @@ class Kind:
 class Tracker(Kind):
     """A source of a link. kind: its layer; names: its channels."""
 
-    kind: wire.StreamKind = "tracker"
+    kind: StreamKind = "tracker"
     names: tuple[str, ...] = NAMES
     index = 0
 
     def begin(self, now: float) -> None:
         """It opens its link, or is switched on."""
         if self.who not in self.session.crew:
-            self.session.receive(self.who, wire.Hello("console", wire.PROTOCOL_VERSION, self.who[:24]), now)
-        source = wire.Source(self.who, self.kind, list(self.names), [self.character])
+            self.session.receive(self.who, Hello("console", PROTOCOL_VERSION, self.who[:24]), now)
+        source = Source(self.who, self.kind, list(self.names), [self.character])
         for answer in self.session.receive(self.who, source, now):
-            self.index = answer.message.index if isinstance(answer.message, wire.SourceIs) else self.index
+            self.index = answer.message.index if isinstance(answer.message, SourceIs) else self.index
 
     def send(self, now: float) -> None:
         """It sends a frame."""
@@ -125,26 +142,29 @@ class Tracker(Kind):
         if way == "not found":
             self._drive(now, found=False)
         elif way == "ends":
-            obey(self.session, self.who, wire.LeaveSource(self.index), now)
+            obey(self.session, self.who, LeaveSource(self.index), now)
         elif way == "link breaks":
             self.session.leave(self.who, lost=now)
 
     def _drive(self, now: float, *, found: bool) -> None:
         sent = self.weights[[NAMES.index(name) for name in self.names]].astype("<f4").tobytes()
         head = None if self.kind == "lips" else self.head
-        obey(self.session, self.who, wire.Drive(self.index, sent, head, None, found), now)
+        obey(self.session, self.who, Drive(self.index, sent, head, None, found), now)
 
 
 class Program(Tracker):
     """A program that plays a recording."""
 
-    kind, rate = "playback", 60
+    kind = "playback"
+    rate = 60
 
 
 class Speech(Tracker):
     """A page with a microphone, whose lips come at 100 Hz."""
 
-    kind, rate, names = "lips", 100, MOUTH
+    kind = "lips"
+    rate = 100
+    names = MOUTH
 
     def move(self, now: float) -> None:
         """As of all; `twin` hears it too, and is never lost: lips are followed so soon that their noise shows."""
@@ -175,18 +195,20 @@ class Idle(Tracker):
     def begin(self, now: float) -> None:
         """It opens its link, or is switched on."""
         super().begin(now)
-        obey(self.session, OPERATOR, wire.SetMotion(self.character, None, 0.0, 0.0, 2.0, idle=True), now)
+        obey(self.session, OPERATOR, SetMotion(self.character, None, 0.0, 0.0, 2.0, idle=True), now)
 
     def end(self, now: float) -> None:
         """It has gone for ever."""
         super().end(now)
-        obey(self.session, OPERATOR, wire.SetMotion(self.character, idle=False), now)
+        obey(self.session, OPERATOR, SetMotion(self.character, idle=False), now)
 
 
 class Phone(Kind):
     """A phone that sends Live Link Face by UDP. protocol: what it sends; host: from where."""
 
-    rate, protocol, host = 60, "livelink", "10.0.0.7"
+    rate = 60
+    protocol = "livelink"
+    host = "10.0.0.7"
     ways: ClassVar[tuple[str, ...]] = ("silence",)
 
     def begin(self, now: float) -> None:
@@ -194,7 +216,7 @@ class Phone(Kind):
         self.input = TrackerInput(TRACKER_PROTOCOLS[self.protocol], lambda: self.session)
         self.send(now)
         (name,) = (each.name for each in self.session.sources.states({}) if self.host in each.name)
-        obey(self.session, OPERATOR, wire.RouteSource(name, name, [self.character], "tracker"), now)
+        obey(self.session, OPERATOR, RouteSource(name, name, [self.character], "tracker"), now)
 
     def packets(self, now: float) -> list[bytes]:
         """The packets of one frame."""
@@ -219,7 +241,8 @@ class Phone(Kind):
 class Puppet(Phone):
     """A program that sends VMC by UDP."""
 
-    protocol, host = "vmc", "10.0.0.8"
+    protocol = "vmc"
+    host = "10.0.0.8"
 
     def packets(self, now: float) -> list[bytes]:
         """The packets of one frame."""
@@ -235,16 +258,17 @@ class Automatic(Kind):
     def begin(self, now: float) -> None:
         """It opens its link, or is switched on."""
         if now == 0.0:
-            self.twin, self.shown = Performer(self.session.cast), np.zeros(len(NAMES) + 7)
+            self.twin = Performer(self.session.cast)
+            self.shown = np.zeros(len(NAMES) + 7)
             self.twin.set_motion(0.5, seed=7)
             self.twin.look_at("direction", yaw=0.6, pitch=0.2)
-        obey(self.session, OPERATOR, wire.SetMotion(self.character, 0.5, seed=7), now)
-        obey(self.session, OPERATOR, wire.LookAt(self.character, "direction", yaw=0.6, pitch=0.2), now)
+        obey(self.session, OPERATOR, SetMotion(self.character, 0.5, seed=7), now)
+        obey(self.session, OPERATOR, LookAt(self.character, "direction", yaw=0.6, pitch=0.2), now)
 
     def lose(self, _: str, now: float) -> None:
         """It is switched off."""
-        obey(self.session, OPERATOR, wire.SetMotion(self.character, 0.0), now)
-        obey(self.session, OPERATOR, wire.LookAt(self.character, "ahead"), now)
+        obey(self.session, OPERATOR, SetMotion(self.character, 0.0), now)
+        obey(self.session, OPERATOR, LookAt(self.character, "ahead"), now)
 
     def end(self, now: float) -> None:
         """It has gone for ever."""
@@ -270,9 +294,14 @@ class Trial:
     """A kind on its character: when it is lost and returns, and how far what shows changes its step."""
 
     def __init__(self, kind: Kind) -> None:
-        self.kind, self.plays, self.until, self.way, self.count = kind, True, 2.0, "", 0
+        self.kind = kind
+        self.plays = True
+        self.until = 2.0
+        self.way = ""
+        self.count = 0
         self.last = {name: [np.zeros(len(NAMES) + 7)] * 2 for name in ("cut", "ours", "never lost")}
-        self.worst, self.due = dict.fromkeys(self.last, 0.0), 0.0
+        self.worst = dict.fromkeys(self.last, 0.0)
+        self.due = 0.0
 
     def step(self, now: float) -> None:
         """What happens until now."""
@@ -282,7 +311,8 @@ class Trial:
             if self.plays and self.way in ("ends", "link breaks", "switched off"):
                 kind.begin(now)
             elif not self.plays:
-                self.way, self.count = str(kind.rng.choice(kind.ways)), self.count + 1
+                self.way = str(kind.rng.choice(kind.ways))
+                self.count = self.count + 1
                 kind.lose(self.way, now)
             self.until = now + kind.rng.exponential(MEAN_PLAY if self.plays else MEAN_LOSS)
         while self.due <= now:
@@ -307,26 +337,27 @@ class Trial:
         return max(0.0, self.worst["ours"] - own) / self.worst["cut"]
 
 
-def values_of(state: wire.CharacterState) -> Values:
+def values_of(state: CharacterState) -> Values:
     """Channels, head and eyes."""
     return np.array([*(state.channels.get(name, 0.0) for name in NAMES), *state.head, *state.eyes])
 
 
 def measure(cast: omote.Cast, seed: int, count: int) -> tuple[dict[str, Trial], list[str], float]:
     """The trial of each kind, the characters on which something sticks in the end, and the seconds played."""
-    rng, session = np.random.default_rng(seed), ShowSession(cast)
-    session.receive(OPERATOR, wire.Hello("console", wire.PROTOCOL_VERSION, OPERATOR), 0.0)
+    rng = np.random.default_rng(seed)
+    session = ShowSession(cast)
+    session.receive(OPERATOR, Hello("console", PROTOCOL_VERSION, OPERATOR), 0.0)
     session.tick(0.0)
     trials = {}
     for number, (name, kind) in enumerate(KINDS.items()):
-        obey(session, OPERATOR, wire.AddCharacter(f"add{number}", f"c{number}", name, "generic"), 0.0)
+        obey(session, OPERATOR, AddCharacter(f"add{number}", f"c{number}", name, "generic"), 0.0)
         trials[name] = Trial(kind(session, f"c{number}", rng))
     expressions = [name for name, title in cast.titles.items() if title.kind == "performed"]
     frame = 0
     while min(trial.count for trial in trials.values()) < count:
         frame += 1
         if rng.random() < 1 / 180:
-            call = wire.CallExpression("*", f"e{frame}", str(rng.choice(expressions)), 0.7, "smooth")
+            call = CallExpression("*", f"e{frame}", str(rng.choice(expressions)), 0.7, "smooth")
             obey(session, OPERATOR, call, frame / RATE)
         for trial in trials.values():
             trial.step(frame / RATE)
@@ -340,7 +371,7 @@ def find_stuck(session: ShowSession, trials: dict[str, Trial], frame: int) -> li
     """The kinds whose character shows another than one that nothing played, when all have gone."""
     for trial in trials.values():
         trial.kind.end(frame / RATE)
-    obey(session, OPERATOR, wire.CallExpression("*", "last", "neutral", 0.5, "smooth"), frame / RATE)
+    obey(session, OPERATOR, CallExpression("*", "last", "neutral", 0.5, "smooth"), frame / RATE)
     for _ in range(round(AFTER * RATE)):
         frame += 1
         characters = session.tick(frame / RATE).characters

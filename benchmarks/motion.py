@@ -24,10 +24,12 @@ from omote.perform.frame import GazeTarget, MotionSettings
 from omote.perform.motion.automatic_motion import AutomaticMotion, advance_motion, set_motion
 from omote.perform.motion.gaze_motion import DEGREE, looked_at
 from omote.perform.motion.head_following import Turn
-from omote.perform.motion.mutual_gaze import contacts
 from omote.perform.motion.sight import Sight
+from omote.perform.scene.gaze_targets import contacts
 
-RATE, FINE, MINUTES = 60, 1000, 60.0
+RATE = 60
+FINE = 1000
+MINUTES = 60.0
 PEOPLE = 0.5
 """The liveliness that is as people are."""
 
@@ -46,9 +48,11 @@ class Heard:
 
 def play(seed: int, minutes: float, *, speaking: bool = False) -> Heard:
     """A character by itself."""
-    motion, heard = set_motion(AutomaticMotion(), MotionSettings(PEOPLE, seed=seed)), Heard()
+    motion = set_motion(AutomaticMotion(), MotionSettings(PEOPLE, seed=seed))
+    heard = Heard()
     for _ in range(round(60.0 * minutes * RATE)):
-        before, motion = motion, advance_motion(motion, 1 / RATE, speaking=speaking)
+        before = motion
+        motion = advance_motion(motion, 1 / RATE, speaking=speaking)
         if motion.blinks.count != before.blinks.count:
             heard.blinks.append((motion.blinks.began, motion.blinks.down, motion.blinks.up))
         if motion.gaze.count != before.gaze.count:
@@ -60,7 +64,8 @@ def play(seed: int, minutes: float, *, speaking: bool = False) -> Heard:
 
 def note_saccade(heard: Heard, before: AutomaticMotion, motion: AutomaticMotion) -> None:
     """Notes a saccade that has begun."""
-    saccade, last = motion.gaze.saccade, before.gaze.saccade
+    saccade = motion.gaze.saccade
+    last = before.gaze.saccade
     amplitude = float(np.hypot(saccade.goal.yaw - saccade.origin.yaw, saccade.goal.pitch - saccade.origin.pitch))
     times = np.linspace(saccade.began, saccade.began + saccade.seconds, 101)
     shown = [saccade.at(float(time)) for time in times]
@@ -97,7 +102,8 @@ def head_of(yaw: float) -> tuple[float, float, float]:
     half of their way (seconds)."""
     motion = set_motion(AutomaticMotion(), MotionSettings(PEOPLE, gaze=0.0))
     motion = advance_motion(motion, 0.5)
-    looks, heads = [], []
+    looks = []
+    heads = []
     for _ in range(2 * FINE):
         motion = advance_motion(motion, 1 / FINE, sight=Sight(Turn(yaw * DEGREE)))
         looks.append(looked_at(motion.gaze, motion.time).yaw / DEGREE)
@@ -152,7 +158,8 @@ def gaze_rows(rest: Heard, seed: int, minutes: float) -> list[Row]:
     """Eye contact, mutual gaze, and the head that follows."""
     contact = spells(rest.contact, RATE)
     mutual, share = mutual_spells(seed, minutes)
-    near, (far, eyes, head) = head_of(12.0)[0], head_of(60.0)
+    near = head_of(12.0)[0]
+    (far, eyes, head) = head_of(60.0)
     return [
         ("eye contact, s, 5 %", float(np.quantile(contact, 0.05)), 1.0, 5.0, "Argyle 1972"),
         ("eye contact, s, median", float(np.median(contact)), 1.0, 5.0, "Argyle 1972"),
@@ -169,7 +176,8 @@ def is_repeated(seed: int) -> bool:
     """Whether five minutes of one seed are twice the same, to the bit."""
     one, other = (set_motion(AutomaticMotion(), MotionSettings(PEOPLE, seed=seed)) for _ in range(2))
     for _ in range(5 * 60 * RATE):
-        one, other = advance_motion(one, 1 / RATE), advance_motion(other, 1 / RATE)
+        one = advance_motion(one, 1 / RATE)
+        other = advance_motion(other, 1 / RATE)
         if one != other:
             return False
     return True
@@ -182,7 +190,8 @@ def main() -> int:
     parser.add_argument("--minutes", type=float, default=MINUTES)
     asked = parser.parse_args()
     seed = secrets.randbits(30) if asked.seed is None else asked.seed
-    rest, speech = play(seed, asked.minutes), play(seed, asked.minutes, speaking=True)
+    rest = play(seed, asked.minutes)
+    speech = play(seed, asked.minutes, speaking=True)
     rows = [*blink_rows(rest, speech, asked.minutes), *saccade_rows(rest), *gaze_rows(rest, seed, asked.minutes)]
     rows.append(("breaths a minute", rest.breaths / asked.minutes, 12.0, 16.0, "tracking.md"))
     table = Table("figure", "here", "people", "source", "", title=f"{asked.minutes:g} minutes, seed {seed}")

@@ -128,7 +128,8 @@ def draw_wanted(
 
 def measure(cast: Cast, faces: Sequence[str], given: argparse.Namespace, rng: np.random.Generator) -> list[Row]:
     """Every face with every mix of channels, by their kind."""
-    views, found = MouthViews(cast.space), list[Row]()
+    views = MouthViews(cast.space)
+    found = list[Row]()
     for face in track(faces, "faces", console=Console(stderr=True)):
         for kind, channels in draw_wanted(cast, given, rng):
             others = [turn for turn in TURNS if turn != (0, 0)]
@@ -170,7 +171,8 @@ def passed(rows: Sequence[Row], name: str) -> float:
 
 def verdict(rows: Sequence[Row]) -> bool:
     """Prints the bars; whether all hold."""
-    table, held = Table(title="bars", title_justify="left"), True
+    table = Table(title="bars", title_justify="left")
+    held = True
     for column in ("bar", "found", "allowed", "met"):
         table.add_column(column)
     bars = [
@@ -201,7 +203,8 @@ def main() -> int:
     """Measures, prints; exit status 1 when a bar is missed."""
     given = parse()
     print(f"seed {given.seed}")
-    cast, rng = load_cast(), np.random.default_rng(given.seed)
+    cast = load_cast()
+    rng = np.random.default_rng(given.seed)
     made = made_faces(cast, given.made, rng)
     faces = [name for name in given.faces.split(",") if name] or [*cast.faces, *made]
     looks = {**cast.looks, **dict.fromkeys(made, cast.looks["generic"])}

@@ -25,6 +25,7 @@ import numpy as np
 from rich.console import Console
 from rich.table import Table
 
+from benchmarks.pace import measure_pace
 from omote.interchange.scans.companions import Companions
 from omote.interchange.scans.picture_reader import read_picture
 from omote.interchange.scans.scan_reader import READERS, read_scan
@@ -35,7 +36,8 @@ REAL = (
     "mediapipe_canonical_apache/canonical_face_model.obj", "quaternius_animals_cc0/Fox.glb",
     "lee_perry_smith_ccby/LeePerrySmith.obj",
 )  # fmt: skip
-SLOW, GREEDY = 2.0, 2**30
+SLOW = 2.0 * measure_pace()
+GREEDY = 2**30
 """Seconds and bytes that no file may take."""
 EXTREMES = b"1e999 -1 0 99999999999999999999 nan 4294967295 2147483648 1e-320 0x10 1 255 1e30".split()
 PATTERNS = [bytes.fromhex(digits) for digits in "00000000 ffffffff ffffff7f 00000080 7fc00000 0000807f 0a 2f".split()]
@@ -105,7 +107,8 @@ def cut(random: np.random.Generator, data: bytearray, _: list[bytes]) -> None:
 
 def double(random: np.random.Generator, data: bytearray, _: list[bytes]) -> None:
     """A stretch comes twice."""
-    begin, length = int(random.integers(len(data) + 1)), int(random.integers(1, 2000))
+    begin = int(random.integers(len(data) + 1))
+    length = int(random.integers(1, 2000))
     data[begin:begin] = data[begin : begin + length]
 
 
@@ -142,7 +145,8 @@ def write_pattern(random: np.random.Generator, data: bytearray, _: list[bytes]) 
 def splice(random: np.random.Generator, data: bytearray, others: list[bytes]) -> None:
     """A stretch comes from another file."""
     other = others[int(random.integers(len(others)))]
-    begin, length = int(random.integers(len(other))), int(random.integers(1, 500))
+    begin = int(random.integers(len(other)))
+    length = int(random.integers(1, 500))
     at = int(random.integers(len(data) + 1))
     data[at : at + length] = other[begin : begin + length]
 
@@ -163,7 +167,8 @@ def ring(*_: object) -> None:
 
 def try_file(kind: str, data: bytes, tally: Tally, keep: Callable[[str], None]) -> None:
     """Reads one file and tallies what came of it."""
-    before, begun = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss, time.thread_time()
+    before = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss
+    begun = time.thread_time()
     signal.setitimer(signal.ITIMER_REAL, 10 * SLOW)  # others use this machine: the measure is this thread's own time
     wrong = read_file(kind, data, tally)
     signal.setitimer(signal.ITIMER_REAL, 0)
@@ -227,8 +232,10 @@ def rounds(count: int) -> Iterator[int]:
 
 def measure(count: int, peer: int, seed: int, keep: Path | None) -> dict[str, Tally]:
     """Damages and reads `count` files; keep: a folder for those that fail."""
-    random, files = np.random.default_rng(seed), valid_files()
-    kinds, tallies = [*files], {kind: Tally() for kind in files}
+    random = np.random.default_rng(seed)
+    files = valid_files()
+    kinds = [*files]
+    tallies = {kind: Tally() for kind in files}
     others = [data for group in files.values() for data in group]
     for number in rounds(count):
         kind = kinds[int(random.integers(len(kinds)))]

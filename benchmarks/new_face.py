@@ -34,20 +34,18 @@ from numpy.typing import NDArray
 import omote
 from benchmarks.maps.pace import measure_one_core, measure_pace
 from benchmarks.recovery import COMMAND, read_address
-from omote.show.messages import (
-    LINK_PATH,
-    PROTOCOL_VERSION,
-    CallExpression,
-    CallFace,
-    FromClient,
-    Hello,
-    Manifest,
-    SetChannel,
-    State,
-)
+from omote.show.cast_documents import Manifest
+from omote.show.declaration import ClientMessage
+from omote.show.messages import LINK_PATH, PROTOCOL_VERSION
+from omote.show.objects.calls import CallExpression, CallFace
+from omote.show.objects.faders import SetChannel
+from omote.show.objects.link import Hello
+from omote.show.objects.state import State
 from omote.show.wire import decode_answer, encode
 
-LIMIT, LATEST, WORST_RATIO = 1.0, 1.5, 1.5
+LIMIT = 1.0
+LATEST = 1.5
+WORST_RATIO = 1.5
 """Seconds until a face is complete, median and worst, at the pace of the machine for which they were set (issue 13);
 p99 of the intervals, times that of a show with nothing to compute (issue 3)."""
 EXPRESSION = "smile"
@@ -168,7 +166,7 @@ async def play(url: str, faces: int | None, *, plain: bool) -> list[Called]:
         async with http.ws_connect(url + LINK_PATH) as console, http.ws_connect(url + LINK_PATH) as link:
             await link.send_bytes(encode(Hello("stage", PROTOCOL_VERSION)))
             following = asyncio.create_task(stage.follow(link))
-            on_air: list[FromClient] = [SetChannel("one", name, 0.3) for name in CHANNELS]
+            on_air: list[ClientMessage] = [SetChannel("one", name, 0.3) for name in CHANNELS]
             for message in (
                 Hello("console", PROTOCOL_VERSION),
                 CallExpression("one", "e", EXPRESSION, 0.1, "smooth"),
@@ -216,7 +214,9 @@ def intervals(arrivals: list[Arrival], calls: list[Called], times: Values) -> tu
 def print_times(name: str, seconds: Values, cores: Values, pace: float) -> bool:
     """Two lines: median and largest, in seconds and in multiples of one core's time, then of what is asked at a pace;
     whether they are soon enough."""
-    times, median, latest = seconds / cores, float(np.median(seconds)), float(seconds.max())
+    times = seconds / cores
+    median = float(np.median(seconds))
+    latest = float(seconds.max())
     asked = median / (LIMIT * pace), latest / (LATEST * pace)
     print(
         f"  {name:22} median {median:6.3f} s   max {latest:6.3f} s"
@@ -237,8 +237,10 @@ def print_intervals(name: str, busy: Values, idle: Values) -> float:
 
 def print_calls(calls: list[Called], *, plain: bool) -> bool:
     """Prints how soon faces were there; whether that is soon enough."""
-    few, names = [EXPRESSION, *CHANNELS], [each.face for each in calls]
-    cast, on_air = omote.load_cast(), np.array([each.on_air - each.sent for each in calls])
+    few = [EXPRESSION, *CHANNELS]
+    names = [each.face for each in calls]
+    cast = omote.load_cast()
+    on_air = np.array([each.on_air - each.sent for each in calls])
     pace = measure_pace(names)
     print(f"{len(calls)} faces never called before, {os.cpu_count()} cores, load {os.getloadavg()[0]:.1f}")
     print(
@@ -247,7 +249,8 @@ def print_calls(calls: list[Called], *, plain: bool) -> bool:
     )
     good = print_times(f"{len(few)} compounds on air", on_air, np.array(measure_one_core(cast, names, few)), pace)
     if not plain:
-        cast, complete = omote.load_cast(), np.array([each.complete - each.sent for each in calls])
+        cast = omote.load_cast()
+        complete = np.array([each.complete - each.sent for each in calls])
         everything = list(cast.expressions)
         cores = np.array(measure_one_core(cast, names, everything))
         good = print_times(f"all {len(everything)} compounds", complete, cores, pace) and good

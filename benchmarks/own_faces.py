@@ -84,7 +84,8 @@ class People:
 
 def fit_people(space: ParameterSpace, seed: int, count: int) -> People:
     """So many random people, fitted."""
-    model, found = ict_people.read_model(), People({}, {}, [], [])
+    model = ict_people.read_model()
+    found = People({}, {}, [], [])
     for number in range(count):
         person = model.draw((seed, number))
         begin = thread_time()
@@ -98,7 +99,8 @@ def fit_people(space: ParameterSpace, seed: int, count: int) -> People:
 
 def measure_people(console: Console, space: ParameterSpace, people: People) -> list[Bar]:
     """Prints what fits of people are like; the bars."""
-    where, model = fit_measures.regions(space), ict_people.read_model()
+    where = fit_measures.regions(space)
+    model = ict_people.read_model()
     found = {
         name: np.array([fit_measures.quantiles(each.away, rows) for each in people.landings])
         for name, rows in where.items()
@@ -132,14 +134,18 @@ def _distance_bars(found: Mapping[str, Values]) -> list[Bar]:
 
 def measure_peers(console: Console, space: ParameterSpace, people: People, count: int) -> list[Bar]:
     """Prints what peers make of the first people, in several settings; the bars against their best."""
-    model, where = ict_people.read_model(), fit_measures.regions(space)[FACE]
+    model = ict_people.read_model()
+    where = fit_measures.regions(space)[FACE]
     ours = np.median([fit_measures.quantiles(each.away, where)[0] for each in people.landings[:count]])
     own = [fit_measures.count_folds(space, people.fits[i].face.positions.astype(np.float64)) for i in range(count)]
-    rows, bars = [_peer_row("ours", "", space, people.landings[:count], own, people.seconds[:count])], list[Bar]()
+    rows = [_peer_row("ours", "", space, people.landings[:count], own, people.seconds[:count])]
+    bars = list[Bar]()
     for peer, settings in nonrigid_peers.SETTINGS.items():
         tried: dict[str, tuple[float, int, float]] = {}
         for setting, steps in settings.items():
-            landings, folds, seconds = list[Landings](), list[int](), list[float]()
+            landings = list[Landings]()
+            folds = list[int]()
+            seconds = list[float]()
             for number in range(count):
                 person = people.points[number]
                 skin, took = nonrigid_peers.register(space, peer, steps, (person, model.skin), model.clicks(person))
@@ -211,7 +217,9 @@ def wear_all(console: Console, fits: Mapping[str, Fit]) -> list[Bar]:
 def measure_animals(console: Console, space: ParameterSpace, draw: np.random.Generator) -> list[Bar]:
     """Prints what animals come to by seven clicks, half of them off as hands are, beside the fit as a person; the
     bars."""
-    rows, folds, sure = list[tuple[str, ...]](), list[tuple[int, int]](), 0
+    rows = list[tuple[str, ...]]()
+    folds = list[tuple[int, int]]()
+    sure = 0
     for name in true_heads.ANIMALS:
         animal = true_heads.animal(name)
         marks = animal.landmarks
@@ -246,7 +254,8 @@ def measure_fits(
     console: Console, space: ParameterSpace, given: argparse.Namespace
 ) -> tuple[list[Bar], dict[str, Fit]]:  # fmt: skip
     """Prints what fits of all heads at hand are like; the bars, and fits that are to wear expressions."""
-    bars, worn = list[Bar](), dict[str, Fit]()
+    bars = list[Bar]()
+    worn = dict[str, Fit]()
     if ict_people.at_hand():
         console.print(f"people of seed {given.seed}")
         people = fit_people(space, given.seed, given.people)
@@ -278,7 +287,8 @@ def main() -> int:
     parser.add_argument("--peers", type=int, default=4, help="how many of them the peers get")
     parser.add_argument("--worn", type=int, default=8, help="how many of them wear all expressions")
     parser.add_argument("--seed", type=int, default=secrets.randbelow(10**6), help="of the people; drawn anew")
-    given, console = parser.parse_args(), Console(width=150)
+    given = parser.parse_args()
+    console = Console(width=150)
     bars, worn = measure_fits(console, omote.load_cast().space, given)
     bars += wear_all(console, worn) if worn and given.worn else []
     rows = [(bar.what, f"{bar.value:.3f}", f"{bar.most:.3f}", "held" if bar.met else "MISSED") for bar in bars]

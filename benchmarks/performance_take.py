@@ -54,11 +54,14 @@ Values = NDArray[np.float64]
 Player = Callable[[Values], Values]
 """Weights of the units in one frame (u,) to the skin (V, 3)."""
 TAKE = Path(__file__).resolve().parents[2] / "shared" / "data" / "livelinkface" / "alex_rom_3.csv"
-RATE, SYNTHETIC = 30, 1200
+RATE = 30
+SYNTHETIC = 1200
 """Frames a second; of a synthetic take."""
 MOVES = 5e-4
 """Metres that a vertex must move to say something about jitter."""
-MOST_FRAMES, AMPLITUDE, MOST_VERTICES = 0.999, 0.95, 0.99
+MOST_FRAMES = 0.999
+AMPLITUDE = 0.95
+MOST_VERTICES = 0.99
 BAR = 1.5
 WORST = 10
 """Frames that are named and drawn."""
@@ -127,7 +130,8 @@ def ours(cast: Cast, face: str, units: Sequence[str]) -> Player:
 
 def plain(source: Source, method: str, face: Face, units: Sequence[str]) -> Player:
     """A peer: what each unit does alone, added up."""
-    rest, wear = face.positions.astype(np.float64), METHODS[method](source, face)
+    rest = face.positions.astype(np.float64)
+    wear = METHODS[method](source, face)
     moves = np.array([(wear(unit) - rest).ravel() for unit in units])
     return lambda weights: rest + (weights @ moves).reshape(rest.shape)
 
@@ -147,7 +151,8 @@ class Measure:
     """Folds and jitter of a take."""
 
     def __init__(self, cast: Cast, take: Take) -> None:
-        self._cast, self._take = cast, take
+        self._cast = cast
+        self._take = take
         self._sheet = cast.space.sheet_triangles
         self._used = np.unique(self._sheet)
         self._ears = (ear_weights(cast.space).max(axis=0) > 0.0)[self._sheet].any(axis=1)
@@ -219,7 +224,8 @@ def find_worst(rows: Sequence[Played], take: Take) -> list[tuple[int, Played, in
     found: dict[tuple[str, int], tuple[int, Played, int]] = {}
     for row in (row for row in rows if row.method == OURS):
         for frame in np.flatnonzero(row.folds):
-            key, count = (row.face, int(take.times[frame])), int(row.folds[frame])
+            key = (row.face, int(take.times[frame]))
+            count = int(row.folds[frame])
             if key not in found or count > found[key][0]:
                 found[key] = count, row, int(frame)
     return sorted(found.values(), key=lambda each: -each[0])[:WORST]
@@ -275,12 +281,15 @@ def main() -> int:
     """Plays, measures and prints; 1 where a bar is missed."""
     asked = parse()
     seed = secrets.randbits(32) if asked.seed is None else asked.seed
-    console, source, take = Console(width=200), load_source(), thin(read_take(asked.take, seed), asked.every)
+    console = Console(width=200)
+    source = load_source()
+    take = thin(read_take(asked.take, seed), asked.every)
     made: Mapping[str, Face] = new_faces(source.cast, asked.new, seed)
     looks = {**source.cast.looks, **dict.fromkeys(made, source.cast.looks[GENERIC])}
     cast = replace(source.cast, faces={**source.cast.faces, **made}, looks=looks)
     wanted = [face for face in asked.faces.split(",") if face] or [*source.cast.faces]
-    measure, rows = Measure(cast, take), list[Played]()
+    measure = Measure(cast, take)
+    rows = list[Played]()
     console.print(f"{take.name}: {len(take.weights)} frames; new faces of seed {seed}")
     for face in track(dict.fromkeys([GENERIC, *wanted, *made]), "faces", console=Console(stderr=True)):
         ways = players(cast, source, face, take.units, not asked.no_peers)

@@ -25,8 +25,8 @@ from omote.model.appearance.hair_colour import HairColour, find_hair_colour, fin
 from omote.model.appearance.lab import to_lab
 from omote.model.appearance.photograph_albedo import take_photograph_albedo
 from omote.model.cast import Look
+from omote.model.fitting.head_zones import head_zones
 from omote.model.fitting.photographs.photograph import FILM, Photograph
-from omote.model.fitting.shape.head_zones import head_zones
 from omote.model.space.similarity import fit_similarity
 from tools.photographs.colour_distance import colour_distance, delta_e
 from tools.photographs.observe_heads import random_gaze
@@ -38,7 +38,8 @@ from tools.tracking.picture import random_setting
 
 Values = NDArray[np.float64]
 Make = Callable[[dict[str, float], tuple[float, float]], Model]
-YAWS, SIDE = (0.0, 40.0, -40.0, 20.0), 512
+YAWS = (0.0, 40.0, -40.0, 20.0)
+SIDE = 512
 BARS = {1: 0.92, 4: 0.70}
 
 
@@ -47,7 +48,9 @@ def take_views(
 ) -> list[Photograph]:  # fmt: skip
     """Four photographs (side, side) of somebody by one camera, with the landmarks found; told: with the focal
     length."""
-    focal, setting, views = random_focal(draw), random_setting(draw), []
+    focal = random_focal(draw)
+    setting = random_setting(draw)
+    views = []
     for degrees in YAWS:
         yaw = float(np.radians(degrees) + draw.normal(0.0, 0.05))
         camera = camera_at(draw, yaw, float(draw.normal(0, 0.06)), float(draw.normal(0, 0.05)), focal, side)
@@ -77,8 +80,11 @@ def measure_shapes(
     name: str, someone: Callable[..., tuple[Values, Make]], people: int, seed: int, side: int
 ) -> None:  # fmt: skip
     """Prints vertex errors of one photograph and of four, (side, side) pixels each."""
-    finder, rows, seconds = open_finder(), [], []
-    space, mean = load_cast().space, load_identity_modes().skin
+    finder = open_finder()
+    rows = []
+    seconds = []
+    space = load_cast().space
+    mean = load_identity_modes().skin
     for number in range(people):
         draw = np.random.default_rng([seed, number])
         truth, make = someone(draw)
@@ -106,7 +112,9 @@ def measure_shapes(
 
 def measure_colours(people: int, seed: int) -> None:
     """Prints delta E of skin that was seen in four photographs, its light left in and divided out."""
-    cast, finder, found = load_cast(), open_finder(), []
+    cast = load_cast()
+    finder = open_finder()
+    found = []
     assert cast.atlas is not None
     for number in range(people):
         draw = np.random.default_rng([seed, 7, number])
@@ -114,7 +122,8 @@ def measure_colours(people: int, seed: int) -> None:
         views = take_views(lambda weights, gaze, who=person: model_of(who, weights, gaze), draw, finder)  # type: ignore[misc]
         if not views:
             continue
-        fit, truth = omote.fit_photographs(cast.space, views), painted_colours(person.look)
+        fit = omote.fit_photographs(cast.space, views)
+        truth = painted_colours(person.look)
         plain = painted_colours(person.look, plain=True)
         row = []
         for even in (False, True):
@@ -128,7 +137,8 @@ def measure_colours(people: int, seed: int) -> None:
 
 def measure_hair(people: int, seed: int) -> None:
     """Prints delta E of hair in random looks, beside their own skin, from one photograph and from four."""
-    cast, finder = load_cast(), open_finder()
+    cast = load_cast()
+    finder = open_finder()
     scalp = find_scalp(cast.space, cast.hair)
     found: dict[int, list[tuple[Look, HairColour]]] = {count: [] for count in BARS}
     for number in range(people):
@@ -136,7 +146,8 @@ def measure_hair(people: int, seed: int) -> None:
         person = random_sculpted(draw, 1.0)
         views = take_views(lambda weights, gaze, who=person: model_of(who, weights, gaze), draw, finder)  # type: ignore[misc]
         for count in BARS if len(views) == len(YAWS) else ():
-            fit, skin = omote.fit_photographs(cast.space, views[:count]), person.look.skin
+            fit = omote.fit_photographs(cast.space, views[:count])
+            skin = person.look.skin
             hair = find_hair_colour(cast.space, scalp, fit.face, views[:count], fit.cameras, skin)
             found[count].append((person.look, hair))
     finder.close()

@@ -37,7 +37,8 @@ from omote.perform.blending import frame_correctives
 from omote.perform.blending.region_masks import PlayMask, play_masks
 from omote.perform.frame import Frame
 
-MOST_FRAMES, MOST_TIME = 0.02, 4.0
+MOST_FRAMES = 0.02
+MOST_TIME = 4.0
 Masks = Mapping[PlayRegion, PlayMask]
 
 
@@ -47,8 +48,10 @@ def main() -> int:
     parser.add_argument("--frames", type=int, default=100)
     parser.add_argument("--seed", type=int, default=1993)
     given = parser.parse_args()
-    cast, draw = load_cast(), np.random.default_rng(given.seed)
-    soft, hard = play_masks(cast.space), _hard(play_masks(cast.space))
+    cast = load_cast()
+    draw = np.random.default_rng(given.seed)
+    soft = play_masks(cast.space)
+    hard = _hard(play_masks(cast.space))
     frames = [_draw_frame(cast, draw) for _ in range(given.frames)]
     found = [
         (_new_folds(cast, each, soft), _new_folds(cast, each, hard)) for each in track(frames, "Looking for folds")
@@ -120,7 +123,8 @@ def _report(ours: NDArray[np.int64], peer: NDArray[np.int64], ratio: float) -> i
     table = Table(title=f"{len(ours)} frames of random faces, four expressions in four regions", title_justify="left")
     for column in ("measure", "ours", "hard borders", "bar"):
         table.add_column(column)
-    frames, worse = float((ours > 0).mean()), float((peer > 0).mean())
+    frames = float((ours > 0).mean())
+    worse = float((peer > 0).mean())
     table.add_row(
         "frames with new folds", f"{frames:.3f}", f"{worse:.3f}", f"{MOST_FRAMES:g}, and less than hard borders"
     )

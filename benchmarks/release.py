@@ -26,7 +26,8 @@ from omote.model.known_names import NEUTRAL
 from omote.model.space.face import Face
 
 FACES = ("kaori", "baby", "dog", "noh", "goblin", "cat")
-SHORTEST, LONGEST = 0.001, 0.012
+SHORTEST = 0.001
+LONGEST = 0.012
 BAR = 5e-5
 ROUNDS = 3
 
@@ -35,7 +36,8 @@ Values = NDArray[np.float64]
 
 def normals(face: Face, triangles: NDArray[np.int32]) -> Values:
     """The unit normal of each vertex, (V, 3)."""
-    points, total = face.positions.astype(np.float64), np.zeros(face.positions.shape)
+    points = face.positions.astype(np.float64)
+    total = np.zeros(face.positions.shape)
     a, b, c = points[triangles].transpose(1, 0, 2)
     for corner in range(3):
         np.add.at(total, triangles[:, corner], np.cross(b - a, c - a))
@@ -46,7 +48,8 @@ def normals(face: Face, triangles: NDArray[np.int32]) -> Values:
 def solve_drags(cast: Cast, net_field: NetField, face: Face, random: np.random.Generator) -> list[Solution]:
     """Every point dragged once: every other along the surface, the rest anywhere."""
     outward = normals(face, cast.space.sheet_triangles)
-    rest, found = np.tile([0.0, 0.0, 1.0], (len(net_field.rows), 1)), []
+    rest = np.tile([0.0, 0.0, 1.0], (len(net_field.rows), 1))
+    found = []
     for point, row in enumerate(net_field.rows):
         way = random.normal(size=3)
         if point % 2 == 0:

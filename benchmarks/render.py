@@ -51,13 +51,15 @@ TABLES = {
     ),
 }
 MOST = 0.25
-ALONE, PICTURES = "a browser for each", 33
+ALONE = "a browser for each"
+PICTURES = 33
 TICKS = os.sysconf("SC_CLK_TCK")
 
 
 def draw_before(pages: dict[str, Page], request: GridRequest, path: Path) -> None:
     """Draws a table as before: one sheet, one page, one file at the end."""
-    documents, setting = built_in_documents(), request.setting
+    documents = built_in_documents()
+    setting = request.setting
     sheet = lay_out(request, documents.cast).on_paper(setting, "image/png")
 
     async def run() -> bytes:
@@ -104,12 +106,14 @@ class ProcessorTime:
 
     def _look(self) -> float:
         """Processes that have ended count as they were last seen."""
-        parents, spent = dict[int, int](), dict[int, float]()
+        parents = dict[int, int]()
+        spent = dict[int, float]()
         for stat in Path("/proc").glob("[0-9]*/stat"):
             with contextlib.suppress(OSError):
                 words = stat.read_text().rpartition(")")[2].split()
                 number = int(stat.parent.name)
-                parents[number], spent[number] = int(words[1]), (int(words[11]) + int(words[12])) / TICKS
+                parents[number] = int(words[1])
+                spent[number] = (int(words[11]) + int(words[12])) / TICKS
         for number in spent:
             above = number
             while above in parents and above != os.getpid():
@@ -154,7 +158,8 @@ def main() -> int:
     parser.add_argument("--runs", type=int, default=1)
     parser.add_argument("--table", type=int, choices=range(len(TABLES)))
     chosen = parser.parse_args()
-    table, worst = Table("table", "way", "seconds", "/ before", "processors", "/ before", box=None), 0.0
+    table = Table("table", "way", "seconds", "/ before", "processors", "/ before", box=None)
+    worst = 0.0
     with tempfile.TemporaryDirectory() as name:
         pages = build_pages(BEFORE, Path(name))
         if pages is None:

@@ -23,7 +23,9 @@ from omote.model.space.face_fit import fit
 from omote.model.transfer.compound import compound, compound_parts, turn_eyes
 from omote.model.transfer.paper_map import compile_expression, project_to_surface
 
-BAR_SHEET, BAR_REST, BAR_INSIDE = 0.001, 0.1, 0.99
+BAR_SHEET = 0.001
+BAR_REST = 0.1
+BAR_INSIDE = 0.99
 """Millimetres on the sheet, millimetres of inner skin and parts, share of moved vertices whose walks ended inside."""
 MOVED = 1e-6
 
@@ -43,7 +45,8 @@ class Found:
 
 def measure(cast: Cast, face: Face, expression: Expression, found: Found) -> None:
     """Adds one unit on one face to what was found."""
-    space, fitted = cast.space, fit(cast.space, face)
+    space = cast.space
+    fitted = fit(cast.space, face)
     worn = compound(space, face, expression).astype(np.float64)
     displacement = worn - face.positions
     parts = turn_eyes(space, compound_parts(space, face, expression), fitted.centres, expression.eyes)
@@ -65,7 +68,8 @@ def measure(cast: Cast, face: Face, expression: Expression, found: Found) -> Non
 
 def main() -> int:
     """Prints the table; 0 when every bar is held."""
-    cast, console = omote.load_cast().under("paper"), Console(width=120)
+    cast = omote.load_cast().under("paper")
+    console = Console(width=120)
     units = {
         name: cast.expressions[name] for name, title in cast.titles.items() if title.kind in ("arkit", "makehuman")
     }

@@ -34,27 +34,14 @@ from omote.server.persistence.backup_thread import BACKUP_SECONDS, BackupThread
 from omote.server.persistence.commit_thread import CommitOutcome, CommitThread
 from omote.server.persistence.journal import JournalWriter
 from omote.server.persistence.restore import open_newest
-from omote.showfile.changes import (
-    Change,
-    Draft,
-    DropDraft,
-    Edit,
-    Item,
-    PutContent,
-    PutDraft,
-    PutEdit,
-    PutItem,
-    PutLayout,
-    PutRevision,
-    Revision,
-    content_key,
-)
+from omote.showfile.changes import Change, Content, Draft, Edit, Item, Revision, StoredDocument, content_key
 from omote.showfile.contents import pack_expression
 from omote.showfile.inspection import verdicts
 from omote.showfile.schema import migrate
 from omote.showfile.show_file import FilePlace, JournalEntry, ShowFile, open_show
 
-ITEMS, STEPS = 7, 4
+ITEMS = 7
+STEPS = 4
 """Items that are edited in turn, and lists of changes that make one save of one."""
 IN_FLIGHT = 3
 """Lists that wait for the scribe at once."""
@@ -69,20 +56,21 @@ TOLD = struct.Struct("<id")
 
 def changes(number: int, vertices: int = VERTICES) -> list[Change]:
     """The list of changes of this number, from 1: two edits, an undo, a save, of one item after the other."""
-    step, item = (number - 1) % STEPS, (number - 1) // STEPS % ITEMS + 1
+    step = (number - 1) % STEPS
+    item = (number - 1) // STEPS % ITEMS + 1
     save = (number - 1) // (STEPS * ITEMS) + 1
     recipe = msgspec.json.encode(Recipe((1, 2), ((0.0, 0.001 * number, 1.0), (0.0, 0.0, 1.0))))
-    counted = PutLayout(COUNT, str(number).encode())
+    counted = StoredDocument(COUNT, COUNT, str(number).encode())
     if step < STEPS - 2:
         draft = Draft(item, "ada", save - 1, step)
         edit = Edit(item, "ada", step, recipe, f"edit {number}")
-        return [PutItem(_item(item, save - 1)), PutDraft(draft), PutEdit(edit), counted]
+        return [_item(item, save - 1), draft, edit, counted]
     if step == STEPS - 2:
-        return [PutDraft(Draft(item, "ada", save - 1, 0)), counted]
+        return [Draft(item, "ada", save - 1, 0), counted]
     data = content(number, vertices)
     revision = Revision(item, save, save - 1, recipe, content_key(data), float(number), "ada")
-    kept = PutContent(revision.content, data)
-    return [PutItem(_item(item, save)), PutRevision(revision), kept, DropDraft(item, "ada"), counted]
+    kept = Content(revision.content, data)
+    return [_item(item, save), revision, kept, counted]
 
 
 def content(number: int, vertices: int) -> bytes:
@@ -97,7 +85,7 @@ def _item(number: int, head: int) -> Item:
 
 def count_lists(show: ShowFile) -> int:
     """How many lists of changes a file holds."""
-    return int(show.stored().layouts.get(COUNT, b"0"))
+    return int(show.stored().documents.get(COUNT, {}).get(COUNT, b"0"))
 
 
 def say(sentence: str) -> None:
@@ -173,7 +161,9 @@ def ends_half(path: Path) -> bool:
     data = log.read_bytes() if log.exists() else b""
     if len(data) < 32:
         return False
-    size, salts, half = struct.unpack(">I", data[8:12])[0] + 24, data[16:24], False
+    size = struct.unpack(">I", data[8:12])[0] + 24
+    salts = data[16:24]
+    half = False
     for at in range(32, len(data) - 23, size):
         if data[at + 8 : at + 16] != salts:
             break
@@ -237,7 +227,9 @@ class BadDisk:
     for each copy that was not whole."""
 
     def __init__(self, folder: Path, random: np.random.Generator) -> None:
-        self.folder, self.random, self.reference = folder, random, Reference()
+        self.folder = folder
+        self.random = random
+        self.reference = Reference()
         self.acknowledged: dict[int, float] = {}
         self.costs: list[float] = []
         self.written = 0.0
@@ -247,7 +239,8 @@ class BadDisk:
         begun = min(kill.times.values()) - self.written
         self.acknowledged |= {number: time - begun for number, time in kill.times.items()}
         self.written = max(self.acknowledged.values())
-        how, said = damaged_copy(path, self.folder, self.random), list[str]()
+        how = damaged_copy(path, self.folder, self.random)
+        said = list[str]()
         show = open_newest(self.folder / path.name, said.append)
         try:
             there = count_lists(show)
@@ -264,7 +257,9 @@ class BadDisk:
 
 def kills(path: Path, count: int, *, seed: int = 5) -> bool:
     """Kills so many writers of one file, prints what was found; whether the claim holds."""
-    random, reference, found = np.random.default_rng(seed), Reference(), Counter[str]()
+    random = np.random.default_rng(seed)
+    reference = Reference()
+    found = Counter[str]()
     disk = BadDisk(path.parent / "bad disk", np.random.default_rng(seed + 1))
     for number in range(count):
         wait = float(random.choice([0.0, random.uniform(0.0, 0.02)]))
@@ -276,7 +271,8 @@ def kills(path: Path, count: int, *, seed: int = 5) -> bool:
         found["half"] += kill.half
         found["copying"] += kill.copying
         found["unheard"] += reference.made > kill.acknowledged
-    size, most = path.stat().st_size / 1e6, max(disk.costs, default=0.0)
+    size = path.stat().st_size / 1e6
+    most = max(disk.costs, default=0.0)
     print(f"{count} x kill -9 while {reference.made} lists of changes were committed, file {size:.1f} MB")
     print(f"  within the writing of a commit {found['half']}, between commit and word {found['unheard']}", end="")
     print(f", while a backup was made {found['copying']}")

@@ -203,7 +203,8 @@ async def measure(runs: int, frames: int) -> dict[str, list[float]]:
     found: dict[str, list[float]] = {}
     async with serve_pages(built_in_documents(), read_pages()) as address, async_playwright() as playwright:
         browser = await playwright.chromium.launch(executable_path=str(path), chromium_sandbox=False, args=CHROMIUM)
-        stage, head = await open_stage(browser, address), await open_head(browser, address)
+        stage = await open_stage(browser, address)
+        head = await open_head(browser, address)
         ways: dict[str, Callable[[], Awaitable[float]]] = {
             "one character": lambda: spend(stage, frames, 1),
             "four characters": lambda: spend(stage, frames, 4),

@@ -31,6 +31,12 @@ import aiohttp
 import numpy as np
 from playwright.async_api import Browser, Page, async_playwright
 
+from omote.show.declaration import ClientMessage
+from omote.show.messages import LINK_PATH, PROTOCOL_VERSION
+from omote.show.objects.calls import CallExpression, CallFace, Panic
+from omote.show.objects.faders import SetChannel
+from omote.show.objects.link import Hello
+
 sys.path.insert(0, str(Path(__file__).resolve().parent.parent))
 
 from benchmarks.peers.frame_costs import PEER, frame_costs, renderer_of
@@ -40,23 +46,15 @@ from omote.builtin import load_cast
 from omote.server.headless.picture_renderer import serve_pages
 from omote.server.http.cast_documents import built_in_documents
 from omote.server.http.static_pages import read_pages
-from omote.show.messages import (
-    LINK_PATH,
-    PROTOCOL_VERSION,
-    CallExpression,
-    CallFace,
-    FromClient,
-    Hello,
-    Panic,
-    SetChannel,
-)
 from omote.show.wire import encode
 from tools.browser import SENTENCE, find_browser
 
-WIDTH, HEIGHT = 640, 360
+WIDTH = 640
+HEIGHT = 360
 FACES = ("kaori", "old", "round", "child")
 CHANNELS = 60
-SHOWN_SHARE, LATENCY_FRAMES = 1 / 3, 2.0
+SHOWN_SHARE = 1 / 3
+LATENCY_FRAMES = 2.0
 SECONDS = 6.0
 MOVES = 30
 CHROMIUM = (
@@ -127,7 +125,7 @@ class Player:
         self.channels = channels
         self._calls = 0
 
-    async def send(self, message: FromClient) -> None:
+    async def send(self, message: ClientMessage) -> None:
         """Sends a message."""
         await self.socket.send_bytes(encode(message))
 
@@ -198,7 +196,9 @@ async def clock_ahead(page: Page) -> float:
 
 async def latency(page: Page, player: Player) -> float:
     """The median of the milliseconds from a fader moved to the first changed frame."""
-    rng, waits, ahead = np.random.default_rng(7), [], await clock_ahead(page)
+    rng = np.random.default_rng(7)
+    waits = []
+    ahead = await clock_ahead(page)
     for move in range(MOVES):
         await page.evaluate(FIRST_CHANGE)
         await asyncio.sleep(0.25 + float(rng.uniform(0, 1 / 60)))  # at any phase of the server's beat

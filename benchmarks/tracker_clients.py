@@ -22,10 +22,14 @@ from omote.inputs.face_output.face_target import FaceTarget
 from omote.inputs.trackers.tracker_input import TrackerInput
 from omote.inputs.trackers.tracker_protocols import TRACKER_PROTOCOLS
 from omote.server.devices.face_output import FaceOutput
-from omote.show import messages as wire
+from omote.show.messages import PROTOCOL_VERSION
+from omote.show.objects.faders import SetChannel, SetHead
+from omote.show.objects.link import Hello
 from omote.show.session import ShowSession
 
-HOST, JAW, LONG = "127.0.0.1", 0.625, 20.0
+HOST = "127.0.0.1"
+JAW = 0.625
+LONG = 20.0
 
 VMC_NAMES = """
 from vmcp.typing import BlendShapeKey
@@ -113,7 +117,8 @@ def free_port() -> int:
 
 def hear(cast: omote.Cast, protocol: str, python: str, code: str) -> tuple[dict[str, float], int]:
     """What a client's packets drive, once both its values have come, and how many were rejected."""
-    session, port = ShowSession(cast), free_port()
+    session = ShowSession(cast)
+    port = free_port()
     trackers = TrackerInput(TRACKER_PROTOCOLS[protocol], lambda: session)
     with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as heard:
         heard.bind((HOST, port))
@@ -132,10 +137,11 @@ def hear(cast: omote.Cast, protocol: str, python: str, code: str) -> tuple[dict[
 
 def tell(cast: omote.Cast, protocol: str, python: str, code: str) -> str:
     """What a client reads of a face that we send."""
-    session, port = ShowSession(cast), free_port()
-    session.receive("console", wire.Hello("console", wire.PROTOCOL_VERSION, "console"), 0.0)
-    session.receive("console", wire.SetChannel("one", "jawOpen", JAW), 0.0)
-    session.receive("console", wire.SetHead("one", 0.2, 0.0, 0.0), 0.0)
+    session = ShowSession(cast)
+    port = free_port()
+    session.receive("console", Hello("console", PROTOCOL_VERSION, "console"), 0.0)
+    session.receive("console", SetChannel("one", "jawOpen", JAW), 0.0)
+    session.receive("console", SetHead("one", 0.2, 0.0, 0.0), 0.0)
     client = subprocess.Popen([python, "-c", code, str(port)], stdout=subprocess.PIPE, text=True)
     assert client.stdout is not None
     client.stdout.readline()
@@ -153,7 +159,8 @@ def main() -> int:
     """Prints what was heard and told; returns 1 where a value is another."""
     parser = argparse.ArgumentParser()
     parser.add_argument("--python", required=True, help="of the environment that has the clients")
-    options, cast = parser.parse_args(), omote.load_cast()
+    options = parser.parse_args()
+    cast = omote.load_cast()
     checks: dict[str, bool] = {}
     for name, protocol, code in (("vmcp", "vmc", VMC_SENDS), ("PyLiveLinkFace", "livelink", LINK_SENDS)):
         values, rejected = hear(cast, protocol, options.python, code)

@@ -66,7 +66,10 @@ def record(folder: Path, seed: int, number: int, frames: int, finder: Looks, tak
     draw = np.random.default_rng([seed, number])
     person = random_person(draw, LEFT_OUT if number % 2 else HUMANS)
     photographer = Photographer(person, random_setting(draw))
-    points, truth, scenes, last = [], [], [], ""
+    points = []
+    truth = []
+    scenes = []
+    last = ""
     for scene, moment in film(draw, take if take.exists() else None, take_frames=frames):
         picture = photographer.take(moment.weights, moment.gaze, moment.pose, draw)
         follows = scene == last and scene != "mixtures"
@@ -143,7 +146,8 @@ def track_calibrated(performer: Performer) -> Values:
 def seen_features(performer: Performer) -> tuple[NDArray[np.intp], Values]:
     """The frames with a face and their features, as the map reads them."""
     steps = {"neutral": [performer.frames[row] for row in performer.of("neutral")]}
-    rest, compression = fit_calibration(steps).rest.face, load_landmark_map().compression
+    rest = fit_calibration(steps).rest.face
+    compression = load_landmark_map().compression
     rows = np.array([row for row, frame in enumerate(performer.frames) if frame.found])
     points = [metric_points(performer.frames[row]) for row in rows]
     poses = [fit_pose(each, rest) for each in points]
@@ -156,7 +160,8 @@ class LinearWays:
 
     def __init__(self) -> None:
         arrays, features, targets = read_observations(OBSERVATIONS)
-        self._scale, self._centre = arrays["spread"].astype(np.float64), arrays["centre"].astype(np.float64)
+        self._scale = arrays["spread"].astype(np.float64)
+        self._centre = arrays["centre"].astype(np.float64)
         spans = self._scale[: EVEN + ODD]
         self._places = np.sort(np.argsort(-spans)[:120])
         turned = np.arange(len(self._scale))[EVEN + ODD + 36 : EVEN + ODD + 42]
@@ -164,9 +169,11 @@ class LinearWays:
         known = self._known(features.astype(np.float64))
         ridge = 0.003 * len(known) * np.eye(known.shape[1]) * np.var(known[:, 0]) * 1e-2
         self._answers = np.linalg.solve(known.T @ known + ridge, known.T @ targets.astype(np.float64))
-        moved, worn = known[:, :120], np.concatenate([targets[:, :COUNT], np.ones((len(targets), 1))], axis=1)
+        moved = known[:, :120]
+        worn = np.concatenate([targets[:, :COUNT], np.ones((len(targets), 1))], axis=1)
         rows = np.linalg.solve(worn.T @ worn + 0.1 * np.eye(COUNT + 1), worn.T @ moved)
-        self._moves, self._rest = rows[:COUNT], rows[COUNT]
+        self._moves = rows[:COUNT]
+        self._rest = rows[COUNT]
 
     def _known(self, features: Values) -> Values:
         raw = features * self._scale + self._centre
@@ -197,7 +204,8 @@ def explained(performers: Sequence[Performer], tracked: Sequence[Values], scene:
     left = whole = 0.0
     for one, found in zip(performers, tracked, strict=True):
         rows = one.of(scene)
-        did, error = one.truth[rows, :COUNT], found[rows, :COUNT] - one.truth[rows, :COUNT]
+        did = one.truth[rows, :COUNT]
+        error = found[rows, :COUNT] - one.truth[rows, :COUNT]
         left += float(np.einsum("ij,jk,ik->", error, one.metric, error))
         whole += float(np.einsum("ij,jk,ik->", did, one.metric, did))
     return 1.0 - left / whole
@@ -255,14 +263,17 @@ def blink_counts(performers: Sequence[Performer], tracked: Sequence[Values]) -> 
         rows = one.of("blinks")
         real, seen = (closings(values[rows][:, columns].mean(axis=1)) for values in (one.truth, found))
         met = [min((other for other in seen if abs(other - each) <= 2), default=None) for each in real]
-        done, hit = done + len(real), hit + sum(each is not None for each in met)
-        false, frames = false + len(set(seen) - set(met)), frames + len(rows)
+        done = done + len(real)
+        hit = hit + sum(each is not None for each in met)
+        false = false + len(set(seen) - set(met))
+        frames = frames + len(rows)
     return done, hit, false, frames / RATE / 60.0
 
 
 def closings(lids: Values) -> list[int]:
     """The frames in which lids come past half shut, open again in between."""
-    found, shut = [], False
+    found = []
+    shut = False
     for row, lid in enumerate(lids):
         if not shut and lid > 0.5:
             found.append(row)

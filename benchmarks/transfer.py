@@ -60,7 +60,9 @@ def compare(question: Question) -> Comparison:
 
 def measure_face(question: Question, methods: tuple[str, ...], name: str, points: Points, parts: Parts) -> Measured:
     """The figures of maps on one face, by map; what it answers expressions with, its gains, does not count."""
-    face, bench, found = Face(name, points, parts), compare(question), {}
+    face = Face(name, points, parts)
+    bench = compare(question)
+    found = {}
     for method in methods:
         worn = METHODS[method](bench.source, face)
         worn(next(iter(bench.source.moves)))  # compiles, allocates
@@ -152,7 +154,8 @@ def parse_arguments() -> argparse.Namespace:
 
 def main() -> int:
     """Prints the tables; 0 when every bar is held."""
-    given, console = parse_arguments(), Console(width=190)
+    given = parse_arguments()
+    console = Console(width=190)
     methods = tuple(given.methods.split(","))
     found: list[Verdict] = []
     tables: list[Table] = []

@@ -72,7 +72,8 @@ def main() -> int:
     parser.add_argument("--stage-units", type=int, default=12, help="this many of ICT-FaceKit's expressions")
     parser.add_argument("--seed", type=int, default=secrets.randbelow(10**6), help="of its identities; drawn anew")
     parser.add_argument("--only", choices=("origins", "stage"), help="the three origins, or ICT-FaceKit alone")
-    given, console = parser.parse_args(), Console(width=150)
+    given = parser.parse_args()
+    console = Console(width=150)
     for pair in known_pairs(console, given):
         measure_pair(console, pair)
     return 0

@@ -36,7 +36,8 @@ def count_steps(seen: Counter[str], folder: Path | None) -> type[Authors]:
             super().__init__()
             if folder is not None:
                 shows = ShowTables(open_show(folder / f"{next(numbers)}.omote"))
-                self.tables, self.close = lambda: shows, shows.show.close
+                self.tables = lambda: shows
+                self.close = shows.show.close
 
         def check_invariants(self, *arguments: Any, **options: Any) -> None:
             seen["steps"] += 1

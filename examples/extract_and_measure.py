@@ -16,7 +16,8 @@ out = Path(sys.argv[1] if len(sys.argv) > 1 else "out")
 out.mkdir(parents=True, exist_ok=True)
 
 cast = omote.load_cast()
-space, kaori = cast.space, cast.faces["kaori"]
+space = cast.space
+kaori = cast.faces["kaori"]
 
 # A shape as a capture would give it: kaori with half a smile and a raised brow, (V, 3) metres. No name is left in it.
 shape = omote.compound(space, kaori, cast.expressions["smile"], 0.5)

@@ -15,7 +15,8 @@ out = Path(sys.argv[1] if len(sys.argv) > 1 else "out")
 out.mkdir(parents=True, exist_ok=True)
 
 cast = omote.load_cast()
-space, faces = cast.space, cast.faces
+space = cast.space
+faces = cast.faces
 
 half = omote.Face("half", (faces["kaori"].positions + faces["old"].positions) / 2)
 # Regions: brows, eyes, nose, cheeks, mouth, jaw, ears, skull; the rest from "old", smooth at the borders.

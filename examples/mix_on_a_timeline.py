@@ -23,11 +23,13 @@ TIMELINE: list[tuple[float, str, list[Any], dict[str, Any]]] = [  # seconds, met
     (1.0, "set_channel", ["jawOpen", 0.4], {}),
     (1.4, "call_expression", ["angry"], {"seconds": 0.5, "easing": "sharp"}),
 ]
-RATE, SECONDS = 25, 2.4
+RATE = 25
+SECONDS = 2.4
 
 cast = omote.load_cast()
 performer = omote.Performer(cast)
-waiting, now = sorted(TIMELINE, key=lambda event: event[0]), 0.0
+waiting = sorted(TIMELINE, key=lambda event: event[0])
+now = 0.0
 
 # Some vertices to follow: the front-most, the lowest and the left-most ones of the generic face.
 generic = cast.space.points

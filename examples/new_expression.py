@@ -24,7 +24,8 @@ def write_obj(path: Path, points: NDArray[np.floating], triangles: NDArray[np.in
 
 
 cast = omote.load_cast()
-space, kaori = cast.space, cast.faces["kaori"]
+space = cast.space
+kaori = cast.faces["kaori"]
 
 # The editor's control points: places on S, the unrolled generic face.
 rows = list(default_net(space))

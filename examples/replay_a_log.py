@@ -55,7 +55,8 @@ def replay(log: Path, *, start: float = 10.0, seconds: float = 2.0, rate: float 
     return b"".join(states)
 
 
-first, second = replay(out / "log.jsonl"), replay(out / "log.jsonl")
+first = replay(out / "log.jsonl")
+second = replay(out / "log.jsonl")
 (out / "states.bin").write_bytes(first)
 print(f"{len(first)} bytes of states; the second run gives {'the same' if first == second else 'OTHER'} bytes")
 sys.exit(first != second)

@@ -20,10 +20,13 @@ space = cast.space
 
 def make_stranger(name: str, expression: str, size: float, seed: int) -> omote.Scan:
     """A head as others have it: triangles split, rows shuffled, another unit, one blendshape."""
-    face, draw = cast.faces[name], np.random.default_rng(seed)
+    face = cast.faces[name]
+    draw = np.random.default_rng(seed)
     grin = omote.compound(space, face, cast.expressions[expression]) - face.positions
-    count, order = space.vertex_count, draw.permutation(space.vertex_count + len(space.triangles))
-    middles, row = np.arange(len(space.triangles)) + count, np.argsort(order)
+    count = space.vertex_count
+    order = draw.permutation(space.vertex_count + len(space.triangles))
+    middles = np.arange(len(space.triangles)) + count
+    row = np.argsort(order)
     split = [np.column_stack([space.triangles[:, [k, (k + 1) % 3]], middles]) for k in range(3)]
     points, moves = (
         size * np.concatenate([each, each[space.triangles].mean(axis=1)])[order] for each in (face.positions, grin)
@@ -31,7 +34,8 @@ def make_stranger(name: str, expression: str, size: float, seed: int) -> omote.S
     return omote.Scan(points, row[np.concatenate(split)], shapes={"grin": moves})
 
 
-one, other = make_stranger("old", "mouthSmileLeft", 100.0, seed=1), make_stranger("kaori", "jawOpen", 1000.0, seed=2)
+one = make_stranger("old", "mouthSmileLeft", 100.0, seed=1)
+other = make_stranger("kaori", "jawOpen", 1000.0, seed=2)
 fits = [omote.fit(space, each.positions, each.triangles, name=name) for each, name in ((one, "one"), (other, "other"))]
 taken = [
     omote.take_expressions(space, fitted, scan).expressions["grin"]

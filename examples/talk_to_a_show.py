@@ -18,14 +18,15 @@ import msgspec
 out = Path(sys.argv[1] if len(sys.argv) > 1 else "out")
 out.mkdir(parents=True, exist_ok=True)
 
-pack, unpack = msgspec.msgpack.encode, msgspec.msgpack.decode
+pack = msgspec.msgpack.encode
+unpack = msgspec.msgpack.decode
 
 
 async def play(address: str) -> list[dict[str, Any]]:
     """What a console hears from hello until its call has arrived."""
     heard = []
     async with aiohttp.ClientSession() as session, session.ws_connect(f"{address}/link") as link:
-        await link.send_bytes(pack({"type": "hello", "role": "console", "version": 7}))
+        await link.send_bytes(pack({"type": "hello", "role": "console", "version": 8}))
         call = {
             "type": "call_face",
             "character": "one",

@@ -13,7 +13,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 import omote
-from omote.interchange.formats.obj_reader import read_obj
+from omote.interchange.scans.companions import Companions
+from omote.interchange.scans.wavefront_reader import read_wavefront
 
 out = Path(sys.argv[1] if len(sys.argv) > 1 else "out")
 out.mkdir(parents=True, exist_ok=True)
@@ -43,10 +44,8 @@ head = out / "head.obj"
 if not head.exists():
     write_obj(head, *egg())
 
-points = read_obj(head.read_bytes())
-faces = [line.split()[1:] for line in head.read_text().splitlines() if line.startswith("f ")]
-polygons = [[int(corner.split("/")[0]) - 1 for corner in face] for face in faces]
-triangles = np.array([(p[0], p[i], p[i + 1]) for p in polygons for i in range(1, len(p) - 1)])
+mesh = read_wavefront(head.read_bytes(), Companions())
+points, triangles = mesh.positions, np.asarray(mesh.triangles)
 
 space = omote.ParameterSpace.build(points, triangles)  # axis, skin sheet and openings are found here
 print(f"{space.vertex_count} vertices, {len(space.skin_triangles)} of {len(triangles)} triangles on the sheet")

@@ -19,26 +19,19 @@ from omote.edit.store.on_air_recipes import OnAir
 from omote.model.cast import Cast
 from omote.model.recipes.recipe import KEY, FaceRecipe, Recipe, sources
 from omote.model.space.head_regions import REGIONS
-from omote.show.messages import Message
+from omote.show.declaration import Message
 from omote.showfile.changes import (
     Change,
+    Content,
+    DocumentRemoval,
+    Documents,
     Draft,
-    DropDraft,
-    DropLayout,
-    DropPerformer,
     Edit,
     Item,
     Kind,
-    PutBindings,
-    PutContent,
-    PutDraft,
-    PutEdit,
-    PutItem,
-    PutLayout,
-    PutPerformer,
-    PutRevision,
     Revision,
     Stored,
+    StoredDocument,
     content_key,
 )
 
@@ -73,19 +66,19 @@ def make_baked(order: EditOrder) -> Baked:
     assert named <= order.contents.keys(), "an order carries all that it needs"
     made: dict[str, bytes] = {}
     recipe: Recipe | FaceRecipe = order.recipe
-    net, miss = None, 0.0
+    net = None
+    miss = 0.0
     match order:
         case Solve():
             vectors = list(order.vectors)
             for place, (x, y, _) in zip(order.points, order.targets, strict=True):
                 vectors[place] = (x, y, 1.0)
-            recipe, miss = msgspec.structs.replace(order.recipe, vectors=tuple(vectors)), 1e-6
+            recipe = msgspec.structs.replace(order.recipe, vectors=tuple(vectors))
+            miss = 1e-6
         case Renet():
             vectors = [(0.0, 0.0, 1.0)] * len(order.net)
-            recipe, net = (
-                msgspec.structs.replace(order.recipe, net=order.net, vectors=tuple(vectors)),
-                net_document(order.net),
-            )
+            recipe = msgspec.structs.replace(order.recipe, net=order.net, vectors=tuple(vectors))
+            net = net_document(order.net)
         case Flat():
             ground = b"ground of " + write_recipe(order.recipe)
             made[content_key(ground)] = ground
@@ -97,86 +90,64 @@ def make_baked(order: EditOrder) -> Baked:
     return Baked(recipe, content_key(data), made | {content_key(data): data}, net, miss)
 
 
-Document = PutLayout | DropLayout | PutBindings | PutPerformer | DropPerformer
-
-
 @dataclass
 class Tables:
-    """A show file in memory: what `files.showfile` keeps, by the words of `files.changes` alone."""
+    """A show file in memory: what `omote.showfile` keeps, by the words of `showfile.changes` alone."""
 
     items: dict[int, Item] = field(default_factory=dict)
     revisions: dict[tuple[int, int], Revision] = field(default_factory=dict)
     drafts: dict[tuple[int, str], Draft] = field(default_factory=dict)
     edits: dict[tuple[int, str, int], Edit] = field(default_factory=dict)
-    layouts: dict[str, bytes] = field(default_factory=dict)
-    bindings: bytes = b""
-    performers: dict[str, bytes] = field(default_factory=dict)
+    documents: dict[tuple[str, str], bytes] = field(default_factory=dict)
     contents: dict[str, bytes] = field(default_factory=dict)
 
     def apply(self, changes: Iterable[Change]) -> None:
         """Commits changes."""
         for change in changes:
-            if isinstance(change, PutDraft | PutEdit | DropDraft):
-                self._apply_to_drafts(change)
-            else:
-                self._apply_to_items(change)
+            match change:
+                case Content(key, data):
+                    assert self.contents.setdefault(key, data) == data
+                case StoredDocument(kind, name, body):
+                    self.documents[kind, name] = body
+                case DocumentRemoval(kind, name):
+                    self.documents.pop((kind, name), None)
+                case _:
+                    self._put(change)
+
+    def _put(self, row: Item | Revision | Draft | Edit) -> None:
+        match row:
+            case Item():
+                self.items[row.id] = row
+            case Revision():
+                assert (row.item, row.number) not in self.revisions, "revisions are never replaced"
+                self.revisions[row.item, row.number] = row
+            case Draft():
+                self.drafts[row.item, row.editor] = row
+            case Edit():
+                draft = row.item, row.editor
+                left = {key: edit for key, edit in self.edits.items() if key[:2] != draft or key[2] < row.number}
+                self.edits = left | {(*draft, row.number): row}
 
     def stored(self) -> Stored:
         """Everything but the contents, in the order of keys."""
+        documents: Documents = {}
+        for (kind, name), body in self.documents.items():
+            documents.setdefault(kind, {})[name] = body
         return Stored(
             tuple(self.items[key] for key in sorted(self.items)),
             tuple(self.revisions[key] for key in sorted(self.revisions)),
             tuple(self.drafts[key] for key in sorted(self.drafts)),
             tuple(self.edits[key] for key in sorted(self.edits)),
-            dict(self.layouts),
-            self.bindings,
-            dict(self.performers),
+            documents,
         )
-
-    def _apply_to_items(self, change: PutContent | PutItem | PutRevision | Document) -> None:
-        match change:
-            case PutContent(key, data):
-                assert self.contents.setdefault(key, data) == data
-            case PutItem(item):
-                self.items[item.id] = item
-            case PutRevision(revision):
-                assert (revision.item, revision.number) not in self.revisions, "revisions are never replaced"
-                self.revisions[revision.item, revision.number] = revision
-            case _:
-                self._apply_to_documents(change)
-
-    def _apply_to_documents(self, change: Document) -> None:
-        match change:
-            case PutLayout(name, document):
-                self.layouts[name] = document
-            case DropLayout(name):
-                self.layouts.pop(name, None)
-            case PutBindings(document):
-                self.bindings = document
-            case PutPerformer(name, document):
-                self.performers[name] = document
-            case DropPerformer(name):
-                self.performers.pop(name, None)
-
-    def _apply_to_drafts(self, change: PutDraft | PutEdit | DropDraft) -> None:
-        match change:
-            case PutDraft(draft):
-                self.drafts[draft.item, draft.editor] = draft
-            case PutEdit(edit):
-                draft_key = edit.item, edit.editor
-                assert draft_key in self.drafts, "a step needs its draft"
-                steps = {key: kept for key, kept in self.edits.items() if key[:2] != draft_key or key[2] < edit.number}
-                self.edits = steps | {(*draft_key, edit.number): edit}
-            case DropDraft(item, editor):
-                self.drafts.pop((item, editor), None)
-                self.edits = {key: edit for key, edit in self.edits.items() if key[:2] != (item, editor)}
 
 
 class EditHarness:
     """An edit session with a fake worker and file: every order is carried out at once, unless `slow`."""
 
     def __init__(self, cast: Cast, tables: Any = None, *, slow: bool = False) -> None:
-        self.cast, self.slow = cast, slow
+        self.cast = cast
+        self.slow = slow
         self.tables = Tables() if tables is None else tables
         self.on_air = OnAir(faces={"generic": 1.0}, expressions={"neutral": 1.0})
         self.wall = WALL

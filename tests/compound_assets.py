@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from omote.show.messages import CompoundAsset
+from omote.show.cast_documents import CompoundAsset
 
 
 def unpack_compound(asset: CompoundAsset, count: int) -> NDArray[np.float64]:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import signal
 from collections.abc import Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass
@@ -22,7 +23,7 @@ from tests import synthetic
 
 # No test depends on how fast a machine is.
 settings.register_profile(
-    "omote", deadline=None, derandomize=True, max_examples=60, suppress_health_check=[HealthCheck.too_slow]
+    "omote", deadline=None, derandomize=True, max_examples=30, suppress_health_check=[HealthCheck.too_slow]
 )
 settings.load_profile("omote")
 
@@ -89,25 +90,35 @@ def random_moves(seed: int, count: int) -> list[Command]:
     """As many calls, T-bar moves and releases as asked for: longer than hypothesis would draw."""
     rng = np.random.default_rng(seed)
     names = {"face": synthetic.FACES, "expression": synthetic.EXPRESSIONS}
-    found = []
+    moves = []
     for _ in range(count):
-        axis, wait = str(rng.choice(["face", "expression"])), float(rng.exponential(0.3))
+        axis = str(rng.choice(["face", "expression"]))
+        wait = float(rng.exponential(0.3))
         kind = rng.choice(["call", "fade", "release"], p=[0.5, 0.4, 0.1])
         if kind == "call":
             time = float(rng.choice([0.0, np.inf, 0.05, 4.0 * rng.random()], p=[0.05, 0.15, 0.1, 0.7]))
-            found.append(
+            moves.append(
                 Command(f"call_{axis}", (str(rng.choice(names[axis])),), time, str(rng.choice(list(EASINGS))), wait)
             )
         elif kind == "fade":
-            found.append(Command(f"fade_{axis}", (float(rng.choice([0.0, 1.0, rng.random()])),), wait=wait))
+            moves.append(Command(f"fade_{axis}", (float(rng.choice([0.0, 1.0, rng.random()])),), wait=wait))
         else:
-            found.append(Command(f"release_{axis}", wait=wait))
-    return found
+            moves.append(Command(f"release_{axis}", wait=wait))
+    return moves
 
 
 def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
     """Long tests first; all others stay in their order."""
     items.sort(key=lambda item: item.get_closest_marker("long") is None)
+
+
+@pytest.fixture
+def children_hear_ctrl_c() -> Iterator[None]:
+    """What the test starts hears Ctrl-C, also where pytest was started with `&` or nohup, by which it would be ignored:
+    a process ignores what its parent does."""
+    before = signal.signal(signal.SIGINT, signal.default_int_handler)
+    yield
+    signal.signal(signal.SIGINT, before)
 
 
 @pytest.fixture

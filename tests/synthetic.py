@@ -17,8 +17,10 @@ from omote.model.space.parts import Part, bind_to_head, bind_to_jaw, eye_rotatio
 
 Points = NDArray[np.float64]
 
-COLUMNS, ROWS = 32, 20
-MOUTH_ROW, MOUTH_COLUMNS = 6, 3
+COLUMNS = 32
+ROWS = 20
+MOUTH_ROW = 6
+MOUTH_COLUMNS = 3
 FACES = ("generic", "broad", "long")
 LOOKS = {
     "eyeLookOutLeft": ("left", 0.6, 0.0),
@@ -52,7 +54,8 @@ def head() -> tuple[Points, NDArray[np.int32]]:
 
 def _mouth_loop() -> NDArray[np.int64]:
     """The vertices around the removed quads, in order."""
-    left, right = COLUMNS // 2 - MOUTH_COLUMNS, COLUMNS // 2 + MOUTH_COLUMNS
+    left = COLUMNS // 2 - MOUTH_COLUMNS
+    right = COLUMNS // 2 + MOUTH_COLUMNS
     lower = MOUTH_ROW * COLUMNS + np.arange(left, right + 1)
     upper = (MOUTH_ROW + 1) * COLUMNS + np.arange(right, left - 1, -1)
     return np.concatenate([lower, upper])
@@ -61,7 +64,8 @@ def _mouth_loop() -> NDArray[np.int64]:
 def _triangles(loop: NDArray[np.int64]) -> NDArray[np.int32]:
     row, column = np.meshgrid(np.arange(ROWS - 1), np.arange(COLUMNS), indexing="ij")
     mouth = (row == MOUTH_ROW) & (np.abs(column - COLUMNS // 2 + 0.5) < MOUTH_COLUMNS)
-    row, column = row[~mouth], column[~mouth]
+    row = row[~mouth]
+    column = column[~mouth]
     a, b = row * COLUMNS + column, row * COLUMNS + (column + 1) % COLUMNS
     c, d = a + COLUMNS, b + COLUMNS
     crown = ROWS * COLUMNS

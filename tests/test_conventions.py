@@ -1,6 +1,5 @@
 """docs/conventions.md in a form that fails; every test here is named on that page."""
 
-import ast
 import dataclasses
 import inspect
 import re
@@ -55,43 +54,6 @@ def moved(cast: omote.Cast, name: str) -> NDArray[np.float64]:
     return omote.compound(cast.space, face, cast.expressions[name]).astype(np.float64) - face.positions
 
 
-PARTICIPLES = {
-    "omote.perform.axis": {"called", "faded", "released", "advanced", "halted"},
-}
-"""Participles allowed: each returns a changed copy of its first argument."""
-PUBLIC_PARTICIPLES = {"sculpted", "restored"}
-"""Public names of `omote` that stay: a function, and the classmethod that makes an object from its snapshot."""
-NOUNS = {"stored"}
-"""Nouns with the form of a participle: `stored` gives a `Stored`."""
-IRREGULAR = set(
-    "bent born bound bought broken brought built caught cut dealt drawn driven drunk eaten fallen fed felt found given "
-    "gone grown held heard hidden hung kept known laid led left lent lit lost made meant met paid put risen said seen "
-    "sent set sewn shaken shown shut slid sold spent spoken spread spun stood stuck sung sunk swept swollen taken "
-    "taught told thought thrown torn understood woken won worn wound woven written".split()
-)
-COMMANDS = {"set", "put", "cut", "shut", "spread"}
-"""Verbs whose participle is the same word."""
-PARTICIPLE_ENDINGS = re.compile(r"[a-z]{2,}[^e]ed")
-"""Regular participles; `feed`, `need` and `speed` are none."""
-
-
-def is_participle(name: str) -> bool:
-    """Whether a name is a bare past participle, such as `mailed` or `woven`."""
-    return bool(PARTICIPLE_ENDINGS.fullmatch(name)) or name in IRREGULAR - COMMANDS
-
-
-def defined_functions() -> Iterator[tuple[str, str]]:
-    """The module and the name of every public function and method in src/omote; properties are left out."""
-    source = Path(omote.__file__).parent
-    for path in sorted(source.rglob("*.py")):
-        module = ".".join(("omote", *path.relative_to(source).with_suffix("").parts)).removesuffix(".__init__")
-        for node in ast.walk(ast.parse(path.read_text())):
-            if not isinstance(node, ast.FunctionDef | ast.AsyncFunctionDef) or node.name.startswith("_"):
-                continue
-            if not any("property" in ast.unparse(decorator) for decorator in node.decorator_list):
-                yield module, node.name
-
-
 def public_callables() -> Iterator[tuple[str, Callable[..., object]]]:
     """Every public function and every public method of a public class."""
     for name in omote.__all__:
@@ -120,10 +82,12 @@ def test_lengths_are_metres(generic: NDArray[np.float64]) -> None:
 
 
 def test_y_is_up_z_is_forward_x_is_the_characters_left(cast: omote.Cast, generic: NDArray[np.float64]) -> None:
-    crown, nose = generic[generic[:, 1].argmax()], generic[generic[:, 2].argmax()]
+    crown = generic[generic[:, 1].argmax()]
+    nose = generic[generic[:, 2].argmax()]
     frame = omote.Performer(cast).advance(0.0)
     eyes = omote.evaluate_parts(cast, frame)
-    left, right = eyes["eye_left"].mean(axis=0), eyes["eye_right"].mean(axis=0)
+    left = eyes["eye_left"].mean(axis=0)
+    right = eyes["eye_right"].mean(axis=0)
     assert abs(nose[0]) < 0.005
     assert crown[1] > left[1] > nose[1]
     assert nose[2] > left[2] > crown[2]
@@ -131,11 +95,11 @@ def test_y_is_up_z_is_forward_x_is_the_characters_left(cast: omote.Cast, generic
     np.testing.assert_allclose(left, right * [-1, 1, 1], atol=1e-3)
 
 
-@pytest.mark.parametrize("name", SIDED)
-def test_left_units_move_the_left(cast: omote.Cast, generic: NDArray[np.float64], name: str) -> None:
-    energy = (moved(cast, name) ** 2).sum(axis=1)
-    side = 1 if name.endswith("Left") else -1
-    assert side * (energy @ generic[:, 0]) / energy.sum() > 0.005
+def test_left_units_move_the_left(cast: omote.Cast, generic: NDArray[np.float64]) -> None:
+    for name in SIDED:
+        energy = (moved(cast, name) ** 2).sum(axis=1)
+        side = 1 if name.endswith("Left") else -1
+        assert side * (energy @ generic[:, 0]) / energy.sum() > 0.005, name
 
 
 def test_triangles_wind_counter_clockwise_seen_from_outside(cast: omote.Cast, generic: NDArray[np.float64]) -> None:
@@ -144,7 +108,8 @@ def test_triangles_wind_counter_clockwise_seen_from_outside(cast: omote.Cast, ge
     from_axis = (a + b + c) / 3 - [space.cylinder.x, 0, space.cylinder.z]
     from_axis[:, 1] = 0
     assert ((np.cross(b - a, c - a) * from_axis).sum(axis=1) > 0).mean() > 0.95
-    theta, h = space.theta[space.skin_triangles], space.h[space.skin_triangles]
+    theta = space.theta[space.skin_triangles]
+    h = space.h[space.skin_triangles]
     u, v = np.remainder(theta[:, 1:] - theta[:, :1] + np.pi, 2 * np.pi) - np.pi, h[:, 1:] - h[:, :1]
     assert (u[:, 0] * v[:, 1] - u[:, 1] * v[:, 0] > 0).all()
 
@@ -205,7 +170,8 @@ def test_channels_reach_from_minus_a_half_to_one_and_a_half(cast: omote.Cast) ->
 
 
 def test_faces_and_expressions_are_frozen(cast: omote.Cast) -> None:
-    face, expression = cast.faces["generic"], cast.expressions["jawOpen"]
+    face = cast.faces["generic"]
+    expression = cast.expressions["jawOpen"]
     arrays = (
         face.positions,
         expression.dtheta,
@@ -220,29 +186,17 @@ def test_faces_and_expressions_are_frozen(cast: omote.Cast) -> None:
             setattr(noun, dataclasses.fields(noun)[0].name, None)
 
 
-@pytest.mark.parametrize(("name", "function"), [*public_callables()])
-def test_one_option_at_most_may_be_given_by_place(name: str, function: Callable[..., object]) -> None:
-    parameters = inspect.signature(function).parameters.values()
-    options = [p for p in parameters if p.default is not p.empty]
-    assert len([p for p in options if p.kind is not p.KEYWORD_ONLY]) <= 1, f"{name}{inspect.signature(function)}"
+def test_one_option_at_most_may_be_given_by_place() -> None:
+    for name, function in public_callables():
+        parameters = inspect.signature(function).parameters.values()
+        options = [p for p in parameters if p.default is not p.empty]
+        assert len([p for p in options if p.kind is not p.KEYWORD_ONLY]) <= 1, f"{name}{inspect.signature(function)}"
 
 
-def test_functions_are_verbs_or_nouns() -> None:
-    assert all(map(is_participle, ("mailed", "hired", "woven", "kept", "seen", "copied", "painted")))
-    assert not any(map(is_participle, ("feed", "need", "speed", "fit", "compile", "blend", "weights", "set")))
-    allowed = {(module, name) for module, names in PARTICIPLES.items() for name in names}
-    found = {(module, name) for module, name in defined_functions() if is_participle(name)}
-    free = {each for each in found if each[1] in PUBLIC_PARTICIPLES | NOUNS}
-    assert found - free == allowed
-
-
-@pytest.mark.parametrize("name", sorted({*omote.__all__, *(name for name, _ in public_callables())}))
-def test_public_names_are_documented(name: str) -> None:
-    value: object = omote
-    for part in name.split("."):
-        value = getattr(value, part)
-    sentence = (inspect.getdoc(value) or "").split("\n\n")[0]
-    assert re.match(r"\S.*[.:;,)]", sentence, re.DOTALL), f"{name} says {sentence!r}"
+def test_public_names_are_documented() -> None:
+    values = {name: getattr(omote, name) for name in omote.__all__} | dict(public_callables())
+    sentences = {name: (inspect.getdoc(value) or "").split("\n\n")[0] for name, value in values.items()}
+    assert {name: said for name, said in sentences.items() if not re.match(r"\S.*[.:;,)]", said, re.DOTALL)} == {}
 
 
 def test_arkit_units_have_their_exact_names(cast: omote.Cast) -> None:

@@ -1,7 +1,8 @@
-"""Public names of omote are documented in NumPy style, as docs/conventions.md says, with examples that run."""
+"""Docstrings name all parameters; those of omote's public names are in NumPy style, with examples that run."""
 
 from __future__ import annotations
 
+import ast
 import asyncio
 import doctest
 import inspect
@@ -19,6 +20,9 @@ import omote
 from omote.model.space.similarity import Similarity
 
 SECTIONS = ("Parameters", "Attributes", "Returns", "Raises", "Notes", "Examples", "References")
+ROOT = Path(omote.__file__).parent
+OPTION = re.compile(r"\btyper\.|(Option|Argument)$")
+"""The annotation of a parameter that a command's user reads the help of."""
 SOURCE = re.compile(r"Arai \(1993\)|docs/[a-z]+\.md")
 
 
@@ -58,17 +62,23 @@ def parameters_of(value: object) -> dict[str, str]:
 
 def wrong_calls(cast: omote.Cast) -> dict[tuple[str, type[Exception]], Callable[[], object]]:
     """For each error that a docstring announces one call that raises it."""
-    space, kaori, smile = cast.space, cast.faces["kaori"], cast.expressions["smile"]
+    space = cast.space
+    kaori = cast.faces["kaori"]
+    smile = cast.expressions["smile"]
     strange = omote.Face("strange", np.eye(3))
     rows = np.flatnonzero(space.on_sheet)[::40]
     net = omote.ControlNet.build(space, space.theta[rows], space.h[rows])
     sculpt = omote.Sculpt("far", np.eye(4, 3) + 1, np.zeros((4, 3)))
-    performer, frame = omote.Performer(cast), omote.Performer(cast).advance(0.0)
+    performer = omote.Performer(cast)
+    frame = omote.Performer(cast).advance(0.0)
     without = omote.Cast(space, {"kaori": kaori}, {"neutral": cast.expressions["neutral"]})
     words: Any = "one"  # what no type checker lets through
     no_parts: Any = 3
     mixed: Any = replace(frame, faces={"kaori": words})
-    dtheta, dh, ratio, residual = smile.dtheta, smile.dh, smile.ratio, smile.residual
+    dtheta = smile.dtheta
+    dh = smile.dh
+    ratio = smile.ratio
+    residual = smile.residual
     nowhere = Path("no such sculpt.toml")
     performer.call_face("old")
     scene = omote.Scene.begun(cast)
@@ -164,6 +174,7 @@ def wrong_calls(cast: omote.Cast) -> dict[tuple[str, type[Exception]], Callable[
         ("Scene.restored", TypeError): lambda: omote.Scene.restored(cast, words),
         ("Sculpt", ValueError): lambda: omote.Sculpt("same", np.zeros((4, 3)), np.zeros((4, 3))),
         ("caricature", ValueError): lambda: omote.caricature(space, kaori, math.nan),
+        ("Renderer", ValueError): lambda: omote.Renderer(cast, size=(1, 1)),
         ("Scan", ValueError): lambda: omote.Scan(np.zeros((4, 3))),
         ("take_expressions", ValueError): lambda: omote.take_expressions(
             space,
@@ -199,6 +210,10 @@ def wrong_calls(cast: omote.Cast) -> dict[tuple[str, type[Exception]], Callable[
     }
 
 
+DOCUMENTED = {name: sections_of(value) for name, value in PUBLIC.items()}
+"""The docstring of each public name, by section."""
+
+
 def raised_by(call: Callable[[], object]) -> Exception | None:
     """The error that a call raises."""
     try:
@@ -221,47 +236,105 @@ def cast() -> omote.Cast:
     return built_in
 
 
-@pytest.mark.parametrize("name", PUBLIC)
-def test_sections_are_known_and_in_order(name: str) -> None:
-    found = [section for section in sections_of(PUBLIC[name]) if section]
-    assert found == [section for section in SECTIONS if section in found]
+Function = ast.FunctionDef | ast.AsyncFunctionDef
 
 
-@pytest.mark.parametrize("name", PUBLIC)
-def test_a_docstring_begins_with_one_sentence_on_one_line(name: str) -> None:
-    first = sections_of(PUBLIC[name])[""].strip().split("\n\n")[0]
-    assert re.fullmatch(r"\S.*\.", first), first
-    assert not re.search(r"\. [A-Z]", first), f"{name} begins with more than one sentence: {first}"
+def defined(tree: ast.Module) -> Iterator[Function]:
+    """The public functions of a module, and the public methods of its public classes."""
+    classes = [node for node in tree.body if isinstance(node, ast.ClassDef) and not node.name.startswith("_")]
+    for node in (*tree.body, *(each for made in classes for each in made.body)):
+        if isinstance(node, Function) and not node.name.startswith("_"):
+            yield node
 
 
-@pytest.mark.parametrize("name", PUBLIC)
-def test_parameters_are_those_of_the_signature_in_its_order(name: str) -> None:
-    sections, given = sections_of(PUBLIC[name]), parameters_of(PUBLIC[name])
-    listed = entries(sections.get("Parameters", "") + sections.get("Attributes", ""))
-    inherits_order = inspect.isclass(PUBLIC[name])  # fields of one meaning are listed together
-    assert sorted(listed) == sorted(given) if inherits_order else [*listed] == [*given]
-    assert [parameter for parameter, (kind, text) in listed.items() if not kind or not text] == []
+def given(function: Function) -> list[str]:
+    """The names of a function's parameters, but for the first one of a method, and the options of commands: what one
+    means its help says."""
+    arguments = function.args
+    starred = [each for each in (arguments.vararg, arguments.kwarg) if each is not None]
+    parameters = (*arguments.posonlyargs, *arguments.args, *arguments.kwonlyargs, *starred)
+    helped = [each.arg for each in parameters if each.annotation and OPTION.search(ast.unparse(each.annotation))]
+    return [each.arg for each in parameters if each.arg not in ("self", "cls", *helped)]
 
 
-@pytest.mark.parametrize("name", PUBLIC)
-def test_arrays_are_given_with_their_shapes(name: str) -> None:
-    sections = sections_of(PUBLIC[name])
-    listed = entries(sections.get("Parameters", "") + sections.get("Attributes", ""))
-    arrays = [
-        p for p, kind in parameters_of(PUBLIC[name]).items() if re.search("ArrayLike|NDArray|Values|Indices", kind)
-    ]
-    assert [parameter for parameter in arrays if not re.search(r"\(\w+,?.*\)", listed[parameter][0])] == []
+def faults(function: Function) -> list[str]:
+    """What a docstring lacks: the parameters that it does not name, or a verb where the function changes something."""
+    text = ast.get_docstring(function) or ""
+    names = given(function)
+    missing = [name for name in names if len(names) > 1 and not re.search(rf"\b{name}\b", text)]
+    changes = isinstance(function.returns, ast.Constant) and function.returns.value is None
+    return [*missing, "a verb"] if changes and not re.match(r"[A-Z][a-z]+s\b", text) else missing
 
 
-@pytest.mark.parametrize("name", [name for name, value in PUBLIC.items() if not inspect.isclass(value)])
-def test_what_is_returned_is_documented_where_something_is(name: str) -> None:
-    gives = inspect.signature(PUBLIC[name]).return_annotation not in (None, "None")
-    assert ("Returns" in sections_of(PUBLIC[name])) == gives
+@pytest.mark.parametrize(
+    ("text", "missing"),
+    [
+        ("def f(a, b):\n 'The sum of a and b.'", []),
+        ("def f(a, b):\n 'The sum.'", ["a", "b"]),
+        ("def f(a):\n 'Its half.'", []),
+        ("def f(a) -> None:\n 'A half.'", ["a verb"]),
+        ("def f(a, *, key) -> None:\n 'Sets a for key.'", []),
+        ("def f(a: Annotated[int, typer.Option(help='A.')], b: JsonOption):\n 'The sum.'", []),
+    ],
+)
+def test_what_a_docstring_lacks_is_found(text: str, missing: list[str]) -> None:
+    assert [fault for function in defined(ast.parse(text)) for fault in faults(function)] == missing
 
 
-@pytest.mark.parametrize("name", omote.__all__)
-def test_public_names_say_where_they_come_from(name: str) -> None:
-    assert SOURCE.search(sections_of(PUBLIC[name]).get("References", ""))
+def test_docstrings_name_all_parameters_and_say_by_a_verb_what_changes() -> None:
+    lacking = {
+        f"{path.relative_to(ROOT).as_posix()}:{function.name}": missing
+        for path in sorted(ROOT.rglob("*.py"))
+        for function in defined(ast.parse(path.read_text()))
+        if (missing := faults(function))
+    }
+    assert lacking == {}
+
+
+def listed_in(sections: dict[str, str]) -> dict[str, tuple[str, str]]:
+    """The parameters, or the fields, that a docstring lists."""
+    return entries(sections.get("Parameters", "") + sections.get("Attributes", ""))
+
+
+def test_sections_are_known_and_in_order() -> None:
+    for name, sections in DOCUMENTED.items():
+        titles = [section for section in sections if section]
+        assert titles == [section for section in SECTIONS if section in titles], name
+
+
+def test_a_docstring_begins_with_one_sentence_on_one_line() -> None:
+    for name, sections in DOCUMENTED.items():
+        first = sections[""].strip().split("\n\n")[0]
+        assert re.fullmatch(r"\S.*\.", first), f"{name}: {first}"
+        assert not re.search(r"\. [A-Z]", first), f"{name} begins with more than one sentence: {first}"
+
+
+def test_parameters_are_those_of_the_signature_in_its_order() -> None:
+    for name, value in PUBLIC.items():
+        given = parameters_of(value)
+        listed = listed_in(DOCUMENTED[name])
+        inherits_order = inspect.isclass(value)  # fields of one meaning are listed together
+        assert (sorted(listed) == sorted(given)) if inherits_order else ([*listed] == [*given]), name
+        assert [parameter for parameter, (kind, text) in listed.items() if not kind or not text] == [], name
+
+
+def test_arrays_are_given_with_their_shapes() -> None:
+    for name, value in PUBLIC.items():
+        listed = listed_in(DOCUMENTED[name])
+        arrays = [p for p, kind in parameters_of(value).items() if re.search("ArrayLike|NDArray|Values|Indices", kind)]
+        assert [p for p in arrays if not re.search(r"\(\w+,?.*\)", listed[p][0])] == [], name
+
+
+def test_what_is_returned_is_documented_where_something_is() -> None:
+    functions = {name: value for name, value in PUBLIC.items() if not inspect.isclass(value)}
+    gives = {
+        name: inspect.signature(value).return_annotation not in (None, "None") for name, value in functions.items()
+    }
+    assert {name: "Returns" in DOCUMENTED[name] for name in functions} == gives
+
+
+def test_public_names_say_where_they_come_from() -> None:
+    assert [name for name in omote.__all__ if not SOURCE.search(DOCUMENTED[name].get("References", ""))] == []
 
 
 @pytest.mark.parametrize("name", PUBLIC)
@@ -286,8 +359,11 @@ def test_every_announced_error_is_raised_and_no_other_is_listed(cast: omote.Cast
 
 
 def test_what_is_of_another_type_is_refused_with_what_was_expected(cast: omote.Cast) -> None:
-    space, kaori, wrong = cast.space, cast.faces["kaori"], cast_to_any(7)
-    performer, frame = omote.Performer(cast), omote.Performer(cast).advance(0.0)
+    space = cast.space
+    kaori = cast.faces["kaori"]
+    wrong = cast_to_any(7)
+    performer = omote.Performer(cast)
+    frame = omote.Performer(cast).advance(0.0)
     expected = {
         "a channel is named by text": lambda: omote.action_units(wrong),
         "expected an omote.ParameterSpace": lambda: omote.caricature(wrong, kaori, 1.5),

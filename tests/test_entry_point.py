@@ -7,6 +7,11 @@ import sys
 
 import pytest
 
+pytestmark = [
+    pytest.mark.skipif(os.name == "nt", reason="Windows has no signals"),
+    pytest.mark.usefixtures("children_hear_ctrl_c"),
+]
+
 INTERRUPTED = """
 import os, signal, sys
 class Interrupt:
@@ -27,13 +32,11 @@ def interrupted(module: str) -> tuple[int, str]:
     return done.returncode, done.stderr
 
 
-@pytest.mark.skipif(os.name == "nt", reason="Windows has no signals")
 def test_ctrl_c_ends_the_command_without_a_traceback() -> None:
     for module in ("omote.cli", "typer"):
         assert interrupted(module) == (-signal.SIGINT, "")
 
 
-@pytest.mark.skipif(os.name == "nt", reason="Windows has no signals")
 def test_ctrl_c_is_heard_by_a_command_that_runs() -> None:
     status, said = interrupted("omote.builtin")
     assert (status, "Traceback" in said) == (130, False)

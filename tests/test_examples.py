@@ -18,8 +18,8 @@ from numpy.typing import NDArray
 
 import omote
 from omote.interchange.formats.glb_reader import read_glb
-from omote.interchange.formats.obj_reader import read_obj
 from omote.interchange.formats.png import read_png
+from omote.interchange.scans.wavefront_reader import read_obj_pieces
 from omote.perform.frame import Frame
 from omote.server.headless.chromium import find_chromium
 from omote.show.wire import decode_answer
@@ -52,7 +52,7 @@ def rows_of(path: Path) -> list[dict[str, str]]:
 
 def vertices(path: Path) -> NDArray[np.float64]:
     """The vertices of an OBJ file (V, 3), metres."""
-    return read_obj(path.read_bytes())
+    return np.concatenate([piece.points for piece in read_obj_pieces(path.read_bytes())])
 
 
 def largest_step(path: Path, other: Path) -> float:
@@ -114,7 +114,8 @@ def test_a_timeline_moves_vertices_and_gives_the_same_again(folder: Path) -> Non
 def test_a_new_expression_is_worn_by_three_faces(folder: Path) -> None:
     run("new_expression", folder)
     for name in ("kaori", "old", "dog"):
-        neutral, smirk = folder / f"{name}_neutral.obj", folder / f"{name}_smirk.obj"
+        neutral = folder / f"{name}_neutral.obj"
+        smirk = folder / f"{name}_smirk.obj"
         moved = vertices(smirk) - vertices(neutral)
         lifted = np.linalg.norm(moved, axis=1) > 1e-3
         assert 0.005 < largest_step(neutral, smirk) < 0.015
@@ -199,7 +200,8 @@ def test_a_grid_is_a_picture_with_a_face_in_each_cell(folder: Path) -> None:
 
 def test_a_replayed_log_gives_the_same_bytes_and_the_calls_of_the_log(folder: Path) -> None:
     assert "the same bytes" in run("replay_a_log", folder)
-    unpacker, states = msgspec.msgpack.Decoder(), (folder / "states.bin").read_bytes()
+    unpacker = msgspec.msgpack.Decoder()
+    states = (folder / "states.bin").read_bytes()
     log = [json.loads(line) for line in (folder / "log.jsonl").read_text().splitlines()]
     assert [message["type"] for _, message in log][-1] == "panic"
     assert states.count(b"epoch") == 121

@@ -11,7 +11,7 @@ from omote.builtin import load_cast
 from omote.cli import app
 from omote.edit.store.import_items import ImportedItem, changes_to_import
 from omote.interchange.formats.glb_reader import read_glb
-from omote.interchange.formats.obj_reader import read_obj_pieces
+from omote.interchange.scans.wavefront_reader import read_obj_pieces
 from omote.showfile.changes import Stored
 from omote.showfile.show_file import open_show
 
@@ -172,7 +172,8 @@ def test_a_face_is_written_as_an_avatar_of_its_author(tmp_path: Path) -> None:
 
 
 def test_an_own_face_becomes_an_avatar_when_its_licence_is_said(tmp_path: Path) -> None:
-    show, path = tmp_path / "a.omote", tmp_path / "aunt.vrm"
+    show = tmp_path / "a.omote"
+    path = tmp_path / "aunt.vrm"
     cast = load_cast()
     aunt = ImportedItem("Aunt", (cast.faces["auntie"], cast.looks["auntie"]))
     with closing(open_show(show)) as file:

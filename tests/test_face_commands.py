@@ -7,18 +7,20 @@ import pytest
 from typer.testing import CliRunner
 
 from omote.builtin import load_cast
+from omote.builtin.own_face import NoFaceError
 from omote.cli import app
 from omote.face_commands import EXPRESSIONS
+from omote.interchange import scan_face
 from omote.interchange.formats.png import read_png
 from omote.model.fitting.doubt import EYES, PLACE, Doubt
+from omote.model.fitting.find_head import HeadPlacement
 from omote.model.fitting.fit_face import Fit
 from omote.server.headless import people_table
 from omote.server.headless.devtools import BrowserError
-from omote.server.sandbox import scan_fits
 from omote.showfile.contents import unpack_face
 from omote.showfile.inspection import Inspection, inspect_show
 from tests.interchange.scans import scan_samples as samples
-from tests.server.sandbox.test_scan_fits import double
+from tests.server.sandbox.test_scan_faces import double
 
 drawn: list[tuple[Path, list[str], str]] = []
 """What a browser was asked to draw: where to, who, in which expressions."""
@@ -26,15 +28,15 @@ drawn: list[tuple[Path, list[str], str]] = []
 
 @pytest.fixture
 def doubts(monkeypatch: pytest.MonkeyPatch) -> list[Doubt]:
-    """What the double of `omote.fit` doubts; a scan named `nobody` has no head."""
+    """What the double of `fit_scan` doubts; a scan named `nobody` has no head."""
     found: list[Doubt] = []
 
-    def fit(*_: object, name: str, landmarks: object, **__: object) -> Fit:
+    def fit(*_: object, name: str, landmarks: object, **__: object) -> tuple[HeadPlacement, Fit]:
         if name == "nobody":
-            raise ValueError("there is no head in it")
+            raise NoFaceError("there is no head in it", None, ())
         return double(*([] if landmarks else found), face="old" if name == "bo" else "kaori")
 
-    monkeypatch.setattr(scan_fits, "fit", fit)
+    monkeypatch.setattr(scan_face, "fit_scan", fit)
     monkeypatch.setattr(
         people_table,
         "draw_people",
@@ -70,7 +72,8 @@ def test_a_face_is_stored_with_where_it_came_from(tmp_path: Path, doubts: list[D
     assert "added to" in text
     assert "'Ann'." in text
     found = kept(show)
-    (item,), (revision,) = found.stored.items, found.stored.revisions
+    (item,) = found.stored.items
+    (revision,) = found.stored.revisions
     assert (item.kind, item.label, revision.note) == ("face", "Ann", "from a.ply")
     face, look = unpack_face(found.contents[revision.content], "Ann")
     assert look == load_cast().looks["dog"]
@@ -79,7 +82,8 @@ def test_a_face_is_stored_with_where_it_came_from(tmp_path: Path, doubts: list[D
 
 def test_what_is_doubtful_is_stored_only_if_asked(tmp_path: Path, doubts: list[Doubt]) -> None:
     doubts.append(Doubt("The head is strange."))
-    show, path = tmp_path / "a.omote", scan(tmp_path, "a.ply")
+    show = tmp_path / "a.omote"
+    path = scan(tmp_path, "a.ply")
     text = said(path, "-o", show, status=1)
     assert "The head is strange." in text
     assert "--landmarks nose_tip=" in text
@@ -109,7 +113,8 @@ def test_landmarks_take_a_doubt_away(tmp_path: Path, doubts: list[Doubt]) -> Non
 def test_several_scans_make_a_table_and_one_that_fails_stops_no_other(tmp_path: Path, doubts: list[Doubt]) -> None:
     (tmp_path / "text.ply").write_bytes(b"hello")
     paths = [scan(tmp_path, "ann.ply"), scan(tmp_path, "nobody.ply"), tmp_path / "text.ply", scan(tmp_path, "bo.obj")]
-    show, folder = tmp_path / "a.omote", tmp_path / "report"
+    show = tmp_path / "a.omote"
+    folder = tmp_path / "report"
     text = said(*paths, "-o", show, "--report", folder, status=1)
     assert "nobody.ply: there is no head in it" in text
     assert "text.ply: the file is no PLY, but text" in text
@@ -206,7 +211,8 @@ def test_what_cannot_be_meant_is_refused(
 
 
 def test_the_same_scan_is_added_again_only_where_that_is_asked_for(tmp_path: Path, doubts: list[Doubt]) -> None:
-    show, path = tmp_path / "a.omote", scan(tmp_path, "a.ply")
+    show = tmp_path / "a.omote"
+    path = scan(tmp_path, "a.ply")
     said(path, "-o", show)
     again = said(path, "-o", show)
     assert "--keep-both adds a copy" in again

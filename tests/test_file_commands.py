@@ -14,7 +14,7 @@ from omote.file_commands import format_time
 from omote.interchange.formats.expression_json import encode
 from omote.model.cast import Cast
 from omote.showfile.backup import back_up
-from omote.showfile.changes import PutContent, PutItem, PutRevision, content_key
+from omote.showfile.changes import Content, StoredDocument, content_key
 from omote.showfile.contents import pack_expression
 from omote.showfile.show_file import ShowFile, open_show
 from tests.showfile.authored_work import item, revision
@@ -30,12 +30,12 @@ def show(tmp_path: Path, cast: Cast) -> Iterator[ShowFile]:
     key = content_key(data)
     opened.apply(
         [
-            PutContent(key, data),
-            PutItem(item(1, name="smirk", label="Smirk [left]", tags=("wry",), head=2)),
-            PutItem(item(2, name="sneer", deleted=True)),
-            PutRevision(revision(1, 1, content=key, recipe=RECIPE, note="first")),
-            PutRevision(revision(1, 2, content=key, recipe=RECIPE, editor="Bo")),
-            PutRevision(revision(1, 3, content=key, recipe=RECIPE, parent=1, aside=True)),
+            Content(key, data),
+            item(1, name="smirk", label="Smirk [left]", tags=("wry",), head=2),
+            item(2, name="sneer", deleted=True),
+            revision(1, 1, content=key, recipe=RECIPE, note="first"),
+            revision(1, 2, content=key, recipe=RECIPE, editor="Bo"),
+            revision(1, 3, content=key, recipe=RECIPE, parent=1, aside=True),
         ]
     )
     yield opened
@@ -87,7 +87,7 @@ def test_check_says_what_is_good_and_what_is_not(show: ShowFile) -> None:
     text = said("check", show.path)
     assert "BAD" not in text
     assert "a.omote is whole: schema" in text
-    show.apply([PutRevision(revision(1, 4, content=show.stored().revisions[0].content, recipe=b"?"))])
+    show.apply([revision(1, 4, content=show.stored().revisions[0].content, recipe=b"?")])
     text = said("check", show.path, status=1)
     assert "BAD   the recipe of revision 4 of smirk cannot be read" in text
     assert "a.omote is not all right. There is no good copy of it" in text
@@ -174,7 +174,8 @@ def test_a_time_that_no_clock_shows_is_a_question(seconds: float) -> None:
 
 
 def test_an_expression_goes_out_of_one_show_file_and_into_another(show: ShowFile, tmp_path: Path) -> None:
-    letter, other = tmp_path / "smirk.json", tmp_path / "other.omote"
+    letter = tmp_path / "smirk.json"
+    other = tmp_path / "other.omote"
     gone = CliRunner().invoke(app, ["file", "export", str(show.path), "smile", "-o", str(letter)])
     assert gone.exit_code == 0, gone.output
     come = CliRunner().invoke(app, ["file", "import", str(other), str(letter)])
@@ -200,7 +201,7 @@ def test_what_cannot_come_in_leaves_no_file(tmp_path: Path) -> None:
 
 
 def test_a_label_in_an_untrusted_file_controls_no_terminal(show: ShowFile) -> None:
-    show.apply([PutItem(item(1, name="smirk", label="\x1b[31mred\x07\u202eder\n", head=2))])
+    show.apply([item(1, name="smirk", label="\x1b[31mred\x07\u202eder\n", head=2)])
     for text in (said("list", show.path), said("check", show.path), said("history", show.path, "smirk")):
         assert not {"\x1b", "\x07", "\u202e"} & set(text)
     assert r"\x1b[31mred\x07\u202eder\n" in said("list", show.path)
@@ -222,8 +223,20 @@ def test_a_path_that_no_disk_takes_is_refused(command: tuple[str, ...], tmp_path
 
 def test_a_file_whose_numbers_are_used_up_takes_nothing_more_and_says_so(tmp_path: Path) -> None:
     other = open_show(tmp_path / "b.omote")
-    other.apply([PutItem(item(2**63 - 1, name="last"))])
+    other.apply([item(2**63 - 1, name="last")])
     other.close()
     cast = load_cast()
     (tmp_path / "mail.json").write_bytes(encode(make_document(cast.space, "Wry", (), cast.expressions["smile"])))
     assert "too large" in said("import", other.path, tmp_path / "mail.json", status=1)
+
+
+def test_documents_of_any_kind_are_listed_and_written(show: ShowFile, tmp_path: Path) -> None:
+    body = b'{"face":"ann"}'
+    show.apply([StoredDocument("pose", "bow", body)])
+    listed = json.loads(said("list", show.path, "--documents", "pose", "--json"))
+    assert listed == [{"kind": "pose", "name": "bow", "bytes": len(body)}]
+    said("export", show.path, "bow", "--documents", "pose", "-o", tmp_path / "bow.json")
+    assert (tmp_path / "bow.json").read_bytes() == body
+    assert "there are: bow" in said(
+        "export", show.path, "row", "--documents", "pose", "-o", tmp_path / "x.json", status=1
+    )

@@ -12,8 +12,8 @@ from typer.testing import CliRunner, Result
 from omote.cli import app
 from omote.model.cast import Cast
 from omote.server.headless.devtools import BrowserError
-from omote.server.headless.picture_run import PictureRun, PictureStudio, Progress, write_picture
-from omote.showfile.changes import PutContent, PutItem, PutRevision, content_key
+from omote.server.headless.picture_run import PictureProgress, PictureRun, PictureStudio, write_picture
+from omote.showfile.changes import Content, content_key
 from omote.showfile.contents import pack_expression
 from omote.showfile.show_file import open_show
 from omote.stage_data.picture_sidecar import checksum_of, encode_sidecar, read_sidecar
@@ -40,14 +40,14 @@ def runs(small_cast: Cast, monkeypatch: pytest.MonkeyPatch) -> list[PictureRun]:
     """What would be drawn; every picture is the same small file, written as it would be."""
     asked: list[PictureRun] = []
 
-    def draw(studio: PictureStudio, run: PictureRun, report: Callable[[Progress], None], *, jobs: int) -> None:
+    def draw(studio: PictureStudio, run: PictureRun, report: Callable[[PictureProgress], None], *, jobs: int) -> None:
         asked.append(run)
         done = len(run.pictures) - len(run.waiting)
         for number, file in enumerate([*run.waiting, *([run.table] if run.table else [])], done + 1):
             file.path.parent.mkdir(exist_ok=True)
             write_picture(file, PICTURES[file.path.suffix])
             if file is not run.table:
-                report(Progress(file.path, 0.5, number, len(run.pictures)))
+                report(PictureProgress(file.path, 0.5, number, len(run.pictures)))
 
     monkeypatch.setattr("omote.server.headless.picture_run.draw_run", draw)
     return asked
@@ -149,7 +149,8 @@ def test_how_a_replaced_picture_was_drawn_is_kept(tmp_path: Path, runs: list[Pic
 def test_a_picture_that_omote_did_not_draw_stays_unless_it_is_told(
     tmp_path: Path, runs: list[PictureRun], sidecar: bool
 ) -> None:
-    path, theirs = tmp_path / "a.png", PICTURES[".png"] + b" of somebody else"
+    path = tmp_path / "a.png"
+    theirs = PICTURES[".png"] + b" of somebody else"
     if sidecar:
         typed("render", "-o", str(path))
     path.write_bytes(theirs)
@@ -170,7 +171,8 @@ def test_an_empty_file_is_no_picture_of_somebody(tmp_path: Path, runs: list[Pict
 def test_a_strange_picture_among_those_of_a_table_stays(
     tmp_path: Path, small_cast: Cast, runs: list[PictureRun]
 ) -> None:
-    one, words = next(iter(small_cast.faces)), ["grid", "-o", str(tmp_path / "a.png"), "--faces"]
+    one = next(iter(small_cast.faces))
+    words = ["grid", "-o", str(tmp_path / "a.png"), "--faces"]
     (tmp_path / "a.pictures").mkdir()
     strange = tmp_path / "a.pictures" / f"{one}-neutral.png"
     strange.write_bytes(PICTURES[".png"] + b" of somebody else")
@@ -182,7 +184,8 @@ def test_pictures_of_the_table_before_go_when_another_takes_its_place(
     tmp_path: Path, small_cast: Cast, runs: list[PictureRun]
 ) -> None:
     one, other, *_ = small_cast.faces
-    path, folder = tmp_path / "a.png", tmp_path / "a.pictures"
+    path = tmp_path / "a.png"
+    folder = tmp_path / "a.pictures"
     words = ["grid", "-o", str(path), "--faces"]
     typed(*words, f"{one},{other}")
     (folder / "mine.png").write_bytes(PICTURES[".png"] + b" of somebody else")
@@ -242,7 +245,8 @@ def test_a_sidecar_of_another_cast_says_so(tmp_path: Path, runs: list[PictureRun
 
 
 def test_redraw_proves_brings_back_and_replaces_only_when_told(tmp_path: Path, runs: list[PictureRun]) -> None:
-    path, sidecar = tmp_path / "a.png", tmp_path / "a.png.json"
+    path = tmp_path / "a.png"
+    sidecar = tmp_path / "a.png.json"
     typed("render", "-o", str(path))
     path.unlink()
     typed("redraw", str(sidecar))
@@ -260,7 +264,8 @@ def test_redraw_proves_brings_back_and_replaces_only_when_told(tmp_path: Path, r
 
 
 def test_of_a_sidecar_the_request_counts_and_nothing_else_may_be_edited(tmp_path: Path, runs: list[PictureRun]) -> None:
-    path, sidecar = tmp_path / "a.png", tmp_path / "a.png.json"
+    path = tmp_path / "a.png"
+    sidecar = tmp_path / "a.png.json"
     typed("render", "-o", str(path), "--expression", "smile=0.5")
     whole = json.loads(sidecar.read_text())
     edits: list[dict[str, Any]] = [
@@ -302,7 +307,7 @@ def test_own_work_of_a_show_is_drawn(
     key = content_key(data)
     show = open_show(tmp_path / "a.omote")
     kept = item(1, name="crooked_smile", label="Crooked smile", head=1)
-    show.apply([PutContent(key, data), PutItem(kept), PutRevision(revision(1, 1, content=key, recipe=RECIPE))])
+    show.apply([Content(key, data), kept, revision(1, 1, content=key, recipe=RECIPE)])
     show.close()
     words = ["render", "-o", str(tmp_path / "a.png"), "--expression", "crooked-smile"]
     assert "no expression 'crooked-smile'" in typed(*words, status=1).stderr

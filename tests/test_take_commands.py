@@ -1,4 +1,4 @@
-"""`omote play-take`: what it says of files and shows that are not there; played into a show in tests/server/client."""
+"""`omote play-take`: what it says of files and shows that are not there; played into a show in tests/client."""
 
 import socket
 from collections.abc import Callable
@@ -68,7 +68,7 @@ def test_a_file_that_is_no_take_is_said(tmp_path: Path, data: bytes | None, said
 
 def test_a_show_that_is_not_there_is_said(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(
-        "omote.server.client.connect.connect.__kwdefaults__",
+        "omote.client.connect.connect.__kwdefaults__",
         {"name": "x", "timeout": 0.2, "token": None, "authority": None},
     )
     path = tmp_path / "take.csv"

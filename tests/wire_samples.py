@@ -13,7 +13,8 @@ def sample_of(kind: type[msgspec.Struct]) -> msgspec.Struct:
 
 
 def _value(annotation: object) -> object:
-    origin, arguments = typing.get_origin(annotation), typing.get_args(annotation)
+    origin = typing.get_origin(annotation)
+    arguments = typing.get_args(annotation)
     if origin is typing.Annotated:
         return _value(arguments[0])
     if origin is typing.Literal:

@@ -27,7 +27,7 @@ from tools.baking.expressions import ARKIT, MAKEHUMAN, OMOTE, PERFORMED
 from tools.baking.hair.strands import hair_arrays
 from tools.baking.hair.styles import GROOMS
 from tools.baking.heads.basemesh import BaseMesh, Floats, read_base_mesh
-from tools.baking.heads.fold_correction import correct_folds
+from tools.baking.heads.fold_repair import repair_folds
 from tools.baking.heads.head import Head, cut_head
 from tools.baking.heads.lower_lip import round_lower_lip
 from tools.baking.heads.moves import all_moves, jaw_vertices
@@ -74,11 +74,12 @@ def cast_arrays(package: Package, base: BaseMesh, head: Head, layout: Floats, st
     step("targets of the units")
     arrays["jaw"] = jaw_vertices(moves)
     fit_generic_mouth(arrays)
-    space, sculpts = space_of(arrays), read_sculpts()
+    space = space_of(arrays)
+    sculpts = read_sculpts()
     fit_mouths(arrays, space, [name for name in PEOPLE if name != GENERIC])
     arrays.update(sculpt_arrays(arrays, space, sculpts, step))
     fit_mouths(arrays, space, [sculpt.name for sculpt in sculpts])
-    corrected = correct_folds(space, round_lower_lip(space, leave_other_socket(space, moves)))
+    corrected = repair_folds(space, round_lower_lip(space, leave_other_socket(space, moves)))
     arrays.update(field_arrays(arrays, space, corrected, step))
     arrays.update(hair_arrays(space, step))
     arrays.update(openness_arrays(arrays))

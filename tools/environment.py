@@ -1,4 +1,5 @@
-"""Make `.venv` and install this package with its test extra into it, at the versions of constraints.txt.
+"""Make `.venv` and install this package into it, at the versions of constraints.txt: `environment.py show` with what a
+show uses, `environment.py test` with what checks and tests need.
 
 Runs under the system's Python, which may be too old: it must be able to say so.
 """
@@ -14,6 +15,8 @@ ROOT = Path(__file__).resolve().parent.parent
 ENVIRONMENT = ROOT / ".venv"
 PYTHON = ENVIRONMENT / ("Scripts/python.exe" if os.name == "nt" else "bin/python")
 OLDEST = (3, 11)
+EXTRAS = {"show": "https,discovery", "test": "test"}
+"""The extras of pyproject.toml with which the package is installed, by what for."""
 NO_VENV = (
     "Python could not make a virtual environment; it lacks the module venv or ensurepip "
     "(Debian, Ubuntu: sudo apt-get install python3-venv). Install it, then run the command again."
@@ -43,20 +46,21 @@ def make_environment() -> bool:
     return works(sys.executable, "-m", "venv", "--clear", str(ENVIRONMENT))
 
 
-def install_packages() -> bool:
-    """Build tools first, then the package itself without a build environment of its own: all of it is pinned."""
+def install_packages(purpose: str) -> bool:
+    """What a purpose of `EXTRAS` needs: build tools first, then the package itself without a build environment of its
+    own: all of it is pinned."""
     print("  installing the pinned Python packages", flush=True)
     pip = [str(PYTHON), "-m", "pip", "install", "-qq", "--disable-pip-version-check", "--constraint", "constraints.txt"]
     pip.append("--no-compile")  # Python compiles what is imported, which is a small part of it
-    return works(*pip, "hatchling") and works(*pip, "--no-build-isolation", "--editable", ".[test]")
+    return works(*pip, "hatchling") and works(*pip, "--no-build-isolation", "--editable", f".[{EXTRAS[purpose]}]")
 
 
-def main() -> int:
-    """Set up; on failure one sentence on stderr."""
+def main(purpose: str) -> int:
+    """Set up for a purpose of `EXTRAS`; on failure one sentence on stderr."""
     refused = refusal(sys.version_info[:2])
     if refused is None and not make_environment():
         refused = NO_VENV
-    if refused is None and not install_packages():
+    if refused is None and not install_packages(purpose):
         refused = NO_PACKAGES
     if refused is not None:
         print(refused, file=sys.stderr)
@@ -64,4 +68,4 @@ def main() -> int:
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    sys.exit(main(*sys.argv[1:]))

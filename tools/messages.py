@@ -6,6 +6,7 @@
 
 from __future__ import annotations
 
+import dataclasses
 import inspect
 import json
 import sys
@@ -37,11 +38,16 @@ from omote.perform.lights import BACKGROUNDS, FIRST_LIGHT, LIGHTS
 from omote.perform.limits import CHANNEL_HIGHEST, CHANNEL_LOWEST
 from omote.perform.scene.character_names import ALL, FIRST_CHARACTER, JOINT, MOST_CHARACTERS
 from omote.show import messages
-from omote.show.access.access_documents import REVOKED_CODE
+from omote.show.access.access_documents import ACCESS_STRUCTS, REVOKED_CODE
 from omote.show.access.access_role import ACCESS_ROLES
+from omote.show.declaration import Message
+from omote.show.messages import CLIENT_MESSAGES, LINK_PATH, PROTOCOL_VERSION, SERVER_MESSAGES, STATE_RATE, STRUCTS
+from omote.show.objects.stages import Level
 
 FOLDER = Path(__file__).parent.parent / "web" / "src" / "link"
 HEAD = "// Written by tools/messages.py from {}. Do not edit: run `python tools/messages.py`.\n"
+WIDTH = 120
+"""Characters of a line, as the web's formatter has it."""
 PLAIN = {float: "number", int: "number", str: "string", bool: "boolean", bytes: "Uint8Array", type(None): "null"}
 
 
@@ -54,26 +60,35 @@ def type_script(annotation: object) -> str:
     return _generic(typing.get_origin(annotation), typing.get_args(annotation), annotation)
 
 
-def interface(struct: type[msgspec.Struct]) -> str:
-    """One exported interface, with the docstring as its comment."""
+def interface(struct: type[msgspec.Struct], sent: bool = False) -> str:
+    """One exported type, in one line where it fits, with the docstring as its comment.
+
+    `sent`: a page sends it, so that a field with a default may be left out: the show fills it in as it reads.
+    """
     config = struct.__struct_config__
     hints = typing.get_type_hints(struct)
-    fields = [f"  {config.tag_field}: {_quote(config.tag)};"] if config.tag is not None else []
-    fields += [f"  {field.name}: {type_script(hints[field.name])};" for field in msgspec.structs.fields(struct)]
+    fields = [f"{config.tag_field}: {_quote(config.tag)}"] if config.tag is not None else []
+    fields += [
+        f"{field.name}{'' if field.required or not sent else '?'}: {type_script(hints[field.name])}"
+        for field in msgspec.structs.fields(struct)
+    ]
     lines = inspect.cleandoc(struct.__doc__ or "").replace("\n\n", "\n").splitlines()
     comment = f"/** {lines[0]} */" if len(lines) == 1 else "/**\n" + "".join(f" * {line}\n" for line in lines) + " */"
-    return f"{comment}\nexport interface {struct.__name__} {{\n" + "\n".join(fields) + "\n}\n"
+    line = f"export type {struct.__name__} = {{ {'; '.join(fields)} }};\n"
+    if len(line) > WIDTH:
+        line = f"export type {struct.__name__} = {{\n" + "".join(f"  {one};\n" for one in fields) + "};\n"
+    return f"{comment}\n{line}"
 
 
 def show_module() -> str:
     """The messages of the show's link in TypeScript, the same text for the same messages."""
     constants = [
-        f"export const PROTOCOL_VERSION = {messages.PROTOCOL_VERSION};",
-        f"export const LINK_PATH = {_quote(messages.LINK_PATH)};",
-        f"/** States per second. */\nexport const STATE_RATE = {messages.STATE_RATE:g};",
+        f"export const PROTOCOL_VERSION = {PROTOCOL_VERSION};",
+        f"export const LINK_PATH = {_quote(LINK_PATH)};",
+        f"/** States per second. */\nexport const STATE_RATE = {STATE_RATE:g};",
     ]
-    unions = [_union("FromClient", messages.CLIENT_MESSAGES), _union("FromServer", messages.SERVER_MESSAGES)]
-    return _module(messages, constants, structs_of(messages), unions)
+    unions = [_union("FromClient", CLIENT_MESSAGES), _union("FromServer", SERVER_MESSAGES)]
+    return _module(messages, constants, [*STRUCTS, *ACCESS_STRUCTS], unions, CLIENT_MESSAGES)
 
 
 def editing_module() -> str:
@@ -84,7 +99,7 @@ def editing_module() -> str:
         f"/** Bytes; no message of an editor is longer. */\nexport const EDITING_LIMIT = {editing.EDITING_LIMIT};",
     ]
     unions = [_union("FromEditor", editing.EDITOR_MESSAGES), _union("ToEditor", editing.ANSWERS)]
-    return _module(editing, constants, structs_of(editing), unions)
+    return _module(editing, constants, structs_of(editing), unions, editing.EDITOR_MESSAGES)
 
 
 def camera_module() -> str:
@@ -94,7 +109,7 @@ def camera_module() -> str:
         f"export const CAMERA_PATH = {_quote(camera.CAMERA_PATH)};",
     ]
     unions = [_union("FromCamera", camera.CAMERA_MESSAGES), _union("ToCamera", camera.CAMERA_ANSWERS)]
-    return _module(camera, constants, structs_of(camera), unions)
+    return _module(camera, constants, structs_of(camera), unions, camera.CAMERA_MESSAGES)
 
 
 def microphone_module() -> str:
@@ -107,7 +122,13 @@ def microphone_module() -> str:
         _union("FromMicrophone", microphone.MICROPHONE_MESSAGES),
         _union("ToMicrophone", microphone.PAGE_MESSAGES),
     ]
-    return _module(microphone, constants, structs_of(microphone), unions)
+    return _module(microphone, constants, structs_of(microphone), unions, microphone.MICROPHONE_MESSAGES)
+
+
+def _lights() -> dict[str, dict[str, object]]:
+    """The values of the lights by name, without their labels, which come with the cast."""
+    values = {name: dataclasses.asdict(light) for name, light in LIGHTS.items()}
+    return {name: {key: value for key, value in light.items() if key != "label"} for name, light in values.items()}
 
 
 CONSTANTS: Mapping[str, tuple[str, object]] = {
@@ -117,7 +138,7 @@ CONSTANTS: Mapping[str, tuple[str, object]] = {
     "MOST_CHARACTERS": ("Characters that a scene holds at most.", MOST_CHARACTERS),
     "ACCESS_ROLES": ("What people may do: each role all that those before it may.", ACCESS_ROLES),
     "REVOKED_CODE": ("How a link is closed whose token is not valid any more.", REVOKED_CODE),
-    "LIGHT_NAMES": ("The lights that a show can call, in the order of the console.", tuple(LIGHTS)),
+    "LIGHTS": ("The lights that a show can call, in the order of the console (`perform/lights.py`).", _lights()),
     "FIRST_LIGHT": ("The light that a show begins with.", FIRST_LIGHT),
     "BACKGROUNDS": ("The backgrounds that have a name.", dict(BACKGROUNDS)),
     "PLAY_REGIONS": ("The regions of a face in which an expression can be called alone.", PLAY_REGIONS),
@@ -130,7 +151,7 @@ CONSTANTS: Mapping[str, tuple[str, object]] = {
     ),
     "EASING_NAMES": ("The easings of a call.", tuple(EASINGS)),
     "DEFAULT_EASING": ("The easing of a call that names none.", DEFAULT_EASING),
-    "LEVELS": ("The levels of quality, from the cheapest to the best.", typing.get_args(messages.Level)),
+    "LEVELS": ("The levels of quality, from the cheapest to the best.", typing.get_args(Level)),
     "CHANNEL_RANGE": ("The lowest and the highest weight of a channel.", (CHANNEL_LOWEST, CHANNEL_HIGHEST)),
     "NEUTRAL_GAINS": ("A face's gains where it sets none, by region, in the order of the panels.", dict(NEUTRAL_GAINS)),
     "GAIN_RANGE": ("The lowest and the highest gain.", (LEAST_GAIN, MOST_GAIN)),
@@ -186,9 +207,16 @@ def _literal(value: object) -> str:
     return json.dumps(value) + (" as const" if isinstance(value, tuple | list | dict) else "")
 
 
-def _module(source: ModuleType, constants: list[str], structs: list[type[msgspec.Struct]], unions: list[str]) -> str:
+def _module(
+    source: ModuleType,
+    constants: list[str],
+    structs: list[type[msgspec.Struct]],
+    unions: list[str],
+    sent: tuple[type[msgspec.Struct], ...],
+) -> str:
     head = HEAD.format(f"src/{source.__name__.replace('.', '/')}.py")
-    return "\n".join([head, "\n".join(constants) + "\n", *map(interface, structs), *unions])
+    interfaces = [interface(struct, sent=struct in sent) for struct in structs]
+    return "\n".join([head, "\n".join(constants) + "\n", *interfaces, *unions])
 
 
 def _generic(origin: object, arguments: tuple[object, ...], annotation: object) -> str:
@@ -211,14 +239,18 @@ def _generic(origin: object, arguments: tuple[object, ...], annotation: object) 
 
 
 def _is_message(value: object) -> bool:
-    return isinstance(value, type) and issubclass(value, msgspec.Struct) and value is not messages.Message
+    if not isinstance(value, type) or not issubclass(value, msgspec.Struct):
+        return False
+    return not (issubclass(value, Message) and value.__subclasses__())
 
 
 def _union(name: str, members: tuple[type[msgspec.Struct], ...]) -> str:
     names = [member.__name__ for member in members]
     line = f"export type {name} = {' | '.join(names)};\n"
     return (
-        line if len(line) <= 120 else f"export type {name} =\n" + "\n".join(f"  | {member}" for member in names) + ";\n"
+        line
+        if len(line) <= WIDTH
+        else f"export type {name} =\n" + "\n".join(f"  | {member}" for member in names) + ";\n"
     )
 
 

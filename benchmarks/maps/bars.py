@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 
@@ -11,8 +12,12 @@ from benchmarks.maps.figures import Figures, Worst
 from benchmarks.maps.methods import DEFORMATION, OURS
 from benchmarks.maps.source import NOT_HUMAN
 
-Faces = Mapping[str, Figures]
+Faces = Mapping[Any, Figures]
 Run = Mapping[str, Faces]
+
+LATE = 10.0 / 1.8
+"""Of compounds 95 % take at most so many times what one takes deformation transfer, in the median of the same run:
+issue 13 asked for 10 ms where that took 1.8."""
 
 
 @dataclass(frozen=True)
@@ -32,7 +37,8 @@ class Verdict:
 
 def verdicts(run: Run) -> list[Verdict]:
     """Every bar of a run over the methods and faces."""
-    ours, peer = run[OURS], run[DEFORMATION]
+    ours = run[OURS]
+    peer = run[DEFORMATION]
     people = {name: figures for name, figures in ours.items() if name not in NOT_HUMAN}
     return [
         Verdict("folds per hundred compounds, people", per_hundred(people), 1.0),
@@ -51,7 +57,7 @@ def verdicts(run: Run) -> list[Verdict]:
         worst("mouth bag comes out, mm more than on the source", ours, lambda f: f.bag, 0.3, 1e3),
         worst("lining of the sockets comes out, mm more than on the source", ours, lambda f: f.sockets, 0.3, 1e3),
         Verdict("roughness against deformation transfer's", rough(ours), rough(peer)),
-        Verdict("milliseconds, 95th percentile", 1e3 * slow(ours), 10.0),
+        Verdict("time, 95th percentile, over deformation transfer's median", slow(ours) / median_time(peer), LATE),
     ]
 
 
@@ -100,6 +106,11 @@ def triple_folds(faces: Faces) -> float:
 def rough(faces: Faces) -> float:
     """Roughness against the source's, the mean of the faces."""
     return float(np.mean([figures.rough for figures in faces.values()]))
+
+
+def median_time(faces: Faces) -> float:
+    """The median of the times of all compounds, seconds."""
+    return float(np.median([time for figures in faces.values() for time in figures.times]))
 
 
 def slow(faces: Faces) -> float:

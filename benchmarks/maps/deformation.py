@@ -22,7 +22,9 @@ class DeformationTransfer:
     """
 
     def __init__(self, source: Values, target: Values, triangles: Indices, held: Indices) -> None:
-        self._source, self._target, self._triangles = source, target, triangles
+        self._source = source
+        self._target = target
+        self._triangles = triangles
         self._inverse = np.linalg.inv(_frames(source, triangles))
         slopes, self._plane = _slopes(target, triangles, len(target))
         self._area = np.tile(0.5 * np.linalg.norm(_normals(target, triangles), axis=1), 2)

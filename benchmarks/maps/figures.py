@@ -35,7 +35,8 @@ class Worst:
     def meet(self, value: float, unit: str) -> None:
         """Keeps the larger of two."""
         if value > self.value:
-            self.value, self.unit = value, unit
+            self.value = value
+            self.unit = unit
 
 
 @dataclass(frozen=True, eq=False)
@@ -80,14 +81,17 @@ class Comparison:
         self.source = source
         self._creases = Creases.of(source.sheet)
         self._skin = np.unique(source.sheet)
-        self._mouth, self._sockets = Mouth(source.space), Sockets(source.space)
+        self._mouth = Mouth(source.space)
+        self._sockets = Sockets(source.space)
         self.known = {unit: self._measure_source(unit) for unit in source.moves}
         self._roughest = sum(known.rough for known in self.known.values())
         self._sums = Sums(source)
 
     def _measure_source(self, unit: str) -> Known:
-        source, face = self.source, self.source.cast.faces[GENERIC]
-        rest, now = source.positions, source.positions + source.moves[unit]
+        source = self.source
+        face = self.source.cast.faces[GENERIC]
+        rest = source.positions
+        now = source.positions + source.moves[unit]
         return Known(
             find_folds(rest, now, source.sheet),
             self._rough(rest, now),
@@ -110,7 +114,8 @@ class Comparison:
 
     def measure(self, method: str, face: Face, worn: Callable[[str], Values]) -> Figures:
         """The figures of a map by name, prepared for a face, over all units and triples."""
-        found, rest = Figures(len(self.known)), face.positions.astype(np.float64)
+        found = Figures(len(self.known))
+        rest = face.positions.astype(np.float64)
         found.sockets.meet(float(self._sockets.out(rest).max(initial=0.0)), "at rest")
         moves = {}
         for unit in self.known:
@@ -123,7 +128,8 @@ class Comparison:
         return found
 
     def _add(self, found: Figures, face: Face, rest: Values, now: Values, unit: str) -> None:
-        known, sheet = self.known[unit], self.source.sheet
+        known = self.known[unit]
+        sheet = self.source.sheet
         over = int((find_folds(rest, now, sheet) & ~known.folded).sum())
         found.folds += over
         if over:

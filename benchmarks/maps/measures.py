@@ -44,9 +44,11 @@ def closure_errors(line: Line, source: tuple[Values, Values], target: tuple[Valu
     mean: |D(target) - D(source)|, D = mean_i up.(g_i(now) - g_i(rest)) / W; along: mean_i |d_i(target) - d_i(source)|.
     """
     if line.kind == "lips":
-        here, there = _rise(line, *target), _rise(line, *source)
+        here = _rise(line, *target)
+        there = _rise(line, *source)
         return abs(float(here.mean() - there.mean())), float(np.abs(here - there).mean())
-    (here, long_here), (there, long_there) = _part(line, *target), _part(line, *source)
+    (here, long_here) = _part(line, *target)
+    (there, long_there) = _part(line, *source)
     mean = (here * long_here).sum() / long_here.sum() - (there * long_there).sum() / long_there.sum()
     return abs(float(mean)), float((long_here * np.abs(here - there)).sum() / long_here.sum())
 
@@ -88,7 +90,8 @@ class Creases:
         """The angle (E,) by which the surface bends at each edge, radians; positions (V, 3)."""
         normal = normals(positions, self.sheet)
         normal /= np.maximum(np.linalg.norm(normal, axis=1, keepdims=True), 1e-30)
-        one, other = normal[self.sides[:, 0]], normal[self.sides[:, 1]]
+        one = normal[self.sides[:, 0]]
+        other = normal[self.sides[:, 1]]
         along = positions[self.ends[:, 1]] - positions[self.ends[:, 0]]
         along /= np.maximum(np.linalg.norm(along, axis=1, keepdims=True), 1e-30)
         result: Values = np.arctan2((along * np.cross(one, other)).sum(axis=1), (one * other).sum(axis=1))

@@ -42,7 +42,10 @@ def smooth(source: Source, face: Face) -> Map:
     return lambda unit: apply_expression(source.space, face, source.compiled[unit]).astype(np.float64)
 
 
-DELTAS, DEFORMATION, PAPER, OURS = "added deltas", "deformation transfer", "the paper's map", "ours"
+DELTAS = "added deltas"
+DEFORMATION = "deformation transfer"
+PAPER = "the paper's map"
+OURS = "ours"
 METHODS: dict[str, Callable[[Source, Face], Map]] = {
     DELTAS: add_deltas,
     DEFORMATION: deformation,

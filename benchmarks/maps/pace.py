@@ -20,7 +20,8 @@ UNITS = 40
 def measure_pace(faces: Sequence[str]) -> float:
     """How many times as long as there deformation transfer takes here for a compound of faces of the cast, on one core:
     the median over some units of each; what it prepares once for a face is not counted."""
-    source, seconds = load_source(UNITS), []
+    source = load_source(UNITS)
+    seconds = []
     for name in faces:
         peer = deformation(source, source.cast.faces[name])
         for unit in source.moves:

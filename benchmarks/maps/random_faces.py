@@ -18,7 +18,7 @@ from omote.model.cast import Cast
 from omote.model.sculpting.socket_depth import fit_lining_at_rest
 from omote.model.space.face import Face
 from omote.model.space.head_regions import REGIONS
-from omote.model.transfer.mouth.mouth_at_rest import fit_mouth_at_rest
+from omote.model.transfer.mouth_at_rest import fit_mouth_at_rest
 from tools.baking.heads.basemesh import BaseMesh, read_base_mesh
 from tools.baking.heads.head import Head, cut_head
 from tools.baking.heads.neck import level_throat
@@ -26,7 +26,10 @@ from tools.baking.heads.person import Build, Person, person_points
 from tools.baking.package import Package, find_wheel
 
 CACHE = Path(__file__).resolve().parents[2] / "build" / "cast"
-PEOPLE, STRONG, CARICATURES, MIXES = "people", "strong", "caricatures", "mixes"
+PEOPLE = "people"
+STRONG = "strong"
+CARICATURES = "caricatures"
+MIXES = "mixes"
 COUNTS: Mapping[str, int] = {PEOPLE: 30, STRONG: 10, CARICATURES: 10, MIXES: 10}
 HUMANS = ("kaori", "round", "child", "baby", "old", "man", "gaunt", "heavy", "auntie")
 AMOUNTS = (1.2, 2.0)
@@ -75,14 +78,16 @@ class Setting:
     size: float
 
 
-ORDINARY, EXTREME = Setting(14, 0.6, 0.5, 0.05), Setting(26, 1.1, 1.0, 0.1)
+ORDINARY = Setting(14, 0.6, 0.5, 0.05)
+EXTREME = Setting(26, 1.1, 1.0, 0.1)
 
 
 class PeopleMaker:
     """Makes people of the cast's space from the package."""
 
     def __init__(self, cast: Cast) -> None:
-        self._cast, self._package = cast, Package(find_wheel(CACHE))
+        self._cast = cast
+        self._package = Package(find_wheel(CACHE))
         self._base: BaseMesh = read_base_mesh(self._package.text("mpfb2/3dobjs/base.obj"))
         self.head: Head = cut_head(self._base)
         self.count = len(self._base.points)

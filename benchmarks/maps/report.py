@@ -14,7 +14,8 @@ from benchmarks.maps.figures import Figures, Worst
 from benchmarks.maps.source import NOT_HUMAN
 from benchmarks.maps.sums import SEEN
 
-BEGIN, END = "<!-- figures: begin -->", "<!-- figures: end -->"
+BEGIN = "<!-- figures: begin -->"
+END = "<!-- figures: end -->"
 
 Row = Sequence[str]
 METHOD_HEAD = (

@@ -19,8 +19,10 @@ from omote.model.transfer.paper_map import Compiled, compile_expression, displac
 Values = NDArray[np.float64]
 Indices = NDArray[np.int32]
 
-KINDS, PLAYED = ("arkit", "makehuman"), ("arkit", "makehuman", "performed")
-SEED, TRIPLES = 1993, 200
+KINDS = ("arkit", "makehuman")
+PLAYED = ("arkit", "makehuman", "performed")
+SEED = 1993
+TRIPLES = 200
 # Faces of the cast that nobody would call a person; all others are human.
 NOT_HUMAN = frozenset({"doll", "goblin", "alien", "dog", "cat", "noh"})
 

@@ -46,7 +46,8 @@ class Sums:
 
     def __init__(self, source: Source) -> None:
         self._source = source
-        rest, sheet = source.positions, source.sheet
+        rest = source.positions
+        sheet = source.sheet
         self._folded = [
             find_folds(rest, rest + sum(source.moves[unit] for unit in triple), sheet) for triple in source.triples
         ]
@@ -54,7 +55,8 @@ class Sums:
 
     def measure(self, method: str, face: Face, moves: Mapping[str, Values]) -> SumFigures:
         """The figures of a map on a face: moves (V, 3) by unit."""
-        source, rest = self._source, face.positions.astype(np.float64)
+        source = self._source
+        rest = face.positions.astype(np.float64)
         add = (
             self._corrected_sums(face, moves) if method == OURS else lambda triple: rest + sum(moves[u] for u in triple)
         )
@@ -78,7 +80,8 @@ class Sums:
 
     def _corrected_sums(self, face: Face, moves: Mapping[str, Values]) -> Callable[[Triple], Values]:
         """The engine's own way with sums, on this face."""
-        fitted, regions = fit(self._source.space, face), find_corrective_regions(self._source.space)
+        fitted = fit(self._source.space, face)
+        regions = find_corrective_regions(self._source.space)
         if regions is None:
             raise ValueError("the cast's space names no line of lids or lips; expected the built-in cast")
         expressions = self._source.cast.expressions
@@ -125,7 +128,8 @@ class Sums:
 
 def crossing(line: Line, rest: Values, now: Values) -> Values:
     """How far the two sides of a line have passed each other, rung by rung, (RUNGS,) metres, more than at rest."""
-    still, moved = line.rungs(rest), line.rungs(now)
+    still = line.rungs(rest)
+    moved = line.rungs(now)
     along = np.array([0.0, 1.0, 0.0]) if line.kind == "lips" else still / np.linalg.norm(still, axis=1, keepdims=True)
     result: Values = np.maximum(np.minimum((along * still).sum(axis=1), 0.0) - (along * moved).sum(axis=1), 0.0)
     return result

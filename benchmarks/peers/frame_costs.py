@@ -12,12 +12,15 @@ import numpy as np
 from playwright.async_api import Browser, Page
 
 from benchmarks.peers.three_head import Head, open_three
-from omote.show.messages import Level
+from omote.show.objects.stages import Level
 
 LEVELS: tuple[str, ...] = typing.get_args(Level)
-PEER, SHADED, ROUGH = "three.js", "three.js, shadows", "three.js, one sample a pixel"
+PEER = "three.js"
+SHADED = "three.js, shadows"
+ROUGH = "three.js, one sample a pixel"
 PEERS = {PEER: "", SHADED: "shadows=1", ROUGH: "rough=1"}
-SLOT, FEWEST = 0.6, 4
+SLOT = 0.6
+FEWEST = 4
 """Seconds of a turn, and its frames at least."""
 
 RENDERER = """() => {

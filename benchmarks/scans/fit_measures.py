@@ -13,8 +13,8 @@ from numpy.typing import NDArray
 from benchmarks.maps.measures import Creases
 from benchmarks.scans.ict_people import SCLERA, Model
 from omote.model.fitting.fit_face import Fit
-from omote.model.fitting.shape.fitted_eyes import fit_sphere
-from omote.model.fitting.shape.head_zones import head_zones
+from omote.model.fitting.fitted_eyes import fit_sphere
+from omote.model.fitting.head_zones import head_zones
 from omote.model.space.parameter_space import ParameterSpace
 
 Values = NDArray[np.float64]
@@ -22,7 +22,11 @@ Mask = NDArray[np.bool_]
 MILLIMETRE = 1000.0
 FOLDED = np.deg2rad(150.0)
 """An edge whose triangles bend by more lies folded."""
-FACE, PLAIN, LIDS, LIPS, NO_LIDS = "face", "without lids, lips, nostrils", "lids", "lips", "without lids"
+FACE = "face"
+PLAIN = "without lids, lips, nostrils"
+LIDS = "lids"
+LIPS = "lips"
+NO_LIDS = "without lids"
 
 
 # trimesh has no types for either.
@@ -50,7 +54,8 @@ class Landings:
 def land(space: ParameterSpace, skin: Values, points: Values, triangles: NDArray[np.integer], /) -> Landings:
     """Exact nearest points (trimesh) of a surface (n, 3), (t, 3) to a skin (V, 3)."""
     surface = trimesh.Trimesh(points, triangles, process=False)
-    rows, count = np.flatnonzero(space.on_sheet), len(skin)
+    rows = np.flatnonzero(space.on_sheet)
+    count = len(skin)
     nearest, away, owner = _closest_point(surface, skin[rows])
     found = Landings(np.full(count, np.nan), np.zeros(count, np.int64), np.zeros((count, 3)))
     found.away[rows], found.triangle[rows] = MILLIMETRE * away, owner
@@ -67,7 +72,8 @@ def quantiles(away: Values, where: Mask, /) -> tuple[float, float]:
 def count_folds(space: ParameterSpace, skin: Values, /) -> int:
     """How many edges of the sheet are folded on a skin (V, 3), and not on the generic head."""
     creases = Creases.of(space.sheet_triangles)
-    before, now = np.abs(creases.angles(space.points)), np.abs(creases.angles(skin))
+    before = np.abs(creases.angles(space.points))
+    now = np.abs(creases.angles(skin))
     return int(((now > FOLDED) & (before <= FOLDED)).sum())
 
 
@@ -98,8 +104,10 @@ def landmark_errors(
 
     Where, is taken from the first half: the mean place on the generic head of the points nearest to theirs.
     """
-    sheet, names = space.sheet_triangles, [*people]
-    known, asked = names[: len(names) // 2], names[len(names) // 2 :]
+    sheet = space.sheet_triangles
+    names = [*people]
+    known = names[: len(names) // 2]
+    asked = names[len(names) // 2 :]
     places = np.mean([_lift(space, space.points, fits[i], people[i][model.landmarks]) for i in known], axis=0)
     generic = trimesh.Trimesh(space.points, sheet, process=False)
     nearest, _, owner = _closest_point(generic, places)

@@ -15,7 +15,8 @@ from omote.model.space.similarity import fit_similarity
 
 Values = NDArray[np.float64]
 Steps = list[list[float]] | None
-AMBERG, SUMNER = "nricp_amberg", "nricp_sumner"
+AMBERG = "nricp_amberg"
+SUMNER = "nricp_sumner"
 PEERS: Mapping[str, Callable[..., Values]] = {
     AMBERG: trimesh.registration.nricp_amberg, SUMNER: trimesh.registration.nricp_sumner
 }  # fmt: skip
@@ -47,7 +48,8 @@ def register(
     thread; steps: its settings, for which the head is of size one."""
     points, triangles = surface
     named = find_landmarks(space)
-    rows, places = np.array([named[name] for name in clicks]), np.array([*clicks.values()])
+    rows = np.array([named[name] for name in clicks])
+    places = np.array([*clicks.values()])
     used, sheet = np.unique(space.sheet_triangles, return_inverse=True)
     start = fit_similarity(space.points[rows], places, np.ones(len(rows)))(space.points)
     unit = float(np.ptp(points, axis=0).max())

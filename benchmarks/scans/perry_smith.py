@@ -20,7 +20,8 @@ NEAR = 0.06
 
 def read_scan() -> tuple[NDArray[np.float64], NDArray[np.int32]]:
     """Points (n, 3) in the scan's unit, triangles (t, 3)."""
-    points, triangles = [], []
+    points = []
+    triangles = []
     for line in FILE.read_text(encoding="utf-8").splitlines():
         kind, _, rest = line.partition(" ")
         if kind == "v":

@@ -45,7 +45,8 @@ class Spoiled:
 
 def draw_inputs(cast: Cast, count: int, seed: int, *, kinds: Sequence[str] = ()) -> Iterator[Spoiled]:
     """So many inputs of some kinds, or of all, by turns; the same for the same seed."""
-    maker, kinds = PeopleMaker(cast), kinds or all_kinds()
+    maker = PeopleMaker(cast)
+    kinds = kinds or all_kinds()
     for number in range(count):
         draw = np.random.default_rng([seed, number])
         yield _make(cast, maker, kinds[number % len(kinds)], number // len(kinds), draw)

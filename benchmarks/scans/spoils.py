@@ -15,7 +15,8 @@ from omote.model.fitting.landmarks import SEVEN
 Values = NDArray[np.float64]
 Spoil = Callable[[TrueHead, np.random.Generator], TrueHead]
 
-MILLION, FEW = 1_000_000, 500
+MILLION = 1_000_000
+FEW = 500
 
 
 def keep(head: TrueHead, chosen: NDArray[np.bool_]) -> TrueHead:
@@ -135,7 +136,8 @@ def _hair(head: TrueHead, draw: np.random.Generator) -> TrueHead:
 def _glasses(head: TrueHead, _draw: np.random.Generator) -> TrueHead:
     rims = []
     for side in ("left", "right"):
-        outer, inner = head.landmarks[f"{side}_eye_outer"], head.landmarks[f"{side}_eye_inner"]
+        outer = head.landmarks[f"{side}_eye_outer"]
+        inner = head.landmarks[f"{side}_eye_inner"]
         middle = (outer + inner) / 2 + np.array([0.0, -0.003, 0.014])
         around = [np.array([0.025 * np.cos(a), 0.021 * np.sin(a), 0.0]) for a in np.linspace(0, 2 * np.pi, 40)]
         rims.append(join([ball(middle + off, (0.002,) * 3, 6) for off in around]))

@@ -30,7 +30,8 @@ def ball(middle: ArrayLike, radii: ArrayLike, count: int = 48) -> Mesh:
 
 def rod(start: ArrayLike, end: ArrayLike, radius: float, count: int = 24) -> Mesh:
     """A capsule from one point to another."""
-    one, other = np.array(start, float), np.array(end, float)
+    one = np.array(start, float)
+    other = np.array(end, float)
     points, triangles = ball((0, 0, 0), (radius, radius, radius), count)
     along = (other - one) / np.linalg.norm(other - one)
     side = np.cross(along, np.eye(3)[np.abs(along).argmin()])

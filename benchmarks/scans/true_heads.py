@@ -16,14 +16,15 @@ from benchmarks.maps.random_faces import ORDINARY, PeopleMaker, draw_person
 from benchmarks.scans import perry_smith as perry_smith_scan
 from omote.model.cast import Cast
 from omote.model.fitting.landmarks import SEVEN, find_landmarks
-from tools.baking.heads.head import METRES, split_quads
+from tools.baking.heads.head import split_quads
 from tools.baking.heads.person import person_points
 
 Values = NDArray[np.float64]
 Triangles = NDArray[np.int64]
 
 DATA = Path(__file__).resolve().parents[3] / "shared" / "data"
-ICT, ANIMALS_AT = DATA / "ict_facekit", DATA / "quaternius_animals_cc0"
+ICT = DATA / "ict_facekit"
+ANIMALS_AT = DATA / "quaternius_animals_cc0"
 # iBUG's numbers of the seven.
 ICT_SEVEN = (45, 42, 39, 36, 30, 54, 48)
 ICT_STRENGTH = 0.9
@@ -81,7 +82,8 @@ def random_person(cast: Cast, maker: PeopleMaker, draw: np.random.Generator) -> 
 
 
 def _of_cast(cast: Cast, name: str, skin: Values, parts: Mapping[str, NDArray[np.floating]]) -> TrueHead:
-    points, triangles = [skin], [cast.space.triangles.astype(np.int64)]
+    points = [skin]
+    triangles = [cast.space.triangles.astype(np.int64)]
     for part, values in parts.items():
         if cast.space.parts[part].eye:
             triangles.append(cast.space.parts[part].triangles.astype(np.int64) + sum(map(len, points)))
@@ -92,8 +94,10 @@ def _of_cast(cast: Cast, name: str, skin: Values, parts: Mapping[str, NDArray[np
 
 def random_body(cast: Cast, maker: PeopleMaker, draw: np.random.Generator) -> TrueHead:
     """The whole body of somebody new."""
-    package, base, head = maker._package, maker._base, maker.head
-    points = METRES * person_points(draw_person(draw, ORDINARY), package, base, head)
+    package = maker._package
+    base = maker._base
+    head = maker.head
+    points = head.unit_metres * person_points(draw_person(draw, ORDINARY), package, base, head)
     corners, _ = split_quads(base.points, base.groups["body"])
     used, triangles = np.unique(corners, return_inverse=True)
     rows = {name: head.skin.vertices[row] for name, row in find_landmarks(cast.space).items()}
@@ -125,7 +129,8 @@ def animal(name: str) -> TrueHead:
 
 def read_obj(path: Path) -> tuple[Values, Triangles]:
     """Points and triangles of an OBJ."""
-    points, triangles = [], []
+    points = []
+    triangles = []
     for line in path.read_text(encoding="utf-8").splitlines():
         kind, _, rest = line.partition(" ")
         if kind == "v":

@@ -28,7 +28,8 @@ def add_deltas(pair: Pair) -> Mapping[str, Values]:
 
 def deform(pair: Pair) -> Mapping[str, Values]:
     """Deformation transfer after Sumner & Popovic (2004), of the sheet; skin off it is added."""
-    space, rest = pair.space, pair.face.positions.astype(np.float64)
+    space = pair.space
+    rest = pair.face.positions.astype(np.float64)
     source = pair.source.positions.astype(np.float64)
     solver = DeformationTransfer(source, rest, space.sheet_triangles, rims(space.location_triangles))
     on = space.on_sheet[:, None]
@@ -61,7 +62,8 @@ def as_generic(space: ParameterSpace, face: Face) -> ParameterSpace:
 
 
 def _carry_once(space: ParameterSpace, face: Face, moved: Values) -> Values:
-    inner, sheet = space.inner, (moved * space.on_sheet[:, None])[space.welded]
+    inner = space.inner
+    sheet = (moved * space.on_sheet[:, None])[space.welded]
     residual = moved[inner.vertices] - np.einsum("nk,nkc->nc", inner.weights, sheet[inner.anchors])
     state = pipeline.start(space, face, sheet, residual.astype(np.float32))
     return pipeline.run(pipeline.STAGES, state).skin.astype(np.float64) - face.positions
@@ -75,7 +77,9 @@ def _carry_fields(pair: Pair, space: ParameterSpace) -> Mapping[str, Values]:
     return {unit: compound(space, pair.face, field).astype(np.float64) - rest for unit, field in fields.items()}
 
 
-DELTAS, OURS, ALONE = "added deltas", "ours", "ours without extraction"
+DELTAS = "added deltas"
+OURS = "ours"
+ALONE = "ours without extraction"
 CARRIERS: Mapping[str, Carrier] = {
     DELTAS: add_deltas,
     "deformation transfer": deform,

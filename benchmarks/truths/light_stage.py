@@ -21,10 +21,13 @@ Values = NDArray[np.float64]
 
 FOLDER = Path(__file__).resolve().parents[3] / "shared" / "data" / "ict_facekit"
 # The first so many vertices are skin, with the linings of mouth and eyes; the file counts in centimetres.
-SKIN, CENTIMETRE = 14062, 0.01
-MOUTH, EYES = slice(11248, 13294), {"lid_right": slice(13294, 13678), "lid_left": slice(13678, 14062)}
+SKIN = 14062
+CENTIMETRE = 0.01
+MOUTH = slice(11248, 13294)
+EYES = {"lid_right": slice(13294, 13678), "lid_left": slice(13678, 14062)}
 # How strongly identities are drawn; expressions that move less, metres, are left out.
-STRENGTH, LEAST = 0.9, 5e-4
+STRENGTH = 0.9
+LEAST = 5e-4
 
 
 def light_stage_pairs(units: int, seed: int, people: int = 3) -> Iterator[Pair]:

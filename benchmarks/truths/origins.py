@@ -20,7 +20,6 @@ from omote.model.space.face import Face
 from omote.model.transfer.paper_map import compile_expression, displace_generic
 from tools.baking.expressions import MAKEHUMAN
 from tools.baking.heads.basemesh import read_target
-from tools.baking.heads.head import METRES
 from tools.baking.heads.moves import ORIGINS
 from tools.baking.heads.person import Build, Person
 
@@ -33,13 +32,16 @@ class Origins:
 
     def __init__(self, cast: Cast, units: Sequence[str] = tuple(MAKEHUMAN)) -> None:
         maker = PeopleMaker(cast)
-        self.cast, self.head = cast, maker.head
+        self.cast = cast
+        self.head = maker.head
         self.faces: dict[str, Face] = {
             origin: maker.make(origin, Person(look={}, build=Build(gender=0.5, age=0.5, race={origin: 1.0})))
             for origin in ORIGINS
         }
         self.moves: dict[str, Moves] = {
-            origin: {unit: METRES * read_target(maker.read_unit(origin, unit), maker.count) for unit in units}
+            origin: {
+                unit: self.head.unit_metres * read_target(maker.read_unit(origin, unit), maker.count) for unit in units
+            }
             for origin in ORIGINS
         }
 
@@ -65,7 +67,8 @@ class Origins:
         return sum(all(np.array_equal(first[unit], moves[unit]) for moves in rest) for unit in first)
 
     def _pair(self, name: str, source: Face, moves: Moves, face: str) -> Pair:
-        rows, parts = self.head.skin.vertices, self.head.parts
+        rows = self.head.skin.vertices
+        parts = self.head.parts
         true = {unit: move[rows] for unit, move in self.moves[face].items()}
         with_parts = {
             unit: {part: move[piece.vertices] for part, piece in parts.items()} for unit, move in moves.items()
@@ -74,7 +77,8 @@ class Origins:
         return Pair(name, self.cast.space, source, self.faces[face], given, true, with_parts)
 
     def _cast_moves(self) -> Moves:
-        space, fields = self.cast.space, self.cast.expressions
+        space = self.cast.space
+        fields = self.cast.expressions
         return {
             unit: displace_generic(space, compile_expression(space, fields[unit])) for unit in self.moves[ORIGINS[0]]
         }

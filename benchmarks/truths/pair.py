@@ -18,7 +18,10 @@ Parts = Mapping[str, Values]
 Carrier = Callable[["Pair"], Mapping[str, Values]]
 """Carries every unit of a pair's source to its face: displacements (V, 3) by the unit's name."""
 
-ALL, SHEET, INNER, BAG = "all skin", "sheet", "inner skin", "bag"
+ALL = "all skin"
+SHEET = "sheet"
+INNER = "inner skin"
+BAG = "bag"
 
 
 @dataclass(frozen=True, eq=False)

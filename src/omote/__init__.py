@@ -9,16 +9,18 @@ if TYPE_CHECKING:
     from omote.builtin import load_cast as load_cast
     from omote.builtin.own_face import fit as fit
     from omote.builtin.own_face import fit_photographs as fit_photographs
+    from omote.client.connect import connect as connect
+    from omote.client.connect import connect_async as connect_async
     from omote.interchange.formats.sculpt_toml import read_sculpt as read_sculpt
     from omote.model.action_units import action_units as action_units
     from omote.model.cast import Cast as Cast
     from omote.model.controls.control_net import ControlNet as ControlNet
     from omote.model.extraction.extract import extract as extract
     from omote.model.fitting.fit_face import Fit as Fit
-    from omote.model.fitting.foreign.take_expressions import take_expressions as take_expressions
     from omote.model.fitting.photographs.photograph import Photograph as Photograph
     from omote.model.fitting.photographs.photograph_fit import PhotographFit as PhotographFit
     from omote.model.fitting.scan import Scan as Scan
+    from omote.model.fitting.take_expressions import take_expressions as take_expressions
     from omote.model.sculpting.caricature import caricature as caricature
     from omote.model.sculpting.regions import regional as regional
     from omote.model.sculpting.sculpt import Sculpt as Sculpt
@@ -32,8 +34,7 @@ if TYPE_CHECKING:
     from omote.perform.blending.evaluate import evaluate_parts as evaluate_parts
     from omote.perform.performer import Performer as Performer
     from omote.perform.scene.scene import Scene as Scene
-    from omote.server.client.connect import connect as connect
-    from omote.server.client.connect import connect_async as connect_async
+    from omote.server.headless.picture_renderer import Renderer as Renderer
     from omote.server.headless.picture_renderer import render as render
     from omote.stage_data.full_cast import read_show as read_show
     from omote.stage_data.pose_parser import parse_pose as parse_pose
@@ -54,14 +55,15 @@ _HOMES = {
     "Gain": "omote.model.space.gain",
     "ParameterSpace": "omote.model.space.parameter_space",
     "Performer": "omote.perform.performer",
+    "Renderer": "omote.server.headless.picture_renderer",
     "Scan": "omote.model.fitting.scan",
     "Scene": "omote.perform.scene.scene",
     "Sculpt": "omote.model.sculpting.sculpt",
     "action_units": "omote.model.action_units",
     "caricature": "omote.model.sculpting.caricature",
     "compound": "omote.model.transfer.compound",
-    "connect": "omote.server.client.connect",
-    "connect_async": "omote.server.client.connect",
+    "connect": "omote.client.connect",
+    "connect_async": "omote.client.connect",
     "evaluate": "omote.perform.blending.evaluate",
     "evaluate_parts": "omote.perform.blending.evaluate",
     "extract": "omote.model.extraction.extract",
@@ -74,7 +76,7 @@ _HOMES = {
     "regional": "omote.model.sculpting.regions",
     "render": "omote.server.headless.picture_renderer",
     "sculpted": "omote.model.sculpting.sculpt",
-    "take_expressions": "omote.model.fitting.foreign.take_expressions",
+    "take_expressions": "omote.model.fitting.take_expressions",
 }
 
 __all__ = [*_HOMES]

@@ -67,7 +67,7 @@ def add(
     from omote.show.access.access_role import ACCESS_ROLES
     from omote.show.access.people_list import add_person, check_hours
 
-    chosen = next((each for each in ACCESS_ROLES if each == role.strip().lower()), None)
+    chosen = next((access_role for access_role in ACCESS_ROLES if access_role == role.strip().lower()), None)
     if chosen is None:
         fail(f"{role[:40]!r} is no role; give {ROLES_HELP}")
     with exit_on_refusal():
@@ -105,7 +105,10 @@ def revoke(name: Annotated[str, typer.Argument(callback=check_name, help="Whose.
 
 
 def note_place(lock: int, host: str, port: int, *, secure: bool) -> str:
-    """Writes where a show listens into its lock file, for these commands; returns the scheme of its addresses."""
+    """Writes where a show listens into its lock file, for these commands; returns the scheme of its addresses.
+
+    host, port: where it listens; secure: whether by https.
+    """
     from omote.server.access.show_addresses import url
     from omote.server.persistence.lock import note_address
 
@@ -114,37 +117,45 @@ def note_place(lock: int, host: str, port: int, *, secure: bool) -> str:
     return scheme
 
 
-def print_shared(people: People, base: str) -> None:
-    """Prints the addresses by which those enter who have no token of their own, and the code for a console."""
+def print_shared(people: People, base: str, *, colour: bool) -> None:
+    """Prints the addresses by which those enter who have no token of their own, and the code for a console.
+
+    people: all who have tokens; base: the show's address; colour: whether the terminal shows it.
+    """
     from omote.server.access.show_addresses import entry_address
     from omote.show.access.people_list import token_of
 
-    shared = {each.role: each for each in people.people if each.name == each.role}
+    shared = {holder.role: holder for holder in people.people if holder.name == holder.role}
     typer.echo("  Who has one of these addresses may enter, with the role that stands before it:")
     for role, person in shared.items():
         typer.echo(f"  {role:<8} {entry_address(base, role, token_of(people, person))}")
     if "operate" in shared:
-        typer.echo(f"\n{read_code(entry_address(base, 'operate', token_of(people, shared['operate'])))}\n")
+        code = read_code(entry_address(base, "operate", token_of(people, shared["operate"])), colour=colour)
+        typer.echo(f"\n{code}\n")
         typer.echo("  A phone or a tablet that reads this picture opens the console (operate).")
     typer.echo(f"  The pages {base}/camera, /microphone and /devices open in the same browser (operate).")
     typer.echo("  omote access, and People on a console of an admin, list, make and revoke tokens.")
 
 
 def print_entry(people: People, person: Person, base: str) -> None:
-    """Prints the address and the QR code of one person."""
+    """Prints the address and the QR code of one person. people: all who have tokens; base: the show's address."""
     from omote.server.access.show_addresses import entry_address
     from omote.show.access.people_list import token_of
 
     address = entry_address(base, person.role, token_of(people, person))
     typer.echo(f"  {person.role:<8} {escape_controls(person.name):<24} {_describe_end(person)}\n  {address}\n")
-    typer.echo(f"{read_code(address)}\n")
+    typer.echo(f"{read_code(address, colour=has_colour())}\n")
 
 
-def read_code(address: str) -> str:
-    """The QR code of an address, as this terminal can draw it."""
+def has_colour() -> bool:
+    """Whether standard output is a terminal that shows colours."""
+    return sys.stdout.isatty() and "NO_COLOR" not in os.environ
+
+
+def read_code(address: str, *, colour: bool) -> str:
+    """The QR code of an address, as a terminal can draw it. colour: whether it shows colours."""
     from omote.server.access.qr_code import draw_qr_code
 
-    colour = sys.stdout.isatty() and "NO_COLOR" not in os.environ
     return draw_qr_code(address, encoding=sys.stdout.encoding or "ascii", colour=colour)
 
 
@@ -180,8 +191,8 @@ def _locate(show: Path | None) -> Path:
 
 def _find_base(show: Path | None, address: str) -> str:
     """Where others reach the show: as the operator says, else as it was opened last, else a guess that says so."""
+    from omote.client.show_address import base_address
     from omote.server.access.show_addresses import is_loopback, own_address, reachable_addresses, split_url, url
-    from omote.server.client.link.show_address import base_address
     from omote.server.persistence.lock import read_address
 
     scheme, host, port = split_url(read_address(_locate(show)))

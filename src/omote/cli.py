@@ -41,20 +41,20 @@ def print_version(wanted: bool) -> None:
         raise typer.Exit
 
 
-@app.callback()
+@app.callback(help="Omote plays faces live: any face wears any expression, and both change at any instant.")
 def omote(
     version: Annotated[
         bool, typer.Option("--version", callback=print_version, is_eager=True, help="Print the version, and end.")
     ] = False,
 ) -> None:
-    """Omote plays faces live: any face wears any expression, and both change at any instant."""
+    """Prints the version, where that is asked for; all else is a command's."""
 
 
 app.command()(show)
 
 
 def main() -> None:
-    """The `omote` command."""
+    """Runs the command `omote`."""
     app()
 
 
@@ -132,12 +132,16 @@ def print_table(cast: Cast) -> None:
 
 
 def print_names(heading: str, labels: Mapping[str, str]) -> None:
-    """Prints names under a heading, none cut: with its label a line each, else as many on a line as there is room."""
+    """Prints names under a heading, none cut: with its label a line each, else as many on a line as there is room.
+
+    labels: the label of each name, or "".
+    """
     typer.secho(heading, bold=True)
     widest = max(map(len, labels), default=0)
-    told = {name: label for name, label in labels.items() if label.lower() not in ("", name)}
-    for name, label in told.items():
+    labelled = {name: label for name, label in labels.items() if label.lower() not in ("", name)}
+    for name, label in labelled.items():
         typer.echo(f"  {name:<{widest}}  {label}")
-    rest, width = ", ".join(name for name in labels if name not in told), max(40, shutil.get_terminal_size().columns)
+    rest = ", ".join(name for name in labels if name not in labelled)
+    width = max(40, shutil.get_terminal_size().columns)
     for line in textwrap.wrap(rest, width - 2, break_long_words=False, break_on_hyphens=False):
         typer.echo(f"  {line}")

@@ -9,7 +9,7 @@ import signal
 
 
 def main() -> None:
-    """The `omote` command."""
+    """Runs the command `omote`."""
     heard = signal.getsignal(signal.SIGINT)
     if heard is signal.default_int_handler:  # not where a shell has a job in the background ignore it
         signal.signal(signal.SIGINT, signal.SIG_DFL)

@@ -25,7 +25,8 @@ if TYPE_CHECKING:
 
 MOST_JOBS = 256
 STOPPED = "stopped; what is written stays, and the same command goes on from there."
-ARKIT, NEUTRAL = "arkit", "neutral"
+ARKIT = "arkit"
+NEUTRAL = "neutral"
 
 
 def export(
@@ -89,7 +90,11 @@ class ExportOptions:
 
 
 def read_credit(kind: str, authors: Sequence[str], licence: Sequence[str], *, older: bool) -> Credit | None:
-    """Who made a VRM and what others may do with it; None for other kinds; ends the command where it is not said."""
+    """Who made a VRM and what others may do with it; None for other kinds; ends the command where it is not said.
+
+    kind: the ending of the file; authors: who made it; licence: terms as they are typed; older: whether it is of
+    version 0.x.
+    """
     from omote.interchange.avatar.vrm_licence import Credit, parse_terms
     from omote.interchange.formats.file_names import VRM
 
@@ -102,10 +107,13 @@ def read_credit(kind: str, authors: Sequence[str], licence: Sequence[str], *, ol
 
 
 def export_file(output: Path, face: str, options: ExportOptions) -> None:
-    """Writes one face as one file, and the pictures that it names beside it."""
+    """Writes one face as one file, and the pictures that it names beside it.
+
+    output: the path; options: what was said of it.
+    """
     output = complete_name(output, ".glb")
     kind = output.suffix.lower()
-    found = check_export(output, options.show, force=options.force)
+    inspection = check_export(output, options.show, force=options.force)
     from rich.console import Console  # what is heavy comes after what can be refused without it
     from rich.progress import track
 
@@ -115,8 +123,9 @@ def export_file(output: Path, face: str, options: ExportOptions) -> None:
     from omote.stage_data.full_cast import find_face
 
     with exit_on_refusal():
-        cast, credit = load_full_cast(found), label_credit(options.credit, found)
-        face = find_face(cast, None if found is None else found.stored, face)
+        cast = load_full_cast(inspection)
+        credit = label_credit(options.credit, inspection)
+        face = find_face(cast, None if inspection is None else inspection.stored, face)
         names = choose_expressions(cast, options.expressions or (NEUTRAL if kind == OBJ else ARKIT))
         check_count(kind, names)
         busy = track(names, f"omote: {face}", console=Console(stderr=True), transient=True)
@@ -130,7 +139,10 @@ def export_file(output: Path, face: str, options: ExportOptions) -> None:
 
 
 def check_export(output: Path, show: Path | None, *, force: bool) -> Inspection | None:
-    """What the show file holds, if one is named; ends the command where the export could not be written."""
+    """What the show file holds, if one is named; ends the command where the export could not be written.
+
+    output: the path; force: whether a file there is replaced.
+    """
     from omote.interchange.formats.atomic_file import check_writable, require_free
     from omote.interchange.formats.file_names import check_export_name
     from omote.showfile.inspection import inspect_show
@@ -144,7 +156,7 @@ def check_export(output: Path, show: Path | None, *, force: bool) -> Inspection 
 
 
 def check_library(kind: str) -> None:
-    """ValueError where the library that a kind is written with is not installed."""
+    """Raises ValueError where the library that a kind is written with is not installed."""
     from omote.interchange.formats.file_names import USD
 
     if kind in USD:
@@ -154,7 +166,10 @@ def check_library(kind: str) -> None:
 
 
 def write_files(output: Path, files: Files, *, force: bool) -> None:
-    """Writes an export, its main file last, when all that it names is there; nothing where one of them is not free."""
+    """Writes an export, its main file last, when all that it names is there; nothing where one of them is not free.
+
+    output: the path of the main one; files: bytes by name; force: whether files there are replaced.
+    """
     from omote.interchange.formats.atomic_file import require_free, write_whole
 
     main, *others = files
@@ -166,47 +181,56 @@ def write_files(output: Path, files: Files, *, force: bool) -> None:
 
 
 def export_folder(folder: Path, faces: str, form: str, options: ExportOptions, pool: str | int) -> Finished:
-    """Writes several faces into a folder, and shows how far that is; pool: as `choose_pool` has it."""
+    """Writes several faces into a folder, and shows how far that is; pool: as `choose_pool` has it; form: of the files;
+    options: what was said of them."""
     from omote.showfile.inspection import inspect_show
 
     with exit_on_refusal():
         if folder.exists() and not folder.is_dir():
             raise NotADirectoryError(f"{folder} is a file; give the name of a folder")
-        found = None if options.show is None else inspect_show(options.show)
-        from omote.interchange.export_face import choose_expressions  # what is heavy comes after what can be refused
+        inspection = None if options.show is None else inspect_show(options.show)
+        from omote.interchange.export_face import choose_expressions
         from omote.interchange.exports.export_formats import check_kind, find_kind
         from omote.server.farm.export_run import ExportRun, run_export
 
         check_kind(kind := find_kind(form or "glb"), options.credit)
-        cast = load_full_cast(found)
-        chosen = choose_faces(cast, found, faces)
+        cast = load_full_cast(inspection)
+        chosen = choose_faces(cast, inspection, faces)
         names = choose_expressions(cast, options.expressions or ARKIT)
-        context, hair, force = shared_context(cast), options.hair, options.force
-        run = ExportRun(context, folder, kind, chosen, names, hair, force, label_credit(options.credit, found))
+        context = shared_context(cast)
+        hair = options.hair
+        force = options.force
+        run = ExportRun(context, folder, kind, chosen, names, hair, force, label_credit(options.credit, inspection))
         with shown_progress(run) as report:
             return run_export(run, choose_pool(pool), report)
 
 
-def choose_faces(cast: Cast, found: Inspection | None, text: str) -> list[str]:
-    """The faces that a person means: `all`, `own` (those of the show file), or names, by commas."""
+def choose_faces(cast: Cast, inspection: Inspection | None, text: str) -> list[str]:
+    """The faces that a person means: `all`, `own` (those of the show file), or names, by commas.
+
+    cast: the full one; inspection: what the show file holds; text: as it is typed.
+    """
     from omote.stage_data.full_cast import find_face, playing_items
 
-    stored = None if found is None else found.stored
+    stored = None if inspection is None else inspection.stored
     own = [item.name for item, _ in playing_items(stored) if item.kind == "face"] if stored is not None else []
     chosen: dict[str, None] = {}
     for word in filter(None, (word.strip() for word in text.split(","))):
-        known = {"all": list(cast.faces), "own": [name for name in own if name in cast.faces]}.get(word.lower())
-        chosen |= dict.fromkeys([find_face(cast, stored, word)] if known is None else known)
+        matching = {"all": list(cast.faces), "own": [name for name in own if name in cast.faces]}.get(word.lower())
+        chosen |= dict.fromkeys([find_face(cast, stored, word)] if matching is None else matching)
     if not chosen:
         raise ValueError(f"{text!r} names no face; give names by commas, all, or own with --show")
     return list(chosen)
 
 
-def label_credit(credit: Credit | None, found: Inspection | None) -> Credit | None:
-    """Who made a VRM, with what a show file calls its own faces."""
+def label_credit(credit: Credit | None, inspection: Inspection | None) -> Credit | None:
+    """Who made a VRM, with what a show file calls its own faces.
+
+    credit: as it was said; inspection: what the show file holds.
+    """
     from omote.stage_data.full_cast import face_labels
 
-    return credit if credit is None or found is None else replace(credit, labels=face_labels(found.stored))
+    return credit if credit is None or inspection is None else replace(credit, labels=face_labels(inspection.stored))
 
 
 def choose_pool(pool: str | int) -> Pool:
@@ -225,13 +249,13 @@ def count_cores() -> int:
     return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
 
 
-def load_full_cast(found: Inspection | None) -> Cast:
+def load_full_cast(inspection: Inspection | None) -> Cast:
     """The built-in cast, with a show file's own work where one is named."""
     from omote.builtin import load_cast
     from omote.stage_data.full_cast import build_full_cast
 
     cast = load_cast()
-    return cast if found is None else build_full_cast(cast, found.stored, found.contents, say)
+    return cast if inspection is None else build_full_cast(cast, inspection.stored, inspection.contents, say)
 
 
 def shared_context(cast: Cast) -> ExportContext:
@@ -269,15 +293,17 @@ def shown_progress(run: ExportRun) -> Iterator[Report]:
 
 
 def tell_face(done: int, total: int, face: str, failure: str) -> None:
-    """Says that a face is done, or why not."""
+    """Says that a face is done, or why not. total: how many there are; failure: why not, or ""."""
     say(f"{done} of {total}: {face}{f' failed: {failure}' if failure else ''}")
 
 
 def finish_folder(finished: Finished) -> None:
     """Says what a run did; ends the command with status 1 where faces failed, which are named."""
-    made, current, failed = finished.made, finished.current, finished.failed
+    written = finished.exported
+    current = finished.current
+    failed = finished.failed
     there = f"; there already, whole and current: {len(current)}" if current else ""
-    say(f"faces written: {len(made)}{there}{f'; failed: {len(failed)}' if failed else ''}")
+    say(f"faces written: {len(written)}{there}{f'; failed: {len(failed)}' if failed else ''}")
     for face, why in failed.items():
         say(f"{face}: {why}")
     if failed:

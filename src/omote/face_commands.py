@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from omote.file_commands import drop_known, print_rows, read_own_work
+from omote.file_commands import add_items, print_rows, read_own_work
 from omote.terminal import complete_show, escape_controls, exit_on_refusal, fail, say
 
 Landmarks = dict[str, tuple[float, float, float]]
@@ -23,36 +23,37 @@ EXPRESSIONS = "neutral,joy,angry,surprise,eyeBlinkLeft+eyeBlinkRight,jawOpen"
 
 if TYPE_CHECKING:
     from omote.edit.store.import_items import ImportedItem
+    from omote.interchange.scan_face import ScanFace
     from omote.model.cast import Cast, Look
     from omote.model.fitting.doubt import Doubt
-    from omote.server.sandbox.scan_fits import ScanFit
 
 
 @dataclass(frozen=True, eq=False)
-class Outcome:
-    """What came of a scan: a fit, or why there is none; read: whether the file was, so that only a face is missing."""
+class ScanOutcome:
+    """What came of a scan: what was made of it, None where no face was; trouble: why not; read: whether the file was,
+    so that only a face is missing."""
 
     path: Path
     label: str
-    fit: ScanFit | None
+    made: ScanFace | None
     trouble: str = ""
     read: bool = True
 
     @property
     def doubts(self) -> tuple[Doubt, ...]:
         """What should be looked at."""
-        return () if self.fit is None else self.fit.doubts
+        return () if self.made is None else self.made.doubts
 
     @property
     def state(self) -> str:
         """What the table and the sheet call it."""
-        return "failed" if self.fit is None else "doubtful" if self.doubts else "good"
+        return "failed" if self.made is None else "doubtful" if self.doubts else "good"
 
     @property
     def sentences(self) -> tuple[str, ...]:
         """All that is to be said of it."""
-        found = (self.trouble, *self.doubts, *(() if self.fit is None else self.fit.notes))
-        return tuple(sentence for sentence in found if sentence)
+        said = (self.trouble, *self.doubts, *(() if self.made is None else self.made.notes))
+        return tuple(sentence for sentence in said if sentence)
 
 
 def face(
@@ -93,7 +94,7 @@ def face(
         check_request(scans, output, name, landmarks or [], report)
         own = None if output is None else read_own_work(output)
         from omote.builtin import load_cast
-        from omote.interchange.scan_look import choose_hair
+        from omote.interchange.scan_face import choose_hair
         from omote.server.headless.people_table import check_people
         from omote.stage_data.full_cast import build_full_cast, find_face
 
@@ -102,9 +103,9 @@ def face(
         style = choose_hair(cast, hair)
         if report is not None and expressions != NO_TABLE:
             check_people(expressions)
-        outcomes = [dress(each, worn, style) for each in fit_all(cast, scans, name, landmarks or [], shut)]
+        outcomes = [dress(outcome, worn, style) for outcome in fit_all(cast, scans, name, landmarks or [], shut)]
         tell(outcomes, accept)
-        good = [each for each in outcomes if each.fit is not None and (accept or not each.doubts)]
+        good = [outcome for outcome in outcomes if outcome.made is not None and (accept or not outcome.doubts)]
         if output is not None and good:
             store(output, cast, good, keep_both=keep_both)
         if report is not None:
@@ -117,7 +118,10 @@ def face(
 def check_request(
     scans: list[Path], output: Path | None, name: str, landmarks: list[str], report: Path | None
 ) -> None:  # fmt: skip
-    """Ends the command where the options cannot mean anything, before a scan is read."""
+    """Ends the command where the options cannot mean anything, before a scan is read.
+
+    scans, output, name, landmarks, report: as the command has them.
+    """
     from omote.interchange.landmark_points import parse_point, require_enough
 
     if output is not None and output.suffix.lower() != SHOW and not output.exists():
@@ -138,11 +142,16 @@ def check_request(
     require_enough(dict(parse_point(word) for word in landmarks if "=" in word))
 
 
-def fit_all(cast: Cast, scans: list[Path], name: str, landmarks: list[str], shut: bool | None) -> list[Outcome]:
-    """Reads and fits each scan; what fails is told and stops no other."""
+def fit_all(cast: Cast, scans: list[Path], name: str, landmarks: list[str], shut: bool | None) -> list[ScanOutcome]:
+    """Reads and fits each scan; what fails is told and stops no other.
+
+    cast: the built-in one; scans: files; name: of the only face, "" for those of the files; landmarks: words and files
+    of them; shut: whether eyes are, None: look.
+    """
     from omote.interchange.landmark_points import read_landmarks
 
-    outcomes, points = [], {path: read_landmarks(landmarks, path, scans) for path in scans}
+    outcomes = []
+    points = {path: read_landmarks(landmarks, path, scans) for path in scans}
     with shown_progress(len(scans)) as step:
         for number, path in enumerate(scans):
             label = name or path.stem
@@ -153,39 +162,47 @@ def fit_all(cast: Cast, scans: list[Path], name: str, landmarks: list[str], shut
 
 def fit_one(
     cast: Cast, path: Path, label: str, points: Landmarks, shut: bool | None, step: Callable[[str], None]
-) -> Outcome:  # fmt: skip
-    """Reads and fits one scan."""
+) -> ScanOutcome:  # fmt: skip
+    """Reads and fits one scan.
+
+    cast: the built-in one; path: the scan; label: the face's name; points: landmarks (3,) by name; shut: whether eyes
+    are, None: look; step: told what is done.
+    """
+    from omote.server.sandbox.scan_faces import fit_in_child
     from omote.server.sandbox.scan_files import read_scan_in_sandbox
-    from omote.server.sandbox.scan_fits import fit_in_child
 
     read = False
     try:
-        found = read_scan_in_sandbox(path)
+        scan_file = read_scan_in_sandbox(path)
         read = True
-        for note in found.notes:
+        for note in scan_file.notes:
             say(f"{path.name}: {note}.")
         step(f"{path.name}: fitting")
-        return Outcome(path, label, fit_in_child(cast, found.scan, name=label, landmarks=points or None, shut=shut))
+        made = fit_in_child(cast, scan_file.scan, name=label, landmarks=points, shut=shut)
+        return ScanOutcome(path, label, made if made.fit else None, made.failure)
     except (ValueError, OSError) as error:
         from omote.showfile.database_errors import describe_error
 
-        return Outcome(path, label, None, describe_error(error).removeprefix(f"{path.name}: "), read)
+        return ScanOutcome(path, label, None, describe_error(error).removeprefix(f"{path.name}: "), read)
 
 
-def dress(outcome: Outcome, look: Look | None, hair: str | None) -> Outcome:
-    """What came of a scan with the look and the hair that a person chose; says which hair was chosen for them."""
+def dress(outcome: ScanOutcome, look: Look | None, hair: str | None) -> ScanOutcome:
+    """What came of a scan with the look and the hair that a person chose; says which hair was chosen for them.
+
+    outcome: of a scan; look: None for the scan's; hair: a style, "" for none, None for the look's.
+    """
     from omote.model.appearance.look_suggestion import wear_hair
 
-    fit = outcome.fit
-    if fit is None:
+    made = outcome.made
+    if made is None or made.look is None:
         return outcome
-    worn = look or fit.look
+    worn = look or made.look
     if hair is not None:
         worn = wear_hair(worn, hair)
     elif look is None and worn.albedo is None and worn.hair_style:
         note = f"it shows no colours, so it gets {worn.hair_style} hair; --hair chooses another, or none"
-        fit = replace(fit, notes=(*fit.notes, note))
-    return replace(outcome, fit=replace(fit, look=worn))
+        made = replace(made, notes=(*made.notes, note))
+    return replace(outcome, made=replace(made, look=worn))
 
 
 @contextmanager
@@ -203,91 +220,99 @@ def shown_progress(count: int) -> Iterator[Callable[[int, str], None]]:
         yield lambda number, what: bar.update(task, completed=number, description=escape_controls(what))
 
 
-def tell(outcomes: list[Outcome], accept: bool) -> None:
-    """Says what came of the scans: sentences, below a table for several."""
+def tell(outcomes: list[ScanOutcome], accept: bool) -> None:
+    """Says what came of the scans: sentences, below a table for several.
+
+    outcomes: of all scans; accept: whether doubtful faces are stored.
+    """
     if len(outcomes) > 1:
-        print_rows([row_of(each) for each in outcomes], json=False, none="")
-    for each in outcomes:
-        if each.fit is not None and len(outcomes) == 1:
-            say(f"{each.path.name}: {each.fit.describe()}.")
-        for sentence in each.sentences:
-            say(f"{each.path.name}: {sentence}")
+        print_rows([row_of(outcome) for outcome in outcomes], json=False, none="")
+    for outcome in outcomes:
+        if outcome.made is not None and len(outcomes) == 1:
+            say(f"{outcome.path.name}: {outcome.made.describe()}.")
+        for sentence in outcome.sentences:
+            say(f"{outcome.path.name}: {sentence}")
     advise(outcomes, accept)
-    if any(each.doubts for each in outcomes) and not accept:
+    if any(outcome.doubts for outcome in outcomes) and not accept:
         say("What is doubtful is not stored; --accept stores it as it is.")
 
 
-def advise(outcomes: list[Outcome], accept: bool) -> None:
-    """Says what ends the doubts."""
+def advise(outcomes: list[ScanOutcome], accept: bool) -> None:
+    """Says what ends the doubts.
+
+    outcomes: of all scans; accept: whether doubtful faces are stored.
+    """
     from omote.interchange.landmark_points import explain_landmarks
     from omote.model.fitting.doubt import EYES
 
-    asked = {doubt.kind for each in outcomes for doubt in each.doubts if not accept}
+    asked = {doubt.kind for outcome in outcomes for doubt in outcome.doubts if not accept}
     if EYES in asked:
         say("--shut says that the eyes of the scan are shut, --open that they are not.")
-    if asked - {EYES} or any(each.fit is None and each.read for each in outcomes):
+    if asked - {EYES} or any(outcome.made is None and outcome.read for outcome in outcomes):
         say(explain_landmarks(accepted=accept))
 
 
-def row_of(outcome: Outcome) -> dict[str, object]:
+def row_of(outcome: ScanOutcome) -> dict[str, object]:
     """What a table says of a scan: in how many millimetres half of the face lies, and 95 of 100 points."""
     from omote.interchange.fit_report import describe_distances
 
-    near = ("", "") if outcome.fit is None else describe_distances(outcome.fit.residual)
-    found: dict[str, object] = {"scan": outcome.path.name, "face": outcome.label, "state": outcome.state}
-    return found | {"median mm": near[0], "95 % mm": near[1]}
+    near = ("", "") if outcome.made is None else describe_distances(outcome.made.residual)
+    row: dict[str, object] = {"scan": outcome.path.name, "face": outcome.label, "state": outcome.state}
+    return row | {"median mm": near[0], "95 % mm": near[1]}
 
 
-def items_of(outcomes: list[Outcome]) -> list[ImportedItem]:
+def items_of(outcomes: list[ScanOutcome]) -> list[ImportedItem]:
     """The fitted faces as items that a show file can keep."""
     from omote.edit.store.import_items import ImportedItem
 
     return [
-        ImportedItem(each.label, (each.fit.face, each.fit.look), note=f"from {each.path.name}"[:200])
-        for each in outcomes
-        if each.fit is not None
+        ImportedItem(outcome.label, outcome.made.worn, note=f"from {outcome.path.name}"[:200])
+        for outcome in outcomes
+        if outcome.made is not None
     ]
 
 
-def store(output: Path, cast: Cast, good: list[Outcome], *, keep_both: bool) -> None:
-    """Stores faces as items of a show file, as `omote file import --as face` does."""
-    from omote.builtin import load_cast
-    from omote.edit.store.import_items import changes_to_import, distinguish
-    from omote.server.persistence.offline_show import open_offline_show, wall_clock
+def store(output: Path, cast: Cast, good: list[ScanOutcome], *, keep_both: bool) -> None:
+    """Stores faces as items of a show file, as `omote file import --as face` does.
 
-    arrivals = items_of(good)
-    with open_offline_show(output, new=True) as show:
-        stored = show.stored()
-        distinct = distinguish(load_cast(), stored, arrivals if keep_both else drop_known(stored, arrivals))
-        show.apply(changes_to_import(cast, stored, [each for each, _ in distinct], wall=wall_clock()))
-    for _, twin in distinct:
-        if twin:
-            say(twin)
-    names = ", ".join(repr(each.label) for each, _ in distinct)
-    say(f"added to {output}: {names}." if names else f"nothing was added to {output}.")
+    output: the show file; cast: with its own work; good: what is stored; keep_both: whether copies of what is there are
+    added.
+    """
+    added = ", ".join(map(repr, add_items(output, cast, items_of(good), keep_both=keep_both)))
+    say(f"added to {output}: {added}." if added else f"nothing was added to {output}.")
 
 
-def write_report(folder: Path, cast: Cast, outcomes: list[Outcome]) -> None:
-    """Writes a table of all scans and a sheet of pictures of them."""
+def write_report(folder: Path, cast: Cast, outcomes: list[ScanOutcome]) -> None:
+    """Writes a table of all scans and a sheet of pictures of them.
+
+    folder: that gets it; cast: the built-in one; outcomes: of all scans.
+    """
     from omote.interchange.fit_report import SheetRow, contact_sheet, table_of
     from omote.interchange.formats.atomic_file import write_whole
     from omote.interchange.formats.png import png_bytes
 
     folder.mkdir(parents=True, exist_ok=True)
     write_whole(
-        folder / "scans.csv", table_of([row_of(each) | {"what": " ".join(each.sentences)} for each in outcomes])
+        folder / "scans.csv",
+        table_of([row_of(outcome) | {"what": " ".join(outcome.sentences)} for outcome in outcomes]),
     )
     rows = [
-        SheetRow(each.label, each.state, *(() if each.fit is None else (each.fit.face.positions, each.fit.residual)))
-        for each in outcomes
-    ]
+        SheetRow(
+            outcome.label, outcome.state,
+            *(() if outcome.made is None else (outcome.made.worn[0].positions, outcome.made.residual)),
+        )
+        for outcome in outcomes
+    ]  # fmt: skip
     write_whole(folder / "scans.png", png_bytes(contact_sheet(cast.space.triangles, rows)))
-    fitted = sum(each.fit is not None for each in outcomes)
+    fitted = sum(outcome.made is not None for outcome in outcomes)
     say(f"{folder} has scans.csv and scans.png: {fitted} of {len(outcomes)} were fitted.")
 
 
-def write_people(path: Path, outcomes: list[Outcome], expressions: str) -> None:
-    """Draws all people that were fitted by expressions; says why not where no browser is there to draw them."""
+def write_people(path: Path, outcomes: list[ScanOutcome], expressions: str) -> None:
+    """Draws all people that were fitted by expressions; says why not where no browser is there to draw them.
+
+    path: of the picture; outcomes: of all scans; expressions: names by commas.
+    """
     from omote.server.headless.devtools import BrowserError
     from omote.server.headless.people_table import draw_people
 

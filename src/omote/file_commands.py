@@ -25,13 +25,21 @@ JsonOption = Annotated[bool, typer.Option("--json", help="Print it for programs.
 file_app = typer.Typer(help="Looks into show files.", no_args_is_help=True)
 
 
+DocumentsOption = Annotated[str, typer.Option("--documents", help="Stored documents of a kind instead: layout.")]
+
+
 @file_app.command("list")
-def list_items(file: ShowFileArgument, json: JsonOption = False) -> None:
-    """Lists the own faces and expressions of a show file."""
+def list_items(file: ShowFileArgument, json: JsonOption = False, documents: DocumentsOption = "") -> None:
+    """Lists the own faces and expressions of a show file, or its documents of a kind."""
     from omote.showfile.inspection import inspect_show
 
     with exit_on_refusal():
         stored = inspect_show(file).stored
+    if documents:
+        named = stored.documents.get(documents, {})
+        sizes = [{"kind": documents, "name": name, "bytes": len(named[name])} for name in sorted(named)]
+        print_rows(sizes, json=json, none=f"{file} has no documents of kind {documents}; omote file check counts all.")
+        return
     rows = [
         {
             "kind": item.kind,
@@ -57,10 +65,11 @@ def check(file: ShowFileArgument) -> None:
 
     good = True
     with exit_on_refusal():
-        found = identify(file)
-        if found.kind == "foreign":
+        identity = identify(file)
+        if identity.kind == "foreign":
             fail(
-                f"{file} is {found.noun} and never was a show; it stays as it is. Name a show file, such as show.omote."
+                f"{file} is {identity.noun} and never was a show; it stays as it is. Name a show file, such as "
+                "show.omote."
             )
         if holds_nothing(file):
             fail(explain_missing(file))
@@ -111,6 +120,10 @@ def take_in(
     kind: Annotated[
         Literal["expression", "face"], typer.Option("--as", help="What the files are: expressions, or faces at rest.")
     ] = "expression",
+    landmarks: Annotated[
+        list[str] | None,
+        typer.Option(help="Of a head of another program: where a point is, nose_tip=x,y,z, again for each; or a JSON."),
+    ] = None,
     keep_both: Annotated[
         bool, typer.Option("--keep-both", help="Adds a copy of what is there already, exactly the same.")
     ] = False,
@@ -118,26 +131,17 @@ def take_in(
     """Takes expressions or faces made elsewhere into a show file that no show plays; what is there already is not
     added again."""
     from omote.interchange.formats.file_names import require_imports
-    from omote.server.persistence.offline_show import open_offline_show, wall_clock
 
     with exit_on_refusal():
         own = read_own_work(file)
         require_imports(things)
         from omote.builtin import load_cast  # what is heavy comes after what can be refused without it
-        from omote.edit.store.import_items import changes_to_import, distinguish
         from omote.stage_data.full_cast import build_full_cast, find_face
 
         cast = load_cast() if own is None else build_full_cast(load_cast(), *own, say)
         face = find_face(cast, None if own is None else own[0], face) if face else ""
-        arrivals = read_arrivals(cast, things, face, kind)
-        with open_offline_show(file, new=True) as show:
-            stored = show.stored()
-            new = arrivals if keep_both else drop_known(stored, arrivals)
-            distinct = distinguish(load_cast(), stored, new)
-            show.apply(changes_to_import(cast, stored, [each for each, _ in distinct], wall=wall_clock()))
-        for _, twin in distinct:
-            if twin:
-                say(twin)
+        arrivals = read_arrivals(cast, things, face, kind, landmarks or [])
+        new = add_items(file, cast, arrivals, keep_both=keep_both)
     say(f"{file} has {f'{len(new)} {kind}' if new else 'nothing'}{'s' if len(new) > 1 else ''} more.")
 
 
@@ -153,36 +157,63 @@ def forget(
     from omote.server.persistence.forget_face import forget_faces
 
     with exit_on_refusal():
-        found = forget_faces(file, names, copies=copies)
-        for sentence in found.notes:
+        forgotten = forget_faces(file, names, copies=copies)
+        for sentence in forgotten.notes:
             say(sentence)
-    say(f"{file} has nothing of {', '.join(found.labels)} any more, nor have its good copies.")
+    say(f"{file} has nothing of {', '.join(forgotten.labels)} any more, nor have its good copies.")
+
+
+def add_items(file: Path, cast: Cast, arrivals: Sequence[ImportedItem], *, keep_both: bool) -> list[str]:
+    """Adds items to a show file that no show plays, made where there is none; returns their labels. What resembles
+    another item is told.
+
+    cast: the full one; arrivals: the items; keep_both: whether those that are there already are added too.
+    """
+    from omote.builtin import load_cast
+    from omote.edit.store.import_items import changes_to_import, distinguish
+    from omote.server.persistence.offline_show import open_offline_show, wall_clock
+
+    with open_offline_show(file, new=True) as show:
+        stored = show.stored()
+        distinct = distinguish(load_cast(), stored, arrivals if keep_both else drop_known(stored, arrivals))
+        show.apply(changes_to_import(cast, stored, [item for item, _ in distinct], wall=wall_clock()))
+    for _, twin in distinct:
+        if twin:
+            say(twin)
+    return [item.label for item, _ in distinct]
 
 
 def drop_known(stored: Stored, arrivals: Sequence[ImportedItem]) -> list[ImportedItem]:
-    """The arrivals that are new; of each other one it is said what it is already."""
+    """The arrivals that are new; of each other one it is said what it is already. stored: what the show file holds."""
     from omote.edit.store.import_items import find_known
 
-    known = find_known(stored, arrivals)
-    for arrival, item in zip(arrivals, known, strict=True):
+    twins = find_known(stored, arrivals)
+    for arrival, item in zip(arrivals, twins, strict=True):
         if item is not None:
             where = f"as {item.name} ({item.label})" if item.name else "among what these files bring"
             say(
                 f"{arrival.label!r} is there already, exactly the same, {where}: it is not added again; --keep-both "
                 "adds a copy."
             )
-    return [arrival for arrival, item in zip(arrivals, known, strict=True) if item is None]
+    return [arrival for arrival, item in zip(arrivals, twins, strict=True) if item is None]
 
 
 def read_arrivals(
-    cast: Cast, things: Sequence[Path], face: str, kind: Literal["expression", "face"]
+    cast: Cast, things: Sequence[Path], face: str, kind: Literal["expression", "face"], landmarks: Sequence[str]
 ) -> list[ImportedItem]:
-    """What files bring; each is told as soon as it is read."""
+    """What files (things) bring of a kind; each is told as soon as it is read.
+
+    cast, face: what shapes start from; landmarks: words and files of them, of heads of another topology.
+    """
     from omote.server.sandbox.import_files import expressions_from, faces_from
 
     arrivals = []
-    found = faces_from(cast, things, look=face) if kind == "face" else expressions_from(cast, things, face=face)
-    for arrival, sentence in found:
+    brought = (
+        faces_from(cast, things, look=face)
+        if kind == "face"
+        else expressions_from(cast, things, face=face, landmarks=landmarks)
+    )
+    for arrival, sentence in brought:
         typer.echo(f"omote: {escape_controls(sentence)}", err=True)
         arrivals.append(arrival)
     return arrivals
@@ -203,11 +234,14 @@ def read_own_work(file: Path) -> tuple[Stored, Mapping[str, bytes]] | None:
 @file_app.command("export")
 def give_out(
     file: ShowFileArgument,
-    name: Annotated[str, typer.Argument(help="The name of an own expression (omote file list), or one of the cast.")],
+    name: Annotated[
+        str, typer.Argument(help="The name of an own expression (omote file list), one of the cast, or a document's.")
+    ],
     output: Annotated[Path, typer.Option("--output", "-o", help="The document to write: smile.json.")],
     force: Annotated[bool, typer.Option("--force", help="Replaces a document that is there.")] = False,
+    documents: DocumentsOption = "",
 ) -> None:
-    """Writes an expression as a document that any crew can take in."""
+    """Writes an expression as a document that any crew can take in, or a stored document as it is (JSON)."""
     from omote.interchange.formats.atomic_file import check_writable, require_free, write_whole
     from omote.interchange.formats.file_names import check_document_name
     from omote.showfile.inspection import inspect_show
@@ -217,12 +251,19 @@ def give_out(
         check_writable(output)
         require_free(output, force=force)
         check_document_name(output)
-        found = inspect_show(file)
+        inspection = inspect_show(file)
+        if documents:
+            named = inspection.stored.documents.get(documents, {})
+            if name not in named:
+                fail(f"{file} has no {documents} {name!r}; there are: {', '.join(sorted(named)) or 'none'}.")
+            write_whole(output, named[name])
+            typer.echo(f"omote: {output} holds {name}.", err=True)
+            return
         from omote.builtin import load_cast  # what is heavy comes after what can be refused without it
         from omote.edit.store.import_items import export_document
         from omote.interchange.formats.expression_json import encode
 
-        write_whole(output, encode(export_document(load_cast(), found.stored, found.contents, name)))
+        write_whole(output, encode(export_document(load_cast(), inspection.stored, inspection.contents, name)))
     typer.echo(f"omote: {output} holds {name}.", err=True)
 
 
@@ -235,7 +276,10 @@ def format_time(seconds: float) -> str:
 
 
 def print_rows(rows: list[dict[str, Any]], *, json: bool, none: str) -> None:
-    """Prints rows as a table, or as JSON; a sentence where there are none."""
+    """Prints rows as a table, or as JSON; a sentence where there are none.
+
+    json: whether as JSON; none: that sentence.
+    """
     if json:
         import msgspec
 

@@ -12,20 +12,21 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
+from omote.perform.lights import LIGHTS
 from omote.terminal import INTERRUPTED, complete_name, complete_show, exit_on_refusal, fail, read_count, say
 
 if TYPE_CHECKING:
-    from omote.server.headless.picture_run import PictureRun, PictureStudio, Progress
+    from omote.server.headless.picture_run import PictureProgress, PictureRun, PictureStudio
     from omote.stage_data.picture_request import Request
     from omote.stage_data.picture_sidecar import Sidecar
 
-Output = Annotated[Path, typer.Option("--output", "-o", help="The picture to write: .png, .jpg.")]
+OutputOption = Annotated[Path, typer.Option("--output", "-o", help="The picture to write: .png, .jpg.")]
 FacesOption = Annotated[
     list[str] | None, typer.Option("--face", help="A face, or a mix: kaori=0.5+dog=0.5; may be given again.")
 ]
 ExpressionsOption = Annotated[list[str] | None, typer.Option("--expression", help="An expression: smile, smile=0.7.")]
 ChannelsOption = Annotated[list[str] | None, typer.Option("--channel", help="A channel over it: jawOpen=0.5.")]
-LightOption = Annotated[str, typer.Option(help="theatre, portrait, flat or a mix: theatre=0.5+flat.")]
+LightOption = Annotated[str, typer.Option(help=f"{', '.join(LIGHTS)} or a mix: theatre=0.5+flat.")]
 BackgroundOption = Annotated[str | None, typer.Option(help="Behind the head: green, grey, or #rrggbb.")]
 TransparentOption = Annotated[bool, typer.Option("--transparent", help="Nothing behind the head.")]
 QualityOption = Annotated[str, typer.Option(help="lowest, low, medium, good or high.")]
@@ -42,7 +43,7 @@ UNCHANGED = "stopped; nothing was changed."
 
 
 def render(
-    output: Output,
+    output: OutputOption,
     face: FacesOption = None,
     expression: ExpressionsOption = None,
     channel: ChannelsOption = None,
@@ -69,7 +70,7 @@ def render(
 
 
 def grid(
-    output: Output,
+    output: OutputOption,
     faces: Annotated[str, typer.Option(help="The rows: faces, or mixes (kaori=0.5+dog=0.5), by commas.")] = "",
     morph: Annotated[str, typer.Option(help="The columns instead: steps from face to face, kaori:old:11.")] = "",
     expressions: Annotated[str, typer.Option(help="Expressions, mixes, or kinds (performed), by commas.")] = "neutral",
@@ -135,7 +136,8 @@ def draw(
 ) -> None:
     """Draws what a request wants, or ends the command with an error message.
 
-    before: the sidecar that the request is of; another cast or look is told of.
+    before: the sidecar that the request is of; another cast or look is told of; path: of the picture; fresh: whether
+    what is there is drawn again; force: whether a foreign picture is replaced; jobs: browsers at once.
     """
     path = complete_name(path, ".png")
     with exit_on_refusal():
@@ -152,7 +154,10 @@ def draw(
 
 
 def prove(path: Path, request: Request, written: Sidecar, *, jobs: int) -> None:
-    """Draws again what a sidecar says, elsewhere; writes it only where it is the same and no picture is there."""
+    """Draws again what a sidecar says, elsewhere; writes it only where it is the same and no picture is there.
+
+    path: of the picture; request: what it shows; written: what the sidecar says; jobs: browsers at once.
+    """
     from omote.interchange.formats.atomic_file import write_whole
     from omote.stage_data.picture_sidecar import explain_difference, hash_picture
 
@@ -181,6 +186,8 @@ def plan(path: Path, request: Request, *, fresh: bool) -> tuple[PictureStudio, P
     """What is to be drawn and by what; ValueError, OSError where that cannot be, before anything is drawn.
 
     What needs no cast is checked before one is loaded: a person who mistypes an option waits for nothing.
+
+    path: of the picture; request: what it shows; fresh: whether what is there is drawn again.
     """
     from omote.interchange.formats.atomic_file import check_writable
     from omote.interchange.formats.file_names import picture_kind
@@ -200,7 +207,10 @@ def plan(path: Path, request: Request, *, fresh: bool) -> tuple[PictureStudio, P
 
 def tell_difference(run: PictureRun, before: Sidecar | None) -> None:
     """Says where a picture is made of something else than the sidecar that it is drawn from, or than the one there,
-    whose sidecar is kept."""
+    whose sidecar is kept.
+
+    run: what is drawn; before: that sidecar, None for none.
+    """
     from omote.stage_data.picture_sidecar import explain_difference, keep_former, read_sidecar, sidecar_path
 
     whole = run.whole
@@ -214,11 +224,15 @@ def tell_difference(run: PictureRun, before: Sidecar | None) -> None:
 
 
 def clear_former(run: PictureRun, path: Path) -> None:
-    """Removes the pictures of a former table of this name that this one has not; beside a single picture only says."""
+    """Removes the pictures of a former table of this name that this one has not; beside a single picture only says.
+
+    run: what was drawn; path: of the picture.
+    """
     from omote.server.headless.picture_run import former_pictures, pictures_folder
     from omote.stage_data.picture_sidecar import sidecar_path
 
-    former, folder = former_pictures(run, path), pictures_folder(path)
+    former = former_pictures(run, path)
+    folder = pictures_folder(path)
     if former and run.table is None:
         say(f"{folder} still holds pictures of a former table; delete it when nothing of it is missed.")
     elif former:
@@ -229,7 +243,10 @@ def clear_former(run: PictureRun, path: Path) -> None:
 
 
 def draw_shown(studio: PictureStudio, run: PictureRun, path: Path, *, jobs: int, stopped: str) -> None:
-    """Draws a run and shows how far it is."""
+    """Draws a run and shows how far it is.
+
+    studio: what draws; path: of the picture; jobs: browsers at once; stopped: what is said after Ctrl-C.
+    """
     from omote.server.headless.picture_run import draw_run
 
     with shown_progress(run, path, stopped) as report:
@@ -237,8 +254,11 @@ def draw_shown(studio: PictureStudio, run: PictureRun, path: Path, *, jobs: int,
 
 
 @contextmanager
-def shown_progress(run: PictureRun, path: Path, stopped: str) -> Iterator[Callable[[Progress], None]]:
-    """Shows how far a run is: a bar with the time that is left on a terminal, else a line for each picture."""
+def shown_progress(run: PictureRun, path: Path, stopped: str) -> Iterator[Callable[[PictureProgress], None]]:
+    """Shows how far a run is: a bar with the time that is left on a terminal, else a line for each picture.
+
+    path: of the picture; stopped: what is said after Ctrl-C.
+    """
     there = len(run.pictures) - len(run.waiting)
     if there and run.waiting:
         say(f"{there} of {len(run.pictures)} pictures are there already; going on.")
@@ -252,7 +272,7 @@ def shown_progress(run: PictureRun, path: Path, stopped: str) -> Iterator[Callab
         raise typer.Exit(INTERRUPTED) from None
 
 
-def _bar(run: PictureRun, path: Path, there: int) -> Iterator[Callable[[Progress], None]]:
+def _bar(run: PictureRun, path: Path, there: int) -> Iterator[Callable[[PictureProgress], None]]:
     from rich.console import Console
     from rich.progress import BarColumn, MofNCompleteColumn, TextColumn, TimeRemainingColumn
     from rich.progress import Progress as Bar
@@ -263,10 +283,11 @@ def _bar(run: PictureRun, path: Path, there: int) -> Iterator[Callable[[Progress
         yield lambda progress: bar.update(task, completed=progress.number, description=progress.path.name)
 
 
-def _lines(run: PictureRun) -> Callable[[Progress], None]:
-    began, first = time.monotonic(), len(run.pictures) - len(run.waiting)
+def _lines(run: PictureRun) -> Callable[[PictureProgress], None]:
+    began = time.monotonic()
+    first = len(run.pictures) - len(run.waiting)
 
-    def report(progress: Progress) -> None:
+    def report(progress: PictureProgress) -> None:
         left = progress.total - progress.number
         share = (time.monotonic() - began) / (progress.number - first)
         rest = f"; about {left * share:.0f} s left" if left else ""

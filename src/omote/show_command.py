@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from omote.access_commands import note_place, print_shared
+from omote.access_commands import has_colour, note_place, print_shared
 from omote.show_sockets import (
     OFF,
     list_others,
@@ -112,6 +112,7 @@ def show(
 ) -> None:
     """Opens a show: serves stage and console, and keeps them alive."""
     refuse_windows()
+    from omote.server.process.terminal_relay import relay_terminal
     from omote.server.supervision.supervisor import PROGRAM, Supervisor
 
     options = read_options(sacn, bindings, allow, listen, send)
@@ -127,15 +128,20 @@ def show(
     scheme = note_place(lock, host, port, secure=tls is not None)
     people, access = open_access(path, address, tls)
     stack = context.with_resource(contextlib.ExitStack())
-    opened = partial(announce, host, port, browser=browser, osc=devices.osc, find=path.stem if find else None)
+    opened = partial(
+        announce, host, port, browser=browser, colour=has_colour(), osc=devices.osc, find=path.stem if find else None
+    )
     opened = partial(opened, stack=stack, allow=allow, people=people, scheme=scheme)
     opened = partial(opened, heard=devices.heard, trackers=devices.advice + list_others(options))
-    words, handed = (*PROGRAM, *options.words, *access.words), devices.handed
+    words = (*PROGRAM, *options.words, *access.words)
+    handed = devices.handed
     supervisor = Supervisor(
         listening, lock, path, report=say, opened=opened, program=words, notices=board.notices, handed=handed
     )
-    say("the faces are getting ready ...")
-    raise typer.Exit(supervisor.run())
+    with relay_terminal():
+        say("the faces are getting ready ...")
+        status = supervisor.run()
+    raise typer.Exit(status)
 
 
 def refuse_windows() -> None:
@@ -146,7 +152,10 @@ def refuse_windows() -> None:
 
 def prepare(file: Path | None, host: str, port: int) -> tuple[Path, Prepared, NoticeBoard]:
     """The show file, its lock, the listening socket, and what the crew is to know; ends the command where one of them
-    cannot be."""
+    cannot be.
+
+    host, port: where the show listens.
+    """
     from omote.server.persistence.lock import ShowLockedError
     from omote.server.process.notice_board import NoticeBoard
     from omote.server.supervision.preparation import prepare_show
@@ -172,7 +181,10 @@ def default_show() -> Path:
 
 def open_certificate(host: str, certificate: Path | None, key: Path | None, *, made: bool) -> CertificateFiles | None:
     """What the show is to speak https with, made on the spot or of the operator's own; None for http. Ends the command
-    where it is of no use."""
+    where it is of no use.
+
+    host: the name that it is for; certificate, key: the operator's own files.
+    """
     from omote.server.access.certificates import CertificateFiles, load_context, make_usual_certificate
 
     if (certificate is None) != (key is None):
@@ -192,7 +204,7 @@ def open_certificate(host: str, certificate: Path | None, key: Path | None, *, m
 
 def open_access(show: Path, address: str, tls: CertificateFiles | None) -> tuple[People | None, AccessOptions]:
     """Who may play, None where only this machine reaches the show, and what its servers are told of that and of https;
-    ends the command where the list cannot be used. address: where the show listens."""
+    ends the command where the list cannot be used. address: where the show listens; tls: what it speaks https with."""
     from omote.server.access.access_setup import AccessOptions
     from omote.server.access.people_file import open_people, people_path
     from omote.server.access.show_addresses import is_loopback
@@ -213,6 +225,7 @@ def announce(
     port: int,
     *,
     browser: bool,
+    colour: bool = False,
     osc: OscSockets | None = None,
     find: str | None = None,
     stack: contextlib.ExitStack | None = None,
@@ -223,17 +236,22 @@ def announce(
     trackers: Sequence[str] = (),
 ) -> None:
     """Prints the addresses of the pages, with tokens where the show asks for them, and of OSC; opens stage and console
-    where there is a screen, and announces the show to surfaces under the name `find` until `stack` is closed."""
+    where there is a screen, and announces the show to surfaces under the name `find` until `stack` is closed.
+
+    host, port: where the show listens; browser: whether pages open; colour: whether the terminal shows it; osc: its
+    sockets; allow: who may send; people: who may enter; scheme: http or https; heard: protocols that ask for no token;
+    trackers: a line for each.
+    """
     from omote.server.access.show_addresses import local_address, own_entries, reachable_addresses
 
     addresses = reachable_addresses(host, port, scheme)
-    print_pages(addresses, people)
+    print_pages(addresses, people, colour=colour)
     if osc is not None:
         number = osc.datagrams.getsockname()[1]
         print_line("OSC", f"port {number}")
         if find is not None and stack is not None:
             start_announcement(stack, host, port, number, find)
-    print_trackers(trackers, allow, phone_address(people, addresses[-1]))
+    print_trackers(trackers, allow, phone_address(people, addresses[-1]), colour=colour)
     if people is not None:
         say_who_is_heard(allow, heard)
     typer.echo("  Ctrl-C ends the show.")
@@ -242,10 +260,13 @@ def announce(
             webbrowser.open(page)
 
 
-def print_pages(addresses: Sequence[str], people: People | None) -> None:
-    """Prints the address of each page; where the show asks for tokens, the addresses by which people enter."""
+def print_pages(addresses: Sequence[str], people: People | None, *, colour: bool) -> None:
+    """Prints the address of each page; where the show asks for tokens, the addresses by which people enter.
+
+    addresses: of this machine; people: who may enter, None for all; colour: whether the terminal shows it.
+    """
     if people is not None:
-        print_shared(people, addresses[-1])
+        print_shared(people, addresses[-1], colour=colour)
         return
     for url in addresses:
         for page in PAGES:
@@ -253,14 +274,18 @@ def print_pages(addresses: Sequence[str], people: People | None) -> None:
 
 
 def phone_address(people: People | None, base: str) -> str:
-    """Where a phone reads what to type into a tracker's app; "" where only this machine reaches the show."""
+    """Where a phone reads what to type into a tracker's app; "" where only this machine reaches the show.
+
+    people: who may enter; base: the show's address.
+    """
     from omote.server.access.phone_page import PHONE_PATH, goal_address
 
     return "" if people is None else goal_address(base, PHONE_PATH, "view", people)
 
 
 def say_who_is_heard(allow: str, heard: Sequence[str]) -> None:
-    """Says whose OSC, sACN and Art-Net play, which ask for no token; heard: those of them that are on."""
+    """Says whose OSC, sACN and Art-Net play, which ask for no token; heard: those of them that are on; allow: the
+    networks, as they are typed."""
     from omote.server.access.show_addresses import own_network
 
     if not heard:
@@ -274,7 +299,10 @@ def say_who_is_heard(allow: str, heard: Sequence[str]) -> None:
 
 
 def start_announcement(stack: contextlib.ExitStack, host: str, port: int, osc: int, show: str) -> None:
-    """Announces the show beside it until the stack is closed; the show goes on where that cannot be."""
+    """Announces the show beside it until the stack is closed; the show goes on where that cannot be.
+
+    host, port: where the show listens; osc: the port of OSC.
+    """
     from omote.interchange.formats.error_reasons import explain_error
     from omote.server.devices.announcement import announce_beside
 

@@ -14,20 +14,26 @@ if TYPE_CHECKING:
     from omote.server.devices.osc_listener import OscSockets
     from omote.server.supervision.device_sockets import DeviceOptions, DeviceSockets
 
-OSC_PORT, OFF = 9000, -1
+OSC_PORT = 9000
+OFF = -1
 COLUMN = len("microphone") + 2
 """Letters of the first column of what the start prints."""
 
 
 def read_options(sacn: str, bindings: Path | None, allow: str, listen: str = "", send: str = "") -> DeviceOptions:
-    """What the operator asks for of devices, validated; ends the command where it cannot be."""
+    """What the operator asks for of devices, validated; ends the command where it cannot be.
+
+    sacn: universes; bindings: a file of them; allow: who may send; listen: trackers; send: receivers; all as they are
+    typed.
+    """
     from omote.inputs.allowed_senders import read_senders
     from omote.inputs.face_output.face_target import read_targets
     from omote.server.devices.trackers.tracker_sockets import find_phones, find_receivers, read_trackers
     from omote.server.supervision.device_sockets import DeviceOptions, read_universes
 
     try:
-        wishes, targets = find_phones(read_trackers(listen)), find_receivers(read_targets(send))
+        wishes = find_phones(read_trackers(listen))
+        targets = find_receivers(read_targets(send))
         universes = read_universes(sacn)
         if allow:
             read_senders(allow)
@@ -38,7 +44,8 @@ def read_options(sacn: str, bindings: Path | None, allow: str, listen: str = "",
     except (OSError, ValueError) as error:
         fail_with(error)
     path = "" if bindings is None else str(bindings.resolve())
-    words, sent = ",".join(wish.word for wish in wishes), ",".join(target.word for target in targets)
+    words = ",".join(wish.word for wish in wishes)
+    sent = ",".join(target.word for target in targets)
     for target in targets:
         if target.host.startswith("127.") and target.port in (wish.port for wish in wishes):
             fail(f"{target.word} would send the show its own face; name another port.")
@@ -47,7 +54,10 @@ def read_options(sacn: str, bindings: Path | None, allow: str, listen: str = "",
 
 def open_devices(host: str, osc: int | None, options: DeviceOptions, artnet: int) -> DeviceSockets:
     """The sockets that were asked for; ends the command where one of OSC or of a desk cannot be had, and says which
-    tracker is off. Without any (`OFF`, None for OSC at its usual port) there is none."""
+    tracker is off. Without any (`OFF`, None for OSC at its usual port) there is none.
+
+    host: where the show listens; osc, artnet: their ports; options: what else was asked for.
+    """
     from omote.server.devices.trackers.tracker_sockets import listen_for_trackers, read_trackers
     from omote.server.supervision.device_sockets import DeviceSockets, listen_for_artnet, listen_for_sacn
     from omote.server.supervision.listening_socket import listen_for_osc
@@ -83,14 +93,15 @@ def open_usual_osc(host: str) -> OscSockets | None:
 
 
 def print_line(word: str, text: str) -> None:
-    """Prints a line of the start: what it is, and where; all in two columns."""
+    """Prints a line of the start: a word for what it is, and a text that says where; all in two columns."""
     typer.echo(f"  {word:<{COLUMN}}{text}")
 
 
-def print_trackers(trackers: Sequence[str], allow: str, page: str = "") -> None:
+def print_trackers(trackers: Sequence[str], allow: str, page: str = "", *, colour: bool = False) -> None:
     """Prints a line for each tracker that is heard, with what to do at its sender, and for each receiver of faces.
 
-    page: the address where a phone copies what to type, with a picture that opens it, or "".
+    page: the address where a phone copies what to type, with a picture that opens it, or ""; trackers: those lines;
+    allow: who may send, as it is typed; colour: whether the terminal shows it.
     """
     for line in trackers:
         word, _, text = line.partition(" ")
@@ -99,9 +110,8 @@ def print_trackers(trackers: Sequence[str], allow: str, page: str = "") -> None:
     if heard and page:
         from omote.access_commands import read_code
 
-        typer.echo(
-            f"\n{read_code(page)}\n\n  A phone that reads this picture opens what to type into its app:\n  {page}"
-        )
+        typer.echo(f"\n{read_code(page, colour=colour)}\n")
+        typer.echo(f"  A phone that reads this picture opens what to type into its app:\n  {page}")
     if heard and not allow:
         from omote.server.access.show_addresses import own_network
 

@@ -17,7 +17,8 @@ CAPTURES = (".pcap", ".pcapng", ".cap", ".json")
 TABLES = (".csv",)
 QUIET_SECONDS = 5
 """Seconds without a packet, after which a recording says so, again and again."""
-SLOWEST, FASTEST = 0.05, 20.0
+SLOWEST = 0.05
+FASTEST = 20.0
 
 
 def read_speed(text: str | float) -> float:
@@ -55,17 +56,18 @@ def play_take(
     ] = "",
 ) -> None:
     """Plays a recorded face into a running show."""
+    from omote.client.connect import connect
+    from omote.client.take_player import play_take as play
     from omote.perform.layers.layer_names import check_driven
     from omote.perform.scene.character_names import ALL
-    from omote.server.client.connect import connect
-    from omote.server.client.take_player import play_take as play
 
     read = read_take(take, protocol)
     how = "again and again, until Ctrl-C" if loop else "once"
     say(f"{take.name} waits for the show at {address} ...")
     with exit_on_refusal(), connect(address, name="take", authority=authority) as show:
         name = show.find_character(character or show.characters[0])
-        drive, whom = show[name].drive, "all" if name == ALL else show.state.characters[name].label or name
+        drive = show[name].drive
+        whom = "all" if name == ALL else show.state.characters[name].label or name
         check_driven(layer)
         say(f"{take.name} plays {whom} on the layer {layer}, {how}: {len(read.times)} frames in {read.seconds:.1f} s.")
         while play(read, drive, layer=layer, start=min(start, read.seconds), speed=speed) and loop:
@@ -74,7 +76,10 @@ def play_take(
 
 
 def read_take(path: Path, protocol: str = "") -> Take:
-    """The recording in a file, and a word where it is cut off; ends the command where it cannot be read."""
+    """The recording in a file, and a word where it is cut off; ends the command where it cannot be read.
+
+    path: of the file; protocol: as options spell it, "" where the port says it.
+    """
     from omote.inputs.takes.live_link_take import is_table_cut, read_live_link_take
     from omote.inputs.takes.packet_capture import is_capture_cut, read_packets
     from omote.inputs.takes.packet_take import choose_protocol, read_packet_take
@@ -84,10 +89,12 @@ def read_take(path: Path, protocol: str = "") -> Take:
         check_kind(path, data)
         if path.suffix.lower() in TABLES:
             text = data.decode("utf-8-sig")
-            take, cut = read_live_link_take(text), is_table_cut(text)
+            take = read_live_link_take(text)
+            cut = is_table_cut(text)
         else:
             packets = read_packets(data)
-            take, cut = read_packet_take(packets, choose_protocol(packets, protocol)), is_capture_cut(data)
+            take = read_packet_take(packets, choose_protocol(packets, protocol))
+            cut = is_capture_cut(data)
     except UnicodeDecodeError:
         fail_with(ValueError(f"{path} is no text of Live Link Face (.csv)"))
     except (OSError, ValueError) as error:
@@ -98,7 +105,7 @@ def read_take(path: Path, protocol: str = "") -> Take:
 
 
 def check_kind(path: Path, data: bytes) -> None:
-    """ValueError for a file that is empty, or whose name is none of a recording."""
+    """Refuses a file (path, data) that is empty, or whose name is none of a recording, by ValueError."""
     if not data.strip():
         raise ValueError("it is empty")
     if path.suffix.lower() not in (*CAPTURES, *TABLES):

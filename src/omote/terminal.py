@@ -21,7 +21,9 @@ INTERRUPTED = 130
 
 def escape_controls(text: str) -> str:
     """Escapes control characters: names in untrusted files must not control the terminal."""
-    return "".join(each if each.isprintable() else each.encode("unicode_escape").decode() for each in text)
+    return "".join(
+        character if character.isprintable() else character.encode("unicode_escape").decode() for character in text
+    )
 
 
 def read_count(text: str | int) -> int:

@@ -66,7 +66,8 @@ def worn(page: Page, weights: Mapping[str, float], at: list[float] | None = None
 
 def on_air(face: str, weights: Mapping[str, float]) -> dict[str, Points]:
     """Where Omote has them on air, sums corrected: an emotion is worn, units are channels."""
-    cast, rest = load_cast(), {"neutral": 1.0}
+    cast = load_cast()
+    rest = {"neutral": 1.0}
     emotion = bool(weights) and set(weights) <= set(EMOTIONS.values())
     frame = Frame({face: 1.0}, weights) if emotion else Frame({face: 1.0}, rest, channels=weights)
     return {"skin": evaluate(cast, frame), **evaluate_parts(cast, frame)}
@@ -97,7 +98,8 @@ def distances(
     shift = (rest["skin"] - ours({})["skin"][rows["skin"]] * turn).mean(axis=0)
     far = {}
     for name, weights in names.items():
-        theirs, aim = worn(page, {name: 1.0}), ours(weights)
+        theirs = worn(page, {name: 1.0})
+        aim = ours(weights)
         far[name] = max(float(np.abs(theirs[mesh] - shift - aim[mesh][rows[mesh]] * turn).max()) for mesh in theirs)
         moves = max(float(np.abs(points - rest[mesh]).max()) for mesh, points in theirs.items())
         assert (moves > 10 * NEAR) == (name != "neutral"), name

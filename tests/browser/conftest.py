@@ -32,11 +32,29 @@ QUIET = [
     "--disable-sync",
 ]
 
+BEATS = 30.0
+"""States a second: half of what a show sends. Shows and pages share two cores with the browser that draws them."""
+
+# The standby, but a page that a busy machine loads anew slowly keeps its seat's leases; for how long they are kept is
+# asked in `tests/show/ownership`.
+PATIENT_STANDBY = f"""
+import sys
+from functools import partial
+import omote.server.supervision.show_process as show_process
+import omote.show.ownership.ownership_table as ownership_table
+from omote.server.supervision.standby import main
+ownership_table.AWAY_SECONDS = {PATIENCE}
+show_process.run_ticks = partial(show_process.run_ticks, rate={BEATS})
+sys.exit(main())
+"""
+
 # `omote`, but a server that a busy machine holds up is not taken for one that hangs.
 PATIENT = f"""
+import sys
 import omote.server.supervision.supervisor as supervisor
 from omote.cli import main
 supervisor.HANG_SECONDS = supervisor.START_SECONDS = {PATIENCE}
+supervisor.PROGRAM = (sys.executable, "-c", {PATIENT_STANDBY!r})
 main()
 """
 

@@ -15,7 +15,8 @@ from tools.browser import find_browser
 pytestmark = pytest.mark.long
 
 OpenPage = Callable[..., Page]
-REST, JAW = {"faces": {"man": 1}}, {"faces": {"man": 1}, "channels": {"jawOpen": 0.9}}
+REST = {"faces": {"man": 1}}
+JAW = {"faces": {"man": 1}, "channels": {"jawOpen": 0.9}}
 SECONDS = ((REST, 4.0), (JAW, 0.7), (REST, 1.0), (None, 1.5))
 """What the film shows, and how long: mostly a face at rest, so that a start anywhere finds it; at its end nobody."""
 CAMERA = "--use-fake-device-for-media-stream", "--use-fake-ui-for-media-stream"

@@ -38,7 +38,7 @@ def set_up(page: Page) -> dict[str, object]:
     page.get_by_role("button", name="Link R L").click()
     page.locator("omote-pad").first.get_by_role("button", name="Spring").click()
     page.get_by_role("button", name="Own", exact=True).click()
-    return dict(page.evaluate(f"{DESK}.layout"))
+    return dict(page.evaluate(f"{DESK}.arrangement"))
 
 
 def test_a_fresh_console_asks_for_nothing_that_is_not_there(open_page: OpenPage) -> None:
@@ -55,31 +55,32 @@ def test_a_fresh_console_inherits_nothing_and_a_reload_keeps_everything(open_pag
     page = console()
     arranged = set_up(page)
     fresh = console()
-    assert fresh.evaluate(f"{DESK}.layout") == FIRST
+    assert fresh.evaluate(f"{DESK}.arrangement") == FIRST
     expect(tile(fresh, "dog")).to_be_visible()
     page.reload()
     wait_for(page, "desk.online && desk.faces.length > 0")
-    assert page.evaluate(f"{DESK}.layout") == arranged
+    assert page.evaluate(f"{DESK}.arrangement") == arranged
     expect(fader(page, "mouthFunnel")).to_be_visible()
     choose(page, "face", "hand")  # pressed again: the seconds of before
     assert page.evaluate(f"{DESK}.callSeconds('face')") == 4
 
 
 def test_a_layout_is_saved_by_name_and_chosen_renamed_and_deleted_at_another_console(console: Console) -> None:
-    page, other = console(), console()
+    page = console()
+    other = console()
     arranged = set_up(page)
     said = other.locator(".said")
     page.get_by_role("button", name="Set-up").click()
     page.get_by_label("Name of the layout").fill("mouths")
     page.get_by_role("button", name="Save as").click()
     expect(page.locator(".said")).to_contain_text("Saved as mouths")
-    assert other.evaluate(f"{DESK}.layout") == FIRST
+    assert other.evaluate(f"{DESK}.arrangement") == FIRST
     other.get_by_role("button", name="Set-up").click()
     other.get_by_role("button", name="mouths").click()
-    wait_for(other, "desk.layout.kind === 'arkit'")
-    assert other.evaluate(f"{DESK}.layout") == arranged
+    wait_for(other, "desk.arrangement.kind === 'arkit'")
+    assert other.evaluate(f"{DESK}.arrangement") == arranged
     other.get_by_role("button", name="Back to how it was").click()
-    assert other.evaluate(f"{DESK}.layout") == FIRST
+    assert other.evaluate(f"{DESK}.arrangement") == FIRST
     other.get_by_label("Name of the layout").fill("  ")
     other.get_by_role("button", name="Save as").click()
     expect(said).to_contain_text("type a name")
@@ -90,23 +91,24 @@ def test_a_layout_is_saved_by_name_and_chosen_renamed_and_deleted_at_another_con
     other.get_by_role("button", name="Rename mouths to lips").click()
     page.locator("[data-layout='lips']").click()
     expect(page.locator("[data-layout='mouths']")).to_have_count(0)
-    wait_for(page, "desk.layout.kind === 'arkit'")  # nothing was replaced
+    wait_for(page, "desk.arrangement.kind === 'arkit'")  # nothing was replaced
     other.get_by_role("button", name="Delete lips").click()
     expect(page.locator("[data-layout='lips']")).to_have_count(0)
     said.get_by_role("button", name="Undo").click()
     page.locator("[data-layout='lips']").click()
     expect(page.locator(".said")).to_contain_text("Laid out as lips")
-    assert page.evaluate(f"{DESK}.layout") == arranged
+    assert page.evaluate(f"{DESK}.arrangement") == arranged
     page.get_by_role("button", name="Default").click()
-    wait_for(page, "desk.layout.kind === 'performed'")
-    assert page.evaluate(f"{DESK}.layout") == FIRST
+    wait_for(page, "desk.arrangement.kind === 'performed'")
+    assert page.evaluate(f"{DESK}.arrangement") == FIRST
     page.get_by_role("button", name="lips", exact=True).click()
     page.get_by_role("button", name="Delete lips").click()
     expect(other.locator("[data-layout='lips']")).to_have_count(0)
 
 
 def test_the_home_face_is_chosen_for_every_console(console: Console) -> None:
-    page, other = console(), console()
+    page = console()
+    other = console()
     page.get_by_role("button", name="Set-up").click()
     page.get_by_label("Home face", exact=True).select_option("kaori")
     wait_for(other, "state.home_face === 'kaori'")
@@ -124,4 +126,4 @@ def test_a_layout_that_cannot_be_read_is_told_and_ignored(open_page: OpenPage) -
     page.reload()
     wait_for(page, "desk.online && desk.faces.length > 0")
     expect(page.locator(".notice")).to_contain_text("cannot be read")
-    assert page.evaluate(f"{DESK}.layout") == FIRST
+    assert page.evaluate(f"{DESK}.arrangement") == FIRST

@@ -100,7 +100,8 @@ def slide(page: Page, control: Locator, start: float, end: float) -> None:
     """Draws a finger up a control, from one height to another in parts of its box, 0 its lower edge."""
     box = control.bounding_box()
     assert box is not None
-    x, low = box["x"] + box["width"] / 2, box["y"] + box["height"]
+    x = box["x"] + box["width"] / 2
+    low = box["y"] + box["height"]
     session = page.context.new_cdp_session(page)
 
     def touch(kind: str, at: float) -> None:
@@ -122,7 +123,7 @@ def view(page: Page, name: str) -> None:
         expect(button).to_have_attribute("aria-selected", "true")
 
 
-@pytest.mark.parametrize(("width", "height"), SIZES)
+@pytest.mark.parametrize(("width", "height"), [(1024, 768), (390, 844)])
 def test_the_console_is_played_by_fingers(console: Console, width: int, height: int) -> None:
     page = console(pictures=True, width=width, height=height, has_touch=True)
     check_surface(page, width, height)
@@ -159,7 +160,8 @@ def test_the_console_is_played_by_fingers(console: Console, width: int, height: 
     assert set(state(page)["faces"]) == {"kaori", "child"}
     check_surface(page, width, height)
     page.locator(".panic").tap()
-    wait_for(page, f"state.face_call?.target === '{state(page)['home_face']}'")
+    home = state(page)["home_face"]
+    wait_for(page, f"state.face_call?.target === '{home}' || state.faces['{home}'] === 1")
 
 
 STRONG = """(face) => {
@@ -171,21 +173,23 @@ STRONG = """(face) => {
 }"""
 
 
-@pytest.mark.parametrize(("width", "height"), SIZES)
-def test_the_gains_of_a_face_have_their_place_and_all_are_listed(console: Console, width: int, height: int) -> None:
-    page = console(width=width, height=height, has_touch=True)
+def test_the_gains_of_a_face_have_their_place_and_all_are_listed(console: Console) -> None:
+    page = console(has_touch=True)
     page.evaluate(STRONG, "kaori")
-    expect(page.locator("omote-answers button")).to_have_count(0)
-    tile(page, "kaori").tap()
     gains = page.locator("omote-answers button")
-    expect(gains).to_have_attribute("title", re.compile("^Kaori answers: brows .1.6, mouth in angry .2.0, ears .1.5$"))
-    check_surface(page, width, height)
-    gains.tap()
     answers = page.get_by_role("dialog", name="How Kaori answers")
-    expect(answers).to_be_in_viewport(ratio=1)
-    tile(page, "child").tap()
-    expect(answers).to_have_count(0)
+    listed = re.compile("^Kaori answers: brows .1.6, mouth in angry .2.0, ears .1.5$")
     expect(gains).to_have_count(0)
+    for width, height in SIZES:
+        resize(page, width, height)
+        tile(page, "kaori").tap()
+        expect(gains).to_have_attribute("title", listed)
+        check_surface(page, width, height)
+        gains.tap()
+        expect(answers).to_be_in_viewport(ratio=1)
+        tile(page, "child").tap()
+        expect(answers).to_have_count(0)
+        expect(gains).to_have_count(0)
 
 
 HANDS = """() => {
@@ -217,18 +221,25 @@ HANDS = """() => {
 
 NINE_SCREENS = f"""() => {{
     const [store, screen] = [{DESK}, {{ fps: 4.2, level: "lowest" }}];
-    const receive = store.receiveCrew.bind(store);
-    store.receiveCrew = (crew) => receive({{ ...crew, lost: 12, stages: Array(9).fill(screen) }});
-    if (store.crew !== null) store.receiveCrew(store.crew);
+    const receive = store.receive.bind(store);
+    const nine = {{ lost: 12, stages: Array(9).fill(screen) }};
+    store.receive = (message) => receive(message.type === "crew" ? {{ ...message, ...nine }} : message);
+    if (store.crew !== null) store.receive(store.crew);
 }}"""
 """Has a console hear of nine slow screens, and of twelve whose links broke."""
+
+
+def resize(page: Page, width: int, height: int) -> None:
+    """Gives the window a size, and the page two pictures' time to take it."""
+    page.set_viewport_size({"width": width, "height": height})
+    page.evaluate(TWO_FRAMES)
 
 
 def found_wrong(page: Page, width: int, height: int) -> list[object]:
     """What is wrong with a window of a size, in each of its views."""
     wrong: list[object] = []
     fingers = page.evaluate("matchMedia('(pointer: coarse)').matches")
-    page.set_viewport_size({"width": width, "height": height})
+    resize(page, width, height)
     for name in ("faders", "pads", "scene", "layers", "palettes"):
         page.evaluate(f"{DESK}.arrange({{ view: {name!r} }})")
         page.evaluate(TWO_FRAMES)
@@ -250,18 +261,19 @@ def test_no_window_grows_and_hands_are_always_in_view(console: Console, show: st
         program.set_leases(True)
         try:
             expect(page.locator("omote-seat button")).to_be_visible()
-            wrong = {size: found_wrong(page, *size) for size in (*OTHERS, SIZES[3])}
+            wrong = {size: found_wrong(page, *size) for size in (*OTHERS[:: 1 if touch else 4], SIZES[3])}
         finally:
             program.set_leases(False)
             program.remove("crowd")
     assert {size: what for size, what in wrong.items() if what} == {}
 
 
-@pytest.mark.parametrize(("width", "height"), [(1024, 768), (1440, 900), (1920, 1080)])
-def test_by_mouse_nothing_is_cut_off_and_nothing_scrolls(console: Console, width: int, height: int) -> None:
-    page = console(pictures=True, width=width, height=height)
-    assert page.evaluate("document.scrollingElement.scrollHeight") <= height
-    assert page.evaluate("document.scrollingElement.scrollWidth") <= width
-    assert [one["name"] for one in controls(page) if one["cut"]] == []
-    for control in (page.locator(".panic"), bar(page, "Face"), bar(page, "Expression"), page.locator("omote-bank")):
-        expect(control).to_be_in_viewport(ratio=1)
+def test_by_mouse_nothing_is_cut_off_and_nothing_scrolls(console: Console) -> None:
+    page = console(pictures=True)
+    for width, height in [(1024, 768), (1440, 900), (1920, 1080)]:
+        resize(page, width, height)
+        assert page.evaluate("document.scrollingElement.scrollHeight") <= height
+        assert page.evaluate("document.scrollingElement.scrollWidth") <= width
+        assert [one["name"] for one in controls(page) if one["cut"]] == []
+        for control in (page.locator(".panic"), bar(page, "Face"), bar(page, "Expression"), page.locator("omote-bank")):
+            expect(control).to_be_in_viewport(ratio=1)

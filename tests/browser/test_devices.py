@@ -31,7 +31,7 @@ window.pad = {
 window.pads = [];
 navigator.getGamepads = () => pads;
 """
-DEVICE_STORE = "document.querySelector('omote-console, omote-devices-page').context.devices.store"
+DEVICE_STORE = "document.querySelector('omote-console, omote-devices-page').context.devices"
 BINDINGS = f"{DEVICE_STORE}.bindings"
 SHOWN_LEFT = "(each) => (each.isConnected && !each.hidden ? each.getBoundingClientRect().left : null)"
 TURN = "(values) => { for (const value of values) dial.emit([0xb0, 7, value]); }"
@@ -73,7 +73,8 @@ def bound(page: Page, count: int) -> None:
 def test_a_tracker_is_switched_on_heard_and_off_again(open_page: OpenPage) -> None:
     """What is typed for a phone stands at the page, and its picture; what a receiver hears is counted."""
     page = open_page("/devices", pictures=False)
-    trackers, receivers = page.locator("omote-trackers"), page.locator("omote-receivers")
+    trackers = page.locator("omote-trackers")
+    receivers = page.locator("omote-receivers")
     with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as phone:
         phone.bind(("127.0.0.1", 0))
         phone.settimeout(20.0)
@@ -94,7 +95,8 @@ def test_a_tracker_is_switched_on_heard_and_off_again(open_page: OpenPage) -> No
         wait_for(mixer, "desk.online && desk.faces.length > 0")
         mixer.keyboard.press(";")
         settings = mixer.locator("omote-source-settings", has_text="Live Link Face")
-        one, part = settings.locator("[data-drives=one]"), settings.locator("[data-part=mouth]")
+        one = settings.locator("[data-drives=one]")
+        part = settings.locator("[data-part=mouth]")
         marks = mixer.get_by_role("img", name="1 source plays nobody")
         expect(part).to_have_attribute("aria-pressed", "true")
         expect(marks).to_have_count(0)

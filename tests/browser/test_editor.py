@@ -172,7 +172,8 @@ def test_undo_and_redo_go_back_and_forth_exactly_and_name_their_steps(editor: Ed
     drag(page, mouth_corner(page))
     smiled = vectors(page)
     drag(page, mouth_corner(page), dx=-6, dy=4)
-    undo, redo = page.locator("[data-step=undo]"), page.locator("[data-step=redo]")
+    undo = page.locator("[data-step=undo]")
+    redo = page.locator("[data-step=redo]")
     expect(undo).to_contain_text("drag")
     page.keyboard.press("Control+z")
     wait_for(page, f"bench.draft.redo === 1 && {SETTLED}")
@@ -281,7 +282,8 @@ def test_what_is_loading_is_said_instead_of_a_blank_page(editor: Editor) -> None
 
 
 def test_who_leaves_an_item_is_not_said_to_be_at_it_any_more(editor: Editor) -> None:
-    first, second = editor(), editor()
+    first = editor()
+    second = editor()
     make(first, "For two")
     second.get_by_role("button", name="Open For two").click()
     wait_for(second, f"bench.item?.label === 'For two' && {SETTLED}")
@@ -292,9 +294,11 @@ def test_who_leaves_an_item_is_not_said_to_be_at_it_any_more(editor: Editor) -> 
 
 
 def test_save_and_the_name_are_in_sight_on_a_phone(editor: Editor) -> None:
-    page, width = editor(width=390, height=844, has_touch=True), 390
+    page = editor(width=390, height=844, has_touch=True)
+    width = 390
     make(page, "On a phone")
-    save, name = page.get_by_role("button", name="Save"), page.get_by_label("Name", exact=True)
+    save = page.get_by_role("button", name="Save")
+    name = page.get_by_label("Name", exact=True)
     for place in (save.bounding_box(), name.bounding_box()):
         assert place is not None
         assert place["width"] > 70, "wide enough to read and to hit"

@@ -151,7 +151,8 @@ def test_one_drag_at_a_corner_of_the_mouth_is_a_crooked_smile_with_closed_lips(
 
 def test_escape_puts_everything_back(editor: Page) -> None:
     needle = mouth_corner(editor)
-    before, vectors = on_gpu(editor, "dog"), editor.evaluate("window.omoteEditor.vectors()")
+    before = on_gpu(editor, "dog")
+    vectors = editor.evaluate("window.omoteEditor.vectors()")
     with held(editor, needle) as (x, y):
         lead(editor, x + 12, y)
         drawn(editor, "dog")

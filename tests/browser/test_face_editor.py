@@ -90,7 +90,8 @@ def test_opening_a_face_says_what_is_loading(editor: Editor) -> None:
     page = editor()
     bar = page.get_by_role("progressbar", name="Loading the faces")
     expect(bar).to_have_count(0)
-    let_go, label = hold_contents(page), "Long in coming"
+    let_go = hold_contents(page)
+    label = "Long in coming"
     with page.expect_request("**/contents/*"):
         page.evaluate(f"""async () => {{
             await {BENCH}.ask({{ type: "create_face", label: {label!r}, base: {{ kaori: 1 }}, on_air: false }});
@@ -122,7 +123,8 @@ def test_alt_drags_along_the_view_and_all_expressions_come_along(editor: Editor)
     page = editor()
     make_face(page, "Flat nose")
     assert page.evaluate("window.omoteEditor.faces()") == ["At rest", "Smile", "Blink", "Jaw open"]
-    smiling, open_wide = positions(page, "Smile"), positions(page, "Jaw open")
+    smiling = positions(page, "Smile")
+    open_wide = positions(page, "Jaw open")
     rest = positions(page, "At rest")
     drag_handle(page, "nose tip", 0, 30, along=True)
     row = row_of(page, "nose tip")
@@ -141,7 +143,8 @@ def test_mirrored_drags_undo_and_a_second_drag_from_a_moved_face(editor: Editor)
     first = positions(page, "At rest")
     drag_handle(page, "left mouth corner", 14, -6)
     moved = positions(page, "At rest")
-    left, right = row_of(page, "left mouth corner"), row_of(page, "right mouth corner")
+    left = row_of(page, "left mouth corner")
+    right = row_of(page, "right mouth corner")
     assert np.allclose((moved - first)[left] * [-1, 1, 1], (moved - first)[right], atol=2 * REACH)
     live = drag_handle(page, "left upper lid", 0, -8)
     off = np.linalg.norm(positions(page, "At rest") - live, axis=1)
@@ -263,7 +266,8 @@ def test_a_gain_makes_an_expression_stronger_there_is_undone_saved_and_read_on_t
 ) -> None:
     page = editor()
     make_face(page, "Loud Kaori")
-    rest, smiling = positions(page, "At rest"), positions(page, "Smile")
+    rest = positions(page, "At rest")
+    smiling = positions(page, "Smile")
     set_gain(page, "mouth", 2)
     louder = positions(page, "Smile")
     row = row_of(page, "left mouth corner")
@@ -300,7 +304,8 @@ def test_a_face_goes_out_as_an_avatar_by_keys_once_its_author_is_named(editor: E
     make_face(page, "Aunt Ann")
     save(page)
     page.get_by_role("tab", name="Import & export").click()
-    button, author = page.get_by_role("button", name="Download aunt_ann.vrm"), page.get_by_label("Author of the avatar")
+    button = page.get_by_role("button", name="Download aunt_ann.vrm")
+    author = page.get_by_label("Author of the avatar")
     button.press("Enter")
     expect(notice(page).filter(has_text="An avatar names who made it: fill in its author.")).to_be_visible()
     author.focus()

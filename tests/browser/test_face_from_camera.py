@@ -27,9 +27,11 @@ __all__ = ["editor"]
 Editor = Callable[..., Page]
 pytestmark = pytest.mark.long
 
-WIDTH, HEIGHT = 960, 720
+WIDTH = 960
+HEIGHT = 720
 """More than the model looks at: what is taken has all of it."""
-WANTED, BETWEEN = (-40, -20, 0, 20, 40), (-30, -10, 10, 30)
+WANTED = (-40, -20, 0, 20, 40)
+BETWEEN = (-30, -10, 10, 30)
 TURN = (0, 10, 20, 30, 40, 30, 20, 10, 0, -10, -20, -30, -40, -30, -20, -10)
 """Degrees to the person's own left, over and over."""
 MARKS = ["Left", "Half left", "Front", "Half right", "Right"]
@@ -106,7 +108,8 @@ def filmed(
 
 
 def test_a_turn_before_the_camera_becomes_a_face_that_plays(filmed: Page, show: str) -> None:
-    page, errors = filmed, list[str]()
+    page = filmed
+    errors = list[str]()
     page.on("pageerror", lambda error: errors.append(str(error)))
     page.add_init_script(KEEP_STREAMS)
     page.goto(f"{show}/editor")

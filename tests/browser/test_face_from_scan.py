@@ -31,7 +31,8 @@ DROP = """([name, text]) => {
 
 def strange_scan(seed: int) -> bytes:
     """The skin of a face of the cast as a scanner has it (PLY): other triangles, shuffled, on its back, in inches."""
-    rng, cast = np.random.default_rng(seed), load_cast()
+    rng = np.random.default_rng(seed)
+    cast = load_cast()
     triangles = cast.space.triangles[cast.space.on_sheet[cast.space.triangles].all(axis=1)]
     points = cast.faces["heavy"].positions.astype(np.float64)
     share = rng.dirichlet([6.0, 6.0, 6.0], len(triangles))  # each triangle is parted into three at a place in it
@@ -57,7 +58,8 @@ def views(page: Page) -> NDArray[np.int16]:
     """What the canvas shows, the marks of points over it."""
     box = page.locator("omote-scan-views").bounding_box()
     assert box is not None
-    left, top = round(box["x"]), round(box["y"])
+    left = round(box["x"])
+    top = round(box["y"])
     return picture(page)[top : top + round(box["height"]), left : left + round(box["width"]), :3]
 
 

@@ -21,7 +21,8 @@ pytestmark = pytest.mark.long
 OpenPage = Callable[..., Page]
 SIDE = 300
 BROWS = 0.42  # of the picture, from the top: above there is nothing as dark as hair
-DARK, SHADE = 45, 105  # 0..255: black hair, and stubble on the skin
+DARK = 45
+SHADE = 105  # 0..255: black hair, and stubble on the skin
 SMALL = SIDE * SIDE / 400
 
 

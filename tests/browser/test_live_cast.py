@@ -20,8 +20,12 @@ import omote
 from omote.edit.protocol import messages as editing
 from omote.edit.protocol.messages import EDITING_PATH
 from omote.model.cast import Cast
-from omote.show import messages as wire
-from omote.show.messages import LINK_PATH, CompoundAsset
+from omote.show.cast_documents import CompoundAsset
+from omote.show.declaration import ClientMessage
+from omote.show.messages import LINK_PATH, PROTOCOL_VERSION
+from omote.show.objects.calls import CallExpression, CallFace
+from omote.show.objects.items import KeepFace
+from omote.show.objects.link import Hello, Ping, Pong
 from omote.show.wire import decode_answer, encode
 from omote.stage_data.assets import rest_positions
 from tests.browser.conftest import playing
@@ -96,14 +100,14 @@ class Author:
 
         return self.work(change)
 
-    def play(self, *messages: wire.FromClient) -> None:
+    def play(self, *messages: ClientMessage) -> None:
         """Plays as a console does, and waits until it was heard."""
 
         async def say() -> None:
             async with aiohttp.ClientSession() as http, http.ws_connect(self.url + LINK_PATH) as link:
-                for message in (wire.Hello("console", wire.PROTOCOL_VERSION), *messages, wire.Ping(0.0)):
+                for message in (Hello("console", PROTOCOL_VERSION), *messages, Ping(0.0)):
                     await link.send_bytes(encode(message))
-                while not isinstance(decode_answer(await link.receive_bytes()), wire.Pong):
+                while not isinstance(decode_answer(await link.receive_bytes()), Pong):
                     pass
 
         run(say())
@@ -135,7 +139,8 @@ def shown(page: Page) -> Floats:
 def test_a_saved_expression_is_on_the_console_and_on_air_without_a_reload(
     open_page: OpenPage, author: Author, cast: Cast
 ) -> None:
-    stage, console = open_page("/stage", width=320, height=240), open_page("/console", pictures=False)
+    stage = open_page("/stage", width=320, height=240)
+    console = open_page("/console", pictures=False)
     wait_until(stage, "window.omoteStage && window.omoteStage.settled()")
     tiles = console.locator("omote-palette .tile")
     expect(tiles.first).to_be_visible()
@@ -154,7 +159,7 @@ def test_a_changed_expression_on_air_passes_to_the_new_one_without_a_jump(
     open_page: OpenPage, author: Author, cast: Cast
 ) -> None:
     draft = author.expression("Lopsided")
-    author.play(wire.CallExpression("one", "call", "lopsided", 0.0, "smooth"))
+    author.play(CallExpression("one", "call", "lopsided", 0.0, "smooth"))
     stage = open_page("/stage", width=160, height=120)
     wait_until(stage, "window.omoteStage?.pose()?.expressions.lopsided === 1 && window.omoteStage.settled()")
     before = author.wear(cast, draft.content)
@@ -184,5 +189,5 @@ def test_a_changed_expression_on_air_passes_to_the_new_one_without_a_jump(
 def test_what_is_kept_on_air_is_in_the_palette(open_page: OpenPage, author: Author) -> None:
     console = open_page("/console", pictures=False)
     expect(console.locator("omote-palette .tile").first).to_be_visible()
-    author.play(wire.CallFace("one", "half", "dog", 0.0, "smooth"), wire.KeepFace("one", "kept"))
+    author.play(CallFace("one", "half", "dog", 0.0, "smooth"), KeepFace("one", "kept"))
     expect(console.locator("omote-palette .tile[data-source^='#'] .name", has_text="On air")).to_have_count(1)

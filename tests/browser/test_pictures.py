@@ -155,7 +155,8 @@ def test_a_picture_from_its_sidecar_and_from_two_browsers_is_the_same(open_page:
     assert omote("redraw", f"{cell}.json", "-o", str(tmp_path / "c.png")).returncode == 0
     assert cell.read_bytes() == (tmp_path / "c.png").read_bytes()
     page = open_page("/")
-    sheet, one = decoded(page, tmp_path / "a.png"), decoded(page, cell)
+    sheet = decoded(page, tmp_path / "a.png")
+    one = decoded(page, cell)
     assert any(np.array_equal(sheet[at : at + 120, -321:-161], one) for at in range(sheet.shape[0] - 119))
 
 
@@ -170,7 +171,8 @@ def test_another_level_fades_in(open_page: OpenPage) -> None:
     page = opened(open_page, "?quality=lowest&transparent", live=True)
     page.evaluate("pose => window.omoteStage.hold(pose)", SMILING)
     seen = page.evaluate(SEEN)
-    distances, levels = np.array([each[0] for each in seen], float), [each[1] for each in seen]
+    distances = np.array([each[0] for each in seen], float)
+    levels = [each[1] for each in seen]
     assert (levels[0], levels[-1]) == ("lowest", "high")
     way = distances / distances[-1]
     assert way[levels.index("high")] < 0.2, "it popped"

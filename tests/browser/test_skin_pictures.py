@@ -62,7 +62,8 @@ def chequer() -> Albedo:
 @pytest.fixture(scope="module")
 def show(tmp_path_factory: pytest.TempPathFactory) -> Iterator[str]:
     """A show with two own faces, both of kaori's shape: under the chequer, and half-way from there to kaori."""
-    cast, path = omote.load_cast(), tmp_path_factory.mktemp("pictures") / "pictures.omote"
+    cast = omote.load_cast()
+    path = tmp_path_factory.mktemp("pictures") / "pictures.omote"
     kaori = FaceWithLook(cast.faces["kaori"], cast.looks["kaori"])
     under = FaceWithLook(kaori.face, replace(kaori.look, albedo=chequer()))
     half = compose_face(cast.space, "half", FaceRecipe({"kaori": 0.5, "own": 0.5}), {"kaori": kaori, "own": under})
@@ -87,14 +88,16 @@ def look(page: Page, faces: dict[str, float]) -> NDArray[np.int16]:
 
 @pytest.mark.parametrize("stage", ["lowest", "medium"], indirect=True)
 def test_a_picture_shows_where_it_covers_and_mixes_in_linear_light(stage: Page) -> None:
-    painted, under = look(stage, {"kaori": 1.0}), look(stage, {"chequered": 1.0})
+    painted = look(stage, {"kaori": 1.0})
+    under = look(stage, {"chequered": 1.0})
     cheeks = np.s_[165:200, 95:225]
     redder = (under - painted)[cheeks][..., 0] - (under - painted)[cheeks][..., 1]
     there = redder[:, 80:]
     assert (there > 40).mean() > 0.2
     assert (there < -40).mean() > 0.2
     assert np.abs((under - painted)[cheeks][:, :50]).max() <= 1
-    live, baked = look(stage, {"chequered": 0.5, "kaori": 0.5}), look(stage, {"half": 1.0})
+    live = look(stage, {"chequered": 0.5, "kaori": 0.5})
+    baked = look(stage, {"half": 1.0})
     assert np.abs(live - baked).mean() < 0.5
     assert np.percentile(np.abs(live - baked), 99.9) <= 4
 
@@ -118,7 +121,8 @@ def work(page: Page, label: str) -> NDArray[np.int16]:
 
 def test_the_editor_shows_the_picture_of_a_face_and_of_a_mix(editor: Editor) -> None:
     page = editor()
-    under, half = work(page, "chequered"), work(page, "half")
+    under = work(page, "chequered")
+    half = work(page, "half")
     redder, mixed = (each[..., 0] - each[..., 1] for each in (under, half))
     squares = redder < -40  # skin is never green
     assert squares.mean() > 0.02

@@ -17,16 +17,17 @@ from omote.model.cast import Cast
 from omote.model.known_names import PLAY_REGIONS
 from omote.perform.frame import Frame, Gaze, Head
 from omote.perform.scene.character_names import MOST_CHARACTERS
-from omote.show.messages import CharacterState, FromServer, Place, State
+from omote.show.objects.state import CharacterState, Place, State
+from omote.show.wire import decode_answer
 from omote.stage_data.pose_parser import pose_of as whole_pose_of
 from tests.browser.pictures import picture
-from tests.browser.waiting import draw_on_demand, floats, wait_until
+from tests.browser.waiting import PATIENCE, draw_on_demand, floats, wait_until
 
 pytestmark = pytest.mark.long
 
 OpenPage = Callable[..., Page]
 Floats = NDArray[np.float64]
-FRAMES = 100
+FRAMES = 40
 TOLERANCE = 0.05e-3  # metres
 POSE = ("faces", "expressions", "regions", "channels", "lids", "head", "eyes")
 TWO = {
@@ -133,7 +134,8 @@ def pose_of(cast: Cast, frame: Frame) -> dict[str, Any]:
 def test_positions_equal_the_bilinear_evaluator(stage: Callable[..., Page], cast: Cast, level: str) -> None:
     """By shaders, or at low levels without a graphics processor not. With and without regions that go their own way, in
     turn: what one leaves on the GPU is not in the next."""
-    page, rng = stage(f"?quality={level}"), np.random.default_rng(1993)
+    page = stage(f"?quality={level}")
+    rng = np.random.default_rng(1993)
     pool = Pool.drawn(cast, rng)
     for number in range(FRAMES):
         frame = random_frame(pool, rng, regional=number % 2 == 1)
@@ -200,7 +202,8 @@ def test_a_face_stands_on_a_dark_stage(stage: Callable[..., Page]) -> None:
     page = stage()
     hold(page, {"faces": {"kaori": 1.0}})
     seen = picture(page)
-    middle, corner = seen[80:160, 120:200, :3].mean(axis=(0, 1)), seen[:8, :8, :3].mean(axis=(0, 1))
+    middle = seen[80:160, 120:200, :3].mean(axis=(0, 1))
+    corner = seen[:8, :8, :3].mean(axis=(0, 1))
     assert (seen[..., 3] == 255).all()
     assert corner.max() < 40 < 110 < middle.min()
     assert middle[0] > middle[2], "skin is warm"
@@ -217,13 +220,15 @@ def test_skin_is_painted_anew_whenever_its_look_changes(stage: Callable[..., Pag
     for mix, look in zip(reversed(faces), reversed(looks), strict=True):
         hold(page, {"faces": mix})
         assert np.array_equal(picture(page), look), mix
-    dog, noh = looks[1][..., :3], looks[3][..., :3]
+    dog = looks[1][..., :3]
+    noh = looks[3][..., :3]
     assert dog[40:90, 60:100, 0].mean() > dog[40:90, 60:100, 2].mean() + 40, "orange fur"
     assert noh[40:60, 70:90].mean(axis=(0, 1)).min() > 160, "white paint, whatever the light"
 
 
 def test_two_faces_and_two_expressions_look_different(stage: Callable[..., Page]) -> None:
-    page, seen = stage(), []
+    page = stage()
+    seen = []
     poses = [("kaori", "neutral"), ("old", "neutral"), ("kaori", "laugh"), ("kaori", "neutral")]
     for face, expression in poses:
         hold(page, {"faces": {face: 1.0}, "expressions": {expression: 1.0}})
@@ -307,11 +312,42 @@ def lose_and_restore(page: Page) -> None:
 def test_a_lost_context_comes_back_with_the_same_face(stage: Callable[..., Page]) -> None:
     page = stage(live=True, width=160, height=120)
     hold(page, LAUGHING)
-    before, looked = positions(page), picture(page)
+    before = positions(page)
+    looked = picture(page)
     for _ in range(3):
         lose_and_restore(page)
         assert np.array_equal(positions(page), before)
         assert np.array_equal(picture(page), looked)
+
+
+LOSE_FOR_EVER = """() => {
+    const canvas = document.querySelector("canvas");
+    window.lostCanvas = canvas;
+    canvas.getContext("webgl2").getExtension("WEBGL_lose_context").loseContext();
+}"""
+
+
+def test_a_context_that_does_not_come_back_is_replaced_on_a_new_canvas(stage: Callable[..., Page]) -> None:
+    page = stage(live=True, width=160, height=120)
+    hold(page, LAUGHING)
+    before = positions(page)
+    looked = picture(page)
+    page.evaluate(LOSE_FOR_EVER)
+    wait_for(page, "!stage.settled()")
+    wait_for(page, "window.lostCanvas.isConnected === false && stage.settled()")
+    assert page.locator("canvas#stage").count() == 1
+    hold(page, LAUGHING)
+    assert np.array_equal(positions(page), before)
+    assert np.array_equal(picture(page), looked)
+
+
+def test_a_browser_that_gives_no_context_again_loads_the_page_anew(open_page: OpenPage) -> None:
+    page = open_page("/stage?quality=lowest&name=left", width=160, height=120, disposable=True)
+    wait_for(page, "stage && stage.counters().drawn > 5")
+    lost = "document.querySelector('canvas').dispatchEvent(new Event('webglcontextlost', { cancelable: true }))"
+    with page.expect_navigation(timeout=1000.0 * PATIENCE):
+        page.evaluate(f"() => {{ HTMLCanvasElement.prototype.getContext = () => null; {lost}; }}")
+    wait_for(page, "stage.counters().drawn > 5")
 
 
 def test_without_webgl_the_page_says_so(open_page: OpenPage, show: str) -> None:
@@ -338,7 +374,8 @@ class Wire:
         self.routes.append((route, server))
 
         def forward(message: str | bytes) -> None:
-            decoded = msgspec.msgpack.decode(message, type=FromServer)  # type: ignore[arg-type]
+            assert isinstance(message, bytes)
+            decoded = decode_answer(message)
             if isinstance(decoded, State):
                 self.states.append(decoded)
             route.send(message)
@@ -365,7 +402,8 @@ def test_a_stage_holds_its_face_while_the_server_is_gone(open_page: OpenPage) ->
     wait_for(page, "stage.counters().received > 5 && stage.settled()")
     wire.cut()
     wait_for(page, "!stage.counters().connected")
-    before, counted = page.evaluate("window.omoteStage.pose()"), page.evaluate("window.omoteStage.counters()")
+    before = page.evaluate("window.omoteStage.pose()")
+    counted = page.evaluate("window.omoteStage.counters()")
     wait_for(page, f"stage.counters().drawn > {counted['drawn'] + 30}")
     held = page.evaluate("window.omoteStage.pose()")
     assert (held["faces"], held["expressions"]) == (before["faces"], before["expressions"])
@@ -502,7 +540,8 @@ def test_a_still_picture_is_seldom_drawn_and_what_changes_it_without_waiting_for
     assert page.evaluate(FRAMES_DRAWN, 60) <= 5
     assert page.evaluate("window.omoteStage.counters().drawn") > shown + 50, "a frame that shows it counts"
     page.evaluate(END_FRAMES)
-    draws, newest = page.evaluate("window.draws"), wire.states[-1]
+    draws = page.evaluate("window.draws")
+    newest = wire.states[-1]
     one = msgspec.structs.replace(newest.characters["one"], channels={"jawOpen": 0.5})
     wire.send(
         msgspec.structs.replace(newest, number=newest.number + 10**9, time=newest.time + 1.0, characters={"one": one})

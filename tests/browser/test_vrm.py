@@ -61,7 +61,8 @@ def test_three_vrm_plays_the_older_version_alike(older: Page) -> None:
     names |= {"Surprised": presets["surprised"], "JawOpen": PERFECT_SYNC["JawOpen"]}
     far = distances(older, names, partial(on_air, FACE), TURNED)
     assert max(far.values()) <= NEAR, max(far, key=far.__getitem__)
-    rest, looking = worn(older, {}), worn(older, {}, [-5.0, 0.0, -50.0])  # ahead is -z, so the left is at -x
+    rest = worn(older, {})
+    looking = worn(older, {}, [-5.0, 0.0, -50.0])  # ahead is -z, so the left is at -x
     front = rest["eye_left"][:, 2].argmin()
     assert looking["eye_left"][front, 0] < rest["eye_left"][front, 0] - 1e-3
 
@@ -69,14 +70,17 @@ def test_three_vrm_plays_the_older_version_alike(older: Page) -> None:
 @pytest.mark.parametrize(("yaw", "pitch"), [(10.0, 0.0), (-10.0, 0.0), (0.0, 6.0), (0.0, -6.0), (8.0, -5.0)])
 def test_eyes_look_where_the_target_is(avatar: Page, yaw: float, pitch: float) -> None:
     """Degrees to the character's left and up, seen from between the eyes."""
-    across, up = math.radians(yaw), math.radians(pitch)
+    across = math.radians(yaw)
+    up = math.radians(pitch)
     far = 50.0
     at = [far * math.sin(across) * math.cos(up), far * math.sin(up), far * math.cos(across) * math.cos(up)]
-    rest, looking = worn(avatar, {}), worn(avatar, {}, at)
+    rest = worn(avatar, {})
+    looking = worn(avatar, {}, at)
     for eye in ("eye_left", "eye_right"):
         middle = rest[eye].mean(axis=0)
         front = rest[eye][:, 2].argmax()
-        before, after = rest[eye][front] - middle, looking[eye][front] - middle
+        before = rest[eye][front] - middle
+        after = looking[eye][front] - middle
         turned = math.degrees(math.atan2(after[0], after[2]) - math.atan2(before[0], before[2]))
         raised = math.degrees(
             math.asin(after[1] / np.linalg.norm(after)) - math.asin(before[1] / np.linalg.norm(before))

@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 from playwright.sync_api import Error, Page
 
-PATIENCE = 120.0
+PATIENCE = 360.0
 """Seconds after which a test has failed; nothing waits for them."""
 
 WAIT = """([patience]) => new Promise((done, fail) => {

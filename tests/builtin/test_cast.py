@@ -225,10 +225,8 @@ def test_the_mask_has_lips_brows_and_blush_where_the_face_has_them() -> None:
     texel = (skin.uv * 1023).round().astype(int)
     lips, brows, blush, light = mask[texel[:, 1], texel[:, 0]].astype(float).T / 255
     x, y, z = GENERIC.positions[skin.source].T
-    forehead, cheek = (
-        (z > 0.12) & (y > 0.045),
-        (z > 0.1) & (np.abs(np.abs(x) - 0.043) < 0.006) & (np.abs(y + 0.03) < 0.006),
-    )
+    forehead = (z > 0.12) & (y > 0.045)
+    cheek = (z > 0.1) & (np.abs(np.abs(x) - 0.043) < 0.006) & (np.abs(y + 0.03) < 0.006)
     assert lips[(z > 0.15) & (np.abs(x) < 0.005) & (np.abs(y + 0.072) < 0.003)].min() > 0.7
     assert forehead.any()
     assert (lips[forehead].max(), brows[forehead].max()) == (0.0, 0.0)

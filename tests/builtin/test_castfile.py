@@ -28,7 +28,8 @@ def test_the_same_arrays_give_the_same_cast(arrays: Arrays) -> None:
 
 def test_fields_are_what_the_arrays_say(arrays: Arrays) -> None:
     names = [row["name"] for row in json.loads(arrays["about"].tobytes())["expressions"]]
-    row, smile = names.index("smile"), load_cast().expressions["smile"]
+    row = names.index("smile")
+    smile = load_cast().expressions["smile"]
     np.testing.assert_array_equal(smile.dtheta, arrays["dtheta"][row])
     np.testing.assert_array_equal(smile.ratio, 1.0 + arrays["swell"][row].astype(np.float64))
     np.testing.assert_array_equal(smile.residual, arrays["residual"][row])

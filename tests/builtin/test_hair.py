@@ -14,7 +14,8 @@ CAST = load_cast()
 SPACE = CAST.space
 BEASTS = ("alien", "cat", "dog", "noh")
 HUMANS = [name for name in CAST.faces if name not in BEASTS]
-UNDER, DEEPEST = 0.0015, 0.012  # metres; deeper than the first lie a few places in the creases behind ears
+UNDER = 0.0015
+DEEPEST = 0.012  # metres; deeper than the first lie a few places in the creases behind ears
 FEW = 0.01  # of all places
 MOVED = 0.004  # metres that a root may go with any performed expression
 

@@ -15,7 +15,8 @@ from omote.model.fitting.landmarks import find_landmarks
 from omote.model.fitting.scan import Scan
 
 CAST = omote.load_cast()
-OLD, ROWS = CAST.faces["old"].positions.astype(np.float64), find_landmarks(CAST.space)
+OLD = CAST.faces["old"].positions.astype(np.float64)
+ROWS = find_landmarks(CAST.space)
 
 
 def test_a_scan_in_inches_about_other_axes_becomes_a_face() -> None:

@@ -13,7 +13,9 @@ from omote.geometry.conjugate_gradients import solve_conjugate_gradients
 def test_it_solves_the_normal_equations(seed: int, unknowns: int, triangles: int) -> None:
     rng = np.random.default_rng(seed)
     corners = rng.integers(-1, unknowns, (triangles, 3)).astype(np.int32)
-    slopes, weights, shift = rng.normal(size=(triangles, 3, 2)), rng.uniform(0.5, 3.0, triangles), 0.3
+    slopes = rng.normal(size=(triangles, 3, 2))
+    weights = rng.uniform(0.5, 3.0, triangles)
+    shift = 0.3
     matrix: NDArray[np.float64] = shift * np.eye(unknowns)
     for corner, slope, weight in zip(corners, slopes, weights, strict=True):
         gradient = np.zeros((2, unknowns + 1))  # the last column takes the vertices that are held

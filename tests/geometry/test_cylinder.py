@@ -41,7 +41,8 @@ def test_an_axis_that_is_nowhere_is_refused() -> None:
 
 @given(metres, metres, st.lists(st.tuples(metres, metres, metres), min_size=1, max_size=20))
 def test_outward_is_level_and_leads_from_the_axis(x: float, z: float, points: list[tuple[float, float, float]]) -> None:
-    cylinder, there = Cylinder(x, z), np.array(points)
+    cylinder = Cylinder(x, z)
+    there = np.array(points)
     theta, _, radius = cylinder.unroll(there)
     far = radius > 1e-6
     wanted = np.stack([np.sin(theta), np.zeros(len(theta)), np.cos(theta)], axis=1)

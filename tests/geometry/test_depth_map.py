@@ -25,7 +25,8 @@ def test_depth_is_that_of_the_plane_that_is_seen() -> None:
 def test_the_nearest_surface_is_kept_whatever_the_order() -> None:
     square = np.array([[0.0, 0.0], [8.0, 0.0], [8.0, 8.0], [0.0, 8.0]])
     screen = np.vstack([np.column_stack([square, np.full(4, away)]) for away in (3.0, 2.0)])
-    near, far = [[4, 5, 6], [4, 6, 7]], [[0, 1, 2], [0, 2, 3]]
+    near = [[4, 5, 6], [4, 6, 7]]
+    far = [[0, 1, 2], [0, 2, 3]]
     for triangles in (near + far, far + near):
         assert (draw_depth(screen, np.array(triangles, np.int32), 8, 8) == 2.0).all()
 

@@ -44,7 +44,8 @@ def strip() -> tuple[Strip, np.ndarray, np.ndarray]:
 def test_a_walk_from_anywhere_finds_the_point(strip: tuple[Strip, np.ndarray, np.ndarray]) -> None:
     walked, corners, heights = strip
     rng = np.random.default_rng(2)
-    theta, h = rng.uniform(-20, 20, 2000), rng.uniform(0.0, HEIGHT, 2000)
+    theta = rng.uniform(-20, 20, 2000)
+    h = rng.uniform(0.0, HEIGHT, 2000)
     landing = walked.locate(theta, h, rng.integers(0, len(corners), 2000).astype(np.int32))
     assert landing.inside.all()
     assert (landing.weights >= -1e-9).all()
@@ -57,12 +58,14 @@ def test_a_walk_from_anywhere_finds_the_point(strip: tuple[Strip, np.ndarray, np
 def test_following_a_leader_finds_the_same_points(strip: tuple[Strip, np.ndarray, np.ndarray]) -> None:
     walked, corners, _ = strip
     rng = np.random.default_rng(5)
-    theta, h = rng.uniform(-20, 20, 2000), rng.uniform(-0.2, HEIGHT + 0.2, 2000)
+    theta = rng.uniform(-20, 20, 2000)
+    h = rng.uniform(-0.2, HEIGHT + 0.2, 2000)
     start = rng.integers(0, len(corners), 2000).astype(np.int32)
     leaders = (rng.integers(0, 2000, 2000) % np.maximum(np.arange(2000), 1)).astype(np.int32)
     leaders[rng.random(2000) < 0.1] = -1
     leaders[0] = -1
-    alone, led = walked.locate(theta, h, start), walked.locate(theta, h, start, leaders=leaders)
+    alone = walked.locate(theta, h, start)
+    led = walked.locate(theta, h, start, leaders=leaders)
     assert np.array_equal(led.inside, alone.inside)
     assert 0 < alone.inside.sum() < 2000
     assert np.array_equal(led.triangles, alone.triangles)
@@ -96,7 +99,9 @@ def test_a_ray_from_the_axis_meets_the_triangle_that_it_was_aimed_at() -> None:
     # Pushed off along the radius: the walk must come back to the same place in the same triangle.
     axis = np.array([0.3, 0.0, -0.2])
     pushed = axis + (surface - axis) * np.stack([(s := rng.uniform(0.5, 2.0, 500)), np.ones(500), s], axis=1)
-    found, back, inside = np.empty(500, np.int32), np.empty((500, 3)), np.empty(500, np.bool_)
+    found = np.empty(500, np.int32)
+    back = np.empty((500, 3))
+    inside = np.empty(500, np.bool_)
     start = rng.integers(0, len(triangles), 500).astype(np.int32)
     walk_face(points, triangles, mesh.neighbours(triangles), 0.3, -0.2, pushed, start, found, back, inside)
     assert inside.all()
@@ -110,7 +115,9 @@ def test_a_fold_in_the_way_is_searched_around() -> None:
     triangles = np.array([t for a, b, c, d in quads for t in ((a, b, c), (a, c, d))], np.int32)
     target = np.array([[1.5, 0.2, 1.6]])
     for start, layer in ((0, (0, 1)), (4, (4, 5))):
-        found, back, inside = np.empty(1, np.int32), np.empty((1, 3)), np.empty(1, np.bool_)
+        found = np.empty(1, np.int32)
+        back = np.empty((1, 3))
+        inside = np.empty(1, np.bool_)
         begin = np.array([start], np.int32)
         walk_face(strip_points, triangles, mesh.neighbours(triangles), 0.0, 0.0, target, begin, found, back, inside)
         assert inside.all()

@@ -4,7 +4,7 @@ import numpy as np
 from hypothesis import given
 from hypothesis import strategies as st
 
-from omote.geometry.orientation import area_shares, keep_orientation, rest_normals
+from omote.geometry.orientation import area_shares, repair_triangles, rest_normals
 
 SIDE = 7
 GOAL = 0.1
@@ -30,7 +30,7 @@ moves = st.lists(st.floats(-0.9e-3, 0.9e-3), min_size=3, max_size=3).map(np.arra
 def test_a_vertex_pushed_through_its_neighbours_turns_nothing_over(vertex: int, move: np.ndarray) -> None:
     points = REST.copy()
     points[vertex] += move
-    keep_orientation(points, NORMALS, SIZES, TRIANGLES, GOALS, 200)
+    repair_triangles(points, NORMALS, SIZES, TRIANGLES, GOALS, 200)
     assert area_shares(points, NORMALS, SIZES, TRIANGLES).min() > 0.0
 
 
@@ -40,7 +40,7 @@ def test_momentum_leaves_no_more_lacking_after_few_rounds(vertex: int, move: np.
     for momentum in (0.0, 0.5):
         points = REST.copy()
         points[vertex] += move
-        keep_orientation(points, NORMALS, SIZES, TRIANGLES, GOALS, 16, momentum)
+        repair_triangles(points, NORMALS, SIZES, TRIANGLES, GOALS, 16, momentum)
         left.append(np.maximum(GOAL - area_shares(points, NORMALS, SIZES, TRIANGLES), 0.0).max())
     assert left[1] <= left[0] + 1e-3
 
@@ -51,7 +51,7 @@ def test_what_is_upright_stays_as_it_is(vertex: int, move: np.ndarray, size: flo
     points[vertex] += size * move
     before = points.copy()
     whole = area_shares(points, NORMALS, SIZES, TRIANGLES).min() >= GOAL
-    keep_orientation(points, NORMALS, SIZES, TRIANGLES, GOALS, 16)
+    repair_triangles(points, NORMALS, SIZES, TRIANGLES, GOALS, 16)
     assert np.array_equal(points, before) == whole
 
 
@@ -65,7 +65,7 @@ def test_a_triangle_that_begins_to_lack_area_makes_no_jump(vertex: int, move: np
     for lack in (-1e-6, 1e-6):
         points = rest.copy()
         goals = np.where(shares < GOAL, GOAL, np.minimum(shares + lack, 1.0))
-        keep_orientation(points, NORMALS, SIZES, TRIANGLES, goals, 1)
+        repair_triangles(points, NORMALS, SIZES, TRIANGLES, goals, 1)
         found.append(points)
     assert np.abs(found[1] - found[0]).max() < 1e-7
 
@@ -74,7 +74,7 @@ def test_a_triangle_may_be_allowed_to_turn_over() -> None:
     points = REST.copy()
     points[SIDE + 1] += [1.5e-3, 0.0, 0.0]
     before = points.copy()
-    keep_orientation(points, NORMALS, SIZES, TRIANGLES, area_shares(points, NORMALS, SIZES, TRIANGLES), 16)
+    repair_triangles(points, NORMALS, SIZES, TRIANGLES, area_shares(points, NORMALS, SIZES, TRIANGLES), 16)
     assert np.array_equal(points, before)
 
 

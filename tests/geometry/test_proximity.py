@@ -73,6 +73,7 @@ def test_a_patch_of_a_surface_tells_its_two_sides_apart_near_it() -> None:
 def test_the_winding_number_says_what_is_inside() -> None:
     points = RNG.uniform(-1.0, 2.0, (400, 3))
     assert np.allclose(winding_numbers(cube(), points), (outside_of(points) == 0).astype(float), atol=1e-9)
+    assert np.allclose(winding_numbers(cube()[:, ::-1], np.full((1, 3), 0.5)), -1.0)
 
 
 def test_a_ray_from_the_middle_meets_the_cube_where_it_leaves_it() -> None:
@@ -86,7 +87,8 @@ def test_a_ray_from_the_middle_meets_the_cube_where_it_leaves_it() -> None:
 
 
 def test_a_level_ray_meets_what_any_ray_meets() -> None:
-    points, triangles = cube().reshape(-1, 3), np.arange(36, dtype=np.int32).reshape(-1, 3)
+    points = cube().reshape(-1, 3)
+    triangles = np.arange(36, dtype=np.int32).reshape(-1, 3)
     ways = RNG.normal(size=(200, 3)) * [1.0, 0.0, 1.0]
     ways /= np.linalg.norm(ways, axis=1, keepdims=True)
     origins = RNG.uniform(-0.5, 1.5, (200, 3))
@@ -100,6 +102,7 @@ def test_a_level_ray_meets_what_any_ray_meets() -> None:
 
 
 def test_a_ray_that_meets_nothing_says_so_and_one_may_begin_behind() -> None:
-    origins, up = np.array([[0.5, 0.5, 1.25]]), np.array([[0.0, 0.0, 1.0]])
+    origins = np.array([[0.5, 0.5, 1.25]])
+    up = np.array([[0.0, 0.0, 1.0]])
     assert np.isinf(cast_rays(cube(), origins, up, 0.0)[0][0])
     assert np.isclose(cast_rays(cube(), origins, up, 0.3)[0][0], -0.25)

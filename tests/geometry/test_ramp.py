@@ -11,7 +11,8 @@ def test_what_lies_beyond_ends_at_the_ends() -> None:
 
 def test_a_smooth_ramp_is_point_symmetric_and_rises() -> None:
     away = np.linspace(0.0, 3.0, 50)
-    up, down = smooth_ramp(-1.0, 2.0, 0.5 + away), smooth_ramp(-1.0, 2.0, 0.5 - away)
+    up = smooth_ramp(-1.0, 2.0, 0.5 + away)
+    down = smooth_ramp(-1.0, 2.0, 0.5 - away)
     np.testing.assert_allclose(up + down, 1.0)
     assert (np.diff(up) >= 0.0).all()
     np.testing.assert_array_equal(smooth_ramp(-1.0, 2.0, np.array([-5.0, -1.0, 0.5, 2.0, 9.0])), [0, 0, 0.5, 1, 1])

@@ -34,3 +34,10 @@ def test_which_way_a_triangle_winds_makes_no_difference() -> None:
 
 def test_a_triangle_without_area_paints_nothing() -> None:
     assert not paint(np.ones(4), SQUARE[[0, 0, 0, 0]], HALVES, 16).any()
+
+
+def test_a_picture_turned_over_is_the_picture_of_what_is_turned_over() -> None:
+    values = np.array([0.0, 1.0, 5.0, 3.0])
+    picture = paint(values, SQUARE, HALVES, 64)
+    np.testing.assert_allclose(paint(values, SQUARE[:, ::-1], HALVES, 64), picture.T, atol=1e-12)
+    np.testing.assert_allclose(paint(values, 1.0 - SQUARE, HALVES, 64), picture[::-1, ::-1], atol=1e-12)

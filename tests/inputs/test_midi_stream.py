@@ -69,7 +69,8 @@ def test_fourteen_bits_are_read_whole() -> None:
     decoder = MidiDecoder("pad")
     decoder.feed(bytes.fromhex("b2 01 00 21 00") * 3)
     for value in range(0, 16384, 111):
-        coarse, fine = value >> 7, value & 0x7F
+        coarse = value >> 7
+        fine = value & 0x7F
         last = decoder.feed(bytes([0xB2, 1, coarse, 33, fine]))[-1]
         assert last == Reading("pad", "3/cc1+33", value / 16383)
         assert decoder.feed(bytes([0xE2, fine, coarse]))[-1] == Reading("pad", "3/bend", value / 16383)

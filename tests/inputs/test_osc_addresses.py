@@ -2,8 +2,7 @@
 
 import pytest
 
-from omote.inputs.addresses.address import Address
-from omote.inputs.osc_addresses import ADDRESSES, REMEMBERED_LENGTH, find_address
+from omote.inputs.osc_addresses import ADDRESSES, REMEMBERED_LENGTH, Address, find_address
 from omote.inputs.osc_packet import OscError
 
 
@@ -13,15 +12,18 @@ def test_every_address_is_found_as_it_is_written(address: Address) -> None:
         address.pattern.replace("{character}", "one")
         .replace("{name}", "smile")
         .replace("{region}", "eyes")
+        .replace("{layer}", "smile")
         .replace("{part}", "all")
         .replace("{language}", "de")
     )
     found, character, named = find_address(written)
     assert found is address
     assert character == ("" if address.of_show else "one")
-    assert named == ["smile"] * address.path.count("{name}") + ["eyes"] * address.path.count("{region}") + [
-        "all"
-    ] * address.path.count("{part}") + ["de"] * address.path.count("{language}")
+    assert named == ["smile"] * (address.path.count("{name}") + address.path.count("{layer}")) + [
+        "eyes"
+    ] * address.path.count("{region}") + ["all"] * address.path.count("{part}") + ["de"] * address.path.count(
+        "{language}"
+    )
 
 
 @pytest.mark.parametrize("address", ADDRESSES, ids=lambda address: address.pattern)

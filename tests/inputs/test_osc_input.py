@@ -13,16 +13,22 @@ from omote.inputs.osc_input import (
     MOST_SENDERS,
     MOST_SURFACES,
     SURFACE_SECONDS,
+    Endpoint,
     OscInput,
-    Place,
 )
 from omote.inputs.osc_packet import Argument, OscMessage, decode_packet, encode_bundle, encode_message
-from omote.show import messages as wire
+from omote.show.messages import PROTOCOL_VERSION
+from omote.show.objects.calls import Panic
+from omote.show.objects.characters import AddCharacter
+from omote.show.objects.faders import Hands, SetChannel
+from omote.show.objects.leases import Lease, SetLeases
+from omote.show.objects.link import Hello
+from omote.show.objects.stages import Crew
 from omote.show.session import ShowSession
 from tests import synthetic
 
-DESK: Place = ("10.0.0.5", 9001)
-Send = Callable[..., list[tuple[Place, bytes]]]
+DESK: Endpoint = ("10.0.0.5", 9001)
+Send = Callable[..., list[tuple[Endpoint, bytes]]]
 
 
 @pytest.fixture
@@ -40,20 +46,20 @@ def send(osc: OscInput) -> Send:
     return lambda address, *arguments, place=DESK, now=0.0: osc.receive(place, encode_message(address, *arguments), now)
 
 
-def told(news: list[tuple[Place, bytes]], place: Place = DESK) -> dict[str, tuple[Argument, ...]]:
+def told(news: list[tuple[Endpoint, bytes]], place: Endpoint = DESK) -> dict[str, tuple[Argument, ...]]:
     messages = [message for to, packet in news if to == place for message in decode_packet(packet)]
     return {message.address: message.arguments for message in messages}
 
 
 def test_a_sender_plays_and_consoles_see_whose_hand_it_is(session: ShowSession, send: Send) -> None:
-    session.receive("a", wire.Hello("console", wire.PROTOCOL_VERSION, "Ana"), 0.0)
+    session.receive("a", Hello("console", PROTOCOL_VERSION, "Ana"), 0.0)
     send("/omote/one/face", "broad", 0.0)
     send("/omote/*/channel/jawOpen", 0.5)
     state = session.tick(0.1)
     assert (state.characters["one"].faces, state.characters["one"].channels) == ({"broad": 1.0}, {"jawOpen": 0.5})
     (hands,) = session.hands_now(0.1)
-    assert hands.message == wire.Hands({"one/set_channel:jawOpen": "OSC 10.0.0.5"})
-    assert session.crew_now(0.1) == wire.Crew([], 1)
+    assert hands.message == Hands({"one/set_channel:jawOpen": "OSC 10.0.0.5"})
+    assert session.crew_now(0.1) == Crew([], 1)
 
 
 def test_the_same_call_twice_calls_twice(session: ShowSession, send: Send) -> None:
@@ -108,7 +114,8 @@ def test_a_surface_is_not_told_what_it_sends_while_it_sends_it(session: ShowSess
 
 
 def test_a_surface_may_send_from_another_port_than_it_hears_at(session: ShowSession, osc: OscInput, send: Send) -> None:
-    sends, hears = ("10.0.0.5", 51234), DESK
+    sends = ("10.0.0.5", 51234)
+    hears = DESK
     send("/omote/subscribe", hears[1], place=sends)
     osc.news(session.tick(0.0), 0.0)
     assert list(told(send("/omote/one/face", "nobody", place=sends), hears)) == [ERROR]
@@ -204,17 +211,18 @@ def play(ticks: list[list[OscMessage]], *, at_once: bool, panicked: bool, held: 
     """What a show has come to after some ticks. panicked: another console has just pressed panic of all; held: it holds
     the channels of one character."""
     show = ShowSession(synthetic.cast())
-    show.receive("a", wire.Hello("console", wire.PROTOCOL_VERSION, "Ana"), 0.0)
-    show.receive("a", wire.AddCharacter("add", "two", "Two", "generic"), 0.0)
+    show.receive("a", Hello("console", PROTOCOL_VERSION, "Ana"), 0.0)
+    show.receive("a", AddCharacter("add", "two", "Two", "generic"), 0.0)
     if held:
-        show.receive("a", wire.SetLeases("on", True), 0.0)
-        show.receive("a", wire.SetChannel("two", "smile", 0.5), 0.0)
-    osc, told = OscInput(lambda: show), list[object]()
+        show.receive("a", SetLeases("on", True), 0.0)
+        show.receive("a", SetChannel("two", "smile", 0.5), 0.0)
+    osc = OscInput(lambda: show)
+    told = list[object]()
     osc.subscribe(DESK, 0.0)
     for number, messages in enumerate(ticks):
         now = 0.2 * number
         if panicked and number == 1:
-            show.receive("a", wire.Panic("*"), now)
+            show.receive("a", Panic("*"), now)
         answers = (
             osc.obey_all(DESK, messages, now) if at_once else [a for m in messages for a in osc.obey(DESK, m, now)]
         )
@@ -235,9 +243,9 @@ def test_channels_that_are_set_at_once_do_what_they_do_one_by_one(
 def test_a_sender_holds_takes_over_and_releases_as_an_operator_does(
     session: ShowSession, osc: OscInput, send: Send
 ) -> None:
-    session.receive("a", wire.Hello("console", wire.PROTOCOL_VERSION, "Ana", "page", "ana"), 0.0)
-    session.receive("a", wire.SetLeases("on", True), 0.0)
-    session.receive("a", wire.Lease("l", "one", "face"), 0.0)
+    session.receive("a", Hello("console", PROTOCOL_VERSION, "Ana", "page", "ana"), 0.0)
+    session.receive("a", SetLeases("on", True), 0.0)
+    session.receive("a", Lease("l", "one", "face"), 0.0)
     send("/omote/one/lease/face")
     assert osc.last_rejection is not None
     assert osc.last_rejection.reason.startswith("Ana holds the face of one: take it over")

@@ -7,60 +7,74 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from omote.inputs.addresses.address import Address
-from omote.inputs.osc_addresses import ADDRESSES
-from omote.inputs.osc_orders import OrderReader, read_orders
+from omote.inputs.osc_addresses import ADDRESSES, Address
+from omote.inputs.osc_orders import OrderReader
 from omote.inputs.osc_packet import Argument, OscError, OscMessage
 from omote.perform.limits import GAZE_LIMITS
-from omote.show import messages as wire
+from omote.show.declaration import ClientMessage, Message
+from omote.show.objects.calls import (
+    CallExpression,
+    CallFace,
+    FadeExpression,
+    FadeFace,
+    Panic,
+    ReleaseExpression,
+    ReleaseFace,
+)
+from omote.show.objects.characters import EnterCharacter, LeaveCharacter, PlaceCharacter
+from omote.show.objects.faders import SetChannel, SetGaze, SetHead
+from omote.show.objects.layers import SetLayer
+from omote.show.objects.leases import Lease, ReleaseLease
+from omote.show.objects.motion import LookAt, SetMotion
+from omote.show.objects.pictures import CallFraming, CallLight
 from tests import synthetic
 
 CAST = synthetic.cast()
 
 
-def orders(address: str, *arguments: Argument, there: tuple[str, ...] = ("one",)) -> tuple[wire.FromClient, ...]:
-    return read_orders(OscMessage(address, arguments), CAST, dict(zip(there, there, strict=True)), "c1")
+def orders(address: str, *arguments: Argument, there: tuple[str, ...] = ("one",)) -> tuple[ClientMessage, ...]:
+    return OrderReader(CAST, dict(zip(there, there, strict=True))).read(OscMessage(address, arguments), "c1")
 
 
 @pytest.mark.parametrize(
     ("address", "arguments", "message"),
     [
-        ("face", ["broad"], wire.CallFace("one", "c1", "broad", 1.0, "smooth")),
-        ("face", ["Broad", 2], wire.CallFace("one", "c1", "broad", 2.0, "smooth")),
-        ("face", ["broad", "0.25"], wire.CallFace("one", "c1", "broad", 0.25, "smooth")),
-        ("face", ["broad", "hand"], wire.CallFace("one", "c1", "broad", None, "smooth")),
-        ("expression", ["smile", 0.0], wire.CallExpression("one", "c1", "smile", 0.0, "smooth")),
-        ("expression/brows", ["smile"], wire.CallExpression("one", "c1", "smile", 1.0, "smooth", "brows")),
-        ("expression/Mouth", ["Smile", 0], wire.CallExpression("one", "c1", "smile", 0.0, "smooth", "mouth")),
-        ("channel/jawOpen", [0.5], wire.SetChannel("one", "jawOpen", 0.5)),
-        ("channel/jaw-open", ["1"], wire.SetChannel("one", "jawOpen", 1.0)),
-        ("channel/jawOpen", [True], wire.SetChannel("one", "jawOpen", 1.0)),
-        ("head", [90, "-90", 0.0], wire.SetHead("one", math.pi / 2, -math.pi / 2, 0.0)),
-        ("gaze", [40, -30], wire.SetGaze("one", GAZE_LIMITS["yaw"], -GAZE_LIMITS["pitch"])),
-        ("look_ahead", [], wire.LookAt("one", "ahead")),
-        ("look_at/direction", [90, -45], wire.LookAt("one", "direction", yaw=math.pi / 2, pitch=-math.pi / 4)),
-        ("look_at/point", [0.5, "1", -2], wire.LookAt("one", "point", x=0.5, y=1.0, z=-2.0)),
-        ("look_at/gaze_point", ["front row"], wire.LookAt("one", "gaze_point", "front row")),
-        ("look_at/character", ["ONE"], wire.LookAt("one", "character", "one")),
-        ("look_at/stage", ["left"], wire.LookAt("one", "stage", "left")),
-        ("motion/idle", [True], wire.SetMotion("one", idle=True)),
-        ("fade/face", [0.5], wire.FadeFace("one", 0.5)),
-        ("fade/expression", [1], wire.FadeExpression("one", 1.0)),
-        ("release/face", [], wire.ReleaseFace("one")),
-        ("release/expression", [1.0], wire.ReleaseExpression("one")),
-        ("panic", [], wire.Panic("one")),
-        ("lease/face", [], wire.Lease("c1", "one", "face")),
-        ("lease/Head", [1], wire.Lease("c1", "one", "head")),
-        ("take_over/all", [1.0], wire.Lease("c1", "one", "*", take_over=True)),
-        ("release_lease/gaze", [], wire.ReleaseLease("c1", "one", "gaze")),
-        ("enter", [], wire.EnterCharacter("c1", "one", 1.0)),
-        ("leave", ["2"], wire.LeaveCharacter("c1", "one", 2.0)),
-        ("place", [-1, 0.5, 2, 90], wire.PlaceCharacter("one", -1.0, 0.5, 2.0, math.pi / 2, 1.0, "c1")),
-        ("place", [0, 0, 1, 0, 3], wire.PlaceCharacter("one", 0.0, 0.0, 1.0, 0.0, 3.0, "c1")),
+        ("face", ["broad"], CallFace("one", "c1", "broad", 1.0, "smooth")),
+        ("face", ["Broad", 2], CallFace("one", "c1", "broad", 2.0, "smooth")),
+        ("face", ["broad", "0.25"], CallFace("one", "c1", "broad", 0.25, "smooth")),
+        ("face", ["broad", "hand"], CallFace("one", "c1", "broad", None, "smooth")),
+        ("expression", ["smile", 0.0], CallExpression("one", "c1", "smile", 0.0, "smooth")),
+        ("expression/brows", ["smile"], CallExpression("one", "c1", "smile", 1.0, "smooth", "brows")),
+        ("expression/Mouth", ["Smile", 0], CallExpression("one", "c1", "smile", 0.0, "smooth", "mouth")),
+        ("channel/jawOpen", [0.5], SetChannel("one", "jawOpen", 0.5)),
+        ("channel/jaw-open", ["1"], SetChannel("one", "jawOpen", 1.0)),
+        ("channel/jawOpen", [True], SetChannel("one", "jawOpen", 1.0)),
+        ("head", [90, "-90", 0.0], SetHead("one", math.pi / 2, -math.pi / 2, 0.0)),
+        ("gaze", [40, -30], SetGaze("one", GAZE_LIMITS["yaw"], -GAZE_LIMITS["pitch"])),
+        ("look_ahead", [], LookAt("one", "ahead")),
+        ("look_at/direction", [90, -45], LookAt("one", "direction", yaw=math.pi / 2, pitch=-math.pi / 4)),
+        ("look_at/point", [0.5, "1", -2], LookAt("one", "point", x=0.5, y=1.0, z=-2.0)),
+        ("look_at/gaze_point", ["front row"], LookAt("one", "gaze_point", "front row")),
+        ("look_at/character", ["ONE"], LookAt("one", "character", "one")),
+        ("look_at/stage", ["left"], LookAt("one", "stage", "left")),
+        ("motion/idle", [True], SetMotion("one", idle=True)),
+        ("fade/face", [0.5], FadeFace("one", 0.5)),
+        ("fade/expression", [1], FadeExpression("one", 1.0)),
+        ("release/face", [], ReleaseFace("one")),
+        ("release/expression", [1.0], ReleaseExpression("one")),
+        ("panic", [], Panic("one")),
+        ("lease/face", [], Lease("c1", "one", "face")),
+        ("lease/Head", [1], Lease("c1", "one", "head")),
+        ("take_over/all", [1.0], Lease("c1", "one", "*", take_over=True)),
+        ("release_lease/gaze", [], ReleaseLease("c1", "one", "gaze")),
+        ("enter", [], EnterCharacter("c1", "one", 1.0)),
+        ("leave", ["2"], LeaveCharacter("c1", "one", 2.0)),
+        ("place", [-1, 0.5, 2, 90], PlaceCharacter("one", -1.0, 0.5, 2.0, math.pi / 2, 1.0)),
+        ("place", [0, 0, 1, 0, 3], PlaceCharacter("one", 0.0, 0.0, 1.0, 0.0, 3.0)),
     ],
 )
 def test_an_address_of_a_character_becomes_its_message(
-    address: str, arguments: list[Argument], message: wire.FromClient
+    address: str, arguments: list[Argument], message: ClientMessage
 ) -> None:
     assert orders(f"/omote/one/{address}", *arguments) == (message,)
     assert orders(f"/omote/*/{address}/", *arguments) == (message,), "all, where there is one"
@@ -82,19 +96,19 @@ def test_an_address_of_nobody_is_rejected(pattern: str) -> None:
 @pytest.mark.parametrize(
     ("address", "arguments", "message"),
     [
-        ("light", ["Flat", 3], wire.CallLight("c1", "flat", 3.0, "smooth")),
-        ("framing", ["*"], wire.CallFraming("c1", [], 1.0, "smooth")),
-        ("framing", ["one", 2], wire.CallFraming("c1", ["one"], 2.0, "smooth")),
-        ("framing", ["two + one"], wire.CallFraming("c1", ["two", "one"], 1.0, "smooth")),
-        ("panic", [], wire.Panic("*")),
-        ("panic", [1], wire.Panic("*")),
-        ("lease/light", [], wire.Lease("c1", "*", "light")),
-        ("take_over/framing", [1], wire.Lease("c1", "*", "framing", take_over=True)),
-        ("release_lease/all", [], wire.ReleaseLease("c1", "*", "*")),
+        ("light", ["Flat", 3], CallLight("c1", "flat", 3.0, "smooth")),
+        ("framing", ["*"], CallFraming("c1", [], 1.0, "smooth")),
+        ("framing", ["one", 2], CallFraming("c1", ["one"], 2.0, "smooth")),
+        ("framing", ["two + one"], CallFraming("c1", ["two", "one"], 1.0, "smooth")),
+        ("panic", [], Panic("*")),
+        ("panic", [1], Panic("*")),
+        ("lease/light", [], Lease("c1", "*", "light")),
+        ("take_over/framing", [1], Lease("c1", "*", "framing", take_over=True)),
+        ("release_lease/all", [], ReleaseLease("c1", "*", "*")),
     ],
 )
 def test_an_address_of_the_show_names_no_character(
-    address: str, arguments: list[Argument], message: wire.FromClient
+    address: str, arguments: list[Argument], message: ClientMessage
 ) -> None:
     assert orders(f"/omote/{address}", *arguments, there=("one", "two")) == (message,)
 
@@ -171,14 +185,14 @@ OFF: tuple[Argument, ...] = (0, 0.0, False, "FALSE", "0", "0.0")
     ids=repr,
 )
 def test_a_switch_is_on_or_off(value: Argument, on: bool) -> None:
-    assert orders("/omote/one/layer_on/tracker", value) == (wire.SetLayer("one", "tracker", None, None, on),)
+    assert orders("/omote/one/layer_on/tracker", value) == (SetLayer("one", "tracker", None, None, on),)
 
 
 def test_a_reader_says_the_same_each_time() -> None:
     reader = OrderReader(CAST, {"one": "One", "two": "Two"})
     for _ in range(2):
         (message,) = reader.read(OscMessage("/omote/t*/channel/jaw open", (0.5,)), "c1")
-        assert message == wire.SetChannel("two", "jawOpen", 0.5)
+        assert message == SetChannel("two", "jawOpen", 0.5)
         with pytest.raises(OscError, match="there is no face 'brood' in this cast; near are broad"):
             reader.read(OscMessage("/omote/one/face", ("brood",)), "c1")
 
@@ -187,10 +201,10 @@ def test_a_reader_says_the_same_each_time() -> None:
 def test_a_character_is_found_by_its_label(label: str) -> None:
     reader = OrderReader(CAST, {"one": "Two", "two": label})
     written = label.lower().replace(" ", "_")
-    assert reader.read(OscMessage(f"/omote/{written}/panic", ()), "c1") == (wire.Panic("two"),)
-    assert reader.read(OscMessage("/omote/two/panic", ()), "c1") == (wire.Panic("two"),)  # a name wins over a label
+    assert reader.read(OscMessage(f"/omote/{written}/panic", ()), "c1") == (Panic("two"),)
+    assert reader.read(OscMessage("/omote/two/panic", ()), "c1") == (Panic("two"),)  # a name wins over a label
     (framing,) = reader.read(OscMessage("/omote/framing", (f"one+{written}",)), "c1")
-    assert isinstance(framing, wire.CallFraming)
+    assert isinstance(framing, CallFraming)
     assert sorted(framing.characters) == ["one", "two"]
 
 
@@ -210,4 +224,4 @@ def test_no_arguments_raise_anything_else(address: Address, given: list[Argument
         found = orders(written, *given)
     except OscError:
         return
-    assert all(isinstance(message, wire.Message) for message in found)
+    assert all(isinstance(message, Message) for message in found)

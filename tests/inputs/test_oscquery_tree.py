@@ -5,17 +5,31 @@ from itertools import product
 import pytest
 
 from omote.inputs.osc_addresses import ADDRESSES
-from omote.inputs.osc_orders import read_orders
+from omote.inputs.osc_feedback import AddressValues
+from omote.inputs.osc_orders import OrderReader
 from omote.inputs.osc_packet import Argument, OscMessage
-from omote.inputs.oscquery_tree import NO_ACCESS, READ_WRITE, WRITE, Node, build_tree, find_node, host_info
+from omote.inputs.oscquery_tree import (
+    NO_ACCESS,
+    READ_WRITE,
+    WRITE,
+    Node,
+    build_addresses,
+    find_node,
+    host_info,
+    with_values,
+)
 from omote.model.known_names import PLAY_REGIONS
 from omote.perform.easing import DEFAULT_EASING
-from omote.perform.gestures.gesture_curves import GESTURES
+from omote.perform.gestures import GESTURES
 from omote.perform.layers.layer_names import LAYER_PARTS, LAYERS
 from omote.perform.lights import LIGHTS
 from omote.perform.speech.spelling import LANGUAGES
-from omote.show import messages as wire
-from omote.show.leases.leased_parts import CHARACTER_PARTS, SCENE_PARTS
+from omote.show.messages import PROTOCOL_VERSION
+from omote.show.objects.calls import CallFace
+from omote.show.objects.faders import SetChannel
+from omote.show.objects.leases import SetLeases
+from omote.show.objects.link import Hello
+from omote.show.ownership.parts import CHARACTER_PARTS, SCENE_PARTS
 from omote.show.session import ShowSession
 from tests import synthetic
 
@@ -48,24 +62,24 @@ def extremes(leaf: Node) -> list[list[Argument]]:
 
 def test_all_that_the_tree_offers_is_obeyed_at_both_ends_of_its_range(session: ShowSession) -> None:
     session.join("osc", "OSC")
-    session.receive("osc", wire.SetLeases("on", True), 0.0)
-    for leaf in leaves(build_tree(CAST, None, ["one"])):
+    session.receive("osc", SetLeases("on", True), 0.0)
+    for leaf in leaves(build_addresses(CAST, ["one"])):
         for arguments in extremes(leaf):
             call = f"{leaf['FULL_PATH']}{arguments}"[-64:]
-            orders = read_orders(OscMessage(leaf["FULL_PATH"], tuple(arguments)), CAST, {"one": "One"}, call)
+            orders = OrderReader(CAST, {"one": "One"}).read(OscMessage(leaf["FULL_PATH"], tuple(arguments)), call)
             assert orders
             assert [session.receive("osc", order, 0.0) for order in orders] == [[]] * len(orders)
 
 
 def test_a_text_has_no_range_and_another_character_is_one_of_those_that_there_are() -> None:
-    told = {leaf["FULL_PATH"]: leaf for leaf in leaves(build_tree(CAST, None, ["one", "two"]))}
+    told = {leaf["FULL_PATH"]: leaf for leaf in leaves(build_addresses(CAST, ["one", "two"]))}
     assert told["/omote/one/look_at/gaze_point"]["RANGE"] == [None]
     assert told["/omote/gaze_point"]["TYPE"] == "sfff"
     assert told["/omote/one/look_at/character"]["RANGE"] == [{"VALS": ["one", "two"]}]
 
 
 def test_every_address_and_every_name_of_the_cast_has_its_leaf() -> None:
-    paths = {leaf["FULL_PATH"] for leaf in leaves(build_tree(CAST, None, ["one", "two"]))}
+    paths = {leaf["FULL_PATH"] for leaf in leaves(build_addresses(CAST, ["one", "two"]))}
     wanted = set()
     for address in ADDRESSES:
         for owner in ["one"] if address.of_show else ["one", "two"]:
@@ -73,21 +87,21 @@ def test_every_address_and_every_name_of_the_cast_has_its_leaf() -> None:
             layered = address.path.startswith("layer")
             known: set[str] = {*LAYERS} if layered else set(CAST.expressions) - {"neutral"}
             known = {*GESTURES} if address.path.startswith("gesture") else known
-            names = known if "{name}" in written else {""}
+            names = known if "{name}" in written or layered else {""}
             languages = LANGUAGES if "{language}" in written else [""]
             regions = (LAYER_PARTS if layered else PLAY_REGIONS) if "{region}" in written else [""]
             held = SCENE_PARTS if address.of_show else CHARACTER_PARTS
             parts = [*held, "all"] if "{part}" in written else [""]
             places = product(names, regions, parts, languages)
             wanted |= {
-                written.format(name=name, region=region, part=part, language=language)
+                written.format(name=name, layer=name, region=region, part=part, language=language)
                 for name, region, part, language in places
             }
     assert paths == wanted
 
 
 def test_each_node_says_where_it_stands_and_what_may_be_done() -> None:
-    root = build_tree(CAST, None, ["one"])
+    root = build_addresses(CAST, ["one"])
     for node in nodes(root):
         assert find_node(root, node["FULL_PATH"]) is node
         told = node.get("TYPE") not in (None, "I") and not node["FULL_PATH"].endswith(
@@ -100,7 +114,7 @@ def test_each_node_says_where_it_stands_and_what_may_be_done() -> None:
 
 
 def test_ranges_are_the_names_of_the_cast_and_the_limits_of_numbers() -> None:
-    root = build_tree(CAST, None, ["one"])
+    root = build_addresses(CAST, ["one"])
     face, head, light = (find_node(root, f"/omote/{path}") for path in ("one/face", "one/head", "light"))
     assert face is not None
     assert head is not None
@@ -112,10 +126,10 @@ def test_ranges_are_the_names_of_the_cast_and_the_limits_of_numbers() -> None:
 
 
 def test_values_are_those_on_air(session: ShowSession) -> None:
-    session.receive("a", wire.Hello("console", wire.PROTOCOL_VERSION), 0.0)
-    session.receive("a", wire.SetChannel("one", "jawOpen", 0.25), 0.0)
-    session.receive("a", wire.CallFace("one", "c", "broad", 0.0, DEFAULT_EASING), 0.0)
-    root = build_tree(CAST, session.tick(0.0), ["one"])
+    session.receive("a", Hello("console", PROTOCOL_VERSION), 0.0)
+    session.receive("a", SetChannel("one", "jawOpen", 0.25), 0.0)
+    session.receive("a", CallFace("one", "c", "broad", 0.0, DEFAULT_EASING), 0.0)
+    root = with_values(build_addresses(CAST, ["one"]), AddressValues(session.tick(0.0)))
     values = {leaf["FULL_PATH"]: leaf.get("VALUE") for leaf in leaves(root)}
     assert values["/omote/one/channel/jawOpen"] == [0.25]
     assert values["/omote/one/face"] == ["broad"]

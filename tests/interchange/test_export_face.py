@@ -55,7 +55,8 @@ def test_a_face_that_is_not_there_is_refused() -> None:
 
 @pytest.mark.parametrize("face", synthetic.FACES)
 def test_what_is_read_is_where_the_compounds_are(face: str) -> None:
-    cast, names = synthetic_cast(), choose_expressions(synthetic_cast(), "all")
+    cast = synthetic_cast()
+    names = choose_expressions(synthetic_cast(), "all")
     worn = {name: named_compound_meshes(cast, face, name) for name in names}
     pieces = read_glb(glb_bytes(build_scene(context(), face, worn.items())))
     assert [piece.name for piece in pieces] == ["skin", *cast.space.parts]

@@ -42,7 +42,8 @@ def test_heat_rises_from_blue_to_red_and_what_was_not_seen_is_grey() -> None:
 def test_what_is_nearer_hides_what_is_behind_it_in_any_order() -> None:
     """A small red square stands before a large blue one: the middle is red, what is around it blue."""
     near = SQUARE * 0.5 + [0, 0, 0.5]
-    points, sides = np.concatenate([SQUARE, near]), np.concatenate([SIDES, SIDES + 4])
+    points = np.concatenate([SQUARE, near])
+    sides = np.concatenate([SIDES, SIDES + 4])
     colours = np.repeat([[0.0, 0, 255], [255.0, 0, 0]], 4, axis=0)
     for order in (sides, sides[::-1]):
         picture = draw_view(points, order, colours, 0.0)
@@ -55,7 +56,6 @@ def test_a_sheet_says_what_its_colours_mean_and_has_three_views_of_each_face() -
     rows = [SheetRow("Ann", "good", SQUARE, residual), SheetRow("Bo \u2603", "doubtful", SQUARE, np.full(4, np.nan))]
     sheet = contact_sheet(SIDES, rows)
     assert sheet.shape == (len(KEY) * BAND + 2 * (TALL + BAND), len(VIEWS) * WIDE, 3)
-    assert len(np.unique(sheet.reshape(-1, 3), axis=0)) > 50
     for word in ("blue", "red", "grey", "doubtful", "failed"):
         assert word in " ".join(KEY)
     named = contact_sheet(SIDES, [*rows, SheetRow("Cy", "failed")])

@@ -3,8 +3,8 @@
 import numpy as np
 
 from omote.geometry import mesh
-from omote.interchange.formats.glb_writer import Target
-from omote.interchange.hair_mesh import hair_shape
+from omote.interchange.export_face import hair_shape
+from omote.interchange.formats.glb_writer import MorphTarget
 from omote.model.cast import Look
 from omote.model.hair import place_strands
 from tests.model.tufts import tuft
@@ -16,7 +16,7 @@ POINTS = space().points
 def test_ribbons_lie_along_the_strands_and_follow_their_anchors() -> None:
     style = tuft()
     moves = np.random.default_rng(1).normal(size=POINTS.shape).astype(np.float32)
-    shape = hair_shape(style, POINTS, 1.5 * POINTS, {"x": Target(moves, moves)}, Look())
+    shape = hair_shape(style, POINTS, 1.5 * POINTS, {"x": MorphTarget(moves, moves)}, Look())
     count, places = style.points.shape[:2]
     edges = shape.points.reshape(count, places, 2, 3)
     np.testing.assert_allclose(edges.mean(axis=2), place_strands(style, POINTS, 1.5 * POINTS), atol=1e-6)

@@ -3,11 +3,17 @@
 import numpy as np
 import pytest
 
-from omote.interchange.export_face import build_scene, choose_expressions, compound_meshes, named_compound_meshes
+from omote.interchange.export_face import (
+    build_scene,
+    choose_expressions,
+    compound_meshes,
+    meshes_of,
+    named_compound_meshes,
+)
 from omote.interchange.formats.glb_reader import Piece, read_glb
 from omote.interchange.formats.glb_writer import glb_bytes
 from omote.interchange.import_meshes import import_expressions, import_face
-from omote.interchange.mesh_correspondence import rest_of
+from omote.model.space.face_fit import fit
 from tests import synthetic
 from tests.stage_data.heads import context, meshes, synthetic_cast
 
@@ -25,7 +31,8 @@ def exported_pieces(face: str, names: list[str]) -> tuple[Piece, ...]:
 
 def shape(face: str, expression: str, *, scale: float = 1.0) -> list[Piece]:
     """A face wearing an expression, as one shape of the skin."""
-    rest, worn = rest_of(CAST, face)["skin"], named_compound_meshes(CAST, face, expression)["skin"]
+    rest = meshes_of(fit(CAST.space, CAST.faces[face]))["skin"]
+    worn = named_compound_meshes(CAST, face, expression)["skin"]
     return [Piece("skin", scale * (rest + (worn - rest)))]
 
 
@@ -82,7 +89,7 @@ def test_a_wrong_face_is_recognised() -> None:
         list(import_expressions(CAST, meshes(), {"head": exported_pieces("long", ["smile"])}, face="broad"))
     with pytest.raises(ValueError, match=r"'Grin' starts from 'long' and .* take it in alone"):
         list(import_expressions(CAST, meshes(), {**wrong, "rest": shape("broad", "neutral")}))
-    moved = [Piece("skin", rest_of(CAST, "long")["skin"] + [0.0, 0.002, 0.0])]
+    moved = [Piece("skin", meshes_of(fit(CAST.space, CAST.faces["long"]))["skin"] + [0.0, 0.002, 0.0])]
     with pytest.raises(ValueError, match=r"'Up' does not start from 'long': .* 2\.0 mm .* a shape named 'neutral'"):
         list(import_expressions(CAST, meshes(), {"Up": moved}, face="long"))
     (up,) = import_expressions(CAST, meshes(), {"Up": moved, "neutral": shape("long", "neutral")})
@@ -109,7 +116,7 @@ def test_a_head_at_rest_is_a_face_and_wears_the_look_that_it_is_known_by() -> No
 
 @pytest.mark.parametrize("scale", [0.0, 1e-6, 100.0])
 def test_a_head_that_is_not_in_metres_is_refused(scale: float) -> None:
-    away = [Piece("skin", scale * rest_of(CAST, "long")["skin"])]
+    away = [Piece("skin", scale * meshes_of(fit(CAST.space, CAST.faces["long"]))["skin"])]
     with pytest.raises(ValueError, match=r"Grin: the head is .* m long; expected .* export it in metres"):
         list(import_expressions(CAST, meshes(), {"Grin": away}, face="long"))
     with pytest.raises(ValueError, match="export it in metres"):

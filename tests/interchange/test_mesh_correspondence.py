@@ -3,13 +3,15 @@
 import numpy as np
 import pytest
 
+from omote.interchange.export_face import meshes_of
 from omote.interchange.formats.glb_reader import Piece
-from omote.interchange.mesh_correspondence import NEAR, build_face, match_head, nearest_face, rest_of
+from omote.interchange.mesh_correspondence import NEAR, build_face, match_head, nearest_face
+from omote.model.space.face_fit import fit
 from tests import synthetic
 from tests.stage_data.heads import meshes, synthetic_cast
 
 CAST = synthetic_cast()
-SKIN = rest_of(CAST, "broad")["skin"]
+SKIN = meshes_of(fit(CAST.space, CAST.faces["broad"]))["skin"]
 MOVES = np.random.default_rng(2).normal(0.0, 0.01, SKIN.shape)
 MOVES = MOVES[CAST.space.welded]
 ORDER = np.random.default_rng(3).permutation(len(SKIN))
@@ -45,7 +47,7 @@ def test_a_head_in_another_order_is_known_by_where_its_vertices_lie() -> None:
 
 
 def test_parts_are_known_by_their_names_and_others_are_passed_over() -> None:
-    ball = rest_of(CAST, "broad")["eye_left"]
+    ball = meshes_of(fit(CAST.space, CAST.faces["broad"]))["eye_left"]
     others = [Piece("eye_left", ball), Piece("collar", np.zeros((5, 3))), Piece("teeth_lower", np.zeros((3, 3)))]
     found = match_head(CAST, meshes(), [*pieces(ORDER, told=True), *others])
     assert found.rest.keys() == {"skin", "eye_left"}

@@ -9,7 +9,8 @@ from omote.model.cast import Look
 
 
 def test_an_eyeball_is_painted_around_its_line_of_sight() -> None:
-    ahead, aside = np.array([[0.0, 0.0, 2.0]]), np.array([[3.0, 0.0, 0.0], [0.0, 1.0, 0.0]])
+    ahead = np.array([[0.0, 0.0, 2.0]])
+    aside = np.array([[3.0, 0.0, 0.0], [0.0, 1.0, 0.0]])
     np.testing.assert_allclose(part_textures.eye_uv(ahead), [[0.5, 0.5]])
     np.testing.assert_allclose(
         part_textures.eye_uv(aside), [[0.5 + np.sqrt(0.125), 0.5], [0.5, 0.5 - np.sqrt(0.125)]], rtol=1e-6
@@ -46,7 +47,8 @@ def test_teeth_reach_from_the_gum_to_the_edge(upper: bool) -> None:
     angle = np.linspace(-1.0, 1.0, 21)
     arch = np.stack([0.03 * np.sin(angle), np.zeros_like(angle), 0.03 * np.cos(angle)], axis=1)
     up = np.array([0.0, 0.01, 0.0])
-    low, high = arch - up, arch + up
+    low = arch - up
+    high = arch + up
     uv = part_textures.arch_uv(np.concatenate([low, high]), upper=upper)
     np.testing.assert_allclose(uv[:21, 1], 1.0 if upper else 0.0)
     np.testing.assert_allclose(uv[21:, 1], 0.0 if upper else 1.0)
@@ -55,7 +57,8 @@ def test_teeth_reach_from_the_gum_to_the_edge(upper: bool) -> None:
 
 def test_gums_are_red_and_teeth_are_not() -> None:
     teeth = part_textures.paint_teeth(Look(), upper=True, size=128).astype(int)
-    gum, enamel = teeth[2, 64], teeth[40, 70]
+    gum = teeth[2, 64]
+    enamel = teeth[40, 70]
     assert gum[0] - gum[1] > 50 > enamel[0] - enamel[1]
     assert (teeth[0, :, 3] == 255).all()
 
@@ -86,7 +89,8 @@ def test_hairs_are_denser_at_their_roots_and_wear_their_colour() -> None:
 
 def test_an_eye_is_the_same_whatever_was_painted_before_it() -> None:
     """What all eyes share is kept, and no eye changes it."""
-    one, other = Look(iris="#2060ff", slit=0.5), Look(iris="#a0a040")
+    one = Look(iris="#2060ff", slit=0.5)
+    other = Look(iris="#a0a040")
     first = part_textures.paint_eye(one, 64)
     assert (part_textures.paint_eye(other, 64) != first).any()
     assert (part_textures.paint_eye(one, 32).shape, part_textures.paint_eye(one, 64).tobytes()) == (

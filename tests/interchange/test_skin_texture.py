@@ -69,7 +69,8 @@ def test_a_picture_stands_in_place_of_what_is_painted_where_it_covers(built_in: 
     texels = np.random.default_rng(4).integers(0, 256, (side, side, 4), np.uint8)
     texels[: side // 2, :, 3], texels[side // 2 :, :, 3] = 255, 0
     look = replace(BARE, albedo=Albedo(texels))
-    seen, painted = paint_skin(built_in, look), paint_skin(built_in, BARE)
+    seen = paint_skin(built_in, look)
+    painted = paint_skin(built_in, BARE)
     np.testing.assert_array_equal(seen[side // 2 :], painted[side // 2 :])
     open_ = built_in.layers["mask"][..., 3] == 1.0  # nothing takes light away, so there is no lining either
     open_[side // 2 :] = False
@@ -98,7 +99,8 @@ def test_a_larger_picture_keeps_its_texels(built_in: Canvas) -> None:
 
 def test_zones_lie_where_their_colours_are_painted(built_in: Canvas) -> None:
     """Another colour of a look changes its zone."""
-    zones, look = zones_of(built_in), replace(BARE, brows=1.0, scalp=1.0)
+    zones = zones_of(built_in)
+    look = replace(BARE, brows=1.0, scalp=1.0)
     painted = paint_skin(built_in, look).astype(int)
     for name in ("lip", "brow", "skin"):
         changed = paint_skin(built_in, Look(**{**vars(look), name: "#0000ff"})).astype(int) - painted

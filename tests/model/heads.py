@@ -26,7 +26,8 @@ def perry_smith() -> Head:
 def _read(path: Path, scale: float) -> Head:
     if not path.exists():
         pytest.skip(f"{path.name} is not here; it belongs into ../shared/data")
-    points, triangles = [], []
+    points = []
+    triangles = []
     for line in path.read_text().splitlines():
         kind, _, rest = line.partition(" ")
         if kind == "v":

@@ -41,7 +41,8 @@ def test_other_pictures_are_refused(pixels: NDArray[np.uint8]) -> None:
 
 def test_a_picture_is_frozen_and_equal_to_one_with_the_same_texels() -> None:
     texels = np.zeros((SIDE, SIDE, 4), np.uint8)
-    first, same = Albedo(texels), Albedo(texels.copy())
+    first = Albedo(texels)
+    same = Albedo(texels.copy())
     texels[0, 0, 0] = 1
     other = Albedo(texels)
     assert first == same != other
@@ -69,7 +70,8 @@ def test_light_is_encoded_as_the_standard_says(kind: type) -> None:
 
 
 def test_a_mix_is_linear_in_light_and_coverage() -> None:
-    one, other = noise(1), noise(2)
+    one = noise(1)
+    other = noise(2)
     mixed = mix_albedos(((one, 0.3), (other, 0.7)))
     assert mixed is not None
     wanted = 0.3 * light(one) + 0.7 * light(other)
@@ -100,7 +102,8 @@ def test_pictures_of_two_sizes_mix_at_the_larger() -> None:
 def test_regions_come_from_their_own_pictures() -> None:
     cast = load_cast()
     assert cast.atlas is not None
-    red, green = plain(255, 0, 0, 255), plain(0, 255, 0, 255)
+    red = plain(255, 0, 0, 255)
+    green = plain(0, 255, 0, 255)
     found = regional_albedo(cast.space, cast.atlas, red, (("mouth", green),))
     assert found is not None
     share = cast.atlas.spread(region_weights(cast.space)["mouth"], SIDE)
@@ -121,7 +124,8 @@ def test_a_region_without_a_picture_uncovers_what_is_painted() -> None:
 
 
 def test_the_same_picture_everywhere_stays_itself() -> None:
-    cast, one = load_cast(), noise(4)
+    cast = load_cast()
+    one = noise(4)
     assert cast.atlas is not None
     assert regional_albedo(cast.space, cast.atlas, one, (("nose", one), ("jaw", one))) is one
     assert regional_albedo(cast.space, cast.atlas, None, (("nose", None),)) is None

@@ -32,7 +32,8 @@ def test_what_is_read_cannot_be_changed() -> None:
 
 
 def test_casts_are_refused() -> None:
-    face, smile = cast().faces["generic"], cast().expressions["smile"]
+    face = cast().faces["generic"]
+    smile = cast().expressions["smile"]
     with pytest.raises(ValueError, match="no expression 'neutral'"):
         Cast(space(), {"generic": face}, {"smile": smile})
     with pytest.raises(ValueError, match=r"the face under 'other' is named 'generic'"):

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from omote.model.cast import Look
-from omote.model.hair import LINKS, STRETCH, find_anchors, place_strands
+from omote.model.hair import LINKS, STRETCH, place_strands
 from tests import synthetic
 from tests.model.tufts import tuft
 
@@ -14,34 +14,24 @@ SKIN, _ = synthetic.head()
 RNG = np.random.default_rng(4)
 
 
-def test_only_allowed_vertices_carry_with_weights_that_sum_to_one() -> None:
-    rows, weights = find_anchors(SKIN + RNG.normal(0.0, 0.01, SKIN.shape), SKIN, SKIN[:, 1] > 0.0)
-    assert rows.shape == weights.shape == (len(SKIN), LINKS)
-    assert (SKIN[rows][..., 1] > 0.0).all()
-    assert (weights >= 0.0).all()
-    assert weights.sum(axis=-1) == pytest.approx(1.0)
-
-
-def test_a_place_on_a_vertex_is_carried_by_it_alone() -> None:
-    rows, weights = find_anchors(SKIN[3:4], SKIN, np.ones(len(SKIN), bool))
-    assert rows[0, 0] == 3
-    assert weights[0, 0] == pytest.approx(1.0, abs=1e-3)
-
-
 def test_hair_stays_on_its_own_face_and_goes_along_with_a_shift() -> None:
-    hair, shift = tuft(), np.array([0.01, -0.02, 0.03])
+    hair = tuft()
+    shift = np.array([0.01, -0.02, 0.03])
     assert np.array_equal(place_strands(hair, SKIN, SKIN), hair.points)
     assert place_strands(hair, SKIN, SKIN + shift) == pytest.approx(hair.points + shift, abs=1e-8)
 
 
 def test_a_mix_of_faces_wears_the_mix_of_their_hair() -> None:
-    hair, one, two = tuft(), SKIN * [1.1, 1.0, 0.9], SKIN + RNG.normal(0.0, 0.005, SKIN.shape)
+    hair = tuft()
+    one = SKIN * [1.1, 1.0, 0.9]
+    two = SKIN + RNG.normal(0.0, 0.005, SKIN.shape)
     mixed = 0.3 * place_strands(hair, SKIN, one) + 0.7 * place_strands(hair, SKIN, two)
     assert place_strands(hair, SKIN, 0.3 * one + 0.7 * two) == pytest.approx(mixed, abs=1e-8)
 
 
 def test_skin_that_is_torn_apart_does_not_knot_a_strand() -> None:
-    hair, torn = tuft(), SKIN + RNG.normal(0.0, 0.1, SKIN.shape)
+    hair = tuft()
+    torn = SKIN + RNG.normal(0.0, 0.1, SKIN.shape)
     pieces, before = (np.diff(points, axis=1) for points in (place_strands(hair, SKIN, torn), hair.points))
     length = np.linalg.norm(before, axis=2)
     change = np.linalg.norm(pieces - before, axis=2) / length
@@ -57,7 +47,8 @@ def test_arrays_that_do_not_belong_together_are_refused() -> None:
 
 
 def test_a_look_with_a_style_that_the_cast_has_not_is_refused() -> None:
-    bald, look = synthetic.cast(), {"generic": Look(hair_style="tuft")}
+    bald = synthetic.cast()
+    look = {"generic": Look(hair_style="tuft")}
     with pytest.raises(ValueError, match="the look of 'generic' has hair style 'tuft'; this cast has none: choose one"):
         replace(bald, looks=look)
     worn = replace(bald, looks=look, hair={"tuft": tuft()})
@@ -65,7 +56,8 @@ def test_a_look_with_a_style_that_the_cast_has_not_is_refused() -> None:
 
 
 def test_the_strands_belong_to_the_digest() -> None:
-    bald, hair = synthetic.cast(), tuft()
+    bald = synthetic.cast()
+    hair = tuft()
     longer = replace(hair, points=hair.points * np.float32(1.01))
     worn = [replace(bald, hair={"tuft": each}) for each in (hair, longer)]
     assert len({cast.digest for cast in (bald, *worn)}) == 3

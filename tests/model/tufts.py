@@ -4,8 +4,9 @@ from __future__ import annotations
 
 import numpy as np
 
-from omote.model.hair import HairStyle, find_anchors
+from omote.model.hair import HairStyle
 from tests import synthetic
+from tools.baking.hair.strands import find_anchors
 
 
 def tuft() -> HairStyle:

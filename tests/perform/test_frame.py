@@ -1,11 +1,13 @@
 """Directions of head and gaze are checked where they are made."""
 
 import math
-from dataclasses import FrozenInstanceError, replace
+from dataclasses import FrozenInstanceError, fields, replace
 
 import pytest
+from msgspec import structs
 
-from omote.perform.frame import DETAILS, Frame, Gaze, Head, MotionSettings, with_fields
+from omote.perform.frame import DETAILS, Frame, Gaze, Head, MotionSettings, SpeechStatus, with_fields
+from omote.show.objects.state import SpeechState
 
 
 @pytest.mark.parametrize("angle", [math.nan, math.inf, 1.58, -1.58])
@@ -39,7 +41,8 @@ def test_a_frame_with_other_fields_is_what_replace_gives_and_leaves_the_first() 
 
 
 def test_half_is_as_people_are_and_nothing_is_off() -> None:
-    people, still = MotionSettings(0.5), MotionSettings()
+    people = MotionSettings(0.5)
+    still = MotionSettings()
     assert (people.blink_rate, people.reach, people.depth) == (1.0, 1.0, 1.0)
     assert (still.blink_rate, still.reach, still.depth) == (0.0, 0.0, 0.0)
 
@@ -64,3 +67,7 @@ def test_what_is_no_number_is_rejected() -> None:
 
 def test_a_change_keeps_what_is_not_given() -> None:
     assert MotionSettings(0.5, gaze=0.2).change(liveliness=1.0, gaze=None) == MotionSettings(1.0, gaze=0.2)
+
+
+def test_the_wire_has_every_field() -> None:
+    assert [each.name for each in fields(SpeechStatus)] == [each.name for each in structs.fields(SpeechState)]

@@ -14,7 +14,7 @@ from omote.perform.easing import Glide
 from omote.perform.frame import Gaze, Home
 from omote.perform.lights import FIRST_LIGHT
 from omote.perform.limits import GAZE_LIMITS
-from omote.perform.panic import Settling
+from omote.perform.panic import EasingToRest
 from omote.perform.performer import Performer
 from omote.perform.snapshot import Snapshot, check_snapshot, limit_gaze
 
@@ -71,9 +71,9 @@ BROKEN: dict[str, Callable[[Snapshot], Snapshot]] = {
     "there is no channel 'tail'": lambda snapshot: replace(snapshot, channels={"tail": 0.5}),
     "there is no light 'candle'": lambda snapshot: replace(snapshot, light=Axis("candle")),
     "there is no face 'nowhere'": lambda snapshot: replace(snapshot, home=Home("nowhere")),
-    "there is no channel 'ear'": lambda snapshot: replace(snapshot, settling=Settling({"ear": 0.5})),
+    "there is no channel 'ear'": lambda snapshot: replace(snapshot, easing_to_rest=EasingToRest({"ear": 0.5})),
     r"the elapsed time of a panic \(seconds\) is 9.0": lambda snapshot: replace(
-        snapshot, settling=Settling(elapsed=9.0)
+        snapshot, easing_to_rest=EasingToRest(elapsed=9.0)
     ),
     r"the time of the last panic \(seconds\) is 1000.0": lambda snapshot: replace(snapshot, panicked=1000.0),
     "the weights of the faces in the snapshot sum to 0.25": with_face(stands={"broad": 0.25}),
@@ -91,7 +91,7 @@ def test_what_no_performer_has_written_is_refused(cast: Cast, sentence: str) -> 
 
 def test_a_show_of_before_there_were_lights_begins_with_the_first(cast: Cast) -> None:
     written = msgspec.to_builtins(running(cast))
-    for added in ("light", "settling", "home", "panicked", "panics"):
+    for added in ("light", "easing_to_rest", "home", "panicked", "panics"):
         del written[added]
     read = msgspec.convert(written, Snapshot)
     assert Performer.restored(cast, read).advance(0.0).light == {FIRST_LIGHT: 1.0}

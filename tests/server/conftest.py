@@ -20,7 +20,11 @@ from omote.server.http.cast_documents import CastDocuments
 from omote.server.persistence.restore import journal_entry, restore
 from omote.server.process.process_messages import Order
 from omote.server.supervision.show_process import open_reopenable_work
-from omote.show import messages as wire
+from omote.show.declaration import ClientMessage, Message, ServerMessage
+from omote.show.messages import LINK_PATH, PROTOCOL_VERSION, STATE_RATE
+from omote.show.objects.faders import Hands
+from omote.show.objects.link import Hello, Ping, Pong, Role, Welcome
+from omote.show.objects.state import State
 from omote.show.session import ShowSession
 from omote.show.wire import decode_answer, encode
 from omote.showfile.show_file import open_show
@@ -45,38 +49,38 @@ class ShowHarness:
     client: "TestClient[web.Request, web.Application]"
     clock: Clock = field(default_factory=Clock)
 
-    async def link(self, role: wire.Role = "console") -> aiohttp.ClientWebSocketResponse:
+    async def link(self, role: Role = "console") -> aiohttp.ClientWebSocketResponse:
         """A link that has said hello and was welcomed."""
-        socket = await self.client.ws_connect(wire.LINK_PATH)
-        await socket.send_bytes(encode(wire.Hello(role, wire.PROTOCOL_VERSION)))
-        assert isinstance(await answer(socket), wire.Welcome)
+        socket = await self.client.ws_connect(LINK_PATH)
+        await socket.send_bytes(encode(Hello(role, PROTOCOL_VERSION)))
+        assert isinstance(await answer(socket), Welcome)
         return socket
 
     def tick(self) -> None:
         """The next sixtieth of a second."""
-        self.clock.now += 1.0 / wire.STATE_RATE
+        self.clock.now += 1.0 / STATE_RATE
         self.show.tick()
 
 
-async def answer(socket: aiohttp.ClientWebSocketResponse) -> wire.FromServer:
+async def answer(socket: aiohttp.ClientWebSocketResponse) -> ServerMessage:
     """The next message of the server."""
     return decode_answer(await socket.receive_bytes(timeout=60.0))
 
 
-async def state(socket: aiohttp.ClientWebSocketResponse) -> wire.State:
+async def state(socket: aiohttp.ClientWebSocketResponse) -> State:
     """The next message of the server but of others' hands, which is a state."""
     message = await answer(socket)
-    while isinstance(message, wire.Hands):
+    while isinstance(message, Hands):
         message = await answer(socket)
-    assert isinstance(message, wire.State)
+    assert isinstance(message, State)
     return message
 
 
-async def send_and_wait(socket: aiohttp.ClientWebSocketResponse, *messages: wire.FromClient) -> None:
+async def send_and_wait(socket: aiohttp.ClientWebSocketResponse, *messages: ClientMessage) -> None:
     """Sends messages and waits until the server has heard them all."""
-    for message in (*messages, wire.Ping(1.0)):
+    for message in (*messages, Ping(1.0)):
         await socket.send_bytes(encode(message))
-    assert isinstance(await answer(socket), wire.Pong)
+    assert isinstance(await answer(socket), Pong)
 
 
 @dataclass
@@ -95,7 +99,7 @@ class Editor:
         assert isinstance(answered, editing.Greeted)
         return answered
 
-    async def ask(self, make: Callable[..., wire.Message], *arguments: object) -> Any:
+    async def ask(self, make: Callable[..., Message], *arguments: object) -> Any:
         """The answer to a request."""
         self.request += 1
         await self.socket.send_bytes(encode(make(self.request, *arguments)))
@@ -127,7 +131,9 @@ class EditHarness(ShowHarness):
 @asynccontextmanager
 async def open_edit_harness(cast: Cast, path: Path | None) -> AsyncIterator[EditHarness]:
     """A show with or without a file, put together as `show_process.play` does; ticks come from the test."""
-    clock, said, file = Clock(), list[str](), None if path is None else open_show(path)
+    clock = Clock()
+    said = list[str]()
+    file = None if path is None else open_show(path)
     documents = CastDocuments(cast, meshes(cast), MASK)
     authored_work, reopen = open_reopenable_work(file, documents, said.append)
     session = restore(documents.playing, file, Order(epoch=1, neutral=False), said.append)

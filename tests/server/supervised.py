@@ -7,6 +7,7 @@ from pathlib import Path
 
 from omote.server.access.access_setup import AccessOptions
 from omote.server.persistence.lock import lock_show
+from omote.server.process.terminal_relay import relay_terminal
 from omote.server.supervision import supervisor
 from omote.server.supervision.listening_socket import listen_on
 from omote.server.supervision.supervisor import Supervisor
@@ -35,7 +36,8 @@ def main(path: Path) -> int:
         opened=lambda: say(f"http://127.0.0.1:{port}"),
         program=(*PROGRAM, *AccessOptions(**json.loads(os.environ.get("SYNTHETIC_ACCESS", "{}"))).words),
     )
-    return supervisor.run()
+    with relay_terminal():
+        return supervisor.run()
 
 
 if __name__ == "__main__":

@@ -21,14 +21,23 @@ def test_the_committed_mirrors_are_what_the_tool_writes(name: str) -> None:
 def test_the_mirror_has_every_message_with_its_tag() -> None:
     mirror = (ROOT / "web" / "src" / "link" / "messages.ts").read_text()
     for tag in ("hello", "call_face", "call_expression", "set_gaze", "panic", "drawing", "welcome", "state", "crew"):
-        assert f'type: "{tag}";' in mirror
+        assert f'type: "{tag}"' in mirror
 
 
 def test_the_mirror_of_the_editors_link_has_recipes_and_every_message_with_its_tag() -> None:
     mirror = (ROOT / "web" / "src" / "link" / "editing_messages.ts").read_text()
     for tag in [message.__struct_config__.tag for message in (*EDITOR_MESSAGES, *ANSWERS)]:
-        assert f'type: "{tag}";' in mirror
-    assert all(f"export interface {name} " in mirror for name in ("Recipe", "FaceRecipe", "Layer", "Pull"))
+        assert f'type: "{tag}"' in mirror
+    assert all(f"export type {name} =" in mirror for name in ("Recipe", "FaceRecipe", "Layer", "Pull"))
+
+
+def test_what_a_page_sends_leaves_out_what_has_a_default() -> None:
+    tool = runpy.run_path(str(TOOL))
+    by_name = {struct.__name__: struct for struct in tool["STRUCTS"]}
+    lease = tool["interface"](by_name["Lease"], sent=True)
+    assert "take_over?: boolean" in lease
+    assert " id: string;" in lease
+    assert "manager: boolean;" in tool["interface"](by_name["SeatState"])
 
 
 @pytest.mark.parametrize(

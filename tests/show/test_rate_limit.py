@@ -8,7 +8,9 @@ from omote.show.rate_limit import TokenBucket
 
 @given(st.lists(st.floats(0.0, 0.1), max_size=300))
 def test_no_more_passes_than_burst_and_rate_allow(waits: list[float]) -> None:
-    bucket, now, passed = TokenBucket(rate=50.0, burst=10.0), 0.0, 0
+    bucket = TokenBucket(rate=50.0, burst=10.0)
+    now = 0.0
+    passed = 0
     for wait in waits:
         now += wait
         passed += bucket.take(now)

@@ -11,7 +11,7 @@ from omote.model.known_names import PLAY_REGIONS
 from omote.perform.frame import Frame, Gaze, Head
 from omote.perform.scene.scene import Scene
 from omote.perform.scene.scene_frame import CharacterFrame, Place, SceneFrame
-from omote.show.messages import State
+from omote.show.objects.state import State
 from omote.show.state import EyeOffset, call_state, gaze_lids, names_on_air, state_of
 from tests.conftest import Command, shows
 
@@ -23,7 +23,8 @@ def test_a_state_is_its_frame(cast: Cast, show: list[Command]) -> None:
     for command in show:
         command.play(scene["one"])
         whole = scene.advance(command.wait)
-        character, frame = whole.characters["one"], whole.characters["one"].frame
+        character = whole.characters["one"]
+        frame = whole.characters["one"].frame
         state = state_of(cast, whole, epoch=3, number=7, revision=2)
         place = state.characters["one"].place
         assert Place(place.x, place.depth, place.size, place.turn) == character.place

@@ -7,7 +7,10 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from omote.show.messages import MESSAGE_LIMIT, MOST_MARKS, SPEECH_LIMIT, MeasureSource, Say, SetChannel
+from omote.show.declaration import MESSAGE_LIMIT, SPEECH_LIMIT
+from omote.show.objects.faders import SetChannel
+from omote.show.objects.sources import MeasureSource
+from omote.show.objects.speech import MOST_MARKS, Say
 from omote.show.validation import Refusal
 from omote.show.wire import decode, encode, id_in
 

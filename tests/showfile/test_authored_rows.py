@@ -9,19 +9,7 @@ from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
 from omote.showfile.authored_rows import TABLES, Table, row_checksum
-from omote.showfile.changes import (
-    Change,
-    Draft,
-    Edit,
-    PutBindings,
-    PutDraft,
-    PutEdit,
-    PutItem,
-    PutLayout,
-    PutPerformer,
-    PutRevision,
-    Stored,
-)
+from omote.showfile.changes import Change, Draft, Edit, Stored, StoredDocument
 from omote.showfile.schema import CorruptShowFileError
 from omote.showfile.show_file import JournalEntry, ShowFile, open_show
 from tests.showfile.authored_work import DATA, FIRST, KEYS, AuthoredTables, item, puts, revision
@@ -50,7 +38,8 @@ def test_what_belongs_together_may_come_in_any_order(show: ShowFile) -> None:
 @settings(max_examples=30, suppress_health_check=[HealthCheck.function_scoped_fixture, HealthCheck.too_slow])
 def test_a_list_of_changes_is_made_whole_or_not_at_all(tmp_path: Path, lists: list[list[Change]]) -> None:
     (tmp_path / "a.omote").unlink(missing_ok=True)
-    show, kept = open_show(tmp_path / "a.omote"), AuthoredTables()
+    show = open_show(tmp_path / "a.omote")
+    kept = AuthoredTables()
     for changes in [FIRST, *lists]:
         wanted = kept.copy()
         possible = all(wanted.make(change) for change in changes) and wanted.whole
@@ -60,16 +49,16 @@ def test_a_list_of_changes_is_made_whole_or_not_at_all(tmp_path: Path, lists: li
         else:
             with pytest.raises(sqlite3.IntegrityError):
                 show.apply(changes)
-        assert show.stored() == kept.stored
+        assert show.stored() == kept.stored()
     assert show.contents() == kept.contents
     show.close()
     again = open_show(tmp_path / "a.omote")
-    assert again.stored() == kept.stored
+    assert again.stored() == kept.stored()
     again.close()
 
 
 def test_making_the_same_changes_again_does_nothing(show: ShowFile) -> None:
-    changes = [*FIRST, PutDraft(Draft(1, "ada", 1, 0)), PutEdit(Edit(1, "ada", 0, b"{}", "opened"))]
+    changes = [*FIRST, Draft(1, "ada", 1, 0), Edit(1, "ada", 0, b"{}", "opened")]
     show.apply(changes)
     before = show.stored()
     show.apply(changes)
@@ -79,7 +68,7 @@ def test_making_the_same_changes_again_does_nothing(show: ShowFile) -> None:
 def test_a_revision_is_never_changed_or_removed(show: ShowFile) -> None:
     show.apply(FIRST)
     with pytest.raises(sqlite3.IntegrityError, match="revision 1 of item 1 is there and is another"):
-        show.apply([PutRevision(revision(note="another"))])
+        show.apply([revision(note="another")])
     other = sqlite3.connect(show.path)
     for statement in ("UPDATE revision SET note = 'x'", "DELETE FROM revision"):
         with pytest.raises(sqlite3.IntegrityError, match="a revision is never"):
@@ -91,37 +80,37 @@ def test_a_revision_is_never_changed_or_removed(show: ShowFile) -> None:
 def test_an_item_keeps_its_name(show: ShowFile) -> None:
     show.apply(FIRST)
     with pytest.raises(sqlite3.IntegrityError, match="keeps its kind and its name for ever"):
-        show.apply([PutItem(item(name="other"))])
+        show.apply([item(name="other")])
     with pytest.raises(sqlite3.IntegrityError, match="UNIQUE"):
-        show.apply([PutItem(item(2, name="own-1"))])
-    show.apply([PutItem(item(2, name="own-1", kind="face"))])  # faces and expressions are called apart
+        show.apply([item(2, name="own-1")])
+    show.apply([item(2, name="own-1", kind="face")])  # faces and expressions are called apart
 
 
 @pytest.mark.parametrize(
     "change",
     [
-        PutItem(item(2, label=None)),
-        PutItem(item(2, place="first")),
-        PutItem(item(2, place=float("nan"))),
-        PutItem(item(2, kind="hat")),
-        PutItem(item(2**70)),
-        PutItem(item(2, label="\ud800")),
-        PutDraft(Draft(1, "ada", 0.5, 0)),  # type: ignore[arg-type]
-        PutEdit(Edit(1, "ada", 0, "text", "no draft")),  # type: ignore[arg-type]
+        item(2, label=None),
+        item(2, place="first"),
+        item(2, place=float("nan")),
+        item(2, kind="hat"),
+        item(2**70),
+        item(2, label="\ud800"),
+        Draft(1, "ada", 0.5, 0),  # type: ignore[arg-type]
+        Edit(1, "ada", 0, "text", "no draft"),  # type: ignore[arg-type]
     ],
 )
 def test_what_could_not_come_back_is_refused(show: ShowFile, change: Change) -> None:
     show.apply(FIRST)
     before = show.stored()
     with pytest.raises((sqlite3.IntegrityError, ValueError, OverflowError)):
-        show.apply([PutLayout("other", b"{}"), change])
+        show.apply([StoredDocument("layout", "other", b"{}"), change])
     assert show.stored() == before
-    show.apply([PutLayout("console", b"{}")])
+    show.apply([StoredDocument("layout", "console", b"{}")])
 
 
 def test_whole_numbers_given_as_places_come_back(show: ShowFile) -> None:
     for place in (1, -0.0, 2.0**60):
-        show.apply([PutItem(item(place=place))])
+        show.apply([item(place=place)])
         assert show.stored().items[0].place == place
 
 
@@ -135,10 +124,10 @@ def test_whole_numbers_given_as_places_come_back(show: ShowFile) -> None:
         ("DELETE FROM content", "row 1 of revision belongs to no content"),
         ("UPDATE draft SET cursor = 5", "its draft 1, ada is damaged"),
         ("UPDATE edit SET recipe = x'00'", "its edit 1, ada, 0 is damaged"),
-        ("UPDATE layout SET document = x'00'", "its layout console is damaged"),
+        ("UPDATE document SET body = x'00'", "its document layout, console is damaged"),
         ("UPDATE item SET label = CAST(x'ff' AS TEXT)", "what it holds cannot be read"),
         ("UPDATE journal SET snapshot = x'00'", "its last state is damaged"),
-        ("DROP TABLE layout", "its tables are not those of a show"),
+        ("DROP TABLE document", "its tables are not those of a show"),
         ("DROP TABLE journal_aside", "its tables are not those of a show"),
         ("ALTER TABLE journal DROP COLUMN written", "its tables are not those of a show"),
         ("ALTER TABLE edit DROP COLUMN what", "its tables are not those of a show"),
@@ -151,9 +140,9 @@ def test_rows_that_are_not_what_was_written_make_a_file_corrupt(
     show.apply(
         [
             *FIRST,
-            PutDraft(Draft(1, "ada", 1, 0)),
-            PutEdit(Edit(1, "ada", 0, b"{}", "")),
-            PutLayout("console", b"{}"),
+            Draft(1, "ada", 1, 0),
+            Edit(1, "ada", 0, b"{}", ""),
+            StoredDocument("layout", "console", b"{}"),
         ]
     )
     show.write_journal(JournalEntry(1, 0.0, b"state"))
@@ -167,9 +156,9 @@ def test_rows_that_are_not_what_was_written_make_a_file_corrupt(
 
 @pytest.mark.parametrize("table", TABLES, ids=lambda table: table.name)
 def test_every_column_of_every_row_is_sealed(show: ShowFile, table: Table) -> None:
-    draft, edit = Draft(1, "ada", 1, 0), Edit(1, "ada", 0, b"{}", "")
-    documents = PutLayout("console", b"{}"), PutBindings(b"[]"), PutPerformer("Ada", b"{}")
-    show.apply([*FIRST, PutDraft(draft), PutEdit(edit), *documents])
+    draft = Draft(1, "ada", 1, 0)
+    edit = Edit(1, "ada", 0, b"{}", "")
+    show.apply([*FIRST, draft, edit, StoredDocument("layout", "console", b"{}")])
     connection = show._connection
     connection.execute("PRAGMA foreign_keys = OFF")
     connection.execute("PRAGMA ignore_check_constraints = ON")

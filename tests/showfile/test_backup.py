@@ -11,7 +11,7 @@ from pathlib import Path
 import pytest
 
 from omote.showfile.backup import back_up, backup_paths, put_in_place
-from omote.showfile.changes import PutContent, PutLayout, content_key
+from omote.showfile.changes import Content, StoredDocument, content_key
 from omote.showfile.identification import MAGIC, ForeignFileError
 from omote.showfile.integrity import open_read_only, verify_integrity
 from omote.showfile.schema import CorruptShowFileError
@@ -23,7 +23,7 @@ DATA = bytes(20_000)
 def filled(path: Path) -> ShowFile:
     """An open show file whose last changes are in its log only."""
     show = open_show(path)
-    show.apply([PutContent(content_key(DATA), DATA), PutLayout("console", b"{}")])
+    show.apply([Content(content_key(DATA), DATA), StoredDocument("layout", "console", b"{}")])
     show.write_journal(JournalEntry(7, 1.0, b"state"))
     return show
 
@@ -79,9 +79,9 @@ def test_the_newest_three_are_kept(tmp_path: Path, monkeypatch: pytest.MonkeyPat
     show = filled(tmp_path / "a.omote")
     made: list[set[str]] = []
     for number in range(5):
-        show.apply([PutLayout(f"page {number}", b"{}")])
+        show.apply([StoredDocument("layout", f"page {number}", b"{}")])
         back_up(show)
-        made.insert(0, set(show.stored().layouts))
+        made.insert(0, set(show.stored().documents.get("layout", {})))
         assert [layouts_in(path) for path in backup_paths(show.path) if path.exists()] == made[:3]
     show.close()
 
@@ -94,7 +94,7 @@ def test_a_rotation_cut_off_leaves_whole_backups_and_the_next_goes_on(
         forbid_links(monkeypatch)
     show = filled(tmp_path / "a.omote")
     for number in range(4):
-        show.apply([PutLayout(f"page {number}", b"{}")])
+        show.apply([StoredDocument("layout", f"page {number}", b"{}")])
         if number < 3:
             back_up(show)
     before = layouts_in(backup_paths(show.path)[0])
@@ -107,7 +107,7 @@ def test_a_rotation_cut_off_leaves_whole_backups_and_the_next_goes_on(
     assert left[0] >= before
     assert left == sorted(left, key=len, reverse=True)
     back_up(show)
-    assert layouts_in(backup_paths(show.path)[0]) == set(show.stored().layouts)
+    assert layouts_in(backup_paths(show.path)[0]) == set(show.stored().documents.get("layout", {}))
     show.close()
 
 
@@ -124,12 +124,13 @@ def layouts_in(path: Path) -> set[str]:
     """The names of the layouts in a whole backup, which stays as it is."""
     verify_integrity(path)
     with closing(open_read_only(path)) as connection:
-        return {name for (name,) in connection.execute("SELECT name FROM layout")}
+        return {name for (name,) in connection.execute("SELECT name FROM document")}
 
 
 def cut_after(monkeypatch: pytest.MonkeyPatch, count: int) -> None:
     """Lets so many renames pass, then the power goes."""
-    left, real = [count], os.replace
+    left = [count]
+    real = os.replace
 
     def replace(*paths: str) -> None:
         real(*paths)
@@ -141,7 +142,7 @@ def cut_after(monkeypatch: pytest.MonkeyPatch, count: int) -> None:
 
 
 @pytest.mark.parametrize(
-    "statement", ["UPDATE content SET data = x'00'", "UPDATE layout SET document = x'00'", "DROP TABLE layout"]
+    "statement", ["UPDATE content SET data = x'00'", "UPDATE document SET body = x'00'", "DROP TABLE document"]
 )
 def test_a_damaged_file_leaves_the_copy_of_before(tmp_path: Path, statement: str) -> None:
     show = filled(tmp_path / "a.omote")
@@ -150,7 +151,7 @@ def test_a_damaged_file_leaves_the_copy_of_before(tmp_path: Path, statement: str
     with sqlite3.connect(show.path) as other:
         other.execute(statement)
     other.close()
-    with pytest.raises(CorruptShowFileError, match=r"a\.omote is damaged: its (content|layout|tables)"):
+    with pytest.raises(CorruptShowFileError, match=r"a\.omote is damaged: its (content|document|tables)"):
         back_up(show)
     assert backup_paths(show.path)[0].read_bytes() == before
     assert not show.path.with_name("a.omote.good-new").exists()

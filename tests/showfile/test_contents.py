@@ -44,7 +44,8 @@ looks = st.builds(
 @st.composite
 def expressions(draw: st.DrawFn) -> Expression:
     """Any expression, most of it at rest or not."""
-    count, inner = draw(st.integers(0, 40)), draw(st.integers(0, 10))
+    count = draw(st.integers(0, 40))
+    inner = draw(st.integers(0, 10))
     parts = {name: draw(arrays(np.float64, (draw(st.integers(0, 9)), 3), elements=numbers)) for name in draw(
         st.lists(names, max_size=3, unique=True)
     )}  # fmt: skip
@@ -107,7 +108,8 @@ def test_a_face_comes_back_to_the_bit(face: Face, look: Look) -> None:
 
 
 def test_a_picture_of_skin_comes_back_and_changes_no_content_without_one() -> None:
-    face, texels = Face("a", np.eye(3)), np.random.default_rng(5).integers(0, 256, (1024, 1024, 4), np.uint8)
+    face = Face("a", np.eye(3))
+    texels = np.random.default_rng(5).integers(0, 256, (1024, 1024, 4), np.uint8)
     look = replace(Look(), albedo=Albedo(texels))
     data = pack_face(face, look)
     assert unpack_face(data, "a")[1] == look

@@ -61,5 +61,8 @@ def test_whatever_a_command_ends_with_is_a_sentence() -> None:
     assert describe_error(error) == "/somewhere/a.omote cannot be used: you are not allowed to."
     busy = sqlite3.OperationalError("database is locked")
     busy.sqlite_errorcode = sqlite3.SQLITE_BUSY
-    assert describe_error(busy) == "the show file cannot be used: another program has it open."
+    assert (
+        describe_error(busy)
+        == "the show file cannot be used: another program has it open, or its disk does not answer."
+    )
     assert describe_error(ValueError("a face is missing")) == "a face is missing"

@@ -10,7 +10,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from omote.showfile.changes import PutLayout
+from omote.showfile.changes import StoredDocument
 from omote.showfile.identification import (
     ForeignFileError,
     Identity,
@@ -27,7 +27,7 @@ from omote.showfile.show_file import ShowFile, open_show
 def filled(path: Path) -> ShowFile:
     """An open show file whose tables are in its log only."""
     show = open_show(path)
-    show.apply([PutLayout("console", b"{}" * 500)])
+    show.apply([StoredDocument("layout", "console", b"{}" * 500)])
     return show
 
 

@@ -14,18 +14,7 @@ from omote.model.recipes.recipe import FaceRecipe, Layer, Recipe
 from omote.model.space.expression import Expression
 from omote.model.space.face import Face
 from omote.showfile.backup import back_up, backup_paths
-from omote.showfile.changes import (
-    Change,
-    Draft,
-    Edit,
-    PutContent,
-    PutDraft,
-    PutEdit,
-    PutItem,
-    PutLayout,
-    PutRevision,
-    content_key,
-)
+from omote.showfile.changes import Change, Content, Draft, Edit, StoredDocument, content_key
 from omote.showfile.contents import pack_expression, pack_face
 from omote.showfile.inspection import inspect_show, item_named, revisions_of, verdicts
 from omote.showfile.schema import APPLICATION_ID, MIGRATIONS, ShowFileError
@@ -33,15 +22,16 @@ from omote.showfile.show_file import JournalEntry, ShowFile, open_show
 from tests.showfile.authored_work import item, revision
 
 SMILE = pack_expression(Expression(np.ones(3), np.zeros(3), np.ones(3), np.zeros((0, 3))))
-KEY, FACE_KEY = content_key(SMILE), ""
+KEY = content_key(SMILE)
+FACE_KEY = ""
 RECIPE = msgspec.json.encode(Recipe((1,), ((0.0, 0.0, 1.0),), layers=(Layer(f"#{KEY}", "Smile"),)))
 WHOLE: list[Change] = [
-    PutContent(KEY, SMILE),
-    PutItem(item(1, head=2)),
-    PutRevision(revision(1, 1, content=KEY, recipe=RECIPE)),
-    PutRevision(revision(1, 2, content=KEY, recipe=RECIPE)),
-    PutDraft(Draft(1, "ada", 2, 0)),
-    PutEdit(Edit(1, "ada", 0, RECIPE, "opened")),
+    Content(KEY, SMILE),
+    item(1, head=2),
+    revision(1, 1, content=KEY, recipe=RECIPE),
+    revision(1, 2, content=KEY, recipe=RECIPE),
+    Draft(1, "ada", 2, 0),
+    Edit(1, "ada", 0, RECIPE, "opened"),
 ]
 
 
@@ -103,9 +93,9 @@ def test_an_item_is_found_by_its_name_and_kind(show: ShowFile) -> None:
     face_recipe = msgspec.json.encode(FaceRecipe({"generic": 1.0}))
     show.apply(
         [
-            PutContent(key, face),
-            PutItem(item(2, kind="face", name="own-1", head=1)),
-            PutRevision(revision(2, 1, content=key, recipe=face_recipe)),
+            Content(key, face),
+            item(2, kind="face", name="own-1", head=1),
+            revision(2, 1, content=key, recipe=face_recipe),
         ]
     )
     stored = show.stored()
@@ -122,13 +112,13 @@ def test_an_item_is_found_by_its_name_and_kind(show: ShowFile) -> None:
 @pytest.mark.parametrize(
     ("change", "sentence"),
     [
-        (PutRevision(revision(1, 3, content=KEY, recipe=b"{")), "the recipe of revision 3 of own-1 cannot be read"),
+        (revision(1, 3, content=KEY, recipe=b"{"), "the recipe of revision 3 of own-1 cannot be read"),
         (
-            PutEdit(Edit(1, "ada", 1, RECIPE.replace(KEY.encode(), b"f" * 24), "")),
+            Edit(1, "ada", 1, RECIPE.replace(KEY.encode(), b"f" * 24), ""),
             f"step 1 of the draft of own-1 by ada names #{'f' * 24}, which is not there",
         ),
-        (PutDraft(Draft(1, "ada", 2, 7)), "the draft of own-1 by ada shows step 7; it has [0]"),
-        (PutEdit(Edit(1, "ada", 5, RECIPE, "")), "it has [0, 5]"),
+        (Draft(1, "ada", 2, 7), "the draft of own-1 by ada shows step 7; it has [0]"),
+        (Edit(1, "ada", 5, RECIPE, ""), "it has [0, 5]"),
     ],
 )
 def test_what_does_not_belong_together_is_named(show: ShowFile, change: Change, sentence: str) -> None:
@@ -139,12 +129,12 @@ def test_what_does_not_belong_together_is_named(show: ShowFile, change: Change, 
 
 def test_a_revision_of_what_is_no_content_or_another_kind_is_named(show: ShowFile) -> None:
     other = content_key(b"nothing")
-    show.apply([PutContent(other, b"nothing"), PutRevision(revision(1, 3, content=other, recipe=RECIPE))])
+    show.apply([Content(other, b"nothing"), revision(1, 3, content=other, recipe=RECIPE)])
     face = pack_face(Face("a", np.eye(3)), Look())
     show.apply(
         [
-            PutContent(content_key(face), face),
-            PutRevision(revision(1, 4, content=content_key(face), recipe=RECIPE)),
+            Content(content_key(face), face),
+            revision(1, 4, content=content_key(face), recipe=RECIPE),
         ]
     )
     first, second = bad(show.path)
@@ -154,16 +144,16 @@ def test_a_revision_of_what_is_no_content_or_another_kind_is_named(show: ShowFil
 
 def test_a_corrupt_file_and_what_lies_beside_it_is_named(show: ShowFile) -> None:
     back_up(show)
-    show.apply([PutLayout("console", b"{}")])
+    show.apply([StoredDocument("layout", "console", b"{}")])
     show.close()
     with sqlite3.connect(show.path) as connection:
-        connection.execute("UPDATE layout SET document = x'00'")
+        connection.execute("UPDATE document SET body = x'00'")
     connection.close()
     shutil.copyfile(show.path, show.path.with_name("a.omote.corrupt-1"))
     said = list(verdicts(show.path))
     assert [right for right, _ in said] == [False, False, True, True]
-    assert "layout console is damaged" in said[0][1]
-    assert "for whoever repairs it: its layout console is damaged" in said[1][1]
+    assert "document layout, console is damaged" in said[0][1]
+    assert "for whoever repairs it: its document layout, console is damaged" in said[1][1]
     assert "a.omote.corrupt-1" in said[3][1]
     backup_paths(show.path)[0].write_bytes(b"bad" * 3000)
     assert "its good copy is none" in bad(show.path)[2]

@@ -7,7 +7,7 @@ from pathlib import Path
 
 import pytest
 
-from omote.showfile.changes import PutLayout
+from omote.showfile.changes import StoredDocument
 from omote.showfile.database_errors import technical_texts
 from omote.showfile.identification import ForeignFileError
 from omote.showfile.integrity import SHORTEST, open_read_only, verify_integrity
@@ -18,7 +18,7 @@ from omote.showfile.show_file import ShowFile, open_show
 def filled(path: Path) -> ShowFile:
     """An open show file whose last change is in its log only."""
     show = open_show(path)
-    show.apply([PutLayout("console", b"{}")])
+    show.apply([StoredDocument("layout", "console", b"{}")])
     return show
 
 
@@ -40,7 +40,7 @@ def test_a_file_that_a_killed_server_left_is_proved_and_keeps_its_log(tmp_path: 
     path = tmp_path / "killed" / "a.omote"
     verify_integrity(path)
     connection = open_read_only(path)
-    assert connection.execute("SELECT name FROM layout").fetchall() == [("console",)]
+    assert connection.execute("SELECT name FROM document").fetchall() == [("console",)]
     connection.close()
     assert {name: (tmp_path / "killed" / name).read_bytes() for name in before} == before
 
@@ -95,11 +95,11 @@ def test_what_cannot_be_opened_is_said(tmp_path: Path) -> None:
 def test_reading_writes_nothing_and_sees_what_is_committed(tmp_path: Path) -> None:
     show = filled(tmp_path / "a #1?.omote")
     connection = open_read_only(show.path)
-    assert connection.execute("SELECT name FROM layout").fetchall() == [("console",)]
-    show.apply([PutLayout("other", b"{}")])
-    assert len(connection.execute("SELECT name FROM layout").fetchall()) == 2
+    assert connection.execute("SELECT name FROM document").fetchall() == [("console",)]
+    show.apply([StoredDocument("layout", "other", b"{}")])
+    assert len(connection.execute("SELECT name FROM document").fetchall()) == 2
     with pytest.raises(sqlite3.OperationalError, match="readonly"):
-        connection.execute("DELETE FROM layout")
+        connection.execute("DELETE FROM document")
     connection.close()
     show.close()
 

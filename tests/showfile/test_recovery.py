@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 
 from omote.showfile.backup import back_up, backup_paths
-from omote.showfile.changes import PutContent, PutItem, PutLayout, PutRevision, Stored, content_key
+from omote.showfile.changes import Content, Stored, StoredDocument, content_key
 from omote.showfile.recovery import Recovery, is_lost, move_aside, recover_show
 from omote.showfile.schema import SCHEMA_VERSION, CorruptShowFileError, ShowFileError
 from omote.showfile.show_file import JournalEntry, ShowFile, open_show
@@ -22,10 +22,10 @@ def save(show: ShowFile, number: int) -> Held:
     key = content_key(data)
     show.apply(
         [
-            PutContent(key, data),
-            PutItem(item(number, head=1)),
-            PutRevision(revision(number, 1, content=key, recipe=b"{}" * 500)),
-            PutLayout(f"page {number}", b"{}"),
+            Content(key, data),
+            item(number, head=1),
+            revision(number, 1, content=key, recipe=b"{}" * 500),
+            StoredDocument("layout", f"page {number}", b"{}"),
         ]
     )
     show.write_journal(JournalEntry(number, 5.0, b"state"))
@@ -187,7 +187,8 @@ def test_a_recovery_cut_off_between_two_renames_is_finished_by_the_next(
     path: Path, backups: list[Held], monkeypatch: pytest.MonkeyPatch, renames: int
 ) -> None:
     broken = damage(backup_paths(path)[0])
-    damaged, log = damage(path), b"log" * 100
+    damaged = damage(path)
+    log = b"log" * 100
     path.with_name("a.omote-wal").write_bytes(log)
     cut_after(monkeypatch, renames)
     with pytest.raises(KeyboardInterrupt):

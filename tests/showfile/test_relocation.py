@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 
 from omote.showfile.backup import back_up, backup_paths
-from omote.showfile.changes import PutLayout
+from omote.showfile.changes import StoredDocument
 from omote.showfile.recovery import is_lost
 from omote.showfile.relocation import find_free_path, relocate_show
 from omote.showfile.show_file import JournalEntry, ShowFile, open_show
@@ -17,14 +17,14 @@ LAST = JournalEntry(7, 5.0, b"state")
 
 def commit(show: ShowFile, *names: str) -> None:
     """Layouts that are told apart by their names, and a last state."""
-    show.apply([PutLayout(name, b"{}") for name in names])
+    show.apply([StoredDocument("layout", name, b"{}") for name in names])
     show.write_journal(LAST)
 
 
 def held(path: Path) -> tuple[set[str], JournalEntry]:
     """What a file holds for whoever opens it."""
     show = open_show(path)
-    found = set(show.stored().layouts), show.journal()
+    found = set(show.stored().documents.get("layout", {})), show.journal()
     show.close()
     return found
 
@@ -67,7 +67,8 @@ LOSSES = (delete, rename, rename_with_log, move_folder, delete_log)
 def test_it_is_made_anew_where_it_was_with_all_that_was_committed(
     show: ShowFile, lose: Callable[[Path], None]
 ) -> None:  # fmt: skip
-    path, other = show.path, show.again()
+    path = show.path
+    other = show.again()
     assert show.place.is_kept()
     lose(path)
     commit(other, "latest")  # still goes into the file that was opened
@@ -78,7 +79,9 @@ def test_it_is_made_anew_where_it_was_with_all_that_was_committed(
     commit(show, "after")
     commit(other, "last")
     everything = {"early", "late", "latest", "after", "last"}
-    assert set(other.stored().layouts) == set(show.stored().layouts) == everything
+    assert (
+        set(other.stored().documents.get("layout", {})) == set(show.stored().documents.get("layout", {})) == everything
+    )
     shutil.copytree(path.parent, path.parent / "killed")  # as a process that is killed now leaves it
     assert held(path.parent / "killed" / path.name) == (everything, LAST)
     other.close()
@@ -140,7 +143,8 @@ def replace_log(path: Path) -> bytes:
 def test_somebody_else_s_file_in_its_place_stays_and_the_show_goes_on_beside(
     show: ShowFile, replace: Callable[[Path], bytes]
 ) -> None:
-    path, other = show.path, show.again()
+    path = show.path
+    other = show.again()
     theirs = replace(path)
     assert not show.place.is_kept()
     beside = relocate_show(show)
@@ -159,7 +163,7 @@ def test_a_file_that_comes_at_the_last_moment_stays(show: ShowFile, monkeypatch:
     with pytest.raises(FileExistsError):
         relocate_show(show)
     assert path.read_bytes() == b""
-    assert set(show.stored().layouts) == {"early", "late"}  # goes on in the old file
+    assert set(show.stored().documents.get("layout", {})) == {"early", "late"}  # goes on in the old file
     monkeypatch.undo()
     assert relocate_show(show).name == "a-2.omote"
     show.close()
@@ -176,12 +180,13 @@ def test_connections_that_were_never_used_go_on_after_a_move_too(tmp_path: Path)
         show.path.unlink()
         relocate_show(other)
         other.close()
-    assert set(show.stored().layouts) == {"early", "late 0", "late 1", "late 2"}
+    assert set(show.stored().documents.get("layout", {})) == {"early", "late 0", "late 1", "late 2"}
     show.close()
 
 
 def test_where_nothing_can_be_written_all_go_on_with_the_moved_file(show: ShowFile) -> None:
-    path, other = show.path, show.again()
+    path = show.path
+    other = show.again()
     move_folder(path)
     path.parent.write_text("no folder")
     with pytest.raises(OSError, match="File exists"):

@@ -6,9 +6,8 @@ from pathlib import Path
 import pytest
 
 from omote.showfile import schema
-from omote.showfile.changes import DropPerformer, PutLayout, PutPerformer, Stored
 from omote.showfile.schema import APPLICATION_ID, SCHEMA_VERSION, CorruptShowFileError, ShowFileError
-from omote.showfile.show_file import JournalEntry, open_show
+from omote.showfile.show_file import open_show
 
 FIRST_VERSION = """
 CREATE TABLE journal (
@@ -42,55 +41,12 @@ def first(tmp_path: Path) -> Path:
     return path
 
 
-def as_of(path: Path, version: int) -> Path:
-    """A show file as an Omote of that version made it."""
-    connection = sqlite3.connect(path)
-    steps = "".join(schema.MIGRATIONS[:version])
-    connection.executescript(
-        f"BEGIN; PRAGMA application_id = {APPLICATION_ID}; PRAGMA user_version = {version}; {steps} COMMIT;"
-    )
-    connection.close()
-    return path
-
-
 def version(path: Path) -> int:
     """What the header says."""
     connection = sqlite3.connect(path)
     (found,) = connection.execute("PRAGMA user_version").fetchone()
     connection.close()
     return int(found)
-
-
-def test_a_file_of_before_gains_is_brought_up_so_that_an_older_omote_says_update(tmp_path: Path) -> None:
-    path = as_of(tmp_path / "second.omote", 2)
-    open_show(path).close()
-    assert version(path) == SCHEMA_VERSION > 2
-
-
-def test_a_file_of_before_performers_keeps_what_it_has_and_takes_them(tmp_path: Path) -> None:
-    show = open_show(as_of(tmp_path / "fifth.omote", 5))
-    show.apply([PutLayout("console", b"{}"), PutPerformer("Ada", b"1"), PutPerformer("Bo", b"2")])
-    show.apply([DropPerformer("Bo")])
-    assert show.stored() == Stored(layouts={"console": b"{}"}, performers={"Ada": b"1"})
-    show.close()
-    assert version(tmp_path / "fifth.omote") == SCHEMA_VERSION > 5
-
-
-def test_a_file_of_the_first_version_is_brought_up_and_keeps_its_state(first: Path) -> None:
-    for _ in range(2):
-        show = open_show(first)
-        assert show.journal() == JournalEntry(1234, 5.5, b"\x01\x02")
-        assert show.stored() == Stored()
-        show.close()
-    assert version(first) == SCHEMA_VERSION
-    show = open_show(first)
-    show.apply([PutLayout("console", b"{}")])
-    show.set_aside(JournalEntry(1234, 5.5, b"\x01\x02"), "why")
-    show.close()
-    connection = sqlite3.connect(first)
-    aside = connection.execute("SELECT epoch, reason, snapshot FROM journal_aside ORDER BY epoch").fetchall()
-    connection.close()
-    assert aside == [(1200, "it crashed", b"\x03"), (1234, "why", b"\x01\x02")]
 
 
 def test_a_file_brought_up_has_the_tables_of_a_new_one(first: Path, tmp_path: Path) -> None:

@@ -1,7 +1,9 @@
 """The show file keeps the last state, and never loses or overwrites what it cannot read."""
 
+import os
 import shutil
 import sqlite3
+import stat
 from contextlib import closing
 from pathlib import Path
 
@@ -9,7 +11,7 @@ import pytest
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
-from omote.showfile.changes import PutLayout
+from omote.showfile.changes import StoredDocument
 from omote.showfile.recovery import move_aside
 from omote.showfile.schema import APPLICATION_ID, SCHEMA_VERSION
 from omote.showfile.show_file import (
@@ -209,7 +211,7 @@ def test_authored_work_is_synced_at_once_and_the_journal_is_not(tmp_path: Path) 
     show = open_show(tmp_path / "a.omote")
     said: list[str] = []
     show._connection.set_trace_callback(said.append)
-    show.apply([PutLayout("console", b"{}")])
+    show.apply([StoredDocument("layout", "console", b"{}")])
     order = [said.index(f"PRAGMA synchronous = {level}") for level in ("FULL", "NORMAL")]
     assert order[0] < said.index("COMMIT") < order[1]
     assert show._connection.execute("PRAGMA synchronous").fetchone() == (1,)
@@ -224,3 +226,19 @@ def test_a_state_that_is_no_number_is_not_believed(tmp_path: Path) -> None:
     with pytest.raises(sqlite3.DatabaseError, match="epoch None"):
         show.journal()
     show.close()
+
+
+def test_its_owner_alone_may_read_a_new_show_and_its_copies_unless_it_is_shared(tmp_path: Path) -> None:
+    before = os.umask(0)
+    try:
+        path = tmp_path / "a.omote"
+        show = open_show(path)
+        show.copy_into(tmp_path / "copy")
+        path.chmod(0o640)
+        show.copy_into(tmp_path / "shared")
+        modes = [stat.S_IMODE(each.stat().st_mode) for each in (tmp_path / "copy", tmp_path / "shared")]
+        log = stat.S_IMODE(show.place.log_path.stat().st_mode)
+        show.close()
+    finally:
+        os.umask(before)
+    assert (log, *modes) == (0o600, 0o600, 0o640)

@@ -17,7 +17,7 @@ from omote.model.transfer.compound import compound, compound_parts
 from omote.perform.blending.evaluate import evaluate, evaluate_parts
 from omote.perform.frame import Frame
 from omote.perform.lights import LIGHTS
-from omote.show.messages import Manifest
+from omote.show.cast_documents import Manifest
 from omote.show.wire import encode
 from omote.stage_data.assets import (
     FINEST_STEP,
@@ -67,7 +67,8 @@ def test_what_moves_less_than_anybody_sees_is_not_sent(count: int, step: float) 
 
 @pytest.mark.parametrize(("face", "expression"), [*itertools.product(synthetic.FACES, synthetic.EXPRESSIONS)])
 def test_face_and_compound_together_are_the_compound_of_the_model(cast: Cast, face: str, expression: str) -> None:
-    worn, rest = cast.faces[face], rest_positions(cast, cast.faces[face])
+    worn = cast.faces[face]
+    rest = rest_positions(cast, cast.faces[face])
     shown = rest + unpack_compound(compound_asset(cast, worn, expression), len(rest))
     field = cast.expressions[expression]
     parts = compound_parts(cast.space, worn, field)
@@ -84,7 +85,8 @@ def test_what_a_stage_blends_is_what_the_evaluator_gives(cast: Cast) -> None:
     parts = evaluate_parts(cast, frame)
     still = [name for name, part in cast.space.parts.items() if not part.eye]
     expected = {"skin": evaluate(cast, frame), **{name: parts[name] for name in still}}
-    shown, rows = blended(cast, frame), first_rows(cast)
+    shown = blended(cast, frame)
+    rows = first_rows(cast)
     for name, points in expected.items():
         assert np.abs(shown[rows[name] : rows[name] + len(points)] - points).max() < STAGE_LIMIT / 10
 
@@ -103,7 +105,9 @@ def blended(cast: Cast, frame: Frame) -> np.ndarray:
 
 
 def test_the_manifest_lists_the_lights(cast: Cast) -> None:
-    assert {light.name: light.label for light in written(cast).lights} == LIGHTS
+    assert {light.name: light.label for light in written(cast).lights} == {
+        name: light.label for name, light in LIGHTS.items()
+    }
 
 
 def test_the_manifest_counts_what_there_is(cast: Cast) -> None:
@@ -127,7 +131,8 @@ def test_the_manifest_says_how_a_face_answers_and_how_heads_turn(cast: Cast) -> 
 
 
 def test_meshes_draw_their_own_rows(cast: Cast) -> None:
-    manifest, rows = written(cast), first_rows(cast)
+    manifest = written(cast)
+    rows = first_rows(cast)
     assert list(rows.values()) == sorted(rows.values())
     for mesh in manifest.meshes:
         source = np.frombuffer(mesh.source, "<u4")

@@ -9,12 +9,12 @@ from omote.model.transfer.corrective_regions import find_corrective_regions
 from omote.perform.blending.compound_cache import compound_cache
 from omote.perform.blending.correctives import FLOOR, ROUNDS
 from omote.stage_data.assets import first_rows
-from omote.stage_data.correctives_document import allowance_document, ball_radii, settling_document
+from omote.stage_data.correctives_document import allowance_document, ball_radii, correctives_document
 from tests.synthetic import FACES
 
 
 def test_a_cast_without_lines_has_none(cast: Cast) -> None:
-    assert settling_document(cast, first_rows(cast)) is None
+    assert correctives_document(cast, first_rows(cast)) is None
     face = cast.faces[FACES[0]]
     assert allowance_document(cast.space, face, cast.expressions["neutral"], face.positions) is None
     assert ball_radii(cast.space, face) == (0.0, 0.0)
@@ -22,7 +22,8 @@ def test_a_cast_without_lines_has_none(cast: Cast) -> None:
 
 def test_the_document_holds_corrective_regions() -> None:
     cast = load_cast()
-    regions, document = find_corrective_regions(cast.space), settling_document(cast, first_rows(cast))
+    regions = find_corrective_regions(cast.space)
+    document = correctives_document(cast, first_rows(cast))
     assert regions is not None
     assert document is not None
     assert (document.rounds, document.floor) == (list(ROUNDS), FLOOR)
@@ -30,10 +31,10 @@ def test_the_document_holds_corrective_regions() -> None:
     assert np.array_equal(rows, regions.rows)
     assert np.array_equal(np.frombuffer(document.triangles, "<u4").reshape(-1, 3), regions.triangles)
     patches = regions.patches
-    assert np.array_equal(np.frombuffer(document.heard, "<u4"), patches.triangles)
-    assert np.array_equal(np.frombuffer(document.ends, "<u4"), patches.ends)
-    assert np.array_equal(np.frombuffer(document.members, "<u4").reshape(len(rows), -1), patches.members)
-    assert np.array_equal(np.frombuffer(document.shares, "<f4").reshape(len(rows), -1), patches.shares)
+    assert np.array_equal(np.frombuffer(document.patch_triangles, "<u4"), patches.triangles)
+    assert np.array_equal(np.frombuffer(document.patch_ends, "<u4"), patches.ends)
+    assert np.array_equal(np.frombuffer(document.row_patches, "<u4").reshape(len(rows), -1), patches.members)
+    assert np.array_equal(np.frombuffer(document.row_shares, "<f4").reshape(len(rows), -1), patches.shares)
     for sent, own in zip(document.crossings, regions.crossings, strict=True):
         assert sent.upward == (own.kind == "lips")
         assert np.array_equal(np.frombuffer(sent.vertices, "<u4").reshape(-1, 4), own.vertices)
@@ -42,11 +43,9 @@ def test_the_document_holds_corrective_regions() -> None:
 
 def test_followers_are_inner_skin_and_lashes_and_hang_on_rows() -> None:
     cast = load_cast()
-    starts, document, regions = (
-        first_rows(cast),
-        settling_document(cast, first_rows(cast)),
-        find_corrective_regions(cast.space),
-    )
+    starts = first_rows(cast)
+    document = correctives_document(cast, first_rows(cast))
+    regions = find_corrective_regions(cast.space)
     assert document is not None
     assert regions is not None
     followers = np.frombuffer(document.followers, "<u4")
@@ -66,10 +65,8 @@ def test_an_allowance_is_the_engines_own() -> None:
     cast = load_cast()
     face = cast.faces["kaori"]
     skin = compound(cast.space, face, cast.expressions["eyeBlinkLeft"])
-    document, regions = (
-        allowance_document(cast.space, face, cast.expressions["eyeBlinkLeft"], skin),
-        find_corrective_regions(cast.space),
-    )
+    document = allowance_document(cast.space, face, cast.expressions["eyeBlinkLeft"], skin)
+    regions = find_corrective_regions(cast.space)
     assert document is not None
     assert regions is not None
     allowed = np.zeros(regions.size, np.float32)

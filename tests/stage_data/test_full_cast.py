@@ -11,7 +11,7 @@ from msgspec import structs
 from omote.edit.store.import_items import ImportedItem, changes_to_import
 from omote.model.cast import Cast, Look
 from omote.model.space.face import Face
-from omote.showfile.changes import Item, PutContent, PutItem, PutRevision, Stored
+from omote.showfile.changes import Content, Item, Revision, Stored
 from omote.showfile.schema import ShowFileError
 from omote.showfile.show_file import open_show
 from omote.stage_data.full_cast import build_full_cast, find_face, playing_items, read_show
@@ -23,9 +23,9 @@ def kept(cast: Cast) -> tuple[Stored, dict[str, bytes]]:
     face = Face("long", cast.faces["long"].positions)
     arrivals = [ImportedItem("Grin", cast.expressions["smile"]), ImportedItem("Aunt", (face, Look(iris="#00ff00")))]
     changes = changes_to_import(cast, Stored(), arrivals, wall=0.0)
-    items = tuple(change.item for change in changes if isinstance(change, PutItem))
-    revisions = tuple(change.revision for change in changes if isinstance(change, PutRevision))
-    return Stored(items, revisions), {change.key: change.data for change in changes if isinstance(change, PutContent)}
+    items = tuple(change for change in changes if isinstance(change, Item))
+    revisions = tuple(change for change in changes if isinstance(change, Revision))
+    return Stored(items, revisions), {change.key: change.data for change in changes if isinstance(change, Content)}
 
 
 def test_what_plays_is_in_the_cast_under_its_name() -> None:
@@ -39,7 +39,8 @@ def test_what_plays_is_in_the_cast_under_its_name() -> None:
 
 
 def test_a_show_file_is_read_from_python(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    base, path = synthetic.cast(), tmp_path / "evening show ü.omote"
+    base = synthetic.cast()
+    path = tmp_path / "evening show ü.omote"
     monkeypatch.setattr("omote.stage_data.full_cast.load_cast", lambda: base)
     with closing(open_show(path)) as show:
         arrivals = [ImportedItem("Grin", base.expressions["smile"])]
@@ -92,10 +93,10 @@ def test_a_face_of_another_head_is_left_out_and_named() -> None:
     arrivals = [ImportedItem("Cut", (cut, Look())), ImportedItem("Aunt", (whole, Look()))]
     changes = changes_to_import(small, Stored(), arrivals, wall=0.0)
     stored = Stored(
-        tuple(change.item for change in changes if isinstance(change, PutItem)),
-        tuple(change.revision for change in changes if isinstance(change, PutRevision)),
+        tuple(change for change in changes if isinstance(change, Item)),
+        tuple(change for change in changes if isinstance(change, Revision)),
     )
-    contents = {change.key: change.data for change in changes if isinstance(change, PutContent)}
+    contents = {change.key: change.data for change in changes if isinstance(change, Content)}
     told: list[str] = []
     cast = build_full_cast(small, stored, contents, told.append)
     assert (cast.faces.keys() - small.faces.keys(), cast.looks.keys() - small.looks.keys()) == ({"aunt"}, {"aunt"})

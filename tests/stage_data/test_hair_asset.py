@@ -11,7 +11,8 @@ from tests.model.tufts import tuft
 
 
 def test_strands_come_back_as_they_are() -> None:
-    style, asset = tuft(), hair_asset(tuft())
+    style = tuft()
+    asset = hair_asset(tuft())
     points = np.frombuffer(asset.points, "<i2").reshape(style.points.shape) * asset.scale
     assert np.abs(points - style.points).max() <= 0.5001 * HAIR_STEP
     counts = np.frombuffer(asset.weights, "u1").reshape(style.weights.shape).astype(float)

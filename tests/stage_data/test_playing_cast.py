@@ -11,7 +11,7 @@ from omote.model.space.expression import Expression, Title
 from omote.model.space.face import Face
 from omote.perform.layers.columns import columns_of
 from omote.perform.layers.layer_names import LAYER_PARTS, WHOLE
-from omote.show.messages import Manifest
+from omote.show.cast_documents import Manifest
 from omote.showfile.changes import content_key
 from omote.showfile.contents import ContentError, pack_expression, pack_face
 from omote.stage_data.assets import content_asset, documents
@@ -64,7 +64,8 @@ def test_layers_take_each_channel_for_the_part_of_the_face_where_it_acts(cast: C
 
 def test_the_digest_names_exactly_this_cast(cast: Cast) -> None:
     contents: Contents = {}
-    first, later = grin(cast, contents), grin(cast, contents, place=2.0)
+    first = grin(cast, contents)
+    later = grin(cast, contents, place=2.0)
     face, _ = cousin(cast, contents)
     assert build_playing_cast(cast, (), {}).digest == cast.digest
     found = {build_playing_cast(cast, own, contents).digest for own in ((first,), (later,), (first, face), ())}
@@ -145,7 +146,8 @@ def test_the_manifest_tells_people_what_they_call_it_and_pages_where_it_is(cast:
     playing = build_playing_cast(cast, own, contents)
     found = manifest(cast, playing, contents)
     assert (found.base, found.digest) == (cast.digest, playing.digest)
-    expression, face = found.expressions[-1], found.faces[-1]
+    expression = found.expressions[-1]
+    face = found.faces[-1]
     assert (expression.name, expression.label, expression.kind, expression.tags) == ("grin", "Grin", "own", ["happy"])
     assert (face.name, face.label, face.source, face.place) == ("cousin", "Cousin", own[1].source, 2.0)
     assert (face.url, face.look.skin) == (f"/contents/{own[1].content}", "#102030")

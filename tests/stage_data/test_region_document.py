@@ -22,7 +22,8 @@ def test_the_document_holds_the_masks_of_skin_parts_and_allowances() -> None:
     cast = load_cast()
     document = region_document(cast.space)
     assert document is not None
-    rows, allowances = masks_in(document.rows), masks_in(document.allowances)
+    rows = masks_in(document.rows)
+    allowances = masks_in(document.allowances)
     assert len(rows) == len(rest_positions(cast, cast.faces["generic"]))
     starts = first_rows(cast)
     for column, region in enumerate(PLAY_REGIONS):

@@ -1,5 +1,7 @@
 """Which Python is good enough to set up with."""
 
+import tomllib
+
 import pytest
 
 from tools import environment
@@ -26,6 +28,11 @@ def test_what_fails_is_said_in_one_sentence(
     monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str], made: bool, installed: bool, said: str
 ) -> None:
     monkeypatch.setattr(environment, "make_environment", lambda: made)
-    monkeypatch.setattr(environment, "install_packages", lambda: installed)
-    assert environment.main() == 1
+    monkeypatch.setattr(environment, "install_packages", lambda _: installed)
+    assert environment.main("show") == 1
     assert capsys.readouterr().err == said + "\n"
+
+
+def test_what_is_installed_for_a_purpose_is_an_extra_of_the_package() -> None:
+    extras = tomllib.loads((environment.ROOT / "pyproject.toml").read_text())["project"]["optional-dependencies"]
+    assert {extra for names in environment.EXTRAS.values() for extra in names.split(",")} <= extras.keys()

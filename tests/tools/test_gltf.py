@@ -9,7 +9,8 @@ from tools.gltf import inspect
 
 
 def test_each_file_is_judged_in_turn(tmp_path: Path) -> None:
-    good, bad = tmp_path / "good.glb", tmp_path / "bad.glb"
+    good = tmp_path / "good.glb"
+    bad = tmp_path / "bad.glb"
     good.write_bytes(plain_glb())
     bad.write_bytes(put_together({"asset": {"version": "2.0"}, "nodes": [{"children": [7]}]}))
     (found,) = inspect([good])

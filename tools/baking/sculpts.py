@@ -42,6 +42,8 @@ def sculpt_arrays(arrays: Arrays, space: ParameterSpace, sculpts: tuple[Sculpt, 
     """Positions (float32, metres) of skin and parts of every sculpt, the eyes where everybody has them.
 
     arrays: those of the people, from whom a sculpt may start.
+
+    space: of the generic face; sculpts: in their order; step: is called with each name.
     """
     people = {name: face_of(arrays, name) for name in PEOPLE}
     found: Arrays = {}

@@ -19,7 +19,10 @@ LEVEL = 6  # of deflate: 9 takes six times as long for 3 % less
 
 
 def write_file(path: Path, data: bytes) -> None:
-    """Replaces a file in one step, so that a reader sees the old or the new one."""
+    """Replaces a file in one step, so that a reader sees the old or the new one.
+
+    path: the file, whose folder is made where it is missing; data: all of it.
+    """
     path.parent.mkdir(parents=True, exist_ok=True)
     waiting = path.with_name(f".{path.name}.{os.getpid()}")
     try:

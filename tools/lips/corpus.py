@@ -55,8 +55,12 @@ class Recording:
 
 
 def make_recordings(count: int, festival: int, rng: np.random.Generator) -> Iterator[Recording]:
-    """`count` recordings of voices of espeak-ng, and `festival` of each slower voice, under several conditions each."""
-    espeak, others = Espeak(), list[np.ndarray]()
+    """`count` recordings of voices of espeak-ng, and `festival` of each slower voice, under several conditions each.
+
+    rng: of all that is random.
+    """
+    espeak = Espeak()
+    others = list[np.ndarray]()
     slower = [voice for voice in (*FESTIVAL_VOICES, *FLITE_VOICES, *FLITE_VOICES) for _ in range(festival)]
     order = rng.permutation(count + len(slower))
     for index in order.tolist():
@@ -68,7 +72,10 @@ def make_recordings(count: int, festival: int, rng: np.random.Generator) -> Iter
 
 
 def speak_named(voice: NamedVoice, rng: np.random.Generator) -> list[Spoken]:
-    """Some sentences by a voice of festival or flite."""
+    """Some sentences by a voice of festival or flite.
+
+    voice: which; rng: of the sentences.
+    """
     texts = [_plain(make_sentence(voice.words, rng, words=4), voice.words) for _ in range(SENTENCES)]
     stretch = float(rng.uniform(0.65, 1.3))
     if voice in FLITE_VOICES:
@@ -77,7 +84,10 @@ def speak_named(voice: NamedVoice, rng: np.random.Generator) -> list[Spoken]:
 
 
 def speak_some(espeak: Espeak, rng: np.random.Generator) -> list[Spoken]:
-    """Some sentences by a random voice."""
+    """Some sentences by a random voice.
+
+    espeak: the synthesizer; rng: of voice and sentences.
+    """
     language = str(rng.choice(list(LANGUAGES)))
     variant = str(rng.choice(VARIANTS))
     name = f"{language}+{variant}" if variant else language
@@ -87,7 +97,10 @@ def speak_some(espeak: Espeak, rng: np.random.Generator) -> list[Spoken]:
 
 
 def join_speech(parts: Sequence[Spoken], rng: np.random.Generator) -> Spoken:
-    """Sentences one after the other, with pauses between them."""
+    """Sentences one after the other, with pauses between them.
+
+    parts: the sentences; rng: of the pauses.
+    """
     sounds: list[np.ndarray] = []
     segments: list[Segment] = []
     start = 0
@@ -103,7 +116,10 @@ def join_speech(parts: Sequence[Spoken], rng: np.random.Generator) -> Spoken:
 
 
 def change_speed(spoken: Spoken, rng: np.random.Generator) -> Spoken:
-    """The same at another speed, as of a tape, half of the time: it makes a smaller or a larger mouth."""
+    """The same at another speed, as of a tape, half of the time: it makes a smaller or a larger mouth.
+
+    spoken: speech and its phones; rng: of the speed.
+    """
     if rng.random() < 0.5:
         return spoken
     speed = float(rng.uniform(0.84, 1.2))
@@ -114,7 +130,10 @@ def change_speed(spoken: Spoken, rng: np.random.Generator) -> Spoken:
 
 def change_mouth(heard: SoundFeatures, rng: np.random.Generator) -> SoundFeatures:
     """The same from a longer or a shorter throat, half of the time: its resonances lie lower or higher, its pitch does
-    not change (Jaitly and Hinton 2013)."""
+    not change (Jaitly and Hinton 2013).
+
+    heard: features of a sound; rng: of the length.
+    """
     if rng.random() < 0.5:
         return heard
     hertz = band_hertz()
@@ -126,7 +145,10 @@ def change_mouth(heard: SoundFeatures, rng: np.random.Generator) -> SoundFeature
 
 
 def make_recording(spoken: Spoken, rng: np.random.Generator, babble: np.ndarray | None) -> Recording:
-    """A recording of speech under a random condition, by a speaker who is calibrated or not."""
+    """A recording of speech under a random condition, by a speaker who is calibrated or not.
+
+    spoken: speech and its phones; rng: of the condition; babble: others who speak, as samples.
+    """
     heard = FeatureStream().push(apply_condition(spoken.sound, draw_condition(rng), rng, babble))
     heard = change_mouth(heard, rng)
     speaker = SpeakerState()

@@ -11,8 +11,12 @@ from tools.lips.phones import shapes_of_ipa
 from tools.lips.spoken import Segment, Spoken, claim_closures, resample
 
 _LIBRARY = "libespeak-ng.so.1"
-_SYNCHRONOUS, _EVENTS_AND_IPA, _PHONEME_EVENT = 2, 3, 7
-_RATE, _PITCH, _RANGE = 1, 3, 4
+_SYNCHRONOUS = 2
+_EVENTS_AND_IPA = 3
+_PHONEME_EVENT = 7
+_RATE = 1
+_PITCH = 3
+_RANGE = 4
 """Parameters of the library's espeak_SetParameter."""
 
 
@@ -66,7 +70,8 @@ class Espeak:
             raise ValueError(f"espeak-ng has no voice {voice.name}")
         for number, value in ((_RATE, voice.rate), (_PITCH, voice.pitch), (_RANGE, voice.pitch_range)):
             self._library.espeak_SetParameter(number, value, 0)
-        self._sound, self._events = [], []
+        self._sound = []
+        self._events = []
         data = text.encode()
         self._library.espeak_Synth(data, len(data) + 1, 0, 1, 0, 1, None, None)
         sound = np.concatenate([*self._sound, np.zeros(0, np.int16)]).astype(np.float32) / 32768.0

@@ -35,7 +35,8 @@ def russian_names() -> list[str]:
 def read_russian(name: str) -> Spoken:
     """A sentence of the Russian."""
     sound = _read_sound(RUSSIAN / "wav" / f"{name}.wav")
-    segments, start = [], 0.0
+    segments = []
+    start = 0.0
     for phone, end in read_lines(RUSSIAN / "lab" / f"{name}.lab"):
         segments.append(Segment(start, end, phone, shapes_of_name("russian", phone)))
         start = end

@@ -45,7 +45,10 @@ LEFT_OUT_FLITE = tuple(NamedVoice(name, "radio", "american-english") for name in
 
 
 def speak_festival(voice: NamedVoice, texts: Sequence[str], *, stretch: float = 1.0) -> list[Spoken]:
-    """Texts by a voice of festival; those that it cannot speak are left out. stretch: as of `speak_flite`."""
+    """Texts by a voice of festival; those that it cannot speak are left out. stretch: as of `speak_flite`.
+
+    voice: which; texts: one after the other.
+    """
     with tempfile.TemporaryDirectory() as folder:
         script = Path(folder) / "speak.scm"
         lines = [f"({voice.name})", f"(Parameter.set 'Duration_Stretch {stretch})"]
@@ -98,7 +101,8 @@ def read_lines(path: Path) -> list[tuple[str, float]]:
 def _read(path: Path, ends: list[tuple[str, float]], voice: NamedVoice) -> Spoken:
     rate, samples = wavfile.read(path)
     sound = samples.astype(np.float32) / 32768.0
-    segments, start = [], 0.0
+    segments = []
+    start = 0.0
     for name, end in ends:
         if end > start:
             segments.append(Segment(start, end, name, shapes_of_name(voice.phone_set, name)))

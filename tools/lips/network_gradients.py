@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from omote.inputs.microphone.viseme_network import Gated, State, VisemeNetwork
+from omote.inputs.microphone.viseme_network import Gated, Remembered, VisemeNetwork
 
 DROPPED = 0.1
 """Share of the values between two layers that one piece does without (Zaremba et al. 2014)."""
@@ -44,15 +44,19 @@ def parameters(network: VisemeNetwork) -> list[Array]:
 
 
 def find_gradients(
-    network: VisemeNetwork, piece: Piece, state: State, rng: np.random.Generator | None
-) -> tuple[list[Array], float, Array, State]:
+    network: VisemeNetwork, piece: Piece, state: Remembered, rng: np.random.Generator | None
+) -> tuple[list[Array], float, Array, Remembered]:
     """Gradients of the mean cross entropy for `parameters`, the entropy, the scores, and what the layers remember then.
 
     state: (streams, units) of each layer. rng: of the values that are left out; without it none is.
+
+    network: as it is; piece: of recordings side by side.
     """
     values = np.maximum(piece.inputs @ network.first.weight + network.first.bias, 0.0)
     masks = [_mask(values.shape, rng)]
-    kept, passes, after = [values * masks[0]], [], []
+    kept = [values * masks[0]]
+    passes = []
+    after = []
     for layer, before in zip(network.gated, state, strict=True):
         passes.append(_run(layer, kept[-1], before))
         masks.append(_mask(passes[-1].values.shape, rng))
@@ -91,7 +95,8 @@ def _flat(values: Array) -> Array:
 
 def _run(layer: Gated, inputs: Array, before: Array) -> _Pass:
     """A layer over one piece; the same as `Gated.step` for each frame."""
-    given, units = inputs @ layer.weight + layer.bias, layer.units
+    given = inputs @ layer.weight + layer.bias
+    units = layer.units
     made = _Pass(*(np.empty((*inputs.shape[:2], units), np.float32) for _ in range(6)))
     for time in range(len(inputs)):
         own = before @ layer.back + layer.back_bias
@@ -109,7 +114,9 @@ def _back(layer: Gated, done: _Pass, inputs: Array, error: Array) -> tuple[list[
     given = np.empty((*error.shape[:2], 3 * units), np.float32)
     own = np.empty_like(given)
     later = np.zeros_like(error[0])
-    slope, rising, falling = 1.0 - done.new**2, done.update * (1.0 - done.update), done.reset * (1.0 - done.reset)
+    slope = 1.0 - done.new**2
+    rising = done.update * (1.0 - done.update)
+    falling = done.reset * (1.0 - done.reset)
     for time in range(len(error) - 1, -1, -1):
         whole = error[time] + later
         new = whole * (1.0 - done.update[time]) * slope[time]

@@ -121,7 +121,10 @@ def shapes_of_ipa(phone: str) -> Shapes | None:
 
 
 def shapes_of_name(phone_set: str, name: str) -> Shapes | None:
-    """The visemes of a phone by its name in a voice's phone set ("radio", "latin", "russian", "finnish", "czech")."""
+    """The visemes of a phone by its name in a voice's phone set ("radio", "latin", "russian", "finnish", "czech").
+
+    phone_set: as above; name: in it.
+    """
     if name in SILENT:
         return ("sil",)
     table = NAMED[phone_set]

@@ -27,7 +27,10 @@ def read_words(dictionary: str) -> tuple[str, ...]:
 
 
 def make_sentence(dictionary: str, rng: np.random.Generator, *, words: int = 0) -> str:
-    """A sentence of `words` words, 3 to 8 where it is 0; a tenth of them, or all without a dictionary, is invented."""
+    """A sentence of `words` words, 3 to 8 where it is 0; a tenth of them, or all without a dictionary, is invented.
+
+    dictionary: the file's name; rng: of the words.
+    """
     known = read_words(dictionary)
     count = words or int(rng.integers(3, 9))
     return " ".join(

@@ -16,7 +16,8 @@ KINDS = {
 }  # fmt: skip
 """Of noise for training, and how often."""
 _ORDER = 18
-_WHISPER_WINDOW, _WHISPER_STEP = 400, 200
+_WHISPER_WINDOW = 400
+_WHISPER_STEP = 200
 
 
 @dataclass(frozen=True)
@@ -37,7 +38,10 @@ class Condition:
 
 
 def apply_condition(sound: Sound, condition: Condition, rng: np.random.Generator, babble: Sound | None = None) -> Sound:
-    """The sound as a microphone hears it. babble: others who speak, for the kind "babble"."""
+    """The sound as a microphone hears it. babble: others who speak, for the kind "babble".
+
+    condition: level, noise, room and filter; rng: of what is random in them.
+    """
     heard = whisper(sound, rng) if condition.whisper else sound
     heard = _room(heard, condition.room, rng) if condition.room else heard
     heard = _color(heard, condition)
@@ -85,7 +89,10 @@ def speech_power(sound: Sound) -> float:
 
 
 def make_noise(kind: str, count: int, rng: np.random.Generator, babble: Sound | None = None, talkers: int = 4) -> Sound:
-    """Noise of a kind: white, pink, brown, hum (of the mains), clicks, music, babble (`talkers` of it speak)."""
+    """Noise of a kind: white, pink, brown, hum (of the mains), clicks, music, babble (`talkers` of it speak).
+
+    kind: as named; count: samples; rng: of the noise.
+    """
     if kind == "babble" and babble is not None and len(babble):
         starts = rng.integers(0, len(babble), talkers)
         return sum((np.resize(np.roll(babble, -start), count) for start in starts), np.zeros(count))
@@ -125,7 +132,10 @@ def _swell(count: int, most: float, rng: np.random.Generator) -> Sound:
 
 
 def whisper(sound: Sound, rng: np.random.Generator) -> Sound:
-    """A voice without its vocal cords: each frame's resonances (linear prediction), excited by noise."""
+    """A voice without its vocal cords: each frame's resonances (linear prediction), excited by noise.
+
+    sound: samples; rng: of the noise.
+    """
     window = np.hanning(_WHISPER_WINDOW)
     made = np.zeros(len(sound) + _WHISPER_WINDOW)
     for start in range(0, len(sound) - _WHISPER_WINDOW, _WHISPER_STEP):

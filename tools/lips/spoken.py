@@ -42,7 +42,10 @@ class Spoken:
 
 
 def resample(sound: np.ndarray, rate: int) -> np.ndarray:
-    """Sound at 16 kHz."""
+    """Sound at 16 kHz.
+
+    sound: samples; rate: of them, Hz.
+    """
     if rate == SAMPLE_RATE:
         return sound.astype(np.float32)
     step = gcd(rate, SAMPLE_RATE)
@@ -52,10 +55,14 @@ def resample(sound: np.ndarray, rate: int) -> np.ndarray:
 
 def claim_closures(segments: Sequence[Segment], sound: np.ndarray, rate: int) -> list[Segment]:
     """Gives each stop the silence before its burst: espeak-ng marks a stop at the burst, and what is silent before it
-    is the closure, in which lips or tongue are shut already."""
+    is the closure, in which lips or tongue are shut already.
+
+    segments: phones and their times; sound: samples; rate: Hz.
+    """
     claimed = list(segments)
     for index in range(1, len(claimed)):
-        before, stop = claimed[index - 1], claimed[index]
+        before = claimed[index - 1]
+        stop = claimed[index]
         if not stop.shapes or stop.shapes[0] not in _STOPS or before.shapes == ("sil",):
             continue
         start = _silence_start(sound, rate, before)

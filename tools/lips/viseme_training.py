@@ -1,6 +1,6 @@
 """Trains the network that reads visemes: `python -m tools.lips.viseme_training`. Needs espeak-ng, festival, flite.
 
-The packages, and why the weights are committed: docs/decisions/0136 and 0143.
+The packages: tools/lips/README.md. Why the weights are committed: docs/decisions/microphone-and-speech.md.
 """
 
 from __future__ import annotations
@@ -27,14 +27,17 @@ from tools.lips.corpus import make_recordings
 from tools.lips.network_gradients import Piece, find_gradients, parameters
 from tools.lips.spoken import UNKNOWN
 
-HIDDEN, UNITS = 160, (192, 128)
-STREAMS, PIECE = 64, 64
+HIDDEN = 160
+UNITS = (192, 128)
+STREAMS = 64
+PIECE = 64
 """How many streams a step learns from, and how many frames of each."""
 FORGETS = 0.05
 """Share of the streams that begin a piece as if nothing had been before."""
 SMOOTHING = 0.04
 """Share of a label that is given to all visemes."""
-ONSET_FRAMES, ONSET_COUNTS = 5, 2.5
+ONSET_FRAMES = 5
+ONSET_COUNTS = 2.5
 """The first frames of speech, by which a mouth opens, and how much more they count."""
 STEEPEST = 1.0
 """The longest gradient that is taken as it is."""
@@ -81,7 +84,10 @@ def _importance(labels: np.ndarray) -> np.ndarray:
 
 
 def make_frames(path: Path, count: int, festival: int, seed: int) -> None:
-    """Makes the recordings and writes their frames."""
+    """Makes the recordings and writes their frames.
+
+    path: the file; count, festival: recordings, as of `make_recordings`; seed: of all that is random.
+    """
     rng = np.random.default_rng(seed)
     made = []
     for index, recording in enumerate(make_recordings(count, festival, rng)):
@@ -97,7 +103,10 @@ class Adam:
     """Steps of Adam with a falling rate and a little decay of weights; changes the values that it is given."""
 
     def __init__(self, values: list[np.ndarray], steps: int, rate: float) -> None:
-        self._values, self._steps, self._rate, self._step = values, steps, rate, 0
+        self._values = values
+        self._steps = steps
+        self._rate = rate
+        self._step = 0
         self._means, self._squares = ([np.zeros_like(each) for each in values] for _ in range(2))
 
     def take(self, gradients: list[np.ndarray]) -> None:
@@ -117,13 +126,18 @@ class Adam:
 
 
 def train(frames: Frames, epochs: int, seed: int, out: Path, network: VisemeNetwork | None, rate: float) -> None:
-    """Trains, and writes the network after each epoch. network: where it begins, at random without one."""
+    """Trains, and writes the network after each epoch. network: where it begins, at random without one.
+
+    frames: of the recordings; epochs: how often each is seen; seed: of order and noise; out: the file; rate: of
+    learning.
+    """
     rng = np.random.default_rng(seed)
     network = network or begin_network(rng)
     adam = Adam(parameters(network), epochs * (len(frames.labels) // STREAMS // PIECE), rate)
     for epoch in range(epochs):
         state = tuple(np.zeros((STREAMS, layer.units), np.float32) for layer in network.gated)
-        began, told = time.process_time(), []
+        began = time.process_time()
+        told = []
         for piece in frames.pieces(rng):
             forget = (rng.random((STREAMS, 1)) >= FORGETS).astype(np.float32)
             gradients, loss, scores, state = find_gradients(network, piece, tuple(s * forget for s in state), rng)
@@ -141,11 +155,13 @@ def begin_network(rng: np.random.Generator) -> VisemeNetwork:
     def draw(rows: int, columns: int, scale: float) -> np.ndarray:
         return rng.normal(0, scale / np.sqrt(rows), (rows, columns)).astype(np.float32)
 
-    gated, before = [], HIDDEN
+    gated = []
+    before = HIDDEN
     for units in UNITS:
         back = np.concatenate([np.linalg.qr(rng.normal(size=(units, units)))[0] for _ in range(3)], axis=1)
         biases = (np.zeros(3 * units, np.float32) for _ in range(2))
-        weight, bias = draw(before, 3 * units, 1.0), next(biases)
+        weight = draw(before, 3 * units, 1.0)
+        bias = next(biases)
         bias[units : 2 * units] = 1.0  # it begins by remembering
         gated.append(Gated(weight, bias, back.astype(np.float32), next(biases)))
         before = units
@@ -156,7 +172,10 @@ def begin_network(rng: np.random.Generator) -> VisemeNetwork:
 
 
 def write_network(network: VisemeNetwork, path: Path) -> None:
-    """Writes the weights in 16 bits."""
+    """Writes the weights in 16 bits.
+
+    network: as trained; path: the file.
+    """
     stored: dict[str, np.ndarray] = {}
     for name, layer in (("first", network.first), ("last", network.last)):
         stored |= {f"{name}_weight": layer.weight, f"{name}_bias": layer.bias}

@@ -11,7 +11,9 @@ from omote.inputs.microphone.sound_features import HOP, SAMPLE_RATE
 from omote.perform.speech.visemes import SIL, VISEMES
 from tools.lips.spoken import Spoken, label_frames
 
-WINDOW, BANDS, COEFFICIENTS = 1024, 30, 12
+WINDOW = 1024
+BANDS = 30
+COEFFICIENTS = 12
 PRE_EMPHASIS = 0.97
 PHONES = ("aa", "I", "U", "E", "O", "nn")
 CALIBRATION_FRAMES = 16
@@ -28,7 +30,10 @@ class VowelProfiles:
 
 
 def measure_profiles(spoken: Spoken, sound: np.ndarray) -> VowelProfiles:
-    """Calibrated as well as can be: on frames from the middle of the phones whose times are known."""
+    """Calibrated as well as can be: on frames from the middle of the phones whose times are known.
+
+    spoken: speech and its phones; sound: its samples.
+    """
     coefficients, volumes = mel_coefficients(sound)
     labels = label_frames(spoken)[: len(coefficients)]
     means = []
@@ -42,7 +47,10 @@ def measure_profiles(spoken: Spoken, sound: np.ndarray) -> VowelProfiles:
 
 
 def read_visemes(profiles: VowelProfiles, sound: np.ndarray) -> np.ndarray:
-    """The weights of the 15 visemes of each frame of 10 ms; silence by volume."""
+    """The weights of the 15 visemes of each frame of 10 ms; silence by volume.
+
+    profiles: of the vowels; sound: samples.
+    """
     coefficients, volumes = mel_coefficients(sound)
     distance = np.sqrt(np.mean((coefficients[:, None] - profiles.means) ** 2, axis=2))
     scores = 10.0 ** (-np.minimum(distance, 300.0))

@@ -12,8 +12,8 @@ from numpy.typing import NDArray
 from omote.builtin import LANDMARK_TABLE, load_cast, load_identity_modes
 from omote.geometry.proximity import nearest_triangles
 from omote.inputs.camera.landmark_map import UNITS
+from omote.model.fitting.photographs.bundle_problem import measure_errors
 from omote.model.fitting.photographs.landmark_table import ON_SKIN
-from omote.model.fitting.photographs.view_errors import measure_errors
 from omote.perform.blending.evaluate import evaluate
 from omote.perform.frame import Frame
 from tools.photographs.observations import Observation, read_observations
@@ -23,9 +23,11 @@ Values = NDArray[np.float64]
 NODES = np.radians([-75.0, -50.0, -25.0, 0.0, 25.0, 50.0, 75.0])
 FRONT = np.radians(35.0)
 """From views turned less than this is learned where points lie."""
-BASIS, PERSON = 120, 40
+BASIS = 120
+PERSON = 40
 """How many directions errors have, and what is alike in all photographs of a person."""
-RIDGE, SURE = 300.0, 0.95
+RIDGE = 300.0
+SURE = 0.95
 """So many photographs say nothing of how errors go with modes; what is alike is told from so few people that it is
 taken a little smaller."""
 FLOOR = 0.0004
@@ -80,7 +82,9 @@ class Sample:
 
 def learn_errors(sample: Sample) -> dict[str, NDArray[np.floating]]:
     """The error's part of the table."""
-    near, means, slopes = hats(sample.yaws), [], []
+    near = hats(sample.yaws)
+    means = []
+    slopes = []
     left = sample.errors.copy()
     for node, weight in enumerate(near.T):
         mean, slope = _regress(sample, NODES[node], weight)
@@ -113,7 +117,8 @@ def _regress(sample: Sample, yaw: float, weight: Values) -> tuple[Values, Values
     one across the picture and one along it, and beside that by ridge regression."""
     turned = (sample.moves @ turn("y", yaw).T)[..., :2].reshape(len(sample.moves), -1)
     mean = weight @ sample.errors / weight.sum()
-    off, shown = sample.errors - mean, sample.modes @ turned
+    off = sample.errors - mean
+    shown = sample.modes @ turned
     slope = turned.copy()
     for axis in (slice(0, None, 2), slice(1, None, 2)):
         share = weight @ (off[:, axis] * shown[:, axis]).sum(axis=1) / (weight @ (shown[:, axis] ** 2).sum(axis=1))
@@ -130,8 +135,10 @@ def _whole(inside: Values, weight: Values) -> Values:
 def _persons(inside: Values, near: Values, whose: NDArray[np.integer]) -> Values:
     """What is alike in the errors (o, k) of one person's photographs, (n, k, q): principal directions of the covariance
     between different photographs of one person, over all nodes together."""
-    count, size = near.shape[1], inside.shape[1]
-    sums, pairs = np.zeros((count, size, count, size)), np.zeros((count, count))
+    count = near.shape[1]
+    size = inside.shape[1]
+    sums = np.zeros((count, size, count, size))
+    pairs = np.zeros((count, count))
     for who in np.unique(whose):
         rows = whose == who
         spread = near[rows][:, :, None] * inside[rows][:, None]

@@ -12,13 +12,14 @@ from scipy.ndimage import gaussian_filter
 from omote.builtin import load_cast, load_mask
 from omote.builtin.own_skin import SKIN_LAYERS
 from omote.interchange.formats.png import read_png
-from omote.model.fitting.shape.head_zones import head_zones
+from omote.model.fitting.head_zones import head_zones
 
 Values = NDArray[np.float64]
 
 STRONG = (1.6, 2.0, 1.0)
 """Lips and brows are painted so many times as strongly as the mask says, at most wholly."""
-SMEAR, SIDE = 2.0, 1024
+SMEAR = 2.0
+SIDE = 1024
 LINED = 0.9
 """Skin that less light reaches is the lining of an opening."""
 
@@ -28,7 +29,8 @@ def look_up_layers() -> tuple[NDArray[np.intp], Values]:
     cheeks (s, 3)."""
     cast = load_cast()
     assert cast.atlas is not None
-    space, atlas = cast.space, cast.atlas
+    space = cast.space
+    atlas = cast.atlas
     first = np.zeros(space.vertex_count, np.intp)
     first[atlas.source] = np.arange(len(atlas.source))
     rows = np.flatnonzero(head_zones(space).face[space.triangles].all(axis=1))

@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 
 from omote.builtin import load_cast, load_identity_modes
 from omote.inputs.camera.landmark_map import UNITS
-from omote.model.fitting.photographs.photograph_camera import PhotographCamera
+from omote.model.fitting.photographs.photograph import PhotographCamera
 from omote.model.space.similarity import fit_similarity
 from tools.photographs.sculpted_people import Sculpted, random_sculpted
 
@@ -62,7 +62,8 @@ def _observation(arrays: dict[str, Floats], row: int, person: Sculpted, weights:
 
 @cache
 def _mode_products() -> tuple[Values, Values]:
-    modes, sheet = load_identity_modes(), load_cast().space.on_sheet
+    modes = load_identity_modes()
+    sheet = load_cast().space.on_sheet
     moves = modes.moves[:, sheet].reshape(len(modes.moves), -1)
     matrix = moves @ moves.T
     return moves, matrix + np.eye(len(matrix)) * RIDGE**2 * np.trace(matrix) / len(matrix)
@@ -70,7 +71,8 @@ def _mode_products() -> tuple[Values, Values]:
 
 def find_weights(skin: Values) -> Values:
     """The weights (m,) of the modes of a known skin (V, 3), whatever its place and size."""
-    modes, sheet = load_identity_modes(), load_cast().space.on_sheet
+    modes = load_identity_modes()
+    sheet = load_cast().space.on_sheet
     moves, matrix = _mode_products()
     weights: Values = np.zeros(len(moves))
     for _ in range(6):

@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 
 from omote.builtin import load_cast
 from omote.inputs.camera.landmark_map import UNITS
-from omote.model.fitting.photographs.photograph_camera import PhotographCamera
+from omote.model.fitting.photographs.photograph import PhotographCamera
 from tools.photographs.photographer import Hits, Model, look_through, photograph
 from tools.photographs.sculpted_people import Sculpted, model_of, random_sculpted
 from tools.photographs.views import camera_at, random_focal
@@ -23,7 +23,8 @@ from tools.tracking.motions import random_talk
 from tools.tracking.picture import _meshes, random_setting
 from tools.tracking.rasterizer import SKIN
 
-PART, SIDE = 20, 384
+PART = 20
+SIDE = 384
 WIDEST = np.radians(80.0)
 NOBODY = np.float32(np.nan)
 
@@ -54,7 +55,9 @@ def observe_person(
 ) -> Sequence[tuple[NDArray[np.float32], ...]]:
     """Of each photograph in which a face was found: points (478, 3), weights of UNITS, camera (15,), and where
     the points lie on the generic skin (478, 3)."""
-    found, focal, setting = [], random_focal(draw), random_setting(draw)
+    found = []
+    focal = random_focal(draw)
+    setting = random_setting(draw)
     for yaw, pitch, roll in random_views(draw, count):
         weights = random_expression(draw)
         model = model_of(person, weights, random_gaze(draw, yaw))
@@ -83,7 +86,8 @@ def lift(points: NDArray[np.float32], hits: Hits, model: Model) -> NDArray[np.fl
     pixels = np.floor(points[:, :2] * SIDE).astype(int)
     inside = ((pixels >= 0) & (pixels < SIDE)).all(axis=1)
     at = np.clip(pixels, 0, SIDE - 1)
-    triangle, share = hits.triangle[at[:, 1], at[:, 0]], hits.shares[at[:, 1], at[:, 0]]
+    triangle = hits.triangle[at[:, 1], at[:, 0]]
+    share = hits.shares[at[:, 1], at[:, 0]]
     good = inside & (triangle >= 0)
     good &= model.material[np.maximum(triangle, 0)] == SKIN
     corners = generic[mesh.source[model.triangles[np.maximum(triangle, 0)]]]
@@ -102,7 +106,8 @@ def write_part(folder: Path, seed: int, numbers: range, views: int, finder: Look
         draw = np.random.default_rng([seed, number])
         person = random_sculpted(draw)
         found = observe_person(person, views, finder, draw)
-        rows, whose = rows + list(found), whose + [number] * len(found)
+        rows = rows + list(found)
+        whose = whose + [number] * len(found)
     points, weights, cameras, lifted = (np.array(each) for each in zip(*rows, strict=True))
     path = folder / f"{seed}-{numbers.start:05}.npz"
     np.savez(path, points=points, weights=weights, cameras=cameras, lifted=lifted, whose=whose, seed=seed)
@@ -119,7 +124,8 @@ def main() -> None:
     parser.add_argument("--views", type=int, default=10)
     asked = parser.parse_args()
     asked.folder.mkdir(parents=True, exist_ok=True)
-    finder, end = open_finder(), asked.first + asked.people
+    finder = open_finder()
+    end = asked.first + asked.people
     for first in range(asked.first, end, PART):
         write_part(asked.folder, asked.seed, range(first, min(first + PART, end)), asked.views, finder)
     finder.close()

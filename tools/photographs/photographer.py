@@ -7,7 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from omote.model.fitting.photographs.photograph_camera import PhotographCamera
+from omote.model.fitting.photographs.photograph import PhotographCamera
 from tools.tracking import rasterizer
 from tools.tracking.picture import Setting, _stretch
 
@@ -53,7 +53,8 @@ class Hits:
 def look_through(camera: PhotographCamera, model: Model, fine: int, lashes: float = 0.0) -> Hits:
     """What each pixel of a picture `fine` times as large shows of the model, without its hair."""
     size = (camera.height * fine, camera.width * fine)
-    depth, hit = np.full(size, rasterizer.FAR, np.float32), np.full(size, -1, np.int32)
+    depth = np.full(size, rasterizer.FAR, np.float32)
+    hit = np.full(size, -1, np.int32)
     shares = np.zeros((*size, 2), np.float32)
     seen = camera.view(model.points)
     screen = np.concatenate([camera.project(seen) * fine, -seen[:, 2:]], axis=1).astype(np.float32)
@@ -108,7 +109,8 @@ def _behind(camera: PhotographCamera, model: Model, setting: Setting, side: int)
     picture = _stretch(setting.room, side)
     chest = camera.project(camera.view(np.array([[0.0, -0.15, 0.0]])))[0] * FINE
     wide = 0.2 * camera.focal * FINE / float(-camera.shift[2])
-    rows, columns = np.arange(side, dtype=np.float32)[:, None], np.arange(side, dtype=np.float32)
+    rows = np.arange(side, dtype=np.float32)[:, None]
+    columns = np.arange(side, dtype=np.float32)
     across = ((columns - chest[0]) / wide) ** 2
     body = across + (np.minimum(rows - chest[1] - 0.5 * wide, 0) / (0.5 * wide)) ** 2 < 1
     picture[body] = setting.clothes

@@ -43,7 +43,8 @@ def random_sculpted(draw: np.random.Generator, spread: float = 1.1, warped: floa
     """A person of random weights of the identity modes, warped a little so that modes alone do not explain them."""
     modes = load_identity_modes()
     weights = spread * draw.standard_normal(len(modes.moves))
-    skin, parts = modes.shape_skin(weights), modes.shape_parts(weights)
+    skin = modes.shape_skin(weights)
+    parts = modes.shape_parts(weights)
     warp = random_warp(draw)
     warp = Warp(1.0 + warped * (warp.scale - 1.0), warp.centres, warped * warp.moves, warp.widths)
     face = Face(NAME, warp(skin), {name: warp(points) for name, points in parts.items()})
@@ -52,7 +53,8 @@ def random_sculpted(draw: np.random.Generator, spread: float = 1.1, warped: floa
 
 def dress(face: Face, draw: np.random.Generator) -> Sculpted:
     """The face in a random look."""
-    cast, look = load_cast(), random_looks(draw)
+    cast = load_cast()
+    look = random_looks(draw)
     named = Face(NAME, face.positions, face.parts)
     return Sculpted(named, cast.with_faces(named, looks={NAME: look}), look)
 

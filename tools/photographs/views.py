@@ -4,13 +4,14 @@ from __future__ import annotations
 
 import numpy as np
 
-from omote.model.fitting.photographs.photograph_camera import PhotographCamera
+from omote.model.fitting.photographs.photograph import PhotographCamera
 from tools.tracking.picture import turn
 
 FOCALS = (0.65, 2.2)
 """Of a lens, in widths of the picture: phones held near to portraits from afar."""
 FILLS = (0.4, 0.8)
-HEIGHT, NEAREST = 0.24, 0.35
+HEIGHT = 0.24
+NEAREST = 0.35
 MIDDLE = np.array([0.0, -0.005, 0.06])
 """What is brought to the middle of the picture, metres."""
 

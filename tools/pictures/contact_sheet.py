@@ -66,7 +66,8 @@ def expressions(cast: Cast) -> Picture:
 
 def shapes(cast: Cast) -> Picture:
     """Wide mouths, sums, and half way to the next face of the cast."""
-    faces, rows = list(cast.faces), []
+    faces = list(cast.faces)
+    rows = []
     for face, following in zip(faces, [*faces[1:], faces[0]], strict=True):
         half = {"face": f"{face}=0.5+{following}=0.5"}
         between: dict[str, Words] = {

@@ -21,20 +21,24 @@ from tools.baking.skin.raster import rasterise
 from tools.baking.write import png_bytes
 
 ROOT = Path(__file__).resolve().parents[2]
-SIZE, SMOOTHER = 1100, 2
-BACKGROUND, MEMBRANE = np.array([18.0, 18.0, 22.0]), np.array([226.0, 150.0, 40.0])
+SIZE = 1100
+SMOOTHER = 2
+BACKGROUND = np.array([18.0, 18.0, 22.0])
+MEMBRANE = np.array([226.0, 150.0, 40.0])
 
 
 def picture(space: ParameterSpace) -> NDArray[np.uint8]:
     """S as a picture (rows, columns, 4), one metre of h as long as one metre along the mean circle."""
-    corners, size = space.location_triangles, SIZE * SMOOTHER
+    corners = space.location_triangles
+    size = SIZE * SMOOTHER
     x, y = unwrap_corners(space.theta, corners), space.h[corners]
     metric = float(space.cylinder.unroll(space.points[space.on_sheet])[2].mean())
     scale = size / (2 * np.pi * metric)
     rows = int(np.ptp(y) * scale) + 1
     twice = [_place(x + shift, y, metric, scale) for shift in (-2 * np.pi, 0.0, 2 * np.pi)]
     owner, weights, _ = rasterise(np.concatenate(twice), size)
-    owner, weights = owner[:rows], weights[:rows]
+    owner = owner[:rows]
+    weights = weights[:rows]
     shown = owner >= 0
     triangle = owner[shown] % len(corners)
     slope = normals(space.points, space.triangles)[corners[triangle]]
@@ -52,12 +56,14 @@ def picture(space: ParameterSpace) -> NDArray[np.uint8]:
 
 
 def _place(x: NDArray[np.float64], y: NDArray[np.float64], metric: float, scale: float) -> NDArray[np.float64]:
-    column, row = (x + np.pi) * metric * scale, (y.max() - y) * scale
+    column = (x + np.pi) * metric * scale
+    row = (y.max() - y) * scale
     return np.stack([column, row, np.zeros_like(row)], axis=-1)
 
 
 def _smaller(full: NDArray[np.float64]) -> NDArray[np.uint8]:
-    rows, columns = full.shape[0] // SMOOTHER, full.shape[1] // SMOOTHER
+    rows = full.shape[0] // SMOOTHER
+    columns = full.shape[1] // SMOOTHER
     blocks = (
         full[: rows * SMOOTHER, : columns * SMOOTHER].reshape(rows, SMOOTHER, columns, SMOOTHER, 3).mean(axis=(1, 3))
     )

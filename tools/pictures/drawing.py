@@ -27,11 +27,12 @@ Words = dict[str, str]
 
 @dataclass(frozen=True)
 class Picture:
-    """A sheet in its setting, and the name of its file, without `.jpg`."""
+    """A sheet in its setting; the name of its file, without `.jpg`, and the folder of that."""
 
     name: str
     sheet: PictureGrid
     setting: Setting
+    folder: Path = PICTURES
 
 
 def grid_of(cast: Cast, rows: Sequence[tuple[str, Sequence[tuple[str, Words]]]]) -> PictureGrid:
@@ -61,7 +62,7 @@ async def _draw(pictures: Sequence[Picture], browser: Path) -> None:
     async with serve_pages(built_in_documents(), read_pages()) as address, open_chromium(browser) as tools:
         for picture in pictures:
             page = await open_picture_page(tools, address, picture.setting)
-            target = PICTURES / f"{picture.name}.jpg"
+            target = picture.folder / f"{picture.name}.jpg"
             write_whole(target, await page.draw(picture.sheet))
             await page.close()
-            print(f"docs/pictures/{target.name}: {target.stat().st_size // 1000} kB", file=sys.stderr, flush=True)
+            print(f"{target.name}: {target.stat().st_size // 1000} kB", file=sys.stderr, flush=True)

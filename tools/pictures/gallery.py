@@ -28,7 +28,8 @@ GAZES = ("-30,20", "0,20", "30,20", "-30,0", "0,0", "30,0", "-30,-25", "0,-25", 
 LIGHTS = ("theatre", "portrait", "flat", "theatre=0.5+portrait=0.5")
 MORPHS = (("kaori", "dog"), ("kaori", "old"), ("child", "man"), ("old", "cat"))
 STEPS = (0.0, 0.17, 0.33, 0.5, 0.67, 0.83, 1.0)
-BLUE, PAPER = "#2a5aa8", "#cfc6b4"
+BLUE = "#2a5aa8"
+PAPER = "#cfc6b4"
 
 
 def expressions(cast: Cast, face: str) -> Picture:

@@ -53,7 +53,8 @@ def record_extraction(recording: Recording) -> None:
         cast = cast_under(transfer)
         for face, name in product(WORN, TAKEN):
             if name in cast.expressions:
-                wearer, worn = cast.faces[face], cast.expressions[name]
+                wearer = cast.faces[face]
+                worn = cast.expressions[name]
                 moved = compound(cast.space, wearer, worn).astype(np.float64) - wearer.positions
                 found = compound_parts(cast.space, wearer, worn)
                 parts = {part: points - wearer.parts[part] for part, points in found.items()}
@@ -78,8 +79,10 @@ def _record_radii(recording: Recording) -> None:
 
 def record_recipes(recording: Recording) -> None:
     """Nets, muscles, regions, mirror images and seeded random recipes."""
-    cast, rng = load_cast(), np.random.default_rng(SEED)
-    space, net = cast.space, default_net(cast.space)
+    cast = load_cast()
+    rng = np.random.default_rng(SEED)
+    space = cast.space
+    net = default_net(cast.space)
     recording.numbers("control nets", "default net", np.array(net))
     weave = build_net_field(space, net)
     recording.numbers("control nets", "woven", weave.net.triangles, weave.net.corners, weave.net.weights)
@@ -126,11 +129,14 @@ def random_recipe(cast: Cast, net: tuple[int, ...], rng: np.random.Generator) ->
 
 def record_solves(recording: Recording) -> None:
     """Control points dragged to targets, and how faces answer to fields."""
-    cast, rng = load_cast(), np.random.default_rng(SEED)
-    space, net = cast.space, default_net(cast.space)
+    cast = load_cast()
+    rng = np.random.default_rng(SEED)
+    space = cast.space
+    net = default_net(cast.space)
     for name, face in cast.faces.items():
         recording.numbers("tangents", name, tangents(space, face))
-    weave, rest = build_net_field(space, net), ((0.0, 0.0, 1.0),) * len(net)
+    weave = build_net_field(space, net)
+    rest = ((0.0, 0.0, 1.0),) * len(net)
     for place, face in product(range(SOLVES), WORN[:2]):
         under = compose_expression(space, random_recipe(cast, net, rng), cast.expressions)
         points = sorted(rng.choice(len(net), size=1 + place % 3, replace=False).tolist())
@@ -172,7 +178,8 @@ def record_faces(recording: Recording) -> None:
 
 
 def _record_handles(recording: Recording, cast: Cast) -> None:
-    rng, handles = np.random.default_rng(SEED), default_handles(cast.space)
+    rng = np.random.default_rng(SEED)
+    handles = default_handles(cast.space)
     rows = [handle.row for handle in handles]
     recording.data("handles", "default", repr([(each.label, each.row, each.mirror) for each in handles]).encode())
     sources = {name: FaceWithLook(cast.faces[name], cast.looks[name]) for name in cast.faces}

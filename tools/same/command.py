@@ -73,7 +73,8 @@ def record(parts: Sequence[str]) -> Recording:
     os.environ.update(STILL)
     from omote.builtin import load_cast
 
-    whole, began = Recording(), time.monotonic()
+    whole = Recording()
+    began = time.monotonic()
     todo = jobs([*load_cast().faces], parts)
     with ProcessPoolExecutor(os.cpu_count(), mp_context=get_context("spawn")) as pool:
         running: Mapping[Future[Recording], Job] = {pool.submit(recorded, job): job for job in todo}

@@ -71,7 +71,8 @@ def record_fits(recording: Recording) -> None:
         for name, face in cast_under(transfer).faces.items():
             fitted = fit(space, face)
             sizes = [np.asarray(fitted.sizes[part]) for part in space.parts]
-            parts, centres = _in_order(fitted.parts), _in_order(fitted.centres)
+            parts = _in_order(fitted.parts)
+            centres = _in_order(fitted.centres)
             skin = [fitted.positions, fitted.radii, fitted.scale]
             recording.numbers("faces fitted", f"{transfer} {name}", *skin, *sizes, *parts, *centres)
 
@@ -82,20 +83,29 @@ def _record_space(recording: Recording, key: str, space: ParameterSpace) -> None
     recording.numbers("spaces", key, *arrays, space.on_sheet, space.welded, *inner, *(x.loop for x in space.lines))
     for name, part in space.parts.items():
         recording.numbers("spaces", f"{key} {name}", part.points, part.triangles, part.anchors, part.weights)
-    settling = find_corrective_regions(space)
-    if settling is not None:
-        crossings = [y for x in settling.crossings for y in (x.vertices, x.weights, x.near, x.side, x.share)]
-        own = [settling.rows, settling.triangles, settling.lids, settling.eye, settling.followers, settling.anchors]
-        recording.numbers("corrective regions", key, *own, settling.weights, *crossings)
+    correctives = find_corrective_regions(space)
+    if correctives is not None:
+        crossings = [y for x in correctives.crossings for y in (x.vertices, x.weights, x.near, x.side, x.share)]
+        own = [
+            correctives.rows,
+            correctives.triangles,
+            correctives.lids,
+            correctives.eye,
+            correctives.followers,
+            correctives.anchors,
+        ]
+        recording.numbers("corrective regions", key, *own, correctives.weights, *crossings)
 
 
 def record_frames(recording: Recording, mode: Literal["bilinear", "exact"], transfer: Transfer) -> None:
     """Seeded random frames, skin and parts, correctives of sums included."""
-    cast, rng = cast_under(transfer), np.random.default_rng([SEED, len(mode), len(transfer)])
+    cast = cast_under(transfer)
+    rng = np.random.default_rng([SEED, len(mode), len(transfer)])
     faces, expressions = pool(cast, rng)
     for place in range(FRAMES):
         frame = random_frame(faces, expressions, rng)
-        skin, parts = evaluate(cast, frame, mode), evaluate_parts(cast, frame, mode)
+        skin = evaluate(cast, frame, mode)
+        parts = evaluate_parts(cast, frame, mode)
         recording.numbers(f"frames {mode} {transfer}", f"{place:02d}", skin, *_in_order(parts))
 
 

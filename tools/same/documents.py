@@ -14,7 +14,7 @@ from omote.model.controls.default_net import default_net
 from omote.model.recipes.compose_expression import compose_expression
 from omote.model.recipes.recipe import KEY, Recipe
 from omote.server.workers.order_worker import CompoundOrder, FaceOrder, HandlesOrder, OrderWorker, TangentsOrder
-from omote.show.messages import ContentAsset
+from omote.show.cast_documents import ContentAsset
 from omote.show.wire import encode
 from omote.showfile.contents import unpack_expression, unpack_face
 from omote.stage_data.assets import documents
@@ -32,7 +32,8 @@ SCENES = {"kaori": "performed", "dog": "smile,jawOpen,eyeBlinkLeft,eyeLookOutLef
 
 def record_documents(recording: Recording) -> None:
     """Manifest, assets of faces and hair, compounds, tangents, handles, the greeting of editors."""
-    cast, bench = load_cast(), OrderWorker(load_cast())
+    cast = load_cast()
+    bench = OrderWorker(load_cast())
     made = documents(cast, load_meshes(), mask="/assets/mask")
     recording.data("documents", "digest", cast.digest.encode())
     recording.data("documents", "manifest", encode(made.manifest))
@@ -73,7 +74,8 @@ def _record_own(recording: Recording, bench: OrderWorker) -> None:
 
 def record_scenes(recording: Recording) -> None:
     """GLB files, and what becomes of them when they are read again."""
-    cast, meshes = load_cast(), load_meshes()
+    cast = load_cast()
+    meshes = load_meshes()
     bench = ExportContext(cast, meshes, load_mask())
     for face, words in SCENES.items():
         poses = [(name, named_compound_meshes(cast, face, name)) for name in choose_expressions(cast, words)]
@@ -85,7 +87,8 @@ def record_scenes(recording: Recording) -> None:
 
 def _record_words(recording: Recording) -> None:
     """Poses in words, and what is refused where nobody is connected."""
-    cast, rest = load_cast(), ((0.0, 0.0, 1.0),) * 3
+    cast = load_cast()
+    rest = ((0.0, 0.0, 1.0),) * 3
     words = {
         "pose": ("kaori=0.6+dog=0.4", "smile=0.5+laugh=0.5", "jawOpen=0.3", "12,-4", "8"),
         "no face": ("x", "smile", "", "", ""),
@@ -105,7 +108,8 @@ def _record_words(recording: Recording) -> None:
 
 
 def _record_import(recording: Recording, face: str, pieces: tuple[Piece, ...]) -> None:
-    cast, meshes = load_cast(), load_meshes()
+    cast = load_cast()
+    meshes = load_meshes()
     for place, piece in enumerate(pieces):
         moves = [piece.moves[name] for name in piece.moves]
         recording.numbers("GLB read", f"{face} {place} {piece.name}", piece.points, *moves, every=97)

@@ -32,7 +32,7 @@ from omote.interchange.formats.expression_json import encode as expression_bytes
 from omote.model.cast import Cast
 from omote.model.controls.default_net import default_net
 from omote.model.recipes.recipe import Recipe
-from omote.showfile.changes import PutLayout
+from omote.showfile.changes import StoredDocument
 from omote.showfile.inspection import verdicts
 from omote.showfile.show_file import ShowFile, open_show
 from omote.stage_data.playing_cast import build_playing_cast
@@ -44,7 +44,8 @@ WALL = 1.75e9
 STEPS = 450
 PAGES = {"ann": "ann", "ann's other window": "ann", "bob": "bob", "stranger": "eve"}
 BROKEN = (b"", b"\xff" * 100, b"\x00" * 65537, b"\x80", b"\x81\xa4type\xa5dance", b"\x81\xa4type\xa5greet")
-LATE, LOST = 0.25, 0.04
+LATE = 0.25
+LOST = 0.04
 """How often an order waits for a while, and how often nothing, or nonsense, comes of it."""
 
 
@@ -94,7 +95,8 @@ class House:
 
     def _record(self, key: str, outcome: Outcome) -> None:
         self.outcomes += 1
-        key, recording = f"{key} {self.outcomes:04d}", self.recording
+        key = f"{key} {self.outcomes:04d}"
+        recording = self.recording
         replies = []
         for place, each in enumerate(outcome.replies):
             plain, text = without_sentence(each.message)
@@ -143,7 +145,7 @@ def record_session(recording: Recording) -> None:
                 house.session = _session(cast, file, net)
             _step(house, f"{step:03d}")
         house.work("at the end")
-        file.apply([PutLayout("console", b"{}")])
+        file.apply([StoredDocument("layout", "console", b"{}")])
         _record_cast(house)
         _record_import(house)
         file.close()
@@ -155,7 +157,8 @@ def _session(cast: Cast, file: ShowFile, net: tuple[int, ...]) -> EditSession:
 
 
 def _step(house: House, key: str) -> None:
-    script, rng = house.script, house.script.rng
+    script = house.script
+    rng = house.script.rng
     who = script.one(*PAGES, *["ann", "bob"] * 5)
     on_air = OnAir({"kaori": 0.75, "dog": 0.25}, {"smile": 0.5, "neutral": 0.5}, {"jawOpen": 0.3}, frozenset({"grin"}))
     if who not in house.session.crew and who != "stranger":
@@ -176,7 +179,8 @@ def _step(house: House, key: str) -> None:
 
 def _keep(house: House, on_air: OnAir, key: str) -> Outcome:
     script = house.script
-    kind, label = script.one("face", "expression"), script.one(None, "Kept")
+    kind = script.one("face", "expression")
+    label = script.one(None, "Kept")
     return keep_on_air(
         house.session,
         "face" if kind == "face" else "expression",
@@ -190,7 +194,8 @@ def _keep(house: House, on_air: OnAir, key: str) -> Outcome:
 
 def _record_cast(house: House) -> None:
     """What plays then: the cast's digest, and every content's bytes."""
-    session, recording = house.session, house.recording
+    session = house.session
+    recording = house.recording
     for key, data in sorted(session.contents.items()):
         recording.data("editing: contents", key, data)
     troupe = build_playing_cast(house.cast, session.own(), session.contents)
@@ -200,8 +205,12 @@ def _record_cast(house: House) -> None:
 
 def _record_import(house: House) -> None:
     """Expressions mailed, read again and adopted, own and built-in ones."""
-    cast, file, recording = house.cast, house.file, house.recording
-    stored, contents, arrivals = file.stored(), file.contents(), []
+    cast = house.cast
+    file = house.file
+    recording = house.recording
+    stored = file.stored()
+    contents = file.contents()
+    arrivals = []
     own = [item.name for item in stored.items if item.kind == "expression" and item.head]
     for name in (*own[:4], "smile", "eyeBlinkLeft"):
         document = export_document(cast, stored, contents, name)

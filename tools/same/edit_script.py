@@ -14,7 +14,7 @@ from omote.model.controls.face_muscles import muscle_fields
 from omote.model.recipes.face_handles import default_handles
 from omote.model.recipes.recipe import FaceRecipe, Layer, Pull
 from omote.model.space.head_regions import REGIONS
-from omote.show.messages import Message
+from omote.show.declaration import Message
 
 Value = TypeVar("Value")
 

@@ -132,7 +132,8 @@ def compared(before: Recording, after: Recording, groups: Iterable[str]) -> list
 
 
 def _difference(before: Recording, after: Recording, group: str) -> Difference:
-    old, new = before.hashes.get(group, {}), after.hashes.get(group, {})
+    old = before.hashes.get(group, {})
+    new = after.hashes.get(group, {})
     changed = tuple(key for key in old if key in new and old[key] != new[key])
     names = [name for key in changed if (name := f"{group}|{key}") in before.samples and name in after.samples]
     return Difference(

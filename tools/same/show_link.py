@@ -14,8 +14,24 @@ from omote.builtin import load_cast
 from omote.model.cast import Cast
 from omote.model.space.expression import Expression
 from omote.perform.easing import EASINGS
-from omote.show import messages as wire
-from omote.show.outgoing import Outgoing
+from omote.show.declaration import Message, Outgoing
+from omote.show.messages import PROTOCOL_VERSION
+from omote.show.objects.calls import (
+    CallExpression,
+    CallFace,
+    FadeExpression,
+    FadeFace,
+    Panic,
+    ReleaseExpression,
+    ReleaseFace,
+    SetHome,
+)
+from omote.show.objects.faders import SetChannel, SetGaze, SetHead
+from omote.show.objects.items import KeepExpression, KeepFace
+from omote.show.objects.layouts import SetLayout
+from omote.show.objects.link import Hello, Ping, Refused, Role
+from omote.show.objects.pictures import CallLight
+from omote.show.objects.stages import Drawing
 from omote.show.session import ShowSession
 from omote.show.wire import encode
 from omote.showfile.changes import content_key
@@ -28,7 +44,7 @@ STEPS = 900
 CLIENTS = ("stage one", "stage two", "console one", "console two", "stranger")
 BROKEN = (b"", b"\xff" * 40, b"\x00" * 5000, b"\x80", b"\x81\xa4type\xa5dance", b"\x81\xa4type\xa5hello")
 Value = TypeVar("Value")
-ROLES: tuple[wire.Role, ...] = ("stage", *("console",) * 7)  # most hellos leave a console a console
+ROLES: tuple[Role, ...] = ("stage", *("console",) * 7)  # most hellos leave a console a console
 
 STRANGE = (math.nan, math.inf, -math.inf, 1e300, -7.0, 90.0)
 
@@ -83,34 +99,34 @@ class Script:
         """The name of an easing, seldom of none."""
         return self.one(*EASINGS, *EASINGS, "bouncy")
 
-    def message(self) -> wire.Message:
+    def message(self) -> Message:
         """What a client sends."""
         kinds = [*MESSAGES]
         weights = np.array([WEIGHT.get(kind, 1.0) for kind in kinds])
         return MESSAGES[kinds[int(self.rng.choice(len(kinds), p=weights / weights.sum()))]](self)
 
 
-MESSAGES: dict[str, Callable[[Script], wire.Message]] = {
-    "hello": lambda s: wire.Hello(s.one(*ROLES), s.one(1, 1, 1, 2)),
-    "call_face": lambda s: wire.CallFace("one", s.call(), s.face(), s.seconds(), s.easing()),
-    "call_expression": lambda s: wire.CallExpression("one", s.call(), s.expression(), s.seconds(), s.easing()),
-    "call_light": lambda s: wire.CallLight(
+MESSAGES: dict[str, Callable[[Script], Message]] = {
+    "hello": lambda s: Hello(s.one(*ROLES), s.one(1, 1, 1, 2)),
+    "call_face": lambda s: CallFace("one", s.call(), s.face(), s.seconds(), s.easing()),
+    "call_expression": lambda s: CallExpression("one", s.call(), s.expression(), s.seconds(), s.easing()),
+    "call_light": lambda s: CallLight(
         s.call(), s.one("theatre", "portrait", "flat", "moon"), s.number(0.0, 3.0), s.easing()
     ),
-    "fade_face": lambda s: wire.FadeFace("one", s.number(0.0, 1.0)),
-    "release_face": lambda _: wire.ReleaseFace("one"),
-    "fade_expression": lambda s: wire.FadeExpression("one", s.number(0.0, 1.0)),
-    "release_expression": lambda _: wire.ReleaseExpression("one"),
-    "set_channel": lambda s: wire.SetChannel("one", s.expression(), s.one(0.0, s.number(-0.5, 1.5))),
-    "set_head": lambda s: wire.SetHead("one", s.number(-1.5, 1.5), s.number(-1.5, 1.5), s.number(-1.5, 1.5)),
-    "set_gaze": lambda s: wire.SetGaze("one", s.number(-1.5, 1.5), s.number(-1.5, 1.5)),
-    "panic": lambda _: wire.Panic("one"),
-    "set_home": lambda s: wire.SetHome("one", s.face(), s.number(0.0, 5.0)),
-    "keep_face": lambda s: wire.KeepFace("one", s.call()),
-    "keep_expression": lambda s: wire.KeepExpression("one", s.call()),
-    "set_layout": lambda s: wire.SetLayout("console", f'{{"columns": {s.rng.integers(9)}}}'),
-    "ping": lambda s: wire.Ping(s.number(0.0, 1e6)),
-    "drawing": lambda s: wire.Drawing(s.number(1.0, 120.0), s.one("lowest", "low", "medium", "good", "high")),
+    "fade_face": lambda s: FadeFace("one", s.number(0.0, 1.0)),
+    "release_face": lambda _: ReleaseFace("one"),
+    "fade_expression": lambda s: FadeExpression("one", s.number(0.0, 1.0)),
+    "release_expression": lambda _: ReleaseExpression("one"),
+    "set_channel": lambda s: SetChannel("one", s.expression(), s.one(0.0, s.number(-0.5, 1.5))),
+    "set_head": lambda s: SetHead("one", s.number(-1.5, 1.5), s.number(-1.5, 1.5), s.number(-1.5, 1.5)),
+    "set_gaze": lambda s: SetGaze("one", s.number(-1.5, 1.5), s.number(-1.5, 1.5)),
+    "panic": lambda _: Panic("one"),
+    "set_home": lambda s: SetHome("one", s.face(), s.number(0.0, 5.0)),
+    "keep_face": lambda s: KeepFace("one", s.call()),
+    "keep_expression": lambda s: KeepExpression("one", s.call()),
+    "set_layout": lambda s: SetLayout("console", f'{{"columns": {s.rng.integers(9)}}}'),
+    "ping": lambda s: Ping(s.number(0.0, 1e6)),
+    "drawing": lambda s: Drawing(s.number(1.0, 120.0), s.one("lowest", "low", "medium", "good", "high")),
 }
 WEIGHT = {
     "hello": 0.5, "call_face": 4.0, "call_expression": 5.0, "fade_face": 3.0, "fade_expression": 3.0, "panic": 0.4,
@@ -121,12 +137,15 @@ WEIGHT = {
 def record_session(recording: Recording) -> None:
     """A whole show: commands, states, what is kept, another cast, and a restart in the middle."""
     cast = load_cast()
-    session, script, now = ShowSession(cast, epoch=3), Script(cast, np.random.default_rng(SEED)), 100.0
+    session = ShowSession(cast, epoch=3)
+    script = Script(cast, np.random.default_rng(SEED))
+    now = 100.0
     for place, client in enumerate(CLIENTS[:4]):
-        hello = encode(wire.Hello("stage" if place < 2 else "console", wire.PROTOCOL_VERSION))
+        hello = encode(Hello("stage" if place < 2 else "console", PROTOCOL_VERSION))
         _record_answers(recording, f"greeting {client}", session.receive_bytes(client, hello, now))
     for step in range(STEPS):
-        key, now = f"{step:04d}", now + float(script.rng.exponential(0.15))
+        key = f"{step:04d}"
+        now = now + float(script.rng.exponential(0.15))
         if step == STEPS // 3:
             changed = session.recast(own_troupe(cast))
             recording.data("show: messages", f"{key} recast", encode(changed))
@@ -140,7 +159,7 @@ def _step(recording: Recording, session: ShowSession, script: Script, key: str, 
     rng = script.rng
     who = script.one(*CLIENTS, *CLIENTS[2:4] * 6)
     if who not in session.crew and who != CLIENTS[-1]:
-        data = encode(wire.Hello("stage" if "stage" in who else "console", wire.PROTOCOL_VERSION))
+        data = encode(Hello("stage" if "stage" in who else "console", PROTOCOL_VERSION))
         _record_answers(recording, f"{key} joins", session.receive_bytes(who, data, now))
     data = encode(script.message()) if rng.random() < 0.93 else script.one(*BROKEN, rng.bytes(30))
     recording.data("show: sent by the script", key, data)
@@ -164,9 +183,7 @@ def _restarted(recording: Recording, session: ShowSession) -> ShowSession:
     for client, member in session.crew.items():
         if member.role == "source":
             continue  # it says no hello
-        _record_answers(
-            recording, f"again {client}", again.receive_bytes(client, encode(wire.Hello(member.role, 1)), 0.0)
-        )
+        _record_answers(recording, f"again {client}", again.receive_bytes(client, encode(Hello(member.role, 1)), 0.0))
     return again
 
 
@@ -175,9 +192,9 @@ def _record_answers(recording: Recording, key: str, answers: Iterable[Outgoing])
     plain = []
     for place, each in enumerate(answers):
         message = each.message
-        if isinstance(message, wire.Refused):
+        if isinstance(message, Refused):
             recording.sentence(f"show {key} {place}", message.reason)
-            message = wire.Refused("")
+            message = Refused("")
         plain.append((each.who, encode(message)))
     recording.data("show: messages", key, repr(plain).encode())
 

@@ -31,7 +31,8 @@ SETTING = Setting(320, 240, quality="low")
 
 def record_stage(recording: Recording) -> None:
     """The positions of every pose, rounded to a micrometre; all of them are kept."""
-    cast, rng = load_cast(), np.random.default_rng(SEED)
+    cast = load_cast()
+    rng = np.random.default_rng(SEED)
     faces, expressions = pool(cast, rng)
     frames = [random_frame(faces, expressions, rng) for _ in range(POSES)]
     for place, found in enumerate(asyncio.run(_drawn([pose_of(cast, frame) for frame in frames]))):

@@ -27,7 +27,10 @@ def find_mirror(face: Values) -> Rows:
 
 
 def mirror_face(faces: Values, pairs: Rows) -> Values:
-    """Faces (..., 478, 3) in the mirror."""
+    """Faces (..., 478, 3) in the mirror.
+
+    faces: x to one side; pairs (478,): the row of each point's other side.
+    """
     result: Values = faces[..., pairs, :] * ACROSS
     return result
 
@@ -43,7 +46,9 @@ def mirror_measures() -> tuple[Rows, Values]:
 
 def mirror_pose() -> Values:
     """The signs of the terms of a pose: yaw, roll and place right turn round."""
-    yaw, pitch, roll = -1.0, 1.0, -1.0
+    yaw = -1.0
+    pitch = 1.0
+    roll = -1.0
     return np.array([yaw, pitch, roll, -1.0, 1.0, 1.0, 1.0, 1.0, 1.0, yaw * pitch, yaw * roll, pitch * roll])
 
 

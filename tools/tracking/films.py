@@ -23,7 +23,11 @@ RATE = 30
 def film(
     draw: np.random.Generator, take: Path | None, *, take_frames: int = 150, mixtures: int = 40
 ) -> list[tuple[str, Moment]]:
-    """Frames of one performer: the name of the scene, and what they do."""
+    """Frames of one performer: the name of the scene, and what they do.
+
+    draw: of all that is random; take: a recording of Live Link Face, None for a synthetic one; take_frames, mixtures:
+    how many frames of each.
+    """
     scenes = [("neutral", still(draw, Pose(tuple(draw.normal(0, 0.03, 3)), (0.0, 0.0, 0.0)))) for _ in range(20)]
     scenes += guided(draw)
     scenes += [("take", moment) for moment in (real_take(draw, take, take_frames) if take else talk(draw, take_frames))]
@@ -41,7 +45,10 @@ def film(
 
 
 def still(draw: np.random.Generator, pose: Pose) -> Moment:
-    """A face at rest that holds almost still."""
+    """A face at rest that holds almost still.
+
+    draw: of what trembles; pose: of the head.
+    """
     turned = np.array(pose.head) + draw.normal(0, 0.004, 3)
     return Moment({}, tuple(draw.normal(0, 0.02, 2)), Pose(tuple(turned), tuple(draw.normal(0, 0.0006, 3))))
 
@@ -77,7 +84,10 @@ def small_pose_of(draw: np.random.Generator) -> Pose:
 
 
 def head_path(draw: np.random.Generator, frames: int) -> list[Pose]:
-    """Poses (radians, metres) that wander to 30 degrees, smoothly."""
+    """Poses (radians, metres) that wander to 30 degrees, smoothly.
+
+    draw: of the way; frames: how many.
+    """
     at = np.arange(frames) / RATE
     most = np.radians([30.0, 15.0, 10.0])
     turns = np.zeros((frames, 3))
@@ -95,11 +105,15 @@ def head_path(draw: np.random.Generator, frames: int) -> list[Pose]:
 
 
 def talk(draw: np.random.Generator, frames: int) -> list[Moment]:
-    """A synthetic take: from one moment of talk to the next, each a tenth to half a second away."""
+    """A synthetic take: from one moment of talk to the next, each a tenth to half a second away.
+
+    draw: of the moments; frames: how many.
+    """
     found: list[dict[str, float]] = []
     last = random_talk(draw)
     while len(found) < frames:
-        aim, steps = random_talk(draw), int(draw.integers(3, 14))
+        aim = random_talk(draw)
+        steps = int(draw.integers(3, 14))
         for step in range(steps):
             share = 0.5 - 0.5 * np.cos(np.pi * step / steps)
             found.append({n: float((1 - share) * last.get(n, 0.0) + share * aim.get(n, 0.0)) for n in {*last, *aim}})
@@ -109,7 +123,10 @@ def talk(draw: np.random.Generator, frames: int) -> list[Moment]:
 
 
 def gaze_path(draw: np.random.Generator, frames: int) -> list[tuple[float, float]]:
-    """Fixations of a quarter of a second to one and a half."""
+    """Fixations of a quarter of a second to one and a half.
+
+    draw: of the fixations; frames: how many.
+    """
     looks: list[tuple[float, float]] = []
     while len(looks) < frames:
         looks += [random_look(draw)] * int(draw.integers(8, 45))
@@ -117,12 +134,16 @@ def gaze_path(draw: np.random.Generator, frames: int) -> list[tuple[float, float
 
 
 def blinks(draw: np.random.Generator, frames: int) -> list[Moment]:
-    """A face that talks a little and blinks each second or two: shut within 3-4 frames, open within 5-7."""
+    """A face that talks a little and blinks each second or two: shut within 3-4 frames, open within 5-7.
+
+    draw: of the times; frames: how many.
+    """
     moments = talk(draw, frames)
     lids = np.zeros(frames)
     at = int(draw.integers(8, 25))
     while at < frames - 12:
-        down, up = int(draw.integers(2, 5)), int(draw.integers(4, 8))
+        down = int(draw.integers(2, 5))
+        up = int(draw.integers(4, 8))
         shape = np.concatenate(
             [np.linspace(0, 1, down + 1)[1:], np.ones(int(draw.integers(1, 3))), np.linspace(1, 0, up + 1)[1:]]
         )
@@ -139,7 +160,10 @@ def blinks(draw: np.random.Generator, frames: int) -> list[Moment]:
 
 
 def real_take(draw: np.random.Generator, path: Path, frames: int) -> list[Moment]:
-    """A piece of a take of Live Link Face at 30 Hz, with a head of ours, that turns further."""
+    """A piece of a take of Live Link Face at 30 Hz, with a head of ours, that turns further.
+
+    draw: of where it begins; path: the recording; frames: how many.
+    """
     rows = _take_rows(path)
     first = int(draw.integers(0, len(rows) - 2 * frames))
     poses = head_path(draw, frames)

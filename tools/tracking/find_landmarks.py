@@ -22,7 +22,8 @@ MODELS = {
 
 def unpack_models(packed: Path) -> None:
     """Puts the package's models in the place of the wheel's."""
-    data, folder = packed.read_bytes(), Path(mediapipe.__file__).parent / "modules"
+    data = packed.read_bytes()
+    folder = Path(mediapipe.__file__).parent / "modules"
     for name, (first, end) in MODELS.items():
         model = folder / name
         if model.read_bytes() != data[first:end]:

@@ -23,7 +23,10 @@ from tools.tracking.picture import SIZE, Pose, turn
 
 Values = NDArray[np.float64]
 OBSERVATIONS = Path(__file__).with_name("observations.npz")
-EVEN, ODD, REST_EVEN, REST_ODD = 76, 52, 15, 7
+EVEN = 76
+ODD = 52
+REST_EVEN = 15
+REST_ODD = 7
 STEPS = 20.0
 """Of a feature's spread; beyond six spreads it is cut."""
 FARTHEST = 0.8
@@ -69,7 +72,10 @@ def rest_of(faces: list[Values]) -> Values:
 
 
 def seen_turns(heads: Values, at_rest: list[int], tilt: float) -> Values:
-    """How far heads (n, 3) are turned from rest about the camera's axes, which is all that it can see."""
+    """How far heads (n, 3) are turned from rest about the camera's axes, which is all that it can see.
+
+    at_rest: rows of heads; tilt: of the camera, radians.
+    """
     level = turn("x", tilt)
     mean = heads[at_rest].mean(axis=0)
     back = (level @ Pose((mean[0], mean[1], mean[2])).rotation()).T
@@ -102,14 +108,18 @@ def compress(people: list[Seen]) -> tuple[Compression, NDArray[np.intp], Values]
     signs = [np.repeat([1.0, -1.0], counts) for counts in ((EVEN, ODD), (REST_EVEN, REST_ODD))]
     order, sign = mirror_features(*signs)
     both = np.concatenate([raw, raw[:, order] * sign])
-    centre, spread = both.mean(axis=0), both.std(axis=0) + 1e-6
+    centre = both.mean(axis=0)
+    spread = both.std(axis=0) + 1e-6
     found = Compression(moved_mean, moved, rest_mean, rest, centre.astype(np.float32), spread.astype(np.float32))
     return found, order, sign
 
 
 def components(points: Values, pairs: NDArray[np.intp], even: int, odd: int) -> tuple[NDArray[np.float32], ...]:
     """Mean and principal components (1434, even + odd) of points (n, 478, 3): first those that are the same in the
-    mirror, then those that turn round there."""
+    mirror, then those that turn round there.
+
+    pairs (478,): the row of each point's other side; even, odd: how many of each kind.
+    """
     flat = points.reshape(len(points), -1)
     other = mirror_face(points, pairs).reshape(len(points), -1)
     mean = 0.5 * (flat + other).mean(axis=0)

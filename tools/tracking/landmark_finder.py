@@ -55,10 +55,13 @@ def find(finder: Looks, picture: NDArray[np.uint8]) -> Points | None:
 
     The model looks where the face was in the picture before: it is shown the same one until it has settled there, as it
     has in a film.
+
+    finder: the model; picture (h, w, 3).
     """
     points = finder.look(picture)
     for _ in range(MOST_LOOKS - 1):
-        before, points = points, finder.look(picture)
+        before = points
+        points = finder.look(picture)
         if points is None or (before is not None and _moved(before, points) * len(picture) < SETTLED):
             break
     return points

@@ -61,7 +61,10 @@ class Moment:
 
 
 def spread(groups: dict[str, float], draw: np.random.Generator, uneven: float = 0.12) -> dict[str, float]:
-    """Weights of units from weights of groups: a pair's sides differ a little."""
+    """Weights of units from weights of groups: a pair's sides differ a little.
+
+    groups: weights by group; draw: of the difference; uneven: its spread, of a weight.
+    """
     found: dict[str, float] = {}
     for group, weight in groups.items():
         if group in PAIRS:
@@ -89,7 +92,10 @@ def random_mixture(draw: np.random.Generator) -> dict[str, float]:
 
 
 def bound(weights: dict[str, float], draw: np.random.Generator) -> dict[str, float]:
-    """Weights that a face can wear together: lips close what the jaw has opened, eyes are wide or shut."""
+    """Weights that a face can wear together: lips close what the jaw has opened, eyes are wide or shut.
+
+    weights: by unit, 0 to 1; draw: of what gives way.
+    """
     if "mouthClose" in weights and draw.random() < 0.85:
         weights["mouthClose"] = min(weights["mouthClose"], weights.get("jawOpen", 0.0))
     for side in ("Left", "Right"):

@@ -10,7 +10,8 @@ from numpy.typing import NDArray
 
 Floats = NDArray[np.float32]
 BATCH = 256
-FIRST, SECOND = 0.9, 0.998
+FIRST = 0.9
+SECOND = 0.998
 """How much of the gradients' means is kept."""
 
 
@@ -48,8 +49,13 @@ class Network:
         return [*self.weights, *self.offsets, self.linear]
 
     def forward(self, features: Floats, draw: np.random.Generator, drop: float) -> Floats:
-        """Outputs of a batch; keeps what `backward` needs."""
-        self._inputs, self._slopes, hidden = [features], [], features
+        """Outputs of a batch; keeps what `backward` needs.
+
+        features (n, f); draw: of the units that are left out; drop: their share.
+        """
+        self._inputs = [features]
+        self._slopes = []
+        hidden = features
         for weights, offsets in zip(self.weights[:-1], self.offsets[:-1], strict=True):
             values = hidden @ weights + offsets
             gate = 1.0 / (1.0 + np.exp(-np.clip(values, -30.0, 30.0)))
@@ -63,7 +69,8 @@ class Network:
     def backward(self, error: Floats) -> list[Floats]:
         """Gradients of the parameters."""
         linear = self._inputs[0].T @ error
-        weights, offsets = [], []
+        weights = []
+        offsets = []
         for layer in range(len(self.weights) - 1, -1, -1):
             weights.append(self._inputs[layer].T @ error)
             offsets.append(error.sum(axis=0))
@@ -73,7 +80,10 @@ class Network:
 
 
 def train(features: Floats, targets: Floats, metric: Floats, schedule: Schedule) -> Network:
-    """A network that gives targets (n, k) from features (n, f), where an error e costs e metric e; metric (k, k)."""
+    """A network that gives targets (n, k) from features (n, f), where an error e costs e metric e; metric (k, k).
+
+    schedule: how.
+    """
     draw = np.random.default_rng(schedule.seed)
     network = Network(features.shape[1], targets.shape[1], schedule, draw)
     parameters = network.parameters
@@ -84,7 +94,8 @@ def train(features: Floats, targets: Floats, metric: Floats, schedule: Schedule)
     for _ in range(schedule.epochs):
         order = draw.permutation(len(features))
         for first in range(0, len(features) - BATCH + 1, BATCH):
-            rows, step = order[first : first + BATCH], step + 1
+            rows = order[first : first + BATCH]
+            step = step + 1
             seen = features[rows]
             seen = seen + draw.standard_normal(seen.shape, np.float32) * np.float32(schedule.noise)
             error = network.forward(seen, draw, schedule.drop) - targets[rows]

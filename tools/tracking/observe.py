@@ -17,13 +17,17 @@ from tools.tracking.motions import Moment, random_moment, random_rest, row_of
 from tools.tracking.picture import Photographer, Pose, random_setting
 from tools.tracking.random_people import HUMANS, LEFT_OUT, random_person
 
-RESTS, PART = 4, 20
+RESTS = 4
+PART = 20
 HOLD = 3
 """Pictures in which the head is held: where it was found before, one look finds it."""
 
 
 def moments_of(draw: np.random.Generator, frames: int) -> list[Moment]:
-    """What a person of the training does: rests first."""
+    """What a person of the training does: rests first.
+
+    draw: of what they do; frames: how many.
+    """
     moments = [random_moment(draw) for _ in range(frames)]
     held = [replace(moment, pose=moments[row - row % HOLD].pose) for row, moment in enumerate(moments)]
     return [random_rest(draw) for _ in range(RESTS)] + held
@@ -31,15 +35,21 @@ def moments_of(draw: np.random.Generator, frames: int) -> list[Moment]:
 
 def describe(photographer: Photographer) -> list[float]:
     """Shares of HUMANS, focal length, distance and tilt of the camera."""
-    setting, shares = photographer.setting, photographer.person.shares
+    setting = photographer.setting
+    shares = photographer.person.shares
     return [*(shares.get(name, 0.0) for name in HUMANS), setting.focal, setting.distance, setting.tilt]
 
 
 def observe_person(
     photographer: Photographer, frames: int, finder: Looks, draw: np.random.Generator
 ) -> tuple[list[NDArray[np.float32]], list[NDArray[np.float32]]]:
-    """The points of a person's frames (zeros where no face was found), and what they did."""
-    points, truth, still = [], [], Pose()
+    """The points of a person's frames (zeros where no face was found), and what they did.
+
+    photographer: of the person; frames: how many; finder: the model; draw: of what they do and of noise.
+    """
+    points = []
+    truth = []
+    still = Pose()
     for moment in moments_of(draw, frames):
         picture = photographer.take(moment.weights, moment.gaze, moment.pose, draw)
         found = finder.look(picture) if moment.pose == still else find(finder, picture)
@@ -65,7 +75,10 @@ def main() -> None:
 
 
 def write_part(folder: Path, seed: int, numbers: range, frames: int, finder: Looks) -> None:
-    """Writes the observations of some people into one file."""
+    """Writes the observations of some people into one file.
+
+    folder: for the file; seed: of all people; numbers: of those that are written; frames: of each; finder: the model.
+    """
     sources = tuple(name for name in HUMANS if name not in LEFT_OUT)
     points: list[NDArray[np.float32]] = []
     truth: list[NDArray[np.float32]] = []
@@ -75,7 +88,9 @@ def write_part(folder: Path, seed: int, numbers: range, frames: int, finder: Loo
         draw = np.random.default_rng([seed, number])
         photographer = Photographer(random_person(draw, sources), random_setting(draw))
         found, did = observe_person(photographer, frames, finder, draw)
-        points, truth, whose = points + found, truth + did, whose + [number] * len(did)
+        points = points + found
+        truth = truth + did
+        whose = whose + [number] * len(did)
         about.append(describe(photographer))
     path = folder / f"{seed}-{numbers.start:05}.npz"
     np.savez_compressed(

@@ -85,7 +85,10 @@ class Pose:
 
 
 def turn(axis: str, angle: float) -> Values:
-    """The rotation about an axis, right-handed."""
+    """The rotation about an axis, right-handed.
+
+    axis: "x", "y" or "z"; angle: radians.
+    """
     c, s = np.cos(angle), np.sin(angle)
     if axis == "x":
         return np.array([[1, 0, 0], [0, c, -s], [0, s, c]])
@@ -98,7 +101,8 @@ class Photographer:
     """Takes pictures of one person in one setting."""
 
     def __init__(self, person: Person, setting: Setting) -> None:
-        self.person, self.setting = person, setting
+        self.person = person
+        self.setting = setting
         self._meshes = _meshes()
         rest, parts = person.pose({}, (0.0, 0.0))
         self._hair = person.strands(rest)
@@ -110,7 +114,10 @@ class Photographer:
         self._shares = np.empty((side, side, 2), np.float32)
 
     def view(self, points: NDArray[np.floating], pose: Pose) -> Values:
-        """Points (n, 3) of the head in the camera's frame: x right, y up, z from the camera."""
+        """Points (n, 3) of the head in the camera's frame: x right, y up, z from the camera.
+
+        points: metres; pose: of the head.
+        """
         turned = (points - NECK) @ pose.rotation().T + NECK + np.asarray(pose.move)
         tilted = turned @ turn("x", self.setting.tilt).T  # a camera that looks up or down at them
         centred = tilted - np.array([0.0, -0.012, 0.10])
@@ -125,8 +132,12 @@ class Photographer:
     def take(
         self, weights: dict[str, float], gaze: tuple[float, float], pose: Pose, draw: np.random.Generator
     ) -> NDArray[np.uint8]:
-        """A picture (SIZE, SIZE, 3)."""
-        mesh, side = self._meshes, SIZE * FINE
+        """A picture (SIZE, SIZE, 3).
+
+        weights: by unit; gaze: yaw and pitch, radians; pose: of the head; draw: of noise.
+        """
+        mesh = self._meshes
+        side = SIZE * FINE
         skin, parts = self.person.pose(weights, gaze)
         both = {"skin": skin, **parts}
         normals = np.concatenate([_normals(both[name], triangles) for name, triangles in mesh.own])
@@ -177,7 +188,8 @@ class Photographer:
         picture = self._room.copy()
         chest = self.project(self.view(np.array([[0.0, -0.15, 0.0]]), Pose(move=pose.move)))[0] * side
         wide = 0.2 * self.setting.focal * side / self.setting.distance
-        rows, columns = np.arange(side, dtype=np.float32)[:, None], np.arange(side, dtype=np.float32)
+        rows = np.arange(side, dtype=np.float32)[:, None]
+        columns = np.arange(side, dtype=np.float32)
         across = ((columns - chest[0]) / wide) ** 2
         body = across + (np.minimum(rows - chest[1] - 0.5 * wide, 0) / (0.5 * wide)) ** 2 < 1
         picture[body] = self.setting.clothes
@@ -213,7 +225,12 @@ class Meshes:
 
 @cache
 def _meshes() -> Meshes:
-    own, source, triangles, material, uv, openness = [], [], [], [], [], []
+    own = []
+    source = []
+    triangles = []
+    material = []
+    uv = []
+    openness = []
     rows = places = 0
     for mesh in load_meshes():
         of_own = mesh.source[mesh.triangles].astype(np.int32)

@@ -51,7 +51,10 @@ class Person:
     look: Look
 
     def pose(self, weights: dict[str, float], gaze: tuple[float, float]) -> tuple[Floats, dict[str, Floats]]:
-        """Skin (V, 3) and parts by name, metres, with the weights of units worn and the eyes turned (radians)."""
+        """Skin (V, 3) and parts by name, metres, with the weights of units worn and the eyes turned (radians).
+
+        weights: by unit; gaze: yaw and pitch.
+        """
         cast = load_cast()
         turned = gaze_channels(cast.expressions, Gaze(*gaze))
         frame = Frame(self.shares, {"neutral": 1.0}, {**weights, **turned})
@@ -70,7 +73,10 @@ class Person:
 
 
 def random_person(draw: np.random.Generator, sources: tuple[str, ...]) -> Person:
-    """A person mixed from some of the sources, warped by millimetres, in a random look."""
+    """A person mixed from some of the sources, warped by millimetres, in a random look.
+
+    draw: of all that is random; sources: faces of the cast.
+    """
     count = min(int(draw.integers(1, 5)), len(sources))
     chosen = draw.choice(len(sources), count, replace=False)
     shares = draw.dirichlet(np.full(count, 1.2))
@@ -89,15 +95,20 @@ def random_warp(draw: np.random.Generator) -> Warp:
     centres = front[draw.choice(len(front), 7)].astype(np.float64)
     moves = draw.normal(0.0, 0.0022, (7, 3))
     mirror = np.array([-1.0, 1.0, 1.0])
-    both, twice = np.concatenate([centres, centres * mirror]), np.concatenate([moves, moves * mirror])
+    both = np.concatenate([centres, centres * mirror])
+    twice = np.concatenate([moves, moves * mirror])
     twice += draw.normal(0.0, 0.0004, twice.shape)
     widths = np.tile(draw.uniform(0.018, 0.04, 7), 2)
     return Warp(1.0 + draw.normal(0.0, 0.04, 3), both, twice, widths)
 
 
 def random_look(draw: np.random.Generator, look: Look) -> Look:
-    """The look with colours of its own."""
-    tone, light = draw.uniform(0.03, 0.09), draw.uniform(0.25, 0.98) ** 0.8
+    """The look with colours of its own.
+
+    draw: of the colours; look: where they begin.
+    """
+    tone = draw.uniform(0.03, 0.09)
+    light = draw.uniform(0.25, 0.98) ** 0.8
     skin = _hex(tone, draw.uniform(0.25, 0.6) * (1.25 - 0.7 * light), light)
     lip = _hex((draw.uniform(-0.02, 0.03)) % 1.0, draw.uniform(0.35, 0.65), light * draw.uniform(0.7, 0.95))
     dark = draw.uniform(0.05, 0.6) * min(1.0, light + 0.2)

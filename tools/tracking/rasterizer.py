@@ -14,7 +14,10 @@ FAR = np.float32(1e9)
 
 @njit(cache=True)
 def normals_of(points, triangles, out):  # type: ignore[no-untyped-def]
-    """Vertex normals (V, 3), weighted by area."""
+    """Vertex normals (V, 3), weighted by area.
+
+    points (V, 3), triangles (t, 3); out (V, 3): is written.
+    """
     out[:] = 0.0
     for f in range(triangles.shape[0]):
         a, b, c = triangles[f, 0], triangles[f, 1], triangles[f, 2]
@@ -38,6 +41,8 @@ def draw_triangles(  # type: ignore[no-untyped-def]  # noqa: C901 - one loop ove
 
     screen (V, 3): pixels right, pixels down, metres from the camera. lashes: the share of a lash's pixels that is
     drawn.
+
+    triangles (t, 3); material (t,): as `SKIN` and those beside it.
     """
     height, width = depth.shape
     for f in range(triangles.shape[0]):
@@ -51,8 +56,10 @@ def draw_triangles(  # type: ignore[no-untyped-def]  # noqa: C901 - one loop ove
             continue
         if abs(area) < 1e-9:
             continue
-        low_x, high_x = max(int(min(ax, bx, cx)), 0), min(int(max(ax, bx, cx)) + 1, width - 1)
-        low_y, high_y = max(int(min(ay, by, cy)), 0), min(int(max(ay, by, cy)) + 1, height - 1)
+        low_x = max(int(min(ax, bx, cx)), 0)
+        high_x = min(int(max(ax, bx, cx)) + 1, width - 1)
+        low_y = max(int(min(ay, by, cy)), 0)
+        high_y = min(int(max(ay, by, cy)) + 1, height - 1)
         for y in range(low_y, high_y + 1):
             for x in range(low_x, high_x + 1):
                 px, py = x + 0.5, y + 0.5
@@ -74,7 +81,10 @@ def draw_triangles(  # type: ignore[no-untyped-def]  # noqa: C901 - one loop ove
 
 @njit(cache=True)
 def draw_strands(screen, shade, colour, thick, depth, hit, picture):  # type: ignore[no-untyped-def]
-    """Draws strands (n, k, 3) of screen as lines of a few pixels; shade (n, k) their light, colour (3,)."""
+    """Draws strands (n, k, 3) of screen as lines of a few pixels; shade (n, k) their light, colour (3,).
+
+    thick: pixels; depth, hit (H, W): as of `draw_triangles`; picture (H, W, 3): is painted.
+    """
     height, width = depth.shape
     for n in range(screen.shape[0]):
         for k in range(screen.shape[1] - 1):
@@ -103,9 +113,13 @@ def shade_pixels(  # type: ignore[no-untyped-def]  # noqa: C901 - one loop over 
     space (V, 3) metres in the camera's frame; local (V, 3): of eyeballs, on the unit ball, +z the line of sight;
     colours: skin, lip, brow, blush, iris, white, teeth, tongue, lash; traits: brows, blush, iris radius, pupil, gloss;
     lamps: rows of direction (3) and light (3): key, fill; then sky and ground in rows of light.
+
+    hit, weights: of `draw_triangles`; triangles (t, 3), material (t,); normals (V, 3); uv (V, 2); openness (V,): to
+    the sky; mask: layers of the skin.
     """
     height, width = hit.shape
-    rows, columns = mask.shape[0], mask.shape[1]
+    rows = mask.shape[0]
+    columns = mask.shape[1]
     for y in range(height):
         for x in range(width):
             f = hit[y, x]
@@ -120,7 +134,11 @@ def shade_pixels(  # type: ignore[no-untyped-def]  # noqa: C901 - one loop over 
             length = np.sqrt(nx * nx + ny * ny + nz * nz) + 1e-9
             nx, ny, nz = nx / length, ny / length, nz / length
             sky = wa * openness[a] + wb * openness[b] + wc * openness[c]
-            red, green, blue, gloss, left = 0.0, 0.0, 0.0, 0.15, 1.0
+            red = 0.0
+            green = 0.0
+            blue = 0.0
+            gloss = 0.15
+            left = 1.0
             kind = material[f]
             if kind == SKIN:
                 u = wa * uv[a, 0] + wb * uv[b, 0] + wc * uv[c, 0]
@@ -166,14 +184,21 @@ def shade_pixels(  # type: ignore[no-untyped-def]  # noqa: C901 - one loop over 
                 sky = 0.35 + 0.65 * sky
             else:
                 row = 6 if kind == TEETH else (7 if kind == TONGUE else 8)
-                red, green, blue = colours[row, 0], colours[row, 1], colours[row, 2]
+                red = colours[row, 0]
+                green = colours[row, 1]
+                blue = colours[row, 2]
             sx = wa * space[a, 0] + wb * space[b, 0] + wc * space[c, 0]
             sy = wa * space[a, 1] + wb * space[b, 1] + wc * space[c, 1]
             sz = wa * space[a, 2] + wb * space[b, 2] + wc * space[c, 2]
             away = np.sqrt(sx * sx + sy * sy + sz * sz) + 1e-9
             vx, vy, vz = -sx / away, -sy / away, -sz / away
             up = 0.5 + 0.5 * ny
-            lit0, lit1, lit2, spark0, spark1, spark2 = 0.0, 0.0, 0.0, 0.0, 0.0, 0.0
+            lit0 = 0.0
+            lit1 = 0.0
+            lit2 = 0.0
+            spark0 = 0.0
+            spark1 = 0.0
+            spark2 = 0.0
             lit0 = (lamps[2, 3] * up + lamps[3, 3] * (1 - up)) * sky
             lit1 = (lamps[2, 4] * up + lamps[3, 4] * (1 - up)) * sky
             lit2 = (lamps[2, 5] * up + lamps[3, 5] * (1 - up)) * sky

@@ -1,10 +1,11 @@
-"""Trains the map of the camera's landmarks from the observations: `make setup` calls it; a minute or two.
+"""Trains the map of the camera's landmarks from the observations, in two or three minutes; the map is committed.
 
 python -m tools.tracking.train_map
 """
 
 from __future__ import annotations
 
+import hashlib
 import time
 from pathlib import Path
 from typing import Any
@@ -56,13 +57,24 @@ def read_observations(path: Path) -> tuple[dict[str, NDArray[np.float32]], Float
     return arrays, both, np.concatenate([targets, targets[:, swap] * turn.astype(np.float32)])
 
 
+def digest_observations() -> str:
+    """The SHA-256 of the committed observations; a map keeps it, so that a test says when the map is stale."""
+    return hashlib.sha256(OBSERVATIONS.read_bytes()).hexdigest()
+
+
 def write_map(path: Path, arrays: dict[str, NDArray[np.float32]], network: Network) -> None:
-    """Writes the map: half precision is finer than what the network knows."""
+    """Writes the map: half precision is finer than what the network knows.
+
+    arrays: of the compression and of the mirror, by name; network: what was trained.
+
+    path: the file.
+    """
     parts: dict[str, NDArray[Any]] = {name: value.astype(np.float16) for name, value in arrays.items()}
     parts |= {name: arrays[name] for name in ("centre", "spread")} | {"order": arrays["order"].astype(np.int16)}
     parts |= {f"weights{row}": each.astype(np.float16) for row, each in enumerate(network.weights)}
     parts |= {f"offsets{row}": each for row, each in enumerate(network.offsets)}
-    parts |= {"format": np.array(FORMAT), "linear": network.linear.astype(np.float16)}
+    parts |= {"observations": np.array(digest_observations()), "format": np.array(FORMAT)}
+    parts |= {"linear": network.linear.astype(np.float16)}
     np.savez(path, **parts)  # type: ignore[arg-type]
 
 

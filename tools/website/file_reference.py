@@ -5,7 +5,7 @@ from __future__ import annotations
 import sqlite3
 from contextlib import closing
 
-from omote.showfile.schema import APPLICATION_ID, MIGRATIONS, SCHEMA_VERSION
+from omote.showfile.schema import APPLICATION_ID, SCHEMA_VERSION, migrate
 
 PURPOSES = {
     "journal": "The show as it was last: one row, from which a server that was killed goes on.",
@@ -16,9 +16,7 @@ PURPOSES = {
     "draft": "One editor's unsaved work at an item.",
     "edit": "Its steps, which undo and redo walk.",
     "identity": "Which show this is: one row, made at random with the file.",
-    "binding_list": "What controls of devices play: one row.",
-    "performer": "How the landmarks of a performer's face are read, by the performer's name.",
-    "layout": "Documents of pages (a console's layout) by name.",
+    "document": "Stored nouns of every kind (layouts, bindings, performers), as JSON by kind and name.",
 }
 HEAD = f"""# The show file
 
@@ -35,7 +33,7 @@ complete earlier copies; [recover a show](../howto/recover-a-show.md) says what 
 def file_page() -> str:
     """The page: each table with its columns."""
     with closing(sqlite3.connect(":memory:")) as made:
-        made.executescript("".join(MIGRATIONS))
+        migrate(made, 0)
         names = [name for (name,) in made.execute("SELECT name FROM sqlite_schema WHERE type = 'table' ORDER BY rowid")]
         return "\n".join([HEAD, *(_table(made, name) for name in names)])
 

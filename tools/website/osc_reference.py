@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from omote.inputs.addresses.address import Address, Value
-from omote.inputs.osc_addresses import ADDRESSES, BY_HAND, CALL_SECONDS
+from omote.inputs.osc_addresses import ADDRESSES, BY_HAND, Address
 from omote.inputs.osc_feedback import QUIET_SECONDS
 from omote.inputs.osc_input import ERROR, SUBSCRIBE, SURFACE_SECONDS, UNSUBSCRIBE
 from omote.perform.scene.character_names import FIRST_CHARACTER
+from omote.show.osc import CALL_SECONDS, Value
 
 HEAD = f"""# OSC
 

@@ -1,7 +1,4 @@
-"""The pages of docs/ that are made from the code: `python -m tools.website.pages` writes them anew.
-
-They are kept in the repository, so that they can be read without building anything; a test says when one is stale.
-"""
+"""The pages of docs/ that are made from the code: `python -m tools.website.pages` writes them, git ignores them."""
 
 from __future__ import annotations
 
@@ -49,20 +46,14 @@ GENERATED: Mapping[str, Callable[[], str]] = {
 """What makes each page, by its path in docs/."""
 
 
-def stale_pages() -> list[str]:
-    """The pages that are not what the code makes now."""
-    return [path for path, text in GENERATED.items() if not _is(DOCS / path, text())]
-
-
-def _is(page: Path, text: str) -> bool:
-    return page.exists() and page.read_text(encoding="utf-8") == text
-
-
 def main() -> None:
-    """Writes the pages that are stale."""
-    for path in stale_pages():
-        (DOCS / path).write_text(GENERATED[path](), encoding="utf-8")
-        print(f"docs/{path}")
+    """Writes the pages that are not what the code makes now."""
+    for path, make in GENERATED.items():
+        page = DOCS / path
+        text = make()
+        if not page.exists() or page.read_text(encoding="utf-8") != text:
+            page.write_text(text, encoding="utf-8")
+            print(f"docs/{path}")
 
 
 if __name__ == "__main__":

@@ -9,9 +9,9 @@ from functools import cached_property
 from typing import Any
 
 import omote
-from omote.server.client.connect import AsyncConnectedShow, ConnectedShow
-from omote.server.client.remote_character import RemoteCharacter
-from omote.server.client.utterance import AsyncUtterance, Utterance
+from omote.client.connect import AsyncConnectedShow, ConnectedShow
+from omote.client.remote_character import RemoteCharacter
+from omote.client.utterance import AsyncUtterance, Utterance
 
 HEAD = """# Python
 
@@ -26,7 +26,7 @@ In the examples of this page `cast` is `omote.load_cast()` and `np` is NumPy.
 GROUPS: Mapping[str, Sequence[str]] = {
     "The cast": ("load_cast", "read_show", "Cast", "Face", "Gain", "Expression", "ParameterSpace"),
     "Playing": ("Performer", "Scene", "connect", "connect_async", "parse_pose", "evaluate", "evaluate_parts"),
-    "Pictures": ("render",),
+    "Pictures": ("render", "Renderer"),
     "Expressions": ("compound", "extract", "ExtractedExpression", "take_expressions", "ControlNet", "action_units"),
     "Faces": ("fit", "Fit", "Scan", "Sculpt", "read_sculpt", "sculpted", "regional", "caricature"),
     "Photographs": ("Photograph", "fit_photographs", "PhotographFit"),
@@ -113,8 +113,10 @@ def _without_self(section: str) -> str:
 def _sections(name: str) -> Iterator[str]:
     value = getattr(omote, name)
     yield section_of(f"omote.{name}", value, depth=3)
-    members = vars(value).items() if inspect.isclass(value) else ()
-    for member, found in members:
+    kinds = value.__mro__ if inspect.isclass(value) else ()
+    ours = [each for each in reversed(kinds) if each.__module__.startswith("omote")]
+    members = {member: found for each in ours for member, found in vars(each).items()}
+    for member, found in members.items():
         if member.startswith("_"):
             continue
         if isinstance(found, property | cached_property):

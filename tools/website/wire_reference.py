@@ -11,6 +11,7 @@ import msgspec
 
 from omote.edit.protocol import messages as editing
 from omote.show import messages as show
+from omote.show.declaration import MESSAGE_LIMIT, SPEECH_LIMIT
 
 Struct = type[msgspec.Struct]
 PLAIN = {float: "float", int: "int", str: "text", bool: "bool", bytes: "bytes", type(None): "nothing"}
@@ -23,10 +24,10 @@ Messages are [MessagePack](https://msgpack.org) maps in binary WebSocket frames;
 
 | address | who | says first | largest message of a client |
 |---|---|---|---|
-| `{show.LINK_PATH}` | stages and consoles | `hello` with version {show.PROTOCOL_VERSION} | {show.MESSAGE_LIMIT} bytes |
+| `{show.LINK_PATH}` | stages and consoles | `hello` with version {show.PROTOCOL_VERSION} | {MESSAGE_LIMIT} bytes |
 | `{editing.EDITING_PATH}` | editors | `greet` with version {editing.EDITING_VERSION} | {editing.EDITING_LIMIT} bytes |
 
-A `say` may have {show.SPEECH_LIMIT} bytes.
+A `say` may have {SPEECH_LIMIT} bytes.
 
 A state comes {show.STATE_RATE:g} times a second, complete and absolute: any may be lost. A message that cannot be
 obeyed is answered with `refused` and the reason, and changes nothing. Numbers are checked where they are used: a value
@@ -53,7 +54,8 @@ def _group(title: str, structs: typing.Iterable[Struct]) -> list[str]:
 
 def _shared(title: str, structs: typing.Iterable[Struct], told: typing.Collection[Struct]) -> list[str]:
     """A group of the second link; what the first has too is named only."""
-    own, both = list[Struct](), list[Struct]()
+    own = list[Struct]()
+    both = list[Struct]()
     for struct in structs:
         (both if struct in told else own).append(struct)
     named = ", ".join(f"`{struct.__struct_config__.tag}`" for struct in both)
@@ -78,7 +80,8 @@ def section(struct: Struct) -> str:
 
 def _described(annotation: object) -> str:
     """A type in words: `text of 1 to 80 characters`, `one of "stage", "console"`, `float or nothing`."""
-    origin, arguments = typing.get_origin(annotation), typing.get_args(annotation)
+    origin = typing.get_origin(annotation)
+    arguments = typing.get_args(annotation)
     if origin is typing.Annotated:
         return _described(arguments[0]) + _bounds(arguments[1:])
     if origin is typing.Literal:
@@ -118,7 +121,8 @@ def _anchor(title: str) -> str:
 
 def _inner(told: set[Struct]) -> list[Struct]:
     """The structs that messages hold and that are no message themselves, each once, in the order of their use."""
-    waiting, found = sorted(told, key=lambda struct: struct.__name__), dict[Struct, None]()
+    waiting = sorted(told, key=lambda struct: struct.__name__)
+    found = dict[Struct, None]()
     while waiting:
         for annotation in typing.get_type_hints(waiting.pop(0)).values():
             for struct in _structs_in(annotation):

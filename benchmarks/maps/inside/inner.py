@@ -31,7 +31,8 @@ class Mouth:
         self._cylinder = space.cylinder
         self._vertices = bag.vertices[bag.distance > EDGE]
         middle = space.points[space.location_triangles].mean(axis=1)
-        low, high = space.points[bag.vertices, 1].min() - 0.02, space.points[bag.vertices, 1].max() + 0.02
+        low = space.points[bag.vertices, 1].min() - 0.02
+        high = space.points[bag.vertices, 1].max() + 0.02
         near = (middle[:, 1] > low) & (middle[:, 1] < high) & (middle[:, 2] > space.cylinder.z)
         self._sheet = space.location_triangles[near]
 
@@ -52,7 +53,8 @@ class Sockets:
         self._cylinder = space.cylinder
         self._vertices = vertices[measure_distance(space, near, vertices) > EDGE].astype(np.int32)
         middle = space.points[space.sheet_triangles].mean(axis=1)
-        low, high = space.points[vertices, 1].min() - 0.02, space.points[vertices, 1].max() + 0.02
+        low = space.points[vertices, 1].min() - 0.02
+        high = space.points[vertices, 1].max() + 0.02
         self._sheet = space.sheet_triangles[(middle[:, 1] > low) & (middle[:, 1] < high) & (middle[:, 2] > 0.06)]
 
     def out(self, positions: Values) -> Values:
@@ -85,19 +87,18 @@ def _in_front(points: Values, corners: Values) -> Values:
 def foremost(corners: Values, points: Values) -> tuple[Values, Values]:
     """The largest z of the triangles (t, 3, 3) before or behind each point (n, 3), minus infinity where none is, and
     how squarely that one is met, as a cosine."""
-    highest, cosine = np.full(len(points), -np.inf), np.zeros(len(points))
+    highest = np.full(len(points), -np.inf)
+    cosine = np.zeros(len(points))
     for t in range(len(corners)):
         a, b, c = corners[t, 0], corners[t, 1], corners[t, 2]
         ux, uy, uz, vx, vy, vz = b[0] - a[0], b[1] - a[1], b[2] - a[2], c[0] - a[0], c[1] - a[1], c[2] - a[2]
         area = ux * vy - uy * vx
         if abs(area) < 1e-12:
             continue
-        left, right, low, up = (
-            min(a[0], b[0], c[0]),
-            max(a[0], b[0], c[0]),
-            min(a[1], b[1], c[1]),
-            max(a[1], b[1], c[1]),
-        )
+        left = min(a[0], b[0], c[0])
+        right = max(a[0], b[0], c[0])
+        low = min(a[1], b[1], c[1])
+        up = max(a[1], b[1], c[1])
         for n in range(len(points)):
             x, y = points[n, 0], points[n, 1]
             if x < left or x > right or y < low or y > up:

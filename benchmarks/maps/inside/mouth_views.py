@@ -60,9 +60,11 @@ class MouthViews:
         if bag is None:
             raise ValueError("the space has no mouth bag; expected the built-in cast's")
         self._lips = space.welded[next(line.loop for line in space.lines if line.kind == "lips")]
-        self._bag, self._rim = bag.triangles.astype(np.int64), _loop(bag.triangles)
+        self._bag = bag.triangles.astype(np.int64)
+        self._rim = _loop(bag.triangles)
         corners = space.welded[space.triangles]
-        middle, lips = space.points[corners].mean(axis=1), space.points[self._lips].mean(axis=0)
+        middle = space.points[corners].mean(axis=1)
+        lips = space.points[self._lips].mean(axis=0)
         other = ~np.isin(corners, bag.vertices).any(axis=1) & (np.linalg.norm(middle - lips, axis=1) < 0.13)
         skin = [corners[other], bag.triangles]
         starts = np.cumsum([space.vertex_count, *(len(space.parts[name].points) for name in PARTS)])
@@ -113,7 +115,8 @@ class MouthViews:
         """How deep crowns lie behind the walls of the mouth bag, other than out of the open lips."""
         rim = points[self._rim]
         lid = np.stack([np.roll(rim, -1, axis=0), rim, np.broadcast_to(rim.mean(axis=0), rim.shape)], axis=1)
-        walls, crowns = self._corners(points, self._bag), points[np.concatenate(self._crowns)]
+        walls = self._corners(points, self._bag)
+        crowns = points[np.concatenate(self._crowns)]
         inside = winding_numbers(np.concatenate([walls, lid]), crowns) < -0.5
         away, through, open_ = (
             nearest_triangles(np.ascontiguousarray(part), crowns[~inside])[0]
@@ -189,7 +192,8 @@ def _turn(yaw: float, pitch: float) -> Values:
 
 def _frame(points: Values) -> tuple[Values, tuple[int, int]]:
     """The lower left corner (2,) of a picture around points, and its height and width in pixels."""
-    low, high = points[:, :2].min(axis=0) - 0.01, points[:, :2].max(axis=0) + 0.01
+    low = points[:, :2].min(axis=0) - 0.01
+    high = points[:, :2].max(axis=0) + 0.01
     width, height = np.ceil((high - low) / PIXEL).astype(int)
     return low, (int(height), int(width))
 
@@ -209,7 +213,8 @@ def _inside(loop: Values, low: Values, size: tuple[int, int]) -> Mask:
 @njit(cache=True)
 def draw(points: Values, triangles: Indices, low: Values, size: tuple[int, int]) -> tuple[Values, Indices, Mask]:
     """A depth buffer of triangles (t, 3), seen along z: the nearest z, triangle (-1: none), and whether its front."""
-    depth, first = np.full(size, -np.inf), np.full(size, -1)
+    depth = np.full(size, -np.inf)
+    first = np.full(size, -1)
     front = np.zeros(size, np.bool_)
     for t in range(len(triangles)):
         a, b, c = points[triangles[t, 0]], points[triangles[t, 1]], points[triangles[t, 2]]
@@ -217,8 +222,10 @@ def draw(points: Values, triangles: Indices, low: Values, size: tuple[int, int])
         area = ux * vy - uy * vx
         if abs(area) < 1e-14:
             continue
-        left, right = min(a[0], b[0], c[0]), max(a[0], b[0], c[0])
-        under, over = min(a[1], b[1], c[1]), max(a[1], b[1], c[1])
+        left = min(a[0], b[0], c[0])
+        right = max(a[0], b[0], c[0])
+        under = min(a[1], b[1], c[1])
+        over = max(a[1], b[1], c[1])
         for row in range(max(0, int((under - low[1]) / PIXEL) - 1), min(size[0], int((over - low[1]) / PIXEL) + 2)):
             y = low[1] + (row + 0.5) * PIXEL - a[1]
             for column in range(
@@ -229,5 +236,7 @@ def draw(points: Values, triangles: Indices, low: Values, size: tuple[int, int])
                 if u >= -1e-9 and v >= -1e-9 and u + v <= 1.0 + 1e-9:
                     z = a[2] + u * (b[2] - a[2]) + v * (c[2] - a[2])
                     if z > depth[row, column]:
-                        depth[row, column], first[row, column], front[row, column] = z, t, area > 0
+                        depth[row, column] = z
+                        first[row, column] = t
+                        front[row, column] = area > 0
     return depth, first, front

@@ -13,7 +13,8 @@ from omote.model.transfer.compound import move_parts
 Values = NDArray[np.float64]
 Indices = NDArray[np.int32]
 
-EYES, TEETH = ("eye_left", "eye_right"), ("teeth_upper", "teeth_lower")
+EYES = ("eye_left", "eye_right")
+TEETH = ("teeth_upper", "teeth_lower")
 # Skin farther behind a tooth than this, metres, is the throat or the nape seen through the open mouth.
 BEYOND = 0.01
 
@@ -64,7 +65,8 @@ def teeth_out(positions: Values, sheet: Indices, teeth: Values) -> float:
 
 def _foremost(corners: Values, points: Values) -> Values:
     """The largest z of the triangles (t, 3, 3) before or behind each point: (n,), minus infinity where none is."""
-    one, two = corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]
+    one = corners[:, 1] - corners[:, 0]
+    two = corners[:, 2] - corners[:, 0]
     away = points[:, None] - corners[None, :, 0]
     area = one[:, 0] * two[:, 1] - one[:, 1] * two[:, 0]
     area = np.where(np.abs(area) < 1e-18, np.inf, area)

@@ -27,7 +27,9 @@ from omote.model.fitting.photographs.landmark_table import LandmarkTable
 __all__ = ["BakedMesh", "load_cast", "load_head_kinds", "load_identity_modes", "load_mask", "load_meshes", "read_cast"]
 
 HERE = Path(__file__).parent
-CAST, MASK, NOTICE = HERE / "cast.npz", HERE / "mask.png", HERE / "NOTICE-CC0.md"
+CAST = HERE / "cast.npz"
+MASK = HERE / "mask.png"
+NOTICE = HERE / "NOTICE-CC0.md"
 IDENTITY_MODES = HERE / "identity_modes.npz"
 LANDMARK_TABLE = HERE / "photographs" / "landmark_table.npz"
 ANIMALS = ("cat", "dog")
@@ -94,8 +96,10 @@ def load_mask() -> bytes:
 def load_identity_modes() -> IdentityModes:
     """What heads differ by, from 900 random people on the built-in head's topology; errors as `load_cast`."""
     try:
-        arrays, space = _arrays(IDENTITY_MODES), load_cast().space
-        mean, moves = arrays["mean"].astype(np.float64), arrays["modes"].astype(np.float64)
+        arrays = _arrays(IDENTITY_MODES)
+        space = load_cast().space
+        mean = arrays["mean"].astype(np.float64)
+        moves = arrays["modes"].astype(np.float64)
     except KeyError as error:
         raise _broken(IDENTITY_MODES, error) from error
     ends = np.cumsum([space.vertex_count, *(len(space.parts[part].points) for part in PARTS)])
@@ -104,14 +108,15 @@ def load_identity_modes() -> IdentityModes:
     rows = {part: slice(ends[i], ends[i + 1]) for i, part in enumerate(PARTS)}
     return IdentityModes(
         mean[: ends[0]], moves[:, : ends[0]],
-        {part: mean[each] for part, each in rows.items()}, {part: moves[:, each] for part, each in rows.items()},
+        {part: mean[row] for part, row in rows.items()}, {part: moves[:, row] for part, row in rows.items()},
     )  # fmt: skip
 
 
 @functools.cache
 def load_head_kinds() -> Mapping[str, IdentityModes]:
     """What a scan's head may be, by name: people first, then animals of the cast, which differ as people do."""
-    people, faces = load_identity_modes(), load_cast().faces
+    people = load_identity_modes()
+    faces = load_cast().faces
     animals = {
         name: replace(
             people, skin=faces[name].positions.astype(np.float64),

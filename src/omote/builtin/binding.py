@@ -7,11 +7,11 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
+from omote.arrays import Indices, Values
 from omote.model.space.parameter_space import ParameterSpace
 from omote.model.space.parts import Part, bind_to_head, bind_to_jaw, bind_to_skin
-from omote.model.transfer.mouth.gum_binding import bind_to_gums
+from omote.model.transfer.gum_line import bind_to_gums
 
 AXIS = (0.0, 0.02)  # x and z of the cylinder axis, metres (docs/method.md, "The cylinder")
 EYES = {"eye_left": "left", "eye_right": "right"}
@@ -28,14 +28,13 @@ PARTS = (*STILL, *JAW, LASHES)
 class PartMesh:
     """A part as baked: points (n, 3) metres on the generic face, triangles (t, 3)."""
 
-    points: NDArray[np.float64]
-    triangles: NDArray[np.int32]
+    points: Values
+    triangles: Indices
 
 
 def head_space(
-    points: NDArray[np.float64], triangles: NDArray[np.int32], parts: Mapping[str, PartMesh], jaw: NDArray[np.int32],
-    sheet: NDArray[np.int32] | None = None,
-) -> ParameterSpace:  # fmt: skip
+    points: Values, triangles: Indices, parts: Mapping[str, PartMesh], jaw: Indices, sheet: Indices | None = None
+) -> ParameterSpace:
     """The parameter space of the baked head with its parts bound, its lids and lips named, its gums bound to
     the jaws.
 
@@ -52,9 +51,7 @@ def head_space(
     return bind_to_gums(bound)
 
 
-def _bind(
-    name: str, part: PartMesh, skin: NDArray[np.float64], sheet: NDArray[np.int32], jaw: NDArray[np.int32]
-) -> Part:
+def _bind(name: str, part: PartMesh, skin: Values, sheet: Indices, jaw: Indices) -> Part:
     if name in JAW:
         return bind_to_jaw(name, part.points, part.triangles, skin, candidates=sheet, chin=jaw)
     if name == LASHES:

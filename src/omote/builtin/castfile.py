@@ -26,6 +26,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from omote.arrays import Floats, Indices
 from omote.builtin.binding import PARTS, PartMesh, head_space
 from omote.model.albedo import SkinAtlas
 from omote.model.cast import Cast, Look
@@ -50,9 +51,9 @@ class BakedMesh:
     """
 
     name: str
-    source: NDArray[np.int32]
-    uv: NDArray[np.float32]
-    triangles: NDArray[np.int32]
+    source: Indices
+    uv: Floats
+    triangles: Indices
     openness: NDArray[np.uint8]
 
 

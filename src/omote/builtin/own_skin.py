@@ -6,10 +6,10 @@ import functools
 from pathlib import Path
 
 import numpy as np
-from numpy.typing import NDArray
 
+from omote.arrays import Values
 from omote.builtin import load_cast, load_landmark_table
-from omote.model.fitting.photographs.skin.skin_samples import SkinSamples, sample_skin
+from omote.model.fitting.photographs.skin_evidence import SkinSamples, sample_skin
 from omote.perform.blending.evaluate import evaluate
 from omote.perform.frame import Frame
 
@@ -20,9 +20,10 @@ SKIN_LAYERS = Path(__file__).parent / "photographs" / "skin_layers.npz"
 def load_skin_samples() -> SkinSamples:
     """Where photographs of faces are compared with the built-in head, and what is known of its colours; errors as
     `load_cast`."""
-    cast, names = load_cast(), list(load_landmark_table().units)
+    cast = load_cast()
+    names = list(load_landmark_table().units)
 
-    def wear(units: dict[str, float]) -> NDArray[np.float64]:
+    def wear(units: dict[str, float]) -> Values:
         return evaluate(cast, Frame({"generic": 1.0}, {"neutral": 1.0}, units)).astype(np.float64)
 
     units = np.stack([wear({name: 1.0}) - wear({}) for name in names])

@@ -7,10 +7,8 @@ from __future__ import annotations
 
 import numpy as np
 from numba import njit
-from numpy.typing import NDArray
 
-Values = NDArray[np.float64]
-Indices = NDArray[np.int32]
+from omote.arrays import Indices, Values
 
 _ITERATIONS = 80
 _SMALLEST = 1e-10  # of the energy at the start
@@ -35,8 +33,12 @@ def solve_conjugate_gradients(
     -------
     The solution (U, 3), after at most 80 steps (Hestenes and Stiefel 1952).
     """
-    shape, rest = pull.shape, pull.copy()
-    x, applied, scaled, direction = np.zeros(shape), np.empty(shape), np.empty(shape), np.zeros(shape)
+    shape = pull.shape
+    rest = pull.copy()
+    x = np.zeros(shape)
+    applied = np.empty(shape)
+    scaled = np.empty(shape)
+    direction = np.zeros(shape)
     _scale_rows(rest, diagonal, scaled)
     _add_scaled(1.0, scaled, direction)
     energy = _dot(rest, scaled)
@@ -81,7 +83,7 @@ def _gather_slope(n: int, d: int, corners: Indices, slopes: Values, x: Values, s
 @njit(cache=True)
 def _scatter_slope(
     n: int, d: int, corners: Indices, slopes: Values, weights: Values, slope: Values, out: Values
-) -> None:  # fmt: skip
+) -> None:
     for k in range(3):
         p = corners[n, k]
         if p >= 0:

@@ -5,15 +5,13 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
-Values = NDArray[np.float64]
+from omote.arrays import Values
 
 
 def wrap(angle: Values, /) -> Values:
     """Wraps angles into [-pi, pi)."""
-    result: Values = (angle + np.pi) % (2 * np.pi) - np.pi
-    return result
+    return (angle + np.pi) % (2 * np.pi) - np.pi
 
 
 @dataclass(frozen=True, slots=True)

@@ -10,15 +10,13 @@ from dataclasses import dataclass
 
 import numpy as np
 from numba import njit
-from numpy.typing import NDArray
 
-Values = NDArray[np.float64]
-Indices = NDArray[np.int32]
+from omote.arrays import Indices, Mask, Values
 
 # Barycentric slack: points on an edge belong to both triangles, whatever the last bits say.
 SLACK = 1e-9
 # Triangles searched around a vertex whose walk a fold has stopped: a patch the size of a cheek on the built-in head.
-REACH = 4000
+SEARCHED_TRIANGLES = 4000
 # Barycentric reach beyond a rim's last triangle.
 FARTHEST = 0.5
 
@@ -30,7 +28,7 @@ class Landing:
 
     triangles: Indices
     weights: Values
-    inside: NDArray[np.bool_]
+    inside: Mask
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -45,7 +43,10 @@ class Strip:
 
     @staticmethod
     def of(theta: Values, h: Values, neighbours: Indices) -> Strip:
-        """The strip of corners theta, h (F, 3); triangles must have area (raises ValueError)."""
+        """The strip of corners theta, h (F, 3); triangles must have area (raises ValueError).
+
+        neighbours: (F, 3): the triangle across the edge opposite to each corner, -1 for none.
+        """
         ux, uy = theta[:, 1] - theta[:, 0], h[:, 1] - h[:, 0]
         vx, vy = theta[:, 2] - theta[:, 0], h[:, 2] - h[:, 0]
         det = ux * vy - uy * vx
@@ -62,7 +63,9 @@ class Strip:
         """
         count = len(theta)
         leaders = np.full(count, -1, np.int32) if leaders is None else leaders
-        triangles, weights, inside = np.empty(count, np.int32), np.empty((count, 3)), np.empty(count, np.bool_)
+        triangles = np.empty(count, np.int32)
+        weights = np.empty((count, 3))
+        inside = np.empty(count, np.bool_)
         walk_strip(self.frames, self.neighbours, theta, h, start, leaders, triangles, weights, inside)
         return Landing(triangles, weights, inside)
 
@@ -83,12 +86,15 @@ def _flat(frames: Values, t: int, theta: float, h: float, b: Values) -> None:
 
 
 @njit(cache=True, inline="always")
-def _way_out(neighbours: Indices, t: int, b: Values) -> int:
-    """The triangle across the edge that the point lies farthest behind; -1 at the rim."""
-    onward, worst = -1, -SLACK
+def _way_on(neighbours: Indices, t: int, before: int, b: Values) -> int:
+    """The triangle across the edge that the point lies farthest behind, -1 at the rim; never the one before, if any:
+    over a fold a walk would go to and fro for ever."""
+    onward = -1
+    worst = -SLACK
     for k in range(3):
-        if b[k] < worst and neighbours[t, k] >= 0:
-            onward, worst = neighbours[t, k], b[k]
+        if neighbours[t, k] >= 0 and neighbours[t, k] != before and b[k] < worst:
+            onward = neighbours[t, k]
+            worst = b[k]
     return onward
 
 
@@ -100,7 +106,7 @@ def _walk_flat(
         _flat(frames, t, theta, h, b)
         if b[0] >= -SLACK and b[1] >= -SLACK and b[2] >= -SLACK:
             return t, True
-        onward = _way_out(neighbours, t, b)
+        onward = _way_on(neighbours, t, -1, b)
         if onward < 0:
             return t, False
         t = onward
@@ -139,9 +145,13 @@ def _rein_in(weights: Values) -> None:
 @njit(cache=True)
 def walk_strip(
     frames: Values, neighbours: Indices, theta: Values, h: Values, start: Indices, leaders: Indices,
-    triangles: Indices, weights: Values, inside: NDArray[np.bool_],
+    triangles: Indices, weights: Values, inside: Mask,
 ) -> None:  # fmt: skip
-    """Kernel of `Strip.locate`; writes triangles, weights and inside.
+    """Writes triangles, weights and inside: the kernel of `Strip.locate`.
+
+    frames: (F, 7), of `Strip`; neighbours: (F, 3): the triangle across the edge opposite to each corner, -1 for none;
+    theta: of the targets (N,), radians; h: of the targets (N,), metres; leaders: (N,) the point whose triangle is tried
+    first, -1 for none.
 
     A leader's triangle is tried before the start, so that a walk is as short on a fine mesh as on a coarse one; S has
     one layer, so the point found is the same.
@@ -151,19 +161,19 @@ def walk_strip(
     for i in range(len(theta)):
         led = leaders[i] >= 0 and inside[leaders[i]]
         first = triangles[leaders[i]] if led else start[i]
-        t, found = _walk_flat(frames, neighbours, theta[i], h[i], first, b, budget)
-        if led and not found:
-            t, found = _walk_flat(frames, neighbours, theta[i], h[i], start[i], b, budget)
+        t, inside_it = _walk_flat(frames, neighbours, theta[i], h[i], first, b, budget)
+        if led and not inside_it:
+            t, inside_it = _walk_flat(frames, neighbours, theta[i], h[i], start[i], b, budget)
         if t < 0:
             t = _scan_flat(frames, theta[i], h[i], b)
-            found = t >= 0
-            if not found:
+            inside_it = t >= 0
+            if not inside_it:
                 t = start[i]
                 _flat(frames, t, theta[i], h[i], b)
         triangles[i] = t
-        inside[i] = found
+        inside[i] = inside_it
         _copy(b, weights[i])
-        if not found:
+        if not inside_it:
             _rein_in(weights[i])
 
 
@@ -198,33 +208,27 @@ def _lowest(b: Values) -> float:
 
 
 @njit(cache=True)
-def _way_on(neighbours: Indices, t: int, before: int, b: Values) -> int:
-    """Like `_way_out`, but never straight back: over a fold that would go to and fro for ever."""
-    onward, worst = -1, -SLACK
-    for k in range(3):
-        if neighbours[t, k] >= 0 and neighbours[t, k] != before and b[k] < worst:
-            onward, worst = neighbours[t, k], b[k]
-    return onward
-
-
-@njit(cache=True)
 def _walk_by_ray(
     points: Values, triangles: Indices, neighbours: Indices, ray: Values, t: int, budget: int, best: Values
 ) -> tuple[int, bool]:
     """Walks until the ray meets a triangle; else returns the one it missed least (weights in best)."""
     b = np.empty(3)
-    nearest, miss, before = -1, -1e300, -1
+    nearest = -1
+    miss = -1e300
+    before = -1
     for _ in range(budget):
         ahead = _hit_by_ray(points, triangles[t], ray, b)
         if ahead and _lowest(b) > miss:
-            nearest, miss = t, _lowest(b)
+            nearest = t
+            miss = _lowest(b)
             _copy(b, best)
         if ahead and miss >= -SLACK:
             return t, True
         onward = _way_on(neighbours, t, before, b)
         if onward < 0:
             break
-        before, t = t, onward
+        before = t
+        t = onward
     return nearest, False
 
 
@@ -235,13 +239,18 @@ def _search_by_ray(
 ) -> tuple[int, bool]:  # fmt: skip
     """The triangle that the ray meets fewest steps across edges from start; else the one it missed least."""
     b = np.empty(3)
-    nearest, miss, head, tail = -1, -1e300, 0, 1
-    queue[0], seen[start] = start, stamp
+    nearest = -1
+    miss = -1e300
+    head = 0
+    tail = 1
+    queue[0] = start
+    seen[start] = stamp
     while head < tail and miss < -SLACK:
         t = queue[head]
         head += 1
         if _hit_by_ray(points, triangles[t], ray, b) and _lowest(b) > miss:
-            nearest, miss = t, _lowest(b)
+            nearest = t
+            miss = _lowest(b)
             _copy(b, best)
         for k in range(3):
             other = neighbours[t, k]
@@ -255,28 +264,34 @@ def _search_by_ray(
 @njit(cache=True)
 def walk_face(
     points: Values, corners: Indices, neighbours: Indices, axis_x: float, axis_z: float, targets: Values,
-    start: Indices, triangles: Indices, weights: Values, inside: NDArray[np.bool_],
+    start: Indices, triangles: Indices, weights: Values, inside: Mask,
 ) -> None:  # fmt: skip
     """Slides targets (N, 3) along their cylinder radius onto a face with points (V, 3) (docs/method.md, "Extract").
+
+    corners: (F, 3) rows of the triangles; neighbours: (F, 3): the triangle across the edge opposite to each corner, -1
+    for none; axis_x, axis_z: of the cylinder, metres.
 
     start (N,): a triangle around the vertex that each target belongs to. Where folds stop the walk, triangles around it
     are searched in order of their steps from the start, so that a neighbouring layer of skin never answers before the
     vertex's own. Writes triangles (N,), weights (N, 3), inside (N,).
     """
-    best, ray = np.empty(3), np.empty(5)
+    best = np.empty(3)
+    ray = np.empty(5)
     budget = 200 + 4 * int(np.sqrt(len(corners)))
-    seen, queue = np.full(len(corners), -1, np.int32), np.empty(min(len(corners), REACH), np.int32)
+    seen = np.full(len(corners), -1, np.int32)
+    queue = np.empty(min(len(corners), SEARCHED_TRIANGLES), np.int32)
     for i in range(len(targets)):
         dx, dz = targets[i, 0] - axis_x, targets[i, 2] - axis_z
         r = np.sqrt(dx * dx + dz * dz)
         ray[0], ray[1], ray[2], ray[3], ray[4] = axis_x, axis_z, dx / r, dz / r, targets[i, 1]
-        t, found = _walk_by_ray(points, corners, neighbours, ray, start[i], budget, best)
-        if not found:
-            t, found = _search_by_ray(points, corners, neighbours, ray, start[i], i, seen, queue, best)
+        t, met = _walk_by_ray(points, corners, neighbours, ray, start[i], budget, best)
+        if not met:
+            t, met = _search_by_ray(points, corners, neighbours, ray, start[i], i, seen, queue, best)
         if t < 0:
             t = start[i]
             best[0] = best[1] = best[2] = 1.0 / 3.0
-        triangles[i], inside[i] = t, found
+        triangles[i] = t
+        inside[i] = met
         _copy(best, weights[i])
-        if not found:
+        if not met:
             _rein_in(weights[i])

@@ -5,10 +5,12 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
+from omote.arrays import Indices, Values
+
 Plane = NDArray[np.float64]
 
 
-def close_loop(polygon: Plane, /) -> NDArray[np.int32]:
+def close_loop(polygon: Plane, /) -> Indices:
     """Triangles that fill a polygon, as indices into it; shortest diagonals first, so lids and lips get ladders.
 
     polygon (n, 2), counter-clockwise. Returns (m, 3) with m <= n - 2, all counter-clockwise: what is left when no ear
@@ -20,7 +22,9 @@ def close_loop(polygon: Plane, /) -> NDArray[np.int32]:
         ear = _shortest_ear(polygon, left)
         if ear is None:
             break
-        before, tip, after = left[ear - 1], left[ear], left[(ear + 1) % len(left)]
+        before = left[ear - 1]
+        tip = left[ear]
+        after = left[(ear + 1) % len(left)]
         result.append((before, tip, after))
         del left[ear]
     return np.array(result, dtype=np.int32).reshape(-1, 3)
@@ -28,7 +32,8 @@ def close_loop(polygon: Plane, /) -> NDArray[np.int32]:
 
 def _shortest_ear(polygon: Plane, left: list[int]) -> int | None:
     points = polygon[left]
-    before, after = np.roll(points, 1, axis=0), np.roll(points, -1, axis=0)
+    before = np.roll(points, 1, axis=0)
+    after = np.roll(points, -1, axis=0)
     convex = _cross(points - before, after - points) > 0
     lengths = np.linalg.norm(after - before, axis=1)
     for ear in np.argsort(lengths, kind="stable"):
@@ -46,6 +51,5 @@ def _any_inside(points: Plane, ear: int) -> bool:
     return bool(inside.any())
 
 
-def _cross(a: Plane, b: Plane) -> NDArray[np.float64]:
-    result: NDArray[np.float64] = a[..., 0] * b[..., 1] - a[..., 1] * b[..., 0]
-    return result
+def _cross(a: Plane, b: Plane) -> Values:
+    return a[..., 0] * b[..., 1] - a[..., 1] * b[..., 0]

@@ -2,20 +2,32 @@
 
 from __future__ import annotations
 
-from typing import Any
+from typing import TYPE_CHECKING, Any, TypeVar
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-Points = NDArray[np.float64]
-Triangles = NDArray[np.int32]
+from omote.arrays import Indices, Mask, Points, Rows, Triangles, Values
+
+if TYPE_CHECKING:
+    from scipy.sparse import csr_array
+
+Array = TypeVar("Array", bound=NDArray[Any])
 
 FARTHEST = 1e6
 """No number of a mesh lies farther from zero: float32 would keep nothing of a face, and squares would overflow."""
 
 
-def validate_numbers(values: ArrayLike, /, *, name: str) -> NDArray[np.float64]:
+def freeze(values: Array, /) -> Array:
+    """Makes an array read-only, and returns it."""
+    values.setflags(write=False)
+    return values
+
+
+def validate_numbers(values: ArrayLike, /, *, name: str) -> Values:
     """Validates and copies numbers into a float64 array of any shape.
+
+    name: what messages call it.
 
     Raises ValueError on rows of different lengths, on masked values and on what is no number: text, bool, complex,
     objects. Whether the numbers are finite is left to whoever knows what their rows are.
@@ -29,7 +41,7 @@ def validate_numbers(values: ArrayLike, /, *, name: str) -> NDArray[np.float64]:
     return np.array(given, dtype=np.float64)
 
 
-def rows_out_of_reach(values: NDArray[np.float64], /) -> NDArray[np.intp]:
+def rows_out_of_reach(values: Values, /) -> Rows:
     """The rows of values that are not finite, or farther than FARTHEST from zero."""
     near = np.abs(values) <= FARTHEST  # not so for NaN
     return np.flatnonzero(~near.all(axis=tuple(range(1, near.ndim))))
@@ -44,6 +56,8 @@ def _to_array(values: ArrayLike, name: str) -> NDArray[Any]:
 
 def validate_points(points: ArrayLike, /, *, name: str = "points") -> Points:
     """Validates points and converts them to float64.
+
+    name: what messages call it.
 
     points (V, 3), metres. Raises ValueError on another shape, on what is no real number and on values that are not
     finite or out of all reach.
@@ -98,7 +112,7 @@ def _refuse_doubled(triangles: NDArray[np.integer]) -> None:
         )
 
 
-def weld(points: Points, /) -> NDArray[np.int32]:
+def weld(points: Points, /) -> Indices:
     """For each vertex, the first vertex at exactly the same place (texture seams double vertices).
 
     points (V, 3) -> (V,).
@@ -115,61 +129,80 @@ def neighbours(triangles: Triangles, /) -> Triangles:
     """
     a, b = np.roll(triangles, -1, axis=1).ravel(), np.roll(triangles, -2, axis=1).ravel()
     size = np.int64(triangles.max()) + 1
-    forward, backward = a.astype(np.int64) * size + b, b.astype(np.int64) * size + a
+    forward = a.astype(np.int64) * size + b
+    backward = b.astype(np.int64) * size + a
     order = np.argsort(forward, kind="stable")
-    found = np.searchsorted(forward[order], backward)
-    inside = found < len(order)
-    other = order[np.minimum(found, len(order) - 1)]
+    place = np.searchsorted(forward[order], backward)
+    inside = place < len(order)
+    other = order[np.minimum(place, len(order) - 1)]
     inside &= forward[other] == backward
     unique = _find_unique(forward)
     inside &= unique & unique[other]
-    result: Triangles = np.where(inside, other // 3, -1).astype(np.int32).reshape(-1, 3)
-    return result
+    return np.where(inside, other // 3, -1).astype(np.int32).reshape(-1, 3)
 
 
-def _find_unique(keys: NDArray[np.int64], /) -> NDArray[np.bool_]:
+def _find_unique(keys: NDArray[np.int64], /) -> Mask:
     _, inverse, counts = np.unique(keys, return_inverse=True, return_counts=True)
-    once: NDArray[np.bool_] = counts[inverse] == 1
-    return once
+    return counts[inverse] == 1
 
 
-def edge_lengths(points: Points, triangles: Triangles, /) -> NDArray[np.float64]:
-    """Length of the edge opposite to each corner: (F, 3), metres."""
+def edge_lengths(points: Points, triangles: Triangles, /) -> Values:
+    """Length of the edge opposite to each corner: (F, 3), metres.
+
+    points: (V, 3), metres; triangles: rows (F, 3) of vertices.
+    """
     corners = points[triangles]
-    result: NDArray[np.float64] = np.linalg.norm(np.roll(corners, -1, axis=1) - np.roll(corners, -2, axis=1), axis=2)
-    return result
+    return np.linalg.norm(np.roll(corners, -1, axis=1) - np.roll(corners, -2, axis=1), axis=2)
 
 
-def areas(points: Points, triangles: Triangles, /) -> NDArray[np.float64]:
-    """Area of each triangle: (F,), square metres."""
+def areas(points: Points, triangles: Triangles, /) -> Values:
+    """Area of each triangle: (F,), square metres. points: (V, 3), metres; triangles: rows (F, 3) of vertices."""
     a, b, c = points[triangles].transpose(1, 0, 2)
-    result: NDArray[np.float64] = 0.5 * np.linalg.norm(np.cross(b - a, c - a), axis=1)
-    return result
+    return 0.5 * np.linalg.norm(np.cross(b - a, c - a), axis=1)
 
 
 def normals(points: Points, triangles: Triangles, /) -> Points:
-    """Area-weighted unit normal of each vertex: (V, 3); a vertex without area gets (0, 0, 1)."""
+    """Area-weighted unit normal of each vertex: (V, 3); a vertex without area gets (0, 0, 1).
+
+    points: (V, 3), metres; triangles: rows (F, 3) of vertices.
+    """
     a, b, c = points[triangles].transpose(1, 0, 2)
     faces = np.cross(b - a, c - a)
     total = np.zeros_like(points)
     for corner in range(3):
         np.add.at(total, triangles[:, corner], faces)
     length = np.linalg.norm(total, axis=1, keepdims=True)
-    result: Points = np.where(length > 0, total / np.where(length > 0, length, 1.0), [0.0, 0.0, 1.0])
-    return result
+    return np.where(length > 0, total / np.where(length > 0, length, 1.0), [0.0, 0.0, 1.0])
 
 
 def unit_normals(corners: Points, /) -> Points:
     """The unit normals (n, 3) of triangles (n, 3, 3); zero where one has no area."""
     across = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
-    result: Points = across / np.maximum(np.linalg.norm(across, axis=1, keepdims=True), 1e-30)
-    return result
+    return across / np.maximum(np.linalg.norm(across, axis=1, keepdims=True), 1e-30)
+
+
+def cross_matrices(vectors: Points, /) -> Values:
+    """The matrices (n, 3, 3) that give the cross products of vectors (n, 3) with what they are applied to."""
+    x, y, z = vectors.T
+    none = np.zeros_like(x)
+    return np.stack([none, -z, y, z, none, -x, -y, x, none], axis=1).reshape(-1, 3, 3)
 
 
 def edges(triangles: Triangles, /) -> Triangles:
     """Every edge of triangles once, lower vertex first: (E, 2)."""
-    found: Triangles = np.unique(np.sort(triangles[:, [0, 1, 1, 2, 2, 0]].reshape(-1, 2), axis=1), axis=0)
-    return found
+    return np.unique(np.sort(triangles[:, [0, 1, 1, 2, 2, 0]].reshape(-1, 2), axis=1), axis=0)
+
+
+def edge_graph(points: Points, triangles: NDArray[np.integer], /) -> csr_array:
+    """The graph (n, n) of a mesh's edges with their lengths, metres.
+
+    points (n, 3): metres; triangles (t, 3): rows of them.
+    """
+    from scipy.sparse import csr_array
+
+    ends = edges(triangles.astype(np.int32))
+    lengths = np.maximum(np.linalg.norm(points[ends[:, 0]] - points[ends[:, 1]], axis=1), 1e-9)
+    return csr_array((lengths, (ends[:, 0], ends[:, 1])), shape=(len(points), len(points)))
 
 
 def boundary_edges(triangles: Triangles, /) -> Triangles:
@@ -179,10 +212,10 @@ def boundary_edges(triangles: Triangles, /) -> Triangles:
     return np.stack([triangles[rows, (corners + 1) % 3], triangles[rows, (corners + 2) % 3]], axis=1)
 
 
-def boundary_loops(
-    triangles: Triangles, plane: NDArray[np.float64], /, *, period: float = np.inf
-) -> list[NDArray[np.int32]]:  # fmt: skip
+def boundary_loops(triangles: Triangles, plane: Values, /, *, period: float = np.inf) -> list[Indices]:
     """The closed boundary lines, mesh on the left; a vertex where two holes touch splits them.
+
+    period: of that column, infinite for none.
 
     triangles (F, 3), plane (V, 2): a picture of the mesh in which angles at such a vertex are measured, its first
     column periodic. Returns one index array per loop.
@@ -197,16 +230,18 @@ def boundary_loops(
     return loops
 
 
-def _trace(leaving: dict[int, list[int]], plane: NDArray[np.float64], period: float) -> NDArray[np.int32]:
+def _trace(leaving: dict[int, list[int]], plane: Values, period: float) -> Indices:
     start = next(iter(leaving))
-    before, here = start, leaving[start][0]
+    before = start
+    here = leaving[start][0]
     _take(leaving, start, here)
     loop = [start]
     while here != start:
         loop.append(here)
         onward = _next_around_hole(before, here, leaving[here], plane, period)
         _take(leaving, here, onward)
-        before, here = here, onward
+        before = here
+        here = onward
     return np.array(loop, dtype=np.int32)
 
 
@@ -216,9 +251,7 @@ def _take(leaving: dict[int, list[int]], start: int, end: int) -> None:
         del leaving[start]
 
 
-def _next_around_hole(
-    before: int, here: int, candidates: list[int], plane: NDArray[np.float64], period: float
-) -> int:  # fmt: skip
+def _next_around_hole(before: int, here: int, candidates: list[int], plane: Values, period: float) -> int:
     # The hole lies on the right of the boundary: sweep counter-clockwise from where we came.
     if len(candidates) == 1:
         return candidates[0]
@@ -232,17 +265,20 @@ def _next_around_hole(
     return min(candidates, key=turn)
 
 
-def components(triangles: Triangles, vertex_count: int, /) -> NDArray[np.int32]:
+def components(triangles: Triangles, vertex_count: int, /) -> Indices:
     """Connected component of each vertex, numbered from 0 in order of size, largest first: (V,); a lone vertex is
-    one too."""
+    one too.
+
+    triangles: rows (F, 3) of vertices; vertex_count: V.
+    """
     from scipy.sparse import coo_array
     from scipy.sparse.csgraph import connected_components
 
-    rows, cols = triangles.ravel(), np.roll(triangles, 1, axis=1).ravel()
+    rows = triangles.ravel()
+    cols = np.roll(triangles, 1, axis=1).ravel()
     graph = coo_array((np.ones(len(rows), dtype=np.int8), (rows, cols)), shape=(vertex_count, vertex_count))
     count, label = connected_components(graph, directed=False)
     order = np.argsort(-np.bincount(label, minlength=count), kind="stable")
     rank = np.empty(count, dtype=np.int32)
     rank[order] = np.arange(count, dtype=np.int32)
-    result: NDArray[np.int32] = rank[label]
-    return result
+    return rank[label]

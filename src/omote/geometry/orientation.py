@@ -1,4 +1,4 @@
-"""Keeps triangles from turning over: position based dynamics (Mueller et al. 2007, section 3.3).
+"""Repairs triangles that have turned over, or nearly: position based dynamics (Mueller et al. 2007, section 3.3).
 
 Jacobi iterations with over-relaxation: each triangle with too little area moves its three corners along the gradient of
 its area, a corner takes the mean over its triangles. One that lacks next to nothing weighs next to nothing there:
@@ -10,10 +10,8 @@ from __future__ import annotations
 
 import numpy as np
 from numba import njit
-from numpy.typing import NDArray
 
-Values = NDArray[np.float64]
-Indices = NDArray[np.int32]
+from omote.arrays import Indices, Values
 
 OVER_RELAXATION = 1.5
 """A step goes so many times as far as one triangle alone would need (over-relaxation)."""
@@ -24,7 +22,7 @@ LEAST_SLOPE = 1e-3
 
 
 def rest_normals(rest: Values, triangles: Indices) -> tuple[Values, Values]:
-    """Normals (t, 3), twice the areas long, and their squared lengths (t,)."""
+    """Normals (t, 3), twice the areas long, and their squared lengths (t,). rest: (V, 3), metres; triangles: (t, 3)."""
     a, b, c = (rest[triangles[:, corner]] for corner in range(3))
     normals = np.cross(b - a, c - a)
     return normals, (normals**2).sum(axis=1)
@@ -32,7 +30,10 @@ def rest_normals(rest: Values, triangles: Indices) -> tuple[Values, Values]:
 
 @njit(cache=True)
 def area_shares(points: Values, normals: Values, sizes: Values, triangles: Indices) -> Values:
-    """What is left of each triangle's area, seen along its normal at rest: (t,), negative where it is turned over."""
+    """What is left of each triangle's area, seen along its normal at rest: (t,), negative where it is turned over.
+
+    points: (m, 3), metres; normals: (t, 3), at rest; sizes: (t,), their squared lengths; triangles: (t, 3).
+    """
     left = np.empty(len(triangles))
     for t in range(len(triangles)):
         i, j, k = triangles[t]
@@ -41,16 +42,20 @@ def area_shares(points: Values, normals: Values, sizes: Values, triangles: Indic
 
 
 @njit(cache=True)
-def keep_orientation(
+def repair_triangles(
     points: Values, normals: Values, sizes: Values, triangles: Indices, goals: Values, rounds: int,
     momentum: float = 0.0,
 ) -> None:  # fmt: skip
     """Moves points (m, 3), in place, until each triangle keeps its goal (t,) of its area, or the rounds are over.
 
+    goals: (t,), shares.
+
     normals (t, 3), sizes (t,): at rest, as from `rest_normals`. A vertex takes the mean over its triangles; momentum:
     and so much of its last step, while anything is wanted there.
     """
-    push, wanted, step = np.zeros_like(points), np.zeros(len(points)), np.zeros_like(points)
+    push = np.zeros_like(points)
+    wanted = np.zeros(len(points))
+    step = np.zeros_like(points)
     for _ in range(rounds):
         push[:] = 0.0
         wanted[:] = 0.0
@@ -67,7 +72,7 @@ def keep_orientation(
 @njit(cache=True)
 def _accumulate(
     points: Values, normals: Values, sizes: Values, triangles: Indices, goals: Values, push: Values, wanted: Values
-) -> bool:  # fmt: skip
+) -> bool:
     """Adds the corrections of triangles with too little area to push (m, 3), their weights to wanted (m,); any at
     all?"""
     some = False

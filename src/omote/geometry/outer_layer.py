@@ -4,52 +4,69 @@ from __future__ import annotations
 
 import numpy as np
 from numba import njit
-from numpy.typing import NDArray
 
-Values = NDArray[np.float64]
+from omote.arrays import Mask, Rows, Values
 
 
-@njit(cache=True)
-def keep_outer_layer(
-    theta: Values, h: Values, radius: Values, width: float, cell: float, keep: NDArray[np.bool_]
-) -> None:  # fmt: skip
+def keep_outer_layer(theta: Values, h: Values, radius: Values, width: float, cell: float, keep: Mask) -> None:
     """Clears keep where a triangle of a periodic strip is covered by one of larger radius.
 
     theta, h (F, 3) unwrapped corners scaled to metres, period width; radius (F,) of each triangle; cell: the size of a
-    cell of the grid in which neighbours are looked up.
+    cell of the grid in which neighbours are looked up; keep (F,).
     """
-    columns, lowest = max(1, int(width / cell)), h.min()
-    first = np.full((columns, int((h.max() - lowest) / cell) + 1), -1, np.int64)
-    links, used = np.empty((len(theta) * 16, 2), np.int64), 0
-    for t in np.argsort(-radius):
-        c0, c1 = int(np.floor(theta[t].min() / width * columns)), int(np.floor(theta[t].max() / width * columns))
-        r0, r1 = int((h[t].min() - lowest) / cell), int((h[t].max() - lowest) / cell)
+    columns = max(1, int(width / cell))
+    spans = np.stack(
+        [
+            np.floor(theta.min(axis=1) / width * columns),
+            np.floor(theta.max(axis=1) / width * columns),
+            (h.min(axis=1) - h.min()) / cell,
+            (h.max(axis=1) - h.min()) / cell,
+        ],
+        axis=1,
+    ).astype(np.int64)
+    first = np.full((columns, int(spans[:, 3].max()) + 1), -1, np.int64)
+    links = np.empty((int(((spans[:, 1] - spans[:, 0] + 1) * (spans[:, 3] - spans[:, 2] + 1)).sum()), 2), np.int64)
+    order = np.argsort(-radius, kind="stable")
+    _keep_from_outside(theta, h, order, spans, width, theta.mean(axis=1), first, links, keep)
+
+
+@njit(cache=True)
+def _keep_from_outside(
+    theta: Values, h: Values, order: Rows, spans: Rows, width: float, middles: Values, first: Rows, links: Rows,
+    keep: Mask,
+) -> None:  # fmt: skip
+    """spans (F, 4): first and last column and row of a triangle's cells; middles (F,) of its theta; first: the newest
+    link of each cell; links: a triangle and the link before. Sorting and means of whole arrays are NumPy's: numba takes
+    longer to compile them than all else here."""
+    columns = len(first)
+    used = 0
+    for t in order:
+        c0, c1, r0, r1 = spans[t, 0], spans[t, 1], spans[t, 2], spans[t, 3]
         covered = False
         for c in range(c0, c1 + 1):
             for r in range(r0, r1 + 1):
-                covered = covered or _is_covered(theta, h, t, first[c % columns, r], links, width)
+                covered = covered or _is_covered(theta, h, middles, t, first[c % columns, r], links, width)
         keep[t] = not covered
         for c in range(c0, c1 + 1 if keep[t] else c0):
             for r in range(r0, r1 + 1):
-                if used == len(links):
-                    links = np.concatenate((links, np.empty_like(links)))
-                links[used, 0], links[used, 1] = t, first[c % columns, r]
+                links[used, 0] = t
+                links[used, 1] = first[c % columns, r]
                 first[c % columns, r] = used
                 used += 1
 
 
 @njit(cache=True)
-def _is_covered(theta: Values, h: Values, t: int, link: int, links: NDArray[np.int64], width: float) -> bool:
+def _is_covered(theta: Values, h: Values, middles: Values, t: int, link: int, links: Rows, width: float) -> bool:
     while link >= 0:
-        if _overlap(theta, h, t, links[link, 0], width):
+        if _overlap(theta, h, middles, t, links[link, 0], width):
             return True
         link = links[link, 1]
     return False
 
 
 @njit(cache=True)
-def _overlap(theta: Values, h: Values, t: int, other: int, width: float) -> bool:
-    shift = np.round((theta[t].mean() - theta[other].mean()) / width) * width
+def _overlap(theta: Values, h: Values, middles: Values, t: int, other: int, width: float) -> bool:
+    shift = np.round((middles[t] - middles[other]) / width) * width
     return not (_is_separated(theta, h, t, other, shift) or _is_separated(theta, h, other, t, -shift))
 
 

@@ -6,8 +6,8 @@ import numpy as np
 from numba import njit
 from numpy.typing import NDArray
 
-Values = NDArray[np.float64]
-Indices = NDArray[np.int64]
+from omote.arrays import Rows, Values
+
 Corners = NDArray[np.int32]
 
 # Barycentric slack of a ray that passes an edge: it belongs to both triangles.
@@ -22,8 +22,10 @@ DOUBT = 0.1
 LAYERS = 64
 
 
-def nearest_triangles(corners: Values, points: Values, within: float = np.inf) -> tuple[Values, Indices]:
+def nearest_triangles(corners: Values, points: Values, within: float = np.inf) -> tuple[Values, Rows]:
     """The distance (n,) of points (n, 3) to a mesh with triangles (t, 3, 3), and which of them is nearest (n,).
+
+    corners: (t, 3, 3), metres.
 
     Points farther away than within metres are at that distance of triangle -1: a short reach looks at few triangles.
     """
@@ -35,22 +37,30 @@ def measure_outside(corners: Values, points: Values, within: float) -> tuple[Val
     """How far points (n, 3) lie before a patch of a surface, triangles (t, 3, 3) that face outward, (n,) metres, none
     where they are behind it or farther away than within; and the ways back to it, unit vectors (n, 3), or zero.
 
+    corners: (t, 3, 3), metres.
+
     Near a patch winding numbers are about a half behind it, less by one before it. They are found where the nearest
     triangles leave a doubt (Baerentzen & Aanaes 2005, normals of edges unweighted).
     """
     away, nearest, side = _find_nearest(corners, points, within)
     near = np.flatnonzero((nearest >= 0) & (side > -DOUBT * away) & (away > 0.0))
     out = near[winding_numbers(corners, points[near]) < 0.0]
-    far, back = np.zeros(len(points)), np.zeros((len(points), 3))
+    far = np.zeros(len(points))
+    back = np.zeros((len(points), 3))
     far[out] = away[out]
-    back[out] = (_nearest_places(corners[nearest[out]], points[out]) - points[out]) / away[out, None]
+    met = corners[nearest[out]]
+    weights = nearest_weights(met, points[out])
+    places = met[:, 0] + weights[:, 1:2] * (met[:, 1] - met[:, 0]) + weights[:, 2:] * (met[:, 2] - met[:, 0])
+    back[out] = (places - points[out]) / away[out, None]
     return far, back
 
 
 @njit(cache=True)
-def _find_nearest(corners: Values, points: Values, within: float) -> tuple[Values, Indices, Values]:
+def _find_nearest(corners: Values, points: Values, within: float) -> tuple[Values, Rows, Values]:
     """As `nearest_triangles`; and how far (n,) before the planes of triangles that are as near, in sum."""
-    best, at, side = np.full(len(points), within), np.full(len(points), -1, np.int64), np.zeros(len(points))
+    best = np.full(len(points), within)
+    at = np.full(len(points), -1, np.int64)
+    side = np.zeros(len(points))
     for t in range(len(corners)):
         ax, ay, az = corners[t, 0, 0], corners[t, 0, 1], corners[t, 0, 2]
         ux, uy, uz = corners[t, 1, 0] - ax, corners[t, 1, 1] - ay, corners[t, 1, 2] - az
@@ -62,7 +72,7 @@ def _find_nearest(corners: Values, points: Values, within: float) -> tuple[Value
             x, y, z = points[n, 0] - ax, points[n, 1] - ay, points[n, 2] - az
             if x * x + y * y + z * z > (best[n] * (1.0 + ALIKE) + reach) ** 2:
                 continue
-            b, c = _nearest_weights(x, y, z, ux, uy, uz, vx, vy, vz)
+            b, c = weigh_corners(x, y, z, ux, uy, uz, vx, vy, vz)
             away = _length(x - b * ux - c * vx, y - b * uy - c * vy, z - b * uz - c * vz)
             before = (x * nx + y * ny + z * nz) / size
             if away < best[n] * (1.0 - ALIKE):
@@ -70,31 +80,33 @@ def _find_nearest(corners: Values, points: Values, within: float) -> tuple[Value
             elif away <= best[n] * (1.0 + ALIKE):
                 side[n] += before
             if away < best[n]:
-                best[n], at[n] = away, t
+                best[n] = away
+                at[n] = t
     return best, at, side
 
 
 @njit(cache=True)
-def _nearest_places(corners: Values, points: Values) -> Values:
-    """Where a triangle each, (n, 3, 3), is nearest to points (n, 3)."""
-    places = np.empty(points.shape)
+def nearest_weights(corners: Values, points: Values) -> Values:
+    """The weights (n, 3) of the corners of triangles (n, 3, 3), one for each of points (n, 3), where it is nearest."""
+    weights = np.empty((len(points), 3))
     for n in range(len(points)):
         a, u, v = corners[n, 0], corners[n, 1] - corners[n, 0], corners[n, 2] - corners[n, 0]
         off = points[n] - a
-        b, c = _nearest_weights(off[0], off[1], off[2], u[0], u[1], u[2], v[0], v[1], v[2])
-        places[n] = a + b * u + c * v
-    return places
+        b, c = weigh_corners(off[0], off[1], off[2], u[0], u[1], u[2], v[0], v[1], v[2])
+        weights[n, 0], weights[n, 1], weights[n, 2] = 1.0 - b - c, b, c
+    return weights
 
 
 @njit(cache=True, inline="always")
-def _nearest_weights(
+def weigh_corners(
     x: float, y: float, z: float, ux: float, uy: float, uz: float, vx: float, vy: float, vz: float
-) -> tuple[float, float]:  # fmt: skip
-    """The weights b, c of the place b u + c v of the triangle of the origin, u and v that is nearest to (x, y, z)
-    (Ericson 2005, section 5.1.5)."""
+) -> tuple[float, float]:
+    """The weights b, c of the place b u + c v of the triangle of the origin, u (ux, uy, uz) and v (vx, vy, vz) that is
+    nearest to (x, y, z) (Ericson 2005, section 5.1.5)."""
     uu, uv, vv = ux * ux + uy * uy + uz * uz, ux * vx + uy * vy + uz * vz, vx * vx + vy * vy + vz * vz
     area = uu * vv - uv * uv
-    along, across = ux * x + uy * y + uz * z, vx * x + vy * y + vz * z
+    along = ux * x + uy * y + uz * z
+    across = vx * x + vy * y + vz * z
     if area > 0.0:
         b, c = (vv * along - uv * across) / area, (uu * across - uv * along) / area
         if b >= 0.0 and c >= 0.0 and b + c <= 1.0:
@@ -104,7 +116,8 @@ def _nearest_weights(
     third = (across - along - uv + uu) / max(uu - 2.0 * uv + vv, 1e-30)
     third = min(max(third, 0.0), 1.0)
     # Squared distances, less that of the corner: |p - s e|^2 = |p|^2 - 2 s p.e + s^2 e.e
-    to_first, to_second = first * (first * uu - 2.0 * along), second * (second * vv - 2.0 * across)
+    to_first = first * (first * uu - 2.0 * along)
+    to_second = second * (second * vv - 2.0 * across)
     b, c = 1.0 - third, third
     to_third = b * b * uu + 2.0 * b * c * uv + c * c * vv - 2.0 * (b * along + c * across)
     if to_first <= to_second and to_first <= to_third:
@@ -116,44 +129,53 @@ def _nearest_weights(
 
 @njit(cache=True)
 def _length(x: float, y: float, z: float) -> float:
-    return np.sqrt(x * x + y * y + z * z)  # type: ignore[no-any-return]
+    return np.sqrt(x * x + y * y + z * z)
 
 
 @njit(cache=True)
-def cast_rays(corners: Values, origins: Values, ways: Values, behind: float) -> tuple[Values, Indices, Values]:
+def cast_rays(corners: Values, origins: Values, ways: Values, behind: float) -> tuple[Values, Rows, Values]:
     """Where rays from origins (n, 3) along unit ways (n, 3) first meet triangles (t, 3, 3), from so far behind on.
+
+    corners: (t, 3, 3), metres.
 
     Moeller and Trumbore (1997): distances (n,), infinity where none is met; triangles (n,), weights (n, 3).
     """
-    best, at, weights = np.full(len(origins), np.inf), np.zeros(len(origins), np.int64), np.zeros((len(origins), 3))
-    for t in range(len(corners)):
-        a, u, v = corners[t, 0], corners[t, 1] - corners[t, 0], corners[t, 2] - corners[t, 0]
+    best = np.full(len(origins), np.inf)
+    at = np.zeros(len(origins), np.int64)
+    weights = np.zeros((len(origins), 3))
+    for t in range(len(corners)):  # numbers, not arrays, which numba takes far longer to compile
+        ax, ay, az = corners[t, 0, 0], corners[t, 0, 1], corners[t, 0, 2]
+        ux, uy, uz = corners[t, 1, 0] - ax, corners[t, 1, 1] - ay, corners[t, 1, 2] - az
+        vx, vy, vz = corners[t, 2, 0] - ax, corners[t, 2, 1] - ay, corners[t, 2, 2] - az
         for n in range(len(origins)):
-            across = np.cross(ways[n], v)
-            volume = (u * across).sum()
+            wx, wy, wz = ways[n, 0], ways[n, 1], ways[n, 2]
+            px, py, pz = wy * vz - wz * vy, wz * vx - wx * vz, wx * vy - wy * vx
+            volume = ux * px + uy * py + uz * pz
             if abs(volume) < 1e-18:
                 continue
-            off = origins[n] - a
-            b = (off * across).sum() / volume
+            x, y, z = origins[n, 0] - ax, origins[n, 1] - ay, origins[n, 2] - az
+            b = (x * px + y * py + z * pz) / volume
             if b < -SLACK or b > 1.0 + SLACK:
                 continue
-            over = np.cross(off, u)
-            c = (ways[n] * over).sum() / volume
-            far = (v * over).sum() / volume
+            qx, qy, qz = y * uz - z * uy, z * ux - x * uz, x * uy - y * ux
+            c = (wx * qx + wy * qy + wz * qz) / volume
+            far = (vx * qx + vy * qy + vz * qz) / volume
             if c >= -SLACK and b + c <= 1.0 + SLACK and -behind < far < best[n]:
-                best[n], at[n] = far, t
+                best[n] = far
+                at[n] = t
                 weights[n, 0], weights[n, 1], weights[n, 2] = 1.0 - b - c, b, c
     return best, at, weights
 
 
 @njit(cache=True)
-def cast_level_rays(positions: Values, triangles: Corners, origins: Values, ways: Values) -> tuple[Values, Indices]:
+def cast_level_rays(positions: Values, triangles: Corners, origins: Values, ways: Values) -> tuple[Values, Rows]:
     """Where level rays (their ways' y is 0) from origins (n, 3) along unit ways (n, 3) first meet triangles (t, 3) of
     positions (V, 3): distances (n,), infinity where none is met, and which triangle (n,).
 
     Moeller and Trumbore (1997), of the triangles that reach the ray's height (found by layers of height).
     """
-    best, at = np.full(len(origins), np.inf), np.zeros(len(origins), np.int64)
+    best = np.full(len(origins), np.inf)
+    at = np.zeros(len(origins), np.int64)
     if len(triangles) == 0:
         return best, at
     low, layer, starts, rows = _sort_by_height(positions, triangles)
@@ -163,10 +185,12 @@ def cast_level_rays(positions: Values, triangles: Corners, origins: Values, ways
             continue
         here = min(int(above), LAYERS - 1)
         for r in range(starts[here], starts[here + 1]):
-            i, j, k = triangles[rows[r]]
+            t = rows[r]
+            i, j, k = triangles[t, 0], triangles[t, 1], triangles[t, 2]
             far = _cast_level_ray(positions[i], positions[j], positions[k], origins[n], ways[n])
             if far < best[n]:
-                best[n], at[n] = far, rows[r]
+                best[n] = far
+                at[n] = t
     return best, at
 
 
@@ -178,7 +202,8 @@ def _cast_level_ray(one: Values, two: Values, three: Values, origin: Values, way
     ux, uy, uz = two[0] - one[0], two[1] - one[1], two[2] - one[2]
     vx, vy, vz = three[0] - one[0], three[1] - one[1], three[2] - one[2]
     aside = z * wx - x * wz  # how far beside the ray the corners lie
-    left, right = aside + ux * wz - uz * wx, aside + vx * wz - vz * wx
+    left = aside + ux * wz - uz * wx
+    right = aside + vx * wz - vz * wx
     if min(aside, left, right) > ASIDE or max(aside, left, right) < -ASIDE:
         return np.inf
     cx, cy, cz = -wz * vy, wz * vx - wx * vz, wx * vy
@@ -193,25 +218,34 @@ def _cast_level_ray(one: Values, two: Values, three: Values, origin: Values, way
 
 
 @njit(cache=True)
-def _sort_by_height(positions: Values, triangles: Corners) -> tuple[float, float, Indices, Indices]:
+def _sort_by_height(positions: Values, triangles: Corners) -> tuple[float, float, Rows, Rows]:
     """Sorts triangles into layers of height (y): the lowest height, a layer's height, where each layer begins in the
     rows (LAYERS + 1,), and the rows, a triangle's in each layer that it reaches."""
+    # No function of whole arrays: numba takes seconds to compile some, and a show's first face would wait for it.
     reach = np.empty((len(triangles), 2))
+    low = np.inf
+    high = -np.inf
     for t in range(len(triangles)):
-        i, j, k = triangles[t]
+        i, j, k = triangles[t, 0], triangles[t, 1], triangles[t, 2]
         reach[t, 0] = min(positions[i, 1], positions[j, 1], positions[k, 1])
         reach[t, 1] = max(positions[i, 1], positions[j, 1], positions[k, 1])
-    low = reach[:, 0].min()
-    layer = max(reach[:, 1].max() - low, 1e-9) / LAYERS
-    ends = np.minimum((reach - low) / layer, LAYERS - 1).astype(np.int64)
+        low = min(low, reach[t, 0])
+        high = max(high, reach[t, 1])
+    layer = max(high - low, 1e-9) / LAYERS
+    ends = np.empty((len(triangles), 2), np.int64)
     starts = np.zeros(LAYERS + 1, np.int64)
     for t in range(len(triangles)):
-        starts[ends[t, 0] + 1 : ends[t, 1] + 2] += 1
-    starts = np.cumsum(starts)
-    free, rows = starts[:-1].copy(), np.empty(starts[-1], np.int64)
+        for end in range(2):
+            ends[t, end] = int(min((reach[t, end] - low) / layer, LAYERS - 1))
+        for b in range(ends[t, 0], ends[t, 1] + 1):
+            starts[b + 1] += 1
+    for b in range(LAYERS):
+        starts[b + 1] += starts[b]
+    free = np.zeros(LAYERS, np.int64)
+    rows = np.empty(starts[LAYERS], np.int64)
     for t in range(len(triangles)):
         for b in range(ends[t, 0], ends[t, 1] + 1):
-            rows[free[b]] = t
+            rows[starts[b] + free[b]] = t
             free[b] += 1
     return low, layer, starts, rows
 
@@ -219,10 +253,16 @@ def _sort_by_height(positions: Values, triangles: Corners) -> tuple[float, float
 @njit(cache=True)
 def winding_numbers(corners: Values, points: Values) -> Values:
     """How often triangles (t, 3, 3) go around points (n, 3): 1 inside a closed mesh that faces outward, 0 outside it
-    (van Oosterom and Strackee 1983); between them where the mesh has holes (Jacobson et al. 2013)."""
+    (van Oosterom and Strackee 1983); between them where the mesh has holes (Jacobson et al. 2013).
+
+    corners: (t, 3, 3), metres.
+    """
     result = np.zeros(len(points))
     for n in range(len(points)):
-        total, x, y, z = 0.0, points[n, 0], points[n, 1], points[n, 2]
+        total = 0.0
+        x = points[n, 0]
+        y = points[n, 1]
+        z = points[n, 2]
         for t in range(len(corners)):
             ax, ay, az = corners[t, 0, 0] - x, corners[t, 0, 1] - y, corners[t, 0, 2] - z
             bx, by, bz = corners[t, 1, 0] - x, corners[t, 1, 1] - y, corners[t, 1, 2] - z

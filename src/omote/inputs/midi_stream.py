@@ -10,7 +10,10 @@ from collections.abc import Callable
 
 from omote.inputs.reading import Reading
 
-STATUS, REAL_TIME, SYSTEM, END_OF_SYSTEM = 0x80, 0xF8, 0xF0, 0xF7
+STATUS = 0x80
+REAL_TIME = 0xF8
+SYSTEM = 0xF0
+END_OF_SYSTEM = 0xF7
 NOTE_OFF, NOTE_ON, KEY_PRESSURE, CONTROL, PROGRAM, PRESSURE, BEND = range(0x80, 0xF0, 0x10)
 LENGTHS = {NOTE_OFF: 2, NOTE_ON: 2, KEY_PRESSURE: 2, CONTROL: 2, PROGRAM: 1, PRESSURE: 1, BEND: 2}
 """Data bytes of a message, by its status without the channel."""
@@ -20,7 +23,8 @@ FINE = 32
 PAIRED = 3
 """Times in a row that a fine part must come right behind its controller until the two are taken for one control of
 14 bits: most desks have plain keys and dials at both numbers."""
-HIGHEST_7, HIGHEST_14 = 127.0, 16383.0
+HIGHEST_7 = 127.0
+HIGHEST_14 = 16383.0
 
 
 class MidiDecoder:
@@ -28,7 +32,8 @@ class MidiDecoder:
     is then known to be one. rejected: bytes that belong to no message."""
 
     def __init__(self, device: str, is_bound: Callable[[str], bool] = lambda _: False) -> None:
-        self._device, self._is_bound = device, is_bound
+        self._device = device
+        self._is_bound = is_bound
         self._status = 0
         self._data: list[int] = []
         self._in_system = False
@@ -40,15 +45,15 @@ class MidiDecoder:
     def feed(self, data: bytes) -> list[Reading]:
         """The readings that are whole with these bytes: `1/cc7`, `1/cc7+39` (14 bits), `1/note60`, `1/bend`,
         `1/pressure`, `1/pressure60`, `1/program5`; channels as people count them, from 1."""
-        found: list[Reading] = []
+        readings: list[Reading] = []
         for byte in data:
             if byte >= REAL_TIME:
                 continue
             if byte >= STATUS:
                 self._begin(byte)
             else:
-                found += self._add(byte)
-        return found
+                readings += self._add(byte)
+        return readings
 
     def _begin(self, status: int) -> None:
         self.rejected += len(self._data)  # of a message that is cut short
@@ -69,14 +74,16 @@ class MidiDecoder:
             return []
         if kind != CONTROL and kind < SYSTEM:
             self._before = None
-        message, self._data = self._data, []  # the status stays: the next may leave it out (running status)
+        message = self._data
+        self._data = []  # the status stays: the next may leave it out (running status)
         if kind >= SYSTEM:
             self._status = 0
             return []
         return self._read(kind, (self._status & 0xF) + 1, message)
 
     def _read(self, kind: int, channel: int, message: list[int]) -> list[Reading]:
-        first, last = message[0], message[-1]
+        first = message[0]
+        last = message[-1]
         match kind:
             case 0x80 | 0x90:
                 velocity = last if kind == NOTE_ON else 0
@@ -92,14 +99,15 @@ class MidiDecoder:
         return [self._reading(channel, "bend", (last << 7 | first) / HIGHEST_14)]
 
     def _read_control(self, channel: int, number: int, value: int) -> list[Reading]:
-        found = [self._reading(channel, f"cc{number}", value / HIGHEST_7)]
-        before, self._before = self._before, (channel, number)
+        readings = [self._reading(channel, f"cc{number}", value / HIGHEST_7)]
+        before = self._before
+        self._before = (channel, number)
         if number < FINE:
             self._coarse[channel, number] = value
         elif number < 2 * FINE and self._is_fine_part(channel, number, before):
             whole = self._coarse[channel, number - FINE] << 7 | value
-            found.append(self._reading(channel, f"cc{number - FINE}+{number}", whole / HIGHEST_14))
-        return found
+            readings.append(self._reading(channel, f"cc{number - FINE}+{number}", whole / HIGHEST_14))
+        return readings
 
     def _is_fine_part(self, channel: int, number: int, before: tuple[int, int] | None) -> bool:
         """Whether a controller is the fine part of another: it came right behind that one each time, or is bound so. A

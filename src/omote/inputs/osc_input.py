@@ -6,13 +6,14 @@ import itertools
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass, field
 
-from omote.inputs.addresses.address import ROOT
 from omote.inputs.osc_feedback import Feedback, tell_state
 from omote.inputs.osc_orders import OrderReader
 from omote.inputs.osc_packet import Argument, OscError, OscMessage, decode_packet, encode_message
 from omote.inputs.rejection import Rejection
 from omote.inputs.trackers.packet_format import explain_format, recognize_format
-from omote.show.messages import Refused, State
+from omote.show.objects.link import Refused
+from omote.show.objects.state import State
+from omote.show.osc import ROOT
 from omote.show.session import ShowSession
 
 MOST_SENDERS = 64
@@ -21,10 +22,12 @@ MOST_SURFACES = 32
 """Surfaces that are told what is on air; beyond, the one that was silent longest is told no more."""
 SURFACE_SECONDS = 600.0
 """Seconds of silence after which a surface that had asked for it is told no more."""
-SUBSCRIBE, UNSUBSCRIBE, ERROR = f"/{ROOT}/subscribe", f"/{ROOT}/unsubscribe", f"/{ROOT}/error"
+SUBSCRIBE = f"/{ROOT}/subscribe"
+UNSUBSCRIBE = f"/{ROOT}/unsubscribe"
+ERROR = f"/{ROOT}/error"
 HIGHEST_PORT = 65535
 
-Place = tuple[str, int]
+Endpoint = tuple[str, int]
 """Where a packet comes from or goes to: a host and a port; of a TCP connection, its own name and 0."""
 
 
@@ -46,23 +49,31 @@ class OscInput:
     """
 
     def __init__(self, session: Callable[[], ShowSession], *, kind: str = "osc", title: str = "OSC ") -> None:
-        self._session, self._kind, self._title = session, kind, title
+        self._session = session
+        self._kind = kind
+        self._title = title
         self._senders: dict[str, None] = {}
-        self._surfaces: dict[Place, Surface] = {}
+        self._surfaces: dict[Endpoint, Surface] = {}
         self._numbers = itertools.count(1)
         self.seat_of: Callable[[str], str] = lambda _: ""
         self._reader: OrderReader | None = None
         self.heard = self.rejected = 0
         self.last_rejection: Rejection | None = None
-        self.newest: tuple[Place, OscMessage] | None = None
+        self.newest: tuple[Endpoint, OscMessage] | None = None
 
-    def receive(self, place: Place, packet: bytes, now: float) -> list[tuple[Place, bytes]]:
-        """Obeys the messages of a packet; returns what is answered: the reasons of rejections, to surfaces alone."""
+    def receive(self, place: Endpoint, packet: bytes, now: float) -> list[tuple[Endpoint, bytes]]:
+        """Obeys the messages of a packet; returns what is answered: the reasons of rejections, to surfaces alone.
+
+        place: where it came from; now: seconds of the show's clock.
+        """
         messages, answers = self.read(place, packet, now)
         return answers + [answer for message in messages for answer in self.obey(place, message, now)]
 
-    def read(self, place: Place, packet: bytes, now: float) -> tuple[list[OscMessage], list[tuple[Place, bytes]]]:
-        """The messages of a packet, and what is answered; a packet that is none is rejected whole."""
+    def read(self, place: Endpoint, packet: bytes, now: float) -> tuple[list[OscMessage], list[tuple[Endpoint, bytes]]]:
+        """The messages of a packet, and what is answered; a packet that is none is rejected whole.
+
+        place: where it came from; now: seconds of the show's clock.
+        """
         for other in self._heard_by(place):
             self._surfaces[other].heard = now
         try:
@@ -71,8 +82,8 @@ class OscInput:
             name = recognize_format(packet)
             return [], self._reject(place, explain_format(name) if name else str(error), now)
 
-    def news(self, state: State, now: float) -> list[tuple[Place, bytes]]:
-        """What surfaces are to be told of a state, each what is new to it."""
+    def news(self, state: State, now: float) -> list[tuple[Endpoint, bytes]]:
+        """What surfaces are to be told of a state, each what is new to it. now: seconds of the show's clock."""
         for place, surface in list(self._surfaces.items()):
             if not surface.lasting and now - surface.heard > SURFACE_SECONDS:
                 del self._surfaces[place]
@@ -80,26 +91,32 @@ class OscInput:
             return []
         values = tell_state(state)
         return [
-            (place, encode_message(address, *told))
+            (place, encode_message(address, *arguments))
             for place, surface in self._surfaces.items()
-            for address, told in surface.feedback.news(values, now).items()
+            for address, arguments in surface.feedback.news(values, now).items()
         ]
 
-    def subscribe(self, place: Place, now: float, *, lasting: bool = False) -> None:
-        """Tells a surface from now on what is on air, beginning with all of it."""
-        others = {other: each for other, each in self._surfaces.items() if other != place}
+    def subscribe(self, place: Endpoint, now: float, *, lasting: bool = False) -> None:
+        """Tells a surface from now on what is on air, beginning with all of it.
+
+        place: where it hears; now: seconds of the show's clock; lasting: until the show ends, however silent it is.
+        """
+        others = {other: surface for other, surface in self._surfaces.items() if other != place}
         while len(others) >= MOST_SURFACES:
             del others[min(others, key=lambda other: (others[other].lasting, others[other].heard))]
         self._surfaces = {**others, place: Surface(heard=now, lasting=lasting)}
 
-    def leave(self, place: Place) -> None:
+    def leave(self, place: Endpoint) -> None:
         """Forgets a surface, and a sender: its connection is gone."""
         self._surfaces.pop(place, None)
         if place[1] == 0:
             self._forget_sender(place[0])
 
-    def obey(self, place: Place, message: OscMessage, now: float) -> list[tuple[Place, bytes]]:
-        """Obeys a message; returns what is answered. One that cannot be obeyed is rejected by itself."""
+    def obey(self, place: Endpoint, message: OscMessage, now: float) -> list[tuple[Endpoint, bytes]]:
+        """Obeys a message; returns what is answered. One that cannot be obeyed is rejected by itself.
+
+        place: where it came from; now: seconds of the show's clock.
+        """
         self.heard += 1
         self.newest = place, message
         try:
@@ -110,45 +127,51 @@ class OscInput:
         except OscError as error:
             return self._reject(place, str(error), now)
 
-    def obey_all(self, place: Place, messages: Iterable[OscMessage], now: float) -> list[tuple[Place, bytes]]:
+    def obey_all(self, place: Endpoint, messages: Iterable[OscMessage], now: float) -> list[tuple[Endpoint, bytes]]:
         """Obeys messages of one place in their order, as `obey` each. Of channels that are set between two others the
-        newest weight of each is set alone, and all at once: what no tick would show is not played."""
-        answers, waiting = list[tuple[Place, bytes]](), list[OscMessage]()
-        reader, found = self._reader_of(self._session()), dict[str, dict[str, float]]()
+        newest weight of each is set alone, and all at once: what no tick would show is not played.
+
+        now: seconds of the show's clock.
+        """
+        answers = list[tuple[Endpoint, bytes]]()
+        waiting = list[OscMessage]()
+        reader = self._reader_of(self._session())
+        levels = dict[str, dict[str, float]]()
         for message in messages:
             level = reader.channel_set(message)
             if level is not None:
                 waiting.append(message)
                 for who in level.meant:
-                    found.setdefault(who, {})[level.channel] = message.arguments[0]  # type: ignore[assignment]
+                    levels.setdefault(who, {})[level.channel] = message.arguments[0]  # type: ignore[assignment]
                 continue
-            answers += self._set_channels(place, found, waiting, now)
-            waiting, found = [], {}
+            answers += self._set_channels(place, levels, waiting, now)
+            waiting = []
+            levels = {}
             answers += self.obey(place, message, now)
             reader = self._reader_of(self._session())
-        return answers + self._set_channels(place, found, waiting, now)
+        return answers + self._set_channels(place, levels, waiting, now)
 
     def _set_channels(
-        self, place: Place, found: dict[str, dict[str, float]], messages: list[OscMessage], now: float
-    ) -> list[tuple[Place, bytes]]:
+        self, place: Endpoint, levels: dict[str, dict[str, float]], messages: list[OscMessage], now: float
+    ) -> list[tuple[Endpoint, bytes]]:
         """Sets channels by character; if that is rejected the messages are obeyed one by one, each with an answer."""
         if len(messages) < 2:
             return [answer for message in messages for answer in self.obey(place, message, now)]
         who = self._sender(place[0])
-        if not all(self._session().set_channels(who, name, values, now) for name, values in found.items()):
+        if not all(self._session().set_channels(who, name, values, now) for name, values in levels.items()):
             return [answer for message in messages for answer in self.obey(place, message, now)]
         self.heard += len(messages)
         self.newest = place, messages[-1]
         self._note_heard(place, messages, now)
         return []
 
-    def _note_heard(self, place: Place, messages: Iterable[OscMessage], now: float) -> None:
+    def _note_heard(self, place: Endpoint, messages: Iterable[OscMessage], now: float) -> None:
         """A surface is not told for a moment what it has just sent itself."""
         for other in self._heard_by(place) if self._surfaces else ():
             for message in messages:
                 self._surfaces[other].feedback.note(message.address, now)
 
-    def _order(self, place: Place, message: OscMessage, now: float) -> list[tuple[Place, bytes]]:
+    def _order(self, place: Endpoint, message: OscMessage, now: float) -> list[tuple[Endpoint, bytes]]:
         session = self._session()
         call = f"{self._kind} {session.epoch} {next(self._numbers)}"
         orders = self._reader_of(session).read(message, call)
@@ -167,7 +190,7 @@ class OscInput:
             self._reader = OrderReader(session.cast, characters)
         return self._reader
 
-    def _follow(self, place: Place, message: OscMessage, now: float) -> None:
+    def _follow(self, place: Endpoint, message: OscMessage, now: float) -> None:
         """Subscribes or unsubscribes the sender, at the port that it names, else at the one it sends from."""
         host, port = place
         named: Argument = message.arguments[0] if message.arguments else port
@@ -179,7 +202,7 @@ class OscInput:
         else:
             self._surfaces.pop((host, number), None)
 
-    def _heard_by(self, place: Place) -> list[Place]:
+    def _heard_by(self, place: Endpoint) -> list[Endpoint]:
         """Where the surface hears that sends from a place: over UDP mostly at another port of its host."""
         return [other for other in self._surfaces if other[0] == place[0]]
 
@@ -200,7 +223,7 @@ class OscInput:
             del self._senders[host]
             self._session().leave(f"{self._kind} {host}")
 
-    def _reject(self, place: Place, reason: str, now: float) -> list[tuple[Place, bytes]]:
+    def _reject(self, place: Endpoint, reason: str, now: float) -> list[tuple[Endpoint, bytes]]:
         self.rejected += 1
         self.last_rejection = Rejection(now, place[0], reason)
         hearing = self._heard_by(place)

@@ -7,12 +7,11 @@ from collections.abc import Callable, Mapping, Sequence
 from functools import partial
 from typing import Any, NamedTuple
 
-from omote.inputs.addresses.address import Value
-from omote.inputs.addresses.character_patterns import characters_meant
-from omote.inputs.osc_addresses import BY_HAND, CALL_SECONDS, CHANNEL, find_address
+from omote.inputs.character_patterns import characters_meant
+from omote.inputs.osc_addresses import BY_HAND, find_address
 from omote.inputs.osc_packet import Argument, OscError, OscMessage
 from omote.model.known_names import check_play_region
-from omote.perform.gestures.gesture_curves import check_gesture
+from omote.perform.gestures import check_gesture
 from omote.perform.layers.layer_names import check_layer, check_part
 from omote.perform.lights import LIGHTS
 from omote.perform.limits import CHANNEL_HIGHEST, CHANNEL_LOWEST
@@ -20,8 +19,9 @@ from omote.perform.name_lookup import find_name
 from omote.perform.scene.character_names import ALL, find_character
 from omote.perform.snapshot import Playable
 from omote.perform.speech.spelling import check_language
-from omote.show import messages as wire
-from omote.show.leases.leased_parts import find_part
+from omote.show.declaration import ClientMessage
+from omote.show.osc import CALL_SECONDS, Value
+from omote.show.ownership.parts import find_part
 
 NUMBER = re.compile(r"[+-]?(\d+\.?\d*|\.\d+)([eE][+-]?\d+)?")
 CHECKS: Mapping[str, Callable[[str], str]] = {
@@ -46,7 +46,7 @@ class Level(NamedTuple):
     """An address that takes numbers alone, as it was read: a fader sends the same one again and again. channel: the
     one that it sets, "" for another address."""
 
-    make: Callable[..., wire.FromClient]
+    make: Callable[..., ClientMessage]
     meant: tuple[str, ...]
     named: list[Any]
     length: int
@@ -63,10 +63,10 @@ class OrderReader:
         self._found: dict[tuple[str, str], str | ValueError] = {}
 
     def fits(self, cast: Playable, characters: Mapping[str, str]) -> bool:
-        """Whether it was made for these."""
+        """Whether it was made for this cast and these characters."""
         return self._names.cast is cast and self._names.characters == characters
 
-    def read(self, message: OscMessage, call: str) -> tuple[wire.FromClient, ...]:
+    def read(self, message: OscMessage, call: str) -> tuple[ClientMessage, ...]:
         """What a message asks for: none for a button that is let go, one for each character that its pattern means.
 
         call: the id of a call that it makes. Names are found as everywhere: in any case, with spaces, hyphens or
@@ -92,7 +92,7 @@ class OrderReader:
         weight = arguments[0]
         return level if type(weight) is float and CHANNEL_LOWEST <= weight <= CHANNEL_HIGHEST else None
 
-    def _read(self, message: OscMessage, call: str) -> tuple[wire.FromClient, ...]:
+    def _read(self, message: OscMessage, call: str) -> tuple[ClientMessage, ...]:
         address, character, named = find_address(message.address)
         values = self._read_values(address.values, [*named, *message.arguments])
         if values is None:
@@ -101,8 +101,9 @@ class OrderReader:
             return (address.make(ALL, call, *values),)
         meant = self.characters_meant(character)
         if all(value.kind == "number" for value in address.values[len(named) :]):
-            found, channel = values[: len(named)], str(values[0]) if address.path == CHANNEL else ""
-            self._remember_level(message.address, Level(address.make, meant, found, len(message.arguments), channel))
+            names = values[: len(named)]
+            channel = str(values[0]) if address.sets_channel else ""
+            self._remember_level(message.address, Level(address.make, meant, names, len(message.arguments), channel))
         if len(meant) == 1:
             return (address.make(meant[0], call, *values),)
         return tuple(address.make(who, f"{call} {who}", *values) for who in meant)
@@ -113,25 +114,25 @@ class OrderReader:
 
     def characters_meant(self, pattern: str) -> tuple[str, ...]:
         """The characters that a pattern means, `*` for all of them."""
-        found = self._meant.get(pattern)
-        if found is None:
-            found = characters_meant(pattern, self._names.characters)
+        characters = self._meant.get(pattern)
+        if characters is None:
+            characters = characters_meant(pattern, self._names.characters)
             if len(self._meant) < MOST_REMEMBERED and len(pattern) <= LONGEST_REMEMBERED:
-                self._meant[pattern] = found
-        return found
+                self._meant[pattern] = characters
+        return characters
 
-    def _read_values(self, values: Sequence[Value], given: Sequence[Argument]) -> list[Any] | None:
+    def _read_values(self, values: Sequence[Value], arguments: Sequence[Argument]) -> list[Any] | None:
         """What `make` takes; None where a button is let go."""
-        if len(given) > len(values):
-            raise ValueError(f"{len(given)} values came; expected at most {len(values)}: {_listed(values)}")
-        found: list[Any] = []
-        for value, argument in zip(values, [*given, *[None] * (len(values) - len(given))], strict=True):
+        if len(arguments) > len(values):
+            raise ValueError(f"{len(arguments)} values came; expected at most {len(values)}: {_listed(values)}")
+        read_values: list[Any] = []
+        for value, argument in zip(values, [*arguments, *[None] * (len(values) - len(arguments))], strict=True):
             if value.kind == "press":
                 if argument is not None and not _number(value, argument) > 0.0:
                     return None
             else:
-                found.append(self._read_value(value, argument))
-        return found
+                read_values.append(self._read_value(value, argument))
+        return read_values
 
     def _read_value(self, value: Value, argument: Argument) -> Any:
         if value.kind == "number" and type(argument) is float:
@@ -159,21 +160,14 @@ class OrderReader:
             return SCENE_NAMES[value.kind](argument, self._names.characters)
         if value.kind in CHECKS:
             return CHECKS[value.kind](argument.lower())
-        found = self._found.get((value.kind, argument))
-        if found is None:
-            found = _look_up(argument, value.kind, self._names.cast)
+        name = self._found.get((value.kind, argument))
+        if name is None:
+            name = _look_up(argument, value.kind, self._names.cast)
             if len(self._found) < MOST_REMEMBERED and len(argument) <= LONGEST_REMEMBERED:
-                self._found[value.kind, argument] = found
-        if isinstance(found, ValueError):
-            raise ValueError(str(found))
-        return found
-
-
-def read_orders(
-    message: OscMessage, cast: Playable, characters: Mapping[str, str], call: str
-) -> tuple[wire.FromClient, ...]:
-    """What one message asks for, as `OrderReader.read`."""
-    return OrderReader(cast, characters).read(message, call)
+                self._found[value.kind, argument] = name
+        if isinstance(name, ValueError):
+            raise ValueError(str(name))
+        return name
 
 
 def _is_float(value: Argument) -> bool:

@@ -42,22 +42,26 @@ def decode_packet(data: bytes) -> list[OscMessage]:
     """The messages of a packet, in their order; OscError where it is none."""
     if len(data) > LONGEST_PACKET:
         raise OscError(f"the packet has {len(data)} bytes, but at most {LONGEST_PACKET} are read")
-    found: list[OscMessage] = []
-    left, bundles = [data], 0
+    messages: list[OscMessage] = []
+    left = [data]
+    bundles = 0
     while left:
         part = left.pop()
         if part.startswith(BUNDLE):
             left.extend(reversed(split_bundle(part)))
             bundles += 1
         else:
-            found.append(_decode_message(part))
-        if len(found) + len(left) > MOST_MESSAGES or bundles > MOST_BUNDLES:
+            messages.append(_decode_message(part))
+        if len(messages) + len(left) > MOST_MESSAGES or bundles > MOST_BUNDLES:
             raise OscError(f"the packet has more than {MOST_MESSAGES} messages or {MOST_BUNDLES} bundles")
-    return found
+    return messages
 
 
 def encode_message(address: str, *arguments: Argument) -> bytes:
-    """The packet of one message; OscError for an address or an argument that cannot be sent."""
+    """The packet of one message; OscError for an address or an argument that cannot be sent.
+
+    arguments: in their order.
+    """
     if not address.startswith("/"):
         raise OscError(f"the address is {address[:80]!r}; an address begins with /")
     tags, values = zip(*map(_encode_argument, arguments), strict=True) if arguments else ((), ())
@@ -73,7 +77,9 @@ def split_bundle(bundle: bytes) -> list[bytes]:
     """The packets within a bundle; OscError where its lengths are wrong."""
     if len(bundle) < len(BUNDLE) + 8:
         raise OscError("a bundle ends within its time tag")
-    found, at, end = [], len(BUNDLE) + 8, len(bundle)
+    packets = []
+    at = len(BUNDLE) + 8
+    end = len(bundle)
     while at < end:
         if at + SIZE.size > end:
             raise OscError("the packet ends within a number")
@@ -81,9 +87,9 @@ def split_bundle(bundle: bytes) -> list[bytes]:
         at += SIZE.size
         if size < 0 or size % 4 or at + size > end:
             raise OscError(f"an element of a bundle has {size} bytes, which are not there or no multiple of 4")
-        found.append(bundle[at : at + size])
+        packets.append(bundle[at : at + size])
         at += size
-    return found
+    return packets
 
 
 def _decode_message(data: bytes) -> OscMessage:
@@ -133,7 +139,8 @@ def _number(form: str, data: bytes, at: int) -> tuple[int, int]:
 
 
 def _value(form: str) -> Callable[[bytes, int], tuple[float, int]]:
-    size, unpack = struct.calcsize(form), struct.Struct(form).unpack_from
+    size = struct.calcsize(form)
+    unpack = struct.Struct(form).unpack_from
 
     def read(data: bytes, at: int) -> tuple[float, int]:
         if at + size > len(data):

@@ -8,8 +8,13 @@ from typing import Protocol
 
 from omote.inputs.osc_packet import LONGEST_PACKET, OscError
 
-END, ESCAPE, ESCAPED_END, ESCAPED_ESCAPE = b"\xc0", b"\xdb", b"\xdb\xdc", b"\xdb\xdd"
+END = b"\xc0"
+ESCAPE = b"\xdb"
+ESCAPED_END = b"\xdb\xdc"
+ESCAPED_ESCAPE = b"\xdb\xdd"
 WRONG_ESCAPE = re.compile(rb"\xdb(?![\xdc\xdd])")
+FIRST_BYTES = (b"/", b"#")
+"""Of a message, and of a bundle."""
 LENGTH = 4
 """Bytes of a length before a packet."""
 
@@ -50,17 +55,18 @@ class LengthFraming:
 
     def feed(self, data: bytes) -> list[bytes]:
         """The packets that are whole with these bytes; OscError where a length cannot be."""
-        data, found = self._rest + data, []
+        data = self._rest + data
+        packets = []
         while len(data) >= LENGTH:
             (size,) = struct.unpack_from(">i", data)
             if not 0 <= size <= LONGEST_PACKET:
                 raise OscError(f"a packet of {size} bytes is announced, but at most {LONGEST_PACKET} are read")
             if len(data) < LENGTH + size:
                 break
-            found.append(data[LENGTH : LENGTH + size])
+            packets.append(data[LENGTH : LENGTH + size])
             data = data[LENGTH + size :]
         self._rest = data
-        return found
+        return packets
 
     def frame(self, packet: bytes) -> bytes:
         """A packet behind its length."""
@@ -69,8 +75,21 @@ class LengthFraming:
 
 def choose_framing(first: bytes) -> Framing:
     """The framing of a stream, from its first byte: a length of a packet that can be begins with a zero byte; a SLIP
-    frame begins with END, or where a sender spares that, with the packet's own "/" or "#"."""
-    return LengthFraming() if first[:1] == b"\0" else SlipFraming()
+    frame begins with END, or where a sender spares that, with the packet's own "/" or "#". OscError for any other: a
+    web page can send to any port of this machine, with packets behind the first line of its request."""
+    if first[:1] == b"\0":
+        return LengthFraming()
+    if first[:1] in (END, *FIRST_BYTES):
+        return SlipFraming()
+    raise OscError(f"a stream begins with {first[:8]!r}, which is no OSC: its connection is ended")
+
+
+def require_packets(frames: list[bytes]) -> list[bytes]:
+    """The frames of a stream, each of which begins as a message or a bundle does; OscError where one does not."""
+    for frame in frames:
+        if frame[:1] not in FIRST_BYTES:
+            raise OscError(f"a frame begins with {frame[:8]!r}, which is no OSC: its connection is ended")
+    return frames
 
 
 def _unescaped(packet: bytes) -> bytes:

@@ -2,30 +2,29 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterable, Mapping, Sequence
-from functools import reduce
 from itertools import product
 from typing import Any, Literal
 
-from omote.inputs.addresses.address import ROOT, Address, Value
-from omote.inputs.osc_addresses import ADDRESSES
-from omote.inputs.osc_feedback import REST, OnAir
+from omote.inputs.osc_addresses import ADDRESSES, Address, fill_places
+from omote.inputs.osc_feedback import REST, AddressValues
 from omote.inputs.osc_orders import Names
 from omote.model.known_names import NEUTRAL, PLAY_REGIONS
-from omote.perform.gestures.gesture_curves import GESTURES
+from omote.perform.gestures import GESTURES
 from omote.perform.layers.layer_names import LAYER_PARTS, LAYERS
 from omote.perform.lights import LIGHTS
 from omote.perform.scene.character_names import ALL
 from omote.perform.snapshot import Playable
 from omote.perform.speech.spelling import LANGUAGES
-from omote.show.leases.leased_parts import CHARACTER_PARTS, SCENE_PARTS, WORD_FOR_ALL
-from omote.show.messages import State
+from omote.show.osc import ROOT, Value
+from omote.show.ownership.parts import CHARACTER_PARTS, SCENE_PARTS, WORD_FOR_ALL
 
 Node = dict[str, Any]
 """A node as JSON has it: `FULL_PATH`, and what the proposal calls attributes."""
 
-NO_ACCESS, WRITE, READ_WRITE = 0, 2, 3
+NO_ACCESS = 0
+WRITE = 2
+READ_WRITE = 3
 TYPES = {"number": "f", "time": "f", "switch": "T", "press": "I"}
 """The type tag of a value by its kind; names are texts."""
 UNITS = {"degrees": "angle.degree"}
@@ -33,64 +32,58 @@ UNITS = {"degrees": "angle.degree"}
 ATTRIBUTES = ("FULL_PATH", "CONTENTS", "TYPE", "ACCESS", "RANGE", "VALUE", "DESCRIPTION", "UNIT")
 """What can be asked for by itself; every node has the first and ACCESS."""
 HOST_INFO = "HOST_INFO"
-PLACES = re.compile(r"{\w+}")
-"""Where names stand in an address."""
 Transport = Literal["UDP", "TCP"]
 
 
 def host_info(name: str, port: int, transport: Transport = "UDP") -> dict[str, Any]:
-    """What a surface is told of this host: its name, and the port at which it hears OSC."""
+    """What a surface is told of this host: its name, and the port at which it hears OSC.
+
+    transport: how it comes there.
+    """
     optional = ("ACCESS", "VALUE", "RANGE", "DESCRIPTION", "UNIT")
     absent = ("LISTEN", "PATH_CHANGED", "CLIPMODE", "TAGS", "CRITICAL", "OVERLOADS", "HTML")
     extensions = {**dict.fromkeys(optional, True), **dict.fromkeys(absent, False)}
     return {"NAME": name, "OSC_PORT": port, "OSC_TRANSPORT": transport, "EXTENSIONS": extensions}
 
 
-def build_tree(cast: Playable, state: State | None, characters: Iterable[str]) -> Node:
-    """The tree of all addresses, with the names of the cast as ranges; values where a state is given."""
-    root = build_addresses(cast, characters)
-    return root if state is None else with_values(root, OnAir(state))
-
-
 def build_addresses(cast: Playable, characters: Iterable[str]) -> Node:
     """The tree of all addresses without values: the same as long as cast and characters are."""
     root = _container("/")
-    known = Names(cast, {name: name for name in characters})
+    names = Names(cast, {name: name for name in characters})
     for address in ADDRESSES:
-        for owner in [""] if address.of_show else known.characters:
-            for path in _paths(address, owner, known):
-                _insert(root, path, _leaf(address, path, known))
+        for owner in [""] if address.of_show else names.characters:
+            for path in _paths(address, owner, names):
+                _insert(root, path, _leaf(address, path, names))
     return root
 
 
-def with_values(node: Node, on_air: OnAir) -> Node:
-    """A copy of a node and of all below it, with the values on air."""
-    found = dict(node)
+def with_values(node: Node, on_air: AddressValues) -> Node:
+    """A copy of a node and of all below it, with the values on air. on_air: the values of addresses."""
+    copied = dict(node)
     if node["ACCESS"] == READ_WRITE:
         values = on_air.get(node["FULL_PATH"], REST)
-        found["VALUE"] = [value == 1.0 for value in values] if node["TYPE"] == TYPES["switch"] else list(values)
+        copied["VALUE"] = [value == 1.0 for value in values] if node["TYPE"] == TYPES["switch"] else list(values)
     if "CONTENTS" in node:
-        found["CONTENTS"] = {name: with_values(below, on_air) for name, below in node["CONTENTS"].items()}
-    return found
+        copied["CONTENTS"] = {name: with_values(below, on_air) for name, below in node["CONTENTS"].items()}
+    return copied
 
 
 def find_node(root: Node, path: str) -> Node | None:
-    """The node at a path; None where there is none."""
+    """The node at a path; None where there is none. root: the whole tree."""
     node: Node | None = root
     for part in path.strip("/").split("/") if path.strip("/") else ():
         node = None if node is None else node.get("CONTENTS", {}).get(part)
     return node
 
 
-def _paths(address: Address, owner: str, known: Names) -> list[str]:
+def _paths(address: Address, owner: str, names: Names) -> list[str]:
     """The full paths of an address for a character; one for each name where a name stands in the path."""
     own = f"/{ROOT}/{owner}/{address.path}" if owner else f"/{ROOT}/{address.path}"
-    places = list(PLACES.finditer(own))
-    given = product(*(_names(value, known) for value in address.values[: len(places)]))
-    return [reduce(lambda path, name: PLACES.sub(lambda _: name, path, count=1), names, own) for names in given]
+    choices = product(*(_names(value, names) for value in address.values[: own.count("{")]))
+    return [fill_places(own, chosen) for chosen in choices]
 
 
-def _leaf(address: Address, path: str, known: Names) -> Node:
+def _leaf(address: Address, path: str, names: Names) -> Node:
     """The node of an address: what it takes but for times behind others, which may be left out."""
     own = address.values[address.path.count("{") :]
     taken = [value for value in own if value.kind not in ("seconds", "time") and value.default is None] or list(own)
@@ -104,13 +97,13 @@ def _leaf(address: Address, path: str, known: Names) -> Node:
     }
     if all(value.kind == "press" for value in taken):
         return node
-    node["RANGE"] = [_range(value, known) for value in taken]
+    node["RANGE"] = [_range(value, names) for value in taken]
     if any(value.unit in UNITS for value in taken):
         node["UNIT"] = [UNITS.get(value.unit) for value in taken]
     return node
 
 
-def _range(value: Value, known: Names) -> dict[str, Any] | None:
+def _range(value: Value, names: Names) -> dict[str, Any] | None:
     """What a value may be; None for a text of any kind."""
     if value.kind == "speech":
         return None
@@ -118,23 +111,23 @@ def _range(value: Value, known: Names) -> dict[str, Any] | None:
         return {"MIN": value.low, "MAX": value.high}
     if value.kind == "text":
         return None
-    return {"VALS": [False, True] if value.kind == "switch" else _names(value, known)}
+    return {"VALS": [False, True] if value.kind == "switch" else _names(value, names)}
 
 
-def _names(value: Value, known: Names) -> list[str]:
+def _names(value: Value, names: Names) -> list[str]:
     if value.kind == "character":
-        return [*known.characters]
+        return [*names.characters]
     if value.kind == "framing":
-        return [ALL, *known.characters]
+        return [ALL, *names.characters]
     listed: dict[str, Sequence[str]] = {
         "language": LANGUAGES, "gesture": GESTURES, "region": PLAY_REGIONS, "layer": LAYERS, "part": LAYER_PARTS,
         "lease": (*CHARACTER_PARTS, WORD_FOR_ALL), "scene_lease": (*SCENE_PARTS, WORD_FOR_ALL),
     }  # fmt: skip
     if value.kind in listed:
         return [*listed[value.kind]]
-    cast = known.cast
-    names: Mapping[str, Any] = {"face": cast.faces, "light": LIGHTS}.get(value.kind, cast.expressions)
-    return [name for name in names if value.kind != "channel" or name != NEUTRAL]
+    cast = names.cast
+    choices: Mapping[str, Any] = {"face": cast.faces, "light": LIGHTS}.get(value.kind, cast.expressions)
+    return [name for name in choices if value.kind != "channel" or name != NEUTRAL]
 
 
 def _container(path: str) -> Node:

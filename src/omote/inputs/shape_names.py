@@ -18,7 +18,13 @@ from omote.interchange.avatar.vrm0_extension import PRESETS as VRM0
 from omote.model.action_units import MAKEHUMAN, find_units
 from omote.perform.speech.visemes import VISEMES
 
-GAZE, LIDS, BROWS, LIPS, JAW, TONGUE, WHOLE = "gaze", "lids", "brows", "lips", "jaw", "tongue", "face"
+GAZE = "gaze"
+LIDS = "lids"
+BROWS = "brows"
+LIPS = "lips"
+JAW = "jaw"
+TONGUE = "tongue"
+WHOLE = "face"
 _PARTS = {
     "eyeLook": GAZE, "eyebrows": BROWS, "eye": LIDS, "brow": BROWS, "jaw": JAW, "mouth-open": JAW, "mouth": LIPS,
     "cheek": "cheeks", "nose": "nose", "tongue": TONGUE, "neck": "neck",
@@ -52,8 +58,8 @@ class ShapeMeaning(NamedTuple):
 
 def read_shape_name(name: str, /) -> ShapeMeaning:
     """What a shape of that name does; nothing is guessed of other names."""
-    if found := _VISEME.search(name):
-        return _read_viseme(found[1])
+    if match := _VISEME.search(name):
+        return _read_viseme(match[1])
     bare = _BEFORE.sub("", name.rpartition(".")[2].strip())
     spelling = plain_spelling(bare)
     if spelling in _KNOWN:
@@ -65,7 +71,7 @@ def read_shape_name(name: str, /) -> ShapeMeaning:
 
 
 def _read_viseme(spelling: str) -> ShapeMeaning:
-    small = {each.lower(): each for each in VISEMES} | VOWELS
+    small = {viseme_name.lower(): viseme_name for viseme_name in VISEMES} | VOWELS
     viseme = small.get(spelling.lower(), "")
     return ShapeMeaning(named=viseme, part=LIPS) if viseme else ShapeMeaning()
 
@@ -82,8 +88,8 @@ def _read_codes(typed: str) -> tuple[str, ...]:
     if not re.match(r"au", typed, re.IGNORECASE) or not all(_CODES.fullmatch(code.strip()) for code in codes):
         return find_units(typed, _CHANNELS) if re.fullmatch(r"[lr]\d{1,2}|[a-z _-]{8,}", typed, re.IGNORECASE) else ()
     plain = (re.sub(r"left$", "l", re.sub(r"right$", "r", code.strip().lower())) for code in codes)
-    found = [find_units(code if code.startswith("au") else f"au{code}", _CHANNELS) for code in plain]
-    return tuple(dict.fromkeys(unit for units in found for unit in units)) if all(found) else ()
+    units_of_codes = [find_units(code if code.startswith("au") else f"au{code}", _CHANNELS) for code in plain]
+    return tuple(dict.fromkeys(unit for units in units_of_codes for unit in units)) if all(units_of_codes) else ()
 
 
 def _part_of(units: Iterable[str]) -> str:
@@ -98,26 +104,26 @@ def _letters(name: str) -> str:
 
 def _makehuman() -> dict[str, tuple[str, ...]]:
     """The units of MakeHuman by their letters; those with sides by both and by either."""
-    found: dict[str, tuple[str, ...]] = {}
+    units_of: dict[str, tuple[str, ...]] = {}
     for name in MAKEHUMAN:
         first, _, rest = name.partition("-")
         sides = tuple(f"{first}-{side}-{rest}" for side in ("left", "right"))
         sided = first.startswith("eye") or name in ("nose-dilatation", "nose-elevation")
-        found[_letters(name)] = sides if sided else (name,)
-        found |= {_letters(side): (side,) for side in sides if sided}
-    return found
+        units_of[_letters(name)] = sides if sided else (name,)
+        units_of |= {_letters(side): (side,) for side in sides if sided}
+    return units_of
 
 
 def _presets() -> dict[str, ShapeMeaning]:
     """VRM's presets by their spellings in 1.0 and in 0.x."""
-    found = {preset: ShapeMeaning(named=name, part=WHOLE) for preset, name in EMOTIONS.items()}
-    found |= {preset: ShapeMeaning(named=viseme, part=LIPS) for preset, viseme in VOWELS.items()}
-    found |= {preset: ShapeMeaning(units, part=_part_of(units)) for preset, units in UNITS.items() if units}
-    spelled = {plain_spelling(preset): meaning for preset, meaning in found.items()}
-    spelled |= {plain_spelling(VRM0[preset]): meaning for preset, meaning in found.items() if preset in VRM0}
-    close = {f"close{side}": found[f"blink{side.capitalize()}"] for side in ("", "left", "right")}
-    named = {name: found[preset] for preset, name in EMOTIONS.items()}
-    return named | spelled | close | {"eyesclosed": found["blink"]}
+    presets = {preset: ShapeMeaning(named=name, part=WHOLE) for preset, name in EMOTIONS.items()}
+    presets |= {preset: ShapeMeaning(named=viseme, part=LIPS) for preset, viseme in VOWELS.items()}
+    presets |= {preset: ShapeMeaning(units, part=_part_of(units)) for preset, units in UNITS.items() if units}
+    spelled = {plain_spelling(preset): meaning for preset, meaning in presets.items()}
+    spelled |= {plain_spelling(VRM0[preset]): meaning for preset, meaning in presets.items() if preset in VRM0}
+    close = {f"close{side}": presets[f"blink{side.capitalize()}"] for side in ("", "left", "right")}
+    named = {name: presets[preset] for preset, name in EMOTIONS.items()}
+    return named | spelled | close | {"eyesclosed": presets["blink"]}
 
 
 _MAKEHUMAN: Mapping[str, tuple[str, ...]] = MappingProxyType(_makehuman())

@@ -60,7 +60,10 @@ def measure_deltas(cast: Cast, face: str, poses: Iterable[tuple[str, Meshes]], /
 
 
 def encode_deltas(deltas: Deltas, path: Path, /) -> bytes:
-    """The file for a path's ending, .npz or .csv; ValueError for another."""
+    """The file for a path's ending, .npz or .csv; ValueError for another.
+
+    deltas: what expressions move; path: for its ending alone.
+    """
     if path.suffix.lower() not in NUMBERS:
         raise ValueError(f"{path.name!r} is no name of a table of deltas; end it with {' or '.join(NUMBERS)}")
     return _npz(deltas) if path.suffix.lower() == ".npz" else _csv(deltas)

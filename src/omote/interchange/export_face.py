@@ -9,14 +9,16 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import NDArray
 
+from omote.arrays import Picture, Points
 from omote.builtin import BakedMesh
 from omote.geometry import mesh
 from omote.interchange import part_textures
-from omote.interchange.formats.glb_writer import Material, Scene, Shape, Target
-from omote.interchange.formats.png import Picture, png_bytes, read_png
-from omote.interchange.hair_mesh import hair_shape
+from omote.interchange.formats.glb_writer import ExportScene, Material, MorphTarget, Shape
+from omote.interchange.formats.png import png_bytes, read_png
+from omote.interchange.part_textures import paint_strands
 from omote.interchange.skin_texture import Canvas, build_canvas, decode_srgb, paint_skin
 from omote.model.cast import Cast, Look
+from omote.model.hair import HairStyle, place_strands
 from omote.model.known_names import NEUTRAL
 from omote.model.space.expression import Expression
 from omote.model.space.face import Face
@@ -26,16 +28,70 @@ from omote.model.transfer.compound import apply_expression, compile_answer, move
 from omote.perform.limits import check_known
 from omote.perform.name_lookup import ALL, find_kind, find_names
 
-Points = NDArray[np.float64]
 Meshes = dict[str, Points]
 
-SKIN, LASHES, TONGUE = "skin", "lashes", "tongue"
-REST, STRAIGHT = 5e-7, 1e-4
+HAIR = "hair"
+STRANDS = 7
+"""Hairs on a ribbon."""
+SKIN = "skin"
+LASHES = "lashes"
+TONGUE = "tongue"
+REST = 5e-7
+STRAIGHT = 1e-4
 """A target leaves out vertices that move less (metres) and whose normal changes less."""
 NOTICE = (
     "Made with Omote. The built-in heads, units and pictures come from MakeHuman's CC0 assets and from Omote itself "
     "and are free for any use (CC0); what an artist added is the artist's."
 )
+
+
+def hair_shape(
+    style: HairStyle, generic: Points, positions: NDArray[np.floating], targets: Mapping[str, MorphTarget], look: Look
+) -> Shape:
+    """Builds the hair of a face with positions (V, 3): two vertices for each strand point; targets: the skin's.
+
+    style, generic (V, 3): strands, and the head that they were combed on, metres; positions (V, 3): metres; look: for
+    its colour.
+    """
+    strands = place_strands(style, generic, positions.astype(np.float64))
+    count, places = strands.shape[:2]
+    along = np.gradient(strands, axis=1)
+    facing = style.facing.astype(np.float64)
+    side = _unit(np.cross(along, facing)) * (0.5 * style.width)
+    points = np.stack([strands - side, strands + side], axis=2).reshape(-1, 3)
+    normals = np.repeat(_unit(np.cross(side, along)).reshape(-1, 3), 2, axis=0)
+    shape = (count, places, 2)
+    across = np.broadcast_to([0.0, 1.0], shape)
+    down = np.broadcast_to(np.linspace(0.0, 1.0, places)[None, :, None], shape)
+    rows = np.repeat(style.anchors, 2 * places)
+    still = np.zeros((len(rows), 3), np.float32)
+    picture = paint_strands(decode_srgb(look.hair), STRANDS, columns=128, rows=256)
+    return Shape(
+        name=HAIR,
+        points=points.astype(np.float32),
+        normals=normals.astype(np.float32),
+        uv=np.stack([across, down], axis=-1).reshape(-1, 2).astype(np.float32),
+        triangles=_ribbon_triangles(count, places),
+        material=Material(HAIR, png_bytes(picture), roughness=0.55, cut=0.4, both=True),
+        targets={name: MorphTarget(target.moves[rows], still) for name, target in targets.items()},
+        shade=np.repeat(0.25 + 0.75 * style.light.reshape(-1), 2).astype(np.float32),
+    )
+
+
+def _ribbon_triangles(count: int, places: int) -> NDArray[np.int32]:
+    """The triangles of ribbons, two vertices a place, seen from where they face."""
+    first = (np.arange(count)[:, None] * places + np.arange(places - 1)).ravel() * 2
+    left = first
+    right = first + 1
+    down = first + 2
+    far = first + 3
+    return np.concatenate([np.stack([left, right, far], axis=1), np.stack([left, far, down], axis=1)]).astype(np.int32)
+
+
+def _unit(vectors: Points) -> Points:
+    size = np.linalg.norm(vectors, axis=-1, keepdims=True)
+    result: Points = np.where(size > 1e-12, vectors / np.maximum(size, 1e-12), [0.0, 0.0, 1.0])
+    return result
 
 
 @dataclass(frozen=True, eq=False)
@@ -57,14 +113,16 @@ def choose_expressions(cast: Cast, text: str, /) -> list[str]:
     """Parses a list of expressions: kinds (`arkit`, `performed`, `own`), `all`, or names, by commas; without neutral.
 
     ValueError for a name that is neither, and where nothing is named.
+
+    cast: with its titles; text: as people write it.
     """
-    found: dict[str, None] = {}
+    names: dict[str, None] = {}
     for word in filter(None, (word.strip() for word in text.split(","))):
         kinds = {name: title.kind for name, title in cast.titles.items()}
-        found |= dict.fromkeys(find_kind(word, kinds) or _named_expressions(cast, word))
-    if not found:
+        names |= dict.fromkeys(find_kind(word, kinds) or _named_expressions(cast, word))
+    if not names:
         raise ValueError(f"{text!r} names no expression; give names or a kind by commas: smile,joy or arkit or neutral")
-    return [name for name in found if name != NEUTRAL]
+    return [name for name in names if name != NEUTRAL]
 
 
 def _named_expressions(cast: Cast, word: str) -> Sequence[str]:
@@ -84,9 +142,18 @@ def named_compound_meshes(cast: Cast, face: str, expression: str, /) -> Meshes:
     return compound_meshes(cast.space, cast.faces[check_known(face, cast.faces, "face")], cast.expressions[expression])
 
 
+def meshes_of(fitted: FittedFace, /) -> Meshes:
+    """The vertices of skin and parts of a face at rest: {mesh: (n, 3)} metres."""
+    return {name: points.astype(np.float64) for name, points in {SKIN: fitted.positions, **fitted.parts}.items()}
+
+
 def compound_meshes(space: ParameterSpace, face: Face, expression: Expression, /) -> Meshes:
-    """The vertices of skin and parts of any face wearing any expression: {mesh: (n, 3)} metres, eyeballs turned."""
-    compiled, fitted = compile_answer(space, face, expression), fit(space, face)
+    """The vertices of skin and parts of any face wearing any expression: {mesh: (n, 3)} metres, eyeballs turned.
+
+    space, face, expression: of one topology.
+    """
+    compiled = compile_answer(space, face, expression)
+    fitted = fit(space, face)
     skin = apply_expression(space, face, compiled)
     parts = turn_eyes(space, move_parts(space, fitted, skin, compiled.parts), fitted.centres, expression.eyes)
     return {name: points.astype(np.float64) for name, points in {SKIN: skin, **parts}.items()}
@@ -94,19 +161,21 @@ def compound_meshes(space: ParameterSpace, face: Face, expression: Expression, /
 
 def build_scene(
     context: ExportContext, face: str, poses: Iterable[tuple[str, Meshes]], /, *, hair: bool = True
-) -> Scene:
+) -> ExportScene:
     """Builds the scene of a face of the cast; poses: `named_compound_meshes` of each expression, by its name.
 
     ValueError for a face that is not in the cast, and for reserved names.
+
+    context, face: of the cast; hair: whether it comes along.
     """
     cast = context.cast
     check_known(face, cast.faces, "face")
-    fitted, look = fit(cast.space, cast.faces[face]), cast.looks[face]
-    rest: Meshes = {SKIN: fitted.positions.astype(np.float64)}
-    rest |= {name: points.astype(np.float64) for name, points in fitted.parts.items()}
+    fitted = fit(cast.space, cast.faces[face])
+    look = cast.looks[face]
+    rest = meshes_of(fitted)
     corners = {name: _corners(cast, name) for name in rest}
     upright = {name: mesh.normals(rest[name], corners[name]) for name in rest}
-    targets: dict[str, dict[str, Target]] = {name: {} for name in rest}
+    targets: dict[str, dict[str, MorphTarget]] = {name: {} for name in rest}
     for expression, meshes in poses:
         for name in rest:
             targets[name][expression] = _target(rest[name], meshes[name], corners[name], upright[name])
@@ -117,7 +186,7 @@ def build_scene(
     style = cast.hair.get(look.hair_style)
     if hair and style is not None:
         shapes.append(hair_shape(style, cast.space.points, fitted.positions, targets[SKIN], look))
-    return Scene(face, shapes, {"notice": NOTICE, "cast": cast.digest, "units": "metres", "rows": "_VID"})
+    return ExportScene(face, shapes, {"notice": NOTICE, "cast": cast.digest, "units": "metres", "rows": "_VID"})
 
 
 def _corners(cast: Cast, name: str) -> NDArray[np.int32]:
@@ -127,12 +196,12 @@ def _corners(cast: Cast, name: str) -> NDArray[np.int32]:
     return cast.space.welded[cast.space.triangles]
 
 
-def _target(rest: Points, posed: Points, corners: NDArray[np.int32], upright: Points) -> Target:
+def _target(rest: Points, posed: Points, corners: NDArray[np.int32], upright: Points) -> MorphTarget:
     moves = posed - rest
     turns = mesh.normals(rest + moves, corners) - upright
     moves[np.abs(moves).max(axis=1) < REST] = 0.0
     turns[np.abs(turns).max(axis=1) < STRAIGHT] = 0.0
-    return Target(moves.astype(np.float32), turns.astype(np.float32))
+    return MorphTarget(moves.astype(np.float32), turns.astype(np.float32))
 
 
 def _shape(
@@ -140,11 +209,12 @@ def _shape(
     fitted: FittedFace,
     part: BakedMesh,
     upright: Points,
-    targets: Mapping[str, Target],
+    targets: Mapping[str, MorphTarget],
     surfaces: Mapping[str, Material],
 ) -> Shape:
     """One mesh split at its texture's seams; an eyeball around its own centre, so that it can be turned."""
-    rows, space = part.source, context.cast.space
+    rows = part.source
+    space = context.cast.space
     points = (fitted.positions if part.name == SKIN else fitted.parts[part.name]).astype(np.float64)
     eye = part.name != SKIN and bool(space.parts[part.name].eye)
     place = fitted.centres[part.name].astype(np.float32).astype(np.float64) if eye else np.zeros(3)
@@ -157,7 +227,7 @@ def _shape(
         rows=rows,
         triangles=part.triangles,
         material=surfaces[part.name],
-        targets={name: Target(target.moves[rows], target.turns[own][rows]) for name, target in targets.items()},
+        targets={name: MorphTarget(target.moves[rows], target.turns[own][rows]) for name, target in targets.items()},
         place=(float(place[0]), float(place[1]), float(place[2])),
     )
 

@@ -9,16 +9,16 @@ from dataclasses import dataclass
 
 import numpy as np
 from anyascii import anyascii
-from numba import njit
 from numpy.typing import NDArray
 from PIL import Image, ImageDraw
 
-Values = NDArray[np.float64]
-Picture = NDArray[np.uint8]
+from omote.arrays import Picture, Values
 
 VIEWS = (-40.0, 0.0, 40.0)
 """Degrees that the head is turned to its left."""
-TALL, WIDE, BAND = 300, 240, 28
+TALL = 300
+WIDE = 240
+BAND = 28
 """Pixels of a view, and of the line of text above a face's views."""
 FARTHEST = 2.0
 """Millimetres that the hottest colour stands for."""
@@ -27,9 +27,11 @@ KEY = (
     "doubtful: look at it, it is stored only with --accept; failed: there is no face; scans.csv says why",
 )
 """What colours and states mean, above a sheet."""
-_DARK, _LIGHT = (16, 16, 16), (230, 230, 230)
+_DARK = (16, 16, 16)
+_LIGHT = (230, 230, 230)
 _STOPS = np.array([[70, 110, 170], [120, 180, 150], [230, 200, 90], [210, 60, 40]], np.float64)
-_UNSEEN, _BACK = np.array([150.0, 150.0, 150.0]), 32
+_UNSEEN = np.array([150.0, 150.0, 150.0])
+_BACK = 32
 
 
 @dataclass(frozen=True, eq=False)
@@ -53,13 +55,13 @@ def describe_distances(residual: Values, /) -> tuple[str, str]:
 
 def table_of(rows: Sequence[Mapping[str, object]], /) -> bytes:
     """Rows as CSV with a line of names; a cell that a spreadsheet would run as a formula is quoted as text."""
-    found = io.StringIO(newline="")
-    writer = csv.writer(found)
+    text = io.StringIO(newline="")
+    writer = csv.writer(text)
     writer.writerow(rows[0].keys() if rows else [])
     for row in rows:
         cells = [str(value) for value in row.values()]
         writer.writerow([f"'{cell}" if cell[:1] in ("=", "+", "-", "@", "\t") else cell for cell in cells])
-    return found.getvalue().encode()
+    return text.getvalue().encode()
 
 
 def heat_colours(residual: Values, /) -> Values:
@@ -75,13 +77,16 @@ def contact_sheet(triangles: NDArray[np.integer], faces: Sequence[SheetRow], /) 
     by the distance; of a failed one its name alone.
 
     triangles (F, 3).
+
+    triangles (F, 3): of all faces; faces: a row each.
     """
     rows = [_write(line) for line in KEY]
     for face in faces:
         if face.positions is None or face.residual is None:
             rows.append(_write(f"{face.label[:40]}   {face.state}"))
             continue
-        points, colours = np.asarray(face.positions, np.float64), heat_colours(face.residual)
+        points = np.asarray(face.positions, np.float64)
+        colours = heat_colours(face.residual)
         middle = describe_distances(face.residual)[0]
         near = f"half of it within {middle} mm" if middle else "unseen"
         views = [draw_view(points, triangles, colours, turn) for turn in VIEWS]
@@ -98,47 +103,24 @@ def _write(text: str) -> Picture:
 
 
 def draw_view(positions: Values, triangles: NDArray[np.integer], colours: Values, turn: float, /) -> Picture:
-    """One view (TALL, WIDE, 3) from the front of a head turned by some degrees, lit from the camera, without depth."""
+    """One view (TALL, WIDE, 3) from the front of a head turned by some degrees, lit from the camera, without depth.
+
+    positions (V, 3): metres; triangles (F, 3): rows of them; colours (V, 3): 0 to 255; turn: degrees to its left.
+    """
     angle = np.radians(turn)
     spin = np.array([[np.cos(angle), 0, np.sin(angle)], [0, 1, 0], [-np.sin(angle), 0, np.cos(angle)]])
     points = (positions - (positions.min(axis=0) + positions.max(axis=0)) / 2.0) @ spin.T
     scale = 0.9 * min(
         TALL / max(np.ptp(positions[:, 1]), 1e-9), WIDE / max(np.ptp(positions[:, [0, 2]], axis=0).max(), 1e-9)
     )
-    screen = np.stack([WIDE / 2 + scale * points[:, 0], TALL / 2 - scale * points[:, 1], scale * points[:, 2]], axis=1)
+    screen = np.stack([WIDE / 2 + scale * points[:, 0], TALL / 2 - scale * points[:, 1]], axis=1)
     corners = points[triangles]
     across = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
     light = 0.25 + 0.75 * np.clip(across[:, 2] / np.maximum(np.linalg.norm(across, axis=1), 1e-30), 0.0, 1.0)
-    picture = np.full((TALL, WIDE, 3), float(_BACK))
-    _fill(screen, np.ascontiguousarray(triangles, np.int64), colours, light, picture, np.full((TALL, WIDE), -np.inf))
-    drawn: Picture = np.clip(picture, 0, 255).astype(np.uint8)
-    return drawn
-
-
-@njit(cache=True)
-def _fill(
-    screen: Values, triangles: NDArray[np.int64], colours: Values, light: Values, picture: Values, depth: Values
-) -> None:  # fmt: skip
-    """Fills triangles nearest first by a depth buffer; barycentric coordinates say what lies in one."""
-    tall, wide = depth.shape
-    for face in range(len(triangles)):
-        a, b, c = screen[triangles[face, 0]], screen[triangles[face, 1]], screen[triangles[face, 2]]
-        area = (b[0] - a[0]) * (c[1] - a[1]) - (c[0] - a[0]) * (b[1] - a[1])
-        if area == 0.0:
-            continue
-        left, right = max(int(min(a[0], b[0], c[0])), 0), min(int(max(a[0], b[0], c[0])) + 1, wide - 1)
-        top, bottom = max(int(min(a[1], b[1], c[1])), 0), min(int(max(a[1], b[1], c[1])) + 1, tall - 1)
-        for row in range(top, bottom + 1):
-            for column in range(left, right + 1):
-                u = ((b[0] - column) * (c[1] - row) - (c[0] - column) * (b[1] - row)) / area
-                v = ((c[0] - column) * (a[1] - row) - (a[0] - column) * (c[1] - row)) / area
-                w = 1.0 - u - v
-                near = u * a[2] + v * b[2] + w * c[2]
-                if u >= 0.0 and v >= 0.0 and w >= 0.0 and near > depth[row, column]:
-                    depth[row, column] = near
-                    for channel in range(3):
-                        picture[row, column, channel] = light[face] * (
-                            u * colours[triangles[face, 0], channel]
-                            + v * colours[triangles[face, 1], channel]
-                            + w * colours[triangles[face, 2], channel]
-                        )
+    shades = np.clip(light[:, None] * colours[triangles].mean(axis=1), 0, 255).astype(np.uint8).tolist()
+    image = Image.new("RGB", (WIDE, TALL), (_BACK,) * 3)
+    draw = ImageDraw.Draw(image)
+    flat = [tuple(corner) for corner in screen.tolist()]
+    for row in np.argsort(corners[..., 2].mean(axis=1), kind="stable"):  # the farthest first
+        draw.polygon([flat[corner] for corner in triangles[row]], fill=tuple(shades[row]))
+    return np.asarray(image)

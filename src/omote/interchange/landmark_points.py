@@ -12,7 +12,7 @@ import numpy as np
 from omote.interchange.formats.error_reasons import explain_error
 from omote.model.fitting.landmarks import FEWEST_LANDMARKS, SEVEN
 
-Points = dict[str, tuple[float, float, float]]
+LandmarkPoints = dict[str, tuple[float, float, float]]
 LARGEST = 2**20
 """Bytes of a file of landmarks at most."""
 EXAMPLE = "--landmarks nose_tip=0,1.2,9.4"
@@ -33,10 +33,12 @@ def parse_point(word: str, /) -> tuple[str, tuple[float, float, float]]:
     return name.strip(), (numbers[0], numbers[1], numbers[2])
 
 
-def parse_document(data: bytes, scan: str, /, *, others: Sequence[str] = ()) -> Points:
+def parse_document(data: bytes, scan: str, /, *, others: Sequence[str] = ()) -> LandmarkPoints:
     """The landmarks of a scan in a JSON document: {"nose_tip": [0, 1.2, 9.4], ...}, or such ones by the names of scans.
 
     others: the scans that are fitted beside it. ValueError for an invalid document, and for one that names none of all.
+
+    data: JSON; scan: the file's name.
     """
     if len(data) > LARGEST:
         raise ValueError(f"the landmarks have {len(data)} bytes; expected {LARGEST} at most")
@@ -46,42 +48,45 @@ def parse_document(data: bytes, scan: str, /, *, others: Sequence[str] = ()) -> 
         raise ValueError(
             f'the landmarks are no JSON such as {{"nose_tip": [0, 1.2, 9.4]}} ({_explain(error, data)})'
         ) from error
-    found = document.get(scan, document)
+    section = document.get(scan, document)
     points = (
-        {name: place for name, place in found.items() if isinstance(place, list)} if isinstance(found, dict) else {}
+        {name: place for name, place in section.items() if isinstance(place, list)} if isinstance(section, dict) else {}
     )
     if not points and not document.keys() & set(others):
         raise ValueError(f"the landmarks have none for {scan}; they name {', '.join(document)[:200] or 'nothing'}")
     return dict(parse_point(f"{name}={','.join(map(repr, place))}") for name, place in points.items())
 
 
-def read_landmarks(words: Sequence[str], scan: Path, scans: Sequence[Path], /) -> Points:
-    """The landmarks of one of several scans, from words and files of them; ValueError where these say none."""
-    found: Points = {}
+def read_landmarks(words: Sequence[str], scan: Path, scans: Sequence[Path], /) -> LandmarkPoints:
+    """The landmarks of one of several scans, from words and files of them; ValueError where these say none.
+
+    words: `nose_tip=...`, or names of files; scan: the one that is asked for; scans: all.
+    """
+    landmarks: LandmarkPoints = {}
     for word in words:
         if "=" in word:
-            found.update([parse_point(word)])
+            landmarks.update([parse_point(word)])
             continue
         path = Path(word)
         if not path.is_file() or path.stat().st_size > LARGEST:
             raise ValueError(f"there is no file of landmarks {word}; give nose_tip=x,y,z, or a JSON file")
-        found.update(parse_document(path.read_bytes(), scan.name, others=[each.name for each in scans]))
-    return found
+        landmarks.update(parse_document(path.read_bytes(), scan.name, others=[other.name for other in scans]))
+    return landmarks
 
 
 def _explain(error: Exception, data: bytes) -> str:
     """What is wrong with a document, and in which line and column, counted from 1, where its text is."""
     if isinstance(error, msgspec.ValidationError) or not isinstance(error, msgspec.DecodeError):
         return explain_error(error)
-    found = _MALFORMED.fullmatch(str(error))
-    what, before = (found[1], data[: int(found[2])]) if found else ("it ends too soon", data)
+    match = _MALFORMED.fullmatch(str(error))
+    what, before = (match[1], data[: int(match[2])]) if match else ("it ends too soon", data)
     column = len(before.rpartition(b"\n")[2].decode("utf-8", "replace")) + 1
     line = before.count(b"\n") + 1
     return f"line {line}, column {column}: {what}"
 
 
 def require_enough(points: Mapping[str, object], /) -> None:
-    """ValueError where some landmarks are given, and fewer than say where a face is."""
+    """Raises ValueError where some landmarks are given, and fewer than say where a face is."""
     if points and len(points) < FEWEST_LANDMARKS:
         raise ValueError(
             f"{len(points)} landmarks are given; expected at least {FEWEST_LANDMARKS} of {', '.join(SEVEN)}"
@@ -89,7 +94,10 @@ def require_enough(points: Mapping[str, object], /) -> None:
 
 
 def explain_landmarks(names: Sequence[str] = SEVEN, /, *, accepted: bool = False) -> str:
-    """What people do to give them; accepted: whether --accept was given, though no face was fitted."""
+    """What people do to give them; accepted: whether --accept was given, though no face was fitted.
+
+    names: of the points that may be given.
+    """
     nothing = "Where no face was fitted there is none that --accept could store. " if accepted else ""
     return (
         f"{nothing}Say where the face is, with at least {FEWEST_LANDMARKS} of {', '.join(names)} in the scan's own"

@@ -10,16 +10,13 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.spatial import cKDTree
 
+from omote.arrays import Points
 from omote.builtin import BakedMesh
+from omote.interchange.export_face import SKIN, Meshes
 from omote.interchange.formats.glb_reader import Piece
 from omote.model.cast import Cast
 from omote.model.space.face import Face
-from omote.model.space.face_fit import fit
 
-Points = NDArray[np.float64]
-Meshes = dict[str, Points]
-
-SKIN = "skin"
 NEAR = 2e-4
 """Tolerance, metres, in matching a face of the cast: programs round."""
 _NUMBERED = re.compile(r"\.\d{3}$")  # what Blender adds to a name that is there already
@@ -39,30 +36,23 @@ def sizes(cast: Cast) -> dict[str, int]:
     return {SKIN: cast.space.vertex_count} | {name: len(part.points) for name, part in cast.space.parts.items()}
 
 
-def rest_of(cast: Cast, face: str) -> Meshes:
-    """The meshes of a face of the cast at rest."""
-    fitted = fit(cast.space, cast.faces[face])
-    meshes = {SKIN: fitted.positions, **fitted.parts}
-    return {name: points.astype(np.float64) for name, points in meshes.items()}
-
-
 def match_head(cast: Cast, meshes: Sequence[BakedMesh], pieces: Iterable[Piece], /) -> MatchedHead:
     """Matches a file's pieces to the cast's meshes; face: "" where their rest is no face of the cast.
 
     Vertices are matched by the attribute _VID, else by their order, else by position on a face of the cast.
     ValueError where no piece is a head with our topology.
     """
-    found: dict[str, tuple[Points, dict[str, Points]]] = {}
+    gathered: dict[str, tuple[Points, dict[str, Points]]] = {}
     for piece in pieces:
         name, rows = _match_piece(cast, meshes, piece)
         if name:
-            _gather(cast, found, name, rows, piece)
-    if SKIN not in found or np.isnan(found[SKIN][0]).any():
+            _gather(cast, gathered, name, rows, piece)
+    if SKIN not in gathered or np.isnan(gathered[SKIN][0]).any():
         raise ValueError(
             f"no head of this topology is in this file: expected a mesh with the {cast.space.vertex_count} vertices of "
             "the cast's skin, in their order or with the attribute _VID; export one from Omote and shape that"
         )
-    whole = {name: (rest, moves) for name, (rest, moves) in found.items() if not np.isnan(rest).any()}
+    whole = {name: (rest, moves) for name, (rest, moves) in gathered.items() if not np.isnan(rest).any()}
     rest = {name: points for name, (points, _) in whole.items()}
     labels = dict.fromkeys(label for _, moves in whole.values() for label in moves)
     moves = {label: {name: moved[label] for name, (_, moved) in whole.items() if label in moved} for label in labels}
@@ -79,7 +69,8 @@ def nearest_face(cast: Cast, skin: Points) -> str:
 def _match_piece(cast: Cast, meshes: Sequence[BakedMesh], piece: Piece) -> tuple[str, NDArray[np.int64]]:
     """The mesh that a piece belongs to, and the row of each of its vertices; "" where it belongs to none."""
     named = _NUMBERED.sub("", piece.name)
-    counts, none = sizes(cast), np.zeros(0, np.int64)
+    counts = sizes(cast)
+    none = np.zeros(0, np.int64)
     if piece.rows is not None:
         name = named if named in counts else SKIN
         return (name, piece.rows) if piece.rows.max() < counts[name] else ("", none)
@@ -105,11 +96,11 @@ def _match_by_place(cast: Cast, points: Points) -> NDArray[np.int64] | None:
 
 
 def _gather(
-    cast: Cast, found: dict[str, tuple[Points, dict[str, Points]]], name: str, rows: NDArray[np.int64], piece: Piece
+    cast: Cast, gathered: dict[str, tuple[Points, dict[str, Points]]], name: str, rows: NDArray[np.int64], piece: Piece
 ) -> None:  # fmt: skip
     """Adds a piece's vertices to its mesh; doubled vertices of the skin share one position."""
     count = sizes(cast)[name]
-    rest, moves = found.setdefault(name, (np.full((count, 3), np.nan), {}))
+    rest, moves = gathered.setdefault(name, (np.full((count, 3), np.nan), {}))
     twins = cast.space.welded if name == SKIN else np.arange(count)
     _fill(rest, rows, piece.points, twins)
     for label, moved in piece.moves.items():
@@ -117,16 +108,19 @@ def _gather(
         np.copyto(moves[label], 0.0, where=np.isnan(moves[label]) & ~np.isnan(rest))
 
 
-def _fill(values: Points, rows: NDArray[np.int64], given: Points, twins: NDArray[np.integer]) -> None:
-    values[rows] = given
+def _fill(values: Points, rows: NDArray[np.int64], points: Points, twins: NDArray[np.integer]) -> None:
+    values[rows] = points
     lost = np.isnan(values).any(axis=1)
-    known = np.full_like(values, np.nan)
-    known[twins[rows]] = given
-    values[lost] = known[twins[lost]]
+    by_twin = np.full_like(values, np.nan)
+    by_twin[twins[rows]] = points
+    values[lost] = by_twin[twins[lost]]
 
 
 def build_face(cast: Cast, like: MatchedHead, name: str = "") -> Face:
-    """Builds the face of a matched head: one of the cast (by name, or matched), else the file's own."""
+    """Builds the face of a matched head: one of the cast (by name, or matched), else the file's own.
+
+    cast: whose faces; like: the matched head; name: of a face of the cast, "" for what matched.
+    """
     if chosen := name or like.face:
         return cast.faces[chosen]
     parts = {part: points for part, points in like.rest.items() if part != SKIN}

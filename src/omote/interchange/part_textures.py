@@ -12,8 +12,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from omote.arrays import Picture
 from omote.geometry.ramp import clamp_unit, smooth_ramp
-from omote.interchange.formats.png import Picture
 from omote.interchange.skin_texture import decode_srgb
 from omote.model.albedo import encode_light
 from omote.model.cast import Look
@@ -27,7 +27,8 @@ PUPIL = 0.36
 ARCH = 0.034
 """From the front teeth back to the middle of the dental arch, metres."""
 _LOWER = 1.7
-TOOTH_REACH, _WIDEST = 0.16, 1.7
+TOOTH_REACH = 0.16
+_WIDEST = 1.7
 """Radians along the arch: of one tooth's height, and that a texture spans."""
 ARCH_DEPTH = 0.05
 """Metres behind the front teeth that a texture spans."""
@@ -41,10 +42,14 @@ def eye_uv(points: Values) -> NDArray[np.float32]:
 
 
 def paint_eye(look: Look, size: int = 512) -> Picture:
-    """An eyeball (size, size, 3) on `eye_uv`: iris, pupil, white with its vessels."""
+    """An eyeball (size, size, 3) on `eye_uv`: iris, pupil, white with its vessels.
+
+    look: for its iris; size: pixels.
+    """
     x, y, radius = _disc(size)
     off = radius * np.sqrt(np.maximum(1.0 - radius**2, 0.0)) * 2.0  # of the unit ball, seen from ahead
-    angle, front = np.arctan2(y, x), radius < np.sqrt(0.5)
+    angle = np.arctan2(y, x)
+    front = radius < np.sqrt(0.5)
     edge = LIMBUS * look.iris_size
     out = off / edge
     place = np.stack([np.cos(angle), np.sin(angle)]) * out
@@ -76,7 +81,8 @@ def _pupil(place: Values, slit: float) -> Values:
 def _iris(look: Look, size: int, out: Values, hole: Values) -> Values:
     rim = out / np.maximum(hole, 0.05)
     share = clamp_unit((out - rim) / np.maximum(1.0 - rim, 0.05))
-    fine, coarse = _fibres(size, 90), _fibres(size, 22)
+    fine = _fibres(size, 90)
+    coarse = _fibres(size, 22)
     ridge = 0.30 + 0.05 * coarse
     inner = 1.0 - smooth_ramp(-0.05, 0.06, share - ridge)
     tone = decode_srgb(look.iris) * (1.25 - 0.45 * smooth_ramp(0.2, 0.95, share))[..., None] + np.array(
@@ -109,7 +115,10 @@ def _fibres(size: int, most: int) -> Values:
 
 
 def arch_uv(points: Values, *, upper: bool) -> NDArray[np.float32]:
-    """Places (k, 2) of teeth at points (k, 3): the angle on the arch, and how far from the gum to the edge."""
+    """Places (k, 2) of teeth at points (k, 3): the angle on the arch, and how far from the gum to the edge.
+
+    points (k, 3): metres; upper: whether they are the upper ones.
+    """
     angle = np.arctan2(points[:, 0], points[:, 2] - points[:, 2].max() + ARCH)
     beside = np.abs(angle[:, None] - angle[None]) < TOOTH_REACH
     low = np.where(beside, points[None, :, 1], np.inf).min(axis=1)
@@ -119,7 +128,10 @@ def arch_uv(points: Values, *, upper: bool) -> NDArray[np.float32]:
 
 
 def paint_teeth(look: Look, *, upper: bool, size: int = 512) -> Picture:
-    """A row of teeth (size / 2, size, 4) on `arch_uv`, gums above; clear beyond the teeth's edges."""
+    """A row of teeth (size / 2, size, 4) on `arch_uv`, gums above; clear beyond the teeth's edges.
+
+    look: for its age; upper: whether they are the upper ones; size: pixels.
+    """
     angle = ((np.arange(size) + 0.5) / size * 2.0 - 1.0) * _WIDEST
     height = ((np.arange(size // 2) + 0.5) / (size // 2))[:, None]
     across, number = _teeth_at(angle, upper=upper)
@@ -162,7 +174,10 @@ def paint_tongue(size: int = 128) -> Picture:
 
 
 def lash_uv(points: Values, centre: Values) -> NDArray[np.float32]:
-    """Places (k, 2) of one eye's lashes, points (k, 3): the angle around the eyeball, and how far off it."""
+    """Places (k, 2) of one eye's lashes, points (k, 3): the angle around the eyeball, and how far off it.
+
+    points (k, 3): metres; centre (3,): the eyeball's.
+    """
     away = points - centre
     reach = np.linalg.norm(away, axis=1)
     angle = np.arctan2(away[:, 0], away[:, 2])
@@ -177,20 +192,25 @@ def paint_strands(
     """Hairs (rows, columns, 4) from their roots in the first row to their tips in the last, clear between them.
 
     cover: how much of the width they hide at their roots.
+
+    colour (3,): linear light; strands: how many; columns, rows: pixels.
     """
     chance = np.random.default_rng(SEED)
-    root, bend = (
-        (np.arange(strands) + 0.5 + chance.uniform(-0.3, 0.3, strands)) / strands,
-        chance.normal(0, 0.4, strands),
-    )
+    root = (np.arange(strands) + 0.5 + chance.uniform(-0.3, 0.3, strands)) / strands
+    bend = chance.normal(0, 0.4, strands)
     length = chance.uniform(0.6, 1.0, strands)
     x, y = np.meshgrid((np.arange(columns) + 0.5) / columns, (np.arange(rows) + 0.5) / rows)
-    hidden, tone = np.zeros((rows, columns)), np.ones((rows, columns))
+    hidden = np.zeros((rows, columns))
+    tone = np.ones((rows, columns))
+    widest = 0.5 * cover / strands
     for start, lean, end in zip(root, bend, length, strict=True):
-        wide = 0.5 * cover / strands * np.maximum(1.0 - y / end, 0.0) ** 0.5
-        here = clamp_unit((wide - np.abs(x - start - lean * y**2 / strands)) * columns + 0.5) * (wide > 0.0)
-        tone = np.where(here > hidden, 0.75 + 0.5 * end * end, tone)
-        hidden = np.maximum(hidden, here)
+        ends = np.array([min(0.0, lean / strands) - widest, max(0.0, lean / strands) + widest])
+        first, last = np.clip(np.array([-2, 2]) + np.rint((start + ends) * columns), 0, columns).astype(int)
+        at = np.s_[:, first:last]  # a strand covers a few columns of all
+        wide = widest * np.maximum(1.0 - y[at] / end, 0.0) ** 0.5
+        here = clamp_unit((wide - np.abs(x[at] - start - lean * y[at] ** 2 / strands)) * columns + 0.5) * (wide > 0.0)
+        tone[at] = np.where(here > hidden[at], 0.75 + 0.5 * end * end, tone[at])
+        hidden[at] = np.maximum(hidden[at], here)
     drawn = encode_light(colour * tone[..., None])
     return np.concatenate([drawn, np.rint(255.0 * hidden).astype(np.uint8)[..., None]], axis=2)
 

@@ -8,18 +8,19 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from omote.builtin import BakedMesh
+from omote.arrays import Picture, Points
+from omote.builtin import BakedMesh, load_mask, load_meshes
 from omote.geometry.ramp import clamp_unit, smooth_ramp
 from omote.geometry.texture import paint
-from omote.interchange.formats.png import Picture
+from omote.interchange.formats.png import read_png
 from omote.model.albedo import decode_light, encode_light
 from omote.model.cast import Look
+from omote.model.space.parameter_space import ParameterSpace
 
 Values = NDArray[Any]
-Points = NDArray[np.float64]
 
 LAYERS = ("mask", "marks", "patches", "relief", "finish", "pelt")
-LINING = (0.62, 0.16, 0.14)
+LINING = (0.62, 0.16, 0.14)  # linear light, of the inside of mouth and nostrils
 RIM = 0.22  # of the brows' colour, the dark skin along lids and lips under fur
 
 # Angle from straight ahead, radians, and the height where hair begins, metres over the eyes.
@@ -35,6 +36,11 @@ class Canvas:
 
     layers: dict[str, Values]
     hair: Values
+
+
+def load_canvas(space: ParameterSpace, /) -> Canvas:
+    """The canvas of the built-in cast's skin."""
+    return build_canvas(read_png(load_mask()), load_meshes()[0], space.points)
 
 
 def build_canvas(layers: Picture, skin: BakedMesh, generic: Points) -> Canvas:
@@ -56,7 +62,10 @@ def hairline(points: Points) -> Points:
 
 def paint_skin(canvas: Canvas, look: Look) -> Picture:
     """Paints the skin (k, k, 3) of a look, sRGB, with the picture on it where it has one; k is the larger of the two's
-    sides."""
+    sides.
+
+    canvas: of the cast; look: whose colours.
+    """
     if look.albedo is None:
         return encode_light(_albedo(canvas, look))
     side = max(look.albedo.side, len(canvas.hair))
@@ -92,7 +101,9 @@ def decode_srgb(colour: str) -> NDArray[np.float32]:
 
 
 def _albedo(at: Canvas, look: Look) -> Values:
-    mask, marks, patches = at.layers["mask"], at.layers["marks"], at.layers["patches"]
+    mask = at.layers["mask"]
+    marks = at.layers["marks"]
+    patches = at.layers["patches"]
     skin, lip, brow, hair = (decode_srgb(colour) for colour in (look.skin, look.lip, look.brow, look.hair))
     lips, lining = _lips(at, look)
     fur = look.fur * (1.0 - lips)
@@ -106,8 +117,8 @@ def _albedo(at: Canvas, look: Look) -> Values:
     seen = _mix(seen, hair * _grey(0.7 + 0.6 * marks[..., 3]), _grown(at) * look.scalp)
     seen = _mix(seen, np.array(LINING, np.float32), lining)
     left = mask[..., 3]
-    found: Values = seen * _grey(left * (0.7 + 0.3 * left))
-    return found
+    shaded: Values = seen * _grey(left * (0.7 + 0.3 * left))
+    return shaded
 
 
 def _pictured(at: Canvas, look: Look, painted: Values, times: int) -> Values:
@@ -133,7 +144,8 @@ def _grown(at: Canvas) -> Values:
 
 def _lips(at: Canvas, look: Look) -> tuple[Values, Values]:
     """How much of a texel is lip, and how much the mouth's lining."""
-    red, left = at.layers["mask"][..., 0], at.layers["mask"][..., 3]
+    red = at.layers["mask"][..., 0]
+    left = at.layers["mask"][..., 3]
     narrow = 0.3 * look.age
     human = smooth_ramp(0.06 + narrow, 0.5 + narrow, red)
     lips = human + (smooth_ramp(0.86, 0.97, red) - human) * look.fur
@@ -154,17 +166,18 @@ def _paint_bare_skin(at: Canvas, look: Look, skin: Values, lip: Values, brow: Va
 
 
 def _paint_fur(at: Canvas, look: Look, skin: Values, brow: Values) -> Values:
-    pelt, strand = at.layers["pelt"], at.layers["marks"][..., 3] - 0.5
+    pelt = at.layers["pelt"]
+    strand = at.layers["marks"][..., 3] - 0.5
     pale = pelt[..., 0] + (pelt[..., 2] - pelt[..., 0]) * look.stripes
     dark = pelt[..., 1] + (pelt[..., 3] - pelt[..., 1]) * look.stripes
     seen = _mix(_mix(skin, decode_srgb(look.coat), pale), brow, dark * 0.9)
     seen = _mix(seen, brow * RIM, at.layers["patches"][..., 1] * 0.92)
-    found: Values = seen * _grey(1.0 + 1.15 * strand) + _grey(np.maximum(strand, 0.0) * 0.10)
-    return found
+    shaded: Values = seen * _grey(1.0 + 1.15 * strand) + _grey(np.maximum(strand, 0.0) * 0.10)
+    return shaded
 
 
-def _mix(one: Values, other: Values, share: Values) -> Values:
-    result: Values = one + (other - one) * share[..., None]
+def _mix(base: Values, other: Values, share: Values) -> Values:
+    result: Values = base + (other - base) * share[..., None]
     return result
 
 

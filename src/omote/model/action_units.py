@@ -48,7 +48,8 @@ MAKEHUMAN: Mapping[str, tuple[int, ...]] = MappingProxyType(
     }
 )  # fmt: skip
 """Of MakeHuman's units, without `left` and `right`."""
-UPPER, LOWER = ("mouthRollUpper",), ("mouthRollLower",)
+UPPER = ("mouthRollUpper",)
+LOWER = ("mouthRollLower",)
 HEAD_TURNS = range(51, 57)
 """Units that the head does: turns to both sides, up, down, and tilts."""
 SIDES = ("LR", "TB")
@@ -107,13 +108,16 @@ def find_units(typed: str, channels: Iterable[str], /) -> tuple[str, ...]:
 
 def explain_action_unit(typed: str, channels: Iterable[str], /) -> str:
     """A clause that says what an action unit is here, for whoever typed one where no single name is found; "" for what
-    is none."""
+    is none.
+
+    channels: the names that there are.
+    """
     unit = read_action_unit(typed)
     if unit is None:
         return ""
     choices = list(channels)
-    if found := find_units(typed, choices):
-        return f"{unit} is {' and '.join(found)}{' together' if len(found) > 1 else ''}"
+    if units := find_units(typed, choices):
+        return f"{unit} is {' and '.join(units)}{' together' if len(units) > 1 else ''}"
     if unit.number in HEAD_TURNS:
         return f"{unit} is a turn of the head (turn)"
     if either := [units for side in "LR" for units in find_units(f"{unit}{side}", choices)]:

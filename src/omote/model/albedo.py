@@ -10,6 +10,7 @@ from functools import cached_property, lru_cache
 import numpy as np
 from numpy.typing import NDArray
 
+from omote.arrays import Values
 from omote.geometry.texture import paint
 from omote.model.space.head_regions import Region, region_weights
 from omote.model.space.parameter_space import ParameterSpace
@@ -85,7 +86,7 @@ class SkinAtlas:
     uv: NDArray[np.floating]
     triangles: NDArray[np.integer]
 
-    def spread(self, values: NDArray[np.floating], side: int, /) -> NDArray[np.float64]:
+    def spread(self, values: NDArray[np.floating], side: int, /) -> Values:
         """Paints values (V,) of the skin's vertices on the texture, (side, side)."""
         return paint(np.asarray(values)[self.source], self.uv, self.triangles, side)
 
@@ -112,7 +113,11 @@ def regional_albedo(
     space: ParameterSpace, atlas: SkinAtlas, rest: Albedo | None, chosen: tuple[tuple[Region, Albedo | None], ...], /
 ) -> Albedo | None:
     """The picture of a face with each chosen region from another one, smooth at the borders; None where no face has
-    one. The last results stay."""
+    one. The last results stay.
+
+    space: the space of the generic head; atlas: how the skin lies on its picture; rest: the picture of the face
+    itself, None for none.
+    """
     pictures = {albedo for albedo in (rest, *dict(chosen).values()) if albedo is not None}
     if not pictures or all(albedo == rest for _, albedo in chosen):
         return rest
@@ -134,7 +139,8 @@ def _region_masks(
 def _blend(shares: Sequence[tuple[Albedo, Share]]) -> Albedo:
     """Colours by their coverage and share, coverage by its share."""
     side = max(albedo.side for albedo, _ in shares)
-    light, covered = np.zeros((side, side, 3), np.float32), np.zeros((side, side), np.float32)
+    light = np.zeros((side, side, 3), np.float32)
+    covered = np.zeros((side, side), np.float32)
     weight = np.zeros((side, side), np.float32)
     for albedo, share in shares:
         times = side // albedo.side
@@ -159,13 +165,11 @@ _LINEAR = _decoded()
 
 def decode_light(colours: NDArray[np.uint8], /) -> Light:
     """The linear light of sRGB colours (IEC 61966-2-1), 0 to 1, in the same shape."""
-    found: Light = _LINEAR[colours]
-    return found
+    return _LINEAR[colours]
 
 
 def encode_light(light: NDArray[np.floating], /) -> NDArray[np.uint8]:
     """The sRGB colours of linear light; beyond 1 is white."""
     seen = np.minimum(np.maximum(light, np.float32(0.0)), np.float32(1.0))
     code = np.where(seen <= 0.0031308, 12.92 * seen, 1.055 * seen ** np.float32(1 / 2.4) - 0.055)
-    coded: NDArray[np.uint8] = np.rint(255.0 * code).astype(np.uint8)
-    return coded
+    return np.rint(255.0 * code).astype(np.uint8)

@@ -103,7 +103,8 @@ def _numbers(expression: Expression) -> list[np.ndarray]:
 
 def _refuse_others_at_rest(cast: Cast) -> None:
     """Rejects another face or expression under a reserved name: panic and every start of a show return to these two."""
-    generic, neutral = cast.faces.get(GENERIC), cast.expressions[NEUTRAL]
+    generic = cast.faces.get(GENERIC)
+    neutral = cast.expressions[NEUTRAL]
     if generic is not None and not np.array_equal(generic.positions, cast.space.points.astype(np.float32)):
         raise ValueError(f"face {GENERIC!r} is not the face the space was built from; give it another name")
     rests = (neutral.dtheta, neutral.dh, neutral.ratio - 1.0, neutral.residual, neutral.eyes, *neutral.parts.values())
@@ -218,7 +219,7 @@ class Cast:
         'half'
         """
         for face in faces:
-            fit(self.space, face)
+            fit(self.space, face)  # what is no face is refused as such, before it is asked for its name
         return replace(
             self, faces={**self.faces, **{face.name: face for face in faces}}, looks={**self.looks, **(looks or {})}
         )

@@ -7,10 +7,8 @@ from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.spatial import cKDTree
 
-Values = NDArray[np.float64]
-Indices = NDArray[np.int32]
+from omote.arrays import Floats, Indices, Values
 
 LINKS = 6
 """Vertices of the skin that carry one place of a strand."""
@@ -30,12 +28,12 @@ class HairStyle:
     """
 
     name: str
-    points: NDArray[np.float32]
+    points: Floats
     rows: Indices
-    weights: NDArray[np.float32]
+    weights: Floats
     anchors: Indices
-    facing: NDArray[np.float32]
-    light: NDArray[np.float32]
+    facing: Floats
+    light: Floats
     width: float
 
     def __post_init__(self) -> None:
@@ -63,20 +61,6 @@ class HairStyle:
         return self.points, self.rows, self.weights, self.anchors, self.facing, self.light, width
 
 
-def find_anchors(points: Values, skin: Values, allowed: NDArray[np.bool_], /) -> tuple[Indices, Values]:
-    """Finds the skin's vertices (..., LINKS) that carry points (..., 3), and their weights, which sum to one
-    (skinning).
-
-    skin (V, 3) metres; allowed (V,): the vertices that may. Weights fall to zero at the first vertex that is left out
-    (Franke and Little 1980), so that neighbours on a strand are carried alike.
-    """
-    usable = np.flatnonzero(allowed)
-    far, found = cKDTree(skin[usable]).query(points, k=LINKS + 1)
-    near, limit = np.maximum(far[..., :LINKS], 1e-6), far[..., LINKS:] * (1.0 + 1e-6)
-    weights = ((limit - near) / (limit * near)) ** 2
-    return usable[found[..., :LINKS]].astype(np.int32), weights / weights.sum(axis=-1, keepdims=True)
-
-
 def place_strands(style: HairStyle, generic: Values, positions: Values, /) -> Values:
     """Places the strands (n, k, 3) of a style on a face with positions (V, 3); generic (V, 3): where they were made.
 
@@ -85,8 +69,7 @@ def place_strands(style: HairStyle, generic: Values, positions: Values, /) -> Va
     """
     moves = np.asarray(positions, np.float64) - generic
     carried_by = np.einsum("skl,skld->skd", style.weights.astype(np.float64), moves[style.rows])
-    result: Values = style.points + _keep_pieces(carried_by, style.points.astype(np.float64))
-    return result
+    return style.points + _keep_pieces(carried_by, style.points.astype(np.float64))
 
 
 def _keep_pieces(moves: Values, points: Values) -> Values:

@@ -11,7 +11,8 @@ from omote.model.action_units import explain_action_unit
 PlayRegion = Literal["brows", "eyes", "mouth", "rest"]
 PLAY_REGIONS: tuple[PlayRegion, ...] = get_args(PlayRegion)
 """The groups of regions of a face in which an expression can be called alone."""
-GENERIC, NEUTRAL = "generic", "neutral"
+GENERIC = "generic"
+NEUTRAL = "neutral"
 """The face and the expression that every cast has."""
 UNIT_NOUNS = ("expression", "channel")
 """What may be named by an action unit of FACS too."""
@@ -47,10 +48,11 @@ class KnownNames(dict[str, Value]):
 
 
 def explain_unknown(name: object, names: Iterable[str], what: str) -> str:
-    """A clause that says that a name is not one of `names`, and which of them are near."""
-    choices, where = list(names), PLACES.get(what, " in this cast")
-    if what in UNIT_NOUNS and (told := explain_action_unit(str(name)[:80], choices)):
-        return f"there is no {what} {str(name)[:80]!r}{where}; {told}"
+    """A clause that says that a name is not one of `names`, and which of them are near. what: what messages call it."""
+    choices = list(names)
+    where = PLACES.get(what, " in this cast")
+    if what in UNIT_NOUNS and (known := explain_action_unit(str(name)[:80], choices)):
+        return f"there is no {what} {str(name)[:80]!r}{where}; {known}"
     near = difflib.get_close_matches(str(name)[:80], choices, n=3, cutoff=0.4)
     if where:
         near = near or sorted(choices)[:3]

@@ -6,10 +6,11 @@ An axis is a value; every function here returns a changed copy. A call moves the
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field, replace
 from typing import NamedTuple
 
+from omote.model.known_names import PlayRegion
 from omote.perform.easing import (
     DEFAULT_EASING,
     HAND_SECONDS,
@@ -129,13 +130,16 @@ def called(
     """The axis with a call to `target` from whatever is showing: 0 seconds cut, None wait for the T-bar. goal: the mix
     with other things that it comes to, where that is not the target alone; no T-bar moves such a call.
 
+    easing: the curve of the way.
+
     The end nearest to the hand becomes the start of the call, so a T-bar left at either end picks up at once.
     """
     if axis.call is None and axis.stands == goal and axis.on_air == target:
         return axis
     if seconds == 0.0:
         return replace(axis, on_air=target, call=None, stands=goal)
-    start, velocity = weights(axis), rates(axis)
+    start = weights(axis)  # eq. 4 to 7 of Arai (1993) freeze the blend that shows; its weights say all of it
+    velocity = rates(axis)
     end = mix_of_one(target) if goal is None else goal
     decay = decay_seconds(start, velocity, end, seconds, find_easing(easing))
     call = Call(target, start, velocity, decay, easing, seconds, goal=goal)
@@ -150,7 +154,9 @@ def halted(axis: Axis, seconds: float) -> Axis:
     axis = replace(axis, hand=0.0, flipped=False)
     if axis.call is None or axis.call.goal is not None:
         return axis
-    start, velocity, easing = weights(axis), rates(axis), DEFAULT_EASING
+    start = weights(axis)
+    velocity = rates(axis)
+    easing = DEFAULT_EASING
     carried = combine(((1.0, start), (seconds / 2.0, velocity)))
     goal = normalise({name: weight for name, weight in carried.items() if weight >= LEAST_STANDING})
     decay = decay_seconds(start, velocity, goal, seconds, find_easing(easing))
@@ -165,7 +171,8 @@ def faded(axis: Axis, hand: float) -> Axis:
     if call is None or call.goal is not None:
         return moved
     y, rate = progress(call)
-    before, now = _along(axis, axis.hand), _along(axis, hand)
+    before = _along(axis, axis.hand)
+    now = _along(axis, hand)
     if not call.held and (before - y) * (now - y) > 0.0:
         return moved
     return replace(moved, call=replace(call, held=True, way=plan_glide(y, rate, now, HAND_SECONDS)))
@@ -239,3 +246,42 @@ def _has_arrived(call: Call) -> bool:
     if call.way is not None:
         return call.way.goal == 1.0 and is_over(call.way.elapsed, call.way.seconds)
     return call.seconds is not None and is_over(call.elapsed, call.seconds)
+
+
+RegionAxes = Mapping[PlayRegion, Axis]
+
+
+def call_regions(regions: RegionAxes, face: Axis, call: Callable[[Axis], Axis]) -> dict[PlayRegion, Axis]:
+    """All regions that go their own way, called with the whole face, whose T-bar they then have.
+
+    call: what calls an axis.
+    """
+    return {region: call(replace(on, hand=face.hand)) for region, on in regions.items()}
+
+
+def move_with_face(regions: RegionAxes, face: Axis, move: Callable[[Axis], Axis]) -> dict[PlayRegion, Axis]:
+    """The regions after the T-bar of the whole face has moved: it moves those whose call is the face's too, and passes
+    the others by.
+
+    move: what moves the T-bar of an axis.
+    """
+    return {region: move(on) if _is_called_with(face, on) else on for region, on in regions.items()}
+
+
+def _is_called_with(face: Axis, on: Axis) -> bool:
+    if face.call is None or on.call is None:
+        return False
+    mine = face.call
+    own = on.call
+    return (mine.target, mine.seconds, mine.elapsed, mine.easing) == (own.target, own.seconds, own.elapsed, own.easing)
+
+
+def advance_regions(regions: RegionAxes, face: Axis, dt: float) -> dict[PlayRegion, Axis]:
+    """The regions `dt` seconds later, without those that have come to show what the whole face does; face: its axis,
+    advanced already."""
+    later = {region: advanced(on, dt) for region, on in regions.items()}
+    return {region: on for region, on in later.items() if not _shows_the_same(on, face)}
+
+
+def _shows_the_same(on: Axis, face: Axis) -> bool:
+    return on.call is None and face.call is None and weights(on) == weights(face)

@@ -13,8 +13,10 @@ from omote.model.space.expression import STILL_EYES, Expression
 from omote.perform.frame import Frame, Gaze
 from omote.perform.limits import CHANNEL_HIGHEST, CHANNEL_LOWEST, GAZE_LIMITS, check_known, check_within
 
-LEFT, RIGHT = 0, 1
-YAW, PITCH = 0, 1
+LEFT = 0
+RIGHT = 1
+YAW = 0
+PITCH = 1
 GAZE_UNITS: Mapping[str, tuple[int, int]] = {
     "eyeLookOutLeft": (LEFT, YAW),
     "eyeLookInLeft": (LEFT, YAW),
@@ -29,11 +31,15 @@ GAZE_UNITS: Mapping[str, tuple[int, int]] = {
 
 
 def highest_weight(expressions: Mapping[str, Expression], name: str) -> float:
-    """The largest weight that a channel has on air: of a unit that turns an eye, what the widest gaze makes of it."""
+    """The largest weight that a channel has on air: of a unit that turns an eye, what the widest gaze makes of it.
+
+    expressions: those of the cast, by name; name: of the channel.
+    """
     if name not in GAZE_UNITS or name not in expressions:
         return CHANNEL_HIGHEST
     eye, direction = GAZE_UNITS[name]
-    own, widest = abs(float(expressions[name].eyes[eye, direction])), tuple(GAZE_LIMITS.values())[direction]
+    own = abs(float(expressions[name].eyes[eye, direction]))
+    widest = tuple(GAZE_LIMITS.values())[direction]
     return max(CHANNEL_HIGHEST, widest / own) if own else CHANNEL_HIGHEST
 
 
@@ -41,15 +47,22 @@ def with_channel(
     channels: Mapping[str, float], expressions: Mapping[str, Expression], name: str, value: float
 ) -> dict[str, float]:
     """Sets one channel (a blendshape weight); 0 removes it. Rejects unknown names, `neutral` and values out of
-    range."""
+    range.
+
+    channels: weights by name; expressions: those of the cast, by name; name: of the channel; value: -0.5 to 1.5.
+    """
     return with_channels(channels, expressions, {name: value})
 
 
 def with_channels(
     channels: Mapping[str, float], expressions: Mapping[str, Expression], values: Mapping[str, float]
 ) -> dict[str, float]:
-    """Sets some channels, as `with_channel` one after the other, or none where one is rejected."""
-    kept, in_order = dict(channels), True
+    """Sets some channels, as `with_channel` one after the other, or none where one is rejected.
+
+    expressions: those of the cast, by name; values: weights by name, -0.5 to 1.5.
+    """
+    kept = dict(channels)
+    in_order = True
     for name, value in values.items():
         if name == NEUTRAL or name not in expressions:
             check_known(name, (unit for unit in expressions if unit != NEUTRAL), "channel")
@@ -64,7 +77,10 @@ def with_channels(
 
 def gaze_channels(expressions: Mapping[str, Expression], gaze: Gaze, vergence: float = 0.0) -> dict[str, float]:
     """The `eyeLook*` weights that turn both eyeballs by the gaze: its angle over the unit's own. vergence: radians by
-    which each eye turns in, as far as an eye can."""
+    which each eye turns in, as far as an eye can.
+
+    expressions: those of the cast, by name.
+    """
     turned: dict[str, float] = {}
     if not (gaze.yaw or gaze.pitch or vergence):
         return turned
@@ -82,7 +98,10 @@ def effective_channels(
     expressions: Mapping[str, Expression], channels: Mapping[str, float], gaze: Gaze
 ) -> dict[str, float]:
     """The blendshape weights added to the mix: channels and gaze; where both drive a unit the larger one, not the
-    sum."""
+    sum.
+
+    expressions: those of the cast, by name.
+    """
     merged = dict(channels)
     for name, weight in gaze_channels(expressions, gaze).items():
         if abs(weight) > abs(merged.get(name, 0.0)):
@@ -91,7 +110,10 @@ def effective_channels(
 
 
 def channels_of(expressions: Mapping[str, Expression], frame: Frame) -> dict[str, float]:
-    """The blendshape weights that a frame adds to the mix, its gaze among them."""
+    """The blendshape weights that a frame adds to the mix, its gaze among them.
+
+    expressions: those of the cast, by name.
+    """
     if frame.held is not None:  # layers have mixed each one's gaze with its channels
         return dict(frame.channels)
     return effective_channels(expressions, frame.channels, frame.gaze)
@@ -100,14 +122,20 @@ def channels_of(expressions: Mapping[str, Expression], frame: Frame) -> dict[str
 def eye_angles(
     expressions: Mapping[str, Expression], mix: Mapping[str, float], channels: Mapping[str, float]
 ) -> NDArray[np.float64]:
-    """Yaw and pitch (radians) of the left and the right eyeball, (2, 2): those of the mix and of the channels added."""
+    """Yaw and pitch (radians) of the left and the right eyeball, (2, 2): those of the mix and of the channels added.
+
+    expressions: those of the cast, by name.
+    """
     return np.array(eye_turns(expressions, mix, channels)).reshape(2, 2)
 
 
 def eye_turns(
     expressions: Mapping[str, Expression], mix: Mapping[str, float], channels: Mapping[str, float]
 ) -> tuple[float, float, float, float]:
-    """Yaw and pitch of the left eyeball, then of the right one, as `eye_angles`: plain numbers, for each state."""
+    """Yaw and pitch of the left eyeball, then of the right one, as `eye_angles`: plain numbers, for each state.
+
+    expressions: those of the cast, by name; mix: weights of expressions; channels: weights that are added.
+    """
     left_yaw = left_pitch = right_yaw = right_pitch = 0.0
     for weights in (mix, channels):
         for name, weight in weights.items():

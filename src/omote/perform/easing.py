@@ -54,7 +54,7 @@ EASINGS: Mapping[str, Easing] = {
     "smooth": Easing((0, 0, 0, 10, -15, 6)),  # quintic: no acceleration at the ends either
     "gentle": Easing((0, 0, 3, -2)),  # cubic: the slowest peak
     "sharp": Easing((0, 0, 0, 0, 35, -84, 70, -20)),  # septic: waits, moves, waits
-    "early": Easing((0, 0, 10, -20, 15, -4)),  # most of the way at once, then settles
+    "early": Easing((0, 0, 10, -20, 15, -4)),  # most of the way at once, the rest slowly
     "late": Easing((0, 0, 0, 0, 5, -4)),  # early, backwards
 }
 
@@ -109,6 +109,8 @@ def decay_seconds(start: Weights, velocity: Weights, goal: Weights, seconds: flo
 def plan_glide(origin: float, rate: float, goal: float, seconds: float) -> Glide:
     """Plans the way from `origin` at `rate` to rest at `goal`, shortened where it would pass the goal or leave 0..1.
 
+    seconds: how long the way takes.
+
     A cubic from a slope to none is monotone up to slope * time = 3 * distance (Fritsch & Carlson 1980); a slope that
     points away from the goal carries at most 4/27 of slope * time past the origin.
     """
@@ -126,18 +128,19 @@ def glide_state(way: Glide) -> tuple[float, float]:
     if way.elapsed >= way.seconds:
         return way.goal, 0.0
     u = way.elapsed / way.seconds
-    reach, carried = way.goal - way.origin, way.rate * way.seconds
+    reach = way.goal - way.origin
+    carried = way.rate * way.seconds
     value = way.origin + reach * u * u * (3.0 - 2.0 * u) + carried * u * (1.0 - u) ** 2
     return value, (reach * 6.0 * u * (1.0 - u) + carried * (1.0 - u) * (1.0 - 3.0 * u)) / way.seconds
 
 
 def glide_after(way: Glide, dt: float) -> Glide:
-    """The same glide `dt` seconds later."""
+    """The same glide `dt` seconds later. way: the glide."""
     return replace(way, elapsed=way.elapsed + dt)
 
 
 def is_over(elapsed: float, seconds: float) -> bool:
-    """Whether a span of `seconds` has passed, up to the rounding of summed time steps."""
+    """Whether a span of `seconds` has passed, up to the rounding of summed time steps. elapsed: seconds so far."""
     return elapsed >= seconds or math.isclose(elapsed, seconds, rel_tol=1e-9)
 
 

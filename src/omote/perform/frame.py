@@ -10,12 +10,30 @@ from typing import Any, Literal, TypeVar, get_args
 from omote.model.known_names import GENERIC, PlayRegion
 from omote.perform.lights import FIRST_LIGHT
 from omote.perform.limits import GAZE_LIMITS, HEAD_LIMITS, LONGEST_CALL, check_known, check_switch, check_within
-from omote.perform.status.speech_status import SpeechStatus
+
+
+@dataclass(frozen=True)
+class SpeechStatus:
+    """What is said now. number: counts all that was said; text: its beginning; elapsed: seconds since its sound began,
+    below 0 before that; seconds: its length; sound: the key of what the stage plays, "" for none; waiting: how many
+    speeches come after it, next_sound: the key of the next one's sound. keys: what whoever said them calls this one and
+    those that wait, in their order."""
+
+    number: int
+    text: str
+    elapsed: float
+    seconds: float
+    sound: str
+    waiting: int
+    next_sound: str
+    keys: tuple[str, ...] = ()
+
 
 Frozen = TypeVar("Frozen")
 MOST_SEED = 2**31 - 1
 DETAILS = ("blinks", "gaze", "breath")
 DETAIL_LIMIT = 2.0
+"""How many times its usual amount a part of the automatic motion may have."""
 
 
 def _describe_angles(whose: str, limits: Mapping[str, float]) -> dict[str, str]:
@@ -26,7 +44,8 @@ def _describe_angles(whose: str, limits: Mapping[str, float]) -> dict[str, str]:
     }
 
 
-_HEAD_ANGLES, _GAZE_ANGLES = _describe_angles("head", HEAD_LIMITS), _describe_angles("gaze", GAZE_LIMITS)
+_HEAD_ANGLES = _describe_angles("head", HEAD_LIMITS)
+_GAZE_ANGLES = _describe_angles("gaze", GAZE_LIMITS)
 
 
 @dataclass(frozen=True)
@@ -77,6 +96,7 @@ DIRECTION_LIMITS: Mapping[str, float] = {"yaw": math.pi, "pitch": math.pi / 2}
 POINT_LIMITS: Mapping[str, tuple[float, float]] = {"x": (-20.0, 20.0), "y": (-10.0, 10.0), "z": (-20.0, 200.0)}
 """Metres to the picture's right, above the eyes of a head of size 1, before the front line."""
 LONGEST_TARGET = 80
+"""Characters of the name of what eyes look at."""
 
 
 @dataclass(frozen=True)
@@ -130,8 +150,7 @@ class GazeTarget:
 
 def check_target_kind(kind: object) -> TargetKind:
     """The kind of what eyes look at of this name; ValueError where there is none."""
-    found = check_known(kind, TARGET_KINDS, "kind of what eyes look at")
-    return next(each for each in TARGET_KINDS if each == found)
+    return check_known(kind, TARGET_KINDS, "kind of what eyes look at")
 
 
 NO_TARGET = GazeTarget()
@@ -198,9 +217,9 @@ class MotionSettings:
         """How much breath and noise move, 1 as they are stated."""
         return self.breath * 2.0 * self.liveliness
 
-    def change(self, **given: float | GazeTarget | None) -> MotionSettings:
+    def change(self, **changes: float | GazeTarget | None) -> MotionSettings:
         """The same with what is given; None leaves a setting as it is."""
-        return replace(self, **{name: value for name, value in given.items() if value is not None})  # type: ignore[arg-type]
+        return replace(self, **{name: value for name, value in changes.items() if value is not None})  # type: ignore[arg-type]
 
 
 @dataclass(frozen=True)
@@ -292,7 +311,10 @@ class Frame:
 
 def with_fields(frozen: Frozen, **changes: Any) -> Frozen:
     """A frozen dataclass that checks nothing when it is made, with some fields changed: what `dataclasses.replace`
-    gives, which asks each field about itself and takes ten times as long; frames are made sixty times a second."""
-    made: Frozen = object.__new__(type(frozen))
-    made.__dict__.update(frozen.__dict__, **changes)
-    return made
+    gives, which asks each field about itself and takes ten times as long; frames are made sixty times a second.
+
+    changes: the new values, by field.
+    """
+    changed: Frozen = object.__new__(type(frozen))
+    changed.__dict__.update(frozen.__dict__, **changes)
+    return changed

@@ -5,11 +5,14 @@ from __future__ import annotations
 import math
 from collections.abc import Iterable, Mapping
 from numbers import Real
-from typing import Any
+from typing import Any, TypeVar
 
 from omote.model.known_names import explain_unknown
 
-CHANNEL_LOWEST, CHANNEL_HIGHEST = -0.5, 1.5
+Known = TypeVar("Known", bound=str)
+
+CHANNEL_LOWEST = -0.5
+CHANNEL_HIGHEST = 1.5
 """Trackers send up to 1.08, artists exaggerate; beyond this a face breaks."""
 HEAD_LIMITS: Mapping[str, float] = dict.fromkeys(("yaw", "pitch", "roll"), math.pi / 2)
 GAZE_LIMITS: Mapping[str, float] = {"yaw": math.radians(40.0), "pitch": math.radians(30.0)}
@@ -23,7 +26,10 @@ FOREVER = 1e9
 
 
 def check_within(value: object, low: float, high: float, what: str) -> float:
-    """Returns `value` as a float where it is a real number from `low` to `high`; else raises with a message."""
+    """Returns `value` as a float where it is a real number from `low` to `high`; else raises with a message.
+
+    what: what messages call it.
+    """
     if type(value) is float and low <= value <= high:
         return value  # what nearly all are
     if isinstance(value, bool) or not isinstance(value, Real):
@@ -35,7 +41,7 @@ def check_within(value: object, low: float, high: float, what: str) -> float:
 
 
 def check_switch(value: object, what: str) -> bool:
-    """Returns `value` where it is True or False; else raises TypeError with a message."""
+    """Returns `value` where it is True or False; else raises TypeError with a message. what: what messages call it."""
     if isinstance(value, bool):
         return value
     raise TypeError(f"{what} is {value!r}; give True or False")
@@ -47,11 +53,15 @@ def check_call_seconds(seconds: object) -> float:
     return number if number >= SHORTEST_CALL else 0.0
 
 
-def check_known(name: object, names: Iterable[str], what: str) -> str:
-    """Returns `name` where it is one of `names`; else raises ValueError with the nearest ones."""
+def check_known(name: object, names: Iterable[Known], what: str) -> Known:
+    """Returns the one of `names` that is `name`; else raises ValueError with the nearest ones.
+
+    what: what messages call it.
+    """
     choices = list(names)
-    if isinstance(name, str) and name in choices:
-        return name
+    for choice in choices if isinstance(name, str) else ():
+        if choice == name:
+            return choice
     raise ValueError(explain_unknown(name, choices, what))
 
 

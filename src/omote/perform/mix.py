@@ -9,7 +9,8 @@ from omote.model.known_names import PlayRegion
 
 Weights = Mapping[str, float]
 
-LOWEST, HIGHEST = -0.1, 1.1
+LOWEST = -0.1
+HIGHEST = 1.1
 """A weight on air never leaves this range: a velocity taken over may carry it past 0 or 1, but not far."""
 
 
@@ -29,7 +30,10 @@ def combine(terms: Iterable[tuple[float, Weights]]) -> dict[str, float]:
 
 
 def mix_in(region: PlayRegion, whole: Weights, regions: Mapping[PlayRegion, Weights]) -> Weights:
-    """The mix that shows in a region: its own, or that of the whole face where it has none."""
+    """The mix that shows in a region: its own, or that of the whole face where it has none.
+
+    regions: the mixes of those that have their own.
+    """
     return regions.get(region, whole)
 
 

@@ -10,7 +10,8 @@ from types import MappingProxyType
 from omote.model.action_units import explain_action_unit, find_units
 from omote.model.known_names import NEUTRAL, UNIT_NOUNS
 
-ALL, OWN = "all", "own"
+ALL = "all"
+OWN = "own"
 """Instead of a kind: every expression but neutral. The kind of those of a show file."""
 NO_LABELS: Mapping[str, str] = MappingProxyType({})
 
@@ -19,6 +20,8 @@ def find_name(
     typed: str, names: Iterable[str], what: str, labels: Mapping[str, str] = NO_LABELS, *, where: str = " in this cast"
 ) -> str:
     """Returns the one of `names` that a person means: `Crooked Smile`, `crooked-smile` and `crooked_smile` are one.
+
+    typed: what was written.
 
     names: those there are; labels: what people read, by name; what, where: "face", " in this cast", for messages. A
     name exactly as it is written wins, then names, then labels, then action units of FACS (of expressions and channels:
@@ -37,23 +40,27 @@ def find_names(
     halves: bool = True,
 ) -> tuple[str, ...]:
     """Returns the one of `names` that a person means, as `find_name`; halves: also both halves of an action unit that
-    no single one is, `AU45` is eyeBlinkLeft and eyeBlinkRight, else ValueError."""
+    no single one is, `AU45` is eyeBlinkLeft and eyeBlinkRight, else ValueError.
+
+    typed: what was written; what: "face", "expression" or "channel", for messages; labels: what people read, by name;
+    where: what messages add, " in this cast".
+    """
     choices = list(names)
     if typed in choices:
         return (typed,)
     meant = fold(typed)
-    found = [name for name in choices if meant and fold(name) == meant]
-    found = found or [name for name in choices if meant and fold(labels.get(name, "")) == meant]
-    if len(found) > 1:
-        raise ValueError(f"the {what} {typed[:80]!r} could be {' or '.join(found)}; write one of these names")
-    units = found or (find_units(typed, choices) if what in UNIT_NOUNS else ())
+    matches = [name for name in choices if meant and fold(name) == meant]
+    matches = matches or [name for name in choices if meant and fold(labels.get(name, "")) == meant]
+    if len(matches) > 1:
+        raise ValueError(f"the {what} {typed[:80]!r} could be {' or '.join(matches)}; write one of these names")
+    units = matches or (find_units(typed, choices) if what in UNIT_NOUNS else ())
     if len(units) == 1 or (units and halves):
         return tuple(units)
-    told = explain_action_unit(typed, choices) if what in UNIT_NOUNS else ""
+    explanation = explain_action_unit(typed, choices) if what in UNIT_NOUNS else ""
     if units:
-        raise ValueError(f"{told}; write one of them, or both as channels ({'+'.join(units)})")
+        raise ValueError(f"{explanation}; write one of them, or both as channels ({'+'.join(units)})")
     near = nearest(typed, choices, labels) or sorted(choices)[:3]
-    there = told or (f"near are {', '.join(near)}" if near else "there are none")
+    there = explanation or (f"near are {', '.join(near)}" if near else "there are none")
     raise ValueError(f"there is no {what} {typed[:80]!r}{where}; {there}")
 
 
@@ -63,10 +70,10 @@ def find_kind(word: str, kinds: Mapping[str, str]) -> list[str]:
     kinds: of every expression, by name. ValueError where there are no own ones.
     """
     wanted = word.strip().lower()
-    found = [name for name, kind in kinds.items() if wanted == kind or (wanted == ALL and name != NEUTRAL)]
-    if wanted == OWN and not found:
+    names = [name for name, kind in kinds.items() if wanted == kind or (wanted == ALL and name != NEUTRAL)]
+    if wanted == OWN and not names:
         raise ValueError("there are no own expressions here; name a show file that holds some: --show my.omote")
-    return found
+    return names
 
 
 def fold(text: str) -> str:
@@ -83,4 +90,4 @@ def nearest(typed: str, names: Iterable[str], labels: Mapping[str, str] = NO_LAB
             if text:
                 folded.setdefault(fold(text), name)
     near = difflib.get_close_matches(fold(typed), folded, n=6, cutoff=0.4)
-    return list(dict.fromkeys(folded[each] for each in near))[:3]
+    return list(dict.fromkeys(folded[key] for key in near))[:3]

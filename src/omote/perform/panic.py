@@ -9,17 +9,18 @@ from collections.abc import Container, Mapping
 from dataclasses import dataclass, field, replace
 
 from omote.perform.easing import find_easing, is_over
-from omote.perform.frame import Gaze, Head
+from omote.perform.frame import Gaze, Head, Held
 
 PANIC_SECONDS = 0.25
 """From whatever shows to rest: soon enough to be at once, long enough not to be a jump."""
 PANIC_EASING = "early"
 """Four fifths of the way in half of the time."""
 SAME_PRESS = 0.7
+"""Seconds within which a second panic is the same press."""
 
 
 @dataclass(frozen=True)
-class Settling:
+class EasingToRest:
     """The channels, head and gaze that a panic found, `elapsed` seconds on their way to rest."""
 
     channels: Mapping[str, float] = field(default_factory=dict)
@@ -28,44 +29,42 @@ class Settling:
     elapsed: float = 0.0
 
 
-def settled_later(settling: Settling | None, dt: float) -> Settling | None:
-    """The same `dt` seconds later; None once all is at rest."""
-    if settling is None or is_over(settling.elapsed + dt, PANIC_SECONDS):
+def ease_later(easing_to_rest: EasingToRest | None, dt: float) -> EasingToRest | None:
+    """The same `dt` seconds later; None once all is at rest.
+
+    easing_to_rest: what a panic left; None where all is at rest.
+    """
+    if easing_to_rest is None or is_over(easing_to_rest.elapsed + dt, PANIC_SECONDS):
         return None
-    return replace(settling, elapsed=settling.elapsed + dt)
+    return replace(easing_to_rest, elapsed=easing_to_rest.elapsed + dt)
 
 
-def without_channels(settling: Settling | None, names: Container[str]) -> Settling | None:
-    """The same without channels that a hand has taken again."""
-    if settling is None:
+def without_channels(easing_to_rest: EasingToRest | None, names: Container[str]) -> EasingToRest | None:
+    """The same without channels that a hand has taken again.
+
+    easing_to_rest: what a panic left; None where all is at rest; names: of the channels.
+    """
+    if easing_to_rest is None:
         return None
-    return replace(settling, channels={one: value for one, value in settling.channels.items() if one not in names})
+    return replace(
+        easing_to_rest, channels={name: value for name, value in easing_to_rest.channels.items() if name not in names}
+    )
 
 
-def with_settling_channels(channels: Mapping[str, float], settling: Settling | None) -> Mapping[str, float]:
-    """The channels on air: those that hands hold, and what is left of those that settle."""
-    if settling is None or not settling.channels:
-        return channels
-    share = _share_left(settling)
-    found = {**channels, **{name: share * value for name, value in settling.channels.items()}}
-    return {name: found[name] for name in sorted(found)}
+def eased(held: Held, easing_to_rest: EasingToRest | None) -> Held:
+    """What is on air of channels, head and gaze: as hands hold them, or what is left of what eases to rest.
 
-
-def with_settling_head(head: Head, settling: Settling | None) -> Head:
-    """The head on air: as a hand holds it, or what is left of a turn that settles."""
-    if settling is None or settling.head == Head():
-        return head
-    share, left = _share_left(settling), settling.head
-    return Head(share * left.yaw, share * left.pitch, share * left.roll)
-
-
-def with_settling_gaze(gaze: Gaze, settling: Settling | None) -> Gaze:
-    """The gaze on air: as a hand holds it, or what is left of one that settles."""
-    if settling is None or settling.gaze == Gaze():
-        return gaze
-    share = _share_left(settling)
-    return Gaze(share * settling.gaze.yaw, share * settling.gaze.pitch)
-
-
-def _share_left(settling: Settling) -> float:
-    return 1.0 - find_easing(PANIC_EASING).value(settling.elapsed / PANIC_SECONDS)
+    held: what hands hold; easing_to_rest: what a panic left, None where all is at rest.
+    """
+    if easing_to_rest is None:
+        return held
+    left = easing_to_rest
+    share = 1.0 - find_easing(PANIC_EASING).value(left.elapsed / PANIC_SECONDS)
+    channels = held.channels
+    if left.channels:
+        combined = {**channels, **{name: share * value for name, value in left.channels.items()}}
+        channels = {name: combined[name] for name in sorted(combined)}
+    turn = left.head
+    head = held.head if turn == Head() else Head(share * turn.yaw, share * turn.pitch, share * turn.roll)
+    gaze = held.gaze if left.gaze == Gaze() else Gaze(share * left.gaze.yaw, share * left.gaze.pitch)
+    return Held(channels, head, gaze)

@@ -2,18 +2,16 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
 
-from omote.model.known_names import GENERIC, NEUTRAL, check_play_region
+from omote.model.known_names import GENERIC, NEUTRAL
 from omote.perform import axis
-from omote.perform.axis import Axis
-from omote.perform.channels import with_channels
-from omote.perform.easing import DEFAULT_EASING, find_easing
-from omote.perform.frame import NO_TARGET, Frame, Gaze, GazeTarget, Head, Held, Home, check_target_kind, with_fields
-from omote.perform.gestures.gesturing import advance_gestures, begin_gesture, release_gestures, with_gestures
-from omote.perform.layers.direct_frames import drive_direct
+from omote.perform.axis import Axis, advance_regions, call_regions
+from omote.perform.called_mix import CalledMix
+from omote.perform.easing import DEFAULT_EASING
+from omote.perform.frame import NO_TARGET, Frame, Gaze, GazeTarget, Head, Held, check_target_kind, with_fields
+from omote.perform.gestures import advance_gestures, begin_gesture, release_gestures, with_gestures
 from omote.perform.layers.layer_mix import influences, kept_of_mix, with_layers
 from omote.perform.layers.layer_names import RULES, LayerName, check_driven, check_layer, check_part
 from omote.perform.layers.layer_vectors import Layers
@@ -21,6 +19,7 @@ from omote.perform.layers.layers import (
     advance,
     begin,
     drive,
+    drive_direct,
     is_at_rest,
     leave,
     recalibrate,
@@ -36,29 +35,20 @@ from omote.perform.layers.source_frame import (
     source_frame,
     with_gaze_of_units,
 )
-from omote.perform.lights import check_light
 from omote.perform.limits import FOREVER, check_call_seconds, check_known, check_switch, check_within
 from omote.perform.motion.automatic_motion import (
     MOTION_LAYERS,
     AutomaticMotion,
     advance_motion,
+    is_free,
     is_moving,
+    is_speaking,
+    is_tracker_lost,
     motion_frames,
     set_motion,
 )
-from omote.perform.motion.free_layers import is_free, is_speaking, is_tracker_lost
 from omote.perform.motion.sight import Sight, sight_alone
-from omote.perform.panic import (
-    PANIC_EASING,
-    PANIC_SECONDS,
-    Settling,
-    settled_later,
-    with_settling_channels,
-    with_settling_gaze,
-    with_settling_head,
-    without_channels,
-)
-from omote.perform.region_axes import advance_regions, call_regions, move_with_face
+from omote.perform.panic import PANIC_EASING, PANIC_SECONDS, EasingToRest, ease_later, eased
 from omote.perform.snapshot import Playable, Snapshot, check_snapshot, is_home_next, refuse_no_cast
 from omote.perform.speech.speaking import (
     advance_speaking,
@@ -74,7 +64,7 @@ from omote.perform.speech.speech_timing import make_track
 from omote.perform.speech.visemes import speech_frame
 
 
-class Performer:
+class Performer(CalledMix):
     """Plays a cast: calls, T-bars, channels, head, gaze and light in; a frame for each step of time out.
 
     It owns no clock and no thread; the same commands and steps give the same frames.
@@ -144,7 +134,8 @@ class Performer:
         return performer
 
     def _go_on(self, snapshot: Snapshot) -> None:
-        self._now, self._layers = replace(snapshot, layers=None), restored(self._cast, snapshot.layers)
+        self._now = replace(snapshot, layers=None)
+        self._layers = restored(self._cast, snapshot.layers)
 
     def snapshot(self) -> Snapshot:
         """Everything needed to continue later, or elsewhere.
@@ -184,310 +175,6 @@ class Performer:
         self._cast = cast
         self._go_on(now)
 
-    def call_face(self, name: str, *, seconds: float = 1.0, easing: str = DEFAULT_EASING) -> None:
-        """Brings a face on air from whatever is showing.
-
-        Parameters
-        ----------
-        name : str
-            One of the cast's faces.
-        seconds : float
-            How long it takes, 0 to 3600; 0 cuts, `math.inf` waits for `fade_face`.
-        easing : {"smooth", "gentle", "sharp", "early", "late"}
-            The curve of the way.
-
-        Raises
-        ------
-        ValueError
-            On a name or an easing that there is not, and on seconds out of range.
-        TypeError
-            On seconds that are no number.
-
-        Examples
-        --------
-        >>> performer = omote.Performer(cast)
-        >>> performer.call_face("old", seconds=0)
-        >>> dict(performer.advance(0.0).faces)
-        {'old': 1.0}
-        """
-        self._play(face=_start_call(self._now.face, self._cast.faces, name, "face", seconds, easing))
-
-    def call_expression(
-        self,
-        name: str,
-        *,
-        seconds: float = 1.0,
-        easing: str = DEFAULT_EASING,
-        region: str | None = None,
-        strength: float = 1.0,
-    ) -> None:
-        """Brings an expression on air from whatever is showing, on the whole face or in one region of it.
-
-        A region that has been called alone keeps its own until the whole face is called again.
-
-        Parameters
-        ----------
-        name : str
-            One of the cast's expressions.
-        seconds : float
-            How long it takes, 0 to 3600; 0 cuts, `math.inf` waits for `fade_expression`.
-        easing : {"smooth", "gentle", "sharp", "early", "late"}
-            The curve of the way.
-        region : {"brows", "eyes", "mouth", "rest"}, optional
-            Where alone it is called, in its own time: no T-bar moves it, so `math.inf` is none for it.
-        strength : float
-            How much of it, 0 (neutral) to 1; no T-bar moves a call of less than all.
-
-        Raises
-        ------
-        ValueError
-            On a name, an easing or a region that there is not, and on seconds or a strength out of range.
-        TypeError
-            On seconds and a strength that are no number.
-
-        Examples
-        --------
-        >>> performer = omote.Performer(cast)
-        >>> performer.call_expression("joy", seconds=0, strength=0.75)
-        >>> dict(performer.advance(0.0).expressions)
-        {'neutral': 0.25, 'joy': 0.75}
-        >>> performer.call_expression("smile", seconds=0)
-        >>> dict(performer.advance(0.0).expressions)
-        {'smile': 1.0}
-        >>> performer.call_expression("surprise", seconds=0.2, region="brows")
-        >>> dict(performer.advance(0.2).regions["brows"])
-        {'surprise': 1.0}
-
-        References
-        ----------
-        docs/method.md, "Regions of a call".
-        """
-
-        def call(on: Axis) -> Axis:
-            return _start_call(on, self._cast.expressions, name, "expression", seconds, easing, goal)
-
-        goal, now = _part_of(name, strength), self._now
-        if goal is not None:
-            check_call_seconds(seconds)  # no T-bar moves it
-        if region is None:
-            self._play(expression=call(now.expression), regions=call_regions(now.regions, now.expression, call))
-            return
-        where = check_play_region(region)
-        check_call_seconds(seconds)  # no T-bar moves a region
-        self._play(regions={**now.regions, where: call(now.regions.get(where, now.expression))})
-
-    def call_light(self, name: str, *, seconds: float = 1.0, easing: str = DEFAULT_EASING) -> None:
-        """Brings a light on air from whatever light shows.
-
-        Parameters
-        ----------
-        name : {"theatre", "portrait", "flat"}
-            The light.
-        seconds : float
-            How long it takes, 0 to 3600; 0 cuts.
-        easing : {"smooth", "gentle", "sharp", "early", "late"}
-            The curve of the way.
-
-        Raises
-        ------
-        ValueError
-            On a name or an easing that there is not, and on seconds out of range.
-        TypeError
-            On seconds that are no number.
-
-        Examples
-        --------
-        >>> performer = omote.Performer(cast)
-        >>> performer.call_light("flat", seconds=2)
-        >>> sorted(performer.advance(1.0).light)
-        ['flat', 'theatre']
-        """
-        check_light(name)
-        find_easing(easing)
-        self._play(light=axis.called(self._now.light, name, check_call_seconds(seconds), easing))
-
-    def fade_face(self, x: float) -> None:
-        """Moves the T-bar of the faces; it takes over the call once it has passed its progress (pick-up).
-
-        Parameters
-        ----------
-        x : float
-            Where it stands, 0 to 1.
-
-        Raises
-        ------
-        ValueError
-            Where it cannot stand.
-        TypeError
-            On what is no number.
-
-        Examples
-        --------
-        >>> performer = omote.Performer(cast)
-        >>> performer.call_face("old", seconds=math.inf)
-        >>> performer.fade_face(0.5)
-        >>> round(performer.advance(1.0).faces["old"], 3)
-        0.5
-        """
-        self._play(face=axis.faded(self._now.face, check_within(x, 0.0, 1.0, "the face T-bar")))
-
-    def fade_expression(self, x: float) -> None:
-        """Moves the T-bar of the expressions; it takes over the call once it has passed its progress (pick-up).
-
-        Parameters
-        ----------
-        x : float
-            Where it stands, 0 to 1.
-
-        Raises
-        ------
-        ValueError
-            Where it cannot stand.
-        TypeError
-            On what is no number.
-
-        Examples
-        --------
-        >>> performer = omote.Performer(cast)
-        >>> performer.call_expression("smile", seconds=math.inf)
-        >>> performer.fade_expression(0.5)
-        >>> round(performer.advance(1.0).expressions["smile"], 3)
-        0.5
-        """
-        hand, now = check_within(x, 0.0, 1.0, "the expression T-bar"), self._now
-        regions = move_with_face(now.regions, now.expression, lambda on: axis.faded(on, hand))
-        self._play(expression=axis.faded(now.expression, hand), regions=regions)
-
-    def release_face(self) -> None:
-        """Lets go of the T-bar of the faces: a timed call goes on from where it is, a call by hand stays.
-
-        Examples
-        --------
-        >>> performer = omote.Performer(cast)
-        >>> performer.call_face("old", seconds=1.0)
-        >>> performer.release_face()
-        >>> performer.advance(1.0).faces["old"]
-        1.0
-        """
-        self._play(face=axis.released(self._now.face))
-
-    def release_expression(self) -> None:
-        """Lets go of the T-bar of the expressions: a timed call goes on from where it is, a call by hand stays.
-
-        Examples
-        --------
-        >>> performer = omote.Performer(cast)
-        >>> performer.call_expression("smile", seconds=1.0)
-        >>> performer.release_expression()
-        >>> performer.advance(1.0).expressions["smile"]
-        1.0
-        """
-        now = self._now
-        regions = move_with_face(now.regions, now.expression, axis.released)
-        self._play(expression=axis.released(now.expression), regions=regions)
-
-    def set_channel(self, name: str, value: float) -> None:
-        """Adds an expression to the mix at once, beside the calls.
-
-        Parameters
-        ----------
-        name : str
-            Any expression but "neutral"; the 52 ARKit units are what trackers send.
-        value : float
-            Its weight, -0.5 to 1.5; 0 takes it out.
-
-        Raises
-        ------
-        ValueError
-            On a name that there is not and on a weight out of range.
-        TypeError
-            On what is no number.
-
-        Examples
-        --------
-        >>> performer = omote.Performer(cast)
-        >>> performer.set_channel("jawOpen", 0.4)
-        >>> dict(performer.advance(0.0).channels)
-        {'jawOpen': 0.4}
-        """
-        self.set_channels({name: value})
-
-    def set_channels(self, values: Mapping[str, float]) -> None:
-        """Adds expressions to the mix at once, as `set_channel` one after the other; none where one is rejected.
-
-        Parameters
-        ----------
-        values : mapping of float
-            Weights by expression, -0.5 to 1.5; 0 takes one out.
-
-        Raises
-        ------
-        ValueError
-            On a name that there is not and on a weight out of range.
-        TypeError
-            On what is no number.
-
-        Examples
-        --------
-        >>> performer = omote.Performer(cast)
-        >>> performer.set_channels({"jawOpen": 0.4})
-        >>> dict(performer.advance(0.0).channels)
-        {'jawOpen': 0.4}
-        """
-        channels = with_channels(self._now.channels, self._cast.expressions, values)
-        self._play(channels=channels, settling=without_channels(self._now.settling, values))
-
-    def set_head(self, yaw: float, pitch: float, roll: float) -> None:
-        """Turns the head.
-
-        Parameters
-        ----------
-        yaw, pitch, roll : float
-            Radians, -pi/2 to pi/2; + is the character's left, up, tilt to its left.
-
-        Raises
-        ------
-        ValueError
-            On angles out of range.
-        TypeError
-            On what is no number.
-
-        Examples
-        --------
-        >>> performer = omote.Performer(cast)
-        >>> performer.set_head(yaw=0.2, pitch=0.0, roll=0.0)
-        >>> performer.advance(0.0).head.yaw
-        0.2
-        """
-        head, settling = Head(yaw, pitch, roll), self._now.settling
-        self._play(head=head, settling=None if settling is None else replace(settling, head=Head()))
-
-    def set_gaze(self, yaw: float, pitch: float) -> None:
-        """Turns the eyes relative to the head.
-
-        Parameters
-        ----------
-        yaw, pitch : float
-            Radians; + is the character's left, up. Eyes turn 0.698 (40 degrees) sideways and 0.524 (30) up or down:
-            beyond, the iris would go out of sight.
-
-        Raises
-        ------
-        ValueError
-            On angles out of range.
-        TypeError
-            On what is no number.
-
-        Examples
-        --------
-        >>> performer = omote.Performer(cast)
-        >>> performer.set_gaze(yaw=0.3, pitch=-0.1)
-        >>> performer.advance(0.0).gaze.pitch
-        -0.1
-        """
-        gaze, settling = Gaze(yaw, pitch), self._now.settling
-        self._play(gaze=gaze, settling=None if settling is None else replace(settling, gaze=Gaze()))
-
     def drive(
         self,
         channels: Mapping[str, float],
@@ -498,7 +185,7 @@ class Performer:
         found: bool = True,
         smoothing: float = 0.0,
     ) -> None:
-        """One frame of a source: the newest wins, and the layer follows it without a jump.
+        """Takes one frame of a source: the newest wins, and the layer follows it without a jump.
 
         Where a layer replaces, the parts of the face in which these channels act show the source instead of what lies
         below. A source that is silent, or not found, for half a second fades out, and in again when it is back.
@@ -540,7 +227,8 @@ class Performer:
         ----------
         docs/method.md, "Layers".
         """
-        which, expressions = check_driven(layer), self._cast.expressions
+        which = check_driven(layer)
+        expressions = self._cast.expressions
         frame = source_frame(expressions, channels, head, gaze, found=found, smoothing=smoothing)
         self.drive_layer(which, check_frame(frame, which))
 
@@ -623,8 +311,8 @@ class Performer:
         docs/method.md, "Automatic motion".
         """
         motion = AutomaticMotion() if self._now.motion is None else self._now.motion
-        given = {"liveliness": liveliness, "blinks": blinks, "gaze": gaze, "breath": breath, "seed": seed}
-        self._play(motion=set_motion(motion, motion.settings.change(**given, idle=idle)))
+        settings = {"liveliness": liveliness, "blinks": blinks, "gaze": gaze, "breath": breath, "seed": seed}
+        self._play(motion=set_motion(motion, motion.settings.change(**settings, idle=idle)))
 
     def look_at(
         self,
@@ -743,7 +431,8 @@ class Performer:
         docs/method.md, "Speech".
         """
         track = make_track(timing, text, marks, times, language=language, seconds=seconds)
-        number, after = self._now.said + 1, check_switch(queue, "the switch queue")
+        number = self._now.said + 1
+        after = check_switch(queue, "the switch queue")
         speech = make_speech(track, text=text, sound=sound, delay=delay, offset=offset, number=number, key=key)
         self._play(speaking=say(self._now.speaking, speech, queue=after), said=number)
 
@@ -788,34 +477,8 @@ class Performer:
         """
         self._play(gestures=begin_gesture(self._now.gestures, name, amplitude, seconds))
 
-    def set_home(self, face: str, *, seconds: float = 2.0) -> None:
-        """Chooses the face that a second panic brings on air.
-
-        Parameters
-        ----------
-        face : str
-            One of the cast's faces; "generic" until one is chosen.
-        seconds : float
-            How long it takes, 0 to 3600; 0 cuts.
-
-        Raises
-        ------
-        ValueError
-            On a name that there is not and on seconds out of range.
-        TypeError
-            On seconds that are no number.
-
-        Examples
-        --------
-        >>> performer = omote.Performer(cast)
-        >>> performer.set_home("old", seconds=3)
-        >>> performer.advance(0.0).home.face
-        'old'
-        """
-        self._now = replace(self._now, home=Home(check_known(face, self._cast.faces, "face"), seconds))
-
     def panic(self) -> None:
-        """The face on air goes neutral and holds still: in a quarter of a second nothing moves, and nothing goes on.
+        """Brings the face on air to neutral and to a stand: after a quarter of a second nothing moves or goes on.
 
         Expression, channels, head and gaze ease to rest, a call of a face stops where it is, both T-bars stand at 0;
         the light is left alone. Panic again brings the home face (`set_home`), where nothing has been played in
@@ -877,7 +540,7 @@ class Performer:
             expression=expression,
             regions=advance_regions(now.regions, expression, dt) if now.regions else now.regions,
             light=axis.advanced(now.light, dt),
-            settling=settled_later(now.settling, dt),
+            easing_to_rest=ease_later(now.easing_to_rest, dt),
             time=now.time + dt,
         )
         self._move(dt)
@@ -886,7 +549,7 @@ class Performer:
         return self._frame()
 
     def drive_layer(self, layer: LayerName, frame: SourceFrame) -> None:
-        """One frame of a source that is checked already, as of `drive`.
+        """Takes one frame of a source that is checked already, as `drive`.
 
         Parameters
         ----------
@@ -908,7 +571,7 @@ class Performer:
         self._layers = drive(self._cast, self._begun_layers(), layer, played)
 
     def leave_layer(self, layer: LayerName, source: str) -> None:
-        """A source has gone: its layer fades out.
+        """Fades out the layer of a source that has gone.
 
         Parameters
         ----------
@@ -928,7 +591,7 @@ class Performer:
         self._layers = None if self._layers is None else leave(self._layers, layer, source)
 
     def recalibrate_layer(self, layer: LayerName, source: str) -> None:
-        """A source sends by another measure from now on: its layer fades out before it follows again.
+        """Fades out the layer of a source that sends by another measure from now on, before it follows again.
 
         Parameters
         ----------
@@ -961,7 +624,7 @@ class Performer:
             if layer not in frames:
                 self.leave_layer(layer, AUTOMATIC)
         before = self._layers
-        free = {layer: each for layer, each in frames.items() if before is None or is_free(before, layer)}
+        free = {layer: frame for layer, frame in frames.items() if before is None or is_free(before, layer)}
         if free:
             self._layers = drive_direct(self._cast, self._begun_layers(), free)
 
@@ -977,7 +640,8 @@ class Performer:
             return
         before = self._now.speaking
         share = share_of_lips(before)  # none at first, so that its layer is trusted at once
-        speaking, spoken = (later := advance_speaking(before, dt)), find_spoken(before, later)
+        speaking = advance_speaking(before, dt)
+        spoken = find_spoken(before, speaking)
         self._now = with_fields(self._now, speaking=speaking, spoken=self._now.spoken if spoken is None else spoken)
         if speaking is None:
             self.leave_layer("lips", SPEECH)
@@ -991,7 +655,8 @@ class Performer:
 
     def _held(self) -> Held:
         """What hands hold; the same object until a hand moves."""
-        now, held = self._now, self._last_held
+        now = self._now
+        held = self._last_held
         if held.channels is not now.channels or held.head is not now.head or held.gaze is not now.gaze:
             self._last_held = held = Held(now.channels, now.head, now.gaze)
         return held
@@ -999,13 +664,13 @@ class Performer:
     def _advance_layers(self, before: Layers | None, dt: float) -> Layers | None:
         if before is None:
             return None
-        layers = advance(self._cast, before, self._held(), dt, still=self._now.settling is None)
+        layers = advance(self._cast, before, self._held(), dt, still=self._now.easing_to_rest is None)
         return None if is_at_rest(layers) else layers
 
     def _frame(self) -> Frame:
         frame = _frame(self._now)
         if self._layers is not None:
-            frame = with_layers(frame, self._layers, self._cast.expressions, self._held(), self._now.settling)
+            frame = with_layers(frame, self._layers, self._cast.expressions, self._held(), self._now.easing_to_rest)
         return with_gestures(frame, self._now.gestures, self._cast.expressions, self._held())
 
     def _without_layers(self, rested: Snapshot) -> Snapshot:
@@ -1014,45 +679,14 @@ class Performer:
         if layers is None:
             self._layers = None
             return rested
-        self._layers, frame = layers, self._frame()
+        self._layers = layers
+        frame = self._frame()
         self._layers = switch_off(layers, kept_of_mix(layers, influences(layers)))
-        return replace(rested, settling=Settling(frame.channels, frame.head, frame.gaze))
-
-    def _play(self, **changes: object) -> None:
-        """What an operator does: the next panic is a first one again."""
-        self._now = with_fields(self._now, panicked=None, **changes)
-
-
-def _part_of(expression: str, strength: float) -> dict[str, float] | None:
-    """The mix of an expression that is called in part; None for all of it."""
-    share = check_within(strength, 0.0, 1.0, "the strength of an expression")
-    if share == 1.0 or expression == NEUTRAL:
-        return None
-    return {NEUTRAL: 1.0 - share, expression: share} if share else {NEUTRAL: 1.0}
-
-
-def _start_call(
-    on: Axis,
-    names: Mapping[str, object],
-    name: str,
-    what: str,
-    seconds: float,
-    easing: str,
-    goal: Mapping[str, float] | None = None,
-) -> Axis:
-    check_known(name, names, what)
-    find_easing(easing)
-    if isinstance(seconds, float) and seconds == math.inf:
-        return axis.called(on, name, None, easing)
-    return axis.called(on, name, check_call_seconds(seconds), easing, goal)
+        return replace(rested, easing_to_rest=EasingToRest(frame.channels, frame.head, frame.gaze))
 
 
 def _at_rest(now: Snapshot) -> Snapshot:
-    settling = Settling(
-        with_settling_channels(now.channels, now.settling),
-        with_settling_head(now.head, now.settling),
-        with_settling_gaze(now.gaze, now.settling),
-    )
+    easing_to_rest = EasingToRest(**vars(eased(Held(now.channels, now.head, now.gaze), now.easing_to_rest)))
 
     def rest(on: Axis) -> Axis:
         return axis.called(replace(on, hand=0.0), NEUTRAL, PANIC_SECONDS, PANIC_EASING)
@@ -1065,7 +699,7 @@ def _at_rest(now: Snapshot) -> Snapshot:
         channels={},
         head=Head(),
         gaze=Gaze(),
-        settling=settling,
+        easing_to_rest=easing_to_rest,
         motion=None
         if now.motion is None
         else set_motion(now.motion, now.motion.settings.change(liveliness=0.0, target=NO_TARGET)),
@@ -1082,9 +716,7 @@ def _frame(now: Snapshot) -> Frame:
         _NOTHING,
         faces=axis.weights(now.face),
         expressions=axis.weights(now.expression),
-        channels=with_settling_channels(now.channels, now.settling),
-        head=with_settling_head(now.head, now.settling),
-        gaze=with_settling_gaze(now.gaze, now.settling),
+        **vars(eased(Held(now.channels, now.head, now.gaze), now.easing_to_rest)),
         time=now.time,
         face_call=axis.status(now.face),
         expression_call=axis.status(now.expression),
@@ -1096,7 +728,7 @@ def _frame(now: Snapshot) -> Frame:
         home_next=is_home_next(now),
         panics=now.panics,
         regions={region: axis.weights(on) for region, on in now.regions.items()},
-        region_calls={region: found for region, on in now.regions.items() if (found := axis.status(on)) is not None},
+        region_calls={region: call for region, on in now.regions.items() if (call := axis.status(on)) is not None},
         motion=None if now.motion is None else now.motion.settings,
         speech=speech_status(now.speaking),
         spoken=now.spoken,

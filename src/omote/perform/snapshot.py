@@ -13,7 +13,7 @@ from omote.perform.axis import Axis, Call
 from omote.perform.channels import highest_weight, with_channel
 from omote.perform.easing import DECAY_SECONDS, Glide, find_easing
 from omote.perform.frame import Gaze, Head, Home
-from omote.perform.gestures.gesturing import Gesture, check_gestures
+from omote.perform.gestures import Gesture, check_gestures
 from omote.perform.layers.layers_snapshot import LayersSnapshot, names_driven, restored
 from omote.perform.lights import FIRST_LIGHT, LIGHTS
 from omote.perform.limits import (
@@ -27,7 +27,7 @@ from omote.perform.limits import (
 )
 from omote.perform.mix import HIGHEST, LOWEST, Weights
 from omote.perform.motion.automatic_motion import AutomaticMotion, check_motion
-from omote.perform.panic import PANIC_SECONDS, SAME_PRESS, Settling
+from omote.perform.panic import PANIC_SECONDS, SAME_PRESS, EasingToRest
 from omote.perform.speech.speaking import Speaking, check_speaking
 
 
@@ -73,7 +73,7 @@ class Snapshot:
     gaze: Gaze = field(default_factory=Gaze)
     time: float = 0.0
     light: Axis = field(default_factory=lambda: Axis(FIRST_LIGHT))  # older snapshots have no light, nor what follows
-    settling: Settling | None = None
+    easing_to_rest: EasingToRest | None = None
     home: Home = field(default_factory=Home)
     panicked: float | None = None
     panics: int = 0
@@ -116,7 +116,7 @@ def check_snapshot(snapshot: Snapshot, cast: Playable) -> Snapshot:
         check_axis(axis, cast.expressions, f"expression ({check_play_region(region)})")
     for name, value in snapshot.channels.items():
         with_channel({}, cast.expressions, name, value)
-    for name, value in () if snapshot.settling is None else snapshot.settling.channels.items():
+    for name, value in () if snapshot.easing_to_rest is None else snapshot.easing_to_rest.channels.items():
         with_channel({}, cast.expressions, name, 0.0)
         check_within(value, CHANNEL_LOWEST, highest_weight(cast.expressions, name), f"the channel {name}")
     restored(cast, snapshot.layers)
@@ -125,8 +125,8 @@ def check_snapshot(snapshot: Snapshot, cast: Playable) -> Snapshot:
     check_gestures(snapshot.gestures)
     check_known(snapshot.home.face, cast.faces, "face")
     check_within(snapshot.time, 0.0, FOREVER, "the snapshot's time (seconds)")
-    if snapshot.settling is not None:
-        check_within(snapshot.settling.elapsed, 0.0, PANIC_SECONDS, "the elapsed time of a panic (seconds)")
+    if snapshot.easing_to_rest is not None:
+        check_within(snapshot.easing_to_rest.elapsed, 0.0, PANIC_SECONDS, "the elapsed time of a panic (seconds)")
     if snapshot.panicked is not None:
         check_within(snapshot.panicked, 0.0, snapshot.time, "the time of the last panic (seconds)")
     return snapshot
@@ -152,22 +152,26 @@ def _is_beyond(angle: object, limit: float) -> bool:
 def names_held(snapshot: Snapshot) -> tuple[frozenset[str], frozenset[str]]:
     """The faces and the expressions (channels are expressions too) that a snapshot cannot be played without."""
     channels = frozenset(snapshot.channels) | names_driven(snapshot.layers)
-    if snapshot.settling is not None:
-        channels |= frozenset(snapshot.settling.channels)
+    if snapshot.easing_to_rest is not None:
+        channels |= frozenset(snapshot.easing_to_rest.channels)
     expressions = frozenset[str]().union(*map(axis_names, (snapshot.expression, *snapshot.regions.values())))
     return axis_names(snapshot.face) | {snapshot.home.face}, expressions | channels
 
 
 def axis_names(axis: Axis) -> frozenset[str]:
     """All names that an axis has on air, called or going."""
-    call, stands = axis.call, axis.stands or ()
+    call = axis.call
+    stands = axis.stands or ()
     if call is None:
         return frozenset((axis.on_air, *stands))
     return frozenset((axis.on_air, *stands, call.target, *call.start, *call.velocity, *(call.goal or ())))
 
 
 def check_axis(axis: Axis, names: Mapping[str, object], what: str) -> None:
-    """Rejects an axis that was read and that none can be, or that has a name that is not among `names`."""
+    """Rejects an axis that was read and that none can be, or that has a name that is not among `names`.
+
+    what: what messages call it.
+    """
     check_known(axis.on_air, names, what)
     check_within(axis.hand, 0.0, 1.0, f"the {what} T-bar")
     if axis.stands is not None:

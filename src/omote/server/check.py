@@ -49,7 +49,8 @@ def check_frame() -> Verdict:
 
     cast = built_in_documents().cast
     performer = Performer(cast)
-    face, expression = list(cast.faces)[-1], list(cast.expressions)[-1]
+    face = list(cast.faces)[-1]
+    expression = list(cast.expressions)[-1]
     performer.call_face(face, seconds=1.0)
     performer.call_expression(expression, seconds=1.0)
     evaluate(cast, performer.advance(0.5))

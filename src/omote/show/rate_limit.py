@@ -7,8 +7,10 @@ class TokenBucket:
     """Lets `burst` messages pass at once and `rate` per second after that; time is passed in."""
 
     def __init__(self, rate: float, burst: float) -> None:
-        self.rate, self._burst = rate, burst
-        self._tokens, self._then = burst, 0.0
+        self.rate = rate
+        self._burst = burst
+        self._tokens = burst
+        self._then = 0.0
 
     def take(self, now: float) -> bool:
         """Whether one more message may pass at `now` (seconds, monotonic)."""

@@ -2,28 +2,44 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+import math
+from collections.abc import Iterator, Mapping, Sequence
+from contextlib import contextmanager
 
+import msgspec
+
+from omote.perform.scene.character_names import ALL
 from omote.perform.scene.scene import Scene
 from omote.perform.scene.scene_snapshot import names_held_by
 from omote.perform.snapshot import Playable
-from omote.show import messages as wire
-from omote.show import validation
-from omote.show.access.message_roles import PLAY_MESSAGES, check_message
-from omote.show.commands import carry_out, find_addressed, refuse_errors, refuse_unknown
-from omote.show.crew.contention import Hands, Panics
-from omote.show.crew.members import Member, Members, report_in
-from omote.show.leases.leasing import HeldByOthersRefusal, Leasing
-from omote.show.outgoing import KeepRequest, Outgoing
+from omote.show.access.access_role import explain_missing_role, role_allows
+from omote.show.crew.members import Member, Members
+from omote.show.declaration import (
+    ClientMessage,
+    DeviceMessage,
+    KeepRequest,
+    Outgoing,
+    ServerMessage,
+    characters_of,
+    check_ranges,
+)
+from omote.show.executed_calls import ExecutedCalls
+from omote.show.messages import PROTOCOL_VERSION
+from omote.show.objects.documents import NAMES_OF
+from omote.show.objects.faders import SetChannel
+from omote.show.objects.link import Hello, Notice, Notices, Refused, Welcome
+from omote.show.objects.stages import CastChanged, Crew
+from omote.show.objects.state import State
+from omote.show.ownership.hands import HandReports, Panics
+from omote.show.ownership.leasing import HeldByOthersRefusal, LeaseSnapshot, Leasing
 from omote.show.session_snapshot import SessionSnapshot
-from omote.show.sources.open_sources import SOURCE_CHANGES, OpenSources
+from omote.show.sources.open_sources import OpenSources
 from omote.show.speech.known_sounds import KnownSounds
 from omote.show.speech.sound_stage import SoundStage
 from omote.show.state import EyeOffset, offset_between, state_of
-from omote.show.validation import Refusal, validate_number
+from omote.show.validation import Refusal
 from omote.show.wire import decode, id_in
 
-REMEMBERED_CALLS = 512
 MOST_DEVICE_MESSAGES = 4096
 """Of devices, between two ticks."""
 
@@ -32,7 +48,9 @@ class ShowSession:
     """A running show: who is connected, what has been called, what is on air."""
 
     def __init__(self, cast: Playable, scene: Scene | None = None, *, epoch: int = 1, revision: int = 1) -> None:
-        self.cast, self.epoch, self.revision = cast, epoch, revision
+        self.cast = cast
+        self.epoch = epoch
+        self.revision = revision
         self.scene = Scene.begun(cast) if scene is None else scene
         self.number = 0
         self.refused = 0
@@ -40,60 +58,109 @@ class ShowSession:
         self.members = Members()
         self.wishes: list[KeepRequest] = []
         self.cancelled: list[str] = []
-        self.device_messages: list[tuple[str, wire.DeviceMessage]] = []
-        self.notices: list[wire.Notice] = []
-        self.layouts: list[str] = []
+        self.device_messages: list[tuple[str, DeviceMessage]] = []
+        self.notices: list[Notice] = []
+        self.documents: dict[str, list[str]] = {}
         self.show = ""
-        self._calls: dict[str, None] = {}
+        self._executed = ExecutedCalls()
         self._now: float | None = None
         self._time = self.scene.snapshot().time
         self._eye_offsets: dict[str, EyeOffset] = {}
-        self._hands, self._panics, self.sources = Hands(), Panics(), OpenSources()
-        self.sounds, self._sound_stage = KnownSounds(), SoundStage()
-        self.leasing = Leasing(self.members, labels=lambda: self.scene.labels)
+        self._panics = Panics()
+        self.sources = OpenSources()
+        self.sounds = KnownSounds()
+        self._sound_stage = SoundStage()
+        self._own(None)
 
     @classmethod
     def restored(cls, cast: Playable, snapshot: SessionSnapshot, *, epoch: int, revision: int = 1) -> ShowSession:
-        """The show of a snapshot, under a new epoch; ValueError when the snapshot does not fit the cast."""
+        """The show of a snapshot, under a new epoch; ValueError when the snapshot does not fit the cast. revision: of
+        the cast."""
         if not snapshot.scene.characters:
             raise ValueError("the scene of the snapshot is empty; a show has a character")
         session = cls(cast, Scene.restored(cast, snapshot.scene), epoch=epoch, revision=revision)
-        session._calls = dict.fromkeys(snapshot.calls)
+        session._executed = ExecutedCalls(snapshot.executed)
         session.sources = OpenSources(snapshot.sources)
-        session.leasing = Leasing(session.members, snapshot.leases, lambda: session.scene.labels)
+        session._own(snapshot.leases)
         return session
+
+    def _own(self, snapshot: LeaseSnapshot | None) -> None:
+        """Begins with one table of who holds, wants and moves what; snapshot: the leases of before."""
+        self.leasing = Leasing(self.members, snapshot, lambda: self.scene.labels)
+        self._hands = HandReports(self.leasing.table)
 
     def snapshot(self) -> SessionSnapshot:
         """The show as it is now."""
         return SessionSnapshot(
-            self.scene.snapshot(), list(self._calls), self.leasing.snapshot(), self.sources.snapshot()
+            self.scene.snapshot(), self._executed.snapshot(), self.leasing.snapshot(), self.sources.snapshot()
         )
 
     def receive_bytes(self, who: str, data: bytes, now: float) -> list[Outgoing]:
-        """Handles the bytes of a client and returns the answers; invalid bytes are rejected and counted."""
+        """Handles the bytes of a client and returns the answers; invalid bytes are rejected and counted. who: the
+        client; data: one message; now: seconds, monotonic."""
         try:
             message = decode(data)
         except Refusal as refusal:
             return self._refuse(who, refusal, id_in(data), now)
         return self.receive(who, message, now)
 
-    def receive(self, who: str, message: wire.FromClient, now: float) -> list[Outgoing]:
-        """Handles a message and returns the answers; an invalid one is rejected with a message and changes nothing."""
+    def receive(self, who: str, message: ClientMessage, now: float) -> list[Outgoing]:
+        """Handles a message and returns the answers; an invalid one is rejected with a message and changes nothing.
+
+        who: the client; now: seconds, monotonic.
+        """
         try:
-            check_message(PLAY_MESSAGES, self.members.visitor(who).role, message)
-            return self._answer(who, message, now)
+            return self._obey(who, message, now)
         except Refusal as refusal:
             return self._refuse(who, refusal, getattr(message, "id", ""), now)
 
+    def _obey(self, who: str, message: ClientMessage, now: float) -> list[Outgoing]:
+        """Does what a message asks for, between the gates and the echoes, which ask its declaration alone."""
+        self._pass_role(who, message)
+        if self._is_executed(who, message):
+            return []  # a retry or a bouncing key
+        self._pass_hands(who, message, find_addressed(self.scene, message), now)
+        with refuse_errors(message):
+            check_ranges(message)
+            answers = message.act(self, who, now)
+        self.commands += message.open_to == "consoles"
+        self._echo(who, message, now)
+        return list(answers)
+
+    def _pass_role(self, who: str, message: ClientMessage) -> None:
+        """The first gates: who may send it at all. Refusal where one is shut."""
+        held = self.members.visitor(who).role
+        if not role_allows(held, message.access):
+            raise Refusal(explain_missing_role(held, message.access))
+        if message.open_to == "consoles":
+            self.members.refuse_a_stage(who, message)
+
+    def _pass_hands(self, who: str, message: ClientMessage, characters: Sequence[str], now: float) -> None:
+        """The last gates: what a panic or a lease keeps from the hands of others. Refusal where one is shut."""
+        self._panics.refuse_late(who, message, characters, now)
+        self.leasing.check(who, message, characters)
+
+    def _echo(self, who: str, message: ClientMessage, now: float) -> None:
+        """What follows from a message that was obeyed: others see the hand, its part is held, its id is executed."""
+        characters = find_addressed(self.scene, message)
+        self._hands.note(who, message, characters, now)
+        self.leasing.note(who, message, characters)
+        call = id_of(message)
+        if call:
+            self._executed.note(self.members[who].seat, call)
+
+    def _is_executed(self, who: str, message: ClientMessage) -> bool:
+        call = id_of(message)
+        return call != "" and self._executed.has(self.members[who].seat, call)
+
     def set_channels(self, who: str, character: str, values: Mapping[str, float], now: float) -> bool:
         """Sets channels of a character as a `SetChannel` each would, with one look at who may; False where one of them
-        would be rejected: then nothing has changed."""
-        message = wire.SetChannel(character, *next(iter(values.items())))
+        would be rejected: then nothing has changed. who: the client; values: weights by channel; now: seconds,
+        monotonic."""
+        message = SetChannel(character, *next(iter(values.items())))
         try:
-            check_message(PLAY_MESSAGES, self.members.visitor(who).role, message)
-            self.members.refuse_a_stage(who, message)
-            self._panics.refuse_late(who, message, (character,), now)
-            self.leasing.check(who, message, (character,))
+            self._pass_role(who, message)
+            self._pass_hands(who, message, (character,), now)
             self.scene[character].set_channels(values)
         except (KeyError, ValueError, TypeError):  # a Refusal is a ValueError
             return False
@@ -102,7 +169,7 @@ class ShowSession:
         self.leasing.note(who, message, (character,))
         return True
 
-    def tick(self, now: float) -> wire.State:
+    def tick(self, now: float) -> State:
         """Advances the show to `now` (seconds, monotonic) in one step and returns what is on air."""
         elapsed = 0.0 if self._now is None else max(0.0, now - self._now)
         self._now = now
@@ -110,13 +177,13 @@ class ShowSession:
         self.leasing.expire(tuple(self.scene), now)
         return self._state(elapsed)
 
-    def _state(self, elapsed: float) -> wire.State:
+    def _state(self, elapsed: float) -> State:
         frame = self.scene.advance(elapsed)
         self._time = frame.time
         numbers = {"epoch": self.epoch, "number": self.number, "revision": self.revision}
         return state_of(self.cast, frame, self._eye_offsets, **numbers)
 
-    def recast(self, cast: Playable) -> wire.CastChanged:
+    def recast(self, cast: Playable) -> CastChanged:
         """Plays another cast from now on; returns the message for all pages. ValueError where it lacks what is on
         air.
 
@@ -124,11 +191,12 @@ class ShowSession:
         """
         shown = self._state(0.0)
         self.scene.recast(cast)
-        self.cast, self._eye_offsets = cast, {}
+        self.cast = cast
+        self._eye_offsets = {}
         for name, wanted in self._state(0.0).characters.items():
             self._eye_offsets[name] = offset_between(shown.characters[name].eyes, wanted.eyes, shown.time)
         self.revision += 1
-        return wire.CastChanged(self.revision, cast.digest)
+        return CastChanged(self.revision, cast.digest)
 
     def names_held(self) -> tuple[frozenset[str], frozenset[str]]:
         """The faces and the expressions that the cast must not lose: they are on air, called or going."""
@@ -136,17 +204,20 @@ class ShowSession:
 
     def take_keep_requests(self) -> list[KeepRequest]:
         """Returns and clears the consoles' requests to keep something."""
-        requests, self.wishes = self.wishes, []
+        requests = self.wishes
+        self.wishes = []
         return requests
 
     def take_cancelled(self) -> list[str]:
         """Returns and clears the long requests that consoles end."""
-        requests, self.cancelled = self.cancelled, []
+        requests = self.cancelled
+        self.cancelled = []
         return requests
 
-    def take_device_messages(self) -> list[tuple[str, wire.DeviceMessage]]:
+    def take_device_messages(self) -> list[tuple[str, DeviceMessage]]:
         """Returns and clears what pages say of devices, each with the client."""
-        said, self.device_messages = self.device_messages, []
+        said = self.device_messages
+        self.device_messages = []
         return said
 
     def clock(self, now: float) -> float:
@@ -160,141 +231,117 @@ class ShowSession:
 
     def join(self, who: str, name: str, seat: str = "") -> None:
         """Adds a source, such as a sender of OSC: it plays as a console does, but hears nothing and needs no hello.
-        seat: that of the member (`crew`) for whom it plays, where it plays not for itself."""
+        seat: that of the member (`crew`) for whom it plays, where it plays not for itself. who: the client; name: what
+        it is called."""
         self.members.join(who, name, seat)
 
     def leave(self, who: str, *, lost: float | None = None) -> None:
         """Removes a client; T-bars and channels that it held stay as they are. lost: when its link broke, where its
-        page was not closed."""
+        page was not closed. who: the client."""
         self.members.leave(who, lost=lost)
         self._hands.leave(who)
         self.sources.leave(who, self.scene)
 
-    def crew_now(self, now: float) -> wire.Crew:
+    def crew_now(self, now: float) -> Crew:
         """Who is connected, and what each stage draws."""
         return self.members.now(now)
 
     def notices_for(self, who: str) -> list[Outgoing]:
         """All notices for a console; nothing where there are none, or for a stage."""
         wanted = self.notices and self.members[who].role == "console"
-        return [Outgoing(who, wire.Notices(list(self.notices)))] if wanted else []
+        return [Outgoing(who, Notices(list(self.notices)))] if wanted else []
 
-    def layouts_now(self) -> list[Outgoing]:
-        """The names of all layouts, for every console."""
-        return self.for_consoles(wire.Layouts(list(self.layouts)))
+    def list_documents(self, kind: str, names: list[str]) -> list[Outgoing]:
+        """Notes the documents of a kind that pages keep, and returns them for every console; names: sorted."""
+        self.documents[kind] = names
+        return self.for_consoles(NAMES_OF[kind](names))
 
-    def for_consoles(self, message: wire.FromServer) -> list[Outgoing]:
+    def for_consoles(self, message: ServerMessage) -> list[Outgoing]:
         """A message for every console."""
         return [Outgoing(who, message) for who in self.members.consoles()]
 
     def hands_now(self, now: float) -> list[Outgoing]:
         """What consoles must be told of each other's hands, of who holds what, and of the sources."""
-        consoles, sources = self.members.consoles(), self.members.sources()
-        hands, leases = self._hands.tell(consoles, now, sources), self.leasing.tell(now)
-        news, found = self.sources.news(consoles, now), self._sound_stage.tell(self.crew, now)
-        found += [Outgoing(*told) for each in (hands, leases) for told in each.items()]
-        found += [Outgoing(who, values) for who, values in self.sources.tell_watchers(now)]
-        return found if news is None else [*found, *self.for_consoles(news)]
+        consoles = self.members.consoles()
+        sources = self.members.sources()
+        hands = self._hands.tell(consoles, now, sources)
+        leases = self.leasing.tell(now)
+        news = self.sources.news(consoles, now)
+        outgoing = self._sound_stage.tell(self.crew, now)
+        outgoing += [Outgoing(*pair) for by_client in (hands, leases) for pair in by_client.items()]
+        outgoing += [Outgoing(who, values) for who, values in self.sources.tell_watchers(now)]
+        return outgoing if news is None else [*outgoing, *self.for_consoles(news)]
 
-    def _answer(self, who: str, message: wire.FromClient, now: float) -> list[Outgoing]:
-        match message:
-            case wire.Hello():
-                welcomes = self._welcome(who, message)
-                layouts = [each for each in self.layouts_now() if each.who == who and self.layouts]
-                return [*welcomes, *self.notices_for(who), *layouts]
-            case wire.Ping():
-                pong = wire.Pong(validate_number(message.sent, validation.SENT), self.clock(now))
-                return [Outgoing(who, pong)]
-            case wire.Drawing():
-                self.members.report(who, report_in(message), now)
-                with refuse_errors(message):
-                    self.scene.note_camera(message.name, message.camera)
-            case wire.Cancel():
-                self.members.refuse_a_stage(who, message)
-                self.cancelled.append(message.request)
-            case _ if getattr(message, "id", None) in self._calls:
-                pass  # a retry or a bouncing key: each call executes once
-            case _ if isinstance(message, wire.DeviceMessage):
-                self._collect(who, message)
-            case _ if isinstance(message, wire.KeepMessage):
-                self._add_keep_request(KeepRequest(who, message))
-            case _:
-                return self._obey(who, message, now)
-        return []
-
-    def _hear_source(self, who: str, message: wire.SourceMessage) -> list[Outgoing]:
-        self.members.refuse_a_stage(who, message)
-        with refuse_errors(message):
-            answer = self.sources.hear(who, message, self.scene, self.cast)
-        return [] if answer is None else [Outgoing(who, answer)]
-
-    def _collect(self, who: str, message: wire.DeviceMessage) -> None:
-        self.members.refuse_a_stage(who, message)
+    def collect(self, who: str, message: DeviceMessage) -> None:
+        """Keeps what a page says of devices until the next tick; Refusal where too much comes at once. who: the client;
+        message: what it says."""
         if len(self.device_messages) >= MOST_DEVICE_MESSAGES:
             raise Refusal("too much comes from devices at once, and this was not played: send less.")
         self.device_messages.append((who, message))
-        if isinstance(message, wire.BindingMessage):
-            self._remember(message.id)
 
-    def _add_keep_request(self, request: KeepRequest) -> None:
-        self.members.refuse_a_stage(request.who, request.message)
-        if isinstance(request.message, wire.KeepFace | wire.KeepExpression):
-            refuse_unknown(self.scene, request.message.character)
-        self.wishes.append(request)
-        if request.message.id:
-            self._remember(request.message.id)
+    def take_hands_off(self, who: str, characters: Sequence[str], now: float) -> None:
+        """Takes characters out of all hands: a client (who) has pressed panic, at `now` (seconds, monotonic)."""
+        self._panics.press(who, characters, now)
+        self._hands.take_off(characters)
 
-    def _lease(self, who: str, message: wire.LeaseMessage) -> list[Outgoing]:
-        told = self.leasing.obey(who, message, tuple(self.scene))
-        self._remember(message.id)
-        return [Outgoing(other, claim) for other, claim in told]
+    def forget_character(self, character: str) -> None:
+        """Forgets what was of another character of the same name, which is gone."""
+        self._panics.forget(character)
+        self._eye_offsets.pop(character, None)
 
-    def _remember(self, call: str) -> None:
-        self._calls[call] = None
-        if len(self._calls) > REMEMBERED_CALLS:
-            del self._calls[next(iter(self._calls))]
-
-    def _obey(self, who: str, message: wire.FromClient, now: float) -> list[Outgoing]:
-        self.members.refuse_a_stage(who, message)
-        if isinstance(message, wire.LeaseMessage):
-            return self._lease(who, message)
-        if isinstance(message, wire.SourceMessage):
-            return self._hear_source(who, message)
-        self._panics.refuse_late(who, message, meant := find_addressed(self.scene, message), now)
-        self.leasing.check(who, message, meant)
-        with refuse_errors(message):
-            if isinstance(message, SOURCE_CHANGES):
-                self.sources.change(message, self.scene)
-            else:
-                carry_out(self.scene, self.sounds.complete(message))
-        self.commands += 1
-        self._hands.note(who, message, characters := find_addressed(self.scene, message), now)
-        self.leasing.note(who, message, characters)
-        if isinstance(message, wire.Panic):
-            self._panics.press(who, characters, now)
-            self._hands.take_off(characters)
-        if isinstance(message, wire.AddCharacter):
-            self._panics.forget(message.character)  # what was of another of the same name, which is gone
-            self._eye_offsets.pop(message.character, None)
-        if getattr(message, "id", ""):
-            self._remember(message.id)  # type: ignore[union-attr]
-        return []
-
-    def _welcome(self, who: str, hello: wire.Hello) -> list[Outgoing]:
-        """The welcome of a client; another's too, where that was given the name that a console claims."""
-        if hello.version != wire.PROTOCOL_VERSION:
-            versions = f"version {hello.version}, the server {wire.PROTOCOL_VERSION}"
+    def welcome(self, who: str, hello: Hello) -> list[Outgoing]:
+        """Admits a client; returns its welcome and all that it must know at first. Another is welcomed too, where that
+        was given the name that a console claims. Refusal for another version. who: the client; hello: what it says of
+        itself."""
+        if hello.version != PROTOCOL_VERSION:
+            versions = f"version {hello.version}, the server {PROTOCOL_VERSION}"
             raise Refusal(f"the page speaks {versions}: reload the page.")
         for other in self.members.links_of_page(hello.page) if hello.role == "console" else ():
             self.leave(other)
-        return [self._welcomed(each) for each in self.members.admit(who, hello)]
+        welcomes = [self._welcomed(client) for client in self.members.admit(who, hello)]
+        documents = self.documents.items() if hello.role == "console" else ()
+        lists = [Outgoing(who, NAMES_OF[kind](names)) for kind, names in documents if names]
+        return [*welcomes, *self.notices_for(who), *lists]
 
     def _welcomed(self, who: str) -> Outgoing:
-        version, name = wire.PROTOCOL_VERSION, self.crew[who].name
-        return Outgoing(who, wire.Welcome(version, self.epoch, self.revision, self.cast.digest, name, self.show))
+        version = PROTOCOL_VERSION
+        name = self.crew[who].name
+        return Outgoing(who, Welcome(version, self.epoch, self.revision, self.cast.digest, name, self.show))
 
     def _refuse(self, who: str, refusal: Refusal, message: str, now: float) -> list[Outgoing]:
         self.refused += 1
         held = refusal.held if isinstance(refusal, HeldByOthersRefusal) else {}
-        told = [Outgoing(other, claim) for other, claim in self.leasing.claims(who, held, now)] if held else []
-        return [Outgoing(who, wire.Refused(str(refusal), message, list(held))), *told]
+        claims = self.leasing.claims(who, held, now) if held else []
+        return [Outgoing(who, Refused(str(refusal), message, list(held))), *claims]
+
+
+def find_addressed(scene: Scene, message: ClientMessage) -> tuple[str, ...]:
+    """The characters that a message is for; none for one of the whole scene, or that names nobody there is."""
+    character = getattr(message, "character", "")
+    if character in scene:
+        return (character,)
+    return characters_of(scene, character) if character == ALL else ()
+
+
+def id_of(message: ClientMessage) -> str:
+    """The id for which a message executes once; "" for one that executes however often it comes."""
+    call: str = getattr(message, "id", "")
+    return call if message.once else ""
+
+
+@contextmanager
+def refuse_errors(message: ClientMessage) -> Iterator[None]:
+    """What cannot be done of a message is a Refusal that says why."""
+    try:
+        yield
+    except Refusal:
+        raise
+    except (ValueError, TypeError) as error:
+        raise Refusal(f"{error}. Nothing has changed.{reload_hint(message)}") from error
+
+
+def reload_hint(message: ClientMessage) -> str:
+    """What to do about a number that no hand can have set: the page that sent it has gone wrong."""
+    values = msgspec.structs.astuple(message)
+    wrong = any(isinstance(value, float) and not math.isfinite(value) for value in values)
+    return " Send a finite number; a page that sends another is to be reloaded." if wrong else ""

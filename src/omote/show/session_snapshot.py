@@ -10,15 +10,16 @@ from omote.perform.scene.character_names import FIRST_CHARACTER
 from omote.perform.scene.scene import FIRST_LABEL
 from omote.perform.scene.scene_snapshot import SceneSnapshot
 from omote.perform.snapshot import limit_gaze
-from omote.show.leases.leasing import LeaseSnapshot
+from omote.show.executed_calls import Executed
+from omote.show.ownership.leasing import LeaseSnapshot
 from omote.show.sources.sources_snapshot import SourcesSnapshot
 
 
 class SessionSnapshot(msgspec.Struct, frozen=True):
-    """The scene, the calls already executed, who holds what, and the routes and measures of sources."""
+    """The scene, the ids of messages already executed, who holds what, and the routes and measures of sources."""
 
     scene: SceneSnapshot
-    calls: list[str]
+    executed: Executed
     leases: LeaseSnapshot = LeaseSnapshot()
     sources: SourcesSnapshot = SourcesSnapshot()
 
@@ -29,15 +30,23 @@ def read_session_snapshot(saved: object) -> tuple[SessionSnapshot, bool]:
     ValueError and TypeError where it is none.
     """
     limited = limit_gaze(saved.get("performer")) if isinstance(saved, dict) else False
-    return msgspec.convert(_with_scene(saved), SessionSnapshot), limited
+    return msgspec.convert(_as_today(saved), SessionSnapshot), limited
 
 
-def _with_scene(saved: object) -> object:
-    """The same where a performer alone was written, as up to protocol 4: it becomes the first character of a scene."""
-    performer = saved.get("performer") if isinstance(saved, dict) else None
-    if not isinstance(saved, dict) or not isinstance(performer, dict):
+def _as_today(saved: object) -> object:
+    """What older versions wrote, as it is written today.
+
+    Up to protocol 4 a performer alone was written, who becomes the first character of a scene. Up to protocol 7 the
+    ids of messages had no seat: they are of a show that has been closed, and nobody repeats one.
+    """
+    if not isinstance(saved, dict):
         return saved
-    standing = {"label": FIRST_LABEL}
-    scene: dict[str, Any] = {"characters": {FIRST_CHARACTER: {"performer": performer, "standing": standing}}}
-    scene |= {key: performer[key] for key in ("light", "time") if key in performer}
-    return {"scene": scene, "calls": saved.get("calls")}
+    today = {key: value for key, value in saved.items() if key not in ("performer", "calls")}
+    if "calls" in saved:
+        today["executed"] = {}
+    performer = saved.get("performer")
+    if isinstance(performer, dict):
+        standing = {"label": FIRST_LABEL}
+        scene: dict[str, Any] = {"characters": {FIRST_CHARACTER: {"performer": performer, "standing": standing}}}
+        today["scene"] = scene | {key: performer[key] for key in ("light", "time") if key in performer}
+    return today

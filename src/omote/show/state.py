@@ -13,7 +13,7 @@ from omote.perform.easing import DEFAULT_EASING, EASINGS
 from omote.perform.frame import CallStatus, Frame, Gaze, Held, LayerStatus, MotionSettings
 from omote.perform.mix import mix_in
 from omote.perform.scene.scene_frame import CharacterFrame, SceneFrame
-from omote.show.messages import (
+from omote.show.objects.state import (
     CallState,
     CharacterState,
     GazeTargetState,
@@ -45,7 +45,7 @@ class EyeOffset:
     start: float = -EYE_SECONDS
 
     def add_to(self, eyes: Angles, time: float) -> Angles:
-        """The angles that show at `time`, seconds of the show."""
+        """The angles that show at `time`, seconds of the show. eyes: the angles without it, radians."""
         part = (time - self.start) / EYE_SECONDS
         if part >= 1.0:
             return eyes
@@ -60,7 +60,8 @@ NO_OFFSET = EyeOffset()
 
 
 def offset_between(shown: Angles, wanted: Angles, time: float) -> EyeOffset:
-    """What keeps the eyes where they show, from `time` (seconds of the show) on."""
+    """What keeps eyes that are wanted at some angles (radians) where they were shown, from `time` (seconds of the show)
+    on."""
     left_yaw, left_pitch, right_yaw, right_pitch = (before - after for before, after in zip(shown, wanted, strict=True))
     return EyeOffset((left_yaw, left_pitch, right_yaw, right_pitch), time)
 
@@ -74,7 +75,8 @@ def state_of(
     number: int,
     revision: int,
 ) -> State:
-    """The complete state of a frame; eye_offsets: by character, what is added to the eyes that its frame has."""
+    """The complete state of a frame; eye_offsets: by character, what is added to the eyes that its frame has. cast:
+    what plays; epoch, number and revision: those of the state."""
     return State(
         epoch=epoch,
         number=number,
@@ -93,8 +95,10 @@ def state_of(
 
 
 def character_state(cast: Playable, character: CharacterFrame, eye_offset: EyeOffset) -> CharacterState:
-    """The complete state of a character; `eyes` and `gaze_lids` are what the gaze makes of it."""
-    frame, place = character.frame, character.place
+    """The complete state of a character; `eyes` and `gaze_lids` are what the gaze makes of it. cast: what plays;
+    eye_offset: what is added to the eyes."""
+    frame = character.frame
+    place = character.place
     channels = channels_of(cast.expressions, frame)
     return CharacterState(
         faces=dict(frame.faces),
@@ -133,15 +137,7 @@ def call_state(status: CallStatus | None) -> CallState | None:
 
 def call_state_of(status: CallStatus) -> CallState:
     """A running call on the wire."""
-    return CallState(
-        target=status.target,
-        progress=status.progress,
-        remaining=status.remaining,
-        by_hand=status.by_hand,
-        fader=status.fader,
-        pickup=status.pickup,
-        start=dict(status.start),
-    )
+    return CallState(**{**vars(status), "start": dict(status.start)})
 
 
 def _home(frame: Frame) -> dict[str, Any]:
@@ -165,24 +161,26 @@ def _motion_state(settings: MotionSettings) -> MotionState:
 
 def _layer_state(status: LayerStatus) -> LayerState:
     strongest = dict(status.strongest)
-    sources = [LayerSource(each.source, each.trust, list(each.parts)) for each in status.sources]
+    sources = [LayerSource(source.source, source.trust, list(source.parts)) for source in status.sources]
     return LayerState(list(status.influence), status.on, status.trust, status.source, status.share, strongest, sources)
 
 
 def _held_state(held: Held) -> HeldState:
-    head, gaze = held.head, held.gaze
+    head = held.head
+    gaze = held.gaze
     return HeldState(dict(held.channels), (head.yaw, head.pitch, head.roll), (gaze.yaw, gaze.pitch))
 
 
 def gaze_lids(channels: Mapping[str, float], effective: Mapping[str, float]) -> dict[str, float]:
-    """What the gaze adds to the channels, name by name."""
+    """What the gaze adds to the channels, name by name. effective: their weights with it."""
     added = {name: weight - channels.get(name, 0.0) for name, weight in effective.items()}
     return {name: weight for name, weight in added.items() if weight}
 
 
 def names_on_air(state: State) -> tuple[frozenset[str], frozenset[str]]:
     """The faces and the expressions (channels are expressions too) that any character has on air or called."""
-    faces, expressions = set[str](), set[str]()
+    faces = set[str]()
+    expressions = set[str]()
     for character in state.characters.values():
         faces.update(character.faces)
         expressions.update(character.expressions, character.channels, character.lids, *character.regions.values())

@@ -21,6 +21,7 @@ class Quantity:
 
 
 SENT = Quantity("the time a ping was sent", -1e15, 1e15)
+DARK = Quantity("the seconds for which a stage draws nothing", 0.0, 1e7)
 FPS = Quantity("the rate of drawn frames", 0.0, 1000.0)
 
 

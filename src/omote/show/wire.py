@@ -2,21 +2,22 @@
 
 from __future__ import annotations
 
-from typing import TypeVar
+from typing import TypeVar, Union
 
 import msgspec
 import numpy as np
 from numpy.typing import NDArray
 
 from omote.interchange.formats.error_reasons import explain_error
-from omote.show.messages import MESSAGE_LIMIT, SPEECH_LIMIT, FromClient, FromServer, RequestId, Say
+from omote.show.declaration import SPEECH_LIMIT, ClientMessage, RequestId, ServerMessage
+from omote.show.messages import CLIENT_MESSAGES, SERVER_MESSAGES
 from omote.show.validation import Refusal
 
 Said = TypeVar("Said")
 
 _encoder = msgspec.msgpack.Encoder()
-_from_client: msgspec.msgpack.Decoder[FromClient] = msgspec.msgpack.Decoder(FromClient)
-_from_server: msgspec.msgpack.Decoder[FromServer] = msgspec.msgpack.Decoder(FromServer)
+_from_client: msgspec.msgpack.Decoder[ClientMessage] = msgspec.msgpack.Decoder(Union[CLIENT_MESSAGES])  # noqa: UP007  (of a tuple)
+_from_server: msgspec.msgpack.Decoder[ServerMessage] = msgspec.msgpack.Decoder(Union[SERVER_MESSAGES])  # noqa: UP007
 
 
 def encode(message: msgspec.Struct) -> bytes:
@@ -24,16 +25,11 @@ def encode(message: msgspec.Struct) -> bytes:
     return _encoder.encode(message)
 
 
-def decode(data: bytes) -> FromClient:
+def decode(data: bytes) -> ClientMessage:
     """Decodes a client's message; Refusal for invalid bytes, and for more than its kind may have."""
     message = message_in(data, _from_client, SPEECH_LIMIT)
-    _check_size(data, limit_of(message))
+    _check_size(data, message.longest)
     return message
-
-
-def limit_of(message: FromClient) -> int:
-    """The most bytes that a client's message may have."""
-    return SPEECH_LIMIT if isinstance(message, Say) else MESSAGE_LIMIT
 
 
 def _check_size(data: bytes, limit: int) -> None:
@@ -42,7 +38,8 @@ def _check_size(data: bytes, limit: int) -> None:
 
 
 def message_in(data: bytes, decoder: msgspec.msgpack.Decoder[Said], limit: int) -> Said:
-    """Decodes `data`; Refusal for more bytes than `limit`, and for invalid bytes."""
+    """Decodes `data`; Refusal for more bytes than `limit`, and for invalid bytes. decoder: of the messages that are
+    understood."""
     _check_size(data, limit)
     try:
         return decoder.decode(data)
@@ -70,7 +67,7 @@ def id_in(data: bytes) -> str:
         return ""
 
 
-def decode_answer(data: bytes) -> FromServer:
+def decode_answer(data: bytes) -> ServerMessage:
     """Decodes a server's message, for clients written in Python; msgspec.DecodeError for invalid bytes."""
     return _from_server.decode(data)
 

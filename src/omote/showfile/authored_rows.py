@@ -9,7 +9,7 @@ from __future__ import annotations
 import contextlib
 import hashlib
 import sqlite3
-from collections.abc import Collection, Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -17,46 +17,20 @@ import msgspec
 
 from omote.showfile.changes import (
     Change,
+    Content,
+    DocumentRemoval,
+    Documents,
     Draft,
-    DropDraft,
-    DropLayout,
-    DropPerformer,
     Edit,
     Item,
-    PutBindings,
-    PutContent,
-    PutDraft,
-    PutEdit,
-    PutItem,
-    PutLayout,
-    PutPerformer,
-    PutRevision,
     Revision,
     Stored,
+    StoredDocument,
     content_key,
 )
 from omote.showfile.database_errors import DamageError, WrongRowError
 
-
-class Layout(msgspec.Struct, frozen=True):
-    """A page's document by name."""
-
-    name: str
-    document: bytes
-
-
-class PerformerDocument(msgspec.Struct, frozen=True):
-    """How the landmarks of a performer's face are read, by the performer's name."""
-
-    name: str
-    document: bytes
-
-
-class BindingDocuments(msgspec.Struct, frozen=True):
-    """What controls of devices play: one row."""
-
-    slot: int
-    document: bytes
+Row = Item | Revision | Draft | Edit | StoredDocument
 
 
 @dataclass(frozen=True)
@@ -77,12 +51,15 @@ ITEMS = Table("item", Item, ("id",))
 REVISIONS = Table("revision", Revision, ("item", "number"))
 DRAFTS = Table("draft", Draft, ("item", "editor"))
 EDITS = Table("edit", Edit, ("item", "editor", "number"))
-LAYOUTS = Table("layout", Layout, ("name",))
-BINDINGS = Table("binding_list", BindingDocuments, ("slot",))
-PERFORMERS = Table("performer", PerformerDocument, ("name",))
-TABLES = (ITEMS, REVISIONS, DRAFTS, EDITS, LAYOUTS, BINDINGS, PERFORMERS)
-ADDED_LATER = (BINDINGS, PERFORMERS)
-"""Tables that a file of an older Omote, which is read as it is, may not have yet."""
+DOCUMENTS = Table("document", StoredDocument, ("kind", "name"))
+TABLES = (ITEMS, REVISIONS, DRAFTS, EDITS, DOCUMENTS)
+TABLE_OF = {table.type: table for table in TABLES}
+EARLIER_TABLES = {
+    "layout": ("layout", "name"),
+    "binding_list": ("bindings", "'bindings'"),
+    "performer": ("performer", "name"),
+}
+"""Tables up to schema 7, each of one kind of document: the kind, and where its name is."""
 
 
 def apply_changes(connection: sqlite3.Connection, changes: Iterable[Change]) -> None:
@@ -90,6 +67,8 @@ def apply_changes(connection: sqlite3.Connection, changes: Iterable[Change]) -> 
 
     sqlite3.IntegrityError: they can never be made (a revision that is there and is another, a content that is missing);
     sqlite3.OperationalError: not now (a full disk, a lock).
+
+    connection: to the show file; changes: in any order.
     """
     connection.execute("BEGIN IMMEDIATE")
     try:
@@ -104,29 +83,37 @@ def apply_changes(connection: sqlite3.Connection, changes: Iterable[Change]) -> 
 
 def read_all(connection: sqlite3.Connection) -> Stored:
     """All authored rows, each proved by its sum; sqlite3.DatabaseError names the first that is not what was written."""
-    there = {name for (name,) in connection.execute("SELECT name FROM sqlite_schema WHERE type = 'table'")}
-    rows = {table.name: [_prove_row(table, row) for row in _rows_of(connection, table, there)] for table in TABLES}
+    earlier = _tables_of(connection) & EARLIER_TABLES.keys()
+    documents: Documents = {}
+    for document in read_earlier_documents(connection) if earlier else _proved_rows(connection, DOCUMENTS):
+        documents.setdefault(document.kind, {})[document.name] = document.body
     return Stored(
-        items=tuple(rows["item"]),
-        revisions=tuple(rows["revision"]),
-        drafts=tuple(rows["draft"]),
-        edits=tuple(rows["edit"]),
-        layouts={layout.name: layout.document for layout in rows["layout"]},
-        bindings=b"".join(each.document for each in rows["binding_list"]),
-        performers={each.name: each.document for each in rows["performer"]},
+        items=tuple(_proved_rows(connection, ITEMS)),
+        revisions=tuple(_proved_rows(connection, REVISIONS)),
+        drafts=tuple(_proved_rows(connection, DRAFTS)),
+        edits=tuple(_proved_rows(connection, EDITS)),
+        documents=documents,
     )
+
+
+def read_earlier_documents(connection: sqlite3.Connection) -> Iterator[StoredDocument]:
+    """The documents of a file up to schema 7, each proved by its sum; sqlite3.DatabaseError as of `read_all`."""
+    for table in EARLIER_TABLES.keys() & _tables_of(connection):
+        kind, name = EARLIER_TABLES[table]
+        for row_name, *row in connection.execute(f"SELECT {name}, * FROM {table} ORDER BY 2"):
+            if row_checksum(row[:-1]) != row[-1]:
+                raise DamageError(f"its {table} {row[0]} is damaged")
+            yield StoredDocument(kind, row_name, row[1])
+
+
+def _tables_of(connection: sqlite3.Connection) -> set[str]:
+    return {name for (name,) in connection.execute("SELECT name FROM sqlite_schema WHERE type = 'table'")}
 
 
 def read_contents(connection: sqlite3.Connection) -> Iterator[tuple[str, bytes]]:
     """Every content, proved by its key; sqlite3.DatabaseError names the first that is not what was written."""
     for key, data in connection.execute("SELECT key, data FROM content ORDER BY key"):
         yield key, _prove_content(key, data)
-
-
-def read_content(connection: sqlite3.Connection, key: str) -> bytes:
-    """One content, proved by its key; sqlite3.DatabaseError where it is missing or damaged."""
-    row = connection.execute("SELECT data FROM content WHERE key = ?", (key,)).fetchone()
-    return _prove_content(key, None if row is None else row[0])
 
 
 def _prove_content(key: str, data: object) -> bytes:
@@ -141,13 +128,13 @@ def row_checksum(values: Sequence[Any]) -> str:
 
 
 def _rows(connection: sqlite3.Connection, table: Table, where: str = "", *values: int) -> sqlite3.Cursor:
-    columns, key = ", ".join((*table.columns, "sum")), ", ".join(table.key)
+    columns = ", ".join((*table.columns, "sum"))
+    key = ", ".join(table.key)
     return connection.execute(f"SELECT {columns} FROM {table.name} {where} ORDER BY {key}", values)
 
 
-def _rows_of(connection: sqlite3.Connection, table: Table, there: Collection[str]) -> Iterable[Sequence[Any]]:
-    """All rows of a table; none where the file has it not yet."""
-    return () if table in ADDED_LATER and table.name not in there else _rows(connection, table)
+def _proved_rows(connection: sqlite3.Connection, table: Table) -> Iterator[Any]:
+    return (_prove_row(table, row) for row in _rows(connection, table))
 
 
 def _prove_row(table: Table, columns: Sequence[Any]) -> Any:
@@ -171,55 +158,37 @@ def _row(table: Table, values: Sequence[Any]) -> Any:
 
 def _make(connection: sqlite3.Connection, change: Change) -> None:
     match change:
-        case PutContent(key, data):
+        case Content(key, data):
             connection.execute("INSERT INTO content VALUES (?, ?) ON CONFLICT DO NOTHING", (key, data))
-        case PutItem(item):
-            _put(connection, ITEMS, item)
-        case PutRevision(revision):
-            _add_revision(connection, revision)
-        case PutDraft(draft):
-            _put(connection, DRAFTS, draft)
-        case PutEdit(edit):
+        case DocumentRemoval(kind, name):
+            connection.execute("DELETE FROM document WHERE kind = ? AND name = ?", (kind, name))
+        case Revision():
+            _add_revision(connection, change)
+        case Edit():
             after = "DELETE FROM edit WHERE item = ? AND editor = ? AND number >= ?"
-            connection.execute(after, (edit.item, edit.editor, edit.number))
-            _put(connection, EDITS, edit)
-        case PutLayout() | PutBindings() | PutPerformer():
-            _put_document(connection, change)
-        case DropDraft() | DropLayout() | DropPerformer():
-            _drop(connection, change)
-
-
-def _put_document(connection: sqlite3.Connection, change: PutLayout | PutBindings | PutPerformer) -> None:
-    if isinstance(change, PutLayout):
-        _put(connection, LAYOUTS, Layout(change.name, change.document))
-    elif isinstance(change, PutPerformer):
-        _put(connection, PERFORMERS, PerformerDocument(change.name, change.document))
-    else:
-        _put(connection, BINDINGS, BindingDocuments(1, change.document))
-
-
-def _drop(connection: sqlite3.Connection, change: DropDraft | DropLayout | DropPerformer) -> None:
-    if isinstance(change, DropDraft):
-        connection.execute("DELETE FROM draft WHERE item = ? AND editor = ?", (change.item, change.editor))
-    elif isinstance(change, DropPerformer):
-        connection.execute("DELETE FROM performer WHERE name = ?", (change.name,))
-    else:
-        connection.execute("DELETE FROM layout WHERE name = ?", (change.name,))
+            connection.execute(after, (change.item, change.editor, change.number))
+            put_row(connection, change)
+        case _:
+            put_row(connection, change)
 
 
 def _add_revision(connection: sqlite3.Connection, revision: Revision) -> None:
     """Adds it; the very same there already: a change that is made again, and nothing to do."""
-    found = _rows(connection, REVISIONS, "WHERE item = ? AND number = ?", revision.item, revision.number).fetchone()
-    if found is None:
-        _put(connection, REVISIONS, revision)
-    elif _prove_row(REVISIONS, found) != revision:
+    row = _rows(connection, REVISIONS, "WHERE item = ? AND number = ?", revision.item, revision.number).fetchone()
+    if row is None:
+        put_row(connection, revision)
+    elif _prove_row(REVISIONS, row) != revision:
         raise WrongRowError(
             f"revision {revision.number} of item {revision.item} is there and is another; revisions are never changed"
         )
 
 
-def _put(connection: sqlite3.Connection, table: Table, row: msgspec.Struct) -> None:
-    """Adds or replaces a row; ValueError where its columns would not return the same values."""
+def put_row(connection: sqlite3.Connection, row: Row) -> None:
+    """Adds or replaces a row; ValueError where its columns would not return the same values.
+
+    connection: to the show file; row: of any table.
+    """
+    table = TABLE_OF[type(row)]
     checked = msgspec.convert(msgspec.structs.asdict(row), table.type)
     columns = (*table.columns, "sum")
     values = [_column(getattr(checked, name)) for name in table.columns]

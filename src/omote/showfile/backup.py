@@ -38,8 +38,8 @@ def back_up(show: ShowFile, /) -> bool:
     draft = show.path.with_name(show.path.name + ".good-new")
     with _alone(show.path) as alone:
         if alone:
-            for each in (draft, *backup_paths(show.path)):
-                refuse_foreign(each, show.path)
+            for file in (draft, *backup_paths(show.path)):
+                refuse_foreign(file, show.path)
             try:
                 remove(draft)
                 copy_verified(show, draft)
@@ -50,7 +50,10 @@ def back_up(show: ShowFile, /) -> bool:
 
 
 def copy_verified(show: ShowFile, draft: Path, /) -> None:
-    """Copies a show file as it is now and proves the copy; CorruptShowFileError where the file is damaged."""
+    """Copies a show file as it is now and proves the copy; CorruptShowFileError where the file is damaged.
+
+    show: the open file; draft: where the copy is made.
+    """
     try:
         show.copy_into(draft)
         verify_integrity(draft)
@@ -63,11 +66,14 @@ def copy_verified(show: ShowFile, draft: Path, /) -> None:
 
 
 def refuse_foreign(path: Path, show: Path, /) -> None:
-    """ForeignFileError where somebody else's file stands in the place of a copy of ours."""
-    found = identify(path)
-    if found.kind == "foreign":
+    """Rejects, by ForeignFileError, somebody else's file in the place of a copy of ours.
+
+    path: where the copy belongs; show: the file that it is of.
+    """
+    identity = identify(path)
+    if identity.kind == "foreign":
         raise ForeignFileError(
-            f"{path} is {found.noun}, where a good copy of {show.name} belongs; it stays as it is: move it away."
+            f"{path} is {identity.noun}, where a good copy of {show.name} belongs; it stays as it is: move it away."
         )
 
 
@@ -107,14 +113,20 @@ def remove(path: Path, /) -> None:
 
 
 def put_in_place(draft: Path, path: Path, /) -> None:
-    """Renames a file so that, whenever the power goes, one of the two is there whole."""
+    """Renames a file so that, whenever the power goes, one of the two is there whole.
+
+    draft: the file, whole; path: its name from now on.
+    """
     _sync(draft)
     draft.replace(path)
     _sync(path.absolute().parent)
 
 
 def put_in_free_place(draft: Path, path: Path, /) -> None:
-    """Renames a file to where none lies; FileExistsError where one has come, which stays."""
+    """Renames a file to where none lies; FileExistsError where one has come, which stays.
+
+    draft: the file, whole; path: its name from now on.
+    """
     _sync(draft)
     try:
         path.hardlink_to(draft)

@@ -1,4 +1,4 @@
-"""The rows of authored work (items, revisions, drafts, edits) as plain data, and the changes to them."""
+"""The rows of authored work (items with their history, documents) as plain data, and the changes to them."""
 
 from __future__ import annotations
 
@@ -70,101 +70,47 @@ class Edit(msgspec.Struct, frozen=True):
     what: str
 
 
-class PutContent(msgspec.Struct, frozen=True, tag=True):
-    """Stores bytes (`showfile.contents`) under the key of their content; ignored where it is there already."""
+class Content(msgspec.Struct, frozen=True):
+    """Bytes (`showfile.contents`) under the key of their content; one that is there already stays."""
 
     key: str
     data: bytes
 
 
-class PutItem(msgspec.Struct, frozen=True, tag=True):
-    """Adds an item, or replaces the one of this id."""
+class StoredDocument(msgspec.Struct, frozen=True):
+    """A noun that the show file keeps by its kind and its name, such as a layout; body: JSON (`show.objects`)."""
 
-    item: Item
-
-
-class PutRevision(msgspec.Struct, frozen=True, tag=True):
-    """Adds a revision; revisions are never replaced or removed."""
-
-    revision: Revision
-
-
-class PutDraft(msgspec.Struct, frozen=True, tag=True):
-    """Adds a draft, or replaces that of this item and editor."""
-
-    draft: Draft
-
-
-class PutEdit(msgspec.Struct, frozen=True, tag=True):
-    """Adds a step to a draft; the steps from its number on, undone before, go."""
-
-    edit: Edit
-
-
-class DropDraft(msgspec.Struct, frozen=True, tag=True):
-    """Removes a draft with its steps."""
-
-    item: int
-    editor: str
-
-
-class PutLayout(msgspec.Struct, frozen=True, tag=True):
-    """Stores a document (JSON) of a page by name, such as the console's layout."""
-
+    kind: str
     name: str
-    document: bytes
+    body: bytes
 
 
-class DropLayout(msgspec.Struct, frozen=True, tag=True):
-    """Removes a page's document."""
+class DocumentRemoval(msgspec.Struct, frozen=True):
+    """Removes the document of a kind and a name; nothing where there is none."""
 
+    kind: str
     name: str
 
 
-class PutBindings(msgspec.Struct, frozen=True, tag=True):
-    """Stores what controls of devices play, as a document (JSON)."""
+Change = Content | Item | Revision | Draft | Edit | StoredDocument | DocumentRemoval
+"""A row that is put, or a document that is dropped.
 
-    document: bytes
+An item, a draft and a document take the place of those of the same key; a revision is never replaced or removed; an
+edit takes the place of the steps of its draft from its number on, which were undone before.
+"""
 
-
-class PutPerformer(msgspec.Struct, frozen=True, tag=True):
-    """Stores how the landmarks of a performer's face are read, as a document (JSON) by the performer's name."""
-
-    name: str
-    document: bytes
-
-
-class DropPerformer(msgspec.Struct, frozen=True, tag=True):
-    """Removes a performer."""
-
-    name: str
-
-
-Change = (
-    PutContent
-    | PutItem
-    | PutRevision
-    | PutDraft
-    | PutEdit
-    | DropDraft
-    | PutLayout
-    | DropLayout
-    | PutBindings
-    | PutPerformer
-    | DropPerformer
-)
+Documents = dict[str, dict[str, bytes]]
+"""The bodies of documents by kind, and by name."""
 
 
 class Stored(msgspec.Struct, frozen=True):
-    """All authored work of a show file but the contents' bytes."""
+    """All authored work of a show file but the contents' bytes; no kind is there without a document."""
 
     items: tuple[Item, ...] = ()
     revisions: tuple[Revision, ...] = ()
     drafts: tuple[Draft, ...] = ()
     edits: tuple[Edit, ...] = ()
-    layouts: dict[str, bytes] = {}
-    bindings: bytes = b""
-    performers: dict[str, bytes] = {}
+    documents: Documents = {}
 
 
 def content_key(data: bytes, /) -> str:

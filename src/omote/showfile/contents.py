@@ -25,7 +25,8 @@ from omote.model.space.face import Face
 from omote.model.space.gain import Gain, check_gain_region
 from omote.showfile.changes import Kind
 
-MAGIC, VERSION = b"OMOC", 1
+MAGIC = b"OMOC"
+VERSION = 1
 MOST_BYTES = 2**25
 """Of what is unpacked: a dozen times the built-in cast's largest face; a decompression bomb is rejected before it is
 unpacked."""
@@ -33,7 +34,8 @@ MOST_NUMBERS = 2**22
 """In all arrays together: rows at rest take no bytes, so they are counted apart."""
 
 Numbers = NDArray[np.floating[Any]]
-DOUBLE, SINGLE = np.dtype("<f8"), np.dtype("<f4")
+DOUBLE = np.dtype("<f8")
+SINGLE = np.dtype("<f4")
 
 
 class ContentError(ValueError):
@@ -110,22 +112,25 @@ def unpack_expression(data: bytes, /) -> Expression:
 
     That it fits a space is checked where it is used.
     """
-    found = _decompress(data)
-    if not isinstance(found, _Expression):
+    packed = _decompress(data)
+    if not isinstance(packed, _Expression):
         raise ContentError("this content is a face; expected an expression")
-    ears, head = found.ears or _dense(np.zeros((2, 3)), DOUBLE), found.head or _dense(np.zeros(3), DOUBLE)
-    _refuse_too_many(found.dtheta, found.dh, found.ratio, found.residual, found.eyes, ears, head, *found.parts.values())
+    ears = packed.ears or _dense(np.zeros((2, 3)), DOUBLE)
+    head = packed.head or _dense(np.zeros(3), DOUBLE)
+    _refuse_too_many(
+        packed.dtheta, packed.dh, packed.ratio, packed.residual, packed.eyes, ears, head, *packed.parts.values()
+    )
     try:
         return Expression(
-            dtheta=_fill(found.dtheta),
-            dh=_fill(found.dh),
-            ratio=_fill(found.ratio, rest=1.0),
-            residual=_fill(found.residual),
-            parts={name: _fill(part) for name, part in found.parts.items()},
-            eyes=_fill(found.eyes),
-            radius=found.radius,
-            transfer=found.transfer,
-            pupil=found.pupil,
+            dtheta=_fill(packed.dtheta),
+            dh=_fill(packed.dh),
+            ratio=_fill(packed.ratio, rest=1.0),
+            residual=_fill(packed.residual),
+            parts={name: _fill(part) for name, part in packed.parts.items()},
+            eyes=_fill(packed.eyes),
+            radius=packed.radius,
+            transfer=packed.transfer,
+            pupil=packed.pupil,
             ears=_fill(ears),
             head=_fill(head),
         )
@@ -146,23 +151,25 @@ def unpack_face(data: bytes, /, name: str) -> tuple[Face, Look]:
     """Unpacks a face, under a name, and its look; ContentError for invalid bytes.
 
     That it fits a space, and that the cast has its hair, is checked where it is used.
+
+    data: the content; name: of the face.
     """
-    found = _decompress(data)
-    if not isinstance(found, _Face):
+    packed = _decompress(data)
+    if not isinstance(packed, _Face):
         raise ContentError("this content is an expression; expected a face")
-    _refuse_too_many(found.positions, *found.parts.values())
+    _refuse_too_many(packed.positions, *packed.parts.values())
     try:
-        parts = {part: _fill(points, dtype=SINGLE) for part, points in found.parts.items()}
-        gains = tuple(Gain(check_gain_region(row.region), row.value, row.expression) for row in found.gains)
-        return Face(name, _fill(found.positions, dtype=SINGLE), parts, gains), _look(found.look, found.albedo)
+        parts = {part: _fill(points, dtype=SINGLE) for part, points in packed.parts.items()}
+        gains = tuple(Gain(check_gain_region(row.region), row.value, row.expression) for row in packed.gains)
+        return Face(name, _fill(packed.positions, dtype=SINGLE), parts, gains), _look(packed.look, packed.albedo)
     except (ValueError, TypeError) as error:
         raise ContentError(f"this content holds no face: {error}") from error
 
 
 def read_albedo(data: bytes, /) -> bytes | None:
     """The picture on the skin of a face, a PNG, None where it has none; ContentError for invalid bytes."""
-    found = _decompress(data)
-    return found.albedo if isinstance(found, _Face) else None
+    packed = _decompress(data)
+    return packed.albedo if isinstance(packed, _Face) else None
 
 
 @lru_cache(maxsize=4)

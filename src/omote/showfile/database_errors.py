@@ -11,8 +11,8 @@ from omote.interchange.formats.error_reasons import explain_error
 DATABASE_REASONS: Mapping[int, str] = {
     sqlite3.SQLITE_FULL: "the disk is full",
     sqlite3.SQLITE_READONLY: "it is write-protected",
-    sqlite3.SQLITE_BUSY: "another program has it open",
-    sqlite3.SQLITE_LOCKED: "another program has it open",
+    sqlite3.SQLITE_BUSY: "another program has it open, or its disk does not answer",
+    sqlite3.SQLITE_LOCKED: "another program has it open, or its disk does not answer",
     sqlite3.SQLITE_CANTOPEN: "you are not allowed to, or its folder is not there",
     sqlite3.SQLITE_PERM: "you are not allowed to",
     sqlite3.SQLITE_AUTH: "you are not allowed to",

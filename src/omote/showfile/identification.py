@@ -20,14 +20,18 @@ SUFFIX = ".omote"
 MAGIC = b"SQLite format 3\0"
 LOG_MAGICS = (b"\x37\x7f\x06\x82", b"\x37\x7f\x06\x83")
 OURS = struct.pack(">I", APPLICATION_ID)
-ID_PLACE, CELLS_PLACE, HEADER = 68, 103, 100
-LOG_HEADER, FRAME_HEADER = 32, 24
+ID_PLACE = 68
+CELLS_PLACE = 103
+HEADER = 100
+LOG_HEADER = 32
+FRAME_HEADER = 24
 MOST_READ = 4 * 2**20
 """Bytes in which pages of a database are looked for: a show file has some in each of its first few."""
 PAGE_SIZES = (4096, 512, 1024, 2048)
-LEAVES, BRANCHES = (10, 13), (2, 5)
+LEAVES = (10, 13)
+BRANCHES = (2, 5)
 
-Kind = Literal["missing", "empty", "show", "remains", "foreign"]
+FileKind = Literal["missing", "empty", "show", "remains", "foreign"]
 
 
 class ForeignFileError(ShowFileError):
@@ -43,7 +47,7 @@ class Identity:
     backup can tell. "foreign": anything else; noun: what, for people.
     """
 
-    kind: Kind
+    kind: FileKind
     noun: str = ""
 
 
@@ -64,17 +68,17 @@ def identify(path: Path, /) -> Identity:
 
 def reject_foreign(path: Path, /) -> Identity:
     """What the file at a path is; ForeignFileError, with what it is instead, where it was never a show."""
-    found = identify(path)
-    if found.kind == "foreign":
+    identity = identify(path)
+    if identity.kind == "foreign":
         example = path / "show.omote" if path.is_dir() else "show.omote"
         raise ForeignFileError(
-            f"{path} is {found.noun}, not a show; it stays as it is. Name a show file, such as {example}."
+            f"{path} is {identity.noun}, not a show; it stays as it is. Name a show file, such as {example}."
         )
-    return found
+    return identity
 
 
 def require_show(path: Path, /) -> None:
-    """ForeignFileError where no show can be at a path: an empty file becomes one only where its name says so."""
+    """Rejects, by ForeignFileError, where no show can be: an empty file becomes one only where its name says so."""
     if reject_foreign(path).kind == "empty" and path.suffix.lower() != SUFFIX:
         raise ForeignFileError(
             f"{path} is an empty file whose name does not end in {SUFFIX}; it stays as it is. Delete it if it is to "
@@ -85,8 +89,8 @@ def require_show(path: Path, /) -> None:
 def is_own_log(path: Path, /) -> bool:
     """Whether the log beside a show file that is not there was written by Omote, as far as can be told."""
     log = path.with_name(path.name + "-wal")
-    found = _log_application(log)
-    return found == OURS or (found is None and path.suffix.lower() == SUFFIX and _begins(log, LOG_MAGICS))
+    application = _log_application(log)
+    return application == OURS or (application is None and path.suffix.lower() == SUFFIX and _begins(log, LOG_MAGICS))
 
 
 def locate_show(path: Path, /) -> Path:
@@ -98,7 +102,7 @@ def locate_show(path: Path, /) -> Path:
 
 
 def require_folder(path: Path, /) -> None:
-    """ShowFileError where the folder of a show file is not there: a mistyped path shall make none."""
+    """Rejects, by ShowFileError, a show file whose folder is not there: a mistyped path shall make none."""
     if not path.parent.is_dir():
         if path.parent.exists():
             raise ShowFileError(f"{path} cannot be made: {path.parent} is no folder; name another file.")
@@ -145,13 +149,14 @@ def _log_application(log: Path) -> bytes | None:
     if not _begins(log, LOG_MAGICS):
         return b"" if log.stat().st_size else None
     with log.open("rb") as file:
-        data, found = file.read(16 * MOST_READ), None
+        data = file.read(16 * MOST_READ)
+        application = None
     (page,) = struct.unpack_from(">I", data.ljust(LOG_HEADER, b"\0"), 8)
     for at in range(LOG_HEADER, len(data) - FRAME_HEADER - HEADER, FRAME_HEADER + max(page, 512)):
         if struct.unpack_from(">I", data, at)[0] == 1:
             start = at + FRAME_HEADER + ID_PLACE
-            found = data[start : start + len(OURS)]
-    return found
+            application = data[start : start + len(OURS)]
+    return application
 
 
 def _begins(path: Path, magics: tuple[bytes, ...]) -> bool:
@@ -180,7 +185,7 @@ def _is_text(data: bytes) -> bool:
         text = codecs.getincrementaldecoder("utf-8")().decode(data)  # what was read may end inside a character
     except UnicodeDecodeError:
         return False
-    return not any(each < " " and each not in "\t\n\r\f" for each in text)
+    return not any(letter < " " and letter not in "\t\n\r\f" for letter in text)
 
 
 def _special_noun(mode: int) -> str:

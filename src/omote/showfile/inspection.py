@@ -19,10 +19,7 @@ from omote.showfile.database_errors import technical_texts
 from omote.showfile.identification import identify, locate_show
 from omote.showfile.integrity import open_read_only, verify_integrity
 from omote.showfile.recovery import explain_missing, is_lost
-from omote.showfile.schema import SCHEMA_VERSION, CorruptShowFileError, ShowFileError
-
-AUTHORED_SINCE = 2
-"""The first schema with authored work."""
+from omote.showfile.schema import AUTHORED_SINCE, SCHEMA_VERSION, CorruptShowFileError, ShowFileError
 
 
 @dataclass(frozen=True)
@@ -58,7 +55,10 @@ def _read_whole(path: Path) -> Inspection:
 
 
 def item_named(stored: Stored, name: str, kind: Kind | None = None, /) -> Item:
-    """The item that a person means by a name or a label; ShowFileError names those there are, or asks which kind."""
+    """The item that a person means by a name or a label; ShowFileError names those there are, or asks which kind.
+
+    stored: the authored work; name: what the person typed; kind: None for either.
+    """
     items = [item for item in stored.items if kind in (None, item.kind)]
     names = list(dict.fromkeys(item.name for item in items))
     try:
@@ -69,14 +69,17 @@ def item_named(stored: Stored, name: str, kind: Kind | None = None, /) -> Item:
         raise ShowFileError(
             f"{error}." if several else f"there is no own face or expression {name!r}; {there}."
         ) from None
-    found = [item for item in items if item.name == meant]
-    if len(found) > 1:
+    matches = [item for item in items if item.name == meant]
+    if len(matches) > 1:
         raise ShowFileError(f"there is a face and an expression {meant!r}; say which with --kind.")
-    return found[0]
+    return matches[0]
 
 
 def revisions_of(stored: Stored, item: Item, /) -> list[Revision]:
-    """An item's revisions, oldest first."""
+    """An item's revisions, oldest first.
+
+    stored: the authored work; item: whose.
+    """
     return [revision for revision in stored.revisions if revision.item == item.id]
 
 
@@ -95,64 +98,65 @@ def what_opens(path: Path, /) -> str:
 def verdicts(path: Path, /) -> Iterator[tuple[bool, str]]:
     """Yields the result of each integrity check with a message; the first failure may be the last."""
     try:
-        found = _read_whole(path)
+        inspection = _read_whole(path)
     except ShowFileError as error:
         yield False, str(error)
         for text in technical_texts(error):
             yield False, f"for whoever repairs it: {text}"
         yield from _copies(path, whole=False)
         return
-    newest = "" if found.version == SCHEMA_VERSION else f", which omote show brings to {SCHEMA_VERSION}"
-    yield True, f"{path.name} is whole: schema {found.version}{newest}"
-    yield True, "it holds no state of a show yet" if not found.epoch else f"it holds the state of epoch {found.epoch}"
-    size = sum(map(len, found.contents.values())) / 1e6
-    yield True, f"{len(found.contents)} contents, {size:.1f} MB, and each is what its key says"
-    yield from _check_authored(found)
+    newest = "" if inspection.version == SCHEMA_VERSION else f", which omote show brings to {SCHEMA_VERSION}"
+    yield True, f"{path.name} is whole: schema {inspection.version}{newest}"
+    state = f"the state of epoch {inspection.epoch}" if inspection.epoch else "no state of a show yet"
+    yield True, f"it holds {state}"
+    size = sum(map(len, inspection.contents.values())) / 1e6
+    yield True, f"{len(inspection.contents)} contents, {size:.1f} MB, and each is what its key says"
+    yield from _check_authored(inspection)
     yield from _copies(path, whole=True)
 
 
-def _check_authored(found: Inspection) -> Iterator[tuple[bool, str]]:
-    stored = found.stored
-    wrong = [*_wrong_revisions(found), *_wrong_steps(found)]
+def _check_authored(inspection: Inspection) -> Iterator[tuple[bool, str]]:
+    stored = inspection.stored
+    wrong = [*_wrong_revisions(inspection), *_wrong_steps(inspection)]
     counts = (
         f"{sum(item.kind == kind and not item.deleted for item in stored.items)} own {kind}s"
         for kind in ("face", "expression")
     )
     yield True, f"{', '.join(counts)}, {len(stored.revisions)} revisions"
-    layouts, performers = len(stored.layouts), len(stored.performers)
-    drafts = f"{len(stored.drafts)} drafts with {len(stored.edits)} steps"
-    yield True, f"{drafts}, {layouts} layouts, {performers} performers"
+    documents = (f"{len(named)} of kind {kind}" for kind, named in sorted(stored.documents.items()))
+    yield True, f"{len(stored.drafts)} drafts with {len(stored.edits)} steps"
+    yield True, f"documents: {', '.join(documents) or 'none'}"
     for sentence in wrong:
         yield False, sentence
 
 
-def _wrong_revisions(found: Inspection) -> Iterator[str]:
+def _wrong_revisions(inspection: Inspection) -> Iterator[str]:
     from omote.showfile.contents import ContentError, content_kind  # with the model: most commands need neither
 
-    items = {item.id: item for item in found.stored.items}
-    for revision in found.stored.revisions:
+    items = {item.id: item for item in inspection.stored.items}
+    for revision in inspection.stored.revisions:
         item = items[revision.item]
         what = f"revision {revision.number} of {item.name}"
         try:
-            kind = content_kind(found.contents[revision.content])
+            kind = content_kind(inspection.contents[revision.content])
         except ContentError as error:
             yield f"{what}: {error}"
         else:
             if kind != item.kind:
                 yield f"{what} makes no {item.kind}, but a different kind: {kind}"
-        yield from _wrong_recipe(revision.recipe, what, found.contents)
+        yield from _wrong_recipe(revision.recipe, what, inspection.contents)
 
 
-def _wrong_steps(found: Inspection) -> Iterator[str]:
-    names = {item.id: item.name for item in found.stored.items}
-    for draft in found.stored.drafts:
+def _wrong_steps(inspection: Inspection) -> Iterator[str]:
+    names = {item.id: item.name for item in inspection.stored.items}
+    for draft in inspection.stored.drafts:
         what = f"the draft of {names[draft.item]} by {draft.editor}"
-        numbers = [edit.number for edit in found.stored.edits if _is_step(edit.item, edit.editor, draft)]
+        numbers = [edit.number for edit in inspection.stored.edits if _is_step(edit.item, edit.editor, draft)]
         if numbers != [*range(len(numbers))] or not draft.cursor < len(numbers):
             yield f"{what} shows step {draft.cursor}; it has {numbers}"
-    for edit in found.stored.edits:
+    for edit in inspection.stored.edits:
         what = f"step {edit.number} of the draft of {names[edit.item]} by {edit.editor}"
-        yield from _wrong_recipe(edit.recipe, what, found.contents)
+        yield from _wrong_recipe(edit.recipe, what, inspection.contents)
 
 
 def _is_step(item: int, editor: str, draft: Draft) -> bool:

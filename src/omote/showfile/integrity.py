@@ -9,7 +9,7 @@ from pathlib import Path
 from omote.showfile.authored_rows import read_all, read_contents, row_checksum
 from omote.showfile.database_errors import DATABASE_REASONS, DamageError, explain_database_error
 from omote.showfile.identification import reject_foreign
-from omote.showfile.schema import SCHEMA_VERSION, CorruptShowFileError, ShowFileError, version_of
+from omote.showfile.schema import AUTHORED_SINCE, CorruptShowFileError, ShowFileError, version_of
 
 SHORTEST = 512
 """Bytes of the smallest database; SQLite takes what is shorter for a new one and writes over it."""
@@ -60,9 +60,9 @@ def _verified_version(connection: sqlite3.Connection, path: Path) -> int:
     if version:
         (verdict,) = connection.execute("PRAGMA integrity_check(1)").fetchone()
         if verdict != "ok":
-            found = sqlite3.DatabaseError(verdict.splitlines()[-1])  # SQLite's heading stands on a line above it
-            raise DamageError(DATABASE_REASONS[sqlite3.SQLITE_CORRUPT]) from found
-    if version == SCHEMA_VERSION:
+            cause = sqlite3.DatabaseError(verdict.splitlines()[-1])  # SQLite's heading stands on a line above it
+            raise DamageError(DATABASE_REASONS[sqlite3.SQLITE_CORRUPT]) from cause
+    if version >= AUTHORED_SINCE:
         _verify_rows(connection)
     return version
 

@@ -58,7 +58,7 @@ def explain_missing(path: Path, /) -> str:
 
 
 def reject_unproven(path: Path, /) -> None:
-    """ShowFileError where no show is, was or may be begun at a path; only reads, and makes nothing beside it."""
+    """Rejects, by ShowFileError, where no show is, was or may be begun; only reads, and makes nothing beside it."""
     if reject_foreign(path).kind != "missing" and not is_lost(path):
         require_show(path)
     if not any(backup.exists() for backup in backup_paths(path)):
@@ -79,8 +79,8 @@ def recover_show(path: Path, /) -> Recovery:
         backup, broken = _copy_newest(path, draft)
         if backup is None:
             _require_proof(path)
-        for each in broken:
-            move_aside(each)  # later backups would take its place
+        for file in broken:
+            move_aside(file)  # later backups would take its place
         kept = move_aside(path)
         if backup is None:
             return Recovery(kept, None)
@@ -98,6 +98,7 @@ def _copy_newest(path: Path, draft: Path) -> tuple[Path | None, list[Path]]:
             continue
         remove(draft)
         shutil.copyfile(backup, draft)
+        shutil.copymode(backup, draft)  # who may read it
         try:
             if verify_integrity(draft):
                 return backup, broken

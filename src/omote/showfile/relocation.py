@@ -53,7 +53,7 @@ def relocate_show(show: ShowFile, /) -> Path:
 def find_free_path(path: Path, /) -> Path:
     """The first of `NAME-2.omote`, `NAME-3.omote` ... where no show is or was."""
     names = (path.with_name(f"{path.stem}-{number}{path.suffix}") for number in itertools.count(2))
-    return next(name for name in names if not any(each.exists() for each in (name, *_beside(name))))
+    return next(name for name in names if not any(file.exists() for file in (name, *_beside(name))))
 
 
 def _beside(path: Path) -> tuple[Path, ...]:

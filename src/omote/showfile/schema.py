@@ -5,6 +5,7 @@ from __future__ import annotations
 import sqlite3
 from pathlib import Path
 
+from omote.showfile.authored_rows import EARLIER_TABLES, put_row, read_earlier_documents
 from omote.showfile.database_errors import DamageError
 
 APPLICATION_ID = 0x4F4D4F54  # "OMOT"
@@ -116,9 +117,21 @@ CREATE TABLE performer (
 # The same tables: from here on contents of faces may carry a picture of the skin, which an older Omote could
 # not read.
 _ALBEDOS = ""
-MIGRATIONS = (_JOURNAL, _AUTHORED, _GAINS, _IDENTITY, _BINDINGS, _PERFORMERS, _ALBEDOS)
+# Stored nouns of every kind, as JSON: a new kind needs no table. What three tables held before moves into it.
+_DOCUMENTS = """
+CREATE TABLE document (
+    kind TEXT NOT NULL,
+    name TEXT NOT NULL,
+    body BLOB NOT NULL,
+    sum TEXT NOT NULL,
+    PRIMARY KEY (kind, name)
+) STRICT;
+"""
+MIGRATIONS = (_JOURNAL, _AUTHORED, _GAINS, _IDENTITY, _BINDINGS, _PERFORMERS, _ALBEDOS, _DOCUMENTS)
 """Statements that migrate version n to n + 1; never changed once released."""
 SCHEMA_VERSION = len(MIGRATIONS)
+AUTHORED_SINCE = 2
+"""The first schema with authored work."""
 
 
 class ShowFileError(RuntimeError):
@@ -130,7 +143,10 @@ class CorruptShowFileError(ShowFileError):
 
 
 def version_of(connection: sqlite3.Connection, path: Path) -> int:
-    """The version of a file's schema, 0 for a blank file; ShowFileError for what this Omote must not touch."""
+    """The version of a file's schema, 0 for a blank file; ShowFileError for what this Omote must not touch.
+
+    connection: to the file; path: where it lies, for the message.
+    """
     (tables,) = connection.execute("SELECT count(*) FROM sqlite_schema").fetchone()
     (application,) = connection.execute("PRAGMA application_id").fetchone()
     (version,) = connection.execute("PRAGMA user_version").fetchone()
@@ -149,16 +165,26 @@ def version_of(connection: sqlite3.Connection, path: Path) -> int:
 
 
 def migrate(connection: sqlite3.Connection, version: int) -> None:
-    """Migrates the tables from a version to the newest in one transaction."""
+    """Brings a file up to the newest schema, tables and documents, in one transaction.
+
+    connection: the open file; version: of its schema, 0 for a blank file. DamageError where its tables are not those of
+    the version, or a document of before is not what was written; sqlite3.OperationalError where it cannot be written.
+    """
     if version == SCHEMA_VERSION:
         return
     steps = "".join(MIGRATIONS[version:])
     try:
         connection.executescript(
-            f"BEGIN IMMEDIATE; PRAGMA application_id = {APPLICATION_ID}; PRAGMA user_version = {SCHEMA_VERSION};"
-            f"{steps} COMMIT;"
+            f"BEGIN IMMEDIATE; PRAGMA application_id = {APPLICATION_ID}; PRAGMA user_version = {SCHEMA_VERSION};{steps}"
         )
-    except sqlite3.OperationalError as error:
+        for document in list(read_earlier_documents(connection)):
+            put_row(connection, document)
+        for table in EARLIER_TABLES:
+            connection.execute(f"DROP TABLE {table}")
+        connection.commit()
+        if version == 0:
+            connection.execute("VACUUM")  # leaves no pages behind of tables that a new file never had
+    except sqlite3.DatabaseError as error:
         connection.rollback()
         if "no such" in str(error) or "already exists" in str(error):  # its tables are not those of its version
             raise DamageError("its tables are not those of its version") from error

@@ -9,6 +9,7 @@ from __future__ import annotations
 import contextlib
 import hashlib
 import os
+import shutil
 import sqlite3
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
@@ -53,8 +54,9 @@ class FilePlace:
         return self.path.with_name(self.path.name + "-wal")
 
     def remember(self) -> None:
-        """What lies there now is what is open."""
-        self.file, self.log = identify_file(self.path), identify_file(self.log_path)
+        """Remembers what lies there now as what is open."""
+        self.file = identify_file(self.path)
+        self.log = identify_file(self.log_path)
 
     def is_kept(self) -> bool:
         """Whether what is open lies there still; OSError where the disk does not say."""
@@ -65,10 +67,10 @@ class FilePlace:
 def identify_file(path: Path, /) -> FileId | None:
     """Which file of the disk lies at a path, None where there is none; OSError where the disk does not say."""
     try:
-        found = path.stat()
+        status = path.stat()
     except (FileNotFoundError, NotADirectoryError):
         return None
-    return found.st_dev, found.st_ino
+    return status.st_dev, status.st_ino
 
 
 @dataclass(frozen=True)
@@ -159,7 +161,10 @@ class ShowFile:
             )
 
     def set_aside(self, entry: JournalEntry, reason: str) -> None:
-        """Keeps a snapshot that no server could start from, and leaves the journal without one."""
+        """Keeps a snapshot that no server could start from, and leaves the journal without one.
+
+        entry: the last state; reason: why, for people.
+        """
         with self._connection:
             if entry.snapshot is not None:
                 values = (entry.epoch, reason, entry.snapshot)
@@ -182,17 +187,19 @@ class ShowFile:
 
         sqlite3.Error where that cannot be opened: all go on with the old one.
         """
-        place, made = self.place, list[sqlite3.Connection]()
+        place = self.place
+        connections = list[sqlite3.Connection]()
         try:
             for _ in place.opened:
-                made.append(_configured(_connect(path)))
+                connections.append(_configured(_connect(path)))
         except sqlite3.Error:
-            for each in made:
-                each.close()
+            for connection in connections:
+                connection.close()
             raise
-        place.path, place.moves = path, place.moves + 1
+        place.path = path
+        place.moves = place.moves + 1
         place.remember()
-        for file, connection in zip(place.opened, made, strict=True):
+        for file, connection in zip(place.opened, connections, strict=True):
             file._connection.close()
             file._connection = connection
             file._flushed = None
@@ -219,6 +226,7 @@ class ShowFile:
 
     def copy_into(self, path: Path) -> None:
         """Copies the file as it is now, log and all, into a new file without a log; others may write meanwhile."""
+        make_private(path)
         copy = sqlite3.connect(path)
         try:
             copy.execute("PRAGMA synchronous = OFF")  # whoever puts it in place syncs it whole
@@ -226,6 +234,8 @@ class ShowFile:
             copy.execute("PRAGMA journal_mode = DELETE").fetchone()
         finally:
             copy.close()
+        with contextlib.suppress(FileNotFoundError):  # it was moved away; the copy stays private
+            shutil.copymode(self.place.path, path)
 
     def close(self) -> None:
         """Closes the file; its write-ahead log is merged."""
@@ -240,6 +250,8 @@ def open_show(path: Path) -> ShowFile:
     try:
         path.parent.mkdir(parents=True, exist_ok=True)
         version = verify_integrity(path)
+        if not path.exists():
+            make_private(path)
         connection = _connect(path)
     except (OSError, sqlite3.Error) as error:
         raise ShowFileError(f"{path} cannot be opened ({explain_database_error(error)}); name another file.") from error
@@ -264,6 +276,12 @@ def default_path(environment: Mapping[str, str] = os.environ) -> Path:
     state = environment.get("XDG_STATE_HOME") or environment.get("LOCALAPPDATA")
     folder = Path(state) if state else Path.home() / ".local" / "state"
     return folder / "omote" / "show.omote"
+
+
+def make_private(path: Path) -> None:
+    """Makes an empty file that its owner alone may read: faces are those of people. Nothing where there is one. OSError
+    where it cannot be made."""
+    os.close(os.open(path, os.O_CREAT | os.O_WRONLY, 0o600))
 
 
 def _connect(path: Path) -> sqlite3.Connection:

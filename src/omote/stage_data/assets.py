@@ -10,10 +10,12 @@ import msgspec
 import numpy as np
 from numpy.typing import NDArray
 
+from omote.arrays import Floats, Values
 from omote.builtin import BakedMesh
 from omote.interchange.formats.png import png_bytes
+from omote.model import cast as model
 from omote.model.action_units import ACTION_UNITS, action_units, read_action_unit
-from omote.model.cast import Cast, Look
+from omote.model.cast import Cast
 from omote.model.hair import LINKS, HairStyle, place_strands
 from omote.model.recipes.recipe import KEY
 from omote.model.space.ears import rotate_ears
@@ -23,9 +25,7 @@ from omote.model.space.face_fit import fit
 from omote.model.space.gain import gain_of
 from omote.model.transfer.compound import apply_expression, compile_answer, move_parts
 from omote.perform.lights import LIGHTS
-from omote.show import messages as wire
-from omote.show.messages import (
-    PROTOCOL_VERSION,
+from omote.show.cast_documents import (
     CompoundAsset,
     ContentAsset,
     ExpressionDocument,
@@ -37,12 +37,14 @@ from omote.show.messages import (
     Kind,
     LightDocument,
     LineDocument,
+    Look,
     Manifest,
     MeshDocument,
 )
+from omote.show.messages import PROTOCOL_VERSION
 from omote.show.wire import le_bytes
 from omote.showfile.contents import read_albedo
-from omote.stage_data.correctives_document import allowance_document, ball_radii, settling_document
+from omote.stage_data.correctives_document import allowance_document, ball_radii, correctives_document
 from omote.stage_data.region_document import region_document
 
 FINEST_STEP = 1e-6
@@ -52,7 +54,6 @@ HAIR_STEP = 1e-5
 """Metres per count of hair: it reaches a third of a metre from the middle of the eyes."""
 SKIN = "skin"
 
-Points = NDArray[np.float32]
 Vector = tuple[float, float, float]
 
 
@@ -66,7 +67,10 @@ class Documents:
 
 
 def documents(cast: Cast, meshes: Sequence[BakedMesh], *, mask: str) -> Documents:
-    """Builds the manifest and assets of a cast; mask: the mask picture's address. ValueError for an unknown mesh."""
+    """Builds the manifest and assets of a cast; mask: the mask picture's address. ValueError for an unknown mesh.
+
+    meshes: what draws the head, the skin first.
+    """
     rests = {name: rest_positions(cast, face) for name, face in cast.faces.items()}
     urls = {name: f"/assets/{content_name(rest.tobytes())}" for name, rest in rests.items()}
     hair = {name: hair_asset(style) for name, style in cast.hair.items()}
@@ -83,9 +87,9 @@ def documents(cast: Cast, meshes: Sequence[BakedMesh], *, mask: str) -> Document
         mask=mask,
         faces=[_built_in_face(cast, name, url) for name, url in urls.items()],
         expressions=_built_in_expressions(cast),
-        lights=[LightDocument(name, label) for name, label in LIGHTS.items()],
+        lights=[LightDocument(name, light.label) for name, light in LIGHTS.items()],
         hair=[HairDocument(name, url) for name, url in combed.items()],
-        settling=settling_document(cast, starts),
+        correctives=correctives_document(cast, starts),
         regions=region_document(cast.space),
     )
     faces = {urls[name]: FaceAsset(le_bytes(rest, "<f4")) for name, rest in rests.items()}
@@ -99,22 +103,30 @@ def content_name(data: bytes) -> str:
 
 def first_rows(cast: Cast) -> dict[str, int]:
     """The first row of the skin and of each part of all positions: skin, then parts in the space's order."""
-    rows, row = {SKIN: 0}, cast.space.vertex_count
+    rows = {SKIN: 0}
+    row = cast.space.vertex_count
     for name, part in cast.space.parts.items():
         rows[name] = row
         row += len(part.points)
     return rows
 
 
-def rest_positions(cast: Cast, face: Face) -> Points:
-    """The positions of a face without expression, (vertices, 3) metres: skin, then the parts."""
+def rest_positions(cast: Cast, face: Face) -> Floats:
+    """The positions of a face without expression, (vertices, 3) metres: skin, then the parts.
+
+    cast: whose space the face is on.
+    """
     fitted = fit(cast.space, face)
     return np.concatenate([fitted.positions, *(fitted.parts[name] for name in cast.space.parts)])
 
 
-def compound_positions(cast: Cast, face: Face, expression: Expression) -> Points:
-    """The positions of a face wearing an expression, (vertices, 3) metres; eyeballs before their turn."""
-    fitted, compiled = fit(cast.space, face), compile_answer(cast.space, face, expression)
+def compound_positions(cast: Cast, face: Face, expression: Expression) -> Floats:
+    """The positions of a face wearing an expression, (vertices, 3) metres; eyeballs before their turn.
+
+    cast: whose space both are on.
+    """
+    fitted = fit(cast.space, face)
+    compiled = compile_answer(cast.space, face, expression)
     skin = apply_expression(cast.space, face, compiled)
     parts = move_parts(cast.space, fitted, skin, compiled.parts)
     return np.concatenate([skin, *(parts[name] for name in cast.space.parts)])
@@ -132,8 +144,11 @@ def compound_asset(cast: Cast, face: Face, expression: str | Expression) -> Comp
     return msgspec.structs.replace(moves, allowed=allowance_document(cast.space, face, own, skin))
 
 
-def content_asset(cast: Cast, key: str, face: Face, look: Look) -> ContentAsset:
-    """The asset of an authored face; ValueError where it does not fit the cast's space, or its hair is unknown."""
+def content_asset(cast: Cast, key: str, face: Face, look: model.Look) -> ContentAsset:
+    """The asset of an authored face; ValueError where it does not fit the cast's space, or its hair is unknown.
+
+    cast: that it is to play with; key: of its content; look: its colours and traits.
+    """
     if look.hair_style not in ("", *cast.hair):
         raise ValueError(
             f"the face has hair {look.hair_style!r}, which this cast has not: give it {', '.join(cast.hair)}"
@@ -144,15 +159,18 @@ def content_asset(cast: Cast, key: str, face: Face, look: Look) -> ContentAsset:
 
 def find_albedo(cast: Cast, source: str, contents: Mapping[str, bytes]) -> bytes:
     """The picture on a face's skin, a PNG, by the face's source; contents: of authored faces. KeyError where the face
-    has none, ContentError where its content is damaged."""
+    has none, ContentError where its content is damaged.
+
+    cast: with the built-in looks.
+    """
     if source.startswith(KEY):
-        found = read_albedo(contents[source.removeprefix(KEY)])
+        picture = read_albedo(contents[source.removeprefix(KEY)])
     else:
         albedo = cast.looks[source].albedo
-        found = None if albedo is None else png_bytes(albedo.pixels)
-    if found is None:
+        picture = None if albedo is None else png_bytes(albedo.pixels)
+    if picture is None:
         raise KeyError(f"picture on the face {source[:40]}")
-    return found
+    return picture
 
 
 def hair_asset(style: HairStyle) -> HairAsset:
@@ -171,7 +189,7 @@ def hair_asset(style: HairStyle) -> HairAsset:
     )
 
 
-def quantise(moves: NDArray[np.float64]) -> CompoundAsset:
+def quantise(moves: Values) -> CompoundAsset:
     """Quantises displacements (n, 3), metres, to integers of one scale, without the vertices that do not move."""
     scale = float(max(np.abs(moves).max(initial=0.0) / MOST_COUNTS, FINEST_STEP))
     counts = np.rint(moves / scale).astype(np.int16)
@@ -192,10 +210,14 @@ def _mesh_document(mesh: BakedMesh, starts: dict[str, int]) -> MeshDocument:
     )
 
 
-def face_document(cast: Cast, face: Face, look: Look, *, label: str, url: str, source: str) -> FaceDocument:
-    """The manifest's entry of a face; url: where its positions are."""
+def face_document(cast: Cast, face: Face, look: model.Look, *, label: str, url: str, source: str) -> FaceDocument:
+    """The manifest's entry of a face; url: where its positions are.
+
+    cast: whose space and hair it has; look: its colours and traits; label: what people read; source: a built-in name,
+    or `#` and the key of its content.
+    """
     fitted = fit(cast.space, face)
-    eyes = {part.eye: name for name, part in cast.space.parts.items() if part.eye}
+    eyes = {part.eye: name for name, part in cast.space.eyes.items()}
     centres = {eye: fitted.centres[name] for eye, name in eyes.items()}
     spans = [np.linalg.norm(fitted.parts[name] - centres[eye], axis=1).max() for eye, name in eyes.items()]
     return FaceDocument(
@@ -206,7 +228,7 @@ def face_document(cast: Cast, face: Face, look: Look, *, label: str, url: str, s
         eye_radius=float(np.mean(spans)) if spans else 0.0,
         ball_radii=ball_radii(cast.space, face),
         extremes=[_vector(point) for point in extremes(outline(cast, face, look.hair_style))],
-        look=wire.Look(**{name: value for name, value in vars(look).items() if name != "albedo"}),
+        look=Look(**{name: value for name, value in vars(look).items() if name != "albedo"}),
         albedo="" if look.albedo is None else look.albedo.digest,
         source=source,
         gains=[FaceGain(gain.region, gain.value, gain.expression) for gain in face.gains],
@@ -226,31 +248,39 @@ def face_label(name: str) -> str:
     return name.replace("_", " ").capitalize()
 
 
-def outline(cast: Cast, face: Face, hair_style: str) -> Points:
+def outline(cast: Cast, face: Face, hair_style: str) -> Floats:
     """The points (n, 3), metres, that a camera must frame: a face's skin, its hair, and its ears as performed
-    expressions turn them, so that the picture holds them all and does not move with each."""
-    found, style = [face.positions, *_turned_ears(cast, face)], cast.hair.get(hair_style)
+    expressions turn them, so that the picture holds them all and does not move with each.
+
+    cast: with the styles and the performed expressions; hair_style: by name, "" for none.
+    """
+    framed = [face.positions, *_turned_ears(cast, face)]
+    style = cast.hair.get(hair_style)
     if style is not None:
         strands = place_strands(style, cast.space.points, face.positions.astype(np.float64)).reshape(-1, 3)
-        found.append(strands.astype(np.float32))
-    return np.concatenate(found)
+        framed.append(strands.astype(np.float32))
+    return np.concatenate(framed)
 
 
-def _turned_ears(cast: Cast, face: Face) -> list[Points]:
+def _turned_ears(cast: Cast, face: Face) -> list[Floats]:
     """The skin of a face whose ears answer expressions, once for each performed one that turns them."""
     performed = [name for name, title in cast.titles.items() if title.kind == "performed"]
     turns = [gain_of(face.gains, "ears", name) * cast.expressions[name].ears for name in performed]
     return [rotate_ears(cast.space, face.positions, face.positions, turn) for turn in turns if turn.any()]
 
 
-def extremes(positions: Points) -> Points:
+def extremes(positions: Floats) -> Floats:
     """The farthest of positions (V, 3), (6, 3): least and greatest x, then y, then z."""
     ends = [end for axis in range(3) for end in (positions[:, axis].argmin(), positions[:, axis].argmax())]
     return positions[ends]
 
 
 def expression_document(name: str, expression: Expression, title: Title, source: str) -> ExpressionDocument:
-    """The manifest's entry of an expression."""
+    """The manifest's entry of an expression.
+
+    name: of the expression; title: its label, kind and region; source: a built-in name, or `#` and the key of its
+    content.
+    """
     eyes = expression.eyes.ravel().tolist()
     return ExpressionDocument(
         name=name,

@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import NDArray
 
+from omote.arrays import Floats, Indices
 from omote.geometry.orientation import FULL, LEAST_SLOPE, OVER_RELAXATION
 from omote.model.cast import Cast
 from omote.model.space.expression import Expression
@@ -26,30 +26,31 @@ from omote.perform.blending.correctives import (
     Eyeballs,
     measure_allowance,
 )
-from omote.show.messages import AllowanceDocument, CrossingDocument, SettlingDocument
+from omote.show.cast_documents import AllowanceDocument, CorrectivesDocument, CrossingDocument
 from omote.show.wire import le_bytes
 
-Floats = NDArray[np.float32]
-Ints = NDArray[np.int32]
 
+def correctives_document(cast: Cast, starts: dict[str, int]) -> CorrectivesDocument | None:
+    """What the stages correct of a cast's faces, in rows of all positions; starts: the first row of each part, by name.
 
-def settling_document(cast: Cast, starts: dict[str, int]) -> SettlingDocument | None:
-    """The corrective regions of a cast's space, its rows those of all positions; starts: the first row of each part."""
+    None where the cast's space has no corrective regions.
+    """
     regions = find_corrective_regions(cast.space)
     if regions is None:
         return None
     followers, anchors, weights = _followers(cast, regions, starts)
     patches = regions.patches
-    return SettlingDocument(
-        rounds=list(ROUNDS), upright=LEAST_AREA, floor=FLOOR, eager=OVER_RELAXATION, flattest=LEAST_SLOPE, full=FULL,
+    return CorrectivesDocument(
+        rounds=list(ROUNDS), least_area=LEAST_AREA, floor=FLOOR, over_relaxation=OVER_RELAXATION,
+        least_slope=LEAST_SLOPE, full=FULL,
         momentum=MOMENTUM, margin=MARGIN, farthest=FARTHEST, bulge=BULGE, cornea=CORNEA,
         deep=DEEP, kept=KEPT,
         rows=le_bytes(regions.rows, "<u4"),
         triangles=le_bytes(regions.triangles, "<u4"),
         crossings=[_crossing(crossing) for crossing in regions.crossings],
         lids=le_bytes(regions.lids, "<u4"), eye=le_bytes(regions.eye, "<u4"),
-        heard=le_bytes(patches.triangles, "<u4"), ends=le_bytes(patches.ends, "<u4"),
-        members=le_bytes(patches.members, "<u4"), shares=le_bytes(patches.shares, "<f4"),
+        patch_triangles=le_bytes(patches.triangles, "<u4"), patch_ends=le_bytes(patches.ends, "<u4"),
+        row_patches=le_bytes(patches.members, "<u4"), row_shares=le_bytes(patches.shares, "<f4"),
         followers=le_bytes(followers, "<u4"), anchors=le_bytes(anchors, "<u4"), weights=le_bytes(weights, "<f4"),
     )  # fmt: skip
 
@@ -62,11 +63,13 @@ def _crossing(crossing: Crossing) -> CrossingDocument:
     )  # fmt: skip
 
 
-def _followers(cast: Cast, regions: CorrectiveRegions, starts: dict[str, int]) -> tuple[Ints, Ints, Floats]:
+def _followers(cast: Cast, regions: CorrectiveRegions, starts: dict[str, int]) -> tuple[Indices, Indices, Floats]:
     """Rows, anchors and weights of inner skin and of the attached parts, the anchors in places of the regions."""
     place = np.full(cast.space.vertex_count, -1)
     place[regions.rows] = np.arange(len(regions.rows))
-    rows, anchors, weights = [regions.followers], [regions.anchors], [regions.weights]
+    rows = [regions.followers]
+    anchors = [regions.anchors]
+    weights = [regions.weights]
     width = regions.anchors.shape[1]
     for name in regions.attached_parts:
         part = cast.space.parts[name]
@@ -83,7 +86,10 @@ def _followers(cast: Cast, regions: CorrectiveRegions, starts: dict[str, int]) -
 def allowance_document(
     space: ParameterSpace, face: Face, expression: Expression, skin: Floats
 ) -> AllowanceDocument | None:
-    """What the compound of a face and an expression, skin (V, 3), uses up by itself."""
+    """What one compound uses up by itself; None where the space has no corrective regions.
+
+    face, expression: of the space; skin (V, 3): the face wearing the expression, metres.
+    """
     regions = find_corrective_regions(space)
     if regions is None:
         return None
@@ -93,7 +99,7 @@ def allowance_document(
 
 
 def ball_radii(space: ParameterSpace, face: Face) -> tuple[float, float]:
-    """The radii of a face's eyeballs, left and right, metres; zero where there is none."""
+    """The radii of the eyeballs of a face on a space, left and right, metres; zero where there is none."""
     regions = find_corrective_regions(space)
     if regions is None or len(regions.eyes) != 2:
         return 0.0, 0.0

@@ -54,14 +54,18 @@ def read_show(path: str | Path) -> Cast:
     """
     if not isinstance(path, str | Path):
         raise TypeError(f"a show file is named by its path, not by {path!r}; write 'my.omote'")
-    found = inspect_show(name_show(Path(path)))
-    return build_full_cast(load_cast(), found.stored, found.contents, partial(warnings.warn, stacklevel=3))
+    show = inspect_show(name_show(Path(path)))
+    return build_full_cast(load_cast(), show.stored, show.contents, partial(warnings.warn, stacklevel=3))
 
 
 def build_full_cast(
     base: Cast, stored: Stored, contents: Mapping[str, bytes], /, report: Callable[[str], None]
 ) -> Cast:
-    """Adds every item that plays and fits the base's head, by name; each other one is left out and reported."""
+    """Adds every item that plays and fits the base's head, by name; each other one is left out and reported.
+
+    base: the built-in cast; stored: what the show file lists; contents: bytes by key; report: is told a sentence of
+    each item that is left out.
+    """
     cast = base
     for item, content in playing_items(stored):
         try:
@@ -92,6 +96,8 @@ def find_face(cast: Cast, stored: Stored | None, typed: str, /) -> str:
     """The face of a full cast that a person means by a name or, of own ones, a label; ValueError for none.
 
     stored: what the cast's own ones are of, None where it has none.
+
+    typed: a name or a label, as a person writes it.
     """
     return find_name(typed, cast.faces, "face", {} if stored is None else face_labels(stored))
 

@@ -44,7 +44,10 @@ class PictureGrid:
             raise ValueError("every picture has a caption, or none has")
 
     def on_paper(self, setting: Setting, kind: Kind) -> PictureGrid:
-        """Sets the background of a grid for a file of this kind; ValueError as `Setting.paper`."""
+        """Sets the background of a grid for a file of this kind; ValueError as `Setting.paper`.
+
+        setting: with background and transparency; kind: of the file.
+        """
         return replace(self, paper=setting.paper(kind), kind=kind)
 
 
@@ -52,6 +55,8 @@ def spell_out(request: Request, cast: PlayingCast) -> Request:
     """The request with every kind among a table's expressions (`performed`, `own`) replaced by its expressions.
 
     ValueError where there are no own ones, or too many in all.
+
+    cast: whose expressions the kinds stand for.
     """
     if isinstance(request, RenderRequest):
         return request
@@ -61,7 +66,10 @@ def spell_out(request: Request, cast: PlayingCast) -> Request:
 
 
 def lay_out(request: Request, cast: Cast | PlayingCast) -> PictureGrid:
-    """What a request asks for, one picture as a table of one; ValueError for unknown names and invalid numbers."""
+    """What a request asks for, one picture as a table of one; ValueError for unknown names and invalid numbers.
+
+    cast: in which the names are looked up.
+    """
     if isinstance(request, RenderRequest):
         return PictureGrid([[pose_of(cast, find_pose(cast, request.words))]])
     plan = plan_cells(request)

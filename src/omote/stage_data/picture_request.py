@@ -16,7 +16,7 @@ TITLES = {"eyeBlinkLeft+eyeBlinkRight": "eyes shut"}
 """What mixes are called above a column that nobody would call by their names."""
 
 
-class Look(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
+class PictureOptions(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
     """What one picture and a table of them share; show: a show file whose own work can be named, "" for none."""
 
     size: str
@@ -34,7 +34,7 @@ class Look(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True
         return Setting(width, height, **chosen)  # type: ignore[arg-type]
 
 
-class RenderRequest(Look, frozen=True, kw_only=True, tag_field="command", tag="render"):
+class RenderRequest(PictureOptions, frozen=True, kw_only=True, tag_field="command", tag="render"):
     """One picture: faces, expressions and channels with their weights; angles in degrees."""
 
     size: str = "640x720"
@@ -52,7 +52,7 @@ class RenderRequest(Look, frozen=True, kw_only=True, tag_field="command", tag="r
         return read_pose(face=face, expression=expression, channels=channels, light=self.light, **angles)
 
 
-class GridRequest(Look, frozen=True, kw_only=True, tag_field="command", tag="grid"):
+class GridRequest(PictureOptions, frozen=True, kw_only=True, tag_field="command", tag="grid"):
     """Pictures in rows and columns: faces by expressions at every turn, or each of them by the steps of a morph."""
 
     size: str = "240x270"
@@ -67,7 +67,7 @@ Request = RenderRequest | GridRequest
 
 
 def check_request(request: Request, kind: Kind) -> None:
-    """ValueError for a request that no cast and no file of this kind could fulfil: all but the names in it."""
+    """Raises ValueError for a request that no cast and no file of this kind could fulfil: all but the names in it."""
     request.setting.paper(kind)
     cells = [request] if isinstance(request, RenderRequest) else plan_cells(request).all
     for cell in cells:
@@ -114,8 +114,11 @@ def plan_cells(grid: GridRequest) -> CellPlan:
 
 
 def cell_of(grid: GridRequest, face: str, expression: str, turn: str) -> RenderRequest:
-    """One picture of a table."""
-    shared = {name: getattr(grid, name) for name in Look.__struct_fields__}
+    """One picture of a table.
+
+    grid: what all pictures share; face, expression: mixes as they are typed; turn: degrees, as they are typed.
+    """
+    shared = {name: getattr(grid, name) for name in PictureOptions.__struct_fields__}
     return RenderRequest(face=(face,), expression=(expression,), turn=turn, **shared)
 
 
@@ -130,12 +133,14 @@ def morph_steps(text: str) -> list[tuple[str, str, str]]:
             f"the morph {text!r} is not understood; give two faces and a number of steps from 2 to {MOST_STEPS}, "
             "as in kaori:man:11"
         )
-    one, other, count = parts[0], parts[1], int(parts[2])
+    first = parts[0]
+    last = parts[1]
+    count = int(parts[2])
     steps = []
     for step in range(count):
         share = round(step / (count - 1), 6)
-        mix = one if step == 0 else other if step == count - 1 else f"{one}={1 - share:.6f}+{other}={share:.6f}"
-        steps.append((f"{100 * share:.4g} %", f"{file_name(one)}-{file_name(other)}-{step:03d}", mix))
+        mix = first if step == 0 else last if step == count - 1 else f"{first}={1 - share:.6f}+{last}={share:.6f}"
+        steps.append((f"{100 * share:.4g} %", f"{file_name(first)}-{file_name(last)}-{step:03d}", mix))
     return steps
 
 

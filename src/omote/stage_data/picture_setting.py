@@ -7,9 +7,11 @@ from typing import get_args
 
 from omote.interchange.formats.file_names import Kind
 from omote.perform.lights import find_background
-from omote.show.messages import Level
+from omote.show.objects.stages import Level
 
-SMALLEST, LARGEST, MOST_PIXELS = 16, 8192, 8192 * 4320
+SMALLEST = 16
+LARGEST = 8192
+MOST_PIXELS = 8192 * 4320
 """Pixels: of a side, and of one picture; no graphics driver draws more everywhere."""
 MOST_CELLS = 2000
 PAPER = "#000"
@@ -55,7 +57,7 @@ class Setting:
 
 
 def refuse_count(cells: int) -> None:
-    """ValueError for a table of no pictures, and for one of too many."""
+    """Raises ValueError for a table of no pictures, and for one of too many."""
     if not 0 < cells <= MOST_CELLS:
         raise ValueError(f"the table has {cells} pictures; give 1 to {MOST_CELLS}")
 

@@ -52,7 +52,7 @@ class Sidecar(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=T
         return msgspec.json.encode(msgspec.json.decode(msgspec.json.encode(parts)), order="sorted")
 
 
-State = Literal["missing", "foreign", "former", "drawn"]
+PictureState = Literal["missing", "foreign", "former", "drawn"]
 
 
 def sidecar_path(picture: Path) -> Path:
@@ -72,9 +72,13 @@ def find_sidecar(path: Path) -> Path:
 
 
 def describe(request: Request, sheet: PictureGrid, setting: Setting, made_by: tuple[str, str, str]) -> Sidecar:
-    """The sidecar of a picture that is not drawn yet; made_by: Omote's version, the digests of cast and pages."""
+    """The sidecar of a picture that is not drawn yet; made_by: Omote's version, the digests of cast and pages.
+
+    request: as it was typed; sheet: the pictures in rows and columns; setting: size, background, quality.
+    """
     version, cast, pages = made_by
-    drawn, chosen = msgspec.to_builtins(sheet), msgspec.to_builtins(setting)
+    drawn = msgspec.to_builtins(sheet)
+    chosen = msgspec.to_builtins(setting)
     open_sidecar = Sidecar(
         omote=version, request=request, cast=cast, pages=pages, setting=chosen, pictures=drawn, checksum=""
     )
@@ -95,7 +99,10 @@ def move_request(request: Request, old: Path, new: Path) -> Request:
 
 
 def encode_sidecar(sidecar: Sidecar, picture: bytes) -> bytes:
-    """The document for a picture's bytes, indented for people."""
+    """The document for a picture's bytes, indented for people.
+
+    sidecar: without the picture's hash; picture: the bytes of its file.
+    """
     whole = msgspec.structs.replace(sidecar, picture=hash_picture(picture))
     return msgspec.json.format(msgspec.json.encode(whole), indent=2) + b"\n"
 
@@ -118,35 +125,40 @@ def read_record(path: Path) -> Sidecar:
 
     ValueError too where what it records was edited: only its request counts, and nobody shall believe otherwise.
     """
-    found = read_sidecar(path)
-    if found.checksum != checksum_of(found):
+    sidecar = read_sidecar(path)
+    if sidecar.checksum != checksum_of(sidecar):
         raise ValueError(
             f"{path}: cast, pages, setting or pictures were edited, and these only record what was drawn; undo that, "
             "and change the words under request instead: they alone say what is drawn"
         )
-    return found
+    return sidecar
 
 
 def is_drawn(picture: Path, wanted: Sidecar) -> bool:
-    """Whether a whole picture of exactly these parameters lies there: its sidecar says so, not its name."""
+    """Whether a whole picture of exactly these parameters lies there: its sidecar says so, not its name.
+
+    picture: the path of its file; wanted: what its sidecar has to record.
+    """
     return picture_state(picture, wanted) == "drawn"
 
 
-def picture_state(picture: Path, wanted: Sidecar) -> State:
+def picture_state(picture: Path, wanted: Sidecar) -> PictureState:
     """What lies where a picture is to be.
 
     "drawn": this very picture; "former": one that Omote drew from other parameters, and nobody changed since;
     "foreign": any other file with something in it; "missing": none. OSError where it cannot be read.
+
+    wanted: what its sidecar has to record.
     """
     if not picture.exists() or (picture.is_file() and picture.stat().st_size == 0):
         return "missing"
     try:
-        found = read_sidecar(sidecar_path(picture))
+        sidecar = read_sidecar(sidecar_path(picture))
     except (OSError, ValueError):
         return "foreign"
-    if found.picture != hash_picture(picture.read_bytes()):
+    if sidecar.picture != hash_picture(picture.read_bytes()):
         return "foreign"
-    return "drawn" if found.record == wanted.record else "former"
+    return "drawn" if sidecar.record == wanted.record else "former"
 
 
 def keep_former(picture: Path, wanted: Sidecar) -> Path | None:
@@ -154,12 +166,14 @@ def keep_former(picture: Path, wanted: Sidecar) -> Path | None:
 
     `smile.png.json` is kept as `smile.before-1.png.json`; gives where, None where nothing would be lost. OSError where
     it cannot be written.
+
+    wanted: the sidecar that takes its place.
     """
     try:
-        found = read_sidecar(sidecar_path(picture))
+        sidecar = read_sidecar(sidecar_path(picture))
     except (OSError, ValueError):
         return None
-    if found.record == wanted.record:
+    if sidecar.record == wanted.record:
         return None
     data = sidecar_path(picture).read_bytes()
     for number in itertools.count(1):
@@ -178,12 +192,15 @@ def hash_picture(data: bytes) -> str:
     return hashlib.sha256(data).hexdigest()
 
 
-def explain_difference(found: Sidecar, wanted: Sidecar) -> str:
-    """Why two sidecars do not describe one picture, as a clause: "with another cast"."""
-    if found.cast != wanted.cast:
+def explain_difference(former: Sidecar, wanted: Sidecar) -> str:
+    """Why two sidecars do not describe one picture, as a clause: "with another cast".
+
+    former: the sidecar that lies there; wanted: the one that was expected.
+    """
+    if former.cast != wanted.cast:
         return "with another cast than this one: its faces may differ"
-    if found.record == wanted.record:
+    if former.record == wanted.record:
         return "with another browser or graphics driver"
-    if found.pages != wanted.pages:
+    if former.pages != wanted.pages:
         return "by other pages than these: the look may differ"
     return "from other parameters"

@@ -16,7 +16,7 @@ from omote.model.known_names import NEUTRAL
 from omote.model.recipes.recipe import KEY
 from omote.model.space.expression import Expression, Title
 from omote.perform.name_lookup import OWN
-from omote.show.messages import ExpressionDocument, FaceDocument, Manifest
+from omote.show.cast_documents import ExpressionDocument, FaceDocument, Manifest
 from omote.showfile.changes import Kind
 from omote.showfile.contents import unpack_expression, unpack_face
 from omote.stage_data.assets import expression_document
@@ -47,7 +47,9 @@ class PlayingExpressions(Mapping[str, Expression]):
     def __init__(
         self, built_in: Mapping[str, Expression], own: Mapping[str, str], contents: Mapping[str, bytes]
     ) -> None:
-        self._built_in, self._own, self._contents = built_in, own, contents
+        self._built_in = built_in
+        self._own = own
+        self._contents = contents
         self._unpacked: dict[str, Expression] = {}
 
     def __getitem__(self, name: str) -> Expression:
@@ -73,7 +75,7 @@ class PlayingExpressions(Mapping[str, Expression]):
     def learn(self, other: PlayingExpressions) -> None:
         """Takes over the expressions that another has unpacked."""
         keys = set(self._own.values())
-        self._unpacked |= {key: each for key, each in other._unpacked.items() if key in keys}
+        self._unpacked |= {key: expression for key, expression in other._unpacked.items() if key in keys}
 
     def unpack(self, key: str) -> None:
         """Unpacks a content now; ValueError where it does not fit this head, KeyError where it is missing."""
@@ -97,7 +99,7 @@ class PlayingCast:
     @cached_property
     def titles(self) -> Mapping[str, Title]:
         """What each expression is called and where it acts: own ones on the whole face."""
-        own = {each.name: Title(each.label, OWN) for each in self.own if each.kind == "expression"}
+        own = {item.name: Title(item.label, OWN) for item in self.own if item.kind == "expression"}
         return MappingProxyType({**self.base.titles, **own})
 
     @cached_property
@@ -107,7 +109,10 @@ class PlayingCast:
 
 
 def digest_of(base: str, own: tuple[Own, ...]) -> str:
-    """The digest of a cast with own items, hexadecimal; the built-in cast's where there are none."""
+    """The digest of a cast with own items, hexadecimal; the built-in cast's where there are none.
+
+    base: the built-in cast's digest; own: the items beside it.
+    """
     if not own:
         return base
     return hashlib.blake2b(base.encode() + msgspec.msgpack.encode(own), digest_size=12).hexdigest()
@@ -125,23 +130,26 @@ def build_playing_cast(
 
     check: new items are unpacked now; else when they are first used. Raises ValueError where a name is taken
     or a content does not fit the cast, KeyError where one is missing.
+
+    base: the built-in cast; contents: bytes by key.
     """
-    faces, expressions = {name: name for name in base.faces}, {name: name for name in base.expressions}
+    faces = {name: name for name in base.faces}
+    expressions = {name: name for name in base.expressions}
     keys: dict[str, str] = {}
-    for each in own:
-        names = faces if each.kind == "face" else expressions
-        if each.name in names:
-            raise ValueError(f"there are two {each.kind}s named {each.name!r}; expected another name for one of them")
-        names[each.name] = each.source
-        if each.kind == "expression":
-            keys[each.name] = each.content
+    for item in own:
+        names = faces if item.kind == "face" else expressions
+        if item.name in names:
+            raise ValueError(f"there are two {item.kind}s named {item.name!r}; expected another name for one of them")
+        names[item.name] = item.source
+        if item.kind == "expression":
+            keys[item.name] = item.content
     playing_expressions = PlayingExpressions(base.expressions, keys, contents)
-    played = frozenset() if before is None else frozenset(each.content for each in before.own)
+    played = frozenset() if before is None else frozenset(item.content for item in before.own)
     if before is not None:
         playing_expressions.learn(before.expressions)
-    for each in own:
-        if check and each.content not in played:
-            _check_content(base, each, contents, playing_expressions)
+    for item in own:
+        if check and item.content not in played:
+            _check_content(base, item, contents, playing_expressions)
     return PlayingCast(base, own, MappingProxyType(faces), playing_expressions, MappingProxyType(expressions))
 
 
@@ -151,8 +159,8 @@ def labels_of(cast: Cast | PlayingCast) -> dict[Kind, dict[str, str]]:
     base = cast.base if isinstance(cast, PlayingCast) else cast
     expressions = {name: title.label for name, title in base.titles.items()}
     labels: dict[Kind, dict[str, str]] = {"face": {}, "expression": expressions}
-    for each in own:
-        labels[each.kind][each.name] = each.label
+    for item in own:
+        labels[item.kind][item.name] = item.label
     return labels
 
 
@@ -163,12 +171,15 @@ def kinds_of(cast: PlayingCast) -> dict[str, str]:
 
 def manifest_of(playing: PlayingCast, built_in: Manifest, faces: Mapping[str, FaceDocument]) -> Manifest:
     """The manifest with own items; faces: by the keys of their contents (`assets.content_asset`), others are left
-    out."""
-    own = [each for each in playing.own if each.kind == "face" and each.content in faces]
+    out.
+
+    playing: the cast that plays; built_in: the manifest of the built-in cast.
+    """
+    own = [item for item in playing.own if item.kind == "face" and item.content in faces]
     return msgspec.structs.replace(
         built_in,
         digest=playing.digest,
-        faces=[*built_in.faces, *(_face_document(each, faces[each.content]) for each in own)],
+        faces=[*built_in.faces, *(_face_document(item, faces[item.content]) for item in own)],
         expressions=[*built_in.expressions, *(_document(playing, e) for e in playing.own if e.kind == "expression")],
     )
 
@@ -196,6 +207,7 @@ def _face_document(own: Own, document: FaceDocument) -> FaceDocument:
 
 
 def _document(playing: PlayingCast, own: Own) -> ExpressionDocument:
-    expression, title = playing.expressions[own.name], playing.titles[own.name]
+    expression = playing.expressions[own.name]
+    title = playing.titles[own.name]
     document = expression_document(own.name, expression, title, own.source)
     return msgspec.structs.replace(document, tags=list(own.tags), place=own.place)

@@ -95,6 +95,9 @@ def find_pose(cast: Cast | PlayingCast, words: PoseWords) -> Frame:
 
 
 def pose_of(cast: Cast | PlayingCast, frame: Frame) -> Pose:
-    """The pose of a frame for a stage, as plain values."""
+    """The pose of a frame for a stage, as plain values.
+
+    cast: whose expressions the frame names; frame: faces, expressions, channels, head, gaze and light.
+    """
     character = character_state(cast, CharacterFrame(frame, Place(), 1.0, FIRST_LABEL), NO_OFFSET)
     return {**msgspec.to_builtins(character), "light": dict(frame.light)}

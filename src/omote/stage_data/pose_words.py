@@ -35,11 +35,13 @@ class PoseWords:
     light: Mapping[str, float]
 
 
-def read_pose(
-    *, face: str, expression: str, channels: str, turn: str, gaze: str, light: str
-) -> PoseWords:  # fmt: skip
+def read_pose(*, face: str, expression: str, channels: str, turn: str, gaze: str, light: str) -> PoseWords:
     """Reads the words of a pose; ValueError for what is not understood or out of range, TypeError for what is no
-    text."""
+    text.
+
+    face, expression, light: mixes as they are typed; channels: blendshape weights as they are typed; turn, gaze: angles
+    in degrees as they are typed.
+    """
     texts = {"face": face, "expression": expression, "channels": channels, "turn": turn, "gaze": gaze, "light": light}
     for name, text in texts.items():
         if not isinstance(text, str):
@@ -63,7 +65,10 @@ EXAMPLES: Mapping[str, str] = {
 
 def read_mix(text: str, what: str) -> Weights:
     """Reads a mix, `kaori=0.5+dog`, where names without a weight share what is left; ValueError where the weights do
-    not sum to one."""
+    not sum to one.
+
+    text: as it is typed; what: what messages call its parts, such as "face".
+    """
     weights = share_rest(read_weights(text, what, (LOWEST, HIGHEST)))
     total = sum(weight for _, weight in weights)
     if abs(total - 1.0) > EVEN:
@@ -87,21 +92,27 @@ def read_channels(text: str) -> Weights:
 
 
 def read_weights(text: str, what: str, limits: tuple[float, float]) -> list[tuple[str, float | None]]:
-    """Reads names and weights, `one=0.5+two`, None where no weight is given; ValueError for anything else."""
+    """Reads names and weights, `one=0.5+two`, None where no weight is given; ValueError for anything else.
+
+    text: as it is typed; what: what messages call its parts; limits: the least and the largest weight.
+    """
     read = list[tuple[str, float | None]]()
     for part in filter(None, (part.strip() for part in text.split("+"))):
-        name, given, weight = part.partition("=")
+        name, equals, weight = part.partition("=")
         if "," in weight:
             raise ValueError(explain_comma(part, what))
         if not name.strip():
             raise ValueError(f"in {text!r} {part!r} is a weight of no {what}; write a name before it, as in name=0.5")
-        number = check_within(read_number(weight, part), *limits, f"the weight in {part!r}") if given else None
+        number = check_within(read_number(weight, part), *limits, f"the weight in {part!r}") if equals else None
         read.append((name.strip(), number))
     return read
 
 
 def explain_comma(part: str, what: str) -> str:
-    """What to write for a part of a mix whose weight has a comma: of a decimal number, or between two names."""
+    """What to write for a part of a mix whose weight has a comma: of a decimal number, or between two names.
+
+    part: of the mix, as it is typed; what: what messages call it.
+    """
     pieces = [piece.strip() for piece in part.split(",")]
     if all(piece.isdecimal() for piece in pieces[1:]):
         return f"in {part!r} the weight has a comma; write it with a point, {'.'.join(pieces)}"
@@ -118,8 +129,12 @@ def share_rest(read: list[tuple[str, float | None]]) -> Weights:
 def merge_names(
     weights: Weights, names: Mapping[str, object], what: str, labels: Mapping[str, str] = NO_LABELS
 ) -> dict[str, float]:
-    """The weights by the names that are meant; ValueError for an unknown one, and for one that comes twice."""
-    found = dict[str, float]()
+    """The weights by the names that are meant; ValueError for an unknown one, and for one that comes twice.
+
+    weights: names as they are typed, with weights; names: those that there are; what: what messages call them; labels:
+    what people read of them, by name.
+    """
+    merged = dict[str, float]()
     place = " in this cast" if names is not LIGHTS else ""
     for typed, weight in weights:
         try:  # both halves of an action unit may be channels; in a mix they would share its weight
@@ -127,16 +142,18 @@ def merge_names(
         except ValueError as error:
             raise ValueError(f"{error}; mixes are written with +, as in a+b" if "," in typed else str(error)) from None
         for name in meant:
-            if name in found:
+            if name in merged:
                 raise ValueError(f"the {what} {name!r} comes twice; give it one weight")
-            found[name] = weight
-    return found
+            merged[name] = weight
+    return merged
 
 
 def read_angles(text: str, what: str, limits: Mapping[str, float]) -> list[float]:
     """Reads angles by commas, `30,0,-5`, degrees, to radians; ValueError for anything else.
 
     limits: radians either way, by the names of the angles in their order; what is left out is not given.
+
+    text: as it is typed; what: what messages call it; limits: the largest size of each angle, radians, by its name.
     """
     parts = [part.strip() for part in text.split(",")] if text.strip() else []
     if len(parts) > len(limits):

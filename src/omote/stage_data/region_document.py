@@ -5,12 +5,12 @@ from __future__ import annotations
 from collections.abc import Iterable
 
 import numpy as np
-from numpy.typing import NDArray
 
+from omote.arrays import Floats
 from omote.model.known_names import PLAY_REGIONS
 from omote.model.space.parameter_space import ParameterSpace
 from omote.perform.blending.region_masks import play_masks
-from omote.show.messages import RegionDocument
+from omote.show.cast_documents import RegionDocument
 from omote.show.wire import le_bytes
 
 ONE = 65535
@@ -19,12 +19,12 @@ ONE = 65535
 
 def region_document(space: ParameterSpace) -> RegionDocument | None:
     """The masks of a space, rows as in `rest_positions`; None for a head without two eyeballs, which has no regions."""
-    if sum(bool(part.eye) for part in space.parts.values()) != 2:
+    if len(space.eyes) != 2:
         return None
     masks = [play_masks(space)[region] for region in PLAY_REGIONS]
     rows = [np.concatenate([mask.skin, *(mask.parts[name] for name in space.parts)])[:, 0] for mask in masks]
     return RegionDocument(rows=_counts(rows), allowances=_counts(mask.allowances for mask in masks))
 
 
-def _counts(masks: Iterable[NDArray[np.float32]]) -> bytes:
+def _counts(masks: Iterable[Floats]) -> bytes:
     return le_bytes(np.rint(np.stack(list(masks), axis=1) * ONE), "<u2")

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import msgspec
 
-from omote.edit.compute.handles_asset import handles_asset
+from omote.edit.compute.welcome import handles_asset
 from omote.edit.protocol.messages import HandlesAsset
 from omote.model.recipes.face_handles import Handle, default_handles
 from tests import synthetic

@@ -34,7 +34,8 @@ def compose(recipe: Recipe) -> Expression:
 
 def count_folds(face: str, expression: Expression) -> int:
     """Triangles of the sheet that a face wearing it turns over against its rest."""
-    rest, triangles = CAST.faces[face].positions.astype(np.float64), CAST.space.sheet_triangles
+    rest = CAST.faces[face].positions.astype(np.float64)
+    triangles = CAST.space.sheet_triangles
     worn = compound(CAST.space, CAST.faces[face], expression).astype(np.float64)
     return int((area_shares(worn, *rest_normals(rest, triangles), triangles) <= 0.0).sum())
 

@@ -55,7 +55,8 @@ def test_a_net_that_is_asked_for_says_the_field_of_its_vectors() -> None:
 
 
 def test_a_solve_puts_the_point_where_it_was_let_go() -> None:
-    face, row = CAST.faces["dog"], NET[20]
+    face = CAST.faces["dog"]
+    row = NET[20]
     start = compound(CAST.space, face, compose_expression(CAST.space, SMILE, CAST.expressions))[row]
     target = (float(start[0]), float(start[1]) + 0.004, float(start[2]))
     made = RUNNER.run(Solve(SMILE, {}, "dog", (20,), (target,), REST))
@@ -82,7 +83,8 @@ def test_another_net_and_a_flat_one_mean_the_same() -> None:
 def test_flattening_keeps_muted_layers_as_they_were() -> None:
     muted = Layer("angry", "Angry", 0.7, "brows", True, True)
     order = Flat(msgspec.structs.replace(SMILE, layers=(*SMILE.layers, muted)), {})
-    made, without = RUNNER.run(order), RUNNER.run(Flat(SMILE, {}))
+    made = RUNNER.run(order)
+    without = RUNNER.run(Flat(SMILE, {}))
     assert isinstance(made.recipe, Recipe)
     assert made.recipe.layers == (muted,)
     assert made.key == without.key, "what is seen holds nothing of it"

@@ -64,6 +64,23 @@ def test_labels_that_nobody_can_read_are_refused(label: str) -> None:
         clean_label(label)
 
 
+@pytest.mark.parametrize(
+    ("label", "said"),
+    [
+        ("Ana\u202e", "the name has the character 'right-to-left override' in it"),
+        ("Ana\nBo", "the name has a line break in it"),
+        ("Ana\x07Bo", "the name has the character 'U+0007' in it"),
+        ("x" * 81, "the name has 81 characters"),
+        (" ", "the name is empty"),
+    ],
+)
+def test_a_refused_label_is_said_in_words(label: str, said: str) -> None:
+    with pytest.raises(Refusal) as refused:
+        clean_label(label, "the name")
+    assert str(refused.value).startswith(said)
+    assert "\\" not in str(refused.value)
+
+
 def test_labels_lose_blanks_and_tags_their_doubles() -> None:
     assert clean_label("  Crooked smile ") == "Crooked smile"
     assert clean_tags(["mouth", " mouth", "act 2"]) == ("mouth", "act 2")

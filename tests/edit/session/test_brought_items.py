@@ -8,7 +8,7 @@ from omote.edit.store.import_items import ImportedItem, changes_to_import
 from omote.model.cast import Cast
 from omote.server.workers.file_jobs import bring_items
 from omote.show.validation import Refusal
-from omote.showfile.changes import BroughtItem, PutItem, Stored
+from omote.showfile.changes import BroughtItem, Stored
 from tests.authoring import EditHarness
 
 
@@ -50,7 +50,7 @@ def test_what_was_deleted_comes_in_again(harness: EditHarness, cast: Cast) -> No
     brought = bring(cast, "smile")
     take(harness, brought)
     (item,) = harness.session.authored.state.items.values()
-    harness.session.authored.state.apply([PutItem(replace(item, deleted=True))])
+    harness.session.authored.state.apply([replace(item, deleted=True)])
     (again,) = take(harness, brought)
     assert (again.known, again.label) == (False, "Grin")
 
@@ -86,8 +86,8 @@ def test_what_is_not_there_is_not_replaced(harness: EditHarness, cast: Cast, gon
     state = harness.session.authored.state
     (item,) = state.items.values()
     if gone == "deleted":
-        state.apply([PutItem(replace(item, deleted=True))])
+        state.apply([replace(item, deleted=True)])
     if gone == "of another kind":
-        state.apply([PutItem(replace(item, kind="face"))])
+        state.apply([replace(item, kind="face")])
     with pytest.raises(Refusal, match="there is no expression"):
         take_made(harness.session.authored, bring(cast, "jawOpen"), item.id + (gone == "missing"))

@@ -17,7 +17,8 @@ def task(queue: tuple[int, str] | None, request: int = 0) -> Task:
 
 
 def test_tasks_of_one_queue_take_turns_in_order() -> None:
-    queues, first = DraftQueues(), task((1, "ann"))
+    queues = DraftQueues()
+    first = task((1, "ann"))
     assert queues.try_start(first)
     number, order = queues.start_order(first, PLAN)
     assert order is PLAN.order

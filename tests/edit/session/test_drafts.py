@@ -13,7 +13,7 @@ from omote.edit.protocol.wire import read_recipe
 from omote.edit.session.drafts import EDITS
 from omote.model.cast import Cast
 from omote.model.recipes.recipe import KEY, FaceRecipe, Layer, Pull, Recipe
-from omote.show.messages import Message
+from omote.show.declaration import Message
 from tests import synthetic
 from tests.authoring import POINTS, EditHarness, net_document, net_of
 
@@ -123,7 +123,8 @@ def test_undo_and_redo_lead_to_the_same_places(pulls: list[float], data: st.Data
         answer = harness.ask("ann", wire.Undo if step < 0 else wire.Redo, 1)
         if 0 <= at + step <= len(pulls):
             at += step
-            seen, wanted = answer, states[at]
+            seen = answer
+            wanted = states[at]
             assert (seen.recipe, seen.content, seen.what) == (wanted.recipe, wanted.content, wanted.what)
             assert (seen.undo, seen.redo) == (at, len(pulls) - at)
         else:
@@ -142,7 +143,8 @@ def test_a_new_step_drops_what_was_undone(harness: EditHarness) -> None:
 
 
 def test_the_net_goes_with_the_first_state_and_whenever_it_changes(harness: EditHarness) -> None:
-    net, other = net_of(harness.cast), net_of(harness.cast, POINTS + 1)
+    net = net_of(harness.cast)
+    other = net_of(harness.cast, POINTS + 1)
     assert harness.ask("ann", wire.OpenItem, 1).net == net_document(net)
     assert harness.ask("ann", wire.SetPulls, 1, PULLED).net is None
     assert harness.ask("ann", wire.SetNet, 1, list(other)).net == net_document(other)

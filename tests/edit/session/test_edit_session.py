@@ -17,7 +17,7 @@ from omote.edit.protocol.orders import Baked
 from omote.edit.protocol.wire import encode, read_recipe
 from omote.edit.session.console_requests import keep_on_air
 from omote.edit.session.draft_queue import MOST_WAITING
-from omote.edit.session.edit_session import EditSession, Outcome, Outgoing
+from omote.edit.session.edit_session import EditorReply, EditSession, Outcome
 from omote.edit.store.on_air_recipes import OnAir
 from omote.model.cast import Cast
 from omote.model.recipes.recipe import KEY, FaceRecipe, Layer, Pull
@@ -93,7 +93,7 @@ def test_messages_before_greet_are_rejected(cast: Cast) -> None:
         "ann", encode(wire.CreateFace(4, "Aunt", {"broad": 1.0}, False)), wall=WALL, on_air=NOBODY
     )
     sentence = "nothing is heard before greet: send greet with editor, name and version first."
-    assert outcome == Outcome(replies=(Outgoing("ann", wire.EditRefused(4, sentence)),))
+    assert outcome == Outcome(replies=(EditorReply("ann", wire.EditRefused(4, sentence)),))
 
 
 @given(st.binary(max_size=200))
@@ -327,7 +327,8 @@ class Authors(RuleBasedStateMachine):
     @rule(number=numbers, pulls=st.tuples(amounts, amounts), first=pages)
     def clash(self, number: int, pulls: tuple[float, float], first: str) -> None:
         """Both work on one item and save; what both saved can be brought back."""
-        item, second = self._item(number), "bob" if first == "ann" else "ann"
+        item = self._item(number)
+        second = "bob" if first == "ann" else "ann"
         for who, pull in zip((first, second), pulls, strict=True):
             self.edit(who, number, 4, pull)
         for who in (first, second):
@@ -339,7 +340,8 @@ class Authors(RuleBasedStateMachine):
     @rule(who=pages, number=numbers)
     def undo_and_redo(self, who: str, number: int) -> None:
         """Undo then redo is as if nothing had been done."""
-        item, before = self._item(number), self._at(who, number)
+        item = self._item(number)
+        before = self._at(who, number)
         tables = self.harness.tables.stored()
         state = self.harness.ask(who, wire.Undo, item)
         if isinstance(state, wire.DraftState) and before is not None:
@@ -357,7 +359,8 @@ class Authors(RuleBasedStateMachine):
     def save(self, who: str, number: int) -> None:
         """A revision: it plays unless another played that this editor was not told of."""
         item = self._item(number)
-        state, head = self._at(who, number), self._head(item)
+        state = self._at(who, number)
+        head = self._head(item)
         saved = self.harness.ask(who, wire.Save, item, "")
         if isinstance(saved, wire.Saved):
             assert state is not None
@@ -475,7 +478,8 @@ class Authors(RuleBasedStateMachine):
     def every_revision_stays_with_its_bytes(self) -> None:
         """No revision acknowledged vanishes or changes."""
         if hasattr(self, "harness"):
-            stored, contents = self.harness.tables.stored(), self.harness.tables.contents
+            stored = self.harness.tables.stored()
+            contents = self.harness.tables.contents
             kept = {(each.item, each.number): KEY + each.content for each in stored.revisions}
             assert self.saved.items() <= kept.items()
             assert {content.removeprefix(KEY) for content in kept.values()} <= contents.keys()
@@ -568,14 +572,13 @@ class Authors(RuleBasedStateMachine):
 
 def played(seed: int, steps: int) -> Authors:
     """Authors after as many steps, all drawn from a seed."""
-    authors, rng = Authors(), np.random.default_rng(seed)
+    authors = Authors()
+    rng = np.random.default_rng(seed)
     authors.begin()
     for _ in range(steps):
-        who, number, amount = (
-            str(rng.choice(["ann", "bob"])),
-            int(rng.integers(8)),
-            float(rng.choice([-0.5, 0.25, 1.0])),
-        )
+        who = str(rng.choice(["ann", "bob"]))
+        number = int(rng.integers(8))
+        amount = float(rng.choice([-0.5, 0.25, 1.0]))
         match int(rng.integers(8)):
             case 0:
                 authors.save(who, number)
@@ -591,7 +594,8 @@ def played(seed: int, steps: int) -> Authors:
 
 
 def test_the_same_inputs_give_the_same_outcomes() -> None:
-    one, other = played(1993, 80), played(1993, 80)
+    one = played(1993, 80)
+    other = played(1993, 80)
     assert one.harness.outcomes == other.harness.outcomes
     assert one.harness.tables == other.harness.tables
 

@@ -70,7 +70,8 @@ def test_what_is_on_air_or_coming_cannot_be_deleted(harness: EditHarness, on_air
 
 
 def test_a_deletion_can_be_undone(harness: EditHarness) -> None:
-    before, digest = harness.tables.stored(), harness.session.digest
+    before = harness.tables.stored()
+    digest = harness.session.digest
     harness.ask("ann", wire.Delete, 1)
     assert harness.session.digest != digest
     assert [own.name for own in harness.session.own()] == ["sneer"]

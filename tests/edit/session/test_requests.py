@@ -3,14 +3,19 @@
 import pytest
 
 from omote.edit.protocol import messages as wire
-from omote.edit.session.requests import ANSWERS, OF_DRAFTS, queue_key
+from omote.edit.session import drafts
+from omote.edit.session.requests import ANSWERS, queue_key
 from omote.model.cast import Cast
-from omote.show.messages import Cancel
+from omote.show.objects.link import Cancel
 from tests.authoring import EditHarness
 
 
 def test_every_request_has_an_answer_but_greet_and_cancel() -> None:
     assert ANSWERS.keys() == {*wire.EDITOR_MESSAGES} - {wire.Greet, Cancel}
+
+
+def test_every_change_of_a_recipe_has_an_order() -> None:
+    assert drafts.EDITS.keys() == {kind for kind in wire.EDITOR_MESSAGES if issubclass(kind, wire.RecipeChange)}
 
 
 def test_what_changes_a_draft_waits_for_it_and_nothing_else_does() -> None:
@@ -19,7 +24,6 @@ def test_what_changes_a_draft_waits_for_it_and_nothing_else_does() -> None:
     assert queue_key(wire.CreateFace(1, "Aunt", {}, True), "ann") == (0, "ann")
     for message in (wire.Delete(1, 5), wire.Restore(1, 5), wire.AskHistory(1, 5), wire.Duplicate(1, 5, "Copy")):
         assert queue_key(message, "ann") is None
-    assert set(OF_DRAFTS) < {*wire.EDITOR_MESSAGES}
 
 
 def test_there_must_be_an_item_and_a_draft(cast: Cast) -> None:

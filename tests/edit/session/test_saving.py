@@ -164,7 +164,9 @@ def test_a_copy_plays_at_once_and_goes_its_own_way(harness: EditHarness) -> None
 
 def test_what_is_on_air_is_kept_in_one_press(harness: EditHarness) -> None:
     harness.on_air = OnAir({"generic": 0.25, "broad": 0.75}, {"smile": 1.0}, {"jawOpen": 0.5})
-    first, second, named = harness.keep("expression"), harness.keep("face"), harness.keep("face", "Uncle", "7")
+    first = harness.keep("expression")
+    second = harness.keep("face")
+    named = harness.keep("face", "Uncle", "7")
     assert [(kept.label, kept.name) for kept in (first, second)] == [("On air 1", "on_air_1"), ("On air 2", "on_air_2")]
     assert (named.ticket, named.name, named.label, named.kind, named.trouble) == ("7", "uncle", "Uncle", "face", "")
     assert [own.name for own in harness.session.own()] == ["grin", "on_air_1", "on_air_2", "uncle"]
@@ -183,6 +185,7 @@ def test_what_cannot_be_kept_is_said_and_changes_nothing(harness: EditHarness) -
     assert "from no face" in harness.keep("face").trouble
     harness.on_air = OnAir(expressions={"nobody": 1.0})
     assert "no expression 'nobody'" in harness.keep("expression", ticket="9").trouble
-    harness.on_air, harness.make_baked = OnAir({"broad": 1.0}), lambda order: "the mesh would fold."
+    harness.on_air = OnAir({"broad": 1.0})
+    harness.make_baked = lambda order: "the mesh would fold."
     assert harness.keep("face").trouble == "the mesh would fold."
     assert harness.tables.stored() == before

@@ -5,7 +5,7 @@ import pytest
 from omote.edit.protocol.orders import Bake, Baked
 from omote.edit.store.content_store import PASSING, PASSING_BYTES, ContentStore
 from omote.model.recipes.recipe import FaceRecipe, Recipe
-from omote.showfile.changes import PutContent
+from omote.showfile.changes import Content
 from tests.authoring import make_baked, net_document
 
 RECIPE = Recipe((0, 1, 2), ((0.0, 0.0, 1.0),) * 3)
@@ -21,7 +21,7 @@ def test_contents_are_given_to_the_file_once() -> None:
     store = ContentStore({"old": b"kept"})
     store.remember_contents({"new": b"made", "old": b"kept"})
     assert store.changes_to_keep("old") == ()
-    assert store.changes_to_keep("new") == (PutContent("new", b"made"),)
+    assert store.changes_to_keep("new") == (Content("new", b"made"),)
     assert store.changes_to_keep("new") == ()
     assert dict(store) == {"old": b"kept", "new": b"made"}
     assert len(store) == 2
@@ -61,7 +61,8 @@ def test_a_recipe_that_was_baked_is_recalled() -> None:
 
 def test_a_net_is_built_once() -> None:
     store = ContentStore({})
-    plain, weaving = Bake(RECIPE, {}), Bake(RECIPE, {}, with_net=True)
+    plain = Bake(RECIPE, {})
+    weaving = Bake(RECIPE, {}, with_net=True)
     store.remember_result(plain, make_baked(plain))
     assert store.recall(weaving) is None
     store.remember_result(weaving, make_baked(weaving))
@@ -80,7 +81,8 @@ def test_what_a_recipe_made_in_another_run_is_known_when_its_bytes_are_there() -
 
 
 def test_large_contents_of_drafts_are_forgotten_by_their_bytes_and_the_newest_stays() -> None:
-    store, large = ContentStore({}), bytes(PASSING_BYTES // 4 + 1)
+    store = ContentStore({})
+    large = bytes(PASSING_BYTES // 4 + 1)
     for number in range(5):
         store.remember_contents({f"face {number}": large})
     assert list(store) == ["face 2", "face 3", "face 4"]

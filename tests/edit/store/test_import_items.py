@@ -19,7 +19,7 @@ from omote.model.recipes.compose_expression import compose_expression
 from omote.model.recipes.recipe import KEY, Recipe
 from omote.model.space.expression import Expression
 from omote.model.transfer.compound import compound
-from omote.showfile.changes import Item, PutContent, PutItem, PutRevision, Stored
+from omote.showfile.changes import Content, Item, Revision, Stored
 from omote.showfile.contents import unpack_expression
 from tests import synthetic
 
@@ -79,26 +79,26 @@ def test_names_are_new_and_revisions_can_be_made_again(cast: Cast) -> None:
     changes = changes_to_import(
         cast, before, [ImportedItem("Grin", smile), ImportedItem("smile", smile, ("x",), "a note")], wall=5.0
     )
-    items = [change.item for change in changes if isinstance(change, PutItem)]
+    items = [change for change in changes if isinstance(change, Item)]
     assert [(item.id, item.name, item.label, item.head) for item in items] == [
         (8, "grin_2", "Grin", 1),
         (9, "smile_2", "smile", 1),
     ]
-    contents = {change.key: change.data for change in changes if isinstance(change, PutContent)}
+    contents = {change.key: change.data for change in changes if isinstance(change, Content)}
     for change in changes:
-        if isinstance(change, PutRevision):
-            recipe = read_recipe(change.revision.recipe)
+        if isinstance(change, Revision):
+            recipe = read_recipe(change.recipe)
             assert isinstance(recipe, Recipe)
             sources = {KEY + key: unpack_expression(data) for key, data in contents.items()}
             assert same(compose_expression(SPACE, recipe, sources), smile)
-            assert change.revision.written == 5.0
+            assert change.written == 5.0
 
 
 def test_what_plays_already_is_known_by_its_content(cast: Cast) -> None:
     smile, jaw = (ImportedItem(name, cast.expressions[name]) for name in ("smile", "jawOpen"))
     changes = changes_to_import(cast, Stored(), [smile], wall=0.0)
-    (item,) = (change.item for change in changes if isinstance(change, PutItem))
-    revisions = tuple(change.revision for change in changes if isinstance(change, PutRevision))
+    (item,) = (change for change in changes if isinstance(change, Item))
+    revisions = tuple(change for change in changes if isinstance(change, Revision))
     stored = Stored(items=(item,), revisions=revisions)
     first, new, again = find_known(stored, [ImportedItem("another name", cast.expressions["smile"]), jaw, jaw])
     assert (first, new) == (item, None)
@@ -112,10 +112,10 @@ def test_what_plays_already_is_known_by_its_content(cast: Cast) -> None:
 def test_what_is_kept_can_be_mailed(cast: Cast) -> None:
     changes = changes_to_import(cast, Stored(), [ImportedItem("Grin", cast.expressions["smile"], ("x",))], wall=0.0)
     stored = Stored(
-        tuple(change.item for change in changes if isinstance(change, PutItem)),
-        tuple(change.revision for change in changes if isinstance(change, PutRevision)),
+        tuple(change for change in changes if isinstance(change, Item)),
+        tuple(change for change in changes if isinstance(change, Revision)),
     )
-    contents = {change.key: change.data for change in changes if isinstance(change, PutContent)}
+    contents = {change.key: change.data for change in changes if isinstance(change, Content)}
     letter = export_document(cast, stored, contents, "grin")
     assert (letter.label, letter.tags) == ("Grin", ["x"])
     assert same(made(import_document(SPACE, letter)), cast.expressions["smile"])

@@ -63,7 +63,8 @@ def test_what_weighs_nothing_is_not_on_air() -> None:
 
 def test_the_expression_on_air_is_a_layer_for_each_weight(cast: Cast) -> None:
     harness = EditHarness(cast)
-    sources, net = harness.session.authored.sources, net_of(cast)
+    sources = harness.session.authored.sources
+    net = net_of(cast)
     on_air = OnAir({"generic": 1.0}, {"neutral": 0.3, "smile": 0.7}, {"jawOpen": 0.5, "browInnerUp": 0.0})
     recipe = recipe_on_air("expression", on_air, net, sources)
     assert recipe == replace(
@@ -74,7 +75,8 @@ def test_the_expression_on_air_is_a_layer_for_each_weight(cast: Cast) -> None:
 
 def test_what_regions_show_beyond_the_face_is_layers_on_the_parts_of_the_head_that_they_are(cast: Cast) -> None:
     harness = EditHarness(cast)
-    sources, net = harness.session.authored.sources, net_of(cast)
+    sources = harness.session.authored.sources
+    net = net_of(cast)
     regions = {"mouth": {"smile": 1.0}, "brows": {"jawOpen": 0.25, "neutral": 0.75}}
     on_air = OnAir({"generic": 1.0}, {"neutral": 0.75, "jawOpen": 0.25}, {}, regions=regions)  # type: ignore[arg-type]
     assert on_air.names == {"generic", "neutral", "jawOpen", "smile"}

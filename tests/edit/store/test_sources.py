@@ -72,7 +72,8 @@ def test_a_whole_recipe_is_resolved(harness: EditHarness) -> None:
 
 
 def test_labels_are_what_people_read(harness: EditHarness) -> None:
-    sources, (grin, _) = harness.session.authored.sources, harness.session.own()
+    sources = harness.session.authored.sources
+    (grin, _) = harness.session.own()
     assert sources.label("expression", "grin") == sources.label("expression", grin.source) == "Grin"
     assert sources.label("expression", "browInnerUp") == "browInnerUp"
     assert sources.label("expression", "#0123456789abcdef") == "#0123456789a"

@@ -17,7 +17,8 @@ ALL = [Binding(d, c, t, high=h) for d in ("pad", "desk") for c in ("1", "2") for
 @given(st.lists(st.tuples(st.sampled_from(["bind", "unbind", "give"]), st.sampled_from(ALL)), max_size=12))
 def test_all_changes_taken_back_in_turn_leave_what_was_there(steps: list[tuple[str, Binding]]) -> None:
     bindings = EditableBindings(ALL[:2])
-    seen, made = [set(bindings.own)], []
+    seen = [set(bindings.own)]
+    made = []
     for number, (what, binding) in enumerate(steps):
         try:
             if what == "bind":
@@ -37,7 +38,9 @@ def test_all_changes_taken_back_in_turn_leave_what_was_there(steps: list[tuple[s
 
 
 def test_a_binding_takes_the_place_of_the_one_that_it_replaces() -> None:
-    first, second, third = ALL[0], ALL[4], ALL[8]
+    first = ALL[0]
+    second = ALL[4]
+    third = ALL[8]
     bindings = EditableBindings([first, second, third])
     changed = bindings.bind("a", Binding("pad", "9", JAW), replaces=second)
     assert changed.removed == (second,)

@@ -10,7 +10,7 @@ from hypothesis import strategies as st
 from omote.inputs.bindings.binding_document import decode_stored, document_of, encode_stored, read_document
 from omote.inputs.bindings.control_binding import Binding
 from omote.inputs.bindings.target import read_target
-from omote.show.messages import BindingDocument
+from omote.show.objects.bindings import BindingDocument
 
 TARGETS = (
     read_target("/omote/one/channel/jawOpen"),

@@ -10,7 +10,9 @@ from omote.inputs.bindings.control_binding import Binding
 from omote.inputs.bindings.target import read_target
 from omote.inputs.midi_stream import MidiDecoder
 from omote.inputs.reading import Reading
-from omote.show import messages as wire
+from omote.show.messages import PROTOCOL_VERSION
+from omote.show.objects.faders import Hands
+from omote.show.objects.link import Hello
 from omote.show.session import ShowSession
 from tests import synthetic
 
@@ -29,7 +31,7 @@ def bound(session: ShowSession, *bindings: Binding) -> BindingInput:
 
 
 def test_a_dial_a_button_and_a_head_play(session: ShowSession) -> None:
-    session.receive("a", wire.Hello("console", wire.PROTOCOL_VERSION, "Ana"), 0.0)
+    session.receive("a", Hello("console", PROTOCOL_VERSION, "Ana"), 0.0)
     devices = bound(
         session,
         Binding(PAD, "1/cc1", read_target("/omote/one/channel/jawOpen")),
@@ -42,7 +44,7 @@ def test_a_dial_a_button_and_a_head_play(session: ShowSession) -> None:
     assert state.characters["one"].head[0] == pytest.approx(math.pi / 2)
     assert state.characters["one"].faces == {"broad": 1.0}
     (hands,) = session.hands_now(0.2)
-    assert isinstance(hands.message, wire.Hands)
+    assert isinstance(hands.message, Hands)
     assert set(hands.message.hands.values()) == {PAD}
 
 

@@ -129,7 +129,8 @@ def desk_calls(desk: Desk, value: float, *, key: bool) -> list[tuple[Argument, .
 def test_an_encoder_turns_on_from_what_is_on_air_and_stops_at_the_ends() -> None:
     desk = Desk(fader(relative="binary_offset", step=0.25, pick_up=False))
     desk.on_air[JAW] = (0.5,)
-    one, back = 65 / 127.0, 63 / 127.0
+    one = 65 / 127.0
+    back = 63 / 127.0
     assert desk.turn(one, one, one) == [(0.75,), (1.0,), (1.0,)]
     assert desk.turn(back) == [(0.75,)]
 

@@ -15,7 +15,9 @@ def mean_face() -> np.ndarray:
 
 def rotation(head: HeadAngles) -> np.ndarray:
     """By yaw about y, then by -pitch about x, then by -roll about z."""
-    yaw, pitch, roll = head[0], -head[1], -head[2]
+    yaw = head[0]
+    pitch = -head[1]
+    roll = -head[2]
     y = np.array([[np.cos(yaw), 0, np.sin(yaw)], [0, 1, 0], [-np.sin(yaw), 0, np.cos(yaw)]])
     x = np.array([[1, 0, 0], [0, np.cos(pitch), -np.sin(pitch)], [0, np.sin(pitch), np.cos(pitch)]])
     z = np.array([[np.cos(roll), -np.sin(roll), 0], [np.sin(roll), np.cos(roll), 0], [0, 0, 1]])

@@ -16,7 +16,9 @@ def test_sides_are_the_performers_own(side: str, sign: float) -> None:
 
 @pytest.mark.parametrize("side", ["Left", "Right"])
 def test_an_eye_is_built_as_an_eye(side: str) -> None:
-    face, (upper, lower), (inner, outer) = mean_face(), LIDS[side], CORNERS[side]
+    face = mean_face()
+    (upper, lower) = LIDS[side]
+    (inner, outer) = CORNERS[side]
     assert (face[upper, 1] > face[lower, 1]).all()
     assert abs(face[inner, 0]) < abs(face[outer, 0])
     assert (np.diff(np.abs(face[upper, 0])) > 0).all()
@@ -26,7 +28,8 @@ def test_an_eye_is_built_as_an_eye(side: str) -> None:
 
 
 def test_lips_are_one_above_the_other_between_their_corners() -> None:
-    face, (left, right) = mean_face(), MOUTH_CORNERS
+    face = mean_face()
+    (left, right) = MOUTH_CORNERS
     assert face[left, 0] > 0 > face[right, 0]
     for upper, lower in LIPS_APART:
         assert face[upper, 1] >= face[lower, 1]

@@ -7,7 +7,8 @@ from omote.inputs.camera.one_euro import LONGEST_GAP, OneEuroFilter, Smoothing
 
 
 def test_noise_on_a_still_gets_smaller() -> None:
-    draw, one = np.random.default_rng(0), OneEuroFilter(Smoothing())
+    draw = np.random.default_rng(0)
+    one = OneEuroFilter(Smoothing())
     noise = draw.normal(0.0, 0.02, (300, 5))
     calm = np.array([one.follow(row, frame / 30) for frame, row in enumerate(noise)])
     assert (calm[30:].std(axis=0) < 0.75 * noise[30:].std(axis=0)).all()

@@ -85,7 +85,8 @@ def test_a_clock_that_begins_anew_begins_the_rest_anew() -> None:
 
 
 def test_weights_on_a_still_shake_less_than_what_comes_in() -> None:
-    calm, plain = PerformerTracker(CALIBRATION), PerformerTracker(CALIBRATION)
+    calm = PerformerTracker(CALIBRATION)
+    plain = PerformerTracker(CALIBRATION)
     rows = []
     for step in range(60):
         frame = shaking(step / RATE)

@@ -50,7 +50,8 @@ def test_rest_is_nothing_and_looks_straight() -> None:
 
 
 def test_a_guided_step_brings_what_was_asked_for_nearer() -> None:
-    plain, guided = calibrate(), calibrate(smile=smiling())
+    plain = calibrate()
+    guided = calibrate(smile=smiling())
     face = guided.steps["smile"]
     before, after = (
         PersonalMap(load_landmark_map(), one).estimate(face.face, face.pose)[SMILES] for one in (plain, guided)
@@ -59,7 +60,8 @@ def test_a_guided_step_brings_what_was_asked_for_nearer() -> None:
 
 
 def test_lids_that_are_shut_blink_whole() -> None:
-    before, after = calibrate(), calibrate(shut=shut())
+    before = calibrate()
+    after = calibrate(shut=shut())
     face = after.steps["shut"]
     weak, whole = (
         PersonalMap(load_landmark_map(), one).estimate(face.face, face.pose)[BLINKS] for one in (before, after)
@@ -70,7 +72,8 @@ def test_lids_that_are_shut_blink_whole() -> None:
 
 def test_eyes_come_nearer_to_where_they_were_asked_to_look() -> None:
     looks = {"left": (0.05, 0.0), "right": (-0.05, 0.0), "up": (0.0, 0.03), "down": (0.0, -0.03)}
-    calibration, plain = calibrate(**{step: looking(*move) for step, move in looks.items()}), calibrate()
+    calibration = calibrate(**{step: looking(*move) for step, move in looks.items()})
+    plain = calibrate()
     for first, second, axis in (("left", "right", 0), ("up", "down", 1)):
         spans = []
         for one in (plain, calibration):

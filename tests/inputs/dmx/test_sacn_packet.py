@@ -61,7 +61,8 @@ def test_numbers_out_of_their_range_are_rejected(place: int, value: int, why: st
 
 
 def test_no_bytes_raise_anything_else() -> None:
-    generator, whole = np.random.default_rng(1), packet()
+    generator = np.random.default_rng(1)
+    whole = packet()
     for _ in range(3000):
         data = bytearray(whole)
         for place in generator.integers(0, len(data), 3):

@@ -8,7 +8,10 @@ from omote.inputs.trackers.live_link_face import decode_live_link_face
 from omote.inputs.trackers.tracker_frame import TrackerFrame
 from omote.inputs.trackers.vmc_messages import VmcDecoder
 from omote.model.cast import Cast
-from omote.show import messages as wire
+from omote.show.messages import PROTOCOL_VERSION
+from omote.show.objects.faders import SetGaze, SetHead
+from omote.show.objects.link import Hello
+from omote.show.objects.state import CharacterState
 from omote.show.session import ShowSession
 
 WEIGHTS = {name: index / 64.0 for index, name in enumerate(ARKIT_NAMES)}
@@ -21,17 +24,17 @@ def read(protocol: str, packets: list[bytes]) -> TrackerFrame:
 
 
 @pytest.fixture
-def character(cast: Cast) -> wire.CharacterState:
+def character(cast: Cast) -> CharacterState:
     """A character that looks aside."""
     session = ShowSession(cast)
-    session.receive("console", wire.Hello("console", wire.PROTOCOL_VERSION, "console"), 0.0)
-    session.receive("console", wire.SetHead("one", 0.3, -0.2, 0.1), 0.0)
-    session.receive("console", wire.SetGaze("one", 0.2, 0.1), 0.0)
+    session.receive("console", Hello("console", PROTOCOL_VERSION, "console"), 0.0)
+    session.receive("console", SetHead("one", 0.3, -0.2, 0.1), 0.0)
+    session.receive("console", SetGaze("one", 0.2, 0.1), 0.0)
     return session.tick(0.0).characters["one"]
 
 
 @pytest.mark.parametrize("protocol", ["vmc", "livelink"])
-def test_what_is_sent_is_what_is_on_air(character: wire.CharacterState, protocol: str) -> None:
+def test_what_is_sent_is_what_is_on_air(character: CharacterState, protocol: str) -> None:
     frame = read(protocol, encode_face(FaceTarget(protocol, "host", 1), character, WEIGHTS, 2.5))
     found = {channel: value for name, value in frame.weights.items() for channel in ARKIT_CHANNELS.find(name)}
     assert found == pytest.approx(WEIGHTS)
@@ -42,7 +45,7 @@ def test_what_is_sent_is_what_is_on_air(character: wire.CharacterState, protocol
 
 
 def test_vmc_is_sent_by_the_names_of_perfect_sync_and_live_link_by_the_character_s(
-    character: wire.CharacterState,
+    character: CharacterState,
 ) -> None:
     vmc = read("vmc", encode_face(FaceTarget("vmc", "host", 1), character, WEIGHTS, 0.0))
     assert "EyeBlinkLeft" in vmc.weights

@@ -13,7 +13,8 @@ from omote.model.space.expression import Expression
 
 def mixed(cast: Cast, **weights: float) -> Expression:
     """An expression that moves what units do, each by its weight."""
-    units, shares = [cast.expressions[name] for name in weights], np.array(list(weights.values()))
+    units = [cast.expressions[name] for name in weights]
+    shares = np.array(list(weights.values()))
     dtheta = shares @ np.stack([unit.dtheta for unit in units])
     dh = shares @ np.stack([unit.dh for unit in units])
     ratio = 1.0 + shares @ np.stack([unit.ratio - 1.0 for unit in units])

@@ -9,7 +9,7 @@ from omote.inputs.microphone.microphone_input import MOST_MICROPHONES, MOST_WAIT
 from omote.inputs.microphone.microphone_messages import Begin, Measured, Rejected, Sentence, Sound, Speak, ToMicrophone
 from omote.inputs.microphone.sound_features import BANDS, HOP, SAMPLE_RATE
 from omote.model.cast import Cast
-from omote.show import messages as wire
+from omote.show.objects.state import State
 from omote.show.session import ShowSession
 from tests.inputs.microphone.test_speaker_profile import sentence
 from tests.inputs.microphone.voices import Sound as Samples
@@ -22,17 +22,18 @@ class Stage:
     """A session with one character, microphones, and a clock."""
 
     def __init__(self, cast: Cast) -> None:
-        self.session, self.now = ShowSession(cast), 0.0
+        self.session = ShowSession(cast)
+        self.now = 0.0
         self.microphones = MicrophoneInput(lambda: self.session)
         self.told: list[ToMicrophone] = []
-        self.states: list[wire.State] = []
+        self.states: list[State] = []
 
     def say(self, who: str, message: msgspec.Struct) -> list[ToMicrophone]:
         answers = self.microphones.hear(who, msgspec.msgpack.encode(message), self.now)
         self.told += answers
         return answers
 
-    def speak(self, who: str, sound: Samples) -> wire.State:
+    def speak(self, who: str, sound: Samples) -> State:
         """Ticks while this sound comes, 10 ms at a time."""
         sent = 0
         for tick in range(1, round(len(sound) / SAMPLE_RATE / TICK) + 1):
@@ -42,7 +43,7 @@ class Stage:
             self.tick()
         return self.states[-1]
 
-    def tick(self, seconds: float = TICK) -> wire.State:
+    def tick(self, seconds: float = TICK) -> State:
         for _ in range(round(seconds / TICK)):
             self.told += [rejected for _, rejected in self.microphones.play(self.now)]
             self.now += TICK

@@ -9,7 +9,8 @@ from tests.inputs.microphone.voices import AA, II, pause, pcm, vowel
 
 def test_pieces_do_not_matter() -> None:
     sound = np.concatenate([pause(0.1), vowel(0.3)])
-    whole, stream = FeatureStream().push(sound), FeatureStream()
+    whole = FeatureStream().push(sound)
+    stream = FeatureStream()
     parts = [stream.push(piece) for piece in np.array_split(sound, [7, 300, 301, 1000, 2500])]
     for name in ("bands", "level", "voicing"):
         joined = np.concatenate([getattr(part, name) for part in parts])

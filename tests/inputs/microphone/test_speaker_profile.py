@@ -21,7 +21,8 @@ def measured(sound: Sound) -> SpeakerProfile:
 
 
 def test_a_sentence_measures_a_speaker_whatever_the_gain() -> None:
-    loud, quiet = measured(sentence()), measured(0.1 * sentence())
+    loud = measured(sentence())
+    quiet = measured(0.1 * sentence())
     assert loud.level - quiet.level == pytest.approx(20.0, abs=0.5)
     assert np.subtract(loud.bands, quiet.bands)[:15] == pytest.approx(np.full(15, 20.0), abs=3.0)
 

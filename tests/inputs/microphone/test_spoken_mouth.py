@@ -7,7 +7,8 @@ from omote.inputs.microphone.spoken_mouth import FALL_SECONDS, HOLD_SECONDS, Spo
 from omote.inputs.microphone.viseme_frame import VisemeFrame
 from omote.perform.speech.visemes import MOUTH_UNITS, VISEMES, mouth_of
 
-JAW, CLOSE = MOUTH_UNITS.index("jawOpen"), MOUTH_UNITS.index("mouthClose")
+JAW = MOUTH_UNITS.index("jawOpen")
+CLOSE = MOUTH_UNITS.index("mouthClose")
 
 
 def frame(**given: float) -> VisemeFrame:
@@ -31,8 +32,10 @@ def test_a_bilabial_between_vowels_shuts_the_lips() -> None:
 
 def test_nothing_pops() -> None:
     """Whatever the decisions, no unit goes in 10 ms what a cut would make it go."""
-    random, mouth = np.random.default_rng(3), SpokenMouth()
-    ways, cuts = [mouth.mouth], [mouth.mouth]
+    random = np.random.default_rng(3)
+    mouth = SpokenMouth()
+    ways = [mouth.mouth]
+    cuts = [mouth.mouth]
     for _ in range(300):
         chosen = frame(**{VISEMES[int(random.integers(len(VISEMES)))]: 1.0})
         for _ in range(int(random.integers(1, 12))):

@@ -71,7 +71,8 @@ def test_inputs_are_relative_to_the_speaker() -> None:
     """A louder microphone gives the same, once the speaker is known."""
     given = []
     for gain in (1.0, 0.2):
-        heard, speaker = FeatureStream().push(gain * vowel(1.0)), SpeakerState()
+        heard = FeatureStream().push(gain * vowel(1.0))
+        speaker = SpeakerState()
         speaker.level += 20.0 * np.log10(gain)
         speaker.bands = speaker.bands + np.float32(20.0 * np.log10(gain))
         given.append(frame_inputs(heard, speaker)[30, :15])  # above lies silence

@@ -9,14 +9,15 @@ from omote.inputs.bindings.control_binding import Binding
 from omote.inputs.bindings.target import read_target
 from omote.inputs.page_devices.binding_commands import BindingCommands
 from omote.inputs.reading import Reading
-from omote.show import messages as wire
+from omote.show.objects.bindings import Bind, BindingDocument, Learn, LearningState, LoadPreset, RestoreBindings, Unbind
 
 JAW = read_target("/omote/one/channel/jawOpen")
 NANO = "nanoKONTROL2"
 
 
 def commands(*own: Binding, presets: dict[str, str] | None = None) -> tuple[BindingCommands, Bindings, list[bytes]]:
-    playing, kept = Bindings(), list[bytes]()
+    playing = Bindings()
+    kept = list[bytes]()
     return BindingCommands(EditableBindings(own), playing, presets or {}, kept.append), playing, kept
 
 
@@ -47,18 +48,18 @@ def test_a_device_that_nobody_knows_has_no_preset() -> None:
 def test_what_is_loaded_is_taken_back_whole() -> None:
     own = Binding(NANO, "1/cc100", JAW)
     made, playing, _ = commands(own)
-    changed = made.carry_out(wire.LoadPreset("p1", NANO, "nanokontrol2", "one"))
+    changed = made.carry_out(LoadPreset("p1", NANO, "nanokontrol2", "one"))
     assert [each.control for each in changed.removed] == ["1/cc100"]
     assert own not in playing.bindings
-    made.carry_out(wire.RestoreBindings("r1", "p1"))
+    made.carry_out(RestoreBindings("r1", "p1"))
     assert playing.bindings == (own,)
 
 
 def test_the_newest_who_asks_learns() -> None:
     made, playing, _ = commands()
-    made.learn("a", "Ana", wire.Learn("l1", "/omote/one/head", "yaw"), 0.0)
-    made.learn("b", "Ben", wire.Learn("l2", JAW.path), 0.0)
-    assert made.list_now().learning == wire.LearningState("l2", JAW.path, "", [], "Ben")
+    made.learn("a", "Ana", Learn("l1", "/omote/one/head", "yaw"), 0.0)
+    made.learn("b", "Ben", Learn("l2", JAW.path), 0.0)
+    assert made.list_now().learning == LearningState("l2", JAW.path, "", [], "Ben")
     assert made.hear([Reading("pad", "1/note60", 1.0, key=True)]) is None
     learned = made.hear([Reading("pad", "1/note60", 0.0, key=True)])
     assert learned is not None
@@ -70,15 +71,15 @@ def test_the_newest_who_asks_learns() -> None:
 @pytest.mark.parametrize(
     "wrong",
     [
-        wire.Bind("x", wire.BindingDocument("pad", "1/cc7", "/omote/one/nose")),
-        wire.Unbind("x", wire.BindingDocument("pad", "1/cc7", JAW.path)),
-        wire.LoadPreset("x", "pad", "theremin"),
-        wire.RestoreBindings("x", "never"),
+        Bind("x", BindingDocument("pad", "1/cc7", "/omote/one/nose")),
+        Unbind("x", BindingDocument("pad", "1/cc7", JAW.path)),
+        LoadPreset("x", "pad", "theremin"),
+        RestoreBindings("x", "never"),
     ],
     ids=lambda message: type(message).__name__,
 )
 def test_what_cannot_be_changes_nothing(
-    wrong: wire.Bind | wire.Unbind | wire.LoadPreset | wire.RestoreBindings,
+    wrong: Bind | Unbind | LoadPreset | RestoreBindings,
 ) -> None:
     made, playing, kept = commands(Binding("pad", "1/cc8", JAW))
     number = made.number

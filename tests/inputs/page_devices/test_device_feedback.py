@@ -6,7 +6,7 @@ from hypothesis import strategies as st
 
 from omote.inputs.midi_stream import MidiDecoder
 from omote.inputs.page_devices.device_feedback import MOST_MESSAGES, QUIET_SECONDS, DeviceFeedback, message_of
-from omote.inputs.presets.lamp import Lamp
+from omote.inputs.presets.lamp import DeviceLamp
 from omote.inputs.reading import Reading
 
 
@@ -66,12 +66,13 @@ def test_what_comes_back_at_once_is_an_echo_and_later_a_hand() -> None:
 
 
 def test_lamps_show_in_their_own_way() -> None:
-    feedback = DeviceFeedback({"11/cc1": Lamp(0xB0, 9, 1, 13)})
+    feedback = DeviceFeedback({"11/cc1": DeviceLamp(0xB0, 9, 1, 13)})
     assert feedback.news({"11/cc1": 0.5}, 0.0) == bytes([0xB0, 9, 7])
 
 
 def test_a_page_of_changes_goes_out_over_several_times() -> None:
-    feedback, positions = DeviceFeedback(), {f"1/cc{number}": 1.0 for number in range(100)}
+    feedback = DeviceFeedback()
+    positions = {f"1/cc{number}": 1.0 for number in range(100)}
     sizes = [len(feedback.news(positions, time / 30)) for time in range(5)]
     assert sum(sizes) == 300
     assert max(sizes) <= 3 * (MOST_MESSAGES + 1)

@@ -3,7 +3,7 @@
 import pytest
 
 from omote.inputs.page_devices.device_health import MOST_VALUES, DeviceHealth, SourceCounts, SourceHealth
-from omote.inputs.page_devices.input_log import InputLog
+from omote.inputs.page_devices.input_log import LineLog
 from omote.inputs.rejection import Rejection
 from omote.inputs.trackers.tracker_input import SenderCounts
 
@@ -26,7 +26,7 @@ def test_the_newest_values_are_kept() -> None:
 
 
 def test_a_look_at_a_source_logs_what_is_new_once() -> None:
-    log = InputLog()
+    log = LineLog()
     counts = SourceCounts("OSC", "osc", "10.0.0.5", 40, 2, "/omote/panic", Rejection(0.0, "10.0.0.5", "no"))
     source = SourceHealth(lambda: counts)
     state = source.look(2.0, log)
@@ -37,7 +37,8 @@ def test_a_look_at_a_source_logs_what_is_new_once() -> None:
 
 
 def test_each_sender_of_a_face_is_one_line_that_shows_what_moves() -> None:
-    log, heard = InputLog(), {"Ada": 0, "Ben": 0}
+    log = LineLog()
+    heard = {"Ada": 0, "Ben": 0}
     jaw = {"Ada": 0.0, "Ben": 0.0}
 
     def probe() -> SourceCounts:

@@ -1,10 +1,10 @@
 """The log of inputs: bounded, the same once, whatever comes."""
 
-from omote.inputs.page_devices.input_log import LINES_A_SECOND, MOST_LINES, InputLog
+from omote.inputs.page_devices.input_log import LINES_A_SECOND, MOST_LINES, LineLog
 
 
 def test_the_same_within_a_second_is_one_line() -> None:
-    log = InputLog(started=1000.0)
+    log = LineLog(started=1000.0)
     for n in range(50):
         log.note("pad", "no such face", n / 100, rejected=True)
     (line,) = log.lines
@@ -14,7 +14,7 @@ def test_the_same_within_a_second_is_one_line() -> None:
 
 
 def test_a_flood_makes_a_few_lines_a_second_and_none_of_another_source_is_lost() -> None:
-    log = InputLog()
+    log = LineLog()
     for n in range(40_000):
         log.note("OSC", f"message {n}", n / 40_000)
     log.note("pad", "1/cc7 0.5", 1.0)
@@ -25,7 +25,7 @@ def test_a_flood_makes_a_few_lines_a_second_and_none_of_another_source_is_lost()
 
 
 def test_it_stays_bounded_and_each_change_has_a_number() -> None:
-    log = InputLog()
+    log = LineLog()
     numbers = set()
     for n in range(3 * MOST_LINES):
         log.note(f"pad {n % 7}", "x" * 10_000, float(n))
@@ -36,7 +36,8 @@ def test_it_stays_bounded_and_each_change_has_a_number() -> None:
 
 
 def test_what_comes_without_end_is_one_line_until_nothing_comes() -> None:
-    log, numbers = InputLog(), set()
+    log = LineLog()
+    numbers = set()
     for n in range(100):
         log.follow("VMC", "Ada", n / 10, count=6, rate=60.0, bars={"jawOpen": n / 100})
         numbers.add(log.number)

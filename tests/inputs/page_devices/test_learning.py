@@ -3,7 +3,7 @@
 import pytest
 
 from omote.inputs.bindings.control_binding import Binding
-from omote.inputs.bindings.target import Target, read_target
+from omote.inputs.bindings.target import BoundTarget, read_target
 from omote.inputs.midi_stream import MidiDecoder
 from omote.inputs.page_devices.learning import Learning
 from omote.inputs.reading import Reading
@@ -13,9 +13,10 @@ FACE = read_target("/omote/one/face", ["dog"])
 HEAD = read_target("/omote/one/head", axis="yaw")
 
 
-def learn_midi(*messages: str, target: Target = JAW) -> Binding | None:
+def learn_midi(*messages: str, target: BoundTarget = JAW) -> Binding | None:
     """What is bound by messages of MIDI that come one by one."""
-    learning, decoder = Learning(target, 0.0), MidiDecoder("pad")
+    learning = Learning(target, 0.0)
+    decoder = MidiDecoder("pad")
     for message in messages:
         found = learning.hear(decoder.feed(bytes.fromhex(message)))
         if found is not None:
@@ -23,7 +24,7 @@ def learn_midi(*messages: str, target: Target = JAW) -> Binding | None:
     return None
 
 
-def learn(*readings: Reading, target: Target = JAW) -> Binding | None:
+def learn(*readings: Reading, target: BoundTarget = JAW) -> Binding | None:
     learning = Learning(target, 0.0)
     return next((found for each in readings if (found := learning.hear([each])) is not None), None)
 
@@ -45,7 +46,8 @@ def test_a_fader_of_14_bits_is_bound_whole() -> None:
 
 
 def test_a_button_with_a_number_that_could_be_a_fine_part_is_a_button() -> None:
-    decoder, learning = MidiDecoder("nano"), Learning(JAW, 0.0)
+    decoder = MidiDecoder("nano")
+    learning = Learning(JAW, 0.0)
     decoder.feed(bytes.fromhex("b0 00 40"))  # the slider was moved before
     found = learning.hear(decoder.feed(bytes.fromhex("b0 20 7f")) + decoder.feed(bytes.fromhex("b0 20 00")))
     assert found == Binding("nano", "1/cc32", JAW, pick_up=False, button="toggle")

@@ -9,7 +9,8 @@ STILL = dict.fromkeys(ARKIT_NAMES, 0.1)
 
 
 def test_of_fifty_two_channels_the_few_that_move_are_shown() -> None:
-    activity, moving = SenderActivity(), ("jawOpen", "mouthSmileLeft", "browInnerUp")
+    activity = SenderActivity()
+    moving = ("jawOpen", "mouthSmileLeft", "browInnerUp")
     for look in range(40):
         values = STILL | {name: 0.5 + 0.3 * math.sin(look) for name in moving} | {"cheekPuff": 0.9}
         shown = activity.look(values)

@@ -1,7 +1,7 @@
 """The guided minute: the steps that the fit knows, and a minute together."""
 
-from omote.inputs.camera.guided_steps import STEPS
-from omote.inputs.performers.calibration_steps import CALIBRATION_STEPS, NEUTRAL_STEP, READY_SECONDS, REST_STEP
+from omote.inputs.camera.guided_steps import NEUTRAL, STEPS
+from omote.inputs.performers.calibration_steps import CALIBRATION_STEPS, READY_SECONDS, REST_STEP
 
 
 def test_the_steps_are_those_that_the_fit_knows_and_take_a_minute() -> None:
@@ -11,4 +11,4 @@ def test_the_steps_are_those_that_the_fit_knows_and_take_a_minute() -> None:
 
 
 def test_a_start_needs_two_seconds_at_rest() -> None:
-    assert (REST_STEP.name, REST_STEP.hold) == (NEUTRAL_STEP, 2.0)
+    assert (REST_STEP.name, REST_STEP.hold) == (NEUTRAL, 2.0)

@@ -11,7 +11,10 @@ from omote.inputs.trackers.tracker_input import TrackerInput
 from omote.inputs.trackers.tracker_protocols import TRACKER_PROTOCOLS
 from omote.inputs.trackers.vmc_messages import encode_vmc
 from omote.model.cast import Cast
-from omote.show import messages as show_wire
+from omote.show.messages import PROTOCOL_VERSION
+from omote.show.objects.characters import AddCharacter
+from omote.show.objects.link import Hello
+from omote.show.objects.state import State
 from omote.show.session import ShowSession
 from omote.show.sources.open_sources import QUIET_SECONDS
 from tests.inputs.performers.landmarks import packet
@@ -23,10 +26,11 @@ class Stage:
     """A session, its cameras, a show file's performers, and a clock."""
 
     def __init__(self, cast: Cast) -> None:
-        self.session, self.now = ShowSession(cast), 0.0
+        self.session = ShowSession(cast)
+        self.now = 0.0
         self.stored: dict[str, bytes] = {}
         self.cameras = self.open()
-        self.session.receive("console", show_wire.Hello("console", show_wire.PROTOCOL_VERSION, "console"), 0.0)
+        self.session.receive("console", Hello("console", PROTOCOL_VERSION, "console"), 0.0)
 
     def open(self) -> CameraInput:
         return CameraInput(lambda: self.session, PerformerList(dict(self.stored), self._keep))
@@ -39,7 +43,7 @@ class Stage:
     def begin(self, link: str = "1", name: str = "Ada") -> str | None:
         return self.cameras.obey(link, wire.Perform(wire.CAMERA_VERSION, name))
 
-    def play(self, seconds: float, link: str = "1", **face: float | bool) -> show_wire.State:
+    def play(self, seconds: float, link: str = "1", **face: float | bool) -> State:
         for count in range(max(1, round(seconds / TICK))):
             if count % 2 == 0:
                 self.cameras.receive(link, packet(self.now, **face))  # type: ignore[arg-type]
@@ -201,7 +205,7 @@ def test_a_fit_that_fails_leaves_what_was(stage: Stage) -> None:
 
 
 def test_a_page_chooses_whom_it_plays_before_and_after_its_first_frame(stage: Stage) -> None:
-    stage.session.receive("console", show_wire.AddCharacter("a", "two", "Two", "broad"), 0.0)
+    stage.session.receive("console", AddCharacter("a", "two", "Two", "broad"), 0.0)
     stage.begin()
     stage.cameras.obey("1", wire.PlayCharacters(["two"]))
     assert [each.played for each in stage.status().characters] == [False, True]

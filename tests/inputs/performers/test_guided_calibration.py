@@ -13,7 +13,8 @@ class Session:
     """A guide and its clock."""
 
     def __init__(self, *, guided: bool = True) -> None:
-        self.guide, self.now = GuidedCalibration(guided=guided), 10.0
+        self.guide = GuidedCalibration(guided=guided)
+        self.now = 10.0
 
     def show(self, seconds: float, *, found: bool = True, every: float = FRAME) -> None:
         for _ in range(round(seconds / every)):
@@ -21,8 +22,8 @@ class Session:
             self.guide.hear(landmarks(self.now, found=found), self.now)
 
     def step(self) -> str:
-        state = self.guide.state()
-        return "" if state is None else state.step.name
+        made = self.guide.step()
+        return "" if made is None else made.step
 
     def make(self, count: int) -> None:
         for _ in range(count):
@@ -32,7 +33,8 @@ class Session:
 
 
 def test_every_step_is_made_once_in_its_order() -> None:
-    session, made = Session(), []
+    session = Session()
+    made = []
     while not session.guide.done:
         made.append(session.step())
         session.make(1)
@@ -40,7 +42,7 @@ def test_every_step_is_made_once_in_its_order() -> None:
     frames = session.guide.frames()
     assert list(frames) == made
     assert all(LEAST_FRAMES <= len(each) <= MOST_FRAMES for each in frames.values())
-    assert session.guide.state() is None
+    assert session.guide.step() is None
 
 
 def test_the_frames_of_a_step_are_those_after_it_was_got_ready() -> None:
@@ -54,9 +56,9 @@ def test_the_frames_of_a_step_are_those_after_it_was_got_ready() -> None:
 def test_a_step_waits_while_the_face_is_not_seen() -> None:
     session = Session()
     session.show(1.0)
-    before = session.guide.state()
+    before = session.guide.step()
     session.show(60.0, found=False)
-    assert session.guide.state() == before
+    assert session.guide.step() == before
 
 
 def test_a_step_waits_for_pictures_that_come_late() -> None:

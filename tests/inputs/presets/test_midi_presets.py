@@ -12,34 +12,39 @@ from omote.inputs.page_devices.binding_commands import BindingCommands
 from omote.inputs.page_devices.page_devices import PageDevices
 from omote.inputs.presets.midi_presets import FACES
 from omote.inputs.presets.preset import FEELINGS
-from omote.show import messages as wire
+from omote.show.messages import PROTOCOL_VERSION
+from omote.show.objects.devices import DeviceBytes, DeviceKind, MidiBytes, Plug
+from omote.show.objects.link import Hello
+from omote.show.objects.state import CharacterState
 from omote.show.session import ShowSession
 
 
 class Plugged:
     """A show of the built-in cast with one device, as it is delivered."""
 
-    def __init__(self, name: str, kind: wire.DeviceKind = "midi") -> None:
-        self.session, self.name, self.now = ShowSession(load_cast()), name, 0.0
-        self.session.receive("a", wire.Hello("console", wire.PROTOCOL_VERSION, "Ana"), 0.0)
+    def __init__(self, name: str, kind: DeviceKind = "midi") -> None:
+        self.session = ShowSession(load_cast())
+        self.name = name
+        self.now = 0.0
+        self.session.receive("a", Hello("console", PROTOCOL_VERSION, "Ana"), 0.0)
         bindings = BindingInput(Bindings(), lambda: self.session)
         commands = BindingCommands(EditableBindings(), bindings.bindings, {})
         self.devices = PageDevices(lambda: self.session, bindings, commands)
-        assert self.devices.receive("a", wire.Plug(name, kind), 0.0) == []
+        assert self.devices.receive("a", Plug(name, kind), 0.0) == []
         self.sent = b""
         self.tick(60)  # it shows what is on air by now
 
-    def tick(self, count: int = 2) -> wire.CharacterState:
+    def tick(self, count: int = 2) -> CharacterState:
         for _ in range(count):
             self.now += 1 / 60
             state = self.session.tick(self.now)
             told: list[Any] = [each.message for each in self.devices.tick(state, self.now)]
-            self.sent += b"".join(each.data for each in told if isinstance(each, wire.DeviceBytes))
+            self.sent += b"".join(each.data for each in told if isinstance(each, DeviceBytes))
         return state.characters["one"]
 
-    def send(self, *packets: str) -> wire.CharacterState:
+    def send(self, *packets: str) -> CharacterState:
         for packet in packets:
-            answers = self.devices.receive("a", wire.MidiBytes(self.name, bytes.fromhex(packet)), self.now)
+            answers = self.devices.receive("a", MidiBytes(self.name, bytes.fromhex(packet)), self.now)
             assert answers == []
         assert self.devices.devices[self.name].health.rejected == 0
         return self.tick()
@@ -89,8 +94,8 @@ def test_launchpad_mini_mk3() -> None:
 
 def test_two_desks_of_one_kind_have_names_and_bindings_of_their_own() -> None:
     desk = Plugged("nanoKONTROL2")
-    desk.devices.receive("a", wire.Plug("nanoKONTROL2 (2)", "midi"), desk.now)
+    desk.devices.receive("a", Plug("nanoKONTROL2 (2)", "midi"), desk.now)
     desk.send("b0 00 00", "b0 00 7f")
-    second = wire.MidiBytes("nanoKONTROL2 (2)", bytes.fromhex("b0 00 00"))
+    second = MidiBytes("nanoKONTROL2 (2)", bytes.fromhex("b0 00 00"))
     desk.devices.receive("a", second, desk.now)
     assert desk.tick().channels == {"jawOpen": 1.0}, "its fader waits where the other has put the value"

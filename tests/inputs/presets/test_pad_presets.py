@@ -4,7 +4,8 @@ import math
 
 import pytest
 
-from omote.show import messages as wire
+from omote.show.objects.devices import Controls
+from omote.show.objects.state import CharacterState
 from tests.inputs.presets.test_midi_presets import Plugged
 
 
@@ -12,8 +13,8 @@ from tests.inputs.presets.test_midi_presets import Plugged
 def test_a_pad_plays_when_it_is_plugged_in(name: str) -> None:
     pad = Plugged(name, "gamepad")
 
-    def hold(**values: float) -> wire.CharacterState:
-        assert pad.devices.receive("a", wire.Controls(name, values), pad.now) == []
+    def hold(**values: float) -> CharacterState:
+        assert pad.devices.receive("a", Controls(name, values), pad.now) == []
         return pad.tick()
 
     assert hold(axis0=1.0, axis1=0.0).gaze == pytest.approx((math.radians(35), math.radians(25)))
@@ -29,5 +30,5 @@ def test_a_pad_plays_when_it_is_plugged_in(name: str) -> None:
 
 def test_a_space_mouse_turns_the_head() -> None:
     mouse = Plugged("SpaceMouse Compact", "space_mouse")
-    mouse.devices.receive("a", wire.Controls(mouse.name, {"rz": 1.0, "rx": 0.0, "ry": 0.5}), 0.0)
+    mouse.devices.receive("a", Controls(mouse.name, {"rz": 1.0, "rx": 0.0, "ry": 0.5}), 0.0)
     assert mouse.tick().head == pytest.approx((math.radians(60), math.radians(40), 0.0))

@@ -2,14 +2,14 @@
 
 import pytest
 
-from omote.inputs.presets.preset import LEVELS, Control, directions, faces, faders, feelings
+from omote.inputs.presets.preset import LEVELS, PresetControl, directions, faces, faders, feelings
 
 
 def test_a_control_becomes_a_binding_of_its_device_and_character() -> None:
-    binding = Control("1/cc7", "head", "yaw", more={"low": -10.0, "high": 10.0}).binding("pad", "two")
+    binding = PresetControl("1/cc7", "head", "yaw", more={"low": -10.0, "high": 10.0}).binding("pad", "two")
     assert (binding.device, binding.target.path, binding.low, binding.high) == ("pad", "/omote/two/head", -10.0, 10.0)
-    assert Control("1/cc42", "/omote/panic").binding("pad", "two").target.path == "/omote/panic"
-    assert Control("1/cc43", "bank:B").binding("pad", "two").target.bank == "B"
+    assert PresetControl("1/cc42", "/omote/panic").binding("pad", "two").target.path == "/omote/panic"
+    assert PresetControl("1/cc43", "bank:B").binding("pad", "two").target.bank == "B"
 
 
 def test_rows_end_where_the_controls_or_what_they_play_end() -> None:
@@ -24,4 +24,4 @@ def test_rows_end_where_the_controls_or_what_they_play_end() -> None:
 
 def test_a_control_that_cannot_be_is_rejected() -> None:
     with pytest.raises(ValueError, match="near are"):
-        Control("1/cc7", "nose").binding("pad", "one")
+        PresetControl("1/cc7", "nose").binding("pad", "one")

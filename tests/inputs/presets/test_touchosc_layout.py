@@ -15,7 +15,7 @@ from omote.inputs.osc_packet import Argument, encode_message
 from omote.inputs.presets.touchosc_layout import FOLLOW_PORT, FRAME, OF_CHARACTER, build_touchosc_layout
 from omote.model.cast import Cast
 from omote.perform.lights import LIGHTS
-from omote.show import messages as wire
+from omote.show.objects.leases import SetLeases
 from omote.show.session import ShowSession
 
 CONVERSIONS: dict[str, Callable[[str | float], Argument]] = {"STRING": str, "FLOAT": float, "INTEGER": int}
@@ -44,7 +44,8 @@ class OscControl:
 
     @staticmethod
     def _argument(part: ElementTree.Element, values: dict[str, float]) -> Argument:
-        convert, value = CONVERSIONS[part.findtext("conversion") or ""], part.findtext("value") or ""
+        convert = CONVERSIONS[part.findtext("conversion") or ""]
+        value = part.findtext("value") or ""
         if part.findtext("type") == "CONSTANT":
             return convert(value)
         low, high = (float(part.findtext(name) or "") for name in ("scaleMin", "scaleMax"))
@@ -96,7 +97,7 @@ def press(osc: OscInput, control: OscControl, now: float = 0.0, **values: float)
 def test_all_that_its_controls_send_is_obeyed(session: ShowSession, controls: list[OscControl]) -> None:
     osc = OscInput(lambda: session)
     session.join("desk", "Desk")
-    session.receive("desk", wire.SetLeases("on", True), 0.0)
+    session.receive("desk", SetLeases("on", True), 0.0)
     for control in controls:
         for x, y in ((0.0, 0.0), (0.5, 1.0), (1.0, 0.5)):
             press(osc, control, x=x, y=y)
@@ -116,7 +117,8 @@ def test_each_name_has_a_button_that_calls_it(session: ShowSession, controls: li
 
 
 def test_faders_and_pads_play_what_they_show(session: ShowSession, controls: list[OscControl]) -> None:
-    osc, by_address = OscInput(lambda: session), {control.address: control for control in controls}
+    osc = OscInput(lambda: session)
+    by_address = {control.address: control for control in controls}
     press(osc, by_address["/omote/one/channel/jawOpen"], x=0.75)
     press(osc, by_address["/omote/one/gaze"], x=1.0, y=0.5)
     press(osc, by_address["/omote/one/head"], x=0.5, y=0.5)

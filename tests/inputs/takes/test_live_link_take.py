@@ -40,7 +40,8 @@ def test_the_rate_is_read_from_where_the_seconds_change(counted: int, step: int)
 @pytest.mark.parametrize("rate", [30, 60])
 def test_numbers_that_are_dropped_take_no_time(rate: int) -> None:
     """SMPTE 12M: numbers 0 and 1 (0 to 3 of 60) of each minute are left out, but for each tenth."""
-    before, after = f"00:00:59;{rate - 1}", f"00:01:00;{rate // 15:02}"
+    before = f"00:00:59;{rate - 1}"
+    after = f"00:01:00;{rate // 15:02}"
     assert read_time_code(after).at(rate) - read_time_code(before).at(rate) == pytest.approx(1.001 / rate)
     hour = read_time_code("01:00:00;00").at(rate)
     assert hour == pytest.approx(3600.0, abs=0.01)

@@ -29,7 +29,8 @@ def pcapng(*packets: Packet, order: str = "<", unit: int = 6, link: int = 1) -> 
     interface = block(1, struct.pack(f"{order}HHIHHB3xI", link, 0, 0, 9, 1, unit, 0))
     blocks = [block(5, bytes(12))]
     for packet in packets:
-        frame, ticks = ETHERNET + ip(packet), round(packet.time * 10**unit)
+        frame = ETHERNET + ip(packet)
+        ticks = round(packet.time * 10**unit)
         sizes = (0, ticks >> 32, ticks & 0xFFFFFFFF, len(frame), len(frame))
         blocks.append(block(6, struct.pack(f"{order}IIIII", *sizes) + frame))
     return head + interface + b"".join(blocks)

@@ -26,7 +26,8 @@ def live_link_face(values: list[float], subject: str = "Phone", device: str = "D
 
 def turn(axis: int, angle: float) -> Matrix:
     """The right-handed rotation about an axis."""
-    first, second = (axis + 1) % 3, (axis + 2) % 3
+    first = (axis + 1) % 3
+    second = (axis + 2) % 3
     made = np.eye(3)
     made[first, first] = made[second, second] = np.cos(angle)
     made[second, first] = np.sin(angle)

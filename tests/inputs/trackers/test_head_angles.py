@@ -42,7 +42,8 @@ def test_what_is_written_for_unity_is_read_as_it_was(head: tuple[float, float, f
 def test_quaternions_multiply_as_matrices_do(
     first: tuple[float, float, float], second: tuple[float, float, float]
 ) -> None:
-    (ax, ay, az, aw), (bx, by, bz, bw) = quaternion(head_matrix(*first)), quaternion(head_matrix(*second))
+    (ax, ay, az, aw) = quaternion(head_matrix(*first))
+    (bx, by, bz, bw) = quaternion(head_matrix(*second))
     both = head_angles.read_quaternion(head_angles.multiply_quaternions((ax, ay, az, aw), (bx, by, bz, bw)))
     assert np.allclose(head_matrix(*both), head_matrix(*first) @ head_matrix(*second), atol=1e-6)
 
@@ -78,10 +79,8 @@ def test_the_gaze_is_the_mean_of_the_eyes_that_are_known() -> None:
 
 @given(st.lists(st.floats(-1e6, 1e6), min_size=5, max_size=5))
 def test_angles_end_where_ours_do(angles: list[float]) -> None:
-    head, gaze = (
-        head_angles.limit_head((angles[0], angles[1], angles[2])),
-        head_angles.limit_gaze((angles[3], angles[4])),
-    )
+    head = head_angles.limit_head((angles[0], angles[1], angles[2]))
+    gaze = head_angles.limit_gaze((angles[3], angles[4]))
     assert all(abs(angle) <= most for angle, most in zip(head, HEAD_LIMITS.values(), strict=True))
     assert all(abs(angle) <= most for angle, most in zip(gaze, GAZE_LIMITS.values(), strict=True))
     assert head_angles.limit_head((0.3 + 4.0 * math.pi, 0.0, 0.0))[0] == pytest.approx(0.3)

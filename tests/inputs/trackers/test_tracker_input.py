@@ -7,11 +7,15 @@ import pytest
 
 from omote.inputs.osc_packet import encode_bundle, encode_message
 from omote.inputs.trackers.face_text import encode_face_text
-from omote.inputs.trackers.tracker_input import MOST_PERFORMERS, TrackerInput
+from omote.inputs.trackers.tracker_input import MOST_FACES, TrackerInput
 from omote.inputs.trackers.tracker_protocols import TRACKER_PROTOCOLS
 from omote.inputs.trackers.vmc_messages import encode_vmc
 from omote.model.cast import Cast
-from omote.show import messages as wire
+from omote.show.messages import PROTOCOL_VERSION
+from omote.show.objects.characters import AddCharacter
+from omote.show.objects.link import Hello
+from omote.show.objects.sources import RouteSource, Source, SourceState
+from omote.show.objects.state import State
 from omote.show.session import ShowSession
 from omote.show.sources.open_sources import QUIET_SECONDS
 from tests.inputs.trackers.packets import live_link_face, motion_frame, motion_schema, open_see_face
@@ -32,11 +36,12 @@ class Stage:
     """A session with one character, trackers of a protocol, and a clock."""
 
     def __init__(self, cast: Cast, protocol: str) -> None:
-        self.session, self.now = ShowSession(cast), 0.0
+        self.session = ShowSession(cast)
+        self.now = 0.0
         self.trackers = TrackerInput(TRACKER_PROTOCOLS[protocol], lambda: self.session)
-        self.session.receive("console", wire.Hello("console", wire.PROTOCOL_VERSION, "console"), 0.0)
+        self.session.receive("console", Hello("console", PROTOCOL_VERSION, "console"), 0.0)
 
-    def play(self, seconds: float, *packets: bytes, host: str = HOST) -> wire.State:
+    def play(self, seconds: float, *packets: bytes, host: str = HOST) -> State:
         for _ in range(max(1, round(seconds / TICK))):
             for packet in packets:
                 self.trackers.receive(host, packet, self.now)
@@ -45,7 +50,7 @@ class Stage:
             state = self.session.tick(self.now)
         return state
 
-    def sources(self) -> list[wire.SourceState]:
+    def sources(self) -> list[SourceState]:
         return self.session.sources.states({})
 
 
@@ -133,9 +138,10 @@ def test_a_tracker_of_the_head_alone_plays(cast: Cast) -> None:
 
 def test_a_loss_and_a_silence_let_go_and_a_return_plays_again(cast: Cast) -> None:
     stage = Stage(cast, "vmc")
-    seen, unseen = apply(JawOpen=0.8), encode_message("/VMC/Ext/OK", 0)
+    seen = apply(JawOpen=0.8)
+    unseen = encode_message("/VMC/Ext/OK", 0)
 
-    def weight(state: wire.State) -> float:
+    def weight(state: State) -> float:
         return state.characters["one"].channels.get("jawOpen", 0.0)
 
     assert weight(stage.play(4.0, seen)) == pytest.approx(0.8, abs=1e-3)
@@ -151,7 +157,7 @@ def test_a_source_drives_the_only_character_at_first_and_then_whom_it_is_routed_
     stage.play(0.0, FACES["livelink"]())
     (source,) = stage.sources()
     assert (source.name, source.characters, source.kind) == ("Live Link Face Phone 10.0.0.7", ["one"], "tracker")
-    stage.session.receive("console", wire.RouteSource("r", source.name, [], "tracker"), stage.now)
+    stage.session.receive("console", RouteSource("r", source.name, [], "tracker"), stage.now)
     again = TrackerInput(stage.trackers.protocol, lambda: stage.session)
     stage.session.leave("livelink 10.0.0.7 Phone")
     stage.trackers = again
@@ -160,14 +166,16 @@ def test_a_source_drives_the_only_character_at_first_and_then_whom_it_is_routed_
 
 
 def test_a_second_tracker_does_not_take_the_layer_from_the_first(cast: Cast) -> None:
-    stage, packet = Stage(cast, "livelink"), FACES["livelink"]()
+    stage = Stage(cast, "livelink")
+    packet = FACES["livelink"]()
     stage.play(0.0, packet)
     stage.play(0.0, packet, host="10.0.0.8")
     assert [each.characters for each in stage.sources()] == [["one"], []]
 
 
 def test_a_new_tracker_plays_where_the_first_has_been_silent_for_long(cast: Cast) -> None:
-    stage, packet = Stage(cast, "livelink"), FACES["livelink"]()
+    stage = Stage(cast, "livelink")
+    packet = FACES["livelink"]()
 
     def pass_time(seconds: float) -> None:
         for _ in range(round(seconds)):
@@ -185,11 +193,12 @@ def test_a_new_tracker_plays_where_the_first_has_been_silent_for_long(cast: Cast
 
 def test_two_trackers_share_a_character_by_region_on_two_layers(cast: Cast) -> None:
     stage = Stage(cast, "ifacialmocap")
-    lips, head = b"jawOpen&80|=head#0,5,0|", b"jawOpen&0|=head#0,30,0|"
+    lips = b"jawOpen&80|=head#0,5,0|"
+    head = b"jawOpen&0|=head#0,30,0|"
     stage.play(0.0, lips)
     stage.play(0.0, head, host="10.0.0.8")
     first, second = (each.name for each in stage.sources())
-    route = wire.RouteSource("r", second, ["one"], "playback", ["head"])
+    route = RouteSource("r", second, ["one"], "playback", ["head"])
     assert stage.session.receive("console", route, stage.now) == []
     for _ in range(300):
         stage.trackers.receive(HOST, lips, stage.now)
@@ -200,22 +209,22 @@ def test_two_trackers_share_a_character_by_region_on_two_layers(cast: Cast) -> N
 
 def test_of_several_characters_none_is_driven_by_surprise(cast: Cast) -> None:
     stage = Stage(cast, "livelink")
-    stage.session.receive("console", wire.AddCharacter("two", "two", "Two", "generic"), 0.0)
+    stage.session.receive("console", AddCharacter("two", "two", "Two", "generic"), 0.0)
     stage.play(0.0, FACES["livelink"]())
     assert stage.sources()[0].characters == []
 
 
 def test_each_performer_is_a_source_and_the_one_that_was_silent_longest_makes_room(cast: Cast) -> None:
     stage = Stage(cast, "livelink")
-    for index in range(MOST_PERFORMERS + 2):
+    for index in range(MOST_FACES + 2):
         stage.play(0.0, live_link_face([0.1] * 61, f"phone {index}"))
     assert [each.name for each in stage.sources()] == [
-        f"Live Link Face phone {index} {HOST}" for index in range(2, MOST_PERFORMERS + 2)
+        f"Live Link Face phone {index} {HOST}" for index in range(2, MOST_FACES + 2)
     ]
-    for index in range(2 * MOST_PERFORMERS):
+    for index in range(2 * MOST_FACES):
         stage.play(0.0, live_link_face([0.1] * 61), host=f"10.0.1.{index}")
-    assert len(stage.sources()) == MOST_PERFORMERS
-    assert len(stage.trackers._decoders) <= MOST_PERFORMERS
+    assert len(stage.sources()) == MOST_FACES
+    assert len(stage.trackers._decoders) <= MOST_FACES
 
 
 def test_what_cannot_be_read_is_counted_and_changes_nothing(cast: Cast) -> None:
@@ -230,7 +239,7 @@ def test_what_cannot_be_read_is_counted_and_changes_nothing(cast: Cast) -> None:
 
 def test_another_name_of_the_same_source_is_rejected_with_the_session_s_reason(cast: Cast) -> None:
     stage = Stage(cast, "livelink")
-    stage.session.receive("console", wire.Source("Live Link Face Phone 10.0.0.7", "tracker", []), 0.0)
+    stage.session.receive("console", Source("Live Link Face Phone 10.0.0.7", "tracker", []), 0.0)
     stage.play(0.0, FACES["livelink"]())
     assert stage.trackers.last_rejection is not None
     assert "another link sends" in stage.trackers.last_rejection.reason
@@ -238,7 +247,9 @@ def test_another_name_of_the_same_source_is_rejected_with_the_session_s_reason(c
 
 @pytest.mark.parametrize("protocol", TRACKER_PROTOCOLS)
 def test_damaged_packets_raise_nothing_and_put_no_nan_on_air(cast: Cast, protocol: str) -> None:
-    generator, stage, golden = np.random.default_rng(5), Stage(cast, protocol), FACES[protocol]()
+    generator = np.random.default_rng(5)
+    stage = Stage(cast, protocol)
+    golden = FACES[protocol]()
     if protocol in BEFORE:
         assert stage.trackers.receive(HOST, BEFORE[protocol], stage.now), "the names are acknowledged"
     for count in range(600):

@@ -86,7 +86,8 @@ def test_a_value_may_come_as_any_number_each_time() -> None:
 
 
 def test_senders_do_not_mix() -> None:
-    first, second = open_vmc(), open_vmc()
+    first = open_vmc()
+    second = open_vmc()
     first(value("A", 1.0))
     assert [frame.weights for frame in second(encode_message(APPLY))] == [{}]
 

@@ -26,7 +26,8 @@ KINDS = {"none", "block", "blend"}
 
 def check_vrm(document: dict[str, Any]) -> None:
     """What VRMC_vrm 1.0 requires of any file (specification/VRMC_vrm-1.0, README and its pages)."""
-    vrm, nodes = document["extensions"]["VRMC_vrm"], document["nodes"]
+    vrm = document["extensions"]["VRMC_vrm"]
+    nodes = document["nodes"]
     assert "VRMC_vrm" in document["extensionsUsed"]
     assert vrm["specVersion"] == "1.0"
     assert not document.keys() & {"animations", "cameras"}

@@ -72,7 +72,8 @@ def test_a_head_twice_as_large_stands_on_a_body_twice_as_large() -> None:
     space = synthetic.space()
     fitted = fit(space, generic_face(space))
     large = replace(fitted, positions=2 * fitted.positions)
-    one, two = build_skeleton(space, fitted), build_skeleton(space, large)
+    one = build_skeleton(space, fitted)
+    two = build_skeleton(space, large)
     for name, joint in one.joints.items():
         np.testing.assert_allclose(two.joints[name].place, 2 * np.array(joint.place))
     nothing = replace(fitted, positions=0 * fitted.positions)

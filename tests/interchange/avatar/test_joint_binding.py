@@ -4,8 +4,7 @@ from pathlib import Path
 
 import numpy as np
 
-from omote.interchange.avatar.humanoid_skeleton import Joint
-from omote.interchange.avatar.joint_binding import add_joints, bind_meshes
+from omote.interchange.avatar.humanoid_skeleton import Joint, add_joints, bind_meshes
 from omote.interchange.formats.glb_writer import Store, describe_scene, encode_glb
 from tests.interchange.formats.scenes import scene, taken_apart, tetrahedron
 from tools.gltf import inspect
@@ -62,7 +61,8 @@ def test_every_vertex_is_on_the_one_joint_and_at_rest_where_it_was() -> None:
         attributes = mesh["primitives"][0]["attributes"]
         assert node["skin"] == 0
         assert not node.keys() & {"translation", "rotation", "scale"}
-        weights, joints = values(attributes["WEIGHTS_0"], "u1"), values(attributes["JOINTS_0"], "u1")
+        weights = values(attributes["WEIGHTS_0"], "u1")
+        joints = values(attributes["JOINTS_0"], "u1")
         count = document["accessors"][attributes["POSITION"]]["count"]
         np.testing.assert_array_equal(weights.reshape(count, 4), [[255, 0, 0, 0]] * count)
         np.testing.assert_array_equal(joints.reshape(count, 4), 0)

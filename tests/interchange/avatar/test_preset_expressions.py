@@ -18,6 +18,8 @@ from omote.interchange.avatar.preset_expressions import (
 from omote.interchange.export_face import SKIN, named_compound_meshes
 from omote.model.cast import Cast
 from omote.model.space.face_fit import fit
+from omote.model.space.head_size import HEAD_METRES, head_height
+from omote.model.space.parameter_space import ParameterSpace
 from tests import synthetic
 from tests.stage_data.heads import synthetic_cast
 
@@ -29,7 +31,8 @@ def built_in() -> Cast:
 
 
 def test_there_are_the_presets_of_vrm_and_all_are_made_of_what_the_cast_has(built_in: Cast) -> None:
-    emotions, mouths = "happy angry sad relaxed surprised", "aa ih ou ee oh"
+    emotions = "happy angry sad relaxed surprised"
+    mouths = "aa ih ou ee oh"
     eyes = "blink blinkLeft blinkRight lookUp lookDown lookLeft lookRight"
     assert set(PRESETS) == {*emotions.split(), *mouths.split(), *eyes.split(), "neutral"}
     weights = preset_weights(built_in)
@@ -96,3 +99,16 @@ def test_a_head_without_lids_overrides_nothing_but_the_gaze() -> None:
     still = {preset: dict[str, float]() for preset in PRESETS}
     found = find_overrides(space, space.points, {}, still)
     assert found == dict.fromkeys(EMOTIONS, Overrides()) | {"blink": Overrides(look=True)}
+
+
+@pytest.mark.parametrize("size", [0.7, 1.0, 2.0])
+def test_lips_part_between_the_same_points_of_a_generic_head_of_any_size(size: float) -> None:
+    egg = synthetic.space()
+    scale = size * HEAD_METRES / head_height(egg)
+    deep = np.array([1.0, 1.0, 1.7])  # its lips are as far ahead as a head's
+    space = ParameterSpace.build(scale * deep * egg.points, egg.triangles)
+    lower = space.points[:, 1] < -0.068 * size  # metres, between the lips of a head of the declared height
+    dropped = space.points - np.where(lower[:, None], [0.0, 0.01 * size, 0.0], 0.0)
+    presets = {preset: dict[str, float]() for preset in PRESETS} | {"aa": {"open": 1.0}, "surprised": {"open": 1.0}}
+    found = find_overrides(space, space.points, {"open": dropped}, presets)
+    assert [name for name, overrides in found.items() if overrides.mouth] == ["surprised"]

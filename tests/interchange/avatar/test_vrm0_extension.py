@@ -29,7 +29,8 @@ def test_the_same_meshes_move_by_the_same_targets() -> None:
     assert len(groups) == len(expressions["preset"]) + len(expressions["custom"])
     called = {"relaxed": "Fun", "lookLeft": "LookLeft", "surprised": "Surprised", "aa": "A", "blinkLeft": "Blink_L"}
     for name, known in called.items():
-        group, each = groups[known], expressions["preset"][name]
+        group = groups[known]
+        each = expressions["preset"][name]
         assert group["presetName"] == PRESETS.get(name, "unknown")
         binds = [(1 + bind["mesh"], bind["index"], bind["weight"] / 100) for bind in group["binds"]]
         assert binds == [
@@ -41,7 +42,8 @@ def test_the_same_meshes_move_by_the_same_targets() -> None:
 
 def test_bones_and_gaze_are_the_same_and_every_material_is_named() -> None:
     new, old = both("strict")
-    one, other = new["extensions"]["VRMC_vrm"], old["extensions"]["VRM"]
+    one = new["extensions"]["VRMC_vrm"]
+    other = old["extensions"]["VRM"]
     bones = {bone["bone"]: bone["node"] for bone in other["humanoid"]["humanBones"]}
     assert bones == {name: bone["node"] for name, bone in one["humanoid"]["humanBones"].items()}
     assert bones.keys() >= {"chest", "neck"}  # which 0.x wants

@@ -28,7 +28,8 @@ def test_meta_has_all_that_is_required_and_the_terms() -> None:
 
 
 def test_an_expression_binds_each_mesh_that_it_moves_by_the_place_of_its_target() -> None:
-    both, one = tetrahedron("a"), tetrahedron("b")
+    both = tetrahedron("a")
+    one = tetrahedron("b")
     one = type(one)(**{**vars(one), "targets": {"all": one.targets["all"]}})
     found = describe_expressions(
         [both, one], {"aa": {"one": 0.25, "all": 0.5}, "neutral": {}}, {"All": "all"}, {"aa": Overrides(mouth=True)}

@@ -46,7 +46,8 @@ def test_a_vrm_has_an_author(authors: tuple[str, ...]) -> None:
 
 
 def test_what_came_with_omote_is_free_and_an_own_face_is_asked_about() -> None:
-    said, silent = Credit(("Ann",), parse_terms(["strict"])), Credit(("Ann",))
+    said = Credit(("Ann",), parse_terms(["strict"]))
+    silent = Credit(("Ann",))
     assert silent.agreed("kaori", own=False) == parse_terms(["cc0"])
     assert said.agreed("kaori", own=False) == said.agreed("aunt", own=True) == parse_terms(["strict"])
     with pytest.raises(

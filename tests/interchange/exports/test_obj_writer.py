@@ -9,9 +9,9 @@ import trimesh
 
 from omote.interchange.export_face import build_scene, named_compound_meshes
 from omote.interchange.exports.obj_writer import obj_files, obj_folder
-from omote.interchange.formats.glb_writer import Scene
-from omote.interchange.formats.obj_reader import read_obj_pieces
+from omote.interchange.formats.glb_writer import ExportScene
 from omote.interchange.import_meshes import import_expressions
+from omote.interchange.scans.wavefront_reader import read_obj_pieces
 from tests import synthetic
 from tests.stage_data.heads import context, meshes, synthetic_cast
 
@@ -19,7 +19,7 @@ ROUNDING = 1e-7
 """Metres of a head's coordinate that eight digits and float32 leave open."""
 
 
-def scene(face: str, *expressions: str) -> Scene:
+def scene(face: str, *expressions: str) -> ExportScene:
     """A face of the synthetic cast with expressions."""
     cast = synthetic_cast()
     return build_scene(context(), face, [(name, named_compound_meshes(cast, face, name)) for name in expressions])
@@ -88,7 +88,8 @@ def test_a_folder_has_a_shape_for_each_expression_and_its_surfaces_once() -> Non
 
 
 def test_shapes_come_back_as_the_expressions_that_they_were() -> None:
-    cast, names = synthetic_cast(), ("smile", "jawOpen")
+    cast = synthetic_cast()
+    names = ("smile", "jawOpen")
     files = obj_folder(scene("broad", *names), "aunt")
     shapes = {each: read_obj_pieces(files[f"aunt/{each}.obj"]) for each in ("neutral", *names)}
     found = {each.label: each for each in import_expressions(cast, meshes(), shapes)}

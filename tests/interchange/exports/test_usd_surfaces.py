@@ -5,7 +5,7 @@ from typing import Any
 import pytest
 from pxr import Usd, UsdShade
 
-from omote.interchange.exports.usd_surfaces import COORDINATES, add_material
+from omote.interchange.exports.usd_writer import COORDINATES, add_material
 from omote.interchange.formats.glb_writer import Material
 
 

@@ -21,7 +21,7 @@ from omote.interchange.export_face import (
 )
 from omote.interchange.exports.usd_writer import ORIGINAL, usd_files
 from omote.interchange.formats.file_names import USD
-from omote.interchange.formats.glb_writer import Scene
+from omote.interchange.formats.glb_writer import ExportScene
 from omote.model.cast import Cast
 from tests import synthetic
 from tests.stage_data.heads import context, synthetic_cast
@@ -35,7 +35,7 @@ def poses(cast: Cast, face: str, kind: str) -> dict[str, Meshes]:
     return {name: named_compound_meshes(cast, face, name) for name in choose_expressions(cast, kind)}
 
 
-def written(folder: Path, scene: Scene, suffix: str) -> Path:
+def written(folder: Path, scene: ExportScene, suffix: str) -> Path:
     """The path of a scene that was written into a folder."""
     files = usd_files(scene, "face", suffix)
     for name, data in files.items():
@@ -53,7 +53,8 @@ def faults(path: Path) -> list[str]:
 def baked(stage: Any, top: str, names: list[str]) -> dict[str, dict[str, NDArray[np.float64]]]:
     """The points of each mesh with each expression at weight 1, as UsdSkel bakes them; "" at rest."""
     animation = UsdSkel.Animation(stage.GetPrimAtPath(f"/{top}/animation"))
-    order, weights = list(animation.GetBlendShapesAttr().Get()), animation.GetBlendShapeWeightsAttr()
+    order = list(animation.GetBlendShapesAttr().Get())
+    weights = animation.GetBlendShapeWeightsAttr()
     for time, name in enumerate(["", *names]):
         weights.Set(Vt.FloatArray([float(each == name) for each in order]), time)
     assert UsdSkel.BakeSkinning(UsdSkel.Root(stage.GetPrimAtPath(f"/{top}")), Gf.Interval(0, len(names)))
@@ -85,7 +86,8 @@ def test_points_move_to_our_compounds(face: str, suffix: str, tmp_path: Path) ->
 
 @pytest.mark.parametrize("face", ["kaori", "dog"])
 def test_the_built_in_faces_play_in_the_official_library(face: str, tmp_path: Path) -> None:
-    cast, meshes = load_cast(), load_meshes()
+    cast = load_cast()
+    meshes = load_meshes()
     worn = poses(cast, face, "arkit")
     scene = build_scene(ExportContext(cast, meshes, load_mask()), face, worn.items())
     path = written(tmp_path, scene, ".usdz")
@@ -123,7 +125,8 @@ def test_shapes_hold_what_moves_alone_and_turn_normals(tmp_path: Path) -> None:
         assert list(named) == [n for n, target in shape.targets.items() if target.moves.any() or target.turns.any()]
         for name in named:
             made = UsdSkel.BlendShape(stage.GetPrimAtPath(f"/broad/{shape.name}/{name}"))
-            rows, target = np.array(made.GetPointIndicesAttr().Get()), shape.targets[name]
+            rows = np.array(made.GetPointIndicesAttr().Get())
+            target = shape.targets[name]
             for values, kept in ((target.moves, made.GetOffsetsAttr()), (target.turns, made.GetNormalOffsetsAttr())):
                 whole = np.zeros_like(values)
                 whole[rows] = np.array(kept.Get())
@@ -177,7 +180,7 @@ def test_a_missing_library_is_told_with_what_to_install(monkeypatch: pytest.Monk
 
     monkeypatch.setattr(builtins, "__import__", without)
     with pytest.raises(ValueError, match=r'pip install "omote\[usd\]"'):
-        usd_files(Scene("broad", []), "broad", ".usdc")
+        usd_files(ExportScene("broad", []), "broad", ".usdc")
 
 
 @pytest.mark.parametrize("suffix", USD)

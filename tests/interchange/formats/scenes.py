@@ -9,19 +9,19 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from omote.interchange.formats.glb_writer import Material, Scene, Shape, Target, glb_bytes
+from omote.interchange.formats.glb_writer import ExportScene, Material, MorphTarget, Shape, glb_bytes
 
 CORNERS = np.array([[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]], np.float32)
 SIDES = np.array([[0, 2, 1], [0, 1, 3], [1, 2, 3], [0, 3, 2]])
 NAMES = ("still", "one", "all")
 
 
-def targets(count: int) -> dict[str, Target]:
+def targets(count: int) -> dict[str, MorphTarget]:
     """One target that moves nothing, one that moves one vertex, one that moves all."""
     moves = np.zeros((3, count, 3), np.float32)
     moves[1, 1] = [0.25, -0.5, 0.125]
     moves[2] = np.arange(3 * count, dtype=np.float32).reshape(count, 3) + 1.0
-    return {name: Target(move, np.zeros_like(move)) for name, move in zip(NAMES, moves, strict=True)}
+    return {name: MorphTarget(move, np.zeros_like(move)) for name, move in zip(NAMES, moves, strict=True)}
 
 
 def tetrahedron(name: str = "tetra", *, size: int = 1, place: tuple[float, float, float] = (0.0, 0.0, 0.0)) -> Shape:
@@ -42,9 +42,9 @@ def tetrahedron(name: str = "tetra", *, size: int = 1, place: tuple[float, float
     )
 
 
-def scene(*shapes: Shape) -> Scene:
+def scene(*shapes: Shape) -> ExportScene:
     """A scene of shapes, one tetrahedron where none is given."""
-    return Scene("head", shapes or (tetrahedron(),), {"notice": "nobody's"})
+    return ExportScene("head", shapes or (tetrahedron(),), {"notice": "nobody's"})
 
 
 def taken_apart(data: bytes) -> tuple[dict[str, Any], bytes]:
@@ -65,7 +65,8 @@ def put_together(document: object, binary: bytes = b"") -> bytes:
 def head_glb(name: str, points: NDArray[np.float64], moves: dict[str, NDArray[np.float64]]) -> bytes:
     """A GLB of points alone, as other programs write a head of ours: no normals, no rows."""
     stores = [np.asarray(values, "<f4") for values in (points, *moves.values())]
-    views, at = [], 0
+    views = []
+    at = 0
     for values in stores:
         views.append({"buffer": 0, "byteOffset": at, "byteLength": values.nbytes})
         at += values.nbytes

@@ -7,9 +7,10 @@ import msgspec
 import numpy as np
 import pytest
 
-from omote.interchange.formats import expression_json, glb_reader, obj_reader
+from omote.interchange.formats import expression_json, glb_reader
 from omote.interchange.formats.file_content import describe_content, explain_syntax
 from omote.interchange.formats.png import png_bytes
+from omote.interchange.scans.wavefront_reader import read_obj_pieces
 
 
 def database(folder: Path) -> bytes:
@@ -39,7 +40,7 @@ def test_files_are_called_what_they_are(tmp_path: Path) -> None:
     assert {data: describe_content(data) for data in files} == files
 
 
-@pytest.mark.parametrize("read", [expression_json.decode, glb_reader.read_glb, obj_reader.read_obj])
+@pytest.mark.parametrize("read", [expression_json.decode, glb_reader.read_glb, read_obj_pieces])
 def test_each_reader_says_what_it_was_given_instead(read: object) -> None:
     assert callable(read)
     for data in (b"", png_bytes(np.zeros((2, 2, 3), np.uint8)), b"Dear all,\n", b"\0" * 30):

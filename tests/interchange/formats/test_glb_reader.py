@@ -143,7 +143,8 @@ def test_places_of_nodes_are_seen_to() -> None:
         document["nodes"][0] |= {"translation": [0, 5, 0], "scale": [2, 2, 2]}
         document["nodes"][1] |= {"rotation": [0, 0, np.sqrt(0.5), np.sqrt(0.5)]}
 
-    plain, moved = read_glb(PLAIN)[0], read_glb(changed(turned))[0]
+    plain = read_glb(PLAIN)[0]
+    moved = read_glb(changed(turned))[0]
     quarter = np.array([[0, -1, 0], [1, 0, 0], [0, 0, 1]])
     np.testing.assert_allclose(moved.points, 2 * plain.points @ quarter.T + [0, 5, 0], atol=1e-12)
     np.testing.assert_allclose(moved.moves["all"], 2 * plain.moves["all"] @ quarter.T, atol=1e-12)

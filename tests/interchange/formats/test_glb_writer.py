@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 from omote.interchange.formats.glb_reader import read_glb
-from omote.interchange.formats.glb_writer import Material, Scene, Target, glb_bytes
+from omote.interchange.formats.glb_writer import ExportScene, Material, MorphTarget, glb_bytes
 from omote.interchange.formats.png import png_bytes
 from tests.interchange.formats.scenes import NAMES, scene, taken_apart, tetrahedron
 from tools.gltf import inspect
@@ -46,16 +46,16 @@ def test_every_mesh_names_all_targets_in_one_order_and_none_as_blender_names_its
             scene(replace(shape, targets={name: shape.targets["one"]}))
     others = [tetrahedron("a"), replace(tetrahedron("b"), targets={})]
     with pytest.raises(ValueError, match="'b' has other targets than 'a'"):
-        Scene("head", others)
+        ExportScene("head", others)
 
 
 def test_meshes_may_have_targets_of_their_own_where_who_moves_them_knows() -> None:
     shape = tetrahedron("a")
     alone = replace(shape, name="b", targets={"one": shape.targets["one"]})
-    document, _ = taken_apart(glb_bytes(Scene("head", [shape, alone], apart=True)))
+    document, _ = taken_apart(glb_bytes(ExportScene("head", [shape, alone], apart=True)))
     assert [mesh["extras"]["targetNames"] for mesh in document["meshes"]] == [list(NAMES), ["one"]]
     with pytest.raises(ValueError, match="which Blender keeps for itself"):
-        Scene("head", [shape, replace(alone, targets={"Basis": shape.targets["one"]})], apart=True)
+        ExportScene("head", [shape, replace(alone, targets={"Basis": shape.targets["one"]})], apart=True)
 
 
 def test_one_material_is_written_once() -> None:
@@ -87,6 +87,6 @@ def test_arrays_that_do_not_belong_together_are_refused() -> None:
     shape = tetrahedron()
     with pytest.raises(ValueError, match=r"uv of 'tetra' have shape \(3, 2\); expected \(4, 2\)"):
         replace(shape, uv=shape.uv[:3])
-    short = Target(shape.points[:3], shape.points[:3])
+    short = MorphTarget(shape.points[:3], shape.points[:3])
     with pytest.raises(ValueError, match="target 'x' of 'tetra' has 3 rows; expected 4"):
         replace(shape, targets={"x": short})

@@ -3,8 +3,7 @@
 import numpy as np
 import pytest
 
-from omote.interchange.formats.gltf_accessors import AccessorReader, entry
-from omote.interchange.formats.gltf_document import parse_document
+from omote.interchange.formats.gltf_document import AccessorReader, entry, parse_document
 
 TEXT = (
     b'{"buffers":[{"byteLength":4},{"byteLength":16}],"bufferViews":[{"buffer":1,"byteOffset":4,"byteLength":12}],'

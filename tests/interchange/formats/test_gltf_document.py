@@ -19,6 +19,6 @@ def test_what_is_no_document_is_refused(text: bytes) -> None:
 
 
 def test_a_document_is_bounded(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(gltf_document, "LARGEST", 10)
+    monkeypatch.setattr(gltf_document, "LARGEST_JSON", 10)
     with pytest.raises(ValueError, match="11 bytes; expected 10 at most"):
         parse_document(b"{         }")

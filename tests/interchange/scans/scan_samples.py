@@ -15,7 +15,8 @@ from PIL import Image
 Values = NDArray[np.float64]
 Rows = NDArray[np.int64]
 
-ROWS, COLUMNS = 9, 14
+ROWS = 9
+COLUMNS = 14
 ORDERS = {"ascii": "", "binary_little_endian": "<", "binary_big_endian": ">"}
 
 
@@ -94,7 +95,8 @@ def _ply_body(order: str, vertices: Any, faces: list[tuple[list[int], Values]], 
         for row, uv in faces:
             lines.append(" ".join(map(str, [len(row), *row, *([uv.size, *uv.ravel().tolist()] if corners else [])])))
         return ("\n".join(lines) + "\n").encode()
-    sign, body = ORDERS[order], vertices.tobytes()
+    sign = ORDERS[order]
+    body = vertices.tobytes()
     for row, uv in faces:
         body += struct.pack(f"{sign}B{len(row)}i", len(row), *row)
         body += struct.pack(f"{sign}B{uv.size}f", uv.size, *uv.ravel()) if corners else b""
@@ -160,7 +162,9 @@ def gltf_document(*, where: str = "binary") -> tuple[dict[str, Any], bytes]:
         ("SCALAR", 5123, np.arange(len(corners), dtype="<u2")),
         ("VEC3", 5126, (corners * [0.0, 0.5, 0.0]).astype("<f4")),
     ]
-    views, accessors, body = list[Any](), list[Any](), b""
+    views = list[Any]()
+    accessors = list[Any]()
+    body = b""
     for kind, component, values in stores:
         views.append({"buffer": 0, "byteOffset": len(body), "byteLength": values.nbytes})
         accessors.append({"bufferView": len(accessors), "componentType": component, "type": kind, "count": len(values)})
@@ -169,7 +173,8 @@ def gltf_document(*, where: str = "binary") -> tuple[dict[str, Any], bytes]:
     image: dict[str, Any] = {"uri": "head.png"}
     if where == "binary":
         views.append({"buffer": 0, "byteOffset": len(body), "byteLength": len(png)})
-        image, body = {"bufferView": 4, "mimeType": "image/png"}, body + png
+        image = {"bufferView": 4, "mimeType": "image/png"}
+        body = body + png
     buffer: dict[str, Any] = {"byteLength": len(body)}
     if where == "data":
         buffer["uri"] = "data:application/octet-stream;base64," + base64.b64encode(body).decode()

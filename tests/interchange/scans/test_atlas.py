@@ -7,7 +7,8 @@ from tests.interchange.scans import scan_samples as samples
 
 
 def test_corners_keep_their_pixels_when_pictures_of_other_sizes_are_joined() -> None:
-    one, other = samples.picture(), samples.picture(9, 3)[:, ::-1].copy()
+    one = samples.picture()
+    other = samples.picture(9, 3)[:, ::-1].copy()
     of = np.arange(252) % 2
     whole, moved = join_textures([one, other], samples.texcoords(), of)
     assert whole is not None
@@ -21,7 +22,8 @@ def test_corners_keep_their_pixels_when_pictures_of_other_sizes_are_joined() -> 
 
 
 def test_one_picture_stays_as_it_is_and_plain_colours_alone_are_none() -> None:
-    picture, uv = samples.picture(), samples.texcoords()
+    picture = samples.picture()
+    uv = samples.texcoords()
     whole, moved = join_textures([picture, None], uv, np.zeros(252, np.int64))
     assert whole is picture
     assert moved is uv

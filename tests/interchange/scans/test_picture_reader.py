@@ -49,7 +49,8 @@ def test_a_profile_is_followed() -> None:
 
 @pytest.mark.parametrize("mode", ["L", "LA", "RGBA", "P", "1", "CMYK"])
 def test_every_mode_becomes_three_channels(mode: str) -> None:
-    image, found = Image.fromarray(PIXELS).convert(mode), io.BytesIO()
+    image = Image.fromarray(PIXELS).convert(mode)
+    found = io.BytesIO()
     image.save(found, "TIFF" if mode == "CMYK" else "PNG")
     assert read_picture(found.getvalue()).shape == (6, 5, 3)
 

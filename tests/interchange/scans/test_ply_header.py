@@ -1,6 +1,6 @@
 """Headers of PLY files: elements, properties, texture."""
 
-from omote.interchange.scans.ply_header import Element, Property, parse_header
+from omote.interchange.scans.ply_reader import Element, Property, parse_header
 
 TEXT = (
     b"ply\r\nformat binary_big_endian 1.0\r\ncomment by hand\r\ncomment TextureFile my head.png\r\nobj_info x\r\n"

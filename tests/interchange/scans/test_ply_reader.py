@@ -48,7 +48,8 @@ def test_the_texture_of_faces_comes_with_its_picture(order: str, quads: bool) ->
 
 
 def test_doubled_points_of_a_texture_are_joined() -> None:
-    corners, uv = POINTS[TRIANGLES].reshape(-1, 3), samples.texcoords().reshape(-1, 2)
+    corners = POINTS[TRIANGLES].reshape(-1, 3)
+    uv = samples.texcoords().reshape(-1, 2)
     head = ["ply", "format ascii 1.0", "comment TextureFile head.png", f"element vertex {len(corners)}"]
     head += [f"property float {name}" for name in "xyzst"]
     head += [f"element face {len(TRIANGLES)}", "property list uchar int vertex_index", "end_header"]

@@ -14,7 +14,8 @@ from tests.interchange.scans import scan_samples as samples
 @given(st.lists(st.integers(0, 7), max_size=9))
 def test_a_fan_names_all_corners_of_each_polygon(counts: list[int]) -> None:
     places = fan_polygons(np.array(counts, np.int64))
-    begin, expected = 0, []
+    begin = 0
+    expected = []
     for count in counts:
         expected += [[begin, begin + step, begin + step + 1] for step in range(1, count - 1)]
         begin += count

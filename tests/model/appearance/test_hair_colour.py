@@ -13,8 +13,7 @@ from omote.model.appearance.hair_colour import HairColour, find_hair_colour, fin
 from omote.model.appearance.lab import to_lab
 from omote.model.cast import Look
 from omote.model.fitting.landmarks import find_landmarks
-from omote.model.fitting.photographs.photograph import Photograph
-from omote.model.fitting.photographs.photograph_camera import PhotographCamera
+from omote.model.fitting.photographs.photograph import Photograph, PhotographCamera
 from tools.photographs.colour_distance import colour_distance
 from tools.photographs.photographer import photograph
 from tools.photographs.sculpted_people import NAME, Sculpted, model_of
@@ -90,7 +89,8 @@ def test_hair_before_a_room_of_its_colour_is_doubted() -> None:
 
 
 def test_photographs_without_pictures_and_of_no_head_say_so() -> None:
-    face, away = CAST.faces["kaori"], PhotographCamera(np.eye(3), np.array([9.0, 0.0, -0.7]), 400.0, SIDE, SIDE)
+    face = CAST.faces["kaori"]
+    away = PhotographCamera(np.eye(3), np.array([9.0, 0.0, -0.7]), 400.0, SIDE, SIDE)
     plain = Photograph(np.zeros((478, 2)), SIDE, SIDE)
     empty = dataclasses.replace(plain, picture=np.zeros((SIDE, SIDE, 3), np.uint8))
     for view in (plain, empty):

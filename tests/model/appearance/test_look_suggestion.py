@@ -24,7 +24,8 @@ def zone(rows: slice) -> NDArray[np.float32]:
 
 def taken(bands: dict[int, tuple[int, int, int]], seen: slice = slice(None)) -> TakenAlbedo:
     """A picture of bands of 100 rows in colours of their own; the rows `seen` were seen."""
-    texels, shown = np.full((SIDE, SIDE, 4), 255, np.uint8), np.zeros((SIDE, SIDE), np.uint8)
+    texels = np.full((SIDE, SIDE, 4), 255, np.uint8)
+    shown = np.zeros((SIDE, SIDE), np.uint8)
     for first, colour in bands.items():
         texels[first : first + 100, :, :3] = colour
     shown[seen] = 255

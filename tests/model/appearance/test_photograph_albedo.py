@@ -7,12 +7,12 @@ import pytest
 
 from omote.builtin import load_cast
 from omote.model.appearance.photograph_albedo import take_photograph_albedo
-from omote.model.fitting.photographs.photograph import Photograph
-from omote.model.fitting.photographs.photograph_camera import PhotographCamera
+from omote.model.fitting.photographs.photograph import Photograph, PhotographCamera
 from tools.tracking.picture import turn
 
 CAST = load_cast()
-SIDE, TEXELS = 600, 1024
+SIDE = 600
+TEXELS = 1024
 PAINTED = np.full((TEXELS, TEXELS, 3), 128, np.uint8)
 POINTS = np.zeros((478, 2))
 
@@ -35,7 +35,8 @@ def seen_share(values: np.ndarray, sign: float) -> float:
 
 def test_one_colour_comes_back_and_only_what_faces_the_camera_is_seen() -> None:
     assert CAST.atlas is not None
-    face, colour = CAST.faces["kaori"], (180, 120, 90)
+    face = CAST.faces["kaori"]
+    colour = (180, 120, 90)
     taken = take_photograph_albedo(
         CAST.space, CAST.atlas, face, [photograph(colour)], [camera_at(0.9)], PAINTED, even=False
     )
@@ -47,7 +48,8 @@ def test_one_colour_comes_back_and_only_what_faces_the_camera_is_seen() -> None:
 
 def test_two_photographs_show_both_sides_and_pass_over_smoothly() -> None:
     assert CAST.atlas is not None
-    views, cameras = [photograph((180, 120, 90)), photograph((150, 100, 75))], [camera_at(0.6), camera_at(-0.6)]
+    views = [photograph((180, 120, 90)), photograph((150, 100, 75))]
+    cameras = [camera_at(0.6), camera_at(-0.6)]
     taken = take_photograph_albedo(CAST.space, CAST.atlas, CAST.faces["kaori"], views, cameras, PAINTED, even=False)
     whole = taken.seen == 255
     assert min(seen_share(whole, 1.0), seen_share(whole, -1.0)) > 0.5
@@ -59,7 +61,8 @@ def test_two_photographs_show_both_sides_and_pass_over_smoothly() -> None:
 
 def test_photographs_without_a_picture_and_of_nothing_are_refused() -> None:
     assert CAST.atlas is not None
-    face, plain = CAST.faces["kaori"], Photograph(POINTS, SIDE, SIDE)
+    face = CAST.faces["kaori"]
+    plain = Photograph(POINTS, SIDE, SIDE)
     with pytest.raises(ValueError, match="no photograph comes with its picture"):
         take_photograph_albedo(CAST.space, CAST.atlas, face, [plain], [camera_at(0.0)], PAINTED)
     away = PhotographCamera(np.eye(3), np.array([5.0, 0.0, -0.8]), 1200.0, SIDE, SIDE)

@@ -9,11 +9,13 @@ from hypothesis import strategies as st
 from numpy.typing import NDArray
 
 from omote.model.albedo import Light, decode_light
-from omote.model.appearance.photograph_background import BAND, UNLIKE, find_background
+from omote.model.appearance.photograph_albedo import BAND, UNLIKE, find_background
 
-SIDE, METRE = 240, 1500.0
+SIDE = 240
+METRE = 1500.0
 """Pixels of a picture, and that a metre takes."""
-SKIN, WALL = (180, 120, 90), (235, 235, 240)
+SKIN = (180, 120, 90)
+WALL = (235, 235, 240)
 DOWN, RIGHT = np.indices((SIDE, SIDE)) + 0.5
 AWAY = np.hypot(DOWN - SIDE / 2, RIGHT - SIDE / 2)
 

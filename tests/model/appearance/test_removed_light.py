@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from omote.model.appearance.removed_light import remove_light
+from omote.model.appearance.photograph_albedo import remove_light
 
 SIDE = 210
 

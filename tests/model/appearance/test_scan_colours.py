@@ -50,7 +50,8 @@ def test_of_two_sheets_the_one_that_faces_the_same_way_is_taken() -> None:
         np.zeros((2 * len(low), 3), np.uint8),
     )
     colours = place_colours(both, STILL, low)
-    place, up = np.array([[0.05, 0.05, 0.0015]]), np.array([[0.0, 0.0, 1.0]])
+    place = np.array([[0.05, 0.05, 0.0015]])
+    up = np.array([[0.0, 0.0, 1.0]])
     assert nearest_faces(colours, place, up)[0] < len(triangles) <= nearest_faces(colours, place, -up)[0]
 
 

@@ -72,7 +72,8 @@ def test_every_texel_that_was_seen_has_the_colour_of_its_place() -> None:
 def test_a_texture_comes_back_as_it_was() -> None:
     """The scan's texture is the atlas itself, so texels find their own place in it again."""
     assert CAST.atlas is not None
-    atlas, face = CAST.atlas, CAST.faces["kaori"]
+    atlas = CAST.atlas
+    face = CAST.faces["kaori"]
     rows, columns = np.indices((SIDE, SIDE)) / SIDE
     texture = encode_light(0.4 + 0.2 * np.sin(np.stack([60.0 * rows, 50.0 * columns, 40.0 * (rows + columns)], axis=2)))
     scan = Scan(
@@ -134,7 +135,8 @@ def test_inner_skin_stays_uncovered() -> None:
 
 def test_scans_without_colours_or_elsewhere_are_refused() -> None:
     assert CAST.atlas is not None
-    face, plain = CAST.faces["kaori"], scan_of("kaori", wave, whole)
+    face = CAST.faces["kaori"]
+    plain = scan_of("kaori", wave, whole)
     with pytest.raises(ValueError, match="this scan has no colours"):
         take_albedo(SPACE, CAST.atlas, face, Scan(plain.positions, plain.triangles), PLACEMENT, grey())
     far = Similarity(PLACEMENT.scale, PLACEMENT.rotation, PLACEMENT.shift + 3.0)

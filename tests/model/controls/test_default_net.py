@@ -43,9 +43,11 @@ def test_lips_whose_points_go_as_their_place_on_the_edge_says_stay_closed(
     name: str, way: tuple[float, float, float]
 ) -> None:
     cast = omote.load_cast()
-    space, net = cast.space, default_net(cast.space)
+    space = cast.space
+    net = default_net(cast.space)
     line = next(line for line in space.lines if line.kind == "lips")
-    vectors, place = np.tile([0.0, 0.0, 1.0], (len(net), 1)), {row: at for at, row in enumerate(net)}
+    vectors = np.tile([0.0, 0.0, 1.0], (len(net), 1))
+    place = {row: at for at, row in enumerate(net)}
     for chain in chains(space.points, line.loop):
         steps = np.linalg.norm(np.diff(space.points[chain], axis=0), axis=1)
         shares = np.append(0.0, np.cumsum(steps)) / steps.sum()
@@ -60,7 +62,8 @@ def test_lips_whose_points_go_as_their_place_on_the_edge_says_stay_closed(
 
 def test_most_points_stand_where_expressions_move() -> None:
     space = omote.load_cast().space
-    rows, weights = list(default_net(space)), region_weights(space)
+    rows = list(default_net(space))
+    weights = region_weights(space)
     face = sum(weights[region][rows].sum() for region in ("brows", "eyes", "nose", "cheeks", "mouth", "jaw"))
     assert face > 0.7 * len(rows)
 

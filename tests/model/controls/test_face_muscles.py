@@ -21,7 +21,8 @@ CAST = omote.load_cast()
 
 
 def test_ten_muscles_and_more_in_pairs_that_mirror_each_other() -> None:
-    found, fields = muscles(CAST.space), muscle_fields(CAST.space)
+    found = muscles(CAST.space)
+    fields = muscle_fields(CAST.space)
     assert len(found) >= 10
     rows = mirror_rows(CAST.space)
     for name, muscle in found.items():

@@ -43,7 +43,9 @@ def at_rest() -> np.ndarray:
 )  # fmt: skip
 @settings(max_examples=40)
 def test_dragged_points_lie_where_they_were_put(name: str, worn: str, point: int, count: int, seed: int) -> None:
-    made, face, random = net(), CAST.faces[name], np.random.default_rng(seed)
+    made = net()
+    face = CAST.faces[name]
+    random = np.random.default_rng(seed)
     layers = Recipe(made.rows, (REST,) * len(made.rows), layers=(Layer(worn, ""),))
     under = compose_expression(space(), layers, CAST.expressions, made)
     rows = np.array(made.rows)
@@ -61,7 +63,8 @@ def test_dragged_points_lie_where_they_were_put(name: str, worn: str, point: int
 
 
 def test_points_that_are_not_dragged_stay_and_a_point_at_its_target_costs_one_compound() -> None:
-    made, face = net(), CAST.faces["kaori"]
+    made = net()
+    face = CAST.faces["kaori"]
     start = at_rest()
     start[50] += [0.01, 0.002, 0.01]
     row = made.rows[20]
@@ -78,7 +81,8 @@ def test_points_that_are_not_dragged_stay_and_a_point_at_its_target_costs_one_co
 
 def test_what_cannot_be_reached_is_missed_by_what_it_says() -> None:
     """A lid cannot go through the eyeball to the back of the head, whatever is tried."""
-    made, face = net(), CAST.faces["baby"]
+    made = net()
+    face = CAST.faces["baby"]
     target = face.positions[made.rows[2]].astype(np.float64) - [0.0, 0.0, 0.08]
     found = solve_vectors(space(), face, CAST.expressions["neutral"], made, at_rest(), [2], [target])
     assert np.isfinite(found.vectors).all()
@@ -88,7 +92,8 @@ def test_what_cannot_be_reached_is_missed_by_what_it_says() -> None:
 @pytest.mark.parametrize("name", ["kaori", "child", "noh"])
 def test_a_drag_on_one_face_extracted_from_another_is_the_same_on_s(name: str) -> None:
     """Within a hundredth of a millimetre where nothing folds and no eyeball pushes: there the map is inverted."""
-    made, worn_by = net(), CAST.faces[name]
+    made = net()
+    worn_by = CAST.faces[name]
     point = made.rows.index(next(row for row in made.rows if space().points[row, 1] > 0.02))
     goal = CAST.faces["generic"].positions[made.rows[point]] + np.array([0.0, 0.004, 0.002])
     under = CAST.expressions["neutral"]
@@ -104,7 +109,9 @@ def test_a_drag_on_one_face_extracted_from_another_is_the_same_on_s(name: str) -
 
 
 def test_points_and_targets_that_are_none_are_refused() -> None:
-    made, face, under = net(), CAST.faces["kaori"], CAST.expressions["neutral"]
+    made = net()
+    face = CAST.faces["kaori"]
+    under = CAST.expressions["neutral"]
     for points, targets, sentence in (
         ([104], [[0, 0, 0]], "control point 104 does not exist; expected 0 to 103"),
         ([1, 1], [[0, 0, 0]] * 2, "expected each of them once"),
@@ -117,7 +124,9 @@ def test_points_and_targets_that_are_none_are_refused() -> None:
 
 def test_what_is_far_out_of_reach_is_given_up_before_anybody_waits_for_it() -> None:
     """Nobody gives way for a point a metre off, and where all are dragged there is nobody who could."""
-    made, face, under = net(), CAST.faces["dog"], CAST.expressions["neutral"]
+    made = net()
+    face = CAST.faces["dog"]
+    under = CAST.expressions["neutral"]
     far = solve_vectors(space(), face, under, made, at_rest(), [5], [[0.0, 1.0, 0.0]])
     assert far.compounds <= MOST
     every = range(len(made.rows))

@@ -38,7 +38,8 @@ def test_an_expression_mirrored_twice_is_itself() -> None:
 def test_the_left_unit_mirrored_is_the_right_one() -> None:
     cast = omote.load_cast()
     for unit in ("eyeBlink", "eyeLookOut", "mouthSmile", "browDown"):
-        left, right = cast.expressions[unit + "Left"], cast.expressions[unit + "Right"]
+        left = cast.expressions[unit + "Left"]
+        right = cast.expressions[unit + "Right"]
         image = mirror_expression(cast.space, left)
         here, there = (np.stack([0.1 * one.dtheta, one.dh]) for one in (image, right))
         assert np.linalg.norm(here - there) < 0.05 * np.linalg.norm(there)

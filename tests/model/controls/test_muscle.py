@@ -25,7 +25,8 @@ def egg() -> ParameterSpace:
 
 def on_s(muscle: Muscle) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
     """Places of the egg's sheet seen from the bone, and where they go, on S in metres (m, 2)."""
-    space, metric = egg(), metric_of(egg())
+    space = egg()
+    metric = metric_of(egg())
     field = pull_field(space, muscle)
     sheet = space.on_sheet
     place = np.stack([space.theta * metric - muscle.bone[0], space.h - muscle.bone[1]], axis=1)
@@ -35,7 +36,8 @@ def on_s(muscle: Muscle) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
 def test_a_linear_muscle_pulls_straight_to_its_bone_and_never_past_it() -> None:
     place, move = on_s(LINEAR)
     moved = np.abs(move).any(axis=1)
-    place, move = place[moved], move[moved]
+    place = place[moved]
+    move = move[moved]
     assert np.allclose(place[:, 0] * move[:, 1], place[:, 1] * move[:, 0], atol=1e-12)
     assert ((place * move).sum(axis=1) < 0).all()
     assert np.hypot(*move.T).max() <= LINEAR.pull + 1e-12

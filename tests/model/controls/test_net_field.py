@@ -65,7 +65,8 @@ def test_lifting_all_points_of_a_lower_lip_or_lid_moves_nothing_of_the_upper_one
 
 
 def test_the_field_is_bilinear_and_zero_off_the_sheet() -> None:
-    made, random = net(), np.random.default_rng(1)
+    made = net()
+    random = np.random.default_rng(1)
     a, b = random.normal([0, 0, 1], 0.01, (2, len(made.rows), 3))
     assert np.allclose(made.field((a + b) / 2), (made.field(a) + made.field(b)) / 2)
     assert not made.field(a)[~space().on_sheet].any()

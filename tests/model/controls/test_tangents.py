@@ -30,9 +30,11 @@ def test_the_generic_head_keeps_cylinder_coordinates() -> None:
 
 @pytest.mark.parametrize("name", ["kaori", "baby", "dog"])
 def test_a_drag_of_five_millimetres_is_nearly_its_tangent(name: str) -> None:
-    space, face = CAST.space, CAST.faces[name]
+    space = CAST.space
+    face = CAST.faces[name]
     made = build_net_field(space, default_net(space))
-    slope, found = tangents(space, face), []
+    slope = tangents(space, face)
+    found = []
     for point in range(2, len(made.rows), 9):
         vectors = np.tile([0.0, 0.0, 1.0], (len(made.rows), 1))
         vectors[point] += [0.02, 0.003, 0.02]

@@ -32,12 +32,14 @@ def test_a_head_without_lines_has_no_sides() -> None:
 @given(st.integers(0, 400))
 def test_whatever_points_an_artist_takes_no_vertex_is_moved_from_across_an_opening(seed: int) -> None:
     """Also where the points of a lip's edge are taken away."""
-    space, random = omote.load_cast().space, np.random.default_rng(seed)
+    space = omote.load_cast().space
+    random = np.random.default_rng(seed)
     rows = random.choice(np.array(default_net(space)), 80, replace=False)
     made = build_net_field(space, [int(row) for row in rows])
     sheet = np.flatnonzero(space.on_sheet)
     side = sides(space)
-    corners, weights = made.net.corners[sheet], made.net.weights[sheet]
+    corners = made.net.corners[sheet]
+    weights = made.net.weights[sheet]
     own = corners < len(rows)
     of_corners = np.where(own, side[:, rows[np.where(own, corners, 0)]], 0)
     across = side[:, sheet][..., None] * of_corners < 0

@@ -28,7 +28,8 @@ def displace(face: Face, shape: Expression) -> NDArray[np.float64]:
 @pytest.mark.parametrize("unit", ["browInnerUp", "browDownLeft", "eyeWideLeft"])
 def test_with_the_ears_turned_back_what_is_left_is_the_rest_of_the_shape(unit: str) -> None:
     shape = CAST.expressions[unit]
-    moved, still = displace(HOUND, shape), displace(HOUND, replace(shape, ears=np.zeros((2, 3))))
+    moved = displace(HOUND, shape)
+    still = displace(HOUND, replace(shape, ears=np.zeros((2, 3))))
     assert np.abs(moved - still).max() > 5e-3
     left = undo_ears(CAST.space, HOUND, moved, fit_ear_turns(CAST.space, HOUND, moved)) - still
     assert np.abs(left[CAST.space.on_sheet]).max() < 2e-5

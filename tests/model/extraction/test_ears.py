@@ -20,7 +20,8 @@ KNOWN = [CAST.expressions[name] for name in ("browInnerUp", "browDownLeft", "jaw
 
 @pytest.mark.parametrize("wearer", ["hound", "man"])
 def test_what_turned_the_ears_of_one_face_is_worn_by_others_as_it_was_meant(wearer: str) -> None:
-    shape, face = CAST.expressions["browInnerUp"], HOUND if wearer == "hound" else CAST.faces[wearer]
+    shape = CAST.expressions["browInnerUp"]
+    face = HOUND if wearer == "hound" else CAST.faces[wearer]
     assert shape.ears.any()
     moved = compound(CAST.space, HOUND, shape).astype(np.float64) - HOUND.positions
     taken = extract(CAST.space, HOUND, moved, known=KNOWN)
@@ -31,7 +32,8 @@ def test_what_turned_the_ears_of_one_face_is_worn_by_others_as_it_was_meant(wear
 @pytest.mark.parametrize("weight", [1.0, 0.6])
 def test_a_face_that_turns_no_ears_gives_those_of_the_known_sum_that_it_wears(weight: float) -> None:
     """The man's ears are still, and so is his head; the same expression, taken from him, turns the dog's as it did."""
-    face, shape = CAST.faces["man"], CAST.expressions["browInnerUp"]
+    face = CAST.faces["man"]
+    shape = CAST.expressions["browInnerUp"]
     moved = compound(CAST.space, face, shape, weight).astype(np.float64) - face.positions
     nodding = replace(shape, head=np.array([0.0, 0.2, 0.1]))
     taken = extract(CAST.space, face, moved, known=[nodding, *KNOWN[1:]])
@@ -43,7 +45,8 @@ def test_a_face_that_turns_no_ears_gives_those_of_the_known_sum_that_it_wears(we
 
 def test_ears_that_nothing_tells_of_stay_still() -> None:
     """Neither what is known of other shapes nor nothing at all says how the ears of a man turn, who turns none."""
-    face, shape = CAST.faces["man"], CAST.expressions["browInnerUp"]
+    face = CAST.faces["man"]
+    shape = CAST.expressions["browInnerUp"]
     moved = compound(CAST.space, face, shape).astype(np.float64) - face.positions
     for known in ((), KNOWN[1:]):
         taken = extract(CAST.space, face, moved, known=known)

@@ -41,7 +41,8 @@ def displace(face: Face, shape: Expression) -> NDArray[np.float64]:
 @pytest.mark.parametrize("name", ["kaori", "dog"])
 def test_what_is_taken_from_a_face_is_right_on_it_and_on_others(name: str, unit: str) -> None:
     """Within 0.05 mm on the face, 1 mm on another (what was measured is a twentieth of that), no name being told."""
-    face, shape = CAST.faces[name], CAST.expressions[unit]
+    face = CAST.faces[name]
+    shape = CAST.expressions[unit]
     taken = extract(CAST.space, face, displace(face, shape), known=KNOWN)
     itself, other = measure_errors(face, shape, taken, CAST.faces["man"])
     assert itself < 5e-5
@@ -51,7 +52,8 @@ def test_what_is_taken_from_a_face_is_right_on_it_and_on_others(name: str, unit:
 @pytest.mark.parametrize(("name", "unit"), [("baby", "eyeBlinkLeft"), ("dog", "mouth-open")])
 def test_weights_are_found_so_exactly_that_lids_and_mouth_bag_come_out_the_same(name: str, unit: str) -> None:
     """Most of what moves on the baby is not what the blink says, and a ray of the dog's mouth bag tells nanometres."""
-    face, shape = CAST.faces[name], CAST.expressions[unit]
+    face = CAST.faces[name]
+    shape = CAST.expressions[unit]
     itself, other = measure_errors(
         face, shape, extract(CAST.space, face, displace(face, shape), known=KNOWN), CAST.faces["man"]
     )
@@ -64,7 +66,8 @@ def test_a_sum_is_taken_from_a_random_face_and_is_right_on_others() -> None:
     mixed = sum(
         weight * CAST.faces[name].positions for weight, name in zip(weights, ("dog", "man", "old"), strict=True)
     )
-    face, parts = Face("mixed", np.asarray(mixed)), [CAST.expressions[name] for name in ("jawOpen", "mouthSmileRight")]
+    face = Face("mixed", np.asarray(mixed))
+    parts = [CAST.expressions[name] for name in ("jawOpen", "mouthSmileRight")]
     shape = Expression(
         0.4 * parts[0].dtheta + 0.6 * parts[1].dtheta,
         0.4 * parts[0].dh + 0.6 * parts[1].dh,
@@ -81,7 +84,8 @@ def test_a_sum_is_taken_from_a_random_face_and_is_right_on_others() -> None:
 def test_nothing_need_be_known_to_give_a_compound_back(unit: str) -> None:
     """Within 0.01 mm, the mouth bag too; a blink's lids, unfolded or pushed out of the eyeball, within 0.05 mm."""
     for name in ("kaori", "doll") if unit == "eyeBlinkLeft" else ("kaori", "baby", "doll"):
-        face, shape = CAST.faces[name], CAST.expressions[unit]
+        face = CAST.faces[name]
+        shape = CAST.expressions[unit]
         taken = extract(CAST.space, face, displace(face, shape))
         itself, _ = measure_errors(face, shape, taken, face)
         assert itself < (5e-5 if unit == "eyeBlinkLeft" else 1e-5), name
@@ -108,9 +112,11 @@ def test_a_displacement_that_asks_for_no_unfolding_comes_back() -> None:
 
 
 def test_what_is_taken_from_the_generic_face_is_the_same_field_under_both_rules() -> None:
-    face, jaw = cast().faces["generic"], cast().expressions["jawOpen"]
+    face = cast().faces["generic"]
+    jaw = cast().expressions["jawOpen"]
     moved = compound(space(), face, jaw) - face.positions
-    smooth, paper = extract(space(), face, moved), extract(space().under("paper"), face, moved)
+    smooth = extract(space(), face, moved)
+    paper = extract(space().under("paper"), face, moved)
     assert smooth.dtheta == pytest.approx(paper.dtheta, abs=1e-9)
     assert smooth.dh == pytest.approx(paper.dh, abs=1e-9)
     assert smooth.ratio == pytest.approx(paper.ratio, abs=1e-9)

@@ -7,7 +7,7 @@ import pytest
 
 import omote
 from omote.model.extraction.extract import extract
-from omote.model.extraction.field_uncertainty import measure_uncertainty
+from omote.model.extraction.extracted_expression import measure_uncertainty
 from omote.model.transfer.compound import compound
 
 CAST = omote.load_cast()
@@ -16,7 +16,9 @@ CAST = omote.load_cast()
 @pytest.mark.parametrize(("name", "unit"), [("dog", "jawOpen"), ("dog", "mouthSmileLeft")])
 def test_what_is_off_on_others_is_told(name: str, unit: str) -> None:
     """The sheet is off by more than a millimetre; what is told is within a factor of two of that, and in its places."""
-    face, man, shape = CAST.faces[name], CAST.faces["man"], CAST.expressions[unit]
+    face = CAST.faces[name]
+    man = CAST.faces["man"]
+    shape = CAST.expressions[unit]
     taken = extract(CAST.space, face, compound(CAST.space, face, shape) - face.positions)
     sheet = CAST.space.on_sheet
     off = np.linalg.norm(compound(CAST.space, man, taken) - compound(CAST.space, man, shape), axis=1)[sheet]

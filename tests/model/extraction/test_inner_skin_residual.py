@@ -15,7 +15,9 @@ CAST = omote.load_cast()
 
 def test_of_several_residuals_the_known_one_is_taken() -> None:
     """Kaori's mouth bag is pushed behind her lips by a funnel: her compound alone does not say what was pushed."""
-    face, funnel, inner = CAST.faces["kaori"], CAST.expressions["mouthFunnel"], CAST.space.inner.vertices
+    face = CAST.faces["kaori"]
+    funnel = CAST.expressions["mouthFunnel"]
+    inner = CAST.space.inner.vertices
     bare = replace(funnel, residual=np.zeros_like(funnel.residual), parts={})
     goal = compound(CAST.space, face, funnel).astype(np.float64)[inner]
     alone = solve_inner_residual(CAST.space, face, bare, goal, None)
@@ -27,7 +29,9 @@ def test_of_several_residuals_the_known_one_is_taken() -> None:
 
 
 def test_a_known_one_that_does_not_give_the_goal_is_left() -> None:
-    face, funnel, inner = CAST.faces["kaori"], CAST.expressions["mouthFunnel"], CAST.space.inner.vertices
+    face = CAST.faces["kaori"]
+    funnel = CAST.expressions["mouthFunnel"]
+    inner = CAST.space.inner.vertices
     bare = replace(funnel, residual=np.zeros_like(funnel.residual), parts={})
     goal = compound(CAST.space, face, funnel).astype(np.float64)[inner]
     far = replace(funnel, residual=np.full_like(funnel.residual, 0.5))

@@ -66,7 +66,8 @@ def sum_up(*weights: float) -> KnownSum:
 
 def test_weights_are_refined_though_the_face_jumps_where_it_folds() -> None:
     """What the sum lacks is measured on the dog, which turns folds back, from two hundredths off."""
-    face, rows = CAST.faces["dog"], CAST.space.on_sheet
+    face = CAST.faces["dog"]
+    rows = CAST.space.on_sheet
     meant = sum_up(0.7, 0.4, 0.8)
     goal = compound(CAST.space, face, meant.expression)[rows].astype(np.float64)
 

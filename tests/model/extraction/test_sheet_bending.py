@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 import omote
-from omote.model.extraction.sheet_bending import prepare_bending
+from omote.model.extraction.smooth_map_inverse import prepare_bending
 
 SPACE = omote.load_cast().space
 PLATE = prepare_bending(SPACE)

@@ -34,7 +34,8 @@ def displace(unit: str) -> np.ndarray:
 def test_where_no_fold_is_turned_back_the_displacement_itself_is_found(name: str, unit: str) -> None:
     """Found to 0.002 mm; a vertex that hangs on the sheet by one triangle, as two in the corners of the lips do, has
     two places that give that triangle's detail, a tenth of a millimetre apart on the dog."""
-    face, meant = CAST.faces[name], displace(unit)
+    face = CAST.faces[name]
+    meant = displace(unit)
     goal = apply_smooth_map(SPACE, face, meant)
     assert np.abs(goal - apply_smooth_map(SPACE, face, meant, CONTINUOUS_STAGES)).max() < 1e-6  # no fold
     found = invert_smooth_map(SPACE, face, goal)
@@ -47,7 +48,8 @@ def test_where_no_fold_is_turned_back_the_displacement_itself_is_found(name: str
 
 
 def test_where_folds_were_turned_back_the_known_one_is_found_and_both_give_the_sheet() -> None:
-    face, meant = CAST.faces["dog"], displace("mouth-open")
+    face = CAST.faces["dog"]
+    meant = displace("mouth-open")
     goal = apply_smooth_map(SPACE, face, meant)
     names = ("mouth-open", "jawOpen", "mouthSmileLeft", "mouthClose", "mouthFunnel")
     found = invert_smooth_map(SPACE, face, goal, [CAST.expressions[name] for name in names])
@@ -58,7 +60,8 @@ def test_where_folds_were_turned_back_the_known_one_is_found_and_both_give_the_s
 
 
 def test_on_the_generic_face_nothing_is_searched_for() -> None:
-    face, meant = CAST.faces["generic"], displace("eyeBlinkLeft")
+    face = CAST.faces["generic"]
+    meant = displace("eyeBlinkLeft")
     found = invert_smooth_map(SPACE, face, SPACE.points + meant)
     assert np.abs(found.displacement - meant).max() < 1e-12
 

@@ -17,7 +17,8 @@ CAST = omote.load_cast()
 @pytest.mark.parametrize(("name", "unit"), [("dog", "jawOpen"), ("baby", "eyeBlinkLeft"), ("kaori", "mouthFunnel")])
 def test_a_step_of_the_inverse_makes_the_change_that_it_was_asked_for(name: str, unit: str) -> None:
     """A smooth change of a hundredth of a millimetre, to within two per cent: lines lie in one another's reach."""
-    face, space = CAST.faces[name], CAST.space
+    face = CAST.faces[name]
+    space = CAST.space
     rows = prepare_smooth_map(space, face).detail.used
     source = displace_generic(space, compile_expression(space, CAST.expressions[unit])) * space.on_sheet[:, None]
     source = source[space.welded]
@@ -30,7 +31,8 @@ def test_a_step_of_the_inverse_makes_the_change_that_it_was_asked_for(name: str,
 
 
 def test_on_the_generic_face_a_step_is_the_change_itself() -> None:
-    face, space = CAST.faces["generic"], CAST.space
+    face = CAST.faces["generic"]
+    space = CAST.space
     rows = prepare_smooth_map(space, face).detail.used
     change = np.random.default_rng(3).normal(size=(len(rows), 3))
     step = linearise_smooth_map(space, face, np.zeros_like(space.points)).solve(change)

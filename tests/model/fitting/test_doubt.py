@@ -4,7 +4,9 @@ import copy
 
 from omote.model.fitting.doubt import EYES, PLACE, SHAPE, SIDES, Doubt, join_doubts
 
-LOST, ODD, ASKED = Doubt("Where is it?", PLACE), Doubt("It is odd."), Doubt("Are its eyes shut?", EYES)
+LOST = Doubt("Where is it?", PLACE)
+ODD = Doubt("It is odd.")
+ASKED = Doubt("Are its eyes shut?", EYES)
 
 
 def test_a_doubt_is_its_sentence_and_keeps_its_kind() -> None:

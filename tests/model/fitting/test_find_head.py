@@ -12,16 +12,16 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from omote.builtin import load_identity_modes
-from omote.model.fitting.find_head import UNITS, HeadPlacement, find_head
-from omote.model.fitting.finding.alignment import Alignment
-from omote.model.fitting.finding.candidates import Candidate, refine
-from omote.model.fitting.finding.finding_template import HeadTemplate, make_template
+from omote.model.fitting.alignment import Alignment
+from omote.model.fitting.find_head import UNITS, Candidate, HeadPlacement, find_head, refine
+from omote.model.fitting.head_template import HeadTemplate, make_template
 from omote.model.fitting.landmarks import SEVEN, find_landmarks
 from omote.model.fitting.scan import Scan
 from omote.model.space.similarity import Similarity
 from tests.model.fitting.placed_heads import CAST, ball, degrees_between, head_points, head_scan, join_scans, turn_by
 
-SPACE, MODES = CAST.space, load_identity_modes()
+SPACE = CAST.space
+MODES = load_identity_modes()
 ROWS = find_landmarks(SPACE)
 KAORI = head_points()
 
@@ -52,9 +52,11 @@ def test_a_head_in_metres_is_found_where_it_is_and_is_sure() -> None:
 @settings(max_examples=2)
 @given(seed=st.integers(0, 1000), unit=st.sampled_from([*UNITS]))
 def test_turn_shift_unit_and_order_of_points_change_nothing(seed: int, unit: str) -> None:
-    turn, shift = turn_by(seed), np.random.default_rng(seed).normal(size=3)
+    turn = turn_by(seed)
+    shift = np.random.default_rng(seed).normal(size=3)
     points = (KAORI @ turn.T + shift) / UNITS[unit]
-    found, plain = _find(head_scan(points, seed=seed)), _plain()
+    found = _find(head_scan(points, seed=seed))
+    plain = _plain()
     assert found.doubts == ()
     assert found.unit == unit
     assert found.similarity.scale == UNITS[unit]
@@ -74,7 +76,8 @@ def test_triangles_that_face_inward_and_mirrored_axes_are_no_matter() -> None:
 
 
 def test_points_far_from_the_head_are_not_its_own() -> None:
-    head, crumb = head_scan(KAORI), ball((0.05, 0.05, 0.05))
+    head = head_scan(KAORI)
+    crumb = ball((0.05, 0.05, 0.05))
     both = join_scans(head, Scan(crumb.positions + np.array([0.6, -0.5, 0.0]), crumb.triangles))
     found = _find(both)
     assert found.inside[: len(head.positions)].mean() > 0.95

@@ -6,9 +6,9 @@ import numpy as np
 import pytest
 
 import omote
-from omote.model.fitting.fit_doubts import find_doubts
-from omote.model.fitting.shape.head_zones import head_zones
-from omote.model.fitting.shape.mode_fit import ModeFit
+from omote.model.fitting.fit_face import find_doubts
+from omote.model.fitting.head_zones import head_zones
+from omote.model.fitting.mode_fit import ModeFit
 from omote.model.space.similarity import Similarity
 
 SPACE = omote.load_cast().space

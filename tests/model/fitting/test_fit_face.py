@@ -9,15 +9,17 @@ import omote
 from omote.builtin import load_identity_modes
 from omote.model.fitting import fit_face as module
 from omote.model.fitting.fit_face import Fit, fit_face
+from omote.model.fitting.head_zones import head_zones
 from omote.model.fitting.landmarks import find_landmarks
 from omote.model.fitting.scan import Scan
-from omote.model.fitting.shape.head_zones import head_zones
 from omote.model.space.face_fit import fit
 from omote.model.space.parts import eye_rotation
 from omote.model.space.similarity import Similarity
 
 CAST = omote.load_cast()
-SPACE, MODES, ZONES = CAST.space, load_identity_modes(), head_zones(CAST.space)
+SPACE = CAST.space
+MODES = load_identity_modes()
+ZONES = head_zones(CAST.space)
 ROWS = find_landmarks(SPACE)
 KAORI = CAST.faces["kaori"].positions.astype(np.float64)
 RAISED = np.array([0.0, 0.1, 0.0])
@@ -27,7 +29,8 @@ HERE = Similarity(1.0, np.eye(3), np.zeros(3))
 @pytest.fixture(scope="module")
 def kaori() -> Fit:
     """Kaori's skin as a scan in millimetres, turned a little, with two landmarks."""
-    turn, told = eye_rotation(0.1, 0.05), list[float]()
+    turn = eye_rotation(0.1, 0.05)
+    told = list[float]()
     points = 1000.0 * (KAORI + RAISED) @ turn.T
     back = Similarity(0.001, turn.T, -RAISED)
     marks = {name: points[ROWS[name]] for name in ("nose_tip", "mouth_left")}
@@ -93,7 +96,8 @@ def test_unknown_landmarks_and_other_heads_are_refused() -> None:
 
 
 def test_only_who_was_said_to_be_a_head_is_moved_back_to_stand_around_the_axis(monkeypatch: pytest.MonkeyPatch) -> None:
-    scan, marks = Scan(KAORI, SPACE.triangles), {"nose_tip": KAORI[ROWS["nose_tip"]]}
+    scan = Scan(KAORI, SPACE.triangles)
+    marks = {"nose_tip": KAORI[ROWS["nose_tip"]]}
     plain = fit_face(SPACE, MODES, scan, HERE, landmarks=marks)
     monkeypatch.setattr(module, "find_way_back", lambda *_: 0.01)
     moved = fit_face(SPACE, MODES, scan, HERE, landmarks=marks)

@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 
 import omote
 from omote.builtin import load_head_kinds, load_identity_modes
+from omote.geometry.proximity import winding_numbers
 from omote.model.fitting import fit_kinds as module
 from omote.model.fitting.find_head import find_head
 from omote.model.fitting.fit_face import Fit, fit_face
@@ -20,10 +21,11 @@ from omote.model.fitting.fit_kinds import BEYOND, FEWEST, bend_to_landmarks, fit
 from omote.model.fitting.landmarks import find_landmarks
 from omote.model.fitting.scan import Scan
 from omote.model.space.face import Face
-from omote.model.space.skin_sheet import winding_number
 
 CAST = omote.load_cast()
-SPACE, MODES, KINDS = CAST.space, load_identity_modes(), load_head_kinds()
+SPACE = CAST.space
+MODES = load_identity_modes()
+KINDS = load_head_kinds()
 ROWS = find_landmarks(SPACE)
 DOG, OLD = (CAST.faces[name].positions.astype(np.float64) for name in ("dog", "old"))
 Values = NDArray[np.float64]
@@ -52,7 +54,8 @@ def test_an_animal_is_found_again_from_an_animal_without_a_fold_and_with_one_dou
 
 
 def test_a_person_is_fitted_as_before() -> None:
-    scan, marks = Scan(OLD, SPACE.triangles), marks_of(OLD)
+    scan = Scan(OLD, SPACE.triangles)
+    marks = marks_of(OLD)
     place = find_head(SPACE, MODES, scan, landmarks=marks)
     plain = fit_face(SPACE, MODES, scan, place.similarity, landmarks=marks, shut=False)
     found = fit_marked(OLD, marks)
@@ -88,7 +91,7 @@ def outside(face: Face) -> int:
     """How many points of the tongue lie outside of a skin."""
     probes = face.parts["tongue"].astype(np.float64)
     skin = face.positions.astype(np.float64)
-    return sum(winding_number(skin, SPACE.location_triangles, probe) < 0.5 for probe in probes)
+    return int((winding_numbers(skin[SPACE.location_triangles], probes) < 0.5).sum())
 
 
 def test_people_and_animals_are_told_apart_by_their_landmarks() -> None:

@@ -10,7 +10,8 @@ from omote.builtin import load_identity_modes
 from omote.model.fitting.identity_modes import refuse_other_topology
 from tests import synthetic
 
-SPACE, MODES = omote.load_cast().space, load_identity_modes()
+SPACE = omote.load_cast().space
+MODES = load_identity_modes()
 
 
 def test_no_weight_is_the_mean_and_weights_add() -> None:

@@ -1,4 +1,4 @@
-"""Landmarks: named by lines and profile, the same on both sides, in the order of the face."""
+"""Landmarks: named by lines and the midline, the same on both sides."""
 
 from __future__ import annotations
 
@@ -8,13 +8,10 @@ import numpy as np
 import pytest
 
 import omote
-from omote.model.fitting.landmarks import SEVEN, find_ibug_landmarks, find_landmarks
+from omote.model.fitting.landmarks import SEVEN, find_landmarks
 from tests import synthetic
 
 SPACE = omote.load_cast().space
-# iBUG's numbers and those of the other side.
-PAIRS = {36: 45, 37: 44, 38: 43, 39: 42, 40: 47, 41: 46, 60: 64, 61: 63, 67: 65}
-MIDDLE = (27, 28, 29, 30, 33, 62, 66)
 
 
 def _at(row: int) -> np.ndarray:
@@ -47,21 +44,6 @@ def test_corners_are_the_ends_of_their_lines() -> None:
             int(line.loop[SPACE.points[line.loop, 0].argmax()]),
         }
         assert ends <= rows
-
-
-def test_the_landmarks_of_ibug_hold_the_seven_and_are_symmetric() -> None:
-    found, seven = find_ibug_landmarks(SPACE), find_landmarks(SPACE)
-    assert {found[number] for number in (45, 42, 39, 36, 30, 64, 60)} == set(seven.values())
-    assert set(found) == {*PAIRS, *PAIRS.values(), *MIDDLE}
-    for right, left in PAIRS.items():
-        assert np.allclose(_at(found[left]) * (-1, 1, 1), _at(found[right]), atol=1e-5)
-    assert all(abs(_at(found[number])[0]) < 1e-5 for number in MIDDLE)
-
-
-def test_those_of_ibug_come_in_the_order_of_the_face() -> None:
-    height = {number: _at(row)[1] for number, row in find_ibug_landmarks(SPACE).items()}
-    assert height[27] > height[28] > height[29] > height[30] > height[33] > height[62] >= height[66]
-    assert all(height[upper] > height[lower] for upper, lower in ((37, 41), (38, 40), (43, 47), (44, 46)))
 
 
 def test_a_space_without_lines_is_rejected_in_words() -> None:

@@ -5,19 +5,22 @@ from __future__ import annotations
 import numpy as np
 
 import omote
+from omote.model.fitting.head_zones import head_zones
 from omote.model.fitting.scan_skin import keep_skin, may_be_shut
 from omote.model.fitting.scan_surface import ScanSurface, sample_mesh
-from omote.model.fitting.shape.head_zones import head_zones
 from omote.model.space.face_fit import generic_face
 
 CAST = omote.load_cast()
-SPACE, ZONES = CAST.space, head_zones(CAST.space)
+SPACE = CAST.space
+ZONES = head_zones(CAST.space)
 BOX = np.stack([SPACE.points.min(axis=0), SPACE.points.max(axis=0)])
 
 
 def scan_of(skin: np.ndarray) -> tuple[ScanSurface, int]:
     """A skin with the generic eyes and teeth, and how many sheets the skin alone is."""
-    every, corners, start = [skin], [SPACE.triangles], len(skin)
+    every = [skin]
+    corners = [SPACE.triangles]
+    start = len(skin)
     for name, part in SPACE.parts.items():
         if name != "lashes":
             every.append(part.points)

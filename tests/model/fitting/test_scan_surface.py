@@ -16,7 +16,10 @@ def ball(size: float = 0.1, rows: int = 60) -> tuple[NDArray[np.float64], NDArra
     h, a = np.meshgrid(np.linspace(0.1, np.pi - 0.1, rows), np.linspace(0, 2 * np.pi, rows, endpoint=False))
     points = size * np.stack([np.sin(h) * np.sin(a), np.cos(h), np.sin(h) * np.cos(a)], axis=-1)
     at = np.arange(rows * rows).reshape(rows, rows)
-    one, right, below, across = at[:, :-1], np.roll(at, -1, 0)[:, :-1], at[:, 1:], np.roll(at, -1, 0)[:, 1:]
+    one = at[:, :-1]
+    right = np.roll(at, -1, 0)[:, :-1]
+    below = at[:, 1:]
+    across = np.roll(at, -1, 0)[:, 1:]
     quads = [np.stack(each, axis=-1).reshape(-1, 3) for each in ((one, below, across), (one, across, right))]
     return points.reshape(-1, 3), np.concatenate(quads)
 
@@ -48,7 +51,8 @@ def test_the_nearest_that_looks_the_same_way_is_found_through_a_thin_wall() -> N
         np.vstack([outside, inside]), np.vstack([triangles, triangles[:, ::-1] + len(outside)]), BOX, 0.0
     )
     asked = np.array([[0.0995, 0.0, 0.0]])
-    (out,), (inward,) = both.find_nearest(asked, asked / 0.0995), both.find_nearest(asked, -asked / 0.0995)
+    (out,) = both.find_nearest(asked, asked / 0.0995)
+    (inward,) = both.find_nearest(asked, -asked / 0.0995)
     assert np.linalg.norm(both.points[out]) > np.linalg.norm(both.points[inward])
 
 

@@ -23,14 +23,16 @@ def test_harmonics_are_orthogonal_over_the_ball() -> None:
 
 def test_slopes_of_harmonics_are_those_of_differences() -> None:
     way = np.array([0.3, -0.2, 0.5])
-    places, step = normals(50), 1e-6 * way
+    places = normals(50)
+    step = 1e-6 * way
     off = (harmonics(places + step) - harmonics(places - step)) / 2e-6
     # The last one stands for its polynomial on unit vectors: all that a caller turns are normals.
     assert slope_harmonics(places) @ way == pytest.approx(off, abs=1e-6)
 
 
 def test_a_light_is_found_again_beside_what_is_odd() -> None:
-    basis, draw = harmonics(normals(800)), np.random.default_rng(2)
+    basis = harmonics(normals(800))
+    draw = np.random.default_rng(2)
     light = np.array([1.0, *draw.normal(0.0, 0.1, 8)])
     ratio = basis @ light
     ratio[::10] = 3.0

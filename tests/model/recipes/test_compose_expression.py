@@ -68,7 +68,8 @@ def test_one_layer_is_that_expression() -> None:
 @given(st.floats(-1, 1), st.floats(-1, 1))
 def test_layers_add(a: float, b: float) -> None:
     both = numbers(baked(recipe(Layer("smile", "", a), Layer("surprise", "", b))))
-    one, other = numbers(CAST.expressions["smile"]), numbers(CAST.expressions["surprise"])
+    one = numbers(CAST.expressions["smile"])
+    other = numbers(CAST.expressions["surprise"])
     assert np.allclose(both, a * one + b * other, atol=1e-14)
 
 
@@ -92,7 +93,8 @@ def test_all_regions_of_one_expression_are_that_expression() -> None:
 
 def test_the_brow_of_one_and_the_mouth_of_another() -> None:
     both = baked(recipe(Layer("surprise", "", region="brows"), Layer("smile", "", region="mouth")))
-    smile, surprise = CAST.expressions["smile"], CAST.expressions["surprise"]
+    smile = CAST.expressions["smile"]
+    surprise = CAST.expressions["surprise"]
     lip = space().lines[-1].loop
     brow = list(default_net(space()))[30:34]
     assert np.abs(both.dh - smile.dh)[lip].max() < 0.3 * np.abs(smile.dh[lip]).max()

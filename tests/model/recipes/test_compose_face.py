@@ -15,8 +15,7 @@ from omote.model.cast import Look
 from omote.model.recipes.compose_face import FaceWithLook, compose_face, mix_faces, mix_looks
 from omote.model.recipes.face_handles import default_handles, drag_handles
 from omote.model.recipes.recipe import FaceRecipe, GainRow
-from omote.model.sculpting.caricature import MOST_AMOUNT, caricature
-from omote.model.sculpting.extrapolation import find_folds
+from omote.model.sculpting.caricature import MOST_AMOUNT, caricature, find_folds
 from omote.model.sculpting.regions import regional
 from omote.model.space.face import Face
 from omote.model.space.face_fit import fit
@@ -37,7 +36,8 @@ def made(recipe: FaceRecipe) -> FaceWithLook:
 
 
 def same(one: Face, other: Face) -> bool:
-    first, second = fit(SPACE, one), fit(SPACE, other)
+    first = fit(SPACE, one)
+    second = fit(SPACE, other)
     return np.array_equal(first.positions, second.positions) and all(
         np.array_equal(first.parts[part], second.parts[part]) for part in SPACE.parts
     )
@@ -93,7 +93,8 @@ def test_base_regions_caricature_and_handles_follow_one_another() -> None:
 
 
 def test_the_look_of_a_region_comes_with_it_and_nothing_else_does() -> None:
-    plain, mouth = made(FaceRecipe({"kaori": 1.0})).look, made(FaceRecipe({"kaori": 1.0}, {"mouth": "dog"})).look
+    plain = made(FaceRecipe({"kaori": 1.0})).look
+    mouth = made(FaceRecipe({"kaori": 1.0}, {"mouth": "dog"})).look
     dog = SOURCES["dog"].look
     assert mouth == replace(plain, lip=dog.lip, gloss=dog.gloss)
     assert made(FaceRecipe({"kaori": 1.0}, {"skull": "man"})).look.hair_style == SOURCES["man"].look.hair_style
@@ -102,7 +103,8 @@ def test_the_look_of_a_region_comes_with_it_and_nothing_else_does() -> None:
 
 
 def test_colours_mix_in_linear_light_and_traits_as_numbers() -> None:
-    black, white = Look(skin="#000000", age=0.0), Look(skin="#ffffff", age=1.0)
+    black = Look(skin="#000000", age=0.0)
+    white = Look(skin="#ffffff", age=1.0)
     grey = mix_looks([(black, 0.5), (white, 0.5)])
     assert (grey.skin, grey.age) == ("#bcbcbc", 0.5)  # half the light is 188 of 255 in sRGB
     assert mix_looks([(SOURCES["dog"].look, 1.0)]) == SOURCES["dog"].look
@@ -121,7 +123,8 @@ def test_a_mix_of_looks_is_a_look_between_them(looks: list[Look]) -> None:
 
 def test_hair_is_one_style_whole_on_its_own_scalp() -> None:
     bald = Look(hair_style="", scalp=0.0, hair="#ff0000")
-    bun, thin = Look(hair_style="bun", scalp=1.0, hair="#202020"), Look(hair_style="thin", scalp=0.25, hair="#202020")
+    bun = Look(hair_style="bun", scalp=1.0, hair="#202020")
+    thin = Look(hair_style="thin", scalp=0.25, hair="#202020")
     for looks, style, scalp in [
         ([(bald, 0.6), (bun, 0.4)], "", 0.0),
         ([(bald, 0.4), (bun, 0.6)], "bun", 1.0),
@@ -134,7 +137,9 @@ def test_hair_is_one_style_whole_on_its_own_scalp() -> None:
 
 
 def test_hair_is_that_of_the_largest_share_all_wearers_together() -> None:
-    bald, bun, bob = Look(hair_style=""), Look(hair_style="bun"), Look(hair_style="bob")
+    bald = Look(hair_style="")
+    bun = Look(hair_style="bun")
+    bob = Look(hair_style="bob")
     assert mix_looks([(bald, 0.4), (bun, 0.35), (bob, 0.25)]).hair_style == "bun"
     assert mix_looks([(bald, 0.6), (bun, 0.2), (bob, 0.2)]).hair_style == ""
     assert mix_looks([(bald, 0.4), (bun, 0.3), (replace(bun, age=1.0), 0.3)]).hair_style == "bun"
@@ -221,7 +226,8 @@ def test_a_mix_with_a_painted_face_is_covered_by_half_of_the_picture_and_painted
     found = compose_face(SPACE, "both", FaceRecipe({"kaori": 0.5, "dog": 0.5}), sources).look
     assert found.albedo is not None
     assert found.albedo.cover == pytest.approx(0.5, abs=0.5 / 255)
-    dog, kaori = SOURCES["dog"].look, sources["kaori"].look
+    dog = SOURCES["dog"].look
+    kaori = sources["kaori"].look
     assert (found.skin, found.coat, found.fur, found.brows) == (dog.skin, dog.coat, dog.fur, dog.brows)
     assert found.pores == pytest.approx((dog.pores + kaori.pores) / 2)  # relief stays: its pores are half of both
 

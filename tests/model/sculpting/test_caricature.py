@@ -6,10 +6,9 @@ import numpy as np
 import pytest
 
 import omote
-from omote.model.sculpting.caricature import caricature, stand_around_axis
-from omote.model.sculpting.extrapolation import find_folds
+from omote.model.sculpting.caricature import caricature, extrapolate, find_folds, repair_folds, stand_around_axis
 from omote.model.space.face import Face
-from tests.synthetic import cast, space
+from tests.synthetic import FACES, cast, space
 
 CAST = omote.load_cast()
 
@@ -40,7 +39,8 @@ def test_beyond_one_it_starts_without_a_jump_and_goes_on_and_on() -> None:
 def test_no_caricature_folds(name: str, amount: float) -> None:
     face = CAST.faces[name]
     made = caricature(CAST.space, face, amount)
-    before, after = face.positions.astype(np.float64), made.positions.astype(np.float64)
+    before = face.positions.astype(np.float64)
+    after = made.positions.astype(np.float64)
     assert not find_folds(before, after, CAST.space.skin_triangles).any()
 
 
@@ -85,3 +85,40 @@ def test_a_caricature_has_a_name_of_its_own() -> None:
 def test_an_amount_out_of_range_is_refused_with_the_range(amount: float) -> None:
     with pytest.raises(ValueError, match=r"a caricature's amount is .*from 0 .the generic face. to 3"):
         caricature(space(), cast().faces["long"], amount)
+
+
+BELL = 0.02
+
+
+@pytest.mark.parametrize("name", FACES)
+def test_no_growth_gives_the_face(name: str) -> None:
+    face = cast().faces[name].positions.astype(np.float64)
+    assert np.allclose(extrapolate(space().points, face, space().triangles, 0.0, BELL), face, atol=1e-8)
+
+
+@pytest.mark.parametrize("amount", [0.5, 1.0, 2.0])
+def test_a_larger_head_grows_by_the_power_of_its_size(amount: float) -> None:
+    stretch = 1.2
+    result = extrapolate(space().points, space().points * stretch, space().triangles, amount, BELL)
+    wanted = space().points * stretch ** (1.0 + amount)
+    assert np.allclose(result - result.mean(axis=0), wanted - wanted.mean(axis=0), atol=1e-7)
+
+
+def test_a_head_shrunk_to_a_third_shrinks_further_and_never_turns_over() -> None:
+    small = space().points * [1.0, 0.34, 1.0]
+    result = extrapolate(space().points, small, space().triangles, 2.0, BELL)
+    assert np.ptp(result[:, 1]) < np.ptp(small[:, 1])
+    assert not find_folds(small, result, space().triangles).any()
+
+
+def test_what_is_turned_over_is_pulled_back_and_the_rest_stays() -> None:
+    points = CAST.space.points
+    triangles = CAST.space.skin_triangles
+    folded = np.array(points)
+    vertex = int(np.linalg.norm(points - [0.045, -0.04, 0.125], axis=1).argmin())
+    folded[vertex] += 1.5 * (points[triangles[(triangles == vertex).any(axis=1)].max()] - points[vertex])
+    assert find_folds(points, folded, triangles).any()
+    back = repair_folds(points, folded, triangles)
+    assert not find_folds(points, back, triangles).any()
+    assert (back == points).all(axis=1).sum() > len(points) - 20
+    assert np.array_equal(repair_folds(points, points, triangles), points)

@@ -38,7 +38,8 @@ def test_no_region_at_all_is_the_generic_face() -> None:
 
 
 def test_each_region_has_the_form_of_its_face_and_no_border_is_rougher_than_both() -> None:
-    old, child = CAST.faces["old"], CAST.faces["child"]
+    old = CAST.faces["old"]
+    child = CAST.faces["child"]
     made = regional(CAST.space, "mixed", {"jaw": old, "mouth": old}, rest=child)
     weights = region_weights(CAST.space)
     lower = weights["jaw"] + weights["mouth"]
@@ -52,7 +53,8 @@ def test_each_region_has_the_form_of_its_face_and_no_border_is_rougher_than_both
 
 
 def test_a_face_of_another_size_and_place_gives_the_same_mix() -> None:
-    doll, man = CAST.faces["doll"], CAST.faces["man"]
+    doll = CAST.faces["doll"]
+    man = CAST.faces["man"]
     larger = Face("larger", 1.3 * doll.positions, {name: 1.3 * points for name, points in doll.parts.items()})
     mixes = [regional(CAST.space, "staring", {"eyes": face}, rest=man) for face in (doll, larger)]
     assert np.allclose(mixes[0].positions, mixes[1].positions, atol=1e-5)
@@ -61,7 +63,8 @@ def test_a_face_of_another_size_and_place_gives_the_same_mix() -> None:
 
 
 def test_eyes_of_another_face_sit_where_the_rest_has_its_own() -> None:
-    doll, man = CAST.faces["doll"], CAST.faces["man"]
+    doll = CAST.faces["doll"]
+    man = CAST.faces["man"]
     made = regional(CAST.space, "staring", {"eyes": doll}, rest=man)
     for name in ("eye_left", "eye_right"):
         assert np.linalg.norm(made.parts[name].mean(axis=0) - man.parts[name].mean(axis=0)) < 0.004
@@ -71,7 +74,8 @@ def test_eyeballs_of_a_mix_stay_round_and_outside_of_the_lids() -> None:
     used = ("doll", "heavy")
     made = regional(CAST.space, "staring", {"eyes": CAST.faces[used[0]]}, rest=CAST.faces[used[1]])
     for name in ("eye_left", "eye_right"):
-        ball, generic = made.parts[name].astype(np.float64), CAST.space.parts[name].points
+        ball = made.parts[name].astype(np.float64)
+        generic = CAST.space.parts[name].points
         rough = [np.ptp(ball_heights(points, points)) for points in (*(CAST.faces[n].parts[name] for n in used), ball)]
         assert rough[2] <= max(rough[:2])
         lids = ball_heights(CAST.space.points, generic) > 1.0

@@ -54,7 +54,8 @@ def test_ears_go_the_way_that_is_said(name: str) -> None:
 
 @pytest.mark.parametrize("name", ANIMALS)
 def test_an_ear_turns_as_one_and_leaves_the_rest_of_the_skin(name: str) -> None:
-    rest, moved = CAST.faces[name].positions.astype(np.float64), turned(name, back=TURN, out=0.2).astype(np.float64)
+    rest = CAST.faces[name].positions.astype(np.float64)
+    moved = turned(name, back=TURN, out=0.2).astype(np.float64)
     weights = ear_weights(CAST.space)
     np.testing.assert_array_equal(moved[(weights == 0).all(axis=0)], rest[(weights == 0).all(axis=0)])
     whole = np.flatnonzero(weights[0] >= 1.0)
@@ -65,8 +66,10 @@ def test_an_ear_turns_as_one_and_leaves_the_rest_of_the_skin(name: str) -> None:
 @pytest.mark.parametrize("name", ANIMALS)
 def test_turning_an_ear_folds_no_triangle(name: str) -> None:
     """Seen along their normals at rest, turned as far as their corners are in the mean."""
-    rest, turns = CAST.faces[name].positions, np.array([[1.4, 0.6, 0.2]] * 2)
-    corners, folded = CAST.space.sheet_triangles, []
+    rest = CAST.faces[name].positions
+    turns = np.array([[1.4, 0.6, 0.2]] * 2)
+    corners = CAST.space.sheet_triangles
+    folded = []
     for moved in (rotate_ears(CAST.space, rest, rest, turns), turn_ears(CAST.space, rest, rest, turns)):
         normals, sizes = rest_normals(rest.astype(np.float64), corners)
         for weights, (_, axis) in rotations(CAST.space, rest, turns):
@@ -77,7 +80,8 @@ def test_turning_an_ear_folds_no_triangle(name: str) -> None:
 
 
 def test_rotated_ears_rotate_back() -> None:
-    rest, turns = CAST.faces["dog"].positions, np.array([[0.4, -0.5, 0.4], [0.1, 0.2, 0.0]])
+    rest = CAST.faces["dog"].positions
+    turns = np.array([[0.4, -0.5, 0.4], [0.1, 0.2, 0.0]])
     there = rotate_ears(CAST.space, rest, rest, turns)
     np.testing.assert_allclose(rotate_ears(CAST.space, rest, there, -turns), rest, atol=1e-6)
 
@@ -88,7 +92,8 @@ def test_left_and_right_are_mirror_images() -> None:
 
 
 def test_only_a_face_with_a_gain_for_ears_turns_them_and_by_as_much() -> None:
-    fear, dog = CAST.expressions["fear"], replace(CAST.faces["dog"], gains=())
+    fear = CAST.expressions["fear"]
+    dog = replace(CAST.faces["dog"], gains=())
     still = compound(CAST.space, dog, fear)
     dogs = [replace(dog, gains=(Gain("ears", gain),)) for gain in (0.0, 0.5, 1.0)]
     away = [np.linalg.norm(tips(compound(CAST.space, one, fear)) - tips(still), axis=1) for one in dogs]
@@ -106,7 +111,8 @@ def test_a_head_without_ears_has_none_to_turn() -> None:
 def test_ears_lie_in_few_turned_over_triangles() -> None:
     """A border that is too narrow would fold the skin around the root."""
     for name in ANIMALS:
-        rest, moved = CAST.faces[name].positions.astype(np.float64), turned(name, back=TURN).astype(np.float64)
+        rest = CAST.faces[name].positions.astype(np.float64)
+        moved = turned(name, back=TURN).astype(np.float64)
         sheet = CAST.space.skin_triangles
         a, b, c = sheet.T
         before, after = (np.cross(points[b] - points[a], points[c] - points[a]) for points in (rest, moved))

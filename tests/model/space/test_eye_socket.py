@@ -22,10 +22,12 @@ def test_near_skin_gets_its_height_over_a_swollen_ball_and_far_skin_stays() -> N
         ball = space().parts[name].points
         swollen = ball.mean(axis=0) + (ball - ball.mean(axis=0)) * 1.4
         result = set_ball_heights(space().points, {name: swollen}, {name: wanted})
-        near, far = wanted <= NEAR, wanted >= FAR
+        near = wanted <= NEAR
+        far = wanted >= FAR
         assert far.any()
         assert np.array_equal(result[far], space().points[far])
-        after, before = ball_heights(result, swollen), ball_heights(space().points, swollen)
+        after = ball_heights(result, swollen)
+        before = ball_heights(space().points, swollen)
         assert np.allclose(after[near], wanted[near], atol=1e-12)
         between = ~near & ~far
         assert between.any()
@@ -45,7 +47,8 @@ def test_heights_are_counted_in_radii() -> None:
 
 def test_a_rolled_ball_goes_and_grows_with_another_and_stays_round() -> None:
     octahedron = np.concatenate([np.eye(3), -np.eye(3)])
-    before, ball = 0.02 * octahedron, 0.03 * octahedron + 1.0
+    before = 0.02 * octahedron
+    ball = 0.03 * octahedron + 1.0
     after = before * [1.0, 2.0, 3.0] + [0.0, 0.1, 0.0]
     result = move_ball(ball, before, after)
     larger = np.sqrt((1.0 + 4.0 + 9.0) / 3.0)

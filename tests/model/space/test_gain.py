@@ -168,7 +168,8 @@ def test_a_mix_of_faces_answers_by_the_mean_of_their_gains(one: list[Gain], two:
 
 
 def test_regions_come_from_their_face_and_own_gains_stand_before_all() -> None:
-    base, other = (Gain("ears", 1.0), Gain("mouth", 2.0)), (Gain("ears", 3.0), Gain("mouth", 3.0))
+    base = (Gain("ears", 1.0), Gain("mouth", 2.0))
+    other = (Gain("ears", 3.0), Gain("mouth", 3.0))
     assert regional_gains(base, {"ears": other, "skull": other}) == (Gain("mouth", 2.0), Gain("ears", 3.0))
     assert override_gains(base, (Gain("mouth", 1.0), Gain("ears", 2.0, "joy"))) == (
         Gain("ears", 1.0),

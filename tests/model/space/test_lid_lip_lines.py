@@ -46,7 +46,8 @@ def test_the_rungs_lead_up_and_a_shift_leaves_them_alone(space: ParameterSpace) 
 
 
 def test_left_and_right_lids_mirror_each_other(space: ParameterSpace) -> None:
-    left, right = line(space, "lid_left"), line(space, "lid_right")
+    left = line(space, "lid_left")
+    right = line(space, "lid_right")
     mirrored = np.sort(space.points[right.loop] * [-1, 1, 1], axis=0)
     assert np.allclose(np.sort(space.points[left.loop], axis=0), mirrored, atol=2e-4)
 
@@ -62,7 +63,8 @@ def test_the_jaw_goes_as_far_as_the_mouth_is_wide_and_no_farther_than_on_the_gen
 
 
 def test_lips_open_as_the_mouth_is_wide_closer_than_the_jaw_goes(space: ParameterSpace) -> None:
-    lips, scales = line(space, "lips"), np.array([0.5, 0.9, 0.97, 1.0, 1.04, 1.1, 2.0])
+    lips = line(space, "lips")
+    scales = np.array([0.5, 0.9, 0.97, 1.0, 1.04, 1.1, 2.0])
     wide = [lip_amplitude(lips, space.points, scale * space.points) for scale in scales]
     slack = np.exp(LIPS_ALIKE)
     assert wide == pytest.approx([0.5 * slack, 0.9 * slack, 1.0, 1.0, 1.0, 1.1 / slack, 2.0 / slack])

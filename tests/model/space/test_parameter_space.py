@@ -68,7 +68,8 @@ def test_the_perry_smith_scan_gives_a_clean_sheet() -> None:
 
 def test_a_space_does_not_depend_on_the_unit_of_length() -> None:
     points, triangles = head()
-    small, large = ParameterSpace.build(points, triangles), ParameterSpace.build(points * 100, triangles)
+    small = ParameterSpace.build(points, triangles)
+    large = ParameterSpace.build(points * 100, triangles)
     assert np.array_equal(small.skin_triangles, large.skin_triangles)
     assert np.isclose(small.cylinder.z * 100, large.cylinder.z)
 

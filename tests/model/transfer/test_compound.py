@@ -52,14 +52,16 @@ def test_on_every_face_nothing_folds_and_the_inner_skin_follows(unit: str) -> No
 
 @given(st.floats(0.0, 1.0))
 def test_weight_runs_continuously_from_rest(weight: float) -> None:
-    face, jaw = cast().faces["broad"], cast().expressions["jawOpen"]
+    face = cast().faces["broad"]
+    jaw = cast().expressions["jawOpen"]
     near = compound(space(), face, jaw, weight=weight * (1 - 1e-4)), compound(space(), face, jaw, weight=weight)
     assert np.abs(near[0] - near[1]).max() < 1e-5
     assert np.abs(compound(space(), face, jaw, weight=0.0) - face.positions).max() < 1e-6
 
 
 def test_parts_follow_the_skin_that_is_worn() -> None:
-    face, jaw = cast().faces["long"], cast().expressions["jawOpen"]
+    face = cast().faces["long"]
+    jaw = cast().expressions["jawOpen"]
     parts = compound_parts(space(), face, jaw)
     rest = compound_parts(space(), face, cast().expressions["neutral"])
     assert (parts["teeth_lower"] - rest["teeth_lower"])[:, 1].max() < 0

@@ -34,7 +34,8 @@ def test_each_vertex_gives_way_to_one_line_and_fully_on_it(regions: CorrectiveRe
     for crossing, line in zip(regions.crossings, cast.space.lines, strict=True):
         side = np.zeros(len(regions.rows))
         side[crossing.near] = crossing.side
-        upper, lower = crossing.vertices[:, :2], crossing.vertices[:, 2:]
+        upper = crossing.vertices[:, :2]
+        lower = crossing.vertices[:, 2:]
         # All but the corners, where both halves meet.
         assert np.quantile(side[upper], 0.1) == pytest.approx(1.0)
         assert np.quantile(side[lower], 0.9) == pytest.approx(-1.0)
@@ -87,7 +88,8 @@ def test_a_mouth_opened_wide_leaves_a_quarter_of_each_triangle_beyond_rows(
 
 def test_patches_share_all_skin_but_the_jaws(regions: CorrectiveRegions, cast: Cast) -> None:
     patches = regions.patches
-    shares, heights = patches.shares.sum(axis=1), cast.space.points[regions.rows, 1]
+    shares = patches.shares.sum(axis=1)
+    heights = cast.space.points[regions.rows, 1]
     lips = next(line for line in cast.space.lines if line.kind == "lips")
     eyes = np.concatenate([line.loop for line in cast.space.lines if line.kind == "lids"])
     assert (patches.shares >= 0.0).all()

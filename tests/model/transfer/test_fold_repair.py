@@ -15,8 +15,8 @@ from omote.model.transfer.fold_repair import (
     nearest_rotations,
     relax_patches,
     repair,
+    repair_patch,
     triangle_frames,
-    turn_upright,
 )
 
 SIZE = 12
@@ -63,7 +63,8 @@ def test_a_vertex_pulled_over_its_neighbour_is_brought_back() -> None:
 
 def test_repair_gives_back_what_folds_nowhere_and_closes_the_lines_only_once_they_move() -> None:
     points, triangles = grid()
-    sheet, closed = build_sheet_geometry(points, points, triangles), list[int]()
+    sheet = build_sheet_geometry(points, points, triangles)
+    closed = list[int]()
     on_line = np.zeros(len(points), np.bool_)
     assert repair(sheet, points, points, on_line, lambda sheet: closed.append(1)) is points
     on_line[:] = True  # nothing may move until the lines are free
@@ -74,7 +75,8 @@ def test_repair_gives_back_what_folds_nowhere_and_closes_the_lines_only_once_the
 
 def test_a_triangle_with_next_to_no_area_gets_what_single_precision_can_keep() -> None:
     points, triangles = grid()
-    sheet, worn = build_sheet_geometry(points, points, triangles), grid()[0]
+    sheet = build_sheet_geometry(points, points, triangles)
+    worn = grid()[0]
     worn[5 * SIZE + 5, 0] += 1.0 - 1e-6  # two triangles keep a millionth
     assert not folds_of(worn).any()
     result = repair(sheet, worn, points, np.zeros(len(points), np.bool_), lambda sheet: None)
@@ -86,16 +88,17 @@ def test_a_triangle_with_next_to_no_area_gets_what_single_precision_can_keep() -
 
 def test_folded_triangles_are_turned_upright_and_those_of_the_source_stay() -> None:
     points, triangles = grid()
-    sheet, positions = build_sheet_geometry(points, points, triangles), folded()
+    sheet = build_sheet_geometry(points, points, triangles)
+    positions = folded()
     bad = find_folds(sheet, positions, points)
     for _ in range(LAST_ROUNDS):
-        turn_upright(sheet, positions, points, find_folds(sheet, positions, points))
+        repair_patch(sheet, positions, points, find_folds(sheet, positions, points))
     assert bad.any()
     assert not find_folds(sheet, positions, points).any()
     far = np.linalg.norm(points - points[5 * SIZE + 5], axis=1) > 5
     assert np.array_equal(positions[far], points[far])
     same = folded()
-    turn_upright(sheet, same, folded(), find_folds(sheet, folded(), folded()))
+    repair_patch(sheet, same, folded(), find_folds(sheet, folded(), folded()))
     assert np.array_equal(same, folded())
 
 

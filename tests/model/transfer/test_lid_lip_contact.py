@@ -7,7 +7,7 @@ import pytest
 
 import omote
 from omote.model.transfer.fold_repair import build_sheet_geometry
-from omote.model.transfer.lid_lip_contact import BINS, REACH, build_contact, close_contact, hat_functions
+from omote.model.transfer.lid_lip_contact import BINS, FARTHEST_WIDTHS, build_contact, close_contact, hat_functions
 from tests.model.space.test_lid_lip_lines import line
 
 
@@ -38,10 +38,12 @@ def test_each_bin_is_opened_alone_by_its_answer(name: str, face: str) -> None:
 def test_each_bin_of_a_lid_opens_as_on_the_source(face: str) -> None:
     """However little it lacks: nothing is tolerated."""
     cast = omote.load_cast()
-    generic, positions = cast.space.points, cast.faces[face].positions.astype(np.float64)
+    generic = cast.space.points
+    positions = cast.faces[face].positions.astype(np.float64)
     sheet = build_sheet_geometry(generic, positions, cast.space.skin_triangles)
     contact = build_contact(line(cast.space, "lid_left"), generic, positions, sheet)
-    moved, closed = generic.copy(), positions.copy()
+    moved = generic.copy()
+    closed = positions.copy()
     upper = np.unique(contact.line.vertices[:, :2])
     for drop in (0.00002, 0.001, 0.004):
         moved[upper, 1] = generic[upper, 1] - drop
@@ -69,5 +71,5 @@ def test_a_line_that_lacks_nothing_is_left_alone_and_one_that_gapes_is_closed() 
     wanted = (contact.line.rungs(opened) - contact.line.rungs(generic))[:, 1] * contact.gain
     assert contact.bins @ change == pytest.approx(contact.bins @ wanted)
     width = np.ptp(positions[contact.line.loop, 0])
-    away = np.linalg.norm(positions - positions[contact.line.loop].mean(axis=0), axis=1) > (REACH + 1) * width
+    away = np.linalg.norm(positions - positions[contact.line.loop].mean(axis=0), axis=1) > (FARTHEST_WIDTHS + 1) * width
     assert np.array_equal(still[away], positions[away])

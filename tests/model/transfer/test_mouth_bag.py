@@ -14,7 +14,8 @@ def test_the_bag_is_the_inner_skin_behind_the_lips() -> None:
     bag = find_mouth_bag(built)
     assert bag is not None
     assert not built.on_sheet[bag.vertices].any()
-    points, teeth = built.points[bag.vertices], built.parts["teeth_lower"].points
+    points = built.points[bag.vertices]
+    teeth = built.parts["teeth_lower"].points
     for axis in range(3):
         assert points[:, axis].min() < teeth[:, axis].mean() < points[:, axis].max()
     assert not any((points[:, 1] > part.points[:, 1].mean()).any() for part in built.parts.values() if part.eye)

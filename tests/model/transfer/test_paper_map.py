@@ -89,7 +89,8 @@ def test_a_face_twice_as_large_wears_a_compound_twice_as_large() -> None:
     expression = extract(
         used, generic, compound(space(), cast().faces["generic"], cast().expressions["smile"]) - used.points
     )
-    small, large = compound(used, generic, expression), compound(used, Face("large", 2 * used.points), expression)
+    small = compound(used, generic, expression)
+    large = compound(used, Face("large", 2 * used.points), expression)
     assert np.allclose(large, 2 * small, atol=1e-6)
 
 
@@ -153,7 +154,8 @@ def test_a_part_that_the_space_does_not_have_is_refused() -> None:
 def test_what_is_no_space_face_or_expression_is_refused() -> None:
     nothing: Any = None
     array: Any = space().points
-    face, smile = cast().faces["generic"], cast().expressions["smile"]
+    face = cast().faces["generic"]
+    smile = cast().expressions["smile"]
     for wrong, kind in ((nothing, "NoneType"), (array, "ndarray")):
         with pytest.raises(TypeError, match=f"the face is a {kind}; expected an omote.Face"):
             compound(space(), wrong, smile)

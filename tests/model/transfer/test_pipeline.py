@@ -17,7 +17,7 @@ from omote.model.transfer.pipeline import (
     LINEAR_INNER_STAGES,
     SHEET_STAGES,
     STAGES,
-    State,
+    PartialCompound,
     apply_smooth_map,
     clear_eyeballs,
     fit_mouth_bag,
@@ -33,7 +33,7 @@ CAST = omote.load_cast()
 CASES = [("baby", "eyeBlinkLeft"), ("gaunt", "mouth-open"), ("dog", "mouthFunnel")]
 
 
-def begin(face: str, unit: str) -> State:
+def begin(face: str, unit: str) -> PartialCompound:
     compiled = compile_expression(CAST.space, CAST.expressions[unit])
     return start(CAST.space, CAST.faces[face], displace_generic(CAST.space, compiled), compiled.residual)
 
@@ -47,32 +47,34 @@ def test_the_theory_names_the_stages_in_the_order_in_which_they_run() -> None:
 
 @pytest.mark.parametrize(("face", "unit"), CASES)
 def test_the_stages_one_after_another_are_the_compound(face: str, unit: str) -> None:
-    state = begin(face, unit)
+    partial = begin(face, unit)
     for stage in STAGES:
-        state = stage(state)
-    assert np.array_equal(state.skin, compound(CAST.space, CAST.faces[face], CAST.expressions[unit]))
+        partial = stage(partial)
+    assert np.array_equal(partial.skin, compound(CAST.space, CAST.faces[face], CAST.expressions[unit]))
 
 
 @pytest.mark.parametrize(("face", "unit"), CASES)
 def test_a_stage_leaves_the_state_that_it_was_given_as_it_was(face: str, unit: str) -> None:
-    state = begin(face, unit)
+    partial = begin(face, unit)
     for stage in STAGES:
-        sheet, skin = state.sheet.copy(), state.skin.copy()
-        after = stage(state)
-        assert np.array_equal(state.sheet, sheet), stage.__name__
-        assert np.array_equal(state.skin, skin), stage.__name__
-        state = after
+        sheet = partial.sheet.copy()
+        skin = partial.skin.copy()
+        after = stage(partial)
+        assert np.array_equal(partial.sheet, sheet), stage.__name__
+        assert np.array_equal(partial.skin, skin), stage.__name__
+        partial = after
 
 
 @pytest.mark.parametrize(("face", "unit"), CASES)
 def test_each_group_of_stages_changes_what_it_is_named_after(face: str, unit: str) -> None:
-    state = begin(face, unit)
-    sheet = run(SHEET_STAGES, state)
-    assert np.array_equal(sheet.skin, state.skin)
-    assert np.array_equal(sheet.sheet, apply_smooth_map(CAST.space, CAST.faces[face], state.displacement))
-    whole = run(STAGES, state)
+    partial = begin(face, unit)
+    sheet = run(SHEET_STAGES, partial)
+    assert np.array_equal(sheet.skin, partial.skin)
+    assert np.array_equal(sheet.sheet, apply_smooth_map(CAST.space, CAST.faces[face], partial.displacement))
+    whole = run(STAGES, partial)
     assert np.array_equal(whole.sheet, sheet.sheet)
-    loose, on_sheet = run(LINEAR_INNER_STAGES, state).skin, CAST.space.on_sheet
+    loose = run(LINEAR_INNER_STAGES, partial).skin
+    on_sheet = CAST.space.on_sheet
     assert np.array_equal(whole.skin[on_sheet], loose[on_sheet])
     assert np.array_equal(whole.skin[on_sheet], sheet.sheet[CAST.space.welded][on_sheet].astype(np.float32))
 
@@ -106,8 +108,8 @@ def test_what_least_squares_leave_folded_is_turned_upright(face: str, unit: str)
 
 
 def test_the_inner_skin_is_linear_in_the_residual_before_the_mouth_bag_is_fitted() -> None:
-    state = begin("kaori", "jawOpen")
-    more = start(state.space, state.face, state.displacement, 2.0 * state.residual)
-    none = start(state.space, state.face, state.displacement, 0.0 * state.residual)
-    one, two, zero = (run(LINEAR_INNER_STAGES, begun).skin.astype(np.float64) for begun in (state, more, none))
+    partial = begin("kaori", "jawOpen")
+    more = start(partial.space, partial.face, partial.displacement, 2.0 * partial.residual)
+    none = start(partial.space, partial.face, partial.displacement, 0.0 * partial.residual)
+    one, two, zero = (run(LINEAR_INNER_STAGES, begun).skin.astype(np.float64) for begun in (partial, more, none))
     assert two - one == pytest.approx(one - zero, abs=1e-7)

@@ -11,10 +11,11 @@ import omote
 from omote.model.cast import Cast
 from omote.model.space.face_fit import fit
 from omote.model.space.gain import Gain
-from omote.model.transfer.paper_map import apply_paper_map
-from omote.perform.blending.answered_mix import answered_mix
+from omote.model.transfer.gain_limit import answer_expression
+from omote.model.transfer.paper_map import apply_paper_map, compile_expression, displace_generic
+from omote.perform.blending.answered_mix import answered_mix, answers_of
 from omote.perform.blending.evaluate import evaluate, evaluate_parts
-from omote.perform.blending.expression_tables import ExpressionTables
+from omote.perform.blending.expression_tables import ExpressionTables, TableRow
 from omote.perform.frame import Frame
 
 PLAIN = omote.load_cast()
@@ -44,7 +45,8 @@ def test_the_mix_of_answers_is_one_expression_located_once() -> None:
     mix = answered_mix(LOUD, {"dog": 0.25, "kaori": 0.75}, MIX)
     alone = {str(place): expression for place, (expression, _) in enumerate(mix.expressions())}
     weights = {str(place): weight for place, (_, weight) in enumerate(mix.expressions())}
-    wanted, found = ExpressionTables(LOUD.space, alone).mix(weights), mix.compile()
+    wanted = ExpressionTables(LOUD.space, alone).mix(weights)
+    found = mix.compile()
     np.testing.assert_allclose(found.ratios, wanted.ratios, atol=1e-6)
     np.testing.assert_allclose(found.residual, wanted.residual, atol=1e-8)
     fitted = fit(LOUD.space, LOUD.faces["kaori"])
@@ -55,7 +57,8 @@ def test_the_mix_of_answers_is_one_expression_located_once() -> None:
 @pytest.mark.parametrize("cast", [LOUD, LOUD.under("paper")], ids=["smooth", "paper"])
 def test_both_evaluators_agree_where_one_face_wears_one_expression(cast: Cast) -> None:
     frame = Frame({"dog": 1.0}, {"surprise": 1.0})
-    exact, bilinear = evaluate(cast, frame, "exact"), evaluate(cast, frame, "bilinear")
+    exact = evaluate(cast, frame, "exact")
+    bilinear = evaluate(cast, frame, "bilinear")
     assert np.abs(exact - bilinear).max() < 2e-6
     parts = evaluate_parts(cast, frame, "exact"), evaluate_parts(cast, frame, "bilinear")
     assert all(np.abs(parts[0][name] - parts[1][name]).max() < 2e-6 for name in parts[0])
@@ -72,3 +75,31 @@ def test_a_mixed_face_is_the_weighted_mean_of_what_each_answers() -> None:
     mixed = evaluate(LOUD, Frame({"dog": 0.5, "kaori": 0.5}, {"surprise": 1.0}))
     alone = [evaluate(LOUD, Frame({face: 1.0}, {"surprise": 1.0})) for face in ("dog", "kaori")]
     np.testing.assert_allclose(mixed, (alone[0] + alone[1]) / 2, atol=3e-5)  # correctives
+
+
+def test_an_answer_is_computed_once_per_cast_face_and_name() -> None:
+    first = answers_of(LOUD)("dog", "smile")
+    assert answers_of(LOUD)("dog", "smile") is first
+    assert answers_of(LOUD)("dog", "joy") is not first
+    assert answers_of(PLAIN)("dog", "smile") is not first
+
+
+def test_an_answer_is_the_models() -> None:
+    space = LOUD.space
+    wanted = answer_expression(LOUD.space, LOUD.faces["dog"].gains, LOUD.expressions["smile"])
+    answer = answers_of(LOUD)("dog", "smile")
+    np.testing.assert_array_equal(answer.expression.dh, wanted.dh)
+    row = TableRow.of(space, wanted)
+    np.testing.assert_array_equal(answer.row.field, row.field)
+    np.testing.assert_array_equal(answer.row.residual, row.residual)
+    moved = answer.source - space.points
+    np.testing.assert_allclose(moved, displace_generic(space, compile_expression(space, wanted)), atol=1e-7)
+
+
+def test_the_least_recently_used_answer_goes_first(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("omote.perform.blending.answered_mix.CAPACITY", 2)
+    answers = answers_of(replace(LOUD))
+    first, second = (answers("dog", name) for name in ("smile", "joy"))
+    answers("dog", "fear")
+    assert answers("dog", "joy") is second
+    assert answers("dog", "smile") is not first

@@ -23,7 +23,8 @@ def test_asked_again_they_are_the_same_arrays(cast: Cast) -> None:
 
 def test_the_least_recently_used_makes_room(cast: Cast) -> None:
     compounds = CompoundCache(cast, room=2 * cast.faces["generic"].positions.nbytes)
-    first, second = compounds.skin("generic", "smile"), compounds.skin("broad", "smile")
+    first = compounds.skin("generic", "smile")
+    second = compounds.skin("broad", "smile")
     assert compounds.skin("generic", "smile") is first
     compounds.skin("long", "smile")
     assert compounds.skin("generic", "smile") is first

@@ -20,7 +20,8 @@ from omote.perform.frame import Frame
 CAST = load_cast()
 UNITS = [name for name, title in CAST.titles.items() if title.kind in ("arkit", "makehuman")]
 FACES = ("kaori", "goblin", "dog", "baby")
-units, faces = st.sampled_from(UNITS), st.sampled_from(FACES)
+units = st.sampled_from(UNITS)
+faces = st.sampled_from(FACES)
 LIDS = ("eyeBlinkLeft", "eyeSquintLeft", "eyeLookDownLeft")
 LIPS = ("mouthPucker", "mouthRollUpper", "mouthRollLower")
 
@@ -67,7 +68,8 @@ def crossed(face: str, positions: np.ndarray) -> np.ndarray:
     """How far lids and lips have crossed more than at rest, (lines, rungs) metres."""
     found = []
     for line in CAST.space.lines:
-        rest, now = line.rungs(CAST.faces[face].positions.astype(float)), line.rungs(positions.astype(float))
+        rest = line.rungs(CAST.faces[face].positions.astype(float))
+        now = line.rungs(positions.astype(float))
         up = np.array([[0.0, 1.0, 0.0]]) if line.kind == "lips" else rest / np.linalg.norm(rest, axis=1)[:, None]
         found.append(np.maximum(np.minimum((up * rest).sum(axis=1), 0.0) - (up * now).sum(axis=1), 0.0))
     return np.array(found)
@@ -176,7 +178,8 @@ def test_a_unit_beyond_its_end_turns_over_nothing_that_it_does_not_there(face: s
 
 @pytest.mark.parametrize("face", ["kaori", "goblin", "baby"])
 def test_a_blink_beyond_its_end_presses_the_lids_and_passes_none_through_the_other(face: str) -> None:
-    rest, shut = CAST.faces[face].positions, summed(face, "eyeBlinkLeft")
+    rest = CAST.faces[face].positions
+    shut = summed(face, "eyeBlinkLeft")
     before = crossed(face, rest + 1.5 * (shut - rest)).max() - crossed(face, shut).max()
     after = crossed(face, worn(face, {"eyeBlinkLeft": 1.5})).max() - crossed(face, shut).max()
     assert before > 1e-3
@@ -205,7 +208,8 @@ def test_the_rest_of_the_head_never_moves() -> None:
 def test_lashes_go_with_the_lids_that_are_corrected() -> None:
     paper = Frame({"kaori": 1.0}, {NEUTRAL: 1.0}, dict.fromkeys(LIDS, 1.0))
     lashes = evaluate_parts(CAST, paper)["lashes"]
-    part, skin = CAST.space.parts["lashes"], evaluate(CAST, paper)
+    part = CAST.space.parts["lashes"]
+    skin = evaluate(CAST, paper)
     rest = fit(CAST.space, CAST.faces["kaori"])
     move = np.einsum("nk,nkc->nc", part.weights, (skin - rest.positions)[part.anchors])
     own = sum(rest.sizes["lashes"] * CAST.expressions[name].parts.get("lashes", np.zeros(3)) for name in LIDS)
@@ -214,7 +218,8 @@ def test_lashes_go_with_the_lids_that_are_corrected() -> None:
 
 @pytest.mark.parametrize("sign", [1.0, -1.0])
 def test_lids_leave_the_eyeball_where_the_cornea_bulges(sign: float) -> None:
-    regions, face = corrective_regions(), fit(CAST.space, CAST.faces["kaori"])
+    regions = corrective_regions()
+    face = fit(CAST.space, CAST.faces["kaori"])
     balls = Eyeballs.of(face, regions.eyes, np.array([[sign * 0.4, 0.0], [sign * 0.4, 0.0]]))
     shut = compound(CAST.space, CAST.faces["kaori"], CAST.expressions["eyeBlinkLeft"])
     nothing = np.zeros(regions.size, np.float32)

@@ -210,9 +210,11 @@ def test_a_vertex_shows_the_mean_of_its_regions(faces: Any, whole: Any, regions:
 @given(built_in_mixes, mixes(WORN), mixes(WORN), st.sampled_from(MODES))
 def test_four_regions_alike_are_the_whole_face(faces: Any, whole: Any, other: Any, mode: Mode) -> None:
     everywhere = dict.fromkeys(PLAY_REGIONS, other)
-    found, wanted = Frame(faces, whole, regions=everywhere), Frame(faces, other)
+    found = Frame(faces, whole, regions=everywhere)
+    wanted = Frame(faces, other)
     assert np.abs(evaluate(BUILT_IN, found, mode) - evaluate(BUILT_IN, wanted, mode)).max() < 2e-6
-    parts, whole_parts = evaluate_parts(BUILT_IN, found, mode), evaluate_parts(BUILT_IN, wanted, mode)
+    parts = evaluate_parts(BUILT_IN, found, mode)
+    whole_parts = evaluate_parts(BUILT_IN, wanted, mode)
     assert all(np.abs(parts[name] - whole_parts[name]).max() < 2e-6 for name in parts)
     same = Frame(faces, other, regions=everywhere)
     assert np.array_equal(evaluate(BUILT_IN, same, mode), evaluate(BUILT_IN, wanted, mode))

@@ -31,7 +31,8 @@ def test_each_region_allows_what_its_own_mix_uses_up(monkeypatch: pytest.MonkeyP
         return given[2]
 
     monkeypatch.setattr(frame_correctives, "correct_combination", keep)
-    faces, whole = {"kaori": 0.4, "dog": 0.6}, {"joy": 1.0}
+    faces = {"kaori": 0.4, "dog": 0.6}
+    whole = {"joy": 1.0}
     evaluate(CAST, Frame(faces, whole, regions=MIXES))
     for region in PLAY_REGIONS:
         evaluate(CAST, Frame(faces, MIXES.get(region, whole)))

@@ -26,7 +26,8 @@ def test_every_follower_lies_in_one_section(cast: Cast) -> None:
 
 @given(some, some, st.integers(0, 2**31))
 def test_what_two_columns_share_moves_there_and_back(cast: Cast, before: set[str], added: set[str], seed: int) -> None:
-    old, new = make_columns(cast, before), make_columns(cast, before | added)
+    old = make_columns(cast, before)
+    new = make_columns(cast, before | added)
     vector = 0.5 * np.random.default_rng(seed).random(old.size)  # in the range of every column
     assert np.array_equal(moved_to(moved_to(vector, old, new), new, old), vector)
 

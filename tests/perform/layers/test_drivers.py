@@ -66,21 +66,24 @@ def columns(cast: Cast) -> Columns:
 
 
 def test_who_may_play_fewer_parts_has_them_whoever_came_first(columns: Columns) -> None:
-    face, lips = Driver("face", ALL_NAMES), Driver("lips", ALL_NAMES, parts=("mouth",))
+    face = Driver("face", ALL_NAMES)
+    lips = Driver("lips", ALL_NAMES, parts=("mouth",))
     wanted = ("face", "face", "lips", "face", None, None, "face")
     assert owners_of((face, lips), columns) == wanted
     assert owners_of((lips, face), columns) == wanted
 
 
 def test_of_equals_the_newest_has_all_and_when_it_is_lost_the_other(columns: Columns) -> None:
-    one, other = Driver("one", ALL_NAMES), Driver("other", ALL_NAMES)
+    one = Driver("one", ALL_NAMES)
+    other = Driver("other", ALL_NAMES)
     assert set(owners_of((one, other), columns)) == {"other", None}
     for gone in (Driver("other", ALL_NAMES, silent=LOSS_SECONDS), Driver("other", ALL_NAMES, leaves=True)):
         assert set(owners_of((one, gone), columns)) == {"one", None}
 
 
 def test_of_equals_the_one_that_was_told_to_play_last_has_all_whenever_it_came(columns: Columns) -> None:
-    told, came = Driver("told", ALL_NAMES, route_number=2), Driver("came", ALL_NAMES, route_number=1)
+    told = Driver("told", ALL_NAMES, route_number=2)
+    came = Driver("came", ALL_NAMES, route_number=1)
     assert set(owners_of((told, came), columns)) == {"told", None}
     lips = Driver("lips", ALL_NAMES, parts=("mouth",))
     assert "lips" in owners_of((lips, told), columns), "who may play fewer parts has them all the same"

@@ -5,19 +5,13 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from omote.perform.layers.follower import (
-    LONGEST_STEP,
-    SETTLED_SECONDS,
-    Values,
-    follow,
-    follow_number,
-    rate_of,
-    steps_of,
-)
+from omote.arrays import Values
+from omote.perform.layers.follower import LONGEST_STEP, REST_SECONDS, follow, follow_number, rate_of, steps_of
 
 numbers = st.floats(-2.0, 2.0)
 goals = st.lists(st.tuples(numbers, st.floats(0.0, 0.3)), min_size=1, max_size=20)
-RATE, NO_HASTE = np.array([rate_of(0.5)]), np.zeros(1)
+RATE = np.array([rate_of(0.5)])
+NO_HASTE = np.zeros(1)
 
 
 def followed(
@@ -46,7 +40,8 @@ def test_nine_tenths_of_the_way_take_its_seconds_and_then_it_arrives() -> None:
 
 
 def test_a_goal_that_jumps_changes_its_speed_without_a_jump() -> None:
-    dt, shown = 1.0 / 60.0, [0.0, 0.0]
+    dt = 1.0 / 60.0
+    shown = [0.0, 0.0]
     first = second = np.zeros(1)
     for n in range(120):
         first, second = follow(first, second, np.array([float(n // 30 % 2)]), RATE, NO_HASTE, dt)
@@ -69,7 +64,7 @@ def test_a_jump_is_no_motion_to_hurry_after() -> None:
 @given(st.floats(0.0, 100.0))
 def test_a_long_gap_is_cut_into_short_steps_up_to_where_all_is_settled(seconds: float) -> None:
     steps = list(steps_of(seconds))
-    assert sum(steps) == pytest.approx(min(seconds, SETTLED_SECONDS))
+    assert sum(steps) == pytest.approx(min(seconds, REST_SECONDS))
     assert all(step <= LONGEST_STEP * (1 + 1e-9) for step in steps)
 
 
@@ -83,7 +78,10 @@ def test_one_long_gap_lands_where_frames_do(seconds: float) -> None:
 
 
 def test_the_bits_are_those_of_plain_arithmetic() -> None:
-    first, second, goal, dt = 0.7, 0.2, 0.4, 1.0 / 60.0
+    first = 0.7
+    second = 0.2
+    goal = 0.4
+    dt = 1.0 / 60.0
     ahead = first - goal
     square = abs(ahead) * abs(ahead)
     z = (8.0 + 60.0 * abs(ahead) / (1.0 + 39.0 * square * square)) * dt
@@ -98,7 +96,8 @@ def test_the_bits_are_those_of_plain_arithmetic() -> None:
 def test_a_number_is_followed_as_a_vector_is_to_the_bit(
     first: float, second: float, goal: float, rate: float, dt: float
 ) -> None:
-    one, other = np.array([first]), np.array([second])
+    one = np.array([first])
+    other = np.array([second])
     if dt:
-        one, other = follow(one, other, np.array([goal]), np.array([rate]), NO_HASTE, dt, settles=False)
+        one, other = follow(one, other, np.array([goal]), np.array([rate]), NO_HASTE, dt, comes_to_rest=False)
     assert follow_number(first, second, goal, rate, dt) == (one[0], other[0])

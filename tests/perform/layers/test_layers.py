@@ -15,8 +15,11 @@ from omote.model.known_names import PLAY_REGIONS
 from omote.model.space.expression import Title
 from omote.perform.blending.evaluate import check_playable, evaluate, evaluate_parts
 from omote.perform.channels import GAZE_UNITS, channels_of, effective_channels
-from omote.perform.frame import Frame, Held
-from omote.perform.layers.layer_names import LAYER_PARTS, LAYERS
+from omote.perform.frame import Frame, Gaze, Head, Held
+from omote.perform.layers.layer_names import LAYER_PARTS, LAYERS, LayerName
+from omote.perform.layers.layer_vectors import Layers
+from omote.perform.layers.layers import advance, are_hands_still, begin, drive, drive_direct, hold_by, leave
+from omote.perform.layers.source_frame import SourceFrame
 from omote.perform.limits import CHANNEL_HIGHEST, CHANNEL_LOWEST, GAZE_LIMITS, HEAD_LIMITS
 from omote.perform.mix import mix_in
 from omote.perform.performer import Performer
@@ -52,12 +55,14 @@ quiet_shows = st.lists(commands.filter(lambda each: each.name != "panic"), max_s
 @given(quiet_shows)
 @settings(max_examples=30)
 def test_layers_that_nothing_drives_change_no_bit(cast: Cast, show: list[Command]) -> None:
-    performer, layered = Performer(cast), Performer(cast)
+    performer = Performer(cast)
+    layered = Performer(cast)
     layered.set_layer("breath", influence=0.5)
     for command in show:
         command.play(performer)
         command.play(layered)
-        frame, other = performer.advance(command.wait), layered.advance(command.wait)
+        frame = performer.advance(command.wait)
+        other = layered.advance(command.wait)
         assert set(other.layers) == {"breath"}
         assert channels_of(cast.expressions, other) == channels_of(cast.expressions, frame)
         assert (other.expressions, other.regions, other.head, other.gaze) == (
@@ -68,14 +73,17 @@ def test_layers_that_nothing_drives_change_no_bit(cast: Cast, show: list[Command
 @given(quiet_shows)
 @settings(max_examples=3)
 def test_positions_are_those_without_layers(cast: Cast, show: list[Command]) -> None:
-    performer, layered = Performer(cast), Performer(cast)
+    performer = Performer(cast)
+    layered = Performer(cast)
     layered.set_layer("breath", influence=0.5)
     for command in show:
         command.play(performer)
         command.play(layered)
-    frame, other = performer.advance(0.1), layered.advance(0.1)
+    frame = performer.advance(0.1)
+    other = layered.advance(0.1)
     assert np.abs(evaluate(cast, frame) - evaluate(cast, other)).max() < 1e-6, "a micrometre: sums in another order"
-    parts, others = evaluate_parts(cast, frame), evaluate_parts(cast, other)
+    parts = evaluate_parts(cast, frame)
+    others = evaluate_parts(cast, other)
     assert all(np.abs(parts[name] - others[name]).max() < 1e-6 for name in parts)
 
 
@@ -89,11 +97,13 @@ def slow_eyes(cast: Cast) -> Cast:
 @given(yaws, pitches)
 @settings(max_examples=20)
 def test_eyes_look_as_far_with_layers_as_without(slow_eyes: Cast, yaw: float, pitch: float) -> None:
-    performer, layered = Performer(slow_eyes), Performer(slow_eyes)
+    performer = Performer(slow_eyes)
+    layered = Performer(slow_eyes)
     layered.set_layer("breath", influence=0.5)
     for each in (performer, layered):
         each.set_gaze(yaw, pitch)
-    frame, other = performer.advance(DT), layered.advance(DT)
+    frame = performer.advance(DT)
+    other = layered.advance(DT)
     assert channels_of(slow_eyes.expressions, other) == channels_of(slow_eyes.expressions, frame)
     check_playable(slow_eyes, other)
 
@@ -128,7 +138,8 @@ def test_without_a_source_and_a_changed_layer_there_are_none(cast: Cast, show: l
 
 
 def test_a_source_that_has_gone_leaves_a_performer_as_one_without(cast: Cast) -> None:
-    performer, other = Performer(cast), Performer(cast)
+    performer = Performer(cast)
+    other = Performer(cast)
     for each in (performer, other):
         each.call_expression("smile", seconds=0.0)
         each.set_channel("jawOpen", 0.25)
@@ -173,7 +184,8 @@ def test_silence_lets_a_source_go_and_its_return_brings_it_back_without_a_jump(c
 
 
 def test_a_source_that_does_not_see_its_performer_is_one_that_is_silent(cast: Cast) -> None:
-    silent, blind = Performer(cast), Performer(cast)
+    silent = Performer(cast)
+    blind = Performer(cast)
     for each in (silent, blind):
         last(played(cast, each, 2.0, lambda _, each=each: each.drive(FULL)))  # type: ignore[misc]
     frames = played(cast, blind, 2.0, lambda _: blind.drive({"jawOpen": 1.5, "smile": 0.0}, found=False))
@@ -306,7 +318,8 @@ def test_whatever_is_driven_set_and_called_stays_in_range_and_sums_to_one(
 def test_the_same_deeds_give_the_same_bits_and_a_snapshot_goes_on(
     cast: Cast, show: list[tuple[tuple[str, Any, dict[str, Any]], float]]
 ) -> None:
-    performer, again = Performer(cast), Performer(cast)
+    performer = Performer(cast)
+    again = Performer(cast)
     for (name, first, options), wait in show:
         for each in (performer, again):
             getattr(each, name)(first, **options)
@@ -316,7 +329,8 @@ def test_the_same_deeds_give_the_same_bits_and_a_snapshot_goes_on(
 
 
 def test_a_cast_that_lacks_what_a_source_sends_is_refused_and_another_goes_on(cast: Cast) -> None:
-    performer, other = Performer(cast), Performer(cast)
+    performer = Performer(cast)
+    other = Performer(cast)
     for each in (performer, other):
         last(played(cast, each, 0.5, lambda _, each=each: each.drive(FULL)))  # type: ignore[misc]
     performer.recast(cast.with_expressions(beam=cast.expressions["smile"]))
@@ -332,7 +346,8 @@ def test_a_cast_that_lacks_what_a_source_sends_is_refused_and_another_goes_on(ca
 def test_a_source_that_is_smoothed_moves_slower_never_farther_and_arrives(
     cast: Cast, steps: list[float], smoothing: float
 ) -> None:
-    plain, smooth = Performer(cast), Performer(cast)
+    plain = Performer(cast)
+    smooth = Performer(cast)
     ways = [0.0, 0.0]
     for goal in [*[0.0] * 6, *steps, *[steps[-1]] * 20]:
         for _ in range(30):
@@ -391,3 +406,51 @@ def test_what_comes_back_elsewhere_after_a_gap_is_no_jump(cast: Cast) -> None:
     back = before + list(played(cast, performer, 1.0, lambda _: performer.drive({"jawOpen": 1.0}, layer="lips")))
     shown = [frame.channels.get("jawOpen", 0.0) for frame in back]
     assert np.abs(np.diff(shown, 2)).max() < 0.08
+
+
+def test_a_hand_is_immediate_where_nothing_plays(cast: Cast) -> None:
+    layers = hold_by(cast, begin(cast, Held()), Held({"jawOpen": 0.5}))
+    place = layers.columns.index["jawOpen"]
+    assert layers.columns.rows(layers.second, "hands")[place] == 0.5
+    assert layers.columns.rows(layers.second, "hold")[place] == 1.0
+    assert are_hands_still(layers)
+
+
+def test_what_is_let_go_keeps_its_value(cast: Cast) -> None:
+    layers = hold_by(cast, begin(cast, Held({"jawOpen": 0.5})), Held())
+    place = layers.columns.index["jawOpen"]
+    assert layers.columns.rows(layers.goal, "hold")[place] == 0.0
+    assert layers.columns.rows(layers.goal, "hands")[place] == 0.5
+
+
+def frames(step: int) -> dict[LayerName, SourceFrame]:
+    """What a character's own motion sends at a step."""
+    way = 0.01 * (step % 50)
+    return {
+        "breath": SourceFrame(("jawOpen",), np.array([way / 20]), Head(way, 0.0, 0.0), source="own", direct=True),
+        "gaze": SourceFrame((), np.zeros(0), Head(way, -way, 0.0), Gaze(way, -way), source="own", direct=True),
+        "blink": SourceFrame(("smile",), np.array([way]), source="own", direct=True),
+    }
+
+
+def same(one: Layers, other: Layers) -> bool:
+    """Whether two characters' layers are the same in all that follows."""
+    vectors = zip((one.goal, one.first, one.second), (other.goal, other.first, other.second), strict=True)
+    return all(np.array_equal(*each) for each in vectors) and (one.drivers, one.owners) == (other.drivers, other.owners)
+
+
+@given(st.lists(st.sampled_from(["send", "send", "send", "rest", "leave"]), min_size=5, max_size=40))
+@settings(max_examples=25, deadline=None)
+def test_at_once_is_one_after_the_other(cast: Cast, events: list[str]) -> None:
+    one = other = begin(cast, Held())
+    for step, event in enumerate(events):
+        if event == "send":
+            one = drive_direct(cast, one, frames(step))
+            for layer, frame in frames(step).items():
+                other = drive(cast, other, layer, frame)
+        if event == "leave":
+            one = leave(one, "gaze", "own")
+            other = leave(other, "gaze", "own")
+        dt = 1.0 if event == "rest" else 1 / 60
+        one, other = (advance(cast, each, Held(), dt, still=True) for each in (one, other))
+        assert same(one, other)

@@ -75,7 +75,8 @@ def test_layers_of_one_source_each_go_on(cast: Cast) -> None:
     for _ in range(60):
         for each in (performer, other):
             each.drive({"jawOpen": 0.5, "smile": 0.1}, head=(0.1, 0.0, 0.0))
-        frame, same = performer.advance(1 / 60), other.advance(1 / 60)
+        frame = performer.advance(1 / 60)
+        same = other.advance(1 / 60)
         assert dict(same.channels) == pytest.approx(dict(frame.channels))
         assert (same.head, same.layers) == (frame.head, frame.layers)
 

@@ -61,7 +61,8 @@ def ends(frames: Sequence[Frame]) -> list[float]:
 
 def test_the_lips_of_one_and_the_brows_of_another_play_on_one_layer(people: Cast) -> None:
     performer = Performer(people)
-    brows, lips = Sender("a", FACE, ("brows",)), Sender("b", OTHER, ("mouth",))
+    brows = Sender("a", FACE, ("brows",))
+    lips = Sender("b", OTHER, ("mouth",))
     frames = play(people, performer, [brows, lips], 4.0)
     assert ends(frames) == pytest.approx([0.8, 0.9], abs=1e-3)
     status = frames[-1].layers["tracker"]
@@ -82,7 +83,8 @@ def test_who_is_routed_to_a_part_keeps_it_from_one_that_plays_all(people: Cast, 
 
 def test_two_that_may_play_the_same_do_not_take_it_from_each_other(people: Cast) -> None:
     performer = Performer(people)
-    one, other = Sender("one", FACE), Sender("other", OTHER)
+    one = Sender("one", FACE)
+    other = Sender("other", OTHER)
     frames = play(people, performer, [one], 3.0)
     assert ends(frames) == pytest.approx([0.8, 0.6], abs=1e-3)
     both = play(people, performer, [one, other], 8.0)
@@ -99,7 +101,8 @@ def test_two_that_may_play_the_same_do_not_take_it_from_each_other(people: Cast)
 
 def test_a_measure_of_one_leaves_the_part_of_the_other_alone(people: Cast) -> None:
     performer = Performer(people)
-    brows, lips = Sender("a", FACE, ("brows",)), Sender("b", OTHER, ("mouth",))
+    brows = Sender("a", FACE, ("brows",))
+    lips = Sender("b", OTHER, ("mouth",))
     play(people, performer, [brows, lips], 4.0)
     performer.recalibrate_layer("tracker", "a")
     frames = play(people, performer, [replace(brows, weights={**FACE, "browInnerUp": 0.4}), lips], 6.0)
@@ -110,7 +113,8 @@ def test_a_measure_of_one_leaves_the_part_of_the_other_alone(people: Cast) -> No
 
 def test_the_loss_of_one_leaves_the_part_of_the_other_alone(people: Cast) -> None:
     performer = Performer(people)
-    brows, lips = Sender("a", FACE, ("brows",)), Sender("b", OTHER, ("mouth",))
+    brows = Sender("a", FACE, ("brows",))
+    lips = Sender("b", OTHER, ("mouth",))
     play(people, performer, [brows, lips], 4.0)
     frames = play(people, performer, [lips], 4.0)
     assert ends(frames) == pytest.approx([0.0, 0.9], abs=1e-2)
@@ -119,7 +123,8 @@ def test_the_loss_of_one_leaves_the_part_of_the_other_alone(people: Cast) -> Non
 
 
 def test_eyes_of_one_with_angles_do_not_stay_when_another_without_takes_them(people: Cast) -> None:
-    performer, other = Performer(people), Sender("other", {**dict.fromkeys(GAZE_UNITS, 0.0), **FACE})
+    performer = Performer(people)
+    other = Sender("other", {**dict.fromkeys(GAZE_UNITS, 0.0), **FACE})
     for _ in range(240):
         performer.drive_layer("tracker", Sender("eyes", FACE).frame(people, gaze=(0.4, 0.2)))
         frame = performer.advance(DT)
@@ -130,7 +135,8 @@ def test_eyes_of_one_with_angles_do_not_stay_when_another_without_takes_them(peo
 
 
 def test_eyes_by_angles_do_not_stay_when_the_same_source_sends_coefficients(people: Cast) -> None:
-    performer, sender = Performer(people), Sender("phone", dict.fromkeys(GAZE_UNITS, 0.0))
+    performer = Performer(people)
+    sender = Sender("phone", dict.fromkeys(GAZE_UNITS, 0.0))
     for n in range(600):
         performer.drive_layer("tracker", sender.frame(people, gaze=(0.4, 0.2) if n < 120 else None))
         frame = performer.advance(DT)
@@ -152,7 +158,8 @@ deeds = st.lists(
 def test_whoever_comes_goes_and_is_routed_nothing_jumps_and_every_part_has_who_may_play_it(
     people: Cast, show: list[tuple[str, str, tuple[LayerPart, ...], float]]
 ) -> None:
-    performer, sending = Performer(people), dict[str, Sender]()
+    performer = Performer(people)
+    sending = dict[str, Sender]()
     frames = [performer.advance(DT)]
     for name, what, routed, seconds in show:
         {"drive": _drives, "leave": _leaves, "measure": _measures}[what](

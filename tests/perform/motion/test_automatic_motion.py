@@ -11,13 +11,18 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from omote.model.cast import Cast
-from omote.perform.frame import Gaze, Head, MotionSettings
-from omote.perform.layers.source_frame import AUTOMATIC
+from omote.perform.frame import Gaze, Head, Held, MotionSettings, with_fields
+from omote.perform.layers.layer_names import DRIVEN
+from omote.perform.layers.layer_vectors import Layers
+from omote.perform.layers.layers import begin, drive
+from omote.perform.layers.source_frame import AUTOMATIC, source_frame
 from omote.perform.motion.automatic_motion import (
     LIDS,
     MOTION_LAYERS,
     AutomaticMotion,
     advance_motion,
+    is_free,
+    is_speaking,
     motion_frames,
     set_motion,
 )
@@ -43,7 +48,8 @@ def play(settings: MotionSettings, steps: int, dt: float = 1 / 60, *, speaking: 
 @settings(max_examples=10)
 def test_the_same_seed_moves_the_same_to_the_last_bit(seed: int) -> None:
     asked = MotionSettings(0.7, seed=seed)
-    one, other = play(asked, 300), play(asked, 300)
+    one = play(asked, 300)
+    other = play(asked, 300)
     assert one == other
     assert one[:299] != play(MotionSettings(0.7, seed=seed + 1), 299)
     for first, second in zip(one, other, strict=True):
@@ -66,12 +72,16 @@ def test_nothing_leaves_its_range_whatever_is_set(seed: int, liveliness: float, 
 
 def test_an_hour_has_the_statistics_of_the_literature() -> None:
     """15 to 20 blinks and 12 to 16 breaths a minute; contact in spells of 1 to 5 s; more blinks in speech."""
-    hour, dt = 3600.0, 0.04
-    motion, spoken = set_motion(AutomaticMotion(), PEOPLE), set_motion(AutomaticMotion(), PEOPLE)
-    began, spells = list[float](), list[float]()
+    hour = 3600.0
+    dt = 0.04
+    motion = set_motion(AutomaticMotion(), PEOPLE)
+    spoken = set_motion(AutomaticMotion(), PEOPLE)
+    began = list[float]()
+    spells = list[float]()
     since = 0.0
     for _ in range(int(hour / dt)):
-        before, motion = motion, advance_motion(motion, dt)
+        before = motion
+        motion = advance_motion(motion, dt)
         spoken = advance_motion(spoken, dt, speaking=True)
         if motion.blinks.count != before.blinks.count:
             began.append(motion.blinks.began)
@@ -90,7 +100,8 @@ def test_an_hour_has_the_statistics_of_the_literature() -> None:
 @settings(max_examples=20)
 def test_nothing_jumps_when_it_is_set_otherwise(seed: int, given_values: list[float]) -> None:
     """The eyes make saccades, which are quick; all else moves by little in a frame."""
-    motion, shown = set_motion(AutomaticMotion(), MotionSettings(1.0, seed=seed)), []
+    motion = set_motion(AutomaticMotion(), MotionSettings(1.0, seed=seed))
+    shown = []
     for value in given_values:
         motion = set_motion(motion, MotionSettings(max(value, 0.01), seed=seed))
         for _ in range(30):
@@ -106,7 +117,8 @@ def test_nothing_jumps_when_it_is_set_otherwise(seed: int, given_values: list[fl
 @pytest.mark.parametrize("yaw", [0.5, -0.5, 0.9])
 def test_eyes_and_head_together_look_at_what_is_seen(yaw: float) -> None:
     """The eyes turn back by what the head has come, so that the look stays."""
-    motion, seen = set_motion(AutomaticMotion(), MotionSettings(0.5, gaze=0.0, breath=0.0)), Turn(yaw)
+    motion = set_motion(AutomaticMotion(), MotionSettings(0.5, gaze=0.0, breath=0.0))
+    seen = Turn(yaw)
     for _ in range(240):
         motion = advance_motion(motion, 1 / 60, sight=Sight(seen))
     shown = motion_frames(motion, NAMES)["gaze"]
@@ -193,7 +205,8 @@ def test_what_is_switched_off_fades_out_and_leaves_nothing(cast: Cast) -> None:
 
 
 def test_settings_that_do_nothing_change_no_bit(cast: Cast) -> None:
-    performer, plain = Performer(cast), Performer(cast)
+    performer = Performer(cast)
+    plain = Performer(cast)
     performer.set_motion(0.0, blinks=2.0)
     for each in (performer, plain):
         each.call_expression("smile", seconds=1.0)
@@ -279,9 +292,37 @@ def test_panic_ends_the_idle_motion_and_the_look(cast: Cast) -> None:
 
 def test_what_moves_in_small_steps_is_followed_without_a_step(cast: Cast) -> None:
     """A camera that a stage tells of once a second."""
-    performer, shown = Performer(cast), []
+    performer = Performer(cast)
+    shown = []
     for second in range(6):
         performer.look_at("direction", yaw=0.04 * second)
         shown += [performer.advance(1 / 60).gaze.yaw for _ in range(60)]
     assert np.abs(np.diff(shown)).max() < 0.02
     assert shown[-1] == pytest.approx(0.2, abs=1e-3)
+
+
+def driven(cast: Cast, layer: str, source: str) -> Layers:
+    """Layers of which a source drives one."""
+    frame = with_fields(source_frame(cast.expressions, {"jawOpen": 0.04}, None, None), source=source)
+    return drive(cast, begin(cast, Held()), next(each for each in DRIVEN if each == layer), frame)
+
+
+@pytest.mark.parametrize("layer", ["gaze", "breath"])
+def test_a_layer_is_free_where_nothing_drives_it_or_the_character_itself_does(cast: Cast, layer: str) -> None:
+    name = next(each for each in DRIVEN if each == layer)
+    assert is_free(begin(cast, Held()), name)
+    assert is_free(driven(cast, layer, AUTOMATIC), name)
+    assert not is_free(driven(cast, layer, "phone"), name)
+    assert is_free(driven(cast, "lips", "phone"), name)
+
+
+def test_lips_speak_while_a_source_moves_them(cast: Cast) -> None:
+    performer = Performer(cast)
+    spoken = []
+    for weight in [0.0] * 60 + [0.6] * 60 + [0.0] * 60:
+        performer.drive({"jawOpen": weight}, layer="lips")
+        performer.advance(1 / 60)
+        assert performer._layers is not None
+        spoken.append(is_speaking(performer._layers))
+    assert (spoken[50], spoken[110], spoken[-1]) == (False, True, False)
+    assert not is_speaking(driven(cast, "gaze", "phone"))

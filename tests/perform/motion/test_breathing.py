@@ -12,7 +12,8 @@ SEEDS = st.integers(0, 2**31 - 1)
 
 @given(SEEDS)
 def test_breaths_follow_each_other_without_a_jump(seed: int) -> None:
-    breath, drawn = Breath(), []
+    breath = Breath()
+    drawn = []
     for step in range(3000):
         breath = advance_breath(breath, seed, step / 60)
         drawn.append(air(breath, step / 60))

@@ -29,9 +29,11 @@ def far(one: Turn, other: Turn) -> float:
 @given(SEEDS)
 def test_eyes_rest_or_go_by_the_main_sequence(seed: int) -> None:
     """Between two saccades nothing moves; a saccade takes 21 ms and 2.2 ms for each degree."""
-    motion, now = GazeMotion(), 0.0
+    motion = GazeMotion()
+    now = 0.0
     for _ in range(2400):
-        before, now = motion, now + STEP
+        before = motion
+        now = now + STEP
         motion = advance_gaze(motion, seed, now, AHEAD, reach=1.0)
         if motion.count == before.count:
             continue
@@ -57,7 +59,8 @@ def test_what_is_elsewhere_at_once_is_reached_by_a_saccade_that_begins_where_the
     seed: int, yaw: float, pitch: float
 ) -> None:
     motion = advance_gaze(GazeMotion(), seed, 0.1, AHEAD, reach=1.0)
-    before, seen = looked_at(motion, 0.1), Turn(yaw, pitch)
+    before = looked_at(motion, 0.1)
+    seen = Turn(yaw, pitch)
     motion = advance_gaze(motion, seed, 0.1, seen, reach=1.0)
     assert far(looked_at(motion, 0.1), before) < 1e-9
     assert motion.contact

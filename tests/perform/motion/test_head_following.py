@@ -19,7 +19,9 @@ def test_near_shifts_leave_the_head_alone_and_far_ones_take_most_of_it(yaw: floa
 
 @given(ANGLES, st.floats(1e-3, 0.1))
 def test_the_head_goes_there_and_never_beyond(yaw: float, dt: float) -> None:
-    looked, head, gone = Turn(yaw), FollowingHead(), 0.0
+    looked = Turn(yaw)
+    head = FollowingHead()
+    gone = 0.0
     for _ in range(int(4.0 / dt) + 1):
         head = follow_gaze(head, looked, dt)
         assert abs(head.second.yaw) >= gone - 1e-12

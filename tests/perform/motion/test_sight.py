@@ -10,11 +10,14 @@ from omote.model.cast import Cast
 from omote.perform.frame import GazeTarget
 from omote.perform.motion.sight import (
     NOTHING,
-    PUPIL,
+    PUPIL_METRES,
+    angle_of,
     eyes_of,
     sight_alone,
     sight_of_direction,
     sight_of_point,
+    sine_cosine,
+    wrap_angle,
 )
 from omote.perform.performer import Performer
 
@@ -37,7 +40,7 @@ def test_eyes_converge_more_the_nearer_it_is_and_the_farther_apart_they_are(far:
     near, farther = (
         sight_of_point((0.0, 0.0, eyes[2] + each), eyes, body=0.0, size=size).vergence for each in (far, 2.0 * far)
     )
-    assert near == pytest.approx(math.atan2(PUPIL * size, far))
+    assert near == pytest.approx(math.atan2(PUPIL_METRES * size, far))
     assert near > farther > 0.0
 
 
@@ -59,7 +62,7 @@ def test_on_air_each_eye_points_at_a_near_point(cast: Cast, near: float) -> None
     performer.look_at("point", x=0.0, z=near)
     for _ in range(240):
         frame = performer.advance(1 / 60)
-    inward = math.atan2(PUPIL, near - eyes_of(0.0, 0.0, 1.0, 0.0)[2])
+    inward = math.atan2(PUPIL_METRES, near - eyes_of(0.0, 0.0, 1.0, 0.0)[2])
     turned = frame.channels["eyeLookInLeft"] * abs(cast.expressions["eyeLookInLeft"].eye_turns[0])
     assert turned == pytest.approx(inward, rel=0.02)
     assert frame.channels["eyeLookInRight"] == pytest.approx(frame.channels["eyeLookInLeft"], rel=0.02)
@@ -77,3 +80,29 @@ def test_on_air_each_eye_points_at_a_near_point(cast: Cast, near: float) -> None
 def test_what_nobody_can_look_at_is_rejected(cast: Cast, given_target: dict[str, object], match: str) -> None:
     with pytest.raises(ValueError, match=match):
         Performer(cast).look_at(**given_target)  # type: ignore[arg-type]
+
+
+LENGTHS = st.floats(-50.0, 50.0)
+
+
+@given(LENGTHS, LENGTHS)
+def test_the_angle_of_a_direction_is_the_arc_tangents(across: float, ahead: float) -> None:
+    difference = angle_of(across, ahead) - math.atan2(across, ahead)
+    assert abs(math.remainder(difference, math.tau)) < 1e-8
+
+
+@given(st.floats(-30.0, 30.0))
+def test_sine_and_cosine_are_the_platforms(angle: float) -> None:
+    sine, cosine = sine_cosine(angle)
+    assert sine == pytest.approx(math.sin(angle), abs=1e-8)
+    assert cosine == pytest.approx(math.cos(angle), abs=1e-8)
+
+
+@given(st.floats(-1000.0, 1000.0))
+def test_a_wrapped_angle_is_the_same_direction_within_half_a_turn(angle: float) -> None:
+    assert -math.pi - 1e-9 <= wrap_angle(angle) <= math.pi + 1e-9
+    assert abs(math.remainder(wrap_angle(angle) - angle, math.tau)) < 1e-9
+
+
+def test_no_direction_is_straight_ahead() -> None:
+    assert angle_of(0.0, 0.0) == 0.0

@@ -52,7 +52,8 @@ def direct(scene: Scene, what: tuple[Any, ...]) -> None:
 
 @given(shows)
 def test_one_character_alone_gives_the_frames_of_a_performer(cast: Cast, show: list[Command]) -> None:
-    performer, scene = Performer(cast), Scene.begun(cast)
+    performer = Performer(cast)
+    scene = Scene.begun(cast)
     for command in show:
         command.play(performer)
         command.play(scene["one"])
@@ -69,7 +70,8 @@ def test_characters_do_not_influence_each_other_in_whatever_order_they_were_adde
     cast: Cast, show: list[Order], names: list[str], moves: list[tuple[Any, ...]]
 ) -> None:
     show = [(name, command) for name, command in show if command.name != "call_light"]
-    scene, performers = scene_of(cast, tuple(names)), {name: Performer(cast) for name in NAMES}
+    scene = scene_of(cast, tuple(names))
+    performers = {name: Performer(cast) for name in NAMES}
     for move in [each for each in moves if each[0] not in ("remove", "light")]:
         direct(scene, move)
     for name, command in show:

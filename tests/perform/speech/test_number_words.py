@@ -17,6 +17,7 @@ from omote.perform.speech.spelling import LANGUAGES
         ("12.30", "en", "twelve point three zero"),
         ("0", "de", "null"), ("42", "de", "zwei und vierzig"), ("101", "de", "ein hundert eins"),
         ("3,5", "de", "drei Komma fünf"), ("3.5", "de", "drei Punkt fünf"), ("1.000", "de", "ein tausend"),
+        ("1.000.000", "de", "eine Million"), ("2.000.001", "de", "zwei Millionen eins"),
         ("1984", "de", "neunzehn hundert vier und achtzig"), ("21", "de", "ein und zwanzig"),
     ],
 )  # fmt: skip

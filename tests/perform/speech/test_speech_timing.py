@@ -41,7 +41,8 @@ def test_a_last_word_without_an_end_takes_what_it_takes() -> None:
 
 
 def test_characters_give_each_viseme_the_time_of_its_letters() -> None:
-    text, times = "a map", [0.0, 0.2, 0.5, 0.9, 1.4, 1.5]
+    text = "a map"
+    times = [0.0, 0.2, 0.5, 0.9, 1.4, 1.5]
     track = _made("characters", list(text), times)
     assert [_at(track, time) for time in (0.1, 0.55, 1.0, 1.45)] == ["aa", "PP", "aa", "PP"]
 
@@ -55,7 +56,8 @@ def test_shapes_of_azure_oculus_and_rhubarb_are_where_they_are_said_to_be() -> N
 
 def test_text_alone_is_stretched_to_the_length_that_is_known() -> None:
     text = "Hello my friend, how are you?"
-    rule, longer = _made("text", text=text), _made("text", text=text, seconds=6.0)
+    rule = _made("text", text=text)
+    longer = _made("text", text=text, seconds=6.0)
     assert 1.0 < rule.seconds < 4.0
     assert longer.seconds == pytest.approx(6.0)
     assert longer.visemes[: len(rule.visemes)] == rule.visemes

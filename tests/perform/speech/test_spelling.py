@@ -5,11 +5,8 @@ import unicodedata
 
 import pytest
 
-from omote.perform.speech.english_spelling import WORDS as ENGLISH
-from omote.perform.speech.german_spelling import WORDS as GERMAN
 from omote.perform.speech.number_words import Language
 from omote.perform.speech.spelling import LANGUAGES, check_language, sounds_of, words_in
-from omote.perform.speech.visemes import VISEMES
 
 
 def _shapes(word: str, language: Language = "en") -> str:
@@ -49,11 +46,6 @@ def test_every_letter_of_the_alphabet_closes_lips_where_it_must(language: Langua
         assert "PP" in _shapes(f"a{letter}a", language)
     for letter in "fv":
         assert "FF" in _shapes(f"a{letter}a", language)
-
-
-@pytest.mark.parametrize("words", [ENGLISH, GERMAN])
-def test_every_known_word_has_visemes(words: dict[str, str]) -> None:
-    assert all(set(shapes.split()) <= set(VISEMES) for shapes in words.values())
 
 
 def test_a_sound_knows_its_letters() -> None:

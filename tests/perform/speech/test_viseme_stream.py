@@ -8,7 +8,8 @@ import pytest
 from omote.perform.speech.viseme_stream import VisemeStream, follow_visemes
 from omote.perform.speech.visemes import MOUTH_UNITS, RECIPES, VISEMES, mouth_of
 
-JAW, CLOSE = MOUTH_UNITS.index("jawOpen"), MOUTH_UNITS.index("mouthClose")
+JAW = MOUTH_UNITS.index("jawOpen")
+CLOSE = MOUTH_UNITS.index("mouthClose")
 
 
 def _alone(viseme: str) -> np.ndarray:
@@ -43,7 +44,8 @@ def test_nothing_pops_where_the_classifier_jumps() -> None:
     """From one viseme to another in one frame, the mouth is never more than a part of the way on at 60 frames a
     second, and its speed changes in steps, not at once."""
     random = np.random.default_rng(3)
-    stream, ways = VisemeStream(), []
+    stream = VisemeStream()
+    ways = []
     for _ in range(400):
         weights = random.dirichlet(np.full(len(VISEMES), 0.05))
         for _ in range(20):

@@ -15,6 +15,7 @@ from omote.model.cast import Cast
 from omote.server.access.access_control import AccessControl
 from omote.server.access.people_file import new_person, open_people, people_path
 from omote.server.access.security import own_names
+from omote.server.links.links import Links
 from omote.server.scans.scan_previews import ScanPreviews
 from omote.server.scans.scan_routes import ScanRoutes
 from omote.show.access.access_role import ACCESS_ROLES, AccessRole
@@ -46,7 +47,8 @@ async def _hear(_: web.Request) -> web.StreamResponse:
 async def access_harness(cast: Cast, tmp_path: Path) -> AsyncIterator[AccessHarness]:
     """The harness with a file, an OSC port and a list of people; `wall` is at 1000 seconds."""
     async with open_edit_harness(cast, tmp_path / "show.omote") as opened:
-        people, wall = open_people(people_path(tmp_path / "show.omote")), Clock(1000.0)
+        people = open_people(people_path(tmp_path / "show.omote"))
+        wall = Clock(1000.0)
         control = AccessControl(people_path(tmp_path / "show.omote"), people, wall=wall, clock=opened.clock)
         tokens = {str(person.role): token_of(people, person) for person in people.people}
         for name, hours in (("revoked", None), ("expired", 0.1)):
@@ -57,7 +59,7 @@ async def access_harness(cast: Cast, tmp_path: Path) -> AsyncIterator[AccessHarn
         tokens |= {"garbage": GARBAGE}
         opened.show.enable_oscquery(9000)
         for path in (MEDIAPIPE_PATH, MICROPHONE_PATH, CAMERA_PATH):
-            opened.show.enable_sender(path, _hear)
+            opened.show.enable_sender(path, _hear, Links())
         assert opened.show.editing is not None
         scans = ScanRoutes(None, opened.show.long_requests, opened.show.editing.add_items, ScanPreviews())
         opened.show.more_routes.append(scans.add_routes)

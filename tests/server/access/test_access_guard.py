@@ -11,14 +11,26 @@ from aiohttp.test_utils import TestClient, TestServer
 
 from omote.edit.protocol import messages as editing
 from omote.edit.protocol import wire as edit_wire
+from omote.edit.protocol.messages import EDITING_PATH
+from omote.inputs.microphone.microphone_messages import MICROPHONE_PATH
+from omote.inputs.performers.camera_messages import CAMERA_PATH
+from omote.inputs.performers.performer_list import PerformerList
+from omote.inputs.trackers.tracker_protocols import MEDIAPIPE_PATH
 from omote.server.access.people_file import change_people, new_person
 from omote.server.access.security import own_names
-from omote.server.http.links import REVOKED
-from omote.show import messages as wire
+from omote.server.camera.camera_link import CameraLinks
+from omote.server.devices.mediapipe_link import MediapipeLink
+from omote.server.devices.rejection_log import RejectionLog
+from omote.server.links.links import REVOKED
+from omote.server.microphone.microphone_link import MicrophoneLink
 from omote.show.access.access_documents import REVOKED_CODE
 from omote.show.access.access_role import ACCESS_ROLES, role_allows
 from omote.show.access.people_list import People, add_person, cookie_name, remove_person, token_of
-from omote.show.access.route_roles import ROUTES, role_for_route
+from omote.show.access.route_roles import ROUTES
+from omote.show.messages import LINK_PATH, PROTOCOL_VERSION
+from omote.show.objects.calls import Panic
+from omote.show.objects.documents import READ_ROUTES
+from omote.show.objects.link import Hello, Refused, Welcome
 from omote.show.wire import decode_answer, encode
 from tests.server.access.conftest import AccessHarness
 from tests.server.conftest import answer, send_and_wait
@@ -35,22 +47,26 @@ def bearer(token: str | None) -> dict[str, str]:
     return {} if token is None else {"Authorization": f"Bearer {token}"}
 
 
+ROWS = {**ROUTES, **{("GET", route): role for route, role in READ_ROUTES.items()}}
+
+
 async def test_the_router_has_those_addresses_alone_that_have_a_row(access_harness: AccessHarness) -> None:
     router = access_harness.show.application(own_names()).router
     found = {(each.method, each.resource.canonical) for each in router.routes() if each.resource is not None}
-    assert {key for key in found if key[0] != "HEAD"} - set(ROUTES) == set()
-    assert {("GET", route) for method, route in found if method == "HEAD"} <= set(ROUTES)
+    assert {key for key in found if key[0] != "HEAD"} - set(ROWS) == set()
+    assert {("GET", route) for method, route in found if method == "HEAD"} <= set(ROWS)
 
 
 @pytest.mark.parametrize("credential", CREDENTIALS)
 async def test_every_address_is_answered_to_those_alone_whose_role_allows_it(
     access_harness: AccessHarness, credential: str
 ) -> None:
-    role, headers = access_harness.may(credential), bearer(access_harness.tokens.get(credential))
+    role = access_harness.may(credential)
+    headers = bearer(access_harness.tokens.get(credential))
     unknown = [("GET", "/no/such/page"), ("PUT", "/manifest"), ("HEAD", "/manifest"), ("OPTIONS", "/people")]
-    for method, route in [*ROUTES, *unknown]:
+    for method, route in [*ROWS, *unknown]:
         path = route.replace("{file}", "a.json").replace("{", "").replace("}", "")
-        needed = role_for_route(method, route) if (method, route) not in unknown else "view"
+        needed = ROWS.get((method, route)) or "view"
         async with access_harness.client.request(method, path, headers=headers) as response:
             let_in = response.status not in DENIED
         assert let_in == (role is not None and role_allows(role, needed)), (method, route)
@@ -70,7 +86,8 @@ async def test_a_token_leaves_the_address_bar_for_a_cookie(access_harness: Acces
     token = access_harness.tokens["operate"]
     joint = "&" if "?" in page else "?"
     async with access_harness.client.get(f"{page}{joint}token={token}", headers=PAGE) as response:
-        text, cookie = await response.text(), response.headers["Set-Cookie"]
+        text = await response.text()
+        cookie = response.headers["Set-Cookie"]
     assert token not in text
     assert f'content="0;url={page}"' in text
     assert cookie.startswith(f"{access_harness.control.cookie}={token}; ")
@@ -128,12 +145,12 @@ async def test_a_token_that_is_not_taken_leaves_the_address_bar(
 
 
 async def test_a_link_hears_what_its_role_may_not(access_harness: AccessHarness) -> None:
-    link = await access_harness.client.ws_connect(wire.LINK_PATH, headers=bearer(access_harness.tokens["view"]))
-    await link.send_bytes(encode(wire.Hello("console", wire.PROTOCOL_VERSION)))
-    assert isinstance(await answer(link), wire.Welcome)
-    await link.send_bytes(encode(wire.Panic("one")))
+    link = await access_harness.client.ws_connect(LINK_PATH, headers=bearer(access_harness.tokens["view"]))
+    await link.send_bytes(encode(Hello("console", PROTOCOL_VERSION)))
+    assert isinstance(await answer(link), Welcome)
+    await link.send_bytes(encode(Panic("one")))
     refused = await answer(link)
-    assert isinstance(refused, wire.Refused)
+    assert isinstance(refused, Refused)
     assert '"operate"' in refused.reason
     editor = await access_harness.client.ws_connect(editing.EDITING_PATH, headers=bearer(access_harness.tokens["view"]))
     await editor.send_bytes(encode(editing.Greet("e1", "Ada", editing.EDITING_VERSION)))
@@ -145,28 +162,29 @@ async def test_a_link_hears_what_its_role_may_not(access_harness: AccessHarness)
 
 
 async def test_links_end_with_their_token(access_harness: AccessHarness) -> None:
-    tokens, client = access_harness.tokens, access_harness.client
-    gone = await client.ws_connect(wire.LINK_PATH, headers=bearer(tokens["operate"]))
+    tokens = access_harness.tokens
+    client = access_harness.client
+    gone = await client.ws_connect(LINK_PATH, headers=bearer(tokens["operate"]))
     editor = await client.ws_connect(editing.EDITING_PATH, headers=bearer(tokens["operate"]))
-    stays = await client.ws_connect(wire.LINK_PATH, headers=bearer(tokens["edit"]))
+    stays = await client.ws_connect(LINK_PATH, headers=bearer(tokens["edit"]))
     person = next(each for each in access_harness.control.people.people if each.role == "operate")
     async with client.delete(f"/people/{person.id}", headers=bearer(tokens["admin"])) as response:
         assert response.status == 200
     refused = decode_answer(await gone.receive_bytes(timeout=60.0))
-    assert refused == wire.Refused(REVOKED)
+    assert refused == Refused(REVOKED)
     closed = await gone.receive(timeout=60.0)
     assert (closed.type, closed.data, closed.extra) == (aiohttp.WSMsgType.CLOSE, REVOKED_CODE, REVOKED)
     await editor.receive_bytes(timeout=60.0)
     assert (await editor.receive(timeout=60.0)).data == REVOKED_CODE
-    await stays.send_bytes(encode(wire.Hello("console", wire.PROTOCOL_VERSION)))
+    await stays.send_bytes(encode(Hello("console", PROTOCOL_VERSION)))
     await send_and_wait_welcomed(stays)
     with pytest.raises(aiohttp.WSServerHandshakeError) as denied:
-        await client.ws_connect(wire.LINK_PATH, headers=bearer(tokens["operate"]))
+        await client.ws_connect(LINK_PATH, headers=bearer(tokens["operate"]))
     assert denied.value.status == 401
 
 
 async def send_and_wait_welcomed(link: aiohttp.ClientWebSocketResponse) -> None:
-    assert isinstance(await answer(link), wire.Welcome)
+    assert isinstance(await answer(link), Welcome)
     await send_and_wait(link)
 
 
@@ -174,10 +192,10 @@ async def test_a_console_without_a_name_carries_that_of_its_token(access_harness
     ada = new_person("Ada", "operate", 0.0)
     access_harness.control.people = add_person(access_harness.control.people, ada)
     token = token_of(access_harness.control.people, ada)
-    link = await access_harness.client.ws_connect(wire.LINK_PATH, headers=bearer(token))
-    await link.send_bytes(encode(wire.Hello("console", wire.PROTOCOL_VERSION)))
+    link = await access_harness.client.ws_connect(LINK_PATH, headers=bearer(token))
+    await link.send_bytes(encode(Hello("console", PROTOCOL_VERSION)))
     welcome = await answer(link)
-    assert isinstance(welcome, wire.Welcome)
+    assert isinstance(welcome, Welcome)
     assert welcome.name == "Ada"
 
 
@@ -214,8 +232,10 @@ async def test_who_may_play_by_osc_may_read_its_addresses_and_nothing_else(
 def handshakes(tokens: Mapping[str, str], cookie: str, other: str) -> dict[str, tuple[str, str]]:
     """What strangers send, each as the line of the request and headers of their own; HOST, ORIGIN and UPGRADE are put
     in unless they are there."""
-    good, own = tokens["admin"], "Origin: http://127.0.0.1:8090"
-    link, carried = "GET /link HTTP/1.1", f"Cookie: {cookie}={good}"
+    good = tokens["admin"]
+    own = "Origin: http://127.0.0.1:8090"
+    link = "GET /link HTTP/1.1"
+    carried = f"Cookie: {cookie}={good}"
     return {
         "nothing": (link, ""),
         "nothing, from our page": (link, own),
@@ -304,10 +324,35 @@ KEY = "dGhlIHNhbXBsZSBub25jZQ=="
 
 
 async def test_a_token_is_revoked_by_another_program_while_the_show_runs(access_harness: AccessHarness) -> None:
-    link = await access_harness.client.ws_connect(wire.LINK_PATH, headers=bearer(access_harness.tokens["view"]))
+    link = await access_harness.client.ws_connect(LINK_PATH, headers=bearer(access_harness.tokens["view"]))
     change_people(access_harness.control.path, lambda people: remove_person(people, "view")[0])
     access_harness.show.broadcast_crew()
-    assert decode_answer(await link.receive_bytes(timeout=60.0)) == wire.Refused(REVOKED)
+    assert decode_answer(await link.receive_bytes(timeout=60.0)) == Refused(REVOKED)
     while (last := await link.receive(timeout=60.0)).type is aiohttp.WSMsgType.BINARY:
         pass
     assert last.data == REVOKED_CODE
+
+
+async def test_links_of_every_kind_end_with_their_token(access_harness: AccessHarness) -> None:
+    show = access_harness.show
+    log = RejectionLog(access_harness.said.append)
+    mediapipe = MediapipeLink(lambda: show.session, log)
+    mediapipe.on = True
+    microphones = MicrophoneLink(lambda: show.session)
+    cameras = CameraLinks(lambda: show.session, PerformerList({}, lambda *_: None), log)
+    senders: dict[str, MediapipeLink | MicrophoneLink | CameraLinks] = {
+        MEDIAPIPE_PATH: mediapipe,
+        MICROPHONE_PATH: microphones,
+        CAMERA_PATH: cameras,
+    }
+    for path, sender in senders.items():
+        show.enable_sender(path, sender.respond, sender.links)
+    async with TestClient(TestServer(show.application(own_names()))) as client:
+        paths = [LINK_PATH, EDITING_PATH, *senders]
+        sockets = [await client.ws_connect(path, headers=bearer(access_harness.tokens["edit"])) for path in paths]
+        change_people(access_harness.control.path, lambda people: remove_person(people, "edit")[0])
+        show.broadcast_crew()
+        for socket in sockets:
+            while (last := await socket.receive(timeout=60.0)).type is not aiohttp.WSMsgType.CLOSE:
+                pass
+            assert last.data == REVOKED_CODE

@@ -6,7 +6,6 @@ from pathlib import Path
 import pytest
 
 from omote.server.access.access_setup import (
-    NO_ACCESS_OPTIONS,
     OPEN_TO_ALL,
     AccessOptions,
     add_access_options,
@@ -22,15 +21,14 @@ def read(words: list[str]) -> AccessOptions:
     return read_access_options(parser.parse_args(words))
 
 
-@pytest.mark.parametrize(
-    "options", [NO_ACCESS_OPTIONS, AccessOptions("a b", "c", "d", "e"), AccessOptions("", "c", "d")]
-)
+@pytest.mark.parametrize("options", [AccessOptions(), AccessOptions("a b", "c", "d", "e"), AccessOptions("", "c", "d")])
 def test_options_come_back_as_they_were(options: AccessOptions) -> None:
     assert read(options.words) == options
 
 
 def test_a_server_has_the_list_of_its_standby_where_the_file_is_gone(tmp_path: Path) -> None:
-    path, said = tmp_path / "a.people", list[str]()
+    path = tmp_path / "a.people"
+    said = list[str]()
     people = open_people(path)
     setup = load_access(AccessOptions(str(path)))
     path.unlink()
@@ -46,5 +44,5 @@ def test_a_list_that_cannot_be_read_opens_no_show(tmp_path: Path) -> None:
 
 
 def test_on_this_machine_alone_there_is_no_list() -> None:
-    assert load_access(NO_ACCESS_OPTIONS) == OPEN_TO_ALL
+    assert load_access(AccessOptions()) == OPEN_TO_ALL
     assert OPEN_TO_ALL.open_control(print) is None

@@ -29,7 +29,8 @@ NAMES = ("theatre", "theatre.local", "localhost", "127.0.0.1", "192.168.1.7", ":
 def handshake(files: CertificateFiles, name: str) -> bool:
     """Whether a client that trusts the authority shakes hands with the server under a name; no socket is opened."""
     client_context = ssl.create_default_context(cafile=str(files.authority))
-    to_server, to_client = ssl.MemoryBIO(), ssl.MemoryBIO()
+    to_server = ssl.MemoryBIO()
+    to_client = ssl.MemoryBIO()
     server = load_context(files).wrap_bio(to_server, to_client, server_side=True)
     client = client_context.wrap_bio(to_client, to_server, server_hostname=name)
     done = set[ssl.SSLObject]()

@@ -22,7 +22,8 @@ async def test_a_page_learns_who_it_is(access_harness: AccessHarness) -> None:
 
 
 async def test_an_admin_makes_a_token_shows_it_again_and_revokes_it(access_harness: AccessHarness) -> None:
-    client, headers = access_harness.client, bearer(access_harness.tokens["admin"])
+    client = access_harness.client
+    headers = bearer(access_harness.tokens["admin"])
     async with client.post("/people", data=encode(NewPerson("Ada", "operate", 8.0)), headers=headers) as response:
         made = msgspec.msgpack.decode(await response.read(), type=CodeDocument)
     address, _, token = made.address.partition("/console?token=")

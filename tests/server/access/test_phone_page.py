@@ -7,7 +7,7 @@ import pytest
 from omote.server.access import phone_page
 from omote.server.access.phone_page import goal_address
 from omote.show.access.people_list import People
-from omote.show.messages import Devices, TrackerOffer
+from omote.show.objects.devices import Devices, TrackerOffer
 from tests.server.access.conftest import AccessHarness
 from tests.server.access.test_access_guard import bearer
 

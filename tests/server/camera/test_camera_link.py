@@ -17,7 +17,6 @@ from omote.inputs.performers.performer_list import PerformerList
 from omote.server.access.access_guard import VISITOR
 from omote.server.camera.camera_link import CameraLinks
 from omote.server.devices.rejection_log import RejectionLog
-from omote.show.access.access_documents import REVOKED_CODE
 from omote.show.access.people_list import ANYBODY, Visitor
 from omote.show.wire import encode
 from tests.inputs.performers.landmarks import packet
@@ -31,14 +30,14 @@ class Room:
     """The links of one show, who may stay, and what the terminal was told."""
 
     def __init__(self, harness: ShowHarness) -> None:
-        self.harness, self.holds, self.outside = harness, True, ""
+        self.harness = harness
+        self.outside = ""
         self.said: list[str] = []
         performers = PerformerList({}, lambda *_: None)
         self.links = CameraLinks(
             lambda: harness.show.session,
             performers,
             RejectionLog(self.said.append),
-            lambda _: self.holds,
             lambda: self.outside,
         )
         harness.show.sources.append(self.links)
@@ -160,15 +159,6 @@ async def test_a_calibration_that_cannot_be_made_is_said(
         refused = await reading
         assert isinstance(refused, wire.CameraRefused)
         assert refused.reason == "the calibration was not made: too few frames."
-
-
-async def test_a_link_ends_when_its_token_does(room: Room, sender: Sender) -> None:
-    async with performing(sender) as socket:
-        await status(socket)
-        room.holds = False
-        while (await socket.receive(timeout=60.0)).type is not aiohttp.WSMsgType.CLOSE:
-            pass
-        assert socket.close_code == REVOKED_CODE
 
 
 async def test_a_camera_elsewhere_is_sent_to_the_address_of_the_show_or_told_what_it_needs(room: Room) -> None:

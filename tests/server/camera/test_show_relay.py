@@ -25,7 +25,8 @@ class FarShow:
     def __init__(self) -> None:
         self.heard: list[bytes] = []
         self.tokens: list[str] = []
-        self.status, self.close_code = 101, 0
+        self.status = 101
+        self.close_code = 0
 
     async def respond(self, request: web.Request) -> web.StreamResponse:
         self.tokens.append(request.headers.get("Authorization", ""))
@@ -44,7 +45,8 @@ class FarShow:
 
 @pytest_asyncio.fixture
 async def far() -> AsyncIterator[tuple[FarShow, str]]:
-    show, application = FarShow(), web.Application()
+    show = FarShow()
+    application = web.Application()
     application.router.add_get(wire.CAMERA_PATH, show.respond)
     async with TestServer(application) as server:
         yield show, str(server.make_url("")).rstrip("/")

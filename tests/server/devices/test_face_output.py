@@ -8,7 +8,7 @@ import pytest
 from omote.inputs.face_output.face_target import FaceTarget
 from omote.inputs.trackers.live_link_face import decode_live_link_face
 from omote.server.devices.face_output import FAULT_SECONDS, FaceOutput
-from omote.show import messages as wire
+from omote.show.objects.faders import SetChannel
 from tests.server.conftest import ShowHarness
 
 pytestmark = pytest.mark.asyncio
@@ -28,7 +28,7 @@ async def test_a_target_is_sent_its_character_with_each_tick(show_harness: ShowH
         show_harness.show.sources.append(output)
         session.join("hand", "hand")
         for weight in (0.25, 0.75):
-            session.receive("hand", wire.SetChannel("one", "jawOpen", weight), 0.0)
+            session.receive("hand", SetChannel("one", "jawOpen", weight), 0.0)
             show_harness.tick()
             (frame,) = decode_live_link_face(await asyncio.get_running_loop().sock_recv(receiver, 2000))
             assert frame.weights["jawOpen"] == weight

@@ -8,8 +8,10 @@ import pytest_asyncio
 from aiohttp import web
 from aiohttp.test_utils import TestClient, TestServer
 
+from omote.server.access.access_guard import VISITOR
 from omote.server.devices.mediapipe_link import MOST_WAITING, MediapipeLink
 from omote.server.devices.rejection_log import RejectionLog
+from omote.show.access.people_list import ANYBODY
 from tests.inputs.trackers.test_mediapipe_frame import result
 from tests.server.conftest import ShowHarness
 
@@ -33,8 +35,12 @@ async def link(show_harness: ShowHarness, said: list[str]) -> AsyncIterator[Medi
 
 @pytest_asyncio.fixture
 async def sender(link: MediapipeLink) -> AsyncIterator[TestClient[web.Request, web.Application]]:
+    async def respond(request: web.Request) -> web.StreamResponse:
+        request[VISITOR] = ANYBODY
+        return await link.respond(request)
+
     application = web.Application()
-    application.router.add_get("/mediapipe", link.respond)
+    application.router.add_get("/mediapipe", respond)
     async with TestClient(TestServer(application)) as client:
         yield client
 

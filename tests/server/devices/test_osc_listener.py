@@ -9,6 +9,7 @@ import sys
 from collections.abc import AsyncIterator, Iterable
 from pathlib import Path
 
+import aiohttp
 import pytest
 import pytest_asyncio
 from pythonosc.osc_bundle_builder import OscBundleBuilder
@@ -252,6 +253,25 @@ async def test_a_stream_that_cannot_be_read_is_closed_and_too_many_are_not_taken
         await last.readexactly(1)
     for _, each in [(reader, writer), *opened]:
         each.close()
+
+
+async def test_a_web_page_that_sends_frames_behind_a_request_plays_nothing(
+    show_harness: ShowHarness, listener: OscListener, port: int, said: list[str]
+) -> None:
+    order = encode_message("/omote/one/face", "dog", 0.0)
+    async with aiohttp.ClientSession() as http:
+        with pytest.raises(aiohttp.ClientError):
+            await http.post(f"http://{HOST}:{port}/", data=b"\xc0".join([b"", order, order, b""]))
+    show_harness.tick()
+    assert listener.osc.heard == 0
+    assert "which is no OSC: its connection is ended" in said[0]
+    reader, writer = await asyncio.open_connection(HOST, port)
+    writer.write(b"\xc0".join([b"", encode_message("/omote/panic"), b"GET / HTTP/1.1", order, b""]))
+    with pytest.raises((ConnectionError, asyncio.IncompleteReadError)):
+        await reader.readexactly(1)
+    writer.close()
+    show_harness.tick()
+    assert listener.osc.heard == 0
 
 
 async def test_a_port_that_is_taken_is_said() -> None:

@@ -6,7 +6,7 @@ from pathlib import Path
 from typing import Any
 
 from omote.server.farm.export_run import ExportRun
-from omote.server.farm.fork_pool import Outcome, try_work
+from omote.server.farm.fork_pool import WorkOutcome, try_work
 from tests import synthetic
 from tests.stage_data.heads import context
 
@@ -17,7 +17,7 @@ def make_run(folder: Path, **options: Any) -> ExportRun:
     return ExportRun(context(), folder, **given)
 
 
-def pool_here(run: ExportRun, numbers: Sequence[int]) -> Generator[Outcome]:
+def pool_here(run: ExportRun, numbers: Sequence[int]) -> Generator[WorkOutcome]:
     """Bakes one face after the other in this process."""
     for number in numbers:
         yield try_work(partial(bake_here, run), number)

@@ -39,10 +39,10 @@ def cluster() -> Iterator[Any]:
 def test_a_cluster_bakes_the_same_bytes(tmp_path: Path, cluster: Any) -> None:
     away = run_export(make_run(tmp_path / "a", kind=".glb"), bake_on_cluster(cluster.scheduler_address), ignore)
     run_export(make_run(tmp_path / "b", kind=".glb"), pool_here, ignore)
-    assert sorted(away.made) == sorted(FACES)
+    assert sorted(away.exported) == sorted(FACES)
     assert contents(tmp_path / "a") == contents(tmp_path / "b")
     again = run_export(make_run(tmp_path / "a", kind=".glb"), bake_on_cluster(cluster.scheduler_address), ignore)
-    assert (again.made, sorted(again.current)) == ([], sorted(FACES))
+    assert (again.exported, sorted(again.current)) == ([], sorted(FACES))
 
 
 @pytest.mark.usefixtures("small_cast")
@@ -56,7 +56,7 @@ def test_a_face_that_fails_there_is_named(tmp_path: Path, cluster: Any, monkeypa
 
     monkeypatch.setattr(dask_pool, "bake_face", bake)
     done = run_export(make_run(tmp_path), bake_on_cluster(cluster.scheduler_address), ignore)
-    assert (sorted(done.made), done.failed) == (sorted(FACES[1:]), {FACES[0]: "this face does not fit"})
+    assert (sorted(done.exported), done.failed) == (sorted(FACES[1:]), {FACES[0]: "this face does not fit"})
 
 
 @pytest.mark.usefixtures("small_cast")

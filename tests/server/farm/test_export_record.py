@@ -12,7 +12,8 @@ from omote.server.farm import export_record
 from omote.server.farm.export_record import RECORDS, find_foreign, find_state, open_folder, store_export
 from tests.server.farm.runs import contents
 
-NAME, MAIN = "aunt.glb", "aunt.glb"
+NAME = "aunt.glb"
+MAIN = "aunt.glb"
 OLD = {MAIN: b"glTF old", "aunt.skin.png": b"\x89PNG\r\n\x1a\n old"}
 NEW = {MAIN: b"glTF new", "aunt.skin.png": b"\x89PNG\r\n\x1a\n new", "aunt.eye.png": b"\x89PNG\r\n\x1a\n eye"}
 

@@ -22,7 +22,7 @@ def test_any_number_of_processes_writes_the_same_files(tmp_path: Path) -> None:
     for jobs in (0, 1, 3):
         pool = bake_in_processes(jobs) if jobs else pool_here
         done = run_export(make_run(tmp_path / str(jobs), kind=".glb"), pool, ignore)
-        assert (sorted(done.made), done.current, done.failed) == (sorted(FACES), [], {})
+        assert (sorted(done.exported), done.current, done.failed) == (sorted(FACES), [], {})
     first = contents(tmp_path / "0")
     assert first.keys() == {f"{face}.glb" for face in FACES}
     assert contents(tmp_path / "1") == first == contents(tmp_path / "3")
@@ -34,19 +34,19 @@ def test_what_is_whole_and_current_is_not_made_again(tmp_path: Path) -> None:
     assert told == [(number, len(FACES), face, "") for number, face in enumerate(FACES, 1)]
     (tmp_path / f"{FACES[1]}.npz").unlink()
     again = run_export(make_run(tmp_path), pool_here, ignore)
-    assert (again.made, set(again.current)) == ([FACES[1]], set(FACES) - {FACES[1]})
-    assert run_export(make_run(tmp_path), pool_here, ignore).made == []
+    assert (again.exported, set(again.current)) == ([FACES[1]], set(FACES) - {FACES[1]})
+    assert run_export(make_run(tmp_path), pool_here, ignore).exported == []
     other = run_export(make_run(tmp_path, expressions=["smile", "jawOpen"]), pool_here, ignore)
-    assert other.made == FACES
+    assert other.exported == FACES
 
 
 def test_what_fails_is_named_and_the_others_are_made(tmp_path: Path) -> None:
     (tmp_path / f"{FACES[0]}.npz").write_bytes(b"PK\x03\x04 theirs")
     done = run_export(make_run(tmp_path), pool_here, ignore)
-    assert done.made == FACES[1:]
+    assert done.exported == FACES[1:]
     assert f"{FACES[0]}.npz is there already and is not as Omote wrote it" in done.failed[FACES[0]]
     forced = run_export(make_run(tmp_path, force=True), pool_here, ignore)
-    assert forced.made == FACES[:1]
+    assert forced.exported == FACES[:1]
 
 
 def test_a_full_disk_ends_the_run_with_a_sentence(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
@@ -60,7 +60,7 @@ def test_a_full_disk_ends_the_run_with_a_sentence(tmp_path: Path, monkeypatch: p
         run_export(make_run(tmp_path), pool_here, ignore)
     monkeypatch.undo()
     done = run_export(make_run(tmp_path), pool_here, ignore)
-    assert (done.made, done.current) == (FACES[1:], FACES[:1])
+    assert (done.exported, done.current) == (FACES[1:], FACES[:1])
 
 
 def test_nothing_can_be_written_into_a_folder_of_somebody_else(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
@@ -78,6 +78,7 @@ run_export(make_run(Path(sys.argv[1]), kind=".glb"), bake_in_processes(2), lambd
 """
 
 
+@pytest.mark.usefixtures("children_hear_ctrl_c")
 @pytest.mark.parametrize("ending", [signal.SIGKILL, signal.SIGINT])
 def test_a_run_that_is_ended_in_the_middle_goes_on(tmp_path: Path, ending: signal.Signals) -> None:
     first = subprocess.Popen(
@@ -95,7 +96,7 @@ def test_a_run_that_is_ended_in_the_middle_goes_on(tmp_path: Path, ending: signa
     before = contents(tmp_path / "a")
     done = run_export(run, bake_in_processes(2), ignore)
     assert done.current
-    assert {*done.made, *done.current} == set(FACES)
+    assert {*done.exported, *done.current} == set(FACES)
     run_export(make_run(tmp_path / "b", kind=".glb"), pool_here, ignore)
     whole = contents(tmp_path / "b")
     assert contents(tmp_path / "a") == whole

@@ -9,7 +9,7 @@ from pathlib import Path
 
 import pytest
 
-from omote.server.farm.fork_pool import Outcome, work_in_processes
+from omote.server.farm.fork_pool import WorkOutcome, work_in_processes
 
 
 @pytest.mark.parametrize("jobs", [1, 3])
@@ -37,7 +37,7 @@ def fail(number: int) -> bytes:
 
 def test_what_fails_says_why_and_the_others_go_on() -> None:
     found = {outcome.number: outcome for outcome in work_in_processes(fail, range(6), 2)}
-    assert found[0] == Outcome(0, failure="this face does not fit")
+    assert found[0] == WorkOutcome(0, failure="this face does not fit")
     assert (found[1].final, "the disk is full" in found[1].failure) == (True, True)
     assert "a fault of Omote (ZeroDivisionError: oh)" in found[2].failure
     assert "ended without a word (signal 9)" in found[3].failure

@@ -93,3 +93,17 @@ async def test_whoever_waits_learns_that_the_page_crashed(line: Line) -> None:
     line.say(method="Inspector.targetCrashed", params={})
     with pytest.raises(BrowserError, match="crashed"):
         await call
+
+
+@pytest.mark.asyncio
+async def test_a_page_that_crashed_is_asked_no_more_and_others_are(line: Line) -> None:
+    call = asyncio.create_task(line.tools.call("A", session="s"))
+    await line.heard()
+    line.say(method="Inspector.targetCrashed", params={}, sessionId="s")
+    with pytest.raises(BrowserError, match="crashed"):
+        await call
+    with pytest.raises(BrowserError, match="crashed"):
+        await asyncio.wait_for(line.tools.call("B", session="s"), 60.0)  # nobody would answer it
+    other = asyncio.create_task(line.tools.call("C", session="t"))
+    line.say(id=(await line.heard())["id"], result={"value": "c"})
+    assert await other == {"value": "c"}

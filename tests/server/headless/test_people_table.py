@@ -10,7 +10,7 @@ from omote.edit.store.import_items import ImportedItem
 from omote.face_commands import EXPRESSIONS
 from omote.server.headless import people_table
 from omote.server.headless.people_table import draw_people, hold_people
-from omote.server.headless.picture_run import PictureRun, PictureStudio, Progress
+from omote.server.headless.picture_run import PictureProgress, PictureRun, PictureStudio
 from omote.showfile.contents import unpack_face
 from omote.stage_data.full_cast import build_full_cast
 
@@ -34,10 +34,10 @@ def test_a_table_is_written_alone_with_a_row_for_each_person_and_a_column_for_ea
 ) -> None:
     planned: list[PictureRun] = []
 
-    def draw(_: PictureStudio, run: PictureRun, report: Callable[[Progress], None]) -> None:
+    def draw(_: PictureStudio, run: PictureRun, report: Callable[[PictureProgress], None]) -> None:
         planned.append(run)
         for number in range(1, 1 + len(run.pictures)):
-            report(Progress(run.whole.path, 0.1, number, len(run.pictures)))
+            report(PictureProgress(run.whole.path, 0.1, number, len(run.pictures)))
         run.whole.path.write_bytes(b"drawn")
 
     monkeypatch.setattr(people_table, "draw_run", draw)

@@ -14,7 +14,14 @@ from omote.model.cast import Cast
 from omote.perform.performer import Performer
 from omote.server.headless.chromium import open_chromium
 from omote.server.headless.devtools import BrowserError
-from omote.server.headless.picture_renderer import draw_grid, open_picture_page, query, render, serve_pages
+from omote.server.headless.picture_renderer import (
+    Renderer,
+    draw_grid,
+    open_picture_page,
+    query,
+    render,
+    serve_pages,
+)
 from omote.server.http.cast_documents import CastDocuments
 from omote.stage_data.picture_grid import PictureGrid
 from omote.stage_data.picture_setting import Setting
@@ -103,6 +110,24 @@ def test_a_frame_becomes_an_array_and_a_file(drawing: Cast, tmp_path: Path) -> N
     np.testing.assert_array_equal(render(drawing, frame), PICTURE)
     np.testing.assert_array_equal(render(drawing, frame, path=str(tmp_path / "a.png")), PICTURE)
     np.testing.assert_array_equal(read_png((tmp_path / "a.png").read_bytes()), PICTURE)
+
+
+def test_a_renderer_draws_frame_after_frame_in_one_browser_until_it_is_closed(
+    drawing: Cast, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    frame = Performer(drawing).advance(0.0)
+    with Renderer(drawing) as renderer:
+        monkeypatch.setenv("OMOTE_BROWSER", "/no second browser")
+        np.testing.assert_array_equal(renderer(frame), PICTURE)
+        with pytest.raises(ValueError, match="no face 'nobody' in this cast"):
+            renderer(replace(frame, faces={"nobody": 1.0}))
+        with pytest.raises(ValueError, match=r"'a\.jpg' is no name of a PNG"):
+            renderer(frame, path="a.jpg")
+        np.testing.assert_array_equal(renderer(frame, path=tmp_path / "a.png"), PICTURE)
+    np.testing.assert_array_equal(read_png((tmp_path / "a.png").read_bytes()), PICTURE)
+    renderer.close()
+    with pytest.raises(RuntimeError, match="closed; open another one"):
+        renderer(frame)
 
 
 @pytest.mark.asyncio

@@ -8,8 +8,8 @@ import pytest
 from omote.model.cast import Cast
 from omote.server.headless.devtools import BrowserError
 from omote.server.headless.picture_run import (
+    PictureProgress,
     PictureStudio,
-    Progress,
     digest_of_pages,
     draw_run,
     pictures_folder,
@@ -47,7 +47,8 @@ def studio(cast: Cast, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Pictu
 
 @pytest.mark.parametrize("jobs", [1, 2, 9])
 def test_every_picture_is_written_with_its_sidecar(studio: PictureStudio, tmp_path: Path, jobs: int) -> None:
-    path, told = tmp_path / "grid.png", list[Progress]()
+    path = tmp_path / "grid.png"
+    told = list[PictureProgress]()
     grid = GridRequest(faces=",".join(studio.cast.faces), expressions="neutral,smile")
     run = studio.plan(grid, path)
     draw_run(studio, run, told.append, jobs=jobs)
@@ -63,14 +64,15 @@ def test_every_picture_is_written_with_its_sidecar(studio: PictureStudio, tmp_pa
 def test_a_run_goes_on_where_the_browser_ended(
     studio: PictureStudio, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    path, grid = tmp_path / "grid.png", GridRequest(faces=",".join(studio.cast.faces), expressions="neutral,smile")
+    path = tmp_path / "grid.png"
+    grid = GridRequest(faces=",".join(studio.cast.faces), expressions="neutral,smile")
     broken = false_browser(tmp_path, BROKEN).rename(tmp_path / "broken")
     monkeypatch.setenv("OMOTE_BROWSER", str(broken))
     with pytest.raises(BrowserError, match="browser"):
         draw_run(studio, studio.plan(grid, path), lambda _: None)
     left = studio.plan(grid, path)
     assert (len(left.waiting), path.exists()) == (4, False)
-    told: list[Progress] = []
+    told: list[PictureProgress] = []
     monkeypatch.setenv("OMOTE_BROWSER", str(false_browser(tmp_path)))
     draw_run(PictureStudio(), left, told.append)
     assert [progress.number for progress in told] == [3, 4, 5, 6]
@@ -78,7 +80,8 @@ def test_a_run_goes_on_where_the_browser_ended(
 
 
 def test_a_picture_without_its_sidecar_is_drawn_again(studio: PictureStudio, tmp_path: Path) -> None:
-    path, request = tmp_path / "a.png", RenderRequest(face=(next(iter(studio.cast.faces)),))
+    path = tmp_path / "a.png"
+    request = RenderRequest(face=(next(iter(studio.cast.faces)),))
     draw_run(studio, studio.plan(request, path), lambda _: None)
     assert studio.plan(request, path).complete
     sidecar_path(path).unlink()

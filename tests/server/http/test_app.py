@@ -5,8 +5,13 @@ import asyncio
 import pytest
 
 from omote.server.access.security import HEADERS
-from omote.show import messages as wire
+from omote.show.declaration import SPEECH_LIMIT
 from omote.show.messages import LINK_PATH
+from omote.show.objects.calls import CallFace
+from omote.show.objects.faders import SetChannel, SetGaze
+from omote.show.objects.link import Notice, Notices, Refused
+from omote.show.objects.stages import Crew, Drawing, StageReport
+from omote.show.objects.state import State
 from omote.show.wire import encode
 from tests.server.conftest import ShowHarness, answer, send_and_wait, state
 
@@ -15,8 +20,8 @@ pytestmark = pytest.mark.asyncio
 
 async def test_all_consoles_get_the_same_states(show_harness: ShowHarness) -> None:
     links = [await show_harness.link("console"), await show_harness.link("console"), await show_harness.link("stage")]
-    await send_and_wait(links[0], wire.CallFace("one", "1", "broad", 1.0, "smooth"))
-    await send_and_wait(links[1], wire.SetChannel("one", "jawOpen", 0.5))
+    await send_and_wait(links[0], CallFace("one", "1", "broad", 1.0, "smooth"))
+    await send_and_wait(links[1], SetChannel("one", "jawOpen", 0.5))
     for _ in range(30):
         show_harness.tick()
         states = [await state(link) for link in links]
@@ -29,7 +34,7 @@ async def test_all_consoles_get_the_same_states(show_harness: ShowHarness) -> No
 
 async def test_a_latecomer_needs_one_state(show_harness: ShowHarness) -> None:
     first = await show_harness.link()
-    await send_and_wait(first, wire.SetChannel("one", "smile", 1.5), wire.SetGaze("one", 0.2, 0.1))
+    await send_and_wait(first, SetChannel("one", "smile", 1.5), SetGaze("one", 0.2, 0.1))
     for _ in range(10):
         show_harness.tick()
     late = await show_harness.link("stage")
@@ -44,24 +49,25 @@ async def test_a_latecomer_needs_one_state(show_harness: ShowHarness) -> None:
 
 async def test_a_link_survives_everything_it_says_wrong(show_harness: ShowHarness) -> None:
     link = await show_harness.link()
-    for data in (b"", b"\xc1", b"\x91" * 1000, encode(wire.SetChannel("one", "jawOpen", float("nan")))):
+    for data in (b"", b"\xc1", b"\x91" * 1000, encode(SetChannel("one", "jawOpen", float("nan")))):
         await link.send_bytes(data)
-        assert isinstance(await answer(link), wire.Refused)
+        assert isinstance(await answer(link), Refused)
     await link.send_str("panic")
     refused = await answer(link)
-    assert isinstance(refused, wire.Refused)
+    assert isinstance(refused, Refused)
     assert "MessagePack" in refused.reason
-    await send_and_wait(link, wire.SetChannel("one", "jawOpen", 1.0))
+    await send_and_wait(link, SetChannel("one", "jawOpen", 1.0))
     show_harness.tick()
     assert (await state(link)).characters["one"].channels == {"jawOpen": 1.0}
 
 
 async def test_a_message_too_long_closes_its_link_and_no_other(show_harness: ShowHarness) -> None:
-    link, other = await show_harness.link(), await show_harness.link()
-    await link.send_bytes(bytes(wire.SPEECH_LIMIT + 1))
+    link = await show_harness.link()
+    other = await show_harness.link()
+    await link.send_bytes(bytes(SPEECH_LIMIT + 1))
     refused = await answer(link)
-    assert isinstance(refused, wire.Refused)
-    assert f"longer than {wire.SPEECH_LIMIT} bytes" in refused.reason
+    assert isinstance(refused, Refused)
+    assert f"longer than {SPEECH_LIMIT} bytes" in refused.reason
     closed = await link.receive()
     assert (closed.data, closed.extra) == (1009, refused.reason)  # message too big
     show_harness.tick()
@@ -69,32 +75,35 @@ async def test_a_message_too_long_closes_its_link_and_no_other(show_harness: Sho
 
 
 async def test_the_crew_is_broadcast(show_harness: ShowHarness) -> None:
-    stage, console = await show_harness.link("stage"), await show_harness.link("console")
-    await send_and_wait(stage, wire.Drawing(59.5, "low"))
+    stage = await show_harness.link("stage")
+    console = await show_harness.link("console")
+    await send_and_wait(stage, Drawing(59.5, "low"))
     show_harness.show.broadcast_crew()
-    assert await answer(stage) == await answer(console) == wire.Crew(stages=[wire.StageReport(59.5, "low")], consoles=1)
+    assert await answer(stage) == await answer(console) == Crew(stages=[StageReport(59.5, "low")], consoles=1)
 
 
 @pytest.mark.parametrize("code", [1000, 1001, 4000, None])
 async def test_a_stage_whose_link_breaks_is_told_from_one_whose_page_is_closed(
     show_harness: ShowHarness, code: int | None
 ) -> None:
-    stage, console = await show_harness.link("stage"), await show_harness.link("console")
+    stage = await show_harness.link("stage")
+    console = await show_harness.link("console")
     if code is None:
         next(iter(show_harness.show.links)).transport.abort()  # as one that has been behind for too long
     else:
         await stage.close(code=code)
     await send_and_wait(console)
     show_harness.show.broadcast_crew()
-    assert await answer(console) == wire.Crew(stages=[], consoles=1, lost=0 if code in (1000, 1001) else 1)
+    assert await answer(console) == Crew(stages=[], consoles=1, lost=0 if code in (1000, 1001) else 1)
 
 
 async def test_who_goes_is_gone(show_harness: ShowHarness) -> None:
-    stage, console = await show_harness.link("stage"), await show_harness.link("console")
+    stage = await show_harness.link("stage")
+    console = await show_harness.link("console")
     await stage.close()
     await send_and_wait(console)  # after an answer to the one that stayed, the other is out of the list
     show_harness.show.broadcast_crew()
-    assert await answer(console) == wire.Crew(stages=[], consoles=1)
+    assert await answer(console) == Crew(stages=[], consoles=1)
     assert len(show_harness.show.links) == 1
 
 
@@ -150,13 +159,14 @@ async def test_bad_requests_fill_no_terminal(show_harness: ShowHarness, caplog: 
 async def test_a_notice_reaches_consoles_at_once_and_again_and_late_ones_with_their_welcome(
     show_harness: ShowHarness,
 ) -> None:
-    first, stage = await show_harness.link(), await show_harness.link("stage")
-    notices = [wire.Notice("1", 1.7e9, "The show's process ended.")]
+    first = await show_harness.link()
+    stage = await show_harness.link("stage")
+    notices = [Notice("1", 1.7e9, "The show's process ended.")]
     show_harness.show.post(notices)
-    assert await answer(first) == wire.Notices(notices)
+    assert await answer(first) == Notices(notices)
     late = await show_harness.link()
-    assert await answer(late) == wire.Notices(notices)
+    assert await answer(late) == Notices(notices)
     show_harness.show.broadcast_notices()
-    assert [await answer(first), await answer(late)] == [wire.Notices(notices)] * 2
+    assert [await answer(first), await answer(late)] == [Notices(notices)] * 2
     show_harness.tick()
-    assert isinstance(await answer(stage), wire.State)  # and nothing else
+    assert isinstance(await answer(stage), State)  # and nothing else

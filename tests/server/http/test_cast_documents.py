@@ -12,7 +12,7 @@ from omote.server.http.cast_documents import CastDocuments, built_in_documents
 from omote.server.workers import order_worker as worker
 from omote.server.workers.order_worker import CompoundOrder
 from omote.server.workers.workshop import open_workshop
-from omote.show.messages import CompoundAsset, Manifest
+from omote.show.cast_documents import CompoundAsset, Manifest
 from omote.show.session import ShowSession
 from omote.show.wire import encode
 from tests.server.synthetic_server import MASK, meshes

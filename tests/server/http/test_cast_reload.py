@@ -12,8 +12,8 @@ from omote.model.space.expression import Expression
 from omote.model.space.face import Face
 from omote.server.http.cast_documents import CastDocuments
 from omote.server.http.cast_reload import CastReload, gather_cast
-from omote.show import messages as wire
-from omote.show.messages import Manifest
+from omote.show.cast_documents import Manifest
+from omote.show.objects.stages import CastChanged
 from omote.show.session import ShowSession
 from omote.showfile.changes import content_key
 from omote.showfile.contents import pack_expression, pack_face, unpack_expression
@@ -39,7 +39,7 @@ class Show:
         self.contents[content_key(data)] = data
         return Own(kind, name, name.title(), (), 1.0, content_key(data))  # type: ignore[arg-type]
 
-    def recast(self, *own: Own, contents: Mapping[str, bytes] | None = None) -> wire.CastChanged:
+    def recast(self, *own: Own, contents: Mapping[str, bytes] | None = None) -> CastChanged:
         """Plays these."""
         return asyncio.run(self.cast_reload.recast(own, self.contents if contents is None else contents))
 

@@ -13,7 +13,7 @@ from omote.model.cast import Cast
 from omote.server.http.cast_documents import CastDocuments
 from omote.server.http.document_routes import CACHE_FOREVER
 from omote.server.workers.workshop import FailedOrderError
-from omote.show.messages import CompoundAsset, ContentAsset, FaceAsset, Manifest
+from omote.show.cast_documents import CompoundAsset, ContentAsset, FaceAsset, Manifest
 from omote.showfile.changes import content_key
 from omote.showfile.contents import pack_face
 from omote.stage_data.assets import compound_asset, rest_positions
@@ -90,7 +90,8 @@ async def test_a_compound_that_cannot_be_computed_now_may_be_asked_for_again(
 async def test_a_compound_that_is_being_computed_holds_up_no_state(
     show_harness: ShowHarness, cast: Cast, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    link, documents = await show_harness.link(), show_harness.show.documents
+    link = await show_harness.link()
+    documents = show_harness.show.documents
     waiting: list[str] = []
 
     async def slow(self: CastDocuments, face: str, expression: str) -> bytes:

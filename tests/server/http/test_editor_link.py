@@ -17,10 +17,17 @@ from omote.edit.protocol.wire import decode_answer
 from omote.model.cast import Cast
 from omote.server.http.cast_documents import CastDocuments
 from omote.server.workers.workshop import RefusedOrderError
-from omote.show import messages as wire
-from omote.show.messages import CompoundAsset, ContentAsset, Manifest
+from omote.show.cast_documents import CompoundAsset, ContentAsset, Manifest
+from omote.show.declaration import ClientMessage
+from omote.show.objects.calls import CallExpression, CallFace
+from omote.show.objects.faders import SetChannel
+from omote.show.objects.items import DeleteItem, ItemChanged, KeepExpression, KeepFace, Kept, RestoreItem
+from omote.show.objects.layouts import DropLayout, Layout, Layouts, RenameLayout, SetLayout
+from omote.show.objects.link import Notice, Notices, Ping, Pong, Refused
+from omote.show.objects.stages import CastChanged
+from omote.show.objects.state import State
 from omote.show.wire import encode
-from omote.showfile.changes import Change, PutRevision
+from omote.showfile.changes import Change, Revision
 from omote.showfile.show_file import ShowFile, open_show
 from omote.stage_data.assets import rest_positions
 from tests.compound_assets import unpack_compound
@@ -58,9 +65,11 @@ async def saved(page: Editor, label: str = "Grin") -> Any:
 async def test_a_dragged_point_lies_where_it_was_put_and_plays_once_it_is_saved(
     edit_harness: EditHarness, cast: Cast
 ) -> None:
-    page, console = await edit_harness.editor(), await edit_harness.link()
+    page = await edit_harness.editor()
+    console = await edit_harness.link()
     draft = await page.ask(editing.CreateExpression, "Crooked smile", {"smile": 0.5}, False)
-    place, row = 20, draft.recipe.net[20]
+    place = 20
+    row = draft.recipe.net[20]
     target = (await shown(edit_harness, cast, "long", draft.content))[row] + [0.001, 0.002, 0.0]
     moved = await page.ask(
         editing.DragPoints, draft.item, "long", [place], [tuple(target.tolist())], list(draft.recipe.vectors)
@@ -71,12 +80,12 @@ async def test_a_dragged_point_lies_where_it_was_put_and_plays_once_it_is_saved(
     done = await page.ask(editing.Save, draft.item, "first")
     assert (done.revision, done.aside) == (1, False)
     changed = await answer(console)
-    assert isinstance(changed, wire.CastChanged)
+    assert isinstance(changed, CastChanged)
     now = await manifest(edit_harness)
     assert (now.base, now.digest) == (cast.digest, changed.digest)
     own = now.expressions[-1]
     assert (own.name, own.label, own.kind, own.source) == ("crooked_smile", "Crooked smile", "own", moved.content)
-    await send_and_wait(console, wire.CallExpression("one", "1", own.name, 0.0, "smooth"))
+    await send_and_wait(console, CallExpression("one", "1", own.name, 0.0, "smooth"))
     edit_harness.tick()
     seen = await state(console)
     assert (seen.characters["one"].expressions, seen.revision) == ({own.name: 1.0}, changed.revision)
@@ -86,7 +95,8 @@ async def test_what_is_acknowledged_is_in_the_file(edit_harness: EditHarness) ->
     page = await edit_harness.editor()
     draft = await saved(page)
     file = open_show(edit_harness.path)
-    stored, contents = file.stored(), file.contents()
+    stored = file.stored()
+    contents = file.contents()
     file.close()
     assert [(item.label, item.head) for item in stored.items] == [("Grin", 1)]
     assert stored.revisions[0].content == draft.content.removeprefix("#")
@@ -96,13 +106,12 @@ async def test_what_is_acknowledged_is_in_the_file(edit_harness: EditHarness) ->
 async def test_a_show_that_starts_again_has_own_things_on_air(cast: Cast, tmp_path: Path) -> None:
     path = tmp_path / "a.omote"
     async with open_edit_harness(cast, path) as first:
-        page, console = await first.editor(), await first.link()
+        page = await first.editor()
+        console = await first.link()
         await saved(page)
         face = await page.ask(editing.CreateFace, "Cousin", {"broad": 0.5, "long": 0.5}, False)
         await page.ask(editing.Save, face.item, "")
-        await wait_until_obeyed(
-            console, wire.CallFace("one", "1", "cousin", 0.0, "smooth"), wire.SetChannel("one", "grin", 0.5)
-        )
+        await wait_until_obeyed(console, CallFace("one", "1", "cousin", 0.0, "smooth"), SetChannel("one", "grin", 0.5))
         first.tick()
         digest = (await manifest(first)).digest
     async with open_edit_harness(cast, path) as second:
@@ -114,12 +123,12 @@ async def test_a_show_that_starts_again_has_own_things_on_air(cast: Cast, tmp_pa
         assert second.said == []
 
 
-async def wait_until_obeyed(console: Any, *messages: wire.FromClient) -> None:
+async def wait_until_obeyed(console: Any, *messages: ClientMessage) -> None:
     """Sends messages and waits until the server has heard them all, whatever it says before."""
-    for message in (*messages, wire.Ping(1.0)):
+    for message in (*messages, Ping(1.0)):
         await console.send_bytes(encode(message))
-    while not isinstance(said := await answer(console), wire.Pong):
-        assert isinstance(said, wire.CastChanged | wire.State)
+    while not isinstance(said := await answer(console), Pong):
+        assert isinstance(said, CastChanged | State)
 
 
 async def test_an_own_face_is_served_by_its_content_and_is_in_the_cast_once_saved(
@@ -142,43 +151,43 @@ async def test_an_own_face_is_served_by_its_content_and_is_in_the_cast_once_save
 
 async def test_a_console_keeps_what_is_on_air(edit_harness: EditHarness) -> None:
     console = await edit_harness.link()
-    await send_and_wait(
-        console, wire.CallFace("one", "1", "broad", 2.0, "smooth"), wire.SetChannel("one", "jawOpen", 0.25)
-    )
+    await send_and_wait(console, CallFace("one", "1", "broad", 2.0, "smooth"), SetChannel("one", "jawOpen", 0.25))
     for _ in range(60):
         edit_harness.tick()
-    await console.send_bytes(encode(wire.KeepFace("one", "k")))
-    await console.send_bytes(encode(wire.KeepFace("one", "k")))  # a bouncing key
-    await console.send_bytes(encode(wire.KeepExpression("one", "l")))
-    kept: list[wire.Kept] = []
+    await console.send_bytes(encode(KeepFace("one", "k")))
+    await console.send_bytes(encode(KeepFace("one", "k")))  # a bouncing key
+    await console.send_bytes(encode(KeepExpression("one", "l")))
+    kept: list[Kept] = []
     while len(kept) < 2:
         said = await answer(console)
-        kept += [said] if isinstance(said, wire.Kept) else []
+        kept += [said] if isinstance(said, Kept) else []
     assert [each.id for each in kept] == ["k", "l"]
     now = await manifest(edit_harness)
     assert [now.faces[-1].name, now.expressions[-1].name] == [each.name for each in kept]
     assert [now.faces[-1].label, now.expressions[-1].label] == [each.label for each in kept]
-    for number, (asked, shown) in enumerate(((wire.DeleteItem, False), (wire.RestoreItem, True))):
+    for number, (asked, shown) in enumerate(((DeleteItem, False), (RestoreItem, True))):
         await console.send_bytes(encode(asked(f"m{number}", "face", kept[0].name)))
         said = await answer(console)
-        while not isinstance(said, wire.ItemChanged):
+        while not isinstance(said, ItemChanged):
             said = await answer(console)
-        assert said == wire.ItemChanged(f"m{number}", kept[0].label, kept[0].label)
+        assert said == ItemChanged(f"m{number}", kept[0].label, kept[0].label)
         assert (kept[0].name in [face.name for face in (await manifest(edit_harness)).faces]) is shown
-    await console.send_bytes(encode(wire.DeleteItem("n", "face", "nobody")))
-    while not isinstance(said, wire.Refused):
+    await console.send_bytes(encode(DeleteItem("n", "face", "nobody")))
+    while not isinstance(said, Refused):
         said = await answer(console)
     assert said.id == "n"
 
 
 async def test_two_editors_hear_of_each_other_and_the_second_is_told(edit_harness: EditHarness) -> None:
-    ada, bea = await edit_harness.editor("a", "Ada"), await edit_harness.editor("b", "Bea")
+    ada = await edit_harness.editor("a", "Ada")
+    bea = await edit_harness.editor("b", "Bea")
     draft = await saved(ada)
     for page in (ada, bea):
         await page.ask(editing.OpenItem, draft.item)
         vectors = [(0.0, 0.001 if page is ada else 0.002, 1.0)] * len(draft.recipe.net)
         await page.ask(editing.SetVectors, draft.item, vectors, "up")
-    first, second = await ada.ask(editing.Save, draft.item, ""), await bea.ask(editing.Save, draft.item, "")
+    first = await ada.ask(editing.Save, draft.item, "")
+    second = await bea.ask(editing.Save, draft.item, "")
     assert (first.revision, first.aside, second.revision, second.head, second.aside) == (2, False, 3, 2, True)
     assert "Ada saved" in second.sentence
 
@@ -223,9 +232,9 @@ async def test_only_our_own_pages_may_edit(edit_harness: EditHarness, origin: st
 async def test_without_a_file_an_editor_is_told_that_nothing_can_be_kept(show_harness: ShowHarness) -> None:
     assert (await show_harness.client.get("/layouts/desk")).status == 204
     console = await show_harness.link()
-    await console.send_bytes(encode(wire.KeepFace("one", "k")))
+    await console.send_bytes(encode(KeepFace("one", "k")))
     said = await answer(console)
-    assert isinstance(said, wire.Refused)
+    assert isinstance(said, Refused)
     assert "no show file that can be written" in said.reason
 
 
@@ -237,30 +246,33 @@ async def test_an_editor_of_a_show_without_a_file_is_told(cast: Cast) -> None:
         assert isinstance(refused, editing.EditRefused)
         assert "no show file that can be written" in refused.reason
         console = await edit_harness.link()
-        await console.send_bytes(encode(wire.SetLayout("desk", "1")))
-        assert isinstance(await answer(console), wire.Refused)
+        await console.send_bytes(encode(SetLayout("desk", LAYOUT)))
+        assert isinstance(await answer(console), Refused)
+
+
+LAYOUT = Layout(2, {"face": {"seconds": 2.0, "easing": "smooth"}}, "own", "brows", linked=True).encode().decode()
 
 
 async def test_a_page_finds_its_layout_again_and_all_consoles_hear_which_there_are(edit_harness: EditHarness) -> None:
-    console, other = await edit_harness.link(), await edit_harness.link()
-    document = '{"order": ["smile"]}'
+    console = await edit_harness.link()
+    other = await edit_harness.link()
     for message, there in [
-        (wire.SetLayout("desk", document), ["desk"]),
-        (wire.RenameLayout("desk", "left"), ["left"]),
-        (wire.SetLayout("right", "1"), ["left", "right"]),
-        (wire.DropLayout("right"), ["left"]),
+        (SetLayout("desk", LAYOUT), ["desk"]),
+        (RenameLayout("desk", "left"), ["left"]),
+        (SetLayout("right", LAYOUT), ["left", "right"]),
+        (DropLayout("right"), ["left"]),
     ]:
         await console.send_bytes(encode(message))
-        assert await answer(console) == await answer(other) == wire.Layouts(there)
-    await console.send_bytes(encode(wire.SetLayout("desk 2", "{no JSON")))
+        assert await answer(console) == await answer(other) == Layouts(there)
+    await console.send_bytes(encode(SetLayout("desk 2", "{no JSON")))
     said = await answer(console)
-    assert isinstance(said, wire.Refused)
+    assert isinstance(said, Refused)
     assert "desk 2" in said.reason
     response = await edit_harness.client.get("/layouts/left")
-    assert (response.content_type, await response.text()) == ("application/json", document)
+    assert (response.content_type, await response.text()) == ("application/json", LAYOUT)
     assert (await edit_harness.client.get("/layouts/desk")).status == 204
     late = await edit_harness.link()
-    assert await answer(late) == wire.Layouts(["left"])
+    assert await answer(late) == Layouts(["left"])
 
 
 async def test_an_edit_that_the_file_refuses_is_undone_for_everybody(
@@ -271,7 +283,7 @@ async def test_an_edit_that_the_file_refuses_is_undone_for_everybody(
     apply = ShowFile.apply
 
     def refuse(self: ShowFile, changes: tuple[Change, ...]) -> None:
-        if any(isinstance(change, PutRevision) for change in changes):
+        if any(isinstance(change, Revision) for change in changes):
             raise ValueError("no room")
         apply(self, changes)
 
@@ -295,7 +307,8 @@ async def test_while_the_disk_fails_editors_are_told_and_nothing_is_acknowledged
 ) -> None:
     page = await edit_harness.editor()
     draft = await saved(page)
-    apply, left = ShowFile.apply, [1]
+    apply = ShowFile.apply
+    left = [1]
 
     def fail_once(self: ShowFile, changes: tuple[Change, ...]) -> None:
         if left[0]:
@@ -320,7 +333,7 @@ async def test_what_was_called_since_the_last_tick_cannot_be_deleted(edit_harnes
     draft = await saved(page)
     console = await edit_harness.link()
     edit_harness.tick()
-    await wait_until_obeyed(console, wire.CallExpression("one", "1", "grin", 1.0, "smooth"))
+    await wait_until_obeyed(console, CallExpression("one", "1", "grin", 1.0, "smooth"))
     refused = await page.ask(editing.Delete, draft.item)
     assert isinstance(refused, editing.EditRefused)
     assert "is on air or coming" in refused.reason
@@ -328,8 +341,8 @@ async def test_what_was_called_since_the_last_tick_cannot_be_deleted(edit_harnes
 
 async def test_editors_are_told_what_the_crew_must_know(edit_harness: EditHarness) -> None:
     early = await edit_harness.editor("a", "Ann")
-    notices = [wire.Notice("1", 1.7e9, "The show file was recovered.")]
+    notices = [Notice("1", 1.7e9, "The show file was recovered.")]
     edit_harness.show.post(notices)
-    assert await early.next(wire.Notices) == wire.Notices(notices)
+    assert await early.next(Notices) == Notices(notices)
     late = await edit_harness.editor("b", "Bob")
-    assert await late.next(wire.Notices) == wire.Notices(notices)
+    assert await late.next(Notices) == Notices(notices)

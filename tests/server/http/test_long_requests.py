@@ -6,13 +6,14 @@ import pytest
 
 from omote.server.http.long_requests import CancelledRequestError, LongRequests
 from omote.server.workers.job_server import Follow
-from omote.show.messages import Progress
+from omote.show.objects.link import Progress
 
 pytestmark = pytest.mark.asyncio
 
 
 async def test_progress_goes_to_the_pages_under_the_id_of_the_request_and_the_newest_always_comes() -> None:
-    told, last = list[Progress](), asyncio.Event()
+    told = list[Progress]()
+    last = asyncio.Event()
 
     def tell(progress: Progress) -> None:
         told.append(progress)
@@ -33,7 +34,9 @@ async def test_progress_goes_to_the_pages_under_the_id_of_the_request_and_the_ne
 
 
 async def test_a_cancelled_request_ends_and_others_go_on() -> None:
-    requests, begun, end = LongRequests(lambda _: None), asyncio.Event(), asyncio.Event()
+    requests = LongRequests(lambda _: None)
+    begun = asyncio.Event()
+    end = asyncio.Event()
 
     async def work(_: Follow) -> str:
         begun.set()
@@ -55,8 +58,10 @@ async def test_a_cancelled_request_ends_and_others_go_on() -> None:
 
 
 async def test_jobs_of_one_kind_take_turns_and_a_page_reads_for_what_it_waits() -> None:
-    requests, told = LongRequests(lambda _: None), list[str]()
-    begun, end = asyncio.Event(), asyncio.Event()
+    requests = LongRequests(lambda _: None)
+    told = list[str]()
+    begun = asyncio.Event()
+    end = asyncio.Event()
     running = list[str]()
 
     def follow(_done: int, _total: int, what: str) -> None:

@@ -10,7 +10,7 @@ import pytest
 import pytest_asyncio
 from aiohttp.test_utils import TestClient, TestServer
 
-from omote.inputs.oscquery_tree import build_tree
+from omote.inputs.oscquery_tree import build_addresses
 from omote.model.cast import Cast
 from omote.server.access.security import own_names
 from omote.server.http.app import ShowServer
@@ -71,7 +71,7 @@ async def test_npm_oscquery_reads_the_whole_tree(harness: ShowHarness) -> None:
 
 
 async def test_a_node_one_attribute_and_what_is_not_there(harness: ShowHarness, cast: Cast) -> None:
-    assert await read(harness, "/") == build_tree(cast, None, ["one"])
+    assert await read(harness, "/") == build_addresses(cast, ["one"])
     harness.tick()
     assert (await read(harness, "/omote/one/face"))["TYPE"] == "s"
     assert await read(harness, "/omote/one/fade/face?VALUE") == {"VALUE": [0.0]}

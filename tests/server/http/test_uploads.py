@@ -14,7 +14,7 @@ from omote.server.http import uploads
 from omote.server.http.uploads import CANCELLED, Uploads, plan_upload
 from omote.server.workers.file_jobs import Imported, ImportFile, bring_items
 from omote.server.workers.job_server import Follow, JobError
-from omote.show import messages as wire
+from omote.show.objects.link import Cancel, Progress
 from omote.show.wire import encode
 from omote.showfile.changes import Stored
 from omote.showfile.show_file import open_show
@@ -108,16 +108,17 @@ async def test_a_file_that_brings_nothing_is_told_and_changes_nothing(edit_harne
 @pytest.mark.asyncio
 async def test_an_import_tells_its_progress_and_a_page_ends_it(edit_harness: EditHarness, page: str) -> None:
     use_false_job(edit_harness)
-    console, editor = await edit_harness.link(), await edit_harness.editor()
+    console = await edit_harness.link()
+    editor = await edit_harness.editor()
     sent = asyncio.create_task(post(edit_harness, "grin.json?request=mine", b"endless"))
-    smiling = wire.Progress("mine", 0, 2, "Smile")
-    while await editor.next(wire.Progress) != smiling:
+    smiling = Progress("mine", 0, 2, "Smile")
+    while await editor.next(Progress) != smiling:
         pass
     while await answer(console) != smiling:
         pass
     link = console if page == "console" else editor.socket
-    await link.send_bytes(encode(wire.Cancel("nobody's")))
-    await link.send_bytes(encode(wire.Cancel("mine")))
+    await link.send_bytes(encode(Cancel("nobody's")))
+    await link.send_bytes(encode(Cancel("mine")))
     assert await sent == (CANCELLED, "")
     assert not stored_in(edit_harness.path).items
     status, _ = await post(edit_harness, "grin.json?request=mine", letter(edit_harness.show.documents.cast, Stored()))

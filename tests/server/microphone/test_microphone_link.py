@@ -12,7 +12,6 @@ from aiohttp.test_utils import TestClient, TestServer
 from omote.inputs.microphone.microphone_messages import LONGEST_MESSAGE, Begin, Rejected, Sound, ToMicrophone, Voice
 from omote.server.access.access_guard import VISITOR
 from omote.server.microphone.microphone_link import MicrophoneLink
-from omote.show.access.access_documents import REVOKED_CODE
 from omote.show.access.people_list import ANYBODY
 from tests.inputs.microphone.voices import pcm, vowel
 from tests.server.conftest import ShowHarness
@@ -22,22 +21,9 @@ Client = TestClient[web.Request, web.Application]
 _DECODER = msgspec.msgpack.Decoder(ToMicrophone)
 
 
-class Guest:
-    """Whether the one who came in may stay."""
-
-    stays = True
-
-
-@pytest.fixture
-def guest() -> Guest:
-    return Guest()
-
-
 @pytest_asyncio.fixture
-async def link(show_harness: ShowHarness, guest: Guest) -> AsyncIterator[MicrophoneLink]:
-    made = MicrophoneLink(
-        lambda: show_harness.show.session, show_harness.clock, holds=lambda visitor: visitor is ANYBODY and guest.stays
-    )
+async def link(show_harness: ShowHarness) -> AsyncIterator[MicrophoneLink]:
+    made = MicrophoneLink(lambda: show_harness.show.session, show_harness.clock)
     show_harness.show.sources.append(made)
     yield made
     await made.close()
@@ -86,21 +72,6 @@ async def test_a_message_that_is_too_long_ends_the_link(sender: Client) -> None:
         told = _DECODER.decode(await socket.receive_bytes())
         assert isinstance(told, Rejected)
         assert (await socket.receive()).type is WSMsgType.CLOSE
-
-
-async def test_a_token_that_ends_ends_the_link(
-    show_harness: ShowHarness, link: MicrophoneLink, sender: Client, guest: Guest
-) -> None:
-    async with sender.ws_connect("/voice") as socket:
-        await socket.send_bytes(msgspec.msgpack.encode(Begin("Anna")))
-        await tick_until(show_harness, link, 1)
-        guest.stays = False
-        message = None
-        while message is None or message.type is WSMsgType.BINARY:
-            show_harness.clock.now += 1.0
-            show_harness.tick()
-            message = await socket.receive()
-        assert (message.type, message.data) == (WSMsgType.CLOSE, REVOKED_CODE)
 
 
 async def test_what_is_rejected_of_a_page_that_has_gone_stops_no_tick(

@@ -9,18 +9,7 @@ from omote.model.cast import Cast
 from omote.server.persistence.authored_work import open_authored_work
 from omote.server.persistence.commit_thread import CommitOutcome
 from omote.server.workers.order_worker import OrderWorker
-from omote.showfile.changes import (
-    Change,
-    DropPerformer,
-    Item,
-    PutContent,
-    PutItem,
-    PutLayout,
-    PutPerformer,
-    PutRevision,
-    Revision,
-    content_key,
-)
+from omote.showfile.changes import Change, Content, DocumentRemoval, Item, Revision, StoredDocument, content_key
 from omote.showfile.contents import pack_expression
 from omote.showfile.database_errors import DamageError
 from omote.showfile.show_file import ShowFile, open_show
@@ -37,10 +26,11 @@ class FakeCommitter:
 
 
 def test_the_authored_work_is_what_the_file_has(cast: Cast, tmp_path: Path) -> None:
-    show, data = open_show(tmp_path / "a.omote"), pack_expression(cast.expressions["smile"])
+    show = open_show(tmp_path / "a.omote")
+    data = pack_expression(cast.expressions["smile"])
     revision = Revision(1, 1, 0, b'{"kind":"expression","net":[],"vectors":[]}', content_key(data), 1.0, "Ada")
     item = Item(1, "expression", "grin", "Grin", place=1.0, head=1)
-    show.apply((PutContent(content_key(data), data), PutItem(item), PutRevision(revision), PutLayout("desk", b"1")))
+    show.apply((Content(content_key(data), data), item, revision, StoredDocument("layout", "desk", b"1")))
     said: list[str] = []
     authored_work = open_authored_work(show, FakeCommitter(), OrderWorker(cast), said.append)
     assert authored_work is not None
@@ -48,7 +38,7 @@ def test_the_authored_work_is_what_the_file_has(cast: Cast, tmp_path: Path) -> N
         ("grin", "Grin", content_key(data))
     ]
     assert authored_work.session.contents[content_key(data)] == data
-    assert (authored_work.layouts, said) == ({"desk": b"1"}, [])
+    assert (authored_work.documents("layout"), said) == ({"desk": b"1"}, [])
     assert authored_work.session.show == show.identity()
     show.close()
 
@@ -79,12 +69,12 @@ def test_performers_are_kept_and_dropped_together(cast: Cast, tmp_path: Path) ->
     made: list[tuple[Change, ...]] = []
     said: list[str] = []
     show = open_show(tmp_path / "a.omote")
-    show.apply((PutPerformer("Ada", b"1"),))
+    show.apply((StoredDocument("performer", "Ada", b"1"),))
     work = open_authored_work(show, Refusing(), OrderWorker(cast), said.append)
     assert work is not None
-    assert work.performers == {"Ada": b"1"}
-    work.keep_performers({"Bo": b"1"}, ["Ada"], said.append)
-    assert work.performers == {"Bo": b"1"}
-    assert made == [(DropPerformer("Ada"), PutPerformer("Bo", b"1"))]
-    assert said == ["a performer's calibration is not kept: the disk is full"]
+    assert work.documents("performer") == {"Ada": b"1"}
+    work.keep_documents("performer", {"Bo": b"1"}, ["Ada"], said.append)
+    assert work.documents("performer") == {"Bo": b"1"}
+    assert made == [(DocumentRemoval("performer", "Ada"), StoredDocument("performer", "Bo", b"1"))]
+    assert said == ["a change of performer documents is not kept: the disk is full"]
     show.close()

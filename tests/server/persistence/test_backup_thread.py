@@ -10,7 +10,7 @@ import pytest
 
 from omote.server.persistence.backup_thread import BACKUP_SECONDS, FIRST_SECONDS, BackupThread
 from omote.showfile.backup import back_up, backup_paths
-from omote.showfile.changes import PutLayout
+from omote.showfile.changes import StoredDocument
 from omote.showfile.integrity import open_read_only, verify_integrity
 from omote.showfile.show_file import JournalEntry, ShowFile, open_show
 
@@ -25,7 +25,7 @@ def said() -> list[str]:
 
 def commit(show: ShowFile, name: object) -> None:
     """A change that is told apart by its name."""
-    show.apply([PutLayout(str(name), b"{}")])
+    show.apply([StoredDocument("layout", str(name), b"{}")])
 
 
 def layouts_in(path: Path) -> set[str]:
@@ -34,7 +34,7 @@ def layouts_in(path: Path) -> set[str]:
         return set()
     verify_integrity(path)
     with closing(open_read_only(path)) as connection:
-        return {name for (name,) in connection.execute("SELECT name FROM layout")}
+        return {name for (name,) in connection.execute("SELECT name FROM document")}
 
 
 def until(true: Callable[[], bool]) -> None:
@@ -65,7 +65,8 @@ def test_the_loss_is_at_most_a_minute() -> None:
 def test_backups_are_made_although_nobody_ever_pauses(tmp_path: Path, said: list[str]) -> None:
     show = open_show(tmp_path / "a.omote")
     thread = BackupThread(show.again(), said.append, first_seconds=OFTEN, backup_seconds=OFTEN)
-    newest, seen = backup_paths(show.path)[0], set[int]()
+    newest = backup_paths(show.path)[0]
+    seen = set[int]()
     for number in range(30_000):
         commit(show, number)
         seen.add(len(layouts_in(newest)))
@@ -73,7 +74,7 @@ def test_backups_are_made_although_nobody_ever_pauses(tmp_path: Path, said: list
             break
     assert len(seen) > 5
     thread.close()
-    assert layouts_in(newest) == set(show.stored().layouts)
+    assert layouts_in(newest) == set(show.stored().documents.get("layout", {}))
     show.close()
     assert said == []
 
@@ -139,21 +140,21 @@ def test_a_damaged_file_is_said_once_and_its_backup_stays(tmp_path: Path, said: 
     until(newest.exists)
     assert thread.damage == ""
     with closing(sqlite3.connect(show.path)) as other:
-        other.execute("UPDATE layout SET document = x'00'")
+        other.execute("UPDATE document SET body = x'00'")
         other.commit()
     until(lambda: bool(said))
     for number in range(3):
         commit(show, number)
-    assert thread.damage.endswith("a.omote is damaged: its layout early is damaged.")
+    assert thread.damage.endswith("a.omote is damaged: its document layout, early is damaged.")
     with closing(sqlite3.connect(show.path)) as other:
-        other.execute("DELETE FROM layout WHERE name = 'early'")
+        other.execute("DELETE FROM document WHERE name = 'early'")
         other.commit()
     until(lambda: not thread.damage)
     thread.close()
     show.close()
     assert layouts_in(newest) == {"0", "1", "2"}
     assert said == [
-        f"{show.path} is damaged: its layout early is damaged. "
+        f"{show.path} is damaged: its document layout, early is damaged. "
         "The show goes on, but edits are not kept: start it again to open its good copy."
     ]
 

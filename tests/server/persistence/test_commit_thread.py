@@ -11,7 +11,7 @@ import pytest
 from benchmarks.saving import Reference, check, kill_writer
 from omote.server.persistence.backup_thread import BackupThread
 from omote.server.persistence.commit_thread import CommitOutcome, CommitThread
-from omote.showfile.changes import Change, PutLayout
+from omote.showfile.changes import Change, StoredDocument
 from omote.showfile.database_errors import WrongRowError
 from omote.showfile.show_file import JournalEntry, ShowFile, open_show
 
@@ -26,10 +26,11 @@ class Disk:
     def __init__(self) -> None:
         self.written: list[str] = []
         self.broken: Exception | None = None
-        self.free, self.reached = threading.Event(), threading.Event()
+        self.free = threading.Event()
+        self.reached = threading.Event()
         self.free.set()
 
-    def apply(self, changes: tuple[PutLayout, ...]) -> None:
+    def apply(self, changes: tuple[StoredDocument, ...]) -> None:
         self.reached.set()
         self.free.wait()
         if self.broken is not None:
@@ -42,7 +43,7 @@ class Disk:
 
 def layout(name: object) -> list[Change]:
     """A change that is told apart by its name."""
-    return [PutLayout(str(name), b"{}")]
+    return [StoredDocument("layout", str(name), b"{}")]
 
 
 class Author:
@@ -69,7 +70,7 @@ def test_what_is_told_to_be_committed_is_there_for_others(tmp_path: Path) -> Non
     for number in range(20):
         author.commit(number)
         assert author.next() == (number, COMMITTED)
-        assert str(number) in show.stored().layouts
+        assert str(number) in show.stored().documents.get("layout", {})
     author.scribe.close()
     show.close()
     assert author.said == []
@@ -169,14 +170,15 @@ def test_nothing_is_committed_to_a_file_that_a_backup_found_damaged(tmp_path: Pa
     author = Author(show.again(), backup=backup)
     author.commit("a")
     assert author.next() == ("a", COMMITTED)
-    show._connection.execute("UPDATE layout SET document = x'00' WHERE name = 'early'")
+    show._connection.execute("UPDATE document SET body = x'00' WHERE name = 'early'")
     show._connection.commit()
     backup.close()
     author.commit("b")
     name, fate = author.next()
     assert (name, fate.state) == ("b", "refused")
     assert fate.sentence.endswith(
-        "a.omote is damaged: its layout early is damaged. This is not kept: start the show again, and repeat it."
+        "a.omote is damaged: its document layout, early is damaged. This is not kept: start the show again, and "
+        "repeat it."
     )
     author.scribe.close()
     show.close()
@@ -186,7 +188,8 @@ def test_nothing_is_committed_to_a_file_that_a_backup_found_damaged(tmp_path: Pa
 def test_the_journal_and_the_scribe_share_the_file(tmp_path: Path) -> None:
     """Both write as fast as they can, and a third flushes: nothing of either is lost."""
     show = open_show(tmp_path / "a.omote")
-    author, flusher = Author(show.again()), show.again()
+    author = Author(show.again())
+    flusher = show.again()
     for number in range(150):
         author.commit(number)
         show.write_journal(JournalEntry(number + 1, 0.0, bytes(2000)))
@@ -197,7 +200,7 @@ def test_the_journal_and_the_scribe_share_the_file(tmp_path: Path) -> None:
     show.close()
     again = open_show(tmp_path / "a.omote")
     assert again.journal().epoch == 150
-    assert len(again.stored().layouts) == 150
+    assert len(again.stored().documents.get("layout", {})) == 150
     again.close()
     assert author.said == []
 

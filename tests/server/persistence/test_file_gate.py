@@ -9,7 +9,8 @@ from omote.server.persistence.file_gate import FileGate
 
 
 def test_many_are_inside_at_once() -> None:
-    gate, inside = FileGate(), threading.Barrier(4, timeout=60.0)
+    gate = FileGate()
+    inside = threading.Barrier(4, timeout=60.0)
 
     def use() -> None:
         with gate:
@@ -21,7 +22,9 @@ def test_many_are_inside_at_once() -> None:
 
 
 def test_whoever_is_alone_meets_nobody() -> None:
-    gate, users, met = FileGate(), list[int](), list[int]()
+    gate = FileGate()
+    users = list[int]()
+    met = list[int]()
 
     def use(number: int) -> None:
         for _ in range(200):

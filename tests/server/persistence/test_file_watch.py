@@ -18,7 +18,7 @@ from omote.server.persistence.journal import JournalWriter
 from omote.server.persistence.lock import ShowLockedError, take_lock
 from omote.server.process.notice_board import LONGEST_NOTICE
 from omote.showfile.backup import backup_paths
-from omote.showfile.changes import PutLayout
+from omote.showfile.changes import StoredDocument
 from omote.showfile.show_file import JournalEntry, open_show
 
 OFTEN = 1e-3
@@ -44,7 +44,8 @@ class Playing:
     outcomes: SimpleQueue[CommitOutcome] = field(default_factory=SimpleQueue)
 
     def __post_init__(self) -> None:
-        file, gate = open_show(self.path), FileGate()
+        file = open_show(self.path)
+        gate = FileGate()
         self.backup = BackupThread(file.again(), self.said.append, gate, first_seconds=OFTEN, backup_seconds=OFTEN)
         self.committer = CommitThread(file.again(), self.said.append, self.backup, gate)
         self.journal = JournalWriter(file, self.said.append, gate, flush_seconds=OFTEN)
@@ -52,7 +53,7 @@ class Playing:
 
     def commit(self, name: str) -> None:
         """Commits a layout, and waits until that is acknowledged."""
-        self.committer.commit([PutLayout(name, b"{}")], self.outcomes.put)
+        self.committer.commit([StoredDocument("layout", name, b"{}")], self.outcomes.put)
         assert self.outcomes.get(timeout=60.0) == CommitOutcome("committed")
 
     def close(self) -> None:
@@ -72,7 +73,7 @@ def playing(tmp_path: Path) -> Iterator[Playing]:
 def layouts(path: Path) -> set[str]:
     """What a file holds for whoever opens it."""
     show = open_show(path)
-    found = set(show.stored().layouts)
+    found = set(show.stored().documents.get("layout", {}))
     show.close()
     return found
 

@@ -16,18 +16,7 @@ from omote.model.recipes.recipe import KEY, FaceRecipe
 from omote.model.space.face import Face
 from omote.server.persistence.forget_face import forget_faces
 from omote.showfile.backup import back_up, backup_paths
-from omote.showfile.changes import (
-    Draft,
-    Edit,
-    PutContent,
-    PutDraft,
-    PutEdit,
-    PutItem,
-    PutLayout,
-    PutRevision,
-    Stored,
-    content_key,
-)
+from omote.showfile.changes import Content, Draft, Edit, Stored, StoredDocument, content_key
 from omote.showfile.contents import pack_face
 from omote.showfile.inspection import inspect_show, verdicts
 from omote.showfile.schema import ShowFileError
@@ -52,9 +41,9 @@ def make_show(folder: Path) -> tuple[Path, bytes]:
     (made,) = [each for each in show.stored().revisions if each.item == 2]
     show.apply(
         [
-            PutDraft(Draft(2, "ada", 1, 0)),
-            PutEdit(Edit(2, "ada", 0, made.recipe, "drawn by hand")),
-            PutLayout("console", b'{"rows":["smile"]}'),
+            Draft(2, "ada", 1, 0),
+            Edit(2, "ada", 0, made.recipe, "drawn by hand"),
+            StoredDocument("layout", "console", b'{"rows":["smile"]}'),
         ]
     )
     for _ in range(3):
@@ -95,7 +84,7 @@ def test_all_else_is_there_and_whole(tmp_path: Path) -> None:
     after = inspect_show(path)
     assert after.stored.items == before.stored.items[:1]
     assert after.stored.revisions == before.stored.revisions[:1]
-    assert after.stored.layouts == before.stored.layouts
+    assert after.stored.documents.get("layout", {}) == before.stored.documents.get("layout", {})
     key = before.stored.revisions[0].content
     assert after.contents == {key: before.contents[key]}
     assert all(good for good, _ in verdicts(path))
@@ -112,7 +101,7 @@ def test_what_others_are_made_of_is_forgotten_only_with_them(tmp_path: Path) -> 
     data = pack_face(load_cast().faces["dog"], Look())
     other = revision(3, content=content_key(data), recipe=recipe)
     mix = item(3, kind="face", name="mix", label="Mix", head=1)
-    show.apply([PutContent(content_key(data), data), PutItem(mix), PutRevision(other)])
+    show.apply([Content(content_key(data), data), mix, other])
     show.close()
     before = path.read_bytes()
     with pytest.raises(ShowFileError, match="mix is made of anneliese: name it too"):

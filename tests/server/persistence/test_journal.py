@@ -92,7 +92,8 @@ def test_a_stuck_disk_keeps_nobody_and_costs_only_what_is_old() -> None:
 
 
 def test_a_broken_disk_is_reported_once_and_tried_again() -> None:
-    disk, said = Disk(), list[str]()
+    disk = Disk()
+    said = list[str]()
     disk.broken = True
     journal = writer(disk, said)
     for number in range(3):

@@ -42,7 +42,9 @@ def test_a_lock_that_its_holder_removed_meanwhile_is_taken_anew(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     """Who opened the file just before it was removed would else hold a lock that nobody sees."""
-    path, real, removed = tmp_path / "a.omote", os.open, list[int]()
+    path = tmp_path / "a.omote"
+    real = os.open
+    removed = list[int]()
 
     def open_late(*words: Any) -> int:
         descriptor = real(*words)

@@ -8,23 +8,23 @@ import pytest
 from omote.server.persistence.lock import ShowLockedError, lock_show
 from omote.server.persistence.offline_show import open_offline_show, wall_clock
 from omote.showfile.backup import backup_paths
-from omote.showfile.changes import PutLayout
+from omote.showfile.changes import StoredDocument
 from omote.showfile.show_file import ShowFile, open_show
 
 
 def test_what_is_written_stays_and_the_file_is_free_again(tmp_path: Path) -> None:
     path = tmp_path / "a.omote"
     with open_offline_show(path, new=True) as file:
-        file.apply([PutLayout("console", b"{}")])
+        file.apply([StoredDocument("layout", "console", b"{}")])
     with open_offline_show(path) as file:
-        assert file.stored().layouts == {"console": b"{}"}
+        assert file.stored().documents.get("layout", {}) == {"console": b"{}"}
     os.close(lock_show(path))
 
 
 def test_what_is_written_is_backed_up_and_what_is_only_read_is_not(tmp_path: Path) -> None:
     path = tmp_path / "a.omote"
     with open_offline_show(path, new=True) as file:
-        file.apply([PutLayout("console", b"{}")])
+        file.apply([StoredDocument("layout", "console", b"{}")])
         written = file.stored()
     with open_offline_show(path):
         pass
@@ -42,9 +42,9 @@ def test_a_disk_that_takes_no_backup_keeps_what_was_written(tmp_path: Path, monk
     monkeypatch.setattr("omote.server.persistence.offline_show.back_up", full)
     path = tmp_path / "a.omote"
     with open_offline_show(path, new=True) as file:
-        file.apply([PutLayout("console", b"{}")])
+        file.apply([StoredDocument("layout", "console", b"{}")])
     with open_offline_show(path) as file:
-        assert file.stored().layouts == {"console": b"{}"}
+        assert file.stored().documents.get("layout", {}) == {"console": b"{}"}
 
 
 def test_a_file_that_is_not_there_is_not_made(tmp_path: Path) -> None:

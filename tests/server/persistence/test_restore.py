@@ -18,10 +18,12 @@ from omote.perform.frame import Gaze
 from omote.perform.limits import GAZE_LIMITS
 from omote.server.persistence.restore import journal_entry, next_epoch, open_journal, open_newest, ordinal, restore
 from omote.server.process.process_messages import Failover, Order
-from omote.show import messages as wire
+from omote.show.messages import PROTOCOL_VERSION
+from omote.show.objects.faders import SetChannel
+from omote.show.objects.link import Hello, Welcome
 from omote.show.session import ShowSession
 from omote.showfile.backup import back_up, backup_paths
-from omote.showfile.changes import PutLayout
+from omote.showfile.changes import StoredDocument
 from omote.showfile.identification import ForeignFileError
 from omote.showfile.schema import SCHEMA_VERSION
 from omote.showfile.show_file import JournalEntry, ShowFile, open_show
@@ -48,8 +50,8 @@ def report() -> Terminal:
 def kept(path: Path, cast: Cast) -> ShowFile:
     """A show file whose journal says that the mouth is open."""
     session = ShowSession(cast, epoch=5)
-    session.receive("a", wire.Hello("console", wire.PROTOCOL_VERSION), 0.0)
-    session.receive("a", wire.SetChannel("one", "jawOpen", 0.5), 0.0)
+    session.receive("a", Hello("console", PROTOCOL_VERSION), 0.0)
+    session.receive("a", SetChannel("one", "jawOpen", 0.5), 0.0)
     show = open_show(path)
     show.write_journal(journal_entry(session))
     return show
@@ -69,8 +71,8 @@ def test_a_show_goes_on_under_a_higher_epoch(tmp_path: Path, cast: Cast, report:
 def test_consoles_are_told_which_show_it_is(tmp_path: Path, cast: Cast, report: Terminal) -> None:
     def told(show: ShowFile | None) -> str:
         session = restore(cast, show, ORDER, report)
-        (welcome,) = session.receive("a", wire.Hello("console", wire.PROTOCOL_VERSION), 0.0)
-        assert isinstance(welcome.message, wire.Welcome)
+        (welcome,) = session.receive("a", Hello("console", PROTOCOL_VERSION), 0.0)
+        assert isinstance(welcome.message, Welcome)
         return welcome.message.show
 
     first, second = (open_show(tmp_path / name) for name in ("a.omote", "b.omote"))
@@ -104,7 +106,8 @@ def test_a_suspected_state_is_kept_aside(tmp_path: Path, cast: Cast, report: Ter
 @settings(max_examples=20, suppress_health_check=[HealthCheck.function_scoped_fixture, HealthCheck.too_slow])
 def test_a_state_that_is_none_is_kept_aside_and_said(tmp_path: Path, cast: Cast, snapshot: bytes) -> None:
     (tmp_path / "a.omote").unlink(missing_ok=True)
-    report, show = Terminal(), open_show(tmp_path / "a.omote")
+    report = Terminal()
+    show = open_show(tmp_path / "a.omote")
     show.write_journal(JournalEntry(9, 0.0, snapshot))
     session = restore(cast, show, ORDER, report)
     assert session.tick(0.0).characters["one"].faces == {"generic": 1.0}
@@ -130,7 +133,7 @@ def test_a_face_that_is_gone_from_the_cast_does_not_stop_the_show(tmp_path: Path
 def test_a_gaze_of_before_its_range_opens_and_is_told(tmp_path: Path, cast: Cast, report: Terminal) -> None:
     show = kept(tmp_path / "a.omote", cast)
     saved = msgspec.msgpack.decode(show.journal().snapshot or b"")
-    saved = {"performer": saved["scene"]["characters"]["one"]["performer"], "calls": saved["calls"]}
+    saved = {"performer": saved["scene"]["characters"]["one"]["performer"], "calls": ["a-1"]}
     saved["performer"]["gaze"] = {"yaw": -1.2, "pitch": 0.1}
     show.write_journal(JournalEntry(5, 0.0, msgspec.msgpack.encode(saved)))
     session = restore(cast, show, ORDER, report)
@@ -167,17 +170,17 @@ def before(tmp_path_factory: pytest.TempPathFactory) -> Before:
     """Ten pages of layouts; half of them in the newest backup, the last in the log only."""
     show = open_show(tmp_path_factory.mktemp("show") / "a.omote")
     for number in range(10):
-        show.apply([PutLayout(f"page {number}", bytes([65 + number]) * 3000)])
+        show.apply([StoredDocument("layout", f"page {number}", bytes([65 + number]) * 3000)])
         if number in (1, 4):
             back_up(show)
-            copied = set(show.stored().layouts)
+            copied = set(show.stored().documents.get("layout", {}))
         if number == 8:
             show.flush()
-            flushed = set(show.stored().layouts)
+            flushed = set(show.stored().documents.get("layout", {}))
     show.write_journal(JournalEntry(1234, 5.0, b"state"))
     paths = (path for path in show.path.parent.iterdir() if not path.name.endswith("-shm"))
     files = {path.name: path.read_bytes() for path in paths}
-    everything = set(show.stored().layouts)
+    everything = set(show.stored().documents.get("layout", {}))
     show.close()
     return Before(files, copied, flushed, everything)
 
@@ -188,7 +191,8 @@ def started(folder: Path, before: Before, damaged: bytes, *, log: bool) -> set[s
     files = before.files | {"a.omote": damaged}
     for name in files if log else files.keys() - {"a.omote-wal"}:
         (folder / name).write_bytes(files[name])
-    report, again = Terminal(), Terminal()
+    report = Terminal()
+    again = Terminal()
     show = open_newest(folder / "a.omote", report)
     stored = show.stored()
     show.close()
@@ -200,9 +204,11 @@ def started(folder: Path, before: Before, damaged: bytes, *, log: bool) -> set[s
     second.close()
     assert again.said == []
     assert len([*folder.glob("*.corrupt-?")]) == len(report.said)
-    assert all(document == bytes([65 + int(name[5:])]) * 3000 for name, document in stored.layouts.items())
+    assert all(
+        document == bytes([65 + int(name[5:])]) * 3000 for name, document in stored.documents.get("layout", {}).items()
+    )
     shutil.rmtree(folder)
-    return set(stored.layouts)
+    return set(stored.documents.get("layout", {}))
 
 
 @pytest.mark.parametrize("log", [True, False], ids=["with its log", "without its log"])
@@ -230,15 +236,15 @@ def test_a_file_written_over_anywhere_opens_its_newest_backup(
 
 def test_it_is_said_what_was_opened_instead(tmp_path: Path, report: Terminal) -> None:
     show = open_show(tmp_path / "a.omote")
-    show.apply([PutLayout("early", b"{}")])
+    show.apply([StoredDocument("layout", "early", b"{}")])
     back_up(show)
-    show.apply([PutLayout("late", b"{}")])
+    show.apply([StoredDocument("layout", "late", b"{}")])
     show.close()
     damaged = bytes(4096) + show.path.read_bytes()[4096:]
     show.path.write_bytes(damaged)
     os.utime(backup_paths(show.path)[0], (0.0, 0.0))
     opened = open_newest(show.path, report)
-    assert set(opened.stored().layouts) == {"early"}
+    assert set(opened.stored().documents.get("layout", {})) == {"early"}
     opened.close()
     made = time.strftime("%Y-%m-%d %H:%M:%S", time.localtime(0.0))
     assert report.said[0].endswith(f"a.omote.corrupt-1; opened instead: its good copy of {made}.")
@@ -246,12 +252,12 @@ def test_it_is_said_what_was_opened_instead(tmp_path: Path, report: Terminal) ->
 
 def test_a_lost_file_is_said(tmp_path: Path, report: Terminal) -> None:
     show = open_show(tmp_path / "a.omote")
-    show.apply([PutLayout("early", b"{}")])
+    show.apply([StoredDocument("layout", "early", b"{}")])
     back_up(show)
     show.close()
     show.path.unlink()
     opened = open_newest(show.path, report)
-    assert set(opened.stored().layouts) == {"early"}
+    assert set(opened.stored().documents.get("layout", {})) == {"early"}
     opened.close()
     assert "a.omote is not there. Opened instead: its good copy of" in report.said[0]
 
@@ -368,7 +374,7 @@ def test_ordinals(number: int, word: str) -> None:
 def test_somebody_else_s_file_in_a_show_s_place_stays_and_its_backup_is_named(tmp_path: Path, report: Terminal) -> None:
     path = tmp_path / "a.omote"
     show = open_show(path)
-    show.apply([PutLayout("early", b"{}")])
+    show.apply([StoredDocument("layout", "early", b"{}")])
     back_up(show)
     show.close()
     path.write_text("milk and eggs")
@@ -377,5 +383,5 @@ def test_somebody_else_s_file_in_a_show_s_place_stays_and_its_backup_is_named(tm
     assert path.read_text() == "milk and eggs"
     path.rename(tmp_path / "notes.txt")
     opened = open_newest(path, report)
-    assert set(opened.stored().layouts) == {"early"}
+    assert set(opened.stored().documents.get("layout", {})) == {"early"}
     opened.close()

@@ -6,7 +6,7 @@ import sys
 
 import pytest
 
-from omote.server.process.fork import close_descriptors, fork_process
+from omote.server.process.fork import close_descriptors, fork_beside, fork_process
 
 
 def test_a_copy_works_and_ends() -> None:
@@ -25,6 +25,18 @@ def test_a_copy_that_fails_says_why(capfd: pytest.CaptureFixture[str]) -> None:
     pid = fork_process(fail)
     assert os.waitstatus_to_exitcode(os.waitpid(pid, 0)[1]) == 1
     assert "nothing works" in capfd.readouterr().err
+
+
+def test_a_copy_speaks_by_its_line_alone() -> None:
+    end, held = os.pipe()
+    pid, line = fork_beside(lambda theirs: theirs.sendall(theirs.recv(4)))
+    os.close(held)
+    assert os.read(end, 1) == b""  # although the copy still works
+    line.sendall(b"echo")
+    assert line.recv(4) == b"echo"
+    assert os.waitpid(pid, 0) == (pid, 0)
+    line.close()
+    os.close(end)
 
 
 def test_what_a_copy_lets_go_ends_with_its_parent() -> None:

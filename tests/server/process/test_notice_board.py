@@ -6,7 +6,7 @@ import msgspec
 import pytest
 
 from omote.server.process.notice_board import LONGEST_NOTICE, MOST_NOTICES, NoticeBoard
-from omote.show.messages import Notice
+from omote.show.objects.link import Notice
 
 
 def texts(board: NoticeBoard) -> list[str]:
@@ -48,7 +48,8 @@ def test_what_was_said_before_stays_and_the_oldest_go() -> None:
 
 
 def test_a_report_goes_to_the_terminal_and_to_the_board() -> None:
-    board, said = NoticeBoard(), list[str]()
+    board = NoticeBoard()
+    said = list[str]()
     board.with_report(said.append)("the disk is full.")
     assert (said, texts(board)) == (["the disk is full."], ["The disk is full."])
 

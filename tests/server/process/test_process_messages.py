@@ -25,7 +25,7 @@ from omote.server.process.process_messages import (
     send_order,
     write_notice,
 )
-from omote.show.messages import Notice
+from omote.show.objects.link import Notice
 
 NOTICES = st.lists(st.builds(Notice, st.text(), st.floats(0, 4e9), st.text(max_size=400)), max_size=5)
 
@@ -93,7 +93,8 @@ def test_an_order_brings_what_the_crew_was_told() -> None:
 
 
 def test_a_pulse_tells_where_the_show_file_is_from_now_on() -> None:
-    moved, notice = ShowMoved('/x/a "b"-2.omote'), Notice("1", 1.0, "moved")
+    moved = ShowMoved('/x/a "b"-2.omote')
+    notice = Notice("1", 1.0, "moved")
     stream = TICK + write_notice(moved) + TICK + write_notice(notice) + TICK
     assert read_pulse(stream) == ([moved, notice], b"")
 
@@ -105,7 +106,8 @@ def test_notices_come_through_a_pulse_between_ticks_however_it_is_cut(
     stream = TICK * ticks[5] + b"".join(
         TICK * count + write_notice(notice) for count, notice in zip(ticks, notices, strict=False)
     )
-    found, rest = list[Notice | ShowMoved](), b""
+    found = list[Notice | ShowMoved]()
+    rest = b""
     for start in range(0, len(stream), size):
         new, rest = read_pulse(rest + stream[start : start + size])
         found += new

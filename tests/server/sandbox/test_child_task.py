@@ -3,12 +3,16 @@
 import contextlib
 import os
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
 from pathlib import Path
+from types import MappingProxyType
 
 import numpy as np
 import pytest
+from numpy.typing import NDArray
 
+from omote.model.fitting.doubt import EYES, Doubt
 from omote.server.sandbox.child_task import Limits, Tell, run_limited
 
 
@@ -20,9 +24,44 @@ def test_an_answer_and_the_progress_come_back() -> None:
         tell(0.5, "thinking")
         return bytes(3_000_000)
 
-    answer = run_limited(work, Limits(), exhausted="too much", follow=lambda *each: told.append(each))
+    answer = run_limited(work, bytes, Limits(), exhausted="too much", follow=lambda *each: told.append(each))
     assert answer == bytes(3_000_000)
     assert told == [(0.25, "reading"), (0.5, "thinking")]
+
+
+@dataclass(frozen=True, eq=False)
+class Found:
+    """What a child may send: arrays, by name too, and doubts."""
+
+    points: NDArray[np.float64]
+    rows: NDArray[np.integer] | None
+    moves: Mapping[str, NDArray[np.float64]]
+    doubts: tuple[Doubt, ...] = ()
+
+
+def test_arrays_and_doubts_come_back_as_they_were() -> None:
+    points = np.arange(6.0).reshape(2, 3)
+    sent = Found(points[:, ::-1], None, MappingProxyType({"smile": points}), (Doubt("Shut?", EYES),))
+    found = run_limited(lambda _: sent, Found, Limits(), exhausted="too much")
+    np.testing.assert_array_equal(found.points, sent.points)
+    np.testing.assert_array_equal(found.moves["smile"], points)
+    assert (found.rows, [(str(doubt), doubt.kind) for doubt in found.doubts]) == (None, [("Shut?", EYES)])
+
+
+@pytest.mark.parametrize(
+    "sent",
+    [
+        {"points": ["<f8", [2, 3], bytes(40)], "rows": None, "moves": {}},
+        {"points": ["|O", [1], bytes(8)], "rows": None, "moves": {}},
+        {"points": ["<i8", [1], bytes(8)], "rows": None, "moves": {}},
+        {"points": ["<f8", [1], bytes(8)], "rows": ["<f8", [1], bytes(8)], "moves": {}},
+        {"points": ["<f8", [1], bytes(8)], "rows": None, "moves": {}, "doubts": [["Shut?", "else"]]},
+        7,
+    ],
+)
+def test_what_is_none_of_the_kind_is_refused(sent: object) -> None:
+    with pytest.raises(ValueError, match=r"^too much$"):
+        run_limited(lambda _: sent, Found, Limits(), exhausted="too much")
 
 
 def test_a_sentence_comes_back() -> None:
@@ -30,7 +69,7 @@ def test_a_sentence_comes_back() -> None:
         raise ValueError("no head: give one")
 
     with pytest.raises(ValueError, match=r"^no head: give one$"):
-        run_limited(work, Limits(), exhausted="too much")
+        run_limited(work, bytes, Limits(), exhausted="too much")
 
 
 def test_an_error_of_ours_is_told_as_one() -> None:
@@ -38,7 +77,7 @@ def test_an_error_of_ours_is_told_as_one() -> None:
         raise KeyError("strange")
 
     with pytest.raises(ValueError, match=r"^Omote failed at it \(KeyError: 'strange'\); please report this$"):
-        run_limited(work, Limits(), exhausted="too much")
+        run_limited(work, bytes, Limits(), exhausted="too much")
 
 
 def die(_: Tell) -> bytes:
@@ -67,7 +106,7 @@ def open_many(_: Tell) -> bytes:
 def test_what_takes_too_much_or_dies_is_refused_in_time(work: Callable[[Tell], bytes]) -> None:
     begun = time.monotonic()
     with pytest.raises(ValueError, match=r"^too much$"):
-        run_limited(work, Limits(seconds=1, patience=3.0, memory=2**28), exhausted="too much")
+        run_limited(work, bytes, Limits(seconds=1, patience=3.0, memory=2**28), exhausted="too much")
     assert time.monotonic() - begun < 20.0
 
 
@@ -84,7 +123,7 @@ def test_the_child_is_gone_when_following_it_fails() -> None:
         raise KeyboardInterrupt
 
     with pytest.raises(KeyboardInterrupt):
-        run_limited(work, Limits(), exhausted="too much", follow=follow)
+        run_limited(work, bytes, Limits(), exhausted="too much", follow=follow)
     with pytest.raises(ProcessLookupError):
         os.kill(seen[0], 0)
 
@@ -95,8 +134,8 @@ def test_files_are_written_only_where_that_is_allowed(tmp_path: Path) -> None:
         return b"written"
 
     with pytest.raises(ValueError, match="too much"):
-        run_limited(work, Limits(), exhausted="too much")
-    assert run_limited(work, Limits(writes=True), exhausted="too much") == b"written"
+        run_limited(work, bytes, Limits(), exhausted="too much")
+    assert run_limited(work, bytes, Limits(writes=True), exhausted="too much") == b"written"
 
 
 def test_descriptors_that_the_parent_has_open_do_not_count(tmp_path: Path) -> None:
@@ -108,7 +147,7 @@ def test_descriptors_that_the_parent_has_open_do_not_count(tmp_path: Path) -> No
     with contextlib.ExitStack() as stack:
         for _ in range(40):
             stack.enter_context((tmp_path / "a").open("rb"))
-        assert run_limited(work, Limits(files=4), exhausted="too much") == b"x"
+        assert run_limited(work, bytes, Limits(files=4), exhausted="too much") == b"x"
 
 
 def test_nothing_is_printed_by_decoders(capfd: pytest.CaptureFixture[str]) -> None:
@@ -116,5 +155,5 @@ def test_nothing_is_printed_by_decoders(capfd: pytest.CaptureFixture[str]) -> No
         os.write(2, b"libtiff is astonished")
         return b""
 
-    run_limited(work, Limits(), exhausted="too much")
+    run_limited(work, bytes, Limits(), exhausted="too much")
     assert capfd.readouterr().err == ""

@@ -1,17 +1,50 @@
-"""What files bring: each kind by its own reader, with a sentence about each thing."""
+"""What files bring: each kind by its own reader, parsed in a process of its own, with a sentence about each thing.
 
+Heads of any topology bring their shapes, tagged with the units that they are named after.
+"""
+
+from __future__ import annotations
+
+import os
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
 import pytest
+from numpy.typing import NDArray
 
 from omote.builtin import load_cast
+from omote.builtin.own_face import fit_scan
 from omote.edit.store.import_items import make_document
+from omote.interchange.avatar.export_vrm import vrm_bytes
+from omote.interchange.avatar.vrm_licence import Credit, parse_terms
 from omote.interchange.export_face import named_compound_meshes
 from omote.interchange.formats.expression_json import encode
+from omote.interchange.formats.glb_reader import Piece, read_glb
+from omote.interchange.scans.scan_reader import ScanFile
 from omote.model.cast import Cast
-from omote.server.sandbox.import_files import expressions_from, faces_from
-from tests.interchange.formats.scenes import head_glb
+from omote.model.fitting.doubt import EYES, Doubt
+from omote.model.fitting.find_head import HeadPlacement
+from omote.model.fitting.fit_face import Fit
+from omote.model.fitting.landmarks import find_landmarks
+from omote.model.fitting.scan import Scan
+from omote.model.fitting.take_expressions import TakenExpressions
+from omote.model.transfer.compound import compound
+from omote.server.sandbox import import_files, scan_faces
+from omote.server.sandbox.import_files import (
+    expressions_from,
+    faces_from,
+    foreign_expressions,
+    is_foreign,
+    read_in_sandbox,
+)
+from tests.interchange.formats.scenes import NAMES, head_glb, plain_glb, taken_apart
+from tests.interchange.scans.scan_samples import ball
+from tests.model.fitting.retriangulated import TURN, retriangulate
+from tests.stage_data.heads import context
+
+CAST = load_cast()
+OLD = CAST.faces["old"]
 
 
 @pytest.fixture(scope="module")
@@ -60,3 +93,183 @@ def test_what_is_not_there_is_refused(built_in: Cast, tmp_path: Path) -> None:
     (tmp_path / "a.json").write_bytes(b"{}")
     with pytest.raises(ValueError, match=r"a\.json: it is JSON of another program; expected an expression of Omote"):
         list(expressions_from(built_in, [tmp_path / "a.json"]))
+
+
+@pytest.fixture(scope="module")
+def scan() -> Scan:
+    """Old's head in another topology: looks whose eyeballs are left to bones, an open jaw, and nothing."""
+
+    def moves(name: str) -> NDArray[np.float64]:
+        return compound(CAST.space, OLD, CAST.expressions[name]).astype(np.float64) - OLD.positions
+
+    still = np.zeros((CAST.space.vertex_count, 3))
+    down = moves("eyeLookDownLeft") + moves("eyeLookDownRight")
+    shapes = {"eyeLookUp_L": moves("eyeLookUpLeft"), "lookDown": down, "Agape": moves("jawOpen"), "empty": still}
+    return retriangulate(CAST.space, OLD, shapes)
+
+
+@pytest.fixture(scope="module")
+def fitted(scan: Scan) -> tuple[HeadPlacement, Fit]:
+    """Where the head of the scan is, and its fit: for all tests that ask what is told of a fit, not how it is made."""
+    return fit_scan(CAST.space, scan, landmarks={}, name="head")
+
+
+def as_pieces(scan: Scan) -> tuple[Piece, ...]:
+    """The scan as a reader of meshes gives it."""
+    return (Piece("head", scan.positions, None, dict(scan.shapes)),)
+
+
+@pytest.mark.parametrize("suffix", [".glb", ".vrm"])
+def test_shapes_of_strangers_come_in_by_name(
+    suffix: str, scan: Scan, fitted: tuple[HeadPlacement, Fit], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:  # fmt: skip
+    path = (tmp_path / "head").with_suffix(suffix)
+    path.write_bytes(b"glTF")
+    if suffix == ".vrm":  # fitted as a GLB is, which takes half a minute
+        monkeypatch.setattr(scan_faces, "fit_scan", lambda *_, **__: fitted)
+
+    monkeypatch.setattr(import_files, "read_scan_in_sandbox", lambda _: ScanFile(scan))
+    monkeypatch.setattr("omote.server.sandbox.import_files.read_in_sandbox", lambda _: as_pieces(scan))
+    found = {arrival.label: (arrival, told) for arrival, told in expressions_from(CAST, [path])}
+    assert set(found) == {"eyeLookUp_L", "lookDown", "Agape"}
+    look, told = found["eyeLookUp_L"]
+    assert look.tags == ("eyeLookUpLeft", "gaze")
+    assert f"taken from the head in head{suffix}, as eyeLookUpLeft" in told
+    assert not isinstance(look.made, tuple)
+    np.testing.assert_array_equal(look.made.eyes, CAST.expressions["eyeLookUpLeft"].eyes)
+    down, told = found["lookDown"]
+    assert down.tags == ("eyeLookDownLeft", "eyeLookDownRight", "gaze")
+    assert "as eyeLookDownLeft and eyeLookDownRight" in told
+    assert not isinstance(down.made, tuple)
+    both = [CAST.expressions[f"eyeLookDown{side}"].eyes for side in ("Left", "Right")]
+    np.testing.assert_allclose(down.made.eyes, both[0] + both[1], atol=1e-12)
+    agape, told = found["Agape"]
+    assert agape.tags == ()
+    assert "'empty' moves nothing of the face, so it is left out." in told
+
+
+def test_what_is_doubtful_of_a_strangers_head_is_told_with_its_shapes(
+    scan: Scan, fitted: tuple[HeadPlacement, Fit], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    place, fit = fitted
+    doubtful = replace(fit, doubts=(Doubt("Are its eyes shut?", EYES),))
+    monkeypatch.setattr(scan_faces, "fit_scan", lambda *_, **__: (place, doubtful))
+    monkeypatch.setattr(import_files, "read_scan_in_sandbox", lambda _: ScanFile(scan))
+    *_, (_, sentence) = foreign_expressions(CAST, tmp_path / "head.glb")
+    assert "Are its eyes shut?" in sentence
+
+
+def test_the_shapes_of_an_animal_are_taken_from_the_fit_that_makes_its_face(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """With clicks that make its face of a dog: the same clicks begin the fit that gives its expressions."""
+    dog = CAST.faces["dog"]
+    still = np.zeros((CAST.space.vertex_count, 3))
+    scan = retriangulate(CAST.space, dog, {"still": still})
+    clicks = {name: 100.0 * dog.positions[row] @ TURN.T for name, row in find_landmarks(CAST.space).items()}
+
+    def tell_kind(_: object, fitted: Fit, __: object) -> TakenExpressions:
+        return TakenExpressions({}, (f"It began from {fitted.kind}.",))
+
+    monkeypatch.setattr(scan_faces, "take_expressions", tell_kind)
+    monkeypatch.setattr(import_files, "read_scan_in_sandbox", lambda _: ScanFile(scan))
+    with pytest.raises(ValueError, match=r"It began from dog\."):
+        list(foreign_expressions(CAST, tmp_path / "dog.glb", landmarks=clicks))
+
+
+def test_heads_of_ours_are_not_foreign(scan: Scan) -> None:
+    rest = OLD.positions.astype(np.float64)
+    assert is_foreign(CAST, as_pieces(scan))
+    assert is_foreign(CAST, as_pieces(replace(scan, shapes={})))
+    assert not is_foreign(CAST, (Piece("skin", rest, None, {"grin": np.zeros_like(rest)}),))
+
+
+def test_a_head_without_shapes_is_refused(scan: Scan, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+
+    monkeypatch.setattr(import_files, "read_scan_in_sandbox", lambda _: ScanFile(replace(scan, shapes={})))
+    with pytest.raises(ValueError, match=r"head\.glb: the head has no shapes .* omote face head\.glb -o show\.omote"):
+        list(foreign_expressions(CAST, tmp_path / "head.glb"))
+
+
+def test_what_may_be_no_face_is_asked_about_and_brings_nothing(
+    scan: Scan, fitted: tuple[HeadPlacement, Fit], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:  # fmt: skip
+    """A ball with a shape, and a head that is found with a doubt."""
+    points, triangles = ball()
+    odd = Scan(points, triangles, shapes={"jawOpen": 0.1 * points})
+    monkeypatch.setattr(import_files, "read_scan_in_sandbox", lambda _: ScanFile(odd))
+    with pytest.raises(ValueError, match=r"ball\.glb: nothing in the scan could be a face.*export the head alone"):
+        list(foreign_expressions(CAST, tmp_path / "ball.glb"))
+
+    monkeypatch.setattr(import_files, "read_scan_in_sandbox", lambda _: ScanFile(scan))
+    place, fit = fitted
+    doubtful = replace(place, doubts=(Doubt("This may be no face."),))
+    monkeypatch.setattr(scan_faces, "fit_scan", lambda *_, **__: (doubtful, fit))
+    with pytest.raises(ValueError, match=r"fox\.glb: This may be no face\. Say where the head is, with --landmarks"):
+        list(foreign_expressions(CAST, tmp_path / "fox.glb"))
+
+
+def test_pieces_come_back_whole(tmp_path: Path) -> None:
+    path = tmp_path / "a.GLB"
+    path.write_bytes(plain_glb())
+    (piece,) = read_in_sandbox(path)
+    assert piece.name == "tetra"
+    assert tuple(piece.moves) == NAMES
+    assert piece.rows is not None
+    np.testing.assert_array_equal(piece.rows, [3, 2, 1, 0])
+    assert piece.points.shape == (4, 3)
+
+
+def test_a_shape_comes_back(tmp_path: Path) -> None:
+    path = tmp_path / "a.obj"
+    path.write_bytes(b"v 1 2 3\nv 4 5 6\n")
+    (piece,) = read_in_sandbox(path)
+    np.testing.assert_array_equal(piece.points, [[1, 2, 3], [4, 5, 6]])
+    assert piece.rows is None
+
+
+@pytest.mark.parametrize("suffix", [".vrm", ".glb"])
+def test_shapes_of_an_avatar_come_back_as_its_expressions(suffix: str, tmp_path: Path) -> None:
+    cast = context().cast
+    path = tmp_path / f"broad{suffix}"
+    poses = [(name, named_compound_meshes(cast, "broad", name)) for name in ("smile", "jawOpen")]
+    path.write_bytes(vrm_bytes(context(), "broad", poses, Credit(("Ann",), parse_terms(["strict"]))))
+    found, raw = (
+        {name: moved for piece in pieces if piece.name == "skin" for name, moved in piece.moves.items()}
+        for pieces in (read_in_sandbox(path), read_glb(path.read_bytes()))
+    )
+    kinds = taken_apart(path.read_bytes())[0]["extensions"]["VRMC_vrm"]["expressions"]
+    assert {"relaxed", "JawOpen"} <= found.keys() <= {*kinds["preset"], *kinds["custom"]}
+    assert "jawOpen" in raw
+    np.testing.assert_array_equal(found["JawOpen"], raw["jawOpen"])
+    np.testing.assert_array_equal(found["relaxed"], raw["smile"])
+
+
+def test_what_no_reader_takes_is_told_with_its_file(tmp_path: Path) -> None:
+    path = tmp_path / "a.glb"
+    path.write_bytes(b"hello")
+    with pytest.raises(ValueError, match=r"a\.glb: the file is no GLB"):
+        read_in_sandbox(path)
+    with pytest.raises(ValueError, match=r"'a\.fbx' is no file with a head; expected \.glb, \.vrm, \.obj or \.json"):
+        read_in_sandbox(tmp_path / "a.fbx")
+
+
+@pytest.mark.parametrize("kind", ["memory", "death", "files"])
+def test_a_reader_that_takes_too_much_or_dies_harms_nobody(
+    kind: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def hungry(_: bytes) -> tuple[Piece, ...]:
+        if kind == "memory":
+            return (Piece("x", np.ones((2**31, 3))),)
+        if kind == "death":
+            os._exit(3)
+        (tmp_path / "stray").write_bytes(b"x" * 10_000)
+        return ()
+
+    path = tmp_path / "a.glb"
+    path.write_bytes(b"x")
+    monkeypatch.setattr(import_files, "READERS", {".glb": hungry})
+    with pytest.raises(ValueError, match="needs more time or memory than any face"):
+        read_in_sandbox(path)
+    stray = tmp_path / "stray"
+    assert not stray.exists() or stray.stat().st_size == 0

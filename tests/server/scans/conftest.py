@@ -18,8 +18,7 @@ from omote.server.scans.scan_previews import ScanPreviews
 from omote.server.scans.scan_routes import ScanRoutes
 from omote.server.workers.file_jobs import Imported, bring_items
 from omote.server.workers.job_server import Follow, JobError
-from omote.server.workers.photograph_jobs import FitPhotographs
-from omote.server.workers.scan_jobs import FILES, FitScan, TakeScan
+from omote.server.workers.scan_jobs import FILES, FitPhotographs, FitScan, TakeScan
 from omote.showfile.changes import Stored
 from omote.showfile.show_file import open_show
 from tests.server.conftest import EditHarness, open_edit_harness
@@ -93,7 +92,7 @@ class ScanHarness(EditHarness):
 
     def folders(self) -> list[Path]:
         """The folders of the scans that are kept."""
-        return [each.folder for each in self.previews._previews.values()]
+        return [preview.folder for preview in self.previews._previews.values()]
 
 
 def stored_in(path: Path) -> Stored:
@@ -110,7 +109,8 @@ async def scan_harness(cast: Cast, tmp_path: Path) -> AsyncIterator[ScanHarness]
     """A house to which scans can be brought."""
     async with open_edit_harness(cast, tmp_path / "show.omote") as opened:
         assert opened.show.editing is not None
-        jobs, previews = FalseJobs(cast), ScanPreviews()
+        jobs = FalseJobs(cast)
+        previews = ScanPreviews()
         work = (lambda: opened.path, jobs)
         routes = ScanRoutes(work, opened.show.long_requests, opened.show.editing.add_items, previews)
         opened.show.more_routes.append(routes.add_routes)

@@ -6,7 +6,7 @@ import msgspec
 import pytest
 
 from omote.model.fitting.photographs.landmark_table import LANDMARKS
-from omote.server.scans.photograph_upload import (
+from omote.server.scans.scan_upload import (
     BESIDE,
     LARGEST_PHOTOGRAPH,
     LARGEST_SIDE,

@@ -30,7 +30,8 @@ class FalseTimer:
     """One of them."""
 
     def __init__(self, all_timers: FalseTimers, act: Callable[[], None]) -> None:
-        self._all, self.act = all_timers, act
+        self._all = all_timers
+        self.act = act
 
     def cancel(self) -> None:
         """It never runs out."""
@@ -47,7 +48,8 @@ def _temporary(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
 def test_what_nobody_touches_is_thrown_away() -> None:
     timers = FalseTimers()
     previews = ScanPreviews(timers)
-    untouched, touched = previews.add(), previews.add()
+    untouched = previews.add()
+    touched = previews.add()
     first = timers.running[0]
     assert previews.find(touched.token) is touched
     assert len(timers.running) == 2, "a touch begins the time anew, in the place of the old"
@@ -77,7 +79,8 @@ def test_at_the_end_all_go_and_a_token_is_never_given_twice(tmp_path: Path) -> N
 def test_what_a_killed_show_left_goes_when_the_next_begins_and_nothing_else(tmp_path: Path) -> None:
     dead = fork_process(lambda: None)
     os.waitpid(dead, 0)
-    left, ours = tmp_path / f"{PREFIX}{dead}-abc", tmp_path / f"{PREFIX}{os.getpid()}-abc"
+    left = tmp_path / f"{PREFIX}{dead}-abc"
+    ours = tmp_path / f"{PREFIX}{os.getpid()}-abc"
     others = [ours, tmp_path / f"{PREFIX}1-abc", tmp_path / f"{PREFIX}name-abc", tmp_path / "omote-other"]
     for folder in (left, *others):
         folder.mkdir()

@@ -13,12 +13,12 @@ from omote.edit.protocol.messages import PhotographPreview, ScanPreview
 from omote.model.cast import Cast
 from omote.server.access.security import own_names
 from omote.server.http.uploads import CANCELLED
-from omote.server.scans.photograph_upload import LARGEST_POINTS, POINTS_FILE
 from omote.server.scans.scan_previews import ScanPreviews
 from omote.server.scans.scan_routes import ScanRoutes
-from omote.server.workers.photograph_jobs import FitPhotographs
-from omote.server.workers.scan_jobs import FILES, FitScan, TakeScan
-from omote.show import messages as wire
+from omote.server.scans.scan_upload import LARGEST_POINTS, POINTS_FILE
+from omote.server.workers.scan_jobs import FILES, FitPhotographs, FitScan, TakeScan
+from omote.show.declaration import MESSAGE_LIMIT
+from omote.show.objects.link import Cancel, Progress
 from omote.show.wire import encode
 from omote.showfile.contents import unpack_face
 from tests.server.conftest import open_edit_harness
@@ -124,7 +124,8 @@ async def test_what_cannot_be_read_is_refused_in_a_sentence_and_leaves_nothing(
     else:
         with aiohttp.MultipartWriter("form-data") as writer:
             async with scan_harness.client.post("/scans", data=writer) as response:
-                status, body = response.status, await response.read()
+                status = response.status
+                body = await response.read()
     assert (status, why in body.decode()) == (400, True)
     assert scan_harness.folders() == []
 
@@ -142,14 +143,14 @@ async def test_what_is_no_document_is_refused_and_the_scan_stays(scan_harness: S
 async def test_a_fit_tells_its_progress_and_its_page_ends_it(scan_harness: ScanHarness) -> None:
     editor = await scan_harness.editor()
     sent = asyncio.create_task(scan_harness.bring({"anna.ply": b"endless"}, "?request=mine"))
-    while await editor.next(wire.Progress) != wire.Progress("mine", 50, 100, "the head is sought"):
+    while await editor.next(Progress) != Progress("mine", 50, 100, "the head is sought"):
         pass
     (folder,) = scan_harness.folders()
     waiting = asyncio.create_task(scan_harness.bring({"bert.ply": b"scan"}, "?request=next"))
     sentence = "it waits until another scan is fitted"
-    while await editor.next(wire.Progress) != wire.Progress("next", 0, 0, sentence):
+    while await editor.next(Progress) != Progress("next", 0, 0, sentence):
         pass
-    await editor.socket.send_bytes(encode(wire.Cancel("mine")))
+    await editor.socket.send_bytes(encode(Cancel("mine")))
     assert await sent == (CANCELLED, b"")
     assert not folder.exists()
     assert (await waiting)[0] == 200
@@ -218,7 +219,7 @@ async def test_landmarks_have_room_for_eight_photographs_and_no_more(scan_harnes
     said = [described(f"{number}.jpg") for number in range(8)]
     exact = [[1 / 3, 2 / 3, -1 / 7]] * len(said[0]["points"])
     long = msgspec.json.encode([{**each, "points": exact} for each in said])
-    assert wire.MESSAGE_LIMIT < len(long) < LARGEST_POINTS
+    assert MESSAGE_LIMIT < len(long) < LARGEST_POINTS
     files = {each["file"]: b"x" for each in said} | {POINTS_FILE: long}
     _, body = await scan_harness.bring(files, path="/photographs")
     token = msgspec.msgpack.decode(body, type=PhotographPreview).token

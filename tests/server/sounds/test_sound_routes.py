@@ -5,7 +5,9 @@ from __future__ import annotations
 import pytest
 
 from omote.server.sounds import sound_routes
-from omote.show import messages as wire
+from omote.show.objects.link import Refused
+from omote.show.objects.speech import Say
+from omote.show.objects.state import State
 from omote.show.wire import encode
 from tests.inputs.sounds.test_sound_file import wav
 from tests.server.conftest import ShowHarness, answer, send_and_wait
@@ -20,9 +22,9 @@ async def test_a_sound_is_kept_and_a_character_speaks_with_it(show_harness: Show
     fetched = await show_harness.client.get(f"/sounds/{sent['sound']}")
     assert await fetched.read() == wav(1.5)
     assert fetched.content_type == "audio/wav"
-    await send_and_wait(console, wire.Say("one", "1", "Hello", sound=sent["sound"]))
+    await send_and_wait(console, Say("one", "1", "Hello", sound=sent["sound"]))
     show_harness.tick()
-    while not isinstance(state := await answer(console), wire.State):
+    while not isinstance(state := await answer(console), State):
         pass
     speech = state.characters["one"].speech
     assert speech is not None
@@ -39,7 +41,7 @@ async def test_rejects_what_is_no_sound_and_one_that_is_not_there(show_harness: 
     console = await show_harness.link()
     await console.send_bytes(sound_message("none"))
     refused = await answer(console)
-    assert isinstance(refused, wire.Refused)
+    assert isinstance(refused, Refused)
     assert "send it to /sounds first" in refused.reason
 
 
@@ -66,4 +68,4 @@ async def test_the_oldest_go_where_there_is_no_room(show_harness: ShowHarness, m
 def sound_message(key: str) -> bytes:
     """A speech with a sound."""
 
-    return encode(wire.Say("one", "2", sound=key))
+    return encode(Say("one", "2", sound=key))

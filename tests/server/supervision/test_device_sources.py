@@ -12,6 +12,7 @@ from omote.model.cast import Cast
 from omote.server.access.show_addresses import own_address
 from omote.server.devices.dmx_listener import DmxListener
 from omote.server.devices.face_output import FaceOutput
+from omote.server.devices.guarded_source import GuardedSource
 from omote.server.devices.mediapipe_link import MediapipeLink
 from omote.server.devices.osc_listener import OscListener
 from omote.server.devices.page_device_source import PageDeviceSource
@@ -22,7 +23,11 @@ from omote.server.supervision.device_sources import load_bindings, start_devices
 from omote.server.supervision.early_tick import EarlyTicks
 from omote.server.supervision.listening_socket import listen_for_osc
 from omote.server.supervision.source_report import SourceReport
-from omote.show import messages as wire
+from omote.show.objects.bindings import Bind, BindingDocument, BindingList, BindingsChanged
+from omote.show.objects.devices import MidiBytes, Plug
+from omote.show.objects.faders import SetChannel
+from omote.show.objects.link import Ping, Pong
+from omote.show.objects.state import State
 from omote.show.wire import encode
 from tests.server.conftest import ShowHarness, answer, open_edit_harness, send_and_wait
 
@@ -41,7 +46,9 @@ async def test_what_was_asked_for_is_heard(show_harness: ShowHarness, tmp_path: 
             osc.datagrams.fileno(), artnet=artnet.fileno(), allow="10.0.0.7", bindings=str(tmp_path / "desk.toml")
         )
         started = await start_devices(show_harness.show, options, lambda _: None)
-        *heard_first, report = show_harness.show.sources
+        guarded = show_harness.show.sources
+        assert all(isinstance(source, GuardedSource) for source in guarded)
+        *heard_first, report = [source.source for source in guarded if isinstance(source, GuardedSource)]
         assert isinstance(report, SourceReport)
         assert [id(each) for each in heard_first] == [id(each) for each in started]
         heard, dmx, *_, pages = started
@@ -88,7 +95,8 @@ async def test_trackers_are_heard_and_faces_sent(show_harness: ShowHarness) -> N
 
 @pytest.mark.asyncio
 async def test_what_comes_by_osc_is_seen_between_ticks(show_harness: ShowHarness) -> None:
-    osc, early = listen_for_osc(HOST, 0), EarlyTicks()
+    osc = listen_for_osc(HOST, 0)
+    early = EarlyTicks()
     assert osc.connections is not None
     options = DeviceOptions(osc.datagrams.fileno(), osc.connections.fileno())
     started = await start_devices(show_harness.show, options, lambda _: None, early)
@@ -114,9 +122,9 @@ async def test_a_device_at_a_page_is_noted_and_a_hand_at_a_console_waits_for_the
     noted: list[None] = []
     show_harness.show.device_spoke = lambda: noted.append(None)
     desk = await show_harness.link()
-    await send_and_wait(desk, wire.SetChannel("one", "jawOpen", 0.5))
+    await send_and_wait(desk, SetChannel("one", "jawOpen", 0.5))
     assert not noted
-    await send_and_wait(desk, wire.Plug("pad", "midi"))
+    await send_and_wait(desk, Plug("pad", "midi"))
     assert noted
 
 
@@ -142,26 +150,26 @@ async def test_pages_alone_have_devices_where_nothing_else_was_asked_for(show_ha
 
 @pytest.mark.asyncio
 async def test_what_a_page_binds_lies_in_the_show_file_and_plays_after_a_restart(cast: Cast, tmp_path: Path) -> None:
-    bound = wire.BindingDocument("pad", "1/cc7", "/omote/one/channel/jawOpen", pick_up=False)
+    bound = BindingDocument("pad", "1/cc7", "/omote/one/channel/jawOpen", pick_up=False)
     for expected in (0.0, 1.0):
         async with open_edit_harness(cast, tmp_path / "a.omote") as harness:
             started = await start_devices(harness.show, DeviceOptions(), harness.said.append)
             desk = await harness.link()
             said = (
-                wire.Plug("pad", "midi"),
-                wire.MidiBytes("pad", bytes([0xB0, 7, 127])),
-                wire.Bind(f"b {expected}", bound),
+                Plug("pad", "midi"),
+                MidiBytes("pad", bytes([0xB0, 7, 127])),
+                Bind(f"b {expected}", bound),
             )
-            for each in (*said, wire.Ping(1.0)):
+            for each in (*said, Ping(1.0)):
                 await desk.send_bytes(encode(each))
-            assert isinstance(await answer(desk), wire.Pong)  # the server has heard all
+            assert isinstance(await answer(desk), Pong)  # the server has heard all
             harness.tick()
             heard: dict[type, Any] = {}
-            while wire.BindingList not in heard:
+            while BindingList not in heard:
                 message = await answer(desk)
                 heard[type(message)] = message
-            assert heard[wire.State].characters["one"].channels.get("jawOpen", 0.0) == expected
-            assert heard[wire.BindingList].bindings == heard[wire.BindingsChanged].added
+            assert heard[State].characters["one"].channels.get("jawOpen", 0.0) == expected
+            assert heard[BindingList].bindings == heard[BindingsChanged].added
             assert harness.said == []
             for closing in started:
                 await closing.close()

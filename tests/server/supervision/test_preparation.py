@@ -19,7 +19,8 @@ def pages(monkeypatch: pytest.MonkeyPatch) -> None:
 
 
 def test_a_file_that_is_brought_back_from_a_copy_is_no_new_show(tmp_path: Path) -> None:
-    path, told = tmp_path / "a.omote", list[str]()
+    path = tmp_path / "a.omote"
+    told = list[str]()
     show = open_show(path)
     back_up(show)
     show.close()

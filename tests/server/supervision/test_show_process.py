@@ -20,9 +20,12 @@ from omote.server.supervision.show_process import (
     play,
     report,
     run_until_ended,
-    start_serving,
+    serving,
 )
-from omote.show import messages as wire
+from omote.show.messages import LINK_PATH, PROTOCOL_VERSION
+from omote.show.objects.faders import SetChannel
+from omote.show.objects.link import Hello
+from omote.show.objects.state import State
 from omote.show.session import ShowSession
 from omote.show.wire import encode
 from omote.showfile.backup import backup_paths
@@ -31,15 +34,15 @@ from tests.server.conftest import answer
 from tests.server.synthetic_server import material
 
 
-async def visit(port: int, pulse: int) -> wire.State:
+async def visit(port: int, pulse: int) -> State:
     """Plays a little on a server and gives what was on air last."""
-    url = f"http://127.0.0.1:{port}{wire.LINK_PATH}"
+    url = f"http://127.0.0.1:{port}{LINK_PATH}"
     async with aiohttp.ClientSession() as http, http.ws_connect(url) as link:
-        await link.send_bytes(encode(wire.Hello("console", wire.PROTOCOL_VERSION)))
-        await link.send_bytes(encode(wire.SetChannel("one", "jawOpen", 0.5)))
+        await link.send_bytes(encode(Hello("console", PROTOCOL_VERSION)))
+        await link.send_bytes(encode(SetChannel("one", "jawOpen", 0.5)))
         while True:
             seen = await answer(link)
-            if isinstance(seen, wire.State) and seen.characters["one"].channels:
+            if isinstance(seen, State) and seen.characters["one"].channels:
                 break
     assert os.read(pulse, 1) == TICK
     return seen
@@ -52,7 +55,7 @@ def test_a_server_plays_and_leaves_its_last_state(tmp_path: Path) -> None:
     far, pulse = os.pipe()
     pipes = Pipes(listening.detach(), control, pulse)
 
-    async def show() -> wire.State:
+    async def show() -> State:
         playing = asyncio.create_task(
             play(material(), Order(epoch=3, neutral=False), show=tmp_path / "a.omote", pipes=pipes, board=NoticeBoard())
         )
@@ -94,9 +97,8 @@ async def ended(beating: Coroutine[object, object, None], control: int) -> None:
 @pytest.mark.parametrize("host", ["127.0.0.1", "0.0.0.0"])
 def test_the_address_for_other_machines_is_known(host: str) -> None:
     async def served(show: ShowServer, listening: socket.socket) -> str:
-        runner = await start_serving(show, os.dup(listening.fileno()))
-        await runner.cleanup()
-        return show.outside
+        async with serving(show, os.dup(listening.fileno())):
+            return show.outside
 
     documents = material().documents
     show = ShowServer(ShowSession(documents.cast), documents, {})

@@ -2,15 +2,21 @@
 
 from omote.model.cast import Cast
 from omote.server.supervision.source_report import SourceReport
-from omote.show import messages as wire
+from omote.show.declaration import ClientMessage
+from omote.show.messages import PROTOCOL_VERSION
+from omote.show.objects.characters import AddCharacter
+from omote.show.objects.link import Hello
+from omote.show.objects.sources import Drive, LeaveSource, RouteSource, Source, SourceIs
 from omote.show.session import ShowSession
 
 
 def test_performers_and_whom_they_play_are_said_once(cast: Cast) -> None:
-    session, said, now = ShowSession(cast), list[str](), 0.0
+    session = ShowSession(cast)
+    said = list[str]()
+    now = 0.0
     report = SourceReport(lambda: session, said.append)
 
-    def hear(*messages: wire.FromClient) -> list[str]:
+    def hear(*messages: ClientMessage) -> list[str]:
         nonlocal now
         for message in messages:
             session.receive("phone", message, now)
@@ -22,28 +28,32 @@ def test_performers_and_whom_they_play_are_said_once(cast: Cast) -> None:
         said.clear()
         return told
 
-    assert hear(wire.Hello("console", wire.PROTOCOL_VERSION, "phone")) == []
-    assert hear(wire.AddCharacter("a", "two", "Rex", "generic"), wire.Source("bot", "program", [])) == []
+    assert hear(Hello("console", PROTOCOL_VERSION, "phone")) == []
+    assert hear(AddCharacter("a", "two", "Rex", "generic"), Source("bot", "program", [])) == []
     nobody = ["Mira sends and plays nobody: say at the console whom it plays (One or Rex)."]
-    assert hear(wire.Source("Mira", "tracker", ["jawOpen"])) == nobody
-    assert hear(wire.AddCharacter("d", "three", "Three", "generic")) == []  # it waits as before: nothing new to do
-    assert hear(wire.RouteSource("b", "Mira", ["one", "two"], "tracker")) == ["Mira plays One and Rex."]
-    assert hear(wire.RouteSource("c", "Mira", ["*"], "tracker")) == ["Mira plays all characters."]
+    assert hear(Source("Mira", "tracker", ["jawOpen"])) == nobody
+    assert hear(AddCharacter("d", "three", "Three", "generic")) == []  # it waits as before: nothing new to do
+    assert hear(RouteSource("b", "Mira", ["one", "two"], "tracker")) == ["Mira plays One and Rex."]
+    assert hear(RouteSource("c", "Mira", ["*"], "tracker")) == ["Mira plays all characters."]
     waits = "Mira sends and plays nobody: say at the console whom it plays (One or Rex or Three)."
-    assert hear(wire.RouteSource("e", "Mira", [], "tracker")) == [waits]
-    assert hear(wire.RouteSource("f", "Mira", ["*"], "tracker")) == ["Mira plays all characters."]
-    assert hear(wire.LeaveSource(2)) == []
-    assert hear(wire.Source("Mira", "tracker", ["jawOpen"])) == ["Mira plays all characters."]
+    assert hear(RouteSource("e", "Mira", [], "tracker")) == [waits]
+    assert hear(RouteSource("f", "Mira", ["*"], "tracker")) == ["Mira plays all characters."]
+    assert hear(LeaveSource(2)) == []
+    assert hear(Source("Mira", "tracker", ["jawOpen"])) == ["Mira plays all characters."]
 
 
 def test_one_that_waits_behind_another_is_not_said_to_play(cast: Cast) -> None:
-    session, said, now = ShowSession(cast), list[str](), 0.0
-    report, indexes, frame = SourceReport(lambda: session, said.append), dict[str, int](), bytes(4)
+    session = ShowSession(cast)
+    said = list[str]()
+    now = 0.0
+    report = SourceReport(lambda: session, said.append)
+    indexes = dict[str, int]()
+    frame = bytes(4)
 
     def open_source(who: str, *characters: str) -> None:
-        session.receive(who, wire.Hello("console", wire.PROTOCOL_VERSION, who), now)
-        (answer,) = session.receive(who, wire.Source(who, "tracker", ["jawOpen"], list(characters)), now)
-        assert isinstance(answer.message, wire.SourceIs)
+        session.receive(who, Hello("console", PROTOCOL_VERSION, who), now)
+        (answer,) = session.receive(who, Source(who, "tracker", ["jawOpen"], list(characters)), now)
+        assert isinstance(answer.message, SourceIs)
         indexes[who] = answer.message.index
 
     def play(*senders: str) -> list[str]:
@@ -51,7 +61,7 @@ def test_one_that_waits_behind_another_is_not_said_to_play(cast: Cast) -> None:
         said.clear()
         for _ in range(70):
             for who in senders:
-                session.receive(who, wire.Drive(indexes[who], frame), now)
+                session.receive(who, Drive(indexes[who], frame), now)
             now += 1.0 / 60.0
             report.tell(session.tick(now), now)
         return said.copy()

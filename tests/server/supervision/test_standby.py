@@ -3,6 +3,7 @@
 import os
 import signal
 import socket
+import subprocess
 import sys
 from collections.abc import Callable
 from pathlib import Path
@@ -162,3 +163,30 @@ def test_a_standby_says_when_it_is_ready_and_has_one_thread(tmp_path: Path) -> N
         assert len(list(tasks.iterdir())) == 1  # a process of several threads cannot be copied whole
     ours.close()
     assert os.waitpid(pid, 0) == (pid, 0)
+
+
+WARMED = """
+import gc
+from numba.core.dispatcher import Dispatcher
+from omote.server.http.cast_documents import built_in_documents
+from omote.server.supervision.standby import warm
+from omote.stage_data.assets import compound_asset
+
+def compiled():
+    found = [each for each in gc.get_objects() if isinstance(each, Dispatcher) and "omote" in each.py_func.__module__]
+    return {(each.py_func.__module__, each.py_func.__name__, str(sign)) for each in found for sign in each.signatures}
+
+documents = built_in_documents()
+warm(documents)
+gc.unfreeze()
+before = compiled()
+for face in documents.cast.faces.values():
+    for expression in list(documents.cast.expressions)[::16]:
+        compound_asset(documents.cast, face, expression)
+print(*sorted(compiled() - before), sep="\\n", end="")
+"""
+
+
+def test_no_face_of_a_show_waits_for_a_compiler() -> None:
+    done = subprocess.run([sys.executable, "-c", WARMED], capture_output=True, text=True, check=True)
+    assert done.stdout == ""

@@ -11,7 +11,10 @@ from omote.server.http.app import ShowServer
 from omote.server.process.notice_board import NoticeBoard
 from omote.server.process.process_messages import PULSE_TICKS, TICK, read_pulse
 from omote.server.supervision.tick_loop import APART, LATE_TICKS, RESTING_TICKS, ShowTick, run_ticks, send_pulse
-from omote.show import messages as wire
+from omote.show.messages import PROTOCOL_VERSION
+from omote.show.objects.calls import CallFace
+from omote.show.objects.faders import SetChannel
+from omote.show.objects.link import Hello
 from omote.show.session import ShowSession
 from omote.showfile.show_file import JournalEntry
 from tests.server.synthetic_server import PAGES, material
@@ -21,7 +24,8 @@ class Clock:
     """A clock that sleeping moves; the tick loop waits on it instead of on the world's."""
 
     def __init__(self, monkeypatch: pytest.MonkeyPatch) -> None:
-        self.now, self.slept = 0.0, 0.0
+        self.now = 0.0
+        self.slept = 0.0
         self.late: dict[int, float] = {}
         monkeypatch.setattr("omote.server.supervision.tick_loop.asyncio.sleep", self.sleep)
 
@@ -34,7 +38,8 @@ class Devices:
     """Devices that speak at some times, by the same clock."""
 
     def __init__(self, clock: Clock, times: list[float]) -> None:
-        self.clock, self.times = clock, times
+        self.clock = clock
+        self.times = times
 
     def forget(self) -> None:
         self.times = [each for each in self.times if each > self.clock.now]
@@ -49,7 +54,8 @@ def beaten(
     monkeypatch: pytest.MonkeyPatch, ticks: int, work: dict[int, float], spoken: list[float] | None = None
 ) -> list[float]:
     """The times of so many ticks, each as long as `work` says (else 1 ms); spoken: when devices speak."""
-    clock, times = Clock(monkeypatch), list[float]()
+    clock = Clock(monkeypatch)
+    times = list[float]()
     early = None if spoken is None else Devices(clock, spoken)
 
     def tick(_: int | None) -> None:
@@ -126,7 +132,7 @@ class Kept:
 def played(cast: Cast) -> tuple[ShowServer, Kept, ShowTick, int]:
     """A server at rest, its journal, its ticks, and the far end of its pulse."""
     session = ShowSession(cast)
-    session.receive("a", wire.Hello("console", wire.PROTOCOL_VERSION), 0.0)
+    session.receive("a", Hello("console", PROTOCOL_VERSION), 0.0)
     steps = iter(range(100_000))
     show = ShowServer(session, material().documents, PAGES, clock=lambda: next(steps) / 60)
     far, near = os.pipe()
@@ -139,7 +145,7 @@ def played(cast: Cast) -> tuple[ShowServer, Kept, ShowTick, int]:
 @pytest.mark.asyncio
 async def test_a_moving_show_is_kept_thirty_times_a_second(played: tuple[ShowServer, Kept, ShowTick, int]) -> None:
     show, journal, playing, _ = played
-    show.session.receive("a", wire.CallFace("one", "1", "broad", 10.0, "smooth"), 0.0)
+    show.session.receive("a", CallFace("one", "1", "broad", 10.0, "smooth"), 0.0)
     for number in range(300):
         playing.tick(number)
     assert len(journal.entries) == 150
@@ -169,7 +175,7 @@ async def test_what_a_hand_does_is_kept_at_once(played: tuple[ShowServer, Kept, 
     for number in range(30):
         playing.tick(number)
     before = len(journal.entries)
-    show.session.receive("a", wire.SetChannel("one", "jawOpen", 0.5), 0.5)
+    show.session.receive("a", SetChannel("one", "jawOpen", 0.5), 0.5)
     for number in range(30, 36):
         playing.tick(number)
     assert len(journal.entries) == before + 1

@@ -16,7 +16,7 @@ from omote.interchange.formats.expression_json import decode, encode
 from omote.interchange.formats.glb_reader import read_glb
 from omote.model.cast import Cast
 from omote.server.workers.file_jobs import ExportExpression, ExportFace, FileJob, Imported, ImportFile, run_file_job
-from omote.showfile.changes import PutContent, PutItem, PutRevision, Stored
+from omote.showfile.changes import Content, Stored
 from omote.showfile.show_file import open_show
 from tests.interchange.formats.scenes import head_glb, taken_apart
 
@@ -133,14 +133,15 @@ def test_what_cannot_be_done_is_a_sentence(job: FileJob, why: str) -> None:
 def test_a_twin_gets_a_label_of_its_own_and_is_told(show: Path, tmp_path: Path) -> None:
     (tmp_path / "smile.json").write_bytes(done(ExportExpression(str(show), "smile"))[0])
     job = ImportFile(str(show), str(tmp_path / "smile.json"), "expression", 1.0)
-    labels, said = list[str](), list[str]()
+    labels = list[str]()
+    said = list[str]()
     for _ in range(2):
         imported = msgspec.msgpack.decode(done(job)[0], type=Imported)
         (item,) = imported.items
         labels.append(item.item.label)
         said += imported.said
         file = open_show(show)
-        file.apply([PutContent(item.revision.content, item.content), PutItem(item.item), PutRevision(item.revision)])
+        file.apply([Content(item.revision.content, item.content), item.item, item.revision])
         file.close()
     assert labels == ["Smile 2", "Smile 3"], "the cast has a Smile"
     assert said[0].endswith("there is a 'Smile' already, so this one is called 'Smile 2'")

@@ -10,6 +10,7 @@ from pathlib import Path
 
 import pytest
 
+from omote.server.process import fork
 from omote.server.workers import job_server as module
 from omote.server.workers.job_server import Follow, JobError, JobServer, RunJob, open_job_server
 
@@ -108,7 +109,8 @@ def test_a_cancelled_job_ends_with_its_children_and_the_next_is_done() -> None:
         return job
 
     async def ask(server: JobServer) -> list[object]:
-        weeping, pids = asyncio.Event(), set[int]()
+        weeping = asyncio.Event()
+        pids = set[int]()
 
         def follow(parent: int, child: int, _: str) -> None:
             pids.update((parent, child))
@@ -181,6 +183,6 @@ def test_without_a_process_to_spare_there_is_no_job_server(monkeypatch: pytest.M
     def none_left(_: object) -> int:
         raise BlockingIOError("no process to spare")
 
-    monkeypatch.setattr(module, "fork_process", none_left)
+    monkeypatch.setattr(fork, "fork_process", none_left)
     with pytest.raises(OSError, match="no process to spare"):
         open_job_server(lambda job, _: job)

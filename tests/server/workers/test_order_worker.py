@@ -18,7 +18,7 @@ from omote.server.workers.order_worker import (
     TangentsOrder,
     WorkshopOrder,
 )
-from omote.show.messages import CompoundAsset, ContentAsset
+from omote.show.cast_documents import CompoundAsset, ContentAsset
 from omote.show.wire import encode
 from omote.showfile.changes import content_key
 from omote.showfile.contents import pack_expression, pack_face, unpack_expression

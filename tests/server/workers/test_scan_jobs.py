@@ -1,5 +1,6 @@
 """Jobs of scans: what is read is found, fitted and shown; what cannot be is asked about; what was fitted is taken."""
 
+import json
 from collections.abc import Mapping
 from dataclasses import replace
 from pathlib import Path
@@ -9,9 +10,9 @@ import msgspec
 import numpy as np
 import pytest
 
-from omote.builtin import load_cast
+from omote.builtin import load_cast, own_face
 from omote.edit.protocol.messages import ScanDoubt, ScanPreview
-from omote.interchange.scan_look import FIRST_HAIR
+from omote.interchange.scan_face import FIRST_HAIR
 from omote.interchange.scans.scan_reader import ScanFile
 from omote.model.fitting.doubt import PLACE as ABOUT_PLACE
 from omote.model.fitting.doubt import Doubt
@@ -20,6 +21,7 @@ from omote.model.fitting.fit_face import Fit
 from omote.model.fitting.landmarks import SEVEN, find_landmarks
 from omote.model.fitting.scan import Scan
 from omote.model.space.similarity import Similarity
+from omote.server.sandbox import scan_faces
 from omote.server.sandbox.scan_files import read_scan_in_sandbox
 from omote.server.workers import scan_jobs
 from omote.server.workers.file_jobs import Imported, run_file_job
@@ -52,30 +54,43 @@ def folder(tmp_path: Path) -> Path:
 
 
 class FalseFit:
-    """Stands for the search and the fit: says what it was asked, and that the man is found without fail."""
+    """Stands for the search and the fit: writes down what it was asked, for both happen in a child, and says that the
+    man is found without fail."""
 
-    def __init__(self, monkeypatch: pytest.MonkeyPatch) -> None:
-        self.sought: list[Mapping[str, Any] | None] = []
-        self.fitted: list[dict[str, Any]] = []
+    def __init__(self, folder: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+        self.log = folder / "asked"
+        self.log.touch()
         self.failure = ""
-        monkeypatch.setattr(scan_jobs, "find_head", self.find)
-        monkeypatch.setattr(scan_jobs, "fit_kinds", self.fit)
+        monkeypatch.setattr(own_face, "find_head", self.find)
+        monkeypatch.setattr(own_face, "fit_kinds", self.fit)
+
+    def write(self, *asked: object) -> None:
+        with self.log.open("a") as file:
+            file.write(json.dumps(asked) + "\n")
+
+    @property
+    def asked(self) -> list[list[Any]]:
+        """What was asked, "find" with landmarks, and "fit" with landmarks and whether the eyes are shut."""
+        return [json.loads(line) for line in self.log.read_text().splitlines()]
 
     def find(self, _: object, __: object, scan: Scan, *, landmarks: Mapping[str, Any] | None) -> HeadPlacement:
-        self.sought.append(landmarks)
+        self.write("find", landmarks)
         if self.failure == "nothing":
             raise ValueError("nothing in the scan could be a face")
         rows = find_landmarks(CAST.space)
-        marks = {name: scan.positions[rows[name]] for name in SEVEN} | dict(landmarks or {})
+        marks = {name: scan.positions[rows[name]] for name in SEVEN}
+        marks |= {name: np.array(point) for name, point in (landmarks or {}).items()}
         return HeadPlacement(
             PLACE, np.ones(len(scan.positions), bool), 1.0, "centimetres", marks, (Doubt("Look here.", ABOUT_PLACE),)
         )
 
     def fit(self, _: object, __: object, ___: Scan, place: HeadPlacement, /, **given: Any) -> Fit:
-        self.fitted.append(given)
+        self.write("fit", given["landmarks"], given["shut"])
         given["follow"](0.5, "the skin")
         if self.failure == "fit":
             raise ValueError("the skin stays folded")
+        if self.failure == "limits":
+            np.ones(2 * scan_faces.LIMITS.memory // 8)
         face = CAST.faces["man"]
         residual = np.full(len(face.positions), 0.1)
         residual[find_landmarks(CAST.space)["nose_tip"]] = np.nan
@@ -83,9 +98,9 @@ class FalseFit:
 
 
 @pytest.fixture
-def false_fit(monkeypatch: pytest.MonkeyPatch) -> FalseFit:
+def false_fit(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> FalseFit:
     """No search and no fit, which take seconds and have tests of their own."""
-    return FalseFit(monkeypatch)
+    return FalseFit(tmp_path, monkeypatch)
 
 
 def fit(folder: Path, **given: Any) -> tuple[ScanPreview, list[tuple[int, int, str]]]:
@@ -124,10 +139,11 @@ def test_few_points_guide_the_fit_and_enough_of_them_the_search_too(folder: Path
     for points in (one, given):
         seen, _ = fit(folder, points=points, shut=True)
         assert {name: tuple(place) for name, place in seen.given.items()} == points
-        assert false_fit.fitted[-1]["landmarks"] == points
-        assert false_fit.fitted[-1]["shut"] is True
         assert seen.shut is True
-    assert false_fit.sought == [None, given]
+    as_sent = json.loads(json.dumps([one, given]))
+    assert false_fit.asked == [
+        ["find", None], ["fit", as_sent[0], True], ["find", as_sent[1]], ["fit", as_sent[1], True],
+    ]  # fmt: skip
     with pytest.raises(ValueError, match="there is no point 'chin'"):
         fit(folder, points={"chin": (0.0, 0.0, 0.0)})
 
@@ -145,11 +161,19 @@ def test_what_cannot_be_found_or_fitted_is_shown_and_asked_about(
     assert seen.doubts == [ScanDoubt("place", said)]
     assert seen.found == {}, "what was sought and not found is nowhere"
     positions = np.frombuffer(seen.positions, "<f4").reshape(-1, 3)
-    size, head = np.ptp(positions, axis=0).max(), np.ptp(CAST.space.points[:, 1])
+    size = np.ptp(positions, axis=0).max()
+    head = np.ptp(CAST.space.points[:, 1])
     assert 0.8 < size / head < 1.3, "as large as a head"
     assert not (folder / FACE).exists(), "what was fitted before is no face of what is shown"
     with pytest.raises(ValueError, match="no face has been fitted"):
         take(folder)
+
+
+def test_a_fit_that_takes_too_much_is_ended(folder: Path, false_fit: FalseFit, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(scan_faces, "LIMITS", replace(scan_faces.LIMITS, memory=2**28))
+    false_fit.failure = "limits"
+    with pytest.raises(ValueError, match="needs more time or memory than any head"):
+        fit(folder)
 
 
 def take(folder: Path, **given: str) -> Imported:

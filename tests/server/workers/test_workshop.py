@@ -10,6 +10,7 @@ from pathlib import Path
 
 import pytest
 
+from omote.server.process import fork
 from omote.server.workers import workshop as module
 from omote.server.workers.workshop import (
     ClosedWorkshopError,
@@ -171,7 +172,7 @@ def test_workshop_without_a_process_to_spare(monkeypatch: pytest.MonkeyPatch) ->
     def none_left(_: object) -> int:
         raise BlockingIOError("no process to spare")
 
-    monkeypatch.setattr(module, "fork_process", none_left)
+    monkeypatch.setattr(fork, "fork_process", none_left)
     with pytest.raises(OSError, match="no process to spare"):
         open_workshop(worn)
 

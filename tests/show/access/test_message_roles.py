@@ -6,53 +6,40 @@ import pytest
 from omote.edit.protocol import messages as editing
 from omote.edit.protocol.wire import decode as decode_edit
 from omote.model.cast import Cast
-from omote.show import messages as wire
 from omote.show.access.access_role import ACCESS_ROLES, HIGHEST, AccessRole, explain_missing_role, role_allows
-from omote.show.access.message_roles import EDITOR_MESSAGES, PLAY_MESSAGES, check_message, role_needed
 from omote.show.access.people_list import Visitor
+from omote.show.declaration import ClientMessage, Message
+from omote.show.messages import CLIENT_MESSAGES, PROTOCOL_VERSION
+from omote.show.objects.calls import Panic
+from omote.show.objects.link import Hello, Refused, Welcome
 from omote.show.session import ShowSession
 from omote.show.validation import Refusal
 from tests.wire_samples import sample_of
-
-LINKS = {
-    "play": (PLAY_MESSAGES, wire.CLIENT_MESSAGES),
-    "edit": (EDITOR_MESSAGES, editing.EDITOR_MESSAGES),
-}
 
 
 def tag_of(kind: type[msgspec.Struct]) -> str:
     return str(kind.__struct_config__.tag)
 
 
-@pytest.mark.parametrize("link", LINKS)
-def test_every_message_has_a_row(link: str) -> None:
-    table, kinds = LINKS[link]
-    assert [tag_of(kind) for kind in kinds if tag_of(kind) not in table] == []
-
-
 def test_a_message_that_nobody_has_thought_of_needs_the_highest_role() -> None:
-    class Unthought(wire.Message, frozen=True):
+    class Unthought(ClientMessage, frozen=True):
         """New."""
 
-    assert role_needed(PLAY_MESSAGES, Unthought()) == HIGHEST
-    with pytest.raises(Refusal):
-        check_message(PLAY_MESSAGES, "edit", Unthought())
+    assert Unthought.access == HIGHEST
 
 
 @pytest.mark.parametrize("role", ACCESS_ROLES)
-@pytest.mark.parametrize("kind", wire.CLIENT_MESSAGES, ids=tag_of)
+@pytest.mark.parametrize("kind", CLIENT_MESSAGES, ids=tag_of)
 def test_the_session_obeys_those_alone_whose_role_allows_it(
-    kind: type[wire.Message], role: AccessRole, cast: Cast
+    kind: type[ClientMessage], role: AccessRole, cast: Cast
 ) -> None:
     session = ShowSession(cast)
     session.members.identify("who", Visitor(role, "Ada", "id"))
-    assert isinstance(
-        session.receive("who", wire.Hello("console", wire.PROTOCOL_VERSION), 0.0)[0].message, wire.Welcome
-    )
+    assert isinstance(session.receive("who", Hello("console", PROTOCOL_VERSION), 0.0)[0].message, Welcome)
     before = session.snapshot(), session.commands, session.crew
     answers = session.receive("who", sample_of(kind), 0.0)  # type: ignore[arg-type]
-    needed = PLAY_MESSAGES[tag_of(kind)]
-    said = [each.message.reason for each in answers if isinstance(each.message, wire.Refused)]
+    needed = kind.access
+    said = [each.message.reason for each in answers if isinstance(each.message, Refused)]
     assert (said == [explain_missing_role(role, needed)]) == (not role_allows(role, needed))
     if not role_allows(role, needed):
         assert (session.snapshot(), session.commands, session.crew) == before
@@ -62,11 +49,9 @@ def test_the_session_obeys_those_alone_whose_role_allows_it(
 
 @pytest.mark.parametrize("role", ACCESS_ROLES)
 @pytest.mark.parametrize("kind", editing.EDITOR_MESSAGES, ids=tag_of)
-def test_editors_requests_are_read_of_those_alone_whose_role_allows_it(
-    kind: type[wire.Message], role: AccessRole
-) -> None:
+def test_editors_requests_are_read_of_those_alone_whose_role_allows_it(kind: type[Message], role: AccessRole) -> None:
     sent = sample_of(kind)
-    needed = EDITOR_MESSAGES[tag_of(kind)]
+    needed = kind.access if issubclass(kind, editing.EditorMessage) else "edit"
     if role_allows(role, needed):
         assert decode_edit(msgspec.msgpack.encode(sent), role) == sent
     else:
@@ -76,5 +61,5 @@ def test_editors_requests_are_read_of_those_alone_whose_role_allows_it(
 
 def test_who_has_no_token_because_none_is_asked_for_may_do_all(cast: Cast) -> None:
     session = ShowSession(cast)
-    session.receive("who", wire.Hello("console", wire.PROTOCOL_VERSION), 0.0)
-    assert session.receive("who", wire.Panic("one"), 0.0) == []
+    session.receive("who", Hello("console", PROTOCOL_VERSION), 0.0)
+    assert session.receive("who", Panic("one"), 0.0) == []

@@ -2,11 +2,13 @@
 
 import pytest
 
-from omote.show import messages as wire
 from omote.show.crew.members import LOST_SECONDS, Members
+from omote.show.messages import PROTOCOL_VERSION
+from omote.show.objects.link import Hello
+from omote.show.objects.stages import Crew, Drawing
 from omote.show.validation import Refusal
 
-HELLO = wire.Hello("console", wire.PROTOCOL_VERSION, "Mia", "page")
+HELLO = Hello("console", PROTOCOL_VERSION, "Mia", "page")
 
 
 def test_who_said_no_hello_is_nobody() -> None:
@@ -14,15 +16,15 @@ def test_who_said_no_hello_is_nobody() -> None:
     with pytest.raises(Refusal, match="before hello"):
         members["a"]
     with pytest.raises(Refusal, match="before hello"):
-        members.report("a", wire.StageReport(60.0, "high"), 0.0)
+        members.report("a", Drawing(60.0, "high"), 0.0)
     assert members.present == {}
 
 
 def test_a_name_that_is_claimed_is_taken_from_who_was_given_it() -> None:
     members = Members()
-    assert members.admit("a", wire.Hello("console", wire.PROTOCOL_VERSION)) == ["a"]
+    assert members.admit("a", Hello("console", PROTOCOL_VERSION)) == ["a"]
     given = members["a"].name
-    claims = wire.Hello("console", wire.PROTOCOL_VERSION, given)
+    claims = Hello("console", PROTOCOL_VERSION, given)
     assert members.admit("b", claims) == ["b", "a"]
     assert members.consoles()["b"] == given != members.consoles()["a"]
 
@@ -30,19 +32,19 @@ def test_a_name_that_is_claimed_is_taken_from_who_was_given_it() -> None:
 def test_roles_are_told_apart() -> None:
     members = Members()
     members.admit("a", HELLO)
-    members.admit("s", wire.Hello("stage", wire.PROTOCOL_VERSION))
+    members.admit("s", Hello("stage", PROTOCOL_VERSION))
     members.join("o", "OSC")
     assert (members.consoles(), members.sources()) == ({"a": "Mia"}, {"o": "OSC"})
     assert members.links_of_page("page") == ["a"]
     assert members.links_of_page("") == []
-    assert members.now(0.0) == wire.Crew([None], 1)
+    assert members.now(0.0) == Crew([None], 1)
 
 
 def test_only_a_stage_whose_link_broke_is_missed() -> None:
     members = Members()
     members.admit("a", HELLO)
-    members.admit("s", wire.Hello("stage", wire.PROTOCOL_VERSION))
+    members.admit("s", Hello("stage", PROTOCOL_VERSION))
     for who in ("a", "s"):
         members.leave(who, lost=5.0)
-    assert members.now(5.0) == wire.Crew([], 0, 1)
-    assert members.now(5.1 + LOST_SECONDS) == wire.Crew([], 0, 0)
+    assert members.now(5.0) == Crew([], 0, 1)
+    assert members.now(5.1 + LOST_SECONDS) == Crew([], 0, 0)

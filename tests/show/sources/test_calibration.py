@@ -88,8 +88,10 @@ def test_a_dead_zone_swallows_trembling_and_the_ends_stay() -> None:
 
 @given(calibrations, sent, sent)
 def test_what_grows_stays_in_range_and_never_falls(calibration: Calibration, one: np.ndarray, step: np.ndarray) -> None:
-    lower, higher = np.minimum(one, step), np.maximum(one, step)
-    before, after = weights(calibration, lower.tolist()), weights(calibration, higher.tolist())
+    lower = np.minimum(one, step)
+    higher = np.maximum(one, step)
+    before = weights(calibration, lower.tolist())
+    after = weights(calibration, higher.tolist())
     assert all(CHANNEL_LOWEST <= value <= CHANNEL_HIGHEST for value in (*before, *after))
     assert all(low <= high + 1e-12 for low, high in zip(before, after, strict=True))
 

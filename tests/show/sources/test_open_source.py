@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from omote.show import messages as wire
+from omote.show.objects.sources import Drive
 from omote.show.sources.calibration import AS_IT_IS, measure_of
 from omote.show.sources.open_source import (
     OpenSource,
@@ -24,7 +24,7 @@ def opened() -> OpenSource:
 
 
 def heard(source: OpenSource, *values: float, found: bool = True) -> OpenSource:
-    frame = wire.Drive(1, np.array(values, "<f4").tobytes(), found=found)
+    frame = Drive(1, np.array(values, "<f4").tobytes(), found=found)
     return hear_values(source, read_values(source, frame), found=found, share=1.0)
 
 

@@ -11,7 +11,27 @@ from hypothesis import strategies as st
 
 from omote.model.cast import Cast
 from omote.model.space.expression import Title
-from omote.show import messages as wire
+from omote.show.messages import PROTOCOL_VERSION
+from omote.show.objects.characters import AddCharacter
+from omote.show.objects.faders import SetChannel
+from omote.show.objects.layers import SetLayer
+from omote.show.objects.link import Hello, Refused
+from omote.show.objects.sources import (
+    CalibrateSource,
+    Drive,
+    LeaveSource,
+    MeasureSource,
+    RouteSource,
+    Source,
+    SourceIs,
+    Sources,
+    SourceState,
+    SourceValues,
+    StreamKind,
+    TuneSource,
+    WatchSource,
+)
+from omote.show.objects.state import State
 from omote.show.session import ShowSession
 from omote.show.session_snapshot import read_session_snapshot
 from omote.show.sources.open_sources import OpenSources
@@ -24,22 +44,24 @@ class Show:
     """A session with a console, a phone and its clock."""
 
     def __init__(self, cast: Cast) -> None:
-        self.session, self.now, self.calls = ShowSession(cast), 0.0, 0
+        self.session = ShowSession(cast)
+        self.now = 0.0
+        self.calls = 0
         for who in ("console", "phone"):
-            self.session.receive(who, wire.Hello("console", wire.PROTOCOL_VERSION, who), 0.0)
-        self.session.receive("console", wire.AddCharacter("two", "two", "Two", "generic"), 0.0)
+            self.session.receive(who, Hello("console", PROTOCOL_VERSION, who), 0.0)
+        self.session.receive("console", AddCharacter("two", "two", "Two", "generic"), 0.0)
 
-    def open(self, kind: wire.StreamKind = "tracker", name: str = "face", who: str = "phone", **more: Any) -> int:
+    def open(self, kind: StreamKind = "tracker", name: str = "face", who: str = "phone", **more: Any) -> int:
         more = {"names": ["jawOpen", "smile"], "characters": ["one"], **more}
-        (answer,) = self.session.receive_bytes(who, encode(wire.Source(name, kind, **more)), self.now)
-        assert isinstance(answer.message, wire.SourceIs), answer.message
+        (answer,) = self.session.receive_bytes(who, encode(Source(name, kind, **more)), self.now)
+        assert isinstance(answer.message, SourceIs), answer.message
         return answer.message.index
 
     def drive(self, index: int, values: list[float], who: str = "phone", **more: Any) -> None:
-        frame = wire.Drive(index, np.array(values, "<f4").tobytes(), **more)
+        frame = Drive(index, np.array(values, "<f4").tobytes(), **more)
         assert self.session.receive_bytes(who, encode(frame), self.now) == []
 
-    def play(self, seconds: float, index: int = 0, values: list[float] | None = None, **more: Any) -> wire.State:
+    def play(self, seconds: float, index: int = 0, values: list[float] | None = None, **more: Any) -> State:
         for _ in range(round(seconds / DT)):
             if values is not None:
                 self.drive(index, values, **more)
@@ -52,18 +74,18 @@ class Show:
 
     def refused(self, message: Any, who: str = "phone") -> str:
         (answer,) = self.session.receive(who, message, self.now)
-        assert isinstance(answer.message, wire.Refused)
+        assert isinstance(answer.message, Refused)
         return answer.message.reason
 
-    def told(self) -> list[wire.SourceState]:
+    def told(self) -> list[SourceState]:
         self.now += 1.0
         return self.news()[-1].sources
 
-    def watched(self) -> list[wire.SourceValues]:
+    def watched(self) -> list[SourceValues]:
         told = [each.message for each in self.session.hands_now(self.now) if each.who == "console"]
-        return [each for each in told if isinstance(each, wire.SourceValues)]
+        return [each for each in told if isinstance(each, SourceValues)]
 
-    def play_all(self, seconds: float, frames: dict[int, list[float]]) -> wire.State:
+    def play_all(self, seconds: float, frames: dict[int, list[float]]) -> State:
         for _ in range(round(seconds / DT)):
             for index, values in frames.items():
                 self.drive(index, values)
@@ -71,12 +93,12 @@ class Show:
             state = self.session.tick(self.now)
         return state
 
-    def news(self) -> list[wire.Sources]:
+    def news(self) -> list[Sources]:
         told = [each.message for each in self.session.hands_now(self.now) if each.who == "console"]
-        return [each for each in told if isinstance(each, wire.Sources)]
+        return [each for each in told if isinstance(each, Sources)]
 
 
-def jaw(state: wire.State, character: str = "one") -> float:
+def jaw(state: State, character: str = "one") -> float:
     return state.characters[character].channels.get("jawOpen", 0.0)
 
 
@@ -100,7 +122,7 @@ def test_a_route_moves_a_source_elsewhere_and_what_it_left_fades(cast: Cast) -> 
     show = Show(cast)
     index = show.open()
     show.play(3.0, index, [0.75, 0.25])
-    show.change(wire.RouteSource("r1", "face", ["two"], "playback", ["mouth", "brows", "eyes", "rest"]))
+    show.change(RouteSource("r1", "face", ["two"], "playback", ["mouth", "brows", "eyes", "rest"]))
     state = show.play(6.0, index, [0.75, 0.25])
     assert [jaw(state), jaw(state, "two")] == pytest.approx([0.0, 0.75], abs=1e-3)
     assert (state.characters["one"].layers, list(state.characters["two"].layers)) == ({}, ["playback"])
@@ -121,9 +143,9 @@ def test_a_source_that_ends_is_gone_and_its_index_too(cast: Cast) -> None:
     show = Show(cast)
     index = show.open()
     show.play(1.0, index, [0.75, 0.25])
-    show.change(wire.LeaveSource(index), "phone")
+    show.change(LeaveSource(index), "phone")
     assert (
-        show.refused(wire.Drive(index, bytes(8)))
+        show.refused(Drive(index, bytes(8)))
         == f"this link has no source {index}; send source first, source_is has its index."
     )
 
@@ -131,8 +153,8 @@ def test_a_source_that_ends_is_gone_and_its_index_too(cast: Cast) -> None:
 def test_a_source_of_another_link_cannot_be_driven_nor_its_name_taken(cast: Cast) -> None:
     show = Show(cast)
     index = show.open()
-    assert "this link has no source" in show.refused(wire.Drive(index, bytes(8)), "console")
-    taken = wire.Source("face", "lips", ["smile"])
+    assert "this link has no source" in show.refused(Drive(index, bytes(8)), "console")
+    taken = Source("face", "lips", ["smile"])
     assert show.refused(taken, "console") == "another link sends as face already; choose another name."
 
 
@@ -140,20 +162,18 @@ def test_what_cannot_be_played_is_refused_and_changes_nothing(cast: Cast) -> Non
     show = Show(cast)
     index = show.open()
     before = show.play(1.0, index, [0.5, 0.0])
-    assert "face sent 4 bytes for 2 channels" in show.refused(wire.Drive(index, bytes(4)))
+    assert "face sent 4 bytes for 2 channels" in show.refused(Drive(index, bytes(4)))
     bad = np.array([0.0, np.nan], "<f4").tobytes()
-    assert "smile of face is no number (NaN)" in show.refused(wire.Drive(index, bad))
-    far = show.refused(wire.Drive(index, bytes(8), head=(9.0, 0.0, 0.0)))
+    assert "smile of face is no number (NaN)" in show.refused(Drive(index, bad))
+    far = show.refused(Drive(index, bytes(8), head=(9.0, 0.0, 0.0)))
     assert "the head's yaw (radians; 90 degrees at most) is 9.0" in far
-    assert "there is no channel 'gone'" in show.refused(wire.Source("x", "lips", ["gone"]))
-    assert "there is no character 'three'" in show.refused(wire.Source("x", "lips", ["smile"], ["three"]))
-    assert "there is no source 'x'" in show.refused(wire.CalibrateSource("c", "x", "neutral"), "console")
-    assert "there is no layer for a source 'hands'" in show.refused(
-        wire.RouteSource("r", "face", [], "hands"), "console"
-    )
-    assert "is not listened to" in show.refused(wire.CalibrateSource("d", "face", "done"), "console")
+    assert "there is no channel 'gone'" in show.refused(Source("x", "lips", ["gone"]))
+    assert "there is no character 'three'" in show.refused(Source("x", "lips", ["smile"], ["three"]))
+    assert "there is no source 'x'" in show.refused(CalibrateSource("c", "x", "neutral"), "console")
+    assert "there is no layer for a source 'hands'" in show.refused(RouteSource("r", "face", [], "hands"), "console")
+    assert "is not listened to" in show.refused(CalibrateSource("d", "face", "done"), "console")
     show.open(name="new")
-    assert "new has not sent a frame yet" in show.refused(wire.CalibrateSource("n", "new", "neutral"), "console")
+    assert "new has not sent a frame yet" in show.refused(CalibrateSource("n", "new", "neutral"), "console")
     assert jaw(show.play(DT)) >= jaw(before)
 
 
@@ -161,16 +181,16 @@ def test_a_performer_is_measured_and_the_layer_lets_go_meanwhile(cast: Cast) -> 
     show = Show(cast)
     index = show.open(performer="Aki")
     show.play(3.0, index, [0.25, 0.0])
-    show.change(wire.CalibrateSource("n", "face", "neutral"))
-    show.change(wire.CalibrateSource("r", "face", "range"))
+    show.change(CalibrateSource("n", "face", "neutral"))
+    show.change(CalibrateSource("r", "face", "range"))
     show.play(0.5, index, [0.75, 0.5])
-    show.change(wire.CalibrateSource("d", "face", "done"))
+    show.change(CalibrateSource("d", "face", "done"))
     assert show.told()[0].calibrated
     assert jaw(show.play(6.0, index, [0.5, 0.0])) == pytest.approx(0.5, abs=1e-3)
     assert jaw(show.play(4.0, index, [0.25, 0.0])) == pytest.approx(0.0, abs=1e-3)
-    show.change(wire.TuneSource("t", "face", mirror=True, dead_zone=0.1, curve=0.0, gain=0.5))
+    show.change(TuneSource("t", "face", mirror=True, dead_zone=0.1, curve=0.0, gain=0.5))
     assert jaw(show.play(6.0, index, [0.75, 0.0])) == pytest.approx(0.5, abs=1e-3)
-    show.change(wire.CalibrateSource("x", "face", "reset"))
+    show.change(CalibrateSource("x", "face", "reset"))
     assert (show.told()[0].mirror, show.told()[0].calibrated) == (True, False)
 
 
@@ -178,15 +198,15 @@ def test_routes_and_measures_stay_with_the_show(cast: Cast) -> None:
     show = Show(cast)
     index = show.open()
     show.play(1.0, index, [0.25, 0.0])
-    show.change(wire.CalibrateSource("n", "face", "neutral"))
-    show.change(wire.RouteSource("r", "face", ["two"], "playback"))
+    show.change(CalibrateSource("n", "face", "neutral"))
+    show.change(RouteSource("r", "face", ["two"], "playback"))
     show.play(0.5, index, [0.25, 0.0])
     saved = msgspec.msgpack.decode(msgspec.msgpack.encode(show.session.snapshot()))
     snapshot, _ = read_session_snapshot(saved)
     assert snapshot == show.session.snapshot()
     show.session = ShowSession.restored(cast, snapshot, epoch=2)
-    show.session.receive("phone", wire.Hello("console", wire.PROTOCOL_VERSION, "phone"), show.now)
-    show.session.receive("console", wire.Hello("console", wire.PROTOCOL_VERSION, "console"), show.now)
+    show.session.receive("phone", Hello("console", PROTOCOL_VERSION, "phone"), show.now)
+    show.session.receive("console", Hello("console", PROTOCOL_VERSION, "console"), show.now)
     index = show.open(characters=[])
     (told,) = show.told()
     assert (told.characters, told.layer, told.calibrated) == (["two"], "playback", True)
@@ -201,7 +221,8 @@ def test_a_show_goes_on_bit_for_bit_from_its_snapshot(cast: Cast) -> None:
     again = ShowSession.restored(cast, snapshot, epoch=1)
     again.tick(show.now)
     for n in range(1, 120):
-        state, other = show.session.tick(show.now + n * DT), again.tick(show.now + n * DT)
+        state = show.session.tick(show.now + n * DT)
+        other = again.tick(show.now + n * DT)
         assert other.characters == state.characters
 
 
@@ -218,8 +239,8 @@ def test_a_log_of_messages_replays_bit_for_bit(cast: Cast) -> None:
             if n % 3 == 0:
                 show.drive(2, values[:1], found=n % 9 != 0)
             if n % 40 == 0:
-                show.change(wire.SetLayer("one", "tracker", "mouth", values[0]))
-                show.change(wire.SetChannel("one", "smile", values[1]))
+                show.change(SetLayer("one", "tracker", "mouth", values[0]))
+                show.change(SetChannel("one", "smile", values[1]))
             states.append(encode(show.play(DT)))
         assert states[0] == states[1]
 
@@ -239,8 +260,8 @@ def test_consoles_are_told_once_a_second_and_with_each_change(cast: Cast) -> Non
 
 def test_a_stage_drives_nothing(cast: Cast) -> None:
     show = Show(cast)
-    show.session.receive("stage", wire.Hello("stage", wire.PROTOCOL_VERSION), 0.0)
-    assert "only a console plays" in show.refused(wire.Source("x", "lips", ["smile"]), "stage")
+    show.session.receive("stage", Hello("stage", PROTOCOL_VERSION), 0.0)
+    assert "only a console plays" in show.refused(Source("x", "lips", ["smile"]), "stage")
 
 
 def test_a_source_is_smoothed_as_its_performer_is_tuned_or_as_it_asks(cast: Cast) -> None:
@@ -249,7 +270,7 @@ def test_a_source_is_smoothed_as_its_performer_is_tuned_or_as_it_asks(cast: Cast
         show = Show(cast)
         index = show.open(smoothing=asked)
         show.play(1.0, index, [0.0, 0.0])
-        show.change(wire.TuneSource("t", "face", False, 0.0, 0.0, 1.0, tuned))
+        show.change(TuneSource("t", "face", False, 0.0, 0.0, 1.0, tuned))
         show.play(1.0, index, [0.0, 0.0])
         shown.append(jaw(show.play(0.3, index, [0.75, 0.0])))
         assert show.told()[0].smoothing == tuned
@@ -257,7 +278,7 @@ def test_a_source_is_smoothed_as_its_performer_is_tuned_or_as_it_asks(cast: Cast
     assert shown[1] == pytest.approx(shown[2])
     assert shown[1] < 0.5 * shown[0]
     assert "the smoothing of a source (seconds) is 9" in show.refused(
-        wire.TuneSource("u", "face", False, 0.0, 0.0, 1.0, 9.0), "console"
+        TuneSource("u", "face", False, 0.0, 0.0, 1.0, 9.0), "console"
     )
 
 
@@ -265,8 +286,8 @@ def test_two_trackers_share_a_character_by_region_on_one_layer(cast: Cast) -> No
     titles = {"jawOpen": Title("jaw", region="jaw"), "smile": Title("brow", region="brows")}
     show = Show(replace(cast, titles={**cast.titles, **titles}))
     frames = {show.open(name="lips"): [0.75, 0.75], show.open(name="brows"): [0.25, 0.25]}
-    show.change(wire.RouteSource("r1", "lips", ["one"], "tracker", ["mouth"]))
-    show.change(wire.RouteSource("r2", "brows", ["one"], "tracker", ["brows"]))
+    show.change(RouteSource("r1", "lips", ["one"], "tracker", ["mouth"]))
+    show.change(RouteSource("r2", "brows", ["one"], "tracker", ["brows"]))
     one = show.play_all(5.0, frames).characters["one"]
     assert [one.channels["jawOpen"], one.channels["smile"]] == pytest.approx([0.75, 0.25], abs=1e-3)
     assert {each.source: each.parts for each in one.layers["tracker"].sources} == {
@@ -292,9 +313,10 @@ def test_each_part_of_each_character_is_played_by_one_that_is_routed_to_it(
     show = Show(replace(cast, titles={**cast.titles, **titles}))
     sent = {"a": 0.25, "b": 0.5, "c": 0.75}
     index = {name: show.open(name=name, characters=[]) for name in sent}
-    frames, routed = {index[name]: [value] * 2 for name, value in sent.items()}, dict[str, tuple[set[str], str]]()
+    frames = {index[name]: [value] * 2 for name, value in sent.items()}
+    routed = dict[str, tuple[set[str], str]]()
     for n, (name, characters, part) in enumerate(asked):
-        show.change(wire.RouteSource(f"r{n}", name, sorted(characters), "tracker", [part]))
+        show.change(RouteSource(f"r{n}", name, sorted(characters), "tracker", [part]))
         routed[name] = characters, part
         show.play_all(0.2, frames)
     state = show.play_all(7.0, frames)
@@ -310,13 +332,13 @@ def test_a_range_is_measured_of_some_channels_and_the_others_stay(cast: Cast) ->
     index = show.open()
     for number, (names, values) in enumerate([(["jawOpen"], [0.5, 0.9]), (["smile"], [0.1, 0.4])]):
         show.play(0.2, index, [0.0, 0.0])
-        show.change(wire.CalibrateSource(f"r{number}", "face", "range", names))
+        show.change(CalibrateSource(f"r{number}", "face", "range", names))
         show.play(0.5, index, values)
-        show.change(wire.CalibrateSource(f"d{number}", "face", "done"))
+        show.change(CalibrateSource(f"d{number}", "face", "done"))
     assert show.told()[0].highest == pytest.approx({"jawOpen": 0.5, "smile": 0.4})
     assert jaw(show.play(6.0, index, [0.25, 0.0])) == pytest.approx(0.5, abs=1e-3)
     assert "there is no channel of face 'tongueOut'" in show.refused(
-        wire.CalibrateSource("x", "face", "range", ["tongueOut"]), "console"
+        CalibrateSource("x", "face", "range", ["tongueOut"]), "console"
     )
 
 
@@ -325,7 +347,7 @@ def test_a_face_at_rest_is_the_mean_of_some_frames(cast: Cast) -> None:
     index = show.open()
     for n in range(120):
         show.drive(index, [0.3 + 0.1 * (-1) ** n, 0.0])
-    show.change(wire.CalibrateSource("n", "face", "neutral"))
+    show.change(CalibrateSource("n", "face", "neutral"))
     assert show.told()[0].neutral["jawOpen"] == pytest.approx(0.3, abs=0.01)
 
 
@@ -333,39 +355,39 @@ def test_a_measure_is_taken_back_and_done_again(cast: Cast) -> None:
     show = Show(cast)
     index = show.open()
     show.play(1.0, index, [0.25, 0.0])
-    show.change(wire.CalibrateSource("n", "face", "neutral"))
+    show.change(CalibrateSource("n", "face", "neutral"))
     after = show.told()[0]
-    show.change(wire.MeasureSource("m", "face", {}, {}))
+    show.change(MeasureSource("m", "face", {}, {}))
     assert not show.told()[0].calibrated
-    show.change(wire.MeasureSource("o", "face", after.neutral, after.highest))
+    show.change(MeasureSource("o", "face", after.neutral, after.highest))
     assert show.told()[0].neutral == after.neutral
-    wrong = show.refused(wire.MeasureSource("p", "face", {"jawOpen": 3.0}, {}), "console")
+    wrong = show.refused(MeasureSource("p", "face", {"jawOpen": 3.0}, {}), "console")
     assert "jawOpen in the face at rest of a performer is 3.0; give a number from -0.5 to 1.5" in wrong
 
 
 def test_who_watches_a_source_sees_what_comes_and_what_is_made_of_it(cast: Cast) -> None:
     show = Show(cast)
     index = show.open()
-    show.change(wire.WatchSource("face"))
+    show.change(WatchSource("face"))
     assert show.watched() == [], "nothing has come"
     show.play(1.0, index, [0.5, 0.0])
-    show.change(wire.TuneSource("t", "face", False, 0.0, 0.0, 2.0))
+    show.change(TuneSource("t", "face", False, 0.0, 0.0, 2.0))
     (told,) = show.watched()
     assert (told.source, told.names) == ("face", ["jawOpen", "smile"])
     assert np.frombuffer(told.sent, "<f4").tolist() == [0.5, 0.0]
     assert np.frombuffer(told.weights, "<f4").tolist() == [1.0, 0.0]
     assert show.watched() == [], "not oftener than it can be seen"
     show.now += 1.0
-    show.change(wire.WatchSource(""))
+    show.change(WatchSource(""))
     assert show.watched() == []
-    assert "there is no source 'gone'" in show.refused(wire.WatchSource("gone"), "console")
+    assert "there is no source 'gone'" in show.refused(WatchSource("gone"), "console")
 
 
 def test_a_source_that_is_smoothed_otherwise_does_not_let_go(cast: Cast) -> None:
     show = Show(cast)
     index = show.open()
     show.play(3.0, index, [0.75, 0.0])
-    show.change(wire.TuneSource("t", "face", False, 0.0, 0.0, 1.0, 1.0))
+    show.change(TuneSource("t", "face", False, 0.0, 0.0, 1.0, 1.0))
     assert min(jaw(show.play(DT, index, [0.75, 0.0])) for _ in range(120)) > 0.74
 
 
@@ -377,27 +399,27 @@ def shares(show: Show, frames: dict[int, list[float]]) -> float:
 def test_one_that_comes_back_takes_nothing_from_one_that_was_told_to_play_since(cast: Cast) -> None:
     show = Show(cast)
     for who in ("camera", "phone"):
-        show.session.receive(who, wire.Hello("console", wire.PROTOCOL_VERSION, who), 0.0)
+        show.session.receive(who, Hello("console", PROTOCOL_VERSION, who), 0.0)
     first = show.open(name="camera", who="camera")
     show.drive(first, [0.2, 0.0], who="camera")
     show.session.leave("camera")
     show.play(8.0)
     phone = show.open(name="phone")
     assert shares(show, {phone: [0.8, 0.0]}) == 0.8
-    show.session.receive("camera", wire.Hello("console", wire.PROTOCOL_VERSION, "camera"), 0.0)
+    show.session.receive("camera", Hello("console", PROTOCOL_VERSION, "camera"), 0.0)
     camera = show.open(name="camera", who="camera", characters=[])
     assert show.session.sources.route("camera").characters == ("one",), "it is remembered"
 
-    def both(seconds: float) -> wire.State:
+    def both(seconds: float) -> State:
         for _ in range(round(seconds / DT)):
             show.drive(camera, [0.2, 0.0], who="camera")
             state = show.play(DT, phone, [0.8, 0.0])
         return state
 
     assert jaw(both(8.0)) == pytest.approx(0.8, abs=1e-2), "the phone plays on"
-    show.change(wire.RouteSource("r", "camera", ["one"], "tracker"))
+    show.change(RouteSource("r", "camera", ["one"], "tracker"))
     assert jaw(both(8.0)) == pytest.approx(0.2, abs=1e-2), "an operator has said so"
-    show.change(wire.LeaveSource(camera), "camera")
+    show.change(LeaveSource(camera), "camera")
     assert shares(show, {phone: [0.8, 0.0]}) == 0.8
     camera = show.open(name="camera", who="camera", characters=[])
     assert jaw(both(8.0)) == pytest.approx(0.2, abs=1e-2), "it was told to play last, and is back"
@@ -407,7 +429,7 @@ def test_who_was_told_to_play_last_is_known_after_a_restart(cast: Cast) -> None:
     show = Show(cast)
     for name in ("camera", "phone"):
         show.open(name=name)
-    show.change(wire.RouteSource("r", "camera", ["one"], "tracker"))
+    show.change(RouteSource("r", "camera", ["one"], "tracker"))
     kept = msgspec.msgpack.encode(show.session.snapshot())
     sources = read_session_snapshot(msgspec.msgpack.decode(kept))[0].sources
     later = OpenSources(sources)

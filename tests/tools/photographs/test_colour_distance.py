@@ -24,7 +24,9 @@ PUBLISHED = np.array([
 
 
 def test_published_pairs_are_as_far_apart_as_published() -> None:
-    one, other, far = PUBLISHED[:, :3], PUBLISHED[:, 3:6], PUBLISHED[:, 6]
+    one = PUBLISHED[:, :3]
+    other = PUBLISHED[:, 3:6]
+    far = PUBLISHED[:, 6]
     assert colour_distance(one, other) == pytest.approx(far, abs=5e-5)
     assert colour_distance(other, one) == pytest.approx(far, abs=5e-5)
 

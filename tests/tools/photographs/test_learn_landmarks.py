@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from omote.builtin import load_identity_modes, load_landmark_table
-from omote.model.fitting.photographs.photograph_camera import PhotographCamera
+from omote.model.fitting.photographs.photograph import PhotographCamera
 from tools.photographs.learn_landmarks import NODES, Sample, barycentric, find_errors, hats, learn_errors
 from tools.photographs.observations import Observation
 from tools.tracking.picture import turn
@@ -20,7 +20,8 @@ def test_hats_sum_to_one_and_are_one_at_their_nodes() -> None:
 
 def test_shares_give_the_points_back_and_are_never_negative() -> None:
     draw = np.random.default_rng(2)
-    corners, shares = draw.standard_normal((60, 3, 3)), draw.dirichlet(np.ones(3), 60)
+    corners = draw.standard_normal((60, 3, 3))
+    shares = draw.dirichlet(np.ones(3), 60)
     points = np.einsum("pk,pkc->pc", shares, corners)
     assert barycentric(corners, points) == pytest.approx(shares)
     outside = barycentric(corners, points + draw.normal(0.0, 3.0, points.shape))
@@ -29,7 +30,8 @@ def test_shares_give_the_points_back_and_are_never_negative() -> None:
 
 
 def test_landmarks_where_the_camera_projects_them_have_no_error() -> None:
-    table, modes = load_landmark_table(), load_identity_modes()
+    table = load_landmark_table()
+    modes = load_identity_modes()
     camera = PhotographCamera(np.eye(3), np.array([0.0, 0.0, -0.7]), 500.0, 400, 400)
     places = table.places(modes.skin)
     points = np.zeros((478, 3), np.float32)
@@ -48,11 +50,13 @@ def made_up(people: int, views: int) -> tuple[Sample, np.ndarray]:
     """Errors of three points: a mean, half of what modes show, and what is alike in all photographs of a person."""
     draw = np.random.default_rng(6)
     whose = np.repeat(np.arange(people), views)
-    modes, moves = draw.standard_normal((people, 2))[whose], 0.003 * draw.standard_normal((2, 3, 3))
+    modes = draw.standard_normal((people, 2))[whose]
+    moves = 0.003 * draw.standard_normal((2, 3, 3))
     yaws = draw.uniform(NODES[0], NODES[-1], len(whose))
     shown = sum(near[:, None] * (modes @ shown_at(moves, yaw)) for near, yaw in zip(hats(yaws).T, NODES, strict=True))
     mean = 0.002 * np.arange(6)
-    alike, alone = 0.003 * draw.standard_normal((people, 6))[whose], 0.001 * draw.standard_normal((len(whose), 6))
+    alike = 0.003 * draw.standard_normal((people, 6))[whose]
+    alone = 0.001 * draw.standard_normal((len(whose), 6))
     return Sample(mean - 0.5 * shown + alike + alone, modes, yaws, whose, moves), mean
 
 

@@ -6,7 +6,7 @@ import dataclasses
 
 import numpy as np
 
-from omote.model.fitting.photographs.photograph_camera import PhotographCamera
+from omote.model.fitting.photographs.photograph import PhotographCamera
 from tools.photographs.photographer import FINE, Model, develop, look_through, photograph
 from tools.photographs.sculpted_people import model_of, random_sculpted
 from tools.tracking.picture import random_setting
@@ -54,7 +54,8 @@ def test_light_grows_the_picture_and_noise_leaves_its_mean() -> None:
     draw = np.random.default_rng(9)
     calm = dataclasses.replace(random_setting(draw), noise=0.0, exposure=1.0)
     grey = np.full((200, 200, 3), 0.2, np.float32)
-    even, loud = develop(grey, calm, draw), develop(grey, dataclasses.replace(calm, noise=5.0), draw)
+    even = develop(grey, calm, draw)
+    loud = develop(grey, dataclasses.replace(calm, noise=5.0), draw)
     assert np.ptp(even) == 0
     assert 4.0 < loud.std() < 6.0
     assert abs(loud.mean() - even.mean()) < 0.5

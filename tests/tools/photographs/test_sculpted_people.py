@@ -47,7 +47,8 @@ def test_what_is_drawn_fits_together() -> None:
 
 def test_painted_skin_has_the_looks_colours_and_brows_unless_plain() -> None:
     look = CAST.looks["kaori"]
-    painted, plain = painted_colours(look), painted_colours(look, plain=True)
+    painted = painted_colours(look)
+    plain = painted_colours(look, plain=True)
     skin = np.array(list(bytes.fromhex(look.skin[1:])))
     assert np.abs(np.median(plain.reshape(-1, 3), axis=0) - skin).max() <= 2
     changed = np.abs(painted.astype(int) - plain).sum(axis=2) > 30

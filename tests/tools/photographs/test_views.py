@@ -21,7 +21,8 @@ def test_focal_lengths_lie_between_their_ends() -> None:
 def test_a_head_is_in_the_picture_before_the_camera_and_turned_as_asked() -> None:
     draw = np.random.default_rng(6)
     for _ in range(100):
-        yaw, focal = float(draw.uniform(-1.3, 1.3)), random_focal(draw)
+        yaw = float(draw.uniform(-1.3, 1.3))
+        focal = random_focal(draw)
         camera = camera_at(draw, yaw, 0.0, 0.0, focal, SIDE)
         seen = camera.view(MIDDLE[None])
         assert camera.yaw == pytest.approx(yaw)
@@ -31,7 +32,8 @@ def test_a_head_is_in_the_picture_before_the_camera_and_turned_as_asked() -> Non
 
 
 def test_pitch_lifts_the_nose_and_roll_leans_the_head() -> None:
-    nose, straight = np.array([[0.0, -0.02, 0.16]]), camera_at(np.random.default_rng(1), 0.0, 0.0, 0.0, 1.0, SIDE)
+    nose = np.array([[0.0, -0.02, 0.16]])
+    straight = camera_at(np.random.default_rng(1), 0.0, 0.0, 0.0, 1.0, SIDE)
     up, leaning = (camera_at(np.random.default_rng(1), 0.0, *angles, 1.0, SIDE) for angles in ((0.3, 0.0), (0.0, 0.3)))
     crown = np.array([[0.0, 0.12, 0.06]])
     assert up.project(up.view(nose))[0, 1] < straight.project(straight.view(nose))[0, 1]

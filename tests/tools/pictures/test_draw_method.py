@@ -78,7 +78,8 @@ def test_the_sum_folds_and_its_correctives_mend_it(cast: Cast) -> None:
 
 
 def test_a_frozen_call_stops_dead_and_an_inertial_one_does_not() -> None:
-    frozen, ours = played(inertial=False), played(inertial=True)
+    frozen = played(inertial=False)
+    ours = played(inertial=True)
     np.testing.assert_allclose(ours.weights.sum(axis=1), 1.0, atol=1e-12)
     for time, _, _ in CALLS[1:]:
         step = int(np.ceil(time * RATE))

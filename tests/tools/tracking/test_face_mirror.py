@@ -21,7 +21,8 @@ def test_every_point_has_one_partner() -> None:
 
 
 def test_measures_of_a_mirrored_face_are_the_mirrored_measures() -> None:
-    face, (rows, signs) = crooked_face(), mirror_measures()
+    face = crooked_face()
+    (rows, signs) = mirror_measures()
     assert measures(mirror_face(face, find_mirror(mean_face()))) == pytest.approx(measures(face)[rows] * signs)
 
 
@@ -32,8 +33,11 @@ def test_a_pose_turns_round() -> None:
 
 
 def test_the_built_in_map_reads_a_mirrored_face_as_the_mirrored_one() -> None:
-    general, face, rest = load_landmark_map(), crooked_face(), mean_face()
-    pairs, row = find_mirror(rest), pose_row(HeadPose(0.12, rotation((0.3, 0.1, 0.0)), np.zeros(3)))
+    general = load_landmark_map()
+    face = crooked_face()
+    rest = mean_face()
+    pairs = find_mirror(rest)
+    row = pose_row(HeadPose(0.12, rotation((0.3, 0.1, 0.0)), np.zeros(3)))
     turned = pose_row(HeadPose(0.12, rotation((-0.3, 0.1, 0.0)), np.zeros(3)))
     seen = general.compression.features(face, rest, row)
     other = general.compression.features(mirror_face(face, pairs), mirror_face(rest, pairs), turned)

@@ -35,7 +35,8 @@ def test_gradients_are_slopes_of_the_error() -> None:
     features, targets = samples()
     draw = np.random.default_rng(1)
     network = Network(6, 2, SMALL, draw)
-    rows, aims = features[:16], targets[:16]
+    rows = features[:16]
+    aims = targets[:16]
     gradients = network.backward(network.forward(rows, draw, 0.0) - aims)
     for parameter, gradient in zip(network.parameters, gradients, strict=True):
         place = np.unravel_index(int(np.abs(gradient).argmax()), gradient.shape)

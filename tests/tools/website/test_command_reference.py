@@ -9,7 +9,8 @@ from tools.website.command_reference import command_page, commands
 
 
 def test_every_command_and_option_is_there() -> None:
-    page, found = command_page(), dict(commands(typer.main.get_command(app), "omote"))
+    page = command_page()
+    found = dict(commands(typer.main.get_command(app), "omote"))
     assert {"omote show", "omote file import", "omote grid"} <= found.keys()
     assert [path for path in found if f"## `{path}`" not in page] == []
     options = {option for command in found.values() for parameter in command.params for option in parameter.opts}

@@ -2,8 +2,7 @@
 
 import pytest
 
-from omote.inputs.addresses.address import Address
-from omote.inputs.osc_addresses import ADDRESSES
+from omote.inputs.osc_addresses import ADDRESSES, Address
 from tools.website.osc_reference import osc_page
 
 ROWS = {row.split("|")[1].strip(): row for row in osc_page().splitlines() if row.startswith("| `/")}

@@ -9,6 +9,8 @@ import pytest
 
 from omote.edit.protocol import messages as editing
 from omote.show import messages as show
+from omote.show.objects.calls import CallFace
+from omote.show.objects.link import Hello
 from tools.website.wire_reference import section, wire_page
 
 
@@ -42,10 +44,10 @@ def test_links_between_types_lead_to_sections_of_the_page() -> None:
 
 
 def test_fields_are_described_in_words() -> None:
-    text = section(show.CallFace)
+    text = section(CallFace)
     assert "| `name` | text, 1 to 80 long |" in text
     assert "| `seconds` | float or nothing |" in text
-    assert "`stage`, `console`" in section(show.Hello)
+    assert "`stage`, `console`" in section(Hello)
 
 
 def test_a_type_without_words_stops_the_page() -> None:

@@ -21,7 +21,10 @@ class Coil:
     turns: float = 0.8
 
     def wind(self, outward: Floats, stations: int, *, seed: int) -> Floats:
-        """The strands (count, stations, 3), spread over the ball; outward (3,): away from the head at its foot."""
+        """The strands (count, stations, 3), spread over the ball; outward (3,): away from the head at its foot.
+
+        seed: of its small irregularities.
+        """
         chance = np.random.default_rng(seed).uniform(size=(self.count, 3))
         along = np.linspace(0.0, 1.0, stations)
         level = 1.9 * ((np.arange(self.count) + chance[:, 0]) / self.count) - 0.9

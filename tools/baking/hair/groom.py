@@ -72,13 +72,19 @@ class Groom:
 
 
 def above(line: Angles, points: Floats) -> Floats:
-    """Metres by which points (n, 3) lie above a hairline, (n,)."""
+    """Metres by which points (n, 3) lie above a hairline, (n,).
+
+    line: heights of the hairline by angle around the head.
+    """
     angle = np.abs(np.arctan2(points[:, 0] - AXIS[0], points[:, 2] - AXIS[2]))
     return np.asarray(points[:, 1] - np.interp(angle, [at for at, _ in line], [height for _, height in line]))
 
 
 def roots_of(groom: Groom, points: Floats, triangles: Ints) -> Floats:
-    """Where a style's hair grows (n, 3): spread evenly, so that the first few of them already cover the scalp."""
+    """Where a style's hair grows (n, 3): spread evenly, so that the first few of them already cover the scalp.
+
+    groom: the style; points (V, 3), triangles (t, 3): of the skin, metres.
+    """
     rng = np.random.default_rng(groom.seed)
     corners = points[triangles]
     area = np.linalg.norm(np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]), axis=1)
@@ -102,11 +108,16 @@ def _pick_spread(places: Floats, count: int) -> Floats:
 
 
 def grow(groom: Groom, field: Field, roots: Floats) -> Floats:
-    """The strands (n, STATIONS, 3) of a style, from under the skin to their tips."""
+    """The strands (n, STATIONS, 3) of a style, from under the skin to their tips.
+
+    groom: the style; field: around the skin; roots (n, 3): metres.
+    """
     chance = _alike(groom, roots, np.random.default_rng(groom.seed + 1).uniform(size=(len(roots), 4)))
     outward = field.outward(roots)
-    points, heading = roots - SUNK * outward, outward.copy()
-    course, ends = [points], np.full(len(roots), -1)
+    points = roots - SUNK * outward
+    heading = outward.copy()
+    course = [points]
+    ends = np.full(len(roots), -1)
     for step in range(round(groom.length / STRIDE)):
         strands = Strands(points, roots, np.full(len(roots), step * STRIDE), chance)
         done = groom.cut(strands) if step > 2 else np.zeros(len(roots), bool)
@@ -140,7 +151,8 @@ def _gather(groom: Groom, strands: Floats) -> Floats:
 
 def _heading(groom: Groom, field: Field, strands: Strands, before: Floats) -> Floats:
     """Unit vectors (n, 3): combed along the head, lifted to the strand's own layer, a little as before."""
-    height, out = field.height(strands.points), field.outward(strands.points)
+    height = field.height(strands.points)
+    out = field.outward(strands.points)
     wanted = _unit(groom.comb(strands))
     low, high = groom.layers
     layer = (low + (high - low) * strands.chance[:, 0]) * _ease(strands.grown / groom.rise)

@@ -44,6 +44,8 @@ def field_of(points: Floats, triangles: Ints, *, closing: float, blur: float) ->
 
     closing: gaps up to twice this many metres (behind ears, under the jaw) count as filled; blur: metres over which the
     surface is smoothed, so that hair does not follow every bump.
+
+    triangles (t, 3): of the skin.
     """
     origin = points.min(axis=0) - MARGIN
     shape = tuple(np.ceil((np.ptp(points, axis=0) + 2 * MARGIN) / STEP).astype(int))
@@ -79,7 +81,10 @@ def _inside(points: Floats, triangles: Ints, grid: Floats) -> NDArray[np.bool_]:
 
 
 def surface_samples(points: Floats, triangles: Ints) -> tuple[Floats, Floats]:
-    """Points spread evenly over every triangle and the smooth normals there, (s, 3) each."""
+    """Points spread evenly over every triangle and the smooth normals there, (s, 3) each.
+
+    points (V, 3), triangles (t, 3): of the skin, metres.
+    """
     first, second = np.meshgrid(np.arange(SAMPLES), np.arange(SAMPLES), indexing="ij")
     kept = first + second < SAMPLES
     weights = np.stack([first[kept], second[kept], SAMPLES - 1 - first[kept] - second[kept]], axis=1) / (SAMPLES - 1)

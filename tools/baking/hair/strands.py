@@ -6,7 +6,8 @@ import numpy as np
 from scipy import ndimage
 from scipy.spatial import cKDTree
 
-from omote.model.hair import HairStyle, find_anchors
+from omote.arrays import Indices, Mask, Values
+from omote.model.hair import LINKS, HairStyle
 from omote.model.space.parameter_space import ParameterSpace
 from tools.baking.assemble import Arrays, Step
 from tools.baking.hair.groom import STATIONS, Groom, grow, roots_of
@@ -23,7 +24,10 @@ DEPTH = 0.012  # metres of hair over a place that take most of its light
 
 
 def hair_arrays(space: ParameterSpace, step: Step) -> Arrays:
-    """Every style as `hair/STYLE/...` (omote.builtin.castfile)."""
+    """Every style as `hair/STYLE/...` (omote.builtin.castfile).
+
+    space: of the generic face; step: is called with the name of each style.
+    """
     arrays: Arrays = {}
     for name, groom in GROOMS.items():
         style = grow_style(name, groom, space)
@@ -35,8 +39,12 @@ def hair_arrays(space: ParameterSpace, step: Step) -> Arrays:
 
 
 def grow_style(name: str, groom: Groom, space: ParameterSpace) -> HairStyle:
-    """A style on the generic head of a space."""
-    skin, triangles = space.points, space.triangles
+    """A style on the generic head of a space.
+
+    name: of the style; groom: how it grows.
+    """
+    skin = space.points
+    triangles = space.triangles
     field = field_of(skin, triangles, closing=groom.closing, blur=groom.blur)
     roots = roots_of(groom, skin, triangles)
     points = np.round(push_out(_all_strands(groom, field, roots), skin, triangles), 5) + 0.0
@@ -65,8 +73,26 @@ def _all_strands(groom: Groom, field: Field, roots: Floats) -> Floats:
     return np.insert(grown, place, wound, axis=0)
 
 
+def find_anchors(points: Values, skin: Values, allowed: Mask, /) -> tuple[Indices, Values]:
+    """Finds the skin's vertices (..., LINKS) that carry points (..., 3), and their weights, which sum to one
+    (skinning).
+
+    skin (V, 3) metres; allowed (V,): the vertices that may. Weights fall to zero at the first vertex that is left out
+    (Franke and Little 1980), so that neighbours on a strand are carried alike.
+    """
+    usable = np.flatnonzero(allowed)
+    far, found = cKDTree(skin[usable]).query(points, k=LINKS + 1)
+    near = np.maximum(far[..., :LINKS], 1e-6)
+    limit = far[..., LINKS:] * (1.0 + 1e-6)
+    weights = ((limit - near) / (limit * near)) ** 2
+    return usable[found[..., :LINKS]].astype(np.int32), weights / weights.sum(axis=-1, keepdims=True)
+
+
 def push_out(points: Floats, skin: Floats, triangles: Ints) -> Floats:
-    """Strands (n, k, 3) pushed out of the skin: the field they grew on is smoother than ears are."""
+    """Strands (n, k, 3) pushed out of the skin: the field they grew on is smoother than ears are.
+
+    points (n, k, 3): metres; skin (V, 3), triangles (t, 3).
+    """
     spots, facing = surface_samples(skin, triangles)
     tree = cKDTree(spots)
     wanted = CLEARANCE * np.minimum(np.arange(points.shape[1]) / 2.0, 1.0)
@@ -81,7 +107,10 @@ def push_out(points: Floats, skin: Floats, triangles: Ints) -> Floats:
 
 
 def open_sky(field: Field, points: Floats) -> Floats:
-    """How much light comes through the hair above each place (n, k), 0..1."""
+    """How much light comes through the hair above each place (n, k), 0..1.
+
+    field: around the skin; points (n, k, 3): metres.
+    """
     places = np.moveaxis((points - field.origin) / CELL, -1, 0)
     shape = tuple(int(places[axis].max()) + 8 for axis in range(3))
     hair = np.zeros(shape)

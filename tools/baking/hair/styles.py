@@ -11,6 +11,7 @@ from tools.baking.hair.coil import Coil
 from tools.baking.hair.groom import Groom, Strands
 from tools.baking.heads.basemesh import Floats
 
+# Hairlines: the angle around the skull, radians, and the height over the eyes where hair begins, metres.
 ADULT = (
     (0.0, 0.076),
     (0.35, 0.074),
@@ -30,8 +31,9 @@ RECEDING = ((0.0, 0.107), (0.35, 0.106), (0.7, 0.096), (0.9, 0.066), (1.04, 0.03
 TIED = (*ADULT[:5], (1.05, 0.022), *ADULT[9:])  # without whiskers
 FRINGED = ((0.0, 0.071), (0.35, 0.069), (0.6, 0.064), *ADULT[3:])  # a child's forehead is high
 PEAKED = ((0.0, 0.068), (0.14, 0.075), (0.4, 0.086), (0.62, 0.075), *TIED[3:])
+# Places on the head, metres.
 WHORL = np.array([0.0, 0.125, 0.04])
-PART = 0.032  # how far to the character's left hair is parted
+PART = 0.032  # how far to the character's left hair is parted, metres
 KNOT = np.array([0.0, 0.093, -0.03])  # where hair is put up
 
 

@@ -27,7 +27,7 @@ class Quads:
 
 @dataclass(frozen=True)
 class BaseMesh:
-    """points: (19158, 3) decimetres, y up, +z forward;  uvs: (n, 2), v up;  groups: quads by the group's name"""
+    """points: (19158, 3), decimetres as published, y up, +z forward;  uvs: (n, 2), v up;  groups: quads by name"""
 
     points: Floats
     uvs: Floats
@@ -68,7 +68,10 @@ def _quads(rows: list[list[int]]) -> Quads:
 
 
 def read_target(text: str, count: int) -> Floats:
-    """A target's displacement (count, 3) in decimetres from lines `vertex dx dy dz`; other vertices stay."""
+    """A target's displacement (count, 3), in the base mesh's unit, from lines `vertex dx dy dz`; other vertices stay.
+
+    text: of the file; count: vertices of the base mesh.
+    """
     rows = [line for line in text.splitlines() if line.strip() and not line.startswith("#")]
     displacement = np.zeros((count, 3))
     if not rows:

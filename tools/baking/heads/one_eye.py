@@ -7,7 +7,7 @@ from collections.abc import Mapping
 import numpy as np
 
 from omote.model.space.parameter_space import ParameterSpace
-from omote.model.transfer.eyes.socket_skin import find_socket_lining
+from omote.model.transfer.socket_skin import find_socket_lining
 from tools.baking.expressions import PERFORMED, unit_weights
 from tools.baking.heads.basemesh import Floats
 from tools.baking.heads.moves import Move
@@ -20,6 +20,8 @@ def leave_other_socket(space: ParameterSpace, moves: Mapping[str, Move], /) -> d
     """The moves with the lining of one socket at rest in what moves the other eye, and so in what is performed with it.
 
     The lids of that socket are at rest there already.
+
+    space: of the generic face; moves: by expression.
     """
     lining = find_socket_lining(space)
     if lining is None:

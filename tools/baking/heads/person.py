@@ -83,9 +83,11 @@ def _shares(value: float, anchors: Mapping[str, float]) -> dict[str, float]:
 
 
 def person_points(person: Person, package: Package, base: BaseMesh, head: Head) -> Floats:
-    """The person's base mesh (n, 3) in decimetres, scaled by its size, moved so that its eyes lie at the generic ones.
+    """The person's base mesh (n, 3) in its unit, scaled by its size, moved so that its eyes lie at the generic ones.
 
     The centre of the box around both eyeballs is the point that stays.
+
+    person: the recipe; package: the published files; base, head: the base mesh and the head cut from it.
     """
     points = base.points.copy()
     for name, weight in target_weights(person).items():

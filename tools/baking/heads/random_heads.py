@@ -17,16 +17,20 @@ from omote.builtin.binding import PARTS
 from omote.model.known_names import GENERIC
 from omote.model.space.similarity import fit_similarity
 from tools.baking.heads.basemesh import BaseMesh, Floats, read_target
-from tools.baking.heads.head import METRES, Head
+from tools.baking.heads.head import Head
 from tools.baking.heads.person import Build, Person, target_weights
 from tools.baking.package import Package
 
-PEOPLE, MODES, SEED = 900, 110, 14
+PEOPLE = 900
+MODES = 110
+SEED = 14
 FOLDERS = ("head", "ears", "neck", "cheek", "chin", "forehead", "eyebrows", "eyes", "nose", "mouth", "asym")
 LEFT_OUT = "breast|trunk"
 RACES = ("african", "asian", "caucasian")
 # Standard deviations of a target's weight, of what one side has more, and of the crooked shapes.
-SHAPE, SIDE, CROOKED = 0.35, 0.08, 0.15
+SHAPE = 0.35
+SIDE = 0.08
+CROOKED = 0.15
 _SIDES = re.compile(r"/([lr])-|-([lr])$")
 
 
@@ -37,19 +41,23 @@ def identity_modes(
     the mean (V + parts, 3).
 
     baked: the arrays of cast.npz, on whose generic face the modes are put.
+
+    package: the published files; base, head: the base mesh and the head cut from it.
     """
     rows = np.concatenate([head.skin.vertices, *(head.parts[part].vertices for part in PARTS)])
     generic = np.concatenate([baked[f"face/{GENERIC}"], *(baked[f"face/{GENERIC}/{part}"] for part in PARTS)])
     moves = _align(base.points[rows], _draw_people(package, len(base.points), rows), len(head.skin.vertices))
     middle = moves.mean(axis=0)
     modes = _principal(moves - middle, MODES)
+    unit = head.unit_metres
     # Half precision: 0.005 mm where a mode moves by 10, far less than what is fitted after the modes.
-    return {"mean": (generic + METRES * middle).astype(np.float32), "modes": (METRES * modes).astype(np.float16)}
+    return {"mean": (generic + unit * middle).astype(np.float32), "modes": (unit * modes).astype(np.float16)}
 
 
 def _draw_people(package: Package, count: int, rows: NDArray[np.integer]) -> Floats:
-    """Displacements (PEOPLE, n, 3) of rows of the base mesh, decimetres."""
-    draw, names = np.random.default_rng(SEED), _names(package)
+    """Displacements (PEOPLE, n, 3) of rows of the base mesh, in its unit."""
+    draw = np.random.default_rng(SEED)
+    names = _names(package)
     recipes = [_recipe(draw, names) for _ in range(PEOPLE)]
     used = sorted({name for recipe in recipes for name in recipe})
     weights = np.array([[recipe.get(name, 0.0) for name in used] for recipe in recipes])
@@ -70,7 +78,8 @@ def _recipe(draw: np.random.Generator, names: Sequence[str]) -> dict[str, float]
         gender=draw.uniform(), age=draw.uniform(0.1, 1.0), muscle=draw.uniform(), weight=draw.uniform(),
         race=dict(zip(RACES, shares.tolist(), strict=True)),
     )  # fmt: skip
-    weights, both = target_weights(Person(look={}, build=build)), dict[str, float]()
+    weights = target_weights(Person(look={}, build=build))
+    both = dict[str, float]()
     for name in names:
         spread = CROOKED if name.startswith("asym/") else SHAPE
         alike = name if name.startswith("asym/") else _SIDES.sub("/", name)

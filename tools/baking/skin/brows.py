@@ -26,6 +26,8 @@ def brow_cover(places: Floats, *, seed: int) -> Floats:
     """How much each place (n, 3) on the generic head is covered by eyebrow, 0 to 1.
 
     Hairs far from the middle line are fainter: a thinner brow is the part above a higher threshold.
+
+    places (n, 3): metres; seed: of the hairs.
     """
     cover = np.zeros(len(places))
     across = np.abs(places[:, 0])

@@ -38,7 +38,8 @@ def dark_rims(texels: Texels) -> Floats:
 
 def make_up(texels: Texels) -> Floats:
     """Make-up of the eyes (n,), 0 to 1: a line along the lids, a shadow over the upper one."""
-    places, rings = texels.places, texels.lid_rings
+    places = texels.places
+    rings = texels.lid_rings
     upper = ramp(places[:, 1], -0.001, 0.002)
     wing = ramp(np.abs(places[:, 0]), 0.02, 0.042)
     line = ramp(rings, 2.3 + 1.2 * wing * upper, 0.6) * (0.4 + 0.6 * upper)

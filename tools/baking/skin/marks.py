@@ -56,7 +56,8 @@ def beard(texels: Texels) -> Floats:
 
 def stubble(texels: Texels) -> Floats:
     """Stubble (n,), 0 to 1: a shadow under the skin and short hairs over it."""
-    places, normals = texels.places, texels.normals
+    places = texels.places
+    normals = texels.normals
     flow = _along_skin(np.array([[0.0, -1.0, -0.2]]), normals) * 0.0016
     hairs = ramp(strand_noise(places, flow, 0.00055, seed=SEED + 20), 0.5, 0.8)
     thin = 0.55 + 0.45 * cloud_noise(places, 0.01, seed=SEED + 22)

@@ -37,14 +37,21 @@ BLUSH = (
 
 
 def paint_layers(skin: Piece, points: Floats, layout: Floats) -> NDArray[np.uint8]:
-    """The layers (SIZE * 6, SIZE, 4) of the generic head: points (n, 3) metres, layout (k, 2)."""
+    """The layers (SIZE * 6, SIZE, 4) of the generic head: points (n, 3) metres, layout (k, 2).
+
+    skin: its triangles and texture corners.
+    """
     texels = texels_of(skin, points, layout)
     return np.concatenate([as_bytes(name, paint(texels)) for name, paint in LAYERS.items()])
 
 
 def as_bytes(name: str, picture: Floats) -> NDArray[np.uint8]:
-    """A picture of numbers from 0 to 1 in steps of 1/255; BakeError where one lies outside."""
-    low, high = float(picture.min()), float(picture.max())
+    """A picture of numbers from 0 to 1 in steps of 1/255; BakeError where one lies outside.
+
+    name: of the layer, for the message; picture: of any shape.
+    """
+    low = float(picture.min())
+    high = float(picture.max())
     if not (low >= 0.0 and high <= 1.0):
         raise BakeError(f"the layer {name} holds {low} to {high}, expected 0 to 1; mend what paints it.")
     return np.rint(picture * 255.0).astype(np.uint8)

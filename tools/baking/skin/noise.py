@@ -53,7 +53,9 @@ def _cells(places: Floats, seed: int) -> Floats:
     for n in range(len(places)):
         x, y, z = places[n]
         i, j, k = int(np.floor(x)), int(np.floor(y)), int(np.floor(z))
-        first, second, label = 9.0, 9.0, 0.0
+        first = 9.0
+        second = 9.0
+        label = 0.0
         for a in range(i - 1, i + 2):
             for b in range(j - 1, j + 2):
                 for c in range(k - 1, k + 2):
@@ -84,25 +86,37 @@ def _strands(places: Floats, flow: Floats, taps: int, seed: int) -> Floats:
 
 
 def value_noise(places: Floats, size: float, *, seed: int) -> Floats:
-    """Smooth noise (n,) in [0, 1] at places (n, 3), its blobs about `size` across."""
+    """Smooth noise (n,) in [0, 1] at places (n, 3), its blobs about `size` across.
+
+    size: metres; seed: which noise.
+    """
     return np.asarray(_values(np.ascontiguousarray(places / size), seed))
 
 
 def cloud_noise(places: Floats, size: float, *, seed: int, octaves: int = 3) -> Floats:
-    """Noise (n,) in [0, 1] of several sizes, each half the one before and half as strong."""
+    """Noise (n,) in [0, 1] of several sizes, each half the one before and half as strong.
+
+    places (n, 3): metres; size: of the largest blobs, metres; seed: which noise; octaves: how many sizes.
+    """
     parts = [value_noise(places, size / 2**octave, seed=seed + octave) * 0.5**octave for octave in range(octaves)]
     return np.asarray(sum(parts) / (2.0 - 0.5 ** (octaves - 1)))
 
 
 def cell_noise(places: Floats, size: float, *, seed: int) -> tuple[Floats, Floats, Floats]:
     """Distances (n,) to the nearest and to the second of points scattered `size` apart, in units of `size`, and a
-    number (n,) in [0, 1) that is the nearest point's own."""
+    number (n,) in [0, 1) that is the nearest point's own.
+
+    places (n, 3): metres; seed: which points.
+    """
     found = _cells(np.ascontiguousarray(places / size), seed)
     return found[:, 0], found[:, 1], found[:, 2]
 
 
 def strand_noise(places: Floats, flow: Floats, width: float, *, seed: int) -> Floats:
-    """Noise (n,) around 0.5 that is drawn out along `flow` (n, 3; its length is the strand's) and `width` across."""
+    """Noise (n,) around 0.5 that is drawn out along `flow` (n, 3; its length is the strand's) and `width` across.
+
+    places (n, 3), width: metres; seed: which noise.
+    """
     taps = max(2, round(float(np.linalg.norm(flow, axis=1).max()) / width))
     found = _strands(np.ascontiguousarray(places / width), np.ascontiguousarray(flow / width), taps, seed)
     return np.asarray(np.clip(0.5 + (found - 0.5) * 0.8 * np.sqrt(taps), 0.0, 1.0))

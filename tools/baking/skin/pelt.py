@@ -24,7 +24,7 @@ LINES_OF_THE_CHEEK: Sequence[Line] = (
 BROW_OF_THE_HOUND: Line = ((0.0125, 0.0225), (0.021, 0.0255), (0.033, 0.0265))
 BROW_OF_THE_TABBY: Line = ((0.0140, 0.0290), (0.023, 0.0265), (0.033, 0.0205))
 LINE_OF_TEARS: Line = ((0.0185, -0.005), (0.0155, -0.013), (0.0165, -0.022))
-# Whiskers: from the pad out over the cheek.
+# Whiskers, from the pad out over the cheek, and the roots on the pad: |x| and height, metres.
 WHISKERS: Sequence[Line] = (
     ((0.014, -0.0475), (0.030, -0.038), (0.046, -0.030), (0.060, -0.026)),
     ((0.016, -0.0505), (0.032, -0.044), (0.048, -0.040), (0.063, -0.039)),

@@ -18,8 +18,10 @@ def _fill(corners: Floats, owner: Ints, weights: Floats, depth: Floats) -> None:
         area = (b[0] - a[0]) * (c[1] - a[1]) - (c[0] - a[0]) * (b[1] - a[1])
         if area == 0.0:
             continue
-        left, right = min(a[0], b[0], c[0]), max(a[0], b[0], c[0])
-        top, bottom = min(a[1], b[1], c[1]), max(a[1], b[1], c[1])
+        left = min(a[0], b[0], c[0])
+        right = max(a[0], b[0], c[0])
+        top = min(a[1], b[1], c[1])
+        bottom = max(a[1], b[1], c[1])
         for row in range(max(0, int(top)), min(rows, int(bottom) + 1)):
             for column in range(max(0, int(left)), min(columns, int(right) + 1)):
                 x, y = column + 0.5, row + 0.5
@@ -48,11 +50,17 @@ def rasterise(corners: Floats, size: int) -> tuple[Ints, Floats, Floats]:
 
 
 def openness(points: Floats, triangles: Ints, *, directions: int = 96, size: int = 256) -> Floats:
-    """How much of the sky each vertex (n,) sees over its own horizon, 0 to 1; the rest is ambient occlusion."""
+    """How much of the sky each vertex (n,) sees over its own horizon, 0 to 1; the rest is ambient occlusion.
+
+    points (n, 3): metres; triangles (t, 3); directions: how many are looked along; size: pixels of a picture from
+    each.
+    """
     normals = vertex_normals(points, triangles)
     start = points + normals * 0.0008
-    centre, radius = points.mean(axis=0), np.ptp(points, axis=0).max()
-    seen, possible = np.zeros(len(points)), np.full(len(points), 1e-9)
+    centre = points.mean(axis=0)
+    radius = np.ptp(points, axis=0).max()
+    seen = np.zeros(len(points))
+    possible = np.full(len(points), 1e-9)
     for direction in sphere(directions):
         turn = _facing(direction)
         scale = size / (2.0 * radius)
@@ -67,7 +75,10 @@ def openness(points: Floats, triangles: Ints, *, directions: int = 96, size: int
 
 
 def vertex_normals(points: Floats, triangles: Ints) -> Floats:
-    """Unit normals (n, 3) of the vertices, weighted by the area of the triangles around."""
+    """Unit normals (n, 3) of the vertices, weighted by the area of the triangles around.
+
+    points (n, 3), triangles (t, 3).
+    """
     corners = points[triangles]
     facing = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
     normals = np.zeros_like(points)

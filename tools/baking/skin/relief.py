@@ -60,8 +60,12 @@ def lip_furrows(texels: Texels) -> Floats:
 
 
 def slopes(texels: Texels, height: Floats) -> Floats:
-    """The slopes (SIZE, SIZE, 2) of a height (n,) in metres, along columns and rows."""
-    picture, places = texels.spread(height), texels.spread(texels.places)
+    """The slopes (SIZE, SIZE, 2) of a height (n,) in metres, along columns and rows.
+
+    texels: of the skin, n of them.
+    """
+    picture = texels.spread(height)
+    places = texels.spread(texels.places)
     rises = [_central(picture, axis) for axis in (1, 0)]
     ways = [_central(places, axis) for axis in (1, 0)]
     first, mixed, second = (np.einsum("ijk,ijk->ij", a, b) for a, b in ((ways[0],) * 2, ways, (ways[1],) * 2))

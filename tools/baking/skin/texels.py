@@ -50,11 +50,15 @@ class Texels:
 
 
 def texels_of(skin: Piece, points: Floats, layout: Floats) -> Texels:
-    """The texels of the generic head: points (n, 3) metres, layout (k, 2) its texture coordinates."""
+    """The texels of the generic head: points (n, 3) metres, layout (k, 2) its texture coordinates.
+
+    skin: its triangles and texture corners.
+    """
     corners = np.concatenate([layout * SIZE, np.zeros((len(layout), 1))], axis=1)[skin.uv_corners]
     owner, weights, _ = rasterise(corners, SIZE)
     covered = owner >= 0
-    chosen, share = skin.triangles[owner[covered]], weights[covered]
+    chosen = skin.triangles[owner[covered]]
+    share = weights[covered]
 
     def at_pixels(values: Floats) -> Floats:
         return np.asarray(np.einsum("ij,ij...->i...", share, values[chosen]))
@@ -74,13 +78,19 @@ def texels_of(skin: Piece, points: Floats, layout: Floats) -> Texels:
 
 
 def ramp(values: Floats, low: Floats | float, high: Floats | float) -> Floats:
-    """0 at `low`, 1 at `high`, with a soft step between; the two may stand in either order."""
+    """0 at `low`, 1 at `high`, with a soft step between; the two may stand in either order.
+
+    values: of any shape.
+    """
     share = np.clip((values - low) / (np.asarray(high) - low), 0.0, 1.0)
     return np.asarray(share * share * (3.0 - 2.0 * share))
 
 
 def blob(places: Floats, centre: tuple[float, float, float], radii: tuple[float, float, float]) -> Floats:
-    """A soft ball (n,): 1 at the centre, 0.37 on the ellipsoid with these radii; metres, mirrored in x."""
+    """A soft ball (n,): 1 at the centre, 0.37 on the ellipsoid with these radii; metres, mirrored in x.
+
+    places (n, 3).
+    """
     off = (np.abs(places[:, 0]) - centre[0]) / radii[0], *((places[:, 1:] - centre[1:]) / radii[1:]).T
     return np.asarray(np.exp(-sum(part**2 for part in off)))
 
@@ -112,7 +122,8 @@ def _rings(skin: Piece, points: Floats) -> tuple[Floats, Floats]:
 
 def _seams(skin: Piece) -> list[Ints]:
     """The closed border lines of the largest island, each as vertices."""
-    corners, count = skin.uv_corners, len(skin.uvs)
+    corners = skin.uv_corners
+    count = len(skin.uvs)
     island = islands(corners, count)
     vertex = np.zeros(count, dtype=np.int32)
     vertex[corners] = skin.triangles

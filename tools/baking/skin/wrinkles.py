@@ -56,7 +56,8 @@ def lines_of_age(texels: Texels) -> tuple[Floats, Floats]:
     warp = np.stack([value_noise(places, 0.007, seed=SEED + axis) - 0.5 for axis in range(2)], axis=1)
     flat = (places[:, :2] + warp * 0.0022) * 1000.0
     broken = 0.45 + 0.55 * ramp(cloud_noise(places, 0.012, seed=SEED + 2), 0.25, 0.6)
-    depth, crease = np.zeros(len(places)), np.zeros(len(places))
+    depth = np.zeros(len(places))
+    crease = np.zeros(len(places))
     ahead = ramp(places[:, 2], FRONT, FRONT + 0.02)
     for points, deep, half in LINES:
         for line in _both_sides(np.array(points, dtype=np.float64)):
@@ -103,13 +104,15 @@ def _both_sides(line: Floats) -> list[Floats]:
 
 def _beside(flat: Floats, line: Floats) -> tuple[Floats, Floats]:
     """Distance (n,) of places (n, 2) to a line of points, and how far from its ends they lie, 0 to 1."""
-    off, along = np.full(len(flat), np.inf), np.zeros(len(flat))
+    off = np.full(len(flat), np.inf)
+    along = np.zeros(len(flat))
     lengths = np.linalg.norm(np.diff(line, axis=0), axis=1)
     starts = np.concatenate([[0.0], np.cumsum(lengths)])
     for start, end, length, before in zip(line[:-1], line[1:], lengths, starts[:-1], strict=True):
         share = np.clip((flat - start) @ (end - start) / length**2, 0.0, 1.0)
         far = np.linalg.norm(flat - start - share[:, None] * (end - start), axis=1)
         nearer = far < off
-        off[nearer], along[nearer] = far[nearer], (before + share * length)[nearer]
+        off[nearer] = far[nearer]
+        along[nearer] = (before + share * length)[nearer]
     share = along / starts[-1]
     return off, ramp(share, 0.0, 0.25) * ramp(share, 1.0, 0.75)

@@ -28,7 +28,8 @@ def draw_net(cast: Cast) -> Figure:
     point = _cheek_point(net)
     share = np.asarray(net.basis[:, point].toarray()).ravel()
     figure = Figure(960, 400, "The control net on S, and the influence of one control point")
-    plane, faces = (16.0, 44.0, 560.0, 316.0), [(592.0 + 180 * n, 44.0, 172.0, 316.0) for n in range(2)]
+    plane = (16.0, 44.0, 560.0, 316.0)
+    faces = [(592.0 + 180 * n, 44.0, 172.0, 316.0) for n in range(2)]
     flat = Unrolled(space, plane, width=0.46)
     figure.rect(*plane)
     figure.add(flat.picture(_influenced(space, share, space.location_triangles)))
@@ -73,7 +74,8 @@ def _net(figure: Figure, flat: Unrolled, net: ControlNet, point: int) -> None:
 def _needles(
     figure: Figure, box: Box, cast: Cast, name: str, net: ControlNet, point: int, share: Values
 ) -> None:  # fmt: skip
-    space, face = cast.space, cast.faces[name]
+    space = cast.space
+    face = cast.faces[name]
     points = face.positions.astype(np.float64)
     middle = (points[space.on_sheet].min(axis=0) + points[space.on_sheet].max(axis=0)) / 2
     eye = Eye((float(middle[0]), -0.02, float(middle[2])), 0.2 if name == "kaori" else 0.235, yaw=24.0, pitch=2.0)

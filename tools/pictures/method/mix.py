@@ -22,7 +22,9 @@ Values = NDArray[np.float64]
 # ---- eq. 3
 
 
-FACES, EXPRESSIONS, SHARES = ("kaori", "dog"), ("neutral", "joy"), (0.0, 0.5, 1.0)
+FACES = ("kaori", "dog")
+EXPRESSIONS = ("neutral", "joy")
+SHARES = (0.0, 0.5, 1.0)
 
 
 def draw_grid(cast: Cast) -> Figure:
@@ -80,7 +82,8 @@ def _two(names: Sequence[str], share: float) -> dict[str, float]:
 
 CALLS = ((0.2, "old", 1.6), (0.85, "child", 1.2), (1.5, "dog", 1.4))
 NAMES = {"generic": BLUE, "old": AMBER, "child": VIOLET, "dog": GREEN}
-RATE, LENGTH = 240, 3.2
+RATE = 240
+LENGTH = 3.2
 
 
 @dataclass(frozen=True, eq=False)
@@ -100,9 +103,11 @@ class Log:
 
 def played(*, inertial: bool) -> Log:
     """The log of CALLS on one axis; not inertial: a call forgets the velocity, as in the paper."""
-    axis, waiting = Axis("generic"), list(CALLS)
+    axis = Axis("generic")
+    waiting = list(CALLS)
     times = np.arange(int(LENGTH * RATE)) / RATE
-    found_weights, found_rates = [], []
+    found_weights = []
+    found_rates = []
     for time in times:
         if waiting and time >= waiting[0][0]:
             _, name, seconds = waiting.pop(0)

@@ -17,7 +17,9 @@ from tools.pictures.method.view import MARK, SKIN, Eye, Surface, picture
 
 Values = NDArray[np.float64]
 
-TEACHER, LEARNER, SMILE = "kaori", "old", "mouthSmileLeft"
+TEACHER = "kaori"
+LEARNER = "old"
+SMILE = "mouthSmileLeft"
 
 
 def draw_transfer(cast: Cast) -> Figure:
@@ -26,9 +28,11 @@ def draw_transfer(cast: Cast) -> Figure:
     vertex, moved = _corner(cast)
     figure = Figure(960, 372, "One vertex: extracted on one face, applied on another")
     boxes = [(16.0 + 316 * n, 60.0, 300.0, 270.0) for n in range(3)]
-    teacher, learner = cast.faces[TEACHER], cast.faces[LEARNER]
+    teacher = cast.faces[TEACHER]
+    learner = cast.faces[LEARNER]
     landing = project_to_surface(space, teacher.positions.astype(np.float64), moved[None], np.array([vertex], np.int32))
-    triangle, weights = int(landing.triangles[0]), landing.weights[0]
+    triangle = int(landing.triangles[0])
+    weights = landing.weights[0]
     _on_face(figure, boxes[0], space, teacher, (vertex, triangle), weights, moved, "1")
     _on_s(figure, boxes[1], space, (vertex, triangle), weights)
     _on_face(figure, boxes[2], space, learner, (vertex, triangle), weights, _worn(cast, LEARNER)[vertex], "2")
@@ -70,7 +74,8 @@ def _on_face(
     vertex, triangle = where
     points = face.positions.astype(np.float64)
     corners = space.location_triangles[triangle]
-    start, on_skin = points[vertex], weights @ points[corners]
+    start = points[vertex]
+    on_skin = weights @ points[corners]
     eye = Eye(tuple((start + goal) / 2), 0.032, yaw=68.0, pitch=14.0)
     material = np.where(np.arange(len(space.location_triangles)) == triangle, MARK, SKIN)
     figure.rect(*box)

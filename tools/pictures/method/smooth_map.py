@@ -36,7 +36,8 @@ MATERIALS: Mapping[str, int] = {
 # ---- the stages of one compound
 
 FAR_FACE = "dog"
-LID, MOUTH = "eyeBlinkLeft", "mouth-open"
+LID = "eyeBlinkLeft"
+MOUTH = "mouth-open"
 
 
 @dataclass(frozen=True, eq=False)
@@ -50,7 +51,8 @@ class Stage:
 
 def stages(cast: Cast, face: Face, expression: str) -> list[Stage]:
     """A compound by the paper's map, then as each stage of the pipeline leaves it, those that run twice "again"."""
-    space, compiled = cast.space, compile_expression(cast.space, cast.expressions[expression])
+    space = cast.space
+    compiled = compile_expression(cast.space, cast.expressions[expression])
     state = pipeline.start(space, face, displace_generic(space, compiled), compiled.residual)
     geometry = state.smooth_map.geometry
     skin = apply_paper_map(space, fit(space, face), compiled).astype(np.float64)
@@ -118,7 +120,8 @@ def _rows_of_sheet(space: ParameterSpace) -> NDArray[np.intp]:
 
 
 def _parts(cast: Cast, face: Face, expression: str, skin: Values) -> list[Surface]:
-    space, fitted = cast.space, fit(cast.space, face)
+    space = cast.space
+    fitted = fit(cast.space, face)
     worn = cast.expressions[expression]
     rest = compile_expression(space, worn).parts
     moved = move_parts(space, fitted, skin.astype(np.float32), rest)
@@ -171,7 +174,8 @@ WEIGHTS = np.linspace(0.0, 1.0, 21)
 
 def opening(line: Line, rest: NDArray[np.floating], now: NDArray[np.floating]) -> float:
     """How far lids are open: sum of e.g now over the sum of |g| at rest; lips: how much farther, over the width."""
-    before, after = line.rungs(rest.astype(np.float64)), line.rungs(now.astype(np.float64))
+    before = line.rungs(rest.astype(np.float64))
+    after = line.rungs(now.astype(np.float64))
     length = np.linalg.norm(before, axis=1)
     if line.kind == "lids":
         return float((before / length[:, None] * after).sum() / length.sum())
@@ -180,8 +184,10 @@ def opening(line: Line, rest: NDArray[np.floating], now: NDArray[np.floating]) -
 
 def closures(cast: Cast, face: str, expression: str, line: Line) -> dict[str, list[float]]:
     """The opening of a line at each of WEIGHTS, by the map that carried the unit; "source": the generic face's own."""
-    space, generic = cast.space, generic_face(cast.space).positions
-    worn, rest = cast.expressions[expression], cast.faces[face].positions
+    space = cast.space
+    generic = generic_face(cast.space).positions
+    worn = cast.expressions[expression]
+    rest = cast.faces[face].positions
     source = compound(space, generic_face(space), worn)
     old = cast.under("paper")
     ends = {
@@ -222,7 +228,8 @@ def draw_closure(cast: Cast) -> Figure:
 
 
 def _rungs(figure: Figure, box: Box, cast: Cast, face: Face, line: Line, eye: Eye) -> None:
-    space, points = cast.space, face.positions.astype(np.float64)
+    space = cast.space
+    points = face.positions.astype(np.float64)
     figure.rect(*box)
     figure.add(picture(eye, box, [_skin(space, points), *part_surfaces(space, fit(space, face).parts)]))
     figure.line(eye.seen(points[line.loop], box)[:, :2], GREEN, width=2, closed=True)
@@ -233,14 +240,16 @@ def _rungs(figure: Figure, box: Box, cast: Cast, face: Face, line: Line, eye: Ey
 
 # ---- correctives of sums
 
-SUMMED, PAIR = "old", ("eyeBlinkLeft", "eyeSquintLeft")
+SUMMED = "old"
+PAIR = ("eyeBlinkLeft", "eyeSquintLeft")
 
 
 def summed(cast: Cast) -> list[Stage]:
     """Two units alone, their sum as added, the sum with its correctives; folded: only what neither unit folds alone."""
-    face, compounds = cast.faces[SUMMED], compound_cache(cast)
+    face = cast.faces[SUMMED]
+    compounds = compound_cache(cast)
     alone = [compounds.skin(SUMMED, unit) for unit in PAIR]
-    added = weighted_sum([*alone, face.positions], [1.0, 1.0, -1.0])
+    added = weighted_sum([(1.0, alone[0]), (1.0, alone[1]), (-1.0, face.positions)])
     found = [*zip(PAIR, alone, strict=True), ("the sum as it is", added),
              ("the sum with its correctives", evaluate(cast, _BOTH))]  # fmt: skip
     ready = prepare_smooth_map(cast.space, face)
@@ -254,8 +263,10 @@ _BOTH = Frame({SUMMED: 1.0}, {"neutral": 1.0}, dict.fromkeys(PAIR, 1.0))
 def draw_correctives(cast: Cast) -> Figure:
     """Two units that are whole each, their sum as added, and the sum with its correctives."""
     figure = Figure(960, 296, "Correctives: a blink and a squint at once")
-    space, parts = cast.space, part_surfaces(cast.space, evaluate_parts(cast, _BOTH))
-    line, rest = next(line for line in space.lines if line.name == "lid_left"), cast.faces[SUMMED].positions
+    space = cast.space
+    parts = part_surfaces(cast.space, evaluate_parts(cast, _BOTH))
+    line = next(line for line in space.lines if line.name == "lid_left")
+    rest = cast.faces[SUMMED].positions
     for number, panel in enumerate(summed(cast)):
         box = (16.0 + 234 * number, 44.0, 226.0, 180.0)
         figure.rect(*box)

@@ -8,9 +8,16 @@ from html import escape
 import numpy as np
 from numpy.typing import NDArray
 
-PAPER, PANEL, RULE = "#14161a", "#1c2026", "#3a3f48"
-INK, GREY = "#e4e6eb", "#9aa1ad"
-GREEN, RED, AMBER, BLUE, VIOLET = "#6fc3a8", "#e8705a", "#e2a23c", "#6ea8e0", "#b493e0"
+PAPER = "#14161a"
+PANEL = "#1c2026"
+RULE = "#3a3f48"
+INK = "#e4e6eb"
+GREY = "#9aa1ad"
+GREEN = "#6fc3a8"
+RED = "#e8705a"
+AMBER = "#e2a23c"
+BLUE = "#6ea8e0"
+VIOLET = "#b493e0"
 
 Box = tuple[float, float, float, float]
 """Left, top, width and height, in the units of a figure."""
@@ -110,7 +117,9 @@ class Chart:
         self, figure: Figure, box: Box, *, x: tuple[float, float], y: tuple[float, float]
     ) -> None:  # fmt: skip
         self.figure = figure
-        self._box, self._x, self._y = box, x, y
+        self._box = box
+        self._x = x
+        self._y = y
         figure.rect(*box)
 
     def at(self, x: float, y: float) -> tuple[float, float]:

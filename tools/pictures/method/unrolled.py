@@ -19,7 +19,8 @@ class Unrolled:
 
     def __init__(self, space: ParameterSpace, box: Box, *, middle: tuple[float, float] | None = None,
                  width: float | None = None) -> None:  # fmt: skip
-        self.space, self.box = space, box
+        self.space = space
+        self.box = box
         self.metric = float(space.cylinder.unroll(space.points[space.on_sheet])[2].mean())
         h = space.h[space.on_sheet]
         self._middle = middle or (0.0, float(h.min() + h.max()) / 2)

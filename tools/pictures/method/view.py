@@ -18,7 +18,8 @@ from tools.pictures.method.svg import Box, Figure
 Values = NDArray[np.float64]
 Indices = NDArray[np.int32]
 
-SMOOTHER, LEVELS = 2, 14
+SMOOTHER = 2
+LEVELS = 14
 SKIN, INNER, BALL, TEETH, TONGUE, MARK, MEMBRANE, COOL, IRIS = range(9)
 _COLOURS = np.array([
     (214, 196, 182), (108, 128, 158), (236, 240, 246), (240, 232, 210), (206, 118, 112), (244, 190, 70), (226, 150, 40),
@@ -82,7 +83,8 @@ def marked(
 ) -> None:  # fmt: skip
     """Outlines triangles (t, 3) over a picture, those too that lie behind others; those beyond its box are left out."""
     seen = eye.seen(points, box)[:, :2]
-    low, high = np.array(box[:2]), np.array(box[:2]) + box[2:]
+    low = np.array(box[:2])
+    high = np.array(box[:2]) + box[2:]
     for corners in seen[triangles]:
         if (corners >= low).all() and (corners <= high).all():
             figure.line(corners, colour, width=1.1, closed=True, fill=colour, fill_opacity=0.35)
@@ -94,12 +96,14 @@ def painted(
 ) -> str:  # fmt: skip
     """Triangles (t, 3, 3) with the light at their corners (t, 3), 0 to 1, and their materials (t,), as an SVG image."""
     left, top, width, height = box
-    columns, rows = round(width * SMOOTHER), round(height * SMOOTHER)
+    columns = round(width * SMOOTHER)
+    rows = round(height * SMOOTHER)
     flat = (corners - [left, top, 0.0]) * [SMOOTHER, SMOOTHER, 1.0]
     near = (flat[:, :, 0].max(axis=1) > 0) & (flat[:, :, 0].min(axis=1) < columns)
     near &= (flat[:, :, 1].max(axis=1) > 0) & (flat[:, :, 1].min(axis=1) < rows)
     owner, weights, _ = rasterise(flat[near], max(columns, rows))
-    owner, weights = owner[:rows, :columns], weights[:rows, :columns]
+    owner = owner[:rows, :columns]
+    weights = weights[:rows, :columns]
     light = (weights * lights[near][owner]).sum(axis=2)
     level = np.clip(np.rint(light * (LEVELS - 1)), 0, LEVELS - 1).astype(np.int64)
     if edges:

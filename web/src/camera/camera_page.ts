@@ -5,7 +5,8 @@ import { customElement } from "lit/decorators.js";
 import { drawLandmarks } from "../face_mesh/landmark_drawing";
 import type { Landmarks } from "../face_mesh/landmark_messages";
 import { listenToKeys } from "../ui/key_presses";
-import { base, palette } from "../ui/theme";
+import { base, palette, toolPage } from "../ui/theme";
+import { textOf, whileShown } from "../ui/topic_element";
 import { CameraElement } from "./camera_element";
 import { cameraPageStyle } from "./camera_page_style";
 import "./guide_view";
@@ -16,9 +17,7 @@ const BARS = 52;
 
 @customElement("omote-camera-page")
 export class CameraPage extends CameraElement {
-  #deaf: () => void = () => undefined;
-
-  static override styles = [palette, base, cameraPageStyle];
+  static override styles = [palette, base, toolPage, cameraPageStyle];
 
   /** Draws the page anew: the session has changed. */
   changed(): void {
@@ -26,19 +25,14 @@ export class CameraPage extends CameraElement {
   }
 
   /** Draws the landmarks of a picture. */
-  draw(found: Landmarks): void {
+  draw(landmarks: Landmarks): void {
     const canvas = this.renderRoot.querySelector("canvas");
-    if (canvas) drawLandmarks(canvas, found);
+    if (canvas) drawLandmarks(canvas, landmarks);
   }
 
-  override connectedCallback(): void {
-    super.connectedCallback();
-    this.#deaf = listenToKeys({ everywhere: () => false, page: this.#key });
-  }
-
-  override disconnectedCallback(): void {
-    super.disconnectedCallback();
-    this.#deaf();
+  constructor() {
+    super();
+    whileShown(this, () => listenToKeys({ page: this.#key }));
   }
 
   override render() {
@@ -65,7 +59,7 @@ export class CameraPage extends CameraElement {
     return html`<header>
       <h1>CAMERA</h1>
       <label>Camera
-        <select @change=${(event: Event) => session.choose((event.target as HTMLSelectElement).value)}>
+        <select @change=${(event: Event) => session.choose(textOf(event))}>
           ${session.devices.length === 0 ? html`<option>none</option>` : nothing}
           ${session.devices.map(({ id, label }) => html`<option value=${id} ?selected=${id === session.device}>${label}</option>`)}
         </select></label>

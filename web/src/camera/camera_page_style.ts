@@ -15,22 +15,11 @@ export const mainButton = css`
 export const cameraPageStyle = css`
   :host {
     --finger: 40px;
-    min-height: 100dvh;
     padding: 6px 10px 16px;
-    background: var(--ground);
     font-size: 14px;
   }
   header {
-    display: flex;
-    flex-wrap: wrap;
-    align-items: center;
-    gap: 6px 14px;
-    min-height: 48px;
-  }
-  h1 {
-    margin: 0;
-    font-size: 15px;
-    letter-spacing: 0.14em;
+    padding: 4px 0;
   }
   label {
     display: flex;
@@ -49,13 +38,6 @@ export const cameraPageStyle = css`
   .waiting {
     color: var(--attention);
   }
-  .lost {
-    padding: 4px 10px;
-    border-radius: 4px;
-    font-weight: 700;
-    color: #fff;
-    background: #c3170a;
-  }
   .notice {
     flex: 1 1 220px;
     min-width: 0;
@@ -68,17 +50,13 @@ export const cameraPageStyle = css`
     gap: 10px;
     align-items: start;
   }
-  .left {
-    display: grid;
-    gap: 8px;
-  }
+  .left,
   .right {
     display: grid;
     gap: 8px;
   }
   figure {
     position: relative;
-    margin: 0;
     overflow: hidden;
     display: grid;
     border: 1px solid var(--line);
@@ -121,7 +99,6 @@ export const cameraPageStyle = css`
   }
   .cover p {
     max-width: 46ch;
-    margin: 0;
     font-size: 16px;
     line-height: 1.4;
   }
@@ -129,9 +106,6 @@ export const cameraPageStyle = css`
     display: flex;
     flex-wrap: wrap;
     gap: 4px 14px;
-    margin: 0;
-    padding: 0;
-    list-style: none;
   }
   .good {
     color: var(--coming);

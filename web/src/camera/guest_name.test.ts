@@ -5,8 +5,8 @@ test("a name for a start is two words, of which there are many", () => {
   const steps = Array.from({ length: 30 }, (_, step) => step / 30);
   const names = steps.flatMap((first) =>
     steps.map((second) => {
-      const given = [first, second];
-      return guestName(() => given.shift() ?? 0);
+      const numbers = [first, second];
+      return guestName(() => numbers.shift() ?? 0);
     }),
   );
   expect(new Set(names).size).toBe(900);

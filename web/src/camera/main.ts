@@ -13,7 +13,7 @@ async function start(): Promise<void> {
     openLandmarkWorker(),
     localStorage,
     () => page.changed(),
-    (found) => page.draw(found),
+    (landmarks) => page.draw(landmarks),
     () => location.reload(), // the server then asks for another token
   );
   document.body.append(page);

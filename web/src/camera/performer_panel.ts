@@ -2,7 +2,8 @@
 
 import { css, html, nothing } from "lit";
 import { customElement, state } from "lit/decorators.js";
-import { base, entry, palette } from "../ui/theme";
+import { base, entry, flow, palette } from "../ui/theme";
+import { textOf } from "../ui/topic_element";
 import { CameraElement } from "./camera_element";
 import { mainButton } from "./camera_page_style";
 import type { CameraStatus } from "./session/camera_messages";
@@ -18,10 +19,10 @@ const READ_BY = {
 function sayCalibration(status: CameraStatus): string {
   const { fitting, calibrated, redoable, missing, unused, guide } = status;
   if (fitting) return "Reading what you showed …";
-  const made = `${redoable.length} of ${redoable.length + missing.length} faces made`;
-  if (missing.length > 0 && guide !== null && guide.of > 1) return `${made}.`;
-  if (unused) return `${made}, not used yet. ${READ_BY[calibrated]}`;
-  if (missing.length > 0 && calibrated === "guided") return `Read by your guided minute: ${made}.`;
+  const progress = `${redoable.length} of ${redoable.length + missing.length} faces made`;
+  if (missing.length > 0 && guide !== null && guide.of > 1) return `${progress}.`;
+  if (unused) return `${progress}, not used yet. ${READ_BY[calibrated]}`;
+  if (missing.length > 0 && calibrated === "guided") return `Read by your guided minute: ${progress}.`;
   return READ_BY[calibrated];
 }
 
@@ -33,59 +34,53 @@ function sayNobody({ calibrated, characters }: CameraStatus): string {
   return "Nobody yet: choose a character, and it follows your face.";
 }
 
+const style = css`
+  section {
+    display: grid;
+    gap: 8px;
+    padding: 12px;
+  }
+  section + section {
+    margin-top: 8px;
+  }
+  .row {
+    ${flow}
+    gap: 6px;
+  }
+  input {
+    ${entry}
+    flex: 1 1 120px;
+    min-height: 34px;
+  }
+  button {
+    min-height: 34px;
+  }
+  p {
+    line-height: 1.35;
+    color: var(--dim);
+  }
+  .steps {
+    display: grid;
+    grid-template-columns: repeat(auto-fill, minmax(64px, 1fr));
+    gap: 4px;
+  }
+  .steps button {
+    display: grid;
+    justify-items: center;
+    padding: 4px 0;
+    font-size: 11px;
+  }
+  .steps svg {
+    height: 40px;
+  }
+`;
+
 @customElement("omote-performer")
 export class PerformerPanel extends CameraElement {
   /** The name in the field, "" until it is typed. */
   @state() private typed = "";
 
-  static override styles = [
-    palette,
-    base,
-    mainButton,
-    css`
-      section {
-        display: grid;
-        gap: 8px;
-        padding: 12px;
-      }
-      section + section {
-        margin-top: 8px;
-      }
-      .row {
-        display: flex;
-        flex-wrap: wrap;
-        gap: 6px;
-        align-items: center;
-      }
-      input {
-        ${entry}
-        flex: 1 1 120px;
-        min-height: 34px;
-      }
-      button {
-        min-height: 34px;
-      }
-      p {
-        margin: 0;
-        line-height: 1.35;
-        color: var(--dim);
-      }
-      .steps {
-        display: grid;
-        grid-template-columns: repeat(auto-fill, minmax(64px, 1fr));
-        gap: 4px;
-      }
-      .steps button {
-        display: grid;
-        justify-items: center;
-        padding: 4px 0;
-        font-size: 11px;
-      }
-      .steps svg {
-        height: 40px;
-      }
-    `,
-  ];
+  static override styles = [palette, base, mainButton, style];
 
   override render() {
     const status = this.session.status;
@@ -99,28 +94,28 @@ export class PerformerPanel extends CameraElement {
       <form class="row" @submit=${this.#submit}>
         <input name="performer" aria-label="Performer" maxlength="40" autocomplete="off" .value=${name} list="performers"
           @input=${this.#type} @keydown=${(event: KeyboardEvent) => event.key === "Escape" && this.#restore(event)} />
-        <datalist id="performers">${(status?.performers ?? []).map((each) => html`<option value=${each}></option>`)}</datalist>
+        <datalist id="performers">${(status?.performers ?? []).map((performer) => html`<option value=${performer}></option>`)}</datalist>
         <button>Perform</button>
       </form>`;
   }
 
   #list(status: CameraStatus) {
     const { performer, performers, undo } = status;
-    const [known, another] = [performers.includes(performer), this.typed !== "" && this.typed !== performer];
-    const title = known ? "Type the new name above" : "The show does not know this face yet";
+    const [isKnown, another] = [performers.includes(performer), this.typed !== "" && this.typed !== performer];
+    const title = isKnown ? "Type the new name above" : "The show does not know this face yet";
     return html`<div class="row">
-      <button ?disabled=${!known || !another} title=${title} @click=${() => this.#rename()}>
+      <button ?disabled=${!isKnown || !another} title=${title} @click=${() => this.#rename()}>
         Rename ${performer}${another ? ` to ${this.typed}` : ""}</button>
-      <button ?disabled=${!known} title="Forgets how this face is read" @click=${() => this.session.send({ type: "delete_performer" })}>Forget this face</button>
+      <button ?disabled=${!isKnown} title="Forgets how this face is read" @click=${() => this.session.send({ type: "delete_performer" })}>Forget this face</button>
       <button ?disabled=${undo === ""} title=${undo} @click=${() => this.session.send({ type: "undo_performer" })}>
         Undo${undo ? `: ${undo}` : ""}</button>
     </div>`;
   }
 
   #characters(status: CameraStatus) {
-    const played = status.characters.filter((each) => each.played).map(({ name }) => name);
+    const played = status.characters.filter((character) => character.played).map(({ name }) => name);
     const toggle = (name: string): void => {
-      const characters = played.includes(name) ? played.filter((each) => each !== name) : [...played, name];
+      const characters = played.includes(name) ? played.filter((other) => other !== name) : [...played, name];
       this.session.send({ type: "play_characters", characters });
     };
     return html`<section class="panel" aria-label="Characters"><h2>Plays</h2>
@@ -148,15 +143,14 @@ export class PerformerPanel extends CameraElement {
 
   #steps({ redoable }: CameraStatus, busy: boolean) {
     return html`<p>One of them again:</p><div class="steps">${redoable.map(
-      (
-        step,
-      ) => html`<button aria-label="Again: ${step}" ?disabled=${busy || this.session.noPicture !== ""} title=${this.session.noPicture} @click=${() => this.session.send({ type: "redo_step", step })}>
+      (step) => html`<button aria-label="Again: ${step}" ?disabled=${busy || this.session.noPicture !== ""}
+          title=${this.session.noPicture} @click=${() => this.session.send({ type: "redo_step", step })}>
         <svg viewBox="0 0 120 140" aria-hidden="true">${drawStep(step)}</svg>${step}</button>`,
     )}</div>`;
   }
 
   readonly #type = (event: InputEvent): void => {
-    this.typed = (event.target as HTMLInputElement).value.trim();
+    this.typed = textOf(event).trim();
   };
 
   readonly #submit = (event: SubmitEvent): void => {

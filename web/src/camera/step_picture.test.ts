@@ -7,7 +7,7 @@ function text(part: unknown): string {
   if (Array.isArray(part)) return part.map(text).join("");
   if (typeof part !== "object") return String(part);
   const { strings, values } = part as { strings: string[]; values: unknown[] };
-  return strings.map((each, place) => each + text(values[place])).join("");
+  return strings.map((string, place) => string + text(values[place])).join("");
 }
 
 const STEPS = "neutral shut wide smile pucker aa ee oo browsUp browsDown left right up down puff".split(" ");
@@ -15,5 +15,5 @@ const STEPS = "neutral shut wide smile pucker aa ee oo browsUp browsDown left ri
 it("draws every step as another face, without a number that is none", () => {
   const drawn = STEPS.map((step) => text(drawStep(step)));
   expect(new Set(drawn).size).toBe(STEPS.length);
-  for (const each of drawn) expect(each).not.toMatch(/NaN|undefined/);
+  for (const string of drawn) expect(string).not.toMatch(/NaN|undefined/);
 });

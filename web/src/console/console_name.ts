@@ -1,11 +1,10 @@
 /** What this console is called: its operator's own word, or what the show called it; both stay in this browser. */
 
+import { type BrowserStorage, keep, readKept } from "../ui/browser_storage";
+
 const KEY = "omote console name";
 /** Characters at most, as the wire has it (`ConsoleName`). */
 export const LONGEST_CONSOLE_NAME = 24;
-
-/** Where a browser keeps what outlives a reload; it may forbid that: then the name lasts until the next load. */
-type NameStore = () => Pick<Storage, "getItem" | "setItem">;
 
 export class ConsoleName {
   #name: string;
@@ -14,8 +13,8 @@ export class ConsoleName {
 
   /** `browser`: what all tabs of the browser share; `tab`: what stays with this one through a reload. */
   constructor(
-    private readonly browser: NameStore,
-    private readonly tab: NameStore,
+    private readonly browser: BrowserStorage,
+    private readonly tab: BrowserStorage,
   ) {
     const own = stored(tab);
     this.#name = own || stored(browser);
@@ -35,20 +34,8 @@ export class ConsoleName {
 
   #keep(name: string): void {
     this.#name = name.trim().slice(0, LONGEST_CONSOLE_NAME);
-    for (const store of this.#inherited ? [this.tab] : [this.tab, this.browser]) {
-      try {
-        store().setItem(KEY, this.#name);
-      } catch {
-        // full or forbidden: this page still has it
-      }
-    }
+    for (const store of this.#inherited ? [this.tab] : [this.tab, this.browser]) keep(store, KEY, this.#name);
   }
 }
 
-function stored(store: NameStore): string {
-  try {
-    return (store().getItem(KEY) ?? "").slice(0, LONGEST_CONSOLE_NAME);
-  } catch {
-    return "";
-  }
-}
+const stored = (store: BrowserStorage): string => readKept(store, KEY).slice(0, LONGEST_CONSOLE_NAME);

@@ -8,6 +8,7 @@ import { onFileDrop } from "../ui/file_import";
 import { listenToKeys } from "../ui/key_presses";
 import type { ShowNoticesView } from "../ui/show_notices_view";
 import { base, palette } from "../ui/theme";
+import { hearWhileShown, whileShown } from "../ui/topic_element";
 import { style } from "./console_page_style";
 import { ConsoleElement } from "./controls/console_element";
 import type { LightRow } from "./controls/light_row";
@@ -16,23 +17,23 @@ import { LOW, NARROW } from "./controls/screen_sizes";
 import type { TBar } from "./controls/t_bar";
 import type { Palette } from "./palette/palette";
 import type { Monitor } from "./panels/monitor";
-import { nextPlace } from "./regions/region_calls";
 import type { CharacterRow } from "./scene/character_row";
-import { VIEWS, type View } from "./store/console_layout";
+import { type ConsoleView, VIEWS } from "./store/arrangement";
 import { type Command, commandOf, isPanic, stepOf } from "./store/keys";
 import type { Topic } from "./store/page_store";
+import { nextPlace } from "./store/region_calls";
 import { neighbour } from "./store/timing";
 import "./scene/character_row";
 import "./scene/head_frames";
 import "./scene/scene_panel";
-import "./layer_panel/layer_panel";
-import "./layer_panel/unrouted_mark";
-import "./lease_panel/lease_dialog";
-import "./lease_panel/lease_marks";
-import "./lease_panel/seat_key";
+import "./mixer/layer_panel";
+import "./mixer/unrouted_mark";
+import "./leases/lease_dialog";
+import "./leases/lease_marks";
+import "./leases/seat_key";
 import "./panels/bank";
-import "./calibration_panel/calibration_dialog";
-import "./device_panel/devices_dialog";
+import "./mixer/calibration_dialog";
+import "./devices/devices_dialog";
 import "./help";
 import "./learn/binding_marks";
 import "./learn/learn_mode";
@@ -62,28 +63,17 @@ export class ConsolePage extends ConsoleElement {
   @state() private menu: MenuRequest | null = null;
   /** What is touched is bound, not played. */
   @state() private learning = false;
-  #deaf: () => void = () => undefined;
-  #closed: () => void = () => undefined;
   @query("omote-monitor") private monitor!: Monitor;
 
   static override styles = [palette, base, style];
 
-  protected override topics(): readonly Topic[] {
-    return ["link", "call", "layout"];
-  }
+  protected override readonly topics: readonly Topic[] = ["link", "call", "arrangement"];
 
-  override connectedCallback(): void {
-    super.connectedCallback();
-    this.#deaf = listenToKeys({ everywhere: this.#keyEverywhere, page: this.#key });
-    this.#closed = onFileDrop((files) => void this.context.imports.add(files, "expression"));
-    IN_TURN.addEventListener("change", this.#resized);
-  }
-
-  override disconnectedCallback(): void {
-    super.disconnectedCallback();
-    this.#deaf();
-    this.#closed();
-    IN_TURN.removeEventListener("change", this.#resized);
+  constructor() {
+    super();
+    whileShown(this, () => listenToKeys({ everywhere: this.#keyEverywhere, page: this.#key }));
+    whileShown(this, () => onFileDrop((files) => void this.context.imports.add(files, "expression")));
+    hearWhileShown(this, IN_TURN, ["change"], () => this.requestUpdate());
   }
 
   /** Gives the monitor the cast to draw. */
@@ -100,7 +90,7 @@ export class ConsolePage extends ConsoleElement {
 
   override render() {
     this.classList.toggle("lost", !this.store.online);
-    this.classList.toggle("alone", this.store.layout.alone);
+    this.classList.toggle("alone", this.store.arrangement.alone);
     const context = this.context;
     const shown = this.#view;
     this.dataset.view = shown;
@@ -150,7 +140,7 @@ export class ConsolePage extends ConsoleElement {
     const { context, dialog, menu } = this;
     return html`
       <omote-lease-marks .context=${context} .page=${this.renderRoot}></omote-lease-marks>
-      ${menu === null ? nothing : html`<omote-tile-menu .items=${context.items} .asked=${menu} @close=${this.#closeMenu}></omote-tile-menu>`}
+      ${menu === null ? nothing : html`<omote-tile-menu .context=${context} .asked=${menu} @close=${this.#closeMenu}></omote-tile-menu>`}
       <omote-binding-marks .context=${context} .page=${this.renderRoot}></omote-binding-marks>
       ${this.learning ? html`<omote-learn-mode .context=${context} .page=${this.renderRoot} @close=${this.#learn} @devices=${this.#openDevices}></omote-learn-mode>` : nothing}
       ${dialog === "devices" ? html`<omote-devices-dialog .context=${context} @close=${this.#close}></omote-devices-dialog>` : nothing}
@@ -163,21 +153,19 @@ export class ConsolePage extends ConsoleElement {
   }
 
   /** On a phone one thing at a time has room; elsewhere the palettes always have their place. */
-  get #view(): View {
-    const { view } = this.store.layout;
+  get #view(): ConsoleView {
+    const { view } = this.store.arrangement;
     return IN_TURN.matches || view !== "palettes" ? view : "faders";
   }
-
-  readonly #resized = (): void => this.requestUpdate();
 
   readonly #heads = (): Monitor["heads"] => this.monitor.heads;
 
   /** What is shown below while neither scene nor layers are. */
-  #below: View = "palettes";
+  #below: ConsoleView = "palettes";
 
   /** Opens scene or layers in the place of what is below, and closes them. */
   #toggle(wanted: "scene" | "layers"): void {
-    const { view } = this.store.layout;
+    const { view } = this.store.arrangement;
     if (view !== "scene" && view !== "layers") this.#below = view;
     this.store.arrange({ view: view === wanted ? this.#below : wanted });
   }
@@ -279,7 +267,7 @@ const PLACES = {
 } as const;
 
 /** What a button reads, and what it adds where there is room. */
-const VIEW_LABELS: Readonly<Record<View, readonly [string, string]>> = {
+const VIEW_LABELS: Readonly<Record<ConsoleView, readonly [string, string]>> = {
   palettes: ["Faces", ", expressions"],
   faders: ["Faders", ""],
   pads: ["Head", ", gaze"],

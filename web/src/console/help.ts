@@ -2,53 +2,35 @@
 
 import { css, html } from "lit";
 import { customElement } from "lit/decorators.js";
-import { closeOutside, curtain, keysPage } from "../ui/dialog_style";
-import { layerWhileShown } from "../ui/key_presses";
+import { curtain, keysPage } from "../ui/dialog_style";
 import { base } from "../ui/theme";
-import { ConsoleElement } from "./controls/console_element";
+import { ConsoleDialog } from "./controls/console_dialog";
 import { HELP } from "./store/keys";
+
+const style = css`
+  :host {
+    inset: 62px 0 0; /* panic stays in sight */
+  }
+  p {
+    margin: 8px 0;
+    color: var(--dim);
+    max-width: 66ch;
+  }
+  .air {
+    color: var(--air);
+  }
+  .coming {
+    color: var(--coming);
+  }
+  .attention {
+    color: var(--attention);
+  }
+`;
 
 /** The keys and the conventions, over everything else but panic. */
 @customElement("omote-help")
-export class Help extends ConsoleElement {
-  static override styles = [
-    base,
-    curtain,
-    keysPage,
-    css`
-      :host {
-        inset: 62px 0 0; /* panic stays in sight */
-      }
-      p {
-        margin: 8px 0;
-        color: var(--dim);
-        max-width: 66ch;
-      }
-      .air {
-        color: var(--air);
-      }
-      .coming {
-        color: var(--coming);
-      }
-      .attention {
-        color: var(--attention);
-      }
-    `,
-  ];
-
-  constructor() {
-    super();
-    closeOutside(this, () => this.#close());
-    layerWhileShown(this, "dialog", () => this.#close());
-  }
-
-  readonly #close = (): void => {
-    this.dispatchEvent(new CustomEvent("close"));
-  };
-
-  override firstUpdated(): void {
-    this.renderRoot.querySelector("button")?.focus();
-  }
+export class Help extends ConsoleDialog {
+  static override styles = [base, curtain, keysPage, style];
 
   override render() {
     return html`<section class="panel" role="dialog" aria-modal="true" aria-label="Keys">
@@ -62,7 +44,7 @@ export class Help extends ConsoleElement {
       <p>With leases (<i>Set-up</i>) whoever touches a part first has it: its frame has the holder's colour and name. What another holds says so when you touch it; <i>Take over</i> beside those words makes it yours, and both read it.</p>
       <p>Beside the picture: <b>+</b> adds a character; a key for each says whom this console plays, with Shift several, <i>All</i> all of them. ⋯ has places, entering and leaving, names, and what the picture holds. Panic is of those played here, <i>ALL</i> beside it of every character.</p>
       <p>A face or an expression of your own is edited, renamed and deleted by the menu of its tile: point at it and press ⋯, or hold a finger on it. <i>Log</i> shows what was said and what can be taken back.</p>
-      <button @click=${this.#close}>Close</button>
+      <button @click=${this.close}>Close</button>
     </section>`;
   }
 }

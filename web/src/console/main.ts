@@ -6,10 +6,11 @@ import { FaceView } from "../face/face_view";
 import { THUMBNAIL } from "../face/framing";
 import { restPose } from "../face/pose/pose";
 import { Library } from "../link/assets";
-import type { State } from "../link/messages";
 import { type LinkHandlers, ShowLink } from "../link/show_link";
+import { randomId } from "../ui/browser_storage";
 import { FramePainter } from "../ui/frame_painter";
 import { LongRequests } from "../ui/long_requests";
+import { loadPortraits } from "../ui/portraits";
 import { ShowNoticesView } from "../ui/show_notices_view";
 import { type DrawThumbnail, THUMBNAIL_SIZE, Thumbnails } from "../ui/thumbnails";
 import { ConsoleName } from "./console_name";
@@ -17,21 +18,20 @@ import { ConsolePage } from "./console_page";
 import type { ConsoleContext } from "./controls/console_element";
 import { ConsoleDevices } from "./devices/console_devices";
 import { ConsoleLeases } from "./leases/console_leases";
-import { randomToken, seatToken } from "./leases/seat_token";
-import { PanicReturn } from "./panic/panic_return";
+import { seatToken } from "./leases/seat_token";
+import { ConsoleSources } from "./mixer/console_sources";
 import { keepChoice } from "./scene/choice_storage";
 import { FileImports } from "./show_file/file_imports";
 import { LayoutStorage, layoutName } from "./show_file/layout_storage";
 import { OwnItems } from "./show_file/own_items";
 import { keepUndo } from "./show_file/undo_storage";
-import { ConsoleSources } from "./sources/console_sources";
-import { LostSources, sendingOf } from "./sources/lost_sources";
 import { ConsoleStore } from "./store/console_store";
+import { PanicReturn } from "./store/panic_return";
 
 /** A name for this console, so that its calls have their own ids. */
-const PAGE = randomToken();
+const PAGE = randomId();
 /** Who sits here: the same through a reload of the tab. */
-const SEAT = seatToken(() => sessionStorage, randomToken);
+const SEAT = seatToken(() => sessionStorage, randomId);
 
 /** A screen's keyboard would cover what is played: it comes where somebody asks for it. */
 const FINGERS = matchMedia("(pointer: coarse)");
@@ -53,52 +53,19 @@ async function recast(store: ConsoleStore): Promise<void> {
   else if (library.manifest !== store.manifest) store.setManifest(library.manifest);
 }
 
-function connect(context: () => ConsoleContext, shown: ShowNoticesView): ShowLink {
-  return new ShowLink("console", handlersOf(context, shown), ownName.read, PAGE, SEAT);
-}
-
-/** Who hears what of the show's messages. */
-function handlersOf(context: () => ConsoleContext, shown: ShowNoticesView): LinkHandlers {
-  const store = (): ConsoleStore => context().store;
-  const sources = new LostSources();
-  return {
-    welcome: ({ digest, name, show }) => {
-      store().receiveShow(show);
+function connect({ store }: ConsoleContext): ShowLink {
+  const handlers: LinkHandlers = {
+    every: (message) => store.receive(message),
+    welcome: ({ digest, name }) => {
       ownName.receive(name);
-      store().receiveName(name);
-      if (store().manifest !== null && store().manifest?.digest !== digest) void recast(store());
+      if (store.manifest !== null && store.manifest.digest !== digest) void recast(store);
     },
-    cast: () => void recast(store()),
-    state: (state) => hearState(context(), sources, state),
-    crew: (crew) => store().receiveCrew(crew),
-    kept: (kept) => store().receiveKept(kept),
-    itemChanged: (changed) => store().receiveChanged(changed),
-    layouts: (names) => store().receiveLayouts(names),
-    sources: (sources) => context().sources.receive(sources),
-    sourceValues: (values) => context().sources.receiveValues(values),
-    hands: (hands) => store().receiveHands(hands),
-    progress: (progress) => context().imports.requests.receive(progress),
-    refused: (...rejection) => hearRejection(context(), ...rejection),
-    leases: (message) => context().leases.receive(message),
-    devices: (message) => context().devices.receive(message),
-    notices: (all) => shown.notices.receive(all),
-    connected: (up) => store().setOnline(up),
+    cast: () => void recast(store),
+    connected: (up) => store.setOnline(up),
     revoked: () => location.reload(), // the server then asks for another token
-    trip: (seconds) => store().receiveTrip(seconds * 1000),
+    trip: (seconds) => store.receiveTrip(seconds * 1000),
   };
-}
-
-/** Takes a newer state in, and says what must be read of it. */
-function hearState({ store, panicReturn }: ConsoleContext, sources: LostSources, state: State): void {
-  const before = store.state;
-  store.receiveState(state);
-  panicReturn.receive(before, state);
-  const turned = sources.receive(state.characters, sendingOf(store.sources));
-  if (turned !== "") store.say(turned, turned.includes("lost") ? "attention" : "done");
-}
-
-function hearRejection({ devices, leases }: ConsoleContext, reason: string, id: string, held: readonly string[]): void {
-  if (!devices.receiveRefused(reason, id)) leases.receiveRefused(reason, id, held);
+  return new ShowLink("console", handlers, ownName.read, PAGE, SEAT);
 }
 
 /** Thumbnails by one view on a canvas of its own: one graphics context for all of them. */
@@ -135,7 +102,7 @@ function contextOf(link: () => ShowLink): ConsoleContext {
   const requests = new LongRequests();
   requests.send = (message) => link().send(message);
   const imports = new FileImports(store, items, requests);
-  const devices = new ConsoleDevices(store, (message) => link().send(message), PAGE);
+  const devices = new ConsoleDevices(store, (message) => link().send(message));
   const [painter, thumbnails, leases] = [new FramePainter(), new Thumbnails(), new ConsoleLeases(store)];
   const panicReturn = new PanicReturn(store);
   const sources = new ConsoleSources(store, (message) => link().send(message));
@@ -146,8 +113,9 @@ async function start(): Promise<void> {
   const shown = new ShowNoticesView();
   shown.classList.add("in-place");
   const context = contextOf(() => link);
-  const link: ShowLink = connect(() => context, shown);
+  const link: ShowLink = connect(context);
   const { store } = context;
+  store.hear("notices", ({ notices }) => shown.notices.receive(notices));
   shown.addEventListener("change", () => store.tell("crew"));
   context.painter.add({ paint: () => context.store.flush() }); // first in each frame, so that what was drawn is what was sent
   const page = new ConsolePage();
@@ -158,6 +126,7 @@ async function start(): Promise<void> {
   void readAccess().then((access) => page.restrict(missingRole(access, "operate", "playing")));
   context.painter.start();
   context.devices.start(context.painter);
+  void loadPortraits().then((portraits) => context.thumbnails.give(portraits));
   stayAwake();
   library = await Library.open();
   await context.layouts.open();

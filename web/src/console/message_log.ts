@@ -2,72 +2,44 @@
 
 import { css, html, nothing } from "lit";
 import { customElement, property } from "lit/decorators.js";
-import { closeOutside, curtainBelowBar } from "../ui/dialog_style";
-import { layerWhileShown } from "../ui/key_presses";
 import type { ShowNotices } from "../ui/show_notices";
-import { base } from "../ui/theme";
-import { ConsoleElement } from "./controls/console_element";
-import type { Told, Topic } from "./store/page_store";
+import { base, selectable } from "../ui/theme";
+import { ConsoleDialog, sheet } from "./controls/console_dialog";
+import type { LogEntry, Topic } from "./store/page_store";
+
+const style = css`
+  section {
+    grid-template-rows: auto auto minmax(0, 1fr) auto;
+    width: min(640px, 100%);
+  }
+  ol {
+    overflow: auto;
+    ${selectable}
+  }
+  li {
+    display: grid;
+    grid-template-columns: 64px minmax(0, 1fr);
+    padding: 5px 2px;
+    border-top: 1px solid var(--line);
+    overflow-wrap: anywhere;
+  }
+  time {
+    color: var(--dim);
+  }
+  .attention {
+    color: var(--attention);
+  }
+`;
 
 /** Over everything else but panic. What stands in it has been read. Tells `close`. */
 @customElement("omote-message-log")
-export class MessageLog extends ConsoleElement {
+export class MessageLog extends ConsoleDialog {
+  protected override readonly first = "button.close";
   @property({ attribute: false }) notices!: ShowNotices;
 
-  static override styles = [
-    base,
-    curtainBelowBar,
-    css`
-      section {
-        display: grid;
-        grid-template-rows: auto auto minmax(0, 1fr) auto;
-        gap: 10px;
-        width: min(640px, 100%);
-        max-height: 100%;
-        padding: 16px 18px;
-      }
-      .row {
-        display: flex;
-        flex-wrap: wrap;
-        gap: 6px;
-      }
-      ol {
-        margin: 0;
-        padding: 0;
-        overflow: auto;
-        list-style: none;
-        user-select: text;
-        -webkit-user-select: text;
-      }
-      li {
-        display: grid;
-        grid-template-columns: 64px minmax(0, 1fr);
-        padding: 5px 2px;
-        border-top: 1px solid var(--line);
-        overflow-wrap: anywhere;
-      }
-      time {
-        color: var(--dim);
-      }
-      .attention {
-        color: var(--attention);
-      }
-    `,
-  ];
+  static override styles = [base, sheet, style];
 
-  constructor() {
-    super();
-    closeOutside(this, this.#close);
-    layerWhileShown(this, "dialog", this.#close);
-  }
-
-  protected override topics(): readonly Topic[] {
-    return ["notice", "crew"];
-  }
-
-  override firstUpdated(): void {
-    this.renderRoot.querySelector<HTMLElement>("button.close")?.focus();
-  }
+  protected override readonly topics: readonly Topic[] = ["notice", "crew"];
 
   override updated(): void {
     this.notices.dismissAll(); // they stand here
@@ -84,18 +56,14 @@ export class MessageLog extends ConsoleElement {
       </div>
       <ol>${this.#all().map(({ time, text, tone }) => html`<li class=${tone}><time>${clockTime(time)}</time><span>${text}</span></li>`)}
         ${this.#all().length === 0 ? html`<li>Nothing was said yet.</li>` : nothing}</ol>
-      <div class="row"><button class="close" @click=${this.#close}>Close</button></div>
+      <div class="row"><button class="close" @click=${this.close}>Close</button></div>
     </section>`;
   }
 
-  #all(): readonly Told[] {
+  #all(): readonly LogEntry[] {
     const notices = this.notices.all.map(({ time, text }) => ({ time: time * 1000, text, tone: "attention" as const }));
-    return [...notices, ...this.store.told].sort((a, b) => b.time - a.time);
+    return [...notices, ...this.store.logEntries].sort((a, b) => b.time - a.time);
   }
-
-  readonly #close = (): void => {
-    this.dispatchEvent(new CustomEvent("close"));
-  };
 }
 
 /** Hours, minutes and seconds, as a clock on the wall of this place. */

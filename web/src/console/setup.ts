@@ -3,87 +3,57 @@
 import { css, html, nothing } from "lit";
 import { customElement } from "lit/decorators.js";
 import { EASING_NAMES } from "../link/constants";
-import { closeOutside, curtainBelowBar } from "../ui/dialog_style";
 import { ACCEPTED, type ImportKind } from "../ui/file_import";
-import { layerWhileShown } from "../ui/key_presses";
 import { base, entry } from "../ui/theme";
+import { textOf } from "../ui/topic_element";
 import { LONGEST_CONSOLE_NAME } from "./console_name";
-import { ConsoleElement, chosenIn } from "./controls/console_element";
+import { ConsoleDialog, sheet } from "./controls/console_dialog";
 import { offersOf, offersStyle } from "./panels/offers";
 import type { Axis } from "./store/axis";
 import type { Topic } from "./store/page_store";
 import { MANY_CHOICES, secondsLabel } from "./store/timing";
-import "./setup_layouts";
+import "./show_file/setup_layouts";
 import "./setup_people";
 
 const AXES: readonly Axis[] = ["face", "expression"];
 
+const style = css`
+  section {
+    width: min(460px, 100%);
+  }
+  h2 {
+    margin-top: 6px;
+  }
+  select,
+  input {
+    flex: 1 1 140px;
+  }
+  input {
+    ${entry}
+    min-height: 26px;
+  }
+  .files {
+    flex: 1 1 140px;
+    display: grid;
+  }
+  .said {
+    padding: 6px 10px;
+    border: 1px solid var(--line);
+    border-radius: 4px;
+    color: var(--text);
+  }
+  .said.attention {
+    color: var(--attention);
+  }
+`;
+
 /** Home face and layouts, over everything else but panic. Tells `close`. */
 @customElement("omote-setup")
-export class Setup extends ConsoleElement {
-  static override styles = [
-    base,
-    curtainBelowBar,
-    css`
-      section {
-        width: min(460px, 100%);
-        max-height: 100%;
-        overflow: auto;
-        padding: 16px 18px;
-        display: grid;
-        gap: 10px;
-      }
-      h2 {
-        margin-top: 6px;
-      }
-      p {
-        margin: 0;
-        color: var(--dim);
-      }
-      .row {
-        display: flex;
-        flex-wrap: wrap;
-        align-items: center;
-        gap: 6px;
-      }
-      select,
-      input {
-        flex: 1 1 140px;
-      }
-      input {
-        ${entry}
-        min-height: 26px;
-      }
-      .files {
-        flex: 1 1 140px;
-        display: grid;
-      }
-      .said {
-        padding: 6px 10px;
-        border: 1px solid var(--line);
-        border-radius: 4px;
-        color: var(--text);
-      }
-      .said.attention {
-        color: var(--attention);
-      }
-    `,
-    offersStyle,
-  ];
+export class Setup extends ConsoleDialog {
+  protected override readonly first = "select";
+  static override styles = [base, sheet, style, offersStyle];
 
-  constructor() {
-    super();
-    closeOutside(this, () => this.#close());
-    layerWhileShown(this, "dialog", () => this.#close());
-  }
-
-  protected override topics(): readonly Topic[] {
-    return ["panic", "cast", "timing", "layouts", "notice", "leases"];
-  }
-
-  override firstUpdated(): void {
-    this.renderRoot.querySelector("select")?.focus();
-  }
+  protected override readonly topics: readonly Topic[] = ["panic", "manifest", "timing", "welcome", "notice", "leases"];
 
   override render() {
     return html`<section class="panel" role="dialog" aria-modal="true" aria-label="Set-up">
@@ -101,23 +71,23 @@ export class Setup extends ConsoleElement {
       <h2>Leases</h2>
       <p>With several operators: whoever touches a part first has it, another is told who and may take it over.</p>
       <div class="row">
-        <button data-open="leases" @click=${() => this.dispatchEvent(new CustomEvent("leases"))}>Leases: ${this.context.leases.told.on ? "on" : "off"} ...</button>
+        <button data-open="leases" @click=${() => this.tell("leases")}>Leases: ${this.context.leases.report.on ? "on" : "off"} ...</button>
       </div>
       <omote-layouts .context=${this.context}></omote-layouts>
       <omote-people></omote-people>
       <h2>Devices</h2>
       <p>Dials, keys, pads and sticks play what they are bound to.</p>
       <div class="row">
-        <button data-open="learn" @click=${() => this.dispatchEvent(new CustomEvent("learn"))}>Learn</button>
-        <button data-open="devices" @click=${() => this.dispatchEvent(new CustomEvent("devices"))}>Devices and bindings</button>
+        <button data-open="learn" @click=${() => this.tell("learn")}>Learn</button>
+        <button data-open="devices" @click=${() => this.tell("devices")}>Devices and bindings</button>
         <a href="/microphone" target="omote-microphone">Speak through a character by a microphone</a>
       </div>
       <h2>Bring in files</h2>
       <p>Expressions (.json, .glb, .vrm, .obj) and heads of our topology (.glb, .obj) come under Own; the show goes on meanwhile.</p>
       <div class="row">${(["expression", "face"] as const).map((kind) => this.#files(kind))}</div>
       <div class="row">
-        <button class="close" @click=${() => this.#close()}>Close</button>
-        <button @click=${() => this.dispatchEvent(new CustomEvent("help"))}>Keys and conventions</button>
+        <button class="close" @click=${() => this.close()}>Close</button>
+        <button @click=${() => this.tell("help")}>Keys and conventions</button>
       </div>
     </section>`;
   }
@@ -133,11 +103,11 @@ export class Setup extends ConsoleElement {
     const seconds = this.store.air?.home_seconds ?? 0;
     const times = MANY_CHOICES.includes(seconds) ? MANY_CHOICES : [...MANY_CHOICES, seconds];
     return html`<div class="row">
-      <select aria-label="Home face" @change=${(event: Event) => this.store.setHome(chosenIn(event), seconds)}>
+      <select aria-label="Home face" @change=${(event: Event) => this.store.setHome(textOf(event), seconds)}>
         ${this.store.faces.map(({ name, label }) => html`<option value=${name} .selected=${name === face}>${label}</option>`)}
       </select>
-      <select aria-label="Seconds to the home face" @change=${(event: Event) => this.store.setHome(face, Number(chosenIn(event)))}>
-        ${times.map((one) => html`<option value=${one} .selected=${one === seconds}>${one === 0 ? "cut" : `in ${secondsLabel(one)} s`}</option>`)}
+      <select aria-label="Seconds to the home face" @change=${(event: Event) => this.store.setHome(face, Number(textOf(event)))}>
+        ${times.map((time) => html`<option value=${time} .selected=${time === seconds}>${time === 0 ? "cut" : `in ${secondsLabel(time)} s`}</option>`)}
       </select>
     </div>`;
   }
@@ -145,7 +115,7 @@ export class Setup extends ConsoleElement {
   #easing(axis: Axis) {
     const chosen = this.store.timing[axis].easing;
     return html`<select aria-label="Easing of a call (${axis})"
-      @change=${(event: Event) => this.store.setTiming(axis, { easing: chosenIn(event) })}>
+      @change=${(event: Event) => this.store.setTiming(axis, { easing: textOf(event) })}>
       ${EASING_NAMES.map((name) => html`<option value=${name} .selected=${name === chosen}>${axis}: ${name}</option>`)}
     </select>`;
   }
@@ -159,7 +129,7 @@ export class Setup extends ConsoleElement {
     const field = event.target as HTMLInputElement;
     void this.context.imports.add([...(field.files ?? [])], kind);
     field.value = "";
-    this.#close(); // how far they are stands in the bar
+    this.close(); // how far they are stands in the bar
   }
 
   readonly #rename = (event: Event): void => {
@@ -167,10 +137,6 @@ export class Setup extends ConsoleElement {
     this.context.rename(field.value);
     if (!this.store.online) this.store.say("The others read it once the link to the show is back.");
   };
-
-  #close(): void {
-    this.dispatchEvent(new CustomEvent("close"));
-  }
 }
 
 /** A button that opens the list of files of the field beside it. */

@@ -5,7 +5,7 @@ import { customElement, query, state } from "lit/decorators.js";
 import { type AccessRole, PeopleList, readAccess, roleAllows } from "../access/page_access";
 import { ACCESS_ROLES } from "../link/constants";
 import type { CodeDocument, PersonDocument } from "../link/messages";
-import { base, entry } from "../ui/theme";
+import { base, entry, row } from "../ui/theme";
 
 const LONGEST_NAME = 24;
 /** For how many hours a token is made; null: for ever. */
@@ -17,6 +17,39 @@ const TIMES: readonly (readonly [string, number | null])[] = [
 ];
 const FIRST_ROLE: AccessRole = "operate";
 const READ_EVERY = 2000;
+
+const style = css`
+  :host {
+    display: grid;
+    gap: 10px;
+  }
+  p {
+    color: var(--dim);
+  }
+  .name {
+    flex: 1 1 140px;
+    min-width: 0;
+    overflow-wrap: anywhere;
+  }
+  .said {
+    color: var(--attention);
+  }
+  input {
+    ${entry}
+    flex: 1 1 120px;
+    min-height: 26px;
+  }
+  img {
+    width: min(260px, 100%);
+    justify-self: center;
+    background: #fff;
+  }
+  .address {
+    user-select: all;
+    overflow-wrap: anywhere;
+    color: var(--text);
+  }
+`;
 
 /** Shows nothing on a console that may not change the list, or of a show that asks nobody. */
 @customElement("omote-people")
@@ -30,48 +63,7 @@ export class SetupPeople extends LitElement {
   readonly #list = new PeopleList();
   #timer: ReturnType<typeof setInterval> | undefined;
 
-  static override styles = [
-    base,
-    css`
-      :host {
-        display: grid;
-        gap: 10px;
-      }
-      p {
-        margin: 0;
-        color: var(--dim);
-      }
-      .row {
-        display: flex;
-        flex-wrap: wrap;
-        align-items: center;
-        gap: 6px;
-      }
-      .name {
-        flex: 1 1 140px;
-        min-width: 0;
-        overflow-wrap: anywhere;
-      }
-      .said {
-        color: var(--attention);
-      }
-      input {
-        ${entry}
-        flex: 1 1 120px;
-        min-height: 26px;
-      }
-      img {
-        width: min(260px, 100%);
-        justify-self: center;
-        background: #fff;
-      }
-      .address {
-        user-select: all;
-        overflow-wrap: anywhere;
-        color: var(--text);
-      }
-    `,
-  ];
+  static override styles = [base, row, style];
 
   override connectedCallback(): void {
     super.connectedCallback();
@@ -106,9 +98,9 @@ export class SetupPeople extends LitElement {
         ? ""
         : `, until ${new Date(until * 1000).toLocaleString([], { dateStyle: "short", timeStyle: "short" })}`;
     const here = links === 0 ? "" : `${links} connected`;
-    const told = [role === name ? "" : role, ends, here, own ? "you" : ""];
+    const remarks = [role === name ? "" : role, ends, here, own ? "you" : ""];
     return html`<div class="row" data-person=${name}>
-      <span class="name">${name} <small>${told.filter((each) => each !== "").join(", ")}</small></span>
+      <span class="name">${name} <small>${remarks.filter((remark) => remark !== "").join(", ")}</small></span>
       <button @click=${() => this.#show(id)}>QR code</button>
       <button @click=${() => this.#revoke(id)}>${this.sure === id ? "Really revoke" : "Revoke"}</button>
     </div>`;

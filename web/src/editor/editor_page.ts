@@ -7,6 +7,7 @@ import { onFileDrop } from "../ui/file_import";
 import { listenToKeys } from "../ui/key_presses";
 import type { ShowNoticesView } from "../ui/show_notices_view";
 import { base, palette } from "../ui/theme";
+import { whileShown } from "../ui/topic_element";
 import { exposeProbe } from "./canvas/canvas_probe";
 import { EditorCanvas } from "./canvas/editor_canvas";
 import { controls } from "./controls/controls_style";
@@ -15,11 +16,11 @@ import { style } from "./editor_page_style";
 import type { Heading } from "./page/heading";
 import { hintOf } from "./page/hints";
 import type { ItemListPanel } from "./page/item_list";
-import { type Command, commandOf, type View } from "./page/keys";
+import { commandOf, type EditorCommand, type ViewKey } from "./page/keys";
 import { arePhotographs, comingOf } from "./scan/data/dropped_files";
 import type { Topic } from "./session/draft_store";
 import { type Kind, redo, takeIn, takeInHead, undo } from "./session/item_commands";
-import type { Notice } from "./session/notices";
+import type { EditorNotice } from "./session/notices";
 import "./page/heading";
 import "./page/help";
 import "./page/loading_view";
@@ -50,28 +51,18 @@ export class EditorPage extends EditorElement {
   @query("omote-heading") private heading!: Heading;
   @query("omote-scan, omote-photographs") private dialog!: { refuse(sentence: string): void } | null;
   #view: EditorCanvas | null = null;
-  #deaf: () => void = () => undefined;
-  #closed: () => void = () => undefined;
   /** The item that was open when the page was last drawn. */
   #open = -1;
 
   static override styles = [palette, base, controls, style];
 
-  protected override topics(): readonly Topic[] {
-    return ["draft", "options", "cast", "link"];
-  }
+  protected override readonly topics: readonly Topic[] = ["draft", "options", "cast", "link"];
 
-  override connectedCallback(): void {
-    super.connectedCallback();
-    this.#deaf = listenToKeys({ page: this.#key });
-    this.#closed = onFileDrop((files) => void this.#receive(files));
-  }
-
-  override disconnectedCallback(): void {
-    super.disconnectedCallback();
-    this.#deaf();
-    this.#closed();
-    this.#view?.dispose();
+  constructor() {
+    super();
+    whileShown(this, () => listenToKeys({ page: this.#key }));
+    whileShown(this, () => onFileDrop((files) => void this.#receive(files)));
+    whileShown(this, () => () => this.#view?.dispose());
   }
 
   override updated(): void {
@@ -98,7 +89,7 @@ export class EditorPage extends EditorElement {
       <omote-item-list class="panel" .context=${context}
         @scan=${(event: CustomEvent<readonly File[]>) => this.#openScan(event.detail)}></omote-item-list>
       <main class="panel">
-        <omote-tools .context=${context} @view=${(event: CustomEvent<View>) => this.#view?.view(event.detail)}></omote-tools>
+        <omote-tools .context=${context} @view=${(event: CustomEvent<ViewKey>) => this.#view?.view(event.detail)}></omote-tools>
         <div class="work">
           <canvas tabindex="0" aria-label="The face under work and the faces beside it" aria-describedby="hint"></canvas>
           ${this.loaded ? nothing : html`<omote-loading .faces=${store.face === null ? 1 + store.neighbours.length : 1}></omote-loading>`}
@@ -146,7 +137,7 @@ export class EditorPage extends EditorElement {
   }
 
   /** What else can be done with a head that is no expression. */
-  #otherwise(files: readonly File[]): Notice["actions"] {
+  #otherwise(files: readonly File[]): EditorNotice["actions"] {
     const isHead = files.length === 1 && comingOf([(files[0] as File).name], null) === "either";
     return isHead ? [{ label: "Make a face of it", act: () => this.#openScan(files) }] : [];
   }
@@ -180,7 +171,7 @@ export class EditorPage extends EditorElement {
     this.#obey(command);
   };
 
-  #obey(command: Command): void {
+  #obey(command: EditorCommand): void {
     const { store } = this;
     if (command.do === "undo") undo(store);
     else if (command.do === "redo") redo(store);

@@ -4,13 +4,14 @@ import { showAccess } from "../access/access_banner";
 import { missingRole, readAccess } from "../access/page_access";
 import { Library } from "../link/assets";
 import { askedItem, editorAddress } from "../link/editor_address";
+import { keep, randomId, readKept } from "../ui/browser_storage";
 import { LongRequestsView } from "../ui/long_requests_view";
+import { loadPortraits } from "../ui/portraits";
 import { ShowNoticesView } from "../ui/show_notices_view";
 import { THUMBNAIL_SIZE, Thumbnails } from "../ui/thumbnails";
 import type { EditorContext } from "./controls/editor_element";
 import { EditorPage } from "./editor_page";
-import { EditorLink } from "./link/editor_link";
-import { readIdentity, saveName } from "./link/identity";
+import { EditorLink, type Identity } from "./link/editor_link";
 import { DraftStore } from "./session/draft_store";
 import { openItem } from "./session/item_commands";
 import { ThumbnailRenderer } from "./session/thumbnail_renderer";
@@ -22,6 +23,11 @@ const SMALL = { width: Math.round(0.75 * THUMBNAIL_SIZE.width), height: Math.rou
 /** Milliseconds between two drawings, and after which one is made even where the page never rests. */
 const PAUSE = 60;
 const PATIENCE = 1000;
+
+/** Where the browser keeps who sits at this page: an id, so that a reload finds its draft, and a name for the others. */
+const ID = "omote-editor";
+const NAME = "omote-editor-name";
+const BROWSER = (): Storage => localStorage;
 
 let pressed = false;
 for (const kind of ["pointerdown", "pointerup", "pointercancel"] as const)
@@ -79,6 +85,13 @@ function followAddress(store: DraftStore): void {
   });
 }
 
+/** Two windows of one browser are one editor: they share their drafts. Where nothing is kept, each load is a new one. */
+function readIdentity(): Identity {
+  const editor = readKept(BROWSER, ID) || randomId();
+  keep(BROWSER, ID, editor);
+  return { editor, name: readKept(BROWSER, NAME) || `Editor ${editor.slice(-3).toUpperCase()}` };
+}
+
 function connect(shown: ShowNoticesView): { store: DraftStore; link: EditorLink; name: () => string } {
   const who = readIdentity();
   let { name } = who;
@@ -97,7 +110,7 @@ function connect(shown: ShowNoticesView): { store: DraftStore; link: EditorLink;
   const rename = link.rename.bind(link);
   link.rename = (next: string) => {
     name = next;
-    saveName(next);
+    keep(BROWSER, NAME, next);
     rename(next);
   };
   return { store, link, name: () => name };
@@ -111,6 +124,7 @@ async function start(): Promise<void> {
   followAddress(store);
   let thumbnailRenderer: ThumbnailRenderer | null = null;
   const thumbnails = new Thumbnails(() => whenIdle(store));
+  void loadPortraits().then((portraits) => thumbnails.give(portraits));
   const context: EditorContext = {
     store,
     thumbnails,

@@ -225,7 +225,7 @@ export class DrawnCharacter {
   /** Whether all of its pose shows in full. */
   settled(blender: Blender): boolean {
     const { residency } = this.parts;
-    if (!this.sourceCrossfade.settled(this.called) || !residency.settled(this.pose, blender)) return false;
+    if (!this.sourceCrossfade.settled(this.called) || !residency.shownInFull(this.pose, blender)) return false;
     if (!this.parts.pictures.settled(this.faces)) return false;
     return this.whole && this.risen === 1 && (!this.head.visible || this.hair.settled);
   }

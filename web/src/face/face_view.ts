@@ -5,7 +5,7 @@ import type { Library } from "../link/assets";
 import { type Anatomy, loadAnatomy } from "./anatomy/anatomy";
 import { Blender } from "./blend/blender";
 import { type Coming, DrawnCharacter, type SharedParts, sharedParts } from "./drawn_character";
-import { type Box, PORTRAIT, portraitCamera, type Shot, type Tile, tileView } from "./framing";
+import { type PictureBox, PORTRAIT, portraitCamera, type Shot, tileView, type WallTile } from "./framing";
 import { EdgeSmoothing } from "./gpu/edge_smoothing";
 import { PictureCrossfade } from "./gpu/picture_crossfade";
 import { createRenderer, NO_WEBGL2 } from "./gpu/renderer";
@@ -30,7 +30,7 @@ export interface FaceViewOptions {
   /** A light instead of the pose's. */
   light?: string | undefined;
   /** This view's place on a wall. */
-  tile?: Tile | undefined;
+  tile?: WallTile | undefined;
   /** Device pixels per CSS pixel, at most. */
   pixelRatio?: number;
   /** What the picture may cost; by default what suits the machine. */
@@ -190,7 +190,7 @@ export class FaceView {
   }
 
   /** Where heads lie in the picture last drawn, by name. */
-  get heads(): Map<string, Box> {
+  get heads(): Map<string, PictureBox> {
     return headBoxes(this.camera, this.characters);
   }
 

@@ -1,11 +1,11 @@
 import { describe, expect, it } from "vitest";
 import {
-  type Box,
   boxOf,
   cameraPosition,
   following,
   frame,
   headColumns,
+  type PictureBox,
   PORTRAIT,
   type Point,
   portraitCamera,
@@ -125,7 +125,7 @@ describe("the box of a head", () => {
     const box = boxOf(camera, [
       [-0.05, -0.1, 0.05],
       [0.1, 0.08, 0.05],
-    ]) as Box;
+    ]) as PictureBox;
     const [left, top, right, bottom] = box;
     expect((right - left) / (bottom - top)).toBeCloseTo(0.15 / 0.18 / 2, 9); // of a picture twice as wide as high
     expect(left + right).toBeGreaterThan(1);

@@ -3,7 +3,7 @@
 import { type Matrix3, PerspectiveCamera, Vector3 } from "three";
 
 /** A stage's place on a wall: column and row of `columns` x `rows`, and the bezel between pictures. */
-export interface Tile {
+export interface WallTile {
   column: number;
   row: number;
   columns: number;
@@ -28,7 +28,11 @@ export const THUMBNAIL: Shot = { centre: [0, -0.014, 0.05], height: 0.185, width
 export type Point = readonly [number, number, number];
 
 /** The rectangle of one tile in its wall's picture, in pixels of the tile. */
-export function tileView(tile: Tile, width: number, height: number): [number, number, number, number, number, number] {
+export function tileView(
+  tile: WallTile,
+  width: number,
+  height: number,
+): [number, number, number, number, number, number] {
   const [across, down] = [width * (1 + tile.bezel[0]), height * (1 + tile.bezel[1])]; // picture to picture
   const wallWidth = across * (tile.columns - 1) + width;
   const wallHeight = down * (tile.rows - 1) + height;
@@ -83,7 +87,7 @@ export function cameraPosition(
 export function aim(
   camera: PerspectiveCamera,
   [width, height]: readonly [number, number],
-  tile: Tile | undefined,
+  tile: WallTile | undefined,
   stand: (half: number, aspect: number) => [number, number, number],
 ): void {
   const [fullWidth, fullHeight] = tile === undefined ? [width, height] : tileView(tile, width, height);
@@ -102,7 +106,7 @@ export function frame(
   points: readonly Point[],
   width: number,
   height: number,
-  tile?: Tile,
+  tile?: WallTile,
 ): void {
   aim(camera, [width, height], tile, (half, aspect) => cameraPosition(shot, points, half, aspect));
 }
@@ -119,13 +123,13 @@ export function headColumns(camera: PerspectiveCamera, points: readonly Point[])
 }
 
 /** Left, top, right and bottom as parts of a picture. */
-export type Box = readonly [number, number, number, number];
+export type PictureBox = readonly [number, number, number, number];
 
 /** The part of the picture that points lie in; null where that is none. */
-export function boxOf(camera: PerspectiveCamera, points: readonly Point[]): Box | null {
+export function boxOf(camera: PerspectiveCamera, points: readonly Point[]): PictureBox | null {
   const seen = points.map((point) => new Vector3(...point).project(camera));
   const [across, down] = [seen.map(({ x }) => (1 + x) / 2), seen.map(({ y }) => (1 - y) / 2)];
-  const box: Box = [Math.min(...across), Math.min(...down), Math.max(...across), Math.max(...down)];
+  const box: PictureBox = [Math.min(...across), Math.min(...down), Math.max(...across), Math.max(...down)];
   const [left, top, right, bottom] = box;
   return left < 1 && right > 0 && top < 1 && bottom > 0 ? box : null;
 }

@@ -109,7 +109,7 @@ describe("a framing", () => {
       [["b", "c"], 0.25],
       [["b", "c", "a"], 0.25],
     ]);
-    const nobody = new Map([...heads].map(([name, each]) => [name, { ...each, presence: 0 }]));
+    const nobody = new Map([...heads].map(([name, placedHead]) => [name, { ...placedHead, presence: 0 }]));
     expect(shotsOfAll(nobody)).toEqual([[["a", "b", "c"], 1]]);
   });
 });

@@ -2,7 +2,17 @@
 
 import { Frustum, type PerspectiveCamera } from "three";
 import { ALL, FRAMING_JOINT } from "../link/constants";
-import { AIR, aim, type Box, boxOf, cameraPosition, headColumns, type Point, type Shot, type Tile } from "./framing";
+import {
+  AIR,
+  aim,
+  boxOf,
+  cameraPosition,
+  headColumns,
+  type PictureBox,
+  type Point,
+  type Shot,
+  type WallTile,
+} from "./framing";
 
 /** A head where it stands: the shot of it, its farthest points, and how far it is on the stage, 0..1. */
 export interface PlacedHead {
@@ -19,7 +29,7 @@ type Heads = ReadonlyMap<string, PlacedHead>;
  * stage it holds everybody's places.
  */
 export function shotsOfAll(heads: Heads): [string[], number][] {
-  const names = [...heads.keys()].sort((one, other) => presenceOf(heads, other) - presenceOf(heads, one));
+  const names = [...heads.keys()].sort((name, other) => presenceOf(heads, other) - presenceOf(heads, name));
   const most = names.length > 0 ? presenceOf(heads, names[0] as string) : 0;
   if (most <= 0) return names.length > 0 ? [[names, 1]] : [];
   const shares = names.map((name, at) => presenceOf(heads, name) - presenceOf(heads, names[at + 1] ?? ""));
@@ -70,7 +80,7 @@ export function standFor(
 ): [number, number, number] | undefined {
   const shots = Object.entries(framing).flatMap(([key, weight]): [string[], number][] => {
     const names = key === ALL ? [] : namesIn(key, heads);
-    return names.length > 0 ? [[names, weight]] : shotsOfAll(heads).map(([each, part]) => [each, part * weight]);
+    return names.length > 0 ? [[names, weight]] : shotsOfAll(heads).map(([group, part]) => [group, part * weight]);
   });
   const total = shots.reduce((sum, [, weight]) => sum + weight, 0);
   if (!(total > 0)) return undefined;
@@ -111,7 +121,7 @@ export function clearances(
   half: number,
   aspect: number,
 ): Map<string, Clearance> {
-  const found = new Map<string, Clearance>();
+  const byName = new Map<string, Clearance>();
   for (const [key, weight] of Object.entries(framing)) {
     const names = key === ALL ? [] : namesIn(key, heads);
     if (names.length === 0 || names.length === heads.size || weight === 0) continue;
@@ -119,12 +129,12 @@ export function clearances(
     const held = names.map((name) => (heads.get(name) as PlacedHead).shot.centre[0]);
     for (const [name, head] of heads) {
       if (names.includes(name)) continue;
-      const { aside, sunk } = found.get(name) ?? NO_CLEARANCE;
+      const { aside, sunk } = byName.get(name) ?? NO_CLEARANCE;
       const more = clearanceFrom(head, held, stand, half * aspect);
-      found.set(name, { aside: aside + weight * more.aside, sunk: Math.min(1, sunk + weight * more.sunk) });
+      byName.set(name, { aside: aside + weight * more.aside, sunk: Math.min(1, sunk + weight * more.sunk) });
     }
   }
-  return found;
+  return byName;
 }
 
 /** How a head keeps out of one shot; `held`: where those stand across that it holds; `wide`: half of what it sees a metre away. */
@@ -155,15 +165,15 @@ export interface FramedCharacter {
 export function headBoxes(
   camera: PerspectiveCamera,
   characters: ReadonlyMap<string, Pick<FramedCharacter, "seen">>,
-): Map<string, Box> {
+): Map<string, PictureBox> {
   const boxes = [...characters].map(([name, { seen }]) => [name, boxOf(camera, seen)] as const);
-  return new Map(boxes.filter((entry): entry is readonly [string, Box] => entry[1] !== null));
+  return new Map(boxes.filter((entry): entry is readonly [string, PictureBox] => entry[1] !== null));
 }
 
 /** What a picture asks of the camera. */
 export interface FramedPicture {
   readonly size: readonly [number, number];
-  readonly tile: Tile | undefined;
+  readonly tile: WallTile | undefined;
   /** The shot of each head. */
   readonly shot: Shot;
   readonly centred: boolean;
@@ -179,15 +189,15 @@ export function frameScene(
   framing: Readonly<Record<string, number>>,
   { size, tile, shot, centred }: FramedPicture,
 ): [number, number] {
-  const heads = new Map([...characters].map(([name, each]) => [name, each.place(shot, centred)]));
+  const heads = new Map([...characters].map(([name, character]) => [name, character.place(shot, centred)]));
   const stood = camera.position.toArray();
   aim(camera, size, tile, (half, aspect) => standFor(framing, heads, half, aspect) ?? stood);
   const frustum = new Frustum().setFromProjectionMatrix(
     camera.projectionMatrix.clone().multiply(camera.matrixWorldInverse),
   );
   const clear = clearances(framing, heads, Math.tan((camera.fov * Math.PI) / 360), camera.aspect);
-  const sides = [...characters].flatMap(([name, each]) => {
-    const points = each.stand(camera, frustum, clear.get(name) ?? NO_CLEARANCE);
+  const sides = [...characters].flatMap(([name, character]) => {
+    const points = character.stand(camera, frustum, clear.get(name) ?? NO_CLEARANCE);
     return points.length > 0 ? [headColumns(camera, points)] : [];
   });
   return [Math.min(1, ...sides.map(([left]) => left)), Math.max(0, ...sides.map(([, right]) => right))];

@@ -15,8 +15,8 @@ function face({ x = 0.5, half = 0.25, turn = 0, light = 0.5, count = LANDMARK_CO
   return { time: 0, width: 640, height: 480, points, light, cost: 10 };
 }
 
-const bad = (found: Landmarks | null, rate = 30): string[] =>
-  judgeFace(found, rate)
+const bad = (landmarks: Landmarks | null, rate = 30): string[] =>
+  judgeFace(landmarks, rate)
     .filter(({ good }) => !good)
     .map(({ what }) => what);
 
@@ -36,8 +36,8 @@ it("says what is wrong, and what to do", () => {
   expect(bad(face({ turn: 0.9 }))).toEqual(["Turned away"]);
   expect(bad(face(), 5)).toEqual(["5 pictures a second"]);
   expect(bad(face(), 1.2)).toEqual(["1 picture a second"]);
-  for (const found of [null, face({ light: 0.05 }), face({ turn: 0.9 }), face({ count: 0, light: 0.01 })]) {
-    expect(judgeFace(found, 1).every(({ good, advice }) => good || advice.length > 5)).toBe(true);
+  for (const landmarks of [null, face({ light: 0.05 }), face({ turn: 0.9 }), face({ count: 0, light: 0.01 })]) {
+    expect(judgeFace(landmarks, 1).every(({ good, advice }) => good || advice.length > 5)).toBe(true);
   }
 });
 

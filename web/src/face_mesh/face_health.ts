@@ -28,29 +28,29 @@ const MARGIN = 0.015;
 const TURNED = 0.62;
 
 /** The lines of health for the newest picture. rate: pictures a second. */
-export function judgeFace(found: Landmarks | null, rate: number): HealthLine[] {
+export function judgeFace(landmarks: Landmarks | null, rate: number): HealthLine[] {
   const speed = {
     what: `${Math.round(rate)} ${Math.round(rate) === 1 ? "picture" : "pictures"} a second`,
     good: rate >= SLOW,
     advice: rate >= SLOW ? "" : SLOWLY,
   };
-  return [speed, ...judgePicture(found), ...(isFace(found) ? [judgeTurn(found)] : [])];
+  return [speed, ...judgePicture(landmarks), ...(isFace(landmarks) ? [judgeTurn(landmarks)] : [])];
 }
 
 /** Those of the lines that count for a face that is turned, too. */
-export function judgePicture(found: Landmarks | null): HealthLine[] {
-  if (!isFace(found)) return [{ what: "No face", good: false, advice: noFaceAdvice(found) }];
+export function judgePicture(landmarks: Landmarks | null): HealthLine[] {
+  if (!isFace(landmarks)) return [{ what: "No face", good: false, advice: noFaceAdvice(landmarks) }];
   const face = { what: "Face found", good: true, advice: "" };
-  return [face, judgeLight(found.light), judgePlace(found.points)];
+  return [face, judgeLight(landmarks.light), judgePlace(landmarks.points)];
 }
 
-const isFace = (found: Landmarks | null): found is Landmarks =>
-  found !== null && found.points.length === 3 * LANDMARK_COUNT;
+const isFace = (landmarks: Landmarks | null): landmarks is Landmarks =>
+  landmarks !== null && landmarks.points.length === 3 * LANDMARK_COUNT;
 
 const SLOWLY = "Close other programs and tabs; on a laptop, plug the power in.";
 
-function noFaceAdvice(found: Landmarks | null): string {
-  if (found !== null && found.light < DARK) return "It is dark: put a light in front of you, not behind.";
+function noFaceAdvice(landmarks: Landmarks | null): string {
+  if (landmarks !== null && landmarks.light < DARK) return "It is dark: put a light in front of you, not behind.";
   return "Sit before the camera, at an arm's length, and look into it.";
 }
 
@@ -72,10 +72,10 @@ function judgePlace(points: Float32Array): HealthLine {
 }
 
 function judgeTurn({ points }: Landmarks): HealthLine {
-  const [one, other] = EDGES.map((edge) => points[3 * edge] ?? 0) as [number, number];
+  const [start, end] = EDGES.map((edge) => points[3 * edge] ?? 0) as [number, number];
   const nose = points[3 * NOSE] ?? 0;
-  const half = Math.abs(other - one) / 2;
-  const turned = half === 0 || Math.abs(nose - (one + other) / 2) / half > TURNED;
+  const half = Math.abs(end - start) / 2;
+  const turned = half === 0 || Math.abs(nose - (start + end) / 2) / half > TURNED;
   return { what: turned ? "Turned away" : "Facing", good: !turned, advice: turned ? "Turn to the camera." : "" };
 }
 
@@ -94,7 +94,7 @@ export class Rate {
 
   /** Counts one; returns the rate. */
   count(time: number): number {
-    this.#times = [...this.#times.filter((each) => time - each < 2000), time];
+    this.#times = [...this.#times.filter((earlier) => time - earlier < 2000), time];
     const first = this.#times[0] ?? time;
     return time > first ? (1000 * (this.#times.length - 1)) / (time - first) : 0;
   }

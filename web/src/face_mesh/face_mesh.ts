@@ -11,14 +11,14 @@ export const LANDMARK_COUNT = 478;
 /** Where the model computes. */
 export type Backend = "CPU" | "GPU";
 
-interface Point {
+interface MeshPoint {
   x: number;
   y: number;
   z: number;
 }
 
 interface Results {
-  multiFaceLandmarks?: Point[][];
+  multiFaceLandmarks?: MeshPoint[][];
 }
 
 /** The package, as its types say it, and one option that they leave out. */
@@ -54,7 +54,7 @@ class ScriptElement {
 
   load(): void {
     importScripts(this.#address);
-    for (const each of this.#heard) each();
+    for (const listener of this.#heard) listener();
   }
 }
 
@@ -65,8 +65,8 @@ function provideWindow(): void {
   Object.assign(globalThis, { window: globalThis, document: { createElement, body } });
 }
 
-/** Reads the large files once, so that the browser has them when the package asks. told: how much has come, 0..1. */
-async function fetchFiles(told: (share: number) => void): Promise<void> {
+/** Reads the large files once, so that the browser has them when the package asks. progress: called with how much has come, 0..1. */
+async function fetchFiles(progress: (share: number) => void): Promise<void> {
   const answers = await Promise.all(LARGE_FILES.map((name) => fetch(FACE_MESH + name)));
   const missing = answers.find((answer) => !answer.ok);
   if (missing) throw new Error(`the server has no ${missing.url} (${missing.status}); build the pages again: make web`);
@@ -75,7 +75,7 @@ async function fetchFiles(told: (share: number) => void): Promise<void> {
   const read = async (reader: ReadableStreamDefaultReader<Uint8Array>): Promise<void> => {
     for (let chunk = await reader.read(); !chunk.done; chunk = await reader.read()) {
       done += chunk.value.length;
-      told(total > 0 ? done / total : 0);
+      progress(total > 0 ? done / total : 0);
     }
   };
   await Promise.all(answers.flatMap((answer) => (answer.body ? [read(answer.body.getReader())] : [])));
@@ -83,21 +83,21 @@ async function fetchFiles(told: (share: number) => void): Promise<void> {
 
 /** The model, one picture at a time. */
 export class FaceMesh {
-  #found: Point[] | null = null;
+  #landmarks: MeshPoint[] | null = null;
 
   private constructor(private readonly solution: Solution) {
     solution.onResults((results) => {
-      this.#found = results.multiFaceLandmarks?.[0] ?? null;
+      this.#landmarks = results.multiFaceLandmarks?.[0] ?? null;
     });
   }
 
-  /** Loads the model; told: how much has come, 0..1. */
-  static async load(told: (share: number) => void): Promise<FaceMesh> {
-    await fetchFiles(told);
+  /** Loads the model; progress: called with how much has come, 0..1. */
+  static async load(progress: (share: number) => void): Promise<FaceMesh> {
+    await fetchFiles(progress);
     provideWindow();
     importScripts(`${FACE_MESH}face_mesh.js`);
-    const made = globalThis as unknown as { FaceMesh: new (config: object) => Solution };
-    const solution = new made.FaceMesh({ locateFile: (name: string) => FACE_MESH + name });
+    const scope = globalThis as unknown as { FaceMesh: new (config: object) => Solution };
+    const solution = new scope.FaceMesh({ locateFile: (name: string) => FACE_MESH + name });
     solution.setOptions({ refineLandmarks: true, maxNumFaces: 1, useCpuInference: true });
     await solution.initialize();
     return new FaceMesh(solution);
@@ -115,12 +115,12 @@ export class FaceMesh {
 
   /** The points of the face in a picture, x, y and z of each; none where there is no face. */
   async find(image: ImageBitmap): Promise<Float32Array<ArrayBuffer>> {
-    this.#found = null;
+    this.#landmarks = null;
     await this.solution.send({ image });
-    const found = this.#found as Point[] | null;
-    if (found === null || found.length !== LANDMARK_COUNT) return new Float32Array();
+    const landmarks = this.#landmarks as MeshPoint[] | null;
+    if (landmarks === null || landmarks.length !== LANDMARK_COUNT) return new Float32Array();
     const points = new Float32Array(3 * LANDMARK_COUNT);
-    found.forEach(({ x, y, z }, index) => {
+    landmarks.forEach(({ x, y, z }, index) => {
       points.set([x, y, z], 3 * index);
     });
     return points;

@@ -17,15 +17,15 @@ class FakeWorker implements Messenger {
 }
 
 function open() {
-  const [worker, told, closed] = [new FakeWorker(), [] as string[], [] as number[]];
+  const [worker, events, closed] = [new FakeWorker(), [] as string[], [] as number[]];
   const client = new LandmarkClient(worker, {
-    loading: (what, share) => told.push(`loading ${what} ${share}`),
-    ready: (backend, cost) => told.push(`ready ${backend} ${cost}`),
-    landmarks: ({ time }) => told.push(`landmarks ${time}`),
-    failed: (reason) => told.push(`failed ${reason}`),
+    loading: (what, share) => events.push(`loading ${what} ${share}`),
+    ready: (backend, cost) => events.push(`ready ${backend} ${cost}`),
+    landmarks: ({ time }) => events.push(`landmarks ${time}`),
+    failed: (reason) => events.push(`failed ${reason}`),
   });
   const picture = (number: number) => ({ close: () => closed.push(number) }) as unknown as ImageBitmap;
-  const found = (time: number): FromWorker => ({
+  const message = (time: number): FromWorker => ({
     kind: "landmarks",
     time,
     width: 1,
@@ -34,11 +34,11 @@ function open() {
     light: 0,
     cost: 0,
   });
-  return { worker, told, closed, client, picture, found };
+  return { worker, events, closed, client, picture, message };
 }
 
 it("sends no picture before the model is ready, and then one at a time", () => {
-  const { worker, closed, client, picture, found } = open();
+  const { worker, closed, client, picture, message } = open();
   client.start(picture(0));
   client.look(picture(1), 1);
   worker.say({ kind: "loading", what: "the model", share: 1 });
@@ -50,18 +50,18 @@ it("sends no picture before the model is ready, and then one at a time", () => {
     ["start", "picture"],
     [1, 3],
   ]);
-  worker.say(found(2));
+  worker.say(message(2));
   expect(client.free).toBe(true);
 });
 
 it("tells what the worker says, and that its script is missing", () => {
-  const { worker, told, found } = open();
+  const { worker, events, message } = open();
   worker.say({ kind: "loading", what: "x", share: 0.5 });
   worker.say({ kind: "ready", backend: "GPU", cost: 5 });
-  worker.say(found(9));
+  worker.say(message(9));
   worker.say({ kind: "failed", reason: "no wasm" });
   worker.onerror?.({ message: "" } as ErrorEvent);
-  expect(told).toEqual([
+  expect(events).toEqual([
     "loading x 0.5",
     "ready GPU 5",
     "landmarks 9",

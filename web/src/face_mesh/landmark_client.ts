@@ -8,7 +8,7 @@ import warmUpFace from "./warm_up_face.jpg?no-inline";
 export interface LandmarkListener {
   loading(what: string, share: number): void;
   ready(backend: Backend, cost: number): void;
-  landmarks(found: Landmarks): void;
+  landmarks(landmarks: Landmarks): void;
   failed(reason: string): void;
 }
 

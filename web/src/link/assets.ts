@@ -229,12 +229,12 @@ export class Library {
 }
 
 function remembered<T>(memory: Map<string, Promise<T>>, key: string, make: () => Promise<T>): Promise<T> {
-  const known = memory.get(key);
-  if (known !== undefined) return known;
-  const made = make();
-  memory.set(key, made);
-  made.catch(() => memory.delete(key)); // a failure may be asked again
-  return made;
+  const cached = memory.get(key);
+  if (cached !== undefined) return cached;
+  const promise = make();
+  memory.set(key, promise);
+  promise.catch(() => memory.delete(key)); // a failure may be asked again
+  return promise;
 }
 
 /** Pictures whose bytes stay as they are. */

@@ -11,7 +11,7 @@ export const EDITING_LIMIT = 65536;
  * amount: of caricature, 1 for none; points: rows of the sheet under the handles; moves: metres, from where base,
  * regions and amount put them; gains: in place of those that base and regions bring.
  */
-export interface FaceRecipe {
+export type FaceRecipe = {
   kind: "face";
   base: Record<string, number>;
   regions: Record<string, string>;
@@ -19,17 +19,13 @@ export interface FaceRecipe {
   points: number[];
   moves: [number, number, number][];
   gains: GainRow[];
-}
+};
 
 /**
  * A gain that a recipe sets: its region (`space.gain.GAIN_REGIONS`), value, and the expression that alone it is
  * for, by name, or None.
  */
-export interface GainRow {
-  region: string;
-  value: number;
-  expression: string | null;
-}
+export type GainRow = { region: string; value: number; expression: string | null };
 
 /**
  * A weighted expression (a blendshape) under the control points.
@@ -37,20 +33,17 @@ export interface GainRow {
  * `sculpting.regions.REGIONS`, or None for the whole face; mirrored: left and right exchanged; muted: kept, but not
  * added (`compose_expression`).
  */
-export interface Layer {
+export type Layer = {
   source: string;
   label: string;
   weight: number;
   region: string | null;
   mirrored: boolean;
   muted: boolean;
-}
+};
 
 /** A muscle's contraction, 0 at rest, 1 as far as it goes. */
-export interface Pull {
-  muscle: string;
-  contraction: number;
-}
+export type Pull = { muscle: string; contraction: number };
 
 /**
  * An expression as an artist made it; `compose_expression` adds up its fields.
@@ -58,7 +51,7 @@ export interface Pull {
  * surface) of each; ground: `#` and the key of a field that the net cannot say, or None; eyes: left yaw, pitch, right
  * yaw, pitch, radians, and pupil: what is added to those of ground and layers.
  */
-export interface Recipe {
+export type Recipe = {
   kind: "expression";
   net: number[];
   vectors: [number, number, number][];
@@ -67,96 +60,67 @@ export interface Recipe {
   pulls: Pull[];
   eyes: [number, number, number, number];
   pupil: number;
-}
+};
 
 /**
  * Ends a long request, which then changes nothing: an import or export sent over HTTP with `?request=` and an id of
  * the page's own. One that has ended is left as it is.
  */
-export interface Cancel {
-  type: "cancel";
-  request: string;
-}
+export type Cancel = { type: "cancel"; request: string };
 
 /** What the crew must know until each has dismissed it; `id` is its own for ever, `time` seconds since 1970. */
-export interface Notice {
-  id: string;
-  time: number;
-  text: string;
-}
+export type Notice = { id: string; time: number; text: string };
 
 /**
  * All notices of this show, oldest first: complete, so any may be lost. Consoles and editors get them after the
  * welcome, with each new one, and once a second while there are any.
  */
-export interface Notices {
-  type: "notices";
-  notices: Notice[];
-}
+export type Notices = { type: "notices"; notices: Notice[] };
 
 /**
  * How far a long request (an import, an export) is: steps done of `total` (0: not known yet), and what is done now,
  * for people. To consoles and editors; any may be lost, and the request's own answer says that it has ended.
  */
-export interface Progress {
-  type: "progress";
-  request: string;
-  done: number;
-  total: number;
-  what: string;
-}
+export type Progress = { type: "progress"; request: string; done: number; total: number; what: string };
 
 /**
  * Opens the link; other messages before it are rejected. `editor` is stored by the browser, so a reload finds its
  * draft.
  */
-export interface Greet {
-  type: "greet";
-  editor: string;
-  name: string;
-  version: number;
-}
+export type Greet = { type: "greet"; editor: string; name: string; version: number };
 
 /**
  * A new expression, opened at once; start: what it begins from, by weight (built-in names, or `#` and a content
  * key; empty: neutral); on_air: from what is on air now instead.
  */
-export interface CreateExpression {
+export type CreateExpression = {
   type: "create_expression";
   request: number;
   label: string;
   start: Record<string, number>;
   on_air: boolean;
-}
+};
 
 /** A new face, opened at once, from a mix of faces (sources by weight); on_air: from what is on air now instead. */
-export interface CreateFace {
+export type CreateFace = {
   type: "create_face";
   request: number;
   label: string;
   base: Record<string, number>;
   on_air: boolean;
-}
+};
 
 /** Opens an item: this editor's draft of it, made from its newest revision where there is none. */
-export interface OpenItem {
-  type: "open_item";
-  request: number;
-  item: number;
-}
+export type OpenItem = { type: "open_item"; request: number; item: number };
 
 /** Leaves an item; the draft stays. */
-export interface CloseItem {
-  type: "close_item";
-  request: number;
-  item: number;
-}
+export type CloseItem = { type: "close_item"; request: number; item: number };
 
 /**
  * Control points (indices in the net) dropped at targets (metres, on this face): solved until they lie there.
  * `vectors`: where the page's linearisation puts all points of the net, the start of the solve.
  */
-export interface DragPoints {
+export type DragPoints = {
   type: "drag_points";
   request: number;
   item: number;
@@ -164,158 +128,92 @@ export interface DragPoints {
   points: number[];
   targets: [number, number, number][];
   vectors: [number, number, number][];
-}
+};
 
 /** Vectors of the whole net at once: numeric entry, nudges, mirror, reset. `what` goes into the history. */
-export interface SetVectors {
+export type SetVectors = {
   type: "set_vectors";
   request: number;
   item: number;
   vectors: [number, number, number][];
   what: string;
-}
+};
 
 /** Other control points (rows of the sheet): the field stays, the net is built anew. */
-export interface SetNet {
-  type: "set_net";
-  request: number;
-  item: number;
-  net: number[];
-}
+export type SetNet = { type: "set_net"; request: number; item: number; net: number[] };
 
 /** The layers (weighted expressions, as of blendshapes) under the control points. */
-export interface SetLayers {
-  type: "set_layers";
-  request: number;
-  item: number;
-  layers: Layer[];
-}
+export type SetLayers = { type: "set_layers"; request: number; item: number; layers: Layer[] };
 
 /**
  * Asks for the draft as it would be with other layers; no step. alone: these layers and nothing else, no control
  * points, muscles, eyes or ground.
  */
-export interface PreviewLayers {
-  type: "preview_layers";
-  request: number;
-  item: number;
-  layers: Layer[];
-  alone: boolean;
-}
+export type PreviewLayers = { type: "preview_layers"; request: number; item: number; layers: Layer[]; alone: boolean };
 
 /** The muscles' contractions. */
-export interface SetPulls {
-  type: "set_pulls";
-  request: number;
-  item: number;
-  pulls: Pull[];
-}
+export type SetPulls = { type: "set_pulls"; request: number; item: number; pulls: Pull[] };
 
 /** Eyeballs' angles (left yaw, pitch, right yaw, pitch, radians) and pupils. */
-export interface SetEyes {
+export type SetEyes = {
   type: "set_eyes";
   request: number;
   item: number;
   eyes: [number, number, number, number];
   pupil: number;
-}
+};
 
 /**
  * Bakes layers, muscles and control points into one field, on which the points stand at rest again; muted layers
  * stay as they are.
  */
-export interface Flatten {
-  type: "flatten";
-  request: number;
-  item: number;
-}
+export type Flatten = { type: "flatten"; request: number; item: number };
 
 /** The whole recipe of a face. `what` goes into the history. */
-export interface SetFace {
-  type: "set_face";
-  request: number;
-  item: number;
-  recipe: FaceRecipe;
-  what: string;
-}
+export type SetFace = { type: "set_face"; request: number; item: number; recipe: FaceRecipe; what: string };
 
 /** One step back in the draft. */
-export interface Undo {
-  type: "undo";
-  request: number;
-  item: number;
-}
+export type Undo = { type: "undo"; request: number; item: number };
 
 /** One step forward again. */
-export interface Redo {
-  type: "redo";
-  request: number;
-  item: number;
-}
+export type Redo = { type: "redo"; request: number; item: number };
 
 /**
  * Makes the draft a revision, which plays from now on, unless another editor saved meanwhile: then it is kept
  * aside.
  */
-export interface Save {
-  type: "save";
-  request: number;
-  item: number;
-  note: string;
-}
+export type Save = { type: "save"; request: number; item: number; note: string };
 
 /** Makes an old revision (one aside too) the newest step of the draft; saving it makes it play. */
-export interface BringBack {
-  type: "bring_back";
-  request: number;
-  item: number;
-  revision: number;
-}
+export type BringBack = { type: "bring_back"; request: number; item: number; revision: number };
 
 /** The label, tags and place of an item. */
-export interface Describe {
+export type Describe = {
   type: "describe";
   request: number;
   item: number;
   label: string;
   tags: string[];
   place: number;
-}
+};
 
 /** A new item with the newest revision of another, under another label. */
-export interface Duplicate {
-  type: "duplicate";
-  request: number;
-  item: number;
-  label: string;
-}
+export type Duplicate = { type: "duplicate"; request: number; item: number; label: string };
 
 /** Takes an item out of the cast; its revisions stay. Refused while it is on air. */
-export interface Delete {
-  type: "delete";
-  request: number;
-  item: number;
-}
+export type Delete = { type: "delete"; request: number; item: number };
 
 /** Undoes a deletion. */
-export interface Restore {
-  type: "restore";
-  request: number;
-  item: number;
-}
+export type Restore = { type: "restore"; request: number; item: number };
 
 /** Asks for the revisions of an item. */
-export interface AskHistory {
-  type: "ask_history";
-  request: number;
-  item: number;
-}
+export type AskHistory = { type: "ask_history"; request: number; item: number };
 
 /**
  * An own item as lists show it; `content`: `#` and the key of what plays, "" before its first save; `editors`:
  * names of those who have it open.
  */
-export interface ItemDocument {
+export type ItemDocument = {
   id: number;
   kind: "expression" | "face";
   name: string;
@@ -326,10 +224,10 @@ export interface ItemDocument {
   content: string;
   deleted: boolean;
   editors: string[];
-}
+};
 
 /** A revision as the history shows it; `content`: `#` and a key: any face can be asked to wear it. */
-export interface RevisionDocument {
+export type RevisionDocument = {
   number: number;
   parent: number;
   content: string;
@@ -337,19 +235,19 @@ export interface RevisionDocument {
   editor: string;
   note: string;
   aside: boolean;
-}
+};
 
 /**
  * A muscle: its field at full contraction, little-endian f32 (V, 3): dtheta, dh, R - 1; its line on S as rows of
  * the skin, from the bone to the skin (a sphincter: its ring).
  */
-export interface MuscleDocument {
+export type MuscleDocument = {
   name: string;
   label: string;
   kind: "linear" | "sheet" | "sphincter";
   line: number[];
   field: Uint8Array;
-}
+};
 
 /**
  * A control net: `net` (n,) rows of the skin under its points; `triangles` (t, 3) u16 places, rings beyond n;
@@ -357,13 +255,13 @@ export interface MuscleDocument {
  * vectors (places from n on rest); off the sheet all weights are zero. All little-endian. `mirror`: for each point
  * the place of its mirror image, its own on the midline, -1 for none.
  */
-export interface NetDocument {
+export type NetDocument = {
   net: number[];
   triangles: Uint8Array;
   corners: Uint8Array;
   weights: Uint8Array;
   mirror: number[];
-}
+};
 
 /**
  * Answers greet: the muscles, the regions, `masks`: how much each region owns of each vertex of the skin,
@@ -373,7 +271,7 @@ export interface NetDocument {
  * editor has a draft that is not saved; `unwritable`: the endings of downloads that the show's computer cannot make,
  * and why.
  */
-export interface Greeted {
+export type Greeted = {
   type: "greeted";
   version: number;
   digest: string;
@@ -387,14 +285,10 @@ export interface Greeted {
   items: ItemDocument[];
   unsaved: number[];
   unwritable: Record<string, string>;
-}
+};
 
 /** All items, whenever one has changed, and the digest of the cast that pages may load now. */
-export interface Items {
-  type: "items";
-  digest: string;
-  items: ItemDocument[];
-}
+export type Items = { type: "items"; digest: string; items: ItemDocument[] };
 
 /**
  * The draft as it is after a request: its recipe, `content` (`#` and a key that `/compounds/` serves), how many
@@ -402,7 +296,7 @@ export interface Items {
  * `net` goes with the first draft of an expression and whenever the net changed. `miss`: how far the worst dragged
  * point is from where it was put, metres. `others`: names of other editors at this item.
  */
-export interface DraftState {
+export type DraftState = {
   type: "draft";
   request: number;
   item: number;
@@ -416,18 +310,13 @@ export interface DraftState {
   net: NetDocument | null;
   miss: number;
   others: string[];
-}
+};
 
 /** Answers preview_layers; `content`: `#` and the key that `/compounds/` serves. */
-export interface Previewed {
-  type: "previewed";
-  request: number;
-  item: number;
-  content: string;
-}
+export type Previewed = { type: "previewed"; request: number; item: number; content: string };
 
 /** A draft became a revision; `aside`: another editor had saved meanwhile, and what plays is `head`, theirs. */
-export interface Saved {
+export type Saved = {
   type: "saved";
   request: number;
   item: number;
@@ -435,60 +324,35 @@ export interface Saved {
   head: number;
   aside: boolean;
   sentence: string;
-}
+};
 
 /** The revisions of an item, oldest first. */
-export interface History {
-  type: "history";
-  request: number;
-  item: number;
-  revisions: RevisionDocument[];
-}
+export type History = { type: "history"; request: number; item: number; revisions: RevisionDocument[] };
 
 /** A request was carried out. */
-export interface Done {
-  type: "done";
-  request: number;
-}
+export type Done = { type: "done"; request: number };
 
 /** A request was rejected, and why, in one sentence; request -1: what came was no valid request. */
-export interface EditRefused {
-  type: "refused";
-  request: number;
-  reason: string;
-}
+export type EditRefused = { type: "refused"; request: number; reason: string };
 
 /**
  * The tangents of a face, its derivative by the field, `/tangents/FACE-CONTENT`: (3, V, 3) f32 little-endian,
  * metres on the face per radian of dtheta, per metre of dh and per unit of R - 1, at each vertex of the sheet (zero
  * off it).
  */
-export interface TangentsAsset {
-  tangents: Uint8Array;
-}
+export type TangentsAsset = { tangents: Uint8Array };
 
 /** Handles of the face editor, `/handles`: rows of the skin, their labels, `mirror` places as in a net. */
-export interface HandlesAsset {
-  points: number[];
-  labels: string[];
-  mirror: number[];
-}
+export type HandlesAsset = { points: number[]; labels: string[]; mirror: number[] };
 
 /**
  * How far a fitted face is from its scan, millimetres: half of what was seen of the face lies within `median`, 95 %
  * of it within `p95`; `seen`: the part of the face that the scan shows, 0 to 1.
  */
-export interface ScanFigures {
-  median: number;
-  p95: number;
-  seen: number;
-}
+export type ScanFigures = { median: number; p95: number; seen: number };
 
 /** What is not sure of a fitted scan; kind: what it is about, and so what ends it. */
-export interface ScanDoubt {
-  kind: "place" | "sides" | "eyes" | "shape";
-  sentence: string;
-}
+export type ScanDoubt = { kind: "place" | "sides" | "eyes" | "shape"; sentence: string };
 
 /**
  * A scan that an editor looks at before its face is taken, `/scans`.
@@ -501,7 +365,7 @@ export interface ScanDoubt {
  * millimetres (nan: not seen): the fitted face; None where none could be made. shut: what was said of the eyes.
  * hair_style, hair: the style and the colour that are proposed.
  */
-export interface ScanPreview {
+export type ScanPreview = {
   token: string;
   file: string;
   placement: number[];
@@ -519,7 +383,7 @@ export interface ScanPreview {
   shut: boolean | null;
   hair_style: string;
   hair: string;
-}
+};
 
 /**
  * A face made of photographs that an editor looks at before it is taken, `/photographs`.
@@ -530,7 +394,7 @@ export interface ScanPreview {
  * face (v, 3) float32: skin and parts; shown (s,) uint8: how well a photograph shows each vertex of the skin, 0 to
  * 255. hair_style, hair: the style and the colour that are proposed.
  */
-export interface PhotographPreview {
+export type PhotographPreview = {
   token: string;
   doubts: string[];
   off: number[];
@@ -543,7 +407,7 @@ export interface PhotographPreview {
   shown: Uint8Array;
   hair_style: string;
   hair: string;
-}
+};
 
 export type FromEditor =
   | Greet

@@ -16,15 +16,15 @@ const inParts = (parts: readonly number[][], headers: Record<string, string>): R
 describe("downloads", () => {
   it("gives all bytes, and tells how many of how many have come", async () => {
     const downloads = new Downloads();
-    const told: (readonly [number, number | undefined])[] = [];
+    const reports: (readonly [number, number | undefined])[] = [];
     downloads.listen(() => {
       const { received, total } = downloads.all[0] as Download;
-      told.push([received, total]);
+      reports.push([received, total]);
     });
     const parts = inParts([[1, 2], [3], [4, 5, 6]], { "content-length": "6" });
     const { bytes } = await downloads.follow("/manifest", async () => parts);
     expect([...bytes]).toEqual([1, 2, 3, 4, 5, 6]);
-    expect(told).toEqual([
+    expect(reports).toEqual([
       [0, undefined],
       [2, 6],
       [3, 6],

@@ -1,632 +1,9 @@
 // Written by tools/messages.py from src/omote/show/messages.py. Do not edit: run `python tools/messages.py`.
 
-export const PROTOCOL_VERSION = 7;
+export const PROTOCOL_VERSION = 8;
 export const LINK_PATH = "/link";
 /** States per second. */
 export const STATE_RATE = 60;
-
-/**
- * Who a page is to the show: a role, and a name where the token is somebody's own. `asked`: whether the show asks
- * for tokens at all.
- */
-export interface AccessDocument {
-  role: "view" | "operate" | "edit" | "admin";
-  name: string;
-  asked: boolean;
-}
-
-/** The address by which somebody enters, with their token, and a QR code of it: a picture in a `data:` address. */
-export interface CodeDocument {
-  id: string;
-  address: string;
-  picture: string;
-}
-
-/** Asks for a token: for a name, with a role, and for how many hours (`None`: for ever). */
-export interface NewPerson {
-  name: string;
-  role: "view" | "operate" | "edit" | "admin";
-  hours: number | null;
-}
-
-/** Everybody who has a token. */
-export interface PeopleDocument {
-  people: PersonDocument[];
-}
-
-/**
- * Somebody who has a token: `made` and `until` in seconds since 1970, `until` `None` for ever. `links`: how many of
- * their pages and programs are connected; `own`: it is who asks.
- */
-export interface PersonDocument {
-  id: string;
-  name: string;
-  role: "view" | "operate" | "edit" | "admin";
-  made: number;
-  until: number | null;
-  links: number;
-  own: boolean;
-}
-
-/**
- * Opens a link; other messages are rejected before it. `name`: what a console's operator calls it, or what it was
- * called the last time; a second hello changes it. `page`: the same for each link of one page, another for each page.
- * `seat`: of the operator, whom a reload and a lost link do not change; without one it is the page's.
- */
-export interface Hello {
-  type: "hello";
-  role: "stage" | "console";
-  version: number;
-  name: string;
-  page: string;
-  seat: string;
-}
-
-/** Brings a face on air in `seconds`, or by hand (`None`: the T-bar moves it). An `id` executes once. */
-export interface CallFace {
-  type: "call_face";
-  character: string;
-  id: string;
-  name: string;
-  seconds: number | null;
-  easing: string;
-}
-
-/**
- * Brings an expression on air in `seconds`, or by hand (`None`: the T-bar moves it). An `id` executes once.
- * `region`: where alone it is called, in its own time, which no T-bar moves; `None`: on the whole face. `strength`:
- * how much of it, 0 (neutral) to 1; no T-bar moves a call of less than all.
- */
-export interface CallExpression {
-  type: "call_expression";
-  character: string;
-  id: string;
-  name: string;
-  seconds: number | null;
-  easing: string;
-  region: "brows" | "eyes" | "mouth" | "rest" | null;
-  strength: number;
-}
-
-/** Brings a light on air in `seconds`, from whatever light shows. An `id` executes once. */
-export interface CallLight {
-  type: "call_light";
-  id: string;
-  name: string;
-  seconds: number;
-  easing: string;
-}
-
-/** The position of the face T-bar, 0..1. */
-export interface FadeFace {
-  type: "fade_face";
-  character: string;
-  value: number;
-}
-
-/** The operator lets go of the face T-bar. */
-export interface ReleaseFace {
-  type: "release_face";
-  character: string;
-}
-
-/** The position of the expression T-bar, 0..1. */
-export interface FadeExpression {
-  type: "fade_expression";
-  character: string;
-  value: number;
-}
-
-/** The operator lets go of the expression T-bar. */
-export interface ReleaseExpression {
-  type: "release_expression";
-  character: string;
-}
-
-/** The weight of one channel (a blendshape weight; any expression's name), -0.5..1.5. */
-export interface SetChannel {
-  type: "set_channel";
-  character: string;
-  name: string;
-  value: number;
-}
-
-/** The head's direction in radians: + is the character's left, up, tilt to its left. */
-export interface SetHead {
-  type: "set_head";
-  character: string;
-  yaw: number;
-  pitch: number;
-  roll: number;
-}
-
-/**
- * The gaze relative to the head in radians: + is the character's left, up.
- * At most 0.698 sideways, 0.524 up or down: beyond, the iris would go out of sight.
- */
-export interface SetGaze {
-  type: "set_gaze";
-  character: string;
-  yaw: number;
-  pitch: number;
-}
-
-/**
- * The face on air goes neutral and holds still, now; while `CharacterState.home_next` is true it brings the home
- * face.
- */
-export interface Panic {
-  type: "panic";
-  character: string;
-}
-
-/** The face that a second panic brings on air, and the seconds that it takes; it stays with the show. */
-export interface SetHome {
-  type: "set_home";
-  character: string;
-  face: string;
-  seconds: number;
-}
-
-/** Keeps the mix of faces on air as a new own face. An `id` executes once; answered with `kept`. */
-export interface KeepFace {
-  type: "keep_face";
-  character: string;
-  id: string;
-}
-
-/**
- * Keeps expressions, channels and gaze on air as a new own expression. An `id` executes once; answered with
- * `kept`.
- */
-export interface KeepExpression {
-  type: "keep_expression";
-  character: string;
-  id: string;
-}
-
-/**
- * Adds a character, which waits off stage at a free place until it enters. `character`: its name for ever, lower
- * case letters, digits, `_` and `-`; `label`: what people call it. `face` is its home face too. An `id` executes once,
- * as of the messages below.
- */
-export interface AddCharacter {
-  type: "add_character";
-  id: string;
-  character: string;
-  label: string;
-  face: string;
-}
-
-/**
- * Takes a character out of the scene: it leaves the stage first, in `seconds`, and no shot holds it any more; until
- * it is gone an `enter_character` keeps it. The last one stays. `key`: what `restore_character` finds it by, "" for
- * its name.
- */
-export interface RemoveCharacter {
-  type: "remove_character";
-  id: string;
-  character: string;
-  key: string;
-  seconds: number;
-}
-
-/**
- * Brings back a character that was removed, one of the last sixteen: all that it had on air, its place, rank and
- * shot, unless another was called since. It enters in `seconds`, if it was on the stage.
- */
-export interface RestoreCharacter {
-  type: "restore_character";
-  id: string;
-  key: string;
-  seconds: number;
-}
-
-/** Gives a character another label. */
-export interface RenameCharacter {
-  type: "rename_character";
-  id: string;
-  character: string;
-  label: string;
-}
-
-/**
- * Moves a character to a place in `seconds`, from wherever it is: the fields are those of `Place`. A hand that
- * drags sends many, the newest wins.
- */
-export interface PlaceCharacter {
-  type: "place_character";
-  character: string;
-  x: number;
-  depth: number;
-  size: number;
-  turn: number;
-  seconds: number;
-  id: string;
-}
-
-/** Brings a character onto the stage in `seconds`. */
-export interface EnterCharacter {
-  type: "enter_character";
-  id: string;
-  character: string;
-  seconds: number;
-}
-
-/** Takes a character off the stage in `seconds`; it stays in the scene. */
-export interface LeaveCharacter {
-  type: "leave_character";
-  id: string;
-  character: string;
-  seconds: number;
-}
-
-/**
- * Brings a framing on air in `seconds`, from whatever the picture shows: a shot of these characters, or of all that
- * are on the stage where none is named.
- */
-export interface CallFraming {
-  type: "call_framing";
-  id: string;
-  characters: string[];
-  seconds: number;
-  easing: string;
-}
-
-/**
- * Gives an own face or expression another label, which no other of its kind has. An `id` executes once; answered,
- * as the two below, with `item_changed`.
- */
-export interface RenameItem {
-  type: "rename_item";
-  id: string;
-  kind: "face" | "expression";
-  name: string;
-  label: string;
-}
-
-/**
- * Takes an own face or expression out of the cast; rejected while it is on air or the home face. `unedited`:
- * rejected too once somebody has worked on what a console kept.
- */
-export interface DeleteItem {
-  type: "delete_item";
-  id: string;
-  kind: "face" | "expression";
-  name: string;
-  unedited: boolean;
-}
-
-/** Puts a deleted face or expression back into the cast. */
-export interface RestoreItem {
-  type: "restore_item";
-  id: string;
-  kind: "face" | "expression";
-  name: string;
-}
-
-/**
- * Copies an own face or expression to a new one under a label of its own. An `id` executes once; answered with
- * `kept`.
- */
-export interface CopyItem {
-  type: "copy_item";
-  id: string;
-  kind: "face" | "expression";
-  name: string;
-}
-
-/**
- * Stores a page's layout (JSON) in the show file under a name; `/layouts/NAME` returns it. Answered, as the two
- * below, with `layouts`; `id`: named where it is rejected.
- */
-export interface SetLayout {
-  type: "set_layout";
-  name: string;
-  document: string;
-  id: string;
-}
-
-/** Gives a layout of the show file another name, which none has yet. */
-export interface RenameLayout {
-  type: "rename_layout";
-  name: string;
-  to: string;
-  id: string;
-}
-
-/** Takes a layout out of the show file. */
-export interface DropLayout {
-  type: "drop_layout";
-  name: string;
-  id: string;
-}
-
-/**
- * How much of a layer of a character shows, 0..1, in a region of it (`None`: everywhere), and whether it is on;
- * `None` leaves either as it is. What is on air follows.
- */
-export interface SetLayer {
-  type: "set_layer";
-  character: string;
-  layer: "breath" | "gaze" | "emotion" | "blink" | "tracker" | "lips" | "playback" | "hands";
-  region: "brows" | "eyes" | "mouth" | "rest" | "head" | "gaze" | null;
-  influence: number | null;
-  on: boolean | null;
-  id: string;
-}
-
-/**
- * How much a character moves by itself: `liveliness` 0 (nothing) to 1, 0.5 as people move; `blinks`, `gaze` and
- * `breath` each beside the others, 0..2; `seed`: which of all ways to move; `idle`: whether it moves as people do
- * while its tracker is lost, where the liveliness is 0 too. `None` leaves a setting as it is.
- */
-export interface SetMotion {
-  type: "set_motion";
-  character: string;
-  liveliness: number | null;
-  blinks: number | null;
-  gaze: number | null;
-  breath: number | null;
-  seed: number | null;
-  id: string;
-  idle: boolean | null;
-}
-
-/**
- * Whom or what the eyes of a character look at by its automatic motion: `ahead`, nothing; `direction`, `yaw` and
- * `pitch` of the house in radians, + to the picture's right and up; `point`, `x` metres to the picture's right, `y`
- * above the eyes, `z` before the front line; by `name`: a `gaze_point`, a `character`, the camera of a `stage` ("" for
- * any). Rejected where there is none of that name.
- */
-export interface LookAt {
-  type: "look_at";
-  character: string;
-  kind: "ahead" | "direction" | "point" | "gaze_point" | "character" | "stage";
-  name: string;
-  yaw: number;
-  pitch: number;
-  x: number;
-  y: number;
-  z: number;
-  id: string;
-}
-
-/**
- * Names a point of the house that eyes may look at, such as a seat, or moves it: metres as of `look_at`. It is kept
- * with the show. An `id` executes once, as of the one below.
- */
-export interface SetGazePoint {
-  type: "set_gaze_point";
-  id: string;
-  name: string;
-  x: number;
-  y: number;
-  z: number;
-}
-
-/** Forgets a gaze point; who looked at it looks ahead. */
-export interface DeleteGazePoint {
-  type: "delete_gaze_point";
-  id: string;
-  name: string;
-}
-
-/**
- * A character speaks: its lips move in time with a sound. `timing`: what `marks` are, each beginning at its place
- * of `times` (float32, little-endian, seconds from the beginning of the sound; one more is the end of the last):
- * words, characters, visemes (Oculus), azure (ids), rhubarb (letters); `text`: none, the text's letters are timed by
- * rule, in `language`. `seconds`: the length, where it is known. `sound`: the key of one that was sent to `/sounds`,
- * which one stage plays; "": something else does. `delay`: seconds until the sound begins; `offset`: by which the
- * mouth is later. `queue`: after all that is said already, else in its place. `key`: what to call it: the
- * state's `speech.keys` have it until it is over, and `spoken` once it was said to its end. An `id` executes once.
- */
-export interface Say {
-  type: "say";
-  character: string;
-  id: string;
-  text: string;
-  timing: "text" | "words" | "characters" | "visemes" | "azure" | "rhubarb";
-  marks: string[];
-  times: Uint8Array;
-  language: "en" | "de";
-  seconds: number | null;
-  sound: string;
-  delay: number;
-  offset: number;
-  queue: boolean;
-  key: string;
-}
-
-/** Ends what a character says, and all that it would say after: its mouth goes to rest. */
-export interface StopSpeaking {
-  type: "stop_speaking";
-  character: string;
-  id: string;
-}
-
-/**
- * A short motion on top of all that plays: nod, shake, tilt, bow, shrug, brows or wink. `amplitude`: -2..2, 1 as it
- * is, below 0 to the other side; `seconds`: 0.2..10, `None` as long as it takes. An `id` executes once.
- */
-export interface MakeGesture {
-  type: "make_gesture";
-  character: string;
-  id: string;
-  name: "nod" | "shake" | "tilt" | "bow" | "shrug" | "brows" | "wink";
-  amplitude: number;
-  seconds: number | null;
-}
-
-/**
- * Something that sends values all the time: a tracker, a microphone, a program. `names`: the expressions (channels)
- * that each of its frames has a value for. `characters`: whom it drives, where it says so; else the route that was
- * made for its name the last time. `performer`: whose face it sees, by whose calibration it is read; "" for one of its
- * own. `smoothing`: seconds, to 2, in which its steps are followed, 0 as its layer is. `direct`: its frames are smooth
- * already and show as they are. Answered with `source_is`; the end of its link is its end.
- */
-export interface Source {
-  type: "source";
-  name: string;
-  kind: "tracker" | "lips" | "playback" | "program" | "breath" | "gaze" | "blink";
-  names: string[];
-  characters: string[];
-  performer: string;
-  id: string;
-  smoothing: number;
-  direct: boolean;
-}
-
-/**
- * One frame of a source, the newest wins: `values` as float32, little-endian, in the order of its names, -0.5..1.5;
- * `head` (yaw, pitch, roll) and `gaze` (yaw, pitch) in radians, or `None`. `found`: false while it does not see its
- * performer. Half a second without one that is found, and its layers fade out. `share`, of a direct source: how much
- * of its layer it takes, 0..1; none while a voice is silent, so that what lies below shows.
- */
-export interface Drive {
-  type: "drive";
-  index: number;
-  values: Uint8Array;
-  head: [number, number, number] | null;
-  gaze: [number, number] | null;
-  found: boolean;
-  share: number;
-}
-
-/** A source of this link ends; its layers fade out. */
-export interface LeaveSource {
-  type: "leave_source";
-  index: number;
-}
-
-/**
- * Which characters a source drives, on which layer, in which regions (none named: all). It stays with the show
- * under the source's name. An `id` executes once, as of the two below.
- */
-export interface RouteSource {
-  type: "route_source";
-  id: string;
-  source: string;
-  characters: string[];
-  layer: "breath" | "gaze" | "emotion" | "blink" | "tracker" | "lips" | "playback" | "hands";
-  regions: ("brows" | "eyes" | "mouth" | "rest" | "head" | "gaze")[];
-}
-
-/**
- * Measures the performer before a source: `neutral` takes what it sends now as the face at rest, `range` listens to
- * the performer's largest moves until `done`, `reset` forgets both. `channels`: those that a range is of; none named:
- * all. It stays with the show under the performer.
- */
-export interface CalibrateSource {
-  type: "calibrate_source";
-  id: string;
-  source: string;
-  step: "neutral" | "range" | "done" | "reset";
-  channels: string[];
-}
-
-/**
- * Sets what was measured of the performer before a source, by channel: the face at rest and the largest moves, as
- * `SourceState` tells them. So a measure is taken back, or comes from a program.
- */
-export interface MeasureSource {
-  type: "measure_source";
-  id: string;
-  source: string;
-  neutral: Record<string, number>;
-  highest: Record<string, number>;
-}
-
-/**
- * How a source is read: `mirror` swaps left and right; less than `dead_zone` (0..0.5) is nothing; `curve` -1..1:
- * above 0 small moves grow, below they shrink; `gain` 0..4 of all channels, `lids` 0..4 beside it of those that shut
- * the eyes; `smoothing` 0..2: seconds in which a step is followed, 0 as the source asks or its layer is.
- */
-export interface TuneSource {
-  type: "tune_source";
-  id: string;
-  source: string;
-  mirror: boolean;
-  dead_zone: number;
-  curve: number;
-  gain: number;
-  smoothing: number;
-  lids: number;
-}
-
-/** Asks for what a source sends, as it comes (`SourceValues`): for a page that shows it; "" ends it. */
-export interface WatchSource {
-  type: "watch_source";
-  source: string;
-}
-
-/**
- * Ends a long request, which then changes nothing: an import or export sent over HTTP with `?request=` and an id of
- * the page's own. One that has ended is left as it is.
- */
-export interface Cancel {
-  type: "cancel";
-  request: string;
-}
-
-/** Asks for a pong; `sent` is the client's own clock and comes back unchanged. */
-export interface Ping {
-  type: "ping";
-  sent: number;
-}
-
-/**
- * A stage's heartbeat, once a second: the rate of frames that it really drew, and its level of quality. `name`: as
- * its address has it; `camera`: where that is, metres as of `look_at`. `sound`: whether it can play sounds: "" never,
- * `blocked` until somebody clicks it, `ready`; `sound_here`: its address asks that it plays them.
- */
-export interface Drawing {
-  type: "drawing";
-  fps: number;
-  level: "lowest" | "low" | "medium" | "good" | "high";
-  name: string;
-  camera: [number, number, number] | null;
-  sound: "" | "blocked" | "ready";
-  sound_here: boolean;
-}
-
-/**
- * Holds a part of a character: nobody else may play it until it is released; of one that the seat holds already,
- * answers those who want it that it is kept. Rejected where another seat holds it, but for `take_over`; all parts of
- * others are the stage manager's to take over. An `id` executes once, as of the messages below.
- */
-export interface Lease {
-  type: "lease";
-  id: string;
-  character: string;
-  part: "face" | "expression" | "brows" | "eyes" | "mouth" | "channels" | "head" | "gaze" | "place" | "light" | "framing" | "*";
-  take_over: boolean;
-}
-
-/** Releases a part, or takes back the wish for one that another holds; "*": all of a character, or of all. */
-export interface ReleaseLease {
-  type: "release_lease";
-  id: string;
-  character: string;
-  part: "face" | "expression" | "brows" | "eyes" | "mouth" | "channels" | "head" | "gaze" | "place" | "light" | "framing" | "*";
-}
-
-/**
- * Switches leases on, which makes the sender's seat the stage manager, or off, which releases all; on again, while
- * no stage manager is there, makes the sender the stage manager.
- */
-export interface SetLeases {
-  type: "set_leases";
-  id: string;
-  on: boolean;
-}
-
-/** Makes another seat the stage manager, by its number; the stage manager alone may. */
-export interface AppointManager {
-  type: "appoint_manager";
-  id: string;
-  seat: number;
-}
 
 /**
  * A control of a device, and what it plays (`inputs/bindings`).
@@ -636,7 +13,7 @@ export interface AppointManager {
  * air. `button`: how a key moves a level, `relative`: how an encoder counts, "" for neither; `step`: the part of the
  * range that one step moves. `bank`: where it plays, "" in all.
  */
-export interface BindingDocument {
+export type BindingDocument = {
   device: string;
   control: string;
   to: string;
@@ -650,159 +27,326 @@ export interface BindingDocument {
   relative: "" | "twos_complement" | "binary_offset" | "sign_magnitude";
   step: number;
   bank: string;
-}
-
-/**
- * A device is at this page from now on, until `unplug` or the end of the link. Rejected while another page has one
- * of that name: two of a kind need two names.
- */
-export interface Plug {
-  type: "plug";
-  device: string;
-  kind: "midi" | "gamepad" | "space_mouse";
-  id: string;
-}
-
-/** A device is gone; its bindings wait for it. */
-export interface Unplug {
-  type: "unplug";
-  device: string;
-}
-
-/** What a MIDI device has sent, as it came. */
-export interface MidiBytes {
-  type: "midi_bytes";
-  device: string;
-  data: Uint8Array;
-}
-
-/**
- * Where controls of a gamepad or a space mouse stand now, those that have moved: 0..1, an axis rests at .5; one
- * whose name begins with `button` is a key.
- */
-export interface Controls {
-  type: "controls";
-  device: string;
-  values: Record<string, number>;
-}
+};
 
 /**
  * Binds a control, in the place of the same one with the same target, and of `replaces`. An `id` executes once;
  * answered, as the messages below that have one, with `bindings_changed`.
  */
-export interface Bind {
-  type: "bind";
-  id: string;
-  binding: BindingDocument;
-  replaces: BindingDocument | null;
-}
+export type Bind = { type: "bind"; id: string; binding: BindingDocument; replaces?: BindingDocument | null };
 
 /** Takes a binding away. */
-export interface Unbind {
-  type: "unbind";
-  id: string;
-  binding: BindingDocument;
-}
+export type Unbind = { type: "unbind"; id: string; binding: BindingDocument };
 
 /**
  * Binds the next control that moves to an address, in the place of nothing; `to` "" stops. Ends by itself after
  * half a minute.
  */
-export interface Learn {
+export type Learn = {
   type: "learn";
   id: string;
   to: string;
-  axis: string;
-  arguments: (number | string)[];
-  bank: string;
-}
+  axis?: string;
+  arguments?: (number | string)[];
+  bank?: string;
+};
 
 /** Binds a device as a preset has it, in the place of all its bindings; `character`: whom it plays, `*` all. */
-export interface LoadPreset {
-  type: "load_preset";
-  id: string;
-  device: string;
-  preset: string;
-  character: string;
-}
+export type LoadPreset = { type: "load_preset"; id: string; device: string; preset: string; character?: string };
 
 /** Takes back what the message of the id `change` did to the bindings; that can be taken back itself. */
-export interface RestoreBindings {
-  type: "restore_bindings";
-  id: string;
-  change: string;
-}
+export type RestoreBindings = { type: "restore_bindings"; id: string; change: string };
 
 /** Turns a device to one of its banks, "" to none. */
-export interface ChooseBank {
-  type: "choose_bank";
-  device: string;
-  bank: string;
-}
+export type ChooseBank = { type: "choose_bank"; device: string; bank: string };
+
+/** What the next control that moves will be bound to, and who asked for it (a console's name). */
+export type LearningState = { id: string; to: string; axis: string; arguments: (number | string)[]; who: string };
+
+/**
+ * A preset: its name, what people call the device, and whether it is made for it (`matches`: device names, as
+ * regular expressions in any case).
+ */
+export type PresetDocument = {
+  name: string;
+  label: string;
+  kind: "midi" | "gamepad" | "space_mouse" | "osc" | "sacn" | "artnet" | "tracker";
+  matches: string[];
+};
+
+/**
+ * All bindings in their order: complete, to consoles after the welcome and with each change. `fixed`: those of
+ * these that a file of the command line has made, which no page changes. `missing`: for each of the bindings why it
+ * waits, where it names a face, an expression or a character that is not there, else "".
+ */
+export type BindingList = {
+  type: "binding_list";
+  bindings: BindingDocument[];
+  fixed: BindingDocument[];
+  learning: LearningState | null;
+  presets: PresetDocument[];
+  missing: string[];
+};
+
+/**
+ * Answers bind, unbind, learn (when a control has been bound), load_preset and restore_bindings: what is new and
+ * what is gone; `restore_bindings` takes it back. `preset`: nobody asked, the preset of this label was loaded when its
+ * device was plugged in for the first time: all consoles are told, `here` says whether it was at this one.
+ */
+export type BindingsChanged = {
+  type: "bindings_changed";
+  id: string;
+  added: BindingDocument[];
+  removed: BindingDocument[];
+  preset: string;
+  here: boolean;
+};
+
+/** Brings a face on air in `seconds`, or by hand (`None`: the T-bar moves it). An `id` executes once. */
+export type CallFace = {
+  type: "call_face";
+  character: string;
+  id: string;
+  name: string;
+  seconds?: number | null;
+  easing?: string;
+};
+
+/**
+ * Brings an expression on air in `seconds`, or by hand (`None`: the T-bar moves it). An `id` executes once.
+ * `region`: where alone it is called, in its own time, which no T-bar moves; `None`: on the whole face. `strength`:
+ * how much of it, 0 (neutral) to 1; no T-bar moves a call of less than all.
+ */
+export type CallExpression = {
+  type: "call_expression";
+  character: string;
+  id: string;
+  name: string;
+  seconds?: number | null;
+  easing?: string;
+  region?: "brows" | "eyes" | "mouth" | "rest" | null;
+  strength?: number;
+};
+
+/** The position of the face T-bar, 0..1. */
+export type FadeFace = { type: "fade_face"; character: string; value: number };
+
+/** The operator lets go of the face T-bar. */
+export type ReleaseFace = { type: "release_face"; character: string };
+
+/** The position of the expression T-bar, 0..1. */
+export type FadeExpression = { type: "fade_expression"; character: string; value: number };
+
+/** The operator lets go of the expression T-bar. */
+export type ReleaseExpression = { type: "release_expression"; character: string };
+
+/**
+ * The face on air goes neutral and holds still, now; while `CharacterState.home_next` is true it brings the home
+ * face. An `id` executes once: a page sends it again where its link breaks.
+ */
+export type Panic = { type: "panic"; character: string; id?: string };
+
+/** The face that a second panic brings on air, and the seconds that it takes; it stays with the show. */
+export type SetHome = { type: "set_home"; character: string; face: string; seconds?: number };
+
+/**
+ * Adds a character, which waits off stage at a free place until it enters. `character`: its name for ever, lower
+ * case letters, digits, `_` and `-`; `label`: what people call it. `face` is its home face too. An `id` executes once,
+ * as of the messages below.
+ */
+export type AddCharacter = { type: "add_character"; id: string; character: string; label: string; face: string };
+
+/**
+ * Takes a character out of the scene: it leaves the stage first, in `seconds`, and no shot holds it any more; until
+ * it is gone an `enter_character` keeps it. The last one stays. `key`: what `restore_character` finds it by, "" for
+ * its name.
+ */
+export type RemoveCharacter = {
+  type: "remove_character";
+  id: string;
+  character: string;
+  seconds?: number;
+  key?: string;
+};
+
+/**
+ * Brings back a character that was removed, one of the last sixteen: all that it had on air, its place, rank and
+ * shot, unless another was called since. It enters in `seconds`, if it was on the stage.
+ */
+export type RestoreCharacter = { type: "restore_character"; id: string; key: string; seconds?: number };
+
+/** Gives a character another label. */
+export type RenameCharacter = { type: "rename_character"; id: string; character: string; label: string };
+
+/**
+ * Moves a character to a place in `seconds`, from wherever it is: the fields are those of `Place`. A hand that
+ * drags sends many, the newest wins.
+ */
+export type PlaceCharacter = {
+  type: "place_character";
+  character: string;
+  x: number;
+  depth: number;
+  size: number;
+  turn: number;
+  seconds?: number;
+  id?: string;
+};
+
+/** Brings a character onto the stage in `seconds`. */
+export type EnterCharacter = { type: "enter_character"; id: string; character: string; seconds?: number };
+
+/** Takes a character off the stage in `seconds`; it stays in the scene. */
+export type LeaveCharacter = { type: "leave_character"; id: string; character: string; seconds?: number };
+
+/**
+ * A device is at this page from now on, until `unplug` or the end of the link. Rejected while another page has one
+ * of that name: two of a kind need two names.
+ */
+export type Plug = { type: "plug"; device: string; kind: "midi" | "gamepad" | "space_mouse"; id?: string };
+
+/** A device is gone; its bindings wait for it. */
+export type Unplug = { type: "unplug"; device: string };
+
+/** What a MIDI device has sent, as it came. */
+export type MidiBytes = { type: "midi_bytes"; device: string; data: Uint8Array };
+
+/**
+ * Where controls of a gamepad or a space mouse stand now, those that have moved: 0..1, an axis rests at .5; one
+ * whose name begins with `button` is a key.
+ */
+export type Controls = { type: "controls"; device: string; values: Record<string, number> };
 
 /** This page shows devices from now on, or no more: while it does it hears of them ten times a second. */
-export interface WatchDevices {
-  type: "watch_devices";
-  on: boolean;
-}
+export type WatchDevices = { type: "watch_devices"; on: boolean };
 
 /**
  * Switches on or off what is heard (`listen`: a tracker) or told (`send`: a receiver of faces), by the word that
  * stands after `--listen` or `--send`.
  */
-export interface SwitchDevice {
+export type SwitchDevice = {
   type: "switch_device";
   direction: "listen" | "send";
   word: string;
   on: boolean;
-  id: string;
-}
+  id?: string;
+};
 
 /**
- * Answers hello: `epoch` rises with each server start, `revision` with each change of the documents. `name`: what
- * the others call this console. `show`: which show file is played, "" for none; another one has another.
+ * A device, or another source of a show: where it is (a console's name, a host), whether it is there now.
+ * `rate`: readings or packets a second; `heard`, `rejected`: counts since the server began. `values`: where its
+ * controls stood last, 0..1, the newest sixty-four; `waiting`: controls that wait to be picked up, and the position
+ * at which they will be. `bank`: the one that it is turned to, of its `banks`; `preset`: the one it was given.
+ * `advice`: what to do at whoever sends it, such as what to type into a phone.
  */
-export interface Welcome {
-  type: "welcome";
-  version: number;
-  epoch: number;
-  revision: number;
-  digest: string;
+export type DeviceState = {
   name: string;
-  show: string;
-}
-
-/** The cast has changed: pages fetch the manifest again and go on. */
-export interface CastChanged {
-  type: "cast";
-  revision: number;
-  digest: string;
-}
-
-/** Answers keep_face, keep_expression and copy_item: the new name in the cast, and its label. */
-export interface Kept {
-  type: "kept";
-  id: string;
-  name: string;
-  label: string;
-}
-
-/** Answers rename_item, delete_item and restore_item: the label of the item now, and before. */
-export interface ItemChanged {
-  type: "item_changed";
-  id: string;
-  label: string;
-  before: string;
-}
+  kind: "midi" | "gamepad" | "space_mouse" | "osc" | "sacn" | "artnet" | "tracker";
+  where: string;
+  plugged: boolean;
+  rate: number;
+  heard: number;
+  rejected: number;
+  values: Record<string, number>;
+  waiting: Record<string, number>;
+  bank: string;
+  banks: string[];
+  preset: string;
+  advice: string;
+};
 
 /**
- * The names of all layouts in the show file, sorted: complete, to consoles after the welcome and with each
- * change.
+ * A tracker that can be heard. name: as `--listen` spells it; port: its usual one, or where it is heard, None where
+ * it comes to the port of the pages; asks: what its word may name behind "@": a phone that is asked for frames, a
+ * computer that we connect to, a sender that may play beside this machine, or "".
+ * word: what it is switched on by, "" while it is off; fixed: the command line has; advice: what to do at the sender.
+ * stranger: a host that has sent and may not, or ""; strange: the word by which it may. fault: why it is off though
+ * the start has asked for it, or ""; again: the word by which it is switched on then.
  */
-export interface Layouts {
-  type: "layouts";
-  names: string[];
-}
+export type TrackerOffer = {
+  name: string;
+  title: string;
+  port: number | null;
+  asks: "" | "phone" | "computer" | "sender";
+  word: string;
+  fixed: boolean;
+  advice: string;
+  stranger: string;
+  strange: string;
+  fault: string;
+  again: string;
+};
+
+/** A program that has announced itself, and the word by which it is heard. */
+export type FoundTracker = { word: string; title: string; where: string };
+
+/**
+ * A program that faces are sent to. word: as after `--send`; character: whose face, "" where nobody is called so;
+ * sent: packets since it was switched on; fault: why it does not arrive, or ""; fixed: the command line has it.
+ */
+export type ReceiverState = {
+  word: string;
+  title: string;
+  where: string;
+  character: string;
+  sent: number;
+  fault: string;
+  fixed: boolean;
+};
+
+/** A way to send a face: its name as `--send` spells it, and the port where receivers usually hear it. */
+export type SendWay = { name: string; title: string; port: number };
+
+/**
+ * All sources: complete, to consoles when one comes or goes and once a second, to pages that watch ten times a
+ * second. trackers: what can be heard; found: what has announced itself; receivers: to whom faces are sent, in one of
+ * these ways; phone_page: the address that a phone opens to copy what to type, "" where the show listens on its own
+ * machine alone; host: that machine's address in its network, to which trackers send, "" where it is in none.
+ */
+export type Devices = {
+  type: "devices";
+  devices: DeviceState[];
+  trackers: TrackerOffer[];
+  found: FoundTracker[];
+  receivers: ReceiverState[];
+  ways: SendWay[];
+  phone_page: string;
+  host: string;
+};
+
+/**
+ * What came from a source, or why it was rejected; `count`: how often the same within a second; `time`: seconds
+ * since 1970. Of a sender of a face there is one line while it sends: `rate` a second, `bars`: the channels that move
+ * most, and where each stands.
+ */
+export type InputLine = {
+  number: number;
+  time: number;
+  source: string;
+  text: string;
+  rejected: boolean;
+  count: number;
+  rate: number;
+  bars: Record<string, number>;
+};
+
+/** What came in last, the oldest first, at most two hundred lines: complete, to pages that watch devices. */
+export type InputLog = { type: "input_log"; lines: InputLine[] };
+
+/** What a device is to be sent (MIDI): to the page that has it. */
+export type DeviceBytes = { type: "device_bytes"; device: string; data: Uint8Array };
+
+/** The weight of one channel (a blendshape weight; any expression's name), -0.5..1.5. */
+export type SetChannel = { type: "set_channel"; character: string; name: string; value: number };
+
+/** The head's direction in radians: + is the character's left, up, tilt to its left. */
+export type SetHead = { type: "set_head"; character: string; yaw: number; pitch: number; roll: number };
+
+/**
+ * The gaze relative to the head in radians: + is the character's left, up.
+ * At most 0.698 sideways, 0.524 up or down: beyond, the iris would go out of sight.
+ */
+export type SetGaze = { type: "set_gaze"; character: string; yaw: number; pitch: number };
 
 /**
  * What hands at other consoles have moved within the last second, and the name of the console: complete, to each
@@ -810,33 +354,133 @@ export interface Layouts {
  * (`one/fade_face`, `one/set_head`), of a channel with its name (`one/set_channel:jawOpen`), of a layer with its name
  * and its region (`one/set_layer:tracker:mouth`).
  */
-export interface Hands {
-  type: "hands";
-  hands: Record<string, string>;
-}
+export type Hands = { type: "hands"; hands: Record<string, string> };
+
+/**
+ * Names a point of the house that eyes may look at, such as a seat, or moves it: metres as of `look_at`. It is kept
+ * with the show. An `id` executes once, as of the one below.
+ */
+export type SetGazePoint = { type: "set_gaze_point"; id: string; name: string; x: number; y: number; z: number };
+
+/** Forgets a gaze point; who looked at it looks ahead. */
+export type DeleteGazePoint = { type: "delete_gaze_point"; id: string; name: string };
+
+/** Keeps the mix of faces on air as a new own face. An `id` executes once; answered with `kept`. */
+export type KeepFace = { type: "keep_face"; character: string; id: string };
+
+/**
+ * Keeps expressions, channels and gaze on air as a new own expression. An `id` executes once; answered with
+ * `kept`.
+ */
+export type KeepExpression = { type: "keep_expression"; character: string; id: string };
+
+/**
+ * Gives an own face or expression another label, which no other of its kind has. An `id` executes once; answered,
+ * as the two below, with `item_changed`.
+ */
+export type RenameItem = { type: "rename_item"; id: string; kind: "face" | "expression"; name: string; label: string };
+
+/**
+ * Takes an own face or expression out of the cast; rejected while it is on air or the home face. `unedited`:
+ * rejected too once somebody has worked on what a console kept.
+ */
+export type DeleteItem = {
+  type: "delete_item";
+  id: string;
+  kind: "face" | "expression";
+  name: string;
+  unedited?: boolean;
+};
+
+/** Puts a deleted face or expression back into the cast. */
+export type RestoreItem = { type: "restore_item"; id: string; kind: "face" | "expression"; name: string };
+
+/**
+ * Copies an own face or expression to a new one under a label of its own. An `id` executes once; answered with
+ * `kept`.
+ */
+export type CopyItem = { type: "copy_item"; id: string; kind: "face" | "expression"; name: string };
+
+/** Answers keep_face, keep_expression and copy_item: the new name in the cast, and its label. */
+export type Kept = { type: "kept"; id: string; name: string; label: string };
+
+/** Answers rename_item, delete_item and restore_item: the label of the item now, and before. */
+export type ItemChanged = { type: "item_changed"; id: string; label: string; before: string };
+
+/**
+ * How much of a layer of a character shows, 0..1, in a region of it (`None`: everywhere), and whether it is on;
+ * `None` leaves either as it is. What is on air follows.
+ */
+export type SetLayer = {
+  type: "set_layer";
+  character: string;
+  layer: "breath" | "gaze" | "emotion" | "blink" | "tracker" | "lips" | "playback" | "hands";
+  region?: "brows" | "eyes" | "mouth" | "rest" | "head" | "gaze" | null;
+  influence?: number | null;
+  on?: boolean | null;
+  id?: string;
+};
+
+/**
+ * Stores a page's layout (JSON) in the show file under a name; `/layouts/NAME` returns it. Answered, as the two
+ * below, with `layouts`; `id`: named where it is rejected.
+ */
+export type SetLayout = { type: "set_layout"; name: string; document: string; id?: string };
+
+/** Gives a layout of the show file another name, which none has yet. */
+export type RenameLayout = { type: "rename_layout"; name: string; to: string; id?: string };
+
+/** Takes a layout out of the show file. */
+export type DropLayout = { type: "drop_layout"; name: string; id?: string };
+
+/**
+ * The names of all layouts in the show file, sorted: complete, to consoles after the welcome and with each
+ * change.
+ */
+export type Layouts = { type: "layouts"; names: string[] };
+
+/**
+ * Holds a part of a character: nobody else may play it until it is released; of one that the seat holds already,
+ * answers those who want it that it is kept. Rejected where another seat holds it, but for `take_over`; all parts of
+ * others are the stage manager's to take over. An `id` executes once, as of the messages below.
+ */
+export type Lease = {
+  type: "lease";
+  id: string;
+  character: string;
+  part: "face" | "expression" | "brows" | "eyes" | "mouth" | "channels" | "head" | "gaze" | "place" | "light" | "framing" | "*";
+  take_over?: boolean;
+};
+
+/** Releases a part, or takes back the wish for one that another holds; "*": all of a character, or of all. */
+export type ReleaseLease = {
+  type: "release_lease";
+  id: string;
+  character: string;
+  part: "face" | "expression" | "brows" | "eyes" | "mouth" | "channels" | "head" | "gaze" | "place" | "light" | "framing" | "*";
+};
+
+/**
+ * Switches leases on, which makes the sender's seat the stage manager, or off, which releases all; on again, while
+ * no stage manager is there, makes the sender the stage manager.
+ */
+export type SetLeases = { type: "set_leases"; id: string; on: boolean };
+
+/** Makes another seat the stage manager, by its number; the stage manager alone may. */
+export type AppointManager = { type: "appoint_manager"; id: string; seat: number };
 
 /**
  * An operator, or a source that holds something: its number, its name and its colour, `#rrggbb`. `manager`: the
  * stage manager; `here`: a link of it is there.
  */
-export interface SeatState {
-  number: number;
-  name: string;
-  colour: string;
-  manager: boolean;
-  here: boolean;
-}
+export type SeatState = { number: number; name: string; colour: string; manager: boolean; here: boolean };
 
 /**
  * A part that somebody holds, as in `Leases.held`, the number of the seat that wants it, and for how many seconds.
  * It stands until the part is released or taken over, its holder holds it again (`lease`), or the seat takes the wish
  * back (`release_lease`) or has gone.
  */
-export interface LeaseWish {
-  part: string;
-  by: number;
-  seconds: number;
-}
+export type LeaseWish = { part: string; by: number; seconds: number };
 
 /**
  * Who holds what, complete, to consoles once leases have been switched on: when it changes and once a second.
@@ -844,40 +488,251 @@ export interface LeaseWish {
  * what else holds or wants something; `you`: the number of this console's own. While leases are not `on` the last
  * touch wins.
  */
-export interface Leases {
+export type Leases = {
   type: "leases";
   on: boolean;
   held: Record<string, SeatState>;
   seats: SeatState[];
   you: number;
   wishes: LeaseWish[];
-}
+};
 
 /**
  * To the consoles of a seat: another touched parts that it holds, or has `taken` them over, or, holding what it
  * wanted, has `kept` them. `parts`: as in `Leases.held`.
  */
-export interface LeaseClaim {
-  type: "lease_claim";
-  parts: string[];
-  by: SeatState;
-  taken: boolean;
-  kept: boolean;
-}
+export type LeaseClaim = { type: "lease_claim"; parts: string[]; by: SeatState; taken: boolean; kept: boolean };
+
+/**
+ * Opens a link; other messages are rejected before it. `name`: what a console's operator calls it, or what it was
+ * called the last time; a second hello changes it. `page`: the same for each link of one page, another for each page.
+ * `seat`: of the operator, whom a reload and a lost link do not change; without one it is the page's.
+ */
+export type Hello = {
+  type: "hello";
+  role: "stage" | "console";
+  version: number;
+  name?: string;
+  page?: string;
+  seat?: string;
+};
+
+/**
+ * Ends a long request, which then changes nothing: an import or export sent over HTTP with `?request=` and an id of
+ * the page's own. One that has ended is left as it is.
+ */
+export type Cancel = { type: "cancel"; request: string };
+
+/** Asks for a pong; `sent` is the client's own clock and comes back unchanged. */
+export type Ping = { type: "ping"; sent: number };
+
+/** Answers ping: `time` is the show's clock at that moment, as in `State.time`. */
+export type Pong = { type: "pong"; sent: number; time: number };
+
+/**
+ * Answers hello: `epoch` rises with each server start, `revision` with each change of the documents. `name`: what
+ * the others call this console. `show`: which show file is played, "" for none; another one has another.
+ */
+export type Welcome = {
+  type: "welcome";
+  version: number;
+  epoch: number;
+  revision: number;
+  digest: string;
+  name: string;
+  show: string;
+};
+
+/**
+ * A message was rejected, and why, in one sentence for the operator. `id`: of the message, where it had one, also
+ * where nothing else of it could be read. `held`: the parts that others hold, where that was the reason.
+ */
+export type Refused = { type: "refused"; reason: string; id: string; held: string[] };
+
+/** What the crew must know until each has dismissed it; `id` is its own for ever, `time` seconds since 1970. */
+export type Notice = { id: string; time: number; text: string };
+
+/**
+ * All notices of this show, oldest first: complete, so any may be lost. Consoles and editors get them after the
+ * welcome, with each new one, and once a second while there are any.
+ */
+export type Notices = { type: "notices"; notices: Notice[] };
+
+/**
+ * How far a long request (an import, an export) is: steps done of `total` (0: not known yet), and what is done now,
+ * for people. To consoles and editors; any may be lost, and the request's own answer says that it has ended.
+ */
+export type Progress = { type: "progress"; request: string; done: number; total: number; what: string };
+
+/**
+ * How much a character moves by itself: `liveliness` 0 (nothing) to 1, 0.5 as people move; `blinks`, `gaze` and
+ * `breath` each beside the others, 0..2; `seed`: which of all ways to move; `idle`: whether it moves as people do
+ * while its tracker is lost, where the liveliness is 0 too. `None` leaves a setting as it is.
+ */
+export type SetMotion = {
+  type: "set_motion";
+  character: string;
+  liveliness?: number | null;
+  blinks?: number | null;
+  gaze?: number | null;
+  breath?: number | null;
+  seed?: number | null;
+  id?: string;
+  idle?: boolean | null;
+};
+
+/**
+ * Whom or what the eyes of a character look at by its automatic motion: `ahead`, nothing; `direction`, `yaw` and
+ * `pitch` of the house in radians, + to the picture's right and up; `point`, `x` metres to the picture's right, `y`
+ * above the eyes, `z` before the front line; by `name`: a `gaze_point`, a `character`, the camera of a `stage` ("" for
+ * any). Rejected where there is none of that name.
+ */
+export type LookAt = {
+  type: "look_at";
+  character: string;
+  kind: "ahead" | "direction" | "point" | "gaze_point" | "character" | "stage";
+  name?: string;
+  yaw?: number;
+  pitch?: number;
+  x?: number;
+  y?: number;
+  z?: number;
+  id?: string;
+};
+
+/**
+ * A short motion on top of all that plays: nod, shake, tilt, bow, shrug, brows or wink. `amplitude`: -2..2, 1 as it
+ * is, below 0 to the other side; `seconds`: 0.2..10, `None` as long as it takes. An `id` executes once.
+ */
+export type MakeGesture = {
+  type: "make_gesture";
+  character: string;
+  id: string;
+  name: "nod" | "shake" | "tilt" | "bow" | "shrug" | "brows" | "wink";
+  amplitude?: number;
+  seconds?: number | null;
+};
+
+/** Brings a light on air in `seconds`, from whatever light shows. An `id` executes once. */
+export type CallLight = { type: "call_light"; id: string; name: string; seconds?: number; easing?: string };
+
+/**
+ * Brings a framing on air in `seconds`, from whatever the picture shows: a shot of these characters, or of all that
+ * are on the stage where none is named.
+ */
+export type CallFraming = {
+  type: "call_framing";
+  id: string;
+  characters: string[];
+  seconds?: number;
+  easing?: string;
+};
+
+/**
+ * Something that sends values all the time: a tracker, a microphone, a program. `names`: the expressions (channels)
+ * that each of its frames has a value for. `characters`: whom it drives, where it says so; else the route that was
+ * made for its name the last time. `performer`: whose face it sees, by whose calibration it is read; "" for one of its
+ * own. `smoothing`: seconds, to 2, in which its steps are followed, 0 as its layer is. `direct`: its frames are smooth
+ * already and show as they are. Answered with `source_is`; the end of its link is its end.
+ */
+export type Source = {
+  type: "source";
+  name: string;
+  kind: "tracker" | "lips" | "playback" | "program" | "breath" | "gaze" | "blink";
+  names: string[];
+  characters?: string[];
+  performer?: string;
+  id?: string;
+  smoothing?: number;
+  direct?: boolean;
+};
+
+/**
+ * One frame of a source, the newest wins: `values` as float32, little-endian, in the order of its names, -0.5..1.5;
+ * `head` (yaw, pitch, roll) and `gaze` (yaw, pitch) in radians, or `None`. `found`: false while it does not see its
+ * performer. Half a second without one that is found, and its layers fade out. `share`, of a direct source: how much
+ * of its layer it takes, 0..1; none while a voice is silent, so that what lies below shows.
+ */
+export type Drive = {
+  type: "drive";
+  index: number;
+  values: Uint8Array;
+  head?: [number, number, number] | null;
+  gaze?: [number, number] | null;
+  found?: boolean;
+  share?: number;
+};
+
+/** A source of this link ends; its layers fade out. */
+export type LeaveSource = { type: "leave_source"; index: number };
+
+/**
+ * Which characters a source drives, on which layer, in which regions (none named: all). It stays with the show
+ * under the source's name. An `id` executes once, as of the two below.
+ */
+export type RouteSource = {
+  type: "route_source";
+  id: string;
+  source: string;
+  characters: string[];
+  layer: "breath" | "gaze" | "emotion" | "blink" | "tracker" | "lips" | "playback" | "hands";
+  regions?: ("brows" | "eyes" | "mouth" | "rest" | "head" | "gaze")[];
+};
+
+/**
+ * Measures the performer before a source: `neutral` takes what it sends now as the face at rest, `range` listens to
+ * the performer's largest moves until `done`, `reset` forgets both. `channels`: those that a range is of; none named:
+ * all. It stays with the show under the performer.
+ */
+export type CalibrateSource = {
+  type: "calibrate_source";
+  id: string;
+  source: string;
+  step: "neutral" | "range" | "done" | "reset";
+  channels?: string[];
+};
+
+/**
+ * Sets what was measured of the performer before a source, by channel: the face at rest and the largest moves, as
+ * `SourceState` tells them. So a measure is taken back, or comes from a program.
+ */
+export type MeasureSource = {
+  type: "measure_source";
+  id: string;
+  source: string;
+  neutral: Record<string, number>;
+  highest: Record<string, number>;
+};
+
+/**
+ * How a source is read: `mirror` swaps left and right; less than `dead_zone` (0..0.5) is nothing; `curve` -1..1:
+ * above 0 small moves grow, below they shrink; `gain` 0..4 of all channels, `lids` 0..4 beside it of those that shut
+ * the eyes; `smoothing` 0..2: seconds in which a step is followed, 0 as the source asks or its layer is.
+ */
+export type TuneSource = {
+  type: "tune_source";
+  id: string;
+  source: string;
+  mirror?: boolean;
+  dead_zone?: number;
+  curve?: number;
+  gain?: number;
+  smoothing?: number;
+  lids?: number;
+};
+
+/** Asks for what a source sends, as it comes (`SourceValues`): for a page that shows it; "" ends it. */
+export type WatchSource = { type: "watch_source"; source: string };
 
 /** Answers source: the index by which this link's frames name it. */
-export interface SourceIs {
-  type: "source_is";
-  index: number;
-  name: string;
-}
+export type SourceIs = { type: "source_is"; index: number; name: string };
 
 /**
  * A source that sends: `console` is the name of the link that it comes by; its route; `rate`: frames in the last
  * second; `found`: whether it sees its performer. `ranging`: it listens to the performer's largest moves. `neutral`,
  * `highest`: what was measured, by channel.
  */
-export interface SourceState {
+export type SourceState = {
   name: string;
   kind: "tracker" | "lips" | "playback" | "program" | "breath" | "gaze" | "blink";
   console: string;
@@ -897,19 +752,157 @@ export interface SourceState {
   lids: number;
   neutral: Record<string, number>;
   highest: Record<string, number>;
-}
+};
 
 /** All sources that send: complete, to consoles once a second and with each change. */
-export interface Sources {
-  type: "sources";
-  sources: SourceState[];
-}
+export type Sources = { type: "sources"; sources: SourceState[] };
+
+/**
+ * What a source that is watched sends now, and what its measure makes of it: `sent` and `weights` as float32,
+ * little-endian, in the order of `names`; up to twenty times a second.
+ */
+export type SourceValues = {
+  type: "source_values";
+  source: string;
+  names: string[];
+  sent: Uint8Array;
+  weights: Uint8Array;
+};
+
+/**
+ * A character speaks: its lips move in time with a sound. `timing`: what `marks` are, each beginning at its place
+ * of `times` (float32, little-endian, seconds from the beginning of the sound; one more is the end of the last):
+ * words, characters, visemes (Oculus), azure (ids), rhubarb (letters); `text`: none, the text's letters are timed by
+ * rule, in `language`. `seconds`: the length, where it is known. `sound`: the key of one that was sent to `/sounds`,
+ * which one stage plays; "": something else does. `delay`: seconds until the sound begins; `offset`: by which the
+ * mouth is later. `queue`: after all that is said already, else in its place. `key`: what to call it: the
+ * state's `speech.keys` have it until it is over, and `spoken` once it was said to its end. An `id` executes once.
+ */
+export type Say = {
+  type: "say";
+  character: string;
+  id: string;
+  text?: string;
+  timing?: "text" | "words" | "characters" | "visemes" | "azure" | "rhubarb";
+  marks?: string[];
+  times?: Uint8Array;
+  language?: "en" | "de";
+  seconds?: number | null;
+  sound?: string;
+  delay?: number;
+  offset?: number;
+  queue?: boolean;
+  key?: string;
+};
+
+/** Ends what a character says, and all that it would say after: its mouth goes to rest. */
+export type StopSpeaking = { type: "stop_speaking"; character: string; id?: string };
+
+/**
+ * A stage's heartbeat, once a second: the rate of frames that it really drew, and its level of quality. `name`: as
+ * its address has it; `camera`: where that is, metres as of `look_at`. `sound`: whether it can play sounds: "" never,
+ * `blocked` until somebody clicks it, `ready`; `sound_here`: its address asks that it plays them. `dark`: seconds for
+ * which it has had no graphics context, and so draws nothing.
+ */
+export type Drawing = {
+  type: "drawing";
+  fps: number;
+  level: "lowest" | "low" | "medium" | "good" | "high";
+  name?: string;
+  camera?: [number, number, number] | null;
+  sound?: "" | "blocked" | "ready";
+  sound_here?: boolean;
+  dark?: number;
+};
+
+/**
+ * The last report of a stage: frames per second, the level of quality, and its name, where its address has one; of
+ * sounds and darkness as in `drawing`.
+ */
+export type StageReport = {
+  fps: number;
+  level: "lowest" | "low" | "medium" | "good" | "high";
+  name: string;
+  sound: "" | "blocked" | "ready";
+  sound_here: boolean;
+  dark: number;
+};
+
+/**
+ * Who is connected, once a second, with each stage's last report (`None`: it is silent).
+ * `lost`: stages whose link broke while their page was open, and that have not come back.
+ */
+export type Crew = { type: "crew"; stages: (StageReport | null)[]; consoles: number; lost: number };
 
 /** To a stage: whether it is the one that plays sounds, when that changes. One does at a time. */
-export interface PlaysSound {
-  type: "plays_sound";
+export type PlaysSound = { type: "plays_sound"; on: boolean };
+
+/** The cast has changed: pages fetch the manifest again and go on. */
+export type CastChanged = { type: "cast"; revision: number; digest: string };
+
+/**
+ * A running call: `progress` 0..1, `remaining` seconds (`None`: the T-bar decides).
+ * `fader`: where its T-bar stands; `pickup`: where that takes over. Both 0..1. `start`: the mix that it left.
+ */
+export type CallState = {
+  target: string;
+  progress: number;
+  remaining: number | null;
+  by_hand: boolean;
+  fader: number;
+  pickup: number;
+  start: Record<string, number>;
+};
+
+/**
+ * Where a character is, in the eyes of the audience: `x` metres to the picture's right, `depth` metres behind the
+ * front line, `size` a factor, `turn` radians about the vertical, + to the character's own left, as the head's yaw.
+ */
+export type Place = { x: number; depth: number; size: number; turn: number };
+
+/** One of the sources of a layer: how far it is trusted, and the parts that it has. */
+export type LayerSource = { source: string; trust: number; parts: string[] };
+
+/**
+ * A layer: its influence on brows, eyes, mouth, rest, head and gaze, and its switch, as set. `source`: what drives
+ * it, of several the one with the most parts, "" for nothing; `trust`: 0 lost, 1 followed. `share`: how much of it is
+ * on air where it shows most, 0..1; `strongest`: the few channels that it moves most now. `sources`: all of them where
+ * there are several, the newest first.
+ */
+export type LayerState = {
+  influence: number[];
   on: boolean;
-}
+  trust: number;
+  source: string;
+  share: number;
+  strongest: Record<string, number>;
+  sources: LayerSource[];
+};
+
+/** What hands hold, where layers mix it with what sources send: channels, head and gaze as faders stand. */
+export type HeldState = { channels: Record<string, number>; head: [number, number, number]; gaze: [number, number] };
+
+/** Whom or what a character looks at, as of `look_at`. */
+export type GazeTargetState = {
+  kind: "ahead" | "direction" | "point" | "gaze_point" | "character" | "stage";
+  name: string;
+  yaw: number;
+  pitch: number;
+  x: number;
+  y: number;
+  z: number;
+};
+
+/** What is set of a character's automatic motion, as of `set_motion` and `look_at`. */
+export type MotionState = {
+  liveliness: number;
+  blinks: number;
+  gaze: number;
+  breath: number;
+  seed: number;
+  idle: boolean;
+  target: GazeTargetState;
+};
 
 /**
  * What a character says. `number`: counts all that it has said; `text`: its first 120 characters; `elapsed`:
@@ -917,7 +910,7 @@ export interface PlaysSound {
  * for none; `waiting`: how many speeches follow, `next_sound`: the key of the next one's. `keys`: what
  * programs call this one and those that follow, in their order.
  */
-export interface SpeechState {
+export type SpeechState = {
   number: number;
   text: string;
   elapsed: number;
@@ -926,96 +919,7 @@ export interface SpeechState {
   waiting: number;
   next_sound: string;
   keys: string[];
-}
-
-/**
- * What a source that is watched sends now, and what its measure makes of it: `sent` and `weights` as float32,
- * little-endian, in the order of `names`; up to twenty times a second.
- */
-export interface SourceValues {
-  type: "source_values";
-  source: string;
-  names: string[];
-  sent: Uint8Array;
-  weights: Uint8Array;
-}
-
-/**
- * A running call: `progress` 0..1, `remaining` seconds (`None`: the T-bar decides).
- * `fader`: where its T-bar stands; `pickup`: where that takes over. Both 0..1. `start`: the mix that it left.
- */
-export interface CallState {
-  target: string;
-  progress: number;
-  remaining: number | null;
-  by_hand: boolean;
-  fader: number;
-  pickup: number;
-  start: Record<string, number>;
-}
-
-/**
- * Where a character is, in the eyes of the audience: `x` metres to the picture's right, `depth` metres behind the
- * front line, `size` a factor, `turn` radians about the vertical, + to the character's own left, as the head's yaw.
- */
-export interface Place {
-  x: number;
-  depth: number;
-  size: number;
-  turn: number;
-}
-
-/** One of the sources of a layer: how far it is trusted, and the parts that it has. */
-export interface LayerSource {
-  source: string;
-  trust: number;
-  parts: string[];
-}
-
-/**
- * A layer: its influence on brows, eyes, mouth, rest, head and gaze, and its switch, as set. `source`: what drives
- * it, of several the one with the most parts, "" for nothing; `trust`: 0 lost, 1 followed. `share`: how much of it is
- * on air where it shows most, 0..1; `strongest`: the few channels that it moves most now. `sources`: all of them where
- * there are several, the newest first.
- */
-export interface LayerState {
-  influence: number[];
-  on: boolean;
-  trust: number;
-  source: string;
-  share: number;
-  strongest: Record<string, number>;
-  sources: LayerSource[];
-}
-
-/** What hands hold, where layers mix it with what sources send: channels, head and gaze as faders stand. */
-export interface HeldState {
-  channels: Record<string, number>;
-  head: [number, number, number];
-  gaze: [number, number];
-}
-
-/** Whom or what a character looks at, as of `look_at`. */
-export interface GazeTargetState {
-  kind: "ahead" | "direction" | "point" | "gaze_point" | "character" | "stage";
-  name: string;
-  yaw: number;
-  pitch: number;
-  x: number;
-  y: number;
-  z: number;
-}
-
-/** What is set of a character's automatic motion, as of `set_motion` and `look_at`. */
-export interface MotionState {
-  liveliness: number;
-  blinks: number;
-  gaze: number;
-  breath: number;
-  seed: number;
-  idle: boolean;
-  target: GazeTargetState;
-}
+};
 
 /**
  * All that a character has on air.
@@ -1029,7 +933,7 @@ export interface MotionState {
  * `motion`: what is set of its automatic motion, `None` where nothing was. `speech`: what it says, `None` while it
  * says nothing; `spoken`: the key of what it said to its end last.
  */
-export interface CharacterState {
+export type CharacterState = {
   faces: Record<string, number>;
   expressions: Record<string, number>;
   channels: Record<string, number>;
@@ -1056,7 +960,7 @@ export interface CharacterState {
   motion: MotionState | null;
   speech: SpeechState | null;
   spoken: string;
-}
+};
 
 /**
  * All that is on air: complete and absolute; the highest (epoch, number) wins, any may be lost.
@@ -1064,7 +968,7 @@ export interface CharacterState {
  * to one, and so does `framing`: a framing is `*`, all that are on the stage, or names joined by `+`, sorted.
  * `gaze_points`: the named points that eyes may look at, metres as of `look_at`.
  */
-export interface State {
+export type State = {
   type: "state";
   epoch: number;
   number: number;
@@ -1076,246 +980,10 @@ export interface State {
   framing: Record<string, number>;
   framing_call: CallState | null;
   gaze_points: Record<string, [number, number, number]>;
-}
-
-/** Answers ping: `time` is the show's clock at that moment, as in `State.time`. */
-export interface Pong {
-  type: "pong";
-  sent: number;
-  time: number;
-}
-
-/**
- * A message was rejected, and why, in one sentence for the operator. `id`: of the message, where it had one, also
- * where nothing else of it could be read. `held`: the parts that others hold, where that was the reason.
- */
-export interface Refused {
-  type: "refused";
-  reason: string;
-  id: string;
-  held: string[];
-}
-
-/** What the crew must know until each has dismissed it; `id` is its own for ever, `time` seconds since 1970. */
-export interface Notice {
-  id: string;
-  time: number;
-  text: string;
-}
-
-/**
- * All notices of this show, oldest first: complete, so any may be lost. Consoles and editors get them after the
- * welcome, with each new one, and once a second while there are any.
- */
-export interface Notices {
-  type: "notices";
-  notices: Notice[];
-}
-
-/**
- * How far a long request (an import, an export) is: steps done of `total` (0: not known yet), and what is done now,
- * for people. To consoles and editors; any may be lost, and the request's own answer says that it has ended.
- */
-export interface Progress {
-  type: "progress";
-  request: string;
-  done: number;
-  total: number;
-  what: string;
-}
-
-/**
- * The last report of a stage: frames per second, the level of quality, and its name, where its address has one; of
- * sounds as in `drawing`.
- */
-export interface StageReport {
-  fps: number;
-  level: "lowest" | "low" | "medium" | "good" | "high";
-  name: string;
-  sound: "" | "blocked" | "ready";
-  sound_here: boolean;
-}
-
-/**
- * Who is connected, once a second, with each stage's last report (`None`: it is silent).
- * `lost`: stages whose link broke while their page was open, and that have not come back.
- */
-export interface Crew {
-  type: "crew";
-  stages: (StageReport | null)[];
-  consoles: number;
-  lost: number;
-}
-
-/**
- * A device, or another source of a show: where it is (a console's name, a host), whether it is there now.
- * `rate`: readings or packets a second; `heard`, `rejected`: counts since the server began. `values`: where its
- * controls stood last, 0..1, the newest sixty-four; `waiting`: controls that wait to be picked up, and the position
- * at which they will be. `bank`: the one that it is turned to, of its `banks`; `preset`: the one it was given.
- * `advice`: what to do at whoever sends it, such as what to type into a phone.
- */
-export interface DeviceState {
-  name: string;
-  kind: "midi" | "gamepad" | "space_mouse" | "osc" | "sacn" | "artnet" | "tracker";
-  where: string;
-  plugged: boolean;
-  rate: number;
-  heard: number;
-  rejected: number;
-  values: Record<string, number>;
-  waiting: Record<string, number>;
-  bank: string;
-  banks: string[];
-  preset: string;
-  advice: string;
-}
-
-/**
- * A preset: its name, what people call the device, and whether it is made for it (`matches`: device names, as
- * regular expressions in any case).
- */
-export interface PresetDocument {
-  name: string;
-  label: string;
-  kind: "midi" | "gamepad" | "space_mouse" | "osc" | "sacn" | "artnet" | "tracker";
-  matches: string[];
-}
-
-/**
- * A tracker that can be heard. name: as `--listen` spells it; port: its usual one, or where it is heard, None where
- * it comes to the port of the pages; asks: what its word may name behind "@": a phone that is asked for frames, a
- * computer that we connect to, a sender that may play beside this machine, or "".
- * word: what it is switched on by, "" while it is off; fixed: the command line has; advice: what to do at the sender.
- * stranger: a host that has sent and may not, or ""; strange: the word by which it may. fault: why it is off though
- * the start has asked for it, or ""; again: the word by which it is switched on then.
- */
-export interface TrackerOffer {
-  name: string;
-  title: string;
-  port: number | null;
-  asks: "" | "phone" | "computer" | "sender";
-  word: string;
-  fixed: boolean;
-  advice: string;
-  stranger: string;
-  strange: string;
-  fault: string;
-  again: string;
-}
-
-/** A program that has announced itself, and the word by which it is heard. */
-export interface FoundTracker {
-  word: string;
-  title: string;
-  where: string;
-}
-
-/**
- * A program that faces are sent to. word: as after `--send`; character: whose face, "" where nobody is called so;
- * sent: packets since it was switched on; fault: why it does not arrive, or ""; fixed: the command line has it.
- */
-export interface ReceiverState {
-  word: string;
-  title: string;
-  where: string;
-  character: string;
-  sent: number;
-  fault: string;
-  fixed: boolean;
-}
-
-/** A way to send a face: its name as `--send` spells it, and the port where receivers usually hear it. */
-export interface SendWay {
-  name: string;
-  title: string;
-  port: number;
-}
-
-/**
- * All sources: complete, to consoles when one comes or goes and once a second, to pages that watch ten times a
- * second. trackers: what can be heard; found: what has announced itself; receivers: to whom faces are sent, in one of
- * these ways; phone_page: the address that a phone opens to copy what to type, "" where the show listens on its own
- * machine alone; host: that machine's address in its network, to which trackers send, "" where it is in none.
- */
-export interface Devices {
-  type: "devices";
-  devices: DeviceState[];
-  trackers: TrackerOffer[];
-  found: FoundTracker[];
-  receivers: ReceiverState[];
-  ways: SendWay[];
-  phone_page: string;
-  host: string;
-}
-
-/** What the next control that moves will be bound to, and who asked for it (a console's name). */
-export interface LearningState {
-  id: string;
-  to: string;
-  axis: string;
-  arguments: (number | string)[];
-  who: string;
-}
-
-/**
- * All bindings in their order: complete, to consoles after the welcome and with each change. `fixed`: those of
- * these that a file of the command line has made, which no page changes. `missing`: for each of the bindings why it
- * waits, where it names a face, an expression or a character that is not there, else "".
- */
-export interface BindingList {
-  type: "binding_list";
-  bindings: BindingDocument[];
-  fixed: BindingDocument[];
-  learning: LearningState | null;
-  presets: PresetDocument[];
-  missing: string[];
-}
-
-/**
- * Answers bind, unbind, learn (when a control has been bound), load_preset and restore_bindings: what is new and
- * what is gone; `restore_bindings` takes it back. `preset`: nobody asked, the preset of this label was loaded when its
- * device was plugged in for the first time: all consoles are told, `here` says whether it was at this one.
- */
-export interface BindingsChanged {
-  type: "bindings_changed";
-  id: string;
-  added: BindingDocument[];
-  removed: BindingDocument[];
-  preset: string;
-  here: boolean;
-}
-
-/**
- * What came from a source, or why it was rejected; `count`: how often the same within a second; `time`: seconds
- * since 1970. Of a sender of a face there is one line while it sends: `rate` a second, `bars`: the channels that move
- * most, and where each stands.
- */
-export interface InputLine {
-  number: number;
-  time: number;
-  source: string;
-  text: string;
-  rejected: boolean;
-  count: number;
-  rate: number;
-  bars: Record<string, number>;
-}
-
-/** What came in last, the oldest first, at most two hundred lines: complete, to pages that watch devices. */
-export interface InputLog {
-  type: "input_log";
-  lines: InputLine[];
-}
-
-/** What a device is to be sent (MIDI): to the page that has it. */
-export interface DeviceBytes {
-  type: "device_bytes";
-  device: string;
-  data: Uint8Array;
-}
+};
 
 /** Colours of a face, each `#rrggbb`, the hair style, and the traits, plain numbers (`model.cast.Look`). */
-export interface Look {
+export type Look = {
   skin: string;
   lip: string;
   brow: string;
@@ -1338,35 +1006,28 @@ export interface Look {
   stripes: number;
   lacquer: number;
   scalp: number;
-}
+};
 
 /**
  * A line around an opening, `lid_left`, `lid_right` or `lips`: `loop` (n,) u32 little-endian, rows of the skin in
  * walking order.
  */
-export interface LineDocument {
-  name: string;
-  loop: Uint8Array;
-}
+export type LineDocument = { name: string; loop: Uint8Array };
 
 /**
  * A drawn mesh, little-endian: `source` (n,) u32 rows of the positions, `uv` (n, 2) f32, `triangles` (t, 3) u32.
  * `openness` (n,) u8: how much of the sky each vertex of the generic face sees.
  */
-export interface MeshDocument {
+export type MeshDocument = {
   name: string;
   source: Uint8Array;
   uv: Uint8Array;
   triangles: Uint8Array;
   openness: Uint8Array;
-}
+};
 
 /** In which strength a face answers expressions in a region, 0 to 4; `expression`: the one that alone it is for. */
-export interface FaceGain {
-  region: string;
-  value: number;
-  expression: string | null;
-}
+export type FaceGain = { region: string; value: number; expression: string | null };
 
 /**
  * A face: where its positions are, its eyeballs' centres (left, right) and radius in metres, its colours.
@@ -1376,7 +1037,7 @@ export interface FaceGain {
  * `gains`: those that differ from a person's. `albedo`: the digest of its picture, a PNG of sRGB and coverage at
  * `/albedos/DIGEST/SOURCE`, "" for none.
  */
-export interface FaceDocument {
+export type FaceDocument = {
   name: string;
   label: string;
   url: string;
@@ -1390,14 +1051,14 @@ export interface FaceDocument {
   place: number;
   gains: FaceGain[];
   albedo: string;
-}
+};
 
 /**
  * An expression: its palette, its region, its eyeball angles in radians (left yaw, pitch, right yaw, pitch), and
  * what it adds to the pupils (1 as wide as they go, -1 as narrow). `source`, `tags`, `place`: as of a face. `head`:
  * yaw, pitch and roll, radians, of a face that answers with its head.
  */
-export interface ExpressionDocument {
+export type ExpressionDocument = {
   name: string;
   label: string;
   kind: "neutral" | "performed" | "arkit" | "makehuman" | "omote" | "own";
@@ -1408,41 +1069,38 @@ export interface ExpressionDocument {
   tags: string[];
   place: number;
   head: [number, number, number];
-}
+};
 
 /** A hair style: where its strands are. */
-export interface HairDocument {
-  name: string;
-  url: string;
-}
+export type HairDocument = { name: string; url: string };
 
 /**
  * Where two lids or the lips may cross (`model.transfer.corrective_regions.Crossing`), little-endian.
- * `upward`: rungs open along +y, else as at rest. `vertices` (32, 4) u32 and `near` (p,) u32: places in the settling's
- * rows; `weights` (32, 4), `side`, `share` (p,) f32.
+ * `upward`: rungs open along +y, else as at rest. `vertices` (32, 4) u32 and `near` (p,) u32: places in the
+ * document's rows; `weights` (32, 4), `side`, `share` (p,) f32.
  */
-export interface CrossingDocument {
+export type CrossingDocument = {
   upward: boolean;
   vertices: Uint8Array;
   weights: Uint8Array;
   near: Uint8Array;
   side: Uint8Array;
   share: Uint8Array;
-}
+};
 
 /**
- * Correctives: how stages repair sums that fold or pierce (`perform.blending.correctives`), little-endian.
+ * How stages correct sums that fold or pierce (`perform.blending.correctives`), little-endian.
  * `rows` (m,) u32: rows of the positions, all else counts in them: `triangles` (t, 3) u32, `lids` and `eye` (r,) u32
  * (0 left), `anchors` (f, k) u32; but `followers` (f,) u32 are rows of the positions too; `weights` (f, k) f32.
- * An allowance counts triangles, then 32 rungs a crossing, then lids. Patches in which sums are damped: `heard` (n,)
- * u32 triangles, patch after patch, `ends` (p,) u32 of each; `members` (m, j) u32 patches of a row, `shares` f32.
+ * An allowance counts triangles, then 32 rungs a crossing, then lids. Folds are damped in patches: `patch_triangles`
+ * (n,) u32, patch after patch, `patch_ends` (p,) u32; `row_patches` (m, j) u32 patches of a row, `row_shares` f32.
  */
-export interface SettlingDocument {
+export type CorrectivesDocument = {
   rounds: number[];
-  upright: number;
+  least_area: number;
   floor: number;
-  eager: number;
-  flattest: number;
+  over_relaxation: number;
+  least_slope: number;
   full: number;
   momentum: number;
   margin: number;
@@ -1456,36 +1114,30 @@ export interface SettlingDocument {
   crossings: CrossingDocument[];
   lids: Uint8Array;
   eye: Uint8Array;
-  heard: Uint8Array;
-  ends: Uint8Array;
-  members: Uint8Array;
-  shares: Uint8Array;
+  patch_triangles: Uint8Array;
+  patch_ends: Uint8Array;
+  row_patches: Uint8Array;
+  row_shares: Uint8Array;
   followers: Uint8Array;
   anchors: Uint8Array;
   weights: Uint8Array;
-}
+};
 
 /**
  * How much of everything belongs to each region in which an expression can be called alone, brows, eyes, mouth,
  * rest; 65535 is all. Little-endian: `rows` (n, 4) u16 of the positions, `allowances` (m, 4) u16 of the numbers of an
  * allowance.
  */
-export interface RegionDocument {
-  rows: Uint8Array;
-  allowances: Uint8Array;
-}
+export type RegionDocument = { rows: Uint8Array; allowances: Uint8Array };
 
 /** A light that can be called. */
-export interface LightDocument {
-  name: string;
-  label: string;
-}
+export type LightDocument = { name: string; label: string };
 
 /**
  * All that a page needs to know of the cast; `vertices` counts skin then parts in the order of the meshes.
  * `base`: the digest of the built-in cast, which stays as long as the server does; `digest`: with own things.
  */
-export interface Manifest {
+export type Manifest = {
   version: number;
   base: string;
   digest: string;
@@ -1498,20 +1150,15 @@ export interface Manifest {
   expressions: ExpressionDocument[];
   lights: LightDocument[];
   hair: HairDocument[];
-  settling: SettlingDocument | null;
+  correctives: CorrectivesDocument | null;
   regions: RegionDocument | null;
-}
+};
 
 /** The positions of a face, (vertices, 3) f32 little-endian, metres. */
-export interface FaceAsset {
-  positions: Uint8Array;
-}
+export type FaceAsset = { positions: Uint8Array };
 
 /** An own face by its content, as `FaceDocument` and `FaceAsset` have it; its name is its content's key. */
-export interface ContentAsset {
-  face: FaceDocument;
-  positions: Uint8Array;
-}
+export type ContentAsset = { face: FaceDocument; positions: Uint8Array };
 
 /**
  * Strands of hair on the generic face (`model.hair.HairStyle`), little-endian; n strands of `stations` places.
@@ -1519,7 +1166,7 @@ export interface ContentAsset {
  * that are to be divided by their sum); `anchors` (n,) u32; `facing` (n, stations, 3) i8, 127 is one; `light`
  * (n, stations) u8, 255 is one; `width` metres.
  */
-export interface HairAsset {
+export type HairAsset = {
   stations: number;
   links: number;
   width: number;
@@ -1530,44 +1177,69 @@ export interface HairAsset {
   anchors: Uint8Array;
   facing: Uint8Array;
   light: Uint8Array;
-}
+};
 
 /**
  * What one compound alone uses up of the correctives' limits (`perform.blending.correctives`), little-endian:
  * `places` (n,) u32, `values` (n,) f32.
  */
-export interface AllowanceDocument {
-  places: Uint8Array;
-  values: Uint8Array;
-}
+export type AllowanceDocument = { places: Uint8Array; values: Uint8Array };
 
 /**
  * A retargeted expression: a compound minus its face at rest, little-endian: `scale` metres per count, `indices`
  * (n,) u32, `deltas` (n, 3) i16.
  */
-export interface CompoundAsset {
+export type CompoundAsset = {
   scale: number;
   indices: Uint8Array;
   deltas: Uint8Array;
   allowed: AllowanceDocument | null;
-}
+};
+
+/**
+ * Who a page is to the show: a role, and a name where the token is somebody's own. `asked`: whether the show asks
+ * for tokens at all.
+ */
+export type AccessDocument = { role: "view" | "operate" | "edit" | "admin"; name: string; asked: boolean };
+
+/**
+ * Somebody who has a token: `made` and `until` in seconds since 1970, `until` `None` for ever. `links`: how many of
+ * their pages and programs are connected; `own`: it is who asks.
+ */
+export type PersonDocument = {
+  id: string;
+  name: string;
+  role: "view" | "operate" | "edit" | "admin";
+  made: number;
+  until: number | null;
+  links: number;
+  own: boolean;
+};
+
+/** Everybody who has a token. */
+export type PeopleDocument = { people: PersonDocument[] };
+
+/** Asks for a token: for a name, with a role, and for how many hours (`None`: for ever). */
+export type NewPerson = { name: string; role: "view" | "operate" | "edit" | "admin"; hours: number | null };
+
+/** The address by which somebody enters, with their token, and a QR code of it: a picture in a `data:` address. */
+export type CodeDocument = { id: string; address: string; picture: string };
 
 export type FromClient =
-  | Hello
+  | Bind
+  | Unbind
+  | Learn
+  | LoadPreset
+  | RestoreBindings
+  | ChooseBank
   | CallFace
   | CallExpression
-  | CallLight
   | FadeFace
   | ReleaseFace
   | FadeExpression
   | ReleaseExpression
-  | SetChannel
-  | SetHead
-  | SetGaze
   | Panic
   | SetHome
-  | KeepFace
-  | KeepExpression
   | AddCharacter
   | RemoveCharacter
   | RestoreCharacter
@@ -1575,34 +1247,39 @@ export type FromClient =
   | PlaceCharacter
   | EnterCharacter
   | LeaveCharacter
-  | CallFraming
-  | RenameItem
-  | DeleteItem
-  | RestoreItem
-  | CopyItem
-  | SetLayout
-  | RenameLayout
-  | DropLayout
   | Plug
   | Unplug
   | MidiBytes
   | Controls
-  | Bind
-  | Unbind
-  | Learn
-  | LoadPreset
-  | RestoreBindings
-  | ChooseBank
   | WatchDevices
   | SwitchDevice
-  | SetLayer
-  | SetMotion
-  | Say
-  | StopSpeaking
-  | MakeGesture
-  | LookAt
+  | SetChannel
+  | SetHead
+  | SetGaze
   | SetGazePoint
   | DeleteGazePoint
+  | KeepFace
+  | KeepExpression
+  | RenameItem
+  | DeleteItem
+  | RestoreItem
+  | CopyItem
+  | SetLayer
+  | SetLayout
+  | RenameLayout
+  | DropLayout
+  | Lease
+  | ReleaseLease
+  | SetLeases
+  | AppointManager
+  | Hello
+  | Cancel
+  | Ping
+  | SetMotion
+  | LookAt
+  | MakeGesture
+  | CallLight
+  | CallFraming
   | Source
   | Drive
   | LeaveSource
@@ -1611,35 +1288,31 @@ export type FromClient =
   | MeasureSource
   | TuneSource
   | WatchSource
-  | Cancel
-  | Ping
-  | Drawing
-  | Lease
-  | ReleaseLease
-  | SetLeases
-  | AppointManager;
+  | Say
+  | StopSpeaking
+  | Drawing;
 
 export type FromServer =
-  | Welcome
-  | PlaysSound
-  | CastChanged
-  | State
-  | Pong
+  | BindingList
+  | BindingsChanged
+  | Devices
+  | InputLog
+  | DeviceBytes
+  | Hands
   | Kept
   | ItemChanged
+  | Layouts
+  | Leases
+  | LeaseClaim
+  | Pong
+  | Welcome
   | Refused
   | Notices
-  | Layouts
-  | Hands
+  | Progress
   | SourceIs
   | Sources
   | SourceValues
-  | Progress
   | Crew
-  | Leases
-  | LeaseClaim
-  | Devices
-  | BindingList
-  | BindingsChanged
-  | InputLog
-  | DeviceBytes;
+  | PlaysSound
+  | CastChanged
+  | State;

@@ -41,7 +41,7 @@ const LONGEST_PAUSE = 751; // milliseconds, of `Backoff`
 const last = (): FakeSocket => FakeSocket.made.at(-1) as FakeSocket;
 
 describe("a reconnecting socket", () => {
-  let told: string[];
+  let events: string[];
   let expects: boolean;
   let socket: ReconnectingSocket<string, string>;
 
@@ -53,14 +53,14 @@ describe("a reconnecting socket", () => {
     vi.stubGlobal("location", { protocol: "https:", host: "show.example" });
     vi.stubGlobal("fetch", () => Promise.reject(new Error("the show is not there")));
     FakeSocket.made.length = 0;
-    [told, expects] = [[], true];
+    [events, expects] = [[], true];
     const owner: SocketOwner<string> = {
       silence: 2,
       interval: 100,
-      opened: () => told.push("opened"),
-      received: (message) => told.push(message),
-      lost: (wasUp) => told.push(wasUp ? "lost" : "failed"),
-      revoked: () => told.push("revoked"),
+      opened: () => events.push("opened"),
+      received: (message) => events.push(message),
+      lost: (wasUp) => events.push(wasUp ? "lost" : "failed"),
+      revoked: () => events.push("revoked"),
       expects: () => expects,
     };
     socket = new ReconnectingSocket("/link", owner);
@@ -77,7 +77,7 @@ describe("a reconnecting socket", () => {
     expect(last().address).toBe("wss://show.example/link");
     expect(socket.send("early")).toBe(false);
     last().open();
-    expect(told).toEqual(["opened"]);
+    expect(events).toEqual(["opened"]);
     expect(socket.send("hello")).toBe(true);
     expect(last().sent).toEqual(["hello"]);
   });
@@ -89,7 +89,7 @@ describe("a reconnecting socket", () => {
     expect(socket.up).toBe(true);
     last().onclose?.({ code: 1006 });
     expect(socket.up).toBe(false);
-    expect(told).toEqual(["opened", "lost"]);
+    expect(events).toEqual(["opened", "lost"]);
   });
 
   it("opens another connection for every one that is lost, for ever", () => {
@@ -98,16 +98,16 @@ describe("a reconnecting socket", () => {
       vi.advanceTimersByTime(LONGEST_PAUSE);
       expect(FakeSocket.made.length).toBe(times + 1);
     }
-    expect(told).toEqual(Array(20).fill("failed"));
+    expect(events).toEqual(Array(20).fill("failed"));
   });
 
   it("tells once that the token of its page is not valid any more", () => {
     last().open();
     last().onclose?.({ code: 1006 });
     vi.advanceTimersByTime(LONGEST_PAUSE);
-    expect(told).not.toContain("revoked");
+    expect(events).not.toContain("revoked");
     last().onclose?.({ code: REVOKED_CODE });
-    expect(told.filter((each) => each === "revoked")).toEqual(["revoked"]);
+    expect(events.filter((event) => event === "revoked")).toEqual(["revoked"]);
   });
 
   it("finds out that its token has ended while the page was away, and that the show alone was away", async () => {
@@ -122,7 +122,7 @@ describe("a reconnecting socket", () => {
       vi.stubGlobal("fetch", () => Promise.resolve({ status }));
       last().onclose?.({ code: 1006 });
       await settle();
-      expect(told.filter((each) => each === "revoked")).toEqual(expected);
+      expect(events.filter((event) => event === "revoked")).toEqual(expected);
       vi.advanceTimersByTime(LONGEST_PAUSE);
     }
   });
@@ -148,7 +148,7 @@ describe("a reconnecting socket", () => {
       if (frame > 6 && frame % 3 === 0) first.onmessage?.({ data: encode(`state ${frame}`) });
     }
     expect(FakeSocket.made.length).toBe(1);
-    expect(told).toEqual(["opened", "state 9"]);
+    expect(events).toEqual(["opened", "state 9"]);
   });
 
   it("gives up a dead connection on a page that draws for seconds too, after so many looks", () => {
@@ -157,7 +157,7 @@ describe("a reconnecting socket", () => {
       draw(2.5);
       vi.advanceTimersByTime(100);
     }
-    expect(told).toEqual(["opened", "failed"]);
+    expect(events).toEqual(["opened", "failed"]);
   });
 
   it("counts silence only from where a message is due", () => {
@@ -181,13 +181,13 @@ describe("a reconnecting socket", () => {
     last().open();
     last().onmessage?.({ data: Uint8Array.of(0xc1) });
     last().onmessage?.({ data: encode("whole") });
-    expect(told).toEqual(["opened", "whole"]);
+    expect(events).toEqual(["opened", "whole"]);
   });
 
   it("opens nothing more once it is closed", () => {
     socket.close();
     vi.advanceTimersByTime(60_000);
     expect(FakeSocket.made.length).toBe(1);
-    expect(told).toEqual(["failed"]);
+    expect(events).toEqual(["failed"]);
   });
 });

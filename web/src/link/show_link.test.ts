@@ -5,16 +5,16 @@ import { Newest } from "./show_link";
 describe("the newest state", () => {
   it("wins: a lower (epoch, number) is ignored and counted", () => {
     const newest = new Newest();
-    const told = (epoch: number, number: number) => newest.accept({ epoch, number });
-    expect([told(3, 7), told(3, 7), told(3, 6), told(3, 9), told(2, 99), told(4, 0), told(3, 10)]).toEqual([
-      true,
-      false,
-      false,
-      true,
-      false,
-      true,
-      false,
-    ]);
+    const accepts = (epoch: number, number: number) => newest.accept({ epoch, number });
+    expect([
+      accepts(3, 7),
+      accepts(3, 7),
+      accepts(3, 6),
+      accepts(3, 9),
+      accepts(2, 99),
+      accepts(4, 0),
+      accepts(3, 10),
+    ]).toEqual([true, false, false, true, false, true, false]);
     expect(newest.ignored).toBe(4);
   });
 });

@@ -1,32 +1,10 @@
 /** The link of stages and consoles to the show. */
 
 import { now, ServerClock } from "./clock";
-import type {
-  BindingList,
-  BindingsChanged,
-  Crew,
-  DeviceBytes,
-  Devices,
-  FromClient,
-  FromServer,
-  Hands,
-  Hello,
-  InputLog,
-  ItemChanged,
-  Kept,
-  LeaseClaim,
-  Leases,
-  Notice,
-  Pong,
-  Progress,
-  SourceState,
-  Sources,
-  SourceValues,
-  State,
-  Welcome,
-} from "./messages";
+import type { FromClient, FromServer, Hello, Pong, State, Welcome } from "./messages";
 import { LINK_PATH, PROTOCOL_VERSION } from "./messages";
 import { ReconnectingSocket } from "./reconnecting_socket";
+import { type Hearing, hear } from "./topics";
 
 /** What orders states: the server's start, then the count since. */
 export interface Stamp {
@@ -49,58 +27,19 @@ export class Newest {
   }
 }
 
-/** What the show says of who holds what. */
-export type LeaseMessage = Leases | LeaseClaim;
-/** What the show says of devices and of what they play. */
-export type DeviceMessage = Devices | BindingList | BindingsChanged | InputLog | DeviceBytes;
-const DEVICE_MESSAGES: ReadonlySet<string> = new Set<DeviceMessage["type"]>([
-  "devices",
-  "binding_list",
-  "bindings_changed",
-  "input_log",
-  "device_bytes",
-]);
-const isOfDevices = (message: FromServer): message is DeviceMessage => DEVICE_MESSAGES.has(message.type);
-
-/** What a page wants to hear; every handler may be left out. */
-export interface LinkHandlers {
-  /** A newer state than any before; older ones never arrive here. */
-  state?: (state: State) => void;
-  welcome?: (welcome: Welcome) => void;
-  crew?: (crew: Crew) => void;
+/** What a page wants to hear: messages by their tags, and what the link itself knows. */
+export type LinkHandlers = Omit<Hearing<FromServer>, "cast"> & {
   /** The cast has other names or contents now: fetch the manifest again (`Library.renew`). */
   cast?: () => void;
-  /** What was asked to be kept is in the cast. */
-  kept?: (kept: Kept) => void;
-  /** An own face or expression was renamed, deleted or restored. */
-  itemChanged?: (changed: ItemChanged) => void;
-  /** The names of all layouts in the show file. */
-  layouts?: (names: readonly string[]) => void;
-  /** What hands at other consoles move, by control, and the names of those consoles. */
-  hands?: (hands: Hands["hands"]) => void;
-  /** All sources that send. */
-  sources?: (sources: readonly SourceState[]) => void;
-  /** What the source that this page watches sends now. */
-  sourceValues?: (values: SourceValues) => void;
-  /** News of devices. */
-  devices?: (message: DeviceMessage) => void;
-  /** Whether this stage is the one that plays sounds. */
-  playsSound?: (on: boolean) => void;
-  /** How far a long request (an import, an export) is; those of other pages too. */
-  progress?: (progress: Progress) => void;
-  /** Everything that the crew must know: all of it, each time. */
-  notices?: (notices: readonly Notice[]) => void;
-  /** A message of ours was not obeyed; the sentence is for the operator; `id`: which, where it had one. */
-  refused?: (reason: string, id: string, held: readonly string[]) => void;
-  /** Who holds what; or another seat touched what this one holds, or has taken it over. */
-  leases?: (message: LeaseMessage) => void;
+  /** Every message, before whoever hears its tag; of states none that is older than one before. */
+  every?: (message: FromServer) => void;
   /** A ping came back after so many seconds. */
   trip?: (seconds: number) => void;
   /** The token of this page is not valid any more. */
   revoked?: () => void;
   /** The link came up (true) or went down (false). */
   connected?: (up: boolean) => void;
-}
+};
 
 const SILENCE = 1.5; // seconds without any message after which a link counts as dead
 const PING_EVERY = 1.0;
@@ -160,84 +99,13 @@ export class ShowLink {
   }
 
   private obey(message: FromServer): void {
-    switch (message.type) {
-      case "welcome":
-        this.welcome(message);
-        break;
-      case "state":
-        this.state(message);
-        break;
-      case "pong":
-        this.pong(message);
-        break;
-      case "cast":
-        this.recast(message.revision);
-        break;
-      default:
-        this.pass(message);
-    }
-  }
-
-  /** What is not of the link itself. */
-  private pass(message: Exclude<FromServer, { type: "welcome" | "state" | "pong" | "cast" }>): void {
-    switch (message.type) {
-      case "plays_sound":
-        this.handlers.playsSound?.(message.on);
-        break;
-      case "sources":
-      case "source_values":
-        this.hearSources(message);
-        break;
-      case "leases":
-      case "lease_claim":
-        this.handlers.leases?.(message);
-        break;
-      default:
-        if (isOfDevices(message)) this.handlers.devices?.(message);
-        else this.tell(message);
-    }
-  }
-
-  private hearSources(message: Sources | SourceValues): void {
-    if (message.type === "sources") this.handlers.sources?.(message.sources);
-    else this.handlers.sourceValues?.(message);
-  }
-
-  /** What only the page itself has a use for. */
-  private tell(
-    message: Exclude<
-      FromServer,
-      | DeviceMessage
-      | LeaseMessage
-      | { type: "welcome" | "state" | "pong" | "cast" | "sources" | "plays_sound" | "source_values" }
-    >,
-  ): void {
-    switch (message.type) {
-      case "crew":
-        this.handlers.crew?.(message);
-        break;
-      case "kept":
-        this.handlers.kept?.(message);
-        break;
-      case "item_changed":
-        this.handlers.itemChanged?.(message);
-        break;
-      case "layouts":
-        this.handlers.layouts?.(message.names);
-        break;
-      case "hands":
-        this.handlers.hands?.(message.hands);
-        break;
-      case "progress":
-        this.handlers.progress?.(message);
-        break;
-      case "notices":
-        this.handlers.notices?.(message.notices);
-        break;
-      case "refused":
-        this.handlers.refused?.(message.reason, message.id, message.held);
-        break;
-    }
+    if (message.type === "state" && !this.newest.accept(message)) return;
+    this.handlers.every?.(message);
+    if (message.type === "welcome") this.welcome(message);
+    else if (message.type === "state") this.state(message);
+    else if (message.type === "pong") this.pong(message);
+    else if (message.type === "cast") this.recast(message.revision);
+    else hear<FromServer>(this.handlers, message);
   }
 
   private welcome(welcome: Welcome): void {
@@ -262,7 +130,6 @@ export class ShowLink {
   }
 
   private state(state: State): void {
-    if (!this.newest.accept(state)) return;
     if (state.epoch === this.epoch) this.recast(state.revision); // the message may have been lost
     this.clock.arrived(state.time, this.socket.heard);
     this.handlers.state?.(state);

@@ -4,7 +4,8 @@ import { html, LitElement, nothing } from "lit";
 import { customElement } from "lit/decorators.js";
 import { ALL } from "../link/constants";
 import { listenToKeys } from "../ui/key_presses";
-import { base, palette } from "../ui/theme";
+import { base, palette, toolPage } from "../ui/theme";
+import { hearWhileShown, textOf, whileShown } from "../ui/topic_element";
 import { explainMissing } from "./capture_failure";
 import { pageStyle } from "./microphone_page_style";
 import { MicrophoneSession, SENTENCE_SECONDS } from "./microphone_session";
@@ -22,23 +23,15 @@ const SPEAKS = 0.5;
 
 @customElement("omote-microphone-page")
 export class MicrophonePage extends LitElement {
-  static override styles = [palette, base, pageStyle];
+  static override styles = [palette, base, toolPage, pageStyle];
   readonly #session = new MicrophoneSession(() => this.requestUpdate());
-  #deaf: () => void = () => undefined;
   #finish: ReturnType<typeof setTimeout> | undefined;
 
-  override connectedCallback(): void {
-    super.connectedCallback();
-    this.#deaf = listenToKeys({ page: (event, typing) => !typing && this.#press(event) });
-    window.addEventListener("keyup", this.#release);
-    window.addEventListener("blur", this.#letGo);
-  }
-
-  override disconnectedCallback(): void {
-    super.disconnectedCallback();
-    this.#deaf();
-    window.removeEventListener("keyup", this.#release);
-    window.removeEventListener("blur", this.#letGo);
+  constructor() {
+    super();
+    whileShown(this, () => listenToKeys({ page: (event, typing) => !typing && this.#press(event) }));
+    hearWhileShown(this, window, ["keyup"], ({ code }: KeyboardEvent) => code === "Space" && this.#letGo());
+    hearWhileShown(this, window, ["blur"], this.#letGo);
   }
 
   override render() {
@@ -110,14 +103,14 @@ export class MicrophonePage extends LitElement {
       <h2>Through whom</h2>
       <div class="row">
         <label>Character
-          <select data-field="character" ?disabled=${voice === null} @change=${(event: Event) => this.#session.speakThrough(chosenIn(event))}>
+          <select data-field="character" ?disabled=${voice === null} @change=${(event: Event) => this.#session.speakThrough(textOf(event))}>
             ${[["", "Nobody"] as const, ...all, [ALL, "All"] as const].map(
               ([name, label]) => html`<option value=${name} ?selected=${name === chosen}>${label}</option>`,
             )}
           </select></label>
         <label>Name of this microphone
           <input type="text" data-field="name" maxlength=${LONGEST_NAME} .value=${settings.name}
-            @change=${(event: Event) => void this.#session.change({ name: chosenIn(event).trim() || "Microphone" })} /></label>
+            @change=${(event: Event) => void this.#session.change({ name: textOf(event).trim() || "Microphone" })} /></label>
       </div>
       <p class="hint">The mouth moves on the layer lips; a smile survives it. How much, and in which parts of the face, is set
         in the mixer of the character, on the console.</p>
@@ -146,23 +139,25 @@ export class MicrophonePage extends LitElement {
       <h2>Device</h2>
       <div class="row">
         <label>Microphone
-          <select data-field="device" @change=${(event: Event) => void this.#session.change({ device: chosenIn(event) })}>
+          <select data-field="device" @change=${(event: Event) => void this.#session.change({ device: textOf(event) })}>
             <option value="" ?selected=${settings.device === ""}>What the system uses</option>
             ${devices.map(({ id, label }) => html`<option value=${id} ?selected=${id === settings.device}>${label}</option>`)}
           </select></label>
       </div>
       <div class="row">
         ${CLEANINGS.map(
-          (one) => html`<label class="check"><input type="checkbox" data-field=${one} .checked=${settings.cleaning[one]}
-            @change=${(event: Event) => this.#clean(one, (event.target as HTMLInputElement).checked)} />${CLEANING_LABELS[one]}</label>`,
+          (
+            name,
+          ) => html`<label class="check"><input type="checkbox" data-field=${name} .checked=${settings.cleaning[name]}
+            @change=${(event: Event) => this.#clean(name, (event.target as HTMLInputElement).checked)} />${CLEANING_LABELS[name]}</label>`,
         )}
       </div>
       <p class="hint">All three are off at first: they come late and blur the consonants. Turn them on where the house is loud.</p>
     </section>`;
   }
 
-  #clean(one: (typeof CLEANINGS)[number], on: boolean): void {
-    void this.#session.change({ cleaning: { ...this.#session.settings.cleaning, [one]: on } });
+  #clean(cleaning: (typeof CLEANINGS)[number], on: boolean): void {
+    void this.#session.change({ cleaning: { ...this.#session.settings.cleaning, [cleaning]: on } });
   }
 
   readonly #toggle = (): void => {
@@ -186,10 +181,6 @@ export class MicrophonePage extends LitElement {
     this.#session.hold(true);
   }
 
-  readonly #release = (event: KeyboardEvent): void => {
-    if (event.code === "Space") this.#letGo();
-  };
-
   readonly #holdByHand = (event: PointerEvent): void => {
     (event.currentTarget as Element).setPointerCapture(event.pointerId);
     this.#session.hold(true);
@@ -197,5 +188,3 @@ export class MicrophonePage extends LitElement {
 
   readonly #letGo = (): void => this.#session.hold(false);
 }
-
-const chosenIn = (event: Event): string => (event.target as HTMLInputElement | HTMLSelectElement).value;

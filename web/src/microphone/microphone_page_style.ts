@@ -1,30 +1,12 @@
 /** The look of the microphone page. */
 
 import { css } from "lit";
+import { entry, flow } from "../ui/theme";
 
 export const pageStyle = css`
   :host {
     --finger: 44px;
-    min-height: 100dvh;
-    padding: 6px;
-    background: var(--ground);
     font-size: 15px;
-  }
-  header {
-    display: flex;
-    flex-wrap: wrap;
-    align-items: center;
-    gap: 4px 14px;
-    min-height: 50px;
-    padding: 4px 10px;
-  }
-  h1 {
-    margin: 0;
-    font-size: 15px;
-    letter-spacing: 0.14em;
-  }
-  a {
-    color: var(--focus);
   }
   main {
     display: grid;
@@ -44,9 +26,7 @@ export const pageStyle = css`
     grid-column: 1 / -1;
   }
   .row {
-    display: flex;
-    flex-wrap: wrap;
-    align-items: center;
+    ${flow}
     gap: 8px 12px;
     min-width: 0;
   }
@@ -72,13 +52,7 @@ export const pageStyle = css`
     max-width: 100%;
   }
   input[type="text"] {
-    font: inherit;
-    padding: 0 8px;
-    color: var(--text);
-    background: #000;
-    border: 1px solid var(--line);
-    border-radius: 4px;
-    user-select: text;
+    ${entry}
   }
   button {
     padding: 0 16px;
@@ -135,12 +109,10 @@ export const pageStyle = css`
     overflow-wrap: anywhere;
   }
   .hint {
-    margin: 0;
     line-height: 1.45;
     color: var(--dim);
   }
   .notice {
-    margin: 0;
     padding: 10px 12px;
     line-height: 1.4;
     color: var(--text);
@@ -150,15 +122,7 @@ export const pageStyle = css`
     overflow-wrap: anywhere;
     user-select: text;
   }
-  .lost {
-    padding: 4px 10px;
-    border-radius: 4px;
-    font-weight: 700;
-    color: #fff;
-    background: #c3170a;
-  }
   blockquote {
-    margin: 0;
     padding: 10px 14px;
     font-size: 19px;
     line-height: 1.4;

@@ -116,10 +116,10 @@ export class MicrophoneSession {
   }
 
   #keepSpeaker(bands: number[], level: number): void {
-    const known = bands.length > 0;
-    this.settings = withSpeaker(this.settings, known ? { bands, level } : null);
+    const isMeasured = bands.length > 0;
+    this.settings = withSpeaker(this.settings, isMeasured ? { bands, level } : null);
     keepSettings(store, this.settings);
-    this.notice = known
+    this.notice = isMeasured
       ? "The voice is measured; this browser remembers it for this microphone."
       : "The measure is forgotten.";
   }

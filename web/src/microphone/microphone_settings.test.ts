@@ -39,8 +39,8 @@ describe("the settings of a microphone", () => {
   });
 
   it("know a speaker by the device, and forget it", () => {
-    const known = withSpeaker({ ...FIRST, device: "desk" }, SPEAKER);
-    expect(known.speakers).toEqual({ desk: SPEAKER });
-    expect(withSpeaker(known, null).speakers).toEqual({});
+    const measured = withSpeaker({ ...FIRST, device: "desk" }, SPEAKER);
+    expect(measured.speakers).toEqual({ desk: SPEAKER });
+    expect(withSpeaker(measured, null).speakers).toEqual({});
   });
 });

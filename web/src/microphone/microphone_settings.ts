@@ -1,5 +1,7 @@
 /** What this browser remembers of its microphone. */
 
+import { type BrowserStorage, keep, readKept, readRecord } from "../ui/browser_storage";
+
 /** How it hears: `open` always, `push` while a key or the button is held. */
 export type Mode = "open" | "push";
 
@@ -32,25 +34,14 @@ export const FIRST: MicrophoneSettings = {
   speakers: {},
 };
 
-type Store = Pick<Storage, "getItem" | "setItem">;
-
 /** What was kept; what cannot be read is as it is at first. */
-export function readSettings(store: () => Store): MicrophoneSettings {
-  try {
-    return checked(JSON.parse(store().getItem(KEY) ?? "{}"));
-  } catch {
-    return FIRST;
-  }
+export function readSettings(store: BrowserStorage): MicrophoneSettings {
+  return checked(readRecord(readKept(store, KEY)) as Partial<MicrophoneSettings>);
 }
 
 /** Keeps the settings, where the browser lets it. */
-export function keepSettings(store: () => Store, settings: MicrophoneSettings): void {
-  try {
-    store().setItem(KEY, JSON.stringify(settings));
-  } catch {
-    // a private window keeps nothing
-  }
-}
+export const keepSettings = (store: BrowserStorage, settings: MicrophoneSettings): void =>
+  keep(store, KEY, JSON.stringify(settings));
 
 /** The settings with another speaker of the chosen device; null forgets it. */
 export function withSpeaker(settings: MicrophoneSettings, speaker: Speaker | null): MicrophoneSettings {
@@ -59,8 +50,8 @@ export function withSpeaker(settings: MicrophoneSettings, speaker: Speaker | nul
   return { ...settings, speakers: Object.fromEntries([...others, ...mine].slice(-MOST_SPEAKERS)) };
 }
 
-function checked(found: Partial<MicrophoneSettings>): MicrophoneSettings {
-  const { name, device, mode, cleaning, speakers } = found;
+function checked(stored: Partial<MicrophoneSettings>): MicrophoneSettings {
+  const { name, device, mode, cleaning, speakers } = stored;
   return {
     name: typeof name === "string" && name.trim() !== "" ? name.slice(0, LONGEST_NAME) : FIRST.name,
     device: typeof device === "string" ? device : "",
@@ -72,15 +63,15 @@ function checked(found: Partial<MicrophoneSettings>): MicrophoneSettings {
 
 const picked = (cleaning: unknown): Partial<Record<Cleaning, boolean>> =>
   Object.fromEntries(
-    CLEANINGS.flatMap((one) => {
-      const on: unknown = (cleaning as Record<string, unknown> | undefined)?.[one];
-      return typeof on === "boolean" ? [[one, on]] : [];
+    CLEANINGS.flatMap((name) => {
+      const on: unknown = (cleaning as Record<string, unknown> | undefined)?.[name];
+      return typeof on === "boolean" ? [[name, on]] : [];
     }),
   );
 
-const isSpeaker = (found: unknown): found is Speaker =>
-  typeof found === "object" &&
-  found !== null &&
-  Array.isArray((found as Speaker).bands) &&
-  (found as Speaker).bands.every((band) => typeof band === "number") &&
-  typeof (found as Speaker).level === "number";
+const isSpeaker = (value: unknown): value is Speaker =>
+  typeof value === "object" &&
+  value !== null &&
+  Array.isArray((value as Speaker).bands) &&
+  (value as Speaker).bands.every((band) => typeof band === "number") &&
+  typeof (value as Speaker).level === "number";

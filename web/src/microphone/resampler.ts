@@ -31,12 +31,12 @@ export class Resampler {
     const sound = new Float32Array(this.#rest.length + samples.length);
     sound.set(this.#rest);
     sound.set(samples, this.#rest.length);
-    const made: number[] = [];
-    for (; this.#at + this.#reach + 1 < sound.length; this.#at += this.#step) made.push(this.#sample(sound));
+    const resampled: number[] = [];
+    for (; this.#at + this.#reach + 1 < sound.length; this.#at += this.#step) resampled.push(this.#sample(sound));
     const used = Math.floor(this.#at) - this.#reach;
     this.#rest = sound.slice(Math.max(0, used));
     this.#at -= Math.max(0, used);
-    return Float32Array.from(made);
+    return Float32Array.from(resampled);
   }
 
   #sample(sound: Float32Array): number {

@@ -14,10 +14,10 @@ export class SoundChunks {
 
   /** The whole chunks that these samples complete, as one; null where there is none. */
   push(samples: Float32Array): Int16Array | null {
-    const made = this.#resampler.push(samples);
-    const sound = new Float32Array(this.#waiting.length + made.length);
+    const resampled = this.#resampler.push(samples);
+    const sound = new Float32Array(this.#waiting.length + resampled.length);
     sound.set(this.#waiting);
-    sound.set(made, this.#waiting.length);
+    sound.set(resampled, this.#waiting.length);
     const whole = Math.floor(sound.length / CHUNK) * CHUNK;
     this.#waiting = sound.slice(whole);
     return whole === 0 ? null : Int16Array.from(sound.subarray(0, whole), toInteger);

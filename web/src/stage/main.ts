@@ -43,7 +43,7 @@ function showCounters(stage: Stage): void {
   setInterval(() => {
     const { fps, level, received, ignored, number, connected } = stage.counters();
     const faces = Object.values(stage.shown?.characters ?? {})
-      .map((each) => Object.keys(each.faces).join(" + "))
+      .map((character) => Object.keys(character.faces).join(" + "))
       .join(", ");
     hud.textContent = `${connected ? "on air" : "no server"}  ${fps} fps  ${level}  state ${number} (${received}, late ${ignored})\n${faces}`;
   }, 500);

@@ -9,8 +9,8 @@ export function findCharacter(
   const wanted = plain(typed);
   const names = Object.keys(characters).filter((name) => name === wanted);
   const labelled = Object.keys(characters).filter((name) => plain(characters[name]?.label ?? "") === wanted);
-  const found = names.length > 0 ? names : labelled;
-  return found.length === 1 ? found[0] : undefined;
+  const matching = names.length > 0 ? names : labelled;
+  return matching.length === 1 ? matching[0] : undefined;
 }
 
 const plain = (text: string): string => text.trim().toLowerCase();

@@ -1,10 +1,10 @@
 /** Reads and checks the parameters of a stage's address. */
 
-import type { Tile } from "../face/framing";
+import type { WallTile } from "../face/framing";
 import type { Triple } from "../face/light/tone";
 import { decodeSrgb } from "../face/light/tone";
 import type { Level } from "../face/quality/quality_levels";
-import { BACKGROUNDS, LEVELS, LIGHT_NAMES } from "../link/constants";
+import { BACKGROUNDS, LEVELS, LIGHTS } from "../link/constants";
 import type { SoundWish } from "./stage_sound";
 
 /** Everything a stage is told by its address. */
@@ -17,7 +17,7 @@ export interface StageParameters {
   hud: boolean;
   /** What the picture may cost; "auto": as much as the machine draws in time. */
   quality: Level | "auto";
-  tile: Tile | undefined;
+  tile: WallTile | undefined;
   /** Whether this stage plays the sounds that characters speak with. */
   sound: SoundWish;
   /** The one character that is shown, alone; undefined: the scene. */
@@ -28,7 +28,7 @@ export interface StageParameters {
 
 /** Letters of a label; the show keeps none that are longer. */
 const LONGEST_LABEL = 80;
-const KNOWN = [
+const PARAMETERS = [
   "transparent",
   "background",
   "light",
@@ -48,25 +48,25 @@ export class ParameterError extends Error {}
 
 /** The parameters of an address, with what follows its "#", e.g. `?tile=0,1&of=3x3&bezel=2`; ParameterError when one makes no sense. */
 export function readParameters(query: string): StageParameters {
-  const given = new URLSearchParams(query);
-  for (const name of given.keys())
-    if (!KNOWN.includes(name))
-      throw new ParameterError(`There is no parameter "${name}"; a stage knows ${KNOWN.join(", ")}.`);
+  const parameters = new URLSearchParams(query);
+  for (const name of parameters.keys())
+    if (!PARAMETERS.includes(name))
+      throw new ParameterError(`There is no parameter "${name}"; a stage knows ${PARAMETERS.join(", ")}.`);
   return {
-    transparent: readSwitch(given, "transparent"),
-    background: readBackground(given),
-    light: readLight(given.get("light")),
-    hud: readSwitch(given, "hud"),
-    quality: readQuality(given.get("quality")),
-    tile: readTile(given),
-    character: readCharacter(given.get("character")),
-    sound: !given.has("sound") ? "may" : readSwitch(given, "sound") ? "here" : "never",
-    name: readName(given.get("name")),
+    transparent: readSwitch(parameters, "transparent"),
+    background: readBackground(parameters),
+    light: readLight(parameters.get("light")),
+    hud: readSwitch(parameters, "hud"),
+    quality: readQuality(parameters.get("quality")),
+    tile: readTile(parameters),
+    character: readCharacter(parameters.get("character")),
+    sound: !parameters.has("sound") ? "may" : readSwitch(parameters, "sound") ? "here" : "never",
+    name: readName(parameters.get("name")),
   };
 }
 
-function readSwitch(given: URLSearchParams, name: string): boolean {
-  const value = given.get(name);
+function readSwitch(parameters: URLSearchParams, name: string): boolean {
+  const value = parameters.get(name);
   if (value === null || value === "0") return false;
   if (value === "" || value === "1") return true;
   throw new ParameterError(`${name}=${value} is neither on nor off; write ${name}=1 or leave it out.`);
@@ -87,8 +87,8 @@ function readName(value: string | null): string {
 }
 
 /** A colour's name, or `#rrggbb`; an address may write it with its "#" as it is, or leave that out. */
-function readBackground(given: URLSearchParams): Triple | undefined {
-  const value = given.get("background");
+function readBackground(parameters: URLSearchParams): Triple | undefined {
+  const value = parameters.get("background");
   if (value === null) return undefined;
   const named: Readonly<Record<string, string>> = BACKGROUNDS;
   const colour = named[value.toLowerCase()] ?? value;
@@ -96,15 +96,15 @@ function readBackground(given: URLSearchParams): Triple | undefined {
     const names = Object.keys(BACKGROUNDS).join(", ");
     throw new ParameterError(`background=${value} is no colour; write ${names}, or #rrggbb, for example #00b140.`);
   }
-  if (readSwitch(given, "transparent"))
+  if (readSwitch(parameters, "transparent"))
     throw new ParameterError(`background=${value} and transparent exclude each other; leave one of them out.`);
   return decodeSrgb(colour.startsWith("#") ? colour : `#${colour}`);
 }
 
 function readLight(value: string | null): string | undefined {
   if (value === null) return undefined;
-  if (!LIGHT_NAMES.some((name) => name === value))
-    throw new ParameterError(`light=${value} is unknown; write ${LIGHT_NAMES.join(", ")}.`);
+  if (!Object.keys(LIGHTS).includes(value))
+    throw new ParameterError(`light=${value} is unknown; write ${Object.keys(LIGHTS).join(", ")}.`);
   return value;
 }
 
@@ -115,17 +115,17 @@ function readQuality(value: string | null): Level | "auto" {
   return value as Level | "auto";
 }
 
-function readTile(given: URLSearchParams): Tile | undefined {
-  const place = given.get("tile");
-  const of = given.get("of");
-  if (place === null && of === null && given.get("bezel") === null) return undefined;
+function readTile(parameters: URLSearchParams): WallTile | undefined {
+  const place = parameters.get("tile");
+  const of = parameters.get("of");
+  if (place === null && of === null && parameters.get("bezel") === null) return undefined;
   const [column, row] = readPair(place, ",", "tile", "tile=0,1 (column, row, counted from 0 at the upper left)");
   const [columns, rows] = readPair(of, "x", "of", "of=3x3 (columns x rows)");
   if (columns < 1 || rows < 1 || columns > 64 || rows > 64)
     throw new ParameterError(`of=${of} is no wall; write 1x1 to 64x64.`);
   if (column >= columns || row >= rows)
     throw new ParameterError(`tile=${place} lies outside a wall of ${columns}x${rows}; columns and rows count from 0.`);
-  return { column, row, columns, rows, bezel: readBezel(given.get("bezel")) };
+  return { column, row, columns, rows, bezel: readBezel(parameters.get("bezel")) };
 }
 
 function readPair(text: string | null, mark: string, name: string, example: string): [number, number] {

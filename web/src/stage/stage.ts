@@ -25,11 +25,19 @@ const LONGEST_DELAY = 0.06;
 const WALL_DELAY = 0.06;
 /** Seconds by which a frame is drawn early at most: a frame of a slow display. */
 const LONGEST_INTERVAL = 1 / 30;
+/** Seconds by which sounds wait for a picture that takes long to draw, at most. */
+const LATEST_PICTURE = 0.25;
 /** Seconds of silence after which the faces breathe by themselves. */
 const ALONE = 1.0;
 
 /** Seconds without a change on air after which the stage is calm. */
 const CALM = 0.5;
+
+/** Seconds without a graphics context after which the stage helps itself: a new canvas, then the page anew. */
+const CONTEXT_SECONDS = 2;
+/** Seconds between two reloads for want of a context at least. */
+const RELOAD_SECONDS = 15;
+const RELOADED_KEY = "omote-stage-reloaded";
 
 /** What a stage counts; for the heads-up display and for tests. */
 export interface Counters {
@@ -62,6 +70,9 @@ export class Stage {
   private drawn = 0;
   private received = 0;
   private reloading = false;
+  /** Since when there is no graphics context, in seconds; undefined while there is one. */
+  private darkSince: number | undefined;
+  private renewed = false;
   private readonly qualityController: QualityController | undefined;
   private frameHeadroom: FrameHeadroom;
   private air = "";
@@ -74,7 +85,7 @@ export class Stage {
   resting = false;
 
   private constructor(
-    private readonly canvas: HTMLCanvasElement,
+    private canvas: HTMLCanvasElement,
     public view: FaceView,
     private readonly parameters: StageParameters,
   ) {
@@ -83,7 +94,7 @@ export class Stage {
     this.sound = new StageSound(parameters.sound, () => this.heartbeat());
     this.link = new ShowLink("stage", {
       state: (state) => this.receive(state),
-      playsSound: (on) => this.sound.choose(on),
+      plays_sound: ({ on }) => this.sound.choose(on),
       welcome: (welcome) => {
         this.sound.relinked(now());
         this.heartbeat();
@@ -117,7 +128,52 @@ export class Stage {
       this.drawn += 1;
       this.rate.tick(time);
     }
+    this.recover(time);
     this.report(time);
+  }
+
+  /**
+   * A browser may never give back a graphics context that it took (a driver's reset, a sleeping screen): after two
+   * seconds the stage asks for one on a new canvas, and after two more by loading the page anew.
+   */
+  private recover(time: number): void {
+    if (this.view.alive) {
+      this.darkSince = undefined;
+      this.renewed = false;
+      return;
+    }
+    this.darkSince ??= time;
+    const dark = time - this.darkSince;
+    if (this.reloading || dark < CONTEXT_SECONDS) return;
+    if (!this.renewed) {
+      this.renewed = true;
+      void this.renewCanvas();
+    } else if (dark > 2 * CONTEXT_SECONDS) reloadNow();
+  }
+
+  private async renewCanvas(): Promise<void> {
+    const canvas = this.canvas.cloneNode() as HTMLCanvasElement;
+    const former = this.canvas;
+    try {
+      await this.replaceView(canvas, this.view.library);
+      former.replaceWith(canvas);
+      this.canvas = canvas;
+    } catch (error) {
+      console.error("no new graphics context:", error); // the page is loaded anew next
+    }
+  }
+
+  private async replaceView(canvas: HTMLCanvasElement, library: Library): Promise<void> {
+    this.reloading = true;
+    try {
+      const view = await loadView(canvas, library, this.parameters, this.view.level);
+      this.view.dispose();
+      this.view = view;
+      this.frameHeadroom = new FrameHeadroom(view.context);
+      this.fit();
+    } finally {
+      this.reloading = false;
+    }
   }
 
   counters(time = now()): Counters {
@@ -152,7 +208,7 @@ export class Stage {
 
   /** Draws what is shown, unless its picture is there already; false while nothing can be drawn. */
   private present(time: number): boolean {
-    const settled = this.view.still && (this.qualityController?.settled ?? true);
+    const settled = this.view.still && (this.qualityController?.proved ?? true);
     if (!this.redraw.needed(this.shown === undefined ? "" : sceneKey(this.shown), settled)) {
       this.view.shownAt = time;
       return true;
@@ -184,10 +240,10 @@ export class Stage {
   private get calling(): boolean {
     const { state } = this;
     if (state === undefined) return false;
-    const calls = Object.values(state.characters).flatMap((each) => [
-      each.face_call,
-      each.expression_call,
-      ...Object.values(each.region_calls),
+    const calls = Object.values(state.characters).flatMap((character) => [
+      character.face_call,
+      character.expression_call,
+      ...Object.values(character.region_calls),
     ]);
     return [state.framing_call, ...calls].some((call) => call !== null);
   }
@@ -196,7 +252,7 @@ export class Stage {
     const server = this.link.clock.at(time) ?? 0;
     const alone = this.parameters.tile === undefined;
     const due = alone ? this.playout.at(server, time - this.last) : server - WALL_DELAY;
-    this.sound.play(server - (alone ? this.playout.delay : WALL_DELAY));
+    this.sound.play(server - (alone ? this.playout.delay : WALL_DELAY) - Math.min(this.rate.interval, LATEST_PICTURE));
     const scene = this.timeline.at(due, time);
     return scene && this.breath.on(scene, this.timeline.silence(time) > ALONE, time - this.last);
   }
@@ -221,13 +277,9 @@ export class Stage {
   /** Another cast than ours: takes it in; on another built-in cast with a new view. */
   private async recast(): Promise<void> {
     if ((await this.view.library.renew()) || this.reloading) return;
-    this.reloading = true;
+    this.reloading = true; // while the other cast comes, too
     try {
-      const view = await loadView(this.canvas, await Library.open(), this.parameters, this.view.level);
-      this.view.dispose();
-      this.view = view;
-      this.frameHeadroom = new FrameHeadroom(view.context);
-      this.fit();
+      await this.replaceView(this.canvas, await Library.open());
     } finally {
       this.reloading = false;
     }
@@ -257,8 +309,17 @@ export class Stage {
       camera: stands,
       sound: this.sound.state,
       sound_here: this.parameters.sound === "here",
+      dark: this.darkSince === undefined ? 0 : Math.max(0, now() - this.darkSince),
     });
   }
+}
+
+/** Loads the page anew, unless that was done a moment ago. */
+function reloadNow(): void {
+  const before = Number(sessionStorage.getItem(RELOADED_KEY) ?? 0);
+  if (Date.now() - before < 1000 * RELOAD_SECONDS) return;
+  sessionStorage.setItem(RELOADED_KEY, String(Date.now()));
+  location.reload();
 }
 
 const loadView = (

@@ -1,6 +1,6 @@
 /** What tests and curious operators may ask of a stage: `window.omoteStage`. */
 
-import type { Box } from "../face/framing";
+import type { PictureBox } from "../face/framing";
 import type { Pose } from "../face/pose/pose";
 import { restPose } from "../face/pose/pose";
 import { alone, type CharacterPose, FRONT, type ScenePose } from "../face/pose/scene_pose";
@@ -49,7 +49,7 @@ export interface StageProbe {
   /** The scene last drawn. */
   scene(): ScenePose | undefined;
   /** Where heads lie in the picture last drawn, by name: left, top, right and bottom in parts of it. */
-  heads(): Record<string, Box>;
+  heads(): Record<string, PictureBox>;
   /** What is heard. */
   sound(): SoundReport;
   /** Whether all of the pose shows in full: nothing is being fetched or caught up with. */
@@ -100,8 +100,11 @@ export function exposeProbe(stage: Stage): void {
 
 /** A scene with all that it leaves out: characters at rest, in front, present; a framing of all. */
 function wholeScene({ characters, framing = { [ALL]: 1 } }: PartialScene): ScenePose {
-  const whole = Object.entries(characters).map(([name, given]) => {
-    return [name, { ...restPose("generic"), presence: 1, ...given, place: { ...FRONT, ...given.place } }] as const;
+  const whole = Object.entries(characters).map(([name, character]) => {
+    return [
+      name,
+      { ...restPose("generic"), presence: 1, ...character, place: { ...FRONT, ...character.place } },
+    ] as const;
   });
   return { characters: Object.fromEntries(whole), framing };
 }

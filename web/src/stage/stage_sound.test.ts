@@ -2,7 +2,7 @@ import { describe, expect, it } from "vitest";
 import type { CharacterState, SpeechState, State } from "../link/messages";
 import { comingSounds, wantedSounds } from "./stage_sound";
 
-const speech = (given: Partial<SpeechState>): SpeechState => ({
+const speech = (fields: Partial<SpeechState>): SpeechState => ({
   number: 1,
   text: "",
   elapsed: 0,
@@ -11,24 +11,26 @@ const speech = (given: Partial<SpeechState>): SpeechState => ({
   waiting: 0,
   next_sound: "",
   keys: [],
-  ...given,
+  ...fields,
 });
 
 const state = (time: number, spoken: Record<string, SpeechState | null>): State => {
-  const characters = Object.entries(spoken).map(([name, each]) => [name, { speech: each } as CharacterState] as const);
+  const characters = Object.entries(spoken).map(
+    ([name, speechState]) => [name, { speech: speechState } as CharacterState] as const,
+  );
   return { time, characters: Object.fromEntries(characters) } as unknown as State;
 };
 
 describe("the sounds of a state", () => {
   it("begin at the server's time of their first sample, before it too", () => {
-    const found = wantedSounds(state(10, { one: speech({ sound: "a", elapsed: -0.4, number: 7 }) }), undefined);
-    expect(found).toEqual([{ id: "one 7", key: "a", begin: 10.4 }]);
+    const sounds = wantedSounds(state(10, { one: speech({ sound: "a", elapsed: -0.4, number: 7 }) }), undefined);
+    expect(sounds).toEqual([{ id: "one 7", key: "a", begin: 10.4 }]);
   });
 
   it("are none of silent lips, and none of a character that is not shown", () => {
     const shown = state(1, { one: speech({}), two: speech({ sound: "b" }), three: null });
     expect(wantedSounds(shown, "one")).toEqual([]);
-    expect(wantedSounds(shown, undefined).map((each) => each.key)).toEqual(["b"]);
+    expect(wantedSounds(shown, undefined).map((sound) => sound.key)).toEqual(["b"]);
   });
 
   it("are one where several characters speak with the same at once, two where one is later", () => {

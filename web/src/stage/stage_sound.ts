@@ -29,14 +29,14 @@ export type SoundWish = "never" | "may" | "here";
 
 /** The sounds of a state; several characters that speak with one sound at once make one. `only`: the one that is shown. */
 export function wantedSounds(state: State, only: string | undefined): WantedSound[] {
-  const found: WantedSound[] = [];
+  const sounds: WantedSound[] = [];
   for (const [name, { speech }] of Object.entries(state.characters)) {
     if (!speech || speech.sound === "" || (only !== undefined && only !== name)) continue;
     const begin = state.time - speech.elapsed;
-    const twin = found.some((each) => each.key === speech.sound && Math.abs(each.begin - begin) < TOGETHER);
-    if (!twin) found.push({ id: `${name} ${speech.number}`, key: speech.sound, begin });
+    const twin = sounds.some((sound) => sound.key === speech.sound && Math.abs(sound.begin - begin) < TOGETHER);
+    if (!twin) sounds.push({ id: `${name} ${speech.number}`, key: speech.sound, begin });
   }
-  return found;
+  return sounds;
 }
 
 /** The sounds that a state will need. */
@@ -53,26 +53,36 @@ interface Playing {
   gain: GainNode;
   /** The context's time of the sound's first sample. */
   origin: number;
-  /** The context's time since when it has been too far away. */
-  away: number | undefined;
+  /** The context's time since when it has been too far away, and the origins that it should have had since then. */
+  away: { since: number; origins: number[] } | undefined;
 }
 
-/** Whether a sound has been too far from where it should be for too long: a busy machine is behind for a moment. */
-function isAway(playing: Playing, origin: number, time: number): boolean {
-  const near = Math.abs(playing.origin - origin) < FARTHEST;
-  playing.away = near ? undefined : (playing.away ?? time);
-  return playing.away !== undefined && time - playing.away > PATIENCE;
+/**
+ * Where a sound should begin that has been too far from there for too long: the mean, since single pictures of a busy
+ * machine come early and late. Undefined while it is near, or behind for a moment only.
+ */
+function newOrigin(playing: Playing, origin: number, time: number): number | undefined {
+  if (Math.abs(playing.origin - origin) < FARTHEST) {
+    playing.away = undefined;
+    return undefined;
+  }
+  playing.away ??= { since: time, origins: [] };
+  const { since, origins } = playing.away;
+  origins.push(origin);
+  return time - since > PATIENCE ? origins.reduce((sum, each) => sum + each, 0) / origins.length : undefined;
 }
 
 /** What tests ask of the sounds of a stage. */
 export interface SoundReport {
-  state: Drawing["sound"];
+  state: NonNullable<Drawing["sound"]>;
   plays: boolean;
   /** How many sounds were begun. */
   begun: number;
   playing: string[];
-  /** How loud it is now: the largest sample of the last few milliseconds. */
+  /** How loud it will be in `latency` seconds: the largest sample of the last few milliseconds. */
   level: number;
+  /** Seconds until what the page plays now is heard. */
+  latency: number;
 }
 
 /** Plays sounds while the show says that this stage does; `changed`: it can play now, or cannot any more. */
@@ -97,7 +107,7 @@ export class StageSound {
   }
 
   /** Whether it can play, as a heartbeat says it. Before the first sound nobody knows: a click would make sure. */
-  get state(): Drawing["sound"] {
+  get state(): NonNullable<Drawing["sound"]> {
     if (this.wish === "never") return "";
     const allowed = this.context ? this.context.state === "running" : navigator.userActivation?.hasBeenActive;
     return allowed ? "ready" : "blocked";
@@ -127,20 +137,21 @@ export class StageSound {
     this.wanted = wantedSounds(state, only);
     for (const key of comingSounds(state)) this.load(key);
     for (const [id, playing] of this.playing) {
-      if (!this.plays || !this.wanted.some((each) => each.id === id)) this.stop(id, playing);
+      if (!this.plays || !this.wanted.some((sound) => sound.id === id)) this.stop(id, playing);
     }
   }
 
-  /** Begins what is due; `place`: where in server time the picture is that is seen now, seconds. */
+  /** Begins what is due; `place`: where in server time the picture is that is seen now, seconds: not the one that is being drawn. */
   play(place: number): void {
     const { context } = this;
     if (!this.plays || context === undefined || context.state !== "running") return;
     for (const { id, key, begin } of this.wanted) {
       const buffer = this.buffers.get(key);
       if (!(buffer instanceof AudioBuffer)) continue;
-      const origin = context.currentTime - (place - begin) - (context.outputLatency || 0);
+      const seen = context.currentTime - (place - begin) - (context.outputLatency || 0);
       const playing = this.playing.get(id);
-      if (playing !== undefined && !isAway(playing, origin, context.currentTime)) continue;
+      const origin = playing === undefined ? seen : newOrigin(playing, seen, context.currentTime);
+      if (origin === undefined) continue;
       if (playing !== undefined) this.stop(id, playing);
       if (origin + buffer.duration > context.currentTime) this.begin(context, id, key, buffer, origin);
     }
@@ -151,7 +162,8 @@ export class StageSound {
     this.analyser?.getFloatTimeDomainData(samples);
     const level = samples.reduce((most, sample) => Math.max(most, Math.abs(sample)), 0);
     const playing = [...this.playing.keys()];
-    return { state: this.state, plays: this.plays, begun: this.begun, playing, level };
+    const latency = this.context?.outputLatency || 0;
+    return { state: this.state, plays: this.plays, begun: this.begun, playing, level, latency };
   }
 
   private begin(context: AudioContext, id: string, key: string, buffer: AudioBuffer, origin: number): void {

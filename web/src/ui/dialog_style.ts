@@ -49,7 +49,6 @@ export const keysPage = css`
     color: var(--hand);
   }
   dd {
-    margin: 0;
     color: var(--dim);
   }
 `;

@@ -43,9 +43,9 @@ describe("a file", () => {
     const imported = { items, said: items.map(({ label }) => `${label}, taken from kaori`) };
     const three = "E0, taken from kaori; E1, taken from kaori; E2, taken from kaori";
     expect(sayTakenIn(imported)).toBe(`${three}; 49 more`);
-    const known = items.map((item) => ({ ...item, known: true }));
-    expect(sayTakenIn({ ...imported, items: known })).toBe("all 52 are there already, E0 and others");
-    const some = [...items.slice(0, 2), ...known.slice(2)];
+    const existing = items.map((item) => ({ ...item, known: true }));
+    expect(sayTakenIn({ ...imported, items: existing })).toBe("all 52 are there already, E0 and others");
+    const some = [...items.slice(0, 2), ...existing.slice(2)];
     expect(sayTakenIn({ ...imported, items: some })).toBe(
       "E0, taken from kaori; E1, taken from kaori; 50 are there already",
     );

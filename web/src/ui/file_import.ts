@@ -66,12 +66,16 @@ const MOST_NAMED = 4;
 /** What to say of the items that a file brought. */
 export function sayTakenIn({ items, said }: Imported): string {
   const sentences = items.map((item, index) => sentenceOf(item, said[index] ?? item.label));
-  const known = items.filter((item) => item.known).length;
+  const existingCount = items.filter((item) => item.known).length;
   if (items.length <= MOST_NAMED) return sentences.join("; ");
-  if (known === items.length) return `all ${known} are there already, ${items[0]?.label} and others`;
+  if (existingCount === items.length) return `all ${existingCount} are there already, ${items[0]?.label} and others`;
   const named = sentences.filter((_, index) => items[index]?.known === false).slice(0, MOST_NAMED - 1);
-  const more = items.length - known - named.length;
-  const parts = [...named, ...(more > 0 ? [`${more} more`] : []), ...(known > 0 ? [`${known} are there already`] : [])];
+  const more = items.length - existingCount - named.length;
+  const parts = [
+    ...named,
+    ...(more > 0 ? [`${more} more`] : []),
+    ...(existingCount > 0 ? [`${existingCount} are there already`] : []),
+  ];
   return parts.join("; ");
 }
 

@@ -8,12 +8,12 @@ export class FramePainter {
   readonly #painted = new Set<Paintable>();
   #running = false;
 
-  add(one: Paintable): void {
-    this.#painted.add(one);
+  add(paintable: Paintable): void {
+    this.#painted.add(paintable);
   }
 
-  delete(one: Paintable): void {
-    this.#painted.delete(one);
+  delete(paintable: Paintable): void {
+    this.#painted.delete(paintable);
   }
 
   start(): void {
@@ -27,9 +27,9 @@ export class FramePainter {
   }
 
   paint(now: number): void {
-    for (const one of this.#painted) {
+    for (const paintable of this.#painted) {
       try {
-        one.paint(now);
+        paintable.paint(now);
       } catch (error) {
         reportError(error); // one widget that fails must not stop the others
       }

@@ -142,7 +142,7 @@ export function onWheel(element: HTMLElement, turn: (steps: number) => void): vo
 export function onArrows(element: HTMLElement, step: (dx: number, dy: number) => void, rest: () => void): void {
   element.addEventListener("keydown", (event) => {
     if (event.ctrlKey || event.altKey || event.metaKey) return;
-    const arrow = ARROWS[event.key];
+    const arrow = ARROWS[event.key] ?? PAGES[event.key];
     if (arrow) {
       const gain = event.shiftKey ? FINE : 1;
       step(arrow[0] * gain, arrow[1] * gain);
@@ -156,14 +156,14 @@ export function onArrows(element: HTMLElement, step: (dx: number, dy: number) =>
 /** Arrow keys move the focus to the nearest element of a group in that direction. */
 export function onRoam(group: HTMLElement, selector: string): void {
   group.addEventListener("keydown", (event) => {
-    const arrow = event.key.startsWith("Arrow") ? ARROWS[event.key] : undefined;
+    const arrow = ARROWS[event.key];
     const from = (event.target as Element).closest(selector);
     if (arrow === undefined || from === null || event.ctrlKey || event.altKey || event.metaKey) return;
     event.preventDefault();
     const others = [...group.querySelectorAll<HTMLElement>(selector)].map(
-      (one) => [way(from, one, arrow), one] as const,
+      (element) => [way(from, element, arrow), element] as const,
     );
-    const [distance, nearest] = others.reduce((best, one) => (one[0] < best[0] ? one : best));
+    const [distance, nearest] = others.reduce((best, candidate) => (candidate[0] < best[0] ? candidate : best));
     if (distance < Number.POSITIVE_INFINITY) nearest.focus();
   });
 }
@@ -180,14 +180,14 @@ function middle(element: Element): [number, number] {
   return [box.left + box.width / 2, box.top + box.height / 2];
 }
 
-const ARROWS: Readonly<Record<string, readonly [number, number]>> = {
+/** The arrow keys, as steps to the right and up. */
+export const ARROWS: Readonly<Record<string, readonly [number, number]>> = {
   ArrowRight: [1, 0],
   ArrowLeft: [-1, 0],
   ArrowUp: [0, 1],
   ArrowDown: [0, -1],
-  PageUp: [0, 10],
-  PageDown: [0, -10],
 };
+const PAGES: typeof ARROWS = { PageUp: [0, 10], PageDown: [0, -10] };
 
 /** What of a keyboard event the tables of keys read. */
 export interface KeyPress {

@@ -4,9 +4,10 @@
  */
 
 import type { ReactiveControllerHost } from "lit";
+import { whileShown } from "./topic_element";
 
 /** `dialog` and `menu` take every key while they are open, `form` those pressed inside it; a dialog keeps the focus. */
-export interface Layer {
+export interface KeyLayer {
   readonly element: HTMLElement;
   readonly kind: "dialog" | "menu" | "form";
   close(): void;
@@ -22,10 +23,10 @@ export interface KeyUse {
   page(event: KeyboardEvent, typing: boolean): void;
 }
 
-const layers: Layer[] = [];
+const layers: KeyLayer[] = [];
 
 /** Puts a layer over those that are open; gives what takes it away again. */
-export function openLayer(layer: Layer): () => void {
+export function openLayer(layer: KeyLayer): () => void {
   layers.push(layer);
   return () => {
     const at = layers.indexOf(layer);
@@ -36,16 +37,10 @@ export function openLayer(layer: Layer): () => void {
 /** Makes an element a layer for as long as it is on the page. */
 export function layerWhileShown(
   host: HTMLElement & ReactiveControllerHost,
-  kind: Layer["kind"],
+  kind: KeyLayer["kind"],
   close: () => void,
 ): void {
-  let takeAway = (): void => undefined;
-  host.addController({
-    hostConnected: () => {
-      takeAway = openLayer({ element: host, kind, close });
-    },
-    hostDisconnected: () => takeAway(),
-  });
+  whileShown(host, () => openLayer({ element: host, kind, close }));
 }
 
 /** True while a key press belongs to a field for text, numbers or a choice. */
@@ -71,7 +66,7 @@ export function ownerOf(event: Event): KeyOwner {
 }
 
 /** The topmost layer that a press is for. */
-function layerOf(event: Event): Layer | undefined {
+function layerOf(event: Event): KeyLayer | undefined {
   return layers.findLast(({ kind, element }) => kind !== "form" || event.composedPath().includes(element));
 }
 
@@ -103,7 +98,7 @@ function claim(event: KeyboardEvent, use: KeyUse): void {
 }
 
 /** A key pressed behind an open dialog or menu does nothing there; the browser's own keys stay the browser's. */
-function withhold(event: KeyboardEvent, layer: Layer): void {
+function withhold(event: KeyboardEvent, layer: KeyLayer): void {
   event.stopImmediatePropagation();
   if (event.ctrlKey || event.altKey || event.metaKey || /^F\d+$/.test(event.key)) return;
   event.preventDefault();
@@ -118,14 +113,24 @@ function pass(event: KeyboardEvent, use: KeyUse): void {
   else use.page(event, owner === "field");
 }
 
-/** Out of a field, which is as it was before it was typed in; a search is cleared by the browser. */
+/** Out of a field, which is as it was before it was typed in. */
 function leaveField(event: KeyboardEvent): void {
   const [field] = event.composedPath();
   if (!(field instanceof HTMLElement)) return;
-  if (field instanceof HTMLInputElement && field.type !== "search" && field === edited?.field)
-    field.value = edited.before;
+  if (field instanceof HTMLInputElement) restoreField(field);
   edited = null;
   field.blur();
+}
+
+/**
+ * Gives a field what it held before, a search nothing, and tells whoever follows it. The browser would empty a search
+ * only after it has lost the focus, and then without an input event.
+ */
+function restoreField(field: HTMLInputElement): void {
+  const typed = field.value;
+  if (field.type === "search") field.value = "";
+  else if (field === edited?.field) field.value = edited.before;
+  if (field.value !== typed) field.dispatchEvent(new Event("input", { bubbles: true, composed: true }));
 }
 
 /** The field that is typed in, and what it held before. */
@@ -143,23 +148,23 @@ function forget(event: Event): void {
 }
 
 /** What can have the focus in a layer, in order. */
-const stopsOf = ({ element }: Layer): HTMLElement[] =>
-  stopsIn(element.shadowRoot ?? element).filter((one) => one.offsetParent !== null);
+const stopsOf = ({ element }: KeyLayer): HTMLElement[] =>
+  stopsIn(element.shadowRoot ?? element).filter((candidate) => candidate.offsetParent !== null);
 
 /** Also those inside the elements that it is made of. */
 function stopsIn(root: ParentNode): HTMLElement[] {
-  return [...root.querySelectorAll<HTMLElement>("*")].flatMap((one) => [
-    ...(one.matches(STOPS) ? [one] : []),
-    ...(one.shadowRoot === null ? [] : stopsIn(one.shadowRoot)),
+  return [...root.querySelectorAll<HTMLElement>("*")].flatMap((element) => [
+    ...(element.matches(STOPS) ? [element] : []),
+    ...(element.shadowRoot === null ? [] : stopsIn(element.shadowRoot)),
   ]);
 }
 
 const STOPS = "button:enabled, input:enabled, select:enabled, a[href]";
 
 /** Tab goes round in a dialog: it never leads behind it. */
-function goRound(event: KeyboardEvent, layer: Layer): void {
+function goRound(event: KeyboardEvent, layer: KeyLayer): void {
   const stops = stopsOf(layer);
-  const at = stops.findIndex((one) => event.composedPath().includes(one));
+  const at = stops.findIndex((candidate) => event.composedPath().includes(candidate));
   const edge = event.shiftKey ? 0 : stops.length - 1;
   if (at >= 0 && at !== edge) return;
   event.preventDefault();

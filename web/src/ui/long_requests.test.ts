@@ -19,8 +19,8 @@ describe("a long request", () => {
   it("is shown with its progress until it is answered", async () => {
     const { asked, answer } = serve();
     const requests = new LongRequests();
-    let told = 0;
-    const deaf = requests.listen(() => (told += 1));
+    let changes = 0;
+    const deaf = requests.listen(() => (changes += 1));
     const done = requests.fetch("Import of a.glb", "/imports/a.glb?as=face", {});
     const id = requests.all[0]?.id ?? "";
     expect(asked).toEqual([`/imports/a.glb?as=face&request=${id}`]);
@@ -30,7 +30,7 @@ describe("a long request", () => {
     answer(new Response("yes"));
     expect(await (await done)?.text()).toBe("yes");
     expect(requests.all).toEqual([]);
-    expect(told).toBe(3);
+    expect(changes).toBe(3);
     deaf();
   });
 

@@ -1,6 +1,7 @@
 /** What this page asks of the show that takes long (imports, exports): how far each is, and how it is ended. */
 
 import type { Cancel, Progress } from "../link/messages";
+import { randomId } from "./browser_storage";
 
 /** A request under way; `total` 0: how much it is, is not known yet; `ending`: its end has been asked for. */
 export interface LongRequest {
@@ -18,9 +19,6 @@ const CANCELLED = 204;
 /** A request was ended by the page itself; nothing has changed. */
 export class CancelledError extends Error {}
 
-/** Ids that no other page has: `randomUUID` is not there on a LAN without https. */
-const newId = (): string => [...crypto.getRandomValues(new Uint32Array(3))].map((part) => part.toString(36)).join("-");
-
 /** The long requests of a page. */
 export class LongRequests {
   all: readonly LongRequest[] = [];
@@ -36,7 +34,7 @@ export class LongRequests {
 
   /** Shows a request under a title until its answer has come; CancelledError where it was ended. */
   async fetch(title: string, address: string, options: RequestInit): Promise<Response | null> {
-    const id = newId();
+    const id = randomId();
     this.#put([...this.all, { id, title, done: 0, total: 0, what: "", ending: false }]);
     try {
       const mark = address.includes("?") ? "&" : "?";

@@ -1,7 +1,7 @@
 import { describe, expect, it } from "vitest";
-import { type NoticeStorage, ShowNotices } from "./show_notices";
+import { ShowNotices } from "./show_notices";
 
-class Memory implements NoticeStorage {
+class Memory {
   readonly kept = new Map<string, string>();
   getItem = (key: string): string | null => this.kept.get(key) ?? null;
   setItem = (key: string, value: string): void => void this.kept.set(key, value);
@@ -13,48 +13,56 @@ const ids = (notices: ShowNotices): string[] => notices.open.map(({ id }) => id)
 describe("notices of the show", () => {
   it("stay through a reload until they are dismissed, and do not come back", () => {
     const memory = new Memory();
-    const first = new ShowNotices(memory, () => undefined);
+    const first = new ShowNotices(
+      () => memory,
+      () => undefined,
+    );
     first.receive([notice("1"), notice("2")]);
     expect(ids(first)).toEqual(["1", "2"]);
     first.dismiss("1");
     first.receive([notice("1"), notice("2")]);
     expect(ids(first)).toEqual(["2"]);
-    const reloaded = new ShowNotices(memory, () => undefined);
+    const reloaded = new ShowNotices(
+      () => memory,
+      () => undefined,
+    );
     expect(ids(reloaded)).toEqual([]);
     reloaded.receive([notice("1"), notice("2"), notice("3")]);
     expect(ids(reloaded)).toEqual(["2", "3"]);
   });
 
   it("tell of a change once, however often they come", () => {
-    let told = 0;
-    const notices = new ShowNotices(new Memory(), () => {
-      told += 1;
-    });
+    const memory = new Memory();
+    let changes = 0;
+    const notices = new ShowNotices(
+      () => memory,
+      () => {
+        changes += 1;
+      },
+    );
     for (let time = 0; time < 5; time++) notices.receive([notice("1")]);
-    expect(told).toBe(1);
+    expect(changes).toBe(1);
     notices.dismiss("1");
     notices.dismiss("1");
-    expect(told).toBe(2);
+    expect(changes).toBe(2);
   });
 
   it.each([null, "{", "7", '[1, "x", null]'])("begin anew where the store holds %s", (kept) => {
     const memory = new Memory();
     if (kept !== null) memory.kept.set("omote-dismissed-notices", kept);
-    const notices = new ShowNotices(memory, () => undefined);
+    const notices = new ShowNotices(
+      () => memory,
+      () => undefined,
+    );
     notices.receive([notice("1")]);
     expect(ids(notices)).toEqual(["1"]);
   });
 
   it("are dismissed where nothing can be stored too", () => {
-    const refusing: NoticeStorage = {
-      getItem: () => {
-        throw new Error("no");
-      },
-      setItem: () => {
-        throw new Error("no");
-      },
+    const refuse = (): never => {
+      throw new Error("no");
     };
-    for (const storage of [refusing, null]) {
+    for (const storage of [refuse, () => ({ getItem: refuse, setItem: refuse })]) {
       const notices = new ShowNotices(storage, () => undefined);
       notices.receive([notice("1"), notice("2")]);
       notices.dismiss("2");

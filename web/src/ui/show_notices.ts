@@ -1,13 +1,11 @@
 /** What the crew must know of the show: it stays until this browser's operator has dismissed it. */
 
 import type { Notice } from "../link/messages";
+import { type BrowserStorage, keep, readJson, readKept } from "./browser_storage";
 
 const KEY = "omote-dismissed-notices";
 /** Dismissed notices that are remembered: more than a show has at a time. */
 const MOST = 64;
-
-/** Where a browser keeps what outlives a reload. */
-export type NoticeStorage = Pick<Storage, "getItem" | "setItem">;
 
 /** The notices that nobody has dismissed in this browser; `changed` is called when there are others. */
 export class ShowNotices {
@@ -17,10 +15,11 @@ export class ShowNotices {
   #dismissed: readonly string[];
 
   constructor(
-    private readonly storage: NoticeStorage | null,
+    private readonly storage: BrowserStorage,
     private readonly changed: () => void,
   ) {
-    this.#dismissed = readIds(storage);
+    const ids = readJson(readKept(storage, KEY));
+    this.#dismissed = Array.isArray(ids) ? ids.filter((id) => typeof id === "string") : [];
   }
 
   /** All notices of the show, which come again and again. */
@@ -40,11 +39,7 @@ export class ShowNotices {
 
   #dismiss(ids: readonly string[]): void {
     this.#dismissed = [...this.#dismissed, ...ids].slice(-MOST);
-    try {
-      this.storage?.setItem(KEY, JSON.stringify(this.#dismissed));
-    } catch {
-      // a private window may refuse: then it is dismissed until the next reload
-    }
+    keep(this.storage, KEY, JSON.stringify(this.#dismissed));
     this.#show();
   }
 
@@ -53,14 +48,5 @@ export class ShowNotices {
     if (open.length === this.open.length && open.every(({ id }, index) => id === this.open[index]?.id)) return;
     this.open = open;
     this.changed();
-  }
-}
-
-function readIds(storage: NoticeStorage | null): readonly string[] {
-  try {
-    const found: unknown = JSON.parse(storage?.getItem(KEY) ?? "[]");
-    return Array.isArray(found) ? found.filter((id) => typeof id === "string") : [];
-  } catch {
-    return []; // not ours, or not allowed
   }
 }

@@ -6,14 +6,84 @@ import type { Notice } from "../link/messages";
 import { ShowNotices } from "./show_notices";
 import { base, notice, palette, wanted } from "./theme";
 
-/** The browser's store, where it lets us have one. */
-function browserStorage(): Storage | null {
-  try {
-    return globalThis.localStorage;
-  } catch {
-    return null;
+const style = css`
+  :host {
+    position: fixed;
+    z-index: 6;
+    top: 58px;
+    left: 50%;
+    width: min(400px, 100vw - 16px);
+    transform: translateX(-50%);
+    pointer-events: none;
   }
-}
+  :host(.in-place),
+  :host(.in-page) {
+    position: static; /* where the page has a place for messages */
+    width: auto;
+    transform: none;
+  }
+  [role] {
+    ${notice}
+    ${wanted}
+    grid-template-columns: minmax(0, 1fr);
+    max-height: 60vh;
+    overflow: auto;
+    padding: 4px 4px 4px 12px;
+    font-size: 12.5px;
+    line-height: 1.35;
+    pointer-events: auto;
+  }
+  :host(.in-place) [role] {
+    max-height: none;
+    overflow: visible;
+    gap: 0;
+  }
+  :host(.in-place) span {
+    max-height: 5.4em; /* four lines: what is longer scrolls */
+    overflow: auto;
+    margin: 4px 0;
+    cursor: pointer;
+  }
+  :host(.in-place) div > span:only-child {
+    grid-column: 1 / -1;
+  }
+  div div {
+    display: grid;
+    grid-template-columns: minmax(0, 1fr) auto;
+    align-items: center;
+    gap: 6px;
+  }
+  div .all {
+    grid-template-columns: auto 1fr auto;
+    justify-items: start;
+  }
+  div + div:not(.all) {
+    border-top: 1px solid #ffc53d55;
+  }
+  .all button:not(.dismiss) {
+    font-size: 11px;
+    height: 28px;
+    color: var(--text);
+    white-space: nowrap;
+  }
+  @media (pointer: coarse) {
+    .all button:not(.dismiss) {
+      font-size: 11px;
+      height: 44px;
+    }
+  }
+  .all small {
+    font-size: inherit;
+  }
+  .dismiss {
+    width: 44px;
+    height: 44px;
+    color: var(--attention);
+    font-size: 16px;
+    background: none;
+    border: 0;
+  }
+`;
 
 @customElement("omote-show-notices")
 export class ShowNoticesView extends LitElement {
@@ -21,93 +91,15 @@ export class ShowNoticesView extends LitElement {
   @state() private all = false;
   /** Opens what holds all of them, on a page that has it: then this shows the newest alone. */
   openLog: (() => void) | null = null;
-  readonly notices = new ShowNotices(browserStorage(), () => {
-    this.requestUpdate();
-    this.dispatchEvent(new CustomEvent("change"));
-  });
+  readonly notices = new ShowNotices(
+    () => localStorage,
+    () => {
+      this.requestUpdate();
+      this.dispatchEvent(new CustomEvent("change"));
+    },
+  );
 
-  static override styles = [
-    palette,
-    base,
-    css`
-      :host {
-        position: fixed;
-        z-index: 6;
-        top: 58px;
-        left: 50%;
-        width: min(400px, 100vw - 16px);
-        transform: translateX(-50%);
-        pointer-events: none;
-      }
-      :host(.in-place),
-      :host(.in-page) {
-        position: static; /* where the page has a place for messages */
-        width: auto;
-        transform: none;
-      }
-      [role] {
-        ${notice}
-        ${wanted}
-        grid-template-columns: minmax(0, 1fr);
-        max-height: 60vh;
-        overflow: auto;
-        padding: 4px 4px 4px 12px;
-        font-size: 12.5px;
-        line-height: 1.35;
-        pointer-events: auto;
-      }
-      :host(.in-place) [role] {
-        max-height: none;
-        overflow: visible;
-        gap: 0;
-      }
-      :host(.in-place) span {
-        max-height: 5.4em; /* four lines: what is longer scrolls */
-        overflow: auto;
-        margin: 4px 0;
-        cursor: pointer;
-      }
-      :host(.in-place) div > span:only-child {
-        grid-column: 1 / -1;
-      }
-      div div {
-        display: grid;
-        grid-template-columns: minmax(0, 1fr) auto;
-        align-items: center;
-        gap: 6px;
-      }
-      div .all {
-        grid-template-columns: auto 1fr auto;
-        justify-items: start;
-      }
-      div + div:not(.all) {
-        border-top: 1px solid #ffc53d55;
-      }
-      .all button:not(.dismiss) {
-        font-size: 11px;
-        height: 28px;
-        color: var(--text);
-        white-space: nowrap;
-      }
-      @media (pointer: coarse) {
-        .all button:not(.dismiss) {
-          font-size: 11px;
-          height: 44px;
-        }
-      }
-      .all small {
-        font-size: inherit;
-      }
-      .dismiss {
-        width: 44px;
-        height: 44px;
-        color: var(--attention);
-        font-size: 16px;
-        background: none;
-        border: 0;
-      }
-    `,
-  ];
+  static override styles = [palette, base, style];
 
   /** Nothing to say takes no room. */
   override updated(): void {

@@ -26,6 +26,27 @@ export const palette = css`
   }
 `;
 
+/** The declarations of words that can be marked and copied. */
+export const selectable = css`
+  user-select: text;
+  -webkit-user-select: text;
+`;
+
+/** The declarations of things beside each other, in as many lines as they need. */
+export const flow = css`
+  display: flex;
+  flex-wrap: wrap;
+  align-items: center;
+`;
+
+/** The declarations of a bar over all of what it measures, from the left: empty. */
+export const emptyBar = css`
+  position: absolute;
+  inset: 0;
+  transform-origin: left;
+  transform: scaleX(0);
+`;
+
 /** The declarations of a field for text. */
 export const entry = css`
   font: inherit;
@@ -35,8 +56,7 @@ export const entry = css`
   background: #000;
   border: 1px solid var(--line);
   border-radius: 4px;
-  user-select: text;
-  -webkit-user-select: text;
+  ${selectable}
 `;
 
 /** The declarations of the box of a notice: words, and beside them what dismisses it. */
@@ -48,8 +68,7 @@ export const notice = css`
   color: var(--text);
   box-shadow: 0 6px 24px #000a;
   overflow-wrap: anywhere;
-  user-select: text;
-  -webkit-user-select: text;
+  ${selectable}
 `;
 
 /** The declarations of the box of a notice that wants attention. */
@@ -82,15 +101,56 @@ export const caption = css`
   background: var(--raised);
 `;
 
+/** Controls beside each other, in as many lines as they need. */
+export const row = css`
+  .row {
+    ${flow}
+    gap: 6px;
+  }
+`;
+
+/** The declarations of words that end in dots where there is no room. */
+export const ellipsis = css`
+  overflow: hidden;
+  text-overflow: ellipsis;
+  white-space: nowrap;
+`;
+
+/** A page of a tool: a head with its name over what it is for. */
+export const toolPage = css`
+  :host {
+    min-height: 100dvh;
+    padding: 6px;
+    background: var(--ground);
+  }
+  header {
+    ${flow}
+    gap: 4px 14px;
+    min-height: 50px;
+    padding: 4px 10px;
+  }
+  h1 {
+    margin: 0;
+    font-size: 15px;
+    letter-spacing: 0.14em;
+  }
+  a {
+    color: var(--focus);
+  }
+  .lost {
+    padding: 4px 10px;
+    border-radius: 4px;
+    font-weight: 700;
+    color: #fff;
+    background: #c3170a;
+  }
+`;
+
 /** The declarations of the thin bar at the lower edge of what it measures. */
 export const thinBar = css`
-  position: absolute;
-  left: 0;
-  right: 0;
-  bottom: 0;
+  ${emptyBar}
+  inset: auto 0 0;
   height: 3px;
-  transform-origin: left;
-  transform: scaleX(0);
 `;
 
 export const base = css`
@@ -127,8 +187,20 @@ export const base = css`
     outline: 2px solid var(--focus);
     outline-offset: 1px;
   }
-  h2 {
+  :is(h2, p, ul, ol, dd, figure, blockquote) {
     margin: 0;
+  }
+  ul,
+  ol {
+    padding: 0;
+    list-style: none;
+  }
+  input[type="range"] {
+    min-width: 0;
+    margin: 0;
+    accent-color: var(--hand);
+  }
+  h2 {
     font-size: 11px;
     font-weight: 600;
     letter-spacing: 0.12em;

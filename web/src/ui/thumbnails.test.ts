@@ -128,3 +128,18 @@ it("tries again where a picture could not be drawn for a moment", async () => {
   for (let turn = 0; turn < 5; turn += 1) await nextTurn();
   expect(one.drawn).toEqual([sitting("smile")]);
 });
+
+it("hangs a picture that it was given without drawing it, also where it was asked for before", async () => {
+  const [asked, first, second, all] = [[] as string[], canvas(), canvas(), portraits()];
+  const picture = "a picture" as unknown as CanvasImageSource;
+  all.ask(first.element, sitting("smile"));
+  all.give([
+    [sitting("smile"), picture],
+    [sitting("sad"), picture],
+  ]);
+  all.ask(second.element, sitting("sad"));
+  expect([first.drawn, second.drawn]).toEqual([[picture], [picture]]);
+  all.open(drawer(asked));
+  await nextTurn();
+  expect(asked).toEqual([]);
+});

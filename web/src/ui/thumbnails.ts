@@ -44,6 +44,12 @@ export class Thumbnails {
     void this.#work();
   }
 
+  /** Takes pictures that are there already, and shows those that were asked for before. */
+  give(pictures: Iterable<readonly [ThumbnailSubject, CanvasImageSource]>): void {
+    for (const [subject, picture] of pictures) this.#keep(subject, picture);
+    for (const [canvas, subject] of [...this.#waiting]) this.ask(canvas, subject);
+  }
+
   /** Asks for a picture on `canvas`; a newer wish for the same canvas replaces an older, whose picture fades at once. */
   ask(canvas: HTMLCanvasElement, subject: ThumbnailSubject): void {
     this.#wanted.set(canvas, keyOf(subject));
@@ -52,10 +58,10 @@ export class Thumbnails {
       this.#waiting.delete(canvas);
       return;
     }
-    const known = this.#cache.get(keyOf(subject));
-    if (known !== undefined) {
+    const cached = this.#cache.get(keyOf(subject));
+    if (cached !== undefined) {
       this.#waiting.delete(canvas);
-      this.#show(canvas, subject, known);
+      this.#show(canvas, subject, cached);
       return;
     }
     this.#waiting.set(canvas, subject);

@@ -47,22 +47,23 @@ class FakeCameras {
 }
 
 function open(cameras: FakeCameras | undefined) {
-  const told: string[] = [];
+  const events: string[] = [];
   const listener = {
-    opened: (_: MediaStream, device: string) => told.push(`opened ${device}`),
-    devices: (found: { label: string }[]) => told.push(`devices ${found.map(({ label }) => label).join()}`),
-    trouble: ({ title }: { title: string }) => told.push(title),
+    opened: (_: MediaStream, device: string) => events.push(`opened ${device}`),
+    devices: (listedCameras: { label: string }[]) =>
+      events.push(`devices ${listedCameras.map(({ label }) => label).join()}`),
+    trouble: ({ title }: { title: string }) => events.push(title),
   };
-  return { told, stream: new CameraStream(listener, WISH, (cameras ?? null) as unknown as Cameras | null) };
+  return { events, stream: new CameraStream(listener, WISH, (cameras ?? null) as unknown as Cameras | null) };
 }
 
 const settled = () => new Promise((done) => setTimeout(done));
 
 it("opens the camera that is wanted, and lists all", async () => {
   const cameras = new FakeCameras();
-  const { told, stream } = open(cameras);
+  const { events, stream } = open(cameras);
   await stream.open("front");
-  expect(told).toEqual(["opened front", "devices front"]);
+  expect(events).toEqual(["opened front", "devices front"]);
   expect(cameras.asked).toMatchObject([
     { audio: false, video: { deviceId: { exact: "front" }, width: { ideal: 1280 }, height: { ideal: 720 } } },
   ]);
@@ -79,17 +80,17 @@ it("says why there is none", async () => {
   ] as const) {
     const cameras = new FakeCameras();
     cameras.error = error;
-    const { told, stream } = open(cameras);
+    const { events, stream } = open(cameras);
     await stream.open("");
-    expect(told[0]).toBe(title);
+    expect(events[0]).toBe(title);
   }
   expect(explainTrouble("odd").advice).toContain("odd");
 });
 
 it("says what to do where the page is not secure", async () => {
-  const { told, stream } = open(undefined);
+  const { events, stream } = open(undefined);
   await stream.open("");
-  expect(told[0]).toContain("secure pages only");
+  expect(events[0]).toContain("secure pages only");
 });
 
 it("lets go of a camera that comes too late", async () => {
@@ -98,18 +99,18 @@ it("lets go of a camera that comes too late", async () => {
   cameras.allowed = new Promise((allowed) => {
     allow = allowed;
   });
-  const { told, stream } = open(cameras);
+  const { events, stream } = open(cameras);
   const first = stream.open("");
   const second = stream.open("front");
   allow();
   await Promise.all([first, second]);
   expect(cameras.tracks.map(({ stopped }) => stopped)).toEqual([true, false]);
-  expect(told.filter((what) => what.startsWith("opened"))).toHaveLength(1);
+  expect(events.filter((what) => what.startsWith("opened"))).toHaveLength(1);
 });
 
 it("has no camera once it has ended, not even one that is on its way or is plugged in then", async () => {
   const cameras = new FakeCameras();
-  const { told, stream } = open(cameras);
+  const { events, stream } = open(cameras);
   await stream.open("front");
   const another = stream.open("back");
   stream.end();
@@ -117,21 +118,21 @@ it("has no camera once it has ended, not even one that is on its way or is plugg
   cameras.changed();
   await settled();
   expect(cameras.tracks.map(({ stopped }) => stopped)).toEqual([true, true]);
-  expect(told).toEqual(["opened front", "devices front"]);
+  expect(events).toEqual(["opened front", "devices front"]);
 });
 
 it("says that a camera was unplugged, and goes on when it comes back", async () => {
   const cameras = new FakeCameras();
-  const { told, stream } = open(cameras);
+  const { events, stream } = open(cameras);
   await stream.open("front");
-  told.length = 0;
+  events.length = 0;
   cameras.plugged = [];
   cameras.tracks[0]?.onended?.();
   cameras.changed();
   await settled();
-  expect(told).toEqual([UNPLUGGED.title, "devices "]);
+  expect(events).toEqual([UNPLUGGED.title, "devices "]);
   cameras.plugged = ["front"];
   cameras.changed();
   await settled();
-  expect(told.at(-2)).toBe("opened front");
+  expect(events.at(-2)).toBe("opened front");
 });

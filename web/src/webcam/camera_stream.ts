@@ -35,9 +35,9 @@ const TROUBLES: Record<string, CameraTrouble> = {
 /** What a failed request for a camera means to a person. */
 export function explainTrouble(error: unknown): CameraTrouble {
   const name = error instanceof Error || error instanceof DOMException ? error.name : "";
-  const known = TROUBLES[name === "AbortError" ? "NotReadableError" : name];
+  const trouble = TROUBLES[name === "AbortError" ? "NotReadableError" : name];
   const said = error instanceof Error ? error.message : String(error);
-  return known ?? { title: "The camera gives no picture", advice: `The browser says: ${said}. Try again.` };
+  return trouble ?? { title: "The camera gives no picture", advice: `The browser says: ${said}. Try again.` };
 }
 
 /** The camera was there and has gone. */
@@ -60,7 +60,7 @@ export interface CameraWish {
 /** What the page is told. */
 export interface CameraListener {
   opened(stream: MediaStream, device: string): void;
-  devices(found: CameraDevice[]): void;
+  devices(cameras: CameraDevice[]): void;
   trouble(trouble: CameraTrouble): void;
 }
 
@@ -125,18 +125,18 @@ export class CameraStream {
 
   async #list(): Promise<CameraDevice[]> {
     const all = (await this.cameras?.enumerateDevices().catch(() => [])) ?? [];
-    const found = all
+    const cameras = all
       .filter(({ kind, deviceId }) => kind === "videoinput" && deviceId !== "")
       .map(({ deviceId, label }, index) => ({ id: deviceId, label: label || `Camera ${index + 1}` }));
-    this.listener.devices(found);
-    return found;
+    this.listener.devices(cameras);
+    return cameras;
   }
 
   /** A device came or went: the wanted one is opened again where there is no picture. */
   async #look(): Promise<void> {
-    const found = await this.#list();
-    if (this.#stream === null && found.length > 0) {
-      await this.open(found.some(({ id }) => id === this.#wanted) ? this.#wanted : "");
+    const cameras = await this.#list();
+    if (this.#stream === null && cameras.length > 0) {
+      await this.open(cameras.some(({ id }) => id === this.#wanted) ? this.#wanted : "");
     }
   }
 }

@@ -13,8 +13,8 @@ from typing import TypeVar
 
 import msgspec
 import numpy as np
-from numpy.typing import NDArray
 
+from omote.arrays import Floats, Values
 from omote.model.controls.net_field import NetField
 from omote.model.extraction.sheet_field import measure_field
 from omote.model.recipes.compose_expression import add_field, compose_expression
@@ -26,9 +26,7 @@ from omote.model.transfer.corrective_regions import CorrectiveRegions, find_corr
 from omote.model.transfer.paper_map import compile_expression, displace_generic
 from omote.perform.blending.correctives import Eyeballs, correct_combination, measure_allowance
 
-Values = NDArray[np.float64]
-Floats = NDArray[np.float32]
-Sources = Mapping[str, Expression]
+SourceExpressions = Mapping[str, Expression]
 
 _CACHED = 64
 """Layers whose allowance stays cached, and recipes whose correction does."""
@@ -40,23 +38,27 @@ class LayerCorrection:
     """Composes recipes on one space, their layers corrected; caches what dragged points and weights leave as it was."""
 
     def __init__(self, space: ParameterSpace) -> None:
-        self._space, self._regions = space, find_corrective_regions(space)
+        self._space = space
+        self._regions = find_corrective_regions(space)
         self._allowances: OrderedDict[Recipe, Floats] = OrderedDict()
         self._corrections: OrderedDict[Recipe, Values | None] = OrderedDict()
 
-    def compose(self, recipe: Recipe, sources: Sources, net_field: NetField, /) -> Expression:
+    def compose(self, recipe: Recipe, sources: SourceExpressions, net_field: NetField, /) -> Expression:
         """The expression of a recipe, as `compose_expression`; ground, layers and muscles may cross lids and lips,
         press lids into eyeballs and turn triangles over as far as each does alone, added up.
 
         Control points are left out of this: a dragged point stays where it was let go.
+
+        recipe: what is composed; sources: the expressions that it names; net_field: its control net.
         """
         whole = compose_expression(self._space, recipe, sources, net_field)
-        members, regions = list(_members(recipe)), self._regions
+        members = list(_members(recipe))
+        regions = self._regions
         if regions is None or len(members) < 2:
             return whole
 
         def correct() -> Values | None:
-            alone = [abs(weight) * self._allow(regions, one, sources, net_field) for one, weight in members]
+            alone = [abs(weight) * self._allow(regions, member, sources, net_field) for member, weight in members]
             allowed = np.sum(alone, axis=0)
             still = compose_expression(self._space, _still(recipe), sources, net_field)
             return correct_field(self._space, regions, still, allowed.astype(np.float32))
@@ -64,7 +66,9 @@ class LayerCorrection:
         correction = _find_once(self._corrections, _still(recipe), correct)
         return whole if correction is None else add_field(self._space, whole, correction)
 
-    def _allow(self, regions: CorrectiveRegions, member: Recipe, sources: Sources, net_field: NetField) -> Floats:
+    def _allow(
+        self, regions: CorrectiveRegions, member: Recipe, sources: SourceExpressions, net_field: NetField
+    ) -> Floats:
         def measure() -> Floats:
             alone = compose_expression(self._space, member, sources, net_field)
             generic = fit(self._space, generic_face(self._space))
@@ -79,8 +83,11 @@ def correct_field(
     """The field (V, 3) of dtheta, dh and R - 1 that corrects an expression on the generic head; None: nothing to do.
 
     allowed (regions.size,): as for `correct_combination`.
+
+    space, regions: where folds are looked for; expression: what is worn.
     """
-    worn, rest = _wear(space, expression), space.points.astype(np.float64)
+    worn = _wear(space, expression)
+    rest = space.points.astype(np.float64)
     balls = Eyeballs.of(fit(space, generic_face(space)), regions.eyes, expression.eyes)
     corrected = correct_combination(regions, rest.astype(np.float32), worn, allowed, balls)
     change = (corrected.astype(np.float64) - worn)[space.welded]
@@ -117,11 +124,11 @@ def _stack(expression: Expression) -> Values:
     return np.stack([expression.dtheta, expression.dh, expression.ratio - 1.0], axis=1)
 
 
-def _find_once(known: OrderedDict[Recipe, Found], recipe: Recipe, find: Callable[[], Found]) -> Found:
+def _find_once(cache: OrderedDict[Recipe, Found], recipe: Recipe, find: Callable[[], Found]) -> Found:
     """Finds through a cache (least recently used)."""
-    if recipe not in known:
-        known[recipe] = find()
-        if len(known) > _CACHED:
-            known.popitem(last=False)
-    known.move_to_end(recipe)
-    return known[recipe]
+    if recipe not in cache:
+        cache[recipe] = find()
+        if len(cache) > _CACHED:
+            cache.popitem(last=False)
+    cache.move_to_end(recipe)
+    return cache[recipe]

@@ -58,7 +58,10 @@ class OrderRunner:
         return net_document(self._net_field(tuple(net)))
 
     def tangents_asset(self, source: str, contents: Contents, /) -> TangentsAsset:
-        """The tangents of a face (its derivative with respect to a field); contents hold an authored face."""
+        """The tangents of a face (its derivative with respect to a field); contents hold an authored face.
+
+        source: the face's; contents: by their keys.
+        """
         return TangentsAsset(le_bytes(tangents(self._cast.space, self._face(source, contents).face), "<f4"))
 
     def _bake(self, recipe: Recipe, contents: Contents, *, with_net: bool, miss: float = 0.0) -> Baked:
@@ -69,8 +72,8 @@ class OrderRunner:
 
     def _bake_face(self, recipe: FaceRecipe, contents: Contents) -> Baked:
         named = {source: self._face(source, contents) for source in sorted(sources(recipe))}
-        made = compose_face(self._cast.space, _DRAFT, recipe, named, atlas=self._cast.atlas)
-        data = pack_face(made.face, made.look)
+        composed = compose_face(self._cast.space, _DRAFT, recipe, named, atlas=self._cast.atlas)
+        data = pack_face(composed.face, composed.look)
         return Baked(recipe, content_key(data), {content_key(data): data})
 
     def _solve(self, order: Solve) -> Baked:
@@ -78,23 +81,23 @@ class OrderRunner:
         still = msgspec.structs.replace(order.recipe, vectors=((0.0, 0.0, 1.0),) * len(order.recipe.net))
         under = self._layers.compose(still, self._load_expressions(order.recipe, order.contents), net)
         face = self._face(order.face, order.contents).face
-        found = solve_vectors(self._cast.space, face, under, net, order.vectors, order.points, order.targets)
-        vectors = tuple((float(a), float(b), float(c)) for a, b, c in found.vectors)
+        solved = solve_vectors(self._cast.space, face, under, net, order.vectors, order.points, order.targets)
+        vectors = tuple((float(a), float(b), float(c)) for a, b, c in solved.vectors)
         recipe = msgspec.structs.replace(order.recipe, vectors=vectors)
-        return self._bake(recipe, order.contents, with_net=False, miss=found.miss)
+        return self._bake(recipe, order.contents, with_net=False, miss=solved.miss)
 
     def _change_net(self, order: Renet) -> Baked:
         named = self._load_expressions(order.recipe, order.contents)
         before = None if order.recipe.ground is None else named[order.recipe.ground]
         recipe, _, ground = change_net(self._cast.space, order.recipe, before, order.net)
-        made = Contents()
+        added = Contents()
         if ground is not None and ground is not before:
             data = pack_expression(ground)
             key = content_key(data)
-            made[key] = data
+            added[key] = data
             recipe = msgspec.structs.replace(recipe, ground=KEY + key)
-        baked = self._bake(recipe, {**order.contents, **made}, with_net=True)
-        return msgspec.structs.replace(baked, contents={**made, **baked.contents})
+        baked = self._bake(recipe, {**order.contents, **added}, with_net=True)
+        return msgspec.structs.replace(baked, contents={**added, **baked.contents})
 
     def _flatten(self, order: Flat) -> Baked:
         whole = self._bake(order.recipe, order.contents, with_net=False)
@@ -105,16 +108,16 @@ class OrderRunner:
 
     def _load_expressions(self, recipe: Recipe, contents: Contents) -> dict[str, Expression]:
         """The expressions that a recipe names; ValueError where one is missing."""
-        found = {}
+        expressions = {}
         for source in sources(recipe):
             if not source.startswith(KEY) and source in self._cast.expressions:
-                found[source] = self._cast.expressions[source]
+                expressions[source] = self._cast.expressions[source]
             elif source.removeprefix(KEY) in contents:
-                found[source] = _unpack_once(self._expressions, source, contents, unpack_expression)
-        missing = sorted(sources(recipe) - found.keys())
+                expressions[source] = _unpack_once(self._expressions, source, contents, unpack_expression)
+        missing = sorted(sources(recipe) - expressions.keys())
         if missing:
             raise ValueError(f"there is no expression {missing[0]!r}: choose another layer, or import it again")
-        return found
+        return expressions
 
     def _face(self, source: str, contents: Contents) -> FaceWithLook:
         if not source.startswith(KEY) and source in self._cast.faces:
@@ -137,15 +140,15 @@ def net_document(net_field: NetField, /) -> NetDocument:
 
 
 def _unpack_once(
-    known: OrderedDict[str, Thing], source: str, contents: Mapping[str, bytes], unpack: Callable[[bytes], Thing]
+    cache: OrderedDict[str, Thing], source: str, contents: Mapping[str, bytes], unpack: Callable[[bytes], Thing]
 ) -> Thing:
     """Unpacks a content through a cache (least recently used)."""
-    if source not in known:
+    if source not in cache:
         key = source.removeprefix(KEY)
         if content_key(contents[key]) != key:
             raise ValueError(f"the content under {source!r} does not match it; expected bytes that hash to their key")
-        known[source] = unpack(contents[key])
-        if len(known) > _CACHED:
-            known.popitem(last=False)
-    known.move_to_end(source)
-    return known[source]
+        cache[source] = unpack(contents[key])
+        if len(cache) > _CACHED:
+            cache.popitem(last=False)
+    cache.move_to_end(source)
+    return cache[source]

@@ -1,20 +1,29 @@
-"""Builds the welcome message to editors: the muscles, regions and follower weights of a cast."""
+"""Builds the welcome message to editors: muscles, regions, follower weights of a cast; and the handles of its faces."""
 
 from __future__ import annotations
 
 import numpy as np
 from numpy.typing import NDArray
 
-from omote.edit.protocol.messages import EDITING_VERSION, Greeted, MuscleDocument
+from omote.arrays import Rows, Values
+from omote.edit.protocol.messages import EDITING_VERSION, Greeted, HandlesAsset, MuscleDocument
 from omote.interchange.exports.export_formats import unwritable_kinds
 from omote.model.cast import Cast
 from omote.model.controls.face_muscles import muscle_fields, muscles
+from omote.model.recipes.face_handles import default_handles
 from omote.model.space.head_regions import REGIONS, region_weights
 from omote.model.space.parameter_space import ParameterSpace
 from omote.show.wire import le_bytes
 
-Values = NDArray[np.float64]
-Rows = NDArray[np.int64]
+
+def handles_asset(space: ParameterSpace, /) -> HandlesAsset:
+    """The handles of a head by feature; pages compute their effect on a face themselves (warp.ts)."""
+    handles = default_handles(space)
+    return HandlesAsset(
+        points=[handle.row for handle in handles],
+        labels=[handle.label for handle in handles],
+        mirror=[handle.mirror for handle in handles],
+    )
 
 
 def build_welcome(cast: Cast, /) -> Greeted:
@@ -76,7 +85,8 @@ def _on_sheet(space: ParameterSpace, anchors: NDArray[np.int32], weights: Values
     own = np.tile(np.arange(space.vertex_count)[:, None], (1, theirs))
     share = np.zeros((space.vertex_count, theirs))
     share[:, 0] = 1.0
-    own[space.inner.vertices], share[space.inner.vertices] = space.inner.anchors, space.inner.weights
+    own[space.inner.vertices] = space.inner.anchors
+    share[space.inner.vertices] = space.inner.weights
     count = len(anchors)
     return own[anchors].reshape(count, -1), (weights[..., None] * share[anchors]).reshape(count, -1)
 

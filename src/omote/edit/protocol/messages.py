@@ -8,13 +8,16 @@ the page's own; `cancel` names it.
 
 from __future__ import annotations
 
-from typing import Annotated, Literal, get_args
+import sys
+from typing import Annotated, ClassVar, Literal, get_args
 
 import msgspec
 
 from omote.model.fitting.doubt import DoubtKind
 from omote.model.recipes.recipe import FaceRecipe, GainRow, Layer, Pull, Recipe, Vector  # noqa: F401  (the same)
-from omote.show.messages import Cancel, Message, Name, Notice, Notices, Progress  # noqa: F401  (the mirror has all)
+from omote.show.access.access_role import AccessRole
+from omote.show.declaration import Message, Name, kinds_below
+from omote.show.objects.link import Cancel, Notice, Notices, Progress  # noqa: F401  (the mirror has all)
 from omote.showfile.changes import Kind
 
 EDITING_VERSION = 6
@@ -33,198 +36,187 @@ Pulls = Annotated[list[Pull], msgspec.Meta(max_length=40)]
 # --- editor to server -------------------------------------------------------------------------------------------------
 
 
-class Greet(Message, frozen=True):
+class EditorMessage(Message, frozen=True):
+    """A message of an editor. access: the role that it needs."""
+
+    access: ClassVar[AccessRole] = "edit"
+
+
+class EditorRequest(EditorMessage, frozen=True):
+    """A message that is answered. request: a number of the page's own, which the answer carries."""
+
+    request: int
+
+
+class ItemRequest(EditorRequest, frozen=True):
+    """A request about an item. of_deleted: whether it may be a deleted one."""
+
+    of_deleted: ClassVar[bool] = False
+
+    item: int
+
+
+class DraftRequest(ItemRequest, frozen=True):
+    """A request that waits for what is under way at this editor's draft of the item."""
+
+
+class RecipeChange(DraftRequest, frozen=True):
+    """A request that changes the recipe of a draft: a step that can be undone."""
+
+
+class Greet(EditorMessage, frozen=True):
     """Opens the link; other messages before it are rejected. `editor` is stored by the browser, so a reload finds its
     draft."""
+
+    access = "view"
 
     editor: EditorId
     name: Name
     version: int
 
 
-class CreateExpression(Message, frozen=True):
+class CreateExpression(EditorRequest, frozen=True):
     """A new expression, opened at once; start: what it begins from, by weight (built-in names, or `#` and a content
     key; empty: neutral); on_air: from what is on air now instead."""
 
-    request: int
     label: Name
     start: dict[str, float]
     on_air: bool
 
 
-class CreateFace(Message, frozen=True):
+class CreateFace(EditorRequest, frozen=True):
     """A new face, opened at once, from a mix of faces (sources by weight); on_air: from what is on air now instead."""
 
-    request: int
     label: Name
     base: dict[str, float]
     on_air: bool
 
 
-class OpenItem(Message, frozen=True):
+class OpenItem(DraftRequest, frozen=True):
     """Opens an item: this editor's draft of it, made from its newest revision where there is none."""
 
-    request: int
-    item: int
 
-
-class CloseItem(Message, frozen=True):
+class CloseItem(DraftRequest, frozen=True):
     """Leaves an item; the draft stays."""
 
-    request: int
-    item: int
+    of_deleted = True
 
 
-class DragPoints(Message, frozen=True):
+class DragPoints(RecipeChange, frozen=True):
     """Control points (indices in the net) dropped at targets (metres, on this face): solved until they lie there.
 
     `vectors`: where the page's linearisation puts all points of the net, the start of the solve."""
 
-    request: int
-    item: int
     face: Name
     points: Rows
     targets: Vectors
     vectors: Vectors
 
 
-class SetVectors(Message, frozen=True):
+class SetVectors(RecipeChange, frozen=True):
     """Vectors of the whole net at once: numeric entry, nudges, mirror, reset. `what` goes into the history."""
 
-    request: int
-    item: int
     vectors: Vectors
     what: Text
 
 
-class SetNet(Message, frozen=True):
+class SetNet(RecipeChange, frozen=True):
     """Other control points (rows of the sheet): the field stays, the net is built anew."""
 
-    request: int
-    item: int
     net: Rows
 
 
-class SetLayers(Message, frozen=True):
+class SetLayers(RecipeChange, frozen=True):
     """The layers (weighted expressions, as of blendshapes) under the control points."""
 
-    request: int
-    item: int
     layers: Layers
 
 
-class PreviewLayers(Message, frozen=True):
+class PreviewLayers(DraftRequest, frozen=True):
     """Asks for the draft as it would be with other layers; no step. alone: these layers and nothing else, no control
     points, muscles, eyes or ground."""
 
-    request: int
-    item: int
     layers: Layers
     alone: bool
 
 
-class SetPulls(Message, frozen=True):
+class SetPulls(RecipeChange, frozen=True):
     """The muscles' contractions."""
 
-    request: int
-    item: int
     pulls: Pulls
 
 
-class SetEyes(Message, frozen=True):
+class SetEyes(RecipeChange, frozen=True):
     """Eyeballs' angles (left yaw, pitch, right yaw, pitch, radians) and pupils."""
 
-    request: int
-    item: int
     eyes: tuple[float, float, float, float]
     pupil: float
 
 
-class Flatten(Message, frozen=True):
+class Flatten(RecipeChange, frozen=True):
     """Bakes layers, muscles and control points into one field, on which the points stand at rest again; muted layers
     stay as they are."""
 
-    request: int
-    item: int
 
-
-class SetFace(Message, frozen=True):
+class SetFace(RecipeChange, frozen=True):
     """The whole recipe of a face. `what` goes into the history."""
 
-    request: int
-    item: int
     recipe: FaceRecipe
     what: Text
 
 
-class Undo(Message, frozen=True):
+class Undo(DraftRequest, frozen=True):
     """One step back in the draft."""
 
-    request: int
-    item: int
 
-
-class Redo(Message, frozen=True):
+class Redo(DraftRequest, frozen=True):
     """One step forward again."""
 
-    request: int
-    item: int
 
-
-class Save(Message, frozen=True):
+class Save(DraftRequest, frozen=True):
     """Makes the draft a revision, which plays from now on, unless another editor saved meanwhile: then it is kept
     aside."""
 
-    request: int
-    item: int
     note: Text
 
 
-class BringBack(Message, frozen=True):
+class BringBack(DraftRequest, frozen=True):
     """Makes an old revision (one aside too) the newest step of the draft; saving it makes it play."""
 
-    request: int
-    item: int
     revision: int
 
 
-class Describe(Message, frozen=True):
+class Describe(ItemRequest, frozen=True):
     """The label, tags and place of an item."""
 
-    request: int
-    item: int
     label: Name
     tags: Tags
     place: float
 
 
-class Duplicate(Message, frozen=True):
+class Duplicate(ItemRequest, frozen=True):
     """A new item with the newest revision of another, under another label."""
 
-    request: int
-    item: int
     label: Name
 
 
-class Delete(Message, frozen=True):
+class Delete(ItemRequest, frozen=True):
     """Takes an item out of the cast; its revisions stay. Refused while it is on air."""
 
-    request: int
-    item: int
+    of_deleted = True
 
 
-class Restore(Message, frozen=True):
+class Restore(ItemRequest, frozen=True):
     """Undoes a deletion."""
 
-    request: int
-    item: int
+    of_deleted = True
 
 
-class AskHistory(Message, frozen=True):
+class AskHistory(ItemRequest, frozen=True):
     """Asks for the revisions of an item."""
 
-    request: int
-    item: int
+    access = "view"
+    of_deleted = True
 
 
 # --- server to editor -------------------------------------------------------------------------------------------------
@@ -373,35 +365,11 @@ class EditRefused(Message, frozen=True, tag="refused"):
     reason: str
 
 
-FromEditor = (
-    Greet
-    | CreateExpression
-    | CreateFace
-    | OpenItem
-    | CloseItem
-    | DragPoints
-    | SetVectors
-    | SetNet
-    | SetLayers
-    | PreviewLayers
-    | SetPulls
-    | SetEyes
-    | Flatten
-    | SetFace
-    | Undo
-    | Redo
-    | Save
-    | BringBack
-    | Describe
-    | Duplicate
-    | Delete
-    | Restore
-    | AskHistory
-    | Cancel
-)
+FromEditor = EditorMessage | Cancel
 ToEditor = Greeted | Items | DraftState | Previewed | Saved | History | Done | EditRefused | Notices | Progress
 
-EDITOR_MESSAGES: tuple[type[Message], ...] = get_args(FromEditor)
+EDITOR_MESSAGES: tuple[type[Message], ...] = (*kinds_below(EditorMessage, [sys.modules[__name__]]), Cancel)
+"""The kinds of messages of an editor, in the order of their declaration."""
 ANSWERS: tuple[type[Message], ...] = get_args(ToEditor)
 
 

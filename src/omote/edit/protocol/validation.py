@@ -27,8 +27,12 @@ AMOUNT = Quantity("the amount of caricature", 0.0, MOST_AMOUNT)
 MOVE = Quantity("a handle's move (metres)", -0.5, 0.5)
 PLACE = Quantity("a place in the list", -1e9, 1e9)
 
-FEWEST_POINTS, MOST_POINTS = 3, 400
-MOST_LAYERS, MOST_PULLS, MOST_FACES, MOST_GAINS = 200, 40, 40, 400
+FEWEST_POINTS = 3
+MOST_POINTS = 400
+MOST_LAYERS = 200
+MOST_PULLS = 40
+MOST_FACES = 40
+MOST_GAINS = 400
 LONGEST_LABEL = 200
 _UNITY = 1e-3
 """How far the weights of a mix of faces may sum from one."""
@@ -43,7 +47,10 @@ class Bounds:
 
 
 def check_recipe(recipe: Recipe | FaceRecipe, bounds: Bounds) -> None:
-    """Validates a recipe; Refusal where a number is out of range, or something that it names does not exist."""
+    """Validates a recipe; Refusal where a number is out of range, or something that it names does not exist.
+
+    recipe: of an editor; bounds: what it may name.
+    """
     if isinstance(recipe, FaceRecipe):
         _check_face(recipe, bounds)
     else:
@@ -58,7 +65,10 @@ def check_targets(targets: Iterable[Vector]) -> None:
 
 
 def check_vectors(vectors: Sequence[Vector], net: Sequence[int]) -> None:
-    """Refusal where there is not one vector for each control point, or one of them is out of range."""
+    """Rejects, by Refusal, other than one vector for each control point, and one that is out of range.
+
+    vectors: dtheta, dh and R; net: rows of the skin.
+    """
     if len(vectors) != len(net):
         raise Refusal(f"there are {len(vectors)} vectors for {len(net)} control points: send one for each.")
     for dtheta, dh, ratio in vectors:
@@ -68,7 +78,10 @@ def check_vectors(vectors: Sequence[Vector], net: Sequence[int]) -> None:
 
 
 def check_net(net: Sequence[int], bounds: Bounds) -> None:
-    """Refusal where control points are too few or many, stand on one vertex, or off the sheet."""
+    """Rejects, by Refusal, control points that are too few or many, stand on one vertex, or off the sheet.
+
+    net: rows of the skin; bounds: what it may name.
+    """
     if not FEWEST_POINTS <= len(net) <= MOST_POINTS:
         raise Refusal(f"there are {len(net)} control points: a net has {FEWEST_POINTS} to {MOST_POINTS}.")
     _check_rows(net, len(bounds.on_sheet), "control point")

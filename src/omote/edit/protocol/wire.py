@@ -2,19 +2,28 @@
 
 from __future__ import annotations
 
+from typing import Union
+
 import msgspec
 
-from omote.edit.protocol.messages import EDITING_LIMIT, FromEditor, HandlesAsset, TangentsAsset, ToEditor
+from omote.edit.protocol.messages import (
+    EDITING_LIMIT,
+    EDITOR_MESSAGES,
+    EditorMessage,
+    FromEditor,
+    HandlesAsset,
+    TangentsAsset,
+    ToEditor,
+)
 from omote.edit.protocol.orders import Baked
 from omote.interchange.formats.error_reasons import explain_error
 from omote.model.recipes.recipe import FaceRecipe, Recipe
-from omote.show.access.access_role import HIGHEST, AccessRole
-from omote.show.access.message_roles import EDITOR_MESSAGES, check_message
+from omote.show.access.access_role import HIGHEST, AccessRole, explain_missing_role, role_allows
 from omote.show.validation import Refusal
 from omote.show.wire import message_in
 
 _encoder = msgspec.msgpack.Encoder()
-_from_editor: msgspec.msgpack.Decoder[FromEditor] = msgspec.msgpack.Decoder(FromEditor)
+_from_editor: msgspec.msgpack.Decoder[FromEditor] = msgspec.msgpack.Decoder(Union[EDITOR_MESSAGES])  # noqa: UP007  (of a tuple)
 _to_editor: msgspec.msgpack.Decoder[ToEditor] = msgspec.msgpack.Decoder(ToEditor)
 _baked = msgspec.msgpack.Decoder(Baked)
 _recipe: msgspec.json.Decoder[Recipe | FaceRecipe] = msgspec.json.Decoder(Recipe | FaceRecipe)
@@ -27,8 +36,15 @@ def encode(message: FromEditor | ToEditor | TangentsAsset | HandlesAsset | Baked
 
 
 def decode(data: bytes, role: AccessRole = HIGHEST) -> FromEditor:
-    """Decodes an editor's message; Refusal for invalid bytes, and for what the role of its sender does not allow."""
-    return check_message(EDITOR_MESSAGES, role, message_in(data, _from_editor, EDITING_LIMIT))
+    """Decodes an editor's message; Refusal where it cannot be read, or its sender may not send it.
+
+    data: MessagePack; role: of the sender.
+    """
+    message = message_in(data, _from_editor, EDITING_LIMIT)
+    needed = message.access if isinstance(message, EditorMessage) else EditorMessage.access  # `cancel`, of both links
+    if not role_allows(role, needed):
+        raise Refusal(explain_missing_role(role, needed))
+    return message
 
 
 class _Numbered(msgspec.Struct):

@@ -45,7 +45,10 @@ class DraftQueues:
         return False
 
     def start_order(self, task: Task, plan: Plan) -> tuple[int, EditOrder]:
-        """Numbers a plan's order; its queue is busy until `finish_order`."""
+        """Numbers a plan's order; its queue is busy until `finish_order`.
+
+        task: what was asked; plan: its order, and what follows.
+        """
         self._ordered += 1
         self._under_way[self._ordered] = task, plan
         if task.queue is not None:

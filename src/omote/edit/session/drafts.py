@@ -15,16 +15,20 @@ from omote.edit.protocol.wire import read_recipe, write_recipe
 from omote.edit.session.plan import Authored, Plan, Result
 from omote.edit.store.authored_state import AuthoredState, DraftKey
 from omote.model.recipes.recipe import KEY, FaceRecipe, Recipe
-from omote.show.messages import Message
+from omote.show.declaration import Message
 from omote.show.validation import Refusal
-from omote.showfile.changes import Draft, Edit, Item, PutDraft, PutEdit
+from omote.showfile.changes import Draft, Edit, Item
 
 Shown = Recipe | FaceRecipe
 
 
 def open_item(authored: Authored, item: Item, editor: str) -> Plan:
-    """Opens the editor's draft of an item, or makes one from the revision that plays."""
-    state, key = authored.state, (item.id, editor)
+    """Opens the editor's draft of an item, or makes one from the revision that plays.
+
+    authored: what is there; item: what is opened; editor: whose draft.
+    """
+    state = authored.state
+    key = (item.id, editor)
     head = state.head(item)
     if key in state.drafts and (head is None or not _is_outdated(state, key)):
         recipe = read_recipe(state.shown_edit(key).recipe)
@@ -36,15 +40,19 @@ def open_item(authored: Authored, item: Item, editor: str) -> Plan:
 
 
 def begin(authored: Authored, item: Item, editor: str, recipe: Shown, what: str, *, base: int) -> Plan:
-    """Begins a draft with a recipe; where the editor has one already, adds a step to it."""
+    """Begins a draft with a recipe; where the editor has one already, adds a step to it.
+
+    authored: what is there; item, editor: of the draft; recipe: what it begins with; what: for the history; base:
+    the revision that it is of.
+    """
     key = item.id, editor
 
     def finish(baked: Baked) -> Result:
         number = authored.state.drafts[key].cursor + 1 if key in authored.state.drafts else 0
         changes = (
             *authored.changes_to_keep(baked.recipe),
-            PutDraft(Draft(item.id, editor, base, number)),
-            PutEdit(Edit(item.id, editor, number, write_recipe(baked.recipe), what)),
+            Draft(item.id, editor, base, number),
+            Edit(item.id, editor, number, write_recipe(baked.recipe), what),
         )
         return Result(changes, draft=key, opened=item.id, whole=True)
 
@@ -52,7 +60,10 @@ def begin(authored: Authored, item: Item, editor: str, recipe: Shown, what: str,
 
 
 def edit(authored: Authored, key: DraftKey, message: Message) -> Plan:
-    """Adds a step to a draft, as the request says."""
+    """Adds a step to a draft, as the request says.
+
+    authored: what is there; key: of the draft; message: the change of its recipe.
+    """
     recipe = read_recipe(authored.state.shown_edit(key).recipe)
     if isinstance(recipe, FaceRecipe) != isinstance(message, wire.SetFace):
         kind, other = ("face", "an expression") if isinstance(recipe, FaceRecipe) else ("expression", "a face")
@@ -62,7 +73,10 @@ def edit(authored: Authored, key: DraftKey, message: Message) -> Plan:
 
 
 def preview_layers(authored: Authored, key: DraftKey, wanted: wire.PreviewLayers) -> Plan:
-    """Makes what a draft would be with other layers, without a step; the answer names its content."""
+    """Makes what a draft would be with other layers, without a step; the answer names its content.
+
+    authored: what is there; key: of the draft; wanted: the request.
+    """
     recipe = read_recipe(authored.state.shown_edit(key).recipe)
     if isinstance(recipe, FaceRecipe):
         raise Refusal(f"item {key[0]} is a face: only expressions have layers.")
@@ -73,19 +87,26 @@ def preview_layers(authored: Authored, key: DraftKey, wanted: wire.PreviewLayers
 
 
 def step(authored: Authored, key: DraftKey, steps: int) -> Plan:
-    """Moves the draft's cursor: -1 undoes a step, 1 redoes one."""
-    draft, edits = authored.state.drafts[key], authored.state.edits[key]
+    """Moves the draft's cursor: -1 undoes a step, 1 redoes one.
+
+    authored: what is there; key: of the draft; steps: how far.
+    """
+    draft = authored.state.drafts[key]
+    edits = authored.state.edits[key]
     cursor = draft.cursor + steps
     if not 0 <= cursor < len(edits):
         raise Refusal("there is nothing to undo: this is how the draft began." if steps < 0 else "nothing was undone.")
     now, then = (read_recipe(edits[place].recipe) for place in (draft.cursor, cursor))
     whole = _net(now) != _net(then)
-    changes = (PutDraft(replace(draft, cursor=cursor)),)
+    changes = (replace(draft, cursor=cursor),)
     return Plan(authored.bake(then, with_net=whole), lambda _: Result(changes, draft=key, whole=whole))
 
 
 def bring_back(authored: Authored, key: DraftKey, number: int) -> Plan:
-    """Adds a step to a draft that restores an old revision."""
+    """Adds a step to a draft that restores an old revision.
+
+    authored: what is there; key: of the draft; number: of the revision.
+    """
     revision = authored.state.revisions.get(key[0], {}).get(number)
     if revision is None:
         raise Refusal(f"there is no revision {number}: open the history again.")
@@ -95,8 +116,12 @@ def bring_back(authored: Authored, key: DraftKey, number: int) -> Plan:
 
 
 def is_dirty(state: AuthoredState, key: DraftKey) -> bool:
-    """Whether a draft differs from the revision that it is based on."""
-    base, shown = state.revisions.get(key[0], {}).get(state.drafts[key].base), state.shown_edit(key)
+    """Whether a draft differs from the revision that it is based on.
+
+    state: the authored work; key: of the draft.
+    """
+    base = state.revisions.get(key[0], {}).get(state.drafts[key].base)
+    shown = state.shown_edit(key)
     if base is None or base.recipe == shown.recipe:
         return base is None
     try:  # what another program wrote may be the same recipe in other bytes, or none that can be read
@@ -106,7 +131,10 @@ def is_dirty(state: AuthoredState, key: DraftKey) -> bool:
 
 
 def find_unsaved(state: AuthoredState, editor: str) -> list[int]:
-    """The items, not deleted, of which an editor has a draft that is not saved."""
+    """The items, not deleted, of which an editor has a draft that is not saved.
+
+    state: the authored work; editor: whose drafts.
+    """
     keys = sorted(key for key in state.drafts if key[1] == editor)
     return [key[0] for key in keys if not state.items[key[0]].deleted and is_dirty(state, key)]
 
@@ -129,18 +157,15 @@ def _open_unsaved(authored: Authored, item: Item, editor: str) -> Plan:
 
 
 def _add_step(authored: Authored, key: DraftKey, baked: Baked, what: str) -> Result:
-    draft, shown = authored.state.drafts[key], authored.state.shown_edit(key)
+    draft = authored.state.drafts[key]
+    shown = authored.state.shown_edit(key)
     check_recipe(baked.recipe, authored.bounds)
     data = write_recipe(baked.recipe)
     if data == shown.recipe:
         return Result(draft=key, miss=baked.miss)
     whole = _net(read_recipe(shown.recipe)) != _net(baked.recipe)
     number = draft.cursor + 1
-    changes = (
-        *authored.changes_to_keep(baked.recipe),
-        PutEdit(Edit(*key, number, data, what)),
-        PutDraft(replace(draft, cursor=number)),
-    )
+    changes = (*authored.changes_to_keep(baked.recipe), Edit(*key, number, data, what), replace(draft, cursor=number))
     return Result(changes, draft=key, whole=whole, miss=baked.miss)
 
 

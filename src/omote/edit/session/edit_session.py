@@ -25,18 +25,19 @@ from omote.edit.session.saving import Author
 from omote.edit.store.authored_state import AuthoredState, DraftKey
 from omote.edit.store.content_store import ContentStore
 from omote.edit.store.on_air_recipes import OnAir
-from omote.edit.store.sources import Sources
+from omote.edit.store.sources import SourceResolver
 from omote.model.cast import Cast
 from omote.model.recipes.recipe import KEY
 from omote.show.access.access_role import HIGHEST, AccessRole
-from omote.show.messages import Cancel, Message
+from omote.show.declaration import Message
+from omote.show.objects.link import Cancel
 from omote.show.validation import Refusal
 from omote.showfile.changes import Change, Stored
 from omote.stage_data.playing_cast import Own, digest_of
 
 
 @dataclass(frozen=True)
-class Outgoing:
+class EditorReply:
     """A message for one editor."""
 
     who: str
@@ -50,14 +51,14 @@ class Outcome:
 
     orders: tuple[tuple[int, EditOrder], ...] = ()
     changes: tuple[Change, ...] = ()
-    replies: tuple[Outgoing, ...] = ()
+    replies: tuple[EditorReply, ...] = ()
     cast: bool = False
     kept: tuple[KeepOutcome, ...] = ()
     cancelled: tuple[str, ...] = ()
 
 
 @dataclass(frozen=True)
-class Member:
+class EditorMember:
     """A connected editor page: its editor's id and name, and the items that it has open."""
 
     editor: str
@@ -71,7 +72,7 @@ class _Answer:
 
     orders: list[tuple[int, EditOrder]] = field(default_factory=list)
     changes: list[Change] = field(default_factory=list)
-    replies: list[Outgoing] = field(default_factory=list)
+    replies: list[EditorReply] = field(default_factory=list)
     kept: list[KeepOutcome] = field(default_factory=list)
     cancelled: list[str] = field(default_factory=list)
     greeted: str | None = None
@@ -86,24 +87,19 @@ class EditSession:
     """
 
     def __init__(
-        self,
-        base: Cast,
-        stored: Stored,
-        contents: Mapping[str, bytes],
-        *,
-        net: tuple[int, ...],
-        welcome: wire.Greeted,
+        self, base: Cast, stored: Stored, contents: Mapping[str, bytes], *, net: tuple[int, ...], welcome: wire.Greeted
     ) -> None:
-        state, store = AuthoredState(stored), ContentStore(contents)
+        state = AuthoredState(stored)
+        store = ContentStore(contents)
         for revision in stored.revisions:
             with suppress(Refusal):  # one unreadable recipe does not affect the others
                 store.remember_recipe(write_recipe(read_recipe(revision.recipe)), revision.content)
         bounds = Bounds(base.space.on_sheet, frozenset(muscle.name for muscle in welcome.muscles))
-        self.authored = Authored(base, state, store, Sources(base, state, store), bounds, net)
+        self.authored = Authored(base, state, store, SourceResolver(base, state, store), bounds, net)
         self._welcome = welcome
         self.show = ""
         self.refused = 0
-        self.crew: dict[str, Member] = {}
+        self.crew: dict[str, EditorMember] = {}
         self._queues = DraftQueues()
         self._digest = digest_of(base.digest, self.own())
         self._sent = items.list_items(state, self._digest, self._editors)
@@ -127,7 +123,10 @@ class EditSession:
         return self.authored.state.stored()
 
     def receive_bytes(self, who: str, data: bytes, wall: float, on_air: OnAir, role: AccessRole = HIGHEST) -> Outcome:
-        """Handles the bytes of an editor; wall: seconds since 1970, shown in histories; role: of who sends them."""
+        """Handles the bytes of an editor; wall: seconds since 1970, shown in histories; role: of who sends them.
+
+        who: the link; data: a message; on_air: what shows now.
+        """
         answer = _Answer()
         try:
             message = decode(data, role)
@@ -142,8 +141,12 @@ class EditSession:
         return self._outcome(answer)
 
     def finish_order(self, order: int, result: bytes | str | None) -> Outcome:
-        """Handles a finished order: the workshop's answer, or why there is none (a sentence, or None)."""
-        answer, finished = _Answer(), self._queues.finish_order(order)
+        """Handles a finished order: the workshop's answer, or why there is none (a sentence, or None).
+
+        order: its number; result: the bytes of `Baked`.
+        """
+        answer = _Answer()
+        finished = self._queues.finish_order(order)
         if finished is not None:
             task, plan = finished
             try:
@@ -159,8 +162,12 @@ class EditSession:
         return self._outcome(_Answer(listed=True))
 
     def carry_out(self, begin: Callable[[], Plan | Result], ticket: str, queue: DraftKey | None = None) -> Outcome:
-        """Carries out what a console asks, after what waits in the queue; `Outcome.kept` tells of it by the ticket."""
-        answer, task = _Answer(), Task(queue, begin, ticket=ticket)
+        """Carries out what a console asks, after what waits in the queue; `Outcome.kept` tells of it by the ticket.
+
+        begin: does it, or plans it; ticket: the asker's; queue: None for at once.
+        """
+        answer = _Answer()
+        task = Task(queue, begin, ticket=ticket)
         try:
             self._start(answer, task)
         except Refusal as refusal:
@@ -173,8 +180,9 @@ class EditSession:
         if greet.version != wire.EDITING_VERSION:
             versions = f"version {greet.version}, the server {wire.EDITING_VERSION}"
             raise Refusal(f"the page speaks {versions}: reload the page.")
-        self.crew[who] = Member(greet.editor, clean_label(greet.name, "your name"), {})
-        answer.greeted, answer.listed = who, True
+        self.crew[who] = EditorMember(greet.editor, clean_label(greet.name, "your name"), {})
+        answer.greeted = who
+        answer.listed = True
 
     def _task(self, who: str, message: Message, wall: float, on_air: OnAir) -> Task:
         member = self.crew.get(who)
@@ -194,11 +202,11 @@ class EditSession:
         try:
             plan = task.begin()
             if isinstance(plan, Plan):
-                known = self.authored.store.recall(plan.order)
-                if known is None:
+                recalled = self.authored.store.recall(plan.order)
+                if recalled is None:
                     answer.orders.append(self._queues.start_order(task, plan))
                     return False
-                plan = plan.finish(known)
+                plan = plan.finish(recalled)
             self._carry_out(answer, task, plan)
         except Refusal as refusal:
             self._fail(answer, task, refusal)
@@ -213,7 +221,8 @@ class EditSession:
         """Decodes the workshop's answer and stores its contents; Refusal where there is none."""
         if not isinstance(result, bytes):
             raise Refusal(result or "the workshop gave no answer: try again.")
-        baked, store = decode_baked(result), self.authored.store
+        baked = decode_baked(result)
+        store = self.authored.store
         if baked.key not in baked.contents and baked.key not in store:
             raise Refusal("the workshop's answer is without its content: try again.")
         store.remember_result(plan.order, baked)
@@ -229,7 +238,7 @@ class EditSession:
         if member is not None and result.closed is not None:
             member.open.pop(result.closed, None)
         if result.reply is not None:
-            answer.replies.append(Outgoing(task.who, result.reply))
+            answer.replies.append(EditorReply(task.who, result.reply))
         if result.kept is not None:
             answer.kept.append(result.kept)
         if result.draft is not None:
@@ -241,14 +250,16 @@ class EditSession:
         """Sends the draft's state to the asker, and to the editor's other windows where it changed."""
         state = self._state(key, whole=result.whole, miss=result.miss)
         request = task.request if result.reply is None else -1
-        answer.replies.append(Outgoing(task.who, replace(state, request=request)))
+        answer.replies.append(EditorReply(task.who, replace(state, request=request)))
         for who, member in self.crew.items():
             if who != task.who and member.editor == key[1] and key[0] in member.open and result.changes:
-                answer.replies.append(Outgoing(who, state))
+                answer.replies.append(EditorReply(who, state))
 
     def _state(self, key: DraftKey, *, whole: bool, miss: float) -> wire.DraftState:
-        state, store = self.authored.state, self.authored.store
-        draft, shown = state.drafts[key], state.shown_edit(key)
+        state = self.authored.state
+        store = self.authored.store
+        draft = state.drafts[key]
+        shown = state.shown_edit(key)
         recipe = read_recipe(shown.recipe)
         return wire.DraftState(
             request=-1,
@@ -278,7 +289,7 @@ class EditSession:
 
     def _refuse(self, answer: _Answer, who: str, request: int, refusal: Refusal) -> None:
         self.refused += 1
-        answer.replies.append(Outgoing(who, wire.EditRefused(request, str(refusal))))
+        answer.replies.append(EditorReply(who, wire.EditRefused(request, str(refusal))))
 
     def _outcome(self, answer: _Answer) -> Outcome:
         """Completes the outcome: adds the list of all items for every editor where it has changed."""
@@ -289,12 +300,13 @@ class EditSession:
         if answer.greeted is not None:
             unsaved = drafts.find_unsaved(self.authored.state, self.crew[answer.greeted].editor)
             welcome = replace(self._welcome, version=wire.EDITING_VERSION, digest=self._digest, show=self.show)
-            answer.replies.append(Outgoing(answer.greeted, replace(welcome, items=listed.items, unsaved=unsaved)))
+            answer.replies.append(EditorReply(answer.greeted, replace(welcome, items=listed.items, unsaved=unsaved)))
         if listed != self._sent:
-            answer.replies += [Outgoing(who, listed) for who in self.crew if who != answer.greeted]
+            answer.replies += [EditorReply(who, listed) for who in self.crew if who != answer.greeted]
             self._sent = listed
         replies = tuple(
-            each for each in answer.replies if each.who in self.crew or isinstance(each.message, wire.EditRefused)
+            reply for reply in answer.replies if reply.who in self.crew or isinstance(reply.message, wire.EditRefused)
         )
-        changes, cast = tuple(answer.changes), self._digest != before
+        changes = tuple(answer.changes)
+        cast = self._digest != before
         return Outcome(tuple(answer.orders), changes, replies, cast, tuple(answer.kept), tuple(answer.cancelled))

@@ -12,10 +12,10 @@ from omote.edit.protocol.orders import Bake, Baked, EditOrder
 from omote.edit.protocol.validation import Bounds, check_recipe
 from omote.edit.store.authored_state import AuthoredState, DraftKey
 from omote.edit.store.content_store import ContentStore
-from omote.edit.store.sources import Sources
+from omote.edit.store.sources import SourceResolver
 from omote.model.cast import Cast
 from omote.model.recipes.recipe import KEY, FaceRecipe, Recipe, sources
-from omote.showfile.changes import Change, Kind, PutItem
+from omote.showfile.changes import Change, Item, Kind
 from omote.stage_data.assets import face_label
 
 
@@ -29,18 +29,21 @@ class Authored:
     base: Cast
     state: AuthoredState
     store: ContentStore
-    sources: Sources
+    sources: SourceResolver
     bounds: Bounds
     net: tuple[int, ...]
 
     def resolve_and_check(self, recipe: Recipe | FaceRecipe) -> Recipe | FaceRecipe:
         """Resolves a recipe's sources and validates it; Refusal where it is invalid."""
-        found = self.sources.resolve_recipe(recipe)
-        check_recipe(found, self.bounds)
-        return found
+        resolved = self.sources.resolve_recipe(recipe)
+        check_recipe(resolved, self.bounds)
+        return resolved
 
     def bake(self, recipe: Recipe | FaceRecipe, *, with_net: bool = False) -> Bake:
-        """The order that makes a recipe's expression or face."""
+        """The order that makes a recipe's expression or face.
+
+        recipe: resolved; with_net: whether the document of its net is asked for.
+        """
         return Bake(recipe, self.sources.contents(recipe), with_net and isinstance(recipe, Recipe))
 
     def changes_to_keep(self, recipe: Recipe | FaceRecipe) -> tuple[Change, ...]:
@@ -49,11 +52,14 @@ class Authored:
         return tuple(change for key in keys for change in self.store.changes_to_keep(key))
 
     def labels(self, kind: Kind, *, but: int = 0) -> list[str]:
-        """The labels of the faces or the expressions that can be called; but: an item that does not count."""
-        own = [each for each in self.state.items.values() if each.kind == kind and not each.deleted and each.id != but]
+        """The labels of the faces or the expressions that can be called; but: an item that does not count.
+
+        kind: faces or expressions.
+        """
+        own = [item for item in self.state.items.values() if item.kind == kind and not item.deleted and item.id != but]
         titles = [title.label for title in self.base.titles.values()]
         built_in = [face_label(name) for name in self.base.faces] if kind == "face" else titles
-        return [*built_in, *(each.label for each in own)]
+        return [*built_in, *(item.label for item in own)]
 
     def names(self) -> set[str]:
         """All names that are taken."""
@@ -96,7 +102,7 @@ class Result:
     def lists(self) -> bool:
         """Whether the list of items may have changed."""
         moved = self.opened is not None or self.closed is not None
-        return moved or any(isinstance(change, PutItem) for change in self.changes)
+        return moved or any(isinstance(change, Item) for change in self.changes)
 
 
 @dataclass(frozen=True)

@@ -14,7 +14,7 @@ from omote.edit.session.saving import Author
 from omote.edit.store.authored_state import DraftKey
 from omote.edit.store.on_air_recipes import OnAir, expression_recipe, face_recipe, recipe_on_air
 from omote.model.recipes.recipe import FaceRecipe, Recipe
-from omote.show.messages import Message
+from omote.show.declaration import Message
 from omote.show.validation import Refusal
 from omote.showfile.changes import Item
 
@@ -34,7 +34,7 @@ class RequestContext:
         item = self.authored.state.items.get(self.message.item)
         if item is None:
             raise Refusal(f"there is no item {self.message.item}: choose one from the list.")
-        if item.deleted and not isinstance(self.message, OF_DELETED_ITEMS):
+        if item.deleted and not self.message.of_deleted:
             raise Refusal(f"{item.label!r} was deleted: restore it first.")
         return item
 
@@ -48,10 +48,13 @@ class RequestContext:
 
 
 def queue_key(message: Message, editor: str) -> DraftKey | None:
-    """The queue of a request: its draft, or all new items of its editor; None: it waits for nothing."""
+    """The queue of a request: its draft, or all new items of its editor; None: it waits for nothing.
+
+    message: the request; editor: who sends it.
+    """
     if isinstance(message, wire.CreateExpression | wire.CreateFace):
         return 0, editor
-    return (getattr(message, "item", 0), editor) if isinstance(message, OF_DRAFTS) else None
+    return (message.item, editor) if isinstance(message, wire.DraftRequest) else None
 
 
 def answer(context: RequestContext) -> Plan | Result:
@@ -60,7 +63,8 @@ def answer(context: RequestContext) -> Plan | Result:
 
 
 def _create_expression(context: RequestContext) -> Plan:
-    authored, wanted = context.authored, context.message
+    authored = context.authored
+    wanted = context.message
     if wanted.on_air:
         recipe = recipe_on_air("expression", context.on_air, authored.net, authored.sources)
     else:
@@ -69,7 +73,8 @@ def _create_expression(context: RequestContext) -> Plan:
 
 
 def _create_face(context: RequestContext) -> Plan:
-    authored, wanted = context.authored, context.message
+    authored = context.authored
+    wanted = context.message
     recipe: Recipe | FaceRecipe = face_recipe(context.on_air.faces if wanted.on_air else wanted.base, authored.sources)
     return saving.create(authored, "face", wanted.label, recipe, context.author.editor)
 
@@ -113,8 +118,3 @@ ANSWERS: Mapping[type[Message], Callable[[RequestContext], Plan | Result]] = {
     wire.AskHistory: lambda context: items.history(context.authored.state, context.item, context.message.request),
 }
 """The handler of each request; the session itself handles `greet`."""
-
-OF_DRAFTS: tuple[type[Message], ...] = (
-    wire.OpenItem, wire.CloseItem, *drafts.EDITS, wire.PreviewLayers, wire.Undo, wire.Redo, wire.Save, wire.BringBack
-)  # fmt: skip
-OF_DELETED_ITEMS: tuple[type[Message], ...] = (wire.CloseItem, wire.Delete, wire.Restore, wire.AskHistory)

@@ -14,18 +14,7 @@ from omote.edit.session.drafts import is_dirty
 from omote.edit.session.plan import Authored, KeepOutcome, Plan, Result
 from omote.edit.store.authored_state import DraftKey
 from omote.model.recipes.recipe import FaceRecipe, Recipe
-from omote.showfile.changes import (
-    Change,
-    Draft,
-    Edit,
-    Item,
-    Kind,
-    PutDraft,
-    PutEdit,
-    PutItem,
-    PutRevision,
-    Revision,
-)
+from omote.showfile.changes import Change, Draft, Edit, Item, Kind, Revision
 
 
 @dataclass(frozen=True)
@@ -38,7 +27,11 @@ class Author:
 
 
 def save(authored: Authored, item: Item, author: Author, request: int, note: str, *, on_air: bool) -> Plan | Result:
-    """Saves a draft as the next revision; nothing where it holds no changes. on_air: whether the item is seen now."""
+    """Saves a draft as the next revision; nothing where it holds no changes. on_air: whether the item is seen now.
+
+    authored: what is there; item, author: whose draft of what; request: the number to answer to; note: for the
+    history.
+    """
     key = item.id, author.editor
     if not is_dirty(authored.state, key):
         return Result(reply=_nothing_new_reply(authored, item, key, request))
@@ -47,16 +40,20 @@ def save(authored: Authored, item: Item, author: Author, request: int, note: str
 
 
 def create(authored: Authored, kind: Kind, label: str, recipe: Recipe | FaceRecipe, editor: str) -> Plan:
-    """Creates an unsaved item and the editor's draft of it."""
-    label, recipe = clean_label(label), authored.resolve_and_check(recipe)
+    """Creates an unsaved item and the editor's draft of it.
+
+    authored: what is there; kind, label: of the item; recipe: what the draft begins with; editor: whose.
+    """
+    label = clean_label(label)
+    recipe = authored.resolve_and_check(recipe)
 
     def finish(baked: Baked) -> Result:
         item = _new_item(authored, kind, label)
         changes = (
             *authored.changes_to_keep(baked.recipe),
-            PutItem(item),
-            PutDraft(Draft(item.id, editor, base=0, cursor=0)),
-            PutEdit(Edit(item.id, editor, 0, write_recipe(baked.recipe), "new")),
+            item,
+            Draft(item.id, editor, base=0, cursor=0),
+            Edit(item.id, editor, 0, write_recipe(baked.recipe), "new"),
         )
         return Result(changes, draft=(item.id, editor), opened=item.id, whole=True)
 
@@ -66,7 +63,11 @@ def create(authored: Authored, kind: Kind, label: str, recipe: Recipe | FaceReci
 def keep(
     authored: Authored, kind: Kind, label: str | None, recipe: Recipe | FaceRecipe, author: Author, ticket: str
 ) -> Plan:
-    """Creates and saves an item in one step, so that it plays; label: None for a generated one."""
+    """Creates and saves an item in one step, so that it plays; label: None for a generated one.
+
+    authored: what is there; kind: of the item; recipe: what it is made by; author: for the history; ticket: the
+    asker's.
+    """
     label = None if label is None else clean_label(label)
     recipe = authored.resolve_and_check(recipe)
 
@@ -76,7 +77,7 @@ def keep(
         data = write_recipe(baked.recipe)
         revision = Revision(item.id, 1, 0, data, baked.key, author.wall, author.name, "saved on air")
         return Result(
-            (*_content_changes(authored, baked), PutItem(item), PutRevision(revision)),
+            (*_content_changes(authored, baked), item, revision),
             kept=KeepOutcome(ticket, item.id, item.name, item.label, kind),
         )
 
@@ -84,7 +85,11 @@ def keep(
 
 
 def duplicate(authored: Authored, item: Item, label: str, author: Author, request: int) -> Result:
-    """Copies the playing revision of an item into a new item; Refusal before the first save."""
+    """Copies the playing revision of an item into a new item; Refusal before the first save.
+
+    authored: what is there; item: what is copied; label: of the copy; author: for the history; request: the number
+    to answer to.
+    """
     head = authored.state.head(item)
     label = clean_label(label)
     if head is None:
@@ -95,22 +100,24 @@ def duplicate(authored: Authored, item: Item, label: str, author: Author, reques
     reply = wire.Saved(
         request, copy.id, 1, 1, False, f"{label!r} is a copy of revision {head.number} of {item.label!r}."
     )
-    return Result((PutItem(copy), PutRevision(revision)), reply)
+    return Result((copy, revision), reply)
 
 
 def _save_baked(
     authored: Authored, key: DraftKey, author: Author, request: int, note: str, baked: Baked, on_air: bool
 ) -> Result:
     state = authored.state
-    item, draft = state.items[key[0]], state.drafts[key]
-    number, aside = state.last_number(item.id) + 1, draft.base != item.head
+    item = state.items[key[0]]
+    draft = state.drafts[key]
+    number = state.last_number(item.id) + 1
+    aside = draft.base != item.head
     data = write_recipe(baked.recipe)
     revision = Revision(item.id, number, draft.base, data, baked.key, author.wall, author.name, note, aside)
-    changes: list[Change] = [*_content_changes(authored, baked), PutRevision(revision)]
+    changes: list[Change] = [*_content_changes(authored, baked), revision]
     head = item.head if aside else number
     if not aside:
-        changes.append(PutItem(replace(item, head=number)))
-    changes.append(PutDraft(replace(draft, base=head)))
+        changes.append(replace(item, head=number))
+    changes.append(replace(draft, base=head))
     sentence = _aside_sentence(authored, item, number) if aside else _plays_sentence(item, number, on_air)
     return Result(tuple(changes), wire.Saved(request, item.id, number, head, aside, sentence), draft=key)
 

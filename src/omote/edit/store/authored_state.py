@@ -3,27 +3,20 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from functools import singledispatchmethod
 
 from msgspec.structs import replace
 
 from omote.showfile.changes import (
     Change,
-    DropDraft,
-    DropLayout,
-    DropPerformer,
+    Content,
+    DocumentRemoval,
+    Documents,
+    Draft,
     Edit,
     Item,
-    PutBindings,
-    PutContent,
-    PutDraft,
-    PutEdit,
-    PutItem,
-    PutLayout,
-    PutPerformer,
-    PutRevision,
     Revision,
     Stored,
+    StoredDocument,
 )
 
 DraftKey = tuple[int, str]
@@ -36,7 +29,7 @@ class AuthoredState:
     def __init__(self, stored: Stored) -> None:
         self.items = {item.id: item for item in stored.items}
         self.revisions: dict[int, dict[int, Revision]] = {}
-        for revision in sorted(stored.revisions, key=lambda each: (each.item, each.number)):
+        for revision in sorted(stored.revisions, key=lambda revision: (revision.item, revision.number)):
             self.revisions.setdefault(revision.item, {})[revision.number] = revision
         self.edits = _complete_steps(stored.edits)
         self.drafts = {
@@ -44,9 +37,7 @@ class AuthoredState:
             for draft in stored.drafts
             if (key := (draft.item, draft.editor)) in self.edits
         }
-        self.layouts = dict(stored.layouts)
-        self.bindings = stored.bindings
-        self.performers = dict(stored.performers)
+        self.documents: Documents = {kind: dict(named) for kind, named in stored.documents.items()}
 
     def apply(self, changes: Iterable[Change]) -> None:
         """Applies changes, in order."""
@@ -60,9 +51,7 @@ class AuthoredState:
             revisions=tuple(r for item in sorted(self.revisions) for _, r in sorted(self.revisions[item].items())),
             drafts=tuple(self.drafts[key] for key in sorted(self.drafts)),
             edits=tuple(edit for key in sorted(self.edits) for edit in self.edits[key]),
-            layouts=self.layouts,
-            bindings=self.bindings,
-            performers=self.performers,
+            documents=self.documents,
         )
 
     def head(self, item: Item) -> Revision | None:
@@ -89,68 +78,38 @@ class AuthoredState:
         """The item of this name, deleted or not."""
         return next((item for item in self.items.values() if item.name == name), None)
 
-    @singledispatchmethod
     def _apply(self, change: Change) -> None:
-        raise TypeError(f"{type(change).__name__} is no change; expected one of omote.showfile.changes")
+        match change:
+            case Item():
+                self.items[change.id] = change
+            case Revision():
+                if change.number in self.revisions.setdefault(change.item, {}):
+                    raise ValueError(f"revision {change.number} is there already; expected a new number")
+                self.revisions[change.item][change.number] = change
+            case Draft():
+                self.drafts[change.item, change.editor] = change
+            case Edit():
+                steps = self.edits.setdefault((change.item, change.editor), [])
+                steps[change.number :] = [change]
+            case Content():
+                pass  # bytes are in the content store
+            case _:
+                self._apply_to_documents(change)
 
-    @_apply.register
-    def _(self, change: PutContent) -> None:
-        pass  # bytes are in the content store
-
-    @_apply.register
-    def _(self, change: PutItem) -> None:
-        self.items[change.item.id] = change.item
-
-    @_apply.register
-    def _(self, change: PutRevision) -> None:
-        revisions = self.revisions.setdefault(change.revision.item, {})
-        if change.revision.number in revisions:
-            raise ValueError(f"revision {change.revision.number} is there already; expected a new number")
-        revisions[change.revision.number] = change.revision
-
-    @_apply.register
-    def _(self, change: PutDraft) -> None:
-        key = change.draft.item, change.draft.editor
-        self.drafts[key] = change.draft
-        self.edits.setdefault(key, [])
-
-    @_apply.register
-    def _(self, change: PutEdit) -> None:
-        steps = self.edits.setdefault((change.edit.item, change.edit.editor), [])
-        del steps[change.edit.number :]
-        steps.append(change.edit)
-
-    @_apply.register
-    def _(self, change: DropDraft) -> None:
-        self.drafts.pop((change.item, change.editor), None)
-        self.edits.pop((change.item, change.editor), None)
-
-    @_apply.register
-    def _(self, change: PutLayout) -> None:
-        self.layouts[change.name] = change.document
-
-    @_apply.register
-    def _(self, change: DropLayout) -> None:
-        self.layouts.pop(change.name, None)
-
-    @_apply.register
-    def _(self, change: PutBindings) -> None:
-        self.bindings = change.document
-
-    @_apply.register
-    def _(self, change: PutPerformer) -> None:
-        self.performers[change.name] = change.document
-
-    @_apply.register
-    def _(self, change: DropPerformer) -> None:
-        self.performers.pop(change.name, None)
+    def _apply_to_documents(self, change: StoredDocument | DocumentRemoval) -> None:
+        named = self.documents.setdefault(change.kind, {})
+        named.pop(change.name, None)
+        if isinstance(change, StoredDocument):
+            named[change.name] = change.body
+        elif not named:
+            del self.documents[change.kind]
 
 
 def _complete_steps(edits: Iterable[Edit]) -> dict[DraftKey, list[Edit]]:
     """The steps of each draft from 0 up to where, in a damaged file, the first is missing."""
-    found: dict[DraftKey, list[Edit]] = {}
-    for edit in sorted(edits, key=lambda each: each.number):
-        steps = found.get((edit.item, edit.editor), [])
+    by_draft: dict[DraftKey, list[Edit]] = {}
+    for edit in sorted(edits, key=lambda edit: edit.number):
+        steps = by_draft.get((edit.item, edit.editor), [])
         if edit.number == len(steps):
-            found.setdefault((edit.item, edit.editor), steps).append(edit)
-    return found
+            by_draft.setdefault((edit.item, edit.editor), steps).append(edit)
+    return by_draft

@@ -10,7 +10,7 @@ from omote.edit.protocol.messages import NetDocument
 from omote.edit.protocol.orders import Bake, Baked, EditOrder
 from omote.edit.protocol.wire import write_recipe
 from omote.model.recipes.recipe import FaceRecipe, Recipe
-from omote.showfile.changes import PutContent
+from omote.showfile.changes import Content
 
 PASSING = 2048
 """Contents of drafts that are cached, so that undo needs no computation."""
@@ -48,13 +48,13 @@ class ContentStore(Mapping[str, bytes]):
     def __contains__(self, key: object) -> bool:
         return key in self._passing or key in self._given or key in self._in_file
 
-    def changes_to_keep(self, key: str) -> tuple[PutContent, ...]:
+    def changes_to_keep(self, key: str) -> tuple[Content, ...]:
         """The changes that store this content in the show file; none when it is there already."""
         if key in self._given or key in self._in_file:
             return ()
         self._given = {old: data for old, data in self._given.items() if old not in self._in_file}
         self._given[key] = self._passing.pop(key)
-        return (PutContent(key, self._given[key]),)
+        return (Content(key, self._given[key]),)
 
     def remember_recipe(self, recipe: bytes, key: str) -> None:
         """Remembers that a recipe (JSON) makes the content of this key."""
@@ -76,7 +76,10 @@ class ContentStore(Mapping[str, bytes]):
             total -= len(self._passing.pop(key))
 
     def remember_result(self, order: EditOrder, baked: Baked) -> None:
-        """Caches the workshop's answer to an order, and its sources."""
+        """Caches the workshop's answer to an order, and its sources.
+
+        order: what was asked; baked: the answer.
+        """
         self.remember_contents({**order.contents, **baked.contents})
         self.remember_recipe(write_recipe(baked.recipe), baked.key)
         if isinstance(order, Bake):
@@ -92,7 +95,8 @@ class ContentStore(Mapping[str, bytes]):
         """The cached answer to an order, None where there is none."""
         if not isinstance(order, Bake):
             return None
-        key, net = self._keys.get(write_recipe(order.recipe)), self.net(order.recipe)
+        key = self._keys.get(write_recipe(order.recipe))
+        net = self.net(order.recipe)
         if key is None or key not in self or (order.with_net and net is None):
             return None
         return Baked(order.recipe, key, {}, net)

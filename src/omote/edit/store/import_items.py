@@ -18,7 +18,7 @@ from omote.model.space.expression import Expression
 from omote.model.space.face import Face
 from omote.model.space.parameter_space import ParameterSpace
 from omote.perform.name_lookup import find_name
-from omote.showfile.changes import Change, Item, Kind, PutContent, PutItem, PutRevision, Revision, Stored, content_key
+from omote.showfile.changes import Change, Content, Item, Kind, Revision, Stored, content_key
 from omote.showfile.contents import pack_expression, pack_face, unpack_expression
 
 EDITOR = "import"
@@ -39,7 +39,10 @@ class ImportedItem:
 
 
 def changes_to_import(cast: Cast, stored: Stored, arrivals: Iterable[ImportedItem], /, *, wall: float) -> list[Change]:
-    """The changes that add imported expressions and faces to a show file as new items; wall: seconds since 1970."""
+    """The changes that add imported expressions and faces to a show file as new items; wall: seconds since 1970.
+
+    cast: the built-in one; stored: what the file holds; arrivals: what comes.
+    """
     taken = {*cast.faces, *cast.expressions, *(item.name for item in stored.items)}
     number = max((item.id for item in stored.items), default=0)
     place = max((item.place for item in stored.items), default=0.0)
@@ -56,19 +59,26 @@ def changes_to_import(cast: Cast, stored: Stored, arrivals: Iterable[ImportedIte
 
 def find_known(stored: Stored, arrivals: Iterable[ImportedItem], /) -> list[Item | None]:
     """For each arrival the item of its kind that plays exactly its content, or an earlier arrival of it would; None
-    where it is new."""
+    where it is new.
+
+    stored: what the file holds; arrivals: what comes.
+    """
     heads = {(revision.item, revision.number): revision.content for revision in stored.revisions}
-    known = {(item.kind, heads.get((item.id, item.head), "")): item for item in stored.items if not item.deleted}
-    found = []
+    by_content = {(item.kind, heads.get((item.id, item.head), "")): item for item in stored.items if not item.deleted}
+    twins = []
     for arrival in arrivals:
-        kind, content = _kind_of(arrival), _content_of(arrival)[0]
-        found.append(known.get((kind, content)))
-        known.setdefault((kind, content), Item(0, kind, "", arrival.label))
-    return found
+        kind = _kind_of(arrival)
+        content = _content_of(arrival)[0]
+        twins.append(by_content.get((kind, content)))
+        by_content.setdefault((kind, content), Item(0, kind, "", arrival.label))
+    return twins
 
 
 def distinguish(cast: Cast, stored: Stored, arrivals: Iterable[ImportedItem], /) -> list[tuple[ImportedItem, str]]:
-    """Gives arrivals labels that nothing else of their kind has; with each, why it has another one, or ""."""
+    """Gives arrivals labels that nothing else of their kind has; with each, why it has another one, or "".
+
+    cast: the built-in one; stored: what the file holds; arrivals: what comes.
+    """
     last = {revision.item: revision.content for revision in stored.revisions}
     items = [item for item in stored.items if not item.deleted]
     labels: dict[Kind, list[str]] = {
@@ -77,7 +87,7 @@ def distinguish(cast: Cast, stored: Stored, arrivals: Iterable[ImportedItem], /)
     }
     for item in items:
         labels[item.kind].append(item.label)
-    found = []
+    distinct = []
     for arrival in arrivals:
         kind = _kind_of(arrival)
         label = free_label(clean_label(arrival.label), labels[kind])
@@ -85,14 +95,16 @@ def distinguish(cast: Cast, stored: Stored, arrivals: Iterable[ImportedItem], /)
         same = ", exactly the same" if _content_of(arrival)[0] in twins else ""
         why = f"there is a {arrival.label!r} already{same}, so this one is called {label!r}"
         labels[kind].append(label)
-        found.append((replace(arrival, label=label), "" if label == arrival.label.strip() else why))
-    return found
+        distinct.append((replace(arrival, label=label), "" if label == arrival.label.strip() else why))
+    return distinct
 
 
 def import_document(space: ParameterSpace, document: ExpressionFile, /, *, note: str = "") -> ImportedItem:
     """Imports a document: by its dense field on the same head, else by its control points on this head.
 
     ValueError where it fits this head in neither way.
+
+    space: of the cast; document: as a file holds it; note: for the history.
     """
     recipe = None if document.control is None else _recipe_of_control(space, document.control)
     at_home = document.space == space_digest(space)
@@ -112,9 +124,14 @@ def import_document(space: ParameterSpace, document: ExpressionFile, /, *, note:
 def make_document(
     space: ParameterSpace, label: str, tags: Iterable[str], expression: Expression, recipe: Recipe | None = None
 ) -> ExpressionFile:  # fmt: skip
-    """Makes the document of an expression; with its control points where it consists of nothing else."""
+    """Makes the document of an expression; with its control points where it consists of nothing else.
+
+    space: of the cast; label, tags: for people; expression: the whole of it; recipe: what it was made by, where
+    that is known.
+    """
     alone = recipe is not None and recipe == Recipe(recipe.net, recipe.vectors) and _fits_head(space, recipe)
-    made_of = [] if recipe is None else [f"{each.label} x {each.weight:g}" for each in recipe.layers if not each.muted]
+    layers = () if recipe is None else tuple(layer for layer in recipe.layers if not layer.muted)
+    made_of = [f"{layer.label} x {layer.weight:g}" for layer in layers]
     made_of += [] if recipe is None else [f"{pull.muscle} x {pull.contraction:g}" for pull in recipe.pulls]
     return ExpressionFile(
         omote="expression",
@@ -130,21 +147,26 @@ def make_document(
 
 def export_document(cast: Cast, stored: Stored, contents: Mapping[str, bytes], name: str, /) -> ExpressionFile:
     """Makes the document of an authored expression, else of one of the cast, by its name or label; ValueError for
-    neither, and for a face."""
+    neither, and for a face.
+
+    cast: the built-in one; stored, contents: of the show file; name: what the person typed.
+    """
     own = {item.name: item.label for item in stored.items if item.kind == "expression" and item.head}
     labels = {name: title.label for name, title in cast.titles.items()} | own
     faces = {word for item in stored.items if item.kind == "face" and item.head for word in (item.name, item.label)}
     if name in faces.difference(own, labels.values(), cast.expressions):
         raise ValueError(f"{name!r} is a face; only expressions become documents")
-    name = find_name(name, [*own, *(each for each in cast.expressions if each not in own)], "expression", labels)
+    name = find_name(
+        name, [*own, *(expression for expression in cast.expressions if expression not in own)], "expression", labels
+    )
     revisions = {(revision.item, revision.number): revision for revision in stored.revisions}
     for item in stored.items:
         if (item.kind, item.name) == ("expression", name) and (item.id, item.head) in revisions:
             head = revisions[item.id, item.head]
             recipe = read_recipe(head.recipe)
-            made = unpack_expression(contents[head.content])
+            expression = unpack_expression(contents[head.content])
             return make_document(
-                cast.space, item.label, item.tags, made, recipe if isinstance(recipe, Recipe) else None
+                cast.space, item.label, item.tags, expression, recipe if isinstance(recipe, Recipe) else None
             )
     return make_document(cast.space, cast.titles[name].label, (), cast.expressions[name])
 
@@ -155,7 +177,7 @@ def _changes_to_save(space: ParameterSpace, item: Item, arrival: ImportedItem, w
         _dense_recipe(space, key) if item.kind == "expression" else FaceRecipe({KEY + key: 1.0})
     )
     revision = Revision(item.id, 1, 0, write_recipe(recipe), key, wall, EDITOR, arrival.note)
-    return [PutContent(key, content), PutItem(item), PutRevision(revision)]
+    return [Content(key, content), item, revision]
 
 
 def _kind_of(arrival: ImportedItem) -> Kind:
@@ -192,7 +214,8 @@ def _recipe_of_control(space: ParameterSpace, control: Control) -> Recipe:
         raise ValueError(f"{len(control.points)} control points have {len(control.vectors)} vectors; export anew")
     sheet = np.flatnonzero(space.on_sheet & (space.welded == np.arange(space.vertex_count)))
     radius = float(np.mean(space.cylinder.unroll(space.points[sheet])[2]))
-    rows, vectors = dict[int, None](), list[Vector]()
+    rows = dict[int, None]()
+    vectors = list[Vector]()
     for (theta, h), vector in zip(control.points, control.vectors, strict=True):
         turn = np.angle(np.exp(1j * (space.theta[sheet] - theta)))
         row = int(sheet[np.hypot(radius * turn, space.h[sheet] - h).argmin()])
@@ -205,5 +228,5 @@ def _recipe_of_control(space: ParameterSpace, control: Control) -> Recipe:
 def _same(one: Expression, other: Expression) -> bool:
     fields = ("dtheta", "dh", "ratio", "residual", "eyes", "ears", "head")
     off = [np.abs(getattr(one, name) - getattr(other, name)).max(initial=0.0) for name in fields]
-    still = not any(rest.any() for each in (one, other) for rest in each.parts.values())
+    still = not any(rest.any() for expression in (one, other) for rest in expression.parts.values())
     return max(off) <= EXACT and still and one.pupil == other.pupil

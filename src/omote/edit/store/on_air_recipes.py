@@ -7,12 +7,12 @@ from dataclasses import dataclass, field, replace
 
 from msgspec import structs
 
-from omote.edit.store.sources import Sources
+from omote.edit.store.sources import SourceResolver
 from omote.model.known_names import NEUTRAL, PlayRegion
 from omote.model.recipes.recipe import FaceRecipe, Layer, Recipe
 from omote.model.space.head_regions import REGIONS_OF, Region
 from omote.perform.mix import combine
-from omote.show.messages import CallState, CharacterState, State
+from omote.show.objects.state import CallState, CharacterState, State
 from omote.show.validation import Refusal
 from omote.showfile.changes import Kind
 
@@ -33,18 +33,18 @@ class OnAir:
     def names(self) -> frozenset[str]:
         """All names in use, which must not be removed now."""
         weights = (self.faces, self.expressions, self.channels, *self.regions.values())
-        return self.coming | {name for each in weights for name, weight in each.items() if weight}
+        return self.coming | {name for mix in weights for name, weight in mix.items() if weight}
 
 
 def read_on_air(state: State, character: str = "") -> OnAir:
     """What a character has on air in a show's state: the one named, else the first that is on the stage; channels as
     they act, the gaze's part included."""
     all_of_them = state.characters
-    on_stage = (name for name, each in all_of_them.items() if each.presence > 0.0)
+    on_stage = (name for name, character_state in all_of_them.items() if character_state.presence > 0.0)
     shown = all_of_them[character if character in all_of_them else next(on_stage, next(iter(all_of_them)))]
-    coming = {call.target for each in all_of_them.values() for call in calls_of(each)}
-    coming.update(*(_seen(each).names for each in all_of_them.values()))
-    homes = frozenset(each.home_face for each in all_of_them.values())
+    coming = {call.target for character_state in all_of_them.values() for call in calls_of(character_state)}
+    coming.update(*(_seen(character_state).names for character_state in all_of_them.values()))
+    homes = frozenset(character_state.home_face for character_state in all_of_them.values())
     return replace(_seen(shown), coming=frozenset(coming), homes=homes)
 
 
@@ -71,8 +71,11 @@ def neutral_recipe(net: tuple[int, ...]) -> Recipe:
     return Recipe(net=net, vectors=((0.0, 0.0, 1.0),) * len(net))
 
 
-def recipe_on_air(kind: Kind, on_air: OnAir, net: tuple[int, ...], sources: Sources) -> Recipe | FaceRecipe:
-    """The recipe of the face or the expression that is on air."""
+def recipe_on_air(kind: Kind, on_air: OnAir, net: tuple[int, ...], sources: SourceResolver) -> Recipe | FaceRecipe:
+    """The recipe of the face or the expression that is on air.
+
+    kind: of the item; on_air: what shows; net: control points, rows of the skin; sources: resolve names.
+    """
     if kind == "face":
         return face_recipe(on_air.faces, sources)
     together = (*on_air.expressions.items(), *on_air.channels.items())
@@ -80,7 +83,7 @@ def recipe_on_air(kind: Kind, on_air: OnAir, net: tuple[int, ...], sources: Sour
     return structs.replace(whole, layers=(*whole.layers, *_regional_layers(on_air, sources)))
 
 
-def _regional_layers(on_air: OnAir, sources: Sources) -> list[Layer]:
+def _regional_layers(on_air: OnAir, sources: SourceResolver) -> list[Layer]:
     """What regions show beyond the whole face, as layers on the regions of the head that each consists of."""
     more = {region: combine(((1.0, mix), (-1.0, on_air.expressions))) for region, mix in sorted(on_air.regions.items())}
     return [
@@ -91,8 +94,11 @@ def _regional_layers(on_air: OnAir, sources: Sources) -> list[Layer]:
     ]
 
 
-def face_recipe(weights: Mapping[str, float], sources: Sources) -> FaceRecipe:
-    """The recipe of a mix of faces; Refusal for none."""
+def face_recipe(weights: Mapping[str, float], sources: SourceResolver) -> FaceRecipe:
+    """The recipe of a mix of faces; Refusal for none.
+
+    weights: by name; sources: resolve names.
+    """
     base: dict[str, float] = {}
     for name, weight in weights.items():
         source = sources.resolve("face", name)
@@ -103,12 +109,17 @@ def face_recipe(weights: Mapping[str, float], sources: Sources) -> FaceRecipe:
     return FaceRecipe(base=base)
 
 
-def expression_recipe(weights: list[tuple[str, float]], net: tuple[int, ...], sources: Sources) -> Recipe:
-    """The recipe of weighted expressions as layers; neutral needs none."""
+def expression_recipe(weights: list[tuple[str, float]], net: tuple[int, ...], sources: SourceResolver) -> Recipe:
+    """The recipe of weighted expressions as layers; neutral needs none.
+
+    weights: names with theirs; net: control points, rows of the skin; sources: resolve names.
+    """
     return Recipe(net=net, vectors=neutral_recipe(net).vectors, layers=_layers(weights, sources))
 
 
-def _layers(weights: Sequence[tuple[str, float]], sources: Sources, region: Region | None = None) -> tuple[Layer, ...]:
+def _layers(
+    weights: Sequence[tuple[str, float]], sources: SourceResolver, region: Region | None = None
+) -> tuple[Layer, ...]:
     return tuple(
         Layer(sources.resolve("expression", name), sources.label("expression", name), weight, region)
         for name, weight in weights

@@ -13,16 +13,20 @@ from omote.show.validation import Refusal
 from omote.showfile.changes import Kind
 
 
-class Sources:
+class SourceResolver:
     """Resolves sources; the name of an authored item becomes the permanent key of what it plays."""
 
     def __init__(self, base: Cast, state: AuthoredState, store: ContentStore) -> None:
         self._built_in = {"face": base.faces, "expression": base.expressions}
         self._titles = {name: title.label for name, title in base.titles.items()}
-        self._state, self._store = state, store
+        self._state = state
+        self._store = store
 
     def resolve(self, kind: Kind, source: str) -> str:
-        """A name of the built-in cast, or `#` and the key of a content that is there; Refusal for anything else."""
+        """A name of the built-in cast, or `#` and the key of a content that is there; Refusal for anything else.
+
+        kind: of what is meant; source: a name, or `#` and a key.
+        """
         if source.startswith(KEY):
             if source.removeprefix(KEY) in self._store:
                 return source
@@ -43,13 +47,16 @@ class Sources:
             return replace(recipe, layers=layers, ground=ground)
         base: dict[str, float] = {}
         for source, weight in recipe.base.items():
-            found = self.resolve("face", source)
-            base[found] = base.get(found, 0.0) + weight
+            resolved = self.resolve("face", source)
+            base[resolved] = base.get(resolved, 0.0) + weight
         regions = {region: self.resolve("face", source) for region, source in recipe.regions.items()}
         return replace(recipe, base=base, regions=regions)
 
     def label(self, kind: Kind, source: str) -> str:
-        """The label of a source, for people."""
+        """The label of a source, for people.
+
+        kind: of what is meant; source: a name, or `#` and a key.
+        """
         own = self._state.find(source)
         if own is not None and own.kind == kind:
             return own.label

@@ -24,50 +24,64 @@ class EditableBindings:
     before own ones of the same control and which nobody changes."""
 
     def __init__(self, own: Iterable[Binding] = (), fixed: Iterable[Binding] = ()) -> None:
-        self.own, self.fixed = tuple(dict.fromkeys(own)), tuple(fixed)
+        self.own = tuple(dict.fromkeys(own))
+        self.fixed = tuple(fixed)
         self._changes: dict[str, BindingChange] = {}
 
     @property
     def playing(self) -> tuple[Binding, ...]:
         """All that play: an own binding does not where a fixed one has its control in its bank."""
-        taken = {(each.device, each.control, each.bank) for each in self.fixed}
-        return (*self.fixed, *(each for each in self.own if (each.device, each.control, each.bank) not in taken))
+        taken = {(binding.device, binding.control, binding.bank) for binding in self.fixed}
+        return (
+            *self.fixed,
+            *(binding for binding in self.own if (binding.device, binding.control, binding.bank) not in taken),
+        )
 
     def bind(self, change: str, binding: Binding, replaces: Binding | None = None) -> BindingChange:
         """Adds a binding in the place of `replaces` and of one of the same control and target; ValueError where a file
-        has fixed its control, or where there are too many."""
+        has fixed its control, or where there are too many.
+
+        change: the id by which it can be taken back.
+        """
         self._check_free(binding)
-        gone = tuple(each for each in self.own if each == replaces or _same(each, binding))
+        gone = tuple(own_binding for own_binding in self.own if own_binding == replaces or _same(own_binding, binding))
         return self._make(change, BindingChange((binding,), gone))
 
     def unbind(self, change: str, binding: Binding) -> BindingChange:
-        """Takes a binding away; ValueError where there is none such."""
+        """Takes a binding away; ValueError where there is none such. change: the id by which that can be taken back."""
         if binding not in self.own:
             where = "in the file of --bindings: change it there" if binding in self.fixed else "bound to nothing so"
             raise ValueError(f"{binding.control} of {binding.device} is {where}")
         return self._make(change, BindingChange((), (binding,)))
 
     def give(self, change: str, device: str, bindings: Sequence[Binding]) -> BindingChange:
-        """Gives a device bindings in the place of all its own; those whose control a file has fixed are left out."""
-        taken = {(each.device, each.control) for each in self.fixed}
-        wanted = tuple(each for each in bindings if (each.device, each.control) not in taken)
-        return self._make(change, BindingChange(wanted, tuple(each for each in self.own if each.device == device)))
+        """Gives a device bindings in the place of all its own; those whose control a file has fixed are left out.
+
+        change: the id by which that can be taken back.
+        """
+        taken = {(binding.device, binding.control) for binding in self.fixed}
+        wanted = tuple(binding for binding in bindings if (binding.device, binding.control) not in taken)
+        return self._make(
+            change,
+            BindingChange(wanted, tuple(binding for binding in self.own if binding.device == device)),
+        )
 
     def restore(self, change: str, earlier: str) -> BindingChange:
         """Takes an earlier change back, as far as it still stands; ValueError where it is not remembered."""
-        made = self._changes.get(earlier)
-        if made is None:
+        undone = self._changes.get(earlier)
+        if undone is None:
             raise ValueError("that change cannot be taken back any more: the show was started again since, or long ago")
         there = set(self.own)
-        for binding in made.removed:
+        for binding in undone.removed:
             self._check_free(binding)
-        gone = tuple(each for each in made.added if each in there and each not in made.removed)
-        back = tuple(each for each in made.removed if each not in there)
+        gone = tuple(binding for binding in undone.added if binding in there and binding not in undone.removed)
+        back = tuple(binding for binding in undone.removed if binding not in there)
         return self._make(change, BindingChange(back, gone))
 
     def _make(self, change: str, wanted: BindingChange) -> BindingChange:
-        gone, new = set(wanted.removed), list(dict.fromkeys(wanted.added))
-        left = [each for each in self.own if each not in gone and each not in new]
+        gone = set(wanted.removed)
+        new = list(dict.fromkeys(wanted.added))
+        left = [binding for binding in self.own if binding not in gone and binding not in new]
         if len(left) + len(new) > MOST_BINDINGS:
             raise ValueError(f"there would be {len(left) + len(new)} bindings; at most {MOST_BINDINGS} are kept")
         self.own = _in_place(self.own, wanted.removed, new, left)
@@ -83,15 +97,15 @@ class EditableBindings:
             )
 
 
-def _same(one: Binding, other: Binding) -> bool:
+def _same(old: Binding, new: Binding) -> bool:
     """Whether two bindings are one that has been changed: of one control, in one bank, to one target."""
-    return (one.device, one.control, one.bank, one.target) == (other.device, other.control, other.bank, other.target)
+    return (old.device, old.control, old.bank, old.target) == (new.device, new.control, new.bank, new.target)
 
 
 def _in_place(
     before: Sequence[Binding], gone: Sequence[Binding], new: Sequence[Binding], left: Sequence[Binding]
 ) -> tuple[Binding, ...]:
     """The bindings that are left, with the new ones where the first that is gone stood, else at the end."""
-    at = min((before.index(each) for each in gone if each in before), default=len(before))
-    ahead = sum(each in left for each in before[:at])
+    at = min((before.index(binding) for binding in gone if binding in before), default=len(before))
+    ahead = sum(binding in left for binding in before[:at])
     return (*left[:ahead], *new, *left[ahead:])

@@ -9,14 +9,8 @@ import msgspec
 
 from omote.inputs.bindings.binding_file import MOST_BINDINGS, read_binding
 from omote.inputs.bindings.control_binding import Binding
-from omote.show.messages import BindingDocument
-
-
-class StoredBindings(msgspec.Struct, frozen=True):
-    """What the show file keeps: bindings, and the preset that each device was given ("": none, and none is wanted)."""
-
-    bindings: list[BindingDocument] = []
-    presets: dict[str, str] = {}
+from omote.show.objects.bindings import BindingDocument, StoredBindings
+from omote.show.objects.documents import read_document as read_stored
 
 
 def read_document(document: BindingDocument) -> Binding:
@@ -36,7 +30,9 @@ def document_of(binding: Binding) -> BindingDocument:
         control=binding.control,
         to=target.path,
         axis=target.axis_name if target.is_level else "",
-        arguments=[float(each) if isinstance(each, int | float) else str(each) for each in target.arguments],
+        arguments=[
+            float(argument) if isinstance(argument, int | float) else str(argument) for argument in target.arguments
+        ],
         low=binding.low if target.is_level else None,
         high=binding.high if target.is_level else None,
         curve=binding.curve,
@@ -49,8 +45,8 @@ def document_of(binding: Binding) -> BindingDocument:
 
 
 def encode_stored(bindings: Sequence[Binding], presets: dict[str, str]) -> bytes:
-    """What the show file keeps of bindings."""
-    return msgspec.json.encode(StoredBindings([document_of(each) for each in bindings], presets))
+    """What the show file keeps of bindings. presets: the name of each device's preset, by device."""
+    return StoredBindings([document_of(binding) for binding in bindings], presets).encode()
 
 
 def decode_stored(data: bytes) -> tuple[list[Binding], dict[str, str], list[str]]:
@@ -61,13 +57,14 @@ def decode_stored(data: bytes) -> tuple[list[Binding], dict[str, str], list[str]
     if not data:
         return [], {}, []
     try:
-        stored = msgspec.json.decode(data, type=StoredBindings)
-    except msgspec.DecodeError as error:
+        stored = read_stored(StoredBindings, data)
+    except ValueError as error:
         return [], {}, [f"the bindings in the show file cannot be read ({error}); nothing is bound"]
-    found, wrong = [], []
+    bindings = []
+    wrong = []
     for document in stored.bindings[:MOST_BINDINGS]:
         try:
-            found.append(read_document(document))
+            bindings.append(read_document(document))
         except ValueError as error:
             wrong.append(f"{document.control} of {document.device} is not bound: {error}")
-    return found, stored.presets, wrong
+    return bindings, stored.presets, wrong

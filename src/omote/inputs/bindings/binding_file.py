@@ -44,13 +44,13 @@ def read_bindings(text: str) -> list[Binding]:
     tables = document.pop("binding", [])
     if document or not isinstance(tables, list) or not 1 <= len(tables) <= MOST_BINDINGS:
         raise BindingFileError(f"it holds something else than 1 to {MOST_BINDINGS} tables [[binding]]")
-    found = []
+    bindings = []
     for number, table in enumerate(tables, 1):
         try:
-            found.append(read_binding(table))
+            bindings.append(read_binding(table))
         except ValueError as error:
             raise BindingFileError(f"binding {number}: {error}") from error
-    return found
+    return bindings
 
 
 def read_binding(table: Any) -> Binding:
@@ -66,9 +66,9 @@ def read_binding(table: Any) -> Binding:
     missing = [key for key in NEEDED if key not in table]
     if missing:
         raise ValueError(f"{', '.join(missing)} missing")
-    given = {"pick_up": table["device"] not in (SACN, ARTNET), **table}  # a desk of lights says what counts
-    target = read_target(given.pop("to"), given.pop("arguments", ()), given.pop("axis", None))
+    fields = {"pick_up": table["device"] not in (SACN, ARTNET), **table}  # a desk of lights says what counts
+    target = read_target(fields.pop("to"), fields.pop("arguments", ()), fields.pop("axis", None))
     low, high = target.usual_range if target.is_level else (0.0, 1.0)
-    if given["device"] in (SACN, ARTNET):
-        read_control(given["control"])
-    return Binding(**{"target": target, "low": low, "high": high, **given})
+    if fields["device"] in (SACN, ARTNET):
+        read_control(fields["control"])
+    return Binding(**{"target": target, "low": low, "high": high, **fields})

@@ -6,10 +6,10 @@ import itertools
 from collections.abc import Callable, Iterable
 
 from omote.inputs.bindings.bindings import Bindings
-from omote.inputs.osc_feedback import OnAir
+from omote.inputs.osc_feedback import AddressValues
 from omote.inputs.osc_input import OscInput
 from omote.inputs.reading import Reading
-from omote.show.messages import State
+from omote.show.objects.state import State
 from omote.show.session import ShowSession
 
 
@@ -20,25 +20,32 @@ class BindingInput:
     def __init__(self, bindings: Bindings, session: Callable[[], ShowSession]) -> None:
         self.bindings = bindings
         self.osc = OscInput(session, kind="device", title="")
-        self.on_air, self._number = OnAir(), 0
+        self.on_air = AddressValues()
+        self._number = 0
 
     def note_state(self, state: State) -> None:
         """Notes what is on air."""
-        self.on_air, self._number = OnAir(state), state.number
+        self.on_air = AddressValues(state)
+        self._number = state.number
 
     def hear(self, readings: Iterable[Reading], now: float) -> None:
-        """Plays readings in their order; of channels that several set at once the newest counts."""
+        """Plays readings in their order; of channels that several set at once the newest counts.
+
+        now: seconds of the show's clock.
+        """
         for device, moved in itertools.groupby(readings, lambda reading: reading.device):
-            found = [each for reading in moved for each in self.bindings.hear(reading, self.on_air, self._number)]
-            if found:
-                self.osc.obey_all((device, 0), found, now)
+            messages = [
+                message for reading in moved for message in self.bindings.hear(reading, self.on_air, self._number)
+            ]
+            if messages:
+                self.osc.obey_all((device, 0), messages, now)
 
     def stand(self, reading: Reading) -> None:
         """Notes where a fader stands that was sent there."""
         self.bindings.stand(reading, self.on_air, self._number)
 
     def unplug(self, device: str, now: float) -> None:
-        """Notes that a device is gone; its bindings wait for it."""
+        """Notes that a device is gone; its bindings wait for it. now: seconds of the show's clock."""
         for message in self.bindings.unplug(device, self.on_air, self._number):
             self.osc.obey((device, 0), message, now)
         self.osc.leave((device, 0))

@@ -12,11 +12,11 @@ from omote.inputs.osc_packet import Argument, OscMessage
 from omote.inputs.reading import Reading
 
 
-class OnAir(Protocol):
-    """The values of addresses in a state, as surfaces are told them (`osc_feedback.OnAir`, or a mapping)."""
+class AddressValues(Protocol):
+    """The values of addresses in a state, as surfaces are told them (`osc_feedback.AddressValues`, or a mapping)."""
 
     def get(self, path: str, default: tuple[Argument, ...], /) -> tuple[Argument, ...]:
-        """The values of an address."""
+        """The values of an address. path: the address; default: what is given where it has none."""
 
 
 MOVED = 1e-3
@@ -83,24 +83,30 @@ class Bindings:
 
     def banks_of(self, device: str) -> list[str]:
         """The banks in which controls of a device play, in their order."""
-        return [*dict.fromkeys(each.bank for each in self.bindings if each.device == device and each.bank)]
+        return [*dict.fromkeys(binding.bank for binding in self.bindings if binding.device == device and binding.bank)]
 
     def choose_bank(self, device: str, bank: str) -> None:
         """Turns a device to a bank, whose faders are to be picked up anew."""
         self._banks[device] = bank
         for binding, played in zip(self.bindings, self._played, strict=True):
             if binding.device == device:  # and where they stand in the other bank is not known
-                played.engaged, played.last = False, None
+                played.engaged = False
+                played.last = None
 
-    def positions(self, device: str, on_air: OnAir, shown: Container[str] = ()) -> dict[str, float]:
+    def positions(self, device: str, on_air: AddressValues, shown: Container[str] = ()) -> dict[str, float]:
         """Where the controls of a device would stand that show what is on air: levels in 0..1, a call that is on air 1;
-        the last binding of a control counts. shown: encoders that have a ring of lamps; others are left out."""
-        mine = (each for each in self.bindings if each.device == device and each.bank in ("", self.bank_of(device)))
-        mine = (each for each in mine if each.relative is None or each.control in shown)
-        found = ((binding.control, self._position(binding, on_air)) for binding in mine)
-        return {control: position for control, position in found if position is not None}
+        the last binding of a control counts. shown: encoders that have a ring of lamps; others are left out; on_air:
+        the values of addresses."""
+        mine = (
+            binding
+            for binding in self.bindings
+            if binding.device == device and binding.bank in ("", self.bank_of(device))
+        )
+        mine = (binding for binding in mine if binding.relative is None or binding.control in shown)
+        positions = ((binding.control, self._position(binding, on_air)) for binding in mine)
+        return {control: position for control, position in positions if position is not None}
 
-    def _position(self, binding: Binding, on_air: OnAir) -> float | None:
+    def _position(self, binding: Binding, on_air: AddressValues) -> float | None:
         if binding.target.bank is not None:
             return float(self.bank_of(binding.device) == binding.target.bank)
         values = on_air.get(binding.target.path, ())
@@ -110,7 +116,7 @@ class Bindings:
         return binding.position_of(float(value)) if isinstance(value, int | float) else None
 
     def is_bound(self, device: str, control: str) -> bool:
-        """Whether a control plays anything, in whichever bank."""
+        """Whether a control of a device plays anything, in whichever bank."""
         return (device, control) in self._of
 
     @property
@@ -128,49 +134,62 @@ class Bindings:
             if binding.bank in ("", self.bank_of(binding.device))
         }
 
-    def crossings(self, device: str, on_air: OnAir) -> dict[str, float]:
-        """The controls of a device that wait to be picked up, and where each will be."""
-        found = self.waiting
-        positions = self.positions(device, on_air)
-        return {control: positions[control] for name, control in found if name == device and control in positions}
+    def crossings(self, device: str, on_air: AddressValues) -> dict[str, float]:
+        """The controls of a device that wait to be picked up, and where each will be.
 
-    def hear(self, reading: Reading, on_air: OnAir, number: int) -> list[OscMessage]:
+        on_air: the values of addresses.
+        """
+        waiting = self.waiting
+        positions = self.positions(device, on_air)
+        return {control: positions[control] for name, control in waiting if name == device and control in positions}
+
+    def hear(self, reading: Reading, on_air: AddressValues, number: int) -> list[OscMessage]:
         """What a reading plays. on_air: the values of addresses in a state, as surfaces are told them; number: the
         state's. A reading that is no number from 0 to 1 plays nothing."""
         if not 0.0 <= reading.value <= 1.0:  # NaN too
             return []
-        found = list[OscMessage]()
+        messages = list[OscMessage]()
         for index in self._of.get((reading.device, reading.control), ()):
             binding = self.bindings[index]
             held = self._played[index].pressed and binding.button == "momentary"  # let go in another bank
             if held or not binding.bank or binding.bank == self.bank_of(reading.device):
                 fader = self._faders[index]
                 if fader is not None:
-                    found += self._move(index, fader, reading.value, on_air, number)
+                    messages += self._move(index, fader, reading.value, on_air, number)
                 else:
-                    found += self._play(index, reading, on_air, number)
-        return found
+                    messages += self._play(index, reading, on_air, number)
+        return messages
 
-    def stand(self, reading: Reading, on_air: OnAir, number: int) -> None:
-        """Notes that a fader stands where the value on air is, as its device was told to: it acts when it is moved."""
+    def stand(self, reading: Reading, on_air: AddressValues, number: int) -> None:
+        """Notes that a fader stands where the value on air is, as its device was told to: it acts when it is moved.
+
+        reading: of the fader; on_air, number: as of `hear`.
+        """
         for index in self._of.get((reading.device, reading.control), ()):
-            binding, played = self.bindings[index], self._played[index]
+            binding = self.bindings[index]
+            played = self._played[index]
             current = self._current(binding, on_air, number) if self._is_fader(binding) else None
             if current is not None and abs(binding.position_of(current) - reading.value) <= NEAR:
-                played.last, played.sent, played.engaged = reading.value, current, True
+                played.last = reading.value
+                played.sent = current
+                played.engaged = True
 
-    def unplug(self, device: str, on_air: OnAir, number: int) -> list[OscMessage]:
-        """Forgets where a device's controls stand, and lets go of the buttons that were held; they wait for it."""
-        found = []
+    def unplug(self, device: str, on_air: AddressValues, number: int) -> list[OscMessage]:
+        """Forgets where a device's controls stand, and lets go of the buttons that were held; they wait for it.
+
+        on_air, number: as of `hear`.
+        """
+        messages = []
         for index, binding in enumerate(self.bindings):
             if binding.device == device:
                 if binding.button == "momentary" and self._played[index].pressed:
-                    found += self._send(index, binding.low, self._values(binding, on_air, number), number)
+                    messages += self._send(index, binding.low, self._values(binding, on_air, number), number)
                 self._played[index] = _Played()
-        return found
+        return messages
 
-    def _play(self, index: int, reading: Reading, on_air: OnAir, number: int) -> list[OscMessage]:
-        binding, played = self.bindings[index], self._played[index]
+    def _play(self, index: int, reading: Reading, on_air: AddressValues, number: int) -> list[OscMessage]:
+        binding = self.bindings[index]
+        played = self._played[index]
         was_pressed = played.pressed
         played.pressed = reading.value > 0.0 if reading.key else reading.value >= PRESSED
         if binding.relative is not None:
@@ -192,11 +211,13 @@ class Bindings:
         return [OscMessage(binding.target.path, binding.target.arguments)]
 
     def _move(
-        self, index: int, fader: _Fader, position: float, on_air: OnAir, number: int
+        self, index: int, fader: _Fader, position: float, on_air: AddressValues, number: int
     ) -> tuple[OscMessage, ...] | list[OscMessage]:
         """A fader is moved: it acts from the moment at which it crosses the value on air."""
-        played, sent = self._played[index], self._sent.get(fader.path)
-        before, played.last = played.last, position
+        played = self._played[index]
+        sent = self._sent.get(fader.path)
+        before = played.last
+        played.last = position
         values = sent[1] if sent is not None and sent[0] >= number else on_air.get(fader.path, ())
         current = _level(values, fader.axis)
         if not fader.pick_up or current is None:
@@ -215,7 +236,7 @@ class Bindings:
         played.sent = value
         return (OscMessage(fader.path, (value,)),)
 
-    def _turn(self, index: int, steps: int, on_air: OnAir, number: int) -> list[OscMessage]:
+    def _turn(self, index: int, steps: int, on_air: AddressValues, number: int) -> list[OscMessage]:
         binding = self.bindings[index]
         values = self._values(binding, on_air, number)
         current = _level(values, binding.target.axis)
@@ -223,9 +244,10 @@ class Bindings:
         turned = (binding.low if current is None else current) + steps * binding.step * (binding.high - binding.low)
         return self._send(index, min(highest, max(lowest, turned)), values, number)
 
-    def _switch(self, index: int, on_air: OnAir, number: int) -> list[OscMessage]:
+    def _switch(self, index: int, on_air: AddressValues, number: int) -> list[OscMessage]:
         """A button that moves a level is pressed or let go."""
-        binding, played = self.bindings[index], self._played[index]
+        binding = self.bindings[index]
+        played = self._played[index]
         values = self._values(binding, on_air, number)
         if binding.button == "momentary":
             return self._send(index, binding.high if played.pressed else binding.low, values, number)
@@ -235,11 +257,11 @@ class Bindings:
         is_high = current is not None and abs(current - binding.high) < abs(current - binding.low)
         return self._send(index, binding.low if is_high else binding.high, values, number)
 
-    def _current(self, binding: Binding, on_air: OnAir, number: int) -> float | None:
+    def _current(self, binding: Binding, on_air: AddressValues, number: int) -> float | None:
         """The value that a binding moves, as it is on air or was sent since."""
         return _level(self._values(binding, on_air, number), binding.target.axis)
 
-    def _values(self, binding: Binding, on_air: OnAir, number: int) -> tuple[Argument, ...]:
+    def _values(self, binding: Binding, on_air: AddressValues, number: int) -> tuple[Argument, ...]:
         path = binding.target.path
         sent = self._sent.get(path)
         return sent[1] if sent is not None and sent[0] >= number else on_air.get(path, ())
@@ -247,7 +269,8 @@ class Bindings:
     def _send(self, index: int, value: float, now: tuple[Argument, ...], number: int) -> list[OscMessage]:
         """The message that moves one axis of a target and leaves its others where they are now."""
         target = self.bindings[index].target
-        count, axis = len(target.values), target.axis
+        count = len(target.values)
+        axis = target.axis
         if target.values[axis].kind == "switch":
             value = float(value >= PRESSED)
         values: tuple[Argument, ...] = (value,)
@@ -260,7 +283,8 @@ class Bindings:
 
 
 def _fader_of(binding: Binding) -> _Fader:
-    target, span = binding.target, binding.high - binding.low
+    target = binding.target
+    span = binding.high - binding.low
     alone = len(target.values) == 1 and target.values[0].kind != "switch"
     near = MOVED * abs(span)
     return _Fader(target.path, target.axis, alone, binding.low, span, binding.curve, binding.pick_up, near)

@@ -7,7 +7,7 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from typing import Literal, get_args
 
-from omote.inputs.bindings.target import Target
+from omote.inputs.bindings.target import BoundTarget
 
 Button = Literal["momentary", "toggle"]
 Encoding = Literal["twos_complement", "binary_offset", "sign_magnitude"]
@@ -36,7 +36,7 @@ class Binding:
 
     device: str
     control: str
-    target: Target
+    target: BoundTarget
     low: float = 0.0
     high: float = 1.0
     curve: float = 1.0

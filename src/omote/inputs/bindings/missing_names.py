@@ -12,16 +12,16 @@ from omote.inputs.osc_packet import Argument, OscMessage
 def list_missing(bindings: Iterable[Binding], reader: OrderReader) -> list[str]:
     """For each binding what it names that there is not, in words; "" where all is there.
 
-    reader: of the cast and the characters of the show.
+    reader: of the cast and the characters of the show; bindings: those of the show.
     """
-    found: dict[tuple[str, tuple[Argument, ...]], str] = {}
+    reason_of: dict[tuple[str, tuple[Argument, ...]], str] = {}
     reasons = []
     for binding in bindings:
         target = binding.target
         asked = target.path, tuple(value.low for value in target.values) or target.arguments
-        if asked not in found:
-            found[asked] = "" if target.bank is not None else _why_missing(OscMessage(*asked), reader)
-        reasons.append(found[asked])
+        if asked not in reason_of:
+            reason_of[asked] = "" if target.bank is not None else _why_missing(OscMessage(*asked), reader)
+        reasons.append(reason_of[asked])
     return reasons
 
 

@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-from omote.inputs.addresses.address import Value
 from omote.inputs.osc_addresses import find_address
 from omote.inputs.osc_packet import Argument
+from omote.show.osc import Value
 
 BANK = "bank:"
 """Instead of an address: the bank that a button turns to."""
@@ -16,7 +16,7 @@ USUAL_RANGE = {"channel": (0.0, 1.0)}
 
 
 @dataclass(frozen=True)
-class Target:
+class BoundTarget:
     """An address with its character. arguments: of a call; values: what a level may move, with their ranges; axis: the
     one that it moves. character: a pattern, "" where the address is the whole show's."""
 
@@ -48,13 +48,14 @@ class Target:
         return next((span for part, span in USUAL_RANGE.items() if f"/{part}/" in self.path), (value.low, value.high))
 
 
-def read_target(path: str, arguments: Sequence[Argument] = (), axis: str | None = None) -> Target:
+def read_target(path: str, arguments: Sequence[Argument] = (), axis: str | None = None) -> BoundTarget:
     """The target of an address; ValueError for one that there is not, for arguments or an axis that it has not.
 
-    arguments: what a call needs, its name and seconds; axis: `yaw` of a head, needed where an address has several.
+    arguments: what a call needs, its name and seconds; axis: `yaw` of a head, needed where an address has several;
+    path: the address, or `bank:NAME`.
     """
     if path.startswith(BANK):
-        return Target(path)
+        return BoundTarget(path)
     address, character, named = find_address(path)
     left = address.values[len(named) :]
     numbers = tuple(value for value in left if value.kind in ("number", "switch") and value.default is None)
@@ -64,8 +65,8 @@ def read_target(path: str, arguments: Sequence[Argument] = (), axis: str | None 
         if axis is not None or not least <= len(arguments) <= len(most):
             wanted = ", ".join(value.name for value in most) or "nothing"
             raise ValueError(f"{path} takes {wanted} as arguments, and no axis")
-        return Target(path, tuple(arguments), character=character)
+        return BoundTarget(path, tuple(arguments), character=character)
     names = [value.name for value in numbers]
     if arguments or (axis is None and len(names) > 1) or (axis is not None and axis not in names):
         raise ValueError(f"{path} takes no arguments and one axis of {', '.join(names)}; not {axis!r}")
-    return Target(path, (), numbers, 0 if axis is None else names.index(axis), character)
+    return BoundTarget(path, (), numbers, 0 if axis is None else names.index(axis), character)

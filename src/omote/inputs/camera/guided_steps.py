@@ -39,9 +39,9 @@ STEPS = (NEUTRAL, *(name for name in GUIDED if name != "puff"), *LOOKS, "puff")
 
 def guided_weights(step: str) -> NDArray[np.float64]:
     """The weights of UNITS at a step."""
-    found = np.zeros(len(UNITS))
+    weights = np.zeros(len(UNITS))
     for group, weight in GUIDED[step].items():
         for name in (group, f"{group}Left", f"{group}Right"):
             if name in UNITS:
-                found[UNITS.index(name)] = weight
-    return found
+                weights[UNITS.index(name)] = weight
+    return weights

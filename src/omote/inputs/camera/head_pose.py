@@ -6,13 +6,13 @@ import math
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
+from omote.arrays import Values
 from omote.inputs.camera.landmark_frame import LANDMARKS, LandmarkFrame
 from omote.inputs.camera.landmark_groups import STEADY
 from omote.inputs.trackers.head_angles import HeadAngles
+from omote.model.space.similarity import fit_similarity
 
-Values = NDArray[np.float64]
 ROUNDS = 4
 DEPTH = 0.55
 """Of the model's z, so that heads turn as far as they do."""
@@ -69,23 +69,12 @@ def normal_face(points: Values) -> Values:
 def fit_pose(points: Values, rest: Values) -> HeadPose:
     """The similarity that carries a face at rest (478, 3) to the points (478, 3) of a picture.
 
-    Steady points count most, and points count less the further they have moved (iteratively reweighted; each round by
-    Umeyama 1991).
+    Steady points count most, and points count less the further they have moved (iteratively reweighted least squares).
     """
     weights = _PRIOR
     for _ in range(ROUNDS):
-        pose = _umeyama(rest, points, weights)
+        fitted = fit_similarity(rest, points, weights)
+        pose = HeadPose(fitted.scale, fitted.rotation, fitted.shift)
         left = np.linalg.norm(pose.undo(points) - rest, axis=1)
         weights = _PRIOR / (1.0 + (left / LOOSE) ** 2)
     return pose
-
-
-def _umeyama(source: Values, target: Values, weights: Values) -> HeadPose:
-    share = (weights / weights.sum())[:, None]
-    middle, aim = (share * source).sum(axis=0), (share * target).sum(axis=0)
-    a, b = source - middle, target - aim
-    u, spread, v = np.linalg.svd((share * b).T @ a)
-    sign = np.array([1.0, 1.0, np.sign(np.linalg.det(u @ v))])
-    rotation = (u * sign) @ v
-    scale = float((spread * sign).sum() / (share * a**2).sum())
-    return HeadPose(scale, rotation, aim - scale * rotation @ middle)

@@ -21,7 +21,8 @@ LANDMARKS = 478
 LARGEST_PICTURE = 8192
 FARTHEST = 4.0
 """How far outside the picture a point may lie, in widths or heights of it."""
-_SIGNATURE, _VERSION = b"OMLM", 1
+_SIGNATURE = b"OMLM"
+_VERSION = 1
 _HEADER = struct.Struct("<4sHHHHd")
 
 

@@ -3,9 +3,8 @@
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import NDArray
 
-Rows = NDArray[np.intp]
+from omote.arrays import Rows
 
 
 def _rows(text: str) -> Rows:

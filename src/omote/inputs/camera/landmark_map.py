@@ -1,6 +1,6 @@
-"""The map from a face's landmarks to weights of units, gaze and head: a small network, trained when Omote is built.
+"""The map from a face's landmarks to weights of units, gaze and head: a small network beside this module.
 
-tools/tracking makes and trains it on pictures of people of ours (decision 0134).
+tools/tracking trains it on pictures of people of ours (docs/decisions/webcam.md).
 """
 
 from __future__ import annotations
@@ -14,12 +14,11 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import NDArray
 
-from omote.builtin import HERE
+from omote.arrays import Values
 from omote.inputs.camera.face_features import measures, pose_terms
 from omote.inputs.trackers.arkit_names import ARKIT_NAMES
 
-Values = NDArray[np.float64]
-MAP = HERE / "landmark_map.npz"
+MAP = Path(__file__).with_name("landmark_map.npz")
 FORMAT = 1
 UNITS = tuple(name for name in ARKIT_NAMES if not name.startswith("eyeLook"))
 """What the map gives first; then yaw and pitch of the gaze, then yaw, pitch and roll of the head (radians)."""
@@ -43,11 +42,12 @@ class Compression:
     spread: NDArray[np.float32]
 
     def features(self, face: Values, rest: Values, poses: Values) -> Values:
-        """The features (..., f) of faces (..., 478, 3), of how they rest (same shape), and rows (..., 6) of poses."""
+        """The features (..., f) of a face (..., 478, 3), of how it is at rest (same shape), and rows (..., 6) of
+        poses."""
         return (self.raw(face, rest, poses) - self.centre) / self.spread
 
     def raw(self, face: Values, rest: Values, poses: Values) -> Values:
-        """The same before they are scaled."""
+        """The same before they are scaled, of face, rest and poses as `features` takes them."""
         flat = (*face.shape[:-2], -1)
         moved = ((face - rest).reshape(flat) - self.moved_mean) @ self.moved_basis
         whose = (rest.reshape(flat) - self.rest_mean) @ self.rest_basis
@@ -113,23 +113,19 @@ def swish(values: Values) -> Values:
 
 @cache
 def load_landmark_map() -> LandmarkMap:
-    """The built-in map, read once. FileNotFoundError where it was not trained; ValueError where it is another
-    version's."""
+    """The map that comes with Omote, read once; ValueError where it is missing or another version's."""
     return read_landmark_map(MAP)
 
 
 def read_landmark_map(path: Path) -> LandmarkMap:
-    """The map in a file of tools/tracking; errors as `load_landmark_map`."""
-    if not path.is_file():
-        raise FileNotFoundError(
-            f"the map of the camera's landmarks is missing: there is no {path.name} in {path.parent}; run `make setup` "
-            "in a checkout, or install a wheel of Omote"
-        )
+    """The map in a file that `tools/tracking` wrote; ValueError where it is none of this version."""
     try:
         with np.load(path, allow_pickle=False) as file:
             return _read(dict(file))
     except (KeyError, OSError, EOFError, ValueError, zipfile.BadZipFile) as error:
-        raise ValueError(f"{path} is no map of this version ({error}); delete it and run `make setup`") from error
+        raise ValueError(
+            f"{path} is no map of this version ({error}); put back the one that came with Omote"
+        ) from error
 
 
 def _read(arrays: dict[str, NDArray[np.float32]]) -> LandmarkMap:
@@ -143,5 +139,6 @@ def _read(arrays: dict[str, NDArray[np.float32]]) -> LandmarkMap:
     linear = arrays["linear"].astype(np.float32)
     if linear.shape != (len(named["centre"]), OUTPUTS):
         raise ValueError(f"its linear part has shape {linear.shape}; expected {(len(named['centre']), OUTPUTS)}")
-    order, sign = arrays["order"].astype(np.intp), arrays["sign"].astype(np.float32)
+    order = arrays["order"].astype(np.intp)
+    sign = arrays["sign"].astype(np.float32)
     return LandmarkMap(Compression(**named), order, sign, linear, layers)

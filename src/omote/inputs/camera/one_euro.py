@@ -8,9 +8,9 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
-Values = NDArray[np.float64]
+from omote.arrays import Values
+
 LONGEST_GAP = 0.5
 """Seconds; after more it begins anew."""
 
@@ -41,12 +41,15 @@ class OneEuroFilter:
         gap = LONGEST_GAP + 1.0 if self._time is None else time - self._time
         if not 0.0 < gap <= LONGEST_GAP:
             if gap != 0.0:
-                self._time, self._values, self._speeds = time, values.copy(), np.zeros_like(values)
+                self._time = time
+                self._values = values.copy()
+                self._speeds = np.zeros_like(values)
             return self._values
         one = self.smoothing
         self._speeds = self._speeds + _share(one.slope, gap) * ((values - self._values) / gap - self._speeds)
         share = _share(one.calm + one.lively * np.abs(self._speeds), gap)
-        self._values, self._time = self._values + share * (values - self._values), time
+        self._values = self._values + share * (values - self._values)
+        self._time = time
         return self._values
 
 

@@ -13,14 +13,13 @@ from dataclasses import dataclass, field
 from types import MappingProxyType
 
 import numpy as np
-from numpy.typing import NDArray
 
+from omote.arrays import Values
 from omote.inputs.camera.face_features import pose_row
 from omote.inputs.camera.guided_steps import NEUTRAL, STEPS
 from omote.inputs.camera.head_pose import fit_pose, metric_points, normal_face
 from omote.inputs.camera.landmark_frame import LANDMARKS, LandmarkFrame
 
-Values = NDArray[np.float64]
 FEWEST = 5
 """Frames with a face that a step is measured from."""
 VERSION = 1
@@ -72,7 +71,8 @@ class PerformerCalibration:
         """The calibration in a text of `to_json`; CalibrationError where it is none of this version."""
         try:
             stored = json.loads(text)
-            version, faces = stored["version"], stored["faces"]
+            version = stored["version"]
+            faces = stored["faces"]
             if version != VERSION:
                 raise CalibrationError(f"it has version {version!r}, this version reads {VERSION}: calibrate again")
             read = {str(name): _decode(face) for name, face in faces.items()}

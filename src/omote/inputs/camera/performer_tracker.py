@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import NDArray
 
+from omote.arrays import Values
 from omote.inputs.camera.face_features import pose_row
 from omote.inputs.camera.head_pose import fit_pose, metric_points
 from omote.inputs.camera.landmark_frame import LandmarkFrame
@@ -15,12 +15,12 @@ from omote.inputs.camera.personal_map import PersonalMap
 from omote.inputs.trackers.head_angles import limit_gaze, limit_head
 from omote.inputs.trackers.tracker_frame import TrackerFrame
 
-Values = NDArray[np.float64]
 REST_SECONDS = 2.0
 """How long a face at rest is averaged where no calibration says it."""
 SHUT = 0.6
 """Of both lids: behind them nobody sees where the eyes look, and the gaze stays."""
-_GAZE, _HEAD = slice(len(UNITS), len(UNITS) + 2), slice(len(UNITS) + 2, len(UNITS) + 5)
+_GAZE = slice(len(UNITS), len(UNITS) + 2)
+_HEAD = slice(len(UNITS) + 2, len(UNITS) + 5)
 
 
 class PerformerTracker:

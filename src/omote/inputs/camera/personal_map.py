@@ -3,13 +3,12 @@
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import NDArray
 
+from omote.arrays import Values
 from omote.inputs.camera.guided_steps import GUIDED, LOOKS, guided_weights
 from omote.inputs.camera.landmark_map import UNITS, LandmarkMap
 from omote.inputs.camera.performer_calibration import FaceInStep, PerformerCalibration
 
-Values = NDArray[np.float64]
 DOUBT = 3.0
 """How little the guided steps count against the map, over their own size (the ridge of the correction)."""
 GAZE = slice(len(UNITS), len(UNITS) + 2)
@@ -30,9 +29,11 @@ class PersonalMap:
     """
 
     def __init__(self, general: LandmarkMap, calibration: PerformerCalibration) -> None:
-        self._map, self._rest = general, calibration.rest.face
+        self._map = general
+        self._rest = calibration.rest.face
         hidden, outputs = self._read(calibration.rest)
-        self._hidden, self._outputs = hidden, outputs.copy()
+        self._hidden = hidden
+        self._outputs = outputs.copy()
         self._outputs[len(UNITS) + 2 :] = 0.0  # the head's own angles are absolute
         self._correction = self._correct(calibration)
         self._lids = self._stretch_lids(calibration)

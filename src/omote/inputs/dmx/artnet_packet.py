@@ -11,7 +11,9 @@ from omote.inputs.rejection import PacketError
 
 ARTNET_PORT = 6454
 IDENTIFIER = b"Art-Net\0"
-POLL, POLL_REPLY, DMX = 0x2000, 0x2100, 0x5000
+POLL = 0x2000
+POLL_REPLY = 0x2100
+DMX = 0x5000
 HEADER = struct.Struct("<8sH")
 LEVELS = struct.Struct(">HBBBBH")
 LEVELS_AT = HEADER.size
@@ -21,8 +23,10 @@ HIGHEST_UNIVERSE = 0x7FFF
 PORTS_OF_A_REPLY = 4
 SHORTEST_POLL = 14
 REPLY = struct.Struct("<8sH4sH2sBB2sBB2s18s64s64s2s4s4s4s4s4s3s3sB6s4sBB26s")
-UNKNOWN_OEM, PROTOTYPE_MAKER = b"\x00\xff", b"\xf0\x7f"
-DMX_OUTPUT, OUTPUT_RUNS = 0x80, 0x80
+UNKNOWN_OEM = b"\x00\xff"
+PROTOTYPE_MAKER = b"\xf0\x7f"
+DMX_OUTPUT = 0x80
+OUTPUT_RUNS = 0x80
 READY = 0xD0
 """Of a node: its indicators are normal, and its addresses are set by a program."""
 WIDE_ADDRESSES = 0x08
@@ -80,7 +84,10 @@ def _decode_levels(data: bytes) -> ArtDmx:
 
 
 def encode_poll_replies(address: str, universes: Sequence[int], *, port: int = ARTNET_PORT) -> list[bytes]:
-    """The answers to ArtPoll: this node at an address of IPv4, one packet for each four universes of a sub-net."""
+    """The answers to ArtPoll: this node at an address of IPv4, one packet for each four universes of a sub-net.
+
+    port: where this node hears Art-Net.
+    """
     groups: dict[int, list[int]] = {}
     for universe in sorted(set(universes)):
         groups.setdefault(universe >> 4, []).append(universe & 0xF)
@@ -94,7 +101,8 @@ def encode_poll_replies(address: str, universes: Sequence[int], *, port: int = A
 
 def _reply(address: str, port: int, block: int, ports: Sequence[int], index: int) -> bytes:
     host = ipaddress.IPv4Address(address).packed
-    kinds, runs = bytes([DMX_OUTPUT] * len(ports)), bytes([OUTPUT_RUNS] * len(ports))
+    kinds = bytes([DMX_OUTPUT] * len(ports))
+    runs = bytes([OUTPUT_RUNS] * len(ports))
     head = (IDENTIFIER, POLL_REPLY, host, port, b"\0\1", block >> 4, block & 0xF, UNKNOWN_OEM, 0, READY)
     names = (PROTOTYPE_MAKER, b"Omote", b"Omote, faces played live", b"#0001 [0000] playing")
     outputs = (struct.pack(">H", len(ports)), kinds, b"", runs, b"", bytes(ports))

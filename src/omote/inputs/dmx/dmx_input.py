@@ -12,7 +12,8 @@ from omote.inputs.dmx.sacn_packet import SacnPacket, decode_sacn
 from omote.inputs.reading import Reading
 from omote.inputs.rejection import PacketError, Rejection
 
-SACN, ARTNET = "sACN", "Art-Net"
+SACN = "sACN"
+ARTNET = "Art-Net"
 """The devices whose controls are `universe/slot`, both as a lighting desk shows them; slots begin at 1."""
 FULL = 255.0
 
@@ -43,25 +44,25 @@ class DmxInput:
     @property
     def heard(self) -> int:
         """The count of packets of both protocols."""
-        return sum(each.heard for each in self.counts.values())
+        return sum(packets.heard for packets in self.counts.values())
 
     @property
     def rejected(self) -> int:
         """The count of those that were rejected."""
-        return sum(each.rejected for each in self.counts.values())
+        return sum(packets.rejected for packets in self.counts.values())
 
     @property
     def last_rejection(self) -> Rejection | None:
         """The newest of these."""
-        found = (each.last_rejection for each in self.counts.values() if each.last_rejection is not None)
-        return max(found, key=lambda rejection: rejection.time, default=None)
+        rejections = (packets.last_rejection for packets in self.counts.values() if packets.last_rejection is not None)
+        return max(rejections, key=lambda rejection: rejection.time, default=None)
 
     def values_of(self, device: str) -> dict[str, float]:
         """Where the watched slots of a protocol stand, sixty-four at most."""
         slots = (
             (f"{number}/{slot}", level)
-            for (name, number), each in self._watched.items()
-            for slot, level in each.items()
+            for (name, number), watched_slots in self._watched.items()
+            for slot, level in watched_slots.items()
             if name == device and level is not None
         )
         return {control: level / FULL for control, level in islice(slots, 64)}
@@ -69,7 +70,8 @@ class DmxInput:
     def watch(self, controls: Iterable[tuple[str, str]]) -> None:
         """Reads these controls from now on, each a device and a control; those of other devices are left out. One that
         was watched already is read when it moves next."""
-        before, self._watched = self._watched, {}
+        before = self._watched
+        self._watched = {}
         for device, control in controls:
             if device in (SACN, ARTNET):
                 universe, slot = read_control(control)
@@ -79,7 +81,7 @@ class DmxInput:
                     self._universes.setdefault((device, universe), Universe())
 
     def receive_sacn(self, host: str, data: bytes, now: float) -> None:
-        """Takes a packet of sACN."""
+        """Takes a packet (data) of sACN from a host. now: seconds of the show's clock."""
         self._count(SACN, host)
         try:
             packet = decode_sacn(data)
@@ -90,7 +92,8 @@ class DmxInput:
             self.reject(SACN, f"{SACN} from {host}", str(error), now)
 
     def receive_artnet(self, host: str, data: bytes, now: float, own: str) -> list[bytes]:
-        """Takes a packet of Art-Net; returns what is answered. own: this node's address."""
+        """Takes a packet (data) of Art-Net from a host; returns what is answered. now: seconds of the show's clock;
+        own: this node's address."""
         self._count(ARTNET, host)
         try:
             packet = decode_artnet(data)
@@ -106,22 +109,23 @@ class DmxInput:
 
     def take_readings(self, now: float) -> list[Reading]:
         """The watched slots whose levels are others than at the last call."""
-        found = []
+        readings = []
         for (device, number), slots in self._watched.items():
             universe = self._universes.get((device, number))
             levels = b"" if universe is None else universe.levels(now)
             for slot, before in slots.items():
                 if slot <= len(levels) and levels[slot - 1] != before:
                     slots[slot] = levels[slot - 1]
-                    found.append(Reading(device, f"{number}/{slot}", levels[slot - 1] / FULL))
-        return found
+                    readings.append(Reading(device, f"{number}/{slot}", levels[slot - 1] / FULL))
+        return readings
 
     def take_lost(self, now: float) -> list[str]:
         """The universes that have lost their last source since the last call, in words."""
         for universe in self._universes.values():
             universe.levels(now)
         lost = {key for key, universe in self._universes.items() if universe.lost}
-        new, self._told_lost = sorted(lost - self._told_lost), lost
+        new = sorted(lost - self._told_lost)
+        self._told_lost = lost
         return [f"{device} universe {number} has lost its source; its last levels hold" for device, number in new]
 
     def _take_sacn(self, packet: SacnPacket, now: float) -> None:
@@ -135,7 +139,10 @@ class DmxInput:
             universe.receive(packet.source, packet.slots, now, priority=packet.priority, sequence=packet.sequence)
 
     def reject(self, device: str, sender: str, reason: str, now: float) -> None:
-        """Counts what was not obeyed."""
+        """Counts what was not obeyed.
+
+        device: the protocol; sender: who sent it, in words; reason: why; now: seconds of the show's clock.
+        """
         self.counts[device].rejected += 1
         self.counts[device].last_rejection = Rejection(now, sender, reason)
 
@@ -149,7 +156,8 @@ def read_control(text: str) -> tuple[int, int]:
     universe, slash, slot = text.partition("/")
     if not (slash and universe.isdecimal() and slot.isdecimal() and universe.isascii() and slot.isascii()):
         raise ValueError(f"{text[:40]!r} is no slot of DMX; expected universe/slot, such as 1/17")
-    number, place = int(universe[:9]), int(slot[:9])
+    number = int(universe[:9])
+    place = int(slot[:9])
     if not 1 <= place <= SLOTS:
         raise ValueError(f"slot {place} of {text[:40]!r} does not exist; expected 1 to {SLOTS}")
     return number, place

@@ -36,19 +36,20 @@ class Universe:
         self, source: bytes, levels: bytes, now: float, *, priority: int = 100, sequence: int | None = None
     ) -> None:
         """Takes the levels of a source. sequence: 0 to 255, None where the source does not count; PacketError for one
-        source too many."""
+        source too many; levels: of slots from 1 on, 0 to 255; now: seconds; priority: 0 to 200, of which the highest
+        counts."""
         self._forget_lost(now)
-        known = self._sources.get(source)
-        if known is None and len(self._sources) >= MOST_SOURCES:
+        sender = self._sources.get(source)
+        if sender is None and len(self._sources) >= MOST_SOURCES:
             raise PacketError(f"more than {MOST_SOURCES} sources send one universe; the newest is not heard")
-        if known is not None and _is_late(known.sequence, sequence):
+        if sender is not None and _is_late(sender.sequence, sequence):
             self.late += 1
             return
         self._sources[source] = _Source(priority, sequence, levels, now)
         self.lost = False
 
     def end(self, source: bytes, now: float) -> None:
-        """Takes a source away that says that it ends."""
+        """Takes a source away that says that it ends. now: seconds of the same clock."""
         self._forget_lost(now)
         self._merge()
         self._sources.pop(source, None)
@@ -61,7 +62,7 @@ class Universe:
         return self._levels
 
     def _forget_lost(self, now: float) -> None:
-        heard = {key: each for key, each in self._sources.items() if now - each.heard <= LOST_SECONDS}
+        heard = {key: sender for key, sender in self._sources.items() if now - sender.heard <= LOST_SECONDS}
         if self._sources and not heard:
             self._merge()
             self.lost = True
@@ -70,7 +71,7 @@ class Universe:
     def _merge(self) -> None:
         if self._sources:
             top = max(source.priority for source in self._sources.values())
-            self._levels = merge_levels([each.levels for each in self._sources.values() if each.priority == top])
+            self._levels = merge_levels([sender.levels for sender in self._sources.values() if sender.priority == top])
 
 
 def merge_levels(parts: list[bytes]) -> bytes:

@@ -13,12 +13,17 @@ IDENTIFIER = b"ASC-E1.17\0\0\0"
 ROOT_LAYER = struct.Struct(">HH12sHI16s")
 FRAMING_LAYER = struct.Struct(">HI64sBHBBH")
 DMP_LAYER = struct.Struct(">HBBHHH")
-FRAMING_AT, DMP_AT = 38, 115
-SHORTEST, LONGEST = 126, 638
-DATA, EXTENDED = 4, 8
+FRAMING_AT = 38
+DMP_AT = 115
+SHORTEST = 126
+LONGEST = 638
+DATA = 4
+EXTENDED = 8
 HIGHEST_PRIORITY = 200
-LOWEST_UNIVERSE, HIGHEST_UNIVERSE = 1, 63999
-PREVIEW, TERMINATED = 0x80, 0x40
+LOWEST_UNIVERSE = 1
+HIGHEST_UNIVERSE = 63999
+PREVIEW = 0x80
+TERMINATED = 0x40
 FLAGS = 0x7000
 
 
@@ -84,6 +89,6 @@ def _check_levels(data: bytes) -> None:
         raise SacnError(f"a packet announces {count} values, but {len(data) - SHORTEST + 1} are there")
 
 
-def _check_length(told: int, length: int, layer: str) -> None:
-    if told != FLAGS | length:
-        raise SacnError(f"the {layer} layer's length is {told & 0xFFF}, but {length} bytes are there")
+def _check_length(flags_and_length: int, length: int, layer: str) -> None:
+    if flags_and_length != FLAGS | length:
+        raise SacnError(f"the {layer} layer's length is {flags_and_length & 0xFFF}, but {length} bytes are there")

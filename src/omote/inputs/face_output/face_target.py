@@ -12,7 +12,7 @@ from omote.inputs.trackers.tracker_protocols import API_NAME
 from omote.inputs.trackers.vmc_messages import encode_vmc
 from omote.inputs.trackers.vtube_studio.api_message import API_PORT
 from omote.perform.scene.character_names import find_character
-from omote.show.messages import CharacterState
+from omote.show.objects.state import CharacterState
 
 SURFACE = "osc"
 """A surface that is told by OSC what is on air, as one that has subscribed."""
@@ -51,11 +51,14 @@ def mean_gaze(character: CharacterState) -> GazeAngles:
 
 def find_sent(name: str, characters: Mapping[str, CharacterState]) -> CharacterState | None:
     """The character that a target names, by name or label in any case, the first where it names none; None where there
-    is none, or several are meant."""
+    is none, or several are meant.
+
+    characters: those on air, by name.
+    """
     if not name:
         return next(iter(characters.values()), None)
     try:
-        return characters[find_character(name, {each: state.label for each, state in characters.items()})]
+        return characters[find_character(name, {key: state.label for key, state in characters.items()})]
     except ValueError:
         return None
 
@@ -86,7 +89,8 @@ def _read_target(word: str) -> FaceTarget:
 def encode_face(
     target: FaceTarget, character: CharacterState, weights: Mapping[str, float], time: float
 ) -> list[bytes]:
-    """The packets of a character for a target; none where it is told otherwise. weights: of all of ARKit's units."""
+    """The packets of a character for a target; none where it is told otherwise. weights: of all of ARKit's units; time:
+    seconds, as frames are numbered by."""
     gaze = mean_gaze(character)
     if target.protocol == "vmc":
         return encode_vmc(

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections import deque
-from collections.abc import Callable, Iterable
+from collections.abc import Callable
 from dataclasses import dataclass, field
 from itertools import chain, count
 
@@ -24,9 +24,9 @@ from omote.inputs.microphone.spoken_mouth import SpokenMouth
 from omote.inputs.microphone.viseme_frame import VisemeFrame
 from omote.inputs.microphone.viseme_network import VisemeNetwork, load_network
 from omote.inputs.microphone.voice_visemes import VoiceVisemes
+from omote.inputs.source_client import SourceClient, refusals
 from omote.perform.speech.visemes import SIL, VISEMES, speech_frame
-from omote.show import messages as wire
-from omote.show.outgoing import Outgoing
+from omote.show.objects.sources import Drive, RouteSource, StreamKind
 from omote.show.session import ShowSession
 from omote.show.sources.open_source import LAYER_OF
 
@@ -40,21 +40,18 @@ RETRY_SECONDS = 1.0
 """Between two tries to become a source, where the show refused the first."""
 LET_GO_SECONDS = 1.0
 """Without a packet, after which the source says that it hears nobody."""
-KIND: wire.StreamKind = "lips"
+KIND: StreamKind = "lips"
 
 
 @dataclass
-class Microphone:
+class Microphone(SourceClient):
     """One microphone. who: its client at the session; heard, rested: when sound came, and when the mouth went on;
     asked: when it last asked to be a source; gone: its page has."""
 
-    who: str
-    name: str
     voice: VoiceVisemes
     mouth: SpokenMouth = field(default_factory=SpokenMouth)
     waiting: deque[Sound] = field(default_factory=deque)
     names: tuple[str, ...] = ()
-    index: int | None = None
     newest: VisemeFrame | None = None
     heard: float = 0.0
     rested: float = 0.0
@@ -67,7 +64,8 @@ class MicrophoneInput:
     """All microphones of a show. rejected: how much was not obeyed."""
 
     def __init__(self, session: Callable[[], ShowSession], network: VisemeNetwork | None = None) -> None:
-        self._session, self._network = session, network
+        self._session = session
+        self._network = network
         self._open: dict[str, Microphone] = {}
         self.rejected = 0
 
@@ -75,7 +73,10 @@ class MicrophoneInput:
         return len(self._open)
 
     def hear(self, who: str, data: bytes, now: float) -> list[ToMicrophone]:
-        """Does what a page says; its sound is played at the next tick. Returns what the page is told."""
+        """Does what a page says; its sound is played at the next tick. Returns what the page is told.
+
+        who: the page; data: its message; now: seconds of the show's clock.
+        """
         try:
             message = read_message(data)
             return self._begin(who, message, now) if isinstance(message, Begin) else self._obey(who, message, now)
@@ -84,28 +85,29 @@ class MicrophoneInput:
             return [Rejected(str(error))]
 
     def leave(self, who: str) -> None:
-        """A page has gone: its mouth comes to rest, then its source ends."""
+        """Lets a page go: its mouth comes to rest, then its source ends."""
         if who in self._open:
             self._open[who].gone = True
 
     def play(self, now: float) -> list[tuple[str, Rejected]]:
         """Drives the session by what has come since the last tick; returns what pages are told."""
-        told = []
+        rejections = []
         for who, microphone in list(self._open.items()):
             _go_on(microphone, now)
             if microphone.gone and not microphone.mouth.share:
                 self._end(who)
                 continue
-            told += [(who, Rejected(reason)) for reason in self._drive(microphone, now)]
-        self.rejected += len(told)
-        return told
+            rejections += [(who, Rejected(reason)) for reason in self._drive(microphone, now)]
+        self.rejected += len(rejections)
+        return rejections
 
     def voice(self, who: str) -> Voice | None:
         """What a page is told of its microphone; None of one that has not begun."""
         microphone = self._open.get(who)
         if microphone is None:
             return None
-        newest, session = microphone.newest, self._session()
+        newest = microphone.newest
+        session = self._session()
         return Voice(
             level=round(microphone.voice.level, 1),
             speaks=0.0 if newest is None else round(newest.speaks, 2),
@@ -129,11 +131,13 @@ class MicrophoneInput:
         self._network = self._network or load_network()
         voice = VoiceVisemes(self._network, asked.profile)
         self._end(who)
-        for gone in [each.who for each in self._open.values() if each.gone and each.name == asked.name]:
+        for gone in [
+            microphone.who for microphone in self._open.values() if microphone.gone and microphone.name == asked.name
+        ]:
             self._end(gone)  # a page that was loaded anew
         name = self._free_name(asked.name)
-        self._open[who] = Microphone(who, name, voice, heard=now, rested=now)
-        self._session().join(who, name[:24])
+        self._open[who] = Microphone(name, who, voice, heard=now, rested=now)
+        self._open[who].join(self._session())
         return []
 
     def _end(self, who: str) -> None:
@@ -142,7 +146,9 @@ class MicrophoneInput:
 
     def _free_name(self, asked: str) -> str:
         """The name, with a number behind it where another source has it."""
-        taken = {each.name for each in self._session().sources.states({})} | {each.name for each in self._open.values()}
+        taken = {source.name for source in self._session().sources.states({})} | {
+            microphone.name for microphone in self._open.values()
+        }
         return next(name for name in chain([asked], (f"{asked} {number}" for number in count(2))) if name not in taken)
 
     def _obey(self, who: str, message: Sentence | Speak | Sound, now: float) -> list[ToMicrophone]:
@@ -152,8 +158,8 @@ class MicrophoneInput:
             return []
         if isinstance(message, Speak):
             characters = [message.character] if message.character else []
-            call = wire.RouteSource(f"voice {who} {now}", microphone.name, characters, LAYER_OF[KIND], [])
-            return [Rejected(reason) for reason in _refusals(self._session().receive(who, call, now))]
+            call = RouteSource(f"voice {who} {now}", microphone.name, characters, LAYER_OF[KIND], [])
+            return [Rejected(reason) for reason in refusals(self._session().receive(who, call, now))]
         if message.step == "start":
             microphone.voice.start_sentence()
             return []
@@ -170,40 +176,27 @@ class MicrophoneInput:
         """Sends the mouth to the session; returns the reasons of rejections."""
         session = self._session()
         names = session.cast.expressions
-        if microphone.who not in session.crew:
-            session.join(microphone.who, microphone.name[:24])
-            microphone.index = None
+        microphone.join(session)
         frame = speech_frame(microphone.mouth.mouth, names, source=microphone.name)
         if microphone.index is None or frame.names != microphone.names:
             if now - microphone.asked < RETRY_SECONDS:
                 return []
             microphone.asked = now
-            answers = session.receive(microphone.who, self._source(session, microphone, frame.names, now), now)
-            found = [answer.message for answer in answers if isinstance(answer.message, wire.SourceIs)]
-            if not found:
-                return _refusals(answers)
-            microphone.index, microphone.names = found[0].index, frame.names
+            refused = microphone.open(session, KIND, frame.names, now, direct=True)
+            if microphone.index is None:
+                return refused
+            microphone.names = frame.names
         values = frame.values.astype("<f4").tobytes()
         hears = now - microphone.heard < LET_GO_SECONDS
-        drive = wire.Drive(microphone.index, values, found=hears, share=microphone.mouth.share)
-        return _refusals(session.receive(microphone.who, drive, now))
-
-    def _source(self, session: ShowSession, microphone: Microphone, names: tuple[str, ...], now: float) -> wire.Source:
-        """The source of a microphone. One that comes for the first time speaks through the character of a show that
-        has one, if no other voice does."""
-        alone = session.sources.find_alone(microphone.name, session.scene, LAYER_OF[KIND], now)
-        return wire.Source(microphone.name, KIND, list(names), alone, direct=True)
-
-
-def _refusals(answers: Iterable[Outgoing]) -> list[str]:
-    return [answer.message.reason for answer in answers if isinstance(answer.message, wire.Refused)]
+        drive = Drive(microphone.index, values, found=hears, share=microphone.mouth.share)
+        return refusals(session.receive(microphone.who, drive, now))
 
 
 def _wait(microphone: Microphone, sound: Sound, now: float) -> None:
     """Keeps sound for the next tick."""
     microphone.waiting.append(sound)
     microphone.heard = now
-    while sum(len(each.samples) for each in microphone.waiting) > 2 * MOST_WAITING * SAMPLE_RATE:
+    while sum(len(part.samples) for part in microphone.waiting) > 2 * MOST_WAITING * SAMPLE_RATE:
         microphone.waiting.popleft()
 
 
@@ -215,7 +208,9 @@ def _go_on(microphone: Microphone, now: float) -> None:
         frames = microphone.voice.push(read_pcm(b"".join(packet.samples for packet in packets)))
         microphone.mouth.follow(frames)
         microphone.newest = frames[-1] if frames else microphone.newest
-        microphone.rested, microphone.sent = now, packets[-1].sent
+        microphone.rested = now
+        microphone.sent = packets[-1].sent
     if now - microphone.heard > PAUSE_SECONDS:
         microphone.mouth.rest(max(0.0, now - microphone.rested))
-        microphone.rested, microphone.newest = now, None
+        microphone.rested = now
+        microphone.newest = None

@@ -11,26 +11,29 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from omote.arrays import Floats
+
 SAMPLE_RATE = 16000
-HOP, WINDOW, TRANSFORM = 160, 400, 512
+HOP = 160
+WINDOW = 400
+TRANSFORM = 512
 FRAME_SECONDS = HOP / SAMPLE_RATE
 BANDS = 24
-LOWEST_HERTZ, HIGHEST_HERTZ = 80.0, 7600.0
+LOWEST_HERTZ = 80.0
+HIGHEST_HERTZ = 7600.0
 LAGS = (40, 200)
 """Samples of the shortest and the longest period of a voice."""
 QUIETEST = -100.0
 """dB of full scale below which sound counts as silence: the noise of 16 bits lies at -98."""
-
-FloatArray = NDArray[np.float32]
 
 
 @dataclass(frozen=True)
 class SoundFeatures:
     """Frames of sound. bands: (frames, 24) dB of full scale; level: (frames,) dB; voicing: (frames,) 0..1."""
 
-    bands: FloatArray
-    level: FloatArray
-    voicing: FloatArray
+    bands: Floats
+    level: Floats
+    voicing: Floats
 
     def __len__(self) -> int:
         return len(self.level)
@@ -42,7 +45,7 @@ class FeatureStream:
     def __init__(self) -> None:
         self._rest = np.zeros(WINDOW - HOP, np.float32)
 
-    def push(self, samples: FloatArray) -> SoundFeatures:
+    def push(self, samples: Floats) -> SoundFeatures:
         """The features of the frames that these samples complete. samples: -1..1, at 16 kHz."""
         sound = np.concatenate([self._rest, samples.astype(np.float32, copy=False)])
         count = max(0, (len(sound) - WINDOW) // HOP + 1)
@@ -53,9 +56,9 @@ class FeatureStream:
         return _measure(frames * _HANN)
 
 
-def read_pcm(data: bytes) -> FloatArray:
+def read_pcm(data: bytes) -> Floats:
     """Samples of 16 bits, little-endian, as numbers from -1 to 1."""
-    samples: FloatArray = np.frombuffer(data, "<i2").astype(np.float32) / np.float32(32768.0)
+    samples: Floats = np.frombuffer(data, "<i2").astype(np.float32) / np.float32(32768.0)
     return samples
 
 
@@ -64,7 +67,7 @@ def band_hertz() -> NDArray[np.float64]:
     return _edges()[1:-1]
 
 
-def _measure(frames: FloatArray) -> SoundFeatures:
+def _measure(frames: Floats) -> SoundFeatures:
     """The features of windowed frames."""
     power = np.abs(np.fft.rfft(frames, TRANSFORM)) ** 2
     level = np.sum(frames * frames, axis=1) / _HANN_POWER
@@ -74,18 +77,18 @@ def _measure(frames: FloatArray) -> SoundFeatures:
     return SoundFeatures(_decibels(power @ _TRIANGLES), _decibels(level), voicing.astype(np.float32))
 
 
-def _decibels(power: NDArray[np.floating]) -> FloatArray:
-    bands: FloatArray = (10.0 * np.log10(np.maximum(power, 10.0 ** (QUIETEST / 10.0)))).astype(np.float32)
+def _decibels(power: NDArray[np.floating]) -> Floats:
+    bands: Floats = (10.0 * np.log10(np.maximum(power, 10.0 ** (QUIETEST / 10.0)))).astype(np.float32)
     return bands
 
 
-def _triangles() -> FloatArray:
+def _triangles() -> Floats:
     """What each frequency adds to each band: mean power of the band, of a full-scale sine 0 dB in sum."""
     edges = _edges()
     hertz = np.fft.rfftfreq(TRANSFORM, 1.0 / SAMPLE_RATE)[:, None]
     rising = (hertz - edges[:-2]) / (edges[1:-1] - edges[:-2])
     falling = (edges[2:] - hertz) / (edges[2:] - edges[1:-1])
-    bands: FloatArray = (np.maximum(0.0, np.minimum(rising, falling)) * 2.0 / (TRANSFORM * _HANN_POWER)).astype("f4")
+    bands: Floats = (np.maximum(0.0, np.minimum(rising, falling)) * 2.0 / (TRANSFORM * _HANN_POWER)).astype("f4")
     return bands
 
 

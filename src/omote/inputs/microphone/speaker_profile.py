@@ -7,22 +7,27 @@ from dataclasses import dataclass
 import msgspec
 import numpy as np
 
-from omote.inputs.microphone.sound_features import BANDS, FloatArray, SoundFeatures
+from omote.arrays import Floats
+from omote.inputs.microphone.sound_features import BANDS, SoundFeatures
 
 TYPICAL_LEVEL = -34.0
 """dB of the level of speech before any was heard."""
 TYPICAL_BANDS = np.interp(np.arange(BANDS), [0, 4, 10, 16, 23], [-8, -6, -16, -22, -27]).astype(np.float32)
 """dB of each band of speech above its level: the long-term mean, which falls towards the treble."""
-CALIBRATED_FRAMES, TYPICAL_FRAMES, MOST_FRAMES = 300.0, 15.0, 600.0
+CALIBRATED_FRAMES = 300.0
+TYPICAL_FRAMES = 15.0
+MOST_FRAMES = 600.0
 """What a calibration, and the typical voice, count for beside frames that are heard; and the most of them together."""
 FIRST_FRAMES = 3
 """Frames at the begin whose window is not full of sound yet: they are quieter than the noise is."""
-CHANGE, LEAST_CHANGE = 4.0, 0.05
+CHANGE = 4.0
+LEAST_CHANGE = 0.05
 """dB of mean change from frame to frame at which a frame counts in full, and what one that stays counts: who holds one
 vowel says nothing of the voice's mean."""
 ABOVE_FLOOR = 9.0
 """dB above the noise from which a frame counts as speech."""
-FLOOR_FALL, FLOOR_RISE = 0.25, 0.03
+FLOOR_FALL = 0.25
+FLOOR_RISE = 0.03
 """Share of the way down, and dB up, that the noise is followed in a frame."""
 
 
@@ -61,16 +66,17 @@ class SpeakerState:
         self.bands = TYPICAL_BANDS + TYPICAL_LEVEL if profile is None else np.array(profile.bands, np.float32)
         self.level = TYPICAL_LEVEL if profile is None else profile.level
         self.frames = TYPICAL_FRAMES if profile is None else CALIBRATED_FRAMES
-        self._before: FloatArray | None = None
+        self._before: Floats | None = None
         self._heard = 0
-        self.floor: FloatArray | None = None
+        self.floor: Floats | None = None
         self.floor_level = 0.0
 
-    def follow(self, bands: FloatArray, level: float) -> FloatArray:
-        """Takes one frame into account; returns the floor of each band, dB."""
+    def follow(self, bands: Floats, level: float) -> Floats:
+        """Takes one frame into account; returns the floor of each band, dB. bands: (24,) dB; level: dB."""
         self._heard += 1
         if self.floor is None or self._heard <= FIRST_FRAMES:
-            self.floor, self.floor_level = bands.copy(), min(level, self.level - 2 * ABOVE_FLOOR)
+            self.floor = bands.copy()
+            self.floor_level = min(level, self.level - 2 * ABOVE_FLOOR)
         down = bands < self.floor
         self.floor += np.where(down, FLOOR_FALL * (bands - self.floor), FLOOR_RISE)
         self.floor_level += FLOOR_FALL * (level - self.floor_level) if level < self.floor_level else FLOOR_RISE

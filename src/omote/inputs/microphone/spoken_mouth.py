@@ -6,13 +6,15 @@ from collections.abc import Sequence
 
 import numpy as np
 
+from omote.arrays import Values
 from omote.inputs.microphone.sound_features import FRAME_SECONDS
 from omote.inputs.microphone.viseme_frame import VisemeFrame
-from omote.perform.layers.follower import Values, follow_number, rate_of
+from omote.perform.layers.follower import follow_number, rate_of
 from omote.perform.speech.viseme_stream import VisemeStream, follow_visemes
 from omote.perform.speech.visemes import SIL, VISEMES
 
-RISE_SECONDS, FALL_SECONDS = 0.03, 0.4
+RISE_SECONDS = 0.03
+FALL_SECONDS = 0.4
 """In which a voice takes its layer when it begins, and lets it go."""
 HOLD_SECONDS = 0.3
 """The longest pause in which the layer is not let go: a closure, a breath between words."""

@@ -9,7 +9,8 @@ from pathlib import Path
 
 import numpy as np
 
-from omote.inputs.microphone.sound_features import BANDS, FloatArray, SoundFeatures
+from omote.arrays import Floats
+from omote.inputs.microphone.sound_features import BANDS, SoundFeatures
 from omote.inputs.microphone.speaker_profile import SpeakerState
 from omote.perform.speech.visemes import VISEMES
 
@@ -23,7 +24,7 @@ WEIGHTS_FILE = Path(__file__).with_name("viseme_network.npz")
 
 _HALF = np.float32(0.5)
 
-State = tuple[FloatArray, ...]
+Remembered = tuple[Floats, ...]
 """What the recurrent layers remember, one array of units each."""
 
 
@@ -31,8 +32,8 @@ State = tuple[FloatArray, ...]
 class Dense:
     """A layer: weight (inputs, units), bias (units,)."""
 
-    weight: FloatArray
-    bias: FloatArray
+    weight: Floats
+    bias: Floats
 
 
 @dataclass(frozen=True, eq=False)
@@ -42,22 +43,24 @@ class Gated:
     weight (inputs, 3 units), bias: of reset, update and new value; back (units, 3 units), back_bias: of its own values.
     """
 
-    weight: FloatArray
-    bias: FloatArray
-    back: FloatArray
-    back_bias: FloatArray
+    weight: Floats
+    bias: Floats
+    back: Floats
+    back_bias: Floats
 
     @property
     def units(self) -> int:
         """How many numbers it remembers."""
         return len(self.back)
 
-    def step(self, given: FloatArray, before: FloatArray) -> FloatArray:
-        """Its values after one frame. given: of the frame, `inputs @ weight + bias`."""
-        units, own = self.units, before @ self.back + self.back_bias
-        gates: FloatArray = _HALF + _HALF * np.tanh(_HALF * (given[: 2 * units] + own[: 2 * units]))
-        new = np.tanh(given[2 * units :] + gates[:units] * own[2 * units :])
-        values: FloatArray = new + gates[units:] * (before - new)
+    def step(self, weighted: Floats, before: Floats) -> Floats:
+        """Its values after one frame. weighted: of the frame, `inputs @ weight + bias`; before: its values after the
+        frame before, (units,)."""
+        units = self.units
+        own = before @ self.back + self.back_bias
+        gates: Floats = _HALF + _HALF * np.tanh(_HALF * (weighted[: 2 * units] + own[: 2 * units]))
+        new = np.tanh(weighted[2 * units :] + gates[:units] * own[2 * units :])
+        values: Floats = new + gates[units:] * (before - new)
         return values
 
 
@@ -82,24 +85,29 @@ class VisemeNetwork:
                 f"the layers are {shapes}, {backs}; they lead from {INPUTS} inputs to {len(VISEMES)} visemes"
             )
 
-    def begin(self) -> State:
+    def begin(self) -> Remembered:
         """What is remembered before any sound."""
         return tuple(np.zeros(layer.units, np.float32) for layer in self.gated)
 
-    def run(self, inputs: FloatArray, state: State) -> tuple[FloatArray, State]:
-        """The probabilities of the visemes, (frames, 15), for inputs (frames, INPUTS), and what is remembered then."""
-        values, kept = np.maximum(inputs @ self.first.weight + self.first.bias, 0.0), []
+    def run(self, inputs: Floats, state: Remembered) -> tuple[Floats, Remembered]:
+        """The probabilities of the visemes, (frames, 15), for inputs (frames, INPUTS), and what is remembered then.
+
+        state: what was remembered before.
+        """
+        values = np.maximum(inputs @ self.first.weight + self.first.bias, 0.0)
+        kept = []
         for layer, before in zip(self.gated, state, strict=True):
-            given, values = values @ layer.weight + layer.bias, np.empty((len(inputs), layer.units), np.float32)
-            for index, each in enumerate(given):
-                before = values[index] = layer.step(each, before)
+            weighted_rows = values @ layer.weight + layer.bias
+            values = np.empty((len(inputs), layer.units), np.float32)
+            for index, weighted in enumerate(weighted_rows):
+                before = values[index] = layer.step(weighted, before)
             kept.append(before)
         scores = values @ self.last.weight + self.last.bias
         powers = np.exp(scores - np.max(scores, axis=1, keepdims=True))
         return powers / np.sum(powers, axis=1, keepdims=True), tuple(kept)
 
 
-def frame_inputs(sound: SoundFeatures, speaker: SpeakerState) -> FloatArray:
+def frame_inputs(sound: SoundFeatures, speaker: SpeakerState) -> Floats:
     """What the network is given of each frame, (frames, FRAME_INPUTS): sound and noise in bands, levels, voicing.
 
     All of it is relative to the speaker, who is followed frame by frame: neither gain nor a microphone's tone counts.
@@ -110,11 +118,11 @@ def frame_inputs(sound: SoundFeatures, speaker: SpeakerState) -> FloatArray:
         frames[index, :BANDS] = bands - speaker.bands
         frames[index, BANDS:-BANDS] = level - speaker.level, level - speaker.floor_level, 10.0 * voicing
         frames[index, -BANDS:] = floor - speaker.bands
-    inputs: FloatArray = np.clip(frames * 0.1, -5.0, 4.0)
+    inputs: Floats = np.clip(frames * 0.1, -5.0, 4.0)
     return inputs
 
 
-def stack_frames(frames: FloatArray) -> FloatArray:
+def stack_frames(frames: Floats) -> Floats:
     """The inputs of each frame but the first STACK - 1."""
     count = max(0, len(frames) - STACK + 1)
     return np.concatenate([frames[place : place + count] for place in range(STACK)], axis=1)

@@ -4,13 +4,13 @@ from __future__ import annotations
 
 import numpy as np
 
+from omote.arrays import Floats
 from omote.inputs.microphone.sound_features import (
     BANDS,
     FRAME_SECONDS,
     SAMPLE_RATE,
     WINDOW,
     FeatureStream,
-    FloatArray,
     SoundFeatures,
 )
 from omote.inputs.microphone.speaker_profile import SpeakerProfile, SpeakerState, measure_speaker
@@ -27,13 +27,16 @@ from omote.perform.speech.visemes import PP, SIL
 
 DELAY_SECONDS = AHEAD * FRAME_SECONDS + 0.5 * WINDOW / SAMPLE_RATE
 """How far a decision is behind the sound: the frames that it waits for, and half a window."""
-MARGIN, CERTAIN = 2.0, 6.0
+MARGIN = 2.0
+CERTAIN = 6.0
 """dB above the noise at which sound begins to count as speech, and does in full; whether it is speech says the
 network."""
-LIPS_SHUT, LIPS_SHUT_IN_NOISE = 4.0, 6.0
+LIPS_SHUT = 4.0
+LIPS_SHUT_IN_NOISE = 6.0
 """How much more a bilabial counts than the network says: lips that miss a closure are seen, those that close too
 often are not; in noise it is less sure of them."""
-NOISY, CLEAR = 12.0, 24.0
+NOISY = 12.0
+CLEAR = 24.0
 """dB of speech above the noise where it counts as noise in full, and not at all."""
 SPOKEN_SHARE = 0.12
 """Share of the way that this goes from 0 in silence to its whole in speech, each frame: after silence lips are shut as
@@ -50,10 +53,13 @@ class VoiceVisemes:
     def __init__(self, network: VisemeNetwork, profile: SpeakerProfile | None = None) -> None:
         self._network = network
         self.profile = profile
-        self._features, self._speaker = FeatureStream(), SpeakerState(profile)
-        self._frames, self._state = np.zeros((STACK - 1, FRAME_INPUTS), np.float32), network.begin()
+        self._features = FeatureStream()
+        self._speaker = SpeakerState(profile)
+        self._frames = np.zeros((STACK - 1, FRAME_INPUTS), np.float32)
+        self._state = network.begin()
         self._levels = np.full(AHEAD, -200.0, np.float32)  # of the frames that a decision waits for
-        self._heard, self._spoken = 0, 0.0
+        self._heard = 0
+        self._spoken = 0.0
         self._sentence: list[SoundFeatures] | None = None
         self.level = -100.0
 
@@ -67,7 +73,7 @@ class VoiceVisemes:
         """dB of the speaker's speech so far."""
         return self._speaker.level
 
-    def push(self, samples: FloatArray) -> list[VisemeFrame]:
+    def push(self, samples: Floats) -> list[VisemeFrame]:
         """The visemes of the frames that these samples (-1..1, 16 kHz) complete; a decision is `DELAY_SECONDS` late."""
         sound = self._features.push(samples)
         if not len(sound):
@@ -81,7 +87,7 @@ class VoiceVisemes:
         levels = np.concatenate([self._levels, sound.level])
         self._levels = levels[-AHEAD:]
         loudest = np.lib.stride_tricks.sliding_window_view(levels, AHEAD + 1).max(axis=1)
-        return [self._frame(*each) for each in zip(shares, levels.tolist(), loudest.tolist(), strict=False)]
+        return [self._frame(*measures) for measures in zip(shares, levels.tolist(), loudest.tolist(), strict=False)]
 
     def start_sentence(self) -> None:
         """Measures the speaker from now on."""
@@ -89,12 +95,15 @@ class VoiceVisemes:
 
     def finish_sentence(self) -> SpeakerProfile:
         """The profile of the speaker, which counts from now on; ValueError where no sentence was heard."""
-        sentence, self._sentence = self._sentence or [], None
+        sentence = self._sentence or []
+        self._sentence = None
         parts = [np.concatenate([getattr(s, name) for s in sentence] or [_NONE[name]]) for name in _NONE]
         self.profile = measure_speaker(SoundFeatures(*parts))
-        floor, level = self._speaker.floor, self._speaker.floor_level
+        floor = self._speaker.floor
+        level = self._speaker.floor_level
         self._speaker = SpeakerState(self.profile)
-        self._speaker.floor, self._speaker.floor_level = floor, level
+        self._speaker.floor = floor
+        self._speaker.floor_level = level
         return self.profile
 
     def _lips_shut(self) -> float:
@@ -102,7 +111,7 @@ class VoiceVisemes:
         above = self._speaker.level - self._speaker.floor_level
         return float(np.interp(above, (NOISY, CLEAR), (LIPS_SHUT_IN_NOISE, LIPS_SHUT)))
 
-    def _frame(self, shares: FloatArray, level: float, loudest: float) -> VisemeFrame:
+    def _frame(self, shares: Floats, level: float, loudest: float) -> VisemeFrame:
         """A decision. loudest: of its frame and those that it waited for: the gate may open before the lips do."""
         self._heard += 1
         opened = (loudest - self._speaker.floor_level - MARGIN) / (CERTAIN - MARGIN)

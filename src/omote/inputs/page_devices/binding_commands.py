@@ -19,7 +19,17 @@ from omote.inputs.presets.preset import Preset
 from omote.inputs.presets.preset_list import PRESETS, find_preset, preset_for
 from omote.inputs.reading import Reading
 from omote.perform.scene.character_names import ALL
-from omote.show import messages as wire
+from omote.show.objects.bindings import (
+    Bind,
+    BindingDocument,
+    BindingList,
+    BindingsChanged,
+    Learn,
+    LearningState,
+    LoadPreset,
+    RestoreBindings,
+    Unbind,
+)
 
 Keep = Callable[[bytes], None]
 
@@ -30,7 +40,7 @@ class Learner:
 
     who: str
     name: str
-    asked: wire.Learn
+    asked: Learn
     learning: Learning
 
 
@@ -42,31 +52,32 @@ class BindingCommands:
     def __init__(
         self, editable: EditableBindings, playing: Bindings, presets: Mapping[str, str], keep: Keep = lambda _: None
     ) -> None:
-        self.editable, self.presets, self._playing, self._keep = editable, dict(presets), playing, keep
+        self.editable = editable
+        self.presets = dict(presets)
+        self._playing = playing
+        self._keep = keep
         self.learner: Learner | None = None
         self.missing: list[str] = []
-        self._loaded: list[wire.BindingsChanged] = []
+        self._loaded: list[BindingsChanged] = []
         self._reader: OrderReader | None = None
         self.number = 0
         playing.replace(editable.playing)
 
-    def carry_out(
-        self, message: wire.Bind | wire.Unbind | wire.LoadPreset | wire.RestoreBindings
-    ) -> wire.BindingsChanged:
+    def carry_out(self, message: Bind | Unbind | LoadPreset | RestoreBindings) -> BindingsChanged:
         """Does what a page asks for; ValueError where it cannot be, and nothing has changed."""
         match message:
-            case wire.Bind(change, binding, replaces):
+            case Bind(change, binding, replaces):
                 before = None if replaces is None else read_document(replaces)
-                made = self.editable.bind(change, read_document(binding), before)
-            case wire.Unbind(change, binding):
-                made = self.editable.unbind(change, read_document(binding))
-            case wire.LoadPreset(change, device, name, character):
+                outcome = self.editable.bind(change, read_document(binding), before)
+            case Unbind(change, binding):
+                outcome = self.editable.unbind(change, read_document(binding))
+            case LoadPreset(change, device, name, character):
                 preset = find_preset(name)
-                made = self.editable.give(change, device, preset.bindings(device, character))
+                outcome = self.editable.give(change, device, preset.bindings(device, character))
                 self.presets[device] = preset.name
-            case wire.RestoreBindings(change, earlier):
-                made = self.editable.restore(change, earlier)
-        return self._changed(message.id, made)
+            case RestoreBindings(change, earlier):
+                outcome = self.editable.restore(change, earlier)
+        return self._changed(message.id, outcome)
 
     def know_names(self, reader: OrderReader) -> None:
         """Looks anew which bindings name what is not there. reader: of the cast and the characters of the show."""
@@ -77,39 +88,46 @@ class BindingCommands:
 
     def greet(self, device: str, kind: str) -> Preset | None:
         """The preset of a device that is plugged in: the one that it was given; at its first time, where nothing is
-        bound on it, the one that is made for it, which pages are to be told (`take_loaded`)."""
+        bound on it, the one that is made for it, which pages are to be told (`take_loaded`).
+
+        kind: midi, gamepad or space_mouse.
+        """
         if device not in self.presets:
             preset = preset_for(device, kind)
-            bound = any(each.device == device for each in self.editable.playing)
+            bound = any(binding.device == device for binding in self.editable.playing)
             self.presets[device] = preset.name if preset else ""
             if preset and not bound:
-                given = self.editable.give(f"preset {device}", device, preset.bindings(device, ALL))
-                changed = self._changed(f"preset {device}", given)
+                outcome = self.editable.give(f"preset {device}", device, preset.bindings(device, ALL))
+                changed = self._changed(f"preset {device}", outcome)
                 self._loaded.append(msgspec.structs.replace(changed, preset=preset.label))
         return PRESETS.get(self.presets[device])
 
-    def take_loaded(self) -> list[wire.BindingsChanged]:
+    def take_loaded(self) -> list[BindingsChanged]:
         """Returns and clears what presets have bound that nobody asked for."""
-        loaded, self._loaded = self._loaded, []
+        loaded = self._loaded
+        self._loaded = []
         return loaded
 
-    def learn(self, who: str, name: str, asked: wire.Learn, now: float) -> None:
-        """Binds the next control that moves to what is asked for; an empty one stops. ValueError for no target."""
+    def learn(self, who: str, name: str, asked: Learn, now: float) -> None:
+        """Binds the next control that moves to what is asked for; an empty one stops. ValueError for no target.
+
+        who: the page; name: what others call it; now: seconds of the show's clock.
+        """
         self.number += 1
         self.learner = None
         if asked.to:
             target = read_target(asked.to, asked.arguments, asked.axis or None)
             self.learner = Learner(who, name, asked, Learning(target, now, asked.bank))
 
-    def hear(self, readings: list[Reading]) -> tuple[str, wire.BindingsChanged] | None:
+    def hear(self, readings: list[Reading]) -> tuple[str, BindingsChanged] | None:
         """What is learned from readings, and for whom; None while nothing is. ValueError where it cannot be bound."""
         learner = self.learner
-        found = None if learner is None else learner.learning.hear(readings)
-        if learner is None or found is None:
+        learned = None if learner is None else learner.learning.hear(readings)
+        if learner is None or learned is None:
             return None
         self.learner = None
         self.number += 1
-        return learner.who, self._changed(learner.asked.id, self.editable.bind(learner.asked.id, found))
+        return learner.who, self._changed(learner.asked.id, self.editable.bind(learner.asked.id, learned))
 
     def pass_time(self, now: float) -> None:
         """Ends learning that has gone on for too long."""
@@ -117,28 +135,28 @@ class BindingCommands:
             self.learner = None
             self.number += 1
 
-    def list_now(self) -> wire.BindingList:
+    def list_now(self) -> BindingList:
         """All bindings, for pages."""
         learner = self.learner
         asked = None if learner is None else learner.asked
-        return wire.BindingList(
-            bindings=[document_of(each) for each in self.editable.playing],
-            fixed=[document_of(each) for each in self.editable.fixed],
+        return BindingList(
+            bindings=[document_of(binding) for binding in self.editable.playing],
+            fixed=[document_of(binding) for binding in self.editable.fixed],
             learning=None
             if learner is None or asked is None
-            else wire.LearningState(asked.id, asked.to, asked.axis, asked.arguments, learner.name),
+            else LearningState(asked.id, asked.to, asked.axis, asked.arguments, learner.name),
             presets=[preset.document for preset in PRESETS.values()],
             missing=self.missing,
         )
 
-    def _changed(self, change: str, made: BindingChange) -> wire.BindingsChanged:
+    def _changed(self, change: str, outcome: BindingChange) -> BindingsChanged:
         self.number += 1
         self._playing.replace(self.editable.playing)
         if self._reader is not None:
             self.missing = list_missing(self.editable.playing, self._reader)
         self._keep(encode_stored(self.editable.own, self.presets))
-        return wire.BindingsChanged(change, _documents(made.added), _documents(made.removed))
+        return BindingsChanged(change, _documents(outcome.added), _documents(outcome.removed))
 
 
-def _documents(bindings: tuple[Binding, ...]) -> list[wire.BindingDocument]:
-    return [document_of(each) for each in bindings]
+def _documents(bindings: tuple[Binding, ...]) -> list[BindingDocument]:
+    return [document_of(binding) for binding in bindings]

@@ -7,7 +7,7 @@ from collections.abc import Mapping
 from types import MappingProxyType
 
 from omote.inputs.midi_stream import BEND, CONTROL, HIGHEST_7, HIGHEST_14, NOTE_ON
-from omote.inputs.presets.lamp import Lamp
+from omote.inputs.presets.lamp import DeviceLamp
 from omote.inputs.reading import Reading
 
 QUIET_SECONDS = 0.4
@@ -27,12 +27,14 @@ class DeviceFeedback:
 
     def __init__(
         self,
-        lamps: Mapping[str, Lamp] = MappingProxyType({}),
+        lamps: Mapping[str, DeviceLamp] = MappingProxyType({}),
         touches: Mapping[str, str] = MappingProxyType({}),
         greeting: bytes = b"",
     ) -> None:
         bends = {f"1/note{FIRST_TOUCH + channel}": f"{channel}/bend" for channel in range(1, BENDS + 1)}
-        self._lamps, self._touches, self._greeting = lamps, {**bends, **touches}, greeting
+        self._lamps = lamps
+        self._touches = {**bends, **touches}
+        self._greeting = greeting
         self._sent: dict[str, tuple[bytes, float]] = {}
         self._shown: dict[str, float] = {}
         self._moved: dict[str, float] = {}
@@ -40,7 +42,10 @@ class DeviceFeedback:
         self._knows_touch: set[str] = set()
 
     def hear(self, reading: Reading, now: float) -> bool:
-        """Notes a reading; returns whether no hand made it: a motor's way, or what comes back of what was sent."""
+        """Notes a reading; returns whether no hand made it: a motor's way, or what comes back of what was sent.
+
+        now: seconds of the show's clock.
+        """
         control = reading.control
         if control in self._touches:
             touched = self._touches[control]
@@ -59,21 +64,25 @@ class DeviceFeedback:
         return False
 
     def news(self, positions: Mapping[str, float], now: float) -> bytes:
-        """What the device is to be sent, so that it shows these positions; controls that a hand has wait."""
+        """What the device is to be sent, so that it shows these positions; controls that a hand has wait.
+
+        now: seconds of the show's clock.
+        """
         self._moved = {control: at for control, at in self._moved.items() if now - at < QUIET_SECONDS}
-        found, self._greeting = [self._greeting], b""
+        messages = [self._greeting]
+        self._greeting = b""
         for control, position in positions.items():
             if self._shown.get(control) == position or control in self._touched or control in self._moved:
                 continue
-            if len(found) > MOST_MESSAGES:
+            if len(messages) > MOST_MESSAGES:
                 break
             self._shown[control] = position
             lamp = self._lamps.get(control)
             message = lamp.message(position) if lamp else message_of(control, position)
             if message and self._sent.get(control, (b"", 0.0))[0] != message:
                 self._sent[control] = message, now
-                found.append(message)
-        return b"".join(found)
+                messages.append(message)
+        return b"".join(messages)
 
 
 def message_of(control: str, position: float) -> bytes:
@@ -81,8 +90,9 @@ def message_of(control: str, position: float) -> bytes:
     channel, _, name = control.partition("/")
     if not (channel.isdecimal() and 1 <= int(channel) <= 16):
         return b""
-    status, fine = int(channel) - 1, round(position * HIGHEST_14)
-    numbers = [int(each) for each in name.removeprefix("cc").removeprefix("note").split("+") if each.isdecimal()]
+    status = int(channel) - 1
+    fine = round(position * HIGHEST_14)
+    numbers = [int(digits) for digits in name.removeprefix("cc").removeprefix("note").split("+") if digits.isdecimal()]
     if name == "bend":
         return bytes([BEND | status, fine & 0x7F, fine >> 7])
     if any(number > HIGHEST_7 for number in numbers) or len(numbers) != 1 + name.count("+"):

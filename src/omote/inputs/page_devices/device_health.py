@@ -5,11 +5,12 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass, field
 
-from omote.inputs.page_devices.input_log import InputLog
+from omote.inputs.page_devices.input_log import LineLog
 from omote.inputs.page_devices.sender_activity import SenderActivity
 from omote.inputs.rejection import Rejection
 from omote.inputs.trackers.tracker_input import SenderCounts, TrackerInput
-from omote.show.messages import DeviceState, SourceKind
+from omote.show.objects.bindings import SourceKind
+from omote.show.objects.devices import DeviceState
 
 MOST_VALUES = 64
 RATE_SECONDS = 1.0
@@ -21,15 +22,17 @@ class DeviceHealth:
     def __init__(self, now: float) -> None:
         self.heard = self.rejected = 0
         self.values: dict[str, float] = {}
-        self._rate, self._begun, self._before = 0.0, now, 0
+        self._rate = 0.0
+        self._begun = now
+        self._before = 0
 
     def note(self, count: int = 1, rejected: int = 0) -> None:
-        """Notes what came."""
+        """Notes what came. count: how much; rejected: how much more was not obeyed."""
         self.heard += count
         self.rejected += rejected
 
     def read(self, control: str, value: float) -> None:
-        """Notes where a control stands."""
+        """Notes where a control stands. value: 0 to 1."""
         if control not in self.values and len(self.values) >= MOST_VALUES:
             del self.values[next(iter(self.values))]
         self.values[control] = value
@@ -39,7 +42,8 @@ class DeviceHealth:
         passed = now - self._begun
         if passed >= RATE_SECONDS:
             self._rate = (self.heard - self._before) / passed
-            self._begun, self._before = now, self.heard
+            self._begun = now
+            self._before = self.heard
         return self._rate
 
 
@@ -83,10 +87,12 @@ class SourceHealth:
         self._health = DeviceHealth(0.0)
         self._senders: dict[str, tuple[DeviceHealth, SenderActivity]] = {}
 
-    def look(self, now: float, log: InputLog) -> DeviceState:
+    def look(self, now: float, log: LineLog) -> DeviceState:
         """Its state now; what has come since the last look goes to the log."""
-        counts, health = self._probe(), self._health
-        came, rejected = counts.heard - health.heard, counts.rejected - health.rejected
+        counts = self._probe()
+        health = self._health
+        came = counts.heard - health.heard
+        rejected = counts.rejected - health.rejected
         health.note(came, rejected)
         if came and counts.newest:
             log.note(counts.name, counts.newest, now, count=came)
@@ -106,15 +112,17 @@ class SourceHealth:
             advice=counts.advice,
         )
 
-    def _look_at_senders(self, counts: SourceCounts, now: float, log: InputLog) -> None:
+    def _look_at_senders(self, counts: SourceCounts, now: float, log: LineLog) -> None:
         """Each sender that has sent since the last look is one line, which shows what moves."""
-        known, self._senders = self._senders, {}
+        known = self._senders
+        self._senders = {}
         for sender in counts.senders:
             before = known.get(sender.name)
             begins = before is None or before[0].heard > sender.heard  # it has gone and come back meanwhile
             health, activity = (DeviceHealth(now), SenderActivity()) if begins or before is None else before
             self._senders[sender.name] = health, activity
-            came, rate = sender.heard - health.heard, health.rate(now)
+            came = sender.heard - health.heard
+            rate = health.rate(now)
             if came > 0:
                 health.note(came)
                 log.follow(counts.name, sender.name, now, count=came, rate=rate, bars=activity.look(sender.values))

@@ -7,7 +7,7 @@ from collections.abc import Iterable, Mapping
 
 import msgspec
 
-from omote.show.messages import InputLine
+from omote.show.objects.devices import InputLine
 
 MOST_LINES = 200
 AGAIN_SECONDS = 1.0
@@ -18,7 +18,7 @@ MOST_SOURCES = 64
 LONGEST_LINE = 300
 
 
-class InputLog:
+class LineLog:
     """Lines of all sources, oldest first. started: the time since 1970 at the show's clock 0."""
 
     def __init__(self, started: float = 0.0) -> None:
@@ -34,7 +34,8 @@ class InputLog:
         return list(self._lines)
 
     def note(self, source: str, text: str, now: float, *, rejected: bool = False, count: int = 1) -> None:
-        """Notes what came, or why it was rejected; count: how often."""
+        """Notes what came, or why it was rejected; count: how often; source: where it came from; text: it, or the
+        reason; now: seconds of the show's clock."""
         text = text[:LONGEST_LINE]
         begun, made = self._newest.get((source, rejected), (now, 0))
         begun, made = (now, 0) if now - begun >= AGAIN_SECONDS else (begun, made)
@@ -62,8 +63,10 @@ class InputLog:
 
     def follow(self, source: str, text: str, now: float, *, count: int, rate: float, bars: Mapping[str, float]) -> None:
         """Notes what comes without end, as a face does: one line, the newest, until nothing comes for a second. rate:
-        of it, a second; bars: what moves, and where it stands."""
-        text, self.number = text[:LONGEST_LINE], self.number + 1
+        of it, a second; bars: what moves, and where it stands; source: where it came from; text: whose it is; now:
+        seconds of the show's clock; count: how many came since the last."""
+        text = text[:LONGEST_LINE]
+        self.number = self.number + 1
         line = InputLine(self.number, self._started + now, source, text, False, count, rate, dict(bars))
         for place in _newest_first(len(self._lines)):
             before = self._lines[place]

@@ -8,13 +8,14 @@ from itertools import groupby
 from typing import Any
 
 from omote.inputs.bindings.control_binding import HIGHEST_BYTE, STEPS, Binding, Encoding
-from omote.inputs.bindings.target import Target
+from omote.inputs.bindings.target import BoundTarget
 from omote.inputs.midi_stream import FINE
 from omote.inputs.reading import Reading
 
 LEARN_SECONDS = 30.0
 """Seconds after which learning ends by itself."""
-MOVED, PUSHED = 0.08, 0.3
+MOVED = 0.08
+PUSHED = 0.3
 """Of its way: how far a hand has moved a dial, and a stick, which trembles and turns two axes at a time."""
 PASSED = 3
 """Values through which a dial passes at least; a button has two."""
@@ -39,8 +40,9 @@ class _Seen:
 class Learning:
     """What the next control that moves will be bound to. until: when that ends."""
 
-    def __init__(self, target: Target, now: float, bank: str = "") -> None:
-        self.target, self.bank = target, bank
+    def __init__(self, target: BoundTarget, now: float, bank: str = "") -> None:
+        self.target = target
+        self.bank = bank
         self.until = now + LEARN_SECONDS
         self._seen: dict[tuple[str, str], _Seen] = {}
         self._held: set[tuple[str, str]] = set()
@@ -59,7 +61,7 @@ class Learning:
                 return self._bind(reading, pick_up=False, relative=encoding)
             if self._is_moved(reading, seen):
                 moved.append((seen.way, reading))
-        return None if not moved else self._bind(max(moved, key=lambda each: each[0])[1])
+        return None if not moved else self._bind(max(moved, key=lambda way_and_reading: way_and_reading[0])[1])
 
     def _is_let_go(self, reading: Reading, seen: _Seen) -> bool:
         """Whether a button has been pressed and let go: a key, or a controller that knows its two ends alone."""
@@ -79,10 +81,10 @@ class Learning:
         """How an encoder counts; None for anything else. A code that explains all that came is taken."""
         if not self.target.is_level or "/cc" not in reading.control or reading.key:
             return None
-        found = [round(value * HIGHEST_BYTE) for value in seen.values]
-        if max(len(list(same)) for _, same in groupby(found)) < REPEATED:
+        received = [round(value * HIGHEST_BYTE) for value in seen.values]
+        if max(len(list(same)) for _, same in groupby(received)) < REPEATED:
             return None
-        fits: list[Encoding] = [code for code in STEPS if _are_steps(found, code)]  # type: ignore[misc]
+        fits: list[Encoding] = [code for code in STEPS if _are_steps(received, code)]  # type: ignore[misc]
         return fits[0] if fits else None
 
     def _is_moved(self, reading: Reading, seen: _Seen) -> bool:
@@ -105,12 +107,15 @@ class Learning:
 
     def _whole(self, reading: Reading) -> str:
         """The control of 14 bits of which this one is a half, where both halves have moved; else itself."""
-        channel, found, number = reading.control.partition("/cc")
-        if not found or not number.isdecimal():
+        channel, separator, number = reading.control.partition("/cc")
+        if not separator or not number.isdecimal():
             return reading.control
         coarse = int(number) % FINE if int(number) < 2 * FINE else int(number)
-        half, other = f"{channel}/cc{coarse}", f"{channel}/cc{coarse + FINE}"
-        counts = [len(seen.values) if (seen := self._seen.get((reading.device, each))) else 0 for each in (half, other)]
+        half = f"{channel}/cc{coarse}"
+        other = f"{channel}/cc{coarse + FINE}"
+        counts = [
+            len(seen.values) if (seen := self._seen.get((reading.device, control))) else 0 for control in (half, other)
+        ]
         whole = f"{half}+{coarse + FINE}"
         return whole if min(counts) >= PASSED - 1 and (reading.device, whole) in self._seen else reading.control
 
@@ -119,5 +124,5 @@ def _is_stick(reading: Reading) -> bool:
     return reading.control.rstrip("0123456789") in STICKS
 
 
-def _are_steps(found: list[int], code: str) -> bool:
-    return all(1 <= abs(STEPS[code](byte)) <= FARTHEST_STEP for byte in found)
+def _are_steps(received: list[int], code: str) -> bool:
+    return all(1 <= abs(STEPS[code](byte)) <= FARTHEST_STEP for byte in received)

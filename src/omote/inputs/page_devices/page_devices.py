@@ -12,18 +12,34 @@ from omote.inputs.bindings.binding_input import BindingInput
 from omote.inputs.osc_orders import OrderReader
 from omote.inputs.page_devices.binding_commands import BindingCommands
 from omote.inputs.page_devices.device_health import SourceCounts, SourceHealth
-from omote.inputs.page_devices.input_log import InputLog
+from omote.inputs.page_devices.input_log import LineLog
 from omote.inputs.page_devices.plugged_device import PluggedDevice
 from omote.inputs.reading import Reading
 from omote.inputs.trackers.tracker_protocols import TRACKER_TITLES
-from omote.show import messages as wire
-from omote.show.outgoing import Outgoing
+from omote.show.declaration import DeviceMessage, Outgoing
+from omote.show.objects.bindings import Bind, ChooseBank, Learn, LoadPreset, RestoreBindings, SourceKind, Unbind
+from omote.show.objects.devices import (
+    Controls,
+    DeviceBytes,
+    Devices,
+    DeviceState,
+    InputLog,
+    MidiBytes,
+    Plug,
+    SwitchDevice,
+    Unplug,
+    WatchDevices,
+)
+from omote.show.objects.link import Refused
+from omote.show.objects.state import State
 from omote.show.session import ShowSession
 
 MOST_DEVICES = 64
 RESERVED = ("OSC", "sACN", "Art-Net", *TRACKER_TITLES)
 """Names of sources that are no devices at a page."""
-FEEDBACK_TICKS, WATCHED_TICKS, TOLD_TICKS = 2, 6, 60
+FEEDBACK_TICKS = 2
+WATCHED_TICKS = 6
+TOLD_TICKS = 60
 """Ticks between what devices are sent, what pages that watch are told, and what all consoles are."""
 
 
@@ -33,23 +49,26 @@ Probe = Callable[[], SourceCounts]
 class Switches(Protocol):
     """What pages switch on and off beside the devices at them: trackers, and receivers of faces."""
 
-    def switch(self, message: wire.SwitchDevice, now: float) -> None:
-        """Does what a page asks for; ValueError where it cannot be, and nothing has changed."""
+    def switch(self, message: SwitchDevice, now: float) -> None:
+        """Does what a page asks for; ValueError where it cannot be, and nothing has changed.
 
-    def describe(self, now: float) -> wire.Devices:
+        message: what it asks for; now: seconds of the show's clock.
+        """
+
+    def describe(self, now: float) -> Devices:
         """What can be switched, and how it does; no devices."""
 
 
 class NoSwitches:
     """Nothing can be switched."""
 
-    def switch(self, message: wire.SwitchDevice, now: float) -> None:  # noqa: ARG002
-        """There is nothing to switch."""
+    def switch(self, message: SwitchDevice, now: float) -> None:  # noqa: ARG002
+        """Refuses every message, whatever is asked for, now and always."""
         raise ValueError(f"nothing can be switched here, {message.word[:60]} neither")
 
-    def describe(self, now: float) -> wire.Devices:  # noqa: ARG002
+    def describe(self, now: float) -> Devices:  # noqa: ARG002
         """Nothing."""
-        return wire.Devices([])
+        return Devices([])
 
 
 class PageDevices:
@@ -61,12 +80,16 @@ class PageDevices:
         session: Callable[[], ShowSession],
         bindings: BindingInput,
         commands: BindingCommands,
-        log: InputLog | None = None,
+        log: LineLog | None = None,
         probes: Callable[[], Iterable[Probe]] = tuple,
         switches: Switches | None = None,
     ) -> None:
-        self._session, self._bindings, self._commands = session, bindings, commands
-        self.log, self._probes, self._switches = log or InputLog(), probes, switches or NoSwitches()
+        self._session = session
+        self._bindings = bindings
+        self._commands = commands
+        self.log = log or LineLog()
+        self._probes = probes
+        self._switches = switches or NoSwitches()
         self._sources: dict[Probe, SourceHealth] = {}
         self.devices: dict[str, PluggedDevice] = {}
         self._watching: set[str] = set()
@@ -76,8 +99,11 @@ class PageDevices:
         self._reader: OrderReader | None = None
         bindings.osc.seat_of = self._seat_of
 
-    def receive(self, who: str, message: wire.DeviceMessage, now: float) -> list[Outgoing]:
-        """Does what a page says of devices; returns the answers. What cannot be done is rejected with its reason."""
+    def receive(self, who: str, message: DeviceMessage, now: float) -> list[Outgoing]:
+        """Does what a page says of devices; returns the answers. What cannot be done is rejected with its reason.
+
+        who: the page; message: what it says; now: seconds of the show's clock.
+        """
         try:
             return self._answer(who, message, now)
         except ValueError as error:
@@ -85,30 +111,33 @@ class PageDevices:
             if name in self.devices:
                 self.devices[name].health.note(0, 1)
             self.log.note(name or "bindings", str(error), now, rejected=True)
-            return [Outgoing(who, wire.Refused(f"{error}.", getattr(message, "id", "")))]
+            return [Outgoing(who, Refused(f"{error}.", getattr(message, "id", "")))]
 
-    def tick(self, state: wire.State, now: float) -> list[Outgoing]:
-        """What devices and pages are told after a tick; devices of links that are gone are unplugged."""
+    def tick(self, state: State, now: float) -> list[Outgoing]:
+        """What devices and pages are told after a tick; devices of links that are gone are unplugged.
+
+        state: what is on air; now: seconds of the show's clock.
+        """
         self._bindings.note_state(state)
         self._commands.pass_time(now)
         self._unplug_lost(now)
         self._know_names()
         self._ticks += 1
-        found = self._presets_loaded(now) + self._news(now)
+        outgoing = self._presets_loaded(now) + self._news(now)
         if self._ticks % FEEDBACK_TICKS == 0:
-            found += self._feedback(now)
-        return found
+            outgoing += self._feedback(now)
+        return outgoing
 
     def _presets_loaded(self, now: float) -> list[Outgoing]:
         """What consoles are told of presets that were loaded because a device came that nothing was bound on."""
-        found = []
+        outgoing = []
         for changed in self._commands.take_loaded():
             device = changed.added[0].device
             self.log.note(device, f"plays as {changed.preset}, the preset that is made for it", now)
             at = self.devices[device].who if device in self.devices else ""
             consoles = self._session().members.consoles()
-            found += [Outgoing(who, msgspec.structs.replace(changed, here=who == at)) for who in consoles]
-        return found
+            outgoing += [Outgoing(who, msgspec.structs.replace(changed, here=who == at)) for who in consoles]
+        return outgoing
 
     def _know_names(self) -> None:
         session = self._session()
@@ -117,64 +146,66 @@ class PageDevices:
             self._reader = OrderReader(session.cast, characters)
             self._commands.know_names(self._reader)
 
-    def _answer(self, who: str, message: wire.DeviceMessage, now: float) -> list[Outgoing]:
+    def _answer(self, who: str, message: DeviceMessage, now: float) -> list[Outgoing]:
         match message:
-            case wire.Plug():
+            case Plug():
                 self._plug(who, message, now)
-            case wire.Unplug(device):
+            case Unplug(device):
                 self._unplug(self._device_of(who, device), now)
-            case wire.MidiBytes(device, data):
+            case MidiBytes(device, data):
                 plugged = self._device_of(who, device)
                 return self._play(plugged, plugged.feed(data), now)
-            case wire.Controls(device, values):
+            case Controls(device, values):
                 plugged = self._device_of(who, device)
                 return self._play(plugged, plugged.read(values), now)
             case _:
                 return self._carry_out(who, message, now)
         return []
 
-    def _carry_out(self, who: str, message: wire.DeviceMessage, now: float) -> list[Outgoing]:
+    def _carry_out(self, who: str, message: DeviceMessage, now: float) -> list[Outgoing]:
         match message:
-            case wire.Learn():
+            case Learn():
                 self._commands.learn(who, self._name_of(who), message, now)
-            case wire.ChooseBank(device, bank):
+            case ChooseBank(device, bank):
                 self._bindings.bindings.choose_bank(device, bank)
                 self._plugs += 1
-            case wire.WatchDevices(on):
+            case WatchDevices(on):
                 (self._watching.add if on else self._watching.discard)(who)
                 self._log_told.pop(who, None)
-            case wire.SwitchDevice():
+            case SwitchDevice():
                 self._switches.switch(message, now)
                 self._plugs += 1
                 verb = "switched on" if message.on else "switched off"
                 self.log.note(message.word.partition(":")[0], f"{verb} at {self._name_of(who)}", now)
-            case wire.Bind() | wire.Unbind() | wire.LoadPreset() | wire.RestoreBindings():
+            case Bind() | Unbind() | LoadPreset() | RestoreBindings():
                 changed = self._commands.carry_out(message)
-                if isinstance(message, wire.LoadPreset) and message.device in self.devices:
+                if isinstance(message, LoadPreset) and message.device in self.devices:
                     self.devices[message.device].use(self._commands.greet(message.device, ""))
                 return [Outgoing(who, changed)]
         return []
 
-    def _plug(self, who: str, message: wire.Plug, now: float) -> None:
-        name, known = message.device, self.devices.get(message.device)
+    def _plug(self, who: str, message: Plug, now: float) -> None:
+        name = message.device
+        plugged = self.devices.get(message.device)
         if name in RESERVED:
             raise ValueError(f"{name} is the name of another source; give this device another one")
-        if known is not None and known.who not in ("", who) and known.who in self._session().crew:
+        if plugged is not None and plugged.who not in ("", who) and plugged.who in self._session().crew:
             raise ValueError(
-                f"{name} is plugged in at {known.where} already; unplug it there, or give this one another name"
+                f"{name} is plugged in at {plugged.where} already; unplug it there, or give this one another name"
             )
-        preset, where = self._commands.greet(name, message.kind), self._name_of(who)
-        if known is None:
+        preset = self._commands.greet(name, message.kind)
+        where = self._name_of(who)
+        if plugged is None:
             self._make_room()
             is_bound = partial(self._bindings.bindings.is_bound, name)
             self.devices[name] = PluggedDevice(name, message.kind, who, where, now, preset, is_bound)
         else:
-            known.plug(message.kind, who, where, preset)
+            plugged.plug(message.kind, who, where, preset)
         self._plugs += 1
         self.log.note(name, f"plugged in at {where}", now)
 
     def _make_room(self) -> None:
-        gone = [name for name, each in self.devices.items() if not each.who]
+        gone = [name for name, device in self.devices.items() if not device.who]
         if len(self.devices) >= MOST_DEVICES:
             if not gone:
                 raise ValueError(f"{MOST_DEVICES} devices are plugged in, and no more are heard; unplug one")
@@ -220,7 +251,8 @@ class PageDevices:
         hands = [reading for reading in readings if self._is_hand(device, reading, now)]
         # what is moved to be learned plays nothing, but a key that was held before is let go
         wanted = [reading for reading in hands if not learns or (reading.key and reading.value == 0.0)]
-        device.came, device.newest = device.came + len(readings), readings[-1] if readings else device.newest
+        device.came = device.came + len(readings)
+        device.newest = readings[-1] if readings else device.newest
         before = self._bindings.osc.rejected
         self._bindings.hear(wanted, now)
         self._note_rejections(device, self._bindings.osc.rejected - before, now)
@@ -240,32 +272,33 @@ class PageDevices:
             self.log.note(device.name, newest.reason, now, rejected=True, count=new)
 
     def _feedback(self, now: float) -> list[Outgoing]:
-        found = []
+        outgoing = []
         for device in self.devices.values():
             if device.who and device.kind == "midi":
                 lamps = device.preset.lamps if device.preset else ()
                 positions = self._bindings.bindings.positions(device.name, self._bindings.on_air, lamps)
                 if data := device.feedback.news(positions, now):
-                    found.append(Outgoing(device.who, wire.DeviceBytes(device.name, data)))
-        return found
+                    outgoing.append(Outgoing(device.who, DeviceBytes(device.name, data)))
+        return outgoing
 
     def _news(self, now: float) -> list[Outgoing]:
         """What pages are told of bindings and devices: what is new, and in their turn all."""
         consoles = self._session().members.consoles()
         self._watching &= consoles.keys()
-        news, found = (self._commands.number, self._plugs), list[Outgoing]()
+        news = (self._commands.number, self._plugs)
+        outgoing = list[Outgoing]()
         changed = [who for who in consoles if self._told.get(who) != news]
         bindings = self._commands.list_now() if changed else None
         for who in changed:
             if bindings is not None and self._told.get(who, (-1, -1))[0] != news[0]:
-                found.append(Outgoing(who, bindings))
+                outgoing.append(Outgoing(who, bindings))
         watched = self._ticks % WATCHED_TICKS == 0
         due = {*changed, *(self._watching if watched else ()), *(consoles if self._ticks % TOLD_TICKS == 0 else ())}
         self._told = dict.fromkeys(consoles, news)
         if due:
             devices = self.devices_now(now)
-            found += [Outgoing(who, devices) for who in consoles if who in due]
-        return found + (self._log_news(now) if watched else [])
+            outgoing += [Outgoing(who, devices) for who in consoles if who in due]
+        return outgoing + (self._log_news(now) if watched else [])
 
     def _log_news(self, now: float) -> list[Outgoing]:
         for device in self.devices.values():
@@ -274,27 +307,28 @@ class PageDevices:
                 device.came = 0
         new = [who for who in sorted(self._watching) if self._log_told.get(who) != self.log.number]
         self._log_told = dict.fromkeys(self._watching, self.log.number)
-        return [Outgoing(who, wire.InputLog(self.log.lines)) for who in new]
+        return [Outgoing(who, InputLog(self.log.lines)) for who in new]
 
-    def devices_now(self, now: float) -> wire.Devices:
+    def devices_now(self, now: float) -> Devices:
         """All sources: what plays beside the pages, devices at pages, and those for which bindings wait."""
         self._sources = {probe: self._sources.get(probe) or SourceHealth(probe) for probe in self._probes()}
         sources = [source.look(now, self.log) for source in self._sources.values()]
-        bindings, known = self._bindings.bindings, {*self.devices, *RESERVED}
-        waiting = {each.device: each.control for each in bindings.bindings if each.device not in known}
+        bindings = self._bindings.bindings
+        heard = {*self.devices, *RESERVED}
+        waiting = {binding.device: binding.control for binding in bindings.bindings if binding.device not in heard}
         absent = [
-            wire.DeviceState(name, _kind_of(control), "", plugged=False, rate=0.0, heard=0, rejected=0, values={})
+            DeviceState(name, _kind_of(control), "", plugged=False, rate=0.0, heard=0, rejected=0, values={})
             for name, control in waiting.items()
         ]
         devices = [*sources, *(self._state(device, now) for device in self.devices.values()), *absent]
         return msgspec.structs.replace(self._switches.describe(now), devices=devices)
 
-    def _state(self, device: PluggedDevice, now: float) -> wire.DeviceState:
+    def _state(self, device: PluggedDevice, now: float) -> DeviceState:
         bindings = self._bindings.bindings
         crossings = bindings.crossings(device.name, self._bindings.on_air)
         return device.state(now, crossings, bindings.bank_of(device.name), bindings.banks_of(device.name))
 
 
-def _kind_of(control: str) -> wire.SourceKind:
+def _kind_of(control: str) -> SourceKind:
     """What a device is that has not been there yet, by a control that is bound."""
     return "midi" if "/" in control else "gamepad"

@@ -10,12 +10,13 @@ from omote.inputs.page_devices.device_feedback import DeviceFeedback
 from omote.inputs.page_devices.device_health import DeviceHealth
 from omote.inputs.presets.preset import Preset
 from omote.inputs.reading import Reading
-from omote.show.messages import DeviceKind, DeviceState
+from omote.show.objects.devices import DeviceKind, DeviceState
 
 KEY = "button"
 """A control of a pad whose name begins so is a key."""
 STICKS = ("axis", "x", "y", "z", "rx", "ry", "rz")
-REST, DEAD = 0.5, 0.06
+REST = 0.5
+DEAD = 0.06
 """Where an axis rests, and how far from there it counts as resting: sticks do not come back exactly."""
 
 
@@ -34,15 +35,22 @@ class PluggedDevice:
         is_bound: Callable[[str], bool] = lambda _: False,
     ) -> None:
         self._is_bound = is_bound
-        self.name, self.kind, self.who, self.where = name, kind, who, where
+        self.name = name
+        self.kind = kind
+        self.who = who
+        self.where = where
         self.health = DeviceHealth(now)
         self.newest: Reading | None = None
         self.came = 0  # readings that the log was not told of yet
         self.plug(kind, who, where, preset)
 
     def plug(self, kind: DeviceKind, who: str, where: str, preset: Preset | None) -> None:
-        """It is there, for the first time or again: nothing is known of how its controls and lamps are."""
-        self.kind, self.who, self.where = kind, who, where
+        """Notes that it is there, for the first time or again: nothing is known of how its controls and lamps are.
+        kind: midi, gamepad or space_mouse; who: the page's client; where: what that is called; preset: how it is
+        shown."""
+        self.kind = kind
+        self.who = who
+        self.where = where
         self._decoder = MidiDecoder(self.name, self._is_bound)
         self._stood: dict[str, float] = {}
         self.use(preset)
@@ -71,7 +79,11 @@ class PluggedDevice:
         return [Reading(self.name, control, value, control.startswith(KEY)) for control, value in moved.items()]
 
     def state(self, now: float, waiting: Mapping[str, float], bank: str, banks: list[str]) -> DeviceState:
-        """What pages are told of it."""
+        """What pages are told of it.
+
+        now: seconds of the show's clock; waiting: controls to be picked up, and where they will be; bank: the one it is
+        turned to; banks: all that it has.
+        """
         health = self.health
         return DeviceState(
             name=self.name,

@@ -6,8 +6,8 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from types import MappingProxyType
 
-NEUTRAL_STEP = "neutral"
-"""The face at rest; alone it is a usable start."""
+from omote.inputs.camera.guided_steps import NEUTRAL
+
 READY_SECONDS = 1.6
 """To read what comes and to make the face."""
 HOLD_SECONDS = 2.2
@@ -15,7 +15,7 @@ HOLD_SECONDS = 2.2
 REST_SECONDS = 2.0
 """Of a face at rest, where nothing is known of a performer."""
 _ADVICE = {
-    NEUTRAL_STEP: "Look straight ahead, relaxed, lips closed",
+    NEUTRAL: "Look straight ahead, relaxed, lips closed",
     "shut": "Shut both eyes, gently",
     "wide": "Open your eyes wide",
     "smile": "Smile, as broad as you can",
@@ -46,5 +46,5 @@ CALIBRATION_STEPS: Mapping[str, CalibrationStep] = MappingProxyType(
     {name: CalibrationStep(name, advice) for name, advice in _ADVICE.items()}
 )
 """All steps by name: four seconds each, a minute together."""
-REST_STEP = CalibrationStep(NEUTRAL_STEP, _ADVICE[NEUTRAL_STEP], REST_SECONDS)
+REST_STEP = CalibrationStep(NEUTRAL, _ADVICE[NEUTRAL], REST_SECONDS)
 """The only step of a start without the guided minute."""

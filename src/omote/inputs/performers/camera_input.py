@@ -16,7 +16,8 @@ from omote.inputs.trackers.tracker_protocols import TrackerProtocol
 from omote.perform.layers.layer_names import LayerName
 from omote.perform.limits import check_known
 from omote.perform.scene.character_names import ALL
-from omote.show.messages import Refused, RouteSource
+from omote.show.objects.link import Refused
+from omote.show.objects.sources import RouteSource
 from omote.show.session import ShowSession
 
 
@@ -68,19 +69,24 @@ class CameraInput:
 
     def begin(self, link: str, asked: wire.Perform) -> str | None:
         """Somebody performs at a link; returns the link of a page that played as the same performer and has ended.
-        ValueError for another version, a name that cannot be, or one camera too many."""
+        ValueError for another version, a name that cannot be, or one camera too many.
+
+        asked: who, and which version the page speaks.
+        """
         if asked.version != wire.CAMERA_VERSION:
             raise ValueError(
                 f"this page speaks version {asked.version}, the show {wire.CAMERA_VERSION}: load the page again; with "
                 "omote track install the same Omote on both machines"
             )
         name = check_performer_name(asked.name)
-        displaced = next((other for other, each in self._links.items() if each.name == name and other != link), None)
+        displaced = next(
+            (other for other, performer in self._links.items() if performer.name == name and other != link), None
+        )
         if link not in self._links and displaced is None and len(self._links) >= MOST_CAMERAS:
             raise ValueError(f"{MOST_CAMERAS} cameras play already; close the page of one")
-        for each in (link, displaced):
-            if each is not None:
-                self.end(each)
+        for ending in (link, displaced):
+            if ending is not None:
+                self.end(ending)
         performer = self._links[link] = CameraPerformer(name)
         self._load(performer)
         if (before := self._left.pop(name, None)) is not None:
@@ -88,7 +94,7 @@ class CameraInput:
         return displaced
 
     def end(self, link: str) -> None:
-        """The end of a link is the end of its source; the faces that were made wait for the same name."""
+        """Ends the source of a link with it; the faces that were made wait for the same name."""
         performer = self._links.pop(link, None)
         if performer is None:
             return
@@ -99,13 +105,19 @@ class CameraInput:
                 del self._left[next(iter(self._left))]
 
     def receive(self, link: str, data: bytes) -> None:
-        """Takes a frame of landmarks, for the next tick; one of a link without a performer is dropped."""
+        """Takes a frame of landmarks, for the next tick; one of a link without a performer is dropped.
+
+        data: the page's packet.
+        """
         if (performer := self._links.get(link)) is not None:
             self.heard += 1
             performer.receive(data)
 
     def obey(self, link: str, message: wire.FromCamera) -> str | None:
-        """Does what a page asks; returns what `begin` does. ValueError with the reason where it cannot be done."""
+        """Does what a page asks; returns what `begin` does. ValueError with the reason where it cannot be done.
+
+        link: of the page; message: what it asks for.
+        """
         if isinstance(message, wire.Perform):
             return self.begin(link, message)
         performer = self._links.get(link)
@@ -137,12 +149,15 @@ class CameraInput:
 
     def take_fits(self) -> list[tuple[str, CalibrationFit]]:
         """The calibrations that are to be fitted now, by their links."""
-        found = [(link, performer.take_fit()) for link, performer in self._links.items()]
-        return [(link, fit) for link, fit in found if fit is not None]
+        fits = [(link, performer.take_fit()) for link, performer in self._links.items()]
+        return [(link, fit) for link, fit in fits if fit is not None]
 
     def receive_fit(self, link: str, fit: CalibrationFit, calibration: PerformerCalibration | None) -> None:
         """Reads a performer's face by a calibration that was fitted (None: it could not be), and stores it; ValueError
-        where it cannot be stored."""
+        where it cannot be stored.
+
+        link: whose frames they were; fit: what was fitted.
+        """
         performer = self._links.get(link)
         if performer is not None and performer.name == fit.performer:
             if calibration is None:
@@ -163,7 +178,7 @@ class CameraInput:
             performers=self.performers.names,
             calibrated=performer.calibrated,
             characters=self._choices(performer),
-            guide=performer.guide_step(),
+            guide=performer.guide.step() if performer.guide else None,
             redoable=performer.redoable,
             missing=performer.missing,
             unused=performer.unused,
@@ -180,7 +195,8 @@ class CameraInput:
             document = self.performers.find(performer.name)
             stored = None if document is None else PerformerCalibration.from_json(bytes(document.calibration).decode())
         except ValueError:
-            document, stored = None, None
+            document = None
+            stored = None
         performer.use(stored, "no" if document is None else "guided" if document.guided else "rest")
 
     def _change_list(self, link: str, performer: CameraPerformer, message: wire.FromCamera) -> None:
@@ -201,9 +217,9 @@ class CameraInput:
             self._links[link].take_faces(self._left.pop(performer.name, performer))
         elif before.get(performer.name) != after.get(performer.name):
             self._load(performer)
-        for each in (other for other in self._links.values() if other is not self._links[link]):
-            if before.get(each.name) != after.get(each.name):
-                self._load(each)
+        for other_performer in (other for other in self._links.values() if other is not self._links[link]):
+            if before.get(other_performer.name) != after.get(other_performer.name):
+                self._load(other_performer)
 
     def _choices(self, performer: CameraPerformer) -> list[wire.CharacterChoice]:
         scene = self._session().scene
@@ -218,7 +234,8 @@ class CameraInput:
         who = self.trackers.client("", performer.name)
         if performer.chosen is None or who is None:
             return
-        session, title = self._session(), self.trackers.title("", performer.name)
+        session = self._session()
+        title = self.trackers.title("", performer.name)
         before = session.sources.route(title)
         layer: LayerName = before.layer if before.characters else "tracker"
         asked = RouteSource(uuid4().hex, title, performer.chosen, layer, list(before.parts))

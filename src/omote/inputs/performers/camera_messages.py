@@ -11,7 +11,7 @@ import msgspec
 
 from omote.inputs.trackers.tracker_frame import LONGEST_SUBJECT
 from omote.perform.scene.character_names import MOST_CHARACTERS
-from omote.show.messages import Message
+from omote.show.declaration import Message
 
 CAMERA_VERSION = 1
 CAMERA_PATH = "/camera/link"
@@ -124,18 +124,9 @@ class Displaced(Message, frozen=True):
     """Another page plays as this performer now; this one has ended."""
 
 
-FromCamera = (
-    Perform
-    | PlayCharacters
-    | BeginGuide
-    | RedoStep
-    | CancelGuide
-    | ContinueGuide
-    | UseFaces
-    | RenamePerformer
-    | DeletePerformer
-    | UndoPerformer
-)
+Guide = BeginGuide | RedoStep | CancelGuide | ContinueGuide | UseFaces
+"""What is asked of the guided minute."""
+FromCamera = Perform | PlayCharacters | Guide | RenamePerformer | DeletePerformer | UndoPerformer
 ToCamera = CameraStatus | CameraRefused | Displaced
 CAMERA_MESSAGES: tuple[type[Message], ...] = FromCamera.__args__
 CAMERA_ANSWERS: tuple[type[Message], ...] = ToCamera.__args__

@@ -9,8 +9,7 @@ from dataclasses import dataclass, field, replace
 from omote.inputs.camera.landmark_frame import LandmarkFrame, read_landmark_frame
 from omote.inputs.camera.performer_calibration import PerformerCalibration, fit_calibration
 from omote.inputs.camera.performer_tracker import PerformerTracker
-from omote.inputs.performers.calibration_steps import CALIBRATION_STEPS, READY_SECONDS
-from omote.inputs.performers.camera_messages import Calibrated, GuideStep
+from omote.inputs.performers.camera_messages import Calibrated
 from omote.inputs.performers.guided_calibration import GuidedCalibration
 from omote.inputs.trackers.tracker_frame import TrackerFrame
 
@@ -51,9 +50,13 @@ class CameraPerformer:
     _waiting: deque[bytes] = field(default_factory=lambda: deque(maxlen=MOST_WAITING))
 
     def use(self, calibration: PerformerCalibration | None, calibrated: Calibrated) -> None:
-        """Reads the face by a calibration from now on; with none it is first looked at for a moment at rest."""
+        """Reads the face by a calibration from now on; with none it is first looked at for a moment at rest.
+
+        calibrated: how that was made.
+        """
         self.tracker = None if calibration is None else PerformerTracker(calibration)
-        self.calibrated, self.fitting = calibrated, False
+        self.calibrated = calibrated
+        self.fitting = False
         if calibration is None:
             self.begin_guide(rest=True)
 
@@ -72,7 +75,8 @@ class CameraPerformer:
         if self.guide is not None and self.guide.guided and self.guide.frames():
             self.guide.finish()
             self._made = self.guide
-        self.guide, self.unused = None, bool(self.missing)
+        self.guide = None
+        self.unused = bool(self.missing)
         if self.tracker is None:
             self.begin_guide(rest=True)
 
@@ -87,11 +91,14 @@ class CameraPerformer:
     def take_faces(self, other: CameraPerformer) -> None:
         """Keeps the faces that were made under another name."""
         other.cancel_guide()
-        self._made, self.unused = other._made, other.unused
+        self._made = other._made
+        self.unused = other.unused
 
     def forget_faces(self) -> None:
         """Forgets the faces of a guided minute, also of one that runs."""
-        self.guide, self._made, self.unused = None, None, False
+        self.guide = None
+        self._made = None
+        self.unused = False
 
     def use_faces(self) -> None:
         """Has the calibration fitted to the faces that were made; ValueError where none were."""
@@ -137,27 +144,11 @@ class CameraPerformer:
         guide = self.guide
         if guide is None or not guide.done:
             return None
-        self.guide, self.fitting = None, True
+        self.guide = None
+        self.fitting = True
         self.unused = self.unused and not guide.guided
         self._made = guide if guide.guided else self._made
         return CalibrationFit(self.name, guide.frames(), guide.guided)
-
-    def guide_step(self) -> GuideStep | None:
-        """The step that is being made, for the page."""
-        state = None if self.guide is None else self.guide.state()
-        if state is None or self.guide is None:
-            return None
-        of = len(CALIBRATION_STEPS) if self.guide.guided else 1
-        return GuideStep(
-            step=state.step.name,
-            advice=state.step.advice,
-            phase=state.phase,
-            left=round(state.left, 2),
-            seconds=READY_SECONDS if state.phase == "ready" else state.step.hold,
-            number=len(state.done) + 1,
-            of=of,
-            done=list(state.done),
-        )
 
     def _guided(self) -> GuidedCalibration | None:
         """The guided minute that runs, or the last that was made."""

@@ -3,11 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
-from dataclasses import dataclass
-from typing import Literal
 
 from omote.inputs.camera.landmark_frame import LandmarkFrame
 from omote.inputs.performers.calibration_steps import CALIBRATION_STEPS, READY_SECONDS, REST_STEP, CalibrationStep
+from omote.inputs.performers.camera_messages import GuideStep
 from omote.perform.limits import check_known
 
 LONGEST_GAP = 0.25
@@ -18,22 +17,12 @@ MOST_FRAMES = 200
 """Of a step; what a fast camera has more is left out."""
 
 
-@dataclass(frozen=True)
-class StepState:
-    """What a performer sees of a calibration. left: seconds of this phase; done: the steps that have their frames."""
-
-    step: CalibrationStep
-    phase: Literal["ready", "hold"]
-    left: float
-    done: tuple[str, ...]
-
-
 class GuidedCalibration:
     """One run. guided: the whole minute, or a face at rest alone."""
 
-    def __init__(self, *, guided: bool, ready: float = READY_SECONDS) -> None:
+    def __init__(self, *, guided: bool) -> None:
         self.guided = guided
-        self._ready = ready if guided else 0.0
+        self._ready = READY_SECONDS if guided else 0.0
         self._steps: Mapping[str, CalibrationStep] = CALIBRATION_STEPS if guided else {REST_STEP.name: REST_STEP}
         self._kept: dict[str, tuple[LandmarkFrame, ...]] = {}
         self._held: list[LandmarkFrame] = []
@@ -46,15 +35,24 @@ class GuidedCalibration:
         """Whether every step has its frames."""
         return not self._order
 
-    def state(self) -> StepState | None:
-        """The step that is being made; None when all are done."""
+    def step(self) -> GuideStep | None:
+        """The step that is being made, as its page shows it; None when all are done."""
         if self.done:
             return None
         step = self._steps[self._order[0]]
         ready = self._elapsed < self._ready
-        end = self._ready if ready else self._ready + step.hold
-        done = tuple(name for name in self._steps if name in self._kept and name not in self._order)
-        return StepState(step, "ready" if ready else "hold", max(end - self._elapsed, 0.0), done)
+        left = max(self._ready + (0.0 if ready else step.hold) - self._elapsed, 0.0)
+        done = [name for name in self._steps if name in self._kept and name not in self._order]
+        return GuideStep(
+            step=step.name,
+            advice=step.advice,
+            phase="ready" if ready else "hold",
+            left=round(left, 2),
+            seconds=READY_SECONDS if ready else step.hold,
+            number=len(done) + 1,
+            of=len(self._steps),
+            done=done,
+        )
 
     def frames(self) -> dict[str, tuple[LandmarkFrame, ...]]:
         """The frames of each step that was made, in the order of the steps."""
@@ -70,11 +68,14 @@ class GuidedCalibration:
         for a name that is none of them."""
         again = [check_known(name, self._steps, "step") for name in names]
         self._order = [*again, *(name for name in self.missing if name not in again)]
-        self._elapsed, self._held = 0.0, []
+        self._elapsed = 0.0
+        self._held = []
 
     def finish(self) -> None:
         """Leaves out the steps that are not made; the one that is being made counts as before it began."""
-        self._order, self._elapsed, self._held = [], 0.0, []
+        self._order = []
+        self._elapsed = 0.0
+        self._held = []
 
     def hear(self, frame: LandmarkFrame, now: float) -> None:
         """Takes a frame; time passes while the face is seen. now: seconds of a clock that never jumps back."""
@@ -90,4 +91,6 @@ class GuidedCalibration:
         name = self._order[0]
         if self._elapsed >= self._ready + self._steps[name].hold and len(self._held) >= LEAST_FRAMES:
             self._kept[name] = tuple(self._held)
-            self._order, self._elapsed, self._held = self._order[1:], 0.0, []
+            self._order = self._order[1:]
+            self._elapsed = 0.0
+            self._held = []

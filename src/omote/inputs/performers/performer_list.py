@@ -8,19 +8,14 @@ import msgspec
 
 from omote.inputs.trackers.tracker_frame import LONGEST_SUBJECT, trim_subject
 from omote.perform.limits import check_known
+from omote.show.objects.documents import read_document
+from omote.show.objects.performers import StoredPerformer
 
 MOST_PERFORMERS = 64
 MOST_UNDOS = 20
 LONGEST_DOCUMENT = 2**20
 Keep = Callable[[Mapping[str, bytes], list[str]], None]
 """Stores documents by name, and forgets the names that are gone."""
-
-
-class PerformerDocument(msgspec.Struct, frozen=True):
-    """A performer as stored (JSON). calibration: what `inputs.camera` reads; guided: by the guided minute."""
-
-    calibration: msgspec.Raw
-    guided: bool = False
 
 
 class PerformerList:
@@ -46,21 +41,24 @@ class PerformerList:
         """What an undo takes back, in words; "" for nothing."""
         return self._undo[-1][0] if self._undo else ""
 
-    def find(self, name: str) -> PerformerDocument | None:
+    def find(self, name: str) -> StoredPerformer | None:
         """How a performer's face is read; None for one that is unknown, ValueError for what cannot be read."""
         document = self._documents.get(name)
         if document is None:
             return None
         try:
-            return msgspec.json.decode(document, type=PerformerDocument)
-        except msgspec.DecodeError as error:
+            return read_document(StoredPerformer, document)
+        except ValueError as error:
             raise ValueError(
                 f"what is stored of {name} cannot be read ({error}); make the guided minute again"
             ) from error
 
     def store(self, name: str, calibration: bytes, *, guided: bool) -> None:
-        """Stores how a performer's face is read (JSON); ValueError where there is no room for it."""
-        document = msgspec.json.encode(PerformerDocument(msgspec.Raw(calibration), guided))
+        """Stores how a performer's face is read (JSON); ValueError where there is no room for it.
+
+        name: the performer's; calibration: its document; guided: whether it is of the guided minute.
+        """
+        document = StoredPerformer(msgspec.Raw(calibration), guided).encode()
         if len(document) > LONGEST_DOCUMENT:
             raise ValueError(f"a calibration of {len(document)} bytes is too long; at most {LONGEST_DOCUMENT} are kept")
         if name not in self._documents and len(self._documents) >= MOST_PERFORMERS:
@@ -68,17 +66,17 @@ class PerformerList:
         self._change(f"the calibration of {name}", {**self._documents, name: document})
 
     def rename(self, name: str, other: str) -> None:
-        """Gives a performer another name; ValueError for one that is unknown, or a name that another has."""
+        """Gives a performer the name `other`; ValueError for one that is unknown, or where somebody has that name."""
         check_known(name, self._documents, "performer")
         if other in self._documents:
             raise ValueError(f"{other} is a performer already; choose another name, or delete that one")
-        renamed = {other if each == name else each: document for each, document in self._documents.items()}
+        renamed = {other if key == name else key: document for key, document in self._documents.items()}
         self._change(f"the new name of {name}", renamed)
 
     def delete(self, name: str) -> None:
         """Forgets a performer; ValueError for one that is unknown."""
         check_known(name, self._documents, "performer")
-        self._change(f"the deletion of {name}", {k: each for k, each in self._documents.items() if k != name})
+        self._change(f"the deletion of {name}", {k: document for k, document in self._documents.items() if k != name})
 
     def undo(self) -> None:
         """Takes the last change back; ValueError where there is none."""
@@ -93,7 +91,7 @@ class PerformerList:
 
     def _store(self, documents: dict[str, bytes]) -> None:
         gone = [name for name in self._documents if name not in documents]
-        changed = {name: each for name, each in documents.items() if self._documents.get(name) != each}
+        changed = {name: document for name, document in documents.items() if self._documents.get(name) != document}
         self._documents = documents
         self._keep(changed, gone)
 

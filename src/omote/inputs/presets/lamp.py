@@ -6,7 +6,7 @@ from dataclasses import dataclass
 
 
 @dataclass(frozen=True)
-class Lamp:
+class DeviceLamp:
     """How a control is shown that is shown otherwise than it sends: the message's status and number, and its value at
     both ends."""
 

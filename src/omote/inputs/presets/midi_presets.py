@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 from omote.inputs.midi_stream import CONTROL, NOTE_ON
-from omote.inputs.presets.lamp import Lamp
-from omote.inputs.presets.preset import Control, Preset, directions, faces, faders, feelings
+from omote.inputs.presets.lamp import DeviceLamp
+from omote.inputs.presets.preset import Preset, PresetControl, directions, faces, faders, feelings
+from omote.perform.lights import LIGHTS
 
 FACES = ("kaori", "round", "child", "old", "man", "doll", "dog", "cat")
 
@@ -18,14 +19,14 @@ NANOKONTROL2 = Preset(
     (
         *faders(f"1/cc{number}" for number in range(8)),
         *directions((f"1/cc{number}" for number in range(16, 21)), pick_up=True),
-        Control("1/cc22", "fade/face"),
-        Control("1/cc23", "fade/expression"),
+        PresetControl("1/cc22", "fade/face"),
+        PresetControl("1/cc23", "fade/expression"),
         *feelings(f"1/cc{number}" for number in range(32, 40)),
         *feelings((f"1/cc{number}" for number in range(48, 56)), first=8),
         *faces((f"1/cc{number}" for number in range(64, 72)), FACES),
-        Control("1/cc42", "/omote/panic"),
-        Control("1/cc41", "enter", arguments=(1.0,)),
-        Control("1/cc45", "leave", arguments=(1.0,)),
+        PresetControl("1/cc42", "/omote/panic"),
+        PresetControl("1/cc41", "enter", arguments=(1.0,)),
+        PresetControl("1/cc45", "leave", arguments=(1.0,)),
     ),
 )
 
@@ -40,27 +41,31 @@ X_TOUCH_MINI = Preset(
     (
         *faders(f"11/cc{number}" for number in range(1, 9)),
         *feelings(f"11/note{number}" for number in range(8, 24)),
-        Control("11/cc9", "fade/face"),
+        PresetControl("11/cc9", "fade/face"),
         *directions((f"11/cc{number}" for number in range(11, 16)), pick_up=True),
-        Control("11/cc10", "fade/expression"),
+        PresetControl("11/cc10", "fade/expression"),
         *faces((f"11/note{number}" for number in range(32, 40)), FACES),
-        Control("11/note47", "/omote/panic"),
+        PresetControl("11/note47", "/omote/panic"),
     ),
     lamps={
-        **{f"11/cc{number}": Lamp(CONTROL, 8 + number, 1, 13) for number in range(1, 9)},
-        **{f"11/note{number}": Lamp(NOTE_ON, number - 8, 0, 1) for number in range(8, 24)},
+        **{f"11/cc{number}": DeviceLamp(CONTROL, 8 + number, 1, 13) for number in range(1, 9)},
+        **{f"11/note{number}": DeviceLamp(NOTE_ON, number - 8, 0, 1) for number in range(8, 24)},
     },
 )
 
 # Novation Launchpad Mini MK3 in programmer mode (channel 1): pads are notes ROW COLUMN, from 11 below left to 88 above
 # right, keys above are controllers 91-98, at the right 19 to 89. A lamp's velocity is a colour of the palette.
-DIM, GREEN, AMBER, RED, BLUE = 1, 21, 9, 5, 45
+DIM = 1
+GREEN = 21
+AMBER = 9
+RED = 5
+BLUE = 45
 PADS = [f"1/note{row}{column}" for row in range(8, 0, -1) for column in range(1, 9)]
 HOLDS = ("jawOpen", "mouthPucker", "cheekPuff", "tongueOut", "browInnerUp", "eyeBlinkLeft", "eyeBlinkRight", "wink")
 
 
-def _pad(control: str, lit: int) -> Lamp:
-    return Lamp(NOTE_ON, int(control.removeprefix("1/note")), DIM, lit)
+def _pad(control: str, lit: int) -> DeviceLamp:
+    return DeviceLamp(NOTE_ON, int(control.removeprefix("1/note")), DIM, lit)
 
 
 LAUNCHPAD_MINI = Preset(
@@ -72,20 +77,20 @@ LAUNCHPAD_MINI = Preset(
         *feelings(PADS[:16]),
         *faces(PADS[16:24], FACES),
         *(
-            Control(pad, f"channel/{unit}", more={"button": "momentary", "pick_up": False})
+            PresetControl(pad, f"channel/{unit}", more={"button": "momentary", "pick_up": False})
             for pad, unit in zip(PADS[24:32], HOLDS, strict=True)
         ),
         *(
-            Control(pad, "/omote/light", arguments=(light, 1.0))
-            for pad, light in zip(PADS[32:35], ("theatre", "portrait", "flat"), strict=True)
+            PresetControl(pad, "/omote/light", arguments=(light, 1.0))
+            for pad, light in zip(PADS[32:], LIGHTS, strict=False)
         ),
-        Control("1/cc19", "/omote/panic"),
+        PresetControl("1/cc19", "/omote/panic"),
     ),
     lamps={
         **{pad: _pad(pad, GREEN) for pad in PADS[:16]},
         **{pad: _pad(pad, BLUE) for pad in PADS[16:24]},
-        **{pad: _pad(pad, AMBER) for pad in PADS[24:35]},
-        "1/cc19": Lamp(CONTROL, 19, RED, RED),
+        **{pad: _pad(pad, AMBER) for pad in PADS[24 : 32 + len(LIGHTS)]},
+        "1/cc19": DeviceLamp(CONTROL, 19, RED, RED),
     },
     greeting=bytes.fromhex("f0 00 20 29 02 0d 0e 01 f7"),
 )

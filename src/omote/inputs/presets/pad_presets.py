@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Any
 
-from omote.inputs.presets.preset import Control, Preset
+from omote.inputs.presets.preset import Preset, PresetControl
 
 # Axes 0 and 1 are the left stick, 2 and 3 the right one, + right and down; buttons 0-3 below, right, left, above,
 # 4 and 5 bumpers, 6 and 7 triggers (levels too), 8 and 9 middle, 10 and 11 sticks, 12-15 cross: up, down, left, right.
@@ -26,8 +26,8 @@ def _standard(name: str, label: str, *matches: str) -> Preset:
     return Preset(name, label, "gamepad", matches, STANDARD)
 
 
-def _turn(axis: str, to: str, along: str, low: float, high: float) -> Control:
-    return Control(axis, to, along, more={"pick_up": False, "low": low, "high": high})
+def _turn(axis: str, to: str, along: str, low: float, high: float) -> PresetControl:
+    return PresetControl(axis, to, along, more={"pick_up": False, "low": low, "high": high})
 
 
 STANDARD = (
@@ -36,11 +36,11 @@ STANDARD = (
     _turn("axis1", "gaze", "pitch", 25.0, -25.0),
     _turn("axis2", "head", "yaw", -60.0, 60.0),
     _turn("axis3", "head", "pitch", 40.0, -40.0),
-    Control("trigger6", "channel/mouthPucker", more=_STICK),
-    Control("trigger7", "channel/jawOpen", more=_STICK),
-    *(Control(key, "expression", arguments=(feeling, 0.5)) for key, feeling in _CALLS.items()),
-    *(Control(key, f"channel/{unit}", more={"button": "momentary", **_STICK}) for key, unit in _HELD.items()),
-    Control("button8", "/omote/panic"),
+    PresetControl("trigger6", "channel/mouthPucker", more=_STICK),
+    PresetControl("trigger7", "channel/jawOpen", more=_STICK),
+    *(PresetControl(key, "expression", arguments=(feeling, 0.5)) for key, feeling in _CALLS.items()),
+    *(PresetControl(key, f"channel/{unit}", more={"button": "momentary", **_STICK}) for key, unit in _HELD.items()),
+    PresetControl("button8", "/omote/panic"),
 )
 
 XBOX = _standard("xbox", "Xbox controller", r"xbox", r"xinput", r"vendor: 045e", r"\(045e:")
@@ -59,7 +59,7 @@ SPACE_MOUSE = Preset(
         _turn("ry", "head", "roll", -30.0, 30.0),
         _turn("x", "gaze", "yaw", -35.0, 35.0),
         _turn("z", "gaze", "pitch", 25.0, -25.0),
-        Control("button0", "/omote/panic"),
+        PresetControl("button0", "/omote/panic"),
     ),
 )
 

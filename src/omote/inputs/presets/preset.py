@@ -9,8 +9,8 @@ from typing import Any
 
 from omote.inputs.bindings.control_binding import Binding
 from omote.inputs.bindings.target import BANK, read_target
-from omote.inputs.presets.lamp import Lamp
-from omote.show.messages import PresetDocument, SourceKind
+from omote.inputs.presets.lamp import DeviceLamp
+from omote.show.objects.bindings import PresetDocument, SourceKind
 
 FEELINGS = (
     *("neutral", "smile", "joy", "laugh", "sad", "cry", "angry", "shout"),
@@ -32,7 +32,7 @@ DIRECTIONS = (("head", "yaw"), ("head", "pitch"), ("head", "roll"), ("gaze", "ya
 
 
 @dataclass(frozen=True)
-class Control:
+class PresetControl:
     """What a control plays: `to` is an address behind the character, or with a slash before it one of the show; more:
     fields of its binding."""
 
@@ -59,17 +59,17 @@ class Preset:
     label: str
     kind: SourceKind
     matches: tuple[str, ...]
-    controls: tuple[Control, ...]
-    lamps: Mapping[str, Lamp] = field(default_factory=dict)
+    controls: tuple[PresetControl, ...]
+    lamps: Mapping[str, DeviceLamp] = field(default_factory=dict)
     touches: Mapping[str, str] = field(default_factory=dict)
     greeting: bytes = b""
 
     def fits(self, device: str, kind: str) -> bool:
-        """Whether it is made for a device of this name."""
+        """Whether it is made for a device of this name and kind."""
         return kind == self.kind and any(re.search(match, device, re.IGNORECASE) for match in self.matches)
 
     def bindings(self, device: str, character: str) -> list[Binding]:
-        """Its bindings for a device."""
+        """Its bindings for a device. character: whom they play."""
         return [control.binding(device, character) for control in self.controls]
 
     @property
@@ -78,23 +78,32 @@ class Preset:
         return PresetDocument(self.name, self.label, self.kind, list(self.matches))
 
 
-def faders(names: Iterable[str], **more: Any) -> list[Control]:
-    """The channels of `LEVELS`, one after the other, on these controls."""
+def faders(names: Iterable[str], **more: Any) -> list[PresetControl]:
+    """The channels of `LEVELS`, one after the other, on these controls.
+
+    names: of the controls; more: options of their bindings.
+    """
     pairs = zip(names, LEVELS, strict=False)
-    return [Control(name, f"channel/{unit}", more=more) for name, units in pairs for unit in units]
+    return [PresetControl(name, f"channel/{unit}", more=more) for name, units in pairs for unit in units]
 
 
-def feelings(names: Iterable[str], first: int = 0, seconds: float = 0.5) -> list[Control]:
-    """The expressions of `FEELINGS` from one on, called by these keys."""
+def feelings(names: Iterable[str], first: int = 0, seconds: float = 0.5) -> list[PresetControl]:
+    """The expressions of `FEELINGS` from one on, called by these keys.
+
+    names: of the keys; first: the place of the first; seconds: that a call takes.
+    """
     pairs = zip(names, FEELINGS[first:], strict=False)
-    return [Control(name, "expression", arguments=(feeling, seconds)) for name, feeling in pairs]
+    return [PresetControl(name, "expression", arguments=(feeling, seconds)) for name, feeling in pairs]
 
 
-def faces(names: Iterable[str], wanted: Iterable[str], seconds: float = 2.0) -> list[Control]:
-    """Faces, called by these keys."""
-    return [Control(name, "face", arguments=(face, seconds)) for name, face in zip(names, wanted, strict=False)]
+def faces(names: Iterable[str], wanted: Iterable[str], seconds: float = 2.0) -> list[PresetControl]:
+    """Faces, called by these keys. names: of the keys; wanted: the faces; seconds: that a call takes."""
+    return [PresetControl(name, "face", arguments=(face, seconds)) for name, face in zip(names, wanted, strict=False)]
 
 
-def directions(names: Iterable[str], **more: Any) -> list[Control]:
-    """Head and gaze on these controls; their middle looks straight ahead."""
-    return [Control(name, to, axis, more=more) for name, (to, axis) in zip(names, DIRECTIONS, strict=False)]
+def directions(names: Iterable[str], **more: Any) -> list[PresetControl]:
+    """Head and gaze on these controls; their middle looks straight ahead.
+
+    names: of the controls; more: options of their bindings.
+    """
+    return [PresetControl(name, to, axis, more=more) for name, (to, axis) in zip(names, DIRECTIONS, strict=False)]

@@ -9,10 +9,10 @@ from typing import Any
 import py2tosc
 from py2tosc import Control, ControlType, OscMessage, ui
 
-from omote.inputs.addresses.address import ROOT
 from omote.inputs.oscquery_tree import Node, build_addresses, find_node
 from omote.perform.scene.character_names import ALL
 from omote.perform.snapshot import Playable
+from omote.show.osc import ROOT
 
 FRAME = (0, 0, 1024, 768)
 """Points of the canvas; TouchOSC fits it to the screen."""
@@ -55,7 +55,7 @@ def _character_page(tree: Node, character: str) -> Control:
     pages = [
         _page(tree, [f"/{ROOT}/{character}/{path}" for path in paths], title) for title, paths in OF_CHARACTER.items()
     ]
-    flat = [each for group in pages for each in group]
+    flat = [control for group in pages for control in group]
     return ui.stack(ui.pager(*flat, name=f"{character} pages"), name="all" if character == ALL else character)
 
 
@@ -110,10 +110,10 @@ def _call(path: str, arguments: list[py2tosc.Partial]) -> OscMessage:
 
 def _mover(path: str, ranges: Sequence[dict[str, Any]]) -> Control:
     """A fader of an address of one number; a pad of one of more, of which those behind the second stay at 0."""
-    spans = [(each["MIN"], each["MAX"]) for each in ranges]
+    spans = [(value_range["MIN"], value_range["MAX"]) for value_range in ranges]
     values = [ui.value(key, scale=span) for key, span in zip(("x", "y"), spans, strict=False)]
     rest = [ui.const("0", conversion="FLOAT") for _ in spans[2:]]
-    message = ui.osc(path, args=[*values, *rest], triggers=[py2tosc.Trigger(each.value) for each in values])
+    message = ui.osc(path, args=[*values, *rest], triggers=[py2tosc.Trigger(axis_value.value) for axis_value in values])
     name = path.rpartition("/")[2]
     starts = [_share(0.0, span) for span in spans[:2]]
     live = [py2tosc.Value(key, default=start) for key, start in zip(("x", "y"), starts, strict=False)]

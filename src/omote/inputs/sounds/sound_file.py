@@ -57,10 +57,10 @@ def read_sound(data: bytes) -> SoundFile:
     """
     if len(data) > LARGEST_SOUND:
         raise ValueError(f"the sound has more than {LARGEST_SOUND} bytes; send it in parts, or as MP3 or Ogg")
-    found, seconds = _type_and_seconds(data)
+    media_type, seconds = _type_and_seconds(data)
     if not SHORTEST_SOUND <= seconds <= LONGEST_SOUND:
         raise ValueError(f"the sound lasts {seconds:.3g} s; send one of {SHORTEST_SOUND:g} to {LONGEST_SOUND:g} s")
-    return SoundFile(data, hashlib.sha256(data).hexdigest()[:32], found, seconds)
+    return SoundFile(data, hashlib.sha256(data).hexdigest()[:32], media_type, seconds)
 
 
 def _type_and_seconds(data: bytes) -> tuple[SoundType, float]:
@@ -78,9 +78,11 @@ def _type_and_seconds(data: bytes) -> tuple[SoundType, float]:
 
 
 def _wav_seconds(data: bytes) -> float:
-    at, rate = 12, 0
+    at = 12
+    rate = 0
     while at + 8 <= len(data):
-        name, size = data[at : at + 4], struct.unpack_from("<I", data, at + 4)[0]
+        name = data[at : at + 4]
+        size = struct.unpack_from("<I", data, at + 4)[0]
         if name == b"fmt ":
             rate = struct.unpack_from("<I", data, at + 16)[0]  # bytes a second
         elif name == b"data":
@@ -106,9 +108,11 @@ def _ogg_seconds(data: bytes) -> float:
     begin = _OGG_HEADER + data[26]
     head = data[begin : begin + 48]
     if head[:7] == b"\x01vorbis":
-        rate, skip = struct.unpack_from("<I", head, 12)[0], 0
+        rate = struct.unpack_from("<I", head, 12)[0]
+        skip = 0
     elif head[:8] == b"OpusHead":
-        rate, skip = _OPUS_RATE, struct.unpack_from("<H", head, 10)[0]
+        rate = _OPUS_RATE
+        skip = struct.unpack_from("<H", head, 10)[0]
     else:
         raise ValueError(f"the Ogg holds {head[:8]!r}; send Vorbis or Opus")
     last = data.rfind(b"OggS")
@@ -121,12 +125,15 @@ def _ogg_seconds(data: bytes) -> float:
 def _mp3_seconds(data: bytes) -> float | None:
     """The sum of its frames; None where there is none."""
     at = _after_tag(data)
-    seconds, frames = 0.0, 0
+    seconds = 0.0
+    frames = 0
     while at + 4 <= len(data):
         size, length = _mp3_frame(data[at : at + 4])
         if not size:
             break
-        at, seconds, frames = at + size, seconds + length, frames + 1
+        at = at + size
+        seconds = seconds + length
+        frames = frames + 1
     return seconds if frames > 1 else None
 
 
@@ -143,11 +150,14 @@ def _after_tag(data: bytes) -> int:
 def _mp3_frame(head: bytes) -> tuple[int, float]:
     """The bytes of a frame and its seconds; 0 where this is none."""
     word = int.from_bytes(head, "big")
-    version, layer = word >> 19 & 3, word >> 17 & 3
-    bitrate, rate = word >> 12 & 15, word >> 10 & 3
+    version = word >> 19 & 3
+    layer = word >> 17 & 3
+    bitrate = word >> 12 & 15
+    rate = word >> 10 & 3
     if word >> 21 != 0x7FF or version == 1 or layer == 0 or bitrate in (0, 15) or rate == 3:
         return 0, 0.0
-    kilobits, hertz = _BITRATES[3 if version == 3 else 2, layer][bitrate - 1], _RATES[version][rate]
+    kilobits = _BITRATES[3 if version == 3 else 2, layer][bitrate - 1]
+    hertz = _RATES[version][rate]
     samples = 384 if layer == 3 else 576 if layer == 1 and version != 3 else 1152
     padding = (4 if layer == 3 else 1) * (word >> 9 & 1)
     unit = samples // 8 * kilobits * 1000 // hertz

@@ -21,7 +21,8 @@ from omote.inputs.trackers.head_angles import HeadAngles, average_eyes, read_unr
 from omote.inputs.trackers.live_link_face import FRAME_RATE
 from omote.inputs.trackers.tracker_frame import TrackerError, TrackerFrame
 
-TIME, COUNT = "Timecode", "BlendShapeCount"
+TIME = "Timecode"
+COUNT = "BlendShapeCount"
 DAY = 86400.0
 MOST_ROWS = 1_000_000
 RATES = (24, 25, 30, 48, 50, 60, 120)
@@ -39,7 +40,8 @@ def read_live_link_take(text: str) -> Take:
     names = {column: ARKIT_CHANNELS.find(column)[0] for column in columns if ARKIT_CHANNELS.find(column)}
     if TIME not in columns or not names:
         raise ValueError(f"the file has no column {TIME} or none of ARKit's; expected one of Live Link Face")
-    codes, frames = list[TimeCode](), list[TrackerFrame]()
+    codes = list[TimeCode]()
+    frames = list[TrackerFrame]()
     for number, row in enumerate(rows, 2):
         if number > MOST_ROWS:
             raise ValueError(f"the file has more than {MOST_ROWS} rows")
@@ -91,11 +93,11 @@ def find_rate(codes: Sequence[TimeCode]) -> int:
 
 def read_time_code(text: str) -> TimeCode:
     """A time code as it is written; ValueError where it is none."""
-    found = _TIME_CODE.fullmatch(text.strip())
-    if found is None:
+    match = _TIME_CODE.fullmatch(text.strip())
+    if match is None:
         raise ValueError(f"{text[:40]!r} is no time code such as 13:13:04:31.652")
-    hours, minutes, seconds = (int(found[part]) for part in (1, 2, 3))
-    return TimeCode(3600 * hours + 60 * minutes + seconds, float(found[5]), found[4] == ";")
+    hours, minutes, seconds = (int(match[part]) for part in (1, 2, 3))
+    return TimeCode(3600 * hours + 60 * minutes + seconds, float(match[5]), match[4] == ";")
 
 
 def _read_row(row: Mapping[str, str | None], names: Mapping[str, str]) -> TrackerFrame:

@@ -13,10 +13,14 @@ from dataclasses import dataclass
 
 import msgspec
 
-MICRO, NANO, SECTION = 0xA1B2C3D4, 0xA1B23C4D, 0x0A0D0D0A
+MICRO = 0xA1B2C3D4
+NANO = 0xA1B23C4D
+SECTION = 0x0A0D0D0A
 LINK_BYTES = {0: 4, 1: 14, 12: 0, 14: 0, 101: 0, 108: 4, 113: 16, 228: 0, 276: 20}
 """Bytes before the packet of IP, by the kind of link: loopback, Ethernet, raw IP, Linux's "any"."""
-RAW_IP, UDP, IPV4 = 101, 17, 4
+RAW_IP = 101
+UDP = 17
+IPV4 = 4
 MOST_PACKETS = 2_000_000
 NOT_ONE = "the file is no capture (pcap, pcapng) and no dump of VMC packets (JSON)"
 
@@ -40,19 +44,20 @@ class _Dumped(msgspec.Struct, frozen=True):
 def read_packets(data: bytes) -> list[Packet]:
     """The packets of UDP of a capture; ValueError where it is none, or has none."""
     try:
-        found = list(_read(data))
+        packets = list(_read(data))
     except (struct.error, IndexError, msgspec.MsgspecError, UnicodeDecodeError, RecursionError) as error:
         raise ValueError(f"{NOT_ONE}: {str(error)[:120]}") from error
-    if not found:
+    if not packets:
         raise ValueError("the capture holds no packet of UDP over IPv4")
-    return found
+    return packets
 
 
 def is_capture_cut(data: bytes) -> bool:
     """Whether a capture ends within a packet; a dump never does, for such one is not read."""
     if data.lstrip()[:1] == b"[":
         return False
-    order, at = _order(data), 0
+    order = _order(data)
+    at = 0
     (magic,) = struct.unpack_from(f"{order}I", data)
     if magic != SECTION:
         at = 24
@@ -68,8 +73,8 @@ def is_capture_cut(data: bytes) -> bool:
 def encode_capture(packets: Iterable[Packet]) -> Iterator[bytes]:
     """The bytes of a capture (pcap), piece by piece: its head, then one packet after the other."""
     yield struct.pack("<IHHiIII", MICRO, 2, 4, 0, 0, 262_144, RAW_IP)
-    for each in packets:
-        yield encode_packet(each)
+    for packet in packets:
+        yield encode_packet(packet)
 
 
 def encode_packet(packet: Packet) -> bytes:
@@ -104,28 +109,30 @@ def _order(data: bytes) -> str:
 
 
 def _read_dump(data: bytes) -> Iterator[Packet]:
-    for each in msgspec.json.decode(data, type=list[_Dumped]):
+    for dumped in msgspec.json.decode(data, type=list[_Dumped]):
         try:
-            yield Packet(each.time, "127.0.0.1", 0, base64.b64decode(each.buffer, validate=True))
+            yield Packet(dumped.time, "127.0.0.1", 0, base64.b64decode(dumped.buffer, validate=True))
         except ValueError as error:
             raise ValueError(f"a packet of the dump is not in base64: {error}") from error
 
 
 def _read_pcap(data: bytes, order: str, magic: int) -> Iterator[Packet]:
     (link,) = struct.unpack_from(f"{order}I", data, 20)
-    scale, at = (1e-9 if magic == NANO else 1e-6), 24
+    scale = 1e-9 if magic == NANO else 1e-6
+    at = 24
     for _ in range(MOST_PACKETS):
         if at + 16 > len(data):
             return  # a capture that was cut short ends within a packet
         seconds, part, size, _ = struct.unpack_from(f"{order}IIII", data, at)
-        found = _read_ip(seconds + scale * part, data[at + 16 : at + 16 + size], link & 0xFFFF)
+        packet = _read_ip(seconds + scale * part, data[at + 16 : at + 16 + size], link & 0xFFFF)
         at += 16 + size
-        if found is not None:
-            yield found
+        if packet is not None:
+            yield packet
 
 
 def _read_pcapng(data: bytes, order: str) -> Iterator[Packet]:
-    at, links = 0, list[tuple[int, float]]()
+    at = 0
+    links = list[tuple[int, float]]()
     while at + 12 <= len(data):
         kind, size = struct.unpack_from(f"{order}II", data, at)
         if size < 12 or size % 4:
@@ -137,9 +144,9 @@ def _read_pcapng(data: bytes, order: str) -> Iterator[Packet]:
         elif kind == 6 and len(body) >= 20:
             number, high, low, length, _ = struct.unpack_from(f"{order}IIIII", body)
             link, unit = links[number]
-            found = _read_ip(unit * ((high << 32) | low), body[20 : 20 + length], link)
-            if found is not None:
-                yield found
+            packet = _read_ip(unit * ((high << 32) | low), body[20 : 20 + length], link)
+            if packet is not None:
+                yield packet
 
 
 def _resolution(body: bytes, order: str) -> float:

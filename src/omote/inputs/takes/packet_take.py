@@ -21,10 +21,17 @@ MOST_LOOKED_AT = 1000
 
 def choose_protocol(packets: Sequence[Packet], name: str = "") -> TrackerProtocol:
     """The protocol that packets are read by: the named one, else that of the port to which most have come, else the one
-    whose packets they are, VMC where a capture does not say; ValueError where there is none."""
+    whose packets they are, VMC where a capture does not say; ValueError where there is none.
+
+    name: as options spell it, "" for none.
+    """
     if name:
         return TRACKER_PROTOCOLS[check_known(name.strip().lower(), TRACKER_PROTOCOLS, "tracker")]
-    usual = {each.port: each for each in reversed(list(TRACKER_PROTOCOLS.values())) if each.heard and not each.stream}
+    usual = {
+        protocol.port: protocol
+        for protocol in reversed(list(TRACKER_PROTOCOLS.values()))
+        if protocol.heard and not protocol.stream
+    }
     for port, _ in Counter(packet.port for packet in packets).most_common():
         if port in usual:
             return usual[port]
@@ -37,17 +44,21 @@ def choose_protocol(packets: Sequence[Packet], name: str = "") -> TrackerProtoco
 
 def recognize_most(packets: Sequence[Packet]) -> str:
     """The protocol that most packets are of, of those that are known by their first bytes; "" where none is."""
-    found = Counter(recognize_format(packet.data) for packet in packets[:MOST_LOOKED_AT])
-    del found[""]
-    return next((name for name, _ in found.most_common(1)), "")
+    formats = Counter(recognize_format(packet.data) for packet in packets[:MOST_LOOKED_AT])
+    del formats[""]
+    return next((name for name, _ in formats.most_common(1)), "")
 
 
 def read_packet_take(packets: Sequence[Packet], protocol: TrackerProtocol) -> Take:
-    """The recording of the sender that sent most; ValueError where none of its packets is a face."""
+    """The recording of the sender that sent most; ValueError where none of its packets is a face.
+
+    protocol: by which they are read.
+    """
     ports = {packet.port for packet in packets}
     spoken = [packet for packet in packets if packet.port == protocol.port] if protocol.port in ports else packets
     hosts = Counter(packet.host for packet in spoken)
-    decode, frames = protocol.open(lambda _: None), list[tuple[float, TrackerFrame]]()
+    decode = protocol.open(lambda _: None)
+    frames = list[tuple[float, TrackerFrame]]()
     newest = ""
     for packet in spoken:
         if packet.host != hosts.most_common(1)[0][0]:
@@ -70,25 +81,29 @@ def _gather(frames: Sequence[tuple[float, TrackerFrame]]) -> Take:
     weights: dict[str, float] = {}
     head: HeadAngles = (0.0, 0.0, 0.0)
     gaze: GazeAngles = (0.0, 0.0)
-    times, rows = list[float](), list[dict[str, float]]()
-    heads, gazes = list[HeadAngles](), list[GazeAngles]()
+    times = list[float]()
+    rows = list[dict[str, float]]()
+    heads = list[HeadAngles]()
+    gazes = list[GazeAngles]()
     for time, frame in frames:
         weights |= _read_channels(frame)
-        head, gaze = frame.head or head, frame.gaze or gaze
+        head = frame.head or head
+        gaze = frame.gaze or gaze
         times.append(max(time - frames[0][0], times[-1] if times else 0.0))
         rows.append(dict(weights))
         heads.append(head)
         gazes.append(gaze)
     names = tuple(weights)
     values = [tuple(row.get(name, 0.0) for name in names) for row in rows]
-    turned, looked = any(map(any, heads)), any(map(any, gazes))
+    turned = any(map(any, heads))
+    looked = any(map(any, gazes))
     return Take(names, times, values, heads if turned else (), gazes if looked else ())
 
 
 def _read_channels(frame: TrackerFrame) -> dict[str, float]:
     """A frame's weights by ARKit's names; of several that mean the same the largest."""
-    found: dict[str, float] = {}
+    weights: dict[str, float] = {}
     for name, value in frame.weights.items():
         for channel, share in ARKIT_CHANNELS.shares(name).items():
-            found[channel] = max(found.get(channel, -1.0), share * value)
-    return found
+            weights[channel] = max(weights.get(channel, -1.0), share * value)
+    return weights

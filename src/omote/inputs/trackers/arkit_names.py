@@ -20,7 +20,8 @@ ARKIT_NAMES: tuple[str, ...] = tuple(
 )
 """In the order of Live Link Face over UDP (Unreal's EARFaceBlendShape); its CSV files swap jawLeft with jawRight and
 mouthLeft with mouthRight."""
-_SMILES, _STRETCHES = ("mouthSmileLeft", "mouthSmileRight"), ("mouthStretchLeft", "mouthStretchRight")
+_SMILES = ("mouthSmileLeft", "mouthSmileRight")
+_STRETCHES = ("mouthStretchLeft", "mouthStretchRight")
 _VOWELS: Mapping[tuple[str, str], Mapping[str, float]] = {
     ("a", "aa"): {"jawOpen": 0.7},
     ("i", "ih"): {"jawOpen": 0.2, **dict.fromkeys(_SMILES + _STRETCHES, 0.3)},

@@ -34,7 +34,7 @@ def decode_face_text(data: bytes) -> list[TrackerFrame]:
     fields = [field for field in shapes.split("|") if field]
     if len(fields) > MOST_FIELDS:
         raise TrackerError(f"the frame has {len(fields)} fields, but at most {MOST_FIELDS} are read")
-    read = dict(found for field in fields if (found := _read_shape(field)) is not None)
+    read = dict(shape for field in fields if (shape := _read_shape(field)) is not None)
     if not read:
         raise TrackerError("the frame has no coefficient, such as jawOpen-25")
     status = next((value for name, value in read.items() if name.lower() == STATUS), 0.01)
@@ -45,9 +45,9 @@ def decode_face_text(data: bytes) -> list[TrackerFrame]:
 
 
 def encode_face_text(weights: dict[str, float], head: HeadAngles, gaze: GazeAngles) -> bytes:
-    """The frame of version 2 for weights by their names, whole percents."""
+    """The frame of version 2 for weights by their names, whole percents. head, gaze: radians."""
     shapes = "|".join(f"{name}&{round(100.0 * value)}" for name, value in weights.items())
-    turn = ",".join(f"{math.degrees(each):.6f}" for each in (-head[1], head[0], -head[2]))
+    turn = ",".join(f"{math.degrees(angle):.6f}" for angle in (-head[1], head[0], -head[2]))
     eye = f"{-math.degrees(gaze[1]):.6f},{math.degrees(gaze[0]):.6f},0"
     return f"{shapes}|=head#{turn},0,0,0|rightEye#{eye}|leftEye#{eye}|".encode("ascii")
 
@@ -55,8 +55,8 @@ def encode_face_text(weights: dict[str, float], head: HeadAngles, gaze: GazeAngl
 def _read_shape(field: str) -> tuple[str, float] | None:
     """A coefficient by its name; None for what is none. A sign belongs to the number: `jawLeft--3`, `jawLeft&-3`."""
     mark = "&" if "&" in field else "-"
-    name, found, number = field.partition(mark)
-    if not found or not name.replace("_", "").isalnum():
+    name, separator, number = field.partition(mark)
+    if not separator or not name.replace("_", "").isalnum():
         return None
     try:
         value = 0.01 * float(number)
@@ -68,12 +68,12 @@ def _read_shape(field: str) -> tuple[str, float] | None:
 
 
 def _read_turns(text: str) -> dict[str, HeadAngles]:
-    found = {}
+    turns = {}
     for field in text.split("|")[:MOST_FIELDS]:
         name, mark, numbers = field.partition("#")
         if mark and name in ("head", "leftEye", "rightEye"):
-            found[name] = _read_turn(name, numbers)
-    return found
+            turns[name] = _read_turn(name, numbers)
+    return turns
 
 
 def _read_turn(name: str, numbers: str) -> HeadAngles:

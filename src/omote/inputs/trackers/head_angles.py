@@ -25,6 +25,8 @@ def read_right_handed_degrees(x: float, y: float, z: float) -> HeadAngles:
 
     Their signs follow from packets of real devices: with `eyeLookOut_L` 44 and `eyeLookDown_L` 16 the eyes' y is +15
     and their x is +5 (the vendor's example), so + is left about y, and down about x.
+
+    x, y, z: degrees about our axes.
     """
     return math.radians(y), -math.radians(x), -math.radians(z)
 
@@ -63,14 +65,15 @@ def write_unity_quaternion(head: HeadAngles) -> Quaternion:
 
 
 def about(axis: str, angle: float) -> Quaternion:
-    """The rotation by an angle about one of our axes, right-handed."""
+    """The rotation by an angle about one of our axes, right-handed. axis: x, y or z; angle: radians."""
     sine = math.sin(0.5 * angle)
     return sine * (axis == "x"), sine * (axis == "y"), sine * (axis == "z"), math.cos(0.5 * angle)
 
 
 def multiply_quaternions(first: Quaternion, second: Quaternion) -> Quaternion:
     """The rotation that turns by `second`, then by `first`."""
-    (ax, ay, az, aw), (bx, by, bz, bw) = first, second
+    (ax, ay, az, aw) = first
+    (bx, by, bz, bw) = second
     return (
         aw * bx + ax * bw + ay * bz - az * by,
         aw * by - ax * bz + ay * bw + az * bx,
@@ -84,7 +87,7 @@ def normalize_quaternion(rotation: Quaternion) -> Quaternion:
     length = math.hypot(*rotation)
     if not LEAST_LENGTH < length < math.inf:
         raise PacketError("a rotation is no quaternion: its numbers are all 0, or none")
-    x, y, z, w = (each / length for each in rotation)
+    x, y, z, w = (component / length for component in rotation)
     return x, y, z, w
 
 
@@ -98,10 +101,10 @@ def read_direction(direction: Sequence[float]) -> GazeAngles | None:
 
 def average_eyes(eyes: Iterable[GazeAngles | None]) -> GazeAngles | None:
     """The gaze of both eyes: their mean; None where neither is known."""
-    known = [eye for eye in eyes if eye is not None]
-    if not known:
+    seen = [eye for eye in eyes if eye is not None]
+    if not seen:
         return None
-    return sum(yaw for yaw, _ in known) / len(known), sum(pitch for _, pitch in known) / len(known)
+    return sum(yaw for yaw, _ in seen) / len(seen), sum(pitch for _, pitch in seen) / len(seen)
 
 
 def limit_head(head: HeadAngles) -> HeadAngles:

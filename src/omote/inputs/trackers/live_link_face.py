@@ -49,7 +49,7 @@ def decode_live_link_face(data: bytes) -> list[TrackerFrame]:
 
 
 def frame_of_values(values: Sequence[float], subject: str = "", time: float | None = None) -> TrackerFrame:
-    """The frame of the 61 values, in the order of packets."""
+    """The frame of the 61 values, in the order of packets. subject: whose; time: seconds, None where it is not said."""
     head, left, right = (read_unreal_radians(*values[at : at + 3]) for at in (52, 55, 58))
     gaze = average_eyes((left[:2], right[:2]))
     return TrackerFrame(dict(zip(ARKIT_NAMES, values, strict=False)), head, gaze, time=time, subject=subject)
@@ -58,10 +58,11 @@ def frame_of_values(values: Sequence[float], subject: str = "", time: float | No
 def encode_live_link_face(
     weights: Sequence[float], head: HeadAngles, gaze: GazeAngles, *, device: str, subject: str, frame: int
 ) -> bytes:
-    """The packet of a face. weights: of `ARKIT_NAMES`; device: an id; frame: its number at 60 a second."""
+    """The packet of a face. weights: of `ARKIT_NAMES`; device: an id; frame: its number at 60 a second; head, gaze:
+    radians; subject: whose face it is."""
     eye = [-gaze[0], -gaze[1], 0.0]
     values = [*weights, -head[0], -head[1], head[2], *eye, *eye]
-    texts = b"".join(LENGTH.pack(len(each)) + each for each in (device.encode(), subject.encode()))
+    texts = b"".join(LENGTH.pack(len(text)) + text for text in (device.encode(), subject.encode()))
     time_code = TIME_CODE.pack(frame % 2**31, 0.0, FRAME_RATE, 1)
     return bytes([VERSION]) + texts + time_code + bytes([VALUES]) + NUMBERS.pack(*values)
 

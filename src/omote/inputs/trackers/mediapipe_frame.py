@@ -12,7 +12,7 @@ from typing import Annotated
 import msgspec
 
 from omote.inputs.trackers.head_angles import HeadAngles
-from omote.inputs.trackers.tracker_frame import TrackerError, TrackerFrame, trim_subject
+from omote.inputs.trackers.tracker_frame import TrackerError, TrackerFrame, read_json, trim_subject
 
 MOST_CATEGORIES = 256
 NEUTRAL = "_neutral"
@@ -55,22 +55,16 @@ class Landmarks(msgspec.Struct, frozen=True, rename="camel"):
     timestamp: float | None = None
 
 
-_DECODER = msgspec.json.Decoder(Landmarks)
-
-
 def decode_mediapipe(data: bytes) -> list[TrackerFrame]:
     """The frame of the first face of a result; one without a face says that nobody is seen. TrackerError where it is
     none."""
-    try:
-        result = _DECODER.decode(data)
-    except (msgspec.MsgspecError, UnicodeDecodeError, RecursionError) as error:
-        raise TrackerError(f"this is no result of MediaPipe: {str(error)[:200]}") from error
+    result = read_json(Landmarks, data, "this is no result of MediaPipe")
     subject = trim_subject(result.subject)
     time = None if result.timestamp is None else 0.001 * result.timestamp
     if not result.face_blendshapes:
         return [TrackerFrame(found=False, time=time, subject=subject)]
     categories = result.face_blendshapes[0].categories
-    weights = {each.name: each.score for each in categories if each.name and each.name != NEUTRAL}
+    weights = {category.name: category.score for category in categories if category.name and category.name != NEUTRAL}
     if not weights:
         raise TrackerError("the result has no categories with names; turn outputFaceBlendshapes on")
     matrices = result.facial_transformation_matrixes
@@ -83,6 +77,8 @@ def _turn(matrix: Matrix) -> HeadAngles:
     lengths = [math.hypot(*column) for column in columns]
     if not all(LEAST_COLUMN < length < math.inf for length in lengths):
         raise TrackerError("the matrix of the face turns nothing: its columns have no length")
-    (_, left_up, _), (_, up_up, _), forward = ([each / n for each in c] for c, n in zip(columns, lengths, strict=True))
+    (_, left_up, _), (_, up_up, _), forward = (
+        [component / n for component in c] for c, n in zip(columns, lengths, strict=True)
+    )
     pitch = math.asin(max(-1.0, min(1.0, forward[1])))
     return math.atan2(forward[0], forward[2]), pitch, -math.atan2(left_up, up_up)

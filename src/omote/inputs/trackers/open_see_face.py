@@ -25,9 +25,12 @@ from omote.inputs.trackers.tracker_frame import TrackerError, TrackerFrame
 
 RECORD = 1785
 HEAD = struct.Struct("<diffffBf4f")
-POINTS_AT, POINT = 889, struct.Struct("<3f")
-FEATURES_AT, FEATURES = 1729, struct.Struct("<14f")
-PUPILS, EYEBALLS = (66, 67), (68, 69)
+POINTS_AT = 889
+POINT = struct.Struct("<3f")
+FEATURES_AT = 1729
+FEATURES = struct.Struct("<14f")
+PUPILS = (66, 67)
+EYEBALLS = (68, 69)
 """Of the right and of the left eye, among the 70 points of the head."""
 MOST_FACES = 40
 WORST_FIT = 100.0
@@ -85,12 +88,12 @@ def _face(record: bytes) -> TrackerFrame:
 
 
 def _weights(features: Mapping[str, float]) -> dict[str, float]:
-    found = {}
+    weights = {}
     for feature, parts in CHANNELS.items():
         for name, part in parts:
-            found[name] = max(0.0, features[feature] * part)
+            weights[name] = max(0.0, features[feature] * part)
     ups = [features[f"eyebrow_updown_{side}"] for side in "lr"]
-    return {**found, "browInnerUp": max(0.0, 0.5 * sum(ups))}
+    return {**weights, "browInnerUp": max(0.0, 0.5 * sum(ups))}
 
 
 def _turn(rotation: Quaternion) -> HeadAngles:

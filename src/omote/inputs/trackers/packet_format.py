@@ -47,13 +47,13 @@ def recognize_format(packet: bytes) -> str:
 
 
 def is_read_by(name: str, protocol: str) -> bool:
-    """Whether a protocol reads the packets of a format that was recognized."""
+    """Whether a protocol reads the packets of a format that was recognized. name: of that format."""
     return _SHARED.get(protocol, protocol) == name
 
 
 def explain_format(name: str, port: int | None = None) -> str:
     """What a packet of a format is, and where it goes, as a clause. port: where that is heard now, None where it is
-    not."""
+    not; name: of the protocol."""
     protocol = TRACKER_PROTOCOLS[name]
     if protocol.port is None:
         return f"this is {protocol.title}: it comes by WebSocket to {MEDIAPIPE_PATH} of the show (--listen {name})"

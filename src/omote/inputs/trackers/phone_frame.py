@@ -11,14 +11,14 @@ from typing import Annotated
 import msgspec
 
 from omote.inputs.trackers.head_angles import HeadAngles, average_eyes, read_right_handed_degrees
-from omote.inputs.trackers.tracker_frame import TrackerError, TrackerFrame
+from omote.inputs.trackers.tracker_frame import TrackerFrame, read_json
 
 REQUEST_SECONDS = 5.0
 MOST_SHAPES = 256
 HALVES = ("browinnerupleft", "browinnerupright")
 
 
-class Angles(msgspec.Struct, frozen=True):
+class PhoneAngles(msgspec.Struct, frozen=True):
     """Degrees about x, y and z."""
 
     x: float = 0.0
@@ -26,7 +26,7 @@ class Angles(msgspec.Struct, frozen=True):
     z: float = 0.0
 
 
-class Shape(msgspec.Struct, frozen=True):
+class Coefficient(msgspec.Struct, frozen=True):
     """A coefficient: its name and its value."""
 
     k: Annotated[str, msgspec.Meta(max_length=80)]
@@ -36,23 +36,17 @@ class Shape(msgspec.Struct, frozen=True):
 class PhoneFrame(msgspec.Struct, frozen=True, rename="pascal"):
     """A frame as the phone sends it; what else it holds is left out."""
 
-    blend_shapes: Annotated[list[Shape], msgspec.Meta(max_length=MOST_SHAPES)]
+    blend_shapes: Annotated[list[Coefficient], msgspec.Meta(max_length=MOST_SHAPES)]
     face_found: bool = True
     timestamp: float | None = None
-    rotation: Angles | None = None
-    eye_left: Angles | None = None
-    eye_right: Angles | None = None
-
-
-_DECODER = msgspec.json.Decoder(PhoneFrame)
+    rotation: PhoneAngles | None = None
+    eye_left: PhoneAngles | None = None
+    eye_right: PhoneAngles | None = None
 
 
 def decode_phone_frame(data: bytes) -> list[TrackerFrame]:
     """The frame of a packet; TrackerError where it is none."""
-    try:
-        frame = _DECODER.decode(data)
-    except (msgspec.MsgspecError, UnicodeDecodeError, RecursionError) as error:
-        raise TrackerError(f"the packet is no frame of a phone: {str(error)[:200]}") from error
+    frame = read_json(PhoneFrame, data, "the packet is no frame of a phone")
     time = None if frame.timestamp is None else 0.001 * frame.timestamp
     if not frame.face_found:
         return [TrackerFrame(found=False, time=time)]
@@ -70,5 +64,5 @@ def request_frames(port: int) -> bytes:
     return msgspec.json.encode(request)
 
 
-def _turn(angles: Angles | None) -> HeadAngles | None:
+def _turn(angles: PhoneAngles | None) -> HeadAngles | None:
     return None if angles is None else read_right_handed_degrees(angles.x, angles.y, angles.z)

@@ -5,11 +5,15 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
+from typing import TypeVar
+
+import msgspec
 
 from omote.inputs.rejection import PacketError
 from omote.inputs.trackers.head_angles import GazeAngles, HeadAngles
 from omote.perform.limits import CHANNEL_HIGHEST, CHANNEL_LOWEST, check_within
 
+T = TypeVar("T")
 LONGEST_SUBJECT = 40
 """Letters of the name that a tracker gives its performer."""
 
@@ -49,8 +53,17 @@ Decode = Callable[[bytes], list[TrackerFrame]]
 """Reads a packet: the frames that it completes, newest last; TrackerError where it is none."""
 
 
+def read_json(kind: type[T], data: bytes, what: str) -> T:
+    """A document of a tracker: JSON, of a kind. what: how the sentence begins; TrackerError where it is none; data: as
+    it came."""
+    try:
+        return msgspec.json.decode(data, type=kind)
+    except (msgspec.MsgspecError, UnicodeDecodeError, RecursionError) as error:
+        raise TrackerError(f"{what}: {str(error)[:200]}") from error
+
+
 def check_weight(name: str, value: object) -> float:
-    """The weight that a tracker sent; TrackerError with its name where no channel can take it."""
+    """The weight that a tracker sent; TrackerError with its name where no channel can take it. value: as it came."""
     try:
         return check_within(value, CHANNEL_LOWEST, CHANNEL_HIGHEST, name[:LONGEST_SUBJECT])
     except (TypeError, ValueError) as error:

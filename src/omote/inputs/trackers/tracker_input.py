@@ -10,29 +10,27 @@ import numpy as np
 from numpy.typing import NDArray
 
 from omote.inputs.rejection import PacketError, Rejection
+from omote.inputs.source_client import SourceClient, refusals
 from omote.inputs.trackers.arkit_names import ARKIT_NAMES, ChannelNames
 from omote.inputs.trackers.head_angles import GazeAngles, HeadAngles, limit_gaze, limit_head
 from omote.inputs.trackers.packet_format import explain_format, is_read_by, recognize_format
 from omote.inputs.trackers.tracker_frame import Decode, TrackerFrame
 from omote.inputs.trackers.tracker_protocols import TrackerProtocol
 from omote.model.known_names import NEUTRAL
-from omote.perform.layers.layer_names import LayerName
 from omote.perform.limits import GAZE_LIMITS, HEAD_LIMITS
-from omote.show import messages as wire
+from omote.show.objects.sources import Drive
 from omote.show.session import ShowSession
 
-MOST_PERFORMERS = 8
-"""Performers of one protocol at a time, by host and name; the one that was silent longest makes room."""
+MOST_FACES = 8
+"""Faces of one protocol at a time, by host and name; the one that was silent longest makes room."""
 LONGEST_NAME = 80
-LAYER: LayerName = "tracker"
-"""The layer that a tracker drives until it is routed elsewhere."""
 MOST_BARS = 59
 """Channels of which a page is told, beside five angles."""
 
 
 @dataclass(frozen=True)
 class SenderCounts:
-    """One performer before a tracker, for pages: its name, how many frames came, and its newest values."""
+    """One face before a tracker, for pages: its name, how many frames came, and its newest values."""
 
     name: str
     heard: int
@@ -40,8 +38,8 @@ class SenderCounts:
 
 
 @dataclass
-class Performer:
-    """One performer before a tracker: a source of the session. names: its channels; values: what it sent last.
+class TrackedFace(SourceClient):
+    """One face before a tracker: a source of the session. names: its channels; values: what it sent last.
 
     head, gaze: its angles as far as ours turn. sent: the names of its newest frame, of which those at `taken` are, by
     their `shares`, the channels at `places`; several: names mean the same channel; cast: whose names.
@@ -49,11 +47,8 @@ class Performer:
     turns, looks: whether its head and its eyes have ever turned: senders that know no angles send zeros for ever.
     """
 
-    name: str
-    who: str
     names: tuple[str, ...] = ()
     values: NDArray[np.float32] = field(default_factory=lambda: np.zeros(0, np.float32))
-    index: int | None = None
     newest: TrackerFrame | None = None
     turns: bool = False
     looks: bool = False
@@ -78,65 +73,76 @@ class TrackerInput:
         session: Callable[[], ShowSession],
         port_of: Callable[[str], int | None] = lambda _: None,
     ) -> None:
-        self.protocol, self._session, self._port_of = protocol, session, port_of
+        self.protocol = protocol
+        self._session = session
+        self._port_of = port_of
         self._decoders: dict[str, Decode] = {}
-        self._performers: dict[tuple[str, str], Performer] = {}
+        self._faces: dict[tuple[str, str], TrackedFace] = {}
         self._names: tuple[object, ChannelNames] | None = None
         self.heard = self.rejected = 0
         self.where = ""
         self.last_rejection: Rejection | None = None
-        self._last: Performer | None = None
+        self._last: TrackedFace | None = None
         self._answers: list[bytes] = []
 
     def receive(self, host: str, data: bytes, now: float) -> list[bytes]:
-        """Reads a packet; what cannot be read is rejected and counted. Returns the packets that answer it."""
-        self.heard, self.where = self.heard + 1, host
+        """Reads a packet; what cannot be read is rejected and counted. Returns the packets that answer it.
+
+        host: the sender's; data: as it came; now: seconds of the show's clock.
+        """
+        self.heard = self.heard + 1
+        self.where = host
         try:
             for frame in self._decoder(host)(data):
                 self.note(host, frame)
         except PacketError as error:
             self.reject(host, self._explain(data, error), now)
-        answers, self._answers = self._answers, []
+        answers = self._answers
+        self._answers = []
         return answers
 
     def play(self, now: float) -> None:
-        """Drives the session by the newest frame of each performer."""
-        for key, performer in list(self._performers.items()):
-            if (frame := performer.newest) is not None:
-                performer.newest = None
-                for reason in self._drive(performer, frame, now):
+        """Drives the session by the newest frame of each face."""
+        for key, face in list(self._faces.items()):
+            if (frame := face.newest) is not None:
+                face.newest = None
+                for reason in self._drive(face, frame, now):
                     self.reject(key[0], reason, now)
 
     def title(self, host: str, subject: str) -> str:
-        """The name of the source of a performer."""
+        """The name of the source of a face. host: the sender's; subject: whose face it is."""
         return " ".join(part for part in (self.protocol.title, subject, host) if part)[:LONGEST_NAME]
 
     def client(self, host: str, subject: str) -> str | None:
-        """The client by which a performer's source is at the session; None while there is no such source."""
-        performer = self._performers.get((host, subject))
-        return None if performer is None or performer.index is None else performer.who
+        """The client by which a face's source is at the session; None while there is no such source.
+
+        host: the sender's; subject: whose face it is.
+        """
+        face = self._faces.get((host, subject))
+        return None if face is None or face.index is None else face.who
 
     def end(self, host: str, subject: str) -> None:
-        """A performer has gone, and the source with them; of one who is unknown nothing happens."""
-        performer = self._performers.pop((host, subject), None)
-        if performer is not None:
-            self._session().leave(performer.who)
+        """Ends the source of a face, by the host that sends it and its subject; of one that is unknown nothing
+        happens."""
+        face = self._faces.pop((host, subject), None)
+        if face is not None:
+            self._session().leave(face.who)
 
     def leave(self) -> None:
         """Takes its sources out of the session: what they drove is lost, and fades out."""
-        for performer in self._performers.values():
-            self._session().leave(performer.who)
-        self._performers.clear()
+        for face in self._faces.values():
+            self._session().leave(face.who)
+        self._faces.clear()
 
     def values(self) -> dict[str, float]:
-        """What the newest performer sent last, by channel, and its angles; as far as bars show it."""
+        """What the newest face sent last, by channel, and its angles; as far as bars show it."""
         return {} if self._last is None else _values(self._last)
 
     def senders(self) -> tuple[SenderCounts, ...]:
         """All performers, the one that sent last at the end."""
         title = f"{self.protocol.title} "
         return tuple(
-            SenderCounts(each.name.removeprefix(title), each.heard, _values(each)) for each in self._performers.values()
+            SenderCounts(face.name.removeprefix(title), face.heard, _values(face)) for face in self._faces.values()
         )
 
     def _explain(self, data: bytes, error: PacketError) -> str:
@@ -147,46 +153,46 @@ class TrackerInput:
 
     def _decoder(self, host: str) -> Decode:
         if host not in self._decoders:
-            if len(self._decoders) >= MOST_PERFORMERS:
+            if len(self._decoders) >= MOST_FACES:
                 del self._decoders[next(iter(self._decoders))]
             self._decoders[host] = self.protocol.open(lambda packet: self._answers.append(packet))
         return self._decoders[host]
 
     def note(self, host: str, frame: TrackerFrame) -> None:
-        """Takes a frame that was decoded; host: "" for a performer who is told by the subject alone."""
+        """Takes a frame that was decoded; host: "" for one that its subject alone tells."""
         key = (host, frame.subject)
-        performer = self._performers.pop(key, None) or self._begin(host, frame.subject)
-        performer.heard += 1
-        self._performers[key] = self._last = performer  # to the end: who was silent longest stands first
+        face = self._faces.pop(key, None) or self._begin(host, frame.subject)
+        face.heard += 1
+        self._faces[key] = self._last = face  # to the end: who was silent longest stands first
         if frame.found:
-            self._keep(performer, frame)
-        performer.newest = frame
+            self._keep(face, frame)
+        face.newest = frame
 
-    def _begin(self, host: str, subject: str) -> Performer:
-        while len(self._performers) >= MOST_PERFORMERS:
-            oldest = next(iter(self._performers))
-            self._session().leave(self._performers.pop(oldest).who)
-        return Performer(self.title(host, subject), f"{self.protocol.name} {host} {subject}")
+    def _begin(self, host: str, subject: str) -> TrackedFace:
+        while len(self._faces) >= MOST_FACES:
+            oldest = next(iter(self._faces))
+            self._session().leave(self._faces.pop(oldest).who)
+        return TrackedFace(self.title(host, subject), f"{self.protocol.name} {host} {subject}")
 
-    def _keep(self, performer: Performer, frame: TrackerFrame) -> None:
+    def _keep(self, face: TrackedFace, frame: TrackerFrame) -> None:
         """Notes the values that a frame has; others stay as they were."""
         names = self._channel_names()
         sent = tuple(frame.weights)
-        if (performer.sent, performer.cast) != (sent, names):
-            _take_names(performer, sent, names)
+        if (face.sent, face.cast) != (sent, names):
+            _take_names(face, sent, names)
         values = np.fromiter(frame.weights.values(), np.float32, len(sent))
-        said = values[performer.taken] * performer.shares
-        if performer.several:  # where names mean the same the largest counts: VRM's `Blink` is 0 beside ARKit's
-            performer.values[performer.places] = -np.inf
-            np.maximum.at(performer.values, performer.places, said)
+        said = values[face.taken] * face.shares
+        if face.several:  # where names mean the same the largest counts: VRM's `Blink` is 0 beside ARKit's
+            face.values[face.places] = -np.inf
+            np.maximum.at(face.values, face.places, said)
         else:
-            performer.values[performer.places] = said
+            face.values[face.places] = said
         if frame.head is not None:
-            performer.head = limit_head(frame.head)
-            performer.turns = performer.turns or any(performer.head)
+            face.head = limit_head(frame.head)
+            face.turns = face.turns or any(face.head)
         if frame.gaze is not None:
-            performer.gaze = limit_gaze(frame.gaze)
-            performer.looks = performer.looks or any(performer.gaze)
+            face.gaze = limit_gaze(frame.gaze)
+            face.looks = face.looks or any(face.gaze)
 
     def _channel_names(self) -> ChannelNames:
         """The names of the cast that plays, ARKit's first."""
@@ -197,59 +203,52 @@ class TrackerInput:
             self._names = cast, ChannelNames(dict.fromkeys([*arkit, *channels]))
         return self._names[1]
 
-    def _drive(self, performer: Performer, frame: TrackerFrame, now: float) -> list[str]:
+    def _drive(self, face: TrackedFace, frame: TrackerFrame, now: float) -> list[str]:
         """Sends a frame to the session; returns the reasons of rejections."""
         session = self._session()
-        if not (performer.names or performer.turns or performer.looks):
+        if not (face.names or face.turns or face.looks):
             return []
-        if performer.who not in session.crew:
-            session.join(performer.who, performer.name[:24])
-            performer.index = None
-        if performer.index is None:
-            answers = session.receive(performer.who, self._source(session, performer, now), now)
-            found = [answer.message for answer in answers if isinstance(answer.message, wire.SourceIs)]
-            if not found:
-                return [answer.message.reason for answer in answers if isinstance(answer.message, wire.Refused)]
-            performer.index = found[0].index
-        values = performer.values.astype("<f4").tobytes()
-        head, gaze = performer.head if performer.turns else None, performer.gaze if performer.looks else None
-        drive = wire.Drive(performer.index, values, head, gaze, frame.found)
-        answers = session.receive(performer.who, drive, now)
-        return [answer.message.reason for answer in answers if isinstance(answer.message, wire.Refused)]
-
-    def _source(self, session: ShowSession, performer: Performer, now: float) -> wire.Source:
-        """The source of a performer. One that comes for the first time drives the character of a show that has one, if
-        no other drives it, from which it would take it."""
-        alone = session.sources.find_alone(performer.name, session.scene, LAYER, now)
-        return wire.Source(performer.name, "tracker", list(performer.names), alone)
+        face.join(session)
+        refused = face.open(session, "tracker", face.names, now) if face.index is None else []
+        if face.index is None:
+            return refused
+        values = face.values.astype("<f4").tobytes()
+        head = face.head if face.turns else None
+        gaze = face.gaze if face.looks else None
+        drive = Drive(face.index, values, head, gaze, frame.found)
+        return refusals(session.receive(face.who, drive, now))
 
     def reject(self, host: str, reason: str, now: float) -> None:
-        """Counts what was not obeyed."""
+        """Counts what was not obeyed. host: the sender's; reason: why; now: seconds of the show's clock."""
         self.rejected += 1
         self.last_rejection = Rejection(now, f"{self.protocol.title} from {host}", reason)
 
 
-def _values(performer: Performer) -> dict[str, float]:
-    """What a performer sent last, by channel, and its angles; as far as bars show it."""
-    weights = dict(islice(zip(performer.names, performer.values.tolist(), strict=True), MOST_BARS))
-    turned = zip(HEAD_LIMITS.items(), performer.head, strict=True) if performer.turns else ()
-    looks = zip(GAZE_LIMITS.items(), performer.gaze, strict=True) if performer.looks else ()
+def _values(face: TrackedFace) -> dict[str, float]:
+    """What a face sent last, by channel, and its angles; as far as bars show it."""
+    weights = dict(islice(zip(face.names, face.values.tolist(), strict=True), MOST_BARS))
+    turned = zip(HEAD_LIMITS.items(), face.head, strict=True) if face.turns else ()
+    looks = zip(GAZE_LIMITS.items(), face.gaze, strict=True) if face.looks else ()
     angles = {f"head {name}": 0.5 + 0.5 * angle / most for (name, most), angle in turned}
     return {**weights, **angles, **{f"gaze {name}": 0.5 + 0.5 * angle / most for (name, most), angle in looks}}
 
 
-def _take_names(performer: Performer, sent: tuple[str, ...], names: ChannelNames) -> None:
+def _take_names(face: TrackedFace, sent: tuple[str, ...], names: ChannelNames) -> None:
     """Finds the channels of the names that a frame has; with other channels it is another source."""
-    found = [(index, *each) for index, name in enumerate(sent) for each in names.shares(name).items()]
-    known = performer.names if performer.cast is names else ()
-    channels = tuple(name for name in names.channels if name in {*known, *(channel for _, channel, _ in found)})
-    if channels != performer.names:
-        before = dict(zip(performer.names, performer.values.tolist(), strict=True))
-        performer.names, performer.index = channels, None
-        performer.values = np.array([before.get(name, 0.0) for name in channels], np.float32)
+    places = [
+        (index, *channel_share) for index, name in enumerate(sent) for channel_share in names.shares(name).items()
+    ]
+    earlier = face.names if face.cast is names else ()
+    channels = tuple(name for name in names.channels if name in {*earlier, *(channel for _, channel, _ in places)})
+    if channels != face.names:
+        before = dict(zip(face.names, face.values.tolist(), strict=True))
+        face.names = channels
+        face.index = None
+        face.values = np.array([before.get(name, 0.0) for name in channels], np.float32)
     order = {name: place for place, name in enumerate(channels)}
-    performer.sent, performer.cast = sent, names
-    performer.taken = np.array([index for index, _, _ in found], np.intp)
-    performer.places = np.array([order[channel] for _, channel, _ in found], np.intp)
-    performer.shares = np.array([share for _, _, share in found], np.float32)
-    performer.several = len({*performer.places.tolist()}) < len(found)
+    face.sent = sent
+    face.cast = names
+    face.taken = np.array([index for index, _, _ in places], np.intp)
+    face.places = np.array([order[channel] for _, channel, _ in places], np.intp)
+    face.shares = np.array([share for _, _, share in places], np.float32)
+    face.several = len({*face.places.tolist()}) < len(places)

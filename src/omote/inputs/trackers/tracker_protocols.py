@@ -134,11 +134,12 @@ _ALL = (
         _stateless(decode_mediapipe),
     ),
 )  # fmt: skip
-TRACKER_PROTOCOLS: Mapping[str, TrackerProtocol] = MappingProxyType({each.name: each for each in _ALL})
+TRACKER_PROTOCOLS: Mapping[str, TrackerProtocol] = MappingProxyType({protocol.name: protocol for protocol in _ALL})
 """Every protocol, by the name that options spell."""
-TRACKER_TITLES = tuple(each.title for each in _ALL)
+TRACKER_TITLES = tuple(protocol.title for protocol in _ALL)
 
 
 def advise(protocol: TrackerProtocol, host: str, port: int | None) -> str:
-    """What to do at a sender of a protocol. host: this machine's address, as the sender reaches it."""
+    """What to do at a sender of a protocol. host: this machine's address, as the sender reaches it; port: where it is
+    heard."""
     return protocol.advice.format(host=host, port=port, name=protocol.name)

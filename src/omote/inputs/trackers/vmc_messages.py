@@ -34,8 +34,11 @@ from omote.inputs.trackers.head_angles import (
 from omote.inputs.trackers.tracker_frame import TrackerError, TrackerFrame, check_weight
 from omote.perform.limits import CHANNEL_HIGHEST, CHANNEL_LOWEST
 
-VALUE, APPLY = "/VMC/Ext/Blend/Val", "/VMC/Ext/Blend/Apply"
-BONE, OK, TIME = "/VMC/Ext/Bone/Pos", "/VMC/Ext/OK", "/VMC/Ext/T"
+VALUE = "/VMC/Ext/Blend/Val"
+APPLY = "/VMC/Ext/Blend/Apply"
+BONE = "/VMC/Ext/Bone/Pos"
+OK = "/VMC/Ext/OK"
+TIME = "/VMC/Ext/T"
 MOST_NAMES = 256
 """Expressions of one sender; a model has no more that a face has."""
 MOST_VALUES = 26
@@ -75,7 +78,8 @@ class _Said:
 
     def frame(self) -> TrackerFrame:
         """The face as it is said."""
-        head, bones = None, self.bones
+        head = None
+        bones = self.bones
         if "Head" in bones or "Neck" in bones:
             head = read_unity_quaternion(multiply_quaternions(bones.get("Neck", NO_TURN), bones.get("Head", NO_TURN)))
         eyes = [read_unity_quaternion(bones[eye])[:2] for eye in ("LeftEye", "RightEye") if eye in bones]
@@ -95,7 +99,9 @@ class VmcDecoder:
         before = self._said
         said = _Said(dict(before.weights), dict(before.bones), before.found, before.time)
         elements = split_bundle(data) if data.startswith(BUNDLE) else [data]
-        names, weights, read = self._names, said.weights, FLOAT.unpack
+        names = self._names
+        weights = said.weights
+        read = FLOAT.unpack
         for element in elements if len(elements) <= MOST_MESSAGES else [data]:
             name = names.get(element[:-4])
             if name is None:
@@ -118,13 +124,15 @@ class VmcDecoder:
         for message in messages:
             said.hear(message)
         if len(messages) == 1 and messages[0].address == VALUE and len(self._names) < MOST_NAMES:
-            name, before = str(messages[0].arguments[0]), element[: -FLOAT.size]
+            name = str(messages[0].arguments[0])
+            before = element[: -FLOAT.size]
             if before == encode_message(VALUE, name, 0.0)[: -FLOAT.size]:  # and no double, whose end is no number
                 self._names[before] = name
 
 
 def encode_vmc(weights: Mapping[str, float], head: HeadAngles, gaze: GazeAngles, time: float) -> list[bytes]:
-    """The packets of a face. weights: by the names that the receiver's model has; time: seconds."""
+    """The packets of a face. weights: by the names that the receiver's model has; time: seconds; head, gaze:
+    radians."""
     eye = write_unity_quaternion((*gaze, 0.0))
     values = [encode_message(VALUE, name, float(value)) for name, value in weights.items()]
     parts = [values[at : at + MOST_VALUES] for at in range(0, len(values), MOST_VALUES)]
@@ -142,7 +150,7 @@ def _ended(parts: Iterable[list[bytes]]) -> list[list[bytes]]:
 
 
 def _encode_bone(name: str, turn: Quaternion) -> bytes:
-    return encode_message(BONE, name, 0.0, 0.0, 0.0, *(float(each) for each in turn))
+    return encode_message(BONE, name, 0.0, 0.0, 0.0, *(float(component) for component in turn))
 
 
 def _read(message: OscMessage, count: int) -> tuple[Argument, ...]:
@@ -167,13 +175,13 @@ def _name(value: Argument, message: OscMessage) -> str:
 def _note_bone(bones: dict[str, Quaternion], message: OscMessage) -> None:
     name, *numbers = _read(message, 8)
     if (bone := BONES.get(_name(name, message).lower())) is not None:
-        x, y, z, w = (_number(each, message) for each in numbers[3:])
+        x, y, z, w = (_number(number, message) for number in numbers[3:])
         bones[bone] = normalize_quaternion((x, y, z, w))
 
 
 def _is_found(message: OscMessage) -> bool:
     """Whether the sender has a model and sees its performer: the first number, and since 2.7 the fourth."""
-    loaded, *more = (_number(each, message) for each in message.arguments[:4] or _read(message, 1))
+    loaded, *more = (_number(number, message) for number in message.arguments[:4] or _read(message, 1))
     return loaded != 0.0 and (len(more) < 3 or more[2] != 0.0)
 
 

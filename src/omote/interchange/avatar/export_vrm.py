@@ -7,8 +7,8 @@ from dataclasses import replace
 
 import numpy as np
 
-from omote.interchange.avatar.humanoid_skeleton import Place, Skeleton, build_skeleton
-from omote.interchange.avatar.joint_binding import add_joints, bind_meshes
+from omote.arrays import Points
+from omote.interchange.avatar.humanoid_skeleton import Position, Skeleton, add_joints, bind_meshes, build_skeleton
 from omote.interchange.avatar.preset_expressions import (
     custom_expressions,
     find_overrides,
@@ -20,7 +20,6 @@ from omote.interchange.avatar.vrm0_extension import describe_vrm0
 from omote.interchange.avatar.vrm_extension import (
     EXTENSION,
     VERSION,
-    Json,
     describe_bones,
     describe_expressions,
     describe_first_person,
@@ -28,16 +27,17 @@ from omote.interchange.avatar.vrm_extension import (
     describe_meta,
 )
 from omote.interchange.avatar.vrm_licence import Credit
-from omote.interchange.export_face import (
-    NOTICE,
-    SKIN,
-    ExportContext,
-    Meshes,
-    Points,
-    build_scene,
-    named_compound_meshes,
+from omote.interchange.export_face import NOTICE, SKIN, ExportContext, Meshes, build_scene, named_compound_meshes
+from omote.interchange.formats.glb_writer import (
+    GENERATOR,
+    ExportScene,
+    Json,
+    MorphTarget,
+    Shape,
+    Store,
+    describe_scene,
+    encode_glb,
 )
-from omote.interchange.formats.glb_writer import GENERATOR, Scene, Shape, Store, Target, describe_scene, encode_glb
 from omote.model.space.face_fit import fit
 
 HEAD = "head"
@@ -59,12 +59,17 @@ def vrm_bytes(
 
     What presets and Perfect Sync need besides is added. own: the face did not come with Omote, so its terms must have
     been said. ValueError for a face that is not in the cast, and where terms are missing.
+
+    context, face: whose avatar; credit: whose it is, and the version of VRM; hair: whether it comes along.
     """
-    cast, terms = context.cast, credit.agreed(face, own=own)
-    given = dict(poses)
-    presets, customs = preset_weights(cast, given), custom_expressions(cast, given)
+    cast = context.cast
+    terms = credit.agreed(face, own=own)
+    meshes_by_name = dict(poses)
+    presets = preset_weights(cast, meshes_by_name)
+    customs = custom_expressions(cast, meshes_by_name)
     worn = {
-        name: given.get(name) or named_compound_meshes(cast, face, name) for name in required_expressions(cast, given)
+        name: meshes_by_name.get(name) or named_compound_meshes(cast, face, name)
+        for name in required_expressions(cast, meshes_by_name)
     }
     fitted = fit(cast.space, cast.faces[face])
     skeleton = build_skeleton(cast.space, fitted)
@@ -78,7 +83,7 @@ def vrm_bytes(
     return _encode(scene, skeleton, parts) if credit.version == VERSION else _encode_old(scene, skeleton, parts)
 
 
-def _stand(scene: Scene, skeleton: Skeleton) -> Scene:
+def _stand(scene: ExportScene, skeleton: Skeleton) -> ExportScene:
     """The scene on its feet; each shape keeps the targets that move it."""
     return replace(scene, shapes=[_placed(shape, skeleton.shift) for shape in scene.shapes], apart=True)
 
@@ -89,32 +94,32 @@ def _placed(shape: Shape, shift: Points) -> Shape:
     return replace(shape, points=points.astype(np.float32), place=(0.0, 0.0, 0.0), targets=targets)
 
 
-def _encode(scene: Scene, skeleton: Skeleton, parts: Mapping[str, Json]) -> bytes:
+def _encode(scene: ExportScene, skeleton: Skeleton, parts: Mapping[str, Json]) -> bytes:
     document, store, extension = _describe(scene, skeleton, parts)
     return encode_glb(document | {"extensions": {EXTENSION: extension}, "extensionsUsed": [EXTENSION]}, store)
 
 
-def _encode_old(scene: Scene, skeleton: Skeleton, parts: Mapping[str, Json]) -> bytes:
+def _encode_old(scene: ExportScene, skeleton: Skeleton, parts: Mapping[str, Json]) -> bytes:
     """The same as VRM 0.x, turned to look along -z."""
     joints = {name: replace(joint, place=_turned(joint.place)) for name, joint in skeleton.joints.items()}
     shapes = [_turn_shape(shape) for shape in scene.shapes]
     document, store, extension = _describe(replace(scene, shapes=shapes), replace(skeleton, joints=joints), parts)
-    old = describe_vrm0(extension, [each["name"] for each in document["materials"]], GENERATOR)
+    old = describe_vrm0(extension, [material["name"] for material in document["materials"]], GENERATOR)
     return encode_glb(document | {"extensions": {EXTENSION_0: old}, "extensionsUsed": [EXTENSION_0]}, store)
 
 
-def _turned(place: Place) -> Place:
+def _turned(place: Position) -> Position:
     x, y, z = place
     return 0.0 - x, y, 0.0 - z
 
 
 def _turn_shape(shape: Shape) -> Shape:
     half = TURNED.astype(np.float32)
-    targets = {name: Target(target.moves * half, target.turns * half) for name, target in shape.targets.items()}
+    targets = {name: MorphTarget(target.moves * half, target.turns * half) for name, target in shape.targets.items()}
     return replace(shape, points=shape.points * half, normals=shape.normals * half, targets=targets)
 
 
-def _describe(scene: Scene, skeleton: Skeleton, parts: Mapping[str, Json]) -> tuple[Json, Store, Json]:
+def _describe(scene: ExportScene, skeleton: Skeleton, parts: Mapping[str, Json]) -> tuple[Json, Store, Json]:
     """The document of the scene on its skeleton, what it names, and the extension of 1.0."""
     store = Store()
     document = describe_scene(scene, store)

@@ -6,14 +6,14 @@ from collections.abc import Collection, Iterable, Mapping
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 from scipy.spatial import cKDTree
 
+from omote.arrays import Points
 from omote.model.cast import Cast
+from omote.model.space.head_size import HEAD_METRES, head_height
 from omote.model.space.parameter_space import ParameterSpace
 from omote.perform.speech.visemes import MOUTH_UNITS, VISEMES, mouth_of
 
-Points = NDArray[np.float64]
 Weights = Mapping[str, float]
 
 EMOTIONS = {"happy": "joy", "angry": "angry", "sad": "sad", "relaxed": "smile", "surprised": "surprise"}
@@ -30,13 +30,14 @@ UNITS = {
 }
 PRESETS = (*EMOTIONS, *VOWELS, *UNITS)
 """All that VRM 1.0 has."""
-SHUT, AJAR = 0.3, 0.5
+SHUT = 0.3
+AJAR = 0.5
 """How far lids close, of a blink, and how far lips part, of an `aa`, until a blink or speech on top of it shows."""
 _LIDS = ((0.031, 0.0047, 0.141), (0.031, -0.0044, 0.140)), ((-0.031, 0.0047, 0.141), (-0.031, -0.0044, 0.140))
 _LIPS = (((0.0, -0.059, 0.160), (0.0, -0.077, 0.156)),)
-"""What is above and below each opening, metres on the generic head."""
-_LEAST = 1e-4
-"""Metres: what opens less cannot be told."""
+"""What is above and below each opening, metres on a generic head that is HEAD_METRES tall."""
+_LEAST_METRES = 1e-4
+"""What opens less cannot be told."""
 
 
 @dataclass(frozen=True)
@@ -53,28 +54,34 @@ def preset_weights(cast: Cast, chosen: Collection[str] = (), /) -> dict[str, dic
 
     What the cast lacks is left out.
     """
-    found: dict[str, dict[str, float]] = {preset: {name: 1.0} for preset, name in EMOTIONS.items()}
+    presets: dict[str, dict[str, float]] = {preset: {name: 1.0} for preset, name in EMOTIONS.items()}
     for preset, viseme in VOWELS.items():
-        mouth = mouth_of(np.array([float(each == viseme) for each in VISEMES]))
-        found[preset] = {unit: round(float(part), 3) for unit, part in zip(MOUTH_UNITS, mouth, strict=True)}
-    found |= {preset: dict.fromkeys(units, 1.0) for preset, units in UNITS.items()}
-    found |= {name: {name: 1.0} for name in chosen if name in found}
+        mouth = mouth_of(np.array([float(spoken == viseme) for spoken in VISEMES]))
+        presets[preset] = {unit: round(float(part), 3) for unit, part in zip(MOUTH_UNITS, mouth, strict=True)}
+    presets |= {preset: dict.fromkeys(units, 1.0) for preset, units in UNITS.items()}
+    presets |= {name: {name: 1.0} for name in chosen if name in presets}
     return {
         preset: {name: part for name, part in weights.items() if part and name in cast.expressions}
-        for preset, weights in found.items()
+        for preset, weights in presets.items()
     }
 
 
 def custom_expressions(cast: Cast, chosen: Iterable[str], /) -> dict[str, str]:
     """Custom expressions by what they are called: all units of ARKit as Perfect Sync has them (EyeBlinkLeft), and those
-    that are chosen and no preset."""
+    that are chosen and no preset.
+
+    cast: with its titles; chosen: names of expressions.
+    """
     units = [name for name, title in cast.titles.items() if title.kind == "arkit"]
     called = {name[0].upper() + name[1:]: name for name in units}
     return called | {name: name for name in chosen if name not in (*units, *PRESETS)}
 
 
 def required_expressions(cast: Cast, chosen: Collection[str], /) -> list[str]:
-    """The expressions that an avatar needs as targets: what its presets are made of, and its custom ones."""
+    """The expressions that an avatar needs as targets: what its presets are made of, and its custom ones.
+
+    cast: with its titles; chosen: names of expressions.
+    """
     presets = [name for weights in preset_weights(cast, chosen).values() for name in weights]
     return list(dict.fromkeys([*custom_expressions(cast, chosen).values(), *presets]))
 
@@ -86,6 +93,8 @@ def find_overrides(
 
     rest (V, 3), poses: the skin at rest and wearing each expression, metres. Lids that are nearly shut would be shut
     twice by a blink; eyes that look down have lowered lids, which a blink would lower again.
+
+    space: of the face; presets: weights of expressions, by preset.
     """
     worn = {
         preset: rest + sum(part * (poses[name] - rest) for name, part in weights.items())
@@ -93,20 +102,21 @@ def find_overrides(
     }
     shut = {preset: -_opens(space, rest, points, _LIDS) for preset, points in worn.items()}
     ajar = {preset: _opens(space, rest, points, _LIPS) for preset, points in worn.items()}
-    found = {
+    overrides = {
         preset: Overrides(
-            blink=shut[preset] >= max(SHUT * shut["blink"], _LEAST),
-            mouth=ajar[preset] >= max(AJAR * ajar["aa"], _LEAST),
+            blink=shut[preset] >= max(SHUT * shut["blink"], _LEAST_METRES),
+            mouth=ajar[preset] >= max(AJAR * ajar["aa"], _LEAST_METRES),
         )
         for preset in EMOTIONS
     }
-    return found | {"blink": Overrides(look=True)}
+    return overrides | {"blink": Overrides(look=True)}
 
 
 def _opens(
     space: ParameterSpace, rest: Points, worn: Points, pairs: Iterable[tuple[tuple[float, ...], tuple[float, ...]]]
 ) -> float:
     """How much farther what is above an opening is from what is below, metres, the mean of several."""
-    rows = cKDTree(space.points).query(np.array([list(pair) for pair in pairs]))[1]
+    places = np.array([list(pair) for pair in pairs]) * (head_height(space) / HEAD_METRES)
+    rows = cKDTree(space.points).query(places)[1]
     moved = (worn - rest)[rows, 1]
     return float((moved[:, 0] - moved[:, 1]).mean())

@@ -6,9 +6,8 @@ VRM Consortium, specification/0.0: https://github.com/vrm-c/vrm-specification/tr
 from __future__ import annotations
 
 from collections.abc import Iterable
-from typing import Any
 
-Json = dict[str, Any]
+from omote.interchange.formats.glb_writer import Json
 
 EXTENSION = "VRM"
 PRESETS = {
@@ -36,12 +35,16 @@ _HUMANOID = {
 
 
 def describe_vrm0(vrm: Json, materials: Iterable[str], generator: str, /) -> Json:
-    """The extension of 0.x that says what one of 1.0 says; meshes stand at the nodes from 1 on, in their order."""
+    """The extension of 0.x that says what one of 1.0 says; meshes stand at the nodes from 1 on, in their order.
+
+    vrm: the JSON of 1.0; materials: their names, in order; generator: which program wrote it.
+    """
     bones = vrm["humanoid"]["humanBones"]
     joints = [{"bone": name, "node": bone["node"], "useDefaultValues": True} for name, bone in bones.items()]
-    presets, customs = vrm["expressions"]["preset"], vrm["expressions"]["custom"]
-    groups = [_group(name, PRESETS.get(name, OTHER), each) for name, each in presets.items()]
-    groups += [_group(name, OTHER, each) for name, each in customs.items()]
+    presets = vrm["expressions"]["preset"]
+    customs = vrm["expressions"]["custom"]
+    groups = [_group(name, PRESETS.get(name, OTHER), expression) for name, expression in presets.items()]
+    groups += [_group(name, OTHER, expression) for name, expression in customs.items()]
     return {
         "exporterVersion": generator,
         "specVersion": "0.0",
@@ -91,16 +94,18 @@ def _first_person(vrm: Json, head: int) -> Json:
     """What a model sees of itself, and its gaze; forward is +z of Unity here, though the model looks along -z."""
     annotated = vrm["firstPerson"]["meshAnnotations"]
     gaze = vrm.get("lookAt", {})
-    found: Json = {
+    view: Json = {
         "firstPersonBone": head,
         "firstPersonBoneOffset": dict(zip("xyz", gaze.get("offsetFromHeadBone", (0.0, 0.0, 0.0)), strict=True)),
-        "meshAnnotations": [{"mesh": each["node"] - 1, "firstPersonFlag": "ThirdPersonOnly"} for each in annotated],
+        "meshAnnotations": [
+            {"mesh": annotation["node"] - 1, "firstPersonFlag": "ThirdPersonOnly"} for annotation in annotated
+        ],
         "lookAtTypeName": "BlendShape",
     }
     for name in ("HorizontalInner", "HorizontalOuter", "VerticalDown", "VerticalUp"):
         reach = gaze.get(f"rangeMap{name}", {"inputMaxValue": 90.0, "outputScale": 0.0})
-        found[f"lookAt{name}"] = {"curve": STRAIGHT, "xRange": reach["inputMaxValue"], "yRange": reach["outputScale"]}
-    return found
+        view[f"lookAt{name}"] = {"curve": STRAIGHT, "xRange": reach["inputMaxValue"], "yRange": reach["outputScale"]}
+    return view
 
 
 def _material(name: str) -> Json:

@@ -7,23 +7,24 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterable, Mapping, Sequence
-from typing import Any
 
-from omote.interchange.avatar.humanoid_skeleton import Place
+from omote.interchange.avatar.humanoid_skeleton import Position
 from omote.interchange.avatar.preset_expressions import UNITS, Overrides, Weights
 from omote.interchange.avatar.vrm_licence import LICENCE_URL, Terms
-from omote.interchange.formats.glb_writer import Shape
+from omote.interchange.formats.glb_writer import Json, Shape
 from omote.model.cast import Cast
 
-Json = dict[str, Any]
-
-EXTENSION, VERSION = "VRMC_vrm", "1.0"
+EXTENSION = "VRMC_vrm"
+VERSION = "1.0"
 
 
 def describe_meta(name: str, authors: Sequence[str], terms: Terms, notice: str, /) -> Json:
-    """The model's name, its authors, and what others may do with it."""
-    known = {"name": name, "authors": list(authors), "copyrightInformation": notice, "licenseUrl": LICENCE_URL}
-    return {**known, **terms}
+    """The model's name, its authors, and what others may do with it.
+
+    name, authors: as written; terms: by VRM's names; notice: on copyright.
+    """
+    credits = {"name": name, "authors": list(authors), "copyrightInformation": notice, "licenseUrl": LICENCE_URL}
+    return {**credits, **terms}
 
 
 def describe_expressions(
@@ -32,7 +33,10 @@ def describe_expressions(
     customs: Mapping[str, str],
     overrides: Mapping[str, Overrides],
 ) -> Json:
-    """All presets and custom expressions; shapes stand at nodes from 1 on; customs: targets by what they are called."""
+    """All presets and custom expressions; shapes stand at nodes from 1 on; customs: targets by what they are called.
+
+    shapes: in the order of their nodes; presets: weights by name; overrides: by preset.
+    """
     return {
         "preset": {
             preset: _expression(shapes, weights, overrides.get(preset, Overrides()))
@@ -50,8 +54,8 @@ def _expression(shapes: Sequence[Shape], weights: Weights, overrides: Overrides)
         if name in shape.targets
     ]
     words = {False: "none", True: "blend"}
-    found: Json = {"morphTargetBinds": binds} if binds else {}
-    return found | {
+    targets: Json = {"morphTargetBinds": binds} if binds else {}
+    return targets | {
         "isBinary": False,
         "overrideBlink": words[overrides.blink],
         "overrideLookAt": words[overrides.look],
@@ -59,7 +63,7 @@ def _expression(shapes: Sequence[Shape], weights: Weights, overrides: Overrides)
     }
 
 
-def describe_gaze(cast: Cast, eyes: Place, /) -> Json:
+def describe_gaze(cast: Cast, eyes: Position, /) -> Json:
     """The gaze by expressions, so that lids go along; a direction is met by as much of `lookLeft` as turns there.
 
     eyes: from the head's joint to between the eyes, metres; empty where the cast has no units that turn the eyes.

@@ -24,7 +24,8 @@ TERMS: Mapping[str, tuple[str | bool, ...]] = {
     "allowAntisocialOrHateUsage": (False, True),
 }
 """What each term can be: from what holds where nothing is said, the strictest, to the freest."""
-STRICT, CC0 = "strict", "cc0"
+STRICT = "strict"
+CC0 = "cc0"
 ANSWERS = {"yes": True, "true": True, "no": False, "false": False}
 ANSWERED: Mapping[str | bool, str] = {True: "yes", False: "no"}
 HOW = "--licence strict (the author alone), cc0 (anyone, for anything), or terms, as avatarPermission=everyone"
@@ -75,22 +76,22 @@ def parse_terms(words: Sequence[str], /) -> Terms | None:
         return None
     if len(parts) == 1 and parts[0].lower() in (STRICT, CC0):
         return _freest() if parts[0].lower() == CC0 else _strictest()
-    found = [_parse_term(part) for part in parts]
-    if twice := [key for at, (key, _) in enumerate(found) if key in dict(found[:at])]:
+    terms = [_parse_term(part) for part in parts]
+    if twice := [key for at, (key, _) in enumerate(terms) if key in dict(terms[:at])]:
         raise ValueError(f"{twice[0]} is given twice; say it once")
-    return _strictest() | dict(found)
+    return _strictest() | dict(terms)
 
 
 def _parse_term(text: str) -> tuple[str, str | bool]:
     key, equals, value = (part.strip() for part in text.partition("="))
-    name = next((each for each in TERMS if _plain(each) == _plain(key)), None)
+    name = next((term for term in TERMS if _plain(term) == _plain(key)), None)
     if name is None or not equals:
         raise ValueError(f"{text!r} is no term of use; give {HOW}; there are {', '.join(TERMS)}")
     if TERMS[name] == (False, True):
         if value.lower() not in ANSWERS:
             raise ValueError(f"{name} is {value!r}; expected yes or no")
         return name, ANSWERS[value.lower()]
-    chosen = next((each for each in TERMS[name] if str(each).lower() == value.lower()), None)
+    chosen = next((option for option in TERMS[name] if str(option).lower() == value.lower()), None)
     if chosen is None:
         raise ValueError(f"{name} is {value!r}; expected one of {', '.join(map(str, TERMS[name]))}")
     return name, chosen

@@ -16,11 +16,11 @@ from omote.interchange.export_face import ExportContext, Meshes, build_scene, na
 from omote.interchange.exports.obj_writer import obj_files, obj_folder, require_single
 from omote.interchange.exports.usd_writer import NEEDS_USD, check_usd, has_usd, usd_files
 from omote.interchange.formats.file_names import GLB, NUMBERS, OBJ, USD, VRM
-from omote.interchange.formats.glb_writer import Scene, glb_bytes
+from omote.interchange.formats.glb_writer import ExportScene, glb_bytes
 
 Files = dict[str, bytes]
 """The bytes of files, by their paths from the folder that they are written into; the first is the one that is named."""
-Encode = Callable[[Scene, str], Files]
+Encode = Callable[[ExportScene, str], Files]
 """Encodes a scene under a name without an ending."""
 
 OBJ_FOLDER = "obj"
@@ -28,7 +28,7 @@ FORMATS = ("glb", "vrm", "usd", "usdc", "usda", "usdz", "obj", "npz", "csv")
 """What `--format` knows; usd is usdc, obj a folder of shapes for each face."""
 
 
-def _glb(scene: Scene, stem: str) -> Files:
+def _glb(scene: ExportScene, stem: str) -> Files:
     return {f"{stem}{GLB}": glb_bytes(scene)}
 
 
@@ -49,7 +49,10 @@ def find_kind(name: str, /) -> str:
 
 
 def check_kind(kind: str, credit: Credit | None = None, /) -> None:
-    """ValueError that says what to install, or to say of it, where a kind cannot be written here."""
+    """Refuses a kind that cannot be written here: ValueError that says what to install, or to say of it.
+
+    kind: an ending; credit: of a VRM.
+    """
     if kind in USD:
         check_usd()
     if kind == VRM and credit is None:
@@ -62,7 +65,7 @@ def unwritable_kinds() -> dict[str, str]:
 
 
 def check_count(kind: str, expressions: Sequence[str], /) -> None:
-    """ValueError where a kind cannot hold so many expressions."""
+    """Refuses more expressions than a kind can hold, by ValueError."""
     if kind == OBJ:
         require_single(expressions)
 
@@ -81,6 +84,8 @@ def encode_face(
     """Encodes a face of the cast wearing each of some poses (`named_compound_meshes`, by name) as files named STEM.
 
     kind: an ending (.glb, .usdc, .obj, .npz), or OBJ_FOLDER; credit: of a VRM. ValueError where that cannot be.
+
+    context, face: of the cast; stem: of the files' names; hair: whether it comes along.
     """
     name = f"{stem}{kind}"
     if kind in NUMBERS:
@@ -113,6 +118,9 @@ def bake_face(
     hair: bool = True,
     credit: Credit | None = None,
 ) -> Files:
-    """Computes what a face of the cast wears, by the names of expressions, and encodes it as `encode_face` does."""
+    """Computes what a face of the cast wears, by the names of expressions, and encodes it as `encode_face` does.
+
+    context, face, expressions: by name; kind, stem, hair, credit: as of `encode_face`.
+    """
     poses = ((name, named_compound_meshes(context.cast, face, name)) for name in expressions)
     return encode_face(context, face, poses, kind, stem, hair=hair, credit=credit)

@@ -10,14 +10,16 @@ _STRANGE = re.compile(r"\W", re.ASCII)
 
 def identifiers(names: Iterable[str], /) -> dict[str, str]:
     """A valid identifier for each name, none twice, nor alike but for capitals, which some file systems confuse."""
-    found: dict[str, str] = {}
+    identifier_of: dict[str, str] = {}
     taken: set[str] = set()
     for name in names:
         plain = _STRANGE.sub("_", name) or "_"
         plain = f"_{plain}" if plain[0].isdigit() else plain
-        wanted, number = plain, 1
+        wanted = plain
+        number = 1
         while wanted.lower() in taken:
-            wanted, number = f"{plain}_{number}", number + 1
+            wanted = f"{plain}_{number}"
+            number = number + 1
         taken.add(wanted.lower())
-        found[name] = wanted
-    return found
+        identifier_of[name] = wanted
+    return identifier_of

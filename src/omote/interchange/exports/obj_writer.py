@@ -12,20 +12,23 @@ import numpy as np
 from numpy.typing import NDArray
 
 from omote.interchange.exports.identifiers import identifiers
-from omote.interchange.formats.glb_writer import GENERATOR, Scene, Shape
+from omote.interchange.formats.glb_writer import GENERATOR, ExportScene, Shape
 from omote.model.known_names import NEUTRAL
 
 Files = dict[str, bytes]
 Values = NDArray[np.floating]
 
-POINTS, DIRECTIONS = "%.8g", "%.5f"
+POINTS = "%.8g"
+DIRECTIONS = "%.5f"
 """How numbers are written: metres so that float32 comes back within a hundredth of a micrometre of a head."""
 
 
-def obj_files(scene: Scene, stem: str, /) -> Files:
+def obj_files(scene: ExportScene, stem: str, /) -> Files:
     """A face as STEM.obj, with STEM.mtl and pictures: at rest, or wearing the one expression that the scene has.
 
     ValueError for several expressions: the format holds one shape.
+
+    scene: with one target at most; stem: of the files' names.
     """
     worn = list(scene.shapes[0].targets)
     require_single(worn)
@@ -34,7 +37,7 @@ def obj_files(scene: Scene, stem: str, /) -> Files:
 
 
 def require_single(expressions: Sequence[str], /) -> None:
-    """ValueError for several expressions: an OBJ holds one shape."""
+    """Refuses several expressions, by ValueError: an OBJ holds one shape."""
     if len(expressions) > 1:
         raise ValueError(
             f"an OBJ holds one shape, and {len(expressions)} expressions are named; name one, or have a folder of "
@@ -42,15 +45,18 @@ def require_single(expressions: Sequence[str], /) -> None:
         )
 
 
-def obj_folder(scene: Scene, stem: str, /) -> Files:
-    """A folder STEM of a face: neutral.obj, an OBJ for each expression, and the surfaces that all of them share."""
+def obj_folder(scene: ExportScene, stem: str, /) -> Files:
+    """A folder STEM of a face: neutral.obj, an OBJ for each expression, and the surfaces that all of them share.
+
+    scene: whose targets become files; stem: the folder's name.
+    """
     faces = faces_text(scene)
     names = identifiers([NEUTRAL, *scene.shapes[0].targets])
     shapes = {f"{stem}/{file}.obj": obj_text(scene, name, f"{scene.name}.mtl", faces) for name, file in names.items()}
     return {**shapes, **_surfaces(scene, scene.name, f"{stem}/")}
 
 
-def obj_text(scene: Scene, expression: str, library: str, faces: Mapping[str, str], /) -> bytes:
+def obj_text(scene: ExportScene, expression: str, library: str, faces: Mapping[str, str], /) -> bytes:
     """The text of a scene wearing an expression of its own, or none (neutral).
 
     library: the name of its MTL; faces: `faces_text`.
@@ -59,25 +65,30 @@ def obj_text(scene: Scene, expression: str, library: str, faces: Mapping[str, st
     parts = [notice, f"mtllib {library}\n"]
     for shape in scene.shapes:
         target = shape.targets.get(expression)
-        points, normals = shape.points + np.asarray(shape.place, np.float32), shape.normals
+        points = shape.points + np.asarray(shape.place, np.float32)
+        normals = shape.normals
         if target is not None:
-            points, normals = points + target.moves, _unit(normals + target.turns)
+            points = points + target.moves
+            normals = _unit(normals + target.turns)
         parts += [f"o {shape.name}\nusemtl {shape.material.name}\n", _lines("v", points[_kept(shape)[0]], POINTS)]
         parts += [_lines("vn", normals, DIRECTIONS), faces[shape.name]]
     return "".join(parts).encode()
 
 
-def faces_text(scene: Scene, /) -> dict[str, str]:
+def faces_text(scene: ExportScene, /) -> dict[str, str]:
     """The lines of texture coordinates and triangles of each mesh: all expressions share them."""
-    vertex, other, found = 1, 1, {}
+    vertex = 1
+    other = 1
+    texts = {}
     for shape in scene.shapes:
         kept, place = _kept(shape)
         corners = np.stack([place[shape.triangles] + vertex, shape.triangles + other], axis=-1)
         text = "\n".join(map("f %d/%d/%d %d/%d/%d %d/%d/%d".__mod__, _corner_rows(corners)))
         upwards = np.stack([shape.uv[:, 0], 1.0 - shape.uv[:, 1]], axis=1)
-        found[shape.name] = f"{_lines('vt', upwards, '%.6f')}s 1\n{text}\n"
-        vertex, other = vertex + len(kept), other + len(shape.points)
-    return found
+        texts[shape.name] = f"{_lines('vt', upwards, '%.6f')}s 1\n{text}\n"
+        vertex = vertex + len(kept)
+        other = other + len(shape.points)
+    return texts
 
 
 def _corner_rows(corners: NDArray[np.integer]) -> list[tuple[int, ...]]:
@@ -104,10 +115,11 @@ def _unit(vectors: Values) -> Values:
     return np.asarray(vectors / np.maximum(size, 1e-12))
 
 
-def _surfaces(scene: Scene, stem: str, folder: str) -> Files:
+def _surfaces(scene: ExportScene, stem: str, folder: str) -> Files:
     """The library of materials, STEM.mtl, and the pictures that it names, in a folder ("" or "NAME/")."""
     materials = {shape.material.name: shape.material for shape in scene.shapes}
-    lines, pictures = [f"# {GENERATOR}: surfaces of {scene.name}"], Files()
+    lines = [f"# {GENERATOR}: surfaces of {scene.name}"]
+    pictures = Files()
     for material in materials.values():
         shine = (30.0 * (1.0 - material.roughness)) ** 2  # as Blender converts them
         colour = " ".join(f"{value:.4g}" for value in material.colour)

@@ -2,7 +2,8 @@
 
 UsdSkel (OpenUSD, "Skinning a Skeleton", "Blend Shapes"): below a SkelRoot lie a skeleton (the head, and a joint for
 each eyeball), an animation that holds one weight for each expression, and meshes bound rigidly to one joint each. A
-mesh names only the shapes that move it; each holds only the vertices that move.
+mesh names only the shapes that move it; each holds only the vertices that move. Surfaces are UsdPreviewSurface
+materials that show our painted pictures.
 """
 
 from __future__ import annotations
@@ -18,18 +19,65 @@ import numpy as np
 from numpy.typing import NDArray
 
 from omote.interchange.exports.identifiers import identifiers
-from omote.interchange.exports.usd_surfaces import COORDINATES, add_material
-from omote.interchange.formats.glb_writer import GENERATOR, ROWS, Scene, Shape, Target
+from omote.interchange.formats.glb_writer import GENERATOR, ROWS, ExportScene, Material, MorphTarget, Shape
 
 Files = dict[str, bytes]
 
-
+COORDINATES = "st"
+"""The primvar that holds texture coordinates, as all programs read it."""
 NEEDS_USD = 'USD is written with the package usd-core: pip install "omote[usd]", or export GLB (.glb)'
-HEAD, SKELETON = "head", "skeleton"
+HEAD = "head"
+SKELETON = "skeleton"
 _MADE = 320000000
 """Seconds since 1970: in 1980, where the calendar of ZIP begins."""
 ORIGINAL = "omote:name"
 """The key of a prim's custom data that holds its name as it is in the cast, where identifiers cannot spell it."""
+
+
+def add_material(stage: Any, path: str, material: Material, picture: str) -> Any:
+    """Adds a UsdPreviewSurface material at a path of a stage; picture: the file of its picture, "" for none."""
+    from pxr import Sdf, UsdShade
+
+    prim = UsdShade.Material.Define(stage, path)
+    shader = _shader(stage, f"{path}/surface", "UsdPreviewSurface")
+    prim.CreateSurfaceOutput().ConnectToSource(shader.CreateOutput("surface", Sdf.ValueTypeNames.Token))
+    shader.CreateInput("roughness", Sdf.ValueTypeNames.Float).Set(material.roughness)
+    shader.CreateInput("metallic", Sdf.ValueTypeNames.Float).Set(0.0)
+    colour = shader.CreateInput("diffuseColor", Sdf.ValueTypeNames.Color3f)
+    if not picture:
+        colour.Set(material.colour)
+        return prim
+    texture = _texture(stage, path, picture)
+    colour.ConnectToSource(texture.CreateOutput("rgb", Sdf.ValueTypeNames.Float3))
+    if material.cut is not None:
+        opacity = shader.CreateInput("opacity", Sdf.ValueTypeNames.Float)
+        opacity.ConnectToSource(texture.CreateOutput("a", Sdf.ValueTypeNames.Float))
+        shader.CreateInput("opacityThreshold", Sdf.ValueTypeNames.Float).Set(material.cut)
+    return prim
+
+
+def _texture(stage: Any, path: str, picture: str) -> Any:
+    """The shader that reads a picture at the texture coordinates."""
+    from pxr import Sdf
+
+    reader = _shader(stage, f"{path}/coordinates", "UsdPrimvarReader_float2")
+    reader.CreateInput("varname", Sdf.ValueTypeNames.String).Set(COORDINATES)
+    texture = _shader(stage, f"{path}/picture", "UsdUVTexture")
+    texture.CreateInput("file", Sdf.ValueTypeNames.Asset).Set(Sdf.AssetPath(picture))
+    texture.CreateInput("sourceColorSpace", Sdf.ValueTypeNames.Token).Set("sRGB")
+    for wrap in ("wrapS", "wrapT"):
+        texture.CreateInput(wrap, Sdf.ValueTypeNames.Token).Set("clamp")
+    place = texture.CreateInput("st", Sdf.ValueTypeNames.Float2)
+    place.ConnectToSource(reader.CreateOutput("result", Sdf.ValueTypeNames.Float2))
+    return texture
+
+
+def _shader(stage: Any, path: str, kind: str) -> Any:
+    from pxr import UsdShade
+
+    shader = UsdShade.Shader.Define(stage, path)
+    shader.CreateIdAttr(kind)
+    return shader
 
 
 def has_usd() -> bool:
@@ -38,17 +86,19 @@ def has_usd() -> bool:
 
 
 def check_usd() -> None:
-    """ValueError that says what to install where USD cannot be written here."""
+    """Raises ValueError that says what to install where USD cannot be written here."""
     try:
         import pxr.Usd  # noqa: F401
     except ImportError as error:
         raise ValueError(NEEDS_USD) from error
 
 
-def usd_files(scene: Scene, stem: str, /, suffix: str) -> Files:
+def usd_files(scene: ExportScene, stem: str, /, suffix: str) -> Files:
     """Encodes a scene as USD: the file STEM.SUFFIX first; unless it is a package (.usdz), then its pictures.
 
     ValueError where usd-core is not installed.
+
+    scene: of one face; stem: of the files' names; suffix: .usdc, .usda or .usdz.
     """
     check_usd()
     pictures = {f"{stem}.{name}.png": data for name, data in _pictures(scene).items()}
@@ -63,7 +113,7 @@ def usd_files(scene: Scene, stem: str, /, suffix: str) -> Files:
         return {f"{stem}.usdz": _package(path, pictures)}
 
 
-def build_stage(scene: Scene, stem: str, /) -> Any:
+def build_stage(scene: ExportScene, stem: str, /) -> Any:
     """Builds the stage (pxr.Usd.Stage) of a scene; stem: what the files of its pictures begin with."""
     from pxr import Usd, UsdGeom, UsdShade, UsdSkel
 
@@ -83,7 +133,7 @@ def build_stage(scene: Scene, stem: str, /) -> Any:
     return stage
 
 
-def _describe(stage: Any, root: Any, scene: Scene) -> None:
+def _describe(stage: Any, root: Any, scene: ExportScene) -> None:
     """What programs ask a stage first: its unit, its axes, its root; and whose it is."""
     from pxr import UsdGeom
 
@@ -96,7 +146,7 @@ def _describe(stage: Any, root: Any, scene: Scene) -> None:
     layer.customLayerData = {"generator": GENERATOR, **{key: str(value) for key, value in scene.extras.items()}}
 
 
-def _surfaces(stage: Any, top: str, scene: Scene, stem: str) -> dict[int, Any]:
+def _surfaces(stage: Any, top: str, scene: ExportScene, stem: str) -> dict[int, Any]:
     """The material of each mesh, by the identity of ours."""
     from pxr import UsdGeom
 
@@ -104,9 +154,12 @@ def _surfaces(stage: Any, top: str, scene: Scene, stem: str) -> dict[int, Any]:
     materials = {id(shape.material): shape.material for shape in scene.shapes}
     return {
         key: add_material(
-            stage, f"{top}/materials/{each.name}", each, f"./{stem}.{each.name}.png" if each.picture else ""
+            stage,
+            f"{top}/materials/{material.name}",
+            material,
+            f"./{stem}.{material.name}.png" if material.picture else "",
         )
-        for key, each in materials.items()
+        for key, material in materials.items()
     }
 
 
@@ -117,7 +170,7 @@ def _name(prim: Any, name: str) -> None:
     prim.SetCustomDataByKey(ORIGINAL, name)
 
 
-def _skeleton(stage: Any, top: str, scene: Scene, expressions: list[str]) -> dict[str, int]:
+def _skeleton(stage: Any, top: str, scene: ExportScene, expressions: list[str]) -> dict[str, int]:
     """The skeleton and the animation that rests in it; the number of each eyeball's joint, by the mesh's name."""
     from pxr import Gf, UsdSkel, Vt
 
@@ -167,13 +220,13 @@ def _bind(stage: Any, mesh: Any, shape: Shape, joint: int, names: Mapping[str, s
     binding.CreateJointIndicesPrimvar(True, 1).Set(Vt.IntArray([joint]))
     binding.CreateJointWeightsPrimvar(True, 1).Set(Vt.FloatArray([1.0]))
     moved = {name: rows for name, target in shape.targets.items() if len(rows := _moved_rows(target))}
-    made = [
+    blend_shapes = [
         _blend_shape(stage, f"{mesh.GetPath()}/{names[name]}", name, shape.targets[name], rows)
         for name, rows in moved.items()
     ]
-    if made:
+    if blend_shapes:
         binding.CreateBlendShapesAttr(Vt.TokenArray([names[name] for name in moved]))
-        binding.CreateBlendShapeTargetsRel().SetTargets(made)
+        binding.CreateBlendShapeTargetsRel().SetTargets(blend_shapes)
 
 
 def _primvars(variables: Any, shape: Shape, types: Any) -> None:
@@ -181,31 +234,31 @@ def _primvars(variables: Any, shape: Shape, types: Any) -> None:
     from pxr import UsdGeom, Vt
 
     upwards = np.stack([shape.uv[:, 0], 1.0 - shape.uv[:, 1]], axis=1).astype(np.float32)
-    made = variables.CreatePrimvar(COORDINATES, types.TexCoord2fArray, UsdGeom.Tokens.vertex)
-    made.Set(Vt.Vec2fArray.FromNumpy(upwards))
+    primvar = variables.CreatePrimvar(COORDINATES, types.TexCoord2fArray, UsdGeom.Tokens.vertex)
+    primvar.Set(Vt.Vec2fArray.FromNumpy(upwards))
     if shape.rows is not None:
-        made = variables.CreatePrimvar(ROWS, types.IntArray, UsdGeom.Tokens.vertex)
-        made.Set(Vt.IntArray.FromNumpy(shape.rows.astype(np.int32)))
+        primvar = variables.CreatePrimvar(ROWS, types.IntArray, UsdGeom.Tokens.vertex)
+        primvar.Set(Vt.IntArray.FromNumpy(shape.rows.astype(np.int32)))
     if shape.shade is not None:
-        made = variables.CreatePrimvar("shade", types.FloatArray, UsdGeom.Tokens.vertex)
-        made.Set(Vt.FloatArray.FromNumpy(_contiguous(shape.shade)))
+        primvar = variables.CreatePrimvar("shade", types.FloatArray, UsdGeom.Tokens.vertex)
+        primvar.Set(Vt.FloatArray.FromNumpy(_contiguous(shape.shade)))
 
 
-def _moved_rows(target: Target) -> NDArray[np.int32]:
+def _moved_rows(target: MorphTarget) -> NDArray[np.int32]:
     """The vertices that move or turn."""
     return np.flatnonzero(target.moves.any(axis=1) | target.turns.any(axis=1)).astype(np.int32)
 
 
-def _blend_shape(stage: Any, path: str, name: str, target: Target, rows: NDArray[np.int32]) -> Any:
+def _blend_shape(stage: Any, path: str, name: str, target: MorphTarget, rows: NDArray[np.int32]) -> Any:
     """A blend shape of some vertices alone; returns its path."""
     from pxr import UsdSkel, Vt
 
-    made = UsdSkel.BlendShape.Define(stage, path)
-    made.CreateOffsetsAttr(Vt.Vec3fArray.FromNumpy(_contiguous(target.moves[rows])))
-    made.CreateNormalOffsetsAttr(Vt.Vec3fArray.FromNumpy(_contiguous(target.turns[rows])))
-    made.CreatePointIndicesAttr(Vt.IntArray.FromNumpy(rows))
-    _name(made.GetPrim(), name)
-    return made.GetPath()
+    blend_shape = UsdSkel.BlendShape.Define(stage, path)
+    blend_shape.CreateOffsetsAttr(Vt.Vec3fArray.FromNumpy(_contiguous(target.moves[rows])))
+    blend_shape.CreateNormalOffsetsAttr(Vt.Vec3fArray.FromNumpy(_contiguous(target.turns[rows])))
+    blend_shape.CreatePointIndicesAttr(Vt.IntArray.FromNumpy(rows))
+    _name(blend_shape.GetPrim(), name)
+    return blend_shape.GetPath()
 
 
 def _points(shape: Shape) -> NDArray[np.float32]:
@@ -219,14 +272,13 @@ def _contiguous(values: NDArray[np.floating]) -> NDArray[np.float32]:
 def _box(shape: Shape) -> NDArray[np.float32]:
     """The box (2, 3) around a mesh at rest and in every target, as USD's programs frame and cull it."""
     points = _points(shape)
-    low, high = points.T.min(axis=1), points.T.max(axis=1)
+    low = points.T.min(axis=1)
+    high = points.T.max(axis=1)
     for target in shape.targets.values():
         rows = np.flatnonzero(target.moves.any(axis=1))
         moved = (points[rows] + target.moves[rows]).T.copy()  # rows of numbers side by side are summed up faster
-        low, high = (
-            np.minimum(low, moved.min(axis=1, initial=np.inf)),
-            np.maximum(high, moved.max(axis=1, initial=-np.inf)),
-        )
+        low = np.minimum(low, moved.min(axis=1, initial=np.inf))
+        high = np.maximum(high, moved.max(axis=1, initial=-np.inf))
     return np.stack([low, high])
 
 
@@ -236,10 +288,10 @@ def _extent(box: NDArray[np.float32]) -> Any:
     return Vt.Vec3fArray.FromNumpy(_contiguous(box))
 
 
-def _pictures(scene: Scene) -> dict[str, bytes]:
+def _pictures(scene: ExportScene) -> dict[str, bytes]:
     """The pictures (PNG) of a scene's materials, by the material's name."""
-    found = {shape.material.name: shape.material.picture for shape in scene.shapes}
-    return {name: picture for name, picture in found.items() if picture is not None}
+    pictures = {shape.material.name: shape.material.picture for shape in scene.shapes}
+    return {name: picture for name, picture in pictures.items() if picture is not None}
 
 
 def _package(path: Path, pictures: Iterable[str]) -> bytes:

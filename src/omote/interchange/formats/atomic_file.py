@@ -24,7 +24,9 @@ SIGNATURES: Mapping[str, tuple[str, tuple[bytes, ...]]] = {
     ".csv": ("table that Omote wrote", (b"expression,facs,mesh,",)),
 }
 """What files of a name's ending begin with: a new one takes the place of its own kind only."""
-OWN_MARK, MOST_READ, ALIKE = b'"omote"', 200, 16
+OWN_MARK = b'"omote"'
+MOST_READ = 200
+ALIKE = 16
 """What stands in the first bytes of a document of ours; bytes in which two contents of a kind are alike."""
 
 
@@ -45,7 +47,10 @@ def check_writable(path: Path, begin: bytes = b"") -> None:
 
 
 def require_free(path: Path, *, force: bool) -> None:
-    """Raises FileExistsError with a message where a file is at this path that nobody said may be replaced."""
+    """Raises FileExistsError with a message where a file is at this path that nobody said may be replaced.
+
+    path: of the file; force: whether somebody said so.
+    """
     if path.is_file() and not force:
         raise FileExistsError(
             f"{path} is there already and stays as it is; give another name, or --force to replace it"
@@ -56,6 +61,8 @@ def write_whole(path: Path, data: bytes) -> None:
     """Writes a file atomically (temporary file, then rename): readers see the old file or the whole new one.
 
     Where the path is a link, the file that it leads to is written. Errors as `check_writable`.
+
+    path: of the file; data: all of it.
     """
     check_writable(path, data[:ALIKE])
     path = locate(path)

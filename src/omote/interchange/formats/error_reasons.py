@@ -78,14 +78,14 @@ def explain_error(error: BaseException, /) -> str:
 
 def _explain_validation(text: str) -> str:
     """Turns msgspec's words ("Expected `float`, got `str` - at `$.value`") into ours."""
-    if found := _FOUND.fullmatch(text):
-        what, name, place = found.groups()
+    if match := _FOUND.fullmatch(text):
+        what, name, place = match.groups()
         if what not in _WRONG:
             return f"{_place(place)} is {name}, not one of those known"
         inside = "" if _place(place) == _WHOLE else f" in {_place(place)}"
         return f"{name.strip('`')}{inside} {_WRONG[what]}"
-    if found := _EXPECTED.fullmatch(text):
-        expected, came, place = found.groups()
+    if match := _EXPECTED.fullmatch(text):
+        expected, came, place = match.groups()
         if came is None or came.isdigit():  # a length
             return f"{_place(place)} is not {_words(expected)}"
         return f"{_place(place)} is {_words(came)}; expected {_words(expected)}"
@@ -100,7 +100,7 @@ def _place(place: str | None) -> str:
 def _words(types: str) -> str:
     """`float | null` as "a number or nothing"."""
     plain = re.sub(
-        r"`([^`]+)`", lambda found: " or ".join(TYPES.get(part, part) for part in found[1].split(" | ")), types
+        r"`([^`]+)`", lambda match: " or ".join(TYPES.get(part, part) for part in match[1].split(" | ")), types
     )
     for sign, word in _SIGNS.items():
         plain = plain.replace(sign, word)

@@ -20,8 +20,12 @@ from omote.model.space.parameter_space import ParameterSpace
 
 LARGEST = 32 * 2**20
 """Bytes of a document at most."""
-MOST_POINTS, MOST_ROWS = 400, 200_000
-FARTHEST_TURN, FARTHEST_MOVE, WIDEST, NARROWEST = 7.0, 10.0, 100.0, 1e-3
+MOST_POINTS = 400
+MOST_ROWS = 200_000
+FARTHEST_TURN = 7.0
+FARTHEST_MOVE = 10.0
+WIDEST = 100.0
+NARROWEST = 1e-3
 """Limits of displacements: radians, metres, ratios of radii."""
 
 Row = Annotated[int, msgspec.Meta(ge=0, lt=MOST_ROWS)]
@@ -120,8 +124,12 @@ def _turns(angles: NDArray[np.float64]) -> list[float] | None:
 
 
 def from_dense(space: ParameterSpace, dense: Dense, /) -> Expression:
-    """Converts a dense document to an expression on its own head; ValueError where rows or lengths do not match."""
-    sheet, count = dense.sheet, space.vertex_count
+    """Converts a dense document to an expression on its own head; ValueError where rows or lengths do not match.
+
+    space: of its own head; dense: the document's.
+    """
+    sheet = dense.sheet
+    count = space.vertex_count
     rows = _validate_rows(sheet.rows, count, "the sheet", (sheet.dtheta, sheet.dh, sheet.ratio))
     if not space.on_sheet[rows].all():
         raise ValueError("the sheet of the document has rows of inner skin; export it anew")
@@ -167,8 +175,8 @@ def decode(data: bytes, /) -> ExpressionFile:
 
 def schema() -> bytes:
     """The JSON Schema of documents, as docs/expression.schema.json holds it."""
-    found = {"$schema": "https://json-schema.org/draft/2020-12/schema", **msgspec.json.schema(ExpressionFile)}
-    return msgspec.json.format(msgspec.json.encode(found), indent=2) + b"\n"
+    document = {"$schema": "https://json-schema.org/draft/2020-12/schema", **msgspec.json.schema(ExpressionFile)}
+    return msgspec.json.format(msgspec.json.encode(document), indent=2) + b"\n"
 
 
 def _rest(values: NDArray[np.float64]) -> Rest:
@@ -185,9 +193,9 @@ def _scatter(rest: Rest, count: int, what: str) -> NDArray[np.float64]:
 
 
 def _validate_rows(rows: list[int], count: int, what: str, columns: tuple[list[Any], ...]) -> NDArray[np.int64]:
-    found = np.array(rows, np.int64)
+    indices = np.array(rows, np.int64)
     if any(len(column) != len(rows) for column in columns):
         raise ValueError(f"the rows of {what} and their values differ in number; export the document anew")
-    if len(found) and (found.max() >= count or len(np.unique(found)) < len(found)):
+    if len(indices) and (indices.max() >= count or len(np.unique(indices)) < len(indices)):
         raise ValueError(f"the rows of {what} are not {count} at most, each once; export the document anew")
-    return found
+    return indices

@@ -9,9 +9,12 @@ from typing import Literal
 Kind = Literal["image/png", "image/jpeg"]
 
 KINDS: dict[str, Kind] = {".png": "image/png", ".jpg": "image/jpeg", ".jpeg": "image/jpeg"}
-GLB, VRM, DOCUMENT = ".glb", ".vrm", ".json"
+GLB = ".glb"
+VRM = ".vrm"
+DOCUMENT = ".json"
 NUMBERS = (".npz", ".csv")
-USD, OBJ = (".usdc", ".usda", ".usdz"), ".obj"
+USD = (".usdc", ".usda", ".usdz")
+OBJ = ".obj"
 EXPORTS = (GLB, VRM, *USD, OBJ, *NUMBERS)
 """What an export writes: heads, and tables of numbers."""
 IMPORTS = (DOCUMENT, GLB, VRM, ".obj")
@@ -33,34 +36,35 @@ def picture_kind(path: Path) -> Kind:
 
 
 def refuse_folder(path: Path) -> None:
-    """IsADirectoryError for a folder, where the name of a file is wanted."""
+    """Raises IsADirectoryError for a folder, where the name of a file is wanted."""
     if path.name and path.is_dir():
         raise IsADirectoryError(f"{path} is a folder; give the name of a file in it")
 
 
 def check_export_name(path: Path) -> None:
-    """ValueError for a name that says no kind of file that is exported."""
+    """Raises ValueError for a name that says no kind of file that is exported."""
     refuse_folder(path)
     if path.suffix.lower() not in EXPORTS:
-        heads, numbers = ", ".join((GLB, VRM, *USD, OBJ)), " or ".join(NUMBERS)
+        heads = ", ".join((GLB, VRM, *USD, OBJ))
+        numbers = " or ".join(NUMBERS)
         raise ValueError(f"{path.name!r} is no name of an exported face; end it with {heads}, or {numbers} for numbers")
 
 
 def check_document_name(path: Path) -> None:
-    """ValueError for a name that does not say that it is a document's."""
+    """Raises ValueError for a name that does not say that it is a document's."""
     refuse_folder(path)
     if path.suffix.lower() != DOCUMENT:
         raise ValueError(f"{path.name!r} is no name of a document; end it with {DOCUMENT}")
 
 
 def require_imports(paths: Iterable[Path]) -> None:
-    """FileNotFoundError, with the one that may be meant, for a file that is not there; ValueError where a name does not
-    say what a file holds."""
+    """Raises FileNotFoundError, with the one that may be meant, for a file that is not there; ValueError where a name
+    does not say what a file holds."""
     for path in paths:
         if path.is_dir():
             raise IsADirectoryError(f"{path} is a folder; name the files in it, as in {path / '*.json'}")
         if not path.is_file():
-            near = [each for ending in IMPORTS if (each := path.with_name(path.name + ending)).is_file()]
+            near = [candidate for ending in IMPORTS if (candidate := path.with_name(path.name + ending)).is_file()]
             what = f"did you mean {near[0]}?" if near else "name one that is there"
             raise FileNotFoundError(f"there is no file {path}; {what}")
         if hint := HINTS.get(path.suffix.lower()):

@@ -13,13 +13,22 @@ from typing import Protocol
 import numpy as np
 from numpy.typing import NDArray
 
+from omote.arrays import Values
 from omote.geometry.mesh import FARTHEST, rows_out_of_reach
 from omote.interchange.formats.glb_writer import ROWS
-from omote.interchange.formats.gltf_accessors import LARGEST as LARGEST
-from omote.interchange.formats.gltf_accessors import AccessorReader, Values, entry, node_places, split_glb
-from omote.interchange.formats.gltf_document import Document, Mesh, Primitive, parse_document
+from omote.interchange.formats.gltf_document import (
+    AccessorReader,
+    Document,
+    Mesh,
+    Primitive,
+    entry,
+    node_places,
+    parse_document,
+    split_glb,
+)
 
-MOST_TARGETS, MOST_NUMBERS = 1024, 40_000_000
+MOST_TARGETS = 1024
+MOST_NUMBERS = 40_000_000
 """Of one primitive; and numbers of all together: every expression of the cast on a head with hair makes 15 million."""
 _KNOWN = frozenset({"KHR_mesh_quantization", "KHR_materials_unlit", "KHR_texture_transform", "KHR_materials_specular"})
 
@@ -29,7 +38,7 @@ class Piece:
     """One primitive where it stands in the scene.
 
     points (n, 3) metres; moves: what each target adds to them (n, 3); rows (n,): the vertices of a cast that they are,
-    where the file says so.
+    where the file says so. ValueError where arrays do not belong together.
     """
 
     name: str
@@ -37,12 +46,20 @@ class Piece:
     rows: NDArray[np.int64] | None = None
     moves: Mapping[str, Values] = field(default_factory=dict)
 
+    def __post_init__(self) -> None:
+        rows = self.points if self.rows is None else self.rows
+        if any(len(values) != len(self.points) for values in (*self.moves.values(), rows)):
+            raise ValueError(f"arrays of the mesh {self.name[:80]!r} do not belong together; export it anew")
+
 
 class TargetNames(Protocol):
     """What the targets of nodes are called, and what is made of them."""
 
     def rename(self, node: int, names: Sequence[str], moves: Mapping[str, Values], /) -> Mapping[str, Values]:
-        """What a node's targets, `names` in the order of the file, do under the names that count."""
+        """What a node's targets, `names` in the order of the file, do under the names that count.
+
+        node: its number; names: of the targets; moves (n, 3): by those names, metres.
+        """
 
 
 def read_glb(data: bytes, /, *, naming: Callable[[Document], TargetNames] | None = None) -> tuple[Piece, ...]:
@@ -50,6 +67,8 @@ def read_glb(data: bytes, /, *, naming: Callable[[Document], TargetNames] | None
 
     naming: finds what a document calls its targets; else by their own names. ValueError for an invalid GLB or one that
     is larger than any face.
+
+    data: the file.
     """
     text, binary = split_glb(data)
     document = parse_document(text)
@@ -96,7 +115,8 @@ class _Reader(AccessorReader):
 
     def piece(self, mesh: Mesh, primitive: Primitive, at: int, place: Values) -> Piece:
         name = self.document.nodes[at].name or mesh.name or "mesh"
-        points, labels = self.numbers(primitive.attributes["POSITION"], 3, "POSITION"), _labels(mesh, primitive, name)
+        points = self.numbers(primitive.attributes["POSITION"], 3, "POSITION")
+        labels = _labels(mesh, primitive, name)
         moves: Mapping[str, Values] = {
             label: self.moves(target, len(points)) @ place[:3, :3].T
             for label, target in zip(labels, primitive.targets, strict=True)
@@ -111,10 +131,10 @@ class _Reader(AccessorReader):
         """What a target adds to positions; one without positions adds nothing."""
         if "POSITION" not in target:
             return np.zeros((count, 3))
-        found = self.numbers(target["POSITION"], 3, "POSITION of a target", count)
-        if len(found) != count:
-            raise ValueError(f"a target has {len(found)} vertices and its mesh {count}; export it anew")
-        return found
+        moves = self.numbers(target["POSITION"], 3, "POSITION of a target", count)
+        if len(moves) != count:
+            raise ValueError(f"a target has {len(moves)} vertices and its mesh {count}; export it anew")
+        return moves
 
     def rows(self, primitive: Primitive, count: int) -> NDArray[np.int64] | None:
         if ROWS not in primitive.attributes:
@@ -127,7 +147,8 @@ class _Reader(AccessorReader):
 
 def _labels(mesh: Mesh, primitive: Primitive, name: str) -> list[str]:
     """The targets' names, in order."""
-    count, names = len(primitive.targets), mesh.extras.target_names if mesh.extras else []
+    count = len(primitive.targets)
+    names = mesh.extras.target_names if mesh.extras else []
     if count > MOST_TARGETS:
         raise ValueError(f"mesh {name[:80]!r} has {count} targets; expected {MOST_TARGETS} at most")
     labels = [names[at] if at < len(names) and names[at] else f"target_{at}" for at in range(count)]

@@ -16,13 +16,24 @@ import msgspec
 import numpy as np
 from numpy.typing import NDArray
 
-Floats = NDArray[np.float32]
+from omote.arrays import Floats
+
 Json = dict[str, Any]
 
-MAGIC, VERSION, JSON_CHUNK, BIN_CHUNK = 0x46546C67, 2, 0x4E4F534A, 0x004E4942
-BYTE, UNSIGNED_BYTE, SHORT, UNSIGNED_SHORT, UNSIGNED_INT, FLOAT = 5120, 5121, 5122, 5123, 5125, 5126
-VERTICES, TRIANGLES = 34962, 34963  # what a buffer view is for
-LINEAR, MIPMAPS, REPEAT, CLAMP = 9729, 9987, 10497, 33071
+MAGIC = 0x46546C67
+VERSION = 2
+JSON_CHUNK = 0x4E4F534A
+BIN_CHUNK = 0x004E4942
+UNSIGNED_BYTE = 5121
+SHORT = 5122
+UNSIGNED_SHORT = 5123
+UNSIGNED_INT = 5125
+FLOAT = 5126
+VERTICES = 34962
+TRIANGLES = 34963  # what a buffer view is for
+LINEAR = 9729
+MIPMAPS = 9987
+CLAMP = 33071
 ROWS = "_VID"
 """The attribute that says which vertex of the cast a vertex is, for programs that keep what they do not know."""
 RESERVED = frozenset({"", "Basis"})
@@ -31,7 +42,7 @@ GENERATOR = "Omote"
 
 
 @dataclass(frozen=True, eq=False)
-class Target:
+class MorphTarget:
     """A morph target: displacements at full weight of positions (n, 3) metres and normals (n, 3)."""
 
     moves: Floats
@@ -68,7 +79,7 @@ class Shape:
     uv: Floats
     triangles: NDArray[np.integer]
     material: Material
-    targets: Mapping[str, Target] = field(default_factory=dict)
+    targets: Mapping[str, MorphTarget] = field(default_factory=dict)
     place: tuple[float, float, float] = (0.0, 0.0, 0.0)
     rows: NDArray[np.integer] | None = None
     shade: Floats | None = None
@@ -86,7 +97,7 @@ class Shape:
 
 
 @dataclass(frozen=True, eq=False)
-class Scene:
+class ExportScene:
     """A scene: shapes under one root; extras: plain data about it. ValueError where targets differ.
 
     apart: each shape has targets of its own; who moves them knows which.
@@ -106,13 +117,13 @@ class Scene:
             raise ValueError(f"a target is named {min(reserved)!r}, which Blender keeps for itself: rename it")
 
 
-def glb_bytes(scene: Scene, /) -> bytes:
+def glb_bytes(scene: ExportScene, /) -> bytes:
     """Encodes a scene as a GLB."""
     store = Store()
     return encode_glb(describe_scene(scene, store), store)
 
 
-def describe_scene(scene: Scene, store: Store, /) -> Json:
+def describe_scene(scene: ExportScene, store: Store, /) -> Json:
     """The JSON of a scene, whose numbers and pictures go into the store: node 0 is the root, those of shapes follow."""
     materials = {id(shape.material): shape.material for shape in scene.shapes}
     places = {key: place for place, key in enumerate(materials)}
@@ -137,7 +148,10 @@ class Store:
         self.pictures: list[Json] = []
 
     def view(self, data: bytes, target: int | None = None) -> int:
-        """Adds bytes, each view on a whole number of four."""
+        """Adds bytes, each view on a whole number of four.
+
+        data: what is added; target: what the view is for, None: anything.
+        """
         entry = {"buffer": 0, "byteOffset": len(self.data), "byteLength": len(data)}
         self.views.append(entry if target is None else entry | {"target": target})
         self.data += data + bytes(-len(data) % 4)
@@ -149,14 +163,17 @@ class Store:
         return len(self.accessors) - 1
 
     def picture(self, data: bytes, name: str) -> int:
-        """Adds a picture and the texture that shows it."""
+        """Adds a picture and the texture that shows it.
+
+        data: a PNG; name: the picture's.
+        """
         self.pictures.append({"name": name, "mimeType": "image/png", "bufferView": self.view(data)})
         return len(self.pictures) - 1
 
     def document(self) -> Json:
         """The JSON chunk's entries for all that was added, without empty ones."""
         sampler = {"magFilter": LINEAR, "minFilter": MIPMAPS, "wrapS": CLAMP, "wrapT": CLAMP}
-        found: Json = {
+        entries_of: Json = {
             "accessors": self.accessors,
             "bufferViews": self.views,
             "buffers": [{"byteLength": len(self.data)}],
@@ -164,7 +181,7 @@ class Store:
             "textures": [{"sampler": 0, "source": at} for at in range(len(self.pictures))],
             "samplers": [sampler] if self.pictures else [],
         }
-        return {name: entries for name, entries in found.items() if entries}
+        return {name: entries for name, entries in entries_of.items() if entries}
 
 
 def _node(shape: Shape, mesh: int) -> Json:
@@ -249,7 +266,8 @@ def _material(store: Store, material: Material) -> Json:
 
 def encode_glb(document: Json, store: Store, /) -> bytes:
     """Encodes a document and what it names in the store as a GLB."""
-    text, data = msgspec.json.encode(document | store.document()), bytes(store.data)
+    text = msgspec.json.encode(document | store.document())
+    data = bytes(store.data)
     text += b" " * (-len(text) % 4)
     chunks = struct.pack("<II", len(text), JSON_CHUNK) + text + struct.pack("<II", len(data), BIN_CHUNK) + data
     return struct.pack("<III", MAGIC, VERSION, 12 + len(chunks)) + chunks

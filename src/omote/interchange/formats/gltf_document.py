@@ -1,19 +1,35 @@
-"""The part of a glTF document that describes vertices and morph targets; everything else is ignored."""
+"""The part of a glTF document that describes vertices and morph targets: accessors' numbers and the places of nodes.
+
+What a file declares is validated before memory is allocated; nothing outside the given bytes is opened.
+"""
 
 from __future__ import annotations
 
+import struct
+from collections.abc import Sequence
 from typing import Annotated, Any, TypeVar
 
 import msgspec
+import numpy as np
 
+from omote.arrays import Values
+from omote.geometry.mesh import rows_out_of_reach
 from omote.interchange.formats.error_reasons import explain_error
+from omote.interchange.formats.file_content import describe_content
+from omote.interchange.formats.glb_writer import BIN_CHUNK, JSON_CHUNK, MAGIC, VERSION
 
 Whole = Annotated[int, msgspec.Meta(ge=0, le=2**31)]
 Quad = tuple[float, float, float, float]
 Triple = tuple[float, float, float]
-
-LARGEST = 64 * 2**20
+LARGEST_JSON = 64 * 2**20
 """Bytes of JSON at most."""
+T = TypeVar("T")
+LARGEST = 512 * 2**20
+"""Bytes of a file at most."""
+MOST_VERTICES = 1_000_000
+"""Of one primitive."""
+_COMPONENTS = {5120: "i1", 5121: "u1", 5122: "<i2", 5123: "<u2", 5125: "<u4", 5126: "<f4"}
+_COLUMNS = {"SCALAR": 1, "VEC2": 2, "VEC3": 3, "VEC4": 4, "MAT2": 4, "MAT3": 9, "MAT4": 16}
 
 
 class Buffer(msgspec.Struct, frozen=True, rename="camel"):
@@ -32,7 +48,7 @@ class View(msgspec.Struct, frozen=True, rename="camel"):
     byte_stride: Whole = 0
 
 
-class Places(msgspec.Struct, frozen=True, rename="camel"):
+class SparseRows(msgspec.Struct, frozen=True, rename="camel"):
     """Where the vertices of a sparse accessor lie."""
 
     buffer_view: Whole
@@ -40,7 +56,7 @@ class Places(msgspec.Struct, frozen=True, rename="camel"):
     byte_offset: Whole = 0
 
 
-class Kept(msgspec.Struct, frozen=True, rename="camel"):
+class SparseValues(msgspec.Struct, frozen=True, rename="camel"):
     """Where the values of a sparse accessor lie."""
 
     buffer_view: Whole
@@ -51,8 +67,8 @@ class Sparse(msgspec.Struct, frozen=True, rename="camel"):
     """Values of some vertices in place of what the accessor has there."""
 
     count: Whole
-    indices: Places
-    values: Kept
+    indices: SparseRows
+    values: SparseValues
 
 
 class Accessor(msgspec.Struct, frozen=True, rename="camel"):
@@ -121,10 +137,143 @@ def parse_document(text: bytes, /) -> Document:
 
 
 def parse_document_as(kind: type[D], text: bytes, /) -> D:
-    """Parses and validates the JSON as a document of which more is described; ValueError for an invalid one."""
-    if len(text) > LARGEST:
-        raise ValueError(f"the file's JSON has {len(text)} bytes; expected {LARGEST} at most")
+    """Parses and validates the JSON as a document of which more is described; ValueError for an invalid one.
+
+    kind: the class of the document; text: its JSON.
+    """
+    if len(text) > LARGEST_JSON:
+        raise ValueError(f"the file's JSON has {len(text)} bytes; expected {LARGEST_JSON} at most")
     try:
         return msgspec.json.decode(text, type=kind)
     except (msgspec.DecodeError, UnicodeDecodeError, RecursionError) as error:
         raise ValueError(f"the file's JSON is no glTF document ({explain_error(error)}); export it anew") from error
+
+
+def split_glb(data: bytes, /) -> tuple[bytes, bytes]:
+    """The JSON and the binary chunk of a GLB; ValueError for an invalid one."""
+    if len(data) > LARGEST:
+        raise ValueError(f"the file has {len(data)} bytes; expected {LARGEST} at most")
+    if len(data) < 20 or struct.unpack_from("<I", data)[0] != MAGIC:
+        what = "its beginning alone" if data.startswith(MAGIC.to_bytes(4, "little")) else describe_content(data)
+        raise ValueError(f"the file is no GLB, but {what}; export the head as glTF binary (.glb)")
+    _, version, length = struct.unpack_from("<III", data)
+    if version != VERSION:
+        raise ValueError(f"the file is glTF {version}; expected version {VERSION}: export it anew")
+    if length != len(data):
+        raise ValueError(f"the file says that it has {length} bytes and has {len(data)}; it is cut short: copy it anew")
+    chunks = list[tuple[int, bytes]]()
+    at = 12
+    while at < len(data):
+        if at + 8 > len(data) or at + 8 + struct.unpack_from("<I", data, at)[0] > len(data):
+            raise ValueError(f"the chunk at byte {at} reaches beyond the file; export it anew")
+        size, kind = struct.unpack_from("<II", data, at)
+        chunks.append((kind, data[at + 8 : at + 8 + size]))
+        at += 8 + size
+    if chunks[0][0] != JSON_CHUNK:
+        raise ValueError("the file's first chunk is no JSON; export it anew")
+    return chunks[0][1], next((body for kind, body in chunks[1:2] if kind == BIN_CHUNK), b"")
+
+
+class AccessorReader:
+    """Reads the accessors of a document from its buffers."""
+
+    def __init__(self, document: Document, buffers: Sequence[bytes]) -> None:
+        self.document = document
+        self.buffers = buffers
+
+    def numbers(self, index: int, columns: int, what: str, most: int = MOST_VERTICES) -> Values:
+        """The values (count, columns) of an accessor, its sparse ones in place, all finite.
+
+        index: the accessor's; columns: numbers of each value; what: its name in a message; most: values.
+        """
+        accessor = entry(self.document.accessors, index, "accessor")
+        if _COLUMNS.get(accessor.type) != columns or not 0 < accessor.count <= most:
+            raise ValueError(
+                f"{what} is {accessor.count} of {accessor.type[:20]!r}; expected 1 to {most} of {columns} numbers each"
+            )
+        if accessor.buffer_view is None:
+            values = np.zeros((accessor.count, columns))
+        else:
+            values = self._read_view(accessor.buffer_view, accessor, accessor.byte_offset, accessor.count, columns)
+        if accessor.sparse is not None:
+            self._place_sparse(accessor, accessor.sparse, values)
+        if not np.isfinite(values).all():
+            raise ValueError(f"{what} holds numbers that are not finite; export it anew")
+        return values
+
+    def _place_sparse(self, accessor: Accessor, sparse: Sparse, values: Values) -> None:
+        if not 0 < sparse.count <= accessor.count or sparse.indices.component_type not in (5121, 5123, 5125):
+            raise ValueError(f"a sparse accessor has {sparse.count} values of {accessor.count}; export it anew")
+        kind = Accessor(sparse.count, "SCALAR", sparse.indices.component_type)
+        at = self._read_view(sparse.indices.buffer_view, kind, sparse.indices.byte_offset, sparse.count, 1)[:, 0]
+        if (np.diff(at) <= 0).any() or at[-1] >= accessor.count:
+            raise ValueError("the places of a sparse accessor do not rise within its vertices; export it anew")
+        kept = sparse.values
+        values[at.astype(np.int64)] = self._read_view(
+            kept.buffer_view, accessor, kept.byte_offset, sparse.count, values.shape[1]
+        )
+
+    def _read_view(self, view: int, accessor: Accessor, offset: int, count: int, columns: int) -> Values:
+        """Numbers (count, columns) from a view, of the accessor's kind."""
+        buffer_view = entry(self.document.buffer_views, view, "buffer view")
+        buffer = self.buffers[buffer_view.buffer] if buffer_view.buffer < len(self.buffers) else b""
+        if accessor.component_type not in _COMPONENTS:
+            raise ValueError(f"numbers of kind {accessor.component_type} are none of glTF's; export it anew")
+        kind = np.dtype(_COMPONENTS[accessor.component_type])
+        stride = buffer_view.byte_stride or kind.itemsize * columns
+        begin = buffer_view.byte_offset
+        end = buffer_view.byte_offset + buffer_view.byte_length
+        last = begin + offset + stride * (count - 1) + kind.itemsize * columns
+        if end > len(buffer) or last > end or stride < kind.itemsize * columns:
+            raise ValueError(
+                f"buffer view {view} does not hold the {count} values that are read from it; export it anew"
+            )
+        laid = np.ndarray((count, columns), kind, buffer, begin + offset, (stride, kind.itemsize))
+        with np.errstate(invalid="ignore"):  # of numbers that are none, which are refused by who asks
+            values = laid.astype(np.float64)
+        if accessor.normalized and kind.kind in "iu":
+            values = np.maximum(values / np.iinfo(kind).max, -1.0)
+        return values
+
+
+def node_places(document: Document, /) -> dict[int, Values]:
+    """Where each node stands, (4, 4): the nodes are walked from those that are nobody's child."""
+    children = {child for node in document.nodes for child in node.children}
+    waiting = [(at, np.eye(4)) for at in range(len(document.nodes)) if at not in children]
+    places: dict[int, Values] = {}
+    while waiting:
+        at, above = waiting.pop()
+        node = entry(document.nodes, at, "node")
+        if at in places:
+            raise ValueError(f"node {at} hangs under two others; export the scene anew")
+        places[at] = above @ _transform(node)
+        if len(rows_out_of_reach(places[at])):
+            raise ValueError(f"node {at} stands nowhere: its place is out of all reach; export the scene anew")
+        waiting += [(child, places[at]) for child in node.children]
+    return dict(sorted(places.items()))
+
+
+def _transform(node: Node) -> Values:
+    if node.matrix is not None:
+        return np.array(node.matrix).reshape(4, 4).T
+    x, y, z, w = node.rotation
+    turn = np.array(
+        [
+            [1 - 2 * (y * y + z * z), 2 * (x * y - z * w), 2 * (x * z + y * w)],
+            [2 * (x * y + z * w), 1 - 2 * (x * x + z * z), 2 * (y * z - x * w)],
+            [2 * (x * z - y * w), 2 * (y * z + x * w), 1 - 2 * (x * x + y * y)],
+        ]
+    )
+    place = np.eye(4)
+    place[:3, :3], place[:3, 3] = turn * node.scale, node.translation
+    return place
+
+
+def entry(entries: Sequence[T], index: int, what: str, /) -> T:
+    """The entry that a document names; ValueError where it has none of this number.
+
+    entries: of one kind; index: from 0; what: the kind's name in a message.
+    """
+    if not 0 <= index < len(entries):
+        raise ValueError(f"the file speaks of {what} {index} and has {len(entries)}; export it anew")
+    return entries[index]

@@ -9,15 +9,12 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from omote.arrays import Values
 from omote.interchange.formats.error_reasons import explain_error
 from omote.model.cast import Look
-from omote.model.sculpting.sculpt import KERNELS, Sculpt
-from omote.model.sculpting.smoothing_brush import Brush
+from omote.model.sculpting.sculpt import KERNELS, Brush, Sculpt
 from omote.model.space.gain import Gain
-
-Values = NDArray[np.float64]
 
 UNITS = {"mm": 0.001, "m": 1.0}
 HEADINGS = ("name", "unit", "symmetric", "kernel", "teeth", "base", "look", "gains", "points", "smooth")
@@ -146,11 +143,11 @@ def _brush(name: str, row: Any, unit: float) -> Brush:
 
 def _gains(table: Mapping[str, Any]) -> tuple[Gain, ...]:
     """[gains]: for each region a number for all expressions, or numbers by expression and ALL for the others."""
-    found = []
+    gains = []
     for region, row in table.items():
         values = row if isinstance(row, dict) else {ALL: row}
-        found += [Gain(region, value, None if name == ALL else name) for name, value in values.items()]  # type: ignore[arg-type]
-    return tuple(found)
+        gains += [Gain(region, value, None if name == ALL else name) for name, value in values.items()]  # type: ignore[arg-type]
+    return tuple(gains)
 
 
 def _look(table: Mapping[str, Any]) -> Look:
@@ -159,17 +156,17 @@ def _look(table: Mapping[str, Any]) -> Look:
 
 
 def _table(table: Mapping[str, Any], name: str) -> Mapping[str, Any]:
-    found = table.get(name, {})
-    if not isinstance(found, dict):
-        raise SculptFileError(f"{name} is {found!r}; expected a table [{name}]")
-    return found
+    section = table.get(name, {})
+    if not isinstance(section, dict):
+        raise SculptFileError(f"{name} is {section!r}; expected a table [{name}]")
+    return section
 
 
-def _choice(table: Mapping[str, Any], name: str, known: tuple[str, ...], usual: str) -> str:
-    found = table.get(name, usual)
-    if found not in known:
-        raise SculptFileError(f"{name} is {found!r}; expected one of {', '.join(map(repr, known))}")
-    return str(found)
+def _choice(table: Mapping[str, Any], name: str, choices: tuple[str, ...], usual: str) -> str:
+    choice = table.get(name, usual)
+    if choice not in choices:
+        raise SculptFileError(f"{name} is {choice!r}; expected one of {', '.join(map(repr, choices))}")
+    return str(choice)
 
 
 def _triple(name: str, value: Any) -> Values:
@@ -184,7 +181,7 @@ def _number(name: str, value: Any) -> float:
     return float(value)
 
 
-def _refuse_unknown(what: str, table: Mapping[str, Any], known: tuple[str, ...]) -> None:
-    strange = [name for name in table if name not in known]
+def _refuse_unknown(what: str, table: Mapping[str, Any], allowed: tuple[str, ...]) -> None:
+    strange = [name for name in table if name not in allowed]
     if strange:
-        raise SculptFileError(f"{what} has {strange[0]!r}; expected only {', '.join(known)}: correct or remove it")
+        raise SculptFileError(f"{what} has {strange[0]!r}; expected only {', '.join(allowed)}: correct or remove it")

@@ -7,11 +7,10 @@ from collections.abc import Sequence
 import numpy as np
 from numpy.typing import NDArray
 
+from omote.arrays import Picture, Values
 from omote.interchange.scans.picture_reader import MOST_PIXELS
 from omote.model.albedo import encode_light
 
-Picture = NDArray[np.uint8]
-Values = NDArray[np.float64]
 PATCH = 4
 """Pixels, height and width of the picture of a plain colour."""
 
@@ -29,6 +28,8 @@ def join_textures(
 
     pictures: of each material, None for one without; of (t,): the material of each triangle. None for both where no
     material has a picture of its own, or all together have too many pixels.
+
+    texcoords (t, 3, 2): in the materials' own pictures.
     """
     used = [at for at in np.unique(of).tolist() if 0 <= at < len(pictures)]
     shown = {at: picture for at in used if (picture := pictures[at]) is not None}
@@ -42,7 +43,9 @@ def join_textures(
     height = sum(tile.shape[0] for tile in tiles.values())
     if width * height > MOST_PIXELS:
         return None, None
-    whole, moved, top = np.zeros((height, width, 3), np.uint8), texcoords.copy(), 0
+    whole = np.zeros((height, width, 3), np.uint8)
+    moved = texcoords.copy()
+    top = 0
     for at, tile in tiles.items():
         rows, columns = tile.shape[:2]
         whole[top : top + rows, :columns] = tile

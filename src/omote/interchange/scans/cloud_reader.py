@@ -6,9 +6,10 @@ import re
 
 import numpy as np
 
+from omote.arrays import Values
 from omote.interchange.formats.file_content import describe_content
-from omote.interchange.scans.scan_parts import LARGEST, MOST_POINTS, Values, bytes_of_colours, make_scan, refuse_many
-from omote.interchange.scans.text_table import TextTable, parse_numbers
+from omote.interchange.scans.scan_parts import LARGEST, MOST_POINTS, bytes_of_colours, make_scan, refuse_many
+from omote.interchange.scans.text_table import TextTable
 from omote.model.fitting.scan import Scan
 
 NAMES = {
@@ -39,16 +40,7 @@ def read_cloud(data: bytes, /) -> Scan:
         bad = table.line(int(lines[table.words[lines].argmin()])) if len(lines) else ""
         what = f"the line {bad!r} is no point" if bad else f"the file is no cloud, but {describe_content(data)}"
         raise ValueError(f"{what}; expected x y z in each line: export it anew")
-    return _make(_rows(table, lines), names)
-
-
-def _rows(table: TextTable, lines: np.ndarray[tuple[int], np.dtype[np.int64]]) -> Values:
-    words = table.words[lines]
-    numbers = parse_numbers(table.join(lines), "a point of the cloud")
-    if len(numbers) != words.sum():
-        raise ValueError("a line of the cloud has words that run together; export it anew")
-    rows: Values = numbers[(np.cumsum(words) - words)[:, None] + np.arange(int(words.min()))]
-    return rows
+    return _make(table.numbers(lines, "a point of the cloud"), names)
 
 
 def _make(rows: Values, names: list[str]) -> Scan:
@@ -60,7 +52,8 @@ def _make(rows: Values, names: list[str]) -> Scan:
         points = rows[:, [columns[name] for name in "xyz"]]
     else:
         begin, end = _UNNAMED.get(rows.shape[1], (0, 0))
-        points, colours = rows[:, :3], rows[:, begin:end] if end else None
+        points = rows[:, :3]
+        colours = rows[:, begin:end] if end else None
     if colours is not None and not names and not _looks_coloured(colours):
         colours = None
     return make_scan(points, None, None if colours is None else bytes_of_colours(colours))

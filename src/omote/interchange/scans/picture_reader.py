@@ -24,9 +24,11 @@ from PIL import (
 
 from omote.interchange.formats.file_content import describe_content
 
-MOST_PIXELS, MOST_SIDE = 2**26, 20_000
+MOST_PIXELS = 2**26
+MOST_SIDE = 20_000
 """Of one picture, and of its longer side."""
-MOST_PER_BYTE, ANY_RATIO = 1000, 2**22
+MOST_PER_BYTE = 1000
+ANY_RATIO = 2**22
 """Pixels that a byte of a picture may stand for, where it has more than ANY_RATIO: only bombs hold more."""
 LARGEST_PICTURE = 256 * 2**20
 """Bytes of a picture's file at most."""
@@ -97,9 +99,9 @@ def _to_srgb(image: Image.Image, profile: object) -> Image.Image:
     if isinstance(profile, bytes) and image.mode in ("RGB", "L", "CMYK"):
         try:
             source = ImageCms.ImageCmsProfile(io.BytesIO(profile))
-            found = ImageCms.profileToProfile(image, source, ImageCms.createProfile("sRGB"), outputMode="RGB")
+            converted = ImageCms.profileToProfile(image, source, ImageCms.createProfile("sRGB"), outputMode="RGB")
         except (ImageCms.PyCMSError, OSError, ValueError):
-            found = None  # a profile of another kind than the picture, or damaged
-        if found is not None:
-            return found
+            converted = None  # a profile of another kind than the picture, or damaged
+        if converted is not None:
+            return converted
     return image.convert("RGB")

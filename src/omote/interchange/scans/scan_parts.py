@@ -7,21 +7,24 @@ from collections.abc import Mapping
 import numpy as np
 from numpy.typing import NDArray
 
+from omote.arrays import Rows, Values
 from omote.geometry.mesh import FARTHEST
 from omote.model.fitting.scan import FEWEST_POINTS, Scan
 
-Values = NDArray[np.float64]
-Rows = NDArray[np.int64]
-
 LARGEST = 512 * 2**20
 """Bytes of a file at most."""
-MOST_POINTS, MOST_TRIANGLES, MOST_NUMBERS = 5_000_000, 10_000_000, 40_000_000
+MOST_POINTS = 5_000_000
+MOST_TRIANGLES = 10_000_000
+MOST_NUMBERS = 40_000_000
 """Of one scan; numbers: of all its blendshapes together."""
 _MULTIPLIERS = np.array([0x9E3779B97F4A7C15, 0xC2B2AE3D27D4EB4F, 0x165667B19E3779F9], np.uint64)  # odd, bits mixed
 
 
 def refuse_many(count: int, what: str, most: int, /) -> None:
-    """ValueError where a file holds more than can be read, before memory is allocated."""
+    """Raises ValueError where a file holds more than can be read, before memory is allocated.
+
+    count: how many; what: their name in a message; most: how many may be.
+    """
     if count > most:
         raise ValueError(f"the file has {count} {what}; expected {most} at most: export it with fewer")
 
@@ -53,6 +56,8 @@ def make_scan(
     Triangles without area by their corners go; a cloud loses points that are not finite (scanners write them for what
     they did not see); a texture without coordinates, or coordinates without a texture, go. ValueError with a sentence
     for what cannot be a scan.
+
+    points (n, 3), triangles (t, 3), colours (n, 3), texture, texcoords (t, 3, 2), shapes: as of `Scan`.
     """
     refuse_many(len(points), "points", MOST_POINTS)
     if triangles is None or not len(triangles):

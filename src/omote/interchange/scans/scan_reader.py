@@ -10,7 +10,7 @@ import numpy as np
 from omote.interchange.formats.file_content import describe_content
 from omote.interchange.scans.cloud_reader import read_cloud
 from omote.interchange.scans.companions import Companions
-from omote.interchange.scans.gltf.gltf_scan import read_gltf
+from omote.interchange.scans.gltf_scan import read_gltf
 from omote.interchange.scans.ply_reader import read_ply
 from omote.interchange.scans.stl_reader import read_stl
 from omote.interchange.scans.wavefront_reader import read_wavefront
@@ -60,19 +60,21 @@ def read_scan(suffix: str, data: bytes, beside: Companions | None = None, /) -> 
     """Reads a scan by its bytes; suffix: of the file's name, which decides where these say nothing.
 
     ValueError, with what the file is and what to do, for any other file.
+
+    data: the file; beside: what lies beside it.
     """
     if not data.strip():
         raise ValueError("the file is empty; copy or export it anew")
     suffix = suffix.lower()
-    told = next((kind for beginning, kind in _BEGINNINGS.items() if data.startswith(beginning)), suffix)
-    if told == ".zip" and suffix == ".usdz":
-        told = suffix
-    if told not in READERS:
-        advice = ADVICE.get(told, f"export it as one of {', '.join(READERS)}")
-        raise ValueError(f"the file is {_name(told, data)}, which is not read here; {advice}")
+    detected = next((kind for beginning, kind in _BEGINNINGS.items() if data.startswith(beginning)), suffix)
+    if detected == ".zip" and suffix == ".usdz":
+        detected = suffix
+    if detected not in READERS:
+        advice = ADVICE.get(detected, f"export it as one of {', '.join(READERS)}")
+        raise ValueError(f"the file is {_name(detected, data)}, which is not read here; {advice}")
     companions = Companions() if beside is None else beside
     with np.errstate(invalid="ignore", over="ignore"):  # of numbers that are none, which are refused at the end
-        return ScanFile(READERS[told](data, companions), tuple(companions.notes))
+        return ScanFile(READERS[detected](data, companions), tuple(companions.notes))
 
 
 def _name(suffix: str, data: bytes) -> str:

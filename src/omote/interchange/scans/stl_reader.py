@@ -4,11 +4,11 @@ from __future__ import annotations
 
 import numpy as np
 
+from omote.arrays import Values
 from omote.interchange.formats.file_content import describe_content
 from omote.interchange.scans.scan_parts import (
     LARGEST,
     MOST_TRIANGLES,
-    Values,
     find_doubles,
     make_scan,
     refuse_many,

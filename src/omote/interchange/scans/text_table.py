@@ -3,15 +3,18 @@
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import NDArray
 
-Values = NDArray[np.float64]
-Rows = NDArray[np.int64]
-_NEWLINE, _SPACE = 10, 32
+from omote.arrays import Rows, Values
+
+_NEWLINE = 10
+_SPACE = 32
 
 
 def parse_numbers(text: bytes, what: str, /) -> Values:
-    """All numbers of a text, separated by white space; ValueError, naming the first word that is none."""
+    """All numbers of a text, separated by white space; ValueError, naming the first word that is none.
+
+    text: of numbers alone; what: it is, in a message.
+    """
     try:
         return np.fromstring(text, np.float64, sep=" ")  # type: ignore[call-overload, no-any-return, unused-ignore]
     except ValueError:
@@ -65,6 +68,18 @@ class TextTable:
         np.add.at(marks, self.ends[lines], np.int8(-1))
         chosen: bytes = self.text[np.cumsum(marks[:-1], dtype=np.int8).astype(bool)].tobytes()
         return chosen
+
+    def numbers(self, lines: Rows, what: str, skip: int = 0) -> Values:
+        """The numbers of some lines behind a keyword of `skip` letters: of each as many as the shortest has; ValueError
+        for words that are none. what: a line, in words."""
+        words = self.words[lines] - (skip > 0)
+        numbers = parse_numbers(self.join(lines, skip), what)
+        if len(numbers) != words.sum():
+            raise ValueError(f"{what} has words that run together; export it anew")
+        if (words == words[0]).all():
+            return numbers.reshape(len(lines), -1)
+        rows: Values = numbers[(np.cumsum(words) - words)[:, None] + np.arange(int(words.min()))]
+        return rows
 
     def line(self, number: int) -> str:
         """A line as people read it."""

@@ -1,4 +1,4 @@
-"""Parses untrusted Wavefront OBJ files: polygons, colours of vertices, and textures by the materials beside them."""
+"""Parses untrusted Wavefront OBJ files: polygons, colours, textures by the materials beside them; or vertices alone."""
 
 from __future__ import annotations
 
@@ -6,15 +6,15 @@ import re
 
 import numpy as np
 
+from omote.arrays import Picture, Rows, Values
 from omote.interchange.formats.file_content import describe_content
-from omote.interchange.scans.atlas import Picture, join_textures, plain_picture
+from omote.interchange.formats.glb_reader import Piece
+from omote.interchange.scans.atlas import join_textures, plain_picture
 from omote.interchange.scans.companions import Companions
 from omote.interchange.scans.scan_parts import (
     LARGEST,
     MOST_POINTS,
     MOST_TRIANGLES,
-    Rows,
-    Values,
     bytes_of_colours,
     fan_polygons,
     make_scan,
@@ -23,6 +23,7 @@ from omote.interchange.scans.scan_parts import (
 from omote.interchange.scans.text_table import TextTable, parse_numbers
 from omote.model.fitting.scan import Scan
 
+SKIN = "skin"
 MOST_MATERIALS = 64
 _COLOURED = (6, 7)
 """Numbers of a vertex with a colour: x y z r g b, and what some programs write after them."""
@@ -31,15 +32,11 @@ _COLOURED = (6, 7)
 def read_wavefront(data: bytes, beside: Companions, /) -> Scan:
     """The scan in an OBJ file, its points in the file's order; beside: reads materials and textures.
 
-    ValueError for an invalid file.
+    data: the file. ValueError for an invalid one.
+
+    data: the file.
     """
-    refuse_many(len(data), "bytes", LARGEST)
-    table = TextTable(data.replace(b"\\\r\n", b" ").replace(b"\\\n", b" "))
-    lines = table.lines_of(b"v")
-    refuse_many(len(lines), "points", MOST_POINTS)
-    if not len(lines):
-        raise ValueError(f"the file is no OBJ with vertices, but {describe_content(data)}; export the scan as .obj")
-    vertices = _columns(table, lines, "a vertex of the OBJ", least=3)
+    table, lines, vertices = _read_vertices(data)
     colours = bytes_of_colours(vertices[:, 3:6]) if vertices.shape[1] in _COLOURED else None
     faces = table.lines_of(b"f")
     if not len(faces):
@@ -50,6 +47,38 @@ def read_wavefront(data: bytes, beside: Companions, /) -> Scan:
     return make_scan(vertices[:, :3], triangles, colours, texture, texcoords)
 
 
+def read_obj_pieces(data: bytes, /) -> tuple[Piece, ...]:
+    """The head in an OBJ file by its vertices alone, in their order; ValueError for an invalid file.
+
+    Where an object is named SKIN, as an export names them, it is the mesh of each; else all of them as one, the skin.
+    """
+    table, lines, vertices = _read_vertices(data)
+    points = vertices[:, :3]
+    bad = np.flatnonzero(~np.isfinite(points).all(axis=1))
+    if len(bad):
+        raise ValueError(f"vertex {bad[0] + 1} is {points[bad[0]]}; expected finite numbers: export the file anew")
+    starts: dict[str, int] = {}
+    objects = table.lines_of(b"o")
+    for line, first in zip(objects.tolist(), np.searchsorted(lines, objects).tolist(), strict=True):
+        starts.setdefault(table.line(line)[1:].strip(), first)
+    if SKIN not in starts:
+        return (Piece(SKIN, points),)
+    ends = [*list(starts.values())[1:], len(points)]
+    parts = {name: points[first:end] for (name, first), end in zip(starts.items(), ends, strict=True)}
+    return tuple(Piece(name, part) for name, part in parts.items() if len(part))
+
+
+def _read_vertices(data: bytes) -> tuple[TextTable, Rows, Values]:
+    """The lines of an OBJ file, those of its vertices, and the numbers of these (n, 3 or more)."""
+    refuse_many(len(data), "bytes", LARGEST)
+    table = TextTable(data.replace(b"\\\r\n", b" ").replace(b"\\\n", b" "))
+    lines = table.lines_of(b"v")
+    refuse_many(len(lines), "points", MOST_POINTS)
+    if not len(lines):
+        raise ValueError(f"the file is no OBJ with vertices, but {describe_content(data)}; export it as .obj")
+    return table, lines, _columns(table, lines, "a vertex of the OBJ", least=3)
+
+
 def _columns(table: TextTable, lines: Rows, what: str, least: int) -> Values:
     """The numbers of lines of one keyword, as many of each as the shortest has."""
     words = table.words[lines] - 1
@@ -57,14 +86,7 @@ def _columns(table: TextTable, lines: Rows, what: str, least: int) -> Values:
         bad = table.line(int(lines[int((words < least).argmax())]))
         raise ValueError(f"the line {bad!r} is no {what[2:]}; expected {least} numbers: export it anew")
     begin = len(table.text[table.begins[lines[0]] : table.ends[lines[0]]].tobytes().split(None, 1)[0])
-    numbers = parse_numbers(table.join(lines, skip=begin), what)
-    if len(numbers) != words.sum():
-        raise ValueError(f"{what} has words that run together; export it anew")
-    if (words == words[0]).all():
-        return numbers.reshape(len(lines), -1)
-    begins = np.cumsum(words) - words
-    rows: Values = numbers[begins[:, None] + np.arange(int(words.min()))]
-    return rows
+    return table.numbers(lines, what, skip=begin)
 
 
 def _corners(table: TextTable, faces: Rows) -> tuple[Rows, Rows]:
@@ -135,7 +157,7 @@ def _distinct(pictures: list[Picture | None]) -> tuple[list[Picture | None], Row
 def _materials(table: TextTable, beside: Companions) -> dict[str, Picture]:
     """The picture of each material of the libraries that the file names."""
     lines = np.flatnonzero((table.initials == np.frombuffer(b"mtl", np.uint8)).all(axis=1))
-    found: dict[str, Picture] = {}
+    pictures: dict[str, Picture] = {}
     for line in lines[:8].tolist():
         name = table.line(line).partition(" ")[2].strip()
         try:
@@ -145,12 +167,14 @@ def _materials(table: TextTable, beside: Companions) -> dict[str, Picture]:
         if data is None:
             beside.note(f"its materials {name[-80:]!r} do not lie beside it: give both together, with its pictures")
         else:
-            found |= _parse_materials(data, beside)
-    return found
+            pictures |= _parse_materials(data, beside)
+    return pictures
 
 
 def _parse_materials(data: bytes, beside: Companions) -> dict[str, Picture]:
-    pictures, shown, current = dict[str, Picture](), dict[str, Picture | None](), ""
+    pictures = dict[str, Picture]()
+    shown = dict[str, Picture | None]()
+    current = ""
     for line in data[: 2**20].decode("utf-8", "replace").splitlines():
         keyword, _, rest = line.strip().partition(" ")
         match keyword.lower():

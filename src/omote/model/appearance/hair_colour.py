@@ -9,40 +9,44 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 from scipy.ndimage import map_coordinates
 from scipy.spatial import cKDTree
 
+from omote.arrays import Floats, Mask, Rows, Values
 from omote.geometry import mesh
-from omote.geometry.depth_map import draw_depth, visible
+from omote.geometry.depth_map import visible
 from omote.model.albedo import decode_light, encode_light
 from omote.model.appearance.lab import to_lab
-from omote.model.fitting.photographs.photograph import Photograph
-from omote.model.fitting.photographs.photograph_camera import PhotographCamera
+from omote.model.fitting.photographs.photograph import Photograph, PhotographCamera
 from omote.model.hair import HairStyle
 from omote.model.space.face import Face
 from omote.model.space.head_regions import region_weights
 from omote.model.space.parameter_space import ParameterSpace
 
-Values = NDArray[np.float64]
-Mask = NDArray[np.bool_]
-
-LIFT, BESIDE = 0.004, 0.08
+LIFT = 0.004
+BESIDE = 0.08
 """Metres over the scalp where hair is looked for, and where only what is behind a head is."""
-HAIR_FACING, INNER_FACING, SKIN_FACING = 0.1, 0.4, 0.25
+HAIR_FACING = 0.1
+INNER_FACING = 0.4
+SKIN_FACING = 0.25
 """Cosines towards the camera from which on a place is looked at: scalp, scalp that lies well inside the head, skin."""
-SLACK, DEPTH_SIDE = 0.006, 400
-"""Metres that a surface may be nearer than a place that it does not hide; pixels of the depth map's longer side."""
-CHEEKS, NOSE = 0.6, 0.8
+SLACK = 0.006
+"""Metres that a surface may be nearer than a place that it does not hide."""
+CHEEKS = 0.6
+NOSE = 0.8
 """How much of a place belongs to these regions where its colour is the skin's."""
 SPREADS = 3.0
-NARROWEST, WIDEST = (3.0, 1.5, 1.5), (8.0, 4.0, 4.0)
+NARROWEST = (3.0, 1.5, 1.5)
+WIDEST = (8.0, 4.0, 4.0)
 """L*a*b* within so many standard deviations of the skin's median are skin; these are not smaller than the first, nor
 larger than the second: half a face in the shadow is as dark as hair."""
 ALIKE = 8.0
 """Colours nearer than that in L*a*b* are one."""
-FEWEST, PART, TOLD, BEHIND = 40, 0.06, 0.12, 0.25
-"""Places to look at; the part of them that is of one colour where somebody has hair, and where it is told from what is
+FEWEST = 40
+PART = 0.06
+APART = 0.12
+BEHIND = 0.25
+"""Places to look at; the part of them that is of one colour where somebody has hair, and where it is apart from what is
 behind; the part of the background that has a colour of its own."""
 SHADE = 0.7
 """Of the light of skin of its colour that hair shows: it lies in its own shadow (measured on the cast's strands)."""
@@ -66,7 +70,10 @@ LOST = HairColour(None, doubt="The hair looks like what is behind the head; choo
 
 
 def find_scalp(space: ParameterSpace, styles: Mapping[str, HairStyle], /) -> Mask:
-    """The vertices (V,) from which the strands of most styles grow."""
+    """The vertices (V,) from which the strands of most styles grow.
+
+    space: of the head; styles: of hair, by name.
+    """
     grown = np.zeros(space.vertex_count, np.int64)
     for style in styles.values():
         grown[np.unique(style.anchors)] += 1
@@ -111,11 +118,11 @@ def find_hair_colour(
     """
     shown = [pair for pair in zip(photographs, cameras, strict=True) if pair[0].picture is not None]
     points = face.positions.astype(np.float64)
-    found = _decide([_look(space, scalp, points, *each, HAIR_FACING) for each in shown], skin)
-    if found is LOST:  # what is behind the head may show beside a bald one
-        inside = _decide([_look(space, scalp, points, *each, INNER_FACING) for each in shown], skin)
-        return inside if inside.bare else found
-    return found
+    decided = _decide([_look(space, scalp, points, *pair, HAIR_FACING) for pair in shown], skin)
+    if decided is LOST:  # what is behind the head may show beside a bald one
+        inside = _decide([_look(space, scalp, points, *pair, INNER_FACING) for pair in shown], skin)
+        return inside if inside.bare else decided
+    return decided
 
 
 def _decide(parts: Sequence[tuple[Values, Values, Values]], skin: str) -> HairColour:
@@ -130,7 +137,7 @@ def _decide(parts: Sequence[tuple[Values, Values, Values]], skin: str) -> HairCo
     other &= ~_is_behind(lab, to_lab(behind))
     chosen = np.flatnonzero(other)[_most(lab[other])]
     share = len(chosen) / len(over)
-    if share < TOLD:
+    if share < APART:
         return LOST
     beside = over[chosen].mean(axis=0) / np.maximum(np.median(bare, axis=0), 1e-4)
     light = beside * decode_light(np.frombuffer(bytes.fromhex(skin[1:]), np.uint8)) / SHADE
@@ -153,7 +160,7 @@ def _is_behind(lab: Values, behind: Values) -> Mask:
     return np.asarray(count > BEHIND * len(behind))
 
 
-def _most(lab: Values) -> NDArray[np.intp]:
+def _most(lab: Values) -> Rows:
     """The rows of the colours (n, 3) that are alike, most of all."""
     if not len(lab):
         return np.zeros(0, np.intp)
@@ -165,42 +172,30 @@ def _look(
     space: ParameterSpace, scalp: Mask, skin: Values, photograph: Photograph, camera: PhotographCamera, least: float
 ) -> tuple[Values, Values, Values]:
     """Linear light (n, 3) of what a photograph shows over the scalp, of the face's skin, and beside the head."""
-    normals, regions = mesh.normals(skin, space.triangles), region_weights(space)
+    normals = mesh.normals(skin, space.triangles)
+    regions = region_weights(space)
     crown = space.triangles[scalp[space.triangles].all(axis=1)]
-    places, ways = (np.einsum("sk,tkc->tsc", _INNER, each[crown]).reshape(-1, 3) for each in (skin, normals))
+    places, ways = (np.einsum("sk,tkc->tsc", _INNER, values[crown]).reshape(-1, 3) for values in (skin, normals))
     face = space.on_sheet & ((regions["cheeks"] > CHEEKS) | (regions["nose"] > NOSE))
-    share = DEPTH_SIDE / max(camera.width, camera.height)
-    size = int(camera.width * share), int(camera.height * share)
-    depth = draw_depth(_screen(camera, skin, share), space.triangles.astype(np.int32), *size)
-    facing, shows = _facing(camera, places, ways), visible(depth, _screen(camera, places, share), SLACK)
+    depth = camera.draw(skin, space.triangles, camera.coarse)
+    facing = camera.facing(places, ways)
+    shows = visible(depth, camera.screen(places, camera.coarse), SLACK)
     shows &= facing > least
     over = places[shows] + LIFT * ways[shows]
-    seen = visible(depth, _screen(camera, skin, share), SLACK) & (_facing(camera, skin, normals) > SKIN_FACING)
+    seen = visible(depth, camera.screen(skin, camera.coarse), SLACK) & (camera.facing(skin, normals) > SKIN_FACING)
     assert photograph.picture is not None
-    light, beside = decode_light(photograph.picture), _beside(camera, places + BESIDE * ways, depth, share)
+    light = decode_light(photograph.picture)
+    beside = _beside(camera, places + BESIDE * ways, depth)
     return _colours(light, camera, over), _colours(light, camera, skin[seen & face]), _colours(light, camera, beside)
 
 
-def _beside(camera: PhotographCamera, places: Values, depth: NDArray[np.float32], share: float) -> Values:
+def _beside(camera: PhotographCamera, places: Values, depth: Floats) -> Values:
     """Those of places (n, 3) that lie beside the head in the picture."""
     empty = np.where(np.isinf(depth), depth, 0.0).astype(np.float32)
-    result: Values = places[visible(empty, _screen(camera, places, share), 0.0)]
-    return result
+    return places[visible(empty, camera.screen(places, camera.coarse), 0.0)]
 
 
-def _facing(camera: PhotographCamera, places: Values, ways: Values) -> Values:
-    """Cosines (n,) between ways (n, 3) and those to the camera."""
-    seen = camera.view(places)
-    result: Values = ((ways @ camera.rotation.T) * -seen).sum(axis=1) / np.linalg.norm(seen, axis=1)
-    return result
-
-
-def _screen(camera: PhotographCamera, places: Values, share: float) -> Values:
-    seen = camera.view(places)
-    return np.column_stack([camera.project(seen) * share, -seen[:, 2]])
-
-
-def _colours(light: NDArray[np.float32], camera: PhotographCamera, places: Values) -> Values:
+def _colours(light: Floats, camera: PhotographCamera, places: Values) -> Values:
     """What the picture shows at places (n, 3), those outside left out: (k, 3)."""
     at = camera.project(camera.view(places))
     at = at[((at > 0.0) & (at < [camera.width, camera.height])).all(axis=1)]

@@ -75,8 +75,7 @@ def suggest_look(look: Look, taken: TakenAlbedo, zones: Mapping[str, NDArray[Any
 def _darker(texels: Light) -> Light:
     """The dark ones of texels (n, 3)."""
     shine = texels.sum(axis=1)
-    dark: Light = texels[shine <= np.percentile(shine, _DARK)]
-    return dark
+    return texels[shine <= np.percentile(shine, _DARK)]
 
 
 def _colour(texels: Light) -> str:

@@ -10,12 +10,13 @@ from numba import njit
 from numpy.typing import NDArray
 from scipy.spatial import cKDTree
 
+from omote.arrays import Values
 from omote.geometry import mesh
+from omote.geometry.proximity import weigh_corners
 from omote.model.albedo import Light, decode_light
 from omote.model.fitting.scan import Scan
 from omote.model.space.similarity import Similarity
 
-Values = NDArray[np.float64]
 Indices = NDArray[Any]
 
 SAMPLES = 200_000
@@ -43,8 +44,8 @@ class ScanColours:
         if self.texcoords is not None and self.picture is not None:
             return _sampled(self.picture, np.einsum("nc,nck->nk", shares, self.texcoords[faces]))
         assert self.scan.colours is not None  # `place_colours` refuses a scan without any
-        found: Light = np.einsum("nc,nck->nk", shares, decode_light(self.scan.colours[self.rows[faces]]))
-        return found.astype(np.float32)
+        colours: Light = np.einsum("nc,nck->nk", shares, decode_light(self.scan.colours[self.rows[faces]]))
+        return colours.astype(np.float32)
 
 
 def place_colours(scan: Scan, placement: Similarity, around: Values, /) -> ScanColours:
@@ -56,7 +57,8 @@ def place_colours(scan: Scan, placement: Similarity, around: Values, /) -> ScanC
         raise ValueError("this scan has no colours; expected a texture or a colour for each point")
     points = placement(scan.positions)
     rows = np.arange(len(points))[:, None] if scan.triangles is None else np.asarray(scan.triangles)
-    low, high = around.min(axis=0) - REACH, around.max(axis=0) + REACH
+    low = around.min(axis=0) - REACH
+    high = around.max(axis=0) + REACH
     middles = points[rows].mean(axis=1)
     near = np.flatnonzero(((middles > low) & (middles < high)).all(axis=1))
     if not len(near):
@@ -72,10 +74,16 @@ def nearest_faces(
     colours: ScanColours, points: Values, normals: Values, /, *, within: float = np.inf, seed: int = 0
 ) -> Indices:
     """The triangle (n,) of the scan nearest to each of points (n, 3) with normals (n, 3), in six dimensions; -1 where
-    none lies within so many of their metres, which is found at once."""
+    none lies within so many of their metres, which is found at once.
+
+    colours: the placed scan; points (n, 3): metres; normals (n, 3): of length 1; within: metres; seed: of the random
+    samples.
+    """
     corners = colours.corners
     if corners.shape[1] == 1:
-        which, places, wanted = np.arange(len(corners)), corners[:, 0], points
+        which = np.arange(len(corners))
+        places = corners[:, 0]
+        wanted = points
     else:
         random = np.random.default_rng(seed)
         area = np.linalg.norm(np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]), axis=1)
@@ -84,8 +92,7 @@ def nearest_faces(
         places = np.concatenate([feet, TURN * colours.normals[which]], axis=1)
         wanted = np.concatenate([points, TURN * normals], axis=1)
     nearest = cKDTree(places).query(wanted, distance_upper_bound=within)[1]
-    found: Indices = np.append(which, -1)[nearest]
-    return found
+    return np.append(which, -1)[nearest]
 
 
 def choose_nearest(
@@ -95,6 +102,8 @@ def choose_nearest(
 
     Returns it (n,), the shares (n, c) of its corners at the nearest place, and its distance (n,), metres: infinity
     where all candidates are -1.
+
+    colours: the placed scan; points (n, 3): metres; normals (n, 3): of length 1; candidates (n, m): rows of triangles.
     """
     if colours.corners.shape[1] == 1:
         first = candidates.max(axis=1)
@@ -108,47 +117,25 @@ def _choose(
     corners: Values, turns: Values, points: Values, normals: Values, candidates: Indices
 ) -> tuple[Indices, Values, Values]:
     count = len(points)
-    best, shares = np.zeros(count, np.int64), np.zeros((count, 3))
-    away, trial = np.full(count, np.inf), np.empty(3)
+    best = np.zeros(count, np.int64)
+    shares = np.zeros((count, 3))
+    away = np.full(count, np.inf)
     for n in range(count):
         least = np.inf
         for m in range(candidates.shape[1]):
             t = candidates[n, m]
             if t < 0:
                 continue
-            gap = _nearest_shares(corners[t], points[n], trial)
+            u, v, w = corners[t, 1] - corners[t, 0], corners[t, 2] - corners[t, 0], points[n] - corners[t, 0]
+            b, c = weigh_corners(w[0], w[1], w[2], u[0], u[1], u[2], v[0], v[1], v[2])
+            gap = ((b * u + c * v - w) ** 2).sum()
             turned = TURN * TURN * (2.0 - 2.0 * (turns[t] * normals[n]).sum())
             if gap + turned < least:
-                least, best[n], away[n] = gap + turned, t, np.sqrt(gap)
-                shares[n] = trial
+                least = gap + turned
+                best[n] = t
+                away[n] = np.sqrt(gap)
+                shares[n, 0], shares[n, 1], shares[n, 2] = 1.0 - b - c, b, c
     return best, shares, away
-
-
-@njit(cache=True)
-def _nearest_shares(corners: Values, point: Values, shares: Values) -> float:
-    """The shares of the corners at the place of a triangle nearest to a point (C. Ericson, 2005, section 5.1.5); the
-    squared distance."""
-    u, v, w = corners[1] - corners[0], corners[2] - corners[0], point - corners[0]
-    uu, uv, vv, along, across = (u * u).sum(), (u * v).sum(), (v * v).sum(), (w * u).sum(), (w * v).sum()
-    area = uu * vv - uv * uv
-    b, c = -1.0, -1.0
-    if area > 0.0:
-        b, c = (vv * along - uv * across) / area, (uu * across - uv * along) / area
-    if b < 0.0 or c < 0.0 or b + c > 1.0:
-        least = np.inf
-        for edge in range(3):
-            first, other = corners[edge], corners[(edge + 1) % 3]
-            way = other - first
-            share = ((point - first) * way).sum() / max((way * way).sum(), 1e-30)
-            share = min(max(share, 0.0), 1.0)
-            gap = ((first + share * way - point) ** 2).sum()
-            if gap < least:
-                least = gap
-                shares[:] = 0.0
-                shares[edge], shares[(edge + 1) % 3] = 1.0 - share, share
-        return least
-    shares[0], shares[1], shares[2] = 1.0 - b - c, b, c
-    return ((b * u + c * v - w) ** 2).sum()  # type: ignore[no-any-return]
 
 
 def _sampled(picture: Light, places: Values) -> Light:
@@ -157,8 +144,8 @@ def _sampled(picture: Light, places: Values) -> Light:
     at = (places % 1.0) * size - 0.5
     low = np.floor(at).astype(np.int64)
     x, y = (at - low).astype(np.float32).T[..., None]
-    (left, top), (right, below) = (low % size).T, ((low + 1) % size).T
+    (left, top) = (low % size).T
+    (right, below) = ((low + 1) % size).T
     upper = picture[top, left] * (1.0 - x) + picture[top, right] * x
     lower = picture[below, left] * (1.0 - x) + picture[below, right] * x
-    found: Light = upper * (1.0 - y) + lower * y
-    return found
+    return upper * (1.0 - y) + lower * y

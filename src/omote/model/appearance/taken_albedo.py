@@ -8,18 +8,15 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.ndimage import binary_closing, binary_opening, distance_transform_edt
 
+from omote.arrays import Floats, Mask, Values
 from omote.geometry import mesh
 from omote.geometry.ramp import smooth_ramp
 from omote.model.albedo import Albedo, Light, SkinAtlas, decode_light, encode_light
-from omote.model.appearance.pull_push import double, halve, pull_push
 from omote.model.appearance.scan_colours import TURN, ScanColours, choose_nearest, nearest_faces, place_colours
 from omote.model.fitting.scan import Scan
 from omote.model.space.face import Face
 from omote.model.space.parameter_space import ParameterSpace
 from omote.model.space.similarity import Similarity
-
-Values = NDArray[np.float64]
-Mask = NDArray[np.bool_]
 
 NEAR = 0.003
 """Metres from the fitted face within which a scan's surface is that skin."""
@@ -33,6 +30,40 @@ _DARKEST = np.float32(0.004)  # linear light below which a ratio says nothing
 _MOST = np.float32(3.0)  # of the logarithm of a ratio: 20 times as bright or as dark, pale skin over dark
 
 
+def pull_push(values: Floats, weights: Floats, /) -> Floats:
+    """Fills a square picture (k, k, c), k a power of two, where its weights (k, k), 0 to 1, are not 1.
+
+    What is known stays; the farther away it is, the larger the neighbourhood whose mean is filled in (S. Gortler et
+    al., "The Lumigraph", 1996). A picture of which nothing is known becomes 0.
+
+    values (k, k, c), weights (k, k): the picture, and where it is known.
+    """
+    if len(values) == 1:
+        return np.where(weights[..., None] > 0.0, values, np.float32(0.0))
+    summed = halve(weights[..., None])
+    means = halve(values * weights[..., None]) / np.maximum(summed, np.float32(1e-9))
+    below = pull_push(means.astype(np.float32), np.minimum(4.0 * summed[..., 0], 1.0).astype(np.float32))
+    return weights[..., None] * values + (1.0 - weights[..., None]) * double(below)
+
+
+def double(values: Floats, /) -> Floats:
+    """A picture (k, k, c) at twice the size, linear between the middles of its texels."""
+    rows = _double_rows(values)
+    return np.ascontiguousarray(_double_rows(rows.swapaxes(0, 1)).swapaxes(0, 1))
+
+
+def _double_rows(values: Floats) -> Floats:
+    above = np.concatenate([values[:1], values[:-1]])
+    below = np.concatenate([values[1:], values[-1:]])
+    pairs = np.stack([0.25 * above + 0.75 * values, 0.75 * values + 0.25 * below], axis=1)
+    return pairs.reshape(2 * len(values), *values.shape[1:]).astype(np.float32)
+
+
+def halve(values: Floats, /) -> Floats:
+    """A picture (k, k, c) at half the size: means of two by two texels."""
+    return 0.25 * (values[::2, ::2] + values[1::2, ::2] + values[::2, 1::2] + values[1::2, 1::2])
+
+
 @dataclass(frozen=True, eq=False)
 class TakenAlbedo:
     """A picture of a person's skin, and how far each texel was seen, (k, k) uint8: 255 on the scan, 0 filled in."""
@@ -43,7 +74,7 @@ class TakenAlbedo:
 
 def take_albedo(
     space: ParameterSpace, atlas: SkinAtlas, face: Face, scan: Scan, placement: Similarity, painted: NDArray[np.uint8]
-) -> TakenAlbedo:  # fmt: skip
+) -> TakenAlbedo:
     """Takes the colours of a scan over to the skin of a face that was fitted to it.
 
     Parameters
@@ -83,7 +114,10 @@ def take_albedo(
 
 def complete_albedo(texels: Texels, light: Light, seen: Mask, painted: NDArray[np.uint8], /) -> TakenAlbedo:
     """The picture of linear light (k, k, 3) where skin was seen (k, k), carried on by the painted skin (k, k, 3)
-    elsewhere."""
+    elsewhere.
+
+    texels: where each lies; light (k, k, 3): linear; seen (k, k): where; painted (k, k, 3): sRGB.
+    """
     share = _feathered(seen, FEATHER * len(painted))
     filled = _carried_on(light, share, decode_light(painted))
     whole = share[..., None] * light + (1.0 - share[..., None]) * filled
@@ -103,7 +137,10 @@ class Texels:
 
 
 def place_texels(space: ParameterSpace, atlas: SkinAtlas, face: Face, side: int, /) -> Texels:
-    """Where the texels of a face's skin lie on it."""
+    """Where the texels of a face's skin lie on it.
+
+    space, atlas: the skin and its texture; face: whose; side: texels along the texture.
+    """
     positions = face.positions.astype(np.float64)
     normals = mesh.normals(positions.astype(np.float64), space.triangles)
     places, turns = (
@@ -119,20 +156,24 @@ def place_texels(space: ParameterSpace, atlas: SkinAtlas, face: Face, side: int,
 
 def _look_up(colours: ScanColours, texels: Texels) -> tuple[Light, Mask]:
     """Linear light of every texel (k, k, 3), and where it is that skin's own."""
-    side, around = len(texels.used), np.array([0, 1])
+    side = len(texels.used)
+    around = np.array([0, 1])
     coarse = texels.used[::2, ::2]
-    found = np.full(coarse.shape, -1)
-    places, normals = texels.places[::2, ::2][coarse], texels.normals[::2, ::2][coarse]
-    found[coarse] = nearest_faces(colours, places, normals, within=float(np.hypot(2.0 * NEAR, TURN)))
+    nearest = np.full(coarse.shape, -1)
+    places = texels.places[::2, ::2][coarse]
+    normals = texels.normals[::2, ::2][coarse]
+    nearest[coarse] = nearest_faces(colours, places, normals, within=float(np.hypot(2.0 * NEAR, TURN)))
     rows, columns = np.nonzero(texels.used & (texels.outer > 0.0))
     most = side // 2 - 1
     down, right = (np.minimum(index[:, None] // 2 + around, most) for index in (rows, columns))
-    candidates = np.stack([found[down[:, i], right[:, j]] for i in around for j in around], axis=1)
-    places, normals = texels.places[rows, columns], texels.normals[rows, columns]
+    candidates = np.stack([nearest[down[:, i], right[:, j]] for i in around for j in around], axis=1)
+    places = texels.places[rows, columns]
+    normals = texels.normals[rows, columns]
     faces, shares, away = choose_nearest(colours, places, normals, candidates)
     turned = (colours.normals[faces] * normals).sum(axis=1)
     good = (away < NEAR) & ((turned > LEVEL) | (not colours.normals.any()))
-    light, seen = np.zeros((side, side, 3), np.float32), np.zeros((side, side), np.bool_)
+    light = np.zeros((side, side, 3), np.float32)
+    seen = np.zeros((side, side), np.bool_)
     light[rows, columns] = colours.light(faces, shares)
     seen[rows, columns] = good
     return light, seen
@@ -141,19 +182,19 @@ def _look_up(colours: ScanColours, texels: Texels) -> tuple[Light, Mask]:
 def _feathered(seen: Mask, width: float) -> Light:
     """How far each texel is what was seen, (k, k): specks and pinholes apart, rising over a border of its own."""
     whole = binary_opening(binary_closing(seen, iterations=2), iterations=3) & seen
-    share: Light = smooth_ramp(0.0, 1.0, distance_transform_edt(whole) / width).astype(np.float32)
-    return share
+    return smooth_ramp(0.0, 1.0, distance_transform_edt(whole) / width).astype(np.float32)
 
 
 def _carried_on(light: Light, share: Light, painted: Light) -> Light:
     """The painted skin in the hue and light of what was seen nearest."""
     ratio = np.log(np.maximum(light, _DARKEST)) - np.log(np.maximum(painted, _DARKEST))
-    slow, weights = ratio * share[..., None], share[..., None]
+    slow = ratio * share[..., None]
+    weights = share[..., None]
     for _ in range(SLOW):
-        slow, weights = halve(slow), halve(weights)
+        slow = halve(slow)
+        weights = halve(weights)
     means = slow / np.maximum(weights, np.float32(1e-9))
     even = pull_push(np.minimum(np.maximum(means, -_MOST), _MOST), np.minimum(4.0 * weights[..., 0], 1.0))
     for _ in range(SLOW):
         even = double(even)
-    filled: Light = painted * np.exp(even)
-    return filled
+    return painted * np.exp(even)

@@ -6,10 +6,11 @@ from dataclasses import dataclass
 from functools import cached_property
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 from scipy import sparse
 from scipy.spatial import Delaunay
 
+from omote.arrays import Indices, Values
 from omote.geometry import mesh
 from omote.geometry.cylinder import wrap
 from omote.geometry.locate import Strip
@@ -20,11 +21,9 @@ from omote.model.space.face_fit import fit
 from omote.model.space.parameter_space import ParameterSpace
 from omote.model.transfer.paper_map import project_to_surface
 
-Values = NDArray[np.float64]
-Indices = NDArray[np.int32]
-
 # Points of each still ring that closes the net at neck and crown.
 _RING = 16
+# So far aside the net leans where it is triangulated, of its height.
 _LEAN = 1e-5
 
 
@@ -190,8 +189,7 @@ class ControlNet:
         True
         """
         triangles, weights = self._landing()
-        result: Values = (weights[..., None] * fit(self.space, face).positions[triangles]).sum(axis=1)
-        return result
+        return (weights[..., None] * fit(self.space, face).positions[triangles]).sum(axis=1)
 
     def drag(self, face: Face, point: int, target: ArrayLike, /) -> tuple[float, float]:
         """The vector that carries a control point to where a target lies on a face.
@@ -237,14 +235,16 @@ class ControlNet:
         return float(dtheta), float(landing.weights[0] @ self.space.h[corners] - self.h[point])
 
     def _landing(self) -> tuple[Indices, Values]:
-        theta, h = self.theta[: self.own], self.h[: self.own]
+        theta = self.theta[: self.own]
+        h = self.h[: self.own]
         start = _nearest_vertices(self.space, theta, h)
         landing = self.space.locate(theta, h, start)
         return self.space.location_triangles[landing.triangles], landing.weights
 
 
 def _validate_points(space: ParameterSpace, theta: ArrayLike, h: ArrayLike) -> tuple[Values, Values]:
-    angles, heights = np.asarray(theta, dtype=np.float64), np.asarray(h, dtype=np.float64)
+    angles = np.asarray(theta, dtype=np.float64)
+    heights = np.asarray(h, dtype=np.float64)
     if angles.ndim != 1 or angles.shape != heights.shape or len(angles) < 3:
         raise ValueError(
             f"theta {angles.shape} and h {heights.shape} of a control net; expected two arrays (n,) with n >= 3"
@@ -277,11 +277,12 @@ def _periodic_delaunay(theta: Values, h: Values, metric: float) -> tuple[Indices
     unrolled = np.tile(theta, 3) + shifts
     # Four points of a symmetric net often lie on one circle; leaning a little, every period cuts them the same way.
     leaning = unrolled * metric + _LEAN * np.tile(h, 3)
-    found = Delaunay(np.stack([leaning, np.tile(h, 3)], axis=1)).simplices
-    owner = found % count
-    lowest = np.take_along_axis(found, owner.argmin(axis=1)[:, None], axis=1)[:, 0]
-    kept = found[(lowest >= count) & (lowest < 2 * count)]
-    corners, height = unrolled[kept], np.tile(h, 3)[kept]
+    simplices = Delaunay(np.stack([leaning, np.tile(h, 3)], axis=1)).simplices
+    owner = simplices % count
+    lowest = np.take_along_axis(simplices, owner.argmin(axis=1)[:, None], axis=1)[:, 0]
+    kept = simplices[(lowest >= count) & (lowest < 2 * count)]
+    corners = unrolled[kept]
+    height = np.tile(h, 3)[kept]
     doubled = (corners[:, 1] - corners[:, 0]) * (height[:, 2] - height[:, 0]) - (corners[:, 2] - corners[:, 0]) * (
         height[:, 1] - height[:, 0]
     )
@@ -292,23 +293,29 @@ def _periodic_delaunay(theta: Values, h: Values, metric: float) -> tuple[Indices
 
 def _weights_around(
     space: ParameterSpace, theta: Values, h: Values, triangles: Indices, unrolled: Values, metric: float
-) -> tuple[Indices, Values]:  # fmt: skip
+) -> tuple[Indices, Values]:
     """The points around each vertex (V, 3) and its weights (V, 3), from its own side of lids and lips."""
     strip = Strip.of(unrolled, h[triangles], mesh.neighbours(triangles))
     sheet = np.flatnonzero(space.on_sheet)
     landing = strip.locate(space.theta[sheet], space.h[sheet], np.zeros(len(sheet), np.int32))
-    landed, found = landing.triangles.copy(), landing.weights.copy()
-    of_vertices, of_points = sides(space)[:, sheet], sides(space)[:, _nearest_vertices(space, theta, h)]
+    landed = landing.triangles.copy()
+    shares = landing.weights.copy()
+    of_vertices = sides(space)[:, sheet]
+    of_points = sides(space)[:, _nearest_vertices(space, theta, h)]
     across = np.flatnonzero(is_across(of_vertices, of_points[:, triangles[landed]]))
     middle = unrolled.mean(axis=1, keepdims=True)
     plane = np.stack([(unrolled - middle + wrap(middle)) * metric, h[triangles]], axis=2)
     where = np.stack([space.theta[sheet[across]] * metric, space.h[sheet[across]]], axis=1)
     own = nearest_own_side(of_vertices[:, across], of_points, triangles, plane, where)
-    across, where, own = across[own >= 0], where[own >= 0], own[own >= 0]
-    landed[across], found[across] = own, clamp_weights(_barycentric(plane[own], where))
+    across = across[own >= 0]
+    where = where[own >= 0]
+    own = own[own >= 0]
+    landed[across] = own
+    shares[across] = clamp_weights(_barycentric(plane[own], where))
     corners = np.zeros((space.vertex_count, 3), np.int32)
     weights = np.zeros((space.vertex_count, 3))
-    corners[sheet], weights[sheet] = triangles[landed], found
+    corners[sheet] = triangles[landed]
+    weights[sheet] = shares
     return corners, weights
 
 
@@ -323,5 +330,4 @@ def _nearest_vertices(space: ParameterSpace, theta: Values, h: Values) -> Indice
     sheet = np.flatnonzero(space.on_sheet)
     metric = float(space.cylinder.unroll(space.points[sheet])[2].mean())
     across = wrap(theta[:, None] - space.theta[sheet]) * metric
-    result: Indices = sheet[np.hypot(across, h[:, None] - space.h[sheet]).argmin(axis=1)].astype(np.int32)
-    return result
+    return sheet[np.hypot(across, h[:, None] - space.h[sheet]).argmin(axis=1)].astype(np.int32)

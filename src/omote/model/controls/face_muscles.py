@@ -5,23 +5,21 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import replace
 from types import MappingProxyType
-from weakref import WeakKeyDictionary
 
 import numpy as np
-from numpy.typing import NDArray
 
+from omote.arrays import Values
+from omote.geometry import mesh
 from omote.model.controls.mirror import mirror_rows
 from omote.model.controls.muscle import Lip, Muscle, metric_of, pull_field
 from omote.model.space.head_regions import eye_frame
 from omote.model.space.lid_lip_lines import Line, chains
 from omote.model.space.parameter_space import ParameterSpace
+from omote.model.weak_cache import weakly_cached
 
-Values = NDArray[np.float64]
 Point = tuple[float, float]
 
 _LINE_POINTS = 9
-
-_found: WeakKeyDictionary[ParameterSpace, Mapping[str, tuple[Muscle, Values]]] = WeakKeyDictionary()
 
 
 def muscles(space: ParameterSpace, /) -> Mapping[str, Muscle]:
@@ -34,16 +32,9 @@ def muscle_fields(space: ParameterSpace, /) -> Mapping[str, Values]:
     return MappingProxyType({name: field for name, (_, field) in _muscles_of(space).items()})
 
 
+@weakly_cached
 def _muscles_of(space: ParameterSpace) -> Mapping[str, tuple[Muscle, Values]]:
-    if space not in _found:
-        pulled = {muscle.name: (muscle, _read_only(pull_field(space, muscle))) for muscle in _all(space)}
-        _found[space] = MappingProxyType(pulled)
-    return _found[space]
-
-
-def _read_only(field: Values) -> Values:
-    field.setflags(write=False)
-    return field
+    return {muscle.name: (muscle, mesh.freeze(pull_field(space, muscle))) for muscle in _all(space)}
 
 
 def _all(space: ParameterSpace) -> list[Muscle]:
@@ -51,10 +42,10 @@ def _all(space: ParameterSpace) -> list[Muscle]:
     if not {"lid_left", "lips"} <= lines.keys():
         return []
     head = _Head(space, lines["lid_left"], lines["lips"])
-    found = list[Muscle]()
+    pairs = list[Muscle]()
     for muscle in _left(head):
-        found += [muscle, _mirror_muscle(space, muscle)]
-    return [*found, head.mouth_ring(), head.mentalis()]
+        pairs += [muscle, _mirror_muscle(space, muscle)]
+    return [*pairs, head.mouth_ring(), head.mentalis()]
 
 
 def _mirror_muscle(space: ParameterSpace, muscle: Muscle) -> Muscle:
@@ -75,9 +66,11 @@ class _Head:
     """Where muscles begin and end on a head: the left half, on S in metres, across and up."""
 
     def __init__(self, space: ParameterSpace, lid: Line, lips: Line) -> None:
-        self.space, self.metric = space, metric_of(space)
+        self.space = space
+        self.metric = metric_of(space)
         self._middle, self.unit = eye_frame(space)
-        self.lid, self.lips = lid, lips
+        self.lid = lid
+        self.lips = lips
         self._front = space.on_sheet & (space.points[:, 2] > np.median(space.points[space.on_sheet, 2]))
 
     def on_s(self, row: int) -> Point:
@@ -127,7 +120,8 @@ class _Head:
     def ring(self, line: Line, name: str, label: str, *, scale: float, pull: float, reach: float) -> Muscle:
         """A sphincter around a line, its half-axes `scale` times the line's."""
         rows = [int(row) for row in line.loop]
-        across, up = self.space.theta[rows] * self.metric, self.space.h[rows]
+        across = self.space.theta[rows] * self.metric
+        up = self.space.h[rows]
         axes = (scale * float(np.ptp(across)) / 2, scale * float(np.ptp(up)) / 2)
         middle = (float(across.max() + across.min()) / 2, float(up.max() + up.min()) / 2)
         middle = (0.0 if abs(middle[0]) < 1e-6 else middle[0], middle[1])
@@ -141,7 +135,8 @@ class _Head:
 
     def mentalis(self) -> Muscle:
         """The chin's skin goes up and pushes the lower lip."""
-        chin, lip = self.at(0.0, -1.62), self.on_lip(1, 0.0)
+        chin = self.at(0.0, -1.62)
+        lip = self.on_lip(1, 0.0)
         up = self.sheet("mentalis", "Push the chin up", lip, chin, pull=0.1, width=0.42, reach=0.22)
         return replace(up, lip="lower")
 

@@ -9,6 +9,7 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from omote.arrays import Values
 from omote.geometry.cylinder import wrap
 from omote.model.controls.net_field import NetField
 from omote.model.space.expression import Expression
@@ -18,8 +19,6 @@ from omote.model.transfer.compound import apply_expression
 from omote.model.transfer.gain_limit import answer_expression
 from omote.model.transfer.paper_map import compile_expression, displace_generic
 from omote.model.transfer.pipeline import apply_smooth_map
-
-Values = NDArray[np.float64]
 
 CLOSE = 4e-5
 """Tolerance of the solve, metres; the promised accuracy is 5e-5."""
@@ -31,10 +30,14 @@ MOST = 22
 _GIVING = (0.05, 0.1, 0.2, 0.35)
 # So many steps are Broyden's, those after them so much of a translation; no step is longer, metres; one whose answer is
 # less than this share of it says nothing.
-_QUASI, _SHORTER, _STRIDE, _TELLING = 10, 0.6, 0.03, 1e-3
+_QUASI = 10
+_SHORTER = 0.6
+_STRIDE = 0.03
+_TELLING = 1e-3
 _LEAST_RATIO = 0.05
 # No fold holds a point back by so many metres: what still misses by more after so many compounds is out of reach.
-_LOST, _PATIENCE = 0.01, 6
+_LOST = 0.01
+_PATIENCE = 6
 
 
 @dataclass(frozen=True, eq=False)
@@ -54,13 +57,16 @@ def solve_vectors(
     """Solves for vectors with which control points `points` (indices in the net) lie at targets (m, 3), metres, on a
     face.
 
+    space: the space of the generic head; net_field: the net through the control points.
+
     under: the expression without the net's field; vectors (n, 3): where to start. Only those of the points change, and
     of their neighbours a little where skin folds and nothing else would do; the miss says how well it went.
     Raises ValueError on places that are none, other shapes and numbers that are not finite.
     """
     start = np.array(vectors, np.float64)
     net_field.field(start)
-    goal, chosen = _validate_targets(net_field, points, targets), np.array(points, np.int64)
+    goal = _validate_targets(net_field, points, targets)
+    chosen = np.array(points, np.int64)
     drag = _Drag(space, face, under, net_field, start, chosen)
     return _find_solution(drag, goal)
 
@@ -92,9 +98,7 @@ class _Drag:
         """The net's vectors (n, 3) with which the generic head's points go to places (m, 3)."""
         theta, h, radius = self.space.cylinder.unroll(places)
         at = self.rows
-        there = np.stack([
-            wrap(theta - self.space.theta[at]), h - self.space.h[at], radius / self._radii,
-        ], axis=1)  # fmt: skip
+        there = np.stack([wrap(theta - self.space.theta[at]), h - self.space.h[at], radius / self._radii], axis=1)
         result = self.start.copy()
         result[self.chosen] = there - self.beneath[at]
         if self.give:
@@ -105,11 +109,7 @@ class _Drag:
         """Where the start puts the points on the generic head, (m, 3)."""
         at = self.rows
         dtheta, dh, over = (self.beneath[at] + self.start[self.chosen]).T
-        theta, radius = self.space.theta[at] + dtheta, over * self._radii
-        axis = self.space.cylinder
-        return np.stack(
-            [axis.x + radius * np.sin(theta), self.space.h[at] + dh, axis.z + radius * np.cos(theta)], axis=1
-        )
+        return self.space.cylinder.roll(self.space.theta[at] + dtheta, self.space.h[at] + dh, over * self._radii)
 
     def positions_at(self, places: Values) -> Values:
         """Where the points lie on the face, (m, 3), when they are at places on the generic head."""
@@ -131,8 +131,7 @@ class _Drag:
         joined = joined[:count, :count]
         joined[self.chosen] = 0.0
         joined[:, np.setdiff1d(np.arange(count), self.chosen)] = 0.0
-        result: Values = joined / np.maximum(joined.sum(axis=1, keepdims=True), 1.0)
-        return result
+        return joined / np.maximum(joined.sum(axis=1, keepdims=True), 1.0)
 
     @cached_property
     def _radii(self) -> Values:
@@ -146,18 +145,22 @@ def _find_solution(drag: _Drag, goal: Values) -> Solution:
     for give in _GIVING:
         if not CLOSE < best.miss <= _LOST or not drag._around.any():
             break
-        found = _solve_broyden(replace(drag, give=give), goal)
-        count += found.compounds
-        best = min(best, found, key=lambda one: one.miss)
+        solution = _solve_broyden(replace(drag, give=give), goal)
+        count += solution.compounds
+        best = min(best, solution, key=lambda one: one.miss)
     return replace(best, compounds=count)
 
 
 def _solve_broyden(drag: _Drag, goal: Values) -> Solution:
     """Broyden's method (1965) on the places, from the answer of a translation; when that does not end, shorter steps
     of the translation itself, which a jump of the map does not lead astray. A goal out of reach is soon given up."""
-    places, answer = drag.places(), np.eye(goal.size)
+    places = drag.places()
+    answer = np.eye(goal.size)
     lack = (goal - drag.positions_at(places)).ravel()
-    best, least, count, vain = places, _worst(lack), 1, 0
+    best = places
+    least = _worst(lack)
+    count = 1
+    vain = 0
     while least > CLOSE and count < MOST and (least <= _LOST or vain < _PATIENCE):
         quasi = count < _QUASI
         step = answer @ lack if quasi else _SHORTER * lack
@@ -167,9 +170,12 @@ def _solve_broyden(drag: _Drag, goal: Values) -> Solution:
         count += 1
         if quasi:
             answer = _update_inverse(answer, step, lack - after)
-        lack, vain = after, vain + 1
+        lack = after
+        vain = vain + 1
         if _worst(lack) < least:
-            best, least, vain = places, _worst(lack), 0
+            best = places
+            least = _worst(lack)
+            vain = 0
     return Solution(drag.vectors(best), least, count)
 
 
@@ -179,8 +185,7 @@ def _update_inverse(answer: Values, step: Values, change: Values) -> Values:
     scale = float(along @ change)
     if abs(scale) < _TELLING * float(step @ step):
         return answer
-    result: Values = answer + np.outer(step - answer @ change, along) / scale
-    return result
+    return answer + np.outer(step - answer @ change, along) / scale
 
 
 def _worst(lack: Values) -> float:

@@ -10,10 +10,10 @@ from dataclasses import dataclass
 from typing import Literal
 
 import numpy as np
-from numpy.typing import NDArray
 from scipy import sparse
 from scipy.sparse.linalg import splu
 
+from omote.arrays import Indices, Values
 from omote.geometry.cylinder import wrap
 from omote.geometry.laplacian import cotangents, smoothing_matrix
 from omote.model.controls.upper_lower import sides
@@ -21,16 +21,18 @@ from omote.model.space.eye_socket import fall_off, radius_of
 from omote.model.space.lid_lip_lines import Line, chains
 from omote.model.space.parameter_space import ParameterSpace
 
-Values = NDArray[np.float64]
 MuscleKind = Literal["linear", "sheet", "sphincter"]
 Lip = Literal["both", "upper", "lower"]
 
 # Rings over which the head's radius is smoothed before the skin slides along it: a lip's edge is no slope of the face.
 _SLOPE_ROUNDS = 20
 # Lids meet so far up from the lower one; beyond them the skin follows within so many of the ring's half-heights.
-_MEETING, _LID_REACH = 0.17, 1.2
+_MEETING = 0.17
+_LID_REACH = 1.2
 # How steep a way over the head's slope may be, and how far from the eyeball, in radii, skin keeps its distance from it.
-_STEEPEST, _NEAR, _FAR = 0.8, 1.1, 1.4
+_STEEPEST = 0.8
+_NEAR = 1.1
+_FAR = 1.4
 # A ring draws together so much less upwards than across: the skin gathers.
 _FLATTER = 0.3
 # Near its corner, within this share of the mouth's half width, a lip stays with the other.
@@ -79,7 +81,10 @@ class Muscle:
 
 def pull_field(space: ParameterSpace, muscle: Muscle, /) -> Values:
     """The field of a muscle at full contraction: dtheta (radians), dh (metres), R - 1 of each vertex, (V, 3), zero off
-    the sheet. The skin slides along the head's slope, smoothed; half a contraction is half the field."""
+    the sheet. The skin slides along the head's slope, smoothed; half a contraction is half the field.
+
+    space: the space of the generic head.
+    """
     metric = metric_of(space)
     across = wrap(space.theta - muscle.bone[0] / metric) * metric
     place = np.stack([across, space.h - muscle.bone[1]], axis=1)
@@ -87,12 +92,12 @@ def pull_field(space: ParameterSpace, muscle: Muscle, /) -> Values:
     if muscle.closes:
         move += _close_lids(space, muscle)
     share = _share(space, muscle.lip) * space.on_sheet
-    dtheta, dh = move[:, 0] * share / metric, move[:, 1] * share
+    dtheta = move[:, 0] * share / metric
+    dh = move[:, 1] * share
     over = slide_radius(space, dtheta, dh)
     if muscle.swell:
         over += muscle.swell * _bell(_ring_distance(muscle, place) / muscle.reach) * share
-    result: Values = np.where(space.on_sheet[:, None], np.stack([dtheta, dh, over], axis=1), 0.0)
-    return result
+    return np.where(space.on_sheet[:, None], np.stack([dtheta, dh, over], axis=1), 0.0)
 
 
 def metric_of(space: ParameterSpace, /) -> float:
@@ -101,7 +106,10 @@ def metric_of(space: ParameterSpace, /) -> float:
 
 
 def slide_radius(space: ParameterSpace, dtheta: Values, dh: Values, /) -> Values:
-    """R - 1 (V,) with which the generic head's skin stays on its smoothed surface while it goes by dtheta, dh (V,)."""
+    """R - 1 (V,) with which the generic head's skin stays on its smoothed surface while it goes by dtheta, dh (V,).
+
+    space: the space of the generic head.
+    """
     average = smoothing_matrix(space.sheet_triangles, space.vertex_count)
     radius = space.cylinder.unroll(space.points)[2]
     smooth = radius
@@ -117,12 +125,11 @@ def slide_radius(space: ParameterSpace, dtheta: Values, dh: Values, /) -> Values
     return over
 
 
-def _around_balls(
-    space: ParameterSpace, rows: NDArray[np.int32], dtheta: Values, dh: Values, further: Values
-) -> Values:
+def _around_balls(space: ParameterSpace, rows: Indices, dtheta: Values, dh: Values, further: Values) -> Values:
     """How much farther from the axis (n,) vertices go, metres: by `further`, lids so that they keep their distance from
     the middle of the eyeball."""
-    result, theta = further.copy(), space.theta[rows] + dtheta
+    result = further.copy()
+    theta = space.theta[rows] + dtheta
     ahead = np.stack([np.sin(theta), np.zeros(len(rows)), np.cos(theta)], axis=1)
     axis = np.stack([np.full(len(rows), space.cylinder.x), space.h[rows] + dh, np.full(len(rows), space.cylinder.z)], 1)
     for part in space.parts.values():
@@ -144,8 +151,7 @@ def _linear(muscle: Muscle, place: Values) -> Values:
     distance = np.maximum(np.hypot(place[:, 0], place[:, 1]), 1e-9)
     angle = np.arccos(np.clip(place @ line / (distance * length), -1.0, 1.0))
     strength = _bell(angle / muscle.spread) * _along(distance, length, muscle.reach)
-    result: Values = -muscle.pull * (strength / distance)[:, None] * place
-    return result
+    return -muscle.pull * (strength / distance)[:, None] * place
 
 
 def _sheet(muscle: Muscle, place: Values) -> Values:
@@ -155,8 +161,7 @@ def _sheet(muscle: Muscle, place: Values) -> Values:
     way = line / length
     beside = place @ np.array([-way[1], way[0]])
     strength = _bell(beside / muscle.spread) * _along(place @ way, length, muscle.reach)
-    result: Values = -muscle.pull * strength[:, None] * way
-    return result
+    return -muscle.pull * strength[:, None] * way
 
 
 def _sphincter(muscle: Muscle, place: Values) -> Values:
@@ -164,8 +169,7 @@ def _sphincter(muscle: Muscle, place: Values) -> Values:
     strength = _ring(muscle, place)
     inward = np.clip(place / np.array(muscle.skin), -1.5, 1.5)
     inward[:, 1] *= _FLATTER * muscle.skin[1] / muscle.skin[0]
-    result: Values = -muscle.pull * strength[:, None] * inward
-    return result
+    return -muscle.pull * strength[:, None] * inward
 
 
 def _ring(muscle: Muscle, place: Values) -> Values:
@@ -175,8 +179,7 @@ def _ring(muscle: Muscle, place: Values) -> Values:
 
 def _ring_distance(muscle: Muscle, place: Values) -> Values:
     """How far from a sphincter's middle, in half-axes."""
-    result: Values = np.hypot(*(place / np.array(muscle.skin)).T)
-    return result
+    return np.hypot(*(place / np.array(muscle.skin)).T)
 
 
 def _close_lids(space: ParameterSpace, muscle: Muscle) -> Values:
@@ -193,7 +196,7 @@ def _close_lids(space: ParameterSpace, muscle: Muscle) -> Values:
     return move
 
 
-def _height(space: ParameterSpace, chain: NDArray[np.int32]) -> Values:
+def _height(space: ParameterSpace, chain: Indices) -> Values:
     """How high a lid's edge is at each vertex' theta, (V,) metres, its corners' heights beside it."""
     order = np.argsort(space.theta[chain], kind="stable")
     return np.interp(space.theta, space.theta[chain][order], space.h[chain][order])
@@ -202,14 +205,12 @@ def _height(space: ParameterSpace, chain: NDArray[np.int32]) -> Values:
 def _along(distance: Values, length: float, reach: float) -> Values:
     """Along a muscle: a sine from the bone to the skin end at `length`, a bell from there on."""
     rising = np.sin(np.clip(distance / length, 0.0, 1.0) * np.pi / 2)
-    result: Values = np.where(distance < length, rising**2, _bell((distance - length) / reach))
-    return result
+    return np.where(distance < length, rising**2, _bell((distance - length) / reach))
 
 
 def _bell(share: Values) -> Values:
     """1 at zero, 0 from one on either way, without a corner: the square of the cosine."""
-    result: Values = np.where(np.abs(share) < 1.0, np.cos(share * np.pi / 2) ** 2, 0.0)
-    return result
+    return np.where(np.abs(share) < 1.0, np.cos(share * np.pi / 2) ** 2, 0.0)
 
 
 def _share(space: ParameterSpace, lip: Lip) -> Values:
@@ -218,7 +219,10 @@ def _share(space: ParameterSpace, lip: Lip) -> Values:
 
 def lip_share(space: ParameterSpace, lip: Lip, /) -> Values:
     """How much each vertex goes with the upper (lower) lip, (V,) from 0 to 1: all above (below) the mouth, less
-    towards its corners, and what is harmonic between beside it. Ones where the head has no lips."""
+    towards its corners, and what is harmonic between beside it. Ones where the head has no lips.
+
+    space: the space of the generic head.
+    """
     rows = [row for row, line in enumerate(space.lines) if line.kind == "lips"]
     if not rows:
         return np.ones(space.vertex_count)
@@ -228,8 +232,7 @@ def lip_share(space: ParameterSpace, lip: Lip, /) -> Values:
     inner = sparse.diags_array(weights.sum(axis=1) + 1e-9) - weights[:, free]
     share = (side == (1 if lip == "upper" else -1)) * _off_corners(space, space.lines[rows[0]])
     share[free] = splu(sparse.csc_array(inner)).solve(weights @ share)
-    result: Values = share[space.welded]
-    return result
+    return share[space.welded]
 
 
 def _off_corners(space: ParameterSpace, line: Line) -> Values:

@@ -7,14 +7,13 @@ from dataclasses import dataclass
 from functools import cached_property
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 from scipy import sparse
 
+from omote.arrays import Values
 from omote.model.controls.control_net import ControlNet
 from omote.model.controls.mirror import mirror_rows
 from omote.model.space.parameter_space import ParameterSpace
-
-Values = NDArray[np.float64]
 
 MOST = 400
 """Points of a net at most."""
@@ -38,8 +37,7 @@ class NetField:
         bad = np.flatnonzero(~np.isfinite(given).all(axis=1))
         if len(bad):
             raise ValueError(f"vector {bad[0]} is {given[bad[0]]}; expected finite dtheta, dh and R")
-        result: Values = np.asarray(self._basis @ (given - [0.0, 0.0, 1.0]))
-        return result
+        return np.asarray(self._basis @ (given - [0.0, 0.0, 1.0]))
 
     @cached_property
     def mirror(self) -> tuple[int, ...]:
@@ -58,7 +56,10 @@ class NetField:
 
 def build_net_field(space: ParameterSpace, rows: Sequence[int], /) -> NetField:
     """Builds the net through vertices of the sheet. Raises ValueError on rows that are none, twice the same, or too few
-    to join around the head."""
+    to join around the head.
+
+    space: the space of the generic head.
+    """
     _refuse_rows(space, rows)
     at = np.array(rows, np.int64)
     net = ControlNet.build(space, space.theta[at], space.h[at])

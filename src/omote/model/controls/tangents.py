@@ -3,14 +3,12 @@
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import NDArray
 
+from omote.arrays import Values
 from omote.model.space.face import Face
 from omote.model.space.gain import field_gain
 from omote.model.space.parameter_space import ParameterSpace
 from omote.model.transfer.smooth_map import prepare_smooth_map
-
-Values = NDArray[np.float64]
 
 
 def generic_tangents(space: ParameterSpace, /) -> Values:
@@ -21,13 +19,13 @@ def generic_tangents(space: ParameterSpace, /) -> Values:
     turning = np.stack([away[:, 2], flat, -away[:, 0]], axis=1)
     rising = np.stack([flat, flat + 1.0, flat], axis=1)
     swelling = np.stack([away[:, 0], flat, away[:, 2]], axis=1)
-    result: Values = np.stack([turning, rising, swelling]) * space.on_sheet[:, None]
-    return result
+    return np.stack([turning, rising, swelling]) * space.on_sheet[:, None]
 
 
 def tangents(space: ParameterSpace, face: Face, /) -> Values:
     """How each vertex of a face's sheet answers to the field there, (3, V, 3): metres per radian of dtheta, metre of dh
     and unit of R - 1; ValueError where the face does not belong to the space."""
-    ready, gain = prepare_smooth_map(space, face), field_gain(space, face.gains)
+    ready = prepare_smooth_map(space, face)
+    gain = field_gain(space, face.gains)
     growth = ready.gain if gain is None else ready.gain * gain.skin
     return generic_tangents(space) * growth[:, None]

@@ -2,39 +2,34 @@
 
 from __future__ import annotations
 
-from weakref import WeakKeyDictionary
-
 import numpy as np
 from numpy.typing import NDArray
 from scipy.sparse import coo_array
 from scipy.sparse.csgraph import connected_components
 from scipy.spatial import cKDTree
 
+from omote.arrays import Indices, Mask, Values
 from omote.geometry import mesh
 from omote.geometry.cylinder import wrap
 from omote.model.space.lid_lip_lines import Line, chains
 from omote.model.space.parameter_space import ParameterSpace
+from omote.model.weak_cache import weakly_cached
 
-Values = NDArray[np.float64]
-Indices = NDArray[np.int32]
 Sides = NDArray[np.int8]
 
 # A triangle is carried on beyond its edge by so much of its weights; what lies farther off goes with the edge.
 _BEYOND = 0.5
 
-_sides: WeakKeyDictionary[ParameterSpace, Sides] = WeakKeyDictionary()
 
-
+@weakly_cached
 def sides(space: ParameterSpace, /) -> Sides:
     """The side of each line of lids or lips on which each vertex lies: (lines, V), 1 above, -1 below, 0 beside it or
     off the sheet."""
-    if space not in _sides:
-        found = [_of_line(space, line) for line in space.lines]
-        _sides[space] = np.stack(found) if found else np.zeros((0, space.vertex_count), np.int8)
-    return _sides[space]
+    of_lines = [_of_line(space, line) for line in space.lines]
+    return np.stack(of_lines) if of_lines else np.zeros((0, space.vertex_count), np.int8)
 
 
-def is_across(vertices: Sides, corners: Sides, /) -> NDArray[np.bool_]:
+def is_across(vertices: Sides, corners: Sides, /) -> Mask:
     """Where a vertex lies across an opening from one of a triangle's corners.
 
     vertices (lines, ...), corners (lines, ..., 3): their sides, broadcast together.
@@ -48,12 +43,12 @@ def nearest_own_side(vertices: Sides, points: Sides, triangles: Indices, corners
     vertices (lines, n), points (lines, p): their sides; corners (t, 3, 2), where (n, 2): on S, theta and h in metres,
     theta of the corners anywhere.
     """
-    found = np.full(where.shape[0], -1, np.int32)
+    nearest = np.full(where.shape[0], -1, np.int32)
     for vertex, place in enumerate(where):
         allowed = np.flatnonzero(~is_across(vertices[:, vertex, None], points[:, triangles]))
         if len(allowed):
-            found[vertex] = allowed[_distance(place, corners[allowed]).argmin()]
-    return found
+            nearest[vertex] = allowed[_distance(place, corners[allowed]).argmin()]
+    return nearest
 
 
 def clamp_weights(weights: Values, /) -> Values:
@@ -71,8 +66,7 @@ def _distance(place: Values, corners: Values) -> Values:
     share = np.clip(-(a * along).sum(axis=2) / length**2, 0.0, 1.0)
     outside = np.linalg.norm(a + share[..., None] * along, axis=2).min(axis=1)
     left = (a[..., 0] * b[..., 1] - a[..., 1] * b[..., 0]) / length
-    result: Values = np.where((left >= 0).all(axis=1), -left.min(axis=1), outside)
-    return result
+    return np.where((left >= 0).all(axis=1), -left.min(axis=1), outside)
 
 
 def _of_line(space: ParameterSpace, line: Line) -> Sides:

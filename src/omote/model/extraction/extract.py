@@ -11,12 +11,12 @@ from collections.abc import Mapping, Sequence
 from dataclasses import fields, replace
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
+from omote.arrays import Floats, Values
 from omote.geometry import mesh
 from omote.model.extraction.ear_turns import fit_ear_turns, undo_ears
-from omote.model.extraction.extracted_expression import ExtractedExpression
-from omote.model.extraction.field_uncertainty import measure_uncertainty
+from omote.model.extraction.extracted_expression import ExtractedExpression, measure_uncertainty
 from omote.model.extraction.inner_skin_residual import solve_inner_residual
 from omote.model.extraction.known_span import KnownSum
 from omote.model.extraction.sheet_field import REST, measure_field
@@ -31,8 +31,6 @@ from omote.model.transfer.compound import apply_expression, predict_part
 from omote.model.transfer.gain_limit import answer_expression
 from omote.model.transfer.paper_map import compile_expression, refuse_foreign
 from omote.model.transfer.smooth_map import prepare_smooth_map
-
-Values = NDArray[np.float64]
 
 # What differs from the positions at rest by less than this share of them is positions and no displacement.
 _ALIKE = 0.5
@@ -101,18 +99,19 @@ def extract(
         refuse_foreign(space, expression)
     moved = _validate_displacement(space, face, displacement)
     answered = [answer_expression(space, face.gains, expression) for expression in known]
-    bare, found, still = _measure_without_ears(space, face, moved, answered)
-    near = found.known.expression if found.known else None
+    bare, inverse, still = _measure_without_ears(space, face, moved, answered)
+    near = inverse.known.expression if inverse.known else None
     worn = _with_parts(space, face, _with_inner_skin(space, face, bare, still, near), parts or {})
     asked = ask(space, face.gains, worn)
-    if found.exact and found.known:
-        return _with_uncertainty(_with_unseen(face, asked, found.known, known), np.zeros(space.vertex_count))
+    if inverse.exact and inverse.known:
+        return _with_uncertainty(_with_unseen(face, asked, inverse.known, known), np.zeros(space.vertex_count))
     return _with_uncertainty(asked, measure_uncertainty(space, face, worn))
 
 
 def _validate_displacement(space: ParameterSpace, face: Face, displacement: ArrayLike) -> Values:
     """The displacement (V, 3) of a face; ValueError on another shape, on positions and on what is not metres."""
-    moved, rest = mesh.validate_points(displacement, name="displacement"), face.positions
+    moved = mesh.validate_points(displacement, name="displacement")
+    rest = face.positions
     if len(moved) != space.vertex_count:
         raise ValueError(
             f"displacement has {len(moved)} rows; expected {space.vertex_count}, one per vertex of the skin"
@@ -127,9 +126,10 @@ def _validate_displacement(space: ParameterSpace, face: Face, displacement: Arra
     return moved
 
 
-def _refuse_far(moved: Values, rest: NDArray[np.float32], name: str) -> None:
+def _refuse_far(moved: Values, rest: Floats, name: str) -> None:
     """ValueError where something goes farther than the head (V, 3) is long."""
-    far, longest = np.linalg.norm(moved, axis=1), float(np.ptp(rest, axis=0).max())
+    far = np.linalg.norm(moved, axis=1)
+    longest = float(np.ptp(rest, axis=0).max())
     worst = int(far.argmax())
     if far[worst] > longest:
         raise ValueError(
@@ -140,7 +140,7 @@ def _refuse_far(moved: Values, rest: NDArray[np.float32], name: str) -> None:
 
 def _with_uncertainty(taken: Expression, uncertainty: Values) -> ExtractedExpression:
     """The expression with its uncertainty (V,), metres."""
-    values = {each.name: getattr(taken, each.name) for each in fields(Expression)}
+    values = {entry.name: getattr(taken, entry.name) for entry in fields(Expression)}
     return ExtractedExpression(**values, uncertainty=uncertainty)
 
 
@@ -151,23 +151,25 @@ def _measure_without_ears(
     is one, else the least that turn them so; what the inverse found, and the displacement that is left (V, 3)."""
     turns = fit_ear_turns(space, face, moved)
     still = undo_ears(space, face, moved, turns) if turns.any() else moved
-    bare, found = _measure_sheet(space, face, still, known)
-    if turns.any() and found.known is not None:
-        again = undo_ears(space, face, moved, found.known.expression.ears)
+    bare, inverse = _measure_sheet(space, face, still, known)
+    if turns.any() and inverse.known is not None:
+        again = undo_ears(space, face, moved, inverse.known.expression.ears)
         exactly = _measure_sheet(space, face, again, known)
         if exactly[1].exact:
-            turns, still, (bare, found) = found.known.expression.ears, again, exactly
-    return replace(bare, ears=turns), found, still
+            turns = inverse.known.expression.ears
+            still = again
+            (bare, inverse) = exactly
+    return replace(bare, ears=turns), inverse, still
 
 
-def _with_unseen(face: Face, taken: Expression, found: KnownSum, known: Sequence[Expression]) -> Expression:
+def _with_unseen(face: Face, taken: Expression, known_sum: KnownSum, known: Sequence[Expression]) -> Expression:
     """The expression, which is a sum of known ones, with their turns of the head, and of the ears where a face that
     does not turn its own cannot show them."""
-    shares = [(weight, known[place]) for weight, place in zip(found.share, found.places, strict=True)]
-    turned = replace(taken, head=sum((weight * each.head for weight, each in shares), np.zeros(3)))
+    shares = [(weight, known[place]) for weight, place in zip(known_sum.share, known_sum.places, strict=True)]
+    turned = replace(taken, head=sum((weight * expression.head for weight, expression in shares), np.zeros(3)))
     if gain_of(face.gains, "ears"):
         return turned
-    return replace(turned, ears=sum((weight * each.ears for weight, each in shares), np.zeros((2, 3))))
+    return replace(turned, ears=sum((weight * expression.ears for weight, expression in shares), np.zeros((2, 3))))
 
 
 def _measure_sheet(
@@ -178,8 +180,8 @@ def _measure_sheet(
         return measure_field(space, face.positions.astype(np.float64), moved), InverseResult(moved, None)
     ready = prepare_smooth_map(space, face)
     goal = ready.positions + moved * space.on_sheet[:, None]
-    found = invert_smooth_map(space, face, goal, known)
-    return measure_field(space, ready.generic, found.displacement), found
+    inverse = invert_smooth_map(space, face, goal, known)
+    return measure_field(space, ready.generic, inverse.displacement), inverse
 
 
 def _with_inner_skin(
@@ -201,7 +203,8 @@ def _with_parts(space: ParameterSpace, face: Face, skin: Expression, parts: Mapp
     for name, given in parts.items():
         if name not in space.parts:
             raise ValueError(f"parts has a displacement of {name!r}; expected one of {sorted(space.parts)}")
-        part, before = space.parts[name], fitted.parts[name].astype(np.float64)
+        part = space.parts[name]
+        before = fitted.parts[name].astype(np.float64)
         shift = mesh.validate_points(given, name=f"displacement of part {name!r}")
         if len(shift) != len(before):
             raise ValueError(f"displacement of part {name!r} has {len(shift)} rows; expected {len(before)}")

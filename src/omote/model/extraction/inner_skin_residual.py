@@ -10,8 +10,8 @@ from collections.abc import Callable
 from dataclasses import replace
 
 import numpy as np
-from numpy.typing import NDArray
 
+from omote.arrays import Floats, Values
 from omote.model.space.expression import Expression
 from omote.model.space.face import Face
 from omote.model.space.face_fit import fit
@@ -20,22 +20,25 @@ from omote.model.transfer.compound import apply_expression
 from omote.model.transfer.paper_map import compile_expression, displace_generic
 from omote.model.transfer.pipeline import LINEAR_INNER_STAGES, SHEET_STAGES, STAGES, run, start
 
-Values = NDArray[np.float64]
-
 INNER_STAGES = STAGES[len(SHEET_STAGES) :]
 """The stages that move the inner skin behind a sheet that is done."""
 # Steps at most; where they end, metres; what is further off than the second is not reached from this start.
-_STEPS, _CLOSE, _GOOD = 20, 1e-6, 1e-5
+_STEPS = 20
+_CLOSE = 1e-6
+_GOOD = 1e-5
 
 
 def solve_inner_residual(
     space: ParameterSpace, face: Face, bare: Expression, goal: Values, known: Expression | None, /
-) -> Values:  # fmt: skip
+) -> Values:
     """The residual (inner, 3) with which a face wearing a field has its inner skin at goal (inner, 3), metres.
 
     bare: the field without a residual; known: an expression that it should resemble.
+
+    space, face: which wears it; goal (inner, 3): metres.
     """
-    inner, scale = space.inner.vertices, fit(space, face).scale[:, None].astype(np.float64)
+    inner = space.inner.vertices
+    scale = fit(space, face).scale[:, None].astype(np.float64)
     if space.transfer == "paper":
         worn = apply_expression(space, face, compile_expression(space, bare)).astype(np.float64)[inner]
         return (goal - worn) / scale
@@ -54,17 +57,20 @@ def solve_inner_residual(
 
 def _approach(lack: Callable[[Values], Values], start: Values, otherwise: Values) -> Values:
     """The residual (inner, 3) without lack that fixed-point steps from start come to, or the other one."""
-    residual, best, least = start, otherwise, _GOOD
+    residual = start
+    best = otherwise
+    least = _GOOD
     for _ in range(_STEPS):
         missing = lack(residual)
         error = float(np.abs(missing).max())
         if error < least:
-            best, least = residual, error
+            best = residual
+            least = error
         if error < _CLOSE:
             break
         residual = residual + missing
     return best
 
 
-def _still(bare: Expression) -> NDArray[np.float32]:
+def _still(bare: Expression) -> Floats:
     return np.zeros_like(bare.residual, dtype=np.float32)

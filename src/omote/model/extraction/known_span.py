@@ -13,15 +13,15 @@ from dataclasses import dataclass, replace
 from functools import cached_property
 
 import numpy as np
-from numpy.typing import NDArray
 
+from omote.arrays import Indices, Values
 from omote.model.space.expression import Expression
 from omote.model.space.parameter_space import ParameterSpace
 
-Values = NDArray[np.float64]
-
 # Distances count from the first, metres, on at first, from the second at the end; so many rounds.
-_COARSE, _FINE, _ROUNDS = 1e-3, 1e-7, 20
+_COARSE = 1e-3
+_FINE = 1e-7
+_ROUNDS = 20
 # The power of distances whose sum is made least: one (least distances) lets a hundred outliers in one
 # place pull together, near zero all that counts is how many vertices are explained.
 _POWER = 0.1
@@ -36,7 +36,10 @@ _LEAST_RATIO = 0.05
 
 # Gauss and Newton's method: for so many members at most, rounds, the change of a weight that gives a slope, and
 # where it ends, metres.
-_FEW, _REFINEMENTS, _NUDGE, _CLOSE = 6, 6, 2e-4, 3e-8
+_FEW = 6
+_REFINEMENTS = 6
+_NUDGE = 2e-4
+_CLOSE = 3e-8
 # Shares of its step that are tried: a slope that was taken across a jump makes it thirty times too short.
 _LENGTHS = (1.0, 0.3, 3.0, 10.0, 30.0)
 
@@ -55,19 +58,19 @@ class KnownSum:
     def expression(self) -> Expression:
         """The sum, with what it does to the inner skin and the ears; without parts."""
         none = np.zeros(self.space.vertex_count), np.zeros((len(self.space.inner.vertices), 3)), np.zeros((2, 3))
-        ratio = 1.0 + self._add(none[0], [each.ratio - 1.0 for each in self.members])
+        ratio = 1.0 + self._add(none[0], [member.ratio - 1.0 for member in self.members])
         return Expression(
-            self._add(none[0], [each.dtheta for each in self.members]),
-            self._add(none[0], [each.dh for each in self.members]),
+            self._add(none[0], [member.dtheta for member in self.members]),
+            self._add(none[0], [member.dh for member in self.members]),
             np.maximum(ratio, _LEAST_RATIO),
-            self._add(none[1], [each.residual for each in self.members]),
-            ears=self._add(none[2], [each.ears for each in self.members]),
+            self._add(none[1], [member.residual for member in self.members]),
+            ears=self._add(none[2], [member.ears for member in self.members]),
             radius=self.space.radius,
             transfer=self.space.transfer,
         )
 
     def _add(self, nothing: Values, values: Sequence[Values]) -> Values:
-        return sum((weight * each for weight, each in zip(self.share, values, strict=True)), nothing)
+        return sum((weight * value for weight, value in zip(self.share, values, strict=True)), nothing)
 
 
 def fit_known(space: ParameterSpace, field: Expression, known: Sequence[Expression], /) -> list[KnownSum]:
@@ -90,18 +93,18 @@ def fit_known(space: ParameterSpace, field: Expression, known: Sequence[Expressi
     """
     rows = np.unique(space.sheet_triangles)
     metric = np.maximum(space.cylinder.unroll(space.points)[2][rows], 1e-3)
-    basis = np.stack([_as_metres(each, rows, metric) for each in known])
+    basis = np.stack([_as_metres(expression, rows, metric) for expression in known])
     sizes = np.sqrt((basis**2).sum(axis=(1, 2)))
     moving = np.flatnonzero(sizes > 1e-6)
     if not len(moving):
         return [KnownSum(space, (), (), np.zeros(0))]
-    found = dict[tuple[int, ...], KnownSum]()
+    sums = dict[tuple[int, ...], KnownSum]()
     for share in _fit_sparsely(basis[moving] / sizes[moving, None, None], _as_metres(field, rows, metric)):
         chosen = np.flatnonzero(share)
         members = tuple(moving[chosen].tolist())
         weights = share[chosen] / sizes[moving[chosen]]
-        found[members] = KnownSum(space, tuple(known[k] for k in members), members, weights)
-    return list(found.values())
+        sums[members] = KnownSum(space, tuple(known[k] for k in members), members, weights)
+    return list(sums.values())
 
 
 def refine_known(start: KnownSum, measure_lack: Callable[[KnownSum], Values], /) -> KnownSum:
@@ -110,20 +113,24 @@ def refine_known(start: KnownSum, measure_lack: Callable[[KnownSum], Values], /)
 
     Gauss and Newton's method with slopes by finite differences; steps and what they gain count outliers as `fit_known`
     does, since a triangle that folds or does not is a jump.
+
+    start: the sum; measure_lack: gives what a sum lacks, (n, 3) metres.
     """
-    best, lack = start, measure_lack(start)
+    best = start
+    lack = measure_lack(start)
     for _ in range(_REFINEMENTS if 0 < len(start.members) <= _FEW else 0):
         if np.abs(lack).max() < _CLOSE:
             break
         nudged = [replace(best, share=best.share + _NUDGE * row) for row in np.eye(len(best.share))]
-        slopes = np.stack([(lack - measure_lack(each)) / _NUDGE for each in nudged])
+        slopes = np.stack([(lack - measure_lack(trial)) / _NUDGE for trial in nudged])
         plain = np.linalg.lstsq(slopes.reshape(len(slopes), -1).T, lack.ravel(), rcond=None)[0]
         steps = (_fit_robustly(slopes, lack), plain)  # noise of float32 in still skin can hold the first one back
         trials = [replace(best, share=best.share + length * step) for step in steps for length in _LENGTHS]
-        nearest, left = min(((each, measure_lack(each)) for each in trials), key=lambda trial: _count(trial[1]))
+        nearest, left = min(((trial, measure_lack(trial)) for trial in trials), key=lambda pair: _count(pair[1]))
         if _count(left) >= _count(lack):
             break
-        best, lack = nearest, left
+        best = nearest
+        lack = left
     return best
 
 
@@ -133,22 +140,23 @@ def _count(lack: Values) -> float:
     return float((squared ** (_POWER / 2.0)).sum())
 
 
-def _as_metres(expression: Expression, rows: NDArray[np.int32], metric: Values) -> Values:
+def _as_metres(expression: Expression, rows: Indices, metric: Values) -> Values:
     """The field at vertices of the sheet (n, 3): across, up and out, metres."""
-    across, out = expression.dtheta[rows] * metric, (expression.ratio[rows] - 1.0) * metric
+    across = expression.dtheta[rows] * metric
+    out = (expression.ratio[rows] - 1.0) * metric
     return np.stack([across, expression.dh[rows], out], axis=1)
 
 
 def _fit_sparsely(basis: Values, target: Values) -> list[Values]:
     """Weights (k,) of a basis (k, n, 3) near the target (n, 3): without small members, at each cut, and with all."""
     everything = _fit_robustly(basis, target)
-    found = list[Values]()
+    weights = list[Values]()
     for cut in _CUTS:
         few = np.flatnonzero(np.abs(everything) > cut * np.abs(everything).max())
         share: Values = np.zeros(len(basis))
         share[few] = _fit_robustly(basis[few], target)
-        found.append(share)
-    return [*found, everything]
+        weights.append(share)
+    return [*weights, everything]
 
 
 def _fit_robustly(basis: Values, target: Values) -> Values:
@@ -167,5 +175,4 @@ def _fit_robustly(basis: Values, target: Values) -> Values:
 
 def _measure_distance(share: Values, basis: Values, target: Values) -> Values:
     """What a sum of the basis misses at each vertex, (n,) metres."""
-    result: Values = np.linalg.norm(target - np.tensordot(share, basis, 1), axis=1)
-    return result
+    return np.linalg.norm(target - np.tensordot(share, basis, 1), axis=1)

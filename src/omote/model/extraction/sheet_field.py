@@ -3,14 +3,12 @@
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import NDArray
 
+from omote.arrays import Values
 from omote.geometry.cylinder import wrap
 from omote.model.space.expression import Expression
 from omote.model.space.parameter_space import ParameterSpace
 from omote.model.transfer.paper_map import project_to_surface
-
-Values = NDArray[np.float64]
 
 # Displacements below a nanometre are rest: fields stay empty where nothing moves.
 REST = 1e-9
@@ -36,7 +34,9 @@ def measure_field(space: ParameterSpace, before: Values, moved: Values, /) -> Ex
     after = before + moved
     vertices = np.flatnonzero(space.on_sheet & (np.abs(moved) > REST).any(axis=1)).astype(np.int32)
     landing = project_to_surface(space, before, after[vertices], vertices)
-    dtheta, dh, ratio = np.zeros(len(before)), np.zeros(len(before)), np.ones(len(before))
+    dtheta = np.zeros(len(before))
+    dh = np.zeros(len(before))
+    ratio = np.ones(len(before))
     corners = space.location_triangles[landing.triangles]
     from_first = wrap(space.theta[corners] - space.theta[corners[:, :1]])
     theta = space.theta[corners[:, 0]] + (landing.weights * from_first).sum(axis=1)

@@ -14,16 +14,14 @@ from numpy.typing import NDArray
 from scipy import sparse
 from scipy.sparse.linalg import splu
 
+from omote.arrays import Values
+from omote.geometry import mesh
 from omote.model.space.face import Face
 from omote.model.space.lid_lip_lines import RUNGS
 from omote.model.space.parameter_space import ParameterSpace
-from omote.model.transfer.detail_transfer import LENGTH, TOLERANCE
 from omote.model.transfer.fold_repair import SheetGeometry, triangle_frames
 from omote.model.transfer.lid_lip_contact import Contact
-from omote.model.transfer.smooth_map import SmoothMap, prepare_smooth_map
-
-Values = NDArray[np.float64]
-Indices = NDArray[np.int32]
+from omote.model.transfer.smooth_map import LENGTH, TOLERANCE, SmoothMap, prepare_smooth_map
 
 
 @dataclass(frozen=True, eq=False)
@@ -63,20 +61,21 @@ class SmoothMapJacobian:
         flat = np.ascontiguousarray(change).ravel()
         result = self.solver.solve(self.stiffness @ flat)
         bins = inverse @ (self.contact.wanted @ result - self.contact.read @ flat)
-        rows: Values = (result - back @ bins).reshape(-1, 3)
-        return rows
+        return (result - back @ bins).reshape(-1, 3)
 
 
 def linearise_smooth_map(space: ParameterSpace, face: Face, displacement: Values, /) -> SmoothMapJacobian:
     """The Jacobian at a displacement (V, 3) of the generic face, metres.
 
     Raises RuntimeError where it is singular.
+
+    space, face: whose map; displacement (V, 3): metres.
     """
     ready = prepare_smooth_map(space, face)
     place = np.full(len(displacement), -1)
     place[ready.detail.used] = np.arange(len(ready.detail.used))
     stiffness, product = _assemble_detail(ready, ready.generic + displacement, displacement, place)
-    rows = [_read_contact(each, place) for each in ready.contacts]
+    rows = [_read_contact(contact, place) for contact in ready.contacts]
     return SmoothMapJacobian(stiffness, splu(product), _join(rows, 3 * len(ready.detail.used)))
 
 
@@ -84,8 +83,10 @@ def _assemble_detail(
     ready: SmoothMap, source: Values, displacement: Values, place: NDArray[np.int64]
 ) -> tuple[sparse.csc_array, sparse.csc_array]:
     """K and B of detail transfer at a source (V, 3): (3 n, 3 n) each."""
-    detail, geometry = ready.detail, ready.geometry
-    triangles, count = geometry.triangles, len(geometry.triangles)
+    detail = ready.detail
+    geometry = ready.geometry
+    triangles = geometry.triangles
+    count = len(geometry.triangles)
     gain = ready.gain[triangles]
     grown = np.einsum("tkd,tk->tkd", geometry.gradients, gain)
     change = (triangle_frames(source, triangles) @ geometry.inverse_frames - np.eye(3)) @ geometry.plane
@@ -108,8 +109,7 @@ def _assemble_detail(
 
 
 def _in_plane(geometry: SheetGeometry) -> Values:
-    result: Values = geometry.inverse_frames @ geometry.plane
-    return result
+    return geometry.inverse_frames @ geometry.plane
 
 
 def _scatter(blocks: Values, unknowns: NDArray[np.int64], size: int) -> sparse.csc_array:
@@ -124,20 +124,21 @@ def _differentiate_threshold(missing: Values) -> Values:
     beyond = size > TOLERANCE
     along = missing / size[:, None]
     share = np.where(beyond, TOLERANCE / size, 1.0)[:, None, None]
-    result: Values = (1.0 - share) * np.eye(6) + np.where(beyond, TOLERANCE / size, 0.0)[:, None, None] * (
+    return (1.0 - share) * np.eye(6) + np.where(beyond, TOLERANCE / size, 0.0)[:, None, None] * (
         along[:, :, None] * along[:, None, :]
     )
-    return result
 
 
 def _differentiate_frames(positions: Values, geometry: SheetGeometry) -> Values:
     """How `triangle_frames` change with each corner: (T, 3, 3, corner, 3)."""
     a, b, c = positions[geometry.triangles].transpose(1, 0, 2)
-    first, second = b - a, c - a
+    first = b - a
+    second = c - a
     normal = np.cross(first, second)
     squared = np.maximum((normal * normal).sum(axis=1), 1e-36)[:, None, None]
     scaled = np.eye(3) / squared**0.25 - 0.5 * normal[:, :, None] * normal[:, None, :] / squared**1.25
-    by_second, by_first = scaled @ _cross_matrix(first), -scaled @ _cross_matrix(second)
+    by_second = scaled @ mesh.cross_matrices(first)
+    by_first = -scaled @ mesh.cross_matrices(second)
     result = np.zeros((len(normal), 3, 3, 3, 3))
     for axis in range(3):
         result[:, axis, 0, 1, axis] = result[:, axis, 1, 2, axis] = 1.0
@@ -146,22 +147,19 @@ def _differentiate_frames(positions: Values, geometry: SheetGeometry) -> Values:
     return result
 
 
-def _cross_matrix(vectors: Values) -> Values:
-    """The matrices (T, 3, 3) that take the cross product with vectors (T, 3) from the left."""
-    x, y, z = vectors.T
-    none = np.zeros_like(x)
-    return np.stack([none, -z, y, z, none, -x, -y, x, none], axis=1).reshape(-1, 3, 3)
-
-
 def _read_contact(contact: Contact, place: NDArray[np.int64]) -> ContactRows:
     """The rows of one line."""
-    bins, size, line = contact.bins, int(place.max()) + 1, contact.line
-    wanted, read = np.zeros((len(bins), size, 3)), np.zeros((len(bins), size, 3))
+    bins = contact.bins
+    size = int(place.max()) + 1
+    line = contact.line
+    wanted = np.zeros((len(bins), size, 3))
+    read = np.zeros((len(bins), size, 3))
     respond = np.zeros((size, 3, len(bins)))
     factor = np.full(RUNGS, contact.gain) if line.kind == "lips" else contact.ratios
     for column in range(4):
         for rung in range(RUNGS):
-            vertex, share = place[line.vertices[rung, column]], bins[:, rung, None] * line.weights[rung, column]
+            vertex = place[line.vertices[rung, column]]
+            share = bins[:, rung, None] * line.weights[rung, column]
             wanted[:, vertex] += share * factor[rung] * contact.source[rung]
             read[:, vertex] += share * contact.target[rung]
     respond[place[contact.near]] = contact.response.transpose(0, 2, 1)
@@ -172,7 +170,7 @@ def _read_contact(contact: Contact, place: NDArray[np.int64]) -> ContactRows:
 def _join(rows: list[ContactRows], size: int) -> ContactRows:
     """The rows of all lines, for so many unknowns."""
     return ContactRows(
-        np.concatenate([np.zeros((0, size)), *(each.wanted for each in rows)]),
-        np.concatenate([np.zeros((0, size)), *(each.read for each in rows)]),
-        np.concatenate([np.zeros((size, 0)), *(each.respond for each in rows)], axis=1),
+        np.concatenate([np.zeros((0, size)), *(row.wanted for row in rows)]),
+        np.concatenate([np.zeros((0, size)), *(row.read for row in rows)]),
+        np.concatenate([np.zeros((size, 0)), *(row.respond for row in rows)], axis=1),
     )

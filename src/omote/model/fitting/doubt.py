@@ -38,6 +38,9 @@ class Doubt(str):
 
 def join_doubts(place: Iterable[Doubt], fitted: Iterable[Doubt], /) -> tuple[Doubt, ...]:
     """The doubts about where a face is and about what was fitted there, each once; those about points that have their
-    sides exchanged alone, for all others follow from it."""
-    found = tuple(dict.fromkeys([*place, *fitted]))
-    return tuple(doubt for doubt in found if doubt.kind == SIDES) or found
+    sides exchanged alone, for all others follow from it.
+
+    place: about where a face is; fitted: about what was fitted there.
+    """
+    joined = tuple(dict.fromkeys([*place, *fitted]))
+    return tuple(doubt for doubt in joined if doubt.kind == SIDES) or joined

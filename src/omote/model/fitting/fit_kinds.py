@@ -7,31 +7,34 @@ from dataclasses import replace
 from functools import partial
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
+from omote.arrays import Values
+from omote.geometry.proximity import winding_numbers
 from omote.model.fitting.doubt import Doubt
 from omote.model.fitting.find_head import HeadPlacement, find_head
 from omote.model.fitting.fit_face import Fit, Follow, find_mouth, fit_face, say_nothing
 from omote.model.fitting.identity_modes import IdentityModes
 from omote.model.fitting.landmarks import find_landmarks
 from omote.model.fitting.scan import Scan
-from omote.model.fitting.shape.fold_mending import find_folds
+from omote.model.fitting.skin_repair import find_folds
 from omote.model.space.face import Face
 from omote.model.space.parameter_space import ParameterSpace
 from omote.model.space.similarity import measure_misfit
-from omote.model.space.skin_sheet import winding_number
-from omote.model.transfer.mouth.mouth_at_rest import fit_mouth_at_rest
+from omote.model.transfer.mouth_at_rest import fit_mouth_at_rest
 from omote.model.transfer.mouth_bag import MouthBag, find_mouth_bag
-
-Values = NDArray[np.float64]
 
 # Landmarks that miss those of people by more, metres in the mean, are no person's: of 100 people of ICT-FaceKit with
 # clicks off by 6 % of the eyes' distance 95 miss by less than 9.3 mm, animals by 12 and more. So many are asked for.
-BEYOND, FEWEST = 0.010, 5
+BEYOND = 0.010
+FEWEST = 5
 # How far around itself a landmark bends a head, metres, and how far it gives way to the others.
-WIDTH, SLACK = 0.06, 0.02
+WIDTH = 0.06
+SLACK = 0.02
 # Of the points in a mouth each so manieth is looked at; they get so much smaller at a time, down to so much.
-RARE, SMALLER, SMALLEST = 4, 0.85, 0.3
+RARE = 4
+SMALLER = 0.85
+SMALLEST = 0.3
 # What lies less deep in the mouth, metres along its skin, goes with the lips.
 DEEP = 0.01
 
@@ -65,33 +68,37 @@ def fit_kinds(
     ValueError
         As `fit_face`.
     """
-    marks = {each: np.asarray(point, np.float64) for each, point in (landmarks or {}).items()}
+    marks = {mark: np.asarray(point, np.float64) for mark, point in (landmarks or {}).items()}
     (_, people), *others = kinds.items()
     if len(marks) >= FEWEST and measure_miss(space, people, marks) > BEYOND:
         fits = _fit_each(space, others, scan, marks, name, shut, follow or say_nothing)
         if fits:
-            return min(fits, key=lambda each: each[:2])[2]
+            return min(fits, key=lambda outcome: outcome[:2])[2]
     return fit_face(space, people, scan, place.similarity, landmarks=landmarks, name=name, shut=shut, follow=follow)
 
 
 def measure_miss(space: ParameterSpace, head: IdentityModes, landmarks: Mapping[str, Values], /) -> float:
-    """How far landmarks (3,) by name are from a head's at their best place, metres in the mean."""
+    """How far landmarks (3,) by name are from a head's at their best place, metres in the mean.
+
+    space: of the head; head: the kind; landmarks: in any unit.
+    """
     rows = find_landmarks(space)
     return measure_misfit(np.array([*landmarks.values()]), head.skin[[rows[name] for name in landmarks]])
 
 
-def bend_to_landmarks(
-    space: ParameterSpace, head: IdentityModes, landmarks: Mapping[str, Values], /
-) -> IdentityModes:  # fmt: skip
+def bend_to_landmarks(space: ParameterSpace, head: IdentityModes, landmarks: Mapping[str, Values], /) -> IdentityModes:
     """The head with its skin and parts bent smoothly so that its landmarks lie near others, (3,) by name in its frame:
-    Gaussians around them, regularized (Hastie et al. 2009, section 5.8)."""
+    Gaussians around them, regularized (Hastie et al. 2009, section 5.8).
+
+    space: of the head; head: the kind; landmarks: metres.
+    """
     rows = find_landmarks(space)
-    at, goals = head.skin[[rows[name] for name in landmarks]], np.array([*landmarks.values()])
+    at = head.skin[[rows[name] for name in landmarks]]
+    goals = np.array([*landmarks.values()])
 
     def near(points: Values) -> Values:
         away = ((points[:, None] - at[None]) ** 2).sum(axis=2)
-        result: Values = np.exp(-away / (2.0 * WIDTH**2))
-        return result
+        return np.exp(-away / (2.0 * WIDTH**2))
 
     pulls = np.linalg.solve(near(at) + SLACK * np.eye(len(at)), goals - at)
     parts = {name: points + near(points) @ pulls for name, points in head.parts.items()}
@@ -123,24 +130,27 @@ def _fit_bent(
 ) -> Fit:  # fmt: skip
     """The fit of one kind of head, bent to landmarks first."""
     placement = find_head(space, head, scan, landmarks=marks).similarity
-    bent = bend_to_landmarks(space, head, {each: placement(point) for each, point in marks.items()})
+    bent = bend_to_landmarks(space, head, {mark: placement(point) for mark, point in marks.items()})
     fit = fit_face(space, bent, scan, placement, landmarks=marks, name=name, shut=shut, follow=follow)
     return replace(fit, face=_fit_mouth(space, fit.face))
 
 
 def _fit_mouth(space: ParameterSpace, face: Face) -> Face:
     """The face with tongue, teeth and mouth bag so much smaller that they lie inside of a muzzle, the mouth closed."""
-    (names, around), bag = find_mouth(space), find_mouth_bag(space)
-    middle, size, found = face.positions[around].mean(axis=0), 1.0, face
-    while size > SMALLEST and _is_outside(space, found, names, bag):
+    (names, around) = find_mouth(space)
+    bag = find_mouth_bag(space)
+    middle = face.positions[around].mean(axis=0)
+    size = 1.0
+    smaller = face
+    while size > SMALLEST and _is_outside(space, smaller, names, bag):
         size *= SMALLER
         parts = dict(face.parts) | {name: middle + size * (face.parts[name] - middle) for name in names}
         skin = face.positions.astype(np.float64)
         if bag is not None:
             share = (size + (1.0 - size) * np.exp(-bag.distance / DEEP))[:, None]
             skin[bag.vertices] = middle + share * (skin[bag.vertices] - middle)
-        found = replace(face, positions=fit_mouth_at_rest(space, skin.astype(np.float32), parts), parts=parts)
-    return found
+        smaller = replace(face, positions=fit_mouth_at_rest(space, skin.astype(np.float32), parts), parts=parts)
+    return smaller
 
 
 def _is_outside(space: ParameterSpace, face: Face, names: Sequence[str], bag: MouthBag | None) -> bool:
@@ -148,7 +158,7 @@ def _is_outside(space: ParameterSpace, face: Face, names: Sequence[str], bag: Mo
     skin = face.positions.astype(np.float64)
     inner = [] if bag is None else [skin[bag.vertices[bag.distance > DEEP]]]
     probes = np.concatenate([*(face.parts[name].astype(np.float64) for name in names), *inner])[::RARE]
-    return any(winding_number(skin, space.location_triangles, probe) < 0.5 for probe in probes)
+    return bool((winding_numbers(skin[space.location_triangles], probes) < 0.5).any())
 
 
 def _tell_part(follow: Follow, at: int, count: int, done: float, what: str) -> None:

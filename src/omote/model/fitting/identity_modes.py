@@ -6,11 +6,9 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
+from omote.arrays import Values
 from omote.model.space.parameter_space import ParameterSpace
-
-Values = NDArray[np.float64]
 
 
 @dataclass(frozen=True, eq=False)
@@ -28,8 +26,7 @@ class IdentityModes:
 
     def shape_skin(self, weights: Values, /) -> Values:
         """The skin (V, 3) of the head with weights (m,) of the modes, in standard deviations."""
-        result: Values = self.skin + np.tensordot(weights, self.moves, 1)
-        return result
+        return self.skin + np.tensordot(weights, self.moves, 1)
 
     def shape_parts(self, weights: Values, /) -> dict[str, Values]:
         """The parts of that head."""

@@ -10,6 +10,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from omote.arrays import Values
 from omote.geometry import mesh
 
 FEWEST_POINTS = 100
@@ -51,12 +52,12 @@ class Scan:
     K. Arai (1993), section 5.1.
     """
 
-    positions: NDArray[np.float64]
+    positions: Values
     triangles: NDArray[np.integer] | None = None
     colours: NDArray[np.uint8] | None = None
     texture: NDArray[np.uint8] | None = None
-    texcoords: NDArray[np.float64] | None = None
-    shapes: Mapping[str, NDArray[np.float64]] = field(default_factory=lambda: MappingProxyType({}))
+    texcoords: Values | None = None
+    shapes: Mapping[str, Values] = field(default_factory=lambda: MappingProxyType({}))
 
     def __post_init__(self) -> None:
         points = _freeze(mesh.validate_points(self.positions, name="positions of a scan"), np.float64)
@@ -97,7 +98,7 @@ def _validate_colours(colours: ArrayLike | None, shape: tuple[int | None, ...]) 
     return _freeze(values, np.uint8)
 
 
-def _validate_texcoords(texcoords: ArrayLike | None, faces: int) -> NDArray[np.float64] | None:
+def _validate_texcoords(texcoords: ArrayLike | None, faces: int) -> Values | None:
     if texcoords is None:
         return None
     values = np.asarray(texcoords, np.float64)
@@ -108,7 +109,7 @@ def _validate_texcoords(texcoords: ArrayLike | None, faces: int) -> NDArray[np.f
     return _freeze(values, np.float64)
 
 
-def _validate_shapes(shapes: Mapping[str, ArrayLike], count: int) -> Mapping[str, NDArray[np.float64]]:
+def _validate_shapes(shapes: Mapping[str, ArrayLike], count: int) -> Mapping[str, Values]:
     kept = {}
     for name, moves in shapes.items():
         values = mesh.validate_points(np.asarray(moves), name=f"shape {name!r} of a scan")
@@ -120,6 +121,4 @@ def _validate_shapes(shapes: Mapping[str, ArrayLike], count: int) -> Mapping[str
 
 def _freeze(values: ArrayLike, kind: Any) -> NDArray[Any]:
     result = np.ascontiguousarray(values, dtype=kind)
-    result = result.copy() if result is values else result
-    result.setflags(write=False)
-    return result
+    return mesh.freeze(result.copy() if result is values else result)

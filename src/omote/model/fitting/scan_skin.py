@@ -3,31 +3,35 @@
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import NDArray
 from scipy.spatial import cKDTree
 
+from omote.arrays import Values
+from omote.model.fitting.head_zones import HeadZones
 from omote.model.fitting.scan_surface import ScanSurface
-from omote.model.fitting.shape.head_zones import HeadZones
 from omote.model.space.lid_lip_lines import Line
 from omote.model.space.parameter_space import ParameterSpace
-
-Values = NDArray[np.float64]
 
 # A component is skin of which this share lies nearest to skin beside the openings.
 SHARE = 0.5
 # Farther than this from the head, metres, a point does not say what it belongs to.
 REACH = 0.02
 # Eyes may be shut where the skin fills so much of the eye's opening; the opening is looked at so near its middle.
-FILLED, CORE = 0.5, 0.4
+FILLED = 0.5
+CORE = 0.4
 # Such skin is sought so near, metres, and faces out by so much (cosine).
-DEEP, OUT = 0.03, 0.3
+DEEP = 0.03
+OUT = 0.3
 
 
 def keep_skin(surface: ScanSurface, zones: HeadZones, head: Values, /) -> ScanSurface:
-    """The components of a surface that are skin of a head (V, 3); the one that covers most of it always is."""
+    """The components of a surface that are skin of a head (V, 3); the one that covers most of it always is.
+
+    surface: the scan's; zones: of the head; head (V, 3): metres.
+    """
     away, nearest = cKDTree(head).query(surface.points[::8], workers=1)
     labels = surface.component[::8]
-    near, count = away < REACH, int(surface.component.max()) + 1
+    near = away < REACH
+    count = int(surface.component.max()) + 1
     every = np.bincount(labels[near], minlength=count)
     beside = np.bincount(labels[near & zones.closed[nearest]], minlength=count)
     skin = beside > SHARE * np.maximum(every, 1)
@@ -36,7 +40,10 @@ def keep_skin(surface: ScanSurface, zones: HeadZones, head: Values, /) -> ScanSu
 
 
 def may_be_shut(space: ParameterSpace, skin: ScanSurface, head: Values, /) -> bool:
-    """Whether the skin fills what is open between the lids of a head (V, 3) that was fitted without them."""
+    """Whether the skin fills what is open between the lids of a head (V, 3) that was fitted without them.
+
+    space: of the head; skin: the scan's surface without eyeballs; head (V, 3): metres.
+    """
     filled = [_filled_share(line, skin, head) for line in space.lines if line.kind == "lids"]
     return min(filled, default=0.0) > FILLED
 

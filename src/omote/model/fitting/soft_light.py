@@ -6,9 +6,8 @@ Ramamoorthi and Hanrahan (2001), "An efficient representation for irradiance env
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import NDArray
 
-Values = NDArray[np.float64]
+from omote.arrays import Values
 
 ROUNDS = 6
 RIDGE = 0.001
@@ -24,17 +23,20 @@ def harmonics(normals: Values, /) -> Values:
 def slope_harmonics(normals: Values, /) -> Values:
     """How the harmonics change with the normals (n, 3), as if these had any length: (n, 9, 3)."""
     x, y, z = normals.T
-    zero, one = np.zeros(len(x)), np.ones(len(x))
+    zero = np.zeros(len(x))
+    one = np.ones(len(x))
     rows = (
         (zero, zero, zero), (one, zero, zero), (zero, one, zero), (zero, zero, one), (y, x, zero), (zero, z, y),
         (z, zero, x), (2.0 * x, -2.0 * y, zero), (zero, zero, 6.0 * z),
     )  # fmt: skip
-    result: Values = np.stack([np.stack(row, axis=1) for row in rows], axis=1)
-    return result
+    return np.stack([np.stack(row, axis=1) for row in rows], axis=1)
 
 
 def fit_soft_light(basis: Values, ratio: Values, weight: Values, /) -> Values:
-    """The weights (9,) of harmonics that explain ratios (n,), those far off counted less (Tukey)."""
+    """The weights (9,) of harmonics that explain ratios (n,), those far off counted less (Tukey).
+
+    basis (n, 9): harmonics; ratio (n,): of light seen to light expected; weight (n,): how much each counts.
+    """
     share = weight.copy()
     for _ in range(ROUNDS):
         matrix = (basis.T * share) @ basis

@@ -4,11 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from weakref import WeakKeyDictionary
 
 import numpy as np
-from numpy.typing import NDArray
 
+from omote.arrays import Values
 from omote.geometry import mesh
 from omote.model.controls.face_muscles import muscle_fields
 from omote.model.controls.mirror import mirror_expression
@@ -18,8 +17,7 @@ from omote.model.space.expression import Expression
 from omote.model.space.head_regions import RegionMask, check_region, region_mask
 from omote.model.space.parameter_space import ParameterSpace
 from omote.model.transfer.paper_map import compile_expression
-
-Values = NDArray[np.float64]
+from omote.model.weak_cache import weakly_cached
 
 HEAVIEST = 4.0
 """A layer's weight, and a muscle's contraction, at most, either way."""
@@ -41,9 +39,11 @@ class _Sum:
 
 def compose_expression(
     space: ParameterSpace, recipe: Recipe, sources: Mapping[str, Expression], /, net_field: NetField | None = None
-) -> Expression:  # fmt: skip
+) -> Expression:
     """Composes the expression of a recipe: fields add as dtheta, dh and R - 1, and so do residuals, parts, eyes,
     pupils, ears and head; muted layers add nothing.
+
+    space: the space of the generic head.
 
     sources: the expressions that it names; net_field: of its net, where it is known. Raises ValueError on what it names
     and nobody knows, numbers that are not finite, weights beyond HEAVIEST and radii that are not positive.
@@ -68,18 +68,22 @@ def compose_expression(
 
 
 def find_muscle_field(space: ParameterSpace, name: str, /) -> Values:
-    """The field (V, 3) of a muscle at full contraction; ValueError for an unknown name."""
+    """The field (V, 3) of a muscle at full contraction; ValueError for an unknown name.
+
+    space: the space of the generic head.
+    """
     fields = muscle_fields(space)
     if name not in fields:
         raise ValueError(f"there is no muscle {name!r}; expected one of {', '.join(fields) or 'none on this head'}")
     return fields[name]
 
 
-def add_field(
-    space: ParameterSpace, ground: Expression | None, field: Values, /
-) -> Expression:  # fmt: skip
+def add_field(space: ParameterSpace, ground: Expression | None, field: Values, /) -> Expression:
     """Adds a field to a ground (None: at rest): a field (V, 3) of dtheta, dh and R - 1; ValueError on radii that are
-    not positive."""
+    not positive.
+
+    space: the space of the generic head.
+    """
     total = _zero_sum(space)
     if ground is not None:
         _add(space, total, ground, Layer("", ""))
@@ -108,7 +112,7 @@ def _amount(number: float, what: str) -> float:
 
 def _add(space: ParameterSpace, total: _Sum, expression: Expression, layer: Layer) -> None:
     weight = _amount(layer.weight, f"weight of layer {layer.label or layer.source!r}")
-    mask = _mask(space, layer.region)
+    mask = _whole(space) if layer.region is None else region_mask(space, check_region(layer.region))
     field = np.stack([expression.dtheta, expression.dh, expression.ratio - 1.0], axis=1)
     total.field += weight * mask.skin[:, None] * field
     total.residual += weight * mask.skin[space.inner.vertices, None] * expression.residual
@@ -120,17 +124,11 @@ def _add(space: ParameterSpace, total: _Sum, expression: Expression, layer: Laye
     total.head += weight * (layer.region is None) * expression.head
 
 
-_whole: WeakKeyDictionary[ParameterSpace, RegionMask] = WeakKeyDictionary()
-
-
-def _mask(space: ParameterSpace, region: str | None) -> RegionMask:
-    """The mask of a region, None for everything."""
-    if region is not None:
-        return region_mask(space, check_region(region))
-    if space not in _whole:
-        parts = {name: np.ones(len(part.points)) for name, part in space.parts.items()}
-        _whole[space] = RegionMask(np.ones(space.vertex_count), parts, np.ones(2))
-    return _whole[space]
+@weakly_cached
+def _whole(space: ParameterSpace) -> RegionMask:
+    """The mask of everything."""
+    parts = {name: np.ones(len(part.points)) for name, part in space.parts.items()}
+    return RegionMask(np.ones(space.vertex_count), parts, np.ones(2))
 
 
 def _expression(space: ParameterSpace, total: _Sum) -> Expression:
@@ -150,8 +148,10 @@ def _expression(space: ParameterSpace, total: _Sum) -> Expression:
 
 def change_net(
     space: ParameterSpace, recipe: Recipe, ground: Expression | None, net: Sequence[int], /
-) -> tuple[Recipe, NetField, Expression | None]:  # fmt: skip
+) -> tuple[Recipe, NetField, Expression | None]:
     """Refits an expression to another net: the recipe, whose ground the caller names, its net field, and that ground.
+
+    space: the space of the generic head.
 
     The new points carry the old control field where they stand; what the new net cannot say of it goes into the ground
     (None: there is still none), so that nothing moves. ValueError as `build_net_field`.

@@ -6,7 +6,6 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, fields
 
 import numpy as np
-from numpy.typing import NDArray
 
 from omote.model.albedo import Albedo, SkinAtlas, decode_light, encode_light, mix_albedos, regional_albedo
 from omote.model.cast import TRAITS, Look
@@ -19,8 +18,6 @@ from omote.model.space.face_fit import fit
 from omote.model.space.gain import Gain, check_gain_region, mix_gains, override_gains
 from omote.model.space.head_regions import Region, check_region
 from omote.model.space.parameter_space import ParameterSpace
-
-Values = NDArray[np.float64]
 
 _SUM = 1e-3  # How far weights of faces may be from summing to one: what is on air was rounded on its way.
 
@@ -83,7 +80,10 @@ def _gains(recipe: FaceRecipe) -> tuple[Gain, ...]:
 
 
 def mix_faces(space: ParameterSpace, name: str, faces: Sequence[tuple[Face, float]], /) -> Face:
-    """Mixes faces by shares that sum to one: skin, parts and gains; named `name`."""
+    """Mixes faces by shares that sum to one: skin, parts and gains; named `name`.
+
+    space: the space of the generic head.
+    """
     skin = np.zeros(space.points.shape)
     parts = {part: np.zeros(one.points.shape) for part, one in space.parts.items()}
     for face, share in faces:
@@ -106,16 +106,16 @@ def mix_looks(looks: Sequence[tuple[Look, float]], /) -> Look:
     wearers = _normalize_shares([(look, share) for look, share in looks if look.hair_style == style])
     haired = _normalize_shares([(look, share) for look, share in looks if look.hair_style]) or looks
     pictures = tuple((look.albedo, share) for look, share in looks)
-    found: dict[str, str | float | Albedo | None] = {"hair_style": style, "albedo": mix_albedos(pictures)}
-    for trait in (field.name for field in fields(Look) if field.name not in found):
+    mixed: dict[str, str | float | Albedo | None] = {"hair_style": style, "albedo": mix_albedos(pictures)}
+    for trait in (field.name for field in fields(Look) if field.name not in mixed):
         those = {"scalp": wearers, "hair": haired, **dict.fromkeys(_PAINTED, painted)}.get(trait, looks)
         worn = [(getattr(look, trait), share) for look, share in those]
         if trait in TRAITS:
             low, high = TRAITS[trait]
-            found[trait] = min(max(sum(float(value) * share for value, share in worn), low), high)
+            mixed[trait] = min(max(sum(float(value) * share for value, share in worn), low), high)
         else:
-            found[trait] = _colour(worn)
-    return Look(**found)  # type: ignore[arg-type]
+            mixed[trait] = _colour(worn)
+    return Look(**mixed)  # type: ignore[arg-type]
 
 
 def _style(looks: Sequence[tuple[Look, float]]) -> str:

@@ -6,19 +6,17 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 from scipy.spatial import cKDTree
 
+from omote.arrays import Indices, Rows, Values
 from omote.geometry import mesh
+from omote.model.sculpting.regions import fit_with_lids
 from omote.model.sculpting.sculpt import Sculpt, warp
-from omote.model.sculpting.socket_depth import mend_lining
-from omote.model.space.eye_socket import ball_heights, move_ball, set_ball_heights
+from omote.model.space.eye_socket import ball_heights, move_ball
 from omote.model.space.face import Face
-from omote.model.space.face_fit import FittedFace, fit
+from omote.model.space.face_fit import fit
 from omote.model.space.parameter_space import ParameterSpace
-from omote.model.transfer.mouth.mouth_at_rest import mend_mouth
-
-Values = NDArray[np.float64]
 
 FARTHEST_MOVE = 0.1
 """How far a handle may be moved, metres."""
@@ -92,20 +90,18 @@ def default_handles(space: ParameterSpace, /) -> tuple[Handle, ...]:
     images = sheet[cKDTree(points).query(points * _MIRROR)[1]]
     middle = np.flatnonzero(np.abs(points[:, 0]) <= _MIDLINE)
     left = np.flatnonzero((points[:, 0] > _MIDLINE) & (images != sheet))
-    found: list[tuple[str, int, int]] = []  # label, row, row of the mirror image
+    landmarks: list[tuple[str, int, int]] = []  # label, row, row of the mirror image
     for label, where in _ON_MIDLINE:
-        found.append((label, *_nearest(points, sheet, sheet, middle, where)))
+        landmarks.append((label, *_nearest(points, sheet, sheet, middle, where)))
     for label, where in _BESIDE:
         row, image = _nearest(points, sheet, images, left, where)
-        found += [(label.format("left"), row, image), (label.format("right"), image, row)]
-    found = list({row: (label, row, image) for label, row, image in reversed(found)}.values())[::-1]
-    places = {row: place for place, (_, row, _) in enumerate(found)}
-    return tuple(Handle(label, row, places[image]) for label, row, image in found)
+        landmarks += [(label.format("left"), row, image), (label.format("right"), image, row)]
+    landmarks = list({row: (label, row, image) for label, row, image in reversed(landmarks)}.values())[::-1]
+    places = {row: place for place, (_, row, _) in enumerate(landmarks)}
+    return tuple(Handle(label, row, places[image]) for label, row, image in landmarks)
 
 
-def _nearest(
-    points: Values, rows: NDArray[np.int32], images: NDArray[np.int32], among: NDArray[np.intp], where: Sequence[float]
-) -> tuple[int, int]:
+def _nearest(points: Values, rows: Indices, images: Indices, among: Rows, where: Sequence[float]) -> tuple[int, int]:
     distance = np.linalg.norm(points[among] - np.asarray(where) / 1000, axis=1)
     place = among[int(distance.argmin())]
     return int(rows[place]), int(images[place])
@@ -113,6 +109,8 @@ def _nearest(
 
 def drag_handles(space: ParameterSpace, face: Face, name: str, /, *, rows: ArrayLike, moves: ArrayLike) -> Face:
     """Moves a face's handles (rows of the sheet) by moves (n, 3), metres; the result is named `name`.
+
+    space: the space of the generic head.
 
     Skin and parts are carried by the sculptor's map; eyeballs stay round, and lids lie on them as before. Raises
     ValueError where rows are no vertices of the sheet, stand twice or all in one plane, or where a move is not finite,
@@ -130,18 +128,12 @@ def drag_handles(space: ParameterSpace, face: Face, name: str, /, *, rows: Array
         part.name: move_ball(ball, ball, move(ball)) if part.eye else move(ball)
         for part, ball in zip(space.parts.values(), before.values(), strict=True)
     }
-    moved = Face(name, _keep_lids(space, fitted, move(skin), parts), parts, face.gains)
-    return mend_mouth(space, mend_lining(space, moved))
+    wanted = {eye: ball_heights(fitted.positions, fitted.parts[eye]) for eye in space.eyes}
+    return fit_with_lids(space, name, move(skin), parts, wanted, face.gains)
 
 
-def _keep_lids(space: ParameterSpace, before: FittedFace, skin: Values, parts: dict[str, Values]) -> Values:
-    eyes = [part.name for part in space.parts.values() if part.eye]
-    wanted = {eye: ball_heights(before.positions, before.parts[eye]) for eye in eyes}
-    return set_ball_heights(skin, {eye: parts[eye] for eye in eyes}, wanted)
-
-
-def validate_rows(space: ParameterSpace, rows: ArrayLike, /) -> NDArray[np.int32]:
-    """Validates rows (n,) of the sheet, each once; ValueError for others."""
+def validate_rows(space: ParameterSpace, rows: ArrayLike, /) -> Indices:
+    """Validates rows (n,) of the sheet, each once; ValueError for others. space: the space of the generic head."""
     given = np.asarray(rows)
     if given.ndim != 1 or len(given) == 0 or given.dtype.kind not in "iu":
         raise ValueError(f"handles are {rows!r}; expected a list of rows of the generic face's sheet")

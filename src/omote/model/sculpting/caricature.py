@@ -5,10 +5,14 @@ from __future__ import annotations
 from dataclasses import replace
 
 import numpy as np
-from numpy.typing import NDArray
+from scipy import sparse
+from scipy.sparse.linalg import splu
 from scipy.spatial.distance import cdist
+from scipy.spatial.transform import Rotation
 
-from omote.model.sculpting.extrapolation import extrapolate, repair_folds
+from omote.arrays import Mask, Triangles, Values
+from omote.geometry import mesh
+from omote.geometry.laplacian import smoothing_matrix
 from omote.model.sculpting.regions import fit_with_lids, vertex_areas
 from omote.model.space.eye_socket import ball_heights, radius_of, set_ball_heights
 from omote.model.space.face import Face
@@ -17,12 +21,129 @@ from omote.model.space.head_regions import eye_frame
 from omote.model.space.parameter_space import ParameterSpace, refuse_no_space
 from omote.model.space.skin_sheet import refuse_axis_outside
 
-Values = NDArray[np.float64]
+# Stretches stay within these factors of one in their logarithm per unit of growth: a wrinkle is no form.
+_MOST = np.log(3.0)
+# How hard the middle of the head holds its place, so that the sum of all gradients has one solution.
+_HOLD = 1e-9
+# Edge of a cell in which triangles are averaged together, in bells.
+_CELL = 0.5
+# Rounds of pulling at most.
+_PULL_ROUNDS = 30
 
+
+def extrapolate(generic: Values, face: Values, triangles: Triangles, amount: float, bell: float, /) -> Values:
+    """Extrapolates a face (V, 3): what turns and stretches it from the generic one (V, 3) is applied again, times
+    amount.
+
+    triangles: rows (F, 3) of vertices.
+
+    Each triangle's deformation gradient (Sumner and Popovic 2004) is a rotation and a stretch; the logarithms of both,
+    averaged over a bell of that width in metres, times amount are its growth, and the positions whose gradients come
+    nearest to all grown ones follow (Yu et al. 2004). Amount zero gives the face. Its middle goes on straight ahead.
+    """
+    rotation, stretch = _turn_and_stretch(generic, face, triangles)
+    turn = _average(generic, triangles, Rotation.from_matrix(rotation).as_rotvec(), bell)
+    stretch = _average(generic, triangles, stretch, bell)
+    # The stretch is known in the generic face's frame; the face's own rotation brings it to where it acts.
+    acting = rotation @ _exponential(amount * stretch) @ rotation.transpose(0, 2, 1)
+    wanted = Rotation.from_rotvec(amount * turn).as_matrix() @ acting @ _frames(face, triangles)[:, :, :2]
+    result = _integrate_edges(face, triangles, wanted)
+    middle = _middle(face, triangles) + amount * (_middle(face, triangles) - _middle(generic, triangles))
+    return result + middle - _middle(result, triangles)
+
+
+def find_folds(face: Values, positions: Values, triangles: Triangles, /) -> Mask:
+    """The triangles (T,) whose normals look against those that they have on the face.
+
+    positions: (V, 3), metres, where they are now.
+    """
+    normals = (np.cross(p[:, 1] - p[:, 0], p[:, 2] - p[:, 0]) for p in (face[triangles], positions[triangles]))
+    here, there = normals
+    return (here * there).sum(axis=1) < 0.0
+
+
+def repair_folds(face: Values, positions: Values, triangles: Triangles, /) -> Values:
+    """Smooths positions (V, 3) where triangles are turned over against the face, by the mean of their one-rings, as
+    little as repairs them, in a limited number of rounds; unchanged where nothing is folded."""
+    result = positions.copy()
+    mean = smoothing_matrix(triangles, len(positions))
+    for _ in range(_PULL_ROUNDS):
+        bad = find_folds(face, result, triangles)
+        if not bad.any():
+            break
+        rows = np.unique(triangles[bad])
+        result[rows] += 0.5 * ((mean @ result)[rows] - result[rows])
+    return result
+
+
+def _frames(points: Values, triangles: Triangles) -> Values:
+    """Two edges and a normal as long as they are: (T, 3, 3), in columns."""
+    a, b, c = points[triangles].transpose(1, 0, 2)
+    normal = np.cross(b - a, c - a)
+    normal /= np.sqrt(np.maximum(np.linalg.norm(normal, axis=1, keepdims=True), 1e-30))
+    return np.stack([b - a, c - a, normal], axis=2)
+
+
+def _turn_and_stretch(generic: Values, face: Values, triangles: Triangles) -> tuple[Values, Values]:
+    """Rotations and the logarithms of the stretches that come before them, (T, 3, 3) both."""
+    there = _frames(generic, triangles)
+    here = _frames(face, triangles)
+    left, sizes, right = np.linalg.svd(here @ np.linalg.inv(there))
+    sizes = np.clip(np.log(np.maximum(sizes, 1e-9)), -_MOST, _MOST)
+    stretch: Values = (right.transpose(0, 2, 1) * sizes[:, None]) @ right
+    return left @ right, stretch
+
+
+def _exponential(logs: Values) -> Values:
+    sizes, axes = np.linalg.eigh(logs)
+    return (axes * np.exp(sizes)[:, None]) @ axes.transpose(0, 2, 1)
+
+
+def _average(points: Values, triangles: Triangles, values: Values, bell: float) -> Values:
+    """The mean of what triangles have, (T, ...), under a bell around each; they count in cells of half a bell."""
+    middles = points[triangles].mean(axis=1)
+    area = mesh.areas(points, triangles)
+    _, cell = np.unique(np.floor(middles / (_CELL * bell)), axis=0, return_inverse=True)
+    cell = cell.reshape(-1)
+    total = sparse.csr_array((area, (cell, np.arange(len(cell)))), shape=(int(cell.max()) + 1, len(cell)))
+    sums = np.asarray(total.sum(axis=1))[:, None]
+    square = cdist(middles, total @ middles / sums, "sqeuclidean") / (2.0 * bell * bell)
+    weight = np.exp(square.min(axis=1, keepdims=True) - square)
+    mean: Values = weight @ (total @ values.reshape(len(values), -1)) / (weight @ sums)
+    return mean.reshape(values.shape)
+
+
+def _integrate_edges(face: Values, triangles: Triangles, wanted: Values) -> Values:
+    """The positions (V, 3) whose edges come nearest to the wanted ones (T, 3, 2), least squares in the face's areas."""
+    a, b, c = face[triangles].transpose(1, 0, 2)
+    edges = np.stack([b - a, c - a], axis=2)
+    inverse = np.linalg.pinv(edges)  # (T, 2, 3): slopes of the two corners' shares over the face
+    slopes = np.concatenate([-inverse.sum(axis=1, keepdims=True), inverse], axis=1)
+    area = mesh.areas(face, triangles)
+    rows = np.repeat(triangles, 3, axis=1).ravel()
+    columns = np.tile(triangles, 3).ravel()
+    stiff = area[:, None, None] * slopes @ slopes.transpose(0, 2, 1)
+    matrix = sparse.csc_array((stiff.ravel(), (rows, columns)), shape=(len(face), len(face)))
+    pull = area[:, None, None] * slopes @ (inverse.transpose(0, 2, 1) @ wanted.transpose(0, 2, 1))
+    right = np.zeros_like(face)
+    np.add.at(right, triangles.ravel(), pull.reshape(-1, 3))
+    held = _HOLD * matrix.diagonal().mean()
+    solver = splu(matrix + held * sparse.eye_array(len(face), format="csc"))
+    return solver.solve(right + held * face)
+
+
+def _middle(points: Values, triangles: Triangles) -> Values:
+    area = mesh.areas(points, triangles)
+    return (area[:, None] * points[triangles].mean(axis=1)).sum(axis=0) / area.sum()
+
+
+# The bell under which stretches are averaged, in distances between the eyes.
 _BELL = 0.3
 BEHIND = 0.012
 """The back of a caricature's head lies at least so far behind the axis, metres."""
-_FARTHEST, _EXACT = 0.06, 1e-4
+# How far the back may be moved, and how exactly that is found, metres.
+_FARTHEST = 0.06
+_EXACT = 1e-4
 MOST_AMOUNT = 3.0
 """Of caricature: as far as people still read a face."""
 
@@ -75,7 +196,8 @@ def caricature(space: ParameterSpace, face: Face, amount: float, /) -> Face:
         raise TypeError(f"a caricature's amount is {amount!r}; expected a number such as 1.5")
     check_amount(amount)
     fitted = fit(space, face)
-    within, beyond = min(amount, 1.0), max(amount - 1.0, 0.0)
+    within = min(amount, 1.0)
+    beyond = max(amount - 1.0, 0.0)
     name = f"{face.name}_{100 * amount:.0f}"
     skin = space.points + within * (fitted.positions - space.points)
     parts = {name: part.points + within * (fitted.parts[name] - part.points) for name, part in space.parts.items()}
@@ -88,17 +210,15 @@ def caricature(space: ParameterSpace, face: Face, amount: float, /) -> Face:
         parts[part.name] = (
             _extrapolate_ball(parts[part.name], moves, part.points, beyond) if part.eye else parts[part.name] + moves
         )
-    eyes = [name for name, part in space.parts.items() if part.eye]
-    lidded = set_ball_heights(
-        further,
-        {eye: parts[eye] for eye in eyes},
-        {eye: ball_heights(fitted.positions, fitted.parts[eye]) for eye in eyes},
-    )
+    wanted = {eye: ball_heights(fitted.positions, fitted.parts[eye]) for eye in space.eyes}
+    lidded = set_ball_heights(further, parts, wanted)
     return fit_with_lids(space, name, repair_folds(skin, lidded, space.skin_triangles), parts, {}, face.gains)
 
 
 def stand_around_axis(space: ParameterSpace, skin: Values, what: str, /) -> Values:
     """The skin (V, 3), moved back as little as puts the cylinder's axis BEHIND metres inside it; itself where it is.
+
+    space: the space of the generic head.
 
     A head that is smaller than the generic one has its back nearer to the eyes, twice as near when drawn twice. Raises
     ValueError, which names what was drawn, where no place is far enough back.
@@ -113,10 +233,14 @@ def stand_around_axis(space: ParameterSpace, skin: Values, what: str, /) -> Valu
 
 def find_way_back(space: ParameterSpace, skin: Values, /) -> float | None:
     """The least way back, metres, that puts the cylinder's axis BEHIND metres inside a skin (V, 3): 0 where it is; None
-    where no place is far enough back."""
+    where no place is far enough back.
+
+    space: the space of the generic head.
+    """
     if _is_around_axis(space, skin, 0.0):
         return 0.0
-    nearest, farthest = 0.0, _FARTHEST
+    nearest = 0.0
+    farthest = _FARTHEST
     if not _is_around_axis(space, skin, farthest):
         return None
     while farthest - nearest > _EXACT:
@@ -140,8 +264,7 @@ def _extrapolate_ball(ball: Values, moves: Values, generic: Values, beyond: floa
     """An eyeball (n, 3) that goes with its surroundings and grows once more as it did from the generic one."""
     size = (radius_of(ball) / radius_of(generic)) ** beyond
     middle = ball.mean(axis=0)
-    result: Values = middle + moves.mean(axis=0) + size * (ball - middle)
-    return result
+    return middle + moves.mean(axis=0) + size * (ball - middle)
 
 
 def _bell(space: ParameterSpace, difference: Values, where: Values) -> Values:
@@ -150,5 +273,4 @@ def _bell(space: ParameterSpace, difference: Values, where: Values) -> Values:
     sheet = np.unique(space.skin_triangles)
     square = cdist(where, space.points[sheet], "sqeuclidean") / (2.0 * width * width)
     bell = vertex_areas(space)[sheet] * np.exp(square.min(axis=1, keepdims=True) - square)
-    result: Values = bell @ difference[sheet] / bell.sum(axis=1, keepdims=True)
-    return result
+    return bell @ difference[sheet] / bell.sum(axis=1, keepdims=True)

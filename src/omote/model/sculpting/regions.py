@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Mapping
 
 import numpy as np
-from numpy.typing import NDArray
 
+from omote.arrays import Values
 from omote.geometry import mesh
 from omote.model.sculpting.socket_depth import mend_lining
 from omote.model.space.eye_socket import ball_heights, set_ball_heights
@@ -16,15 +16,12 @@ from omote.model.space.gain import Gain, regional_gains
 from omote.model.space.head_regions import REGIONS, Region, region_weights
 from omote.model.space.parameter_space import ParameterSpace
 from omote.model.space.similarity import Similarity, fit_similarity
-from omote.model.transfer.mouth.mouth_at_rest import mend_mouth
+from omote.model.transfer.mouth_at_rest import mend_mouth
 
-Values = NDArray[np.float64]
 _NOWHERE = np.zeros((1, 3))
 
 
-def regional(
-    space: ParameterSpace, name: str, faces: Mapping[Region, Face], /, *, rest: Face | None = None
-) -> Face:  # fmt: skip
+def regional(space: ParameterSpace, name: str, faces: Mapping[Region, Face], /, *, rest: Face | None = None) -> Face:
     """A face with each region from another face, smooth at the borders.
 
     Each face is first turned, scaled and moved so that its borders lie on those of the rest (of the face around the
@@ -80,9 +77,9 @@ def regional(
         rows = (shares[region][:, None] * laid[region](face.parts[part.name]) for region, face in chosen.items())
         parts[part.name] = sum(rows, _NOWHERE)
     wanted = {}
-    for eye in _eyes(space):
-        over = ((weights[region], _heights(face, eye)) for region, face in chosen.items())
-        wanted[eye] = sum((weight * height for weight, height in over), np.zeros(1))
+    for eye in space.eyes:
+        over = (weights[region] * ball_heights(face.positions, face.parts[eye]) for region, face in chosen.items())
+        wanted[eye] = sum(over, np.zeros(1))
     gains = regional_gains(generic.gains, {region: face.gains for region, face in faces.items()})
     return fit_with_lids(space, name, skin, parts, wanted, gains)
 
@@ -91,12 +88,13 @@ def _align_regions(
     space: ParameterSpace, chosen: Mapping[Region, FittedFace], whole: FittedFace
 ) -> dict[Region, Similarity]:
     """Aligns each region's face with the whole one, by the border of all regions that the face gives."""
-    weights, area = region_weights(space), vertex_areas(space)
-    found: dict[Region, Similarity] = {}
+    weights = region_weights(space)
+    area = vertex_areas(space)
+    aligned: dict[Region, Similarity] = {}
     for region, face in chosen.items():
         own = sum((weights[other] for other in REGIONS if chosen[other] is face), np.zeros(1))
-        found[region] = fit_similarity(face.positions, whole.positions, area * own * (1.0 - own))
-    return found
+        aligned[region] = fit_similarity(face.positions, whole.positions, area * own * (1.0 - own))
+    return aligned
 
 
 def vertex_areas(space: ParameterSpace) -> Values:
@@ -107,18 +105,14 @@ def vertex_areas(space: ParameterSpace) -> Values:
     return area
 
 
-def _eyes(space: ParameterSpace) -> list[str]:
-    return [name for name, part in space.parts.items() if part.eye]
-
-
-def _heights(fitted: FittedFace, eye: str) -> Values:
-    return ball_heights(fitted.positions, fitted.parts[eye])
-
-
 def fit_with_lids(
     space: ParameterSpace, name: str, skin: Values, parts: dict[str, Values], wanted: Mapping[str, Values],
     gains: tuple[Gain, ...],
 ) -> Face:  # fmt: skip
-    """The face, fitted, its lids at the wanted heights over its eyeballs, sockets and mouth in order."""
-    face = Face(name, set_ball_heights(skin, {eye: parts[eye] for eye in wanted}, wanted), parts, gains)
+    """The face, fitted, its lids at the wanted heights over its eyeballs, sockets and mouth in order.
+
+    space: the space of the generic head; name: of the new face; skin: (V, 3), metres; parts: (n, 3) each, metres;
+    gains: those of the face.
+    """
+    face = Face(name, set_ball_heights(skin, parts, wanted), parts, gains)
     return mend_mouth(space, mend_lining(space, face))

@@ -2,28 +2,79 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
 from types import MappingProxyType
 from typing import Literal, get_args
 
 import numpy as np
-from numpy.typing import NDArray
 from scipy.spatial import cKDTree
 from scipy.spatial.distance import cdist
 
+from omote.arrays import Values
 from omote.geometry import mesh
+from omote.geometry.laplacian import smoothing_matrix
 from omote.model.cast import Look
-from omote.model.sculpting.smoothing_brush import Brush, apply_brushes
-from omote.model.sculpting.socket_depth import mend_lining
-from omote.model.space.eye_socket import ball_heights, move_ball, set_ball_heights
+from omote.model.sculpting.regions import fit_with_lids
+from omote.model.space.eye_socket import ball_heights, fall_off, move_ball
 from omote.model.space.face import Face
 from omote.model.space.face_fit import fit
 from omote.model.space.gain import Gain, validate_gains
 from omote.model.space.parameter_space import ParameterSpace, refuse_no_space
-from omote.model.transfer.mouth.mouth_at_rest import mend_mouth
 
-Values = NDArray[np.float64]
+MOST_ROUNDS = 200
+# Up to this share of its reach a brush works in full; from there it works less and less.
+_CORE = 0.5
+
+
+@dataclass(frozen=True)
+class Brush:
+    """Smooths the skin within `reach` metres of a point of the generic head, `rounds` times, softly at its rim.
+
+    Raises ValueError on a reach that is not above zero and on rounds that are no whole number from 1 to MOST_ROUNDS.
+    """
+
+    at: tuple[float, float, float]
+    reach: float
+    rounds: int
+
+    def __post_init__(self) -> None:
+        if len(self.at) != 3 or not np.isfinite(self.at).all():
+            raise ValueError(f"a brush is at {self.at!r}; expected three finite numbers, metres")
+        if not 0.0 < self.reach < np.inf:
+            raise ValueError(f"a brush reaches {self.reach!r} m; expected a distance above zero")
+        if isinstance(self.rounds, bool) or not isinstance(self.rounds, int) or not 1 <= self.rounds <= MOST_ROUNDS:
+            raise ValueError(
+                f"a brush goes {self.rounds!r} rounds; expected a whole number of them, from 1 to {MOST_ROUNDS}"
+            )
+
+    def strength(self, points: Values) -> Values:
+        """How much of a round reaches each point (n, 3) of the generic head: (n,), 1 in the core, 0 beyond."""
+        away = np.linalg.norm(points - self.at, axis=1) / self.reach
+        return fall_off((away - _CORE) / (1.0 - _CORE))
+
+
+def apply_brushes(
+    space: ParameterSpace, skin: Values, brushes: Sequence[Brush], /, *, symmetric: bool = True
+) -> Values:
+    """Smooths the skin (V, 3) under each brush by the mean of its one-rings (Laplacian smoothing); the rest stays.
+
+    space: the space of the generic head; brushes: in their order.
+
+    symmetric: a brush works at its mirror image too.
+    """
+    result = skin.copy()
+    mean = smoothing_matrix(space.skin_triangles, space.vertex_count)
+    mirror = np.array([-1.0, 1.0, 1.0])
+    for brush in brushes:
+        strength = brush.strength(space.points)
+        if symmetric:
+            strength = np.maximum(strength, brush.strength(space.points * mirror))
+        for _ in range(brush.rounds):
+            result += strength[:, None] * (mean @ result - result)
+    return result
+
+
 Kernel = Literal["biharmonic", "triharmonic"]
 KERNELS: tuple[Kernel, ...] = get_args(Kernel)
 
@@ -99,9 +150,8 @@ class Sculpt:
         if not 0.5 <= self.teeth <= 1.5:
             raise ValueError(f"teeth of sculpt {self.name!r} is {self.teeth!r}; expected a scale from 0.5 to 1.5")
         for attribute in ("points", "moves"):
-            rows = np.array(mesh.validate_points(getattr(self, attribute), name=f"{attribute} of sculpt {self.name!r}"))
-            rows.setflags(write=False)
-            object.__setattr__(self, attribute, rows)
+            rows = mesh.validate_points(getattr(self, attribute), name=f"{attribute} of sculpt {self.name!r}")
+            object.__setattr__(self, attribute, mesh.freeze(rows))
         object.__setattr__(self, "base", MappingProxyType({name: float(w) for name, w in self.base.items()}))
         object.__setattr__(self, "gains", validate_gains(self.gains, f"sculpt {self.name!r}"))
         _refuse_weights(self)
@@ -123,8 +173,7 @@ def warp(sculpt: Sculpt, /) -> Callable[[Values], Values]:
     answer = np.linalg.solve(_system(points, sculpt.kernel), np.concatenate([moves, np.zeros((4, 3))]))
 
     def move(where: Values) -> Values:
-        result: Values = where + _columns(points, sculpt.kernel, where) @ answer
-        return result
+        return where + _columns(points, sculpt.kernel, where) @ answer
 
     if not np.abs(move(points) - points - moves).max() < _EXACT:
         raise ValueError(
@@ -132,19 +181,6 @@ def warp(sculpt: Sculpt, /) -> Callable[[Values], Values]:
             "expected points that are apart: join those that nearly touch"
         )
     return move
-
-
-def warp_basis(points: Values, where: Values, /, *, kernel: Kernel = "triharmonic") -> Values:
-    """How far each place where (m, 3) follows each of the control points (n, 3): (m, n), for `warp` is linear in the
-    moves. Raises ValueError where the points lie in one plane."""
-    if not _spread(points):
-        raise ValueError(
-            f"the {len(points)} control points lie in one plane; expected at least four that do not: add one behind or "
-            "beside them"
-        )
-    one_each = np.vstack([np.eye(len(points)), np.zeros((4, len(points)))])
-    result: Values = _columns(points, kernel, where) @ np.linalg.solve(_system(points, kernel), one_each)
-    return result
 
 
 def sculpted(space: ParameterSpace, sculpt: Sculpt, faces: Mapping[str, Face] | None = None, /) -> Face:
@@ -186,16 +222,14 @@ def sculpted(space: ParameterSpace, sculpt: Sculpt, faces: Mapping[str, Face] | 
     _refuse_far(space, sculpt)
     move = warp(sculpt)
     skin, parts = _base(space, sculpt, faces or {})
-    eyes = [name for name, part in space.parts.items() if part.eye]
-    wanted = {name: ball_heights(space.points, space.parts[name].points) for name in eyes}
+    wanted = {name: ball_heights(space.points, part.points) for name, part in space.eyes.items()}
     skin += move(space.points) - space.points
     skin = apply_brushes(space, skin, sculpt.brushes, symmetric=sculpt.symmetric)
     for name, part in space.parts.items():
         there = move(part.points)
         parts[name] = move_ball(parts[name], part.points, there) if part.eye else parts[name] + there - part.points
     _scale_mouth(parts, sculpt.teeth)
-    face = Face(sculpt.name, set_ball_heights(skin, {name: parts[name] for name in eyes}, wanted), parts, sculpt.gains)
-    return mend_mouth(space, mend_lining(space, face))
+    return fit_with_lids(space, sculpt.name, skin, parts, wanted, sculpt.gains)
 
 
 def _scale_mouth(parts: dict[str, Values], scale: float) -> None:
@@ -222,8 +256,7 @@ def _base(space: ParameterSpace, sculpt: Sculpt, faces: Mapping[str, Face]) -> t
 
 
 def _local(points: Values, where: Values) -> Values:
-    result: Values = (where - points.mean(axis=0)) / WARP_UNIT
-    return result
+    return (where - points.mean(axis=0)) / WARP_UNIT
 
 
 def _spread(points: Values) -> bool:
@@ -241,7 +274,8 @@ def _system(points: Values, kernel: Kernel) -> Values:
 
 def _columns(points: Values, kernel: Kernel, where: Values) -> Values:
     """What a map's coefficients are weighed with at each place: (m, n + 4)."""
-    local, centres = _local(points, where), _local(points, points)
+    local = _local(points, where)
+    centres = _local(points, points)
     return np.column_stack([_kernel(kernel, local, centres), np.ones(len(local)), local])
 
 

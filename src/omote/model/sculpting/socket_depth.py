@@ -12,22 +12,21 @@ from dataclasses import replace
 import numpy as np
 from numpy.typing import NDArray
 
+from omote.arrays import Floats, Values
 from omote.model.space.face import Face
 from omote.model.space.parameter_space import ParameterSpace
-from omote.model.transfer.eyes.socket_skin import SocketLining, find_socket_lining, measure_depth_behind
-
-Floats = NDArray[np.float32]
-Values = NDArray[np.float64]
+from omote.model.transfer.socket_skin import SocketLining, find_socket_lining, measure_depth_behind
 
 # One that is put in order goes so many times as deep: units take more on some faces than on the generic one.
 SPARE = 1.25
-ROUNDS, EXACT = 12, 1e-6
+PUSH_ROUNDS = 12
+EXACT = 1e-6
 # A face whose lining lies less than this too shallow, metres, keeps it.
-SHALLOW = 0.0002
+SHALLOW_METRES = 0.0002
 
 
 def measure_lining(space: ParameterSpace, lining: SocketLining, positions: NDArray[np.floating], /) -> Values:
-    """How much deeper the lining of positions (V, 3) has to lie, (m,) metres."""
+    """How much deeper the lining of positions (V, 3) has to lie, (m,) metres. space: the space of the generic head."""
     asked = np.flatnonzero(np.isfinite(lining.least))
     result = np.zeros(len(lining.vertices))
     depth, _ = measure_depth_behind(space, lining.skin, lining.vertices[asked], positions.astype(np.float64))
@@ -37,13 +36,18 @@ def measure_lining(space: ParameterSpace, lining: SocketLining, positions: NDArr
 
 def fit_lining_at_rest(space: ParameterSpace, positions: Floats, /) -> Floats:
     """A new face at rest (V, 3) with the lining of its sockets as far behind its skin as on the generic face, and
-    a little more."""
+    a little more.
+
+    space: the space of the generic head; positions: (V, 3), metres.
+    """
     lining = find_socket_lining(space)
-    if lining is None or measure_lining(space, lining, positions).max() <= SHALLOW:
+    if lining is None or measure_lining(space, lining, positions).max() <= SHALLOW_METRES:
         return positions
     asked = np.flatnonzero(np.isfinite(lining.least))
-    vertices, wanted, result = lining.vertices[asked], SPARE * lining.least[asked], positions.astype(np.float64)
-    for _ in range(ROUNDS):
+    vertices = lining.vertices[asked]
+    wanted = SPARE * lining.least[asked]
+    result = positions.astype(np.float64)
+    for _ in range(PUSH_ROUNDS):
         depth, inward = measure_depth_behind(space, lining.skin, vertices, result)
         push = np.maximum(wanted - depth, 0.0)
         if push.max() < EXACT:
@@ -53,6 +57,6 @@ def fit_lining_at_rest(space: ParameterSpace, positions: Floats, /) -> Floats:
 
 
 def mend_lining(space: ParameterSpace, face: Face, /) -> Face:
-    """A face with the lining of its sockets in order; itself where that is so."""
+    """A face with the lining of its sockets in order; itself where that is so. space: the space of the generic head."""
     positions = fit_lining_at_rest(space, face.positions)
     return face if positions is face.positions else replace(face, positions=positions)

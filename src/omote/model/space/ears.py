@@ -3,32 +3,34 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from weakref import WeakKeyDictionary
 
 import numpy as np
-from numpy.typing import NDArray
 from scipy.spatial.transform import Rotation
 
+from omote.arrays import Floats, Values
 from omote.geometry.laplacian import smoothing_matrix
-from omote.geometry.orientation import area_shares, keep_orientation, rest_normals
+from omote.geometry.orientation import area_shares, repair_triangles, rest_normals
 from omote.geometry.ramp import smooth_ramp
 from omote.model.space.head_regions import eye_frame
 from omote.model.space.parameter_space import ParameterSpace
-
-Floats = NDArray[np.float32]
-Values = NDArray[np.float64]
+from omote.model.weak_cache import weakly_cached
 
 # In distances between the eyes, from the point midway between them: the height over a plane (x, z, constant) on which
 # an ear's root and the skull behind it stand, and from where to where it makes an ear; the same of y, below and above.
 # The border is then spread over so many rings of the mesh; less than the first share of an ear is skull, more than the
 # second is ear.
-_PLANE, _HEIGHT = (2.86, -0.38, -3.64), (0.05, 0.12)
-_LOW, _HIGH = (-1.15, -0.95), (0.42, 0.62)
-_RINGS, _NOTHING, _WHOLE = 10, 0.05, 0.7
+_PLANE = (2.86, -0.38, -3.64)
+_HEIGHT = (0.05, 0.12)
+_LOW = (-1.15, -0.95)
+_HIGH = (0.42, 0.62)
+_RINGS = 10
+_NOTHING = 0.05
+_WHOLE = 0.7
 _SIDES = (1.0, -1.0)
 _SMALL = 1e-9
 # Where an ear that turns folds: the share of its area that a triangle gets, and steps at most.
-_UPRIGHT, _STEPS = 0.05, 200
+_REPAIRED_AREA = 0.05
+_STEPS = 200
 
 
 @dataclass(frozen=True, eq=False)
@@ -39,25 +41,21 @@ class Ear:
     direction: Values
 
 
-_weights: WeakKeyDictionary[ParameterSpace, Values] = WeakKeyDictionary()
-
-
+@weakly_cached
 def ear_weights(space: ParameterSpace, /) -> Values:
     """How far each vertex of the skin turns with the left and with the right ear, (2, V) from 0 (skull) to 1 (ear).
 
     Raises ValueError where the space has no two eyeballs, by which the head is measured.
     """
-    if space not in _weights:
-        middle, unit = eye_frame(space)
-        x, y, z = ((space.points - middle) / unit).T
-        spread = smoothing_matrix(space.welded[space.triangles], space.vertex_count)
-        tall = smooth_ramp(*_LOW, y) * (1.0 - smooth_ramp(*_HIGH, y))
-        sides = [tall * smooth_ramp(*_HEIGHT, _PLANE[0] * side * x + _PLANE[1] * z + _PLANE[2]) for side in _SIDES]
-        weights = np.stack(sides, axis=1)
-        for _ in range(_RINGS):
-            weights = spread @ weights
-        _weights[space] = smooth_ramp(_NOTHING, _WHOLE, weights[space.welded].T)
-    return _weights[space]
+    middle, unit = eye_frame(space)
+    x, y, z = ((space.points - middle) / unit).T
+    spread = smoothing_matrix(space.welded[space.triangles], space.vertex_count)
+    tall = smooth_ramp(*_LOW, y) * (1.0 - smooth_ramp(*_HIGH, y))
+    sides = [tall * smooth_ramp(*_HEIGHT, _PLANE[0] * side * x + _PLANE[1] * z + _PLANE[2]) for side in _SIDES]
+    weights = np.stack(sides, axis=1)
+    for _ in range(_RINGS):
+        weights = spread @ weights
+    return smooth_ramp(_NOTHING, _WHOLE, weights[space.welded].T)
 
 
 def find_ear(weights: Values, rest: Values, /) -> Ear | None:
@@ -76,15 +74,20 @@ def find_ear(weights: Values, rest: Values, /) -> Ear | None:
 
 def turn_ears(space: ParameterSpace, rest: Floats, skin: Floats, turns: Values, /) -> Floats:
     """The skin (V, 3) of a face at rest (V, 3) with its ears turned (`rotate_ears`), metres, float32; triangles between
-    skull and ear that this turns over are brought back by position based dynamics (Mueller et al. 2007)."""
+    skull and ear that this turns over are brought back by position based dynamics (Mueller et al. 2007).
+
+    space: the space of the generic head.
+    """
     moved = rotate_ears(space, rest, skin, turns).astype(np.float64)
     for weights, (_, axis) in rotations(space, rest, turns):
-        _keep_upright(space, rest.astype(np.float64), skin.astype(np.float64), moved, weights, axis)
+        _repair_folds(space, rest.astype(np.float64), skin.astype(np.float64), moved, weights, axis)
     return np.where(space.on_sheet[:, None], moved[space.welded], moved).astype(np.float32)
 
 
 def rotate_ears(space: ParameterSpace, rest: Floats, skin: Floats, turns: Values, /) -> Floats:
     """The skin (V, 3) of a face at rest (V, 3) with its ears rotated, metres, float32; by minus the turns, back again.
+
+    space: the space of the generic head.
 
     turns (2, 3): how far the left and the right one go back, up and out, radians: each is a rotation about the root,
     at right angles to the ear and to the way it goes. An ear that already points there does not turn, one across it
@@ -98,17 +101,20 @@ def rotate_ears(space: ParameterSpace, rest: Floats, skin: Floats, turns: Values
 
 
 def rotations(space: ParameterSpace, rest: Floats, turns: Values, /) -> list[tuple[Values, tuple[Values, Values]]]:
-    """Of each ear that turns: the weights (V,), its root (3,) and the rotation vector (3,)."""
-    found = []
+    """Of each ear that turns: the weights (V,), its root (3,) and the rotation vector (3,).
+
+    space: the space of the generic head; rest: (V, 3), metres.
+    """
+    ears = []
     for weights, side, turn in zip(ear_weights(space), _SIDES, turns, strict=True):
         ear = find_ear(weights, rest.astype(np.float64)) if turn.any() else None
         if ear is not None:
             ways = np.array([[0.0, 0.0, -1.0], [0.0, 1.0, 0.0], [side, 0.0, 0.0]])
-            found.append((weights, (ear.root, turn @ np.cross(ear.direction, ways))))
-    return found
+            ears.append((weights, (ear.root, turn @ np.cross(ear.direction, ways))))
+    return ears
 
 
-def _keep_upright(
+def _repair_folds(
     space: ParameterSpace, rest: Values, skin: Values, moved: Values, weights: Values, axis: Values
 ) -> None:
     """Brings triangles that turn over between skin and moved (V, 3) back in moved, in place; their normals at rest turn
@@ -116,7 +122,8 @@ def _keep_upright(
     corners = space.sheet_triangles[(weights[space.sheet_triangles] > 0).any(axis=1)]
     normals, sizes = rest_normals(rest, corners)
     turned = Rotation.from_rotvec(weights[corners].mean(axis=1)[:, None] * axis).apply(normals)
-    before, after = area_shares(skin, normals, sizes, corners), area_shares(moved, turned, sizes, corners)
+    before = area_shares(skin, normals, sizes, corners)
+    after = area_shares(moved, turned, sizes, corners)
     if ((after < 0) & (before >= 0)).any():
-        goals = np.where(before < 0, -np.inf, np.minimum(_UPRIGHT, before))
-        keep_orientation(moved, turned, sizes, corners, goals, _STEPS)
+        goals = np.where(before < 0, -np.inf, np.minimum(_REPAIRED_AREA, before))
+        repair_triangles(moved, turned, sizes, corners, goals, _STEPS)

@@ -8,11 +8,10 @@ from functools import cached_property
 from types import MappingProxyType
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
+from omote.arrays import Values
 from omote.geometry import mesh
-
-Values = NDArray[np.float64]
 
 STILL_EYES = (0.0, 0.0, 0.0, 0.0)
 """The turns of eyes by an expression that leaves them alone."""
@@ -115,7 +114,10 @@ class Expression:
 
 
 def refuse_name(name: object, what: str, /) -> None:
-    """Raises ValueError on a name that nobody could call on the wire, where names are keys, or read on a console."""
+    """Raises ValueError on a name that nobody could call on the wire, where names are keys, or read on a console.
+
+    what: what messages call it.
+    """
     if not isinstance(name, str) or not 1 <= len(name) <= LONGEST_NAME or not name.isprintable():
         shown = repr(name)
         raise ValueError(
@@ -143,5 +145,4 @@ def _validate(value: ArrayLike, name: str, shape: tuple[int, ...]) -> Values:
             f"{name}[{bad[0]}] of an expression is {result[bad[0]]}; "
             f"expected finite numbers, at most {mesh.FARTHEST:g} from zero"
         )
-    result.setflags(write=False)
-    return result
+    return mesh.freeze(result)

@@ -7,25 +7,30 @@ from collections.abc import Mapping
 import numpy as np
 from numpy.typing import NDArray
 
-Values = NDArray[np.float64]
+from omote.arrays import Values
+from omote.geometry.ramp import smooth_ramp
 
 # In radii of the ball: skin below NEAR gets exactly the height that is asked for, skin above FAR stays where it is.
-NEAR, FAR = 1.12, 1.6
+NEAR = 1.12
+FAR = 1.6
 
 
 def ball_heights(skin: NDArray[np.floating], ball: NDArray[np.floating], /) -> Values:
     """The distance of each vertex of the skin (V, 3) from the middle of an eyeball (n, 3), in the ball's radii:
     (V,)."""
-    result: Values = np.linalg.norm(skin.astype(np.float64) - ball.mean(axis=0), axis=1) / radius_of(ball)
-    return result
+    return np.linalg.norm(skin.astype(np.float64) - ball.mean(axis=0), axis=1) / radius_of(ball)
 
 
 def set_ball_heights(skin: Values, balls: Mapping[str, Values], wanted: Mapping[str, Values], /) -> Values:
     """Moves the vertices of the skin (V, 3) around each eyeball (n, 3) to the wanted heights (V,) over it, in radii;
-    the wanted heights also say which vertices lie around it."""
+    the wanted heights also say which vertices lie around it.
+
+    balls: (n, 3) each, metres, by name; others than those that are wanted say nothing.
+    """
     result = skin.copy()
-    for name, ball in balls.items():
-        now, rest = ball_heights(result, ball), wanted[name]
+    for name, rest in wanted.items():
+        ball = balls[name]
+        now = ball_heights(result, ball)
         hold = fall_off((rest - NEAR) / (FAR - NEAR))
         share = hold * (rest - now) / np.maximum(now, 1e-9)
         result += (result - ball.mean(axis=0)) * share[:, None]
@@ -34,17 +39,18 @@ def set_ball_heights(skin: Values, balls: Mapping[str, Values], wanted: Mapping[
 
 def move_ball(ball: Values, before: Values, after: Values, /) -> Values:
     """Moves and scales an eyeball (n, 3) as another went from before to after (n, 3); it stays round and its gaze
-    stays, whatever happened to the other's form."""
+    stays, whatever happened to the other's form.
+
+    ball: (n, 3), metres.
+    """
     shift = before.mean(axis=0) - ball.mean(axis=0)
-    result: Values = move_with_ball(ball + shift, before, after) - shift
-    return result
+    return move_with_ball(ball + shift, before, after) - shift
 
 
 def move_with_ball(points: Values, before: NDArray[np.floating], after: NDArray[np.floating], /) -> Values:
     """Moves and scales points (m, 3) as an eyeball went from before to after (n, 3)."""
     larger = radius_of(after) / radius_of(before)
-    result: Values = (points - before.mean(axis=0)) * larger + after.mean(axis=0)
-    return result
+    return (points - before.mean(axis=0)) * larger + after.mean(axis=0)
 
 
 def radius_of(ball: NDArray[np.floating], /) -> float:
@@ -54,6 +60,4 @@ def radius_of(ball: NDArray[np.floating], /) -> float:
 
 def fall_off(share: Values) -> Values:
     """1 up to zero, 0 from one on, with a soft step between."""
-    inside = np.clip(share, 0.0, 1.0)
-    result: Values = 1.0 - inside * inside * (3.0 - 2.0 * inside)
-    return result
+    return 1.0 - smooth_ramp(0.0, 1.0, share)

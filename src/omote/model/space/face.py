@@ -10,6 +10,7 @@ from types import MappingProxyType
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from omote.arrays import Floats
 from omote.geometry import mesh
 from omote.model.space.expression import refuse_name
 from omote.model.space.gain import Gain, validate_gains
@@ -66,7 +67,5 @@ class Face:
         object.__setattr__(self, "gains", validate_gains(self.gains, f"face {self.name!r}"))
 
 
-def _freeze(points: ArrayLike, name: str) -> NDArray[np.float32]:
-    result = np.ascontiguousarray(mesh.validate_points(points, name=name), dtype=np.float32)
-    result.setflags(write=False)
-    return result
+def _freeze(points: ArrayLike, name: str) -> Floats:
+    return mesh.freeze(np.ascontiguousarray(mesh.validate_points(points, name=name), dtype=np.float32))

@@ -5,18 +5,16 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass
 from types import MappingProxyType
-from weakref import WeakKeyDictionary
 
 import numpy as np
-from numpy.typing import NDArray
 
+from omote.arrays import Floats, Values
 from omote.model.space.face import Face
 from omote.model.space.lid_lip_lines import jaw_amplitude
 from omote.model.space.parameter_space import ParameterSpace, smoothed_scale
 from omote.model.space.parts import place, size_ratio
 from omote.model.space.skin_sheet import refuse_axis_outside, refuse_degenerate
-
-Floats = NDArray[np.float32]
+from omote.model.weak_cache import weakly_cached, weakly_cached_with
 
 # Inner skin moves as far as on the generic face where this one is larger or smaller by less than this (logarithm of the
 # sizes): people's amplitudes do not grow with their heads. Only what sizes differ by beyond that scales it.
@@ -36,40 +34,34 @@ class FittedFace:
     scale: Floats
     parts: Mapping[str, Floats]
     sizes: Mapping[str, float]
-    centres: Mapping[str, NDArray[np.float64]]
+    centres: Mapping[str, Values]
 
     def ball_radius(self, eye: str) -> float:
         """The radius of an eyeball by its part's name, metres: the mean distance of its vertices to their centre."""
         return float(np.linalg.norm(self.parts[eye] - self.centres[eye], axis=1).mean())
 
 
-_generic: WeakKeyDictionary[ParameterSpace, Face] = WeakKeyDictionary()
-_fitted: WeakKeyDictionary[Face, tuple[ParameterSpace, FittedFace]] = WeakKeyDictionary()
-
-
+@weakly_cached
 def generic_face(space: ParameterSpace, /) -> Face:
     """The face M0 of a space, on which expressions are defined."""
-    if space not in _generic:
-        parts = {name: part.points.astype(np.float32) for name, part in space.parts.items()}
-        _generic[space] = Face("generic", space.points, parts)
-    return _generic[space]
+    parts = {name: part.points.astype(np.float32) for name, part in space.parts.items()}
+    return Face("generic", space.points, parts)
 
 
 def fit(space: ParameterSpace, face: Face, /) -> FittedFace:
     """Validates a face and prepares it for compounds; cached as long as the face lives.
+
+    space: the space of the generic head.
 
     Raises ValueError where the face has another topology, triangles without area, or does not stand around the axis;
     TypeError where it is none.
     """
     if not isinstance(face, Face):
         raise TypeError(f"the face is a {type(face).__name__}; expected an omote.Face, such as cast.faces['generic']")
-    known = _fitted.get(face)
-    if known is None or known[0] is not space:
-        known = (space, _fit(space, face))
-        _fitted[face] = known
-    return known[1]
+    return _fit(space, face)
 
 
+@weakly_cached_with
 def _fit(space: ParameterSpace, face: Face) -> FittedFace:
     _refuse_misfit(space, face)
     points = face.positions.astype(np.float64)
@@ -89,9 +81,7 @@ def _fit(space: ParameterSpace, face: Face) -> FittedFace:
     )
 
 
-def _scale_parts(
-    space: ParameterSpace, points: NDArray[np.float64], parts: Mapping[str, Floats]
-) -> dict[str, float]:  # fmt: skip
+def _scale_parts(space: ParameterSpace, points: Values, parts: Mapping[str, Floats]) -> dict[str, float]:
     """The scale of each part's residual: its size; of what follows the jaw, the jaw's amplitude under the smooth map.
 
     The residual of teeth and tongue is the jaw's turn beyond the chin's mean: scaled otherwise than the chin, teeth go
@@ -104,9 +94,7 @@ def _scale_parts(
     return sizes
 
 
-def _scale_residuals(
-    space: ParameterSpace, points: NDArray[np.float64], sizes: Mapping[str, float]
-) -> NDArray[np.float64]:  # fmt: skip
+def _scale_residuals(space: ParameterSpace, points: Values, sizes: Mapping[str, float]) -> Values:
     """How much larger what the inner skin does by itself is on the face at each of its vertices, (inner,): its local
     size beyond what people differ by; where it goes with the jaw, the scale of what else does: they move together."""
     inner = space.inner

@@ -9,13 +9,12 @@ from types import MappingProxyType
 from typing import Literal, get_args
 
 import numpy as np
-from numpy.typing import NDArray
 
+from omote.arrays import Values
 from omote.model.space.expression import Expression, refuse_name
 from omote.model.space.head_regions import region_mask
 from omote.model.space.parameter_space import ParameterSpace
 
-Values = NDArray[np.float64]
 FieldRegion = Literal["brows", "eyes", "nose", "cheeks", "mouth", "jaw"]
 GainRegion = Literal[FieldRegion, "ears", "head"]
 FIELD_REGIONS: tuple[FieldRegion, ...] = get_args(FieldRegion)
@@ -24,9 +23,11 @@ NEUTRAL_GAINS: Mapping[GainRegion, float] = MappingProxyType(
     {region: 0.0 if region in ("ears", "head") else 1.0 for region in GAIN_REGIONS}
 )
 """The gains of a face that sets none: it wears the field as it is; its ears and its head do not turn, as people's."""
-LEAST_GAIN, MOST_GAIN = 0.0, 4.0
+LEAST_GAIN = 0.0
+MOST_GAIN = 4.0
 LEAST_RATIO = 0.05
 """Of a radius R to itself: a gain that would bring it lower stops there, short of the axis."""
+# Gains that differ by less are the same; no lower one is divided by.
 _ROUNDING = 1e-9
 _LEAST_INVERTED = 1e-3
 
@@ -59,7 +60,7 @@ class Gain:
 
     References
     ----------
-    docs/method.md, "The face's own strength"; docs/decisions/0073-a-face-answers-in-its-own-strength.md.
+    docs/method.md, "The face's own strength"; docs/decisions/gains-and-animals.md.
     """
 
     region: GainRegion
@@ -113,14 +114,17 @@ def _is_idle(gains: Sequence[Gain], gain: Gain) -> bool:
 
 
 def gain_of(gains: Iterable[Gain], region: GainRegion, expression: str | None = None, /) -> float:
-    """The gain of a region for an expression by name: its own, else that for all, else the neutral one."""
-    found = NEUTRAL_GAINS[region]
+    """The gain of a region for an expression by name: its own, else that for all, else the neutral one.
+
+    gains: those of the face.
+    """
+    value = NEUTRAL_GAINS[region]
     for gain in gains:
         if gain.region == region and gain.expression == expression and expression is not None:
             return gain.value
         if gain.region == region and gain.expression is None:
-            found = gain.value
-    return found
+            value = gain.value
+    return value
 
 
 def mix_gains(gains: Sequence[tuple[Sequence[Gain], float]], /) -> tuple[Gain, ...]:
@@ -138,7 +142,7 @@ def _within(value: float) -> float:
 
 
 def regional_gains(gains: Sequence[Gain], regions: Mapping[str, Sequence[Gain]], /) -> tuple[Gain, ...]:
-    """The gains with those of each region from another face's gains."""
+    """The gains with those of each region from another face's gains. regions: gains by the name of the region."""
     kept = [gain for gain in gains if gain.region not in regions]
     taken = [gain for region, others in regions.items() for gain in others if gain.region == region]
     return validate_gains([*kept, *taken], "a face")
@@ -152,7 +156,7 @@ def override_gains(gains: Sequence[Gain], own: Sequence[Gain], /) -> tuple[Gain,
 
 
 def changes_field(gains: Sequence[Gain], expression: str = "", /) -> bool:
-    """Whether the field of an expression by name is answered otherwise than it is."""
+    """Whether the field of an expression by name is answered otherwise than it is. gains: those of the face."""
     return any(gain_of(gains, region, expression) != 1.0 for region in FIELD_REGIONS)
 
 
@@ -166,6 +170,8 @@ class FieldGain:
 
 def field_gain(space: ParameterSpace, gains: Sequence[Gain], expression: str = "", /) -> FieldGain | None:
     """The gain of each vertex for an expression by name, None where it is 1 everywhere; smooth, as the regions' masks.
+
+    gains: those of the face.
 
     Raises ValueError where the space has no two eyeballs to measure the regions by.
     """
@@ -187,6 +193,8 @@ def answer(
     """The expression as a face with these gains answers it: the field, and what inner skin and parts do beyond it,
     times the gain of each vertex; ears' and head's turn times theirs. Eyeballs and pupils stay the expression's.
 
+    space: the space of the generic head.
+
     limited: the gain of each vertex, in place of `field_gain`. It is the expression itself where that changes nothing.
     """
     ears = gain_of(gains, "ears", expression.name) * expression.ears
@@ -201,6 +209,8 @@ def answer(
 def ask(space: ParameterSpace, gains: Sequence[Gain], answered: Expression, /) -> Expression:
     """The expression that is answered so by a face with these gains, by its field and ears: what extraction from that
     face needs.
+
+    space: the space of the generic head.
 
     Where a gain is 0 only rest can be answered: the field rests there, and so do ears.
     """
@@ -220,7 +230,10 @@ def _invert(values: Values) -> Values:
 
 
 def multiply_field(space: ParameterSpace, expression: Expression, factor: FieldGain, /) -> Expression:
-    """The expression with its field, its residuals and those of parts times a factor per vertex."""
+    """The expression with its field, its residuals and those of parts times a factor per vertex.
+
+    space: the space of the generic head.
+    """
     ratio = np.maximum(1.0 + factor.skin * (expression.ratio - 1.0), LEAST_RATIO)
     return replace(
         expression,

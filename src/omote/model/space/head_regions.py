@@ -6,15 +6,14 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from types import MappingProxyType
 from typing import Literal, get_args
-from weakref import WeakKeyDictionary
 
 import numpy as np
-from numpy.typing import NDArray
 
+from omote.arrays import Values
 from omote.model.known_names import PlayRegion
 from omote.model.space.parameter_space import ParameterSpace
+from omote.model.weak_cache import weakly_cached
 
-Values = NDArray[np.float64]
 Region = Literal["brows", "eyes", "nose", "cheeks", "mouth", "jaw", "ears", "skull"]
 REGIONS: tuple[Region, ...] = get_args(Region)
 REGIONS_OF: Mapping[PlayRegion, tuple[Region, ...]] = MappingProxyType(
@@ -59,16 +58,16 @@ def region_weights(space: ParameterSpace, where: Values | None = None, /) -> dic
     nearness = np.stack([-(((local - spot.middle) / spot.widths) ** 2).sum(axis=1) for spot in _SPOTS])
     share = np.exp(nearness - nearness.max(axis=0))
     share /= share.sum(axis=0)
-    found: dict[Region, Values] = {region: np.zeros(len(points)) for region in REGIONS}
+    weights: dict[Region, Values] = {region: np.zeros(len(points)) for region in REGIONS}
     for spot, row in zip(_SPOTS, share, strict=True):
-        found[spot.region] = found[spot.region] + row
-    return found
+        weights[spot.region] = weights[spot.region] + row
+    return weights
 
 
 def eye_frame(space: ParameterSpace) -> tuple[Values, float]:
     """The point midway between the eyes (3,) and their distance, metres, on the generic face; ValueError where
     it has no two eyeballs."""
-    eyes = [part.points.mean(axis=0) for part in space.parts.values() if part.eye]
+    eyes = [part.points.mean(axis=0) for part in space.eyes.values()]
     if len(eyes) != 2:
         raise ValueError(
             f"the space has {len(eyes)} eyeballs; expected two, by which the regions of the head are measured"
@@ -93,18 +92,24 @@ class RegionMask:
     eyes: Values
 
 
-_masks: WeakKeyDictionary[ParameterSpace, dict[Region, RegionMask]] = WeakKeyDictionary()
-
-
 def region_mask(space: ParameterSpace, region: Region, /) -> RegionMask:
     """The mask of a region, made once; parts belong to it by where they lie, eyeballs and their turn to the eyes alone,
-    for who looks half-way looks nowhere. ValueError as `region_weights`."""
-    known = _masks.setdefault(space, {})
-    if region not in known:
+    for who looks half-way looks nowhere. ValueError as `region_weights`.
+
+    space: the space of the generic head.
+    """
+    return _region_masks(space)[region]
+
+
+@weakly_cached
+def _region_masks(space: ParameterSpace) -> dict[Region, RegionMask]:
+    weights = {name: region_weights(space, part.points) for name, part in space.parts.items() if not part.eye}
+    masks: dict[Region, RegionMask] = {}
+    for region, skin in region_weights(space).items():
         eyes = 1.0 if region == "eyes" else 0.0
         parts = {
-            name: np.full(len(part.points), eyes) if part.eye else region_weights(space, part.points)[region]
+            name: np.full(len(part.points), eyes) if part.eye else weights[name][region]
             for name, part in space.parts.items()
         }
-        known[region] = RegionMask(region_weights(space)[region], parts, np.full(2, eyes))
-    return known[region]
+        masks[region] = RegionMask(skin, parts, np.full(2, eyes))
+    return masks

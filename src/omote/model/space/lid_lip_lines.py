@@ -12,12 +12,11 @@ from numpy.typing import NDArray
 from scipy.sparse import coo_array
 from scipy.sparse.csgraph import dijkstra
 
+from omote.arrays import Indices, Mask, Values
 from omote.geometry import mesh
 from omote.geometry.cylinder import Cylinder, wrap
 
 Kind = Literal["lids", "lips"]
-Indices = NDArray[np.int32]
-Values = NDArray[np.float64]
 
 RUNGS = 32
 # Lips open as the mouth is wide, but for this share: so far a face's opening may differ from the generic one's.
@@ -43,8 +42,7 @@ class Line:
 
     def rungs(self, positions: Values, /) -> Values:
         """Upper minus lower point of each rung, (RUNGS, 3) metres, for positions (V, 3)."""
-        result: Values = np.einsum("rk,rkc->rc", self.weights, positions[self.vertices])
-        return result
+        return np.einsum("rk,rkc->rc", self.weights, positions[self.vertices])
 
 
 def lip_amplitude(line: Line, generic: NDArray[np.floating], positions: NDArray[np.floating], /) -> float:
@@ -54,9 +52,12 @@ def lip_amplitude(line: Line, generic: NDArray[np.floating], positions: NDArray[
 
 def jaw_amplitude(
     lines: Sequence[Line], generic: NDArray[np.floating], positions: NDArray[np.floating], /
-) -> float | None:  # fmt: skip
+) -> float | None:
     """How much larger the jaw's motion is on a face with positions (V, 3) than on the generic face (V, 3): it goes with
-    lips that open less, and no farther than there; None where no lips are named."""
+    lips that open less, and no farther than there; None where no lips are named.
+
+    lines: of lids and lips.
+    """
     return min(
         (min(_amplitude(line, generic, positions, JAW_ALIKE), 1.0) for line in lines if line.kind == "lips"),
         default=None,
@@ -73,6 +74,8 @@ def find_line(
     name: str, kind: Kind, points: Values, sheet: Indices, membranes: Indices, cylinder: Cylinder, near: Values, /
 ) -> Line:
     """Finds the line around the opening of the sheet whose membrane is nearest to a point.
+
+    name: of the line; kind: lids or lips; cylinder: the axis of S.
 
     points (V, 3) generic, sheet (F, 3), membranes (m, 3), near (3,) metres. The line is the shortest closed path along
     edges of the sheet that goes once around the opening. Raises ValueError where there is no such path.
@@ -98,8 +101,7 @@ def _inside(plane: Values, membranes: Indices) -> Values:
     mine = labels == labels[np.hypot(*middles.T).argmin()]
     a, b = plane[membranes[:, 1]] - plane[membranes[:, 0]], plane[membranes[:, 2]] - plane[membranes[:, 0]]
     area = np.abs(a[:, 0] * b[:, 1] - a[:, 1] * b[:, 0])
-    result: Values = middles[np.where(mine, area, 0.0).argmax()]
-    return result
+    return middles[np.where(mine, area, 0.0).argmax()]
 
 
 def _shortest_around(points: Values, sheet: Indices, plane: Values, centre: Values) -> list[int]:
@@ -114,7 +116,8 @@ def _shortest_around(points: Values, sheet: Indices, plane: Values, centre: Valu
     if not crosses.any():
         return []
     # Every vertex twice, before and after the ray: a way around leads from a vertex to its other self.
-    count, lengths = len(near), np.linalg.norm(points[edges[:, 0]] - points[edges[:, 1]], axis=1)
+    count = len(near)
+    lengths = np.linalg.norm(points[edges[:, 0]] - points[edges[:, 1]], axis=1)
     rows = np.concatenate([one, one + count])
     cols = np.concatenate([other + count * crosses, other + count * ~crosses])
     graph = coo_array((np.tile(lengths, 2), (rows, cols)), shape=(2 * count, 2 * count)).tocsr()
@@ -124,17 +127,17 @@ def _shortest_around(points: Values, sheet: Indices, plane: Values, centre: Valu
     return [int(near[v % count]) for v in _trace_back(before[best], starts[best] + count, starts[best])]
 
 
-def _crossing(ends: Values) -> NDArray[np.bool_]:
+def _crossing(ends: Values) -> Mask:
     """Which edges with ends (E, 2, 2) cross the ray from the origin along the first axis."""
     a, b = ends[:, 0], ends[:, 1]
     across = (a[:, 1] > 0) != (b[:, 1] > 0)
     rise = np.where(across, b[:, 1] - a[:, 1], 1.0)
-    result: NDArray[np.bool_] = across & (a[:, 0] - (b[:, 0] - a[:, 0]) * a[:, 1] / rise > 0)
-    return result
+    return across & (a[:, 0] - (b[:, 0] - a[:, 0]) * a[:, 1] / rise > 0)
 
 
 def _trace_back(before: Indices, end: int, start: int) -> list[int]:
-    path, here = list[int](), end
+    path = list[int]()
+    here = end
     while here != start and here >= 0:
         path.append(here)
         here = int(before[here])
@@ -148,9 +151,14 @@ def _rungs(points: Values, loop: Indices) -> tuple[Indices, Values]:
 
 def chains(points: Values, loop: Indices, /) -> tuple[Indices, Indices]:
     """The upper and the lower half of a loop, each from its right corner (least x) to its left one, corners
-    included."""
+    included.
+
+    points: (V, 3), metres.
+    """
     across = points[loop, 0]
-    right, left, count = int(across.argmin()), int(across.argmax()), len(loop)
+    right = int(across.argmin())
+    left = int(across.argmax())
+    count = len(loop)
     one = loop[(right + np.arange((left - right) % count + 1)) % count]
     other = loop[(right - np.arange((right - left) % count + 1)) % count]
     return (one, other) if points[one, 1].mean() > points[other, 1].mean() else (other, one)

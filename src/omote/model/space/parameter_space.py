@@ -10,8 +10,9 @@ from types import MappingProxyType
 from typing import Literal
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
+from omote.arrays import Floats, Indices, Mask, Values
 from omote.geometry import mesh
 from omote.geometry.cylinder import Cylinder
 from omote.geometry.laplacian import harmonic_weights, smoothing_matrix
@@ -34,17 +35,17 @@ class InnerSkin:
     """The vertices that are not on the sheet and how they follow it: vertices (n,), anchors (n, k) on the sheet,
     weights (n, k)."""
 
-    vertices: NDArray[np.int32]
-    anchors: NDArray[np.int32]
-    weights: NDArray[np.float32]
+    vertices: Indices
+    anchors: Indices
+    weights: Floats
 
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Fans:
     """The location triangles around each vertex: those of vertex v are triangles[starts[v]:starts[v + 1]]."""
 
-    starts: NDArray[np.int32]
-    triangles: NDArray[np.int32]
+    starts: Indices
+    triangles: Indices
 
 
 @dataclass(frozen=True, eq=False)
@@ -86,32 +87,30 @@ class ParameterSpace:
     K. Arai (1993), section 2.1; docs/method.md, "The parameter space".
     """
 
-    points: NDArray[np.float64]
-    triangles: NDArray[np.int32]
-    skin_triangles: NDArray[np.int32]
-    membranes: NDArray[np.int32]
+    points: Values
+    triangles: Indices
+    skin_triangles: Indices
+    membranes: Indices
     cylinder: Cylinder
     radius: Radius
-    theta: NDArray[np.float64]
-    h: NDArray[np.float64]
+    theta: Values
+    h: Values
     strip: Strip
     fans: Fans
     inner: InnerSkin
-    on_sheet: NDArray[np.bool_]
+    on_sheet: Mask
     parts: Mapping[str, Part] = field(default_factory=lambda: MappingProxyType({}))
     transfer: Transfer = "smooth"
     lines: tuple[Line, ...] = ()
 
     def __post_init__(self) -> None:
         for name in ("points", "triangles", "skin_triangles", "membranes", "theta", "h", "on_sheet"):
-            view = getattr(self, name).view()
-            view.setflags(write=False)
-            object.__setattr__(self, name, view)
+            object.__setattr__(self, name, mesh.freeze(getattr(self, name).view()))
 
     @staticmethod
     def build(
         points: ArrayLike, triangles: ArrayLike, radius: Radius = "origin", *,
-        axis: tuple[float, float] | None = None, transfer: Transfer = "smooth", sheet: NDArray[np.int32] | None = None,
+        axis: tuple[float, float] | None = None, transfer: Transfer = "smooth", sheet: Indices | None = None,
     ) -> ParameterSpace:  # fmt: skip
         """The parameter space of any head, y up, +z forward: axis, skin sheet and membranes are found here.
 
@@ -183,19 +182,24 @@ class ParameterSpace:
         return len(self.points)
 
     @cached_property
-    def welded(self) -> NDArray[np.int32]:
+    def eyes(self) -> Mapping[str, Part]:
+        """The eyeballs among the parts, by name."""
+        return MappingProxyType({name: part for name, part in self.parts.items() if part.eye})
+
+    @cached_property
+    def welded(self) -> Indices:
         """For each vertex, the first one at its place (V,): texture seams double vertices."""
-        return _read_only(mesh.weld(self.points))
+        return mesh.freeze(mesh.weld(self.points))
 
     @cached_property
-    def sheet_triangles(self) -> NDArray[np.int32]:
+    def sheet_triangles(self) -> Indices:
         """The sheet (F, 3), seams welded."""
-        return _read_only(self.welded[self.skin_triangles])
+        return mesh.freeze(self.welded[self.skin_triangles])
 
     @cached_property
-    def location_triangles(self) -> NDArray[np.int32]:
+    def location_triangles(self) -> Indices:
         """Sheet and membranes (L, 3), seams welded: what points are located in."""
-        return _read_only(np.concatenate([self.sheet_triangles, self.membranes]))
+        return mesh.freeze(np.concatenate([self.sheet_triangles, self.membranes]))
 
     def with_parts(self, *parts: Part) -> ParameterSpace:
         """This space with these parts bound to it.
@@ -277,7 +281,7 @@ class ParameterSpace:
         _refuse_unknown(transfer, TRANSFERS, "transfer")
         return replace(self, transfer=transfer)
 
-    def locate(self, theta: NDArray[np.float64], h: NDArray[np.float64], vertices: NDArray[np.int32], /) -> Landing:
+    def locate(self, theta: Values, h: Values, vertices: Indices, /) -> Landing:
         """The triangles of S that hold some points, walking from vertices near them (a visibility walk).
 
         Parameters
@@ -322,13 +326,9 @@ def _cylinder(axis: ArrayLike) -> Cylinder:
     return Cylinder(float(place[0]), float(place[1]))
 
 
-def _read_only(indices: NDArray[np.int32]) -> NDArray[np.int32]:
-    indices.setflags(write=False)
-    return indices
-
-
-def _fans(corners: NDArray[np.int32], joined: NDArray[np.int32]) -> Fans:
-    owner, triangle = corners.ravel(), np.repeat(np.arange(len(corners), dtype=np.int32), 3)
+def _fans(corners: Indices, joined: Indices) -> Fans:
+    owner = corners.ravel()
+    triangle = np.repeat(np.arange(len(corners), dtype=np.int32), 3)
     order = np.argsort(owner, kind="stable")
     counts = np.bincount(owner, minlength=len(joined))
     starts = np.concatenate([[0], np.cumsum(counts)])
@@ -341,7 +341,7 @@ def _fans(corners: NDArray[np.int32], joined: NDArray[np.int32]) -> Fans:
     return Fans(ends, triangle[order][rows])
 
 
-def _inner_skin(points: NDArray[np.float64], triangles: NDArray[np.int32], on_sheet: NDArray[np.bool_]) -> InnerSkin:
+def _inner_skin(points: Values, triangles: Indices, on_sheet: Mask) -> InnerSkin:
     joined = mesh.weld(points)
     corners = joined[triangles]
     free = ~on_sheet
@@ -351,12 +351,13 @@ def _inner_skin(points: NDArray[np.float64], triangles: NDArray[np.int32], on_sh
     names, weights = harmonic_weights(points, corners, own, anchors)
     vertices = np.flatnonzero(free).astype(np.int32)
     first = np.searchsorted(np.flatnonzero(own), joined[vertices])
-    names, weights = names[first], weights[first]
+    names = names[first]
+    weights = weights[first]
     names, weights = skin_sheet.bind_islands(points, vertices, np.flatnonzero(on_sheet), names, weights)
     return InnerSkin(vertices, np.ascontiguousarray(names, np.int32), np.ascontiguousarray(weights, np.float32))
 
 
-def _thin_anchors(points: NDArray[np.float64], anchors: NDArray[np.int32]) -> NDArray[np.int32]:
+def _thin_anchors(points: Values, anchors: Indices) -> Indices:
     """At most _MOST_ANCHORS of the anchors, far from each other."""
     if len(anchors) <= _MOST_ANCHORS:
         return anchors
@@ -370,18 +371,20 @@ def _thin_anchors(points: NDArray[np.float64], anchors: NDArray[np.int32]) -> ND
     return np.sort(anchors[chosen])
 
 
-def smoothed_scale(
-    space: ParameterSpace, positions: NDArray[np.float64], /, *, rounds: int = 30
-) -> NDArray[np.float64]:
+def smoothed_scale(space: ParameterSpace, positions: Values, /, *, rounds: int = 30) -> Values:
     """How much larger a face is than the generic one at each vertex: (V,), smoothed over `rounds` rings.
+
+    space: the space of the generic head; positions: (V, 3), metres.
 
     docs/method.md, "Detail transfer".
     """
     average = smoothing_matrix(space.triangles, space.vertex_count)
-    here, there = np.zeros(space.vertex_count), np.zeros(space.vertex_count)
+    here = np.zeros(space.vertex_count)
+    there = np.zeros(space.vertex_count)
     for corner in range(3):
         np.add.at(here, space.triangles[:, corner], mesh.areas(positions, space.triangles))
         np.add.at(there, space.triangles[:, corner], mesh.areas(space.points, space.triangles))
     for _ in range(rounds):
-        here, there = average @ here, average @ there
+        here = average @ here
+        there = average @ there
     return np.sqrt(np.divide(here, there, out=np.ones_like(here), where=there > 0))

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-Values = NDArray[np.float64]
+from omote.arrays import Values
 
 
 @dataclass(frozen=True, eq=False)
@@ -20,13 +20,20 @@ class Similarity:
 
     def __call__(self, points: NDArray[np.floating], /) -> Values:
         """Where points (m, 3) go."""
-        result: Values = self.scale * (points @ self.rotation.T) + self.shift
-        return result
+        return self.scale * (points @ self.rotation.T) + self.shift
+
+    def back(self, points: NDArray[np.floating], /) -> Values:
+        """Where points (m, 3) came from."""
+        return ((points - self.shift) @ self.rotation) / self.scale
 
 
-def fit_similarity(
-    points: NDArray[np.floating], targets: NDArray[np.floating], weights: Values, /
-) -> Similarity:  # fmt: skip
+def fit_turn(points: Values, targets: Values, /) -> Values:
+    """The rotation (3, 3) about the origin that brings points (n, 3) nearest to targets (n, 3) (Kabsch 1976)."""
+    left, _, right = np.linalg.svd(targets.T @ points)
+    return (left * [1.0, 1.0, np.sign(np.linalg.det(left @ right))]) @ right
+
+
+def fit_similarity(points: NDArray[np.floating], targets: NDArray[np.floating], weights: Values, /) -> Similarity:
     """The similarity that brings points (n, 3) nearest to targets (n, 3), least squares by weights (n,) (Umeyama 1991).
 
     The same points, or weights that are all zero, give the identity.
@@ -35,8 +42,10 @@ def fit_similarity(
     if not total > 0.0 or np.array_equal(points, targets):
         return Similarity(1.0, np.eye(3), np.zeros(3))
     share = weights / total
-    middle, there = share @ points, share @ targets
-    away, wanted = points - middle, targets - there
+    middle = share @ points
+    there = share @ targets
+    away = points - middle
+    wanted = targets - there
     left, sizes, right = np.linalg.svd((share[:, None] * wanted).T @ away)
     signs = np.array([1.0, 1.0, np.sign(np.linalg.det(left @ right))])
     rotation = (left * signs) @ right

@@ -9,13 +9,12 @@ from scipy.sparse import coo_array
 from scipy.sparse.csgraph import connected_components
 from scipy.spatial import cKDTree
 
+from omote.arrays import Indices, Mask, Points, Triangles, Values
 from omote.geometry import mesh
 from omote.geometry.cylinder import Cylinder, wrap
 from omote.geometry.membrane import close_loop
 from omote.geometry.outer_layer import keep_outer_layer
-
-Points = NDArray[np.float64]
-Triangles = NDArray[np.int32]
+from omote.geometry.proximity import winding_numbers
 
 # A triangle that spans more of the circle than this contains the axis or nearly so: S is not flat there.
 _WIDEST = 0.9 * np.pi
@@ -24,7 +23,10 @@ CROWN = 0.04
 
 
 def refuse_degenerate(points: Points, triangles: Triangles, /) -> None:
-    """Raises ValueError where a triangle has no area (relative to the mesh's size)."""
+    """Raises ValueError where a triangle has no area (relative to the mesh's size).
+
+    points: (V, 3), metres; triangles: rows (F, 3) of vertices.
+    """
     size = float(np.ptp(points, axis=0).max())
     flat = np.flatnonzero(mesh.areas(points, triangles) <= 1e-13 * size * size)
     if len(flat):
@@ -36,10 +38,14 @@ def refuse_degenerate(points: Points, triangles: Triangles, /) -> None:
 
 def find_axis(points: Points, triangles: Triangles, /) -> tuple[float, float]:
     """(x, z) of a vertical axis inside the skull: the mean centre of slices through the upper half of the largest
-    piece."""
+    piece.
+
+    points: (V, 3), metres; triangles: rows (F, 3) of vertices.
+    """
     labels = mesh.components(mesh.weld(points)[triangles], len(points))
     head = points[labels[mesh.weld(points)] == 0]
-    low, high = head[:, 1].min(), head[:, 1].max()
+    low = head[:, 1].min()
+    high = head[:, 1].max()
     centres = []
     for share in np.linspace(0.6, 0.9, 13):
         slice_ = head[np.abs(head[:, 1] - (low + share * (high - low))) < 0.04 * (high - low)]
@@ -57,17 +63,21 @@ def find_axis(points: Points, triangles: Triangles, /) -> tuple[float, float]:
 def refuse_axis_outside(points: Points, corners: Triangles, cylinder: Cylinder, /) -> None:
     """Raises ValueError where the axis does not run inside the head: the winding number of sheet and membranes decides.
 
+    cylinder: the axis of S.
+
     points (V, 3), corners (L, 3) sheet and membranes. Tried at five heights in the upper half of the sheet, up to the
     crown over the axis: ears may stand higher.
     """
-    low, high = points[corners, 1].min(), _crown_height(points, corners, cylinder)
-    for share in np.linspace(0.5, 0.85, 5):
-        probe = np.array([cylinder.x, low + share * (high - low), cylinder.z])
-        if winding_number(points, corners, probe) < 0.5:
-            raise ValueError(
-                f"the axis at x = {cylinder.x:.4g}, z = {cylinder.z:.4g} is outside the head at height {probe[1]:.4g}; "
-                "expected a head, y up and +z forward, counter-clockwise triangles, that stands around the axis"
-            )
+    low = points[corners, 1].min()
+    high = _crown_height(points, corners, cylinder)
+    heights = low + np.linspace(0.5, 0.85, 5) * (high - low)
+    probes = np.stack([np.full(5, cylinder.x), heights, np.full(5, cylinder.z)], axis=1)
+    outside = heights[winding_numbers(points[corners], probes) < 0.5]
+    if len(outside):
+        raise ValueError(
+            f"the axis at x = {cylinder.x:.4g}, z = {cylinder.z:.4g} is outside the head at height {outside[0]:.4g}; "
+            "expected a head, y up and +z forward, counter-clockwise triangles, that stands around the axis"
+        )
 
 
 def _crown_height(points: Points, corners: Triangles, cylinder: Cylinder) -> float:
@@ -79,26 +89,16 @@ def _crown_height(points: Points, corners: Triangles, cylinder: Cylinder) -> flo
     return crown if crown > 0.5 * (highest + float(sheet[:, 1].min())) else highest
 
 
-def winding_number(points: Points, triangles: Triangles, probe: NDArray[np.float64], /) -> float:
-    """How often the surface wraps around a point: 1 inside a closed surface, 0 outside (van Oosterom & Strackee
-    1983)."""
-    a, b, c = (points[triangles[:, corner]] - probe for corner in range(3))
-    la, lb, lc = (np.linalg.norm(side, axis=1) for side in (a, b, c))
-    triple = (a * np.cross(b, c)).sum(axis=1)
-    flat = la * lb * lc + (a * b).sum(axis=1) * lc + (b * c).sum(axis=1) * la + (c * a).sum(axis=1) * lb
-    return float(np.arctan2(triple, flat).sum() / (2 * np.pi))
-
-
-def unwrap_corners(theta: NDArray[np.float64], corners: Triangles, /) -> NDArray[np.float64]:
+def unwrap_corners(theta: Values, corners: Triangles, /) -> Values:
     """theta of each triangle's corners (L, 3), continuous within the triangle across the seam."""
     first = theta[corners[:, :1]]
     return first + wrap(theta[corners] - first)
 
 
-def cut_sheet(
-    points: Points, corners: Triangles, theta: NDArray[np.float64], h: NDArray[np.float64], cylinder: Cylinder, /
-) -> NDArray[np.bool_]:  # fmt: skip
+def cut_sheet(points: Points, corners: Triangles, theta: Values, h: Values, cylinder: Cylinder, /) -> Mask:
     """Cuts the one-layered skin sheet out of a head.
+
+    points: (V, 3), metres; theta: (V,), radians; h: (V,), metres; cylinder: the axis of S.
 
     corners (F, 3) with seams welded. The sheet is the flood fill, from a forehead triangle, over triangles that face
     outward in S, the outer one wherever two lie over each other: S has one layer. Returns the mask (F,) of the sheet.
@@ -116,18 +116,21 @@ def cut_sheet(
     return keep
 
 
-def find_outward(theta: NDArray[np.float64], h: NDArray[np.float64], corners: Triangles, /) -> NDArray[np.bool_]:
-    """Finds the triangles that have positive area in S and do not hold the axis: (F,)."""
-    unrolled, height = unwrap_corners(theta, corners), h[corners]
+def find_outward(theta: Values, h: Values, corners: Triangles, /) -> Mask:
+    """Finds the triangles that have positive area in S and do not hold the axis: (F,).
+
+    theta: (V,), radians; h: (V,), metres; corners: (F, 3) rows of the triangles.
+    """
+    unrolled = unwrap_corners(theta, corners)
+    height = h[corners]
     span = wrap(np.roll(unrolled, -1, axis=1) - unrolled)
     whole = (np.abs(span).max(axis=1) < _WIDEST) & (np.abs(span.sum(axis=1)) < 1.0)
     a, b = unrolled[:, 1:] - unrolled[:, :1], height[:, 1:] - height[:, :1]
     doubled = a[:, 0] * b[:, 1] - a[:, 1] * b[:, 0]
-    result: NDArray[np.bool_] = whole & (doubled > 1e-12 * np.ptp(h))
-    return result
+    return whole & (doubled > 1e-12 * np.ptp(h))
 
 
-def _forehead(points: Points, corners: Triangles, keep: NDArray[np.bool_], cylinder: Cylinder) -> int:
+def _forehead(points: Points, corners: Triangles, keep: Mask, cylinder: Cylinder) -> int:
     """The foremost outward triangle that a ray straight ahead meets at three quarters of the largest piece's height."""
     labels = mesh.components(corners, len(points))
     head = np.unique(corners[labels[corners[:, 0]] == 0])
@@ -144,21 +147,19 @@ def _forehead(points: Points, corners: Triangles, keep: NDArray[np.bool_], cylin
     return int(np.where(hit, relative[..., 2].mean(axis=1), -np.inf).argmax())
 
 
-def _flood(corners: Triangles, keep: NDArray[np.bool_], seed: int) -> NDArray[np.bool_]:
+def _flood(corners: Triangles, keep: Mask, seed: int) -> Mask:
     across = mesh.neighbours(corners)
     rows, sides = np.nonzero((across >= 0) & keep[:, None])
     others = across[rows, sides]
     linked = keep[others]
     graph = coo_array((np.ones(linked.sum(), np.int8), (rows[linked], others[linked])), shape=(len(corners),) * 2)
     _, label = connected_components(graph, directed=False)
-    result: NDArray[np.bool_] = keep & (label == label[seed])
-    return result
+    return keep & (label == label[seed])
 
 
 def _outermost(
-    points: Points, corners: Triangles, keep: NDArray[np.bool_], theta: NDArray[np.float64], h: NDArray[np.float64],
-    cylinder: Cylinder, metric: float,
-) -> NDArray[np.bool_]:  # fmt: skip
+    points: Points, corners: Triangles, keep: Mask, theta: Values, h: Values, cylinder: Cylinder, metric: float
+) -> Mask:
     radius = np.hypot(points[:, 0] - cylinder.x, points[:, 2] - cylinder.z)[corners].mean(axis=1)
     unrolled = unwrap_corners(theta, corners) * metric
     rows = np.flatnonzero(keep)
@@ -170,36 +171,40 @@ def _outermost(
     return result
 
 
-def close_holes(
-    points: Points, sheet: Triangles, theta: NDArray[np.float64], h: NDArray[np.float64], cylinder: Cylinder, /
-) -> Triangles:  # fmt: skip
+def close_holes(points: Points, sheet: Triangles, theta: Values, h: Values, cylinder: Cylinder, /) -> Triangles:
     """The membranes (m, 3): triangles over every hole of a sheet (f, 3), seams welded; the rims that go once around the
-    axis (neck, crown) stay open."""
+    axis (neck, crown) stay open.
+
+    points: (V, 3), metres; theta: (V,), radians; h: (V,), metres; cylinder: the axis of S.
+    """
     metric = float(np.hypot(points[:, 0] - cylinder.x, points[:, 2] - cylinder.z)[sheet].mean())
     plane = np.stack([theta * metric, h], axis=1)
-    found = [np.zeros((0, 3), np.int32)]
+    membranes = [np.zeros((0, 3), np.int32)]
     for loop in mesh.boundary_loops(sheet, plane, period=2 * np.pi * metric):
         hole = loop[::-1]
         steps = wrap(np.roll(theta[hole], -1) - theta[hole])
         if abs(steps.sum()) > np.pi:
             continue
         around = theta[hole[0]] + np.concatenate([[0.0], np.cumsum(steps[:-1])])
-        found.append(hole[close_loop(np.stack([around * metric, plane[hole, 1]], axis=1))])
-    return np.concatenate(found).astype(np.int32)
+        membranes.append(hole[close_loop(np.stack([around * metric, plane[hole, 1]], axis=1))])
+    return np.concatenate(membranes).astype(np.int32)
 
 
 def bind_islands(
-    points: Points, vertices: NDArray[np.int32], sheet: NDArray[np.int64], anchors: NDArray[np.int32], weights:
-    NDArray[np.float64], /
-) -> tuple[NDArray[np.int32], NDArray[np.float64]]:  # fmt: skip
+    points: Points, vertices: Indices, sheet: NDArray[np.int64], anchors: Indices, weights: Values, /
+) -> tuple[Indices, Values]:
     """Gives vertices that no path along the mesh joins to the sheet (their weights are all zero) their four nearest
-    on it."""
+    on it.
+
+    points: (V, 3), metres; anchors: (n, ANCHORS) vertices that each of the n vertices follows.
+    """
     alone = np.flatnonzero(weights.sum(axis=1) < 0.5)
     if len(alone) == 0:
         return anchors, weights
     distance, nearest = cKDTree(points[sheet]).query(points[vertices[alone]], k=4)
     share = 1.0 / np.maximum(distance, 1e-9)
-    anchors, weights = anchors.copy(), weights.copy()
+    anchors = anchors.copy()
+    weights = weights.copy()
     anchors[alone[:, None], np.arange(4)] = sheet[nearest]
     weights[alone] = 0.0
     weights[alone[:, None], np.arange(4)] = share / share.sum(axis=1, keepdims=True)

@@ -8,8 +8,8 @@ from __future__ import annotations
 from collections.abc import Mapping
 
 import numpy as np
-from numpy.typing import NDArray
 
+from omote.arrays import Floats, Values
 from omote.model.space.ears import turn_ears
 from omote.model.space.expression import Expression
 from omote.model.space.face import Face
@@ -17,11 +17,9 @@ from omote.model.space.face_fit import FittedFace, fit
 from omote.model.space.parameter_space import ParameterSpace
 from omote.model.space.parts import eye_rotation
 from omote.model.transfer.gain_limit import answer_expression
-from omote.model.transfer.mouth.teeth_clearance import keep_teeth_inside
 from omote.model.transfer.paper_map import Compiled, apply_paper_map, compile_expression, refuse_foreign
 from omote.model.transfer.pipeline import transfer_expression
-
-Floats = NDArray[np.float32]
+from omote.model.transfer.teeth_clearance import keep_teeth_inside
 
 
 def compound(space: ParameterSpace, face: Face, expression: Expression, /, weight: float = 1.0) -> Floats:
@@ -69,39 +67,52 @@ def compound(space: ParameterSpace, face: Face, expression: Expression, /, weigh
 
 
 def compile_answer(space: ParameterSpace, face: Face, expression: Expression, /, weight: float = 1.0) -> Compiled:
-    """The expression as a face answers it (`answer_expression`), located on S; errors as `compile_expression`."""
+    """The expression as a face answers it (`answer_expression`), located on S; errors as `compile_expression`.
+
+    space: the space of the generic head; weight: how much of the expression, 1 all.
+    """
     refuse_foreign(space, expression)
     fit(space, face)
     return compile_expression(space, answer_expression(space, face.gains, expression), weight)
 
 
 def apply_expression(space: ParameterSpace, face: Face, compiled: Compiled, /) -> Floats:
-    """A face wearing a compiled expression: (V, 3) float32, metres; its gains are not applied, its ears are turned."""
+    """A face wearing a compiled expression: (V, 3) float32, metres; its gains are not applied, its ears are turned.
+
+    space: the space of the generic head.
+    """
     fitted = fit(space, face)
     paper = space.transfer == "paper"
     skin = apply_paper_map(space, fitted, compiled) if paper else transfer_expression(space, face, compiled)
     return turn_ears(space, fitted.positions, skin, compiled.ears) if compiled.ears.any() else skin
 
 
-def predict_part(space: ParameterSpace, name: str, displacement: NDArray[np.float64], /) -> NDArray[np.float64]:
-    """The displacement (n, 3) of a part that follows from that of the skin (V, 3)."""
+def predict_part(space: ParameterSpace, name: str, displacement: Values, /) -> Values:
+    """The displacement (n, 3) of a part that follows from that of the skin (V, 3).
+
+    space: the space of the generic head; name: of the part.
+    """
     part = space.parts[name]
-    result: NDArray[np.float64] = np.einsum("nk,nkc->nc", part.weights, displacement[part.anchors])
-    return result
+    return np.einsum("nk,nkc->nc", part.weights, displacement[part.anchors])
 
 
 def compound_parts(
     space: ParameterSpace, face: Face, expression: Expression, /, weight: float = 1.0
 ) -> dict[str, Floats]:
-    """The parts of a face wearing an expression: {part: (n, 3)} metres; eyeballs before their turn."""
+    """The parts of a face wearing an expression: {part: (n, 3)} metres; eyeballs before their turn.
+
+    space: the space of the generic head; weight: how much of the expression, 1 all.
+    """
     compiled = compile_answer(space, face, expression, weight)
     return move_parts(space, fit(space, face), apply_expression(space, face, compiled), compiled.parts)
 
 
 def move_parts(
-    space: ParameterSpace, fitted: FittedFace, skin: Floats, rest: Mapping[str, NDArray[np.float64]], /
+    space: ParameterSpace, fitted: FittedFace, skin: Floats, rest: Mapping[str, Values], /
 ) -> dict[str, Floats]:
     """The parts of a face whose skin has moved to (V, 3), with the residual rest of each part.
+
+    space: the space of the generic head; fitted: the face, fitted.
 
     Under the smooth map teeth stay behind the skin.
     """
@@ -114,13 +125,12 @@ def move_parts(
 
 
 def turn_eyes(
-    space: ParameterSpace,
-    parts: Mapping[str, Floats],
-    centres: Mapping[str, NDArray[np.float64]],
-    eyes: NDArray[np.float64],
-    /,
+    space: ParameterSpace, parts: Mapping[str, Floats], centres: Mapping[str, Values], eyes: Values, /
 ) -> dict[str, Floats]:
-    """The parts with both eyeballs turned about centres (3,) by eyes (2, 2): yaw and pitch, left and right."""
+    """The parts with both eyeballs turned about centres (3,) by eyes (2, 2): yaw and pitch, left and right.
+
+    space: the space of the generic head.
+    """
     result = dict(parts)
     for name, part in space.parts.items():
         if part.eye:

@@ -1,4 +1,4 @@
-"""Turns back the triangles that a displacement has turned over (docs/method.md, "Fold repair").
+"""Repairs folds: turns back the triangles that a displacement has turned over (docs/method.md, "Fold repair").
 
 Gradient-domain editing of small patches: weighted least squares on deformation gradients (Sumner & Popovic 2004),
 solved by conjugate gradients. A patch changes with every compound, so nothing is factorised. What that leaves folded,
@@ -14,22 +14,26 @@ import numpy as np
 from numba import njit
 from numpy.typing import NDArray
 
+from omote.arrays import Indices, Mask, Values
 from omote.geometry.conjugate_gradients import solve_conjugate_gradients
-from omote.geometry.orientation import area_shares, keep_orientation
-
-Values = NDArray[np.float64]
-Indices = NDArray[np.int32]
-Mask = NDArray[np.bool_]
+from omote.geometry.orientation import area_shares, repair_triangles
 
 # Weight of a folded triangle's target gradient.
 FOLDED = 3.0
 # Rounds with the lines held, and then with the lines free: how many, how many rings of triangles around a fold are free
 # to move, and the weight of the anchor that keeps vertices where they are.
-HELD_ROUNDS, NEAR_RINGS, NEAR = 6, 2, 0.1
-FREE_ROUNDS, FAR_RINGS, FAR = 8, 3, 0.02
+HELD_ROUNDS = 6
+NEAR_RINGS = 2
+NEAR = 0.1
+FREE_ROUNDS = 8
+FAR_RINGS = 3
+FAR = 0.02
 # Then what is still folded: how many rounds, of how many steps, on how many rings; a triangle gets this share of its
 # area.
-LAST_ROUNDS, STEPS, LAST_RINGS, UPRIGHT = 12, 10, 3, 0.05
+LAST_ROUNDS = 12
+STEPS = 10
+LAST_RINGS = 3
+REPAIRED_AREA = 0.05
 # What is repaired keeps more than this share of its area: single precision, in which skin is kept, would turn it over.
 ROUNDED = 1e-4
 
@@ -56,10 +60,14 @@ class SheetGeometry:
 
 
 def build_sheet_geometry(generic: Values, positions: Values, triangles: Indices, /) -> SheetGeometry:
-    """The sheet of a face with positions (V, 3), for displacements of the generic face with positions (V, 3)."""
+    """The sheet of a face with positions (V, 3), for displacements of the generic face with positions (V, 3).
+
+    triangles: rows (F, 3) of vertices.
+    """
     order = np.argsort(triangles.ravel(), kind="stable")
     starts = np.concatenate([[0], np.cumsum(np.bincount(triangles.ravel(), minlength=len(positions)))])
-    here, there = triangle_frames(generic, triangles), triangle_frames(positions, triangles)
+    here = triangle_frames(generic, triangles)
+    there = triangle_frames(positions, triangles)
     inverse = np.linalg.inv(here).astype(np.float64)
     gradients, plane = _gradients(positions, triangles)
     return SheetGeometry(
@@ -73,16 +81,21 @@ def repair(
 ) -> Values:
     """Positions (V, 3) with fewer folded triangles, or the same array where none is folded.
 
+    geometry: the sheet of the face; positions: (V, 3), metres.
+
     source (V, 3): the generic face wearing the expression; on_line (V,): the vertices of lids' and lips' lines, held in
     the first rounds; close: brings them into contact again, in place, once they move too. The best round counts.
     """
-    free, folded = np.zeros_like(on_line), find_folds(geometry, positions, source, ROUNDED)
-    best, fewest = positions, int(folded.sum())
+    free = np.zeros_like(on_line)
+    folded = find_folds(geometry, positions, source, ROUNDED)
+    best = positions
+    fewest = int(folded.sum())
     for number in range(HELD_ROUNDS + FREE_ROUNDS + LAST_ROUNDS):
         if fewest == 0:
             break
         if number == HELD_ROUNDS + FREE_ROUNDS:
-            positions, folded = best, find_folds(geometry, best, source, ROUNDED)
+            positions = best
+            folded = find_folds(geometry, best, source, ROUNDED)
         positions = positions.copy()
         if number < HELD_ROUNDS:
             relax_patches(geometry, positions, source, folded, on_line, NEAR_RINGS, NEAR)
@@ -90,32 +103,39 @@ def repair(
             if number < HELD_ROUNDS + FREE_ROUNDS:
                 relax_patches(geometry, positions, source, folded, free, FAR_RINGS, FAR)
             else:
-                turn_upright(geometry, positions, source, folded)
+                repair_patch(geometry, positions, source, folded)
             close(positions)
         folded = find_folds(geometry, positions, source, ROUNDED)
         if folded.sum() < fewest:
-            best, fewest = positions, int(folded.sum())
+            best = positions
+            fewest = int(folded.sum())
     return best
 
 
 def find_folds(geometry: SheetGeometry, positions: Values, source: Values, least: float = 0.0, /) -> Mask:
     """The sheet triangles (T,) turned over on the face (V, 3) but not on the source (V, 3), the generic face; or that
-    keep less than the least share of their area along the normal at rest."""
+    keep less than the least share of their area along the normal at rest.
+
+    geometry: the sheet of the face; positions: (V, 3), metres.
+    """
     here = np.empty(len(geometry.triangles), np.bool_)
     mark_folds(positions, geometry.triangles, geometry.normals, least, here)
     return here & ~_find_source_folds(geometry, source)
 
 
 def _find_source_folds(geometry: SheetGeometry, source: Values) -> Mask:
-    found = np.empty(len(geometry.triangles), np.bool_)
-    mark_folds(source, geometry.triangles, geometry.generic_normals, 0.0, found)
-    return found
+    folded = np.empty(len(geometry.triangles), np.bool_)
+    mark_folds(source, geometry.triangles, geometry.generic_normals, 0.0, folded)
+    return folded
 
 
 def relax_patches(
     geometry: SheetGeometry, positions: Values, source: Values, folded: Mask, held: Mask, rings: int, anchor: float, /
 ) -> None:
-    """One round, in place: patches of so many rings around folded (T,) triangles, least squares.
+    """Relaxes once, in place, patches of so many rings around folded (T,) triangles, least squares.
+
+    geometry: the sheet of the face; positions: (V, 3), metres; anchor: how firmly vertices stay where they are, a share
+    of the mean diagonal.
 
     Folded triangles take the source's gradients, those around keep theirs; vertices that are held (V,) stay.
     """
@@ -130,22 +150,43 @@ def relax_patches(
     positions[inside] += step[place[inside]]
 
 
-def turn_upright(geometry: SheetGeometry, positions: Values, source: Values, folded: Mask, /) -> None:
-    """One round, in place: folded (T,) triangles get UPRIGHT of their area along their normal at rest, those around
-    keep as much where they have it; what is folded on the source (V, 3) may stay (position based dynamics)."""
+def repair_patch(geometry: SheetGeometry, positions: Values, source: Values, folded: Mask, /) -> None:
+    """Repairs once, in place, folded (T,) triangles up to REPAIRED_AREA, along their normal at rest; those around
+    keep as much where they have it; what is folded on the source (V, 3) may stay (position based dynamics).
+
+    geometry: the sheet of the face; positions: (V, 3), metres.
+    """
     grown = _grow_patch(folded, LAST_RINGS, geometry.triangles, geometry.starts, geometry.fans)
     patch = np.flatnonzero(grown & ~_find_source_folds(geometry, source))
-    corners, normals = geometry.triangles[patch], geometry.normals[patch]
+    corners = geometry.triangles[patch]
+    normals = geometry.normals[patch]
     sizes = (normals**2).sum(axis=1)
     shares = area_shares(positions, normals, sizes, corners)
-    goals = np.where(folded[patch], UPRIGHT, np.minimum(UPRIGHT, shares))
-    keep_orientation(positions, normals, sizes, corners, goals, STEPS)
+    goals = np.where(folded[patch], REPAIRED_AREA, np.minimum(REPAIRED_AREA, shares))
+    repair_triangles(positions, normals, sizes, corners, goals, STEPS)
+
+
+def warm_repair() -> None:
+    """Runs on a square what only compounds with folds go through, so that its kernels are compiled or loaded: the first
+    fold of a show would wait for them."""
+    square = np.array([[0.0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0], [0.5, 0.5, 0]])
+    fan = np.array([[0, 1, 4], [1, 2, 4], [2, 3, 4], [3, 0, 4]], np.int32)
+    fan.flags.writeable = False  # as of a space: numba compiles for each of both
+    geometry = build_sheet_geometry(square, square, fan)
+    moved = square + np.array([[0.0], [0], [0], [0], [1]]) * [1.0, 0, 0]
+    folded = find_folds(geometry, moved, square)
+    repair_patch(geometry, moved.copy(), square, folded)
+    relax_patches(geometry, moved, square, folded, np.zeros(len(square), np.bool_), NEAR_RINGS, NEAR)
 
 
 def triangle_frames(positions: Values, triangles: Indices, /) -> Values:
-    """Two edges and the scaled normal of each triangle as columns: (T, 3, 3) (Sumner & Popovic 2004, section 3)."""
+    """Two edges and the scaled normal of each triangle as columns: (T, 3, 3) (Sumner & Popovic 2004, section 3).
+
+    positions: (V, 3), metres; triangles: rows (F, 3) of vertices.
+    """
     a, b, c = positions.T[:, triangles.T].transpose(1, 0, 2)
-    first, second = b - a, c - a
+    first = b - a
+    second = c - a
     normal = np.stack([
         first[1] * second[2] - first[2] * second[1],
         first[2] * second[0] - first[0] * second[2],
@@ -159,14 +200,12 @@ def nearest_rotations(matrices: Values, /) -> Values:
     """The rotation nearest to each matrix (T, 3, 3), by polar decomposition."""
     u, _, vt = np.linalg.svd(matrices)
     u[:, :, 2] *= np.sign(np.linalg.det(u @ vt))[:, None]
-    result: Values = u @ vt
-    return result
+    return u @ vt
 
 
 def _normals(positions: Values, triangles: Indices) -> Values:
     a, b, c = positions[triangles].transpose(1, 0, 2)
-    result: Values = np.cross(b - a, c - a)
-    return result
+    return np.cross(b - a, c - a)
 
 
 def _gradients(positions: Values, triangles: Indices) -> tuple[Values, Values]:
@@ -182,7 +221,10 @@ def _gradients(positions: Values, triangles: Indices) -> tuple[Values, Values]:
 
 @njit(cache=True)
 def mark_folds(positions: Values, triangles: Indices, rest: Values, least: float, out: Mask) -> None:
-    """Marks in out (T,) the triangles that keep less than this share of their area along the normal at rest (T, 3)."""
+    """Marks in out (T,) the triangles that keep less than this share of their area along the normal at rest (T, 3).
+
+    positions: (V, 3), metres; least: the share of the area.
+    """
     for t in range(len(triangles)):
         i, j, k = triangles[t]
         a, b, c = positions[i], positions[j], positions[k]
@@ -206,16 +248,17 @@ def _grow_patch(folded: Mask, rings: int, triangles: Indices, starts: Indices, f
 @njit(cache=True)
 def _number_unknowns(
     patch: NDArray[np.int64], count: int, triangles: Indices, starts: Indices, fans: Indices, held: Mask
-) -> Indices:  # fmt: skip
+) -> Indices:
     """Each vertex's place among those, not held, all of whose triangles lie in the patch, or -1: (V,)."""
-    inside, place = np.zeros(count, np.bool_), np.full(len(starts) - 1, -1, np.int32)
+    inside = np.zeros(count, np.bool_)
+    place = np.full(len(starts) - 1, -1, np.int32)
     inside[patch] = True
-    found = 0
+    count_unknowns = 0
     for t in patch:
         for v in triangles[t]:
             if place[v] == -1 and not held[v] and inside[fans[starts[v] : starts[v + 1]]].all():
-                place[v] = found
-                found += 1
+                place[v] = count_unknowns
+                count_unknowns += 1
     return place
 
 
@@ -249,8 +292,11 @@ def _gather_system(
     """
     patch = np.flatnonzero(_grow_patch(folded, rings, triangles, starts, fans))
     place = _number_unknowns(patch, len(triangles), triangles, starts, fans, held)
-    pull, diagonal = np.zeros((place.max() + 1, 3)), np.zeros(place.max() + 1)
-    corners, slopes, weights = np.empty((len(patch), 3), np.int32), gradients[patch], np.ones(len(patch))
+    pull = np.zeros((place.max() + 1, 3))
+    diagonal = np.zeros(place.max() + 1)
+    corners = np.empty((len(patch), 3), np.int32)
+    slopes = gradients[patch]
+    weights = np.ones(len(patch))
     target = np.empty((2, 3))
     for n in range(len(patch)):
         t = patch[n]

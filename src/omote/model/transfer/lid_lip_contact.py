@@ -14,16 +14,15 @@ from numpy.typing import NDArray
 from scipy import sparse
 from scipy.sparse.linalg import splu
 
+from omote.arrays import Indices, Values
 from omote.model.space.lid_lip_lines import RUNGS, Kind, Line, lip_amplitude
 from omote.model.transfer.fold_repair import SheetGeometry
 
-Values = NDArray[np.float64]
-Indices = NDArray[np.int32]
-
 # How many hat functions there are along a line: between three of them lids close unevenly, and a muzzle's lips cross.
 BINS: Mapping[Kind, int] = {"lids": 8, "lips": 7}
-# A correction dies out over this share of the line's width, and is nothing beyond REACH widths.
-LENGTH, REACH = 0.2, 1.5
+# A correction dies out over this share of the line's width, and is nothing beyond FARTHEST_WIDTHS.
+LENGTH_WIDTHS = 0.2
+FARTHEST_WIDTHS = 1.5
 # Where the jaw goes with the lips in full: (distance to the lids - to the lips) / their sum.
 JAW = 0.4
 _UP = np.array([0.0, 1.0, 0.0])
@@ -53,9 +52,14 @@ class Contact:
 
 def build_contact(line: Line, generic: Values, positions: Values, sheet: SheetGeometry, /) -> Contact:
     """The contact of a line on a face with positions (V, 3); generic (V, 3): the face on which expressions were
-    made."""
-    there, here = line.rungs(generic), line.rungs(positions)
-    long_there, long_here = np.linalg.norm(there, axis=1), np.linalg.norm(here, axis=1)
+    made.
+
+    sheet: of that face.
+    """
+    there = line.rungs(generic)
+    here = line.rungs(positions)
+    long_there = np.linalg.norm(there, axis=1)
+    long_here = np.linalg.norm(here, axis=1)
     lips = line.kind == "lips"
     source = np.tile(_UP, (RUNGS, 1)) if lips else there / long_there[:, None]
     target = np.tile(_UP, (RUNGS, 1)) if lips else here / long_here[:, None]
@@ -85,7 +89,7 @@ def _solve_responses(
     distance = np.full(len(used), np.inf)
     for vertex in line.loop:
         distance = np.minimum(distance, np.linalg.norm(positions[used] - positions[vertex], axis=1))
-    near = used[distance < REACH * width].astype(np.int32)
+    near = used[distance < FARTHEST_WIDTHS * width].astype(np.int32)
     place = np.full(len(positions), -1)
     place[near] = np.arange(len(near))
     openings = np.zeros((BINS[line.kind], len(near), 3))
@@ -93,7 +97,7 @@ def _solve_responses(
     for column in range(4):
         for rung in range(RUNGS):
             openings[:, place[line.vertices[rung, column]]] += weighted[:, rung, column]
-    solver = splu(sparse.csc_array(_stiffness(sheet, near, place, LENGTH * width)))
+    solver = splu(sparse.csc_array(_stiffness(sheet, near, place, LENGTH_WIDTHS * width)))
     flat = np.stack([solver.solve(np.ascontiguousarray(openings[:, :, c].T)) for c in range(3)], axis=2)
     gram = np.einsum("bvc,vdc->bd", openings, flat)
     return near, np.einsum("vbc,bd->vdc", flat, np.linalg.inv(gram))
@@ -102,9 +106,11 @@ def _solve_responses(
 def _stiffness(sheet: SheetGeometry, near: Indices, place: NDArray[np.int64], length: float) -> sparse.csr_array:
     """M = D'D + diag(valence / 3 / length^2) on the near vertices, those beyond held."""
     touched = np.flatnonzero((place[sheet.triangles] >= 0).any(axis=1))
-    corners, slopes = place[sheet.triangles[touched]], sheet.gradients[touched]
+    corners = place[sheet.triangles[touched]]
+    slopes = sheet.gradients[touched]
     energy = np.einsum("tkd,tld->tkl", slopes, slopes)
-    rows, cols = np.repeat(corners, 3, axis=1).ravel(), np.tile(corners, (1, 3)).ravel()
+    rows = np.repeat(corners, 3, axis=1).ravel()
+    cols = np.tile(corners, (1, 3)).ravel()
     inside = (rows >= 0) & (cols >= 0)
     shape = (len(near), len(near))
     matrix = sparse.coo_array((energy.ravel()[inside], (rows[inside], cols[inside])), shape=shape).tocsr()
@@ -113,7 +119,10 @@ def _stiffness(sheet: SheetGeometry, near: Indices, place: NDArray[np.int64], le
 
 
 def close_contact(contact: Contact, positions: Values, moved: Values, /) -> None:
-    """Opens or closes the line of positions (V, 3), in place, as far as moved (V, 3), the generic face, has it."""
+    """Opens or closes the line of positions (V, 3), in place, as far as moved (V, 3), the generic face, has it.
+
+    contact: of the line on this face.
+    """
     source = (contact.source * contact.line.rungs(moved)).sum(axis=1)
     now = (contact.target * contact.line.rungs(positions)).sum(axis=1)
     if contact.line.kind == "lips":
@@ -126,10 +135,13 @@ def close_contact(contact: Contact, positions: Values, moved: Values, /) -> None
 def compute_gain(generic: Values, contacts: tuple[Contact, ...], amplitude: float, /) -> Values:
     """How much larger a displacement of the generic face (V, 3) becomes at each vertex, (V,): its gain.
 
+    contacts: of lids and lips.
+
     amplitude: the jaw's, of `lid_lip_lines.jaw_amplitude`: as large where a vertex is nearer to the lips than to the
     lids, one around these, smoothly between.
     """
-    gain, lids = np.ones(len(generic)), np.full(len(generic), np.inf)
+    gain = np.ones(len(generic))
+    lids = np.full(len(generic), np.inf)
     for contact in contacts:
         if contact.line.kind == "lids":
             lids = np.minimum(lids, _distance(generic, contact.line))
@@ -142,5 +154,4 @@ def compute_gain(generic: Values, contacts: tuple[Contact, ...], amplitude: floa
 
 
 def _distance(points: Values, line: Line) -> Values:
-    result: Values = np.linalg.norm(points[:, None] - points[line.loop], axis=2).min(axis=1)
-    return result
+    return np.linalg.norm(points[:, None] - points[line.loop], axis=2).min(axis=1)

@@ -2,20 +2,18 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from dataclasses import dataclass
-from weakref import WeakKeyDictionary
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.sparse import coo_array, csr_array
+from scipy.sparse import coo_array
 from scipy.sparse.csgraph import connected_components, dijkstra
 from scipy.spatial import cKDTree
 
+from omote.arrays import Indices, Mask, Values
+from omote.geometry import mesh
 from omote.model.space.parameter_space import ParameterSpace
-
-Values = NDArray[np.float64]
-Indices = NDArray[np.int32]
+from omote.model.weak_cache import weakly_cached
 
 
 @dataclass(frozen=True, eq=False)
@@ -25,9 +23,9 @@ class MouthBag:
     vertices (m,); triangles (t, 3) of the mesh that touch it; rows (n,): the row in `vertices` of each inner vertex, or
     -1; distance (m,): metres along the mesh to the sheet; neighbours (m, k): rows, a vertex's own where it has fewer;
     starts (m,): sheet vertices at which a walk to the skin outside begins; region (k,): the bag and the skin within
-    REACH of it; skin (s, 3), membranes (o, 3): the triangles of the sheet there, and what closes its openings; rim
-    (r,): the rows nearer to the lips than RIM; around (a, 3): the skin and membranes within AROUND of these.
-    """
+    COVER_METRES of it; skin (s, 3), membranes (o, 3): the triangles of the sheet there, and what closes its openings;
+    rim (r,): the rows nearer to the lips than RIM_METRES; around (a, 3): the skin and membranes within AROUND_METRES of
+    these."""
 
     vertices: Indices
     triangles: Indices
@@ -43,26 +41,20 @@ class MouthBag:
 
 
 # The bag's rim reaches so far along the mesh from the lips, and the skin around it so far from it, metres.
-RIM, AROUND = 0.006, 0.008
+RIM_METRES = 0.006
+AROUND_METRES = 0.008
 # The bag is behind skin that is no farther from it than this, metres.
-REACH = 0.03
-
-_bags: WeakKeyDictionary[ParameterSpace, tuple[MouthBag, ...]] = WeakKeyDictionary()
+COVER_METRES = 0.03
 
 
+@weakly_cached
 def find_mouth_bag(space: ParameterSpace, /) -> MouthBag | None:
     """The mouth bag of a space, remembered as long as it lives; None where no lips are named or none is behind."""
-    if space not in _bags:
-        _bags[space] = tuple(_search(space))
-    return next(iter(_bags[space]), None)
-
-
-def _search(space: ParameterSpace) -> Sequence[MouthBag]:
     lips = next((line.loop for line in space.lines if line.kind == "lips"), None)
     corners = space.welded[space.triangles]
     vertices = np.zeros(0, np.int32) if lips is None else find_behind(corners, ~space.on_sheet, lips)
     if len(vertices) == 0:
-        return ()
+        return None
     triangles = corners[np.isin(corners, vertices).any(axis=1)].astype(np.int32)
     place = np.full(space.vertex_count, -1, np.int32)
     place[vertices] = np.arange(len(vertices), dtype=np.int32)
@@ -70,27 +62,29 @@ def _search(space: ParameterSpace) -> Sequence[MouthBag]:
     distance = measure_distance(space, triangles, vertices)
     neighbours = _list_neighbours(triangles, place, len(vertices))
     near, _ = cKDTree(space.points[vertices]).query(space.points)
-    region = np.flatnonzero(near < REACH).astype(np.int32)
+    region = np.flatnonzero(near < COVER_METRES).astype(np.int32)
     starts = _nearest_on_sheet(space, vertices)
-    skin, membranes = (part[(near < REACH)[part].all(axis=1)] for part in (space.sheet_triangles, space.membranes))
-    rim = np.flatnonzero(distance < RIM)
+    skin, membranes = (
+        part[(near < COVER_METRES)[part].all(axis=1)] for part in (space.sheet_triangles, space.membranes)
+    )
+    rim = np.flatnonzero(distance < RIM_METRES)
     around = _find_around(space, vertices[rim], np.concatenate([skin, membranes]))
-    return (
-        MouthBag(
-            vertices, triangles, rows, distance, neighbours, starts, region, skin, membranes, rim=rim, around=around
-        ),
+    return MouthBag(
+        vertices, triangles, rows, distance, neighbours, starts, region, skin, membranes, rim=rim, around=around
     )
 
 
 def _find_around(space: ParameterSpace, vertices: Indices, triangles: Indices) -> Indices:
-    """The triangles whose middles are within AROUND of vertices."""
+    """The triangles whose middles are within AROUND_METRES of vertices."""
     away, _ = cKDTree(space.points[vertices]).query(space.points[triangles].mean(axis=1))
-    result: Indices = triangles[away < AROUND]
-    return result
+    return triangles[away < AROUND_METRES]
 
 
-def find_behind(corners: Indices, inner: NDArray[np.bool_], line: Indices, /) -> Indices:
-    """The inner vertices that are joined to a line of lids or lips by inner vertices."""
+def find_behind(corners: Indices, inner: Mask, line: Indices, /) -> Indices:
+    """The inner vertices that are joined to a line of lids or lips by inner vertices.
+
+    corners: (F, 3) rows of the triangles.
+    """
     ends = np.concatenate([corners[:, [0, 1]], corners[:, [1, 2]], corners[:, [2, 0]]])
     ends = ends[inner[ends].all(axis=1)]
     graph = coo_array((np.ones(len(ends)), (ends[:, 0], ends[:, 1])), shape=(len(inner), len(inner)))
@@ -101,15 +95,13 @@ def find_behind(corners: Indices, inner: NDArray[np.bool_], line: Indices, /) ->
 
 
 def measure_distance(space: ParameterSpace, triangles: Indices, vertices: Indices, /) -> Values:
-    """How far along the mesh vertices (m,) of a bag are from the sheet (Dijkstra), metres: (m,)."""
-    ends = np.concatenate([triangles[:, [0, 1]], triangles[:, [1, 2]], triangles[:, [2, 0]]])
-    lengths = np.linalg.norm(space.points[ends[:, 0]] - space.points[ends[:, 1]], axis=1)
-    ends, first = np.unique(np.sort(ends, axis=1), axis=0, return_index=True)
-    shape = (space.vertex_count, space.vertex_count)
-    graph = csr_array((lengths[first], (ends[:, 0], ends[:, 1])), shape=shape)
+    """How far along the mesh vertices (m,) of a bag are from the sheet (Dijkstra), metres: (m,).
+
+    space: the space of the generic head; triangles: (F, 3) of the bag and of what is around it.
+    """
+    graph = mesh.edge_graph(space.points, triangles)
     rim = np.unique(triangles[space.on_sheet[triangles]])
-    result: Values = dijkstra(graph, directed=False, indices=rim, min_only=True)[vertices]
-    return result
+    return dijkstra(graph, directed=False, indices=rim, min_only=True)[vertices]
 
 
 def _list_neighbours(triangles: Indices, place: Indices, count: int) -> NDArray[np.int64]:
@@ -129,5 +121,4 @@ def _nearest_on_sheet(space: ParameterSpace, vertices: Indices) -> Indices:
     radius = float(np.hypot(space.points[sheet, 0], space.points[sheet, 2]).mean())
     plane = np.stack([space.theta * radius, space.h], axis=1)
     _, nearest = cKDTree(plane[sheet]).query(plane[vertices])
-    result: Indices = sheet[nearest].astype(np.int32)
-    return result
+    return sheet[nearest].astype(np.int32)

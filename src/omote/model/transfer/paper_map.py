@@ -12,16 +12,13 @@ from numbers import Real
 
 import numpy as np
 from numba import njit
-from numpy.typing import NDArray
 
+from omote.arrays import Floats, Indices, Mask, Values
 from omote.geometry.locate import Landing, walk_face
 from omote.geometry.mesh import FARTHEST
 from omote.model.space.expression import Expression
 from omote.model.space.face_fit import FittedFace, fit, generic_face
 from omote.model.space.parameter_space import ParameterSpace, refuse_no_space
-
-Floats = NDArray[np.float32]
-Indices = NDArray[np.int32]
 
 _WEIGHTS = f"expected a number from {-FARTHEST:g} to {FARTHEST:g}"
 
@@ -39,9 +36,9 @@ class Compiled:
     weights: Floats
     ratios: Floats
     residual: Floats
-    parts: Mapping[str, NDArray[np.float64]]
-    inside: NDArray[np.bool_]
-    ears: NDArray[np.float64] = field(default_factory=lambda: np.zeros((2, 3)))
+    parts: Mapping[str, Values]
+    inside: Mask
+    ears: Values = field(default_factory=lambda: np.zeros((2, 3)))
 
 
 def _checked_weight(weight: object) -> float:
@@ -70,7 +67,8 @@ def refuse_foreign(space: ParameterSpace, expression: Expression, /) -> None:
             f"expected {space.vertex_count} and {len(space.inner.vertices)}: it was made on another space"
         )
     for rule in ("radius", "transfer"):
-        mine, own = getattr(expression, rule), getattr(space, rule)
+        mine = getattr(expression, rule)
+        own = getattr(space, rule)
         if mine != own:
             raise ValueError(
                 f"the expression was taken with {rule}={mine!r} and the space has {rule}={own!r}; "
@@ -83,14 +81,17 @@ def refuse_foreign(space: ParameterSpace, expression: Expression, /) -> None:
             )
 
 
-def project_to_surface(
-    space: ParameterSpace, points: NDArray[np.float64], targets: NDArray[np.float64], vertices: Indices, /
-) -> Landing:
+def project_to_surface(space: ParameterSpace, points: Values, targets: Values, vertices: Indices, /) -> Landing:
     """Where targets (N, 3) come down on a face with points (V, 3) along their cylinder radius, walking from vertices
-    (N,)."""
+    (N,).
+
+    space: the space of the generic head.
+    """
     count = len(vertices)
     start = space.fans.triangles[space.fans.starts[vertices]]
-    triangles, weights, inside = np.empty(count, np.int32), np.empty((count, 3)), np.empty(count, np.bool_)
+    triangles = np.empty(count, np.int32)
+    weights = np.empty((count, 3))
+    inside = np.empty(count, np.bool_)
     walk_face(
         points, space.location_triangles, space.strip.neighbours, space.cylinder.x, space.cylinder.z,
         targets, start, triangles, weights, inside,
@@ -119,10 +120,13 @@ def compile_expression(space: ParameterSpace, expression: Expression, /, weight:
 
 
 def locate_field(
-    space: ParameterSpace, dtheta: NDArray[np.float64], dh: NDArray[np.float64], ratios: NDArray[np.float64],
-    residual: NDArray[np.float64], parts: Mapping[str, NDArray[np.float64]], /,
-) -> Compiled:  # fmt: skip
-    """A field on S located: one walk per moved vertex of the sheet (paper, section 2.2, step 2a)."""
+    space: ParameterSpace, dtheta: Values, dh: Values, ratios: Values, residual: Values, parts: Mapping[str, Values], /
+) -> Compiled:
+    """A field on S located: one walk per moved vertex of the sheet (paper, section 2.2, step 2a).
+
+    space: the space of the generic head; dtheta: (V,), radians; dh: (V,), metres; ratios: (V,), R; residual: (V, 3),
+    metres; parts: what each part does beyond the skin, (n, 3), metres.
+    """
     count = space.vertex_count
     indices = np.repeat(np.arange(count, dtype=np.int32)[:, None], 3, axis=1)
     weights = np.zeros((count, 3), np.float32)
@@ -130,16 +134,18 @@ def locate_field(
     inside = np.ones(count, np.bool_)
     moved = np.flatnonzero(space.on_sheet & ((dtheta != 0) | (dh != 0))).astype(np.int32)
     landing = space.locate(space.theta[moved] + dtheta[moved], space.h[moved] + dh[moved], moved)
-    indices[moved], weights[moved], inside[moved] = (
-        space.location_triangles[landing.triangles],
-        landing.weights,
-        landing.inside,
-    )
+    indices[moved] = space.location_triangles[landing.triangles]
+    weights[moved] = landing.weights
+    inside[moved] = landing.inside
     return Compiled(indices, weights, ratios.astype(np.float32), residual.astype(np.float32), dict(parts), inside)
 
 
 def gather_landings(space: ParameterSpace, fitted: FittedFace, compiled: Compiled, out: Floats, /) -> None:
-    """Moves each vertex of the sheet to the point of the face at which it lands on S, radius rescaled: one gather."""
+    """Moves each vertex of the sheet to the point of the face at which it lands on S, radius rescaled: one gather.
+
+    space: the space of the generic head; fitted: the face, fitted; compiled: the expression, compiled; out: (V, 3)
+    float32, metres; written.
+    """
     axis = np.float32(space.cylinder.x), np.float32(space.cylinder.z)
     from_origin = space.radius == "origin"
     gather_points(
@@ -148,7 +154,11 @@ def gather_landings(space: ParameterSpace, fitted: FittedFace, compiled: Compile
 
 
 def follow_inner_skin(space: ParameterSpace, fitted: FittedFace, compiled: Compiled, out: Floats, /) -> None:
-    """Moves the inner skin by its anchors' mean displacement and the expression's own residual."""
+    """Moves the inner skin by its anchors' mean displacement and the expression's own residual.
+
+    space: the space of the generic head; fitted: the face, fitted; compiled: the expression, compiled; out: (V, 3)
+    float32, metres; written.
+    """
     inner = space.inner
     follow_anchors(fitted.positions, inner.vertices, inner.anchors, inner.weights, compiled.residual, fitted.scale, out)
 
@@ -159,16 +169,22 @@ STAGES = (gather_landings, follow_inner_skin)
 
 def apply_paper_map(
     space: ParameterSpace, fitted: FittedFace, compiled: Compiled, /, out: Floats | None = None
-) -> Floats:  # fmt: skip
-    """The compound (V, 3) of a fitted face and a compiled expression, metres."""
+) -> Floats:
+    """The compound (V, 3) of a fitted face and a compiled expression, metres.
+
+    space: the space of the generic head; out: (V, 3) float32, metres; written.
+    """
     out = np.empty_like(fitted.positions) if out is None else out
     for stage in STAGES:
         stage(space, fitted, compiled, out)
     return out
 
 
-def displace_generic(space: ParameterSpace, compiled: Compiled, /) -> NDArray[np.float64]:
-    """What a compiled expression does to the generic face by the paper's map: displacement (V, 3), metres."""
+def displace_generic(space: ParameterSpace, compiled: Compiled, /) -> Values:
+    """What a compiled expression does to the generic face by the paper's map: displacement (V, 3), metres.
+
+    space: the space of the generic head.
+    """
     fitted = fit(space, generic_face(space))
     return apply_paper_map(space, fitted, compiled).astype(np.float64) - fitted.positions
 
@@ -178,8 +194,13 @@ def gather_points(
     positions: Floats, indices: Indices, weights: Floats, ratios: Floats, radii: Floats, x: np.float32, z: np.float32,
     origin: bool, out: Floats,
 ) -> None:  # fmt: skip
-    """Kernel of the compound on the sheet (paper, section 2.2, steps 2b, 2c); no trigonometry: theta and h are kept
-    by scaling."""
+    """Writes the compound on the sheet (paper, section 2.2, steps 2b, 2c); no trigonometry: theta and h are kept
+    by scaling.
+
+    positions: (V, 3), metres; indices: (n, 3) corners of the triangle of each point; weights: (n, 3), barycentric;
+    ratios: (n,), R; radii: (V,), metres; x, z: of the axis, metres; origin: whether ratios are of the radius at rest,
+    not of that on the face; out: (n, 3), metres.
+    """
     for v in range(len(indices)):
         i, j, k = indices[v, 0], indices[v, 1], indices[v, 2]
         a, b, c = weights[v, 0], weights[v, 1], weights[v, 2]
@@ -201,7 +222,11 @@ def follow_anchors(
     positions: Floats, vertices: Indices, anchors: Indices, weights: Floats, residual: Floats, scale: Floats,
     out: Floats,
 ) -> None:  # fmt: skip
-    """Moves the inner skin by its anchors' displacement and the expression's own residual; reads and writes out."""
+    """Moves the inner skin by its anchors' displacement and the expression's own residual; reads and writes out.
+
+    positions: (V, 3), metres; vertices: (n,) rows of the inner skin; weights: (n, k), of their anchors; scale: (n,),
+    how much larger the face is there.
+    """
     for n in range(len(vertices)):
         v = vertices[n]
         dx, dy, dz = scale[n] * residual[n, 0], scale[n] * residual[n, 1], scale[n] * residual[n, 2]

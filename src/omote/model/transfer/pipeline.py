@@ -11,25 +11,20 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
-from numpy.typing import NDArray
 
+from omote.arrays import Floats, Values
 from omote.model.space.face import Face
 from omote.model.space.face_fit import fit
 from omote.model.space.parameter_space import ParameterSpace
-from omote.model.transfer import fold_repair, mouth_bag_fit
-from omote.model.transfer.detail_transfer import solve_detail
-from omote.model.transfer.eyes import socket_clearance
-from omote.model.transfer.eyes.eyeball_clearance import clear_eyeball
+from omote.model.transfer import fold_repair, mouth_bag_fit, socket_skin
+from omote.model.transfer.eyeball_clearance import clear_eyeball
 from omote.model.transfer.lid_lip_contact import close_contact
 from omote.model.transfer.paper_map import Compiled, displace_generic, follow_anchors
-from omote.model.transfer.smooth_map import SmoothMap, prepare_smooth_map
-
-Floats = NDArray[np.float32]
-Values = NDArray[np.float64]
+from omote.model.transfer.smooth_map import SmoothMap, prepare_smooth_map, solve_detail
 
 
 @dataclass(frozen=True, eq=False)
-class State:
+class PartialCompound:
     """A compound between two stages.
 
     space, face, smooth_map: what it is made for; displacement (V, 3): what the generic face does; source (V, 3): where
@@ -48,10 +43,10 @@ class State:
     repaired: Values | None = None
 
 
-Stage = Callable[[State], State]
+Stage = Callable[[PartialCompound], PartialCompound]
 
 
-def transfer_detail(state: State, /) -> State:
+def transfer_detail(partial: PartialCompound, /) -> PartialCompound:
     """Adds the displacement to the face; within 2 mm the triangles take the generic face's deformation gradients.
 
     Deformation transfer (Sumner & Popovic 2004) as a screened Poisson equation, factorised once per face; gradients
@@ -59,82 +54,87 @@ def transfer_detail(state: State, /) -> State:
     triangles differ; gradients alone (one global solve) triple the error against people's true expressions; scaling by
     the size of the head is wrong, as people's amplitudes do not grow with it.
     """
-    ready = state.smooth_map
-    return replace(state, sheet=state.sheet + solve_detail(ready.detail, state.displacement, state.source, ready.gain))
+    ready = partial.smooth_map
+    return replace(
+        partial, sheet=partial.sheet + solve_detail(ready.detail, partial.displacement, partial.source, ready.gain)
+    )
 
 
-def close_lids_and_lips(state: State, /) -> State:
+def close_lids_and_lips(partial: PartialCompound, /) -> PartialCompound:
     """Opens or closes lids and lips as far as on the generic face.
 
     Equality-constrained least squares (minimum norm): the smoothest displacement that gives each hat function along
     a line (eight on lids, seven on lips) its opening, solved once per face. Tried: one constraint per line, or three,
     closes lids unevenly; hard rims fold large eyes.
     """
-    sheet = state.sheet.copy()
-    _close_contacts(state, sheet)
-    return replace(state, sheet=sheet)
+    sheet = partial.sheet.copy()
+    _close_contacts(partial, sheet)
+    return replace(partial, sheet=sheet)
 
 
-def clear_eyeballs(state: State, /) -> State:
+def clear_eyeballs(partial: PartialCompound, /) -> PartialCompound:
     """Pushes skin out of the eyeballs where it lies deeper than on the generic face.
 
     Projection onto a sphere along its normal, spread over five rings of neighbours by a decaying maximum. Returns the
-    state itself where nothing lies too deep.
+    partial itself where nothing lies too deep.
     """
-    sheet = state.sheet.copy()
-    pushed = [clear_eyeball(clearance, sheet, state.source) for clearance in state.smooth_map.clearances]
-    return replace(state, sheet=sheet) if any(pushed) else state
+    sheet = partial.sheet.copy()
+    pushed = [clear_eyeball(clearance, sheet, partial.source) for clearance in partial.smooth_map.clearances]
+    return replace(partial, sheet=sheet) if any(pushed) else partial
 
 
-def repair_folds(state: State, /) -> State:
+def repair_folds(partial: PartialCompound, /) -> PartialCompound:
     """Turns back triangles that are turned over here and not on the generic face; the round with the fewest counts.
 
     Gradient-domain patches: folded triangles take the generic face's deformation gradient, rotated by the polar
     decomposition from face to face, those around keep theirs; least squares by conjugate gradients, anchored to where
     the sheet was. Rejected: one global solve (see `transfer_detail`). A sheet that it has repaired already stays.
     """
-    if state.sheet is state.repaired:
-        return state
-    ready = state.smooth_map
+    if partial.sheet is partial.repaired:
+        return partial
+    ready = partial.smooth_map
     sheet = fold_repair.repair(
-        ready.geometry, state.sheet, state.source, ready.on_line, lambda sheet: _close_contacts(state, sheet)
+        ready.geometry, partial.sheet, partial.source, ready.on_line, lambda sheet: _close_contacts(partial, sheet)
     )
-    return replace(state, sheet=sheet, repaired=sheet)
+    return replace(partial, sheet=sheet, repaired=sheet)
 
 
-def weld_seams(state: State, /) -> State:
+def weld_seams(partial: PartialCompound, /) -> PartialCompound:
     """Puts the vertices of the sheet that are doubled at texture seams in one place, and inner skin at rest."""
-    space, rest = state.space, fit(state.space, state.face).positions
-    skin = np.where(space.on_sheet[:, None], state.sheet[space.welded], rest).astype(np.float32)
-    return replace(state, skin=skin)
+    space = partial.space
+    rest = fit(partial.space, partial.face).positions
+    skin = np.where(space.on_sheet[:, None], partial.sheet[space.welded], rest).astype(np.float32)
+    return replace(partial, skin=skin)
 
 
-def follow_inner_skin(state: State, /) -> State:
+def follow_inner_skin(partial: PartialCompound, /) -> PartialCompound:
     """Moves the inner skin (mouth bag, nostrils, lid pockets) by few anchors on the sheet and its own residual.
 
     A harmonic extension, solved once per topology and kept as the ten largest weights of each vertex. Rejected: a
     solve per compound, which would cost more than the whole compound.
     """
-    inner, fitted, skin = state.space.inner, fit(state.space, state.face), state.skin.copy()
-    follow_anchors(fitted.positions, inner.vertices, inner.anchors, inner.weights, state.residual, fitted.scale, skin)
-    return replace(state, skin=skin)
+    inner = partial.space.inner
+    fitted = fit(partial.space, partial.face)
+    skin = partial.skin.copy()
+    follow_anchors(fitted.positions, inner.vertices, inner.anchors, inner.weights, partial.residual, fitted.scale, skin)
+    return replace(partial, skin=skin)
 
 
-def fit_mouth_bag(state: State, /) -> State:
+def fit_mouth_bag(partial: PartialCompound, /) -> PartialCompound:
     """Pushes the mouth bag behind the skin where it comes out.
 
     Rays from the cylinder's axis find its depth; projection along the skin's normal, spread over four rings by a
     decaying maximum, up to twelve rounds. Rejected: moving the bag's walls with the teeth improved no face.
     """
-    return replace(state, skin=mouth_bag_fit.fit_mouth_bag(state.space, state.face, state.skin))
+    return replace(partial, skin=mouth_bag_fit.fit_mouth_bag(partial.space, partial.face, partial.skin))
 
 
-def fit_socket_lining(state: State, /) -> State:
+def fit_socket_lining(partial: PartialCompound, /) -> PartialCompound:
     """Pushes the lining of the eye sockets behind the skin where it comes out.
 
     Rays from the cylinder's axis find the foremost skin; projection along its normal, up to four rounds.
     """
-    return replace(state, skin=socket_clearance.fit_socket_lining(state.space, state.face, state.skin))
+    return replace(partial, skin=socket_skin.fit_socket_lining(partial.space, partial.face, partial.skin))
 
 
 STAGES: tuple[Stage, ...] = (
@@ -159,35 +159,46 @@ LINEAR_INNER_STAGES = STAGES[: STAGES.index(fit_mouth_bag)]
 """The stages after which the inner skin is still linear in the residual, which extraction needs."""
 
 
-def run(stages: Sequence[Stage], state: State, /) -> State:
-    """The state after the stages, one after another."""
+def run(stages: Sequence[Stage], partial: PartialCompound, /) -> PartialCompound:
+    """The partial compound after the stages, one after another."""
     for stage in stages:
-        state = stage(state)
-    return state
+        partial = stage(partial)
+    return partial
 
 
-def start(space: ParameterSpace, face: Face, displacement: Values, residual: Floats, /) -> State:
-    """The state before the first stage: the face at rest, the generic face displaced by (V, 3) metres."""
+def start(space: ParameterSpace, face: Face, displacement: Values, residual: Floats, /) -> PartialCompound:
+    """The partial compound before the first stage: the face at rest, the generic face displaced by (V, 3) metres.
+
+    space: the space of the generic head; displacement: of the generic face (V, 3), metres; residual: of the inner skin
+    (n, 3), metres.
+    """
     ready = prepare_smooth_map(space, face)
-    moved, rest = ready.generic + displacement, fit(space, face).positions
-    return State(space, face, ready, displacement, moved, residual, ready.positions, rest)
+    moved = ready.generic + displacement
+    rest = fit(space, face).positions
+    return PartialCompound(space, face, ready, displacement, moved, residual, ready.positions, rest)
 
 
 def transfer_expression(
     space: ParameterSpace, face: Face, compiled: Compiled, /, stages: Sequence[Stage] = STAGES
 ) -> Floats:
-    """A face wearing a compiled expression under the smooth map: (V, 3) float32, metres."""
+    """A face wearing a compiled expression under the smooth map: (V, 3) float32, metres.
+
+    space: the space of the generic head; stages: of the transfer, in their order.
+    """
     return run(stages, start(space, face, displace_generic(space, compiled), compiled.residual)).skin
 
 
 def apply_smooth_map(
     space: ParameterSpace, face: Face, displacement: Values, /, stages: Sequence[Stage] = SHEET_STAGES
 ) -> Values:
-    """The sheet of a face moved as a displacement (V, 3) moves the generic face: (V, 3) metres, float64."""
+    """The sheet of a face moved as a displacement (V, 3) moves the generic face: (V, 3) metres, float64.
+
+    space: the space of the generic head; stages: of the transfer, in their order.
+    """
     still = np.zeros((len(space.inner.vertices), 3), np.float32)
     return run(stages, start(space, face, displacement, still)).sheet
 
 
-def _close_contacts(state: State, sheet: Values) -> None:
-    for contact in state.smooth_map.contacts:
-        close_contact(contact, sheet, state.source)
+def _close_contacts(partial: PartialCompound, sheet: Values) -> None:
+    for contact in partial.smooth_map.contacts:
+        close_contact(contact, sheet, partial.source)

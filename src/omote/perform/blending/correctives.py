@@ -1,50 +1,51 @@
-"""Correctives of combinations: what several compounds together fold or pierce, and none alone, is corrected.
+"""Correctives of combinations: what several compounds together fold or pierce, and none alone, is repaired.
 
-Each frame, after the blend (docs/method.md, "Correctives of combinations"). Artists sculpt such fixes by hand and call
-them correctives or combination shapes; here they are computed. One compound on one face keeps its shape: each has an
-allowance of what it uses up by itself (`measure_allowance`), weighted like the mix; but no triangle turns over. The GPU
-of a stage does the same (web/src/face/blend/corrective_shaders.ts). All of it is continuous in the weights: lids and
-lips that cross move apart by half each; lids are pushed out of the eyeball, whose cornea bulges where it looks;
-triangles about to turn over are projected (`omote.geometry.orientation`). Rejected: smoothing displacements folded more
-than it mended.
+A fold is a triangle that is turned over. Each frame, after the blend (docs/method.md, "Correctives of combinations").
+Artists sculpt such fixes by hand and call them correctives or combination shapes; here they are computed. One compound
+on one face keeps its shape: each has an allowance of what it uses up by itself (`measure_allowance`), weighted like the
+mix; but it folds nothing. The GPU of a stage does the same (web/src/face/blend/corrective_shaders.ts). All of it is
+continuous in the weights: lids and lips that cross move apart by half each; lids are pushed out of the eyeball, whose
+cornea bulges where it looks; triangles about to fold are projected (`omote.geometry.orientation`). Rejected: smoothing
+displacements, which folded more than it repaired.
 """
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-from weakref import WeakKeyDictionary
+from dataclasses import dataclass, replace
 
 import numpy as np
-from numpy.typing import NDArray
 
-from omote.geometry.orientation import area_shares, keep_orientation, rest_normals
+from omote.arrays import Floats, Values
+from omote.geometry.orientation import area_shares, repair_triangles, rest_normals
 from omote.model.space.expression import Expression
 from omote.model.space.face_fit import FittedFace
 from omote.model.space.lid_lip_lines import RUNGS
 from omote.model.space.parts import eye_rotation
 from omote.model.transfer.corrective_regions import CorrectiveRegions, Crossing
+from omote.model.weak_cache import weakly_cached_with
 
-Floats = NDArray[np.float32]
-Values = NDArray[np.float64]
-Indices = NDArray[np.int32]
-
+# Areas are shares of a triangle's own area at rest, seen along its normal at rest.
 ROUNDS = (8, 8, 32)
-"""How often triangles are projected; before each block lids and lips are separated, and lids leave the eyeballs."""
+"""Rounds of fold repair, block by block; before each lids and lips are separated, and lids leave the eyeballs."""
 LEAST_AREA = 0.1
-"""A triangle keeps this share of its area at rest, seen along its normal at rest; less where a compound alone does."""
+"""The area that a triangle keeps; less where a compound alone leaves less."""
 FLOOR = 0.02
-"""Less than this share no triangle keeps, whatever the compounds do alone: what each one leaves of it does not add."""
+"""The area that it keeps whatever the compounds do alone: what each one leaves of it does not add."""
 MOMENTUM = 0.5
-"""How much of its last step a vertex goes on, round by round (`omote.geometry.orientation`)."""
-MARGIN, FARTHEST = 0.5, 0.03
-"""So much of what a triangle lacks of its area it is to have beyond its goal, and at most so large a share of its area:
-what a few rounds leave lacking turns nothing over."""
-DEEP, KEPT = 0.4, 0.3
-"""A sum is damped where a triangle would be turned over by more than this share of its area beyond its goal; at least
-so much of a sum is kept."""
-BULGE, CORNEA = 0.035, 0.6
+"""The share of its last step that a vertex goes on, round by round (`omote.geometry.orientation`)."""
+MARGIN = 0.5
+FARTHEST = 0.03
+"""The goal lies beyond the area that is kept by this share of what lacks, and by this area at most: what a few rounds
+leave lacking folds nothing."""
+DEEP = 0.4
+KEPT = 0.3
+"""A sum is damped where a triangle lacks more than this area beside what it keeps; the least share of a sum that is
+left."""
+BULGE = 0.035
+CORNEA = 0.6
 """How far the cornea stands out of the ball, in radii, and where it ends, radians from the line of sight."""
-AREA_SLACK, LENGTH_SLACK = 1e-3, 1e-6
+AREA_SLACK = 1e-3
+LENGTH_SLACK = 1e-6
 """What rounding may use up: share of a triangle's area, and metres."""
 
 
@@ -63,34 +64,31 @@ class Eyeballs:
 
     @staticmethod
     def of(face: FittedFace, eyes: tuple[str, ...], angles: Values) -> Eyeballs:
-        """The eyeballs of a face, by their parts' names, turned by angles (2, 2)."""
-        radii = [face.ball_radius(eye) for eye in eyes]
-        return Eyeballs(np.array([face.centres[eye] for eye in eyes]).reshape(-1, 3), np.array(radii), angles)
-
-    def ahead(self) -> Eyeballs:
-        """The same eyeballs looking straight ahead."""
-        return Eyeballs(self.centres, self.radii, np.zeros((2, 2)))
+        """The eyeballs of a face, eyes: their parts' names, turned by angles (2, 2): yaw and pitch, radians."""
+        centres = np.array([face.centres[eye] for eye in eyes]).reshape(-1, 3)
+        return Eyeballs(centres, np.array([face.ball_radius(eye) for eye in eyes]), angles)
 
 
 def measure_allowance(regions: CorrectiveRegions, face: FittedFace, expression: Expression, skin: Floats, /) -> Floats:
     """What one compound alone uses up: (regions.size,), of triangles, rungs (metres) and lids (metres), never
     negative.
 
-    skin (V, 3): the compound of face and expression.
+    regions: of the face's space; skin (V, 3): the compound of face and expression, metres.
     """
     still = _at_rest(regions, face)
-    balls = Eyeballs(still.balls.centres, still.balls.radii, expression.eyes)
-    here, there = still.points, skin[regions.rows].astype(np.float64)
+    here = still.points
+    there = skin[regions.rows].astype(np.float64)
     shares = area_shares(there, still.normals, still.sizes, regions.triangles)
-    upright = np.where(shares < 0.0, AREA_SLACK, np.minimum(AREA_SLACK, shares))  # what it leaves upright may not turn
-    areas = LEAST_AREA + upright - shares
+    kept = np.where(shares < 0.0, AREA_SLACK, np.minimum(AREA_SLACK, shares))  # what it does not fold is not to fold
     rungs = []
     for crossing in regions.crossings:
         _, least, now = _openings(crossing, here, there)
         rungs.append(least - now + LENGTH_SLACK)
+    balls = replace(still.balls, angles=expression.eyes)
     lids = _lid_depths(regions, there, balls) - still.depths + LENGTH_SLACK
-    result = np.concatenate([areas, *rungs, lids])
-    return np.where(_beyond_slack(regions, result), result, 0.0).astype(np.float32)
+    result = np.concatenate([LEAST_AREA + kept - shares, *rungs, lids])
+    slack = np.where(np.arange(regions.size) < len(regions.triangles), 0.0, LENGTH_SLACK)
+    return np.where(result > slack, result, 0.0).astype(np.float32)
 
 
 @dataclass(frozen=True, eq=False)
@@ -105,51 +103,37 @@ class _AtRest:
     depths: Values
 
 
-_rests: WeakKeyDictionary[FittedFace, tuple[CorrectiveRegions, _AtRest]] = WeakKeyDictionary()
-
-
+@weakly_cached_with
 def _at_rest(regions: CorrectiveRegions, face: FittedFace) -> _AtRest:
-    known = _rests.get(face)
-    if known is None or known[0] is not regions:
-        points = face.positions[regions.rows].astype(np.float64)
-        balls = Eyeballs.of(face, regions.eyes, np.zeros((2, 2)))
-        normals, sizes = rest_normals(points, regions.triangles)
-        known = (regions, _AtRest(points, normals, sizes, balls, _lid_depths(regions, points, balls)))
-        _rests[face] = known
-    return known[1]
-
-
-def _beyond_slack(regions: CorrectiveRegions, values: Values) -> NDArray[np.bool_]:
-    slack = np.full(regions.size, LENGTH_SLACK)
-    slack[: len(regions.triangles)] = 0.0
-    result: NDArray[np.bool_] = values > slack
-    return result
+    points = face.positions[regions.rows].astype(np.float64)
+    balls = Eyeballs.of(face, regions.eyes, np.zeros((2, 2)))
+    normals, sizes = rest_normals(points, regions.triangles)
+    return _AtRest(points, normals, sizes, balls, _lid_depths(regions, points, balls))
 
 
 def correct_combination(
-    regions: CorrectiveRegions, rest: Floats, positions: Floats, allowed: Floats, balls: Eyeballs, /
-) -> Floats:
-    """The skin (V, 3) of a mix, damped and corrected; rest (V, 3): the mixed face without expression.
-
-    allowed (regions.size,): the sum of the compounds' allowances, each times the size of its weight. Where nothing is
-    beyond it, the positions come back as they were.
-    """
-    here, points = rest[regions.rows].astype(np.float64), positions[regions.rows].astype(np.float64)
-    return correct_damped(regions, rest, positions, _damp(regions, here, points, allowed), allowed, balls)
-
-
-def correct_damped(
-    regions: CorrectiveRegions, rest: Floats, positions: Floats, damped: Values, allowed: Floats, balls: Eyeballs, /,
-    rounds: tuple[int, ...] = ROUNDS,
+    regions: CorrectiveRegions, rest: Floats, positions: Floats, allowed: Floats, balls: Eyeballs, /, *,
+    rounds: tuple[int, ...] = ROUNDS, damped: bool = True,
 ) -> Floats:  # fmt: skip
-    """As `correct_combination`, from rows damped (m, 3), by blocks of so many rounds each; the built-in cast is
-    baked from rows as they are in positions."""
-    here, points = rest[regions.rows].astype(np.float64), damped.copy()
+    """The skin of a mix with its folds damped and repaired, lids and lips apart; the positions as they were where
+    nothing is beyond what is allowed.
+
+    regions: what may be corrected; rest (V, 3): the mixed face without expression, metres; positions (V, 3): the mix;
+    allowed (regions.size,): the sum of the compounds' allowances, each times the size of its weight; balls: as mixed;
+    rounds: of fold repair, block by block; damped: whether folds are damped first (the built-in cast is baked without).
+    """
+    here = rest[regions.rows].astype(np.float64)
     blended = positions[regions.rows].astype(np.float64)
-    areas, rungs, lids = _split(regions, allowed)
     normals, sizes = rest_normals(here, regions.triangles)
+    first = len(regions.triangles)
+    second = first + RUNGS * len(regions.crossings)
+    areas, rungs, lids = np.split(allowed.astype(np.float64), [first, second])
+    rungs = rungs.reshape(-1, RUNGS)
+    points = blended.copy()
+    if damped:
+        points = _damp_folds(regions, here, points, normals, sizes, LEAST_AREA - areas - DEEP)
     goals = np.maximum(LEAST_AREA - areas, FLOOR)
-    lids = lids + _lid_depths(regions, here, balls.ahead())
+    lids = lids + _lid_depths(regions, here, replace(balls, angles=np.zeros((2, 2))))
     _open_crossings(regions, here, points, rungs)
     for block, count in enumerate(rounds):
         _open_crossings(regions, here, points, rungs)
@@ -157,7 +141,7 @@ def correct_damped(
         if block == 0:
             lacking = np.maximum(goals - area_shares(points, normals, sizes, regions.triangles), 0.0)
             goals += np.minimum(MARGIN * lacking, FARTHEST)
-        keep_orientation(points, normals, sizes, regions.triangles, goals, count, MOMENTUM)
+        repair_triangles(points, normals, sizes, regions.triangles, goals, count, MOMENTUM)
     move = points - blended
     if not move.any():
         return positions
@@ -167,13 +151,14 @@ def correct_damped(
     return out
 
 
-def _damp(regions: CorrectiveRegions, rest: Values, points: Values, allowed: Floats) -> Values:
-    """Rows (m, 3) of a mix, brought back towards those at rest where the sum turns triangles far over.
+def _damp_folds(
+    regions: CorrectiveRegions, rest: Values, points: Values, normals: Values, sizes: Values, goals: Values
+) -> Values:
+    """Rows (m, 3) of a mix, brought back towards those at rest where the sum folds triangles far below goals (t,).
 
     A patch keeps what the worst of its triangles may keep: its area is a quadratic of the share that is kept.
     """
-    patches, goals = regions.patches, LEAST_AREA - _split(regions, allowed)[0] - DEEP
-    normals, sizes = rest_normals(rest, regions.triangles)
+    patches = regions.patches
     whole = area_shares(points, normals, sizes, regions.triangles)
     over = whole < goals
     if not over.any():
@@ -183,8 +168,7 @@ def _damp(regions: CorrectiveRegions, rest: Values, points: Values, allowed: Flo
     keep[over] = np.maximum(_share_at_goal(whole[over], half[over], goals[over]), KEPT)
     kept = np.minimum.reduceat(keep[patches.triangles], np.concatenate([[0], patches.ends[:-1]]))
     lost = (patches.shares * (1.0 - kept[patches.members])).sum(axis=1)
-    result: Values = points + lost[:, None] * (rest - points)
-    return result
+    return points + lost[:, None] * (rest - points)
 
 
 def _share_at_goal(whole: Values, half: Values, goals: Values) -> Values:
@@ -193,15 +177,7 @@ def _share_at_goal(whole: Values, half: Values, goals: Values) -> Values:
     slope = whole - 1.0 - square
     root = np.sqrt(np.maximum(slope**2 - 4.0 * square * (1.0 - goals), 0.0))
     # The one root of 1 - goal + slope s + square s^2 in (0, 1): it is above zero at 0 and below at 1.
-    result: Values = 2.0 * (1.0 - goals) / np.maximum(root - slope, 1e-12)
-    return result
-
-
-def _split(regions: CorrectiveRegions, allowed: Floats) -> tuple[Values, Values, Values]:
-    first = len(regions.triangles)
-    second = first + RUNGS * len(regions.crossings)
-    values = allowed.astype(np.float64)
-    return values[:first], values[first:second].reshape(-1, RUNGS), values[second:]
+    return 2.0 * (1.0 - goals) / np.maximum(root - slope, 1e-12)
 
 
 # ---- lids and lips
@@ -242,8 +218,7 @@ def _open_crossings(regions: CorrectiveRegions, rest: Values, points: Values, al
 def _lid_depths(regions: CorrectiveRegions, points: Values, balls: Eyeballs) -> Values:
     """How deep each lid vertex lies in its eyeball, (r,) metres, zero outside."""
     depth, _ = _measure_depths(regions, points, balls)
-    result: Values = np.maximum(depth, 0.0)
-    return result
+    return np.maximum(depth, 0.0)
 
 
 def _measure_depths(regions: CorrectiveRegions, points: Values, balls: Eyeballs) -> tuple[Values, Values]:

@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from typing import Literal
 
 import numpy as np
-from numpy.typing import NDArray
 
+from omote.arrays import Floats
 from omote.model.cast import Cast
 from omote.model.known_names import NEUTRAL, PlayRegion, check_play_region
 from omote.model.space.ears import turn_ears
@@ -25,12 +25,12 @@ from omote.perform.frame import Frame
 from omote.perform.limits import CHANNEL_LOWEST, check_known, check_within
 from omote.perform.mix import Weights, combine
 
-Floats = NDArray[np.float32]
 Mode = Literal["bilinear", "exact"]
 MODES: tuple[Mode, ...] = ("bilinear", "exact")
 FARTHEST = 10.0
 """A weight's size at most: mixes made by hand may go far beyond their ends, and stay finite."""
 ROUNDING = 1e-4
+"""How far from one the weights of a mix may sum."""
 
 
 def evaluate(cast: Cast, frame: Frame, mode: Mode = "bilinear") -> Floats:
@@ -74,9 +74,8 @@ def evaluate(cast: Cast, frame: Frame, mode: Mode = "bilinear") -> Floats:
     ----------
     K. Arai (1993), equation 3; docs/method.md, "The mix".
     """
-    _refuse_unplayable(cast, frame, mode)
-    channels = channels_of(cast.expressions, frame)
-    return correct_frame(cast, frame, channels, _mix(cast, frame, channels, mode))
+    channels, mixed = _blend(cast, frame, mode)
+    return correct_frame(cast, frame, channels, mixed)
 
 
 def evaluate_parts(cast: Cast, frame: Frame, mode: Mode = "bilinear") -> dict[str, Floats]:
@@ -112,19 +111,21 @@ def evaluate_parts(cast: Cast, frame: Frame, mode: Mode = "bilinear") -> dict[st
     ----------
     docs/method.md, "The mix".
     """
-    _refuse_unplayable(cast, frame, mode)
-    channels = channels_of(cast.expressions, frame)
-    mixed = _mix(cast, frame, channels, mode)
-    exact = mode == "exact"
-    moved = _exact_parts(cast, frame, channels, mixed) if exact else _bilinear_parts(cast, frame, channels)
+    channels, mixed = _blend(cast, frame, mode)
+    moved = _exact_parts(cast, frame, channels, mixed) if mode == "exact" else _bilinear_parts(cast, frame, channels)
     moved |= correct_parts(cast, frame, channels, mixed, moved)
     fitted = [(weight, fit(cast.space, cast.faces[face])) for face, weight in frame.faces.items()]
     centres = {part: sum_points((weight, face.centres[part]) for weight, face in fitted) for part in cast.space.parts}
     return turn_eyes(cast.space, moved, centres, angles_of_eyes(cast, frame, channels))
 
 
-def _mix(cast: Cast, frame: Frame, channels: Mapping[str, float], mode: Mode) -> Floats:
-    return _exact(cast, frame, channels) if mode == "exact" else _bilinear(cast, frame, channels)
+def _blend(cast: Cast, frame: Frame, mode: Mode) -> tuple[Mapping[str, float], Floats]:
+    """The channels of a frame that can be played, and its skin (V, 3) before correctives."""
+    check_playable(cast, frame)
+    if not isinstance(mode, str) or mode not in MODES:
+        raise ValueError(f"mode is {mode!r}; expected one of {', '.join(map(repr, MODES))}")
+    channels = channels_of(cast.expressions, frame)
+    return channels, (_exact if mode == "exact" else _bilinear)(cast, frame, channels)
 
 
 def warm(cast: Cast) -> None:
@@ -135,39 +136,38 @@ def warm(cast: Cast) -> None:
         evaluate_parts(cast, Frame({name: 1.0}, {NEUTRAL: 1.0}), mode)
 
 
-def _pairs(frame: Frame, channels: Mapping[str, float]) -> dict[tuple[str, str], float]:
-    """The weight of every compound: s_i (t_j + c_j)."""
-    worn = combine(((1.0, frame.expressions), (1.0, channels)))
-    return {(face, name): s * weight for face, s in frame.faces.items() for name, weight in worn.items()}
+def _sum_compounds(
+    cast: Cast, frame: Frame, channels: Mapping[str, float], at_rest: Callable[[str], Floats],
+    compound: Callable[[str, str], Floats], mask: Callable[[PlayMask], Floats],
+) -> Floats:  # fmt: skip
+    """Eq. 3 of Arai (1993), P = sum_i s_i sum_j t_j P_ij, for any number of faces and expressions: (n, 3), metres.
 
+    channels: weights c_k; their compounds hold faces at rest sum_k c_k times too often. at_rest: the positions (n, 3)
+    of a face; compound: those of a face that wears an expression; mask: how much of each belongs to a region, (n, 1).
+    """
 
-def _rests(frame: Frame, channels: Mapping[str, float]) -> dict[str, float]:
-    """The weight of every face at rest, which the channels' own compounds hold too often: -s_i sum_k c_k."""
+    def worn(weights: Weights) -> list[tuple[float, Floats]]:
+        return [(s * weights[name], compound(face, name)) for face, s in frame.faces.items() for name in weights]
+
     doubled = math.fsum(channels.values())
-    return {face: -s * doubled for face, s in frame.faces.items()} if doubled else {}
+    rests = [(-s * doubled, at_rest(face)) for face, s in frame.faces.items() if doubled]
+    total = weighted_sum(rests + worn(combine(((1.0, frame.expressions), (1.0, channels)))))
+    for _, region, more in _regional(cast, frame):
+        total += mask(region) * weighted_sum(worn(more))
+    return total
 
 
 def _regional(cast: Cast, frame: Frame) -> list[tuple[PlayRegion, PlayMask, Weights]]:
-    """Each region that shows another mix than the face, its mask, and by how much its weights differ from the face's;
+    """The regions that show another mix than the face, their masks, and by how much weights differ from the face's;
     they sum to nothing."""
     differ = {region: combine(((1.0, mix), (-1.0, frame.expressions))) for region, mix in sorted(frame.regions.items())}
     return [(region, play_masks(cast.space)[region], more) for region, more in differ.items() if more]
 
 
-def _pairs_more(frame: Frame, more: Weights) -> dict[tuple[str, str], float]:
-    """The weights s_i t_j of a region's difference."""
-    return {(face, name): s * weight for face, s in frame.faces.items() for name, weight in more.items()}
-
-
 def _bilinear(cast: Cast, frame: Frame, channels: Mapping[str, float]) -> Floats:
-    compounds = compound_cache(cast)
-    terms = [(cast.faces[face].positions, weight) for face, weight in _rests(frame, channels).items()]
-    terms += [(compounds.skin(face, name), weight) for (face, name), weight in _pairs(frame, channels).items()]
-    total = weighted_sum([array for array, _ in terms], [weight for _, weight in terms])
-    for _, mask, more in _regional(cast, frame):
-        pairs = _pairs_more(frame, more)
-        total += mask.skin * weighted_sum([compounds.skin(*key) for key in pairs], list(pairs.values()))
-    return total
+    """Eq. 3 of the skin."""
+    skin = compound_cache(cast).skin
+    return _sum_compounds(cast, frame, channels, lambda face: cast.faces[face].positions, skin, lambda mask: mask.skin)
 
 
 def _exact(cast: Cast, frame: Frame, channels: Mapping[str, float]) -> Floats:
@@ -197,27 +197,23 @@ def _nonlinear_part(cast: Cast, worn: AnsweredMix) -> Floats:
     source = fit(cast.space, generic_face(cast.space))
     alone = worn.compounds()
     total = math.fsum(weight for _, weight in alone)
-    terms = [(apply_paper_map(cast.space, source, worn.compile()), 1.0), (source.positions, total - 1.0)]
-    terms += [(positions, -weight) for positions, weight in alone]
-    return weighted_sum([array for array, _ in terms], [weight for _, weight in terms])
+    mixed = apply_paper_map(cast.space, source, worn.compile())
+    alone_terms = [(-weight, positions) for positions, weight in alone]
+    return weighted_sum([(1.0, mixed), (total - 1.0, source.positions), *alone_terms])
 
 
 def _mix_faces(cast: Cast, weights: Mapping[str, float]) -> FittedFace:
     """The fitted face sum s_i M_i; sizes of residuals and parts mix like the positions."""
-    fitted = [fit(cast.space, cast.faces[face]) for face in weights]
-    factors = list(weights.values())
-    positions = weighted_sum([face.positions for face in fitted], factors)
+    fitted = [(s, fit(cast.space, cast.faces[face])) for face, s in weights.items()]
+    positions = weighted_sum([(s, face.positions) for s, face in fitted])
     cylinder = cast.space.cylinder
     radii = np.hypot(positions[:, 0] - np.float32(cylinder.x), positions[:, 2] - np.float32(cylinder.z))
     return FittedFace(
         positions=positions,
         radii=radii,
-        scale=weighted_sum([face.scale for face in fitted], factors),
-        parts={part: weighted_sum([face.parts[part] for face in fitted], factors) for part in cast.space.parts},
-        sizes={
-            part: sum(s * face.sizes[part] for s, face in zip(factors, fitted, strict=True))
-            for part in cast.space.parts
-        },
+        scale=weighted_sum([(s, face.scale) for s, face in fitted]),
+        parts={part: weighted_sum([(s, face.parts[part]) for s, face in fitted]) for part in cast.space.parts},
+        sizes={part: sum(s * face.sizes[part] for s, face in fitted) for part in cast.space.parts},
         centres={},
     )
 
@@ -229,34 +225,26 @@ def _exact_parts(cast: Cast, frame: Frame, channels: Mapping[str, float], mixed:
 
 
 def _bilinear_parts(cast: Cast, frame: Frame, channels: Mapping[str, float]) -> dict[str, Floats]:
-    compounds = compound_cache(cast)
-    terms = [(fit(cast.space, cast.faces[face]).parts, weight) for face, weight in _rests(frame, channels).items()]
-    terms += [(compounds.parts(face, name), weight) for (face, name), weight in _pairs(frame, channels).items()]
-    factors = [weight for _, weight in terms]
-    total = {part: weighted_sum([parts[part] for parts, _ in terms], factors) for part in cast.space.parts}
-    for _, mask, more in _regional(cast, frame):
-        pairs = _pairs_more(frame, more)
-        for part, moved in total.items():
-            moved += mask.parts[part] * weighted_sum(
-                [compounds.parts(*key)[part] for key in pairs], list(pairs.values())
-            )
-    return total
+    """Eq. 3 of all parts."""
+    parts = compound_cache(cast).parts
 
+    def blend(part: str) -> Floats:
+        return _sum_compounds(
+            cast, frame, channels, lambda face: fit(cast.space, cast.faces[face]).parts[part],
+            lambda face, name: parts(face, name)[part], lambda mask: mask.parts[part],
+        )  # fmt: skip
 
-def _refuse_unplayable(cast: Cast, frame: Frame, mode: str) -> None:
-    check_playable(cast, frame)
-    if not isinstance(mode, str) or mode not in MODES:
-        raise ValueError(f"mode is {mode!r}; expected one of {', '.join(map(repr, MODES))}")
+    return {part: blend(part) for part in cast.space.parts}
 
 
 def check_playable(cast: Cast, frame: Frame) -> None:
-    """TypeError, ValueError where a frame names what a cast has not, or its weights are none that can be played."""
+    """Refuses a frame that names what a cast has not, or whose weights cannot be played: TypeError, ValueError."""
     if not isinstance(cast, Cast) or not isinstance(frame, Frame):
         raise TypeError(f"got {type(cast).__name__} and {type(frame).__name__}; expected a Cast and a Frame")
-    _refuse_no_average(frame.faces, cast.faces, "face")
-    _refuse_no_average(frame.expressions, cast.expressions, "expression")
     if not isinstance(frame.regions, Mapping):
         raise TypeError(f"the frame's regions are {type(frame.regions).__name__}; expected mixes by region")
+    _refuse_no_average(frame.faces, cast.faces, "face")
+    _refuse_no_average(frame.expressions, cast.expressions, "expression")
     for region, mix in frame.regions.items():
         _refuse_no_average(mix, cast.expressions, f"{check_play_region(region)} expression")
     for name, weight in _pairs_of(frame.channels, "channel"):

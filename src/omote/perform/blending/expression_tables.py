@@ -4,19 +4,18 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from weakref import WeakKeyDictionary
 
 import numpy as np
 from numba import njit
 from numpy.typing import NDArray
 
+from omote.arrays import Floats, Indices, Mask, Values
 from omote.model.cast import Cast
 from omote.model.space.expression import Expression
 from omote.model.space.parameter_space import ParameterSpace
 from omote.model.transfer.paper_map import Compiled
+from omote.model.weak_cache import weakly_cached
 from omote.perform.blending.weighted_sum import sum_rows
-
-Floats = NDArray[np.float32]
 
 SMALLEST_RATIO = 0.05
 """Many channels may add up to a radius below nothing; the surface stops short of the axis then."""
@@ -31,7 +30,7 @@ class TableRow:
 
     @staticmethod
     def of(space: ParameterSpace, expression: Expression) -> TableRow:
-        """The row of an expression made on a space."""
+        """The row of an expression that was made on a space."""
         field = _sheet_row(expression, np.flatnonzero(space.on_sheet).astype(np.int32))
         return TableRow(field.astype(np.float32), expression.residual.ravel().astype(np.float32))
 
@@ -82,9 +81,11 @@ class ExpressionTables:
 
     def _sum(self, weights: Mapping[str, float], own: Sequence[tuple[TableRow, float]]) -> tuple[Floats, Floats]:
         """Field (3, s) and residual (inner, 3) by weight."""
-        names, factors = list(weights), np.array(list(weights.values()), np.float32)
+        names = list(weights)
+        factors = np.array(list(weights.values()), np.float32)
         rows = np.array([self._rows[name] for name in names], np.int64)
-        field, residual = _product(self._table, rows, factors), _product(self._residuals, rows, factors)
+        field = _product(self._table, rows, factors)
+        residual = _product(self._residuals, rows, factors)
         for row, weight in own:
             field += np.float32(weight) * row.field
             residual += np.float32(weight) * row.residual
@@ -92,42 +93,42 @@ class ExpressionTables:
 
     def _locate(self, field: Floats, residual: Floats) -> Compiled:
         space = self._space
-        theta, h = self._places[0] + field[0], self._places[1] + field[1]
+        theta = self._places[0] + field[0]
+        h = self._places[1] + field[1]
         landing = space.strip.locate(theta, h, self._starts, leaders=self._leaders)
-        indices, weights = np.empty((space.vertex_count, 3), np.int32), np.empty((space.vertex_count, 3), np.float32)
-        ratios, ended = np.empty(space.vertex_count, np.float32), np.empty(space.vertex_count, np.bool_)
+        indices = np.empty((space.vertex_count, 3), np.int32)
+        weights = np.empty((space.vertex_count, 3), np.float32)
+        ratios = np.empty(space.vertex_count, np.float32)
+        ended = np.empty(space.vertex_count, np.bool_)
         landed = landing.triangles, landing.weights, landing.inside
         _spread(self._sheet, self._corners, *landed, field[2], indices, weights, ratios, ended)
         return Compiled(indices, weights, ratios, residual, {}, ended)
 
 
-_of_cast: WeakKeyDictionary[Cast, ExpressionTables] = WeakKeyDictionary()
-
-
+@weakly_cached
 def tables_of(cast: Cast) -> ExpressionTables:
     """The tables of a cast, cached as long as the cast lives."""
-    if cast not in _of_cast:
-        _of_cast[cast] = ExpressionTables(cast.space, cast.expressions)
-    return _of_cast[cast]
+    return ExpressionTables(cast.space, cast.expressions)
 
 
-def _leaders(space: ParameterSpace, sheet: NDArray[np.int32]) -> NDArray[np.int32]:
+def _leaders(space: ParameterSpace, sheet: Indices) -> Indices:
     """For each vertex of the sheet a neighbour that comes before it, or -1: neighbours come down near each other."""
     row = np.full(space.vertex_count, -1, np.int32)
     row[sheet] = np.arange(len(sheet), dtype=np.int32)
     corners = row[space.skin_triangles]
     ends = np.concatenate([corners[:, [0, 1]], corners[:, [1, 2]], corners[:, [2, 0]]])
-    late, early = ends.max(axis=1), ends.min(axis=1)
+    late = ends.max(axis=1)
+    early = ends.min(axis=1)
     leaders = np.full(len(sheet), -1, np.int32)
     np.maximum.at(leaders, late[early >= 0], early[early >= 0])
     return leaders
 
 
-def _sheet_row(expression: Expression, sheet: NDArray[np.int32]) -> NDArray[np.float64]:
+def _sheet_row(expression: Expression, sheet: Indices) -> Values:
     return np.concatenate([expression.dtheta[sheet], expression.dh[sheet], expression.ratio[sheet] - 1.0])
 
 
-def _table(rows: Sequence[NDArray[np.float64]]) -> Floats:
+def _table(rows: Sequence[Values]) -> Floats:
     return np.stack(rows).astype(np.float32)
 
 
@@ -139,17 +140,20 @@ def _product(table: Floats, rows: NDArray[np.int64], factors: Floats) -> Floats:
 
 @njit(cache=True)
 def _spread(
-    sheet: NDArray[np.int32], corners: NDArray[np.int32], triangles: NDArray[np.int32], landed: NDArray[np.float64],
-    inside: NDArray[np.bool_], stretch: Floats, indices: NDArray[np.int32], weights: Floats, ratios: Floats,
-    ended: NDArray[np.bool_],
+    sheet: Indices, corners: Indices, triangles: Indices, landed: Values,
+    inside: Mask, stretch: Floats, indices: Indices, weights: Floats, ratios: Floats,
+    ended: Mask,
 ) -> None:  # fmt: skip
     """Writes the landings of the sheet's vertices into rows of all vertices; the others stay where they are."""
     for v in range(len(indices)):
         indices[v, 0] = indices[v, 1] = indices[v, 2] = v
         weights[v, 0], weights[v, 1], weights[v, 2] = 1.0, 0.0, 0.0
-        ratios[v], ended[v] = 1.0, True
+        ratios[v] = 1.0
+        ended[v] = True
     for n in range(len(sheet)):
         v, t = sheet[n], triangles[n]
         for k in range(3):
-            indices[v, k], weights[v, k] = corners[t, k], landed[n, k]
-        ratios[v], ended[v] = max(SMALLEST_RATIO, 1.0 + stretch[n]), inside[n]
+            indices[v, k] = corners[t, k]
+            weights[v, k] = landed[n, k]
+        ratios[v] = max(SMALLEST_RATIO, 1.0 + stretch[n])
+        ended[v] = inside[n]

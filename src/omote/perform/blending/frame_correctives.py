@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping
 
 import numpy as np
-from numpy.typing import NDArray
 
+from omote.arrays import Floats, Values
 from omote.model.cast import Cast
 from omote.model.known_names import NEUTRAL
 from omote.model.space.face_fit import fit
@@ -20,28 +20,27 @@ from omote.perform.channels import eye_angles
 from omote.perform.frame import Frame
 from omote.perform.mix import Weights, combine, mix_in
 
-Floats = NDArray[np.float32]
 
-
-def angles_of_eyes(cast: Cast, frame: Frame, channels: Mapping[str, float]) -> NDArray[np.float64]:
-    """Yaw and pitch (radians) of both eyeballs, (2, 2): of the mix that shows around the eyes, and of channels."""
+def angles_of_eyes(cast: Cast, frame: Frame, channels: Mapping[str, float]) -> Values:
+    """Yaw and pitch (radians) of both eyeballs, (2, 2): of the mix of a frame that shows around the eyes, and of the
+    weights of channels, expressions of the cast by name."""
     return eye_angles(cast.expressions, mix_in("eyes", frame.expressions, frame.regions), channels)
 
 
 def correct_frame(cast: Cast, frame: Frame, channels: Mapping[str, float], mixed: Floats) -> Floats:
-    """The mix with its correctives, where compounds together fold or pierce what none does alone."""
+    """The skin (V, 3) of a frame, corrected where compounds together fold or pierce what none does alone, metres.
+
+    cast, frame: as `evaluate` takes them; channels: the frame's weights, its gaze included; mixed (V, 3): eq. 3.
+    """
     regions = find_corrective_regions(cast.space)
     if regions is None or not _is_moved(frame, channels):
         return mixed
-    fitted = [fit(cast.space, cast.faces[face]) for face in frame.faces]
-    factors = list(frame.faces.values())
+    fitted = [(s, fit(cast.space, cast.faces[face])) for face, s in frame.faces.items()]
     angles = angles_of_eyes(cast, frame, channels)
-    balls = [Eyeballs.of(face, regions.eyes, angles) for face in fitted]
-    whole = Eyeballs(
-        np.asarray(sum_points((s, ball.centres) for s, ball in zip(factors, balls, strict=True))),
-        np.asarray(sum(s * ball.radii for s, ball in zip(factors, balls, strict=True))), angles,
-    )  # fmt: skip
-    rest = weighted_sum([face.positions for face in fitted], factors)
+    balls = [(s, Eyeballs.of(face, regions.eyes, angles)) for s, face in fitted]
+    centres = np.asarray(sum_points((s, ball.centres) for s, ball in balls))
+    whole = Eyeballs(centres, np.asarray(sum(s * ball.radii for s, ball in balls)), angles)
+    rest = weighted_sum([(s, face.positions) for s, face in fitted])
     return correct_combination(regions, rest, mixed, _allowed(cast, frame, channels), whole)
 
 
@@ -73,13 +72,16 @@ def _allowances(cast: Cast, frame: Frame, mix: Weights, channels: Mapping[str, f
     }
     if not sizes:
         return np.zeros_like(compounds.allowance(next(iter(frame.faces)), NEUTRAL))
-    return weighted_sum([compounds.allowance(*key) for key in sizes], list(sizes.values()))
+    return weighted_sum([(size, compounds.allowance(*key)) for key, size in sizes.items()])
 
 
 def correct_parts(
     cast: Cast, frame: Frame, channels: Mapping[str, float], mixed: Floats, moved: Mapping[str, Floats]
-) -> dict[str, Floats]:  # fmt: skip
-    """The parts that are attached to the skin, moved with it where it is corrected."""
+) -> dict[str, Floats]:
+    """The parts that are attached to the skin, moved with it where it is corrected: (n, 3) by name, metres.
+
+    cast, frame, channels, mixed: as for `correct_frame`; moved: all parts as blended.
+    """
     regions = find_corrective_regions(cast.space)
     if regions is None:
         return {}
@@ -92,6 +94,6 @@ def correct_parts(
     }
 
 
-def sum_points(terms: Iterable[tuple[float, NDArray[np.float64]]]) -> NDArray[np.float64]:
+def sum_points(terms: Iterable[tuple[float, Values]]) -> Values:
     """The sum of weight times points, each (3,) or (n, 3)."""
     return sum((weight * points for weight, points in terms), start=np.zeros(3))

@@ -4,19 +4,16 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass
-from weakref import WeakKeyDictionary
 
 import numpy as np
-from numpy.typing import NDArray
 
+from omote.arrays import Floats, Values
 from omote.model.known_names import PLAY_REGIONS, PlayRegion
 from omote.model.space.head_regions import REGIONS_OF, region_weights
 from omote.model.space.parameter_space import ParameterSpace
 from omote.model.space.parts import Part
 from omote.model.transfer.corrective_regions import CorrectiveRegions, find_corrective_regions
-
-Floats = NDArray[np.float32]
-Values = NDArray[np.float64]
+from omote.model.weak_cache import weakly_cached
 
 SHARPNESS = 2.0
 """The power of the head's soft regions: the higher, the narrower the skin that two regions share. At 2 it is some 10 mm
@@ -36,27 +33,23 @@ class PlayMask:
     allowances: Floats
 
 
-_masks: WeakKeyDictionary[ParameterSpace, Mapping[PlayRegion, PlayMask]] = WeakKeyDictionary()
-
-
+@weakly_cached
 def play_masks(space: ParameterSpace, /) -> Mapping[PlayRegion, PlayMask]:
     """The masks of the four play regions, made once; of each vertex they sum to one.
 
     Raises ValueError where the space has no two eyeballs to measure the head by.
     """
-    if space not in _masks:
-        skin = _skin_masks(space)
-        parts = {name: _part_masks(part, skin) for name, part in space.parts.items()}
-        found = find_corrective_regions(space)
-        allowances = np.zeros((len(PLAY_REGIONS), 0)) if found is None else _allowance_masks(found, skin)
-        _masks[space] = {
-            region: PlayMask(
-                _column(skin[row]), {name: _column(mask[row]) for name, mask in parts.items()},
-                allowances[row].astype(np.float32),
-            )
-            for row, region in enumerate(PLAY_REGIONS)
-        }  # fmt: skip
-    return _masks[space]
+    skin = _skin_masks(space)
+    parts = {name: _part_masks(part, skin) for name, part in space.parts.items()}
+    correctives = find_corrective_regions(space)
+    allowances = np.zeros((len(PLAY_REGIONS), 0)) if correctives is None else _allowance_masks(correctives, skin)
+    return {
+        region: PlayMask(
+            _column(skin[row]), {name: _column(mask[row]) for name, mask in parts.items()},
+            allowances[row].astype(np.float32),
+        )
+        for row, region in enumerate(PLAY_REGIONS)
+    }  # fmt: skip
 
 
 def _column(values: Values) -> Floats:
@@ -77,8 +70,7 @@ def _skin_masks(space: ParameterSpace) -> Values:
 
 
 def _shares(masks: Values) -> Values:
-    result: Values = masks / masks.sum(axis=0)
-    return result
+    return masks / masks.sum(axis=0)
 
 
 def _part_masks(part: Part, skin: Values) -> Values:

@@ -10,18 +10,21 @@ from typing import Protocol
 import numpy as np
 from numpy.typing import NDArray
 
+from omote.arrays import Values
 from omote.model.known_names import PLAY_REGIONS
 from omote.model.space.expression import Expression, Title
 from omote.perform.channels import GAZE_UNITS, highest_weight
-from omote.perform.layers.follower import Values, rate_of
+from omote.perform.layers.follower import rate_of
 from omote.perform.layers.layer_names import DRIVEN, LAYER_PARTS, LAYERS, WHOLE, LayerName, part_of_channel
 from omote.perform.limits import CHANNEL_LOWEST, GAZE_LIMITS, HEAD_LIMITS
 
 ANGLES = (*(f"head {name}" for name in HEAD_LIMITS), *(f"gaze {name}" for name in GAZE_LIMITS))
 """The columns behind the channels: yaw, pitch and roll of the head, yaw and pitch of the gaze."""
 _ANGLE_LIMITS = [*HEAD_LIMITS.values(), *GAZE_LIMITS.values()]
-HEAD, GAZE = slice(-5, -2), slice(-2, None)
-HEAD_PART, GAZE_PART = LAYER_PARTS.index("head"), LAYER_PARTS.index("gaze")
+HEAD = slice(-5, -2)
+GAZE = slice(-2, None)
+HEAD_PART = LAYER_PARTS.index("head")
+GAZE_PART = LAYER_PARTS.index("gaze")
 
 STREAM_SECONDS = 0.12
 """In which what a source sends is followed while it trembles; what moves is followed sooner, by `STREAM_HASTE`."""
@@ -36,7 +39,7 @@ LEAST_SECONDS = 0.03
 STREAM_HASTE = 60.0
 """1/s and unit: a lid that closes in a tenth of a second is some 40 ms behind."""
 HAND_SECONDS = 0.3
-"""In which a fader is followed while a source plays below it; without one it is immediate (decision 0012)."""
+"""In which a fader is followed while a source plays below it; without one it is immediate."""
 SHARE_SECONDS = 0.5
 """In which an influence, a switch and the hold of a hand are followed."""
 TRUST_SECONDS = 1.0
@@ -91,8 +94,8 @@ class Columns:
         sections = {name: slice(end - sizes[name], end) for name, end in zip(SECTIONS, ends, strict=True)}
         seconds = (HAND_SECONDS, SHARE_SECONDS, SHARE_SECONDS, TRUST_SECONDS, SHARE_SECONDS)
         counts = [sizes[name] for name in SECTIONS]
-        streams = [rate_of(each) for layer in DRIVEN for each in _stream_seconds(layer, self.parts)]
-        made = {
+        streams = [rate_of(seconds) for layer in DRIVEN for seconds in _stream_seconds(layer, self.parts)]
+        derived = {
             "of_face": (self.parts < len(PLAY_REGIONS)) | (self.parts == WHOLE),
             "eyes": tuple(unit for unit in GAZE_UNITS if unit in self.names),
             "index": {name: place for place, name in enumerate(self.names)},
@@ -103,26 +106,29 @@ class Columns:
                 "share": (len(LAYERS), PLACES),
                 "trust": (len(DRIVEN), PLACES),
             },
-            "rate": np.concatenate([streams, np.repeat([rate_of(each) for each in seconds], counts[1:])]),
+            "rate": np.concatenate([streams, np.repeat([rate_of(length) for length in seconds], counts[1:])]),
             "haste": np.repeat([STREAM_HASTE, 0.0, 0.0, 0.0, 0.0, 0.0], counts),
             "lowest": np.concatenate([np.full(len(self.names), CHANNEL_LOWEST), -self.highest[len(self.names) :]]),
         }
-        for name, value in made.items():
+        for name, value in derived.items():
             object.__setattr__(self, name, value)
 
     def rows(self, vector: Values, section: str) -> Values:
         """A section of a vector of all followers: (6, width) streams, (8, 7) shares, (6, 7) trusts, else
         flat; a view."""
-        found = vector[self.sections[section]]
-        return found.reshape(self.shapes[section]) if section in self.shapes else found
+        flat = vector[self.sections[section]]
+        return flat.reshape(self.shapes[section]) if section in self.shapes else flat
 
     def stream_rates(self, paces: Sequence[Pace]) -> tuple[Values, Values]:
         """The rate and the haste of all followers where some streams are followed otherwise than their layers."""
         if not paces:
             return self.rate, self.haste
-        rate, haste, slow = self.rate.copy(), self.haste.copy(), rate_of(RETURN_SECONDS)
+        rate = self.rate.copy()
+        haste = self.haste.copy()
+        slow = rate_of(RETURN_SECONDS)
         for pace in paces:
-            row, hastes = self.rows(rate, "streams")[pace.row], self.rows(haste, "streams")[pace.row]
+            row = self.rows(rate, "streams")[pace.row]
+            hastes = self.rows(haste, "streams")[pace.row]
             if pace.seconds:
                 row[pace.own] = rate_of(max(pace.seconds, LEAST_SECONDS))
                 hastes[pace.own] *= min(RETURN_SECONDS / pace.seconds, 1.0)
@@ -132,19 +138,19 @@ class Columns:
 
     def in_parts(self, parts: tuple[bool, ...]) -> NDArray[np.bool_]:
         """Whether each column is of these parts, given as one switch for each and one for the whole face."""
-        found = self._in_parts.get(parts)
-        if found is None:
-            found = self._in_parts[parts] = np.array(parts)[self.parts]
-        return found
+        columns = self._in_parts.get(parts)
+        if columns is None:
+            columns = self._in_parts[parts] = np.array(parts)[self.parts]
+        return columns
 
     def places(self, names: tuple[str, ...]) -> NDArray[np.intp]:
         """The columns of some channels."""
-        found = self._places.get(names)
-        if found is None:
+        columns = self._places.get(names)
+        if columns is None:
             if len(self._places) >= MOST_REMEMBERED:
                 self._places.clear()
-            found = self._places[names] = np.array([self.index[name] for name in names], np.intp)
-        return found
+            columns = self._places[names] = np.array([self.index[name] for name in names], np.intp)
+        return columns
 
 
 class HasExpressions(Protocol):
@@ -160,13 +166,16 @@ class HasExpressions(Protocol):
 
 
 def make_columns(cast: HasExpressions, names: Iterable[str]) -> Columns:
-    """The columns of these channels, as far as the cast has them, and of the units that turn the eyes."""
-    known = {name for name in names if name in cast.expressions}
-    return columns_of(cast, tuple(sorted(known | {unit for unit in GAZE_UNITS if unit in cast.expressions})))
+    """The columns of these channels, as far as the cast has them, and of the units that turn the eyes.
+
+    names: of the channels.
+    """
+    in_cast = {name for name in names if name in cast.expressions}
+    return columns_of(cast, tuple(sorted(in_cast | {unit for unit in GAZE_UNITS if unit in cast.expressions})))
 
 
 def columns_of(cast: HasExpressions, wanted: tuple[str, ...]) -> Columns:
-    """The columns of exactly these channels; by the regions of the cast's titles."""
+    """The columns of exactly these channels; by the regions of the cast's titles. wanted: their names."""
     parts = [_part(cast.titles, name) for name in wanted] + [HEAD_PART] * 3 + [GAZE_PART] * 2
     highest = [highest_weight(cast.expressions, name) for name in wanted]
     return Columns(wanted, np.array(parts, np.intp), np.array(highest + _ANGLE_LIMITS))
@@ -187,10 +196,14 @@ def _part(titles: Mapping[str, Title], name: str) -> int:
 
 
 def moved_to(vector: Values, old: Columns, new: Columns) -> Values:
-    """A vector of all followers under other columns: what is new is at rest, and all in range."""
+    """A vector of all followers under other columns: what is new is at rest, and all in range.
+
+    old: the columns that it has.
+    """
     later = np.zeros(new.size)
     kept = tuple(name for name in old.names if name in new.index)
-    before, after = _with_angles(old, kept), _with_angles(new, kept)
+    before = _with_angles(old, kept)
+    after = _with_angles(new, kept)
     new.rows(later, "streams")[:, after] = old.rows(vector, "streams")[:, before]
     for section in ("hands", "hold"):
         new.rows(later, section)[after] = old.rows(vector, section)[before]

@@ -56,12 +56,15 @@ def driver_of(frame: SourceFrame) -> Driver:
 
 
 def find_driver(drivers: Sequence[Driver], source: str) -> Driver | None:
-    """The driver of a source, None where it drives none of these."""
-    return next((each for each in drivers if each.source == source), None)
+    """The driver of a source, None where it drives none of these. drivers: those of the layer."""
+    return next((driver for driver in drivers if driver.source == source), None)
 
 
 def fits(driver: Driver, frame: SourceFrame) -> bool:
-    """Whether a frame comes from what drives the layer already, with the same channels for the same parts."""
+    """Whether a frame comes from what drives the layer already, with the same channels for the same parts.
+
+    driver: the one that is meant.
+    """
     same = frame.names is driver.names or frame.names == driver.names
     turns = (frame.head is not None, frame.gaze is not None) == (driver.head, driver.gaze)
     route = (frame.source, frame.parts, frame.route_number) == (driver.source, driver.parts, driver.route_number)
@@ -69,7 +72,10 @@ def fits(driver: Driver, frame: SourceFrame) -> bool:
 
 
 def parts_of(driver: Driver, columns: Columns) -> tuple[LayerPart, ...]:
-    """The parts of the face that it plays: those where its channels act, as far as it may."""
+    """The parts of the face that it plays: those where its channels act, as far as it may.
+
+    driver: the one that is meant; columns: those of the character's layers.
+    """
     places = {int(place) for place in columns.parts[columns.places(driver.names)]}
     if WHOLE in places:
         places |= set(range(4))
@@ -82,17 +88,18 @@ def parts_of(driver: Driver, columns: Columns) -> tuple[LayerPart, ...]:
 def owners_of(drivers: Sequence[Driver], columns: Columns) -> Owners:
     """Who has each part of a layer: of those that play it and are not lost, the one that may play the fewest parts, of
     equals what the character says, else the one that was routed last, else the newest. What acts on the whole face is
-    of the one that has the most regions."""
+    of the one that has the most regions.
+
+    drivers: those of the layer; columns: those of the character's layers.
+    """
     owners = list(NOBODY)
-    ranked = sorted((each for each in drivers if each.is_trusted), key=_rank)
+    ranked = sorted((driver for driver in drivers if driver.is_trusted), key=_rank)
     for driver in ranked:
         for part in parts_of(driver, columns):
             owners[LAYER_PARTS.index(part)] = driver.source
     regions = owners[:4]
-    whole = [each.source for each in ranked if WHOLE in columns.parts[columns.places(each.names)]]
-    owners[WHOLE] = max(
-        (each for each in reversed(whole) if each in regions), key=lambda each: regions.count(each), default=None
-    )
+    whole = [driver.source for driver in ranked if WHOLE in columns.parts[columns.places(driver.names)]]
+    owners[WHOLE] = max((source for source in reversed(whole) if source in regions), key=regions.count, default=None)
     return tuple(owners)
 
 
@@ -103,21 +110,25 @@ def _rank(driver: Driver) -> tuple[int, bool, int]:
 
 def with_driver(drivers: Sequence[Driver], driver: Driver) -> tuple[Driver, ...]:
     """The drivers with one more, the newest last; one of the same source and parts keeps its place. A character's own
-    motion makes way for any other."""
-    others = [each for each in drivers if each.source != AUTOMATIC or driver.source == AUTOMATIC]
+    motion makes way for any other.
+
+    driver: the one that is meant.
+    """
+    others = [other for other in drivers if other.source != AUTOMATIC or driver.source == AUTOMATIC]
     before = find_driver(others, driver.source)
     if before is not None and before.parts == driver.parts and not before.leaves:
-        return tuple(driver if each is before else each for each in others)
-    return (*(each for each in others if each is not before), driver)
+        return tuple(driver if other is before else other for other in others)
+    return (*(other for other in others if other is not before), driver)
 
 
 def replace_driver(drivers: Sequence[Driver], driver: Driver) -> tuple[Driver, ...]:
-    """The drivers with another state of one of them."""
-    return tuple(driver if each.source == driver.source else each for each in drivers)
+    """The drivers with another state of one of them. driver: the one that is meant."""
+    return tuple(driver if other.source == driver.source else other for other in drivers)
 
 
 def advance_driver(driver: Driver, dt: float, layer: LayerName) -> Driver:
     """A driver of a layer `dt` seconds later."""
-    silent, gap = min(driver.silent + dt, LOSS_SECONDS), LIPS_GAP_SECONDS if layer == "lips" else GAP_SECONDS
+    silent = min(driver.silent + dt, LOSS_SECONDS)
+    gap = LIPS_GAP_SECONDS if layer == "lips" else GAP_SECONDS
     steady = min(driver.steady + dt, STEADY_SECONDS) if silent < gap else 0.0
     return with_fields(driver, silent=silent, steady=steady)

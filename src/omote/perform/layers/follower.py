@@ -7,13 +7,12 @@ import math
 from collections.abc import Iterator
 
 import numpy as np
-from numpy.typing import NDArray
 
-Values = NDArray[np.float64]
+from omote.arrays import Values
 
 LONGEST_STEP = 1.0 / 40.0
 """Seconds; a longer gap is cut into steps, so that the series stands for the exponential (rate times step below 2)."""
-SETTLED_SECONDS = 8.0
+REST_SECONDS = 8.0
 """Seconds after which all is where it goes: what a gap lasts beyond is not stepped through."""
 JUMP = 39.0
 """Makes the haste largest at a distance of 0.3, where a lid that closes is ahead of its follower."""
@@ -27,43 +26,49 @@ def rate_of(seconds: float) -> float:
 
 
 def steps_of(dt: float) -> Iterator[float]:
-    """A gap (seconds) as steps that are short enough to follow in, up to where all is settled."""
-    rest = min(dt, SETTLED_SECONDS)
+    """A gap (seconds) as steps that are short enough to follow in, up to where all is at rest."""
+    rest = min(dt, REST_SECONDS)
     count = math.ceil(rest / LONGEST_STEP)
     for _ in range(count):
         yield rest / count
 
 
 def follow(
-    first: Values, second: Values, goal: Values, rate: Values, haste: Values, dt: float, *, settles: bool = True
+    first: Values, second: Values, goal: Values, rate: Values, haste: Values, dt: float, *, comes_to_rest: bool = True
 ) -> tuple[Values, Values]:
     """Two one-pole filters in a row, `dt` seconds later: what the first and the second give, arrays of one shape.
 
     Both stay between what they were and the goal. rate: of both poles, 1/s; haste: what a distance from the goal adds
     to it, so that what moves fast is followed closely and what trembles is smoothed (the idea of the One-Euro filter,
-    without its kink); a distance that no motion covers in a frame is a jump, and adds nothing. settles: what is near
-    its goal is there.
+    without its kink); a distance that no motion covers in a frame is a jump, and adds nothing. comes_to_rest:
+    what is near its goal is there.
     """
-    ahead, behind = first - goal, second - goal
+    ahead = first - goal
+    behind = second - goal
     z, left = _steps(np.abs(ahead), rate, haste, dt)
     np.multiply(ahead, z, out=z)
     behind += z
     behind *= left
     ahead *= left
-    later_first, later_second = np.add(goal, ahead, out=ahead), np.add(goal, behind, out=behind)
-    if not settles:
+    later_first = np.add(goal, ahead, out=ahead)
+    later_second = np.add(goal, behind, out=behind)
+    if not comes_to_rest:
         return later_first, later_second
     there = np.abs(later_first - goal) + np.abs(later_second - goal) < NEAR
     return np.where(there, goal, later_first), np.where(there, goal, later_second)
 
 
 def follow_number(first: float, second: float, goal: float, rate: float, dt: float) -> tuple[float, float]:
-    """The same for one number without haste, to the bit; a gap of any length is cut into steps."""
+    """The same for one number without haste, to the bit; a gap of any length is cut into steps.
+
+    first: after the first filter; second: after both; goal: where it goes; rate: of both poles, 1/s; dt: seconds.
+    """
     for step in (dt,) if 0.0 < dt <= LONGEST_STEP else steps_of(dt):  # nearly always one
         z = rate * step
         left = 1.0 / (1.0 + z * (1.0 + z * (0.48 + z * 0.235)))
         ahead = first - goal
-        first, second = goal + ahead * left, goal + ((second - goal) + ahead * z) * left
+        first = goal + ahead * left
+        second = goal + ((second - goal) + ahead * z) * left
     return first, second
 
 

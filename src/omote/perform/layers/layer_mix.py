@@ -2,18 +2,21 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from functools import lru_cache
+from weakref import WeakKeyDictionary
 
 import numpy as np
+from numpy.typing import NDArray
 
+from omote.arrays import Values
 from omote.model.known_names import NEUTRAL, PLAY_REGIONS, PlayRegion
 from omote.model.space.expression import Expression
 from omote.perform.frame import Frame, Gaze, Head, Held, LayerStatus, SourceStatus, with_fields
 from omote.perform.layers.columns import GAZE, HEAD
 from omote.perform.layers.drivers import NOBODY, Owners
-from omote.perform.layers.follower import Values
 from omote.perform.layers.layer_names import (
     DEFAULT_SETTINGS,
     DRIVEN,
@@ -25,8 +28,53 @@ from omote.perform.layers.layer_names import (
     LayerPart,
 )
 from omote.perform.layers.layer_vectors import Layers, places_of_source, trust_of
-from omote.perform.layers.worn_units import worn_by
-from omote.perform.panic import Settling, with_settling_channels, with_settling_gaze, with_settling_head
+from omote.perform.panic import EasingToRest, eased
+
+HEAD_RADIUS = 0.09
+"""Metres from the axis to the skin: what an angle and a ratio of radii are worth beside a height."""
+FULL = 1.0
+"""The share of a unit that is worn altogether."""
+
+_worn: WeakKeyDictionary[Expression, WeakKeyDictionary[Expression, float]] = WeakKeyDictionary()
+
+
+def worn_by(unit: Expression, mix: Mapping[str, float], expressions: Mapping[str, Expression]) -> float:
+    """How much of a unit a mix of expressions wears, 0 to 1."""
+    worn = math.fsum(weight * worn_share(unit, expressions[name]) for name, weight in mix.items())
+    return FULL if worn > FULL else max(worn, 0.0)
+
+
+def worn_share(unit: Expression, expression: Expression) -> float:
+    """How much of a unit an expression wears, 0 to 1: its field's share along the unit's, where the unit moves skin.
+
+    Summed exactly (`math.fsum`), so that every machine finds the same.
+    """
+    shares = _worn.get(unit)
+    if shares is None:
+        shares = _worn[unit] = WeakKeyDictionary()
+    share = shares.get(expression)
+    if share is None:
+        share = shares[expression] = _share(unit, expression)
+    return share
+
+
+def _share(unit: Expression, expression: Expression) -> float:
+    if np.shape(unit.dh) != np.shape(expression.dh):
+        return 0.0
+    rows = np.flatnonzero((unit.dh != 0.0) | (unit.dtheta != 0.0) | (unit.ratio != 1.0))
+    own = _moves(unit, rows)
+    other = _moves(expression, rows)
+    square = math.fsum((own * own).tolist())
+    share = math.fsum((own * other).tolist()) / square if square else 0.0
+    return FULL if share > FULL else max(share, 0.0)
+
+
+def _moves(expression: Expression, rows: NDArray[np.intp]) -> NDArray[np.float64]:
+    """About how far it moves these rows of the sheet, metres: around, up and out."""
+    turned = expression.dtheta[rows] * HEAD_RADIUS
+    out = (expression.ratio[rows] - 1.0) * HEAD_RADIUS
+    return np.concatenate([turned, expression.dh[rows], out])
+
 
 Mix = Mapping[str, float]
 Mixes = Mapping[PlayRegion, Mix]
@@ -37,7 +85,8 @@ LEAST_SHOWN = 0.02
 _DRIVEN_ROWS = [LAYERS.index(layer) for layer in DRIVEN]
 _EMOTION = LAYERS.index("emotion")
 _ABOVE_EMOTION = [LAYERS.index(layer) for layer in DRIVEN if RULES[layer] == "replace" and layer != "gaze"]
-UPRIGHT, STRAIGHT = Head(), Gaze()
+UPRIGHT = Head()
+STRAIGHT = Gaze()
 
 
 @dataclass(frozen=True)
@@ -62,7 +111,8 @@ def mix_layers(
     values = _mixed_values(layers, shares, _closed(layers, expressions, own.get("eyes", face)))
     numbers = values.tolist()  # all in range
     channels = {name: value for name, value in zip(layers.columns.names, numbers, strict=False) if value}
-    (yaw, pitch, roll), (side, height) = numbers[HEAD], numbers[GAZE]
+    (yaw, pitch, roll) = numbers[HEAD]
+    (side, height) = numbers[GAZE]
     return Mixed(
         face, own, channels, with_fields(UPRIGHT, yaw=yaw, pitch=pitch, roll=roll),
         with_fields(STRAIGHT, yaw=side, pitch=height),
@@ -70,18 +120,19 @@ def mix_layers(
 
 
 def with_layers(
-    frame: Frame, layers: Layers, expressions: Mapping[str, Expression], held: Held, settling: Settling | None
+    frame: Frame, layers: Layers, expressions: Mapping[str, Expression], held: Held, easing_to_rest: EasingToRest | None
 ) -> Frame:
-    """A frame of calls and hands with all layers in; settling: what a panic has left on its way to rest."""
+    """A frame of calls and hands with all layers in; easing_to_rest: what a panic has left on its way to rest.
+
+    expressions: those of the cast, by name; held: what hands hold.
+    """
     shares = influences(layers)
     mixed = mix_layers(layers, shares, expressions, frame.expressions, frame.regions)
     return with_fields(
         frame,
         expressions=mixed.expressions,
         regions=mixed.regions,
-        channels=with_settling_channels(mixed.channels, settling),
-        head=with_settling_head(mixed.head, settling),
-        gaze=with_settling_gaze(mixed.gaze, settling),
+        **vars(eased(Held(mixed.channels, mixed.head, mixed.gaze), easing_to_rest)),
         layers=statuses(layers, shares),
         held=held,
     )
@@ -100,8 +151,12 @@ def influences(layers: Layers) -> Values:
 
 
 def kept_of_mix(layers: Layers, shares: Values) -> list[float]:
-    """How much of the mix of called expressions shows in each play region; neutral takes the rest."""
-    rows, yielded = shares[:, : len(PLAY_REGIONS)].tolist(), layers.columns.rows(layers.second, "yielded").tolist()
+    """How much of the mix of called expressions shows in each play region; neutral takes the rest.
+
+    layers: those of a character; shares: of the layers, of `influences`.
+    """
+    rows = shares[:, : len(PLAY_REGIONS)].tolist()
+    yielded = layers.columns.rows(layers.second, "yielded").tolist()
     kept = [share * (1.0 - part) for share, part in zip(rows[_EMOTION], yielded, strict=True)]
     for row in _ABOVE_EMOTION:
         kept = [share * (1.0 - part) for share, part in zip(kept, rows[row], strict=True)]
@@ -109,13 +164,19 @@ def kept_of_mix(layers: Layers, shares: Values) -> list[float]:
 
 
 def statuses(layers: Layers, shares: Values) -> dict[str, LayerStatus]:
-    """The layers that differ from what they are at first, or that a source drives; lowest first."""
-    found, strongest, most = dict[str, LayerStatus](), _strongest(layers), shares[:, :WHOLE].max(axis=1).tolist()
+    """The layers that differ from what they are at first, or that a source drives; lowest first.
+
+    shares: of the layers, of `influences`.
+    """
+    by_layer = dict[str, LayerStatus]()
+    strongest = _strongest(layers)
+    most = shares[:, :WHOLE].max(axis=1).tolist()
     for row, layer in enumerate(LAYERS):
-        setting, first = layers.settings[layer], DEFAULT_SETTINGS[layer]
+        setting = layers.settings[layer]
+        first = DEFAULT_SETTINGS[layer]
         if layer in layers.drivers or (setting is not first and setting != first):
-            found[layer] = _status(layers, layer, most[row], strongest.get(layer, {}))
-    return found
+            by_layer[layer] = _status(layers, layer, most[row], strongest.get(layer, {}))
+    return by_layer
 
 
 def _status(layers: Layers, layer: LayerName, share: float, strongest: Mapping[str, float]) -> LayerStatus:
@@ -123,20 +184,24 @@ def _status(layers: Layers, layer: LayerName, share: float, strongest: Mapping[s
     if layer not in layers.drivers:
         return LayerStatus(setting.by_part, setting.on, 0.0 if layer in DRIVEN else 1.0, "", share, {})
     sources = sources_of(layers, layer)
-    first = max(sources, key=lambda each: len(each.parts))
-    told = sources if len(sources) > 1 else ()
-    return LayerStatus(setting.by_part, setting.on, first.trust, first.source, share, strongest, told)
+    first = max(sources, key=lambda source: len(source.parts))
+    several = sources if len(sources) > 1 else ()
+    return LayerStatus(setting.by_part, setting.on, first.trust, first.source, share, strongest, several)
 
 
 def sources_of(layers: Layers, layer: LayerName) -> tuple[SourceStatus, ...]:
-    """The sources of a layer, the newest first: the parts that each has, and how far it is trusted there."""
-    followed, owners = layers.followed.get(layer, NOBODY), layers.owners.get(layer, NOBODY)
+    """The sources of a layer, the newest first: the parts that each has, and how far it is trusted there.
+
+    layers: those of a character.
+    """
+    followed = layers.followed.get(layer, NOBODY)
+    owners = layers.owners.get(layer, NOBODY)
     trust = trust_of(layers, layer).tolist()
-    found = []
+    sources = []
     for driver in reversed(layers.drivers[layer]):
         shows = max([trust[place] for place in _places(followed, driver.source)], default=0.0)
-        found.append(SourceStatus(driver.source, shows, _parts(owners, driver.source)))
-    return tuple(found)
+        sources.append(SourceStatus(driver.source, shows, _parts(owners, driver.source)))
+    return tuple(sources)
 
 
 @lru_cache(maxsize=256)
@@ -154,7 +219,8 @@ def _strongest(layers: Layers) -> dict[LayerName, dict[str, float]]:
     names = layers.columns.names
     streams = layers.columns.rows(layers.second, "streams")[:, : len(names)]
     order = np.argsort(-np.abs(streams), axis=1, kind="stable")[:, :MOST_SHOWN]
-    values, places = np.take_along_axis(streams, order, axis=1).tolist(), order.tolist()
+    values = np.take_along_axis(streams, order, axis=1).tolist()
+    places = order.tolist()
     return {
         layer: {names[place]: value for place, value in zip(*both, strict=True) if abs(value) >= LEAST_SHOWN}
         for layer, both in zip(DRIVEN, zip(places, values, strict=True), strict=True)
@@ -165,11 +231,13 @@ def _strongest(layers: Layers) -> dict[LayerName, dict[str, float]]:
 def _mixed_values(layers: Layers, shares: Values, closed: Values | None) -> Values:
     """The channels and angles of all layers; closed: how much of each the mix wears already."""
     columns = layers.columns
-    streams, mixed = columns.rows(layers.second, "streams"), np.zeros(columns.width)
+    streams = columns.rows(layers.second, "streams")
+    mixed = np.zeros(columns.width)
     for row, layer in enumerate(DRIVEN):
         if layer not in layers.drivers:
             continue
-        part, value = shares[LAYERS.index(layer)][columns.parts], streams[row]
+        part = shares[LAYERS.index(layer)][columns.parts]
+        value = streams[row]
         if RULES[layer] == "replace":
             mixed = (1.0 - part) * mixed + part * value
         elif RULES[layer] == "offset":
@@ -188,14 +256,14 @@ def _in_range(layers: Layers, values: Values) -> Values:
 
 def _closed(layers: Layers, expressions: Mapping[str, Expression], mix: Mix) -> Values | None:
     """How much of each channel of the fills the mix wears already; None where nothing fills."""
-    found: Values | None = None
+    closed: Values | None = None
     for layer, drivers in layers.drivers.items():
         if RULES[layer] != "fill":
             continue
-        found = np.zeros(layers.columns.width) if found is None else found
+        closed = np.zeros(layers.columns.width) if closed is None else closed
         for name in {name for driver in drivers for name in driver.names}:
-            found[layers.columns.index[name]] = worn_by(expressions[name], mix, expressions)
-    return found
+            closed[layers.columns.index[name]] = worn_by(expressions[name], mix, expressions)
+    return closed
 
 
 def _with_neutral(mix: Mix, regions: Mixes, kept: Sequence[float]) -> tuple[Mix, Mixes]:
@@ -213,6 +281,6 @@ def _with_neutral(mix: Mix, regions: Mixes, kept: Sequence[float]) -> tuple[Mix,
 
 
 def _kept(mix: Mix, share: float) -> Mix:
-    found = {name: share * weight for name, weight in mix.items() if share * weight}
-    found[NEUTRAL] = found.get(NEUTRAL, 0.0) + (1.0 - share)
-    return {name: found[name] for name in sorted(found) if found[name]}
+    kept = {name: share * weight for name, weight in mix.items() if share * weight}
+    kept[NEUTRAL] = kept.get(NEUTRAL, 0.0) + (1.0 - share)
+    return {name: kept[name] for name in sorted(kept) if kept[name]}

@@ -36,8 +36,7 @@ _LIPS: Mapping[LayerPart, float] = MappingProxyType(dict.fromkeys(LAYER_PARTS, 0
 
 def check_layer(name: object) -> LayerName:
     """The layer of this name; ValueError where there is none."""
-    found = check_known(name, LAYERS, "layer")
-    return next(layer for layer in LAYERS if layer == found)
+    return check_known(name, LAYERS, "layer")
 
 
 def check_driven(name: object) -> LayerName:
@@ -50,8 +49,7 @@ def check_driven(name: object) -> LayerName:
 
 def check_part(name: object) -> LayerPart:
     """The part of this name; ValueError where there is none."""
-    found = check_known(name, LAYER_PARTS, "region of a layer")
-    return next(part for part in LAYER_PARTS if part == found)
+    return check_known(name, LAYER_PARTS, "region of a layer")
 
 
 @dataclass(frozen=True)
@@ -63,10 +61,12 @@ class LayerSetting:
 
     def __post_init__(self) -> None:
         """Rejects parts that there are not, and influences out of range."""
-        given = {check_part(part): value for part, value in self.influence.items()}
-        if set(given) != set(LAYER_PARTS):
-            raise ValueError(f"the influence of a layer is of {', '.join(given)}; expected {', '.join(LAYER_PARTS)}")
-        checked = {part: check_within(given[part], 0.0, 1.0, f"the influence on {part}") for part in LAYER_PARTS}
+        influence = {check_part(part): value for part, value in self.influence.items()}
+        if set(influence) != set(LAYER_PARTS):
+            raise ValueError(
+                f"the influence of a layer is of {', '.join(influence)}; expected {', '.join(LAYER_PARTS)}"
+            )
+        checked = {part: check_within(influence[part], 0.0, 1.0, f"the influence on {part}") for part in LAYER_PARTS}
         object.__setattr__(self, "influence", checked)
 
     @cached_property

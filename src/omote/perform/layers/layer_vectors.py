@@ -9,11 +9,11 @@ from functools import lru_cache
 import numpy as np
 from numpy.typing import NDArray
 
+from omote.arrays import Values
 from omote.model.known_names import PLAY_REGIONS
 from omote.perform.frame import Held
 from omote.perform.layers.columns import Columns, HasExpressions, make_columns, moved_to
 from omote.perform.layers.drivers import NOBODY, Driver, Owners
-from omote.perform.layers.follower import Values
 from omote.perform.layers.layer_names import DRIVEN, LAYER_PARTS, LAYERS, WHOLE, LayerName, LayerSetting
 
 UNTRUSTED = (0.0,) * len(NOBODY)
@@ -40,27 +40,30 @@ class Layers:
 
 
 def trust_of(layers: Layers, layer: LayerName) -> Values:
-    """How far each part of a layer, and what acts on the whole face, is trusted now."""
+    """How far each part of a layer, and what acts on the whole face, is trusted now. layers: those of a character."""
     return np.asarray(layers.columns.rows(layers.second, "trust")[DRIVEN.index(layer)])
 
 
 def columns_of_source(layers: Layers, layer: LayerName, source: str) -> NDArray[np.bool_]:
-    """The columns of a layer that show the frames of a source."""
+    """The columns of a layer that show the frames of a source. layers: those of a character."""
     followed = layers.followed.get(layer, NOBODY)
-    return layers.columns.in_parts(tuple(each == source for each in followed))
+    return layers.columns.in_parts(tuple(shown == source for shown in followed))
 
 
 def places_of_source(layers: Layers, layer: LayerName, source: str) -> NDArray[np.bool_]:
-    """The parts of a layer, and what acts on the whole face (7), that show the frames of a source."""
+    """The parts of a layer, and what acts on the whole face (7), that show the frames of a source.
+
+    layers: those of a character.
+    """
     return _places_in(layers.followed.get(layer, NOBODY), source)
 
 
 @lru_cache(maxsize=256)
 def _places_in(followed: Owners, source: str) -> NDArray[np.bool_]:
     """The same for all that have the same order of sources: found once, never changed."""
-    found = np.array([each == source for each in followed])
-    found.flags.writeable = False
-    return found
+    places = np.array([shown == source for shown in followed])
+    places.flags.writeable = False
+    return places
 
 
 def trust_goal(layers: Layers) -> list[tuple[float, ...]]:
@@ -75,7 +78,7 @@ def trust_goal(layers: Layers) -> list[tuple[float, ...]]:
 
 @lru_cache(maxsize=256)
 def _trust_goal(owners: Owners, followed: Owners) -> tuple[float, ...]:
-    return tuple(float(one is not None and one == other) for one, other in zip(owners, followed, strict=True))
+    return tuple(float(owner is not None and owner == shown) for owner, shown in zip(owners, followed, strict=True))
 
 
 def share_goal(layers: Layers) -> Values:
@@ -99,8 +102,12 @@ def with_share_goal(layers: Layers) -> Layers:
 
 def plays(layers: Layers) -> bool:
     """Whether anything below the hands shows, or is about to."""
-    settings, columns = layers.settings, layers.columns
-    if any(settings[layer].plays and any(d.is_trusted for d in each) for layer, each in layers.drivers.items()):
+    settings = layers.settings
+    columns = layers.columns
+    if any(
+        settings[layer].plays and any(driver.is_trusted for driver in drivers)
+        for layer, drivers in layers.drivers.items()
+    ):
         return True
     trust = columns.rows(layers.second, "trust") + columns.rows(layers.goal, "trust")
     rows = [LAYERS.index(layer) for layer in DRIVEN]
@@ -109,7 +116,7 @@ def plays(layers: Layers) -> bool:
 
 
 def with_names(cast: HasExpressions, layers: Layers, names: Iterable[str]) -> Layers:
-    """The layers with columns for these channels too."""
+    """The layers with columns for these channels too. cast: whose expressions there are; names: of the channels."""
     if layers.columns.index.keys() >= set(names):
         return layers
     return under(layers, make_columns(cast, (*layers.columns.names, *names)))
@@ -118,7 +125,7 @@ def with_names(cast: HasExpressions, layers: Layers, names: Iterable[str]) -> La
 def under(layers: Layers, columns: Columns) -> Layers:
     """The layers under other columns: every follower keeps where it is."""
     goal, first, second = (
-        moved_to(each, layers.columns, columns) for each in (layers.goal, layers.first, layers.second)
+        moved_to(vector, layers.columns, columns) for vector in (layers.goal, layers.first, layers.second)
     )
     return replace(layers, columns=columns, goal=goal, first=first, second=second)
 
@@ -126,7 +133,8 @@ def under(layers: Layers, columns: Columns) -> Layers:
 def _woken(layers: Layers) -> Layers:
     """What goes anywhere is no longer calm; shares of parts that nothing plays yet are there at once."""
     shares = layers.columns.rows(layers.goal, "share")
-    first, second = layers.first.copy(), layers.second.copy()
+    first = layers.first.copy()
+    second = layers.second.copy()
     for row, layer in enumerate(LAYERS):
         if layer in DRIVEN:
             unseen = trust_of(layers, layer) == 0.0

@@ -8,8 +8,9 @@ from dataclasses import replace
 import numpy as np
 from numpy.typing import NDArray
 
-from omote.perform.channels import gaze_channels
-from omote.perform.frame import Held, with_fields
+from omote.arrays import Values
+from omote.perform.channels import effective_channels, gaze_channels
+from omote.perform.frame import Gaze, Head, Held, with_fields
 from omote.perform.layers.columns import GAZE, HEAD, Columns, HasExpressions, Pace, make_columns
 from omote.perform.layers.drivers import (
     NOBODY,
@@ -24,8 +25,7 @@ from omote.perform.layers.drivers import (
     replace_driver,
     with_driver,
 )
-from omote.perform.layers.follower import Values, follow, steps_of
-from omote.perform.layers.held_columns import are_hands_settled, hold_by
+from omote.perform.layers.follower import follow, steps_of
 from omote.perform.layers.layer_names import DEFAULT_SETTINGS, DRIVEN, LayerName, LayerPart
 from omote.perform.layers.layer_vectors import (
     Layers,
@@ -41,6 +41,60 @@ from omote.perform.layers.layer_vectors import (
 )
 from omote.perform.layers.source_frame import OWN_SOURCES, SourceFrame
 
+UPRIGHT = Head()
+STRAIGHT = Gaze()
+
+
+def hold_by(cast: HasExpressions, layers: Layers, held: Held) -> Layers:
+    """The layers under what hands hold now; what a hand lets go keeps its value while the hold goes.
+
+    cast: whose expressions there are; held: what hands hold.
+    """
+    layers = with_names(cast, layers, held.channels)
+    columns = layers.columns
+    goal = layers.goal.copy()
+    hands = columns.sections["hands"]
+    hold = columns.sections["hold"]
+    holds, wanted = _hold_of(cast, columns, held)
+    goal[hold] = holds
+    np.copyto(goal[hands], wanted, where=holds > 0.0)
+    first = layers.first.copy()
+    second = layers.second.copy()
+    free = layers.calm | ((first[hold] == 0.0) & (second[hold] == 0.0))
+    for vector in (first, second):
+        np.copyto(vector[hands], goal[hands], where=free)
+        if layers.calm:
+            vector[hold] = holds
+    return with_fields(layers, goal=goal, first=first, second=second, held=held)
+
+
+def _hold_of(cast: HasExpressions, columns: Columns, held: Held) -> tuple[Values, Values]:
+    holds = np.zeros(columns.width)
+    wanted = np.zeros(columns.width)
+    channels = effective_channels(cast.expressions, held.channels, held.gaze)
+    places = columns.places(tuple(channels))
+    holds[places] = 1.0
+    wanted[places] = list(channels.values())
+    if held.head != UPRIGHT:
+        holds[HEAD] = 1.0
+        wanted[HEAD] = (held.head.yaw, held.head.pitch, held.head.roll)
+    if held.gaze != STRAIGHT:
+        holds[columns.places(columns.eyes)] = 1.0
+        holds[GAZE] = 1.0
+        wanted[GAZE] = (held.gaze.yaw, held.gaze.pitch)
+    return holds, wanted
+
+
+def are_hands_still(layers: Layers) -> bool:
+    """Whether all that hands hold, and all that they have let go, is where it goes."""
+    begin = layers.columns.sections["hands"].start
+    end = layers.columns.sections["hold"].stop
+    where = slice(begin, end)
+    return np.array_equal(layers.first[where], layers.goal[where]) and np.array_equal(
+        layers.second[where], layers.goal[where]
+    )
+
+
 LET_GO = 0.01
 """A part of a layer that weighs less has let go: another measure, or another source, no longer shows."""
 FADED = 1e-6
@@ -48,7 +102,10 @@ FADED = 1e-6
 
 
 def begin(cast: HasExpressions, held: Held) -> Layers:
-    """The layers of a character that none has changed and no source drives: what hands hold shows as it did."""
+    """The layers of a character that none has changed and no source drives: what hands hold shows as it did.
+
+    cast: whose expressions there are; held: what hands hold.
+    """
     columns = make_columns(cast, held.channels)
     still = np.zeros(columns.size)
     layers = Layers(columns, still, still, still, DEFAULT_SETTINGS, {}, Held())
@@ -68,13 +125,19 @@ def is_at_rest(layers: Layers) -> bool:
 def set_layer(
     layers: Layers, layer: LayerName, part: LayerPart | None, influence: float | None, on: bool | None
 ) -> Layers:
-    """The layers with another influence of one of them, or with it switched: what shows follows."""
+    """The layers with another influence of one of them, or with it switched: what shows follows.
+
+    layer: which; part: of the face, None for all; on: whether it plays, None to leave it.
+    """
     settings = {**layers.settings, layer: layers.settings[layer].change(part, influence, on)}
     return with_share_goal(replace(layers, settings=settings))
 
 
 def drive(cast: HasExpressions, layers: Layers, layer: LayerName, frame: SourceFrame) -> Layers:
-    """The layers after a source has sent one of them a frame, which is checked (`check_frame`)."""
+    """The layers after a source has sent one of them a frame, which is checked (`check_frame`).
+
+    cast: whose expressions there are; layer: which.
+    """
     if not frame.found:
         return layers  # silence counts from the last frame in which it was found
     driver = find_driver(layers.drivers.get(layer, ()), frame.source)
@@ -93,7 +156,7 @@ def recalibrate(layers: Layers, layer: LayerName, source: str) -> Layers:
     followed = layers.followed.get(layer, NOBODY)
     if find_driver(layers.drivers.get(layer, ()), source) is None:
         return layers
-    return _with_followed(layers, layer, tuple(None if each == source else each for each in followed))
+    return _with_followed(layers, layer, tuple(None if shown == source else shown for shown in followed))
 
 
 def leave(layers: Layers, layer: LayerName, source: str) -> Layers:
@@ -111,12 +174,18 @@ def switch_off(layers: Layers, kept: Sequence[float]) -> Layers:
 
     What was on air of them the caller eases to rest.
     """
-    others = ((layer, [one for one in each if one.source not in OWN_SOURCES]) for layer, each in layers.drivers.items())
-    sources = {layer: tuple(each) for layer, each in others if each}
-    settings = {layer: replace(each, on=each.on and layer not in sources) for layer, each in layers.settings.items()}
-    layers = replace(layers, settings=settings, drivers=sources, owners=_known(layers.owners, sources))
-    layers = with_share_goal(replace(layers, followed=_known(layers.followed, sources)))
-    columns, goal = layers.columns, layers.goal.copy()
+    others = (
+        (layer, [driver for driver in drivers if driver.source not in OWN_SOURCES])
+        for layer, drivers in layers.drivers.items()
+    )
+    sources = {layer: tuple(drivers) for layer, drivers in others if drivers}
+    settings = {
+        layer: replace(setting, on=setting.on and layer not in sources) for layer, setting in layers.settings.items()
+    }
+    layers = replace(layers, settings=settings, drivers=sources, owners=_still_driving(layers.owners, sources))
+    layers = with_share_goal(replace(layers, followed=_still_driving(layers.followed, sources)))
+    columns = layers.columns
+    goal = layers.goal.copy()
     for section in ("streams", "hands", "hold", "trust"):
         goal[columns.sections[section]] = 0.0
     goal[columns.sections["yielded"]] = [1.0 - share for share in kept]
@@ -124,7 +193,10 @@ def switch_off(layers: Layers, kept: Sequence[float]) -> Layers:
 
 
 def advance(cast: HasExpressions, layers: Layers, held: Held, dt: float, *, still: bool) -> Layers:
-    """The layers `dt` seconds later, under what hands hold now. still: False while a panic eases to rest."""
+    """The layers `dt` seconds later, under what hands hold now. still: False while a panic eases to rest.
+
+    cast: whose expressions there are; held: what hands hold.
+    """
     if held is not layers.held and held != layers.held:
         layers = hold_by(cast, layers, held)
     if still and layers.columns.rows(layers.goal, "yielded").any():
@@ -136,14 +208,14 @@ def advance(cast: HasExpressions, layers: Layers, held: Held, dt: float, *, stil
     if layers.calm:
         return layers
     layers = _without_gone(layers)
-    calm = not plays(layers) and are_hands_settled(layers)
+    calm = not plays(layers) and are_hands_still(layers)
     return replace(layers, calm=True) if calm else layers
 
 
 def recast(cast: HasExpressions, layers: Layers) -> Layers:
     """The layers under another cast, which has all that is on air."""
     later = under(layers, make_columns(cast, layers.columns.names))
-    owners = {layer: owners_of(each, later.columns) for layer, each in later.drivers.items()}
+    owners = {layer: owners_of(drivers, later.columns) for layer, drivers in later.drivers.items()}
     return replace(later, owners=owners)
 
 
@@ -155,15 +227,15 @@ def _with_followed(layers: Layers, layer: LayerName, followed: Owners) -> Layers
     return with_share_goal(replace(layers, followed={**layers.followed, layer: followed}))
 
 
-def _known(
+def _still_driving(
     names: Mapping[LayerName, Owners], drivers: Mapping[LayerName, tuple[Driver, ...]]
 ) -> dict[LayerName, Owners]:
     """The same without sources that drive no more."""
-    found = dict[LayerName, Owners]()
-    for layer, each in drivers.items():
-        sources = {driver.source for driver in each}
-        found[layer] = tuple(name if name in sources else None for name in names.get(layer, NOBODY))
-    return found
+    names_left = dict[LayerName, Owners]()
+    for layer, driven in drivers.items():
+        sources = {driver.source for driver in driven}
+        names_left[layer] = tuple(name if name in sources else None for name in names.get(layer, NOBODY))
+    return names_left
 
 
 def _owned(layers: Layers, layer: LayerName) -> Layers:
@@ -180,63 +252,75 @@ def _owned(layers: Layers, layer: LayerName) -> Layers:
 
 def _waits(layers: Layers, layer: LayerName) -> bool:
     """Whether a part of a layer shows another than it belongs to."""
-    owners, followed = layers.owners.get(layer, NOBODY), layers.followed.get(layer, NOBODY)
+    owners = layers.owners.get(layer, NOBODY)
+    followed = layers.followed.get(layer, NOBODY)
     return owners != followed and any(
-        one is not None and one != other for one, other in zip(owners, followed, strict=True)
+        owner is not None and owner != shown for owner, shown in zip(owners, followed, strict=True)
     )
 
 
 def _stepped(layers: Layers, dt: float) -> Layers:
     before = layers.drivers
-    drivers = {layer: tuple(advance_driver(one, dt, layer) for one in each) for layer, each in before.items()}
+    drivers = {
+        layer: tuple(advance_driver(driver, dt, layer) for driver in layer_drivers)
+        for layer, layer_drivers in before.items()
+    }
     layers = with_fields(layers, drivers=drivers)
-    for layer, each in drivers.items():
-        lost = any(one.is_trusted != other.is_trusted for one, other in zip(each, before[layer], strict=True))
+    for layer, layer_drivers in drivers.items():
+        lost = any(
+            driver.is_trusted != other.is_trusted for driver, other in zip(layer_drivers, before[layer], strict=True)
+        )
         if lost or _waits(layers, layer):
             layers = _owned(layers, layer)
-    goal, columns = layers.goal, layers.columns
+    goal = layers.goal
+    columns = layers.columns
     wanted = trust_goal(layers)
     if list(map(tuple, columns.rows(goal, "trust").tolist())) != wanted:
         goal = goal.copy()
         columns.rows(goal, "trust")[:] = wanted
-    settles = not any(one.is_trusted for each in drivers.values() for one in each)  # nothing rests while one plays
+    comes_to_rest = not any(
+        driver.is_trusted for layer_drivers in drivers.values() for driver in layer_drivers
+    )  # nothing rests while one plays
     rate, haste = columns.stream_rates(_paces(layers))
-    first, second = follow(layers.first, layers.second, goal, rate, haste, dt, settles=settles)
+    first, second = follow(layers.first, layers.second, goal, rate, haste, dt, comes_to_rest=comes_to_rest)
     return with_fields(layers, goal=goal, first=first, second=second)
 
 
 def _paces(layers: Layers) -> list[Pace]:
     """How sources are followed that are smoothed otherwise than their layers, or have only just come."""
     return [
-        Pace(DRIVEN.index(layer), columns_of_source(layers, layer, one.source), one.smoothing,
-             one.steady / STEADY_SECONDS)
-        for layer, each in layers.drivers.items()
-        for one in each
-        if one.smoothing or one.steady < STEADY_SECONDS
+        Pace(DRIVEN.index(layer), columns_of_source(layers, layer, driver.source), driver.smoothing,
+             driver.steady / STEADY_SECONDS)
+        for layer, drivers in layers.drivers.items()
+        for driver in drivers
+        if driver.smoothing or driver.steady < STEADY_SECONDS
     ]  # fmt: skip
 
 
 def _without_gone(layers: Layers) -> Layers:
     """The layers without the sources that have gone and of which nothing shows any more."""
     gone = {
-        (layer, one.source)
-        for layer, each in layers.drivers.items()
-        for one in each
-        if one.leaves and not _shows(layers, layer, one.source)
+        (layer, driver.source)
+        for layer, drivers in layers.drivers.items()
+        for driver in drivers
+        if driver.leaves and not _shows(layers, layer, driver.source)
     }
     if not gone:
         return layers
     drivers = {
-        layer: tuple(one for one in each if (layer, one.source) not in gone) for layer, each in layers.drivers.items()
+        layer: tuple(driver for driver in drivers if (layer, driver.source) not in gone)
+        for layer, drivers in layers.drivers.items()
     }
-    drivers = {layer: each for layer, each in drivers.items() if each}
-    owners, followed = _known(layers.owners, drivers), _known(layers.followed, drivers)
+    drivers = {layer: drivers for layer, drivers in drivers.items() if drivers}
+    owners = _still_driving(layers.owners, drivers)
+    followed = _still_driving(layers.followed, drivers)
     return with_share_goal(replace(layers, drivers=drivers, owners=owners, followed=followed))
 
 
 def _shows(layers: Layers, layer: LayerName, source: str) -> bool:
-    followed, trust = layers.followed.get(layer, NOBODY), trust_of(layers, layer).tolist()
-    return any(each == source and part >= FADED for each, part in zip(followed, trust, strict=True))
+    followed = layers.followed.get(layer, NOBODY)
+    trust = trust_of(layers, layer).tolist()
+    return any(shown == source and part >= FADED for shown, part in zip(followed, trust, strict=True))
 
 
 def _plugged(cast: HasExpressions, layers: Layers, layer: LayerName, frame: SourceFrame) -> Layers:
@@ -252,8 +336,11 @@ def _plugged(cast: HasExpressions, layers: Layers, layer: LayerName, frame: Sour
 
 def _streamed(cast: HasExpressions, layers: Layers, layer: LayerName, frame: SourceFrame) -> Layers:
     """The layers where a frame is the goal of the parts that show its source; what these do not send is at rest."""
-    columns, row, goal = layers.columns, DRIVEN.index(layer), layers.goal.copy()
-    own, followed = columns_of_source(layers, layer, frame.source), layers.followed.get(layer, NOBODY)
+    columns = layers.columns
+    row = DRIVEN.index(layer)
+    goal = layers.goal.copy()
+    own = columns_of_source(layers, layer, frame.source)
+    followed = layers.followed.get(layer, NOBODY)
     if frame.source not in followed:
         return layers
     write_frame(cast, columns, columns.rows(goal, "streams")[row], own, frame)
@@ -269,7 +356,9 @@ def _streamed(cast: HasExpressions, layers: Layers, layer: LayerName, frame: Sou
 
 def _from_there(layers: Layers, row: int, where: NDArray[np.bool_]) -> Layers:
     """Columns of a layer that do not show, or that are smooth already, are where they go."""
-    columns, first, second = layers.columns, layers.first.copy(), layers.second.copy()
+    columns = layers.columns
+    first = layers.first.copy()
+    second = layers.second.copy()
     stream = columns.rows(layers.goal, "streams")[row]
     for vector in (first, second):
         np.copyto(columns.rows(vector, "streams")[row], stream, where=where)
@@ -278,7 +367,9 @@ def _from_there(layers: Layers, row: int, where: NDArray[np.bool_]) -> Layers:
 
 def _trusted(layers: Layers, layer: LayerName, source: str) -> Layers:
     """The layers where what shows a source is trusted from now on."""
-    where, first, second = places_of_source(layers, layer, source), layers.first.copy(), layers.second.copy()
+    where = places_of_source(layers, layer, source)
+    first = layers.first.copy()
+    second = layers.second.copy()
     for vector in (first, second):
         layers.columns.rows(vector, "trust")[DRIVEN.index(layer), where] = 1.0
     return with_fields(layers, first=first, second=second)
@@ -287,7 +378,11 @@ def _trusted(layers: Layers, layer: LayerName, source: str) -> Layers:
 def write_frame(
     cast: HasExpressions, columns: Columns, stream: Values, own: NDArray[np.bool_], frame: SourceFrame
 ) -> None:
-    """Writes a frame into those columns of a layer that show its source; what it does not send there is at rest."""
+    """Writes a frame into those columns of a layer that show its source; what it does not send there is at rest.
+
+    cast: whose expressions there are; stream: the values of the layer's columns, written; own: which of them show the
+    source.
+    """
     places = columns.places(frame.names)
     stream[own] = 0.0
     if len(frame.names):
@@ -298,3 +393,38 @@ def write_frame(
         stream[GAZE] = frame.gaze.yaw, frame.gaze.pitch
         turned = gaze_channels(cast.expressions, frame.gaze, frame.vergence)
         stream[columns.places(columns.eyes)] = [turned.get(unit, 0.0) for unit in columns.eyes]
+
+
+def drive_direct(cast: HasExpressions, layers: Layers, frames: Mapping[LayerName, SourceFrame]) -> Layers:
+    """The layers after direct frames (`SourceFrame.direct`) of some of them: as `drive` one after the other, to the
+    bit, with one copy of each vector instead of one for each layer.
+
+    cast: whose expressions there are.
+    """
+    for layer, frame in frames.items():
+        if _find_ready(layers, layer, frame) is None:
+            layers = drive(cast, layers, layer, frame)
+    drivers = dict(layers.drivers)
+    goal = layers.goal.copy()
+    first = layers.first.copy()
+    second = layers.second.copy()
+    for layer, frame in frames.items():
+        driver = _find_ready(layers, layer, frame)
+        if driver is None:
+            continue
+        drivers[layer] = replace_driver(drivers[layer], with_fields(driver, silent=0.0, smoothing=frame.smoothing))
+        columns = layers.columns
+        row = DRIVEN.index(layer)
+        own = columns_of_source(layers, layer, frame.source)
+        stream = columns.rows(goal, "streams")[row]
+        write_frame(cast, columns, stream, own, frame)
+        for vector in (first, second):
+            columns.rows(vector, "streams")[row][own] = stream[own]
+    return with_fields(layers, goal=goal, first=first, second=second, drivers=drivers, calm=False)
+
+
+def _find_ready(layers: Layers, layer: LayerName, frame: SourceFrame) -> Driver | None:
+    """The driver of a frame that only has to be written: it plays already, with the same channels, and is trusted."""
+    driver = find_driver(layers.drivers.get(layer, ()), frame.source)
+    ready = driver is not None and frame.found and frame.share == driver.share == 1.0
+    return driver if ready and driver is not None and driver.is_trusted and fits(driver, frame) else None

@@ -7,11 +7,11 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
+from omote.arrays import Values
 from omote.model.known_names import PLAY_REGIONS
 from omote.perform.frame import Held
 from omote.perform.layers.columns import GAZE_PART, PLACES, Columns, HasExpressions, columns_of
 from omote.perform.layers.drivers import NOBODY, STEADY_SECONDS, Driver, Owners, owners_of
-from omote.perform.layers.follower import Values
 from omote.perform.layers.layer_names import DRIVEN, LAYER_PARTS, LAYERS, LayerName, LayerSetting, check_driven
 from omote.perform.layers.layer_vectors import Layers, with_share_goal
 from omote.perform.layers.layers import recast
@@ -45,7 +45,7 @@ def snapshot_of(layers: Layers | None) -> LayersSnapshot | None:
     """The snapshot of layers; None where a character has none."""
     if layers is None:
         return None
-    goal, first, second = (each.astype("<f8").tobytes() for each in (layers.goal, layers.first, layers.second))
+    goal, first, second = (vector.astype("<f8").tobytes() for vector in (layers.goal, layers.first, layers.second))
     return LayersSnapshot(
         names=layers.columns.names,
         goal=goal,
@@ -60,18 +60,23 @@ def snapshot_of(layers: Layers | None) -> LayersSnapshot | None:
 
 
 def restored(cast: HasExpressions, snapshot: LayersSnapshot | None) -> Layers | None:
-    """The layers of a snapshot, which go on as they did; ValueError where none can have been so."""
+    """The layers of a snapshot, which go on as they did; ValueError where none can have been so.
+
+    cast: whose expressions there are.
+    """
     if snapshot is None:
         return None
     if set(snapshot.settings) != set(LAYERS):
         raise ValueError(f"the snapshot has the layers {', '.join(snapshot.settings)}; expected {', '.join(LAYERS)}")
     for name in names_driven(snapshot):
         check_known(name, cast.expressions, "channel")
-    drivers = {check_driven(layer): _several(each) for layer, each in snapshot.drivers.items()}
+    drivers = {check_driven(layer): _several(stored) for layer, stored in snapshot.drivers.items()}
     _check_drivers(drivers, snapshot.followed)
     columns = columns_of(cast, tuple(snapshot.names))
-    owners = {layer: owners_of(each, columns) for layer, each in drivers.items()}
-    goal, first, second = (_vector(each, columns, owners) for each in (snapshot.goal, snapshot.first, snapshot.second))
+    owners = {layer: owners_of(driven, columns) for layer, driven in drivers.items()}
+    goal, first, second = (
+        _vector(vector, columns, owners) for vector in (snapshot.goal, snapshot.first, snapshot.second)
+    )
     settings = {layer: snapshot.settings[layer] for layer in LAYERS}
     is_old = len(snapshot.goal) != 8 * columns.size
     layers = Layers(
@@ -86,7 +91,7 @@ def _several(drivers: tuple[Driver, ...] | Driver) -> tuple[Driver, ...]:
 
 
 def _check_drivers(drivers: Mapping[LayerName, tuple[Driver, ...]], followed: Mapping[LayerName, Owners]) -> None:
-    for driver in (one for each in drivers.values() for one in each):
+    for driver in (driver for layer_drivers in drivers.values() for driver in layer_drivers):
         check_within(driver.silent, 0.0, LOSS_SECONDS, "the silence of a source (seconds)")
         check_within(driver.steady, 0.0, STEADY_SECONDS, "the steady frames of a source (seconds)")
         check_smoothing(driver.smoothing)
@@ -106,7 +111,8 @@ def _vector(data: bytes, columns: Columns, owners: Mapping[LayerName, Owners]) -
         vector = _by_part(vector, columns, owners)
     for section in ("hold", "share", "trust", "yielded"):
         _check_range(vector[columns.sections[section]], np.zeros(1), np.ones(1), section)
-    widest, units = columns.highest.copy(), slice(len(columns.names))
+    widest = columns.highest.copy()
+    units = slice(len(columns.names))
     widest[units][columns.parts[units] == GAZE_PART] = np.inf  # `recast` limits them: another cast's eyes turned less
     for row in (*columns.rows(vector, "streams"), columns.rows(vector, "hands")):
         _check_range(row, columns.lowest, widest, "value")
@@ -115,13 +121,15 @@ def _vector(data: bytes, columns: Columns, owners: Mapping[LayerName, Owners]) -
 
 def _by_part(vector: Values, columns: Columns, owners: Mapping[LayerName, Owners]) -> Values:
     """A vector from when a layer had one source, and one trust for all its parts."""
-    later, begin = np.zeros(columns.size), columns.sections["share"].start
+    later = np.zeros(columns.size)
+    begin = columns.sections["share"].start
     later[:begin] = vector[:begin]
     end = begin + len(LAYERS) * len(LAYER_PARTS)
-    shares, trusts = vector[begin:end].reshape(len(LAYERS), -1), vector[end : end + len(DRIVEN)].tolist()
+    shares = vector[begin:end].reshape(len(LAYERS), -1)
+    trusts = vector[end : end + len(DRIVEN)].tolist()
     columns.rows(later, "share")[:] = np.column_stack([shares, shares[:, : len(PLAY_REGIONS)].mean(axis=1)])
     for row, (layer, trust) in enumerate(zip(DRIVEN, trusts, strict=True)):
-        columns.rows(later, "trust")[row] = [trust if each is not None else 0.0 for each in owners.get(layer, NOBODY)]
+        columns.rows(later, "trust")[row] = [trust if owner is not None else 0.0 for owner in owners.get(layer, NOBODY)]
     later[columns.sections["yielded"]] = vector[end + len(DRIVEN) :]
     return later
 
@@ -136,5 +144,5 @@ def names_driven(snapshot: LayersSnapshot | None) -> frozenset[str]:
     if snapshot is None:
         return frozenset()
     return frozenset(snapshot.held.channels).union(
-        *(driver.names for each in snapshot.drivers.values() for driver in _several(each))
+        *(driver.names for drivers in snapshot.drivers.values() for driver in _several(drivers))
     )

@@ -10,10 +10,10 @@ from functools import lru_cache
 import numpy as np
 from numpy.typing import NDArray
 
+from omote.arrays import Values
 from omote.model.known_names import NEUTRAL
 from omote.perform.channels import GAZE_UNITS
 from omote.perform.frame import Gaze, Head, with_fields
-from omote.perform.layers.follower import Values
 from omote.perform.layers.layer_names import LAYER_PARTS, RANGES, RULES, LayerName, LayerPart
 from omote.perform.limits import CHANNEL_HIGHEST, CHANNEL_LOWEST, GAZE_LIMITS, HEAD_LIMITS, check_known, check_within
 
@@ -23,10 +23,13 @@ LOSS_SECONDS = 0.5
 """Seconds of silence, or of a performer who is not found, after which a source counts as lost."""
 
 
-DEVICE_YAW, DEVICE_UP, DEVICE_DOWN = math.radians(35.0), math.radians(25.0), math.radians(35.0)
+DEVICE_YAW = math.radians(35.0)
+DEVICE_UP = math.radians(25.0)
+DEVICE_DOWN = math.radians(35.0)
 """By what a full coefficient of ARKit's turns an eye to the side, up and down: in three takes of Live Link Face, which
 sends both, angles follow their coefficients by these slopes (correlation above .98)."""
-AUTOMATIC, SPEECH = "automatic", "speech"
+AUTOMATIC = "automatic"
+SPEECH = "speech"
 OWN_SOURCES = (AUTOMATIC, SPEECH)
 """The sources of a character's own motion, and of what it says; no other has these names."""
 
@@ -82,7 +85,8 @@ def with_gaze_of_units(frame: SourceFrame) -> SourceFrame:
     out_left, in_left, up_left, down_left, out_right, in_right, up_right, down_right = frame.values[places].tolist()
     yaw = DEVICE_YAW * (out_left - in_left + in_right - out_right) / 2.0
     pitch = (DEVICE_UP * (up_left + up_right) - DEVICE_DOWN * (down_left + down_right)) / 2.0
-    widest, highest = GAZE_LIMITS["yaw"], GAZE_LIMITS["pitch"]
+    widest = GAZE_LIMITS["yaw"]
+    highest = GAZE_LIMITS["pitch"]
     gaze = Gaze(min(max(yaw, -widest), widest), min(max(pitch, -highest), highest))
     return with_fields(frame, gaze=gaze)
 
@@ -103,7 +107,12 @@ def source_frame(
     found: bool = True,
     smoothing: float = 0.0,
 ) -> SourceFrame:
-    """The frame of a mapping of weights; ValueError and TypeError for names and numbers that cannot be played."""
+    """The frame of a mapping of weights; ValueError and TypeError for names and numbers that cannot be played.
+
+    expressions: those of the cast, by name; channels: weights by name, -0.5 to 1.5; head: yaw, pitch and roll, radians;
+    gaze: yaw and pitch, radians; found: False while the source does not see whom it follows; smoothing: seconds in
+    which it is followed.
+    """
     if not isinstance(channels, Mapping):
         raise TypeError(f"the channels are a {type(channels).__name__}; give weights by name, as {{'jawOpen': 0.4}}")
     names = check_names(channels, expressions)
@@ -113,11 +122,11 @@ def source_frame(
     return SourceFrame(names, np.array(values, np.float64), turned, looks, found, smoothing=check_smoothing(smoothing))
 
 
-def _angles(given: object, limits: Mapping[str, float], what: str) -> tuple[float, ...]:
+def _angles(value: object, limits: Mapping[str, float], what: str) -> tuple[float, ...]:
     """The angles of a head or a gaze, as many as it has; Head and Gaze look at each of them."""
-    angles = tuple(given) if isinstance(given, Iterable) and not isinstance(given, str) else ()
+    angles = tuple(value) if isinstance(value, Iterable) and not isinstance(value, str) else ()
     if len(angles) != len(limits):
-        raise ValueError(f"the {what} is {given!s:.80}; give {', '.join(limits)}, radians")
+        raise ValueError(f"the {what} is {value!s:.80}; give {', '.join(limits)}, radians")
     return angles
 
 
@@ -132,11 +141,14 @@ def check_share(share: object) -> float:
 
 
 def check_names(names: Iterable[str], expressions: Mapping[str, object]) -> tuple[str, ...]:
-    """The channels of a source, each once; ValueError for one that there is not, and for `neutral`."""
-    known = [name for name in expressions if name != NEUTRAL]
-    given = tuple(
-        name if name in expressions and name != NEUTRAL else check_known(name, known, "channel") for name in names
+    """The channels of a source, each once; ValueError for one that there is not, and for `neutral`.
+
+    names: as they were sent; expressions: those that there are.
+    """
+    choices = [name for name in expressions if name != NEUTRAL]
+    checked = tuple(
+        name if name in expressions and name != NEUTRAL else check_known(name, choices, "channel") for name in names
     )
-    if len(set(given)) != len(given):
-        raise ValueError(f"a source names a channel twice among {', '.join(given)[:200]}; name each once")
-    return given
+    if len(set(checked)) != len(checked):
+        raise ValueError(f"a source names a channel twice among {', '.join(checked)[:200]}; name each once")
+    return checked

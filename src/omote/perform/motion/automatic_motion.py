@@ -12,7 +12,8 @@ from numpy.typing import NDArray
 
 from omote.perform.frame import NO_TARGET, Gaze, Head, MotionSettings
 from omote.perform.layers.follower import follow_number, rate_of
-from omote.perform.layers.layer_names import RANGES, LayerName
+from omote.perform.layers.layer_names import DRIVEN, RANGES, LayerName
+from omote.perform.layers.layer_vectors import Layers, trust_of
 from omote.perform.layers.source_frame import AUTOMATIC, SourceFrame
 from omote.perform.limits import FOREVER, check_within
 from omote.perform.motion.blinks import Blinks, advance_blinks, begin_blink, lid_closure
@@ -33,7 +34,9 @@ from omote.perform.motion.sight import NOTHING, Sight
 
 LIDS = ("eyeBlinkLeft", "eyeBlinkRight")
 MOST_OFFSET = RANGES["offset"][1]
-SHORTEST_SPAN, FARTHEST, DEEPEST = 1e-3, 8.0, 4.0 + 1e-6
+SHORTEST_SPAN = 1e-3
+FARTHEST = 8.0
+DEEPEST = 4.0 + 1e-6
 DEPTH_SECONDS = 1.0
 """In which breath and noise follow what is set."""
 IDLE_LIVELINESS = 0.5
@@ -91,7 +94,9 @@ def check_motion(motion: AutomaticMotion | None) -> AutomaticMotion | None:
     if motion is None:
         return None
     check_within(motion.time, 0.0, FOREVER, "the time of the automatic motion (seconds)")
-    blinks, gaze, breath = motion.blinks, motion.gaze, motion.breath
+    blinks = motion.blinks
+    gaze = motion.gaze
+    breath = motion.breath
     check_within(blinks.depth, 0.0, 1.0, "the depth of a blink")
     spans = blinks.down, blinks.up, breath.seconds, gaze.saccade.seconds
     for seconds in spans:
@@ -130,7 +135,8 @@ def advance_motion(
     AutomaticMotion
         Frozen; the same motion and steps give the same bits.
     """
-    settings, now = motion.acting, motion.time + dt
+    settings = motion.acting
+    now = motion.time + dt
     seen = _pursued(motion.gaze.seen, sight.turn, dt)
     gaze = advance_gaze(motion.gaze, settings.seed, now, seen, reach=settings.reach, contact=sight.contact)
     blinks = advance_blinks(motion.blinks, settings.seed, now, dt, rate=settings.blink_rate, speaking=speaking)
@@ -172,7 +178,8 @@ def motion_frames(motion: AutomaticMotion, names: Container[str]) -> dict[LayerN
         return {} if motion.settings.target == NO_TARGET else {"gaze": _gaze_frame(motion, _breath_head(motion))}
     has = tuple(name for name in _CHANNELS if name in names)
     lids = tuple(name for name in LIDS if name in names)
-    shut, drawn = lid_closure(motion.blinks, motion.time), _breath_head(motion)
+    shut = lid_closure(motion.blinks, motion.time)
+    drawn = _breath_head(motion)
     return {
         "breath": SourceFrame(has, _breath_values(motion, has), drawn, source=AUTOMATIC, direct=True),
         "gaze": _gaze_frame(motion, drawn),
@@ -202,7 +209,8 @@ def _gaze_frame(motion: AutomaticMotion, drawn: Head) -> SourceFrame:
 
 def _share_in_range(eyes: Turn) -> float:
     """How much of a turn lies within the range of the eyes, an ellipse."""
-    side, height = eyes.yaw / EYE_RANGE.yaw, eyes.pitch / EYE_RANGE.pitch
+    side = eyes.yaw / EYE_RANGE.yaw
+    height = eyes.pitch / EYE_RANGE.pitch
     beyond = side * side + height * height
     return 1.0 if beyond <= 1.0 else 1.0 / math.sqrt(beyond)
 
@@ -211,7 +219,8 @@ _CHANNELS = tuple(sorted({*BREATH_CHANNELS, *NOISE_CHANNELS}))
 
 
 def _breath_values(motion: AutomaticMotion, names: tuple[str, ...]) -> np.ndarray:
-    depth, drawn = motion.depth[1], air(motion.breath, motion.time)
+    depth = motion.depth[1]
+    drawn = air(motion.breath, motion.time)
     moved = np.array([noise(motion.settings.seed, kind, motion.time) for kind in range(NOISES)])
     breathed, kinds, far = _shares(names)
     added = depth * (breathed * drawn + far * moved[kinds])
@@ -227,6 +236,46 @@ def _shares(names: tuple[str, ...]) -> tuple[NDArray[np.float64], NDArray[np.int
 
 
 def _breath_head(motion: AutomaticMotion) -> Head:
-    depth, seed, now = motion.depth[1], motion.settings.seed, motion.time
+    depth = motion.depth[1]
+    seed = motion.settings.seed
+    now = motion.time
     yaw, pitch, roll = (depth * far * noise(seed, NOISES + at, now) for at, far in enumerate(NOISE_HEAD))
     return Head(yaw, pitch + depth * BREATH_PITCH * air(motion.breath, now), roll)
+
+
+SPOKEN = 0.1
+"""Lips that are moved by more speak."""
+SHOWN = 0.99
+"""A tracker that is trusted by more hides what lies below."""
+_TRACKER: LayerName = "tracker"
+
+
+def is_free(layers: Layers, layer: LayerName) -> bool:
+    """Whether no source drives a layer but the character's own motion. layers: those of a character."""
+    return all(driver.source == AUTOMATIC for driver in layers.drivers.get(layer, ()))
+
+
+def is_speaking(layers: Layers) -> bool:
+    """Whether lips that a source drives move."""
+    if not any(driver.is_trusted for driver in layers.drivers.get("lips", ())):
+        return False
+    lips = layers.columns.rows(layers.second, "streams")[DRIVEN.index("lips")]
+    return bool(lips[: len(layers.columns.names)].max(initial=0.0) > SPOKEN)
+
+
+def is_tracker_lost(layers: Layers | None, lost: bool) -> bool:
+    """Whether the tracker that played is lost: silent, blind or gone, until another shows altogether; not while an
+    operator, or a panic, has switched its layer off. lost: whether it was before.
+
+    layers: those of a character.
+    """
+    if layers is None:
+        return lost
+    if not layers.settings[_TRACKER].on:
+        return False
+    drivers = layers.drivers.get(_TRACKER, ())
+    if not drivers:
+        return lost
+    if any(driver.is_trusted for driver in drivers):
+        return lost and float(trust_of(layers, _TRACKER).max()) < SHOWN
+    return True

@@ -11,7 +11,8 @@ from omote.perform.easing import EASINGS
 from omote.perform.motion.counter_hash import uniform
 from omote.perform.motion.quantiles import BREATH
 
-_BREATH, _NOISE = 21, 100
+_BREATH = 21
+_NOISE = 100
 INHALE = 0.4
 """The share of a breath in which the air comes in."""
 _CHEST = EASINGS["smooth"]
@@ -44,7 +45,7 @@ class Breath:
 
 
 def advance_breath(breath: Breath, seed: int, now: float) -> Breath:
-    """The breath that is drawn at `now`."""
+    """The breath that is drawn at `now`. seed: the character's."""
     if now - breath.began > LONGEST_GAP:
         breath = Breath(breath.count, now - breath.seconds, breath.seconds)
     while now >= breath.began + breath.seconds:
@@ -54,7 +55,7 @@ def advance_breath(breath: Breath, seed: int, now: float) -> Breath:
 
 
 def air(breath: Breath, now: float) -> float:
-    """How much air is in, 0..1."""
+    """How much air is in, 0..1. breath: the one that is drawn; now: seconds."""
     share = min(max((now - breath.began) / breath.seconds, 0.0), 1.0)
     return _CHEST.value(share / INHALE) if share < INHALE else 1.0 - _CHEST.value((share - INHALE) / (1.0 - INHALE))
 
@@ -62,11 +63,14 @@ def air(breath: Breath, now: float) -> float:
 def noise(seed: int, kind: int, now: float) -> float:
     """Smooth noise at a time (seconds), -1..1, which never repeats.
 
+    seed: the character's; kind: which of the character's noises; now: seconds.
+
     References
     ----------
     Value noise on a line: K. Perlin 1985, with the fade of 2002 (no acceleration jumps).
     """
-    total, first = 0.0, _NOISE + 8 * kind
+    total = 0.0
+    first = _NOISE + 8 * kind
     for at, (every, share) in OCTAVES:
         place = now / every
         below = math.floor(place)

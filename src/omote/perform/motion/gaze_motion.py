@@ -19,9 +19,14 @@ from omote.perform.motion.quantiles import (
     Quantiles,
 )
 
-_SPELL, _FIXATION, _STEP, _DIRECTION, _BLINK = 11, 12, 13, 14, 15
+_SPELL = 11
+_FIXATION = 12
+_STEP = 13
+_DIRECTION = 14
+_BLINK = 15
 DEGREE = math.pi / 180.0
-SACCADE_SECONDS, SACCADE_PER_DEGREE = 0.021, 0.0022
+SACCADE_SECONDS = 0.021
+SACCADE_PER_DEGREE = 0.0022
 """The main sequence: how long a saccade takes (R. H. S. Carpenter 1988, *Movements of the eyes*)."""
 LIDS_LEAD = 30.0 * DEGREE
 """Shifts that are farther begin with the lids (Evinger et al. 1994, *Experimental Brain Research* 100)."""
@@ -64,7 +69,7 @@ class GazeMotion:
 
 
 def looked_at(motion: GazeMotion, now: float) -> Turn:
-    """Where the eyes look at a time, from the body: yaw and pitch in radians."""
+    """Where the eyes look at a time, from the body: yaw and pitch in radians. motion: the character's; now: seconds."""
     return motion.seen + motion.saccade.at(now)
 
 
@@ -72,7 +77,10 @@ def advance_gaze(
     motion: GazeMotion, seed: int, now: float, seen: Turn, *, reach: float, contact: bool | None = None
 ) -> GazeMotion:
     """The eyes at `now`. seen: the direction of what is looked at; reach: how far they go elsewhere, 1 as people do;
-    contact: whether they are to be at what is looked at, None where their own spells decide."""
+    contact: whether they are to be at what is looked at, None where their own spells decide.
+
+    motion, seed: the character's.
+    """
     motion = _moved_to(motion, now, seen)
     other = now >= motion.spell if contact is None else contact != motion.contact
     arrived = now >= motion.saccade.began + motion.saccade.seconds

@@ -11,7 +11,8 @@ EYES_ALONE = 0.30
 EYES_ALONE_PITCH = 0.17
 SHARE = 0.85
 """How much of what lies beyond the head takes over."""
-FARTHEST_YAW, FARTHEST_PITCH = 1.3, 0.7
+FARTHEST_YAW = 1.3
+FARTHEST_PITCH = 0.7
 """Radians (74 and 40 degrees) that a neck turns a head at most."""
 HEAD_SECONDS = 0.45
 """In which the head has gone nine tenths of its way."""
@@ -50,13 +51,18 @@ class FollowingHead:
 
 def head_goal(looked: Turn) -> Turn:
     """Where the head comes to rest when somebody looks there."""
-    yaw, pitch = _beyond(looked.yaw, EYES_ALONE), _beyond(looked.pitch, EYES_ALONE_PITCH)
+    yaw = _beyond(looked.yaw, EYES_ALONE)
+    pitch = _beyond(looked.pitch, EYES_ALONE_PITCH)
     return Turn(min(max(yaw, -FARTHEST_YAW), FARTHEST_YAW), min(max(pitch, -FARTHEST_PITCH), FARTHEST_PITCH))
 
 
 def follow_gaze(head: FollowingHead, looked: Turn, dt: float) -> FollowingHead:
-    """The head `dt` seconds later, while the eyes look somewhere: two filters in a row, as in `layers.follower`."""
-    goal, rate = head_goal(looked), rate_of(HEAD_SECONDS)
+    """The head `dt` seconds later, while the eyes look somewhere: two filters in a row, as in `layers.follower`.
+
+    looked: where the eyes look.
+    """
+    goal = head_goal(looked)
+    rate = rate_of(HEAD_SECONDS)
     yaw = follow_number(head.first.yaw, head.second.yaw, goal.yaw, rate, dt)
     pitch = follow_number(head.first.pitch, head.second.pitch, goal.pitch, rate, dt)
     return FollowingHead(Turn(yaw[0], pitch[0]), Turn(yaw[1], pitch[1]))

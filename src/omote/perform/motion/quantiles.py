@@ -11,7 +11,8 @@ from dataclasses import dataclass
 from statistics import NormalDist
 
 ENTRIES = 64
-LOWEST, HIGHEST = 0.002, 0.998
+LOWEST = 0.002
+HIGHEST = 0.998
 """The quantiles at the ends of a table: what is rarer does not come."""
 
 
@@ -30,7 +31,8 @@ class Quantiles:
         """The value that a share (0 to 1) of all lies below."""
         place = share * (len(self.values) - 1)
         below = min(int(place), len(self.values) - 2)
-        low, high = self.values[below], self.values[below + 1]
+        low = self.values[below]
+        high = self.values[below + 1]
         return low + (high - low) * (place - below)
 
     @property
@@ -41,14 +43,17 @@ class Quantiles:
 
 
 def lognormal(mean: float, spread: float, low: float, high: float) -> Quantiles:
-    """The quantiles of a lognormal distribution of a mean, `spread` wide (of the logarithm), kept within two ends."""
+    """The quantiles of a lognormal distribution of a mean, `spread` wide (of the logarithm), kept within two ends.
+
+    low: the least value; high: the largest value.
+    """
     centre = math.log(mean) - spread * spread / 2.0
     normal = NormalDist(centre, spread)
-    return Quantiles(tuple(round(min(max(math.exp(normal.inv_cdf(each)), low), high), 6) for each in _shares()))
+    return Quantiles(tuple(round(min(max(math.exp(normal.inv_cdf(share)), low), high), 6) for share in _shares()))
 
 
 def even(low: float, high: float) -> Quantiles:
-    """The quantiles of an even distribution."""
+    """The quantiles of an even distribution. low: the least value; high: the largest value."""
     return Quantiles((low, high))
 
 

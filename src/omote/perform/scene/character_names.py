@@ -16,6 +16,7 @@ JOINT = "+"
 """Between the names of the characters of a framing."""
 MOST_CHARACTERS = 8
 LONGEST_NAME = 24
+"""Characters."""
 
 _NAME = re.compile(rf"[a-z0-9_-]{{1,{LONGEST_NAME}}}")
 
@@ -33,18 +34,20 @@ def check_character_name(name: object) -> str:
 def find_character(typed: str, labels: Mapping[str, str]) -> str:
     """Returns the name of the character that a person means: by its name, else by its label, both in any case.
 
+    typed: what was written.
+
     labels: what people call each, by name. ValueError with all that there are where none is meant, and with the names
     where several have the label.
     """
     if typed in labels:
         return typed
     meant = fold(typed)
-    found = [name for name in labels if meant and fold(name) == meant]
-    found = found or [name for name, label in labels.items() if meant and fold(label) == meant]
-    if len(found) == 1:
-        return found[0]
-    if found:
-        raise ValueError(f"the character {typed[:80]!r} could be {' or '.join(found)}; give one of these names")
+    matches = [name for name in labels if meant and fold(name) == meant]
+    matches = matches or [name for name, label in labels.items() if meant and fold(label) == meant]
+    if len(matches) == 1:
+        return matches[0]
+    if matches:
+        raise ValueError(f"the character {typed[:80]!r} could be {' or '.join(matches)}; give one of these names")
     there = ", ".join(describe_character(name, label) for name, label in labels.items())
     raise ValueError(f"there is no character {typed[:80]!r} in this scene, which has {there}")
 
@@ -54,14 +57,14 @@ def describe_character(name: str, label: str) -> str:
     return name if fold(name) == fold(label) else f"{name} ({label})"
 
 
-def framing_of(characters: Iterable[str], known: Iterable[str]) -> str:
+def framing_of(characters: Iterable[str], present: Iterable[str]) -> str:
     """The framing that holds these characters, as text: `*` for none, else their names, sorted and joined by `+`.
 
-    ValueError for a character that is not `known`.
+    ValueError for a character that is not `present`.
     """
     if isinstance(characters, str):
         raise TypeError(f"the characters of a framing are the text {characters!r}; give a list of their names")
-    choices = list(known)
+    choices = list(present)
     names = {check_known(name, choices, "character") for name in characters}
     return JOINT.join(sorted(names)) if names else ALL
 

@@ -4,12 +4,66 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass
+from functools import lru_cache
 
 from omote.perform.frame import POINT_LIMITS, GazeTarget
 from omote.perform.limits import check_within
-from omote.perform.motion.mutual_gaze import contacts
+from omote.perform.motion.counter_hash import uniform
+from omote.perform.motion.quantiles import MUTUAL_SPELL
 from omote.perform.motion.sight import NOTHING, Point, Sight, eyes_of, sight_of_direction, sight_of_point
 from omote.perform.scene.scene_frame import Place
+
+SLOT = 6.0
+"""Seconds in which two meet each other's eyes once: 45 in a hundred of the time (Argyle and Ingham 1972: 30 to 60)."""
+SHORTEST_BREAK = 0.6
+"""Seconds between two spells at least."""
+BOTH = 0.6
+"""The share of breaks in which the other looks away too."""
+AFTER = 0.4
+"""Seconds by which that is later, and the other back earlier."""
+_LENGTH = 31
+_BEGIN = 32
+_WHO = 33
+_BOTH = 34
+
+
+@lru_cache(maxsize=64)
+def contacts(seeds: tuple[int, int], time: float) -> tuple[bool, bool]:
+    """Whether each of two who look at one another is at the other's eyes.
+
+    Parameters
+    ----------
+    seeds : tuple of int
+        Of both, in an order that stays.
+    time : float
+        Of the scene, seconds.
+
+    Returns
+    -------
+    tuple of bool
+        Of both; all from seeds and time, so that nothing has to be kept.
+    """
+    seed = seeds[0] * 2654435761 + seeds[1]
+    slot = int(time // SLOT)
+    begin, end = _spell(seed, slot)
+    if begin <= time < end:
+        return True, True
+    if time < begin:  # the break since the spell before, which is that slot's
+        slot, end, begin = slot - 1, _spell(seed, slot - 1)[1], begin
+    else:
+        begin = _spell(seed, slot + 1)[0]
+    other = uniform(seed, _BOTH, slot) < BOTH and end + AFTER <= time < begin - AFTER
+    first_leads = uniform(seed, _WHO, slot) < 0.5
+    return (False, not other) if first_leads else (not other, False)
+
+
+@lru_cache(maxsize=256)
+def _spell(seed: int, slot: int) -> tuple[float, float]:
+    """When the spell of a slot begins and ends."""
+    length = MUTUAL_SPELL.at(uniform(seed, _LENGTH, slot))
+    begin = SLOT * slot + (SLOT - SHORTEST_BREAK - length) * uniform(seed, _BEGIN, slot)
+    return begin, begin + length
+
 
 MOST_POINTS = 32
 LONGEST_POINT_NAME = 40
@@ -31,10 +85,13 @@ class Looker:
 
 
 def check_point(x: object, y: object, z: object, what: str) -> Point:
-    """A point of the scene; ValueError and TypeError for what is none."""
-    given = zip((x, y, z), POINT_LIMITS.items(), strict=True)
+    """A point of the scene; ValueError and TypeError for what is none.
+
+    x: to the picture's right; y: above the eyes; z: before the front line, all in metres.
+    """
+    limited = zip((x, y, z), POINT_LIMITS.items(), strict=True)
     across, up, ahead = (
-        check_within(value, low, high, f"the {name} of {what} (metres)") for value, (name, (low, high)) in given
+        check_within(value, low, high, f"the {name} of {what} (metres)") for value, (name, (low, high)) in limited
     )
     return across, up, ahead
 
@@ -73,7 +130,8 @@ def _point_of(target: GazeTarget, points: Mapping[str, Point], cameras: Mapping[
 
 
 def _sight_of_other(name: str, lookers: Mapping[str, Looker], time: float) -> Sight:
-    own, other = lookers[name], lookers.get(lookers[name].target.name)
+    own = lookers[name]
+    other = lookers.get(lookers[name].target.name)
     if other is None or not other.present:
         return NOTHING
     seen = _sight(own, other.eyes)
@@ -90,5 +148,8 @@ def _sight(own: Looker, point: Point) -> Sight:
 
 
 def eyes_at(place: Place, turned: float) -> Point:
-    """Where the eyes of a character are. turned: radians by which its head has gone with its gaze."""
+    """Where the eyes of a character are. turned: radians by which its head has gone with its gaze.
+
+    place: where it stands, its size and its turn.
+    """
     return eyes_of(place.x, place.depth, place.size, place.turn + turned)

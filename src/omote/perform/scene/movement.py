@@ -10,15 +10,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
 
-from omote.perform.easing import (
-    DECAY_SECONDS,
-    DEFAULT_EASING,
-    bump,
-    bump_rate,
-    decay_seconds,
-    find_easing,
-    is_over,
-)
+from omote.perform.easing import DECAY_SECONDS, DEFAULT_EASING, bump, bump_rate, decay_seconds, find_easing, is_over
 from omote.perform.limits import FOREVER, LONGEST_CALL, SHORTEST_CALL, check_within
 from omote.perform.mix import HIGHEST, LOWEST
 
@@ -46,18 +38,21 @@ class Movement:
 
 
 def values(movement: Movement, ranges: Ranges) -> dict[str, float]:
-    """The numbers as they are now; each in its range."""
+    """The numbers as they are now; each in its range.
+
+    movement: the way to a goal; ranges: lowest and highest of each number.
+    """
     way = movement.way
     if way is None:
         return dict(movement.goal)
     y = find_easing(DEFAULT_EASING).value(min(1.0, way.elapsed / way.seconds))
     carried = way.decay * bump(way.elapsed / way.decay) if way.decay else 0.0
-    found = {}
+    at = {}
     for name, goal in movement.goal.items():
         low, high = ranges[name]
         value = way.start[name] + (goal - way.start[name]) * y + way.velocity[name] * carried
-        found[name] = min(high, max(low, value))  # the decay is planned at some instants: between, a hair may be over
-    return found
+        at[name] = min(high, max(low, value))  # the decay is planned at some instants: between, a hair may be over
+    return at
 
 
 def rates(movement: Movement) -> dict[str, float]:
@@ -71,10 +66,14 @@ def rates(movement: Movement) -> dict[str, float]:
 
 
 def redirect(movement: Movement, goal: Numbers, seconds: float, ranges: Ranges) -> Movement:
-    """The movement to `goal` in `seconds` from wherever it is, at its speed; 0 seconds cut."""
+    """The movement to `goal` in `seconds` from wherever it is, at its speed; 0 seconds cut.
+
+    ranges: lowest and highest of each number.
+    """
     if seconds == 0.0:
         return Movement(goal)
-    start, velocity = values(movement, ranges), rates(movement)
+    start = values(movement, ranges)
+    velocity = rates(movement)
     if start == goal and not any(velocity.values()):
         return Movement(goal)
     return Movement(goal, Way(start, velocity, _decay(start, velocity, goal, seconds, ranges), seconds))
@@ -89,7 +88,10 @@ def proceed(movement: Movement, dt: float) -> Movement:
 
 
 def check_movement(movement: Movement, ranges: Ranges, what: str) -> None:
-    """Rejects a movement that was read and that none can be: ValueError that names the number."""
+    """Rejects a movement that was read and that none can be: ValueError that names the number.
+
+    ranges: lowest and highest of each number; what: what messages call it.
+    """
     _check_numbers(movement.goal, ranges, what)
     if movement.way is None:
         return

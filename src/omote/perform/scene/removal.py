@@ -16,22 +16,27 @@ Removals = Mapping[str, Removal]
 def with_removal(removals: Removals, key: str, removal: Removal) -> dict[str, Removal]:
     """The removals with one more, the newest; the oldest is forgotten where there are too many.
 
+    key: what names the removal; removal: the new one.
+
     One that is removed again while it is on its way comes back as before the first time.
     """
-    under_way = next((each for each in removals.values() if _is_under_way(each, removal.character)), removal)
-    others = {name: each for name, each in removals.items() if name != key}
+    under_way = next((former for former in removals.values() if _is_under_way(former, removal.character)), removal)
+    others = {name: former for name, former in removals.items() if name != key}
     newest = list({**others, key: under_way}.items())[-MOST_REMOVALS:]
     return dict(newest)
 
 
 def with_kept(removals: Removals, character: str, snapshot: CharacterSnapshot) -> dict[str, Removal]:
-    """The removals once a character is gone, as it was then."""
-    return {k: replace(each, kept=snapshot) if _is_under_way(each, character) else each for k, each in removals.items()}
+    """The removals once a character is gone, as it was then. snapshot: of the character as it went."""
+    return {
+        k: replace(removal, kept=snapshot) if _is_under_way(removal, character) else removal
+        for k, removal in removals.items()
+    }
 
 
 def without_stay(removals: Removals, character: str) -> dict[str, Removal]:
     """The removals without those of a character that was on its way and stays."""
-    return {key: each for key, each in removals.items() if not _is_under_way(each, character)}
+    return {key: removal for key, removal in removals.items() if not _is_under_way(removal, character)}
 
 
 def _is_under_way(removal: Removal, character: str) -> bool:
@@ -41,14 +46,20 @@ def _is_under_way(removal: Removal, character: str) -> bool:
 def insert_at_rank(
     characters: Mapping[str, Value], name: str, value: Value, before: tuple[str, ...]
 ) -> dict[str, Value]:
-    """The characters with one more, behind the last of those `before` it, in their order."""
+    """The characters with one more, behind the last of those `before` it, in their order.
+
+    name: of the new one; value: what stands for it.
+    """
     names = list(characters)
-    at = max((names.index(each) + 1 for each in before if each in characters), default=0)
-    return {each: value if each == name else characters[each] for each in [*names[:at], name, *names[at:]]}
+    at = max((names.index(other) + 1 for other in before if other in characters), default=0)
+    return {key: value if key == name else characters[key] for key in [*names[:at], name, *names[at:]]}
 
 
 def framing_back(removal: Removal, framing: str, characters: Mapping[str, object]) -> frozenset[str] | None:
-    """Whom the shot held that a removal has changed; None where another was called since, or somebody of it is gone."""
+    """Whom the shot held that a removal has changed; None where another was called since, or somebody of it is gone.
+
+    framing: the one on air; characters: those in the scene.
+    """
     if removal.framing is None or removal.framing[1] != framing:
         return None
     held = names_in(removal.framing[0])

@@ -92,7 +92,9 @@ class Scene:
         self._removals: dict[str, Removal] = {}
         self._gaze_points: dict[str, Point] = {}
         self._cameras: dict[str, Point] = {}
-        self._light, self._framing, self._time = Axis(FIRST_LIGHT), Axis(ALL), 0.0
+        self._light = Axis(FIRST_LIGHT)
+        self._framing = Axis(ALL)
+        self._time = 0.0
 
     @classmethod
     def begun(cls, cast: Playable) -> Scene:
@@ -151,9 +153,12 @@ class Scene:
         """
         scene = cls(cast)
         check_scene(snapshot, cast)
-        scene._light, scene._framing, scene._time = snapshot.light, snapshot.framing, snapshot.time
+        scene._light = snapshot.light
+        scene._framing = snapshot.framing
+        scene._time = snapshot.time
         scene._removals = dict(snapshot.removals)
-        scene._gaze_points, scene._cameras = dict(snapshot.gaze_points), dict(snapshot.cameras)
+        scene._gaze_points = dict(snapshot.gaze_points)
+        scene._cameras = dict(snapshot.cameras)
         for name, character in snapshot.characters.items():
             scene._characters[name] = SceneCharacter.of(
                 cast, character.performer, scene.call_light, scene._check_target
@@ -175,8 +180,11 @@ class Scene:
         ['one']
         """
         standings = self._standings
-        characters = {n: CharacterSnapshot(each.snapshot(), standings[n]) for n, each in self._characters.items()}
-        points, cameras = dict(self._gaze_points), dict(self._cameras)
+        characters = {
+            n: CharacterSnapshot(performer.snapshot(), standings[n]) for n, performer in self._characters.items()
+        }
+        points = dict(self._gaze_points)
+        cameras = dict(self._cameras)
         return SceneSnapshot(characters, self._light, self._framing, self._time, dict(self._removals), points, cameras)
 
     def recast(self, cast: Playable) -> None:
@@ -307,7 +315,8 @@ class Scene:
         presence = self._standing(name).presence.goal["presence"]
         before = tuple(self._characters)[: list(self._characters).index(name)]
         self._move_presence(name, 0.0, seconds, leaves=True)
-        shot, framing = self._shot, None
+        shot = self._shot
+        framing = None
         if name in names_in(shot):
             self.call_framing(names_in(shot) - {name}, seconds=seconds)
             framing = (shot, self._shot)
@@ -387,7 +396,7 @@ class Scene:
         >>> scene.advance(0.0).characters["one"].label
         'Kaori'
         """
-        self._stand(name, label=check_label(label, {n: each for n, each in self.labels.items() if n != name}))
+        self._stand(name, label=check_label(label, {n: other for n, other in self.labels.items() if n != name}))
 
     def place(
         self,
@@ -426,8 +435,8 @@ class Scene:
         0.2
         """
         standing = self._standing(name)
-        given = {"x": x, "depth": depth, "size": size, "turn": turn}
-        goal = Place(**{**standing.place.goal, **{key: value for key, value in given.items() if value is not None}})
+        changes = {"x": x, "depth": depth, "size": size, "turn": turn}
+        goal = Place(**{**standing.place.goal, **{key: value for key, value in changes.items() if value is not None}})
         seconds = check_call_seconds(seconds)
         self._stand(name, place=movement.redirect(standing.place, vars(goal), seconds, PLACE_LIMITS))
 
@@ -537,13 +546,13 @@ class Scene:
         {}
         """
         check_known(name, self._gaze_points, "gaze point")
-        self._gaze_points = {each: point for each, point in self._gaze_points.items() if each != name}
+        self._gaze_points = {other: point for other, point in self._gaze_points.items() if other != name}
         for character in self._characters.values():
             if (character.motion.target.kind, character.motion.target.name) == ("gaze_point", name):
                 character.look_at("ahead")
 
     def note_camera(self, stage: str, camera: Point | None) -> None:
-        """Where the camera of a stage is, for those who look at it.
+        """Notes where the camera of a stage is, for those who look at it.
 
         Parameters
         ----------
@@ -607,8 +616,8 @@ class Scene:
 
         Parameters
         ----------
-        name : {"theatre", "portrait", "flat"}
-            The light.
+        name : str
+            The light, one of `omote.perform.lights.LIGHTS`.
         seconds : float
             How long it takes, 0 to 3600; 0 cuts.
         easing : {"smooth", "gentle", "sharp", "early", "late"}
@@ -660,16 +669,19 @@ class Scene:
         {'*': 1.0}
         """
         dt = check_within(dt, 0.0, FOREVER, "the time step (seconds)")
-        self._light, self._framing = axis.advanced(self._light, dt), axis.advanced(self._framing, dt)
+        self._light = axis.advanced(self._light, dt)
+        self._framing = axis.advanced(self._framing, dt)
         self._time += dt
         for name, at in self._standings.items():
-            place, presence = movement.proceed(at.place, dt), movement.proceed(at.presence, dt)
+            place = movement.proceed(at.place, dt)
+            presence = movement.proceed(at.presence, dt)
             if place is not at.place or presence is not at.presence:
                 self._standings[name] = replace(at, place=place, presence=presence)
         self._find_sights()
         frames = {name: character.advance(dt) for name, character in self._characters.items()}
         self._let_go()
-        light, call = axis.weights(self._light), axis.status(self._light)
+        light = axis.weights(self._light)
+        call = axis.status(self._light)
         return SceneFrame(
             {n: self._frame(n, with_fields(frames[n], light=light, light_call=call)) for n in self._characters},
             light,
@@ -682,7 +694,7 @@ class Scene:
 
     def _find_sights(self) -> None:
         """Each character is told what it sees of whom or what it looks at."""
-        looking = [n for n, each in self._characters.items() if each.motion.target.kind != "ahead"]
+        looking = [n for n, performer in self._characters.items() if performer.motion.target.kind != "ahead"]
         if not looking:
             return
         lookers = {name: self._looker(name) for name in self._characters}
@@ -691,8 +703,10 @@ class Scene:
             self._characters[name].sight = sight
 
     def _looker(self, name: str) -> Looker:
-        character, at = self._characters[name], self._standings[name]
-        motion, present = character.motion, at.presence.goal["presence"] > 0.0
+        character = self._characters[name]
+        at = self._standings[name]
+        motion = character.motion
+        present = at.presence.goal["presence"] > 0.0
         place = self._shown_at(name)[0]
         return Looker(place, eyes_at(place, character.turned), motion.target, motion.seed, present)
 
@@ -700,7 +714,7 @@ class Scene:
         if kind == "gaze_point":
             check_known(name, self._gaze_points, "gaze point")
         if kind == "stage" and name and name not in self._cameras:
-            there = ", ".join(repr(each) for each in self._cameras if each) or "none with a name"
+            there = ", ".join(repr(camera) for camera in self._cameras if camera) or "none with a name"
             raise ValueError(
                 f"there is no stage {name[:80]!r} in this show, which has {there}; open /stage?name={name[:80]} first, "
                 "or give no name for the first stage"
@@ -727,12 +741,14 @@ class Scene:
             raise ValueError(f"there are {MOST_CHARACTERS} characters, which is as many as a scene holds; remove one")
 
     def _frame(self, name: str, frame: Frame) -> CharacterFrame:
-        at, (place, presence) = self._standings[name], self._shown_at(name)
+        at = self._standings[name]
+        (place, presence) = self._shown_at(name)
         return CharacterFrame(frame, place, presence, at.label, at.leaves)
 
     def _shown_at(self, name: str) -> tuple[Place, float]:
         """The place and the presence of a character now."""
-        at, shown = self._standings[name], self._shown.get(name)
+        at = self._standings[name]
+        shown = self._shown.get(name)
         if shown is None or shown[0] is not at:
             place = Place(**movement.values(at.place, PLACE_LIMITS))
             shown = self._shown[name] = (at, place, movement.values(at.presence, PRESENCE_LIMITS)["presence"])

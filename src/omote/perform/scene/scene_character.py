@@ -12,7 +12,7 @@ from omote.perform.performer import Performer
 from omote.perform.snapshot import Playable, Snapshot
 
 
-class CallLight(Protocol):
+class CallSceneLight(Protocol):
     """How a scene's light is called."""
 
     def __call__(self, name: str, *, seconds: float = 1.0, easing: str = DEFAULT_EASING) -> None:
@@ -29,30 +29,39 @@ class CheckTarget(Protocol):
 class SceneCharacter(Performer):
     """A performer in a scene. sight: what its eyes look at, which the scene finds before each step of time."""
 
-    _call_light: CallLight
+    _call_light: CallSceneLight
     _check_target: CheckTarget
     sight: Sight = NOTHING
 
     @classmethod
-    def of(cls, cast: Playable, snapshot: Snapshot, call_light: CallLight, check_target: CheckTarget) -> SceneCharacter:
-        """The character of a snapshot; call_light, check_target: of its scene."""
+    def of(
+        cls, cast: Playable, snapshot: Snapshot, call_light: CallSceneLight, check_target: CheckTarget
+    ) -> SceneCharacter:
+        """The character of a snapshot; call_light, check_target: of its scene. cast: what it plays."""
         character = cls(cast)
-        character._call_light, character._check_target = call_light, check_target
+        character._call_light = call_light
+        character._check_target = check_target
         character._go_on(snapshot)
         return character
 
     @classmethod
     def new(
-        cls, cast: Playable, face: str, time: float, call_light: CallLight, check_target: CheckTarget
+        cls, cast: Playable, face: str, time: float, call_light: CallSceneLight, check_target: CheckTarget
     ) -> SceneCharacter:
-        """A character that wears `face`, its home face too, at the time of its scene."""
+        """A character that wears `face`, its home face too, at the time of its scene.
+
+        cast: what it plays; call_light, check_target: of its scene.
+        """
         performer = Performer(cast)
         performer.call_face(face, seconds=0.0)
         performer.set_home(face)
         return cls.of(cast, replace(performer.snapshot(), time=time), call_light, check_target)
 
     def call_light(self, name: str, *, seconds: float = 1.0, easing: str = DEFAULT_EASING) -> None:
-        """Brings a light on air: that of the whole scene."""
+        """Brings a light on air: that of the whole scene.
+
+        name: of the light; seconds: 0 to 3600, 0 cuts; easing: the curve of the way.
+        """
         self._call_light(name, seconds=seconds, easing=easing)
 
     def look_at(
@@ -66,7 +75,11 @@ class SceneCharacter(Performer):
         y: float = 0.0,
         z: float = 2.0,
     ) -> None:
-        """Chooses whom or what the eyes look at, of all that there is in the scene."""
+        """Chooses whom or what the eyes look at, of all that there is in the scene.
+
+        kind: nothing, a direction, a point, a gaze point, a character or a stage; name: of it; yaw, pitch: radians; x,
+        y, z: metres.
+        """
         self._check_target(self, kind, name)
         super().look_at(kind, name, yaw=yaw, pitch=pitch, x=x, y=y, z=z)
 
@@ -84,5 +97,5 @@ class SceneCharacter(Performer):
         return NOTHING if target.kind == "ahead" else self.sight
 
     def note_played(self) -> None:
-        """An operator did something for the whole scene: the next panic is a first one again."""
+        """Notes that an operator did something for the whole scene: the next panic is a first one again."""
         self._play()

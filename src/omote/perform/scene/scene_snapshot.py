@@ -107,18 +107,21 @@ def check_removals(snapshot: SceneSnapshot) -> None:
 
 
 def known_framings(framing: Axis, characters: Mapping[str, object]) -> dict[str, None]:
-    """The framings of an axis that some of these characters make."""
+    """The framings of an axis that some of these characters make. framing: the axis."""
     return {name: None for name in axis_names(framing) if name == framing_or_none(name, characters)}
 
 
 def framing_or_none(text: str, characters: Mapping[str, object]) -> str | None:
-    """The framing that a text means, in its one spelling; None where it names somebody else."""
+    """The framing that a text means, in its one spelling; None where it names somebody else.
+
+    characters: those in the scene.
+    """
     names = names_in(text)
     return framing_of(names, characters) if names <= characters.keys() else None
 
 
 def check_standing(standing: Standing, name: str) -> None:
-    """Rejects what no character can stand at."""
+    """Rejects what no character can stand at. standing: what was read; name: of the character."""
     check_label(standing.label)
     check_movement(standing.place, PLACE_LIMITS, f"the place of {name}:")
     check_movement(standing.presence, PRESENCE_LIMITS, f"the presence of {name}:")

@@ -45,6 +45,7 @@ _MARKS: Mapping[Language, _Marks] = {
     "en": _Marks(",", ".", {".": "point", ",": "comma"}, "hundred", "thousand", "million"),
     "de": _Marks(".", ",", {".": "Punkt", ",": "Komma"}, "hundert", "tausend", "Millionen"),
 }
+_SINGULAR: Mapping[tuple[str, ...], tuple[str, ...]] = {("ein", "Millionen"): ("eine", "Million")}
 SIGNS: Mapping[str, Mapping[Language, str]] = MappingProxyType(
     {
         "%": {"en": "percent", "de": "Prozent"}, "&": {"en": "and", "de": "und"}, "+": {"en": "plus", "de": "plus"},
@@ -74,10 +75,10 @@ def number_words(number: str, language: Language) -> list[str]:
     if re.fullmatch(rf"\d{{1,3}}(?:{re.escape(marks.group)}\d{{3}})+", number):
         number = number.replace(marks.group, "")
     whole, *rest = re.split(r"([.,])", number)
-    found = _whole(whole, language)
+    words = _whole(whole, language)
     for part in rest:
-        found += [marks.spoken[part]] if part in marks.spoken else _digits(part, language)
-    return found
+        words += [marks.spoken[part]] if part in marks.spoken else _digits(part, language)
+    return words
 
 
 def _whole(digits: str, language: Language) -> list[str]:
@@ -96,11 +97,12 @@ def _whole(digits: str, language: Language) -> list[str]:
 def _counted(number: int, language: Language) -> list[str]:
     """A number to 999,999,999; nothing for 0."""
     marks = _MARKS[language]
-    found: list[str] = []
+    counted: list[str] = []
     for size, name in ((1_000_000, marks.million), (1000, marks.thousand)):
         many, number = divmod(number, size)
-        found += [*_before(_below_thousand(many, language)), name] if many else []
-    return found + _rest(number, language)
+        words = (*_before(_below_thousand(many, language)), name) if many else ()
+        counted += _SINGULAR.get(words, words)
+    return counted + _rest(number, language)
 
 
 def _rest(number: int, language: Language) -> list[str]:
@@ -109,14 +111,15 @@ def _rest(number: int, language: Language) -> list[str]:
 
 def _below_thousand(number: int, language: Language) -> list[str]:
     hundreds, rest = divmod(number, 100)
-    found = [*_before([_SMALL[language][hundreds]]), _MARKS[language].hundred] if hundreds else []
+    words = [*_before([_SMALL[language][hundreds]]), _MARKS[language].hundred] if hundreds else []
     if rest >= 20:
-        tens, ones = _TENS[language][rest // 10 - 2], rest % 10
+        tens = _TENS[language][rest // 10 - 2]
+        ones = rest % 10
         last = [_SMALL[language][ones]] if ones else []
         if language == "de":
-            return found + ([*_before(last), "und", tens] if last else [tens])
-        return [*found, tens, *last]
-    return [*found, _SMALL[language][rest]] if rest or not hundreds else found
+            return words + ([*_before(last), "und", tens] if last else [tens])
+        return [*words, tens, *last]
+    return [*words, _SMALL[language][rest]] if rest or not hundreds else words
 
 
 def _before(words: list[str]) -> list[str]:
@@ -125,4 +128,4 @@ def _before(words: list[str]) -> list[str]:
 
 
 def _digits(digits: str, language: Language) -> list[str]:
-    return [_SMALL[language][int(each)] for each in digits]
+    return [_SMALL[language][int(digit)] for digit in digits]

@@ -7,7 +7,7 @@ from collections.abc import Sequence
 
 from anyascii import anyascii
 
-RULES: tuple[tuple[str, str], ...] = (
+ROMAN_RULES: tuple[tuple[str, str], ...] = (
     ("shch|sh|ch|zh|jj?", "CH"), ("th", "TH"), ("kh|gh|kk|gg|[kgq]", "kk"), ("ts|tz|c", "DD SS"), ("ks", "kk SS"),
     ("ss|zz|[szx]", "SS"), ("ph|pp|bb|mm|[bpm]", "PP"), ("ff|[fv]", "FF"), ("ng(?![aeiouwy])", "nn kk"),
     ("nn|ll|[nl]", "nn"), ("rr|r", "RR"), ("tt|dd|[td]", "DD"), ("h", ""),
@@ -49,20 +49,20 @@ def romanize(letters: Sequence[str]) -> list[str]:
     list of str
         One text for each, "" for what is not heard.
     """
-    found = [_letters_of(each) for each in letters]
-    for place, (letter, name) in enumerate((each, unicodedata.name(each, "")) for each in letters):
-        before = found[place - 1] if place else ""
+    latin = [_letters_of(letter) for letter in letters]
+    for place, (letter, name) in enumerate((letter, unicodedata.name(letter, "")) for letter in letters):
+        before = latin[place - 1] if place else ""
         if name.startswith(("HIRAGANA", "KATAKANA")):
-            found[max(place - 1, 0)], found[place] = _join_kana(name, before, found[place])
+            latin[max(place - 1, 0)], latin[place] = _join_kana(name, before, latin[place])
         elif name.partition(" ")[0] in UNWRITTEN_VOWELS:
-            found[place] = found[place] or ("" if is_mark(letter) else "a")
-            if before and not is_mark(letter) and not _VOWELS & {*before, *found[place]}:
-                found[place - 1] = f"{before}a"
-    return found
+            latin[place] = latin[place] or ("" if is_mark(letter) else "a")
+            if before and not is_mark(letter) and not _VOWELS & {*before, *latin[place]}:
+                latin[place - 1] = f"{before}a"
+    return latin
 
 
 def _letters_of(letter: str) -> str:
-    return "".join(each for each in anyascii(letter).lower() if each.isalpha())
+    return "".join(latin for latin in anyascii(letter).lower() if latin.isalpha())
 
 
 def _join_kana(name: str, before: str, now: str) -> tuple[str, str]:

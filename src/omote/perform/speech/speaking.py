@@ -7,19 +7,20 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
+from omote.arrays import Values
 from omote.perform.easing import EASINGS
-from omote.perform.layers.follower import Values
+from omote.perform.frame import SpeechStatus
 from omote.perform.limits import FOREVER, check_within
 from omote.perform.speech.speech_timing import LONGEST_TEXT
 from omote.perform.speech.viseme_track import EMPTY_TRACK, LEAD_SECONDS, VisemeTrack, mouth_at
 from omote.perform.speech.visemes import MOUTH_UNITS
-from omote.perform.status.speech_status import SpeechStatus
 
 SOUND_LEAD_SECONDS = 0.4
 """How long before its first sound a speech begins whose sound the stage plays: it must fetch and decode it first."""
 ABOUT_TO_SPEAK = 0.2
 """How long before its sound a speech takes the lips."""
-TAKE_SECONDS, GIVE_SECONDS = 0.12, 0.35
+TAKE_SECONDS = 0.12
+GIVE_SECONDS = 0.35
 """In which the lips are taken from what lies below, a smile, and given back to it."""
 LONGEST_DELAY = 3600.0
 LONGEST_OFFSET = 1.0
@@ -116,7 +117,11 @@ def make_speech(
     track: VisemeTrack, *, text: str, sound: str, delay: float, offset: float, number: int, key: str = ""
 ) -> Speech:
     """A speech that begins in `delay` seconds, 0 to 3600; the sound of one that the stage plays a little later, so that
-    it can be fetched. ValueError and TypeError for what is out of range."""
+    it can be fetched. ValueError and TypeError for what is out of range.
+
+    track: its mouth; text: what is said; offset: seconds by which the mouth is later, -1 to 1; number: counts all that
+    was said; key: what whoever said it calls it.
+    """
     wait = check_within(delay, 0.0, LONGEST_DELAY, "the delay of a speech (seconds)")
     lead = max(SOUND_LEAD_SECONDS if sound else LEAD_SECONDS, wait)
     trim = check_within(offset, -LONGEST_OFFSET, LONGEST_OFFSET, "the offset of a speech (seconds)")
@@ -125,7 +130,10 @@ def make_speech(
 
 def say(speaking: Speaking | None, speech: Speech, *, queue: bool) -> Speaking:
     """What is said from now on: a speech instead of all others, or, by `queue`, after them; ValueError where too many
-    wait."""
+    wait.
+
+    speaking: what is said now, None for nothing.
+    """
     if speaking is None:
         return Speaking(speech)
     if not queue or speaking.speech is None:
@@ -141,8 +149,10 @@ def stop(speaking: Speaking | None) -> Speaking | None:
 
 
 def advance_speaking(speaking: Speaking, dt: float) -> Speaking | None:
-    """What is said `dt` seconds later; None once nothing is and the mouth is at rest."""
-    speech, waiting, since = speaking.speech, speaking.waiting, speaking.since + dt
+    """What is said `dt` seconds later; None once nothing is and the mouth is at rest. speaking: what is said now."""
+    speech = speaking.speech
+    waiting = speaking.waiting
+    since = speaking.since + dt
     later = None if speech is None else replace(speech, elapsed=speech.elapsed + dt)
     while later is not None and later.ended:
         late = later.elapsed - (later.track.seconds + max(later.offset, 0.0) + LEAD_SECONDS)
@@ -150,14 +160,14 @@ def advance_speaking(speaking: Speaking, dt: float) -> Speaking | None:
         waiting = waiting[1:]
     lips = speaking.lips + dt / TAKE_SECONDS if speaking.takes_lips else speaking.lips - dt / GIVE_SECONDS
     lips = min(max(lips, 0.0), 1.0)
-    found = replace(speaking, speech=later, waiting=waiting, since=min(since, RELEASE_SECONDS), lips=lips)
-    return None if found.ended else found
+    advanced = replace(speaking, speech=later, waiting=waiting, since=min(since, RELEASE_SECONDS), lips=lips)
+    return None if advanced.ended else advanced
 
 
 def find_spoken(before: Speaking, after: Speaking | None) -> str | None:
     """The key of the newest speech that ended by itself while time went from `before` to `after`; None for none."""
-    left = set() if after is None else {each.number for each in speeches_of(after)}
-    ended = [each.key for each in speeches_of(before) if each.number not in left]
+    left = set() if after is None else {speech.number for speech in speeches_of(after)}
+    ended = [speech.key for speech in speeches_of(before) if speech.number not in left]
     return ended[-1] if ended else None
 
 
@@ -187,7 +197,8 @@ def speech_status(speaking: Speaking | None) -> SpeechStatus | None:
     """What is said now, for those who look on."""
     if speaking is None or speaking.speech is None:
         return None
-    speech, waiting = speaking.speech, speaking.waiting
+    speech = speaking.speech
+    waiting = speaking.waiting
     return SpeechStatus(
         speech.number,
         speech.text[:SHOWN_TEXT],
@@ -196,7 +207,7 @@ def speech_status(speaking: Speaking | None) -> SpeechStatus | None:
         speech.sound,
         len(waiting),
         waiting[0].sound if waiting else "",
-        tuple(each.key for each in speeches_of(speaking) if each.key),
+        tuple(speech.key for speech in speeches_of(speaking) if speech.key),
     )
 
 

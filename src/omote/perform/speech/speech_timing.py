@@ -9,9 +9,16 @@ from typing import Literal, NamedTuple, get_args
 from omote.perform.limits import check_known, check_within
 from omote.perform.speech.number_words import Language
 from omote.perform.speech.spelling import check_language, sounds_of, words_in
-from omote.perform.speech.viseme_names import Shapes, shapes_of_azure, shapes_of_rhubarb, shapes_of_viseme
 from omote.perform.speech.viseme_track import LONGEST_SPEECH, VisemeTrack
-from omote.perform.speech.visemes import SIL, VISEMES, Viseme
+from omote.perform.speech.visemes import (
+    SIL,
+    VISEMES,
+    Shapes,
+    Viseme,
+    shapes_of_azure,
+    shapes_of_rhubarb,
+    shapes_of_viseme,
+)
 
 TimingKind = Literal["text", "words", "characters", "visemes", "azure", "rhubarb"]
 TIMING_KINDS: tuple[TimingKind, ...] = get_args(TimingKind)
@@ -74,19 +81,20 @@ def make_track(
     TypeError
         On what is no number.
     """
-    found = check_known(kind, TIMING_KINDS, "kind of timing")
-    spoken, length = check_language(language), _check_length(seconds)
+    timing = check_known(kind, TIMING_KINDS, "kind of timing")
+    spoken = check_language(language)
+    length = _check_length(seconds)
     if len(text) > LONGEST_TEXT:
         raise ValueError(f"the text has {len(text)} characters; say at most {LONGEST_TEXT} at once, and the rest after")
-    if found == "text":
+    if timing == "text":
         _refuse_marks(marks, times)
         return _track(_of_text(text, spoken, length), length)
     starts, end = _check_times(marks, times, length)
-    if found == "words":
+    if timing == "words":
         return _track(_of_words(marks, starts, end, spoken), length)
-    if found == "characters":
+    if timing == "characters":
         return _track(_of_characters(marks, starts, end, spoken), length)
-    return _track(_of_shapes(marks, starts, end, _READERS[found]), length)
+    return _track(_of_shapes(marks, starts, end, _READERS[timing]), length)
 
 
 _READERS: Mapping[str, Callable[[str], Shapes]] = {
@@ -97,7 +105,7 @@ _READERS: Mapping[str, Callable[[str], Shapes]] = {
 
 
 def word_seconds(word: str, language: Language) -> float:
-    """How long a word takes in running speech, seconds."""
+    """How long a word takes in running speech, seconds. language: by whose rules it is spelled."""
     return sum(_LENGTHS[sound.viseme] for sound in sounds_of(word, language))
 
 
@@ -116,32 +124,33 @@ def _check_times(marks: Sequence[str], times: Sequence[float], seconds: float | 
         raise ValueError(
             f"{len(times)} times came for {len(marks)} marks; send one for each, and one more for the end of the last"
         )
-    found = [check_within(at, 0.0, LONGEST_SPEECH, f"time {place + 1} (seconds)") for place, at in enumerate(times)]
-    for place, (before, after) in enumerate(pairwise(found)):
+    checked = [check_within(at, 0.0, LONGEST_SPEECH, f"time {place + 1} (seconds)") for place, at in enumerate(times)]
+    for place, (before, after) in enumerate(pairwise(checked)):
         if after < before:
             raise ValueError(f"time {place + 2} is {after:g} s, before the last one's {before:g} s")
-    if len(found) > len(marks):
-        return found[:-1], found[-1]
-    end = LONGEST_SPEECH if seconds is None else max(seconds, found[-1])
-    return found, end
+    if len(checked) > len(marks):
+        return checked[:-1], checked[-1]
+    end = LONGEST_SPEECH if seconds is None else max(seconds, checked[-1])
+    return checked, end
 
 
 def _of_text(text: str, language: Language, seconds: float | None) -> list[Mark]:
     """By rule, with pauses at punctuation; stretched to a length that is known."""
     words = words_in(text)
-    at, found = 0.0, list[Mark]()
+    at = 0.0
+    visemes = list[Mark]()
     for place, (begin, word) in enumerate(words):
         end = at + word_seconds(word, language)
-        found += _of_word(word, language, at, end)
+        visemes += _of_word(word, language, at, end)
         after = text[begin + len(word) : words[place + 1][0]] if place + 1 < len(words) else ""
-        at = end + max((_PAUSES.get(each, 0.0) for each in after), default=0.0)
+        at = end + max((_PAUSES.get(letter, 0.0) for letter in after), default=0.0)
     stretch = 1.0 if seconds is None or at == 0.0 else seconds / at
     latest = LONGEST_SPEECH if seconds is None else seconds
-    return [Mark(each.viseme, min(each.start * stretch, latest), min(each.end * stretch, latest)) for each in found]
+    return [Mark(mark.viseme, min(mark.start * stretch, latest), min(mark.end * stretch, latest)) for mark in visemes]
 
 
 def _of_words(marks: Sequence[str], starts: Sequence[float], end: float, language: Language) -> list[Mark]:
-    found: list[Mark] = []
+    visemes: list[Mark] = []
     for mark, start, until in zip(marks, starts, [*starts[1:], end], strict=True):
         words = [word for _, word in words_in(mark)]
         needs = [word_seconds(word, language) for word in words]
@@ -151,67 +160,75 @@ def _of_words(marks: Sequence[str], starts: Sequence[float], end: float, languag
         lasts = min(until - start, LONGEST_DRAWL * total if until < LONGEST_SPEECH else total)
         at = start
         for word, need in zip(words, needs, strict=True):
-            found += _of_word(word, language, at, at + lasts * need / total)
+            visemes += _of_word(word, language, at, at + lasts * need / total)
             at += lasts * need / total
-    return found
+    return visemes
 
 
 def _of_word(word: str, language: Language, start: float, end: float) -> list[Mark]:
     sounds = sounds_of(word, language)
     total = sum(_LENGTHS[sound.viseme] for sound in sounds)
-    found, at = list[Mark](), start
+    visemes = list[Mark]()
+    at = start
     for sound in sounds:
         later = at + (end - start) * _LENGTHS[sound.viseme] / total
-        found.append(Mark(VISEMES.index(sound.viseme), at, later))
+        visemes.append(Mark(VISEMES.index(sound.viseme), at, later))
         at = later
-    return found
+    return visemes
 
 
 def _of_characters(marks: Sequence[str], starts: Sequence[float], end: float, language: Language) -> list[Mark]:
     """Each viseme at the time of its letters."""
-    times, text = [*starts, end], ""
+    times = [*starts, end]
+    text = ""
     for mark in marks:
         if len(mark) != 1:
             raise ValueError(f"{mark[:80]!r} came among characters; send each character by itself, spaces too")
         text += mark
-    found: list[Mark] = []
+    visemes: list[Mark] = []
     for begin, word in words_in(text):
         ends = min(times[begin + len(word)], times[begin + len(word) - 1] + LONGEST_DRAWL * LAST_SECONDS)
         edges = [*times[begin : begin + len(word)], ends]
-        found += _of_letters(word, edges, language)
-    return found
+        visemes += _of_letters(word, edges, language)
+    return visemes
 
 
 def _of_letters(word: str, edges: Sequence[float], language: Language) -> list[Mark]:
     """Visemes by the times of their letters; those that share a letter share its time."""
-    sounds, found, place = sounds_of(word, language), list[Mark](), 0
+    sounds = sounds_of(word, language)
+    visemes = list[Mark]()
+    place = 0
     while place < len(sounds):
         first = sounds[place].first
         same = [sound for sound in sounds[place:] if sound.first == first]
         last = max(sound.last for sound in same)
-        start, end = edges[min(first, len(word))], edges[min(max(last, first + 1), len(word))]
+        start = edges[min(first, len(word))]
+        end = edges[min(max(last, first + 1), len(word))]
         for count, sound in enumerate(same):
             share = (end - start) / len(same)
-            found.append(Mark(VISEMES.index(sound.viseme), start + count * share, start + (count + 1) * share))
+            visemes.append(Mark(VISEMES.index(sound.viseme), start + count * share, start + (count + 1) * share))
         place += len(same)
-    return found
+    return visemes
 
 
 def _of_shapes(marks: Sequence[str], starts: Sequence[float], end: float, read: Callable[[str], Shapes]) -> list[Mark]:
-    found: list[Mark] = []
+    visemes: list[Mark] = []
     for mark, start, until in zip(marks, starts, [*starts[1:], end], strict=True):
-        shapes, ends = read(mark), min(until, start + LAST_SECONDS) if until >= LONGEST_SPEECH else until
+        shapes = read(mark)
+        ends = min(until, start + LAST_SECONDS) if until >= LONGEST_SPEECH else until
         share = (ends - start) / len(shapes)
-        found += [
+        visemes += [
             Mark(VISEMES.index(shape), start + place * share, start + (place + 1) * share)
             for place, shape in enumerate(shapes)
         ]
-    return found
+    return visemes
 
 
 def _track(marks: Sequence[Mark], seconds: float | None) -> VisemeTrack:
     """Marks one after the other, silence where there is none for longer than a breath."""
-    starts, visemes, end = list[float](), list[int](), 0.0
+    starts = list[float]()
+    visemes = list[int]()
+    end = 0.0
     for mark in marks:
         if mark.end <= mark.start:
             continue

@@ -6,13 +6,12 @@ import re
 import unicodedata
 from collections.abc import Iterator, Mapping, Sequence
 from functools import lru_cache
-from types import MappingProxyType
 from typing import NamedTuple, get_args
 
 from omote.perform.limits import check_known
-from omote.perform.speech import english_spelling, german_spelling, romanization
 from omote.perform.speech.number_words import SIGNS, Language, number_words
-from omote.perform.speech.romanization import is_latin, is_mark, romanize
+from omote.perform.speech.romanization import ROMAN_RULES, is_latin, is_mark, romanize
+from omote.perform.speech.spelling_rules import ENGLISH_RULES, ENGLISH_WORDS, GERMAN_RULES, GERMAN_WORDS
 from omote.perform.speech.visemes import VISEMES, Viseme, check_viseme
 
 LANGUAGES: tuple[Language, ...] = get_args(Language)
@@ -27,14 +26,9 @@ def _compiled(rules: Sequence[tuple[str, str]]) -> Rules:
     return tuple((re.compile(pattern), tuple(map(check_viseme, shapes.split()))) for pattern, shapes in rules)
 
 
-_RULES: Mapping[Language, Rules] = MappingProxyType(
-    {
-        "en": _compiled(english_spelling.RULES),
-        "de": _compiled(german_spelling.RULES),
-    }
-)
-_ROMANIZED = _compiled(romanization.RULES)
-_WORDS: Mapping[Language, Mapping[str, str]] = {"en": english_spelling.WORDS, "de": german_spelling.WORDS}
+_RULES: Mapping[Language, Rules] = {"en": _compiled(ENGLISH_RULES), "de": _compiled(GERMAN_RULES)}
+_ROMANIZED = _compiled(ROMAN_RULES)
+_WORDS: Mapping[Language, Mapping[str, str]] = {"en": ENGLISH_WORDS, "de": GERMAN_WORDS}
 _OWN_LETTERS: Mapping[Language, str] = {"en": "", "de": "äöüß"}
 """Letters beside a to z that a language's rules know; others lose their accents."""
 _JOINERS = "\u200c\u200d"
@@ -52,27 +46,28 @@ class SpelledSound(NamedTuple):
 
 def check_language(name: object) -> Language:
     """The language of this name; ValueError for one that there are no rules for."""
-    found = check_known(name, LANGUAGES, "language")
-    return next(language for language in LANGUAGES if language == found)
+    return check_known(name, LANGUAGES, "language")
 
 
 def words_in(text: str) -> list[tuple[int, str]]:
     """The words of a text, each with its place: letters of any script, numbers, signs that are read (%); what stands
     between them is silent. One of more than 60 letters comes in parts."""
-    found, begin = list[tuple[int, str]](), 0
+    words = list[tuple[int, str]]()
+    begin = 0
     while begin < len(text):
         end = begin
         while end < len(text) and end - begin < LONGEST_WORD and _goes_on(text, begin, end):
             end += 1
         if end > begin:
-            found.append((begin, text[begin:end]))
+            words.append((begin, text[begin:end]))
         begin = max(end, begin + 1)
-    return found
+    return words
 
 
 def _goes_on(text: str, begin: int, at: int) -> bool:
     """Whether the word that begins there has this character."""
-    here, after = text[at], text[at + 1 : at + 2]
+    here = text[at]
+    after = text[at + 1 : at + 2]
     if at == begin:
         return here.isalnum() or here in SIGNS
     if text[begin] in SIGNS:
@@ -101,31 +96,31 @@ def sounds_of(word: str, language: Language) -> tuple[SpelledSound, ...]:
         Each with its letters; a word of letters is never silent. Empty where there is neither letter nor number.
     """
     plain = word.lower().replace("’", "'")  # noqa: RUF001  (as above)
-    known = _WORDS[language].get(plain) or _known_sign(word, language)
-    if known is not None:
-        return tuple(_spread(_shapes_of(known, language), 0, len(word)))
-    found: list[SpelledSound] = []
+    spoken = _WORDS[language].get(plain) or _known_sign(word, language)
+    if spoken is not None:
+        return tuple(_spread(_shapes_of(spoken, language), 0, len(word)))
+    sounds: list[SpelledSound] = []
     for first, last in _runs(word):
         run = word[first:last]
         if _kind(run[0]) == "number":
             words = number_words("".join(map(_digits_of, run)), language)
-            shapes = [sound.viseme for each in words for sound in sounds_of(each, language)]
-            found += _spread(shapes, first, last)
+            shapes = [sound.viseme for part in words for sound in sounds_of(part, language)]
+            sounds += _spread(shapes, first, last)
         else:
-            found += _spell(run, first, language)
-    return tuple(found or _hum(word))
+            sounds += _spell(run, first, language)
+    return tuple(sounds or _hum(word))
 
 
 def _known_sign(word: str, language: Language) -> str | None:
     return SIGNS[word][language] if word in SIGNS else None
 
 
-def _shapes_of(known: str, language: Language) -> list[Viseme]:
+def _shapes_of(spoken: str, language: Language) -> list[Viseme]:
     """Of visemes by name, or of a word that a sign is read as."""
-    names = known.split()
-    if all(each in VISEMES for each in names):
-        return [check_viseme(each) for each in names]
-    return [sound.viseme for sound in sounds_of(known, language)]
+    names = spoken.split()
+    if all(name in VISEMES for name in names):
+        return [check_viseme(name) for name in names]
+    return [sound.viseme for sound in sounds_of(spoken, language)]
 
 
 def _runs(word: str) -> Iterator[tuple[int, int]]:
@@ -161,26 +156,26 @@ def _digits_of(character: str) -> str:
 def _spell(run: str, offset: int, language: Language) -> list[SpelledSound]:
     """By the rules of the language for Latin letters, of romanizations for others."""
     latin = is_latin(run[0])
-    pieces = [_fold(each, language) for each in _compose(run)] if latin else romanize(run)
+    pieces = [_fold(letter, language) for letter in _compose(run)] if latin else romanize(run)
     text = "".join(pieces)
     places = [offset + place for place, piece in enumerate(pieces) for _ in piece]
-    found: list[SpelledSound] = []
+    sounds: list[SpelledSound] = []
     for shapes, at, end in _by_rules(text, _RULES[language] if latin else _ROMANIZED):
-        found += _spread(shapes, places[at], places[end - 1] + 1)
-    return found
+        sounds += _spread(shapes, places[at], places[end - 1] + 1)
+    return sounds
 
 
 def _compose(run: str) -> list[str]:
     """Each letter with the accents behind it, and nothing in their places."""
-    found: list[str] = []
+    letters: list[str] = []
     base = 0
     for place, character in enumerate(run):
         whole = unicodedata.normalize("NFC", run[base] + character) if is_mark(character) and place else ""
         if len(whole) == 1:
-            found[base] = whole
+            letters[base] = whole
         base = base if is_mark(character) else place
-        found.append("" if is_mark(character) else character)
-    return found
+        letters.append("" if is_mark(character) else character)
+    return letters
 
 
 def _fold(letter: str, language: Language) -> str:
@@ -206,7 +201,7 @@ def _by_rules(letters: str, rules: Rules) -> Iterator[tuple[tuple[Viseme, ...], 
 
 def _hum(word: str) -> list[SpelledSound]:
     """A word of letters that no rule knows: an open mouth for each."""
-    return [SpelledSound("aa", place, place + 1) for place, each in enumerate(word) if each.isalpha()]
+    return [SpelledSound("aa", place, place + 1) for place, letter in enumerate(word) if letter.isalpha()]
 
 
 def _spread(shapes: tuple[Viseme, ...] | list[Viseme], first: int, last: int) -> list[SpelledSound]:

@@ -6,11 +6,13 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
-from omote.perform.layers.follower import Values, rate_of, steps_of
+from omote.arrays import Values
+from omote.perform.layers.follower import rate_of, steps_of
 from omote.perform.limits import FOREVER, check_within
 from omote.perform.speech.visemes import FF, PP, SIL, VISEMES, mouth_of
 
-VOWEL_SECONDS, CLOSURE_SECONDS = 0.08, 0.05
+VOWEL_SECONDS = 0.08
+CLOSURE_SECONDS = 0.05
 """In which the weight of a viseme goes nine tenths of its way: lips that close are quicker than a jaw that opens."""
 _RATES = np.full(len(VISEMES), rate_of(VOWEL_SECONDS))
 _RATES[[PP, FF]] = rate_of(CLOSURE_SECONDS)
@@ -37,12 +39,12 @@ class VisemeStream:
 
 def check_weights(weights: Values) -> Values:
     """Returns weights of visemes as shares that sum to one; ValueError for other than 15 numbers of 0 to 1."""
-    given = np.asarray(weights, np.float64)
-    if given.shape != (len(VISEMES),):
-        raise ValueError(f"the visemes are of the shape {given.shape}; give 15 weights, of {', '.join(VISEMES)}")
-    for viseme, weight in zip(VISEMES, given.tolist(), strict=True):
+    shares = np.asarray(weights, np.float64)
+    if shares.shape != (len(VISEMES),):
+        raise ValueError(f"the visemes are of the shape {shares.shape}; give 15 weights, of {', '.join(VISEMES)}")
+    for viseme, weight in zip(VISEMES, shares.tolist(), strict=True):
         check_within(weight, 0.0, 1.0, f"the weight of the viseme {viseme}")
-    return given
+    return shares
 
 
 def follow_visemes(stream: VisemeStream, weights: Values, level: float, dt: float) -> VisemeStream:
@@ -72,10 +74,12 @@ def follow_visemes(stream: VisemeStream, weights: Values, level: float, dt: floa
     dt = check_within(dt, 0.0, FOREVER, "the time step (seconds)")
     goal = check_weights(weights) * check_within(level, 0.0, 1.0, "the level of a voice")
     goal[SIL] += 1.0 - level
-    first, second = stream.first, stream.second
+    first = stream.first
+    second = stream.second
     for step in steps_of(dt):
         z = _RATES * step
         left = 1.0 / (1.0 + z * (1.0 + z * (0.48 + z * 0.235)))
         ahead = first - goal
-        first, second = goal + ahead * left, goal + ((second - goal) + ahead * z) * left
+        first = goal + ahead * left
+        second = goal + ((second - goal) + ahead * z) * left
     return VisemeStream(first, second)

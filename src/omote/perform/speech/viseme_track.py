@@ -8,8 +8,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from omote.arrays import Values
 from omote.perform.easing import EASINGS
-from omote.perform.layers.follower import Values
 from omote.perform.limits import check_within
 from omote.perform.speech.visemes import FF, PP, SIL, VISEMES, mouth_of
 
@@ -18,16 +18,22 @@ LONGEST_SPEECH = 600.0
 MOST_VISEMES = 8000
 LEAD_SECONDS = 0.15
 """How long before its time a mouth begins to form the first viseme, and so the least that a speech begins before."""
-VOWEL_LEAD, VOWEL_LAG = 0.13, 0.07
-CONSONANT_LEAD, CONSONANT_LAG = 0.07, 0.05
-SILENCE_LEAD, SILENCE_LAG = 0.08, 0.0
+VOWEL_LEAD = 0.13
+VOWEL_LAG = 0.07
+CONSONANT_LEAD = 0.07
+CONSONANT_LAG = 0.05
+SILENCE_LEAD = 0.08
+SILENCE_LAG = 0.0
 """How long before a viseme a mouth begins to form it, and how long after it that is seen, seconds."""
-INSET, LONGEST_INSET = 0.3, 0.05
+INSET = 0.3
+LONGEST_INSET = 0.05
 """A viseme is in full this share of its length within its borders, at most so many seconds."""
-CLOSER, YIELD = 1.5, 0.9
+CLOSER = 1.5
+YIELD = 0.9
 """How much more a closure weighs, and how much all else yields to it while it lasts."""
 CLOSURE_EDGE = 0.03
-_BEFORE, _AFTER = 4, 5
+_BEFORE = 4
+_AFTER = 5
 """Visemes around an instant that can be seen in it; one lasts 10 ms at least, and shorter ones are hardly seen."""
 _VOWELS = frozenset(VISEMES.index(name) for name in ("aa", "E", "I", "O", "U"))
 _RISE = EASINGS["smooth"]
@@ -101,7 +107,9 @@ def mouth_at(track: VisemeTrack, time: float) -> Values:
     ----------
     Cohen, M. M., and Massaro, D. W. (1993): Modeling coarticulation in synthetic visual speech.
     """
-    weights, closers, closed = np.zeros(len(VISEMES)), np.zeros(len(VISEMES)), 0.0
+    weights = np.zeros(len(VISEMES))
+    closers = np.zeros(len(VISEMES))
+    closed = 0.0
     for viseme, start, end in _around(track, time):
         weight = _weight(viseme, start, end, time)
         if viseme in (PP, FF):
@@ -116,7 +124,8 @@ def mouth_at(track: VisemeTrack, time: float) -> Values:
 
 def _around(track: VisemeTrack, time: float) -> Iterator[tuple[int, float, float]]:
     """The visemes near a time, with their begins and ends; silence before the first and after the last."""
-    starts, count = track.starts, len(track.starts)
+    starts = track.starts
+    count = len(track.starts)
     here = bisect_right(starts, time) - 1
     if here < _BEFORE:
         yield SIL, -LONGEST_SPEECH, starts[0] if starts else track.seconds
@@ -127,11 +136,14 @@ def _around(track: VisemeTrack, time: float) -> Iterator[tuple[int, float, float
 
 
 def _weight(viseme: int, start: float, end: float, time: float) -> float:
-    lead, lag = (CONSONANT_LEAD, CONSONANT_LAG)
+    lead = CONSONANT_LEAD
+    lag = CONSONANT_LAG
     if viseme in _VOWELS:
-        lead, lag = VOWEL_LEAD, VOWEL_LAG
+        lead = VOWEL_LEAD
+        lag = VOWEL_LAG
     elif viseme == SIL:
-        lead, lag = SILENCE_LEAD, SILENCE_LAG
+        lead = SILENCE_LEAD
+        lag = SILENCE_LAG
     inset = _inset(start, end)
     return _bump(time, start - lead, start + inset, end - inset, end + lag)
 

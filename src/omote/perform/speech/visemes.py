@@ -9,7 +9,7 @@ from typing import Literal, get_args
 
 import numpy as np
 
-from omote.perform.layers.follower import Values
+from omote.arrays import Values
 from omote.perform.layers.source_frame import SourceFrame
 from omote.perform.limits import check_known
 
@@ -22,7 +22,8 @@ _PAIRS = ("mouthPress", "mouthStretch", "mouthSmile", "mouthUpperUp", "mouthLowe
 _SINGLE = ("jawOpen", "mouthClose", "mouthFunnel", "mouthPucker", "mouthRollLower", "mouthRollUpper", "tongueOut")
 MOUTH_UNITS: tuple[str, ...] = (*_SINGLE, *(f"{pair}{side}" for pair in _PAIRS for side in ("Left", "Right")))
 """The units of ARKit that visemes move; the values of a mouth are in this order."""
-_JAW, _CLOSE = MOUTH_UNITS.index("jawOpen"), MOUTH_UNITS.index("mouthClose")
+_JAW = MOUTH_UNITS.index("jawOpen")
+_CLOSE = MOUTH_UNITS.index("mouthClose")
 
 _SHAPES: Mapping[Viseme, Mapping[str, float]] = {
     "sil": {},
@@ -54,7 +55,8 @@ _DOMINANCE: Mapping[Viseme, tuple[float, float]] = {
 """How much a viseme insists on its jaw and on its lips beside others: the rounding of a vowel goes through a t."""
 _NONE = 1e-3
 """The weight of silence where nothing has a weight."""
-CLOSING, CLOSED = 0.05, 0.48
+CLOSING = 0.05
+CLOSED = 0.48
 """The shares of PP or FF at which lips begin to close and are closed."""
 
 
@@ -66,7 +68,8 @@ def _row(shape: Mapping[str, float]) -> Values:
 _TARGETS = np.stack([_row(_SHAPES[viseme]) for viseme in VISEMES])
 _INSISTS = np.array([_DOMINANCE[viseme] for viseme in VISEMES])
 _COLUMN = np.array([0 if unit == "jawOpen" else 1 for unit in MOUTH_UNITS])
-_SEALED, _BITTEN = _row(_SEAL), _row(_BITE)
+_SEALED = _row(_SEAL)
+_BITTEN = _row(_BITE)
 _OPENING = np.array(
     [unit.startswith(("mouthFunnel", "mouthUpperUp", "mouthLowerDown", "tongueOut")) for unit in MOUTH_UNITS]
 )
@@ -75,8 +78,7 @@ _OPENING = np.array(
 
 def check_viseme(name: object) -> Viseme:
     """The viseme of this name; ValueError that lists all of them where there is none."""
-    found = check_known(name, VISEMES, "viseme")
-    return next(viseme for viseme in VISEMES if viseme == found)
+    return check_known(name, VISEMES, "viseme")
 
 
 def mouth_of(weights: Values) -> Values:
@@ -100,11 +102,12 @@ def mouth_of(weights: Values) -> Values:
     ----------
     Cohen, M. M., and Massaro, D. W. (1993): Modeling coarticulation in synthetic visual speech.
     """
-    given = weights.copy()
-    given[SIL] += _NONE
-    total = _sum(given)
-    seal, bite = _closure(float(given[PP]) / total), _closure(float(given[FF]) / total)
-    mouth = _mean(given)
+    shares = weights.copy()
+    shares[SIL] += _NONE
+    total = _sum(shares)
+    seal = _closure(float(shares[PP]) / total)
+    bite = _closure(float(shares[FF]) / total)
+    mouth = _mean(shares)
     jaw = float(mouth[_JAW]) * (1.0 - bite) + _BITE_JAW * bite
     mouth[_OPENING] *= (1.0 - seal) * (1.0 - bite)
     mouth += seal * _SEALED
@@ -115,6 +118,8 @@ def mouth_of(weights: Values) -> Values:
 
 def speech_frame(mouth: Values, names: Container[str], *, source: str, share: float = 1.0) -> SourceFrame:
     """The frame that plays a mouth on the layer *lips*; units that are not among the channels' names are left out.
+
+    source: who drives the layer.
 
     It is smooth already, so the layer shows it as it is (`direct`); the layer's influence of 0.7 on the mouth leaves a
     smile what it needs. share: how much of the layer is taken, 0 to 1.
@@ -135,7 +140,8 @@ def _sum(values: Values) -> float:
 def _mean(weights: Values) -> Values:
     """The mean of the visemes' shapes by their weights and dominances, in one order of adding on every machine."""
     insists = weights[:, None] * _INSISTS
-    total, shape = np.zeros(2), np.zeros(len(MOUTH_UNITS))
+    total = np.zeros(2)
+    shape = np.zeros(len(MOUTH_UNITS))
     for place in np.flatnonzero(weights):
         total += insists[place]
         shape += insists[place][_COLUMN] * _TARGETS[place]
@@ -150,9 +156,49 @@ def _closure(share: float) -> float:
 
 
 def _recipe(viseme: Viseme) -> Mapping[str, float]:
-    alone = mouth_of(np.array([float(viseme == each) for each in VISEMES]))
+    alone = mouth_of(np.array([float(viseme == other) for other in VISEMES]))
     return MappingProxyType({unit: value for unit, value in zip(MOUTH_UNITS, alone.tolist(), strict=True) if value})
 
 
 RECIPES: Mapping[Viseme, Mapping[str, float]] = MappingProxyType({viseme: _recipe(viseme) for viseme in VISEMES})
 """Each viseme alone, as weights of units."""
+
+
+Shapes = tuple[Viseme, ...]
+
+AZURE: tuple[Shapes, ...] = (
+    ("sil",), ("aa",), ("aa",), ("O",), ("E",), ("RR",), ("I",), ("U",), ("O",), ("aa", "U"), ("O", "I"), ("aa", "I"),
+    ("kk",), ("RR",), ("nn",), ("SS",), ("CH",), ("TH",), ("FF",), ("DD",), ("kk",), ("PP",),
+)  # fmt: skip
+"""The 22 viseme ids of Microsoft's text to speech, by id."""
+RHUBARB: Mapping[str, Shapes] = MappingProxyType(
+    {"A": ("PP",), "B": ("SS",), "C": ("E",), "D": ("aa",), "E": ("O",), "F": ("U",), "G": ("FF",), "H": ("nn",),
+     "X": ("sil",)}
+)  # fmt: skip
+"""The mouth shapes of Rhubarb Lip Sync."""
+_OTHERS: Mapping[str, Viseme] = MappingProxyType({"ih": "I", "oh": "O", "ou": "U", "ee": "E"})
+"""Spellings of Oculus and OpenXR."""
+
+
+def shapes_of_azure(name: str) -> Shapes:
+    """The visemes of an id of Microsoft's text to speech, as text; ValueError for one that there is not."""
+    if not (name.isdecimal() and name.isascii() and len(name) <= 2 and int(name) < len(AZURE)):
+        raise ValueError(f"there is no viseme id {name[:80]!r}; give 0 to {len(AZURE) - 1}, as Azure sends it")
+    return AZURE[int(name)]
+
+
+def shapes_of_rhubarb(name: str) -> Shapes:
+    """The visemes of a shape of Rhubarb; ValueError for one that there is not."""
+    if name not in RHUBARB:
+        raise ValueError(f"there is no mouth shape {name[:80]!r}; give one of {', '.join(RHUBARB)}, as Rhubarb writes")
+    return RHUBARB[name]
+
+
+def shapes_of_viseme(name: str) -> Shapes:
+    """The viseme of a name of Oculus, OpenXR or Ready Player Me (`aa`, `viseme_aa`, `ih`), in any case; ValueError for
+    one that there is not."""
+    plain = name.removeprefix("viseme_")
+    if plain in _OTHERS:
+        return (_OTHERS[plain],)
+    by_case = {viseme.lower(): viseme for viseme in VISEMES}
+    return (by_case.get(plain.lower()) or check_viseme(plain),)

@@ -14,16 +14,7 @@ from typing import Literal
 from aiohttp import hdrs, web
 
 from omote.server.access.people_file import change_people, read_people
-from omote.show.access.people_list import (
-    ID_LENGTH,
-    People,
-    Person,
-    Visitor,
-    cookie_name,
-    find_person,
-    is_own,
-    is_valid,
-)
+from omote.show.access.people_list import ID_LENGTH, People, Person, Visitor, cookie_name, find_person, is_own, is_valid
 from omote.show.access.wrong_tokens import WrongTokens
 
 TOKEN = "token"
@@ -38,7 +29,9 @@ class DeniedError(Exception):
 
     def __init__(self, status: HTTPStatus, sentence: str, wait: float = 0.0) -> None:
         super().__init__(sentence)
-        self.status, self.sentence, self.wait = status, sentence, wait
+        self.status = status
+        self.sentence = sentence
+        self.wait = wait
 
 
 @dataclass(frozen=True)
@@ -49,31 +42,20 @@ class Presented:
     carrier: Carrier
 
 
-NO_TOKEN = (
-    HTTPStatus.UNAUTHORIZED,
-    "this show is played by those who have a token: open the address that you were given.",
-)
-SEVERAL_TOKENS = (HTTPStatus.BAD_REQUEST, "this request carries several tokens: send one.")
-NO_ORIGIN = (HTTPStatus.UNAUTHORIZED, "a program shows its token itself: send Authorization: Bearer, or ?token=.")
-WRONG_TOKEN = (
-    HTTPStatus.UNAUTHORIZED,
-    "this is no token of this show: look whether it is whole, or ask whoever runs the show for a new one.",
-)
-REVOKED_TOKEN = (
-    HTTPStatus.UNAUTHORIZED,
-    "your token was revoked: ask whoever runs the show for a new one.",
-)
-ENDED_TOKEN = (HTTPStatus.UNAUTHORIZED, "the time of your token has ended: ask whoever runs the show for a new one.")
-TOO_MANY = (
-    HTTPStatus.TOO_MANY_REQUESTS,
-    "too many wrong tokens came from your address: wait a minute, or send a right one, which is let in at once.",
-)
+NO_TOKEN = "this show is played by those who have a token: open the address that you were given."
+NO_ORIGIN = "a program shows its token itself: send Authorization: Bearer, or ?token=."
 DENIALS = {
-    "several": SEVERAL_TOKENS,
-    "wrong": WRONG_TOKEN,
-    "revoked": REVOKED_TOKEN,
-    "ended": ENDED_TOKEN,
-    "many": TOO_MANY,
+    "several": (HTTPStatus.BAD_REQUEST, "this request carries several tokens: send one."),
+    "wrong": (
+        HTTPStatus.UNAUTHORIZED,
+        "this is no token of this show: look whether it is whole, or ask whoever runs the show for a new one.",
+    ),
+    "revoked": (HTTPStatus.UNAUTHORIZED, "your token was revoked: ask whoever runs the show for a new one."),
+    "ended": (HTTPStatus.UNAUTHORIZED, "the time of your token has ended: ask whoever runs the show for a new one."),
+    "many": (
+        HTTPStatus.TOO_MANY_REQUESTS,
+        "too many wrong tokens came from your address: wait a minute, or send a right one, which is let in at once.",
+    ),
 }
 """What an address says of a token that was not taken, once the token itself has left it."""
 
@@ -91,8 +73,11 @@ class AccessControl:
         clock: Callable[[], float] = time.monotonic,
         report: Callable[[str], None] = lambda _: None,
     ) -> None:
-        self.path, self.people = path, people
-        self._wall, self._clock, self._report = wall, clock, report
+        self.path = path
+        self.people = people
+        self._wall = wall
+        self._clock = clock
+        self._report = report
         self._wrong = WrongTokens()
         self._stamp = self._read_stamp()
 
@@ -103,24 +88,25 @@ class AccessControl:
 
     def find_visitor(self, request: web.Request) -> tuple[Visitor, Presented]:
         """Who sends a request, and by which token; DeniedError where that is nobody who may."""
-        host, now = request.remote or "", self._clock()
+        host = request.remote or ""
+        now = self._clock()
         presented = self._read_token(request)
         person = find_person(self.people, presented.token, self._wall())
         if person is None:
             if is_own(self.people, presented.token):  # one that was revoked is no guess
-                raise DeniedError(*(ENDED_TOKEN if self.find_person(presented.token[:ID_LENGTH]) else REVOKED_TOKEN))
+                raise DeniedError(*DENIALS["ended" if self.find_person(presented.token[:ID_LENGTH]) else "revoked"])
             wait = self._wrong.note(host, presented.token, now)
-            raise DeniedError(*WRONG_TOKEN) if wait == 0.0 else DeniedError(*TOO_MANY, wait)
+            raise DeniedError(*DENIALS["wrong"]) if wait == 0.0 else DeniedError(*DENIALS["many"], wait)
         return visitor_of(person), presented
 
     def holds(self, visitor: Visitor) -> bool:
         """Whether somebody who came in may stay."""
-        found = self.find_person(visitor.person or "")
-        return found is not None and found.role == visitor.role and is_valid(found, self._wall())
+        person = self.find_person(visitor.person or "")
+        return person is not None and person.role == visitor.role and is_valid(person, self._wall())
 
     def find_person(self, wanted: str) -> Person | None:
         """The person of an id."""
-        return next((each for each in self.people.people if each.id == wanted), None)
+        return next((person for person in self.people.people if person.id == wanted), None)
 
     def reload(self) -> None:
         """Takes up what another program has written into the list; a list that cannot be read stays as it was."""
@@ -144,32 +130,32 @@ class AccessControl:
         asked = request.query.getall(TOKEN, [])
         cookies = read_cookies(request.headers.getall(hdrs.COOKIE, []), self.cookie)
         if max(len(headers), len(asked), len(cookies)) > 1:
-            raise DeniedError(*SEVERAL_TOKENS)
+            raise DeniedError(*DENIALS["several"])
         if headers:
             if not headers[0].lower().startswith(BEARER):
-                raise DeniedError(*NO_TOKEN)
+                raise DeniedError(HTTPStatus.UNAUTHORIZED, NO_TOKEN)
             return Presented(headers[0][len(BEARER) :].strip(), "header")
         if asked:
             return Presented(token_in_text(asked[0]), "query")
         if not cookies:
-            raise DeniedError(*NO_TOKEN)
+            raise DeniedError(HTTPStatus.UNAUTHORIZED, NO_TOKEN)
         if _needs_origin(request) and hdrs.ORIGIN not in request.headers:
-            raise DeniedError(*NO_ORIGIN)
+            raise DeniedError(HTTPStatus.UNAUTHORIZED, NO_ORIGIN)
         return Presented(cookies[0], "cookie")
 
     def _read_stamp(self) -> tuple[int, int] | None:
         try:
-            found = self.path.stat()
+            status = self.path.stat()
         except OSError:
             return None
-        return found.st_mtime_ns, found.st_ino
+        return status.st_mtime_ns, status.st_ino
 
 
 def token_in_text(text: str) -> str:
     """The token in what a person pastes: the token alone or the whole address, with blanks and line breaks."""
     joined = "".join(text.split())
-    _, found, rest = joined.rpartition(f"{TOKEN}=")
-    return re.split("[&#]", rest)[0] if found else joined
+    _, separator, rest = joined.rpartition(f"{TOKEN}=")
+    return re.split("[&#]", rest)[0] if separator else joined
 
 
 def visitor_of(person: Person) -> Visitor:
@@ -178,7 +164,10 @@ def visitor_of(person: Person) -> Visitor:
 
 
 def read_cookies(lines: Iterable[str], name: str) -> list[str]:
-    """All values of a cookie in the headers of a request: two mean that somebody has slipped one in."""
+    """All values of a cookie in the headers of a request: two mean that somebody has slipped one in.
+
+    lines: the headers; name: of the cookie.
+    """
     pairs = (pair.partition("=") for line in lines for pair in line.split(";"))
     return [value.strip().strip('"') for key, _, value in pairs if key.strip() == name]
 

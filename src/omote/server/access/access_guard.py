@@ -14,6 +14,7 @@ from omote.server.access.token_page import ask_for_token, leave_address
 from omote.show.access.access_role import explain_missing_role, role_allows
 from omote.show.access.people_list import ANYBODY, Visitor
 from omote.show.access.route_roles import OSCQUERY_ROUTES, role_for_route
+from omote.show.objects.documents import READ_ROUTES
 
 VISITOR = web.RequestKey("visitor", Visitor)
 DENIED = "denied"
@@ -56,7 +57,8 @@ def visitor_in(request: web.Request) -> Visitor:
 
 def _check_route(request: web.Request, visitor: Visitor) -> None:
     resource = request.match_info.route.resource
-    needed = role_for_route(request.method, None if resource is None else resource.canonical)
+    route = None if resource is None else resource.canonical
+    needed = READ_ROUTES.get(route or "") or role_for_route(request.method, route)
     if not role_allows(visitor.role, needed):
         raise DeniedError(HTTPStatus.FORBIDDEN, explain_missing_role(visitor.role, needed))
 
@@ -70,7 +72,7 @@ def _deny(request: web.Request, denied: DeniedError) -> web.Response:
     """Says why, to people as a page that asks for a token, at an address without the one that was not taken."""
     if _wants_page(request):
         rest = request.rel_url.without_query_params(TOKEN, DENIED)
-        denial = next((name for name, each in DENIALS.items() if each == (denied.status, denied.sentence)), None)
+        denial = next((name for name, reason in DENIALS.items() if reason == (denied.status, denied.sentence)), None)
         if TOKEN in request.query and denial is not None:
             return leave_address(str(rest.update_query({DENIED: denial})), denied.status)
         return ask_for_token(denied.sentence, denied.status, rest.query.items())
@@ -87,8 +89,8 @@ def _keep_token(request: web.Request, cookie: str, token: str) -> web.Response:
 
 def _earlier_denial(request: web.Request) -> DeniedError | None:
     """Why the token was not taken with which a page was opened just before."""
-    found = DENIALS.get(request.query.get(DENIED, "")) if _wants_page(request) else None
-    return None if found is None else DeniedError(*found)
+    reason = DENIALS.get(request.query.get(DENIED, "")) if _wants_page(request) else None
+    return None if reason is None else DeniedError(*reason)
 
 
 def _wants_page(request: web.Request) -> bool:

@@ -32,9 +32,6 @@ class AccessOptions:
         return [word for name, value in named.items() if value for word in (name, value)]
 
 
-NO_ACCESS_OPTIONS = AccessOptions()
-
-
 @dataclass(frozen=True)
 class AccessSetup:
     """The same as it was read, by a standby before it forks: what servers have where the files are gone meanwhile."""

@@ -10,22 +10,23 @@ from __future__ import annotations
 import contextlib
 import datetime
 import ipaddress
-import os
 import ssl
 from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from omote.client.trust import https_folder
 from omote.interchange.formats.error_reasons import explain_error
 from omote.server.access.show_addresses import certificate_names
-from omote.showfile.show_file import default_path
+from omote.server.persistence.private_file import write_private
 
 if TYPE_CHECKING:
     from cryptography import x509
     from cryptography.hazmat.primitives.asymmetric.ec import EllipticCurvePrivateKey
 
-AUTHORITY_DAYS, CERTIFICATE_DAYS = 3650, 397
+AUTHORITY_DAYS = 3650
+CERTIFICATE_DAYS = 397
 """Browsers on tablets take no certificate of more than 398 days."""
 RENEWED_DAYS = 400
 """An authority that ends sooner is made anew."""
@@ -44,16 +45,6 @@ class CertificateFiles:
     authority: Path | None = None
 
 
-def https_folder() -> Path:
-    """The folder of this user's authority."""
-    return default_path().parent / "https"
-
-
-def authority_path() -> Path:
-    """The certificate of this user's authority, which may not be there."""
-    return https_folder() / "authority.pem"
-
-
 def load_context(files: CertificateFiles) -> ssl.SSLContext:
     """What a server speaks https with; OSError or ValueError with a message where the files are of no use."""
     context = ssl.SSLContext(ssl.PROTOCOL_TLS_SERVER)
@@ -66,31 +57,16 @@ def load_context(files: CertificateFiles) -> ssl.SSLContext:
     return context
 
 
-def trusted_context(authority: str | Path | None) -> ssl.SSLContext:
-    """What a program trusts over https: what this machine trusts, this user's own authority where there is one, and the
-    certificate that it names; OSError with a message where that cannot be read."""
-    context = ssl.create_default_context()
-    if authority_path().is_file():
-        with contextlib.suppress(OSError):
-            context.load_verify_locations(authority_path())
-    try:
-        if authority is not None:
-            context.load_verify_locations(authority)
-    except OSError as error:  # ssl.SSLError is one
-        reason = "it holds none" if isinstance(error, ssl.SSLError) else explain_error(error)
-        raise OSError(
-            f"{authority} is no certificate to trust ({reason}); give what the show's /certificate gives (PEM)"
-        ) from error
-    return context
-
-
 def make_usual_certificate(host: str) -> CertificateFiles:
     """Makes a certificate for this machine, where a show listens on a host; OSError with a message."""
     return make_certificate(certificate_names(host), now=datetime.datetime.now(datetime.UTC))
 
 
 def make_certificate(names: Sequence[str], *, now: datetime.datetime, folder: Path | None = None) -> CertificateFiles:
-    """Makes a certificate for names and addresses of this machine; OSError with a message where that cannot be."""
+    """Makes a certificate for names and addresses of this machine; OSError with a message where that cannot be.
+
+    now: with its zone; folder: where the files lie, that of this user where None.
+    """
     folder = https_folder() if folder is None else folder
     try:
         import cryptography  # noqa: F401
@@ -132,16 +108,16 @@ def _make_all(files: CertificateFiles, authority_key: Path, names: Sequence[str]
     from cryptography.hazmat.primitives.asymmetric import ec
 
     assert files.authority is not None
-    found = _read_authority(files.authority, authority_key, now)
-    if found is None:
-        found = _make_authority(names, now)
-        _write_secret(authority_key, _key_bytes(found[1]))
-        _write_secret(files.authority, _pem(found[0]))
-    authority, signing = found
+    pair = _read_authority(files.authority, authority_key, now)
+    if pair is None:
+        pair = _make_authority(names, now)
+        write_private(authority_key, _key_bytes(pair[1]))
+        write_private(files.authority, _pem(pair[0]))
+    authority, signing = pair
     key = ec.generate_private_key(ec.SECP256R1())
     certificate = _sign(_describe_server(names, authority, signing, key, now), signing)
-    _write_secret(files.key, _key_bytes(key))
-    _write_secret(files.certificate, _pem(certificate) + _pem(authority))
+    write_private(files.key, _key_bytes(key))
+    write_private(files.certificate, _pem(certificate) + _pem(authority))
 
 
 def _read_authority(
@@ -263,16 +239,6 @@ def _key_bytes(key: EllipticCurvePrivateKey) -> bytes:
     from cryptography.hazmat.primitives.serialization import Encoding, NoEncryption, PrivateFormat
 
     return key.private_bytes(Encoding.PEM, PrivateFormat.PKCS8, NoEncryption())
-
-
-def _write_secret(path: Path, data: bytes) -> None:
-    """Writes a file that its owner alone may read, from the first byte on, and that is whole or as before."""
-    draft = path.with_name(f".{path.name}.{os.getpid()}")
-    with contextlib.suppress(FileNotFoundError):
-        draft.unlink()
-    with os.fdopen(os.open(draft, os.O_WRONLY | os.O_CREAT | os.O_EXCL, 0o600), "wb") as file:
-        file.write(data)
-    draft.replace(path)
 
 
 def _refuse_password() -> bytes:

@@ -5,7 +5,6 @@ from __future__ import annotations
 import fcntl
 import os
 import secrets
-import tempfile
 import time
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
@@ -14,6 +13,7 @@ from pathlib import Path
 import msgspec
 
 from omote.interchange.formats.error_reasons import explain_error
+from omote.server.persistence.private_file import write_private
 from omote.show.access.access_role import ACCESS_ROLES, AccessRole
 from omote.show.access.people_list import KEY_BYTES, People, Person
 
@@ -26,7 +26,10 @@ def people_path(show: Path) -> Path:
 
 
 def new_person(name: str, role: AccessRole, now: float, hours: float | None = None) -> Person:
-    """A person with an id of its own. now: seconds since 1970."""
+    """A person with an id of its own. now: seconds since 1970.
+
+    name: for people; role: what it may do; hours: for how long its token is valid, None for ever.
+    """
     return Person(secrets.token_urlsafe(6), name.strip(), role, now, None if hours is None else now + 3600.0 * hours)
 
 
@@ -57,7 +60,10 @@ def open_people(path: Path) -> People:
 
 
 def change_people(path: Path, change: Callable[[People], People]) -> People:
-    """Changes the list in a file, one program after the other, and returns what it is then."""
+    """Changes the list in a file, one program after the other, and returns what it is then.
+
+    path: of the file; change: gives the list that is wanted.
+    """
     with _locked(path):
         changed = change(read_people(path))
         write_people(path, changed)
@@ -65,18 +71,13 @@ def change_people(path: Path, change: Callable[[People], People]) -> People:
 
 
 def write_people(path: Path, people: People) -> None:
-    """Writes a list atomically, readable by its owner alone; OSError with a message."""
-    draft = ""
+    """Writes a list atomically, readable by its owner alone; OSError with a message.
+
+    path: of the file; people: the list.
+    """
     try:
-        handle, draft = tempfile.mkstemp(prefix=f".{path.name[:100]}.", dir=path.parent)  # made with mode 0600
-        with os.fdopen(handle, "wb") as file:
-            file.write(msgspec.json.format(msgspec.json.encode(people), indent=2))
-            file.flush()
-            os.fsync(file.fileno())
-        Path(draft).replace(path)
+        write_private(path, msgspec.json.format(msgspec.json.encode(people), indent=2))
     except OSError as error:
-        if draft:
-            Path(draft).unlink(missing_ok=True)
         raise OSError(f"{path} cannot be written ({explain_error(error)}).") from error
 
 

@@ -19,7 +19,8 @@ from omote.show.access.people_list import Person, Visitor, add_person, check_hou
 from omote.show.validation import Refusal
 from omote.show.wire import encode
 
-MESSAGEPACK, CERTIFICATE = "application/msgpack", "application/x-x509-ca-cert"
+MESSAGEPACK = "application/msgpack"
+CERTIFICATE = "application/x-x509-ca-cert"
 NO_PEOPLE = "this show asks nobody for a token: only this machine reaches it. Start it with --host 0.0.0.0."
 _new_person: msgspec.msgpack.Decoder[NewPerson] = msgspec.msgpack.Decoder(NewPerson)
 
@@ -35,7 +36,10 @@ class PeopleRoutes:
         changed: Callable[[], None],
         authority: Callable[[], bytes | None],
     ) -> None:
-        self._control, self._visitors, self._changed, self._authority = control, visitors, changed, authority
+        self._control = control
+        self._visitors = visitors
+        self._changed = changed
+        self._authority = authority
 
     def add_routes(self, application: web.Application) -> None:
         """Adds the addresses."""
@@ -68,7 +72,8 @@ class PeopleRoutes:
 
     async def revoke(self, request: web.Request) -> web.Response:
         """Revokes a token and closes the links that came by it; responds with who is left."""
-        control, wanted = self._asked(), request.match_info["id"]
+        control = self._asked()
+        wanted = request.match_info["id"]
         try:
             await _keep(control.change(lambda people: remove_person(people, wanted)[0]))
         finally:
@@ -98,10 +103,13 @@ class PeopleRoutes:
         return control
 
     def _list(self, request: web.Request, control: AccessControl) -> web.Response:
-        own, there = visitor_in(request).person, [each.person for each in self._visitors()]
+        own = visitor_in(request).person
+        there = [visitor.person for visitor in self._visitors()]
         rows = [
-            PersonDocument(each.id, each.name, each.role, each.made, each.until, there.count(each.id), each.id == own)
-            for each in control.people.people
+            PersonDocument(
+                person.id, person.name, person.role, person.made, person.until, there.count(person.id), person.id == own
+            )
+            for person in control.people.people
         ]
         return _respond(PeopleDocument(rows))
 

@@ -8,7 +8,6 @@ from __future__ import annotations
 import html
 from collections.abc import Callable, Collection
 from http import HTTPStatus
-from typing import Literal
 
 from aiohttp import web
 
@@ -18,10 +17,10 @@ from omote.server.access.show_addresses import own_address, url
 from omote.server.access.token_page import show_page
 from omote.show.access.access_role import AccessRole
 from omote.show.access.people_list import People, token_of
-from omote.show.messages import Devices, TrackerOffer
+from omote.show.objects.devices import Devices, TrackerOffer
 
-PHONE_PATH, CODE_PATH = "/connect", "/connect/{page}.svg"
-Goal = Literal["phone", "camera", "microphone"]
+PHONE_PATH = "/connect"
+CODE_PATH = "/connect/{page}.svg"
 GOALS: dict[str, tuple[str, AccessRole]] = {
     "phone": (PHONE_PATH, "view"), "camera": ("/camera", "operate"), "microphone": ("/microphone", "operate"),
 }  # fmt: skip
@@ -44,7 +43,9 @@ class PhonePage:
     def __init__(
         self, describe: Callable[[], Devices], control: Callable[[], AccessControl | None], pages: Collection[str]
     ) -> None:
-        self._describe, self._control, self._pages = describe, control, pages
+        self._describe = describe
+        self._control = control
+        self._pages = pages
 
     def add_routes(self, application: web.Application) -> None:
         """Adds the addresses."""
@@ -53,9 +54,9 @@ class PhonePage:
 
     async def page(self, request: web.Request) -> web.Response:
         """Responds with what to type into each app."""
-        heard = [each for each in self._describe().trackers if each.word]
+        heard = [tracker for tracker in self._describe().trackers if tracker.word]
         host = own_address() or (request.url.host or "")
-        said = "".join(_section(each, host) for each in heard) or _nothing_heard()
+        said = "".join(_section(tracker, host) for tracker in heard) or _nothing_heard()
         links = "".join(
             f'<p><a href="{path}">{words}</a></p>' for path, words in SENSORS.items() if path in self._pages
         )
@@ -70,7 +71,8 @@ class PhonePage:
         goal = request.match_info["page"]
         if goal not in GOALS or (goal != "phone" and GOALS[goal][0] not in self._pages):
             raise web.HTTPNotFound(text="there is no such picture; there is phone.")
-        control, host = self._control(), own_address()
+        control = self._control()
+        host = own_address()
         if control is None or host is None:
             return _picture(host or "127.0.0.1")
         path, role = GOALS[goal]
@@ -78,8 +80,11 @@ class PhonePage:
 
 
 def goal_address(base: str, path: str, role: AccessRole, people: People) -> str:
-    """The address by which a phone opens a page, with the token that all of a role share."""
-    shared = [each for each in people.people if each.name == each.role == role]
+    """The address by which a phone opens a page, with the token that all of a role share.
+
+    base: of the show; path: of the page; people: the list that has the token.
+    """
+    shared = [person for person in people.people if person.name == person.role == role]
     return f"{base}{path}?token={token_of(people, shared[0])}" if shared else f"{base}{path}"
 
 

@@ -9,14 +9,17 @@ import segno
 QUIET = 2
 """Light modules around the code: the standard asks for four, cameras need two."""
 BLOCKS = {(True, True): "█", (True, False): "▀", (False, True): "▄", (False, False): " "}
-BLACK_ON_WHITE, LIGHT, DARK, NORMAL = "\x1b[30;107m", "\x1b[107m", "\x1b[40m", "\x1b[0m"
+BLACK_ON_WHITE = "\x1b[30;107m"
+LIGHT = "\x1b[107m"
+DARK = "\x1b[40m"
+NORMAL = "\x1b[0m"
 
 
 def draw_qr_code(text: str, *, encoding: str = "utf-8", colour: bool = False) -> str:
     """The lines of a QR code for a terminal.
 
     encoding: of the terminal; where it has no blocks, two characters make a module. colour: whether it takes colours
-    (ANSI); without, a dark terminal is assumed and light modules are drawn.
+    (ANSI); without, a dark terminal is assumed and light modules are drawn. text: what it says.
     """
     rows = [[bool(module) for module in row] for row in segno.make(text, error="l").matrix_iter(border=QUIET)]
     if _has_blocks(encoding):

@@ -41,13 +41,19 @@ def own_names() -> frozenset[str]:
 
 
 def host_allowed(host: str, names: frozenset[str]) -> bool:
-    """Whether a Host header names this machine; a foreign name is a sign of DNS rebinding."""
+    """Whether a Host header names this machine; a foreign name is a sign of DNS rebinding.
+
+    host: the header; names: of this machine.
+    """
     name = (urlsplit(f"//{host}").hostname or "").lower()
     return name in names or _is_address(name)
 
 
 def origin_allowed(origin: str | None, host: str) -> bool:
-    """Whether a request comes from our own pages (same origin), or has no Origin (a program, not a page)."""
+    """Whether a request comes from our own pages (same origin), or has no Origin (a program, not a page).
+
+    origin, host: the headers.
+    """
     if origin is None:
         return True
     parts = urlsplit(origin)
@@ -55,7 +61,10 @@ def origin_allowed(origin: str | None, host: str) -> bool:
 
 
 def refusal(host: str, origin: str | None, names: frozenset[str]) -> str | None:
-    """Why a request is rejected, in one sentence; None when it is allowed."""
+    """Why a request is rejected, in one sentence; None when it is allowed.
+
+    host, origin: the headers; names: of this machine.
+    """
     try:
         if not host_allowed(host, names):
             return f"this server is not called {host[:80]!r}: use its address in figures, or localhost."
@@ -80,7 +89,10 @@ def guard(names: frozenset[str]) -> Middleware:
 
 
 async def add_headers(request: web.Request, response: web.StreamResponse) -> None:
-    """Adds `HEADERS` to a response (an `on_response_prepare` signal)."""
+    """Adds `HEADERS` to a response (an `on_response_prepare` signal).
+
+    request: that is answered; response: that is sent.
+    """
     if request.path.startswith(WASM_FOLDER):
         allowed = f"{HEADERS['Content-Security-Policy']}; script-src 'self' 'wasm-unsafe-eval'"
         response.headers.setdefault("Content-Security-Policy", allowed)

@@ -18,26 +18,35 @@ FIRST_PAGES: dict[AccessRole, str] = {"view": "/stage", "operate": "/console", "
 
 
 def local_address(host: str, port: int, scheme: str = "http") -> str:
-    """The URL of a show for a browser on this machine."""
+    """The URL of a show for a browser on this machine. host, port: where it listens; scheme: http or https."""
     return url("127.0.0.1" if host in ANYWHERE else host, port, scheme)
 
 
 def reachable_addresses(host: str, port: int, scheme: str = "http") -> list[str]:
-    """The URLs of a show: for this machine and, where it listens on all interfaces, for the network."""
+    """The URLs of a show: for this machine and, where it listens on all interfaces, for the network.
+
+    host, port: where it listens; scheme: http or https.
+    """
     first = local_address(host, port, scheme)
     outside = own_address() if host in ANYWHERE else None
     return [first] if outside is None else [first, url(outside, port, scheme)]
 
 
 def outside_address(host: str, port: int, scheme: str = "http") -> str:
-    """The URL of a show that listens on an address, for other machines; "" where none reaches it."""
+    """The URL of a show that listens on an address, for other machines; "" where none reaches it.
+
+    host, port: where it listens; scheme: http or https.
+    """
     outside = own_address() if host in ANYWHERE else host
     return "" if outside is None or is_loopback(outside) else url(outside, port, scheme)
 
 
 def entry_address(base: str, role: AccessRole, token: str) -> str:
     """The URL by which somebody enters with a token; where the base is this machine's alone, by its address in the
-    network."""
+    network.
+
+    role: whose first page it opens.
+    """
     parts = urlsplit(base)
     outside = own_address() if is_loopback(parts.hostname or "") else None
     place = base if outside is None else url(outside, parts.port or 80, parts.scheme)
@@ -46,14 +55,17 @@ def entry_address(base: str, role: AccessRole, token: str) -> str:
 
 def own_entries(base: str, people: People | None) -> list[str]:
     """The URLs of stage and console for whoever has started the show; with the token of an admin, where the show asks
-    for one."""
-    admins = [each for each in people.people if each.role == HIGHEST] if people is not None else []
+    for one.
+
+    base: the URL without a page; people: who has tokens, None where none are asked for.
+    """
+    admins = [person for person in people.people if person.role == HIGHEST] if people is not None else []
     query = f"?token={token_of(people, admins[0])}" if people is not None and admins else ""
     return [f"{base}/stage{query}", f"{base}/console{query}"]
 
 
 def url(host: str, port: int, scheme: str = "http") -> str:
-    """The URL of a host and port; IPv6 addresses get brackets."""
+    """The URL of a host and port; IPv6 addresses get brackets. host, port: where it listens; scheme: http or https."""
     return f"{scheme}://[{host}]:{port}" if ":" in host else f"{scheme}://{host}:{port}"
 
 
@@ -61,7 +73,8 @@ def split_url(address: str) -> tuple[str, str, int]:
     """The scheme, host and port of what `url` gave; http, "" and 0 for anything else."""
     try:
         parts = urlsplit(address)
-        host, port = parts.hostname, parts.port
+        host = parts.hostname
+        port = parts.port
     except ValueError:
         return "http", "", 0
     return (parts.scheme, host, port) if host and port and parts.scheme in ("http", "https") else ("http", "", 0)
@@ -77,8 +90,8 @@ def is_loopback(host: str) -> bool:
 
 def certificate_names(host: str) -> list[str]:
     """The names and addresses of this machine under which a browser may call a show that listens on a host."""
-    found = [*sorted(own_names()), "127.0.0.1", "::1", own_address() or "", "" if host in ANYWHERE else host]
-    with_addresses = [*found, *_addresses_of(socket.gethostname())]
+    names = [*sorted(own_names()), "127.0.0.1", "::1", own_address() or "", "" if host in ANYWHERE else host]
+    with_addresses = [*names, *_addresses_of(socket.gethostname())]
     return [name for name in dict.fromkeys(with_addresses) if name]
 
 
@@ -101,7 +114,7 @@ def own_network() -> str:
 
 def _addresses_of(name: str) -> list[str]:
     try:
-        found = socket.getaddrinfo(name, None, proto=socket.IPPROTO_TCP)
+        records = socket.getaddrinfo(name, None, proto=socket.IPPROTO_TCP)
     except OSError:
         return []
-    return [str(address[0]).partition("%")[0] for *_, address in found]
+    return [str(address[0]).partition("%")[0] for *_, address in records]

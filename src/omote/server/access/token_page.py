@@ -32,7 +32,10 @@ _POLICY = (
 
 
 def ask_for_token(sentence: str, status: HTTPStatus, query: Iterable[tuple[str, str]] = ()) -> web.Response:
-    """The page that says why somebody is not let in, and takes a token; query: what else its address is to keep."""
+    """The page that says why somebody is not let in, and takes a token; query: what else its address is to keep.
+
+    sentence: why; status: of the response.
+    """
     kept = "".join(
         f'<input type="hidden" name="{html.escape(name)}" value="{html.escape(value)}">' for name, value in query
     )
@@ -50,7 +53,10 @@ def ask_for_token(sentence: str, status: HTTPStatus, query: Iterable[tuple[str, 
 
 def leave_address(address: str, status: HTTPStatus = HTTPStatus.OK) -> web.Response:
     """A page that goes on to an address without a token: a page of our own, so that the browser sends the cookie along,
-    which after a redirect from elsewhere it would not."""
+    which after a redirect from elsewhere it would not.
+
+    address: where it leads; status: of the response.
+    """
     goal = html.escape(address, quote=True)
     return _page(
         f'{_HEAD}<meta http-equiv="refresh" content="0;url={goal}"><style>{_STYLE}</style></head>'
@@ -60,7 +66,7 @@ def leave_address(address: str, status: HTTPStatus = HTTPStatus.OK) -> web.Respo
 
 
 def show_page(body: str, status: HTTPStatus) -> web.Response:
-    """A small page of the same kind, which a phone reads; body: what stands in it (HTML)."""
+    """A small page of the same kind, which a phone reads; body: what stands in it (HTML). status: of the response."""
     return _page(f"{_HEAD}<style>{_STYLE}{_PHONE_STYLE}</style></head><body><main>{body}</main></body></html>", status)
 
 

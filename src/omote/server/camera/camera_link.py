@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import asyncio
 import contextlib
-import itertools
+import time
 from collections.abc import Callable
 from dataclasses import replace
 
@@ -18,10 +18,9 @@ from omote.inputs.performers.camera_performer import CalibrationFit
 from omote.inputs.performers.performer_list import PerformerList
 from omote.inputs.trackers.tracker_protocols import advise
 from omote.server.access.access_guard import visitor_in
+from omote.server.devices.device_source import DeviceSource
 from omote.server.devices.rejection_log import RejectionLog
-from omote.server.http.links import HEARTBEAT, LinkSocket
-from omote.show.access.people_list import Visitor
-from omote.show.messages import State
+from omote.server.links.links import HEARTBEAT, SENDER_BURST, SENDER_RATE, Links, LinkSocket
 from omote.show.session import ShowSession
 from omote.show.wire import encode, message_in
 
@@ -31,22 +30,23 @@ TOLD_SECONDS = 0.1
 _from_camera: msgspec.msgpack.Decoder[wire.FromCamera] = msgspec.msgpack.Decoder(wire.FromCamera)
 
 
-class CameraLinks:
-    """The camera pages of one show. session: the one that plays; performers: those of the show file; holds: whether
-    somebody who came in may stay; outside: gives the show's address for other machines, "" where none reaches it."""
+class CameraLinks(DeviceSource):
+    """The camera pages of one show. session: the one that plays; performers: those of the show file; outside: gives
+    the show's address for other machines, "" where none reaches it; clock: seconds, monotonic."""
 
     def __init__(
         self,
         session: Callable[[], ShowSession],
         performers: PerformerList,
         log: RejectionLog,
-        holds: Callable[[Visitor], bool] = lambda _: True,
         outside: Callable[[], str] = lambda: "",
+        clock: Callable[[], float] = time.monotonic,
     ) -> None:
+        self.links = Links(rate=SENDER_RATE, burst=SENDER_BURST)
         self.cameras = CameraInput(session, performers)
-        self._log, self._holds, self._outside, self._told_rejected = log, holds, outside, 0
-        self._links: dict[str, LinkSocket] = {}
-        self._names = map(str, itertools.count(1))
+        self._log = log
+        self._outside = outside
+        self._clock = clock
         self._tasks: set[asyncio.Task[None]] = set()
 
     async def respond(self, request: web.Request) -> web.WebSocketResponse:
@@ -54,19 +54,20 @@ class CameraLinks:
         socket = LinkSocket(
             heartbeat=HEARTBEAT, limit=wire.LONGEST_MESSAGE, refusal=lambda reason: encode(wire.CameraRefused(reason))
         )
-        if await socket.accept(request) is None:
+        transport = await socket.accept(request)
+        if transport is None:
             return socket
-        name = next(self._names)
-        self._links[name] = socket
-        telling = asyncio.create_task(self._tell_page(name, socket, visitor_in(request)))
+        link = self.links.open(socket, transport, visitor_in(request))
+        telling = asyncio.create_task(self._tell_page(link.who, socket))
         try:
             async for message in socket:
+                await link.wait_turn(self._clock)
                 if message.type is WSMsgType.BINARY:
-                    await self._hear(name, message.data)
+                    await self._hear(link.who, message.data)
         finally:
             telling.cancel()
-            self._links.pop(name, None)
-            self.cameras.end(name)
+            self.links.close(link)
+            self.cameras.end(link.who)
         return socket
 
     def hear(self, now: float) -> None:
@@ -77,11 +78,8 @@ class CameraLinks:
             task = asyncio.get_running_loop().create_task(self._fit(link, fit))
             self._tasks.add(task)
             task.add_done_callback(self._tasks.discard)
-        self._told_rejected = self._log.note_new(self.cameras.trackers, self._told_rejected)
+        self._log.note_new(self.cameras.trackers)
         self._log.tell(now)
-
-    def tell(self, state: State, now: float) -> None:
-        """There is nothing to tell: pages are told at their own pace."""
 
     @property
     def probes(self) -> list[Callable[[], SourceCounts]]:
@@ -90,8 +88,7 @@ class CameraLinks:
 
     async def close(self) -> None:
         """Ends all links."""
-        closing = [socket.close(message=b"the show ends") for socket in self._links.values()]
-        await asyncio.gather(*closing, return_exceptions=True)
+        await self.links.close_all()
 
     async def _hear(self, link: str, data: bytes) -> None:
         if data.startswith(LANDMARKS_BEGIN):
@@ -113,32 +110,20 @@ class CameraLinks:
             self.cameras.receive_fit(link, fit, None)
             self._answer(link, wire.CameraRefused(f"the calibration was not made: {error}."))
 
-    async def _tell_page(self, link: str, socket: LinkSocket, visitor: Visitor) -> None:
+    async def _tell_page(self, link: str, socket: LinkSocket) -> None:
         with contextlib.suppress(ConnectionError):
             while not socket.closed:
-                if not self._holds(visitor):
-                    socket.revoke()
-                    return
                 status = self.cameras.status(link)
                 if status is not None:
                     await socket.send_bytes(encode(status))
                 await asyncio.sleep(TOLD_SECONDS)
 
     def _answer(self, link: str, message: wire.ToCamera) -> None:
-        """Answers one page soon; one that has gone is told nothing."""
-        socket = self._links.get(link)
-        if socket is not None:
-            task = asyncio.get_running_loop().create_task(_send(socket, encode(message)))
-            self._tasks.add(task)
-            task.add_done_callback(self._tasks.discard)
+        """Answers one page at once; one that has gone, or does not read, is told nothing."""
+        self.links.answer(link, encode(message))
 
     def _count(self) -> SourceCounts:
         trackers = self.cameras.trackers
         place = self._outside()
         advice = advise(trackers.protocol, place, None) if place else CAMERA_HERE
         return replace(count_tracker(trackers, advice), heard=self.cameras.heard)
-
-
-async def _send(socket: LinkSocket, data: bytes) -> None:
-    with contextlib.suppress(ConnectionError):
-        await socket.send_bytes(data)

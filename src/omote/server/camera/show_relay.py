@@ -10,10 +10,10 @@ from dataclasses import dataclass
 import aiohttp
 from aiohttp import WSMsgType, web
 
+from omote.client.show_address import NO_ANSWER, explain_https_error
 from omote.inputs.performers.camera_messages import CAMERA_PATH, LONGEST_MESSAGE, CameraRefused
 from omote.interchange.formats.error_reasons import explain_error
-from omote.server.client.link.link_denials import NO_ANSWER, explain_https_error
-from omote.server.http.links import HEARTBEAT, LinkSocket
+from omote.server.links.links import HEARTBEAT, LinkSocket
 from omote.show.access.access_documents import REVOKED_CODE
 from omote.show.wire import encode
 

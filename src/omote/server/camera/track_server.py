@@ -10,12 +10,12 @@ from pathlib import Path
 
 from aiohttp import web
 
+from omote.client.show_address import base_address, check_token
+from omote.client.trust import trusted_context
 from omote.inputs.performers.camera_messages import CAMERA_PATH
 from omote.interchange.formats.error_reasons import explain_error
-from omote.server.access.certificates import trusted_context
 from omote.server.access.security import add_headers, guard, silence_bad_requests
 from omote.server.camera.show_relay import ShowRelay, ShowTarget
-from omote.server.client.link.show_address import base_address, check_token
 from omote.server.http.static_pages import Page, read_pages
 
 LOCALHOST = "127.0.0.1"
@@ -28,23 +28,29 @@ CONSOLE = "/console"
 
 def find_target(address: str, token: str | None, authority: Path | None) -> ShowTarget:
     """The show that a performer names, as `HOST`, `HOST:PORT` or the address that `omote show` prints; ValueError for
-    what is no address or no token, or a certificate for a show without https, OSError for one that cannot be read."""
+    what is no address or no token, or a certificate for a show without https, OSError for one that cannot be read.
+
+    authority: the certificate to trust, None for what this machine trusts.
+    """
     text = address.strip()
-    found = base_address(text)
+    base = base_address(text)
     if "//" not in text and ":" not in text.partition("/")[0]:
-        found = f"{found}:{SHOW_PORT}"
-    if authority is not None and not found.startswith("https:"):
-        raise ValueError(f"--authority is for a show with https; leave it out, or give --to https:{found[5:]}")
-    trusted = trusted_context(authority) if found.startswith("https:") else None
-    return ShowTarget(found, check_token(token, text), trusted)
+        base = f"{base}:{SHOW_PORT}"
+    if authority is not None and not base.startswith("https:"):
+        raise ValueError(f"--authority is for a show with https; leave it out, or give --to https:{base[5:]}")
+    trusted = trusted_context(authority) if base.startswith("https:") else None
+    return ShowTarget(base, check_token(token, text), trusted)
 
 
 def application(target: ShowTarget, pages: Mapping[str, Page]) -> web.Application:
-    """The pages' files and the link that is passed on; only this machine is answered."""
+    """The pages' files and the link that is passed on; only this machine is answered.
+
+    target: the show; pages: the built files.
+    """
     silence_bad_requests()
-    made = web.Application(middlewares=[guard(frozenset({"localhost"}))])
-    made.on_response_prepare.append(add_headers)
-    made.router.add_get(CAMERA_PATH, ShowRelay(target).respond)
+    app = web.Application(middlewares=[guard(frozenset({"localhost"}))])
+    app.on_response_prepare.append(add_headers)
+    app.router.add_get(CAMERA_PATH, ShowRelay(target).respond)
 
     async def respond(request: web.Request) -> web.Response:
         if request.path == CONSOLE:
@@ -54,8 +60,8 @@ def application(target: ShowTarget, pages: Mapping[str, Page]) -> web.Applicatio
             raise web.HTTPNotFound(text=f"there is only {PAGE} here; the show's pages are at {target.address}.")
         return web.Response(body=page.body, content_type=page.content_type)
 
-    made.router.add_get("/{page:.*}", respond)
-    return made
+    app.router.add_get("/{page:.*}", respond)
+    return app
 
 
 def listen(port: int) -> socket.socket:
@@ -73,8 +79,12 @@ def listen(port: int) -> socket.socket:
 
 def track(target: ShowTarget, port: int, announce: Callable[[str, str], None]) -> None:
     """Serves the camera page until Ctrl-C. announce: is told the page's address, and why the show cannot be reached,
-    "" where it can. OSError where the port cannot be had, FileNotFoundError where the pages are not built."""
-    pages, opened = read_pages(), listen(port)
+    "" where it can. OSError where the port cannot be had, FileNotFoundError where the pages are not built.
+
+    target: the show; port: of the page, 0 for any.
+    """
+    pages = read_pages()
+    opened = listen(port)
     asyncio.run(_serve(target, pages, opened, announce))
 
 

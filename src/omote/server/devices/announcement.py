@@ -22,7 +22,8 @@ if TYPE_CHECKING:
     from zeroconf import ServiceInfo
 
 PROGRAM = (sys.executable, "-m", "omote.server.devices.announcement")
-OSCQUERY, OSC = "_oscjson._tcp.local.", "_osc._udp.local."
+OSCQUERY = "_oscjson._tcp.local."
+OSC = "_osc._udp.local."
 STANDARD_INPUT = 0
 END_SECONDS = 2.0
 """How long the process may take to take its announcement back."""
@@ -32,7 +33,10 @@ LONGEST_NAME = 40
 
 @contextlib.contextmanager
 def announce_beside(host: str, port: int, osc: int, show: str) -> Iterator[None]:
-    """Announces a show in a process of its own while the context is open; where that fails, it says so itself."""
+    """Announces a show in a process of its own while the context is open; where that fails, it says so itself.
+
+    host: where the show listens; port: of its pages; osc: port of OSC; show: its name.
+    """
     words = ["--host", host, "--port", str(port), "--osc", str(osc), "--show", show]
     process = subprocess.Popen(
         [*PROGRAM, *words], stdin=subprocess.PIPE, stdout=subprocess.DEVNULL, start_new_session=True
@@ -73,7 +77,10 @@ async def _announce_until_told(options: argparse.Namespace) -> None:
 @contextlib.asynccontextmanager
 async def announce(host: str, port: int, osc: int, show: str) -> AsyncIterator[None]:
     """Announces a show's tree of addresses and its OSC while the context is open, on the networks that it is heard on;
-    ImportError without `zeroconf`, OSError where there is no multicast."""
+    ImportError without `zeroconf`, OSError where there is no multicast.
+
+    host: where the show listens; port: of its pages; osc: port of OSC; show: its name.
+    """
     from zeroconf import InterfaceChoice, IPVersion
     from zeroconf.asyncio import AsyncZeroconf
 
@@ -84,15 +91,20 @@ async def announce(host: str, port: int, osc: int, show: str) -> AsyncIterator[N
     network = AsyncZeroconf(interfaces=interfaces, ip_version=version)
     try:
         addresses = _addresses() if everywhere else [numeric]
-        made = services(addresses, port, osc, show)
-        await asyncio.gather(*(network.async_register_service(each, allow_name_change=True) for each in made))
+        announced = services(addresses, port, osc, show)
+        await asyncio.gather(
+            *(network.async_register_service(service, allow_name_change=True) for service in announced)
+        )
         yield
     finally:
         await network.async_close()
 
 
 def services(addresses: list[str], port: int, osc: int, show: str) -> list[ServiceInfo]:
-    """What is announced: OSCQuery at the port of the pages, and plain OSC."""
+    """What is announced: OSCQuery at the port of the pages, and plain OSC.
+
+    addresses: of this machine; port: of the pages; osc: port of OSC; show: its name.
+    """
     from zeroconf import ServiceInfo
 
     name = show.encode()[:LONGEST_NAME].decode(errors="ignore").replace(".", " ").strip()
@@ -109,8 +121,8 @@ def _addresses() -> list[str]:
     """This machine's addresses of IPv4, those that others reach before its own."""
     from ifaddr import get_adapters
 
-    found = [str(each.ip) for adapter in get_adapters() for each in adapter.ips if each.is_IPv4]
-    return [address for address in found if not address.startswith("127.")] or found
+    addresses = [str(ip.ip) for adapter in get_adapters() for ip in adapter.ips if ip.is_IPv4]
+    return [address for address in addresses if not address.startswith("127.")] or addresses
 
 
 def _say(sentence: str) -> int:

@@ -12,6 +12,7 @@ from omote.server.devices.rejection_log import RejectionLog
 READ_SECONDS = 0.002
 """Of a tick, for reading datagrams; beyond, the kernel keeps or drops them."""
 LONGEST_DATAGRAM = 65507
+"""Bytes: what UDP over IPv4 carries at most."""
 
 
 class DatagramReader:
@@ -19,8 +20,12 @@ class DatagramReader:
     which the newest came from `foreign_host`."""
 
     def __init__(self, datagrams: socket.socket, what: str, allowed: AllowedSenders, log: RejectionLog) -> None:
-        self.socket, self._what, self._allowed, self._log = datagrams, what, allowed, log
-        self.foreign, self.foreign_host = 0, ""
+        self.socket = datagrams
+        self._what = what
+        self._allowed = allowed
+        self._log = log
+        self.foreign = 0
+        self.foreign_host = ""
         datagrams.setblocking(False)
 
     def read(self) -> Iterator[tuple[tuple[str, int], bytes]]:
@@ -37,7 +42,7 @@ class DatagramReader:
                 yield (host, port), data
 
     def send(self, packet: bytes, place: tuple[str, int]) -> None:
-        """Sends a packet to a host and port; OSError where that cannot be."""
+        """Sends a packet to a host and port; OSError where that cannot be. place: the host and the port."""
         self.socket.sendto(packet, place)
 
     def close(self) -> None:
@@ -48,6 +53,7 @@ class DatagramReader:
         """Whether a host may play; who may not is counted and named."""
         if self._allowed.allows(host):
             return True
-        self.foreign, self.foreign_host = self.foreign + 1, host
+        self.foreign = self.foreign + 1
+        self.foreign_host = host
         self._log.note(f"{self._what} from {host} is not heard: --allow {host} lets it play")
         return False

@@ -15,14 +15,16 @@ from omote.inputs.dmx.dmx_input import ARTNET, SACN, DmxInput
 from omote.inputs.page_devices.device_health import SourceCounts
 from omote.inputs.reading import Reading
 from omote.server.devices.datagram_reader import DatagramReader
+from omote.server.devices.device_source import DeviceSource
 from omote.server.devices.rejection_log import RejectionLog
-from omote.show.messages import SourceKind, State
+from omote.show.objects.bindings import SourceKind
+from omote.show.objects.state import State
 
 LOST_TICKS = 30
 """Ticks between two looks for sources that are lost."""
 
 
-class DmxListener:
+class DmxListener(DeviceSource):
     """sACN and Art-Net of one show. bindings: play what is read; sacn, artnet: sockets, None where not heard."""
 
     def __init__(
@@ -36,10 +38,12 @@ class DmxListener:
         allowed: AllowedSenders = THIS_MACHINE,
         report: Callable[[str], None] = lambda _: None,
     ) -> None:
-        self.dmx, self.bindings, self._log, self._report = dmx, bindings, log, report
+        self.dmx = dmx
+        self.bindings = bindings
+        self._log = log
+        self._report = report
         self._sacn = None if sacn is None else DatagramReader(sacn, SACN, allowed, log)
         self._artnet = None if artnet is None else DatagramReader(artnet, ARTNET, allowed, log)
-        self._told_rejected = 0
         self._watched: tuple[Binding, ...] | None = None
         self._ticks = 0
 
@@ -78,7 +82,10 @@ class DmxListener:
         self._note_rejections(now)
 
     def tell(self, state: State, now: float) -> None:
-        """Notes what is on air, and says which universes have lost their sources."""
+        """Notes what is on air, and says which universes have lost their sources.
+
+        state: the newest; now: seconds, monotonic.
+        """
         self.bindings.note_state(state)
         self._ticks += 1
         if self._ticks % LOST_TICKS == 0:
@@ -106,15 +113,15 @@ class DmxListener:
             self.dmx.reject(newest.sender, newest.sender, newest.reason, now)
 
     def _note_rejections(self, now: float) -> None:
-        self._told_rejected = self._log.note_new(self.dmx, self._told_rejected)
+        self._log.note_new(self.dmx)
         self._log.tell(now)
 
 
 def _own_address(place: tuple[str, int]) -> str:
     """This machine's address as another host sees it; nothing is sent."""
-    with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as probe:
-        try:
+    try:
+        with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as probe:
             probe.connect(place)
-        except OSError:
-            return "0.0.0.0"
-        return str(probe.getsockname()[0])
+            return str(probe.getsockname()[0])
+    except OSError:  # there is no way to it, or no descriptor left
+        return "0.0.0.0"

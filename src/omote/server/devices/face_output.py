@@ -8,9 +8,9 @@ from dataclasses import dataclass, field
 
 from omote.inputs.face_output.face_target import FaceTarget, encode_face, find_sent
 from omote.inputs.face_output.unit_weights import UnitWeights
-from omote.inputs.page_devices.device_health import SourceCounts
 from omote.interchange.formats.error_reasons import explain_error
-from omote.show.messages import CharacterState, State
+from omote.server.devices.device_source import DeviceSource
+from omote.show.objects.state import CharacterState, State
 from omote.show.session import ShowSession
 
 FAULT_SECONDS = 2.0
@@ -28,19 +28,19 @@ class FaceReceiver:
     """A program that a face is sent to, by a socket of its own, which hears that nobody is there (ICMP).
 
     sent: packets; fault: why they do not arrive, or "", and since when it was not seen; character: whose face, "" where
-    nobody is called so; told: whether that was said.
+    nobody is called so; absence_told: whether that was said.
     """
 
     target: FaceTarget
     sent: int = 0
     fault: str = ""
     character: str = ""
-    told: bool = False
+    absence_told: bool = False
     seen: float = 0.0
     datagrams: socket.socket = field(default_factory=_open)
 
     def send(self, packets: Sequence[bytes], now: float) -> str:
-        """Sends packets; returns a fault that is new, or ""."""
+        """Sends packets; returns a fault that is new, or "". packets: of one face; now: seconds, monotonic."""
         before = self.fault
         if self.fault and now - self.seen > FAULT_SECONDS:
             self.fault = ""
@@ -53,11 +53,12 @@ class FaceReceiver:
             except BlockingIOError:
                 pass  # the network is slower than we are
             except OSError as error:
-                self.fault, self.seen = _explain(self.target, error), now
+                self.fault = _explain(self.target, error)
+                self.seen = now
         return self.fault if self.fault and not before else ""
 
 
-class FaceOutput:
+class FaceOutput(DeviceSource):
     """The programs that faces are sent to. session: the one that plays; report: says on the terminal what is wrong."""
 
     def __init__(
@@ -66,7 +67,8 @@ class FaceOutput:
         session: Callable[[], ShowSession],
         report: Callable[[str], None] = lambda _: None,
     ) -> None:
-        self._session, self._report = session, report
+        self._session = session
+        self._report = report
         self.receivers = [FaceReceiver(target) for target in targets]
         self._units: tuple[object, UnitWeights] | None = None
 
@@ -76,20 +78,15 @@ class FaceOutput:
 
     def remove(self, word: str) -> None:
         """Sends a target no more."""
-        for each in [each for each in self.receivers if each.target.word == word]:
-            self.receivers.remove(each)
-            each.datagrams.close()
-
-    @property
-    def probes(self) -> list[Callable[[], SourceCounts]]:
-        """None: it is no source."""
-        return []
-
-    def hear(self, now: float) -> None:
-        """There is nothing to hear."""
+        for receiver in [receiver for receiver in self.receivers if receiver.target.word == word]:
+            self.receivers.remove(receiver)
+            receiver.datagrams.close()
 
     def tell(self, state: State, now: float) -> None:
-        """Sends each target its character; one that has gone is not sent."""
+        """Sends each target its character; one that has gone is not sent.
+
+        state: the newest; now: seconds, monotonic.
+        """
         weights: dict[int, Mapping[str, float]] = {}
         for receiver in self.receivers:
             character = find_sent(receiver.target.character, state.characters)
@@ -97,7 +94,7 @@ class FaceOutput:
             if character is None:
                 self._tell_absence(receiver, state)
                 continue
-            receiver.told = False
+            receiver.absence_told = False
             if id(character) not in weights:
                 weights[id(character)] = self.weigh(character)
             packets = encode_face(receiver.target, character, weights[id(character)], now)
@@ -106,15 +103,15 @@ class FaceOutput:
 
     async def close(self) -> None:
         """Closes the sockets."""
-        for each in self.receivers:
-            each.datagrams.close()
+        for receiver in self.receivers:
+            receiver.datagrams.close()
 
     def _tell_absence(self, receiver: FaceReceiver, state: State) -> None:
         """Says once that nobody is called as a target says, with those who are there."""
-        if receiver.told or not receiver.target.character:
+        if receiver.absence_told or not receiver.target.character:
             return
-        receiver.told = True
-        names = ", ".join(each.label or name for name, each in state.characters.items())
+        receiver.absence_told = True
+        names = ", ".join(character.label or name for name, character in state.characters.items())
         self._report(
             f"nothing is sent to {receiver.target.word}: no character is called {receiver.target.character[:40]}, or "
             f"several are; there are {names}."

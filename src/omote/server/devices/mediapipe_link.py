@@ -11,43 +11,65 @@ from aiohttp import WSMsgType, web
 from omote.inputs.page_devices.device_health import SourceCounts, count_tracker
 from omote.inputs.trackers.tracker_input import TrackerInput
 from omote.inputs.trackers.tracker_protocols import TRACKER_PROTOCOLS, advise
+from omote.server.access.access_guard import visitor_in
+from omote.server.devices.device_source import DeviceSource
 from omote.server.devices.rejection_log import RejectionLog
-from omote.show.messages import State
+from omote.server.links.links import HEARTBEAT, SENDER_BURST, SENDER_RATE, Link, Links, LinkSocket
 from omote.show.session import ShowSession
 
 LONGEST_RESULT = 65536
 MOST_WAITING = 64
 """Results that wait for the next tick; the newest push the oldest out."""
 HEAR_SECONDS = 0.002
-HEARTBEAT = 8.0
 
 
-class MediapipeLink:
+class MediapipeLink(DeviceSource):
     """Results of MediaPipe at one show. session: the one that plays. on: whether they are heard."""
 
-    def __init__(self, session: Callable[[], ShowSession], log: RejectionLog) -> None:
+    def __init__(
+        self,
+        session: Callable[[], ShowSession],
+        log: RejectionLog,
+        clock: Callable[[], float] = time.monotonic,
+    ) -> None:
+        self.links = Links(rate=SENDER_RATE, burst=SENDER_BURST)
+        self._clock = clock
         self.trackers = TrackerInput(TRACKER_PROTOCOLS["mediapipe"], session)
-        self._log, self._told_rejected, self.on = log, 0, False
+        self._log = log
+        self.on = False
         self._waiting: deque[tuple[str, bytes]] = deque(maxlen=MOST_WAITING)
 
     async def respond(self, request: web.Request) -> web.WebSocketResponse:
         """Takes the results of one sender until it closes."""
         if not self.on:
             raise web.HTTPNotFound(text="results of MediaPipe are not heard: switch MediaPipe on at the page Devices.")
-        link = web.WebSocketResponse(compress=False, max_msg_size=LONGEST_RESULT, heartbeat=HEARTBEAT)
-        await link.prepare(request)
-        host = request.remote or ""
-        async for message in link:
-            if not self.hears():
+        socket = LinkSocket(heartbeat=HEARTBEAT, limit=LONGEST_RESULT, refusal=str.encode)
+        transport = await socket.accept(request)
+        if transport is None:
+            return socket
+        link = self.links.open(socket, transport, visitor_in(request))
+        try:
+            await self._listen(link, request.remote or "")
+        finally:
+            self.links.close(link)
+        return socket
+
+    async def _listen(self, link: Link, host: str) -> None:
+        async for message in link.socket:
+            if not self._is_on():
                 break
+            await link.wait_turn(self._clock)
             if message.type is WSMsgType.TEXT:
                 self._waiting.append((host, message.data.encode()))
             elif message.type is WSMsgType.BINARY:
                 self._waiting.append((host, message.data))
-        return link
 
-    def hears(self) -> bool:
-        """Whether results are heard."""
+    async def close(self) -> None:
+        """Closes all links."""
+        await self.links.close_all()
+
+    def _is_on(self) -> bool:
+        """Whether results are heard still: a page may have switched it off meanwhile."""
         return self.on
 
     def hear(self, now: float) -> None:
@@ -56,19 +78,13 @@ class MediapipeLink:
         while self._waiting and time.perf_counter() < until:
             self.trackers.receive(*self._waiting.popleft(), now)
         self.trackers.play(now)
-        self._told_rejected = self._log.note_new(self.trackers, self._told_rejected)
+        self._log.note_new(self.trackers)
         self._log.tell(now)
-
-    def tell(self, state: State, now: float) -> None:
-        """There is nothing to tell."""
 
     @property
     def probes(self) -> list[Callable[[], SourceCounts]]:
         """How pages are told of it."""
         return [self._count] if self.on else []
-
-    async def close(self) -> None:
-        """There is nothing to close: links end with the server."""
 
     def _count(self) -> SourceCounts:
         return count_tracker(self.trackers, advise(self.trackers.protocol, "", None))

@@ -13,13 +13,14 @@ from dataclasses import dataclass
 from typing import TypeGuard, cast
 
 from omote.inputs.allowed_senders import THIS_MACHINE, AllowedSenders
-from omote.inputs.osc_input import OscInput, Place
+from omote.inputs.osc_input import Endpoint, OscInput
 from omote.inputs.osc_packet import Argument, OscError, OscMessage
-from omote.inputs.osc_stream import Framing, choose_framing
+from omote.inputs.osc_stream import Framing, choose_framing, require_packets
 from omote.inputs.page_devices.device_health import SourceCounts
 from omote.server.devices.datagram_reader import DatagramReader
+from omote.server.devices.device_source import DeviceSource
 from omote.server.devices.rejection_log import RejectionLog
-from omote.show.messages import State
+from omote.show.objects.state import State
 
 MOST_WAITING = 512
 """Packets that wait to be obeyed; the newest push the oldest out."""
@@ -47,12 +48,12 @@ class OscSockets:
 
     def close(self) -> None:
         """Closes both."""
-        for each in (self.datagrams, self.connections):
-            if each is not None:
-                each.close()
+        for opened in (self.datagrams, self.connections):
+            if opened is not None:
+                opened.close()
 
 
-class OscListener:
+class OscListener(DeviceSource):
     """OSC of one show. `dropped` counts packets that there was no time for. spoke: called when a connection sends."""
 
     def __init__(
@@ -63,14 +64,17 @@ class OscListener:
         allowed: AllowedSenders = THIS_MACHINE,
         spoke: Callable[[], None] = lambda: None,
     ) -> None:
-        self.osc, self._sockets, self._log, self.spoke = osc, sockets, log, spoke
+        self.osc = osc
+        self._sockets = sockets
+        self._log = log
+        self.spoke = spoke
         self._reader = DatagramReader(sockets.datagrams, "OSC", allowed, log)
-        self._waiting: deque[tuple[Place, bytes]] = deque()
-        self._messages: deque[tuple[Place, OscMessage]] = deque()
-        self._connections: dict[str, _Connection] = {}
+        self._waiting: deque[tuple[Endpoint, bytes]] = deque()
+        self._messages: deque[tuple[Endpoint, OscMessage]] = deque()
+        self._connections: dict[str, _OscConnection] = {}
         self._names = map(str, itertools.count(1))
         self._server: asyncio.Server | None = None
-        self._told_rejected = self._ticks = 0
+        self._ticks = 0
         self.dropped = 0
 
     @property
@@ -80,18 +84,21 @@ class OscListener:
 
     def _counts(self) -> SourceCounts:
         osc = self.osc
-        where, newest, values = "", "", dict[str, float]()
+        where = ""
+        newest = ""
+        values = dict[str, float]()
         if osc.newest is not None:
             place, message = osc.newest
-            where, newest = place[0], f"{message.address} {' '.join(map(str, message.arguments))}".strip()
-            values = {message.address[:80]: each for each in message.arguments[-1:] if _is_position(each)}
+            where = place[0]
+            newest = f"{message.address} {' '.join(map(str, message.arguments))}".strip()
+            values = {message.address[:80]: argument for argument in message.arguments[-1:] if _is_position(argument)}
         return SourceCounts("OSC", "osc", where, osc.heard, osc.rejected, newest, osc.last_rejection, values)
 
     async def start(self) -> None:
         """Accepts connections from now on."""
         if self._sockets.connections is not None:
             loop = asyncio.get_running_loop()
-            self._server = await loop.create_server(lambda: _Connection(self), sock=self._sockets.connections)
+            self._server = await loop.create_server(lambda: _OscConnection(self), sock=self._sockets.connections)
 
     def hear(self, now: float) -> None:
         """Obeys what has come since the last tick, for a bounded time."""
@@ -105,7 +112,7 @@ class OscListener:
             connection.go_on()
         self._note_rejections(now)
 
-    def _go_on(self, now: float) -> list[tuple[Place, bytes]]:
+    def _go_on(self, now: float) -> list[tuple[Endpoint, bytes]]:
         """Obeys one message, or decodes one packet: either takes a small part of a tick."""
         if self._messages:
             return self.osc.obey(*self._messages.popleft(), now)
@@ -115,7 +122,7 @@ class OscListener:
         return answers
 
     def tell(self, state: State, now: float) -> None:
-        """Tells surfaces what is new on air."""
+        """Tells surfaces what is new on air. state: the newest; now: seconds, monotonic."""
         self._ticks += 1
         if self._ticks % NEWS_TICKS == 0:
             for place, packet in self.osc.news(state, now):
@@ -129,7 +136,7 @@ class OscListener:
             connection.transport.abort()
         self._sockets.close()
 
-    def add(self, connection: _Connection, host: str) -> str | None:
+    def add(self, connection: _OscConnection, host: str) -> str | None:
         """Takes a connection; returns its name, None where there are too many, or its host may not play."""
         if not self._reader.hears(host) or len(self._connections) >= MOST_CONNECTIONS:
             return None
@@ -142,8 +149,13 @@ class OscListener:
         self._connections.pop(name, None)
         self.osc.leave((name, 0))
 
-    def wait(self, place: Place, packet: bytes) -> None:
-        """Lets a packet wait for the next tick."""
+    def reject(self, name: str, error: OscError) -> None:
+        """Forgets a connection whose stream cannot be read on, and notes why. name: its own; error: the reason."""
+        self._log.note(f"OSC from {name.partition('#')[0]}: {error}")
+        self.remove(name)
+
+    def wait(self, place: Endpoint, packet: bytes) -> None:
+        """Lets a packet wait for the next tick. place: where it came from; packet: its bytes."""
         if len(self._waiting) >= MOST_WAITING:
             self._waiting.popleft()
             self.dropped += 1
@@ -154,7 +166,7 @@ class OscListener:
         """Whether connections are to send no more for now."""
         return len(self._waiting) >= MOST_WAITING // 2
 
-    def _send(self, place: Place, packet: bytes) -> None:
+    def _send(self, place: Endpoint, packet: bytes) -> None:
         name, port = place
         if port == 0:
             if name in self._connections:
@@ -164,7 +176,7 @@ class OscListener:
             self._sockets.datagrams.sendto(packet, place)
 
     def _note_rejections(self, now: float) -> None:
-        self._told_rejected = self._log.note_new(self.osc, self._told_rejected, "OSC from ")
+        self._log.note_new(self.osc, "OSC from ")
         self._log.tell(now)
 
 
@@ -172,7 +184,7 @@ def _is_position(value: Argument) -> TypeGuard[float]:
     return isinstance(value, float) and 0.0 <= value <= 1.0
 
 
-class _Connection(asyncio.Protocol):
+class _OscConnection(asyncio.Protocol):
     """A connection of TCP."""
 
     transport: asyncio.Transport
@@ -191,11 +203,13 @@ class _Connection(asyncio.Protocol):
     def data_received(self, data: bytes) -> None:
         if self._name is None:
             return
-        self._framing = self._framing or choose_framing(data)
         try:
-            packets = self._framing.feed(data)
-        except OscError:
-            self.transport.abort()  # where a frame ends is not known any more
+            self._framing = self._framing or choose_framing(data)
+            packets = require_packets(self._framing.feed(data))
+        except OscError as error:
+            self._listener.reject(self._name, error)
+            self.transport.abort()  # where a frame ends is not known any more, or the sender speaks something else
+            self._name = None
             return
         for packet in packets:
             self._listener.wait((self._name, 0), packet)

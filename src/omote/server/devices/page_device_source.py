@@ -4,21 +4,23 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable
 
-from omote.inputs.page_devices.device_health import SourceCounts
 from omote.inputs.page_devices.page_devices import PageDevices
-from omote.show.messages import State
-from omote.show.outgoing import Outgoing
+from omote.server.devices.device_source import DeviceSource
+from omote.show.declaration import Outgoing
+from omote.show.objects.state import State
 from omote.show.session import ShowSession
 from omote.show.wire import encode
 
 Send = Callable[[str, bytes], None]
 
 
-class PageDeviceSource:
+class PageDeviceSource(DeviceSource):
     """Reads what pages have said of their devices since the last tick. send: sends bytes to a client, never waits."""
 
     def __init__(self, devices: PageDevices, session: Callable[[], ShowSession], send: Send) -> None:
-        self.devices, self._session, self._send = devices, session, send
+        self.devices = devices
+        self._session = session
+        self._send = send
 
     def hear(self, now: float) -> None:
         """Plays what has come."""
@@ -26,19 +28,16 @@ class PageDeviceSource:
             self._deliver(self.devices.receive(who, message, now))
 
     def tell(self, state: State, now: float) -> None:
-        """Tells devices and pages what is on air, and pages how devices do."""
+        """Tells devices and pages what is on air, and pages how devices do.
+
+        state: the newest; now: seconds, monotonic.
+        """
         self._deliver(self.devices.tick(state, now))
-
-    @property
-    def probes(self) -> list[Callable[[], SourceCounts]]:
-        """None: it tells of its devices itself."""
-        return []
-
-    async def close(self) -> None:
-        """There is nothing to close."""
 
     def _deliver(self, outgoing: Iterable[Outgoing]) -> None:
         encoded: dict[int, bytes] = {}
-        for each in list(outgoing):  # the same message may go to many
-            data = encoded.get(id(each.message)) or encoded.setdefault(id(each.message), encode(each.message))
-            self._send(each.who, data)
+        for delivery in list(outgoing):  # the same message may go to many
+            data = encoded.get(id(delivery.message)) or encoded.setdefault(
+                id(delivery.message), encode(delivery.message)
+            )
+            self._send(delivery.who, data)

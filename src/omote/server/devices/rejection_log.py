@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from typing import Protocol
+from weakref import WeakKeyDictionary
 
 from omote.inputs.rejection import Rejection
 
@@ -27,21 +28,25 @@ class RejectionLog:
 
     def __init__(self, report: Callable[[str], None]) -> None:
         self._report = report
-        self._newest, self._count = "", 0
+        self._newest = ""
+        self._count = 0
         self._reported = -REPORT_SECONDS
         self.total = 0
+        self._noted = WeakKeyDictionary[Rejects, int]()
 
     def note(self, sentence: str, count: int = 1) -> None:
-        """Notes so many rejections, of which the newest is told."""
-        self._newest, self._count, self.total = sentence, self._count + count, self.total + count
+        """Notes so many rejections (count), of which the newest is told by its sentence."""
+        self._newest = sentence
+        self._count = self._count + count
+        self.total = self.total + count
 
-    def note_new(self, rejects: Rejects, told: int, prefix: str = "") -> int:
-        """Notes what was rejected after the first `told` of it; returns how much is noted now. prefix: of a sender."""
-        new, newest = rejects.rejected - told, rejects.last_rejection
-        if not new or newest is None:
-            return told
-        self.note(f"{prefix}{newest.sender}: {newest.reason}", new)
-        return told + new
+    def note_new(self, rejects: Rejects, prefix: str = "") -> None:
+        """Notes what was rejected since the last call. rejects: a device; prefix: what stands before its sender."""
+        new = rejects.rejected - self._noted.get(rejects, 0)
+        newest = rejects.last_rejection
+        if new and newest is not None:
+            self._noted[rejects] = rejects.rejected
+            self.note(f"{prefix}{newest.sender}: {newest.reason}", new)
 
     def tell(self, now: float) -> None:
         """Prints the newest, with the count of all, where the last line is a second ago."""
@@ -49,4 +54,5 @@ class RejectionLog:
             return
         more = f" ({self._count} were rejected)" if self._count > 1 else ""
         self._report(f"{self._newest.rstrip('.')}{more}.")
-        self._reported, self._count = now, 0
+        self._reported = now
+        self._count = 0

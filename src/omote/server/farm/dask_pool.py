@@ -18,7 +18,7 @@ from omote.interchange.avatar.vrm_licence import Credit
 from omote.interchange.export_face import ExportContext
 from omote.interchange.exports.export_formats import bake_face, check_kind
 from omote.server.farm.export_run import ExportRun, MadeFiles, Pool
-from omote.server.farm.fork_pool import Outcome, try_work
+from omote.server.farm.fork_pool import WorkOutcome, try_work
 from omote.server.farm.own_cast import pack_own, unpack_own
 
 NEEDS_DASK = '--on wants the package distributed: pip install "omote[farm]", here and on every worker'
@@ -47,16 +47,19 @@ def describe_omote() -> str:
 
 
 def bake_remotely(order: bytes, own: bytes) -> bytes:
-    """Bakes an encoded `BakeOrder`; own: `pack_own` of the cast that it is of. Returns an encoded `Outcome`."""
+    """Bakes an encoded `BakeOrder`; own: `pack_own` of the cast that it is of. Returns an encoded `WorkOutcome`.
+
+    order: the encoded order.
+    """
     wanted = msgspec.msgpack.decode(order, type=BakeOrder)
     if wanted.omote != (here := describe_omote()):
         failure = f"a worker has Omote {here}, this machine {wanted.omote}; install the same on both"
-        return msgspec.msgpack.encode(Outcome(wanted.number, failure=failure, final=True))
+        return msgspec.msgpack.encode(WorkOutcome(wanted.number, failure=failure, final=True))
 
     def work(_: int) -> bytes:
         check_kind(wanted.kind, wanted.credit)
-        face, names, kind, stem = wanted.face, wanted.expressions, wanted.kind, wanted.stem
-        files = bake_face(_context(own), face, names, kind, stem, hair=wanted.hair, credit=wanted.credit)
+        named = wanted.face, wanted.expressions, wanted.kind, wanted.stem
+        files = bake_face(_context(own), *named, hair=wanted.hair, credit=wanted.credit)
         return msgspec.msgpack.encode(MadeFiles(files))
 
     return msgspec.msgpack.encode(try_work(work, wanted.number))
@@ -74,7 +77,7 @@ def bake_on_cluster(address: str) -> Pool:
     answers or it has no workers.
     """
 
-    def pool(run: ExportRun, numbers: Sequence[int]) -> Generator[Outcome]:
+    def pool(run: ExportRun, numbers: Sequence[int]) -> Generator[WorkOutcome]:
         with open_cluster(address) as client:
             check_workers(client)
             own = client.scatter(pack_own(run.context.cast, builtin.load_cast()), broadcast=True)
@@ -103,12 +106,12 @@ def open_cluster(address: str) -> Iterator[Any]:
 
 
 def check_workers(client: Any) -> None:
-    """OSError where a cluster has no workers, ValueError where one has another Omote or none."""
-    found: Mapping[str, object] = client.run(describe_omote, on_error="return")
-    if not found:
+    """Checks the workers of a cluster: OSError where it has none, ValueError where one has another Omote or none."""
+    answers: Mapping[str, object] = client.run(describe_omote, on_error="return")
+    if not answers:
         raise OSError("this cluster has no workers; start some: dask worker tcp://HOST:8786")
     here = describe_omote()
-    for worker, said in found.items():
+    for worker, said in answers.items():
         if isinstance(said, BaseException):
             raise ValueError(
                 f"the worker {worker} cannot load Omote ({type(said).__name__}: {said}); install version {__version__} "
@@ -118,12 +121,13 @@ def check_workers(client: Any) -> None:
             raise ValueError(f"the worker {worker} has Omote {said}, this machine {here}; install the same on both")
 
 
-def _results(client: Any, run: ExportRun, numbers: Sequence[int], own: Any) -> Generator[Outcome]:
+def _results(client: Any, run: ExportRun, numbers: Sequence[int], own: Any) -> Generator[WorkOutcome]:
     """The outcome of each piece of work as it comes; no more are under way than the cluster works at soon."""
     import distributed
 
     follow: Any = distributed.as_completed  # it ships no types
-    waiting, here = list(numbers), describe_omote()
+    waiting = list(numbers)
+    here = describe_omote()
     under_way = follow(loop=client.loop)
     asked: dict[Any, int] = {}
     try:
@@ -139,12 +143,12 @@ def _results(client: Any, run: ExportRun, numbers: Sequence[int], own: Any) -> G
             client.cancel(list(asked))
 
 
-def _outcome(future: Any, number: int) -> Outcome:
+def _outcome(future: Any, number: int) -> WorkOutcome:
     """What came of a piece of work; one whose workers died, or whose result was lost, has failed."""
     error = future.exception()
     if error is None:
-        return msgspec.msgpack.decode(future.result(), type=Outcome)
-    return Outcome(number, failure=f"the cluster could not do it ({type(error).__name__}: {error})")
+        return msgspec.msgpack.decode(future.result(), type=WorkOutcome)
+    return WorkOutcome(number, failure=f"the cluster could not do it ({type(error).__name__}: {error})")
 
 
 def _order(run: ExportRun, number: int, here: str) -> bytes:

@@ -19,12 +19,13 @@ import msgspec
 from omote.interchange.formats.atomic_file import write_whole
 from omote.interchange.formats.error_reasons import explain_error
 
-RECORDS, LOCK = ".omote-export", "lock"
+RECORDS = ".omote-export"
+LOCK = "lock"
 """The folder of records in the folder of an export, and what is locked in it while one runs."""
 FOREIGN = (
     "is there already and is not as Omote wrote it; it stays as it is: give another folder, or --force to replace it"
 )
-State = Literal["missing", "former", "current", "foreign"]
+ExportState = Literal["missing", "former", "current", "foreign"]
 """Of a face's files: not there (not all), of another export of ours, as they are to be, or not as Omote wrote them."""
 
 
@@ -37,43 +38,53 @@ class Record(msgspec.Struct, frozen=True):
 
 
 def read_record(folder: Path, name: str) -> Record | None:
-    """The record of a name, None where there is none or it is damaged."""
+    """The record of a name, None where there is none or it is damaged. folder: of the export; name: of the record."""
     try:
         return msgspec.json.decode(_path(folder, name).read_bytes(), type=Record)
     except (OSError, msgspec.DecodeError):
         return None
 
 
-def find_state(folder: Path, name: str, key: str, main: str) -> State:
-    """The state of the files of a name; main: the file or folder that it would have without a record."""
+def find_state(folder: Path, name: str, key: str, main: str) -> ExportState:
+    """The state of the files of a name; main: the file or folder that it would have without a record.
+
+    folder: of the export; name: of the record; key: of what the files are to be made of.
+    """
     record = read_record(folder, name)
     if find_foreign(folder, name, main):
         return "foreign"
-    found = {path: _digest(folder / path) for path in record.files} if record else {}
-    if record is None or not all(found.values()):
+    digests = {path: _digest(folder / path) for path in record.files} if record else {}
+    if record is None or not all(digests.values()):
         return "missing"
-    whole = all(digest == record.files[path][0] for path, digest in found.items())
+    whole = all(digest == record.files[path][0] for path, digest in digests.items())
     return "current" if whole and record.key == key else "former"
 
 
 def find_foreign(folder: Path, name: str, main: str) -> str:
-    """The first file of a name that is not as Omote wrote it, as a path from the folder; "" where there is none."""
+    """The first file of a name that is not as Omote wrote it, as a path from the folder; "" where there is none.
+
+    folder: of the export; name: of the record; main: as of `find_state`.
+    """
     record = read_record(folder, name)
     if record is None:
         return main if (folder / main).exists() else ""
-    found = ((path, _digest(folder / path)) for path in record.files)
-    return next((path for path, digest in found if digest and digest not in record.files[path]), "")
+    digests = ((path, _digest(folder / path)) for path in record.files)
+    return next((path for path, digest in digests if digest and digest not in record.files[path]), "")
 
 
 def store_export(folder: Path, name: str, key: str, files: Mapping[str, bytes], *, force: bool = False) -> None:
     """Writes files under a record; FileExistsError where one is there that Omote did not write, OSError as
-    `write_whole`."""
+    `write_whole`.
+
+    folder: of the export; name: of the record; key: of what the files are made of; files: their bytes by path; force:
+    overwrites what is there.
+    """
     old = read_record(folder, name)
-    known = {} if old is None else old.files
+    recorded = {} if old is None else old.files
     accepted = {}
     for path, data in files.items():
         there = _digest(folder / path)
-        if there and there not in known.get(path, []) and not force:
+        if there and there not in recorded.get(path, []) and not force:
             raise FileExistsError(f"{folder / path} {FOREIGN}")
         accepted[path] = list(dict.fromkeys(filter(None, [hash_content(data), there])))
     write_whole(_path(folder, name), msgspec.json.encode(Record("export", key, accepted)))
@@ -111,8 +122,8 @@ def hash_content(data: bytes) -> str:
 def _clear_drafts(folder: Path) -> None:
     """Removes what `write_whole` had begun to write beside recorded files, and beside their records."""
     for record in (folder / RECORDS).glob("*.json"):
-        found = read_record(folder, record.name.removesuffix(".json"))
-        for path in [record, *((folder / each) for each in (found.files if found else ()))]:
+        former = read_record(folder, record.name.removesuffix(".json"))
+        for path in [record, *((folder / file) for file in (former.files if former else ()))]:
             for draft in path.parent.glob(f".{path.name[:100]}.????????"):
                 draft.unlink(missing_ok=True)
 

@@ -21,19 +21,19 @@ from omote.interchange.exports.export_formats import OBJ_FOLDER, bake_face, chec
 from omote.interchange.exports.identifiers import identifiers
 from omote.server.farm.export_record import (
     FOREIGN,
-    State,
+    ExportState,
     find_foreign,
     find_state,
     hash_content,
     open_folder,
     store_export,
 )
-from omote.server.farm.fork_pool import Outcome, try_work, work_in_processes
+from omote.server.farm.fork_pool import WorkOutcome, try_work, work_in_processes
 from omote.server.farm.own_cast import key_of_face, key_of_options
 
 Report = Callable[[int, int, str, str], None]
 """Told of each face that is done: how many are, how many there are, its name, and why it failed ("" where not)."""
-Pool = Callable[["ExportRun", Sequence[int]], Generator[Outcome]]
+Pool = Callable[["ExportRun", Sequence[int]], Generator[WorkOutcome]]
 """Makes the files of some faces of a run somewhere; a result is their bytes, "" where they are written already."""
 
 
@@ -79,7 +79,7 @@ class ExportRun:
         """The file, or the folder, that a face is exported to."""
         return self.stems[face] if self.kind == OBJ_FOLDER else f"{self.stems[face]}{self.kind}"
 
-    def state(self, face: str) -> State:
+    def state(self, face: str) -> ExportState:
         """The state of a face's files."""
         return find_state(self.folder, self.record(face), self.keys[face], self.main(face))
 
@@ -89,8 +89,8 @@ class ExportRun:
 
     def bake(self, face: str) -> dict[str, bytes]:
         """The files of a face."""
-        stem, hair, credit = self.stems[face], self.hair, self.credit
-        return bake_face(self.context, face, self.expressions, self.kind, stem, hair=hair, credit=credit)
+        named = face, self.expressions, self.kind, self.stems[face]
+        return bake_face(self.context, *named, hair=self.hair, credit=self.credit)
 
     def store(self, face: str, files: Mapping[str, bytes]) -> bytes:
         """Writes the files of a face and gives nothing back, as a piece of work does; errors as `store_export`."""
@@ -102,15 +102,19 @@ class ExportRun:
 class Finished:
     """How a run ended: faces that were made, those whose files were current, and why others have none."""
 
-    made: Sequence[str]
+    exported: Sequence[str]
     current: Sequence[str]
     failed: Mapping[str, str]
 
 
 def run_export(run: ExportRun, pool: Pool, report: Report) -> Finished:
-    """Makes what is not there yet. ValueError or OSError, with a sentence, where none could be made, or no more."""
+    """Makes what is not there yet. ValueError or OSError, with a sentence, where none could be made, or no more.
+
+    run: the faces and what they wear; pool: makes their files; report: told of each.
+    """
     check_kind(run.kind, run.credit)
-    made, failed = list[str](), dict[str, str]()
+    exported = list[str]()
+    failed = dict[str, str]()
     with open_folder(run.folder):
         states = {face: run.state(face) for face in run.faces}
         current = [face for face, state in states.items() if state == "current"]
@@ -120,17 +124,17 @@ def run_export(run: ExportRun, pool: Pool, report: Report) -> Finished:
             }
         waiting = [number for number, face in enumerate(run.faces) if face not in {*current, *failed}]
         with closing(pool(run, waiting)) as outcomes:
-            for face, outcome in ((run.faces[each.number], each) for each in outcomes):
+            for face, outcome in ((run.faces[outcome.number], outcome) for outcome in outcomes):
                 failure = _store_result(run, face, outcome)
                 if failure:
                     failed[face] = failure
                 else:
-                    made.append(face)
-                report(len(made) + len(current) + len(failed), len(run.faces), face, failure)
-    return Finished(made, current, failed)
+                    exported.append(face)
+                report(len(exported) + len(current) + len(failed), len(run.faces), face, failure)
+    return Finished(exported, current, failed)
 
 
-def _store_result(run: ExportRun, face: str, outcome: Outcome) -> str:
+def _store_result(run: ExportRun, face: str, outcome: WorkOutcome) -> str:
     """Writes what came as bytes; why that or the making failed, "" where neither did; OSError where all others would
     too."""
     if outcome.result:
@@ -146,7 +150,7 @@ def _store_result(run: ExportRun, face: str, outcome: Outcome) -> str:
 def bake_in_processes(jobs: int) -> Pool:
     """A pool of so many processes of this machine, which write what they make."""
 
-    def pool(run: ExportRun, numbers: Sequence[int]) -> Generator[Outcome]:
+    def pool(run: ExportRun, numbers: Sequence[int]) -> Generator[WorkOutcome]:
         def work(number: int) -> bytes:
             return run.store(run.faces[number], run.bake(run.faces[number]))
 

@@ -28,7 +28,7 @@ ORDER = 8
 """Bytes of the number of a piece of work."""
 
 
-class Outcome(msgspec.Struct, frozen=True):
+class WorkOutcome(msgspec.Struct, frozen=True):
     """What became of a piece of work: its result, or why it failed; final: so would all others."""
 
     number: int
@@ -44,23 +44,25 @@ class _Worker:
     number: int = -1
 
 
-_outcome: msgspec.msgpack.Decoder[Outcome] = msgspec.msgpack.Decoder(Outcome)
+_outcome: msgspec.msgpack.Decoder[WorkOutcome] = msgspec.msgpack.Decoder(WorkOutcome)
 
 
-def work_in_processes(work: Work, numbers: Sequence[int], jobs: int) -> Generator[Outcome]:
+def work_in_processes(work: Work, numbers: Sequence[int], jobs: int) -> Generator[WorkOutcome]:
     """Yields the outcome of each piece of work as it is done, in so many processes at once; close it to end them.
 
-    Call it while this process has one thread. A worker that dies is replaced; what it was at has failed.
+    Call it while this process has one thread. A worker that dies is replaced; what it was at has failed. work: does a
+    piece; numbers: of the pieces; jobs: how many processes.
     """
     gc.freeze()  # what is loaded stays shared: the collector would write into every object
-    left, workers = list(numbers), list[_Worker]()
+    left = list(numbers)
+    workers = list[_Worker]()
     try:
         while left or workers:
             while left and len(workers) < jobs:
                 workers.append(_start(work))
                 _order(workers[-1], left)
             for line in wait([worker.line for worker in workers]):
-                worker = next(each for each in workers if each.line is line)
+                worker = next(worker for worker in workers if worker.line is line)
                 outcome = _hear(worker)
                 if worker.pid and left:
                     _order(worker, left)
@@ -74,16 +76,16 @@ def work_in_processes(work: Work, numbers: Sequence[int], jobs: int) -> Generato
         gc.unfreeze()
 
 
-def try_work(work: Work, number: int, /) -> Outcome:
-    """The outcome of a piece of work in this process."""
+def try_work(work: Work, number: int, /) -> WorkOutcome:
+    """The outcome of a piece of work in this process. work: does it; number: of the piece."""
     try:
-        return Outcome(number, work(number))
+        return WorkOutcome(number, work(number))
     except (ValueError, FileExistsError) as error:
-        return Outcome(number, failure=explain_error(error))
+        return WorkOutcome(number, failure=explain_error(error))
     except OSError as error:
-        return Outcome(number, failure=explain_error(error), final=True)
+        return WorkOutcome(number, failure=explain_error(error), final=True)
     except Exception as error:
-        return Outcome(number, failure=f"it failed by a fault of Omote ({type(error).__name__}: {error})")
+        return WorkOutcome(number, failure=f"it failed by a fault of Omote ({type(error).__name__}: {error})")
 
 
 def _start(work: Work) -> _Worker:
@@ -101,7 +103,7 @@ def _order(worker: _Worker, left: list[int]) -> None:
         worker.line.send_bytes(worker.number.to_bytes(ORDER, "big"))
 
 
-def _hear(worker: _Worker) -> Outcome:
+def _hear(worker: _Worker) -> WorkOutcome:
     """What a worker says, or that it died; then it has no process any more."""
     try:
         return _outcome.decode(worker.line.recv_bytes())
@@ -110,7 +112,7 @@ def _hear(worker: _Worker) -> Outcome:
         worker.pid = 0
         how = f"signal {os.WTERMSIG(status)}" if os.WIFSIGNALED(status) else f"status {os.WEXITSTATUS(status)}"
         why = f"the process that did it ended without a word ({how}), perhaps for want of memory"
-        return Outcome(worker.number, failure=why)
+        return WorkOutcome(worker.number, failure=why)
 
 
 def _end(worker: _Worker) -> None:

@@ -14,7 +14,7 @@ from omote.model.space.expression import Title
 from omote.showfile.contents import pack_expression, pack_face, unpack_expression, unpack_face
 
 
-class _Expression(msgspec.Struct, frozen=True, array_like=True):
+class _OwnExpression(msgspec.Struct, frozen=True, array_like=True):
     name: str
     label: str
     kind: str
@@ -24,7 +24,7 @@ class _Expression(msgspec.Struct, frozen=True, array_like=True):
 
 class _Own(msgspec.Struct, frozen=True, array_like=True):
     faces: dict[str, bytes]
-    expressions: list[_Expression]
+    expressions: list[_OwnExpression]
 
 
 def pack_own(cast: Cast, base: Cast, /) -> bytes:
@@ -36,7 +36,7 @@ def pack_own(cast: Cast, base: Cast, /) -> bytes:
     }
     titles = cast.titles
     own = [
-        _Expression(name, titles[name].label, titles[name].kind, titles[name].region, pack_expression(expression))
+        _OwnExpression(name, titles[name].label, titles[name].kind, titles[name].region, pack_expression(expression))
         for name, expression in cast.expressions.items()
         if expression is not base.expressions.get(name)
     ]
@@ -44,20 +44,35 @@ def pack_own(cast: Cast, base: Cast, /) -> bytes:
 
 
 def unpack_own(base: Cast, data: bytes, /) -> Cast:
-    """The cast again, of the same base; ValueError where that is of another head."""
+    """The cast again, of the same base; ValueError where that is of another head.
+
+    base: the cast that `pack_own` had; data: its bytes.
+    """
     own = msgspec.msgpack.decode(data, type=_Own)
-    made = {name: unpack_face(content, name) for name, content in own.faces.items()}
+    unpacked = {name: unpack_face(content, name) for name, content in own.faces.items()}
     return replace(
         base,
-        faces={**base.faces, **{name: face for name, (face, _) in made.items()}},
-        looks={**base.looks, **{name: look for name, (_, look) in made.items()}},
-        expressions={**base.expressions, **{each.name: unpack_expression(each.content) for each in own.expressions}},
-        titles={**base.titles, **{each.name: Title(each.label, each.kind, each.region) for each in own.expressions}},
+        faces={**base.faces, **{name: face for name, (face, _) in unpacked.items()}},
+        looks={**base.looks, **{name: look for name, (_, look) in unpacked.items()}},
+        expressions={
+            **base.expressions,
+            **{expression.name: unpack_expression(expression.content) for expression in own.expressions},
+        },
+        titles={
+            **base.titles,
+            **{
+                expression.name: Title(expression.label, expression.kind, expression.region)
+                for expression in own.expressions
+            },
+        },
     )
 
 
 def key_of_options(cast: Cast, expressions: Iterable[str], options: tuple[object, ...], /) -> str:
-    """A key of what all faces of an export share: the head, the expressions, and options that say all the rest."""
+    """A key of what all faces of an export share: the head, the expressions, and options that say all the rest.
+
+    cast: that has them.
+    """
     state = hashlib.blake2b(repr((space_digest(cast.space), options)).encode(), digest_size=16)
     for name in expressions:
         state.update(repr((name, cast.titles[name])).encode() + pack_expression(cast.expressions[name]))
@@ -65,7 +80,7 @@ def key_of_options(cast: Cast, expressions: Iterable[str], options: tuple[object
 
 
 def key_of_face(cast: Cast, face: str, shared: str, /) -> str:
-    """A key of exactly what one face's export holds; shared: `key_of_options`."""
+    """A key of exactly what one face's export holds; shared: `key_of_options`. cast: that has it; face: its name."""
     look = cast.looks[face]
     state = hashlib.blake2b(repr((shared, face)).encode() + pack_face(cast.faces[face], look), digest_size=16)
     for array in cast.hair[look.hair_style].arrays if look.hair_style else ():

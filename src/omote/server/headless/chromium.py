@@ -65,8 +65,8 @@ def find_chromium(environment: Mapping[str, str] = os.environ) -> Path:
         if not Path(wish).is_file():
             raise FileNotFoundError(f"OMOTE_BROWSER is {wish!r}, which is no file; give the path of a Chromium")
         return Path(wish)
-    found = (shutil.which(command, path=environment.get("PATH", os.defpath)) for command in COMMANDS)
-    for path in (*(Path(path) for path in found if path), *MAC_APPLICATIONS):
+    paths = (shutil.which(command, path=environment.get("PATH", os.defpath)) for command in COMMANDS)
+    for path in (*(Path(path) for path in paths if path), *MAC_APPLICATIONS):
         if path.is_file():
             return path
     raise FileNotFoundError(NO_BROWSER)

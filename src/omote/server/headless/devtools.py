@@ -9,6 +9,7 @@ from typing import Any
 import msgspec
 
 END = b"\0"
+CRASHED = "the browser's page crashed; try a smaller picture or a lower quality"
 
 Answer = dict[str, Any]
 
@@ -21,15 +22,23 @@ class DevTools:
     """A connection to a browser; every call waits for its own answer, and calls may overlap."""
 
     def __init__(self, reader: asyncio.StreamReader, writer: asyncio.StreamWriter) -> None:
-        self._reader, self._writer = reader, writer
+        self._reader = reader
+        self._writer = writer
         self._numbers = itertools.count(1)
         self._waiting: dict[int, asyncio.Future[Answer]] = {}
+        self._crashed: set[str | None] = set()
+        """Sessions of pages that will not answer any more."""
         self._listening = asyncio.create_task(self._listen())
 
     async def call(self, method: str, *, session: str | None = None, **parameters: Any) -> Answer:
-        """Calls a DevTools method and returns the result; BrowserError when the browser rejects it, or ends."""
+        """Calls a DevTools method and returns the result; BrowserError when the browser rejects it, or ends.
+
+        method: as the protocol has it; session: of the page, None for the browser; parameters: of the method.
+        """
         if self._listening.done():
             raise BrowserError("the browser has ended; try again")
+        if session is not None and session in self._crashed:
+            raise BrowserError(CRASHED)
         number = next(self._numbers)
         message: Answer = {"id": number, "method": method, "params": parameters}
         if session is not None:
@@ -40,7 +49,10 @@ class DevTools:
         return await answer
 
     async def evaluate(self, session: str, script: str) -> Any:
-        """Evaluates a script on a page, awaits its promise and returns the value; BrowserError with what it throws."""
+        """Evaluates a script on a page, awaits its promise and returns the value; BrowserError with what it throws.
+
+        session: of the page; script: JavaScript.
+        """
         answer = await self.call(
             "Runtime.evaluate", session=session, expression=script, awaitPromise=True, returnByValue=True
         )
@@ -65,7 +77,8 @@ class DevTools:
 
     def _handle_message(self, message: Answer) -> None:
         if message.get("method") == "Inspector.targetCrashed":
-            self._fail_all("the browser's page crashed; try a smaller picture or a lower quality")
+            self._crashed.add(message.get("sessionId"))
+            self._fail_all(CRASHED)
         answer = self._waiting.pop(message.get("id", 0), None)
         if answer is None or answer.done():
             return

@@ -10,8 +10,8 @@ from tempfile import TemporaryDirectory
 from omote.builtin import load_cast
 from omote.edit.store.import_items import ImportedItem, changes_to_import
 from omote.interchange.formats.atomic_file import write_whole
-from omote.server.headless.picture_run import PictureRun, PictureStudio, Progress, draw_run
-from omote.showfile.changes import PutContent, PutItem, PutRevision, Stored
+from omote.server.headless.picture_run import PictureProgress, PictureRun, PictureStudio, draw_run
+from omote.showfile.changes import Content, Item, Revision, Stored
 from omote.showfile.inspection import Inspection
 from omote.showfile.schema import SCHEMA_VERSION
 from omote.stage_data.picture_request import GridRequest
@@ -20,14 +20,14 @@ from omote.stage_data.picture_request import GridRequest
 def hold_people(people: Sequence[ImportedItem], /) -> Inspection:
     """Faces as a show file would hold them, in memory alone; their names are those of its items, in their order."""
     changes = changes_to_import(load_cast(), Stored(), people, wall=0.0)
-    items = tuple(change.item for change in changes if isinstance(change, PutItem))
-    revisions = tuple(change.revision for change in changes if isinstance(change, PutRevision))
-    contents = {change.key: change.data for change in changes if isinstance(change, PutContent)}
+    items = tuple(change for change in changes if isinstance(change, Item))
+    revisions = tuple(change for change in changes if isinstance(change, Revision))
+    contents = {change.key: change.data for change in changes if isinstance(change, Content)}
     return Inspection(SCHEMA_VERSION, 0, Stored(items, revisions), contents)
 
 
 def check_people(expressions: str, /) -> None:
-    """ValueError where people cannot wear these, before anything is fitted or drawn."""
+    """Rejects, by ValueError, what people cannot wear, before anything is fitted or drawn."""
     PictureStudio().plan(_ask("generic", expressions), Path("people.png"))
 
 
@@ -35,13 +35,14 @@ def draw_people(path: Path, people: Sequence[ImportedItem], expressions: str, re
     """Draws people by expressions, names or mixes by commas, and writes the table alone: its single pictures and how
     they were drawn are not kept.
 
-    report: told how many people are drawn. ValueError for an unknown expression; errors else as `draw_run`.
+    report: told how many people are drawn. ValueError for an unknown expression; errors else as `draw_run`. path: of
+    the picture; report: told how many people are drawn.
     """
     held = hold_people(people)
     studio = PictureStudio(held)
     names = ",".join(item.name for item in held.stored.items)
 
-    def tell(done: Progress) -> None:
+    def tell(done: PictureProgress) -> None:
         drawn, begun = divmod(done.number * len(people), done.total)
         if not begun:
             report(drawn)

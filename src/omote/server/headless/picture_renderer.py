@@ -4,10 +4,13 @@ from __future__ import annotations
 
 import asyncio
 import base64
+import weakref
 from collections.abc import AsyncIterator, Sequence
-from concurrent.futures import ThreadPoolExecutor
-from contextlib import asynccontextmanager
+from concurrent.futures import Future
+from contextlib import asynccontextmanager, closing
 from pathlib import Path
+from threading import Thread
+from typing import Self
 from urllib.parse import urlencode
 
 import msgspec
@@ -51,18 +54,23 @@ class PicturePage:
     """A stage page in the headless browser that renders picture grids."""
 
     def __init__(self, tools: DevTools, target: str, session: str) -> None:
-        self._tools, self._target, self._session = tools, target, session
+        self._tools = tools
+        self._target = target
+        self._session = session
 
     async def draw(self, sheet: PictureGrid, following: Pose | None = None) -> bytes:
         """Renders a grid and returns the image file's bytes; BrowserError where the browser cannot.
 
-        following: a pose that will be drawn next; what it needs is fetched meanwhile.
+        following: a pose that will be drawn next; what it needs is fetched meanwhile. sheet: the grid.
         """
         words = [msgspec.json.encode(part).decode() for part in (sheet, following) if part is not None]
         return base64.b64decode(await self._run(f"sheet({', '.join(words)})"))
 
     async def compose(self, sheet: PictureGrid, pictures: Sequence[Sequence[Path]]) -> bytes:
-        """Composes a grid from image files, row by row, and returns the image file's bytes."""
+        """Composes a grid from image files, row by row, and returns the image file's bytes.
+
+        sheet: the grid; pictures: the files, by row and column.
+        """
         await self._run(f"beginSheet({msgspec.json.encode(sheet).decode()})")
         for row, paths in enumerate(pictures):
             for column, path in enumerate(paths):
@@ -76,6 +84,184 @@ class PicturePage:
     async def close(self) -> None:
         """Closes the page."""
         await self._tools.call("Target.closeTarget", targetId=self._target)
+
+
+class PictureBrowser:
+    """A browser with one stage page, in a thread of its own: also where an event loop runs, as in a notebook.
+
+    It ends when it is closed, and with the interpreter.
+    """
+
+    def __init__(self, setting: Setting, cast: Cast | None = None) -> None:
+        """Starts a browser and opens the page in it.
+
+        setting: size and quality of what it draws; cast: what the poses name, None for the built-in one.
+        FileNotFoundError where there is no browser, cast or page; BrowserError where the browser does not open it.
+        """
+        opened: Future[tuple[asyncio.AbstractEventLoop, PicturePage, asyncio.Event]] = Future()
+        work = _keep_open(find_chromium(), setting, cast, opened)
+        thread = Thread(target=lambda: asyncio.run(work), name="pictures", daemon=True)
+        thread.start()
+        self._loop, self._page, closed = opened.result()
+        self._end = weakref.finalize(self, _end_thread, self._loop, closed, thread)
+
+    def draw(self, sheet: PictureGrid) -> bytes:
+        """The bytes of an image file of a grid; BrowserError where the browser does not draw, RuntimeError where it is
+        closed.
+
+        sheet: the grid.
+        """
+        if not self._end.alive:
+            raise RuntimeError("this renderer is closed; open another one")
+        return asyncio.run_coroutine_threadsafe(self._page.draw(sheet), self._loop).result()
+
+    def close(self) -> None:
+        """Ends the browser; nothing where it has ended."""
+        self._end()
+
+
+async def _keep_open(
+    browser: Path,
+    setting: Setting,
+    cast: Cast | None,
+    opened: Future[tuple[asyncio.AbstractEventLoop, PicturePage, asyncio.Event]],
+) -> None:
+    """Keeps a page open until what it gives with it is set."""
+    try:
+        documents = built_in_documents() if cast is None else CastDocuments(cast, load_meshes(), load_mask())
+        async with serve_pages(documents, read_pages()) as address, open_chromium(browser) as tools:
+            page = await open_picture_page(tools, address, setting)
+            closed = asyncio.Event()
+            opened.set_result((asyncio.get_running_loop(), page, closed))
+            await closed.wait()
+    except Exception as error:
+        if opened.done():
+            raise
+        opened.set_exception(error)
+
+
+def _end_thread(loop: asyncio.AbstractEventLoop, closed: asyncio.Event, thread: Thread) -> None:
+    loop.call_soon_threadsafe(closed.set)
+    thread.join()
+
+
+class Renderer:
+    """Draws one frame after another in a browser that stays open; `render` starts one for each picture.
+
+    Parameters
+    ----------
+    cast : Cast
+        The faces and expressions that frames name: the built-in ones and any others on its head.
+    size : (int, int)
+        Width and height, pixels.
+    background : str, optional
+        One colour behind the head, "#00b140"; else the light's own.
+    transparent : bool
+        Nothing behind the head.
+    quality : {"lowest", "low", "medium", "good", "high"}
+        The level of the stage's quality.
+
+    Raises
+    ------
+    ValueError
+        Where the size, the quality or the cast's head is none that can be drawn.
+
+    Notes
+    -----
+    FileNotFoundError where there is no Chromium, BrowserError (a RuntimeError) where it does not open. The browser ends
+    with `close`, at the end of a `with` block, and with the interpreter.
+
+    Examples
+    --------
+    >>> with omote.Renderer(cast, size=(320, 360)) as renderer:  # doctest: +SKIP
+    ...     pictures = [renderer(performer.advance(1 / 25)) for _ in range(50)]
+
+    References
+    ----------
+    docs/conventions.md; the light and the levels are those of docs/gallery.md.
+    """
+
+    def __init__(
+        self,
+        cast: Cast,
+        *,
+        size: tuple[int, int] = (640, 720),
+        background: str | None = None,
+        transparent: bool = False,
+        quality: str = "high",
+    ) -> None:
+        if not isinstance(size, Sequence) or len(size) != 2:
+            raise ValueError(f"size is {size!r}; give width and height in pixels, as in (640, 720)")
+        self._setting = Setting(*size, background=background, transparent=transparent, quality=quality)
+        if len(cast.space.points) != len(load_cast().space.points):
+            raise ValueError(
+                f"a cast of {len(cast.space.points)} vertices cannot be drawn; give one on the head of "
+                "omote.load_cast()"
+            )
+        self._cast = cast
+        self._browser = PictureBrowser(self._setting, cast)
+
+    def __enter__(self) -> Self:
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        self.close()
+
+    def __call__(self, frame: Frame, *, path: str | Path | None = None) -> NDArray[np.uint8]:
+        """The picture of a frame, as `render` draws it.
+
+        Parameters
+        ----------
+        frame : Frame
+            What is on air, its light too: of `Performer.advance` or `parse_pose`.
+        path : str or Path, optional
+            A PNG to be written too, over what is there.
+
+        Returns
+        -------
+        ndarray of uint8 (height, width, 4)
+            Red, green, blue and alpha, 0 to 255, the first row on top; colours are not multiplied by alpha.
+
+        Raises
+        ------
+        ValueError
+            Where the frame names what the cast has not, or the path's ending is no PNG's.
+        TypeError
+            As `evaluate`.
+        RuntimeError
+            Where the renderer is closed, or the browser does not draw (BrowserError).
+        """
+        check_playable(self._cast, frame)
+        target = _picture_path(path)
+        sheet = PictureGrid([[pose_of(self._cast, frame)]]).on_paper(self._setting, "image/png")
+        data = self._browser.draw(sheet)
+        if target is not None:
+            write_whole(target, data)
+        return read_png(data)
+
+    def close(self) -> None:
+        """Ends the browser; nothing where it has ended.
+
+        Examples
+        --------
+        >>> renderer.close()  # doctest: +SKIP
+
+        References
+        ----------
+        docs/conventions.md
+        """
+        self._browser.close()
+
+
+def _picture_path(path: str | Path | None) -> Path | None:
+    """The path of a PNG, None for none; TypeError and ValueError where it is another thing."""
+    if path is None:
+        return None
+    if not isinstance(path, str | Path):
+        raise TypeError(f"a picture is named by its path, not by {path!r}; write 'smile.png'")
+    if picture_kind(Path(path)) != "image/png":
+        raise ValueError(f"{Path(path).name!r} is no name of a PNG; end it with .png")
+    return Path(path)
 
 
 def render(
@@ -123,7 +309,7 @@ def render(
     Notes
     -----
     FileNotFoundError where there is no Chromium, BrowserError (a RuntimeError) where it does not draw. A browser starts
-    and ends with each call, which takes some seconds.
+    and ends with each call, which takes some seconds: `Renderer` keeps one open.
 
     Examples
     --------
@@ -136,45 +322,29 @@ def render(
     ----------
     docs/conventions.md; the light and the levels are those of docs/gallery.md.
     """
-    check_playable(cast, frame)
-    if not isinstance(size, Sequence) or len(size) != 2:
-        raise ValueError(f"size is {size!r}; give width and height in pixels, as in (640, 720)")
-    setting = Setting(*size, background=background, transparent=transparent, quality=quality)
-    if len(cast.space.points) != len(load_cast().space.points):
-        raise ValueError(
-            f"a cast of {len(cast.space.points)} vertices cannot be drawn; give one on the head of omote.load_cast()"
-        )
-    if not isinstance(path, str | Path | None):
-        raise TypeError(f"a picture is named by its path, not by {path!r}; write 'smile.png'")
-    target = None if path is None else Path(path)
-    if target is not None and picture_kind(target) != "image/png":
-        raise ValueError(f"{target.name!r} is no name of a PNG; end it with .png")
-    data = draw_grid(PictureGrid([[pose_of(cast, frame)]]).on_paper(setting, "image/png"), setting, cast)
-    if target is not None:
-        write_whole(target, data)
-    return read_png(data)
+    check_playable(cast, frame)  # and the path: before a browser starts
+    target = _picture_path(path)
+    with Renderer(cast, size=size, background=background, transparent=transparent, quality=quality) as renderer:
+        return renderer(frame, path=target)
 
 
 def draw_grid(sheet: PictureGrid, setting: Setting, cast: Cast | None = None) -> bytes:
     """Renders a grid in a browser that starts and ends with this call; returns the image file's bytes.
 
     cast: what the poses name, None for the built-in one. Also where an event loop runs, as in a notebook.
-    FileNotFoundError where there is no browser, cast or page; BrowserError where the browser does not draw.
+    FileNotFoundError where there is no browser, cast or page; BrowserError where the browser does not draw. sheet: what
+    to draw; setting: size and quality; cast: the built-in one where None.
     """
-    browser = find_chromium()
-
-    async def draw() -> bytes:
-        documents = built_in_documents() if cast is None else CastDocuments(cast, load_meshes(), load_mask())
-        async with serve_pages(documents, read_pages()) as address, open_chromium(browser) as tools:
-            return await (await open_picture_page(tools, address, setting)).draw(sheet)
-
-    with ThreadPoolExecutor(max_workers=1, thread_name_prefix="pictures") as apart:
-        return apart.submit(asyncio.run, draw()).result()
+    with closing(PictureBrowser(setting, cast)) as browser:
+        return browser.draw(sheet)
 
 
 @asynccontextmanager
 async def serve_pages(documents: CastDocuments, pages: dict[str, Page]) -> AsyncIterator[str]:
-    """Serves the pages and the cast on loopback for one browser and yields the address; no show is played."""
+    """Serves the pages and the cast on loopback for one browser and yields the address; no show is played.
+
+    documents: of the cast; pages: the built files.
+    """
     session = ShowSession(documents.playing)
     server = ShowServer(session, documents, pages)
     runner = web.AppRunner(server.application(own_names()), access_log=None, shutdown_timeout=1.0)
@@ -200,7 +370,8 @@ def query(setting: Setting) -> str:
 async def open_picture_page(tools: DevTools, address: str, setting: Setting, *, ready: str = RESTING) -> PicturePage:
     """Opens a stage page with this setting; BrowserError with the page's own message where it does not open.
 
-    ready: the script whose promise says that the page is open.
+    ready: the script whose promise says that the page is open. tools: the browser; address: of the pages; setting: size
+    and quality.
     """
     target = await tools.call("Target.createTarget", url="about:blank")
     attached = await tools.call("Target.attachToTarget", targetId=target["targetId"], flatten=True)

@@ -27,8 +27,8 @@ from omote.stage_data.picture_grid import PictureGrid, lay_out, spell_out
 from omote.stage_data.picture_request import GridRequest, RenderRequest, Request, plan_cells
 from omote.stage_data.picture_setting import Setting
 from omote.stage_data.picture_sidecar import (
+    PictureState,
     Sidecar,
-    State,
     describe,
     encode_sidecar,
     is_drawn,
@@ -49,7 +49,7 @@ class PictureFile:
 
 
 @dataclass(frozen=True)
-class Progress:
+class PictureProgress:
     """What has just been done: a picture drawn in some seconds, the one numbered `number` of `total`."""
 
     path: Path
@@ -67,7 +67,7 @@ class PictureRun:
     table: PictureFile | None = None
     fresh: bool = False
     waiting: list[PictureFile] = field(init=False)
-    states: Mapping[Path, State] = field(init=False)
+    states: Mapping[Path, PictureState] = field(init=False)
 
     def __post_init__(self) -> None:
         """Finds out what is drawn already; all pictures of a table that is there are taken for drawn."""
@@ -94,7 +94,7 @@ class PictureRun:
         return not self.waiting and (table is None or (not self.fresh and is_drawn(table.path, table.sidecar)))
 
     def refuse_foreign(self) -> None:
-        """FileExistsError where a picture would be overwritten that Omote did not draw, or that was changed since."""
+        """Rejects, by FileExistsError, to overwrite a picture that Omote did not draw, or that was changed since."""
         for file in (
             [] if self.complete else [file for file in self.files if file in self.waiting or file is self.table]
         ):
@@ -115,13 +115,18 @@ class PictureStudio:
         self.pages = read_pages()
         own: tuple[Own, ...] = ()
         if show is not None:
-            own, self.documents.contents = own_items(show.stored), show.contents
-        base, contents = self.documents.playing, self.documents.contents
+            own = own_items(show.stored)
+            self.documents.contents = show.contents
+        base = self.documents.playing
+        contents = self.documents.contents
         self.cast: PlayingCast = gather_cast(self.documents.cast, own, contents, report or warnings.warn, before=base)
         self._made_by = (__version__, self.cast.digest, digest_of_pages(self.pages))
 
     def plan(self, request: Request, path: Path, *, fresh: bool = False) -> PictureRun:
-        """Everything that a request wants drawn; ValueError where that cannot be, before anything is drawn."""
+        """Everything that a request wants drawn; ValueError where that cannot be, before anything is drawn.
+
+        path: of the picture or the table; fresh: draws all again.
+        """
         request, kind, setting = spell_out(request, self.cast), picture_kind(path), request.setting
         sheet = lay_out(request, self.cast).on_paper(setting, kind)
         whole = self._file(request, path, sheet, setting)
@@ -149,30 +154,35 @@ def pictures_folder(path: Path) -> Path:
 def former_pictures(run: PictureRun, path: Path) -> list[Path]:
     """The pictures of a former table under this name: Omote drew them, nobody changed them, and this run has others.
 
-    None where another table (`grid.jpg` beside `grid.png`) shares their folder.
+    None where another table (`grid.jpg` beside `grid.png`) shares their folder. run: what is to be drawn; path: of its
+    table.
     """
-    folder, own = pictures_folder(path), {file.path for file in run.pictures}
+    folder = pictures_folder(path)
+    own = {file.path for file in run.pictures}
     others = [other for ending in KINDS if (other := path.with_suffix(ending)) != path and other.exists()]
     if others or not folder.is_dir():
         return []
-    found = [each for each in sorted(folder.glob("*.png")) if each not in own]
-    return [each for each in found if picture_state(each, run.pictures[0].sidecar) in ("former", "drawn")]
+    unlisted = [file for file in sorted(folder.glob("*.png")) if file not in own]
+    return [file for file in unlisted if picture_state(file, run.pictures[0].sidecar) in ("former", "drawn")]
 
 
 def digest_of_pages(pages: Mapping[str, Page]) -> str:
     """The digest of the built pages: what draws a picture in another way has another."""
-    found = hashlib.blake2b(digest_size=12)
+    digest = hashlib.blake2b(digest_size=12)
     for url, page in sorted(pages.items()):
         if page.immutable or url == "/stage":
-            found.update(url.encode() + b"\0" + page.body)
-    return found.hexdigest()
+            digest.update(url.encode() + b"\0" + page.body)
+    return digest.hexdigest()
 
 
-def draw_run(studio: PictureStudio, run: PictureRun, report: Callable[[Progress], None], *, jobs: int = 1) -> None:
+def draw_run(
+    studio: PictureStudio, run: PictureRun, report: Callable[[PictureProgress], None], *, jobs: int = 1
+) -> None:
     """Draws what a run is waiting for, in `jobs` browsers at once, and composes its table.
 
     FileNotFoundError where there is no browser; OSError where a file cannot be written; BrowserError where a browser
-    does not draw. What was written before stays.
+    does not draw. What was written before stays. studio: the cast and the pages; run: what is wanted; report: told of
+    each picture.
     """
     browser = find_chromium()
     if run.table is not None:
@@ -182,8 +192,10 @@ def draw_run(studio: PictureStudio, run: PictureRun, report: Callable[[Progress]
 
 
 class _Drawing:
-    def __init__(self, studio: PictureStudio, run: PictureRun, report: Callable[[Progress], None]) -> None:
-        self._studio, self._run, self._report = studio, run, report
+    def __init__(self, studio: PictureStudio, run: PictureRun, report: Callable[[PictureProgress], None]) -> None:
+        self._studio = studio
+        self._run = run
+        self._report = report
         self._left = list(run.waiting)
         self._done = len(run.pictures) - len(self._left)
 
@@ -194,7 +206,7 @@ class _Drawing:
         async with serve_pages(documents, self._studio.pages) as address, AsyncExitStack() as open_browsers:
             tools = [await open_browsers.enter_async_context(open_chromium(browser)) for _ in range(jobs)]
             setting = self._run.setting
-            pages = await asyncio.gather(*(open_picture_page(each, address, setting) for each in tools))
+            pages = await asyncio.gather(*(open_picture_page(tool, address, setting) for tool in tools))
             await asyncio.gather(*(self._work(page) for page in pages))
             if self._run.table is not None:
                 await self._compose(pages[0], self._run.table)
@@ -202,11 +214,12 @@ class _Drawing:
     async def _work(self, page: PicturePage) -> None:
         """Draws one picture after the other, as long as there are any."""
         while self._left:
-            file, began = self._left.pop(0), time.monotonic()
+            file = self._left.pop(0)
+            began = time.monotonic()
             following: Any = self._left[0].sheet.poses[0][0] if self._left else None
             write_picture(file, await page.draw(file.sheet, following))
             self._done += 1
-            self._report(Progress(file.path, time.monotonic() - began, self._done, len(self._run.pictures)))
+            self._report(PictureProgress(file.path, time.monotonic() - began, self._done, len(self._run.pictures)))
 
     async def _compose(self, page: PicturePage, table: PictureFile) -> None:
         files = iter(self._run.pictures)
@@ -215,6 +228,9 @@ class _Drawing:
 
 
 def write_picture(file: PictureFile, data: bytes) -> None:
-    """Writes a picture, then its sidecar, whose hash tells whether it is that of the picture beside it."""
+    """Writes a picture, then its sidecar, whose hash tells whether it is that of the picture beside it.
+
+    file: where it belongs; data: the image file.
+    """
     write_whole(file.path, data)
     write_whole(sidecar_path(file.path), encode_sidecar(file.sidecar, data))

@@ -6,9 +6,11 @@ import asyncio
 import time
 from collections.abc import Awaitable, Callable, Mapping
 from dataclasses import replace
+from functools import partial
 from pathlib import Path
 from typing import Protocol
 
+import msgspec
 from aiohttp import WSCloseCode, WSMsgType, web
 
 from omote.edit.protocol.messages import EDITING_PATH
@@ -23,16 +25,21 @@ from omote.server.http.cast_reload import CastReload
 from omote.server.http.document_routes import CACHE_FOREVER, NO_CACHE, DocumentRoutes
 from omote.server.http.downloads import Downloads
 from omote.server.http.editor_link import NO_FILE, EditorLinks
-from omote.server.http.links import HEARTBEAT, Link, Links, LinkSocket, close_revoked
 from omote.server.http.long_requests import LongRequests
 from omote.server.http.oscquery import OscQuery
 from omote.server.http.static_pages import PAGES, Page
 from omote.server.http.touchosc import TOUCHOSC_PATH, TouchoscLayout
 from omote.server.http.uploads import RunFileJob, Uploads
+from omote.server.links.links import HEARTBEAT, Link, Links, LinkSocket, close_revoked
 from omote.server.persistence.authored_work import AuthoredWork
 from omote.server.sounds.sound_routes import Sounds
-from omote.show import messages as wire
-from omote.show.outgoing import KeepRequest, Outgoing
+from omote.server.workers.file_jobs import BuildTouchoscLayout, run_file_job
+from omote.show.declaration import MESSAGE_LIMIT, SPEECH_LIMIT, KeepRequest, Outgoing, ServerMessage
+from omote.show.messages import LINK_PATH
+from omote.show.objects.devices import Devices
+from omote.show.objects.documents import NAMES_OF, address_of
+from omote.show.objects.link import Notice, Notices, Progress, Refused
+from omote.show.objects.state import State
 from omote.show.session import ShowSession
 from omote.show.wire import encode
 
@@ -42,14 +49,14 @@ PAGE_CLOSED = (WSCloseCode.OK, WSCloseCode.GOING_AWAY)
 Respond = Callable[[web.Request], Awaitable[web.StreamResponse]]
 
 
-class Source(Protocol):
+class TickSource(Protocol):
     """What plays the show beside the pages; neither call waits, and both take a bounded time."""
 
     def hear(self, now: float) -> None:
         """Obeys what has come since the last tick."""
 
-    def tell(self, state: wire.State, now: float) -> None:
-        """Tells its devices what is on air."""
+    def tell(self, state: State, now: float) -> None:
+        """Tells its devices what is on air. state: the newest; now: seconds, monotonic."""
 
 
 class ShowServer:
@@ -63,22 +70,28 @@ class ShowServer:
         *,
         clock: Callable[[], float] = time.monotonic,
     ) -> None:
-        self.session, self.documents, self.links, self.clock = session, documents, Links(), clock
+        self.session = session
+        self.documents = documents
+        self.links = Links()
+        self.clock = clock
         self.editing: EditorLinks | None = None
         self.downloads: Downloads | None = None
         self.uploads: Uploads | None = None
+        self._run_job: RunFileJob | None = None
         self.long_requests = LongRequests(self._send_progress)
-        self.sources: list[Source] = []
+        self.sources: list[TickSource] = []
         self.device_spoke: Callable[[], None] = lambda: None
         self.oscquery: OscQuery | None = None
         self._heard: dict[str, Respond] = {}
+        self._sending: list[Links] = []
         self.more_routes: list[Callable[[web.Application], None]] = []
-        self._describe_devices: Callable[[], wire.Devices] = lambda: wire.Devices([])
+        self._describe_devices: Callable[[], Devices] = lambda: Devices([])
         self._surface_allowed: Callable[[str], bool] = lambda _: False
         self.access: AccessControl | None = None
         self.authority: bytes | None = None
-        self._pages, self.outside = pages, ""
-        self._state: wire.State | None = None
+        self._pages = pages
+        self.outside = ""
+        self._state: State | None = None
 
     def enable_editing(
         self,
@@ -86,7 +99,11 @@ class ShowServer:
         reopen: Callable[[], AuthoredWork | None],
         report: Callable[[str], None],
     ) -> None:
-        """Adds the editors' link; to be called before `application`."""
+        """Adds the editors' link; to be called before `application`.
+
+        authored_work: of the show file, None where it cannot be read; reopen: reads it again; report: tells the
+        operator.
+        """
         self.editing = EditorLinks(
             authored_work,
             self.documents,
@@ -97,14 +114,16 @@ class ShowServer:
             announce=self.announce,
             report=report,
             notices=lambda: self.session.notices,
-            post_layouts=self.post_layouts,
+            list_documents=lambda kind, names: self._deliver(self.session.list_documents(kind, names)),
             cancel=self.long_requests.cancel,
             clock=self.clock,
         )
-        self.session.layouts = self.editing.layout_names()
+        for kind in NAMES_OF:
+            self.session.list_documents(kind, sorted(self.editing.documents(kind)))
 
     def enable_files(self, show: Callable[[], Path], run_job: RunFileJob) -> None:
         """Adds imports and exports; show: where the show file lies; run_job: does a `FileJob`."""
+        self._run_job = run_job
         self.downloads = Downloads(show, run_job, self.long_requests)
         self.uploads = Uploads(show, run_job, self.long_requests)
 
@@ -114,23 +133,29 @@ class ShowServer:
         self._surface_allowed = allowed
         self.oscquery = OscQuery(lambda: (self.session.cast, self._state, tuple(self.session.scene)), port)
 
-    def enable_sender(self, path: str, respond: Respond) -> None:
-        """Adds a link by which trackers, cameras or microphones send."""
+    def enable_sender(self, path: str, respond: Respond, links: Links) -> None:
+        """Adds links by which trackers, cameras or microphones send. path: their address; respond: answers there;
+        links: those that are open."""
         self._heard[path] = respond
+        self._sending.append(links)
 
-    def enable_phone_page(self, describe: Callable[[], wire.Devices]) -> None:
+    def enable_phone_page(self, describe: Callable[[], Devices]) -> None:
         """Tells phones what to type into the apps of trackers; describe: what is switched on."""
         self._describe_devices = describe
 
     def enable_access(self, control: AccessControl | None, authority: bytes | None = None) -> None:
-        """Asks for tokens from now on, but for None; authority: the certificate that tablets may install."""
-        self.access, self.authority = control, authority
+        """Asks for tokens from now on, but for None; authority: the certificate that tablets may install.
+
+        control: who may play, None for everybody.
+        """
+        self.access = control
+        self.authority = authority
 
     def on_air(self, character: str = "") -> OnAir:
         """What a character has on air now, the first on the stage where none is named; `coming` includes what was
         called since the last tick."""
-        found = read_on_air(self._state, character) if self._state else OnAir()
-        return replace(found, coming=found.coming.union(*self.session.names_held()))
+        on_air = read_on_air(self._state, character) if self._state else OnAir()
+        return replace(on_air, coming=on_air.coming.union(*self.session.names_held()))
 
     def application(self, names: frozenset[str]) -> web.Application:
         """Builds the aiohttp application; `names` are the host names it answers to, beside numeric addresses."""
@@ -139,12 +164,13 @@ class ShowServer:
             guard(names),
             guard_access(lambda: self.access, frozenset((*PAGES, PHONE_PATH)), self._surface_allowed),
         ]
-        application = web.Application(middlewares=guards, client_max_size=wire.MESSAGE_LIMIT)
+        application = web.Application(middlewares=guards, client_max_size=MESSAGE_LIMIT)
         application.on_response_prepare.append(add_headers)
-        application.router.add_get(wire.LINK_PATH, self.link)
+        application.router.add_get(LINK_PATH, self.link)
         if self.editing is not None:
             application.router.add_get(EDITING_PATH, self.editing.link)
-        application.router.add_get("/layouts/{name}", self.layout)
+        for kind in NAMES_OF:
+            application.router.add_get(address_of(kind), partial(self.document, kind))
         application.router.add_get("/exports/{file}", self.export)
         application.router.add_post("/imports/{file}", self.take_in)
         DocumentRoutes(self.documents).add_routes(application)
@@ -163,7 +189,7 @@ class ShowServer:
     def _add_device_routes(self, application: web.Application) -> None:
         """Adds what surfaces read, where trackers and sounds are sent, and what others add."""
         Sounds(self.session.sounds.set).add_routes(application)
-        layout = TouchoscLayout(lambda: (self.session.cast, tuple(self.session.scene)))
+        layout = TouchoscLayout(lambda: (self.session.cast, tuple(self.session.scene)), self._build_layout)
         application.router.add_get(TOUCHOSC_PATH, layout.respond)
         for path, respond in self._heard.items():
             application.router.add_get(path, respond)
@@ -171,6 +197,13 @@ class ShowServer:
             add_routes(application)
         if self.oscquery is not None:
             self.oscquery.add_routes(application, self.page)
+
+    async def _build_layout(self, wanted: BuildTouchoscLayout) -> bytes:
+        """Builds a layout in a process of its own; in a thread where no show file and so no such process is there."""
+        job = msgspec.msgpack.encode(wanted)
+        if self._run_job is None:
+            return await asyncio.to_thread(run_file_job, job, lambda *_: None)
+        return await self._run_job(job, lambda *_: None)
 
     def tick(self) -> None:
         """Advances the session by one tick and broadcasts the state."""
@@ -191,7 +224,7 @@ class ShowServer:
             self.close_revoked()
         self.announce(self.session.crew_now(self.clock()))
 
-    def post(self, notices: list[wire.Notice]) -> None:
+    def post(self, notices: list[Notice]) -> None:
         """Sends all notices to consoles and editors; later ones get them with their welcome."""
         self.session.notices = notices
         self.broadcast_notices()
@@ -201,14 +234,9 @@ class ShowServer:
         for who in self.session.crew:
             self._deliver(self.session.notices_for(who))
         if self.editing is not None and self.session.notices:
-            self.editing.send_news(wire.Notices(self.session.notices))
+            self.editing.send_news(Notices(self.session.notices))
 
-    def post_layouts(self, names: list[str]) -> None:
-        """Tells all consoles the names of the layouts; later ones get them with their welcome."""
-        self.session.layouts = names
-        self._deliver(self.session.layouts_now())
-
-    def announce(self, message: wire.FromServer) -> None:
+    def announce(self, message: ServerMessage) -> None:
         """Sends one message to every link."""
         data = encode(message)
         for link in self.links:
@@ -220,7 +248,8 @@ class ShowServer:
             close_revoked(self._all_links(), self.access.holds)
 
     def _all_links(self) -> list[Link]:
-        return [*self.links, *(self.editing.links if self.editing else ())]
+        open_links = [self.links, *self._sending, *([self.editing.links] if self.editing else [])]
+        return [link for links in open_links for link in links]
 
     async def close_all(self) -> None:
         """Closes every link; pages then know that the server is going."""
@@ -228,7 +257,7 @@ class ShowServer:
 
     async def link(self, request: web.Request) -> web.WebSocketResponse:
         """Handles one page's WebSocket link until it closes."""
-        ws = LinkSocket(heartbeat=HEARTBEAT, limit=wire.SPEECH_LIMIT)
+        ws = LinkSocket(heartbeat=HEARTBEAT, limit=SPEECH_LIMIT)
         transport = await ws.accept(request)
         if transport is None:
             return ws
@@ -241,12 +270,15 @@ class ShowServer:
             self.session.leave(link.who, lost=None if ws.close_code in PAGE_CLOSED else self.clock())
         return ws
 
-    async def layout(self, request: web.Request) -> web.Response:
-        """Responds with a page's stored layout; 204 where there is none, for browsers log a 404 as an error."""
-        found = None if self.editing is None else self.editing.layout(request.match_info["name"])
-        if found is None:
+    async def document(self, kind: str, request: web.Request) -> web.Response:
+        """Responds with a stored document of a kind; 204 where there is none, for browsers log a 404 as an error.
+
+        kind: of the document; request: names it.
+        """
+        stored = None if self.editing is None else self.editing.documents(kind).get(request.match_info["name"])
+        if stored is None:
             return web.Response(status=204, headers={"Cache-Control": NO_CACHE})
-        return web.Response(body=found, content_type="application/json", headers={"Cache-Control": NO_CACHE})
+        return web.Response(body=stored, content_type="application/json", headers={"Cache-Control": NO_CACHE})
 
     async def export(self, request: web.Request) -> web.Response:
         """Responds with an export as a file to keep: an expression (.json), a face with expressions (.glb)."""
@@ -278,23 +310,23 @@ class ShowServer:
                 if self.session.device_messages:
                     self.device_spoke()
                 self._keep(self.session.take_keep_requests())
-                for each in self.session.take_cancelled():
-                    self.long_requests.cancel(each)
+                for key in self.session.take_cancelled():
+                    self.long_requests.cancel(key)
             elif message.type is WSMsgType.TEXT:
-                self._deliver([Outgoing(link.who, wire.Refused("text came, but messages are binary MessagePack."))])
+                self._deliver([Outgoing(link.who, Refused("text came, but messages are binary MessagePack."))])
 
     def _keep(self, requests: list[KeepRequest]) -> None:
         for request in requests:
             if self.editing is None:
-                self._deliver([Outgoing(request.who, wire.Refused(NO_FILE))])
+                self._deliver([Outgoing(request.who, Refused(NO_FILE))])
             else:
                 self.editing.request_keep(request)
 
-    def _send_progress(self, progress: wire.Progress) -> None:
+    def _send_progress(self, progress: Progress) -> None:
         self._deliver(self.session.for_consoles(progress))
         if self.editing is not None:
             self.editing.send_news(progress)
 
     def _deliver(self, outgoing: list[Outgoing]) -> None:
-        for each in outgoing:
-            self.links.answer(each.who, encode(each.message))
+        for delivery in outgoing:
+            self.links.answer(delivery.who, encode(delivery.message))

@@ -25,7 +25,8 @@ from omote.server.workers.order_worker import (
     WorkshopOrder,
 )
 from omote.server.workers.workshop import ClosedWorkshopError, FailedOrderError, RefusedOrderError, Workshop
-from omote.show.messages import ContentAsset, FaceDocument, State
+from omote.show.cast_documents import ContentAsset, FaceDocument
+from omote.show.objects.state import State
 from omote.show.state import names_on_air
 from omote.show.wire import encode
 from omote.showfile.contents import ContentError
@@ -43,7 +44,8 @@ class CastDocuments:
     """
 
     def __init__(self, cast: Cast, meshes: Sequence[BakedMesh], mask: bytes) -> None:
-        self.cast, self.playing = cast, build_playing_cast(cast, (), {})
+        self.cast = cast
+        self.playing = build_playing_cast(cast, (), {})
         self.contents: Mapping[str, bytes] = {}
         self.mask_url = f"/assets/{content_name(mask)}"
         packed = documents(cast, meshes, mask=self.mask_url)
@@ -65,7 +67,7 @@ class CastDocuments:
 
     async def prepare(self, playing: PlayingCast) -> bytes:
         """Makes the manifest of a cast ahead; authored faces that fail are left out and reported to the operator."""
-        found: dict[str, FaceDocument] = {}
+        faces: dict[str, FaceDocument] = {}
         for own in playing.own:
             if own.kind != "face":
                 continue
@@ -76,9 +78,9 @@ class CastDocuments:
                     f"the own face {own.label!r} cannot be shown ({explain_error(error)}); pages do not get it."
                 )
             else:
-                found[own.content] = msgspec.msgpack.decode(data, type=ContentAsset).face
+                faces[own.content] = msgspec.msgpack.decode(data, type=ContentAsset).face
         loop = asyncio.get_running_loop()
-        manifest = await loop.run_in_executor(self._thread, lambda: encode(manifest_of(playing, self._built_in, found)))
+        manifest = await loop.run_in_executor(self._thread, lambda: encode(manifest_of(playing, self._built_in, faces)))
         self._manifests = {self.playing.digest: self._manifests.get(self.playing.digest, b""), playing.digest: manifest}
         return manifest
 
@@ -96,8 +98,8 @@ class CastDocuments:
     async def face(self, key: str) -> bytes:
         """The `ContentAsset` of an authored face by the key of its content; KeyError where it is missing."""
         if key not in self._faces:
-            made = await self._order(FaceOrder(key, {key: self.contents[key]}))
-            self._faces[key] = made
+            asset = await self._order(FaceOrder(key, {key: self.contents[key]}))
+            self._faces[key] = asset
             while len(self._faces) > CACHED_FACES:
                 self._faces.popitem(last=False)
         self._faces.move_to_end(key)
@@ -107,7 +109,8 @@ class CastDocuments:
         """The picture on a face's skin, a PNG, by the face's source; KeyError where the face or its picture is
         missing."""
         self._check(source, self.cast.faces)
-        loop, contents = asyncio.get_running_loop(), self._contents(source)
+        loop = asyncio.get_running_loop()
+        contents = self._contents(source)
         try:
             return await loop.run_in_executor(None, find_albedo, self.cast, source, contents)
         except ContentError as error:
@@ -140,7 +143,8 @@ class CastDocuments:
 
     def use_workshop(self, workshop: Workshop | None, report: Callable[[str], None]) -> None:
         """Sends orders to a workshop process from now on, while it lives; report: tells the operator."""
-        self._workshop, self._report = workshop, report
+        self._workshop = workshop
+        self._report = report
 
     def close(self) -> None:
         """Stops the scheduler, the workshop and the thread."""

@@ -17,7 +17,8 @@ from omote.server.workers.file_jobs import ExportExpression, ExportFace
 from omote.server.workers.job_server import Follow, JobError
 from omote.stage_data.playing_cast import PlayingCast
 
-GLB, JSON = "model/gltf-binary", "application/json"
+GLB = "model/gltf-binary"
+JSON = "application/json"
 FACES = {
     "glb": ("glb", GLB),
     "vrm": ("vrm", GLB),
@@ -45,10 +46,15 @@ class Downloads:
     """
 
     def __init__(self, show: Callable[[], Path], run_job: RunFileJob, long_requests: LongRequests) -> None:
-        self._show, self._run_job, self._long_requests = show, run_job, long_requests
+        self._show = show
+        self._run_job = run_job
+        self._long_requests = long_requests
 
     async def respond(self, request: web.Request, playing: PlayingCast) -> web.Response:
-        """Responds with the file; 404 or 503 with a sentence for the person who asked, 204 where the page ended it."""
+        """Responds with the file; 404 or 503 with a sentence for the person who asked, 204 where the page ended it.
+
+        request: names the file; playing: the cast that plays.
+        """
         try:
             wanted = plan_download(self._show(), request.match_info["file"], request.query, playing)
         except ValueError as error:
@@ -71,21 +77,22 @@ def plan_download(show: Path, file: str, query: Mapping[str, str], playing: Play
     """What a page asks for by the name of a file: `crooked_smile.json`, `my_aunt.glb`, `dog.glb?expressions=smile`,
     `my_aunt.vrm?author=Ann&licence=strict`, `my_aunt.usdz`, `my_aunt.obj?expressions=neutral` (a ZIP).
 
-    ValueError with a message for a name that does not play, or is not saved yet, and for another format.
+    ValueError with a message for a name that does not play, or is not saved yet, and for another format. show: its
+    file; file: the name; query: of the address; playing: the cast that plays.
     """
     name, _, suffix = file.rpartition(".")
     if suffix == "json":
         _check(name, "expression", playing.expression_sources)
         return Download(ExportExpression(str(show), name), f"{name}.json", JSON)
     if suffix not in FACES:
-        known = ", ".join(f".{each}" for each in FACES)
-        raise ValueError(f"{file[:80]!r} is no export; there are .json for expressions and {known} for faces")
+        endings = ", ".join(f".{ending}" for ending in FACES)
+        raise ValueError(f"{file[:80]!r} is no export; there are .json for expressions and {endings} for faces")
     _check(name, "face", playing.faces)
     expressions = query.get("expressions", "arkit")
     authors = tuple(filter(None, map(str.strip, query.get("author", "").split(","))))
     if expressions not in (*KINDS, NEUTRAL):
-        for each in expressions.split(","):
-            _check(each, "expression", playing.expression_sources)
+        for expression in expressions.split(","):
+            _check(expression, "expression", playing.expression_sources)
     whole = name if expressions == "arkit" else f"{name}-{expressions[:60].replace(',', '-')}"
     ending, content_type = FACES[suffix]
     job = ExportFace(str(show), name, expressions, f".{suffix}", authors, query.get("licence", ""))

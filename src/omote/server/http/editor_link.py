@@ -11,7 +11,7 @@ import contextlib
 import sys
 import time
 import traceback
-from collections.abc import Awaitable, Callable, Coroutine
+from collections.abc import Awaitable, Callable, Coroutine, Mapping
 from dataclasses import dataclass, field
 from functools import partial
 
@@ -29,17 +29,17 @@ from omote.interchange.formats.error_reasons import explain_error
 from omote.server.access.access_guard import visitor_in
 from omote.server.http.cast_documents import CastDocuments
 from omote.server.http.cast_reload import CastReload
-from omote.server.http.links import HEARTBEAT, Link, Links, LinkSocket
+from omote.server.links.links import HEARTBEAT, Link, Links, LinkSocket
 from omote.server.persistence.authored_work import AuthoredWork
 from omote.server.persistence.commit_thread import CommitOutcome
 from omote.server.workers.workshop import FailedOrderError, RefusedOrderError
-from omote.show import messages as wire
-from omote.show.outgoing import KeepRequest
-from omote.show.rate_limit import TokenBucket
+from omote.show.declaration import KeepRequest, ServerMessage
+from omote.show.objects.link import Notice, Notices, Progress, Refused
 from omote.show.validation import Refusal
-from omote.showfile.changes import Change, DropLayout, PutLayout
+from omote.showfile.changes import Change, DocumentRemoval, StoredDocument
 
-HEARD_RATE, HEARD_BURST = 60.0, 60.0
+HEARD_RATE = 60.0
+HEARD_BURST = 60.0
 """Messages per second read from one editor (a slider being dragged); more waits in the socket."""
 MOST_UNSENT = 512
 """Answers that wait for an editor who does not read; after that its link is cut, and it may come back."""
@@ -48,7 +48,7 @@ NO_FILE = (
     "there is no show file that can be written, so nothing can be edited or kept: name another file to `omote show`."
 )
 
-Tell = Callable[[str, wire.FromServer], None]
+Tell = Callable[[str, ServerMessage], None]
 Consequence = Callable[[], Awaitable[None]]
 
 
@@ -71,7 +71,7 @@ class EditorLinks:
 
     authored_work: None when nothing can be stored; reopen: reads it again from the file; on_air: what is seen now;
     tell: sends a message to one console, announce: to every page of the show; notices: what the crew must know;
-    post_layouts: tells all consoles the names of the layouts; cancel: ends a long request.
+    list_documents: tells all consoles the names of the documents of a kind; cancel: ends a long request.
     """
 
     def __init__(
@@ -83,17 +83,26 @@ class EditorLinks:
         reopen: Callable[[], AuthoredWork | None],
         on_air: Callable[[str], OnAir],
         tell: Tell,
-        announce: Callable[[wire.FromServer], None],
+        announce: Callable[[ServerMessage], None],
         report: Callable[[str], None],
-        notices: Callable[[], list[wire.Notice]] = list,
-        post_layouts: Callable[[list[str]], None] = lambda _: None,
+        notices: Callable[[], list[Notice]] = list,
+        list_documents: Callable[[str, list[str]], None] = lambda *_: None,
         cancel: Callable[[str], None] = lambda _: None,
         clock: Callable[[], float] = time.monotonic,
     ) -> None:
-        self.authored_work, self.links = authored_work, Links()
-        self._reopen, self._documents, self._cast_reload, self._on_air = reopen, documents, cast_reload, on_air
-        self._tell, self._announce, self._report, self._clock = tell, announce, report, clock
-        self._notices, self._post_layouts, self._cancel = notices, post_layouts, cancel
+        self.authored_work = authored_work
+        self.links = Links(rate=HEARD_RATE, burst=HEARD_BURST)
+        self._reopen = reopen
+        self._documents = documents
+        self._cast_reload = cast_reload
+        self._on_air = on_air
+        self._tell = tell
+        self._announce = announce
+        self._report = report
+        self._clock = clock
+        self._notices = notices
+        self._list_documents = list_documents
+        self._cancel = cancel
         self._pages: dict[str, EditorPage] = {}
         self._consequences: asyncio.Queue[Consequence] = asyncio.Queue()
         self._tasks: set[asyncio.Task[None]] = set()
@@ -108,7 +117,6 @@ class EditorLinks:
         if transport is None:
             return ws
         page = EditorPage(self.links.open(ws, transport, visitor_in(request)))
-        page.link.bucket = TokenBucket(HEARD_RATE, HEARD_BURST)
         self._pages[page.link.who] = page
         sending = self._begin(page.send_all())
         try:
@@ -124,14 +132,15 @@ class EditorLinks:
     def request_keep(self, request: KeepRequest) -> None:
         """Carries out what a console asks of the show file."""
         if self.authored_work is None:
-            self._tell(request.who, wire.Refused(NO_FILE, request.message.id))
+            self._tell(request.who, Refused(NO_FILE, getattr(request.message, "id", "")))
         else:
             on_air = self._on_air(getattr(request.message, "character", ""))
             self._take(self.authored_work, partial(answer_console, request=request, on_air=on_air, wall=_wall()))
 
     async def add_items(self, adding: Adding) -> list[TakenIn] | str:
         """Adds items; returns what became of each, once they are on the disk and play, or why not."""
-        authored_work, done = self.authored_work, asyncio.get_running_loop().create_future()
+        authored_work = self.authored_work
+        done = asyncio.get_running_loop().create_future()
         if authored_work is None:
             return NO_FILE
         try:
@@ -150,15 +159,11 @@ class EditorLinks:
         await done
         return taken if authored_work is self.authored_work else "it could not be kept in the show file; try again."
 
-    def layout(self, name: str) -> bytes | None:
-        """A page's stored layout (JSON), None where there is none."""
-        return None if self.authored_work is None else self.authored_work.layouts.get(name)
+    def documents(self, kind: str) -> Mapping[str, bytes]:
+        """The stored documents (JSON) of a kind by name."""
+        return {} if self.authored_work is None else self.authored_work.documents(kind)
 
-    def layout_names(self) -> list[str]:
-        """The names under which pages have stored a layout."""
-        return [] if self.authored_work is None else sorted(self.authored_work.layouts)
-
-    def send_news(self, news: wire.Notices | wire.Progress) -> None:
+    def send_news(self, news: Notices | Progress) -> None:
         """Sends what is complete by itself to every editor that reads."""
         for who, page in self._pages.items():
             if page.unsent.empty():  # it comes again; more than one that waits helps nobody
@@ -216,17 +221,18 @@ class EditorLinks:
         for reply in outcome.replies:
             self._send(reply.who, reply.message)
             if isinstance(reply.message, Greeted) and self._notices():
-                self._send(reply.who, wire.Notices(self._notices()))
+                self._send(reply.who, Notices(self._notices()))
         for kept in outcome.kept:
             self._tell_kept(kept)
-        if any(isinstance(change, PutLayout | DropLayout) for change in outcome.changes):
-            self._post_layouts(self.layout_names())
+        for kind in {change.kind for change in outcome.changes if isinstance(change, StoredDocument | DocumentRemoval)}:
+            self._list_documents(kind, sorted(self.documents(kind)))
 
     async def _commit(self, authored_work: AuthoredWork, changes: tuple[Change, ...]) -> str | None:
         """Waits until changes are committed; returns why they never will be, or None."""
         if not changes:
             return None
-        loop, outcomes = asyncio.get_running_loop(), asyncio.Queue[CommitOutcome]()
+        loop = asyncio.get_running_loop()
+        outcomes = asyncio.Queue[CommitOutcome]()
 
         def report_outcome(outcome: CommitOutcome) -> None:
             loop.call_soon_threadsafe(outcomes.put_nowait, outcome)

@@ -10,7 +10,7 @@ from typing import TypeVar
 from aiohttp import web
 
 from omote.server.workers.job_server import Follow
-from omote.show.messages import Progress
+from omote.show.objects.link import Progress
 
 LONGEST_ID = 64
 PAUSE = 0.1
@@ -33,7 +33,10 @@ class LongRequests:
 
     @asynccontextmanager
     async def turn(self, kind: str, follow: Follow, waiting: str) -> AsyncIterator[None]:
-        """Lets one job of a kind run at a time; `waiting` is what a page reads until its own may."""
+        """Lets one job of a kind run at a time; `waiting` is what a page reads until its own may.
+
+        follow: told of the progress.
+        """
         lock = self._turns.setdefault(kind, asyncio.Lock())
         if lock.locked():
             follow(0, 0, waiting)
@@ -72,7 +75,8 @@ class _News:
     """Tells of one request at most every PAUSE seconds, and always of the newest."""
 
     def __init__(self, request: str, tell: Callable[[Progress], None]) -> None:
-        self._request, self._tell = request, tell
+        self._request = request
+        self._tell = tell
         self._newest: Progress | None = None
         self._timer: asyncio.TimerHandle | None = None
 
@@ -87,7 +91,9 @@ class _News:
             self._timer.cancel()
 
     def _send(self) -> None:
-        newest, self._newest, self._timer = self._newest, None, None
+        newest = self._newest
+        self._newest = None
+        self._timer = None
         if newest is not None:
             self._timer = asyncio.get_running_loop().call_later(PAUSE, self._send)
             self._tell(newest)

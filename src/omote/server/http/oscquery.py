@@ -8,19 +8,11 @@ from typing import Any
 import msgspec
 from aiohttp import web
 
-from omote.inputs.addresses.address import ROOT
-from omote.inputs.osc_feedback import OnAir
-from omote.inputs.oscquery_tree import (
-    ATTRIBUTES,
-    HOST_INFO,
-    Node,
-    build_addresses,
-    find_node,
-    host_info,
-    with_values,
-)
+from omote.inputs.osc_feedback import AddressValues
+from omote.inputs.oscquery_tree import ATTRIBUTES, HOST_INFO, Node, build_addresses, find_node, host_info, with_values
 from omote.perform.snapshot import Playable
-from omote.show.messages import State
+from omote.show.objects.state import State
+from omote.show.osc import ROOT
 
 Page = Callable[[web.Request], Awaitable[web.Response]]
 Playing = Callable[[], tuple[Playable, State | None, tuple[str, ...]]]
@@ -37,11 +29,15 @@ class OscQuery:
     """The tree over HTTP. on_air: gives the cast, the newest state, and the names of the characters; port: of OSC."""
 
     def __init__(self, on_air: Playing, port: int) -> None:
-        self._on_air, self._port = on_air, port
+        self._on_air = on_air
+        self._port = port
         self._addresses: tuple[Playable, tuple[str, ...], Node] | None = None
 
     def add_routes(self, application: web.Application, index: Page) -> None:
-        """Adds the root, which stays a page for browsers, and all that is below the root of OSC."""
+        """Adds the root, which stays a page for browsers, and all that is below the root of OSC.
+
+        application: gets them; index: answers for the page at the root.
+        """
 
         async def root(request: web.Request) -> web.Response:
             if request.query_string:
@@ -65,7 +61,7 @@ class OscQuery:
         node = find_node(self._tree(cast, characters), request.path)
         if node is None:
             raise web.HTTPNotFound(text=f"there is no address {request.path[:80]}; /{ROOT} lists them all.")
-        node = node if state is None else with_values(node, OnAir(state))
+        node = node if state is None else with_values(node, AddressValues(state))
         if not asked:
             return _json(node)
         return _json({asked: node[asked]}) if asked in node else web.Response(status=204)
@@ -80,7 +76,8 @@ class OscQuery:
 
 def _is_person(request: web.Request) -> bool:
     """Whether somebody types at a terminal: surfaces accept anything too, but have no such name."""
-    agent, accepted = request.headers.get("User-Agent", "").lower(), request.headers.get("Accept", "*/*")
+    agent = request.headers.get("User-Agent", "").lower()
+    accepted = request.headers.get("Accept", "*/*")
     return accepted.strip() == "*/*" and agent.startswith(PEOPLE)
 
 

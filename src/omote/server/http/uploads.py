@@ -18,7 +18,7 @@ from aiohttp import web
 from omote.edit.session.brought_items import Adding, TakenIn, take_in
 from omote.interchange.formats.error_reasons import explain_error
 from omote.interchange.formats.file_names import HINTS
-from omote.interchange.formats.glb_reader import LARGEST
+from omote.interchange.formats.gltf_document import LARGEST
 from omote.server.http.long_requests import CancelledRequestError, LongRequests, request_id
 from omote.server.workers.file_jobs import Imported, ImportFile
 from omote.server.workers.job_server import Follow, JobError
@@ -39,11 +39,16 @@ class Uploads:
     """Takes in the files that pages send, one at a time; show: where the show file lies; run_job: does a `FileJob`."""
 
     def __init__(self, show: Callable[[], Path], run_job: RunFileJob, long_requests: LongRequests) -> None:
-        self._show, self._run_job, self._long_requests = show, run_job, long_requests
+        self._show = show
+        self._run_job = run_job
+        self._long_requests = long_requests
 
     async def respond(self, request: web.Request, add_items: AddItems) -> web.Response:
         """Responds with what was taken in and what is to be said of it (JSON); 400 or 503 with a sentence, 204 where
-        the page ended it."""
+        the page ended it.
+
+        request: carries the file; add_items: saves what it holds.
+        """
         name = ""
         try:
             name, kind = plan_upload(request.match_info["file"], request.query.get("as", KINDS[0]))
@@ -67,15 +72,18 @@ class Uploads:
             await _receive(request, path)
             async with self._long_requests.turn("import", follow, "it waits until another file is taken in"):
                 job = ImportFile(str(self._show()), str(path), kind, time.time())  # noqa: TID251  (dates revisions)
-                made = await self._run_job(msgspec.msgpack.encode(job), follow)
+                data = await self._run_job(msgspec.msgpack.encode(job), follow)
         return await asyncio.get_running_loop().run_in_executor(
-            None, partial(msgspec.msgpack.decode, made, type=Imported)
+            None, partial(msgspec.msgpack.decode, data, type=Imported)
         )
 
 
 def plan_upload(file: str, kind: str) -> tuple[str, Kind]:
-    """The name under which a file is read, and what it is; ValueError for what nothing can be made of."""
-    name = "".join(each for each in Path(file).name if each.isprintable())[-80:].lstrip("-.")
+    """The name under which a file is read, and what it is; ValueError for what nothing can be made of.
+
+    file: the name that a page gives; kind: as what it is taken in.
+    """
+    name = "".join(letter for letter in Path(file).name if letter.isprintable())[-80:].lstrip("-.")
     if kind not in KINDS:
         raise ValueError(f"a file is taken in as {' or '.join(KINDS)}, not as {kind[:80]!r}.")
     suffix = Path(name).suffix.lower()

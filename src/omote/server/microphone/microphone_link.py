@@ -11,35 +11,29 @@ from aiohttp import WSMsgType, web
 
 from omote.inputs.microphone.microphone_input import MicrophoneInput
 from omote.inputs.microphone.microphone_messages import LONGEST_MESSAGE, ToMicrophone
-from omote.inputs.page_devices.device_health import SourceCounts
 from omote.server.access.access_guard import visitor_in
-from omote.server.http.links import HEARTBEAT, Link, Links, LinkSocket, close_revoked
-from omote.show.access.people_list import Visitor
-from omote.show.messages import State
-from omote.show.rate_limit import TokenBucket
+from omote.server.devices.device_source import DeviceSource
+from omote.server.links.links import HEARTBEAT, SENDER_BURST, SENDER_RATE, Link, Links, LinkSocket
 from omote.show.session import ShowSession
 
 TELL_SECONDS = 0.05
 """Between two words to a page about what is heard."""
-PACKET_RATE, PACKET_BURST = 250.0, 100.0
-"""Packets a second of one page; more waits in the socket."""
 WHO = "microphone"
 
 
-class MicrophoneLink:
-    """The microphones of pages at one show. session: the one that plays; spoke: is told when sound has come; holds:
-    whether a visitor's token still counts."""
+class MicrophoneLink(DeviceSource):
+    """The microphones of pages at one show. session: the one that plays; spoke: is told when sound has come."""
 
     def __init__(
         self,
         session: Callable[[], ShowSession],
         clock: Callable[[], float] = time.monotonic,
         spoke: Callable[[], None] = lambda: None,
-        holds: Callable[[Visitor], bool] = lambda _: True,
     ) -> None:
         self.microphones = MicrophoneInput(session)
-        self.links = Links()
-        self._clock, self._spoke, self._holds = clock, spoke, holds
+        self.links = Links(rate=SENDER_RATE, burst=SENDER_BURST)
+        self._clock = clock
+        self._spoke = spoke
         self._numbers = count(1)
         self._who: dict[str, str] = {}
         self._told = 0.0
@@ -51,7 +45,6 @@ class MicrophoneLink:
         if transport is None:
             return socket
         link = self.links.open(socket, transport, visitor_in(request))
-        link.bucket = TokenBucket(PACKET_RATE, PACKET_BURST)
         who = self._who[link.who] = f"{WHO} {next(self._numbers)}"
         try:
             await self._listen(link, who)
@@ -69,18 +62,9 @@ class MicrophoneLink:
                 self._answer(links[who], [rejected])
         if now - self._told >= TELL_SECONDS:
             self._told = now
-            close_revoked(self.links, self._holds)
             for who, link in links.items():
                 if (voice := self.microphones.voice(who)) is not None:
                     self._answer(link, [voice])
-
-    def tell(self, state: State, now: float) -> None:
-        """There is nothing to tell."""
-
-    @property
-    def probes(self) -> list[Callable[[], SourceCounts]]:
-        """How pages are told of it: microphones are shown with the sources."""
-        return []
 
     async def close(self) -> None:
         """Closes all links."""

@@ -34,8 +34,11 @@ class BackupThread:
         first_seconds: float = FIRST_SECONDS,
         backup_seconds: float = BACKUP_SECONDS,
     ) -> None:
-        self._show, self._report, self._gate = show, report, gate or FileGate()
-        self._first_seconds, self._backup_seconds = first_seconds, backup_seconds
+        self._show = show
+        self._report = report
+        self._gate = gate or FileGate()
+        self._first_seconds = first_seconds
+        self._backup_seconds = backup_seconds
         self._closing = threading.Event()
         self._backed_up: tuple[int, int] | None = None
         self._said = self.damage = ""

@@ -37,7 +37,7 @@ OnOutcome = Callable[[CommitOutcome], None]
 @dataclass(frozen=True)
 class _Job:
     changes: tuple[Change, ...]
-    told: OnOutcome
+    on_outcome: OnOutcome
 
 
 class CommitThread:
@@ -56,22 +56,28 @@ class CommitThread:
         *,
         retry_seconds: float = RETRY_SECONDS,
     ) -> None:
-        self._show, self._report, self._backup = show, report, backup
-        self._gate, self._retry_seconds = gate or FileGate(), retry_seconds
+        self._show = show
+        self._report = report
+        self._backup = backup
+        self._gate = gate or FileGate()
+        self._retry_seconds = retry_seconds
         self._queue: deque[_Job] = deque()
         self._waiting = threading.Condition()
         self._closing = self._failing = False
         self._thread = threading.Thread(target=self._run, name="commits", daemon=True)
         self._thread.start()
 
-    def commit(self, changes: Sequence[Change], told: OnOutcome) -> None:
-        """Hands over changes that belong together; returns at once."""
+    def commit(self, changes: Sequence[Change], on_outcome: OnOutcome) -> None:
+        """Hands over changes that belong together; returns at once.
+
+        changes: in any order; on_outcome: called on this thread with what became of them, each time that is known.
+        """
         with self._waiting:
             if not self._closing:
-                self._queue.append(_Job(tuple(changes), told))
+                self._queue.append(_Job(tuple(changes), on_outcome))
                 self._waiting.notify()
                 return
-        told(CommitOutcome("refused", f"{self._show.path} is being closed; start the show again and repeat it."))
+        on_outcome(CommitOutcome("refused", f"{self._show.path} is being closed; start the show again and repeat it."))
 
     def close(self) -> None:
         """Commits what is left and closes the file; waits five seconds at most."""
@@ -129,7 +135,7 @@ class CommitThread:
 
     def _tell(self, job: _Job, outcome: CommitOutcome) -> None:
         try:
-            job.told(outcome)
+            job.on_outcome(outcome)
         except RuntimeError:
             pass  # a loop that has ended hears nothing any more
         except Exception as error:  # whatever it is, later changes are still to be kept

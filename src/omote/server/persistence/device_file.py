@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import os
-import tempfile
 from collections.abc import Callable
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
@@ -11,6 +9,7 @@ from pathlib import Path
 import msgspec
 
 from omote.interchange.formats.error_reasons import explain_error
+from omote.server.persistence.private_file import write_private
 
 MOST_BYTES = 65536
 
@@ -42,16 +41,13 @@ def read_notes(path: Path) -> DeviceNotes:
 
 
 def write_notes(path: Path, notes: DeviceNotes) -> None:
-    """Writes the notes atomically, readable by their owner alone; OSError with a message."""
-    draft = ""
+    """Writes the notes atomically, readable by their owner alone; OSError with a message.
+
+    path: of the file; notes: all that it is to hold.
+    """
     try:
-        handle, draft = tempfile.mkstemp(prefix=f".{path.name[:100]}.", dir=path.parent)  # made with mode 0600
-        with os.fdopen(handle, "wb") as file:
-            file.write(msgspec.json.format(msgspec.json.encode(notes), indent=2))
-        Path(draft).replace(path)
+        write_private(path, msgspec.json.format(msgspec.json.encode(notes), indent=2))
     except OSError as error:
-        if draft:
-            Path(draft).unlink(missing_ok=True)
         raise OSError(f"{path} cannot be written ({explain_error(error)})") from error
 
 
@@ -60,7 +56,9 @@ class DeviceFile:
     notes: as they are now."""
 
     def __init__(self, path: Path | None, report: Callable[[str], None] = lambda _: None) -> None:
-        self._path, self._report, self.notes = path, report, DeviceNotes()
+        self._path = path
+        self._report = report
+        self.notes = DeviceNotes()
         self._thread = ThreadPoolExecutor(1, "device file")  # it starts with the first change
 
     def load(self) -> None:
@@ -81,8 +79,11 @@ class DeviceFile:
         return self.notes.tokens.get(program, "")
 
     def keep_token(self, program: str, token: str) -> None:
-        """Keeps a token; "" forgets it."""
-        others = {name: each for name, each in self.notes.tokens.items() if name != program}
+        """Keeps a token; "" forgets it.
+
+        program: its name; token: what it granted.
+        """
+        others = {name: kept for name, kept in self.notes.tokens.items() if name != program}
         self.keep(tokens={**others, program: token} if token else others)
 
     def close(self) -> None:

@@ -14,8 +14,10 @@ class FileGate:
     """A lock that is shared (`with gate:`) or exclusive (`with gate.alone():`); no thread enters it twice."""
 
     def __init__(self, *, longest_wait: float = LONGEST_WAIT) -> None:
-        self._changed, self._longest_wait = threading.Condition(), longest_wait
-        self._users, self._closed = 0, False
+        self._changed = threading.Condition()
+        self._longest_wait = longest_wait
+        self._users = 0
+        self._closed = False
 
     def __enter__(self) -> None:
         with self._changed:

@@ -35,8 +35,13 @@ class FileWatch:
         *,
         watch_seconds: float = WATCH_SECONDS,
     ) -> None:
-        self._show, self._gate, self._report, self._moved = show, gate, report, moved
-        self._said, self._watch_seconds, self._closing = "", watch_seconds, threading.Event()
+        self._show = show
+        self._gate = gate
+        self._report = report
+        self._moved = moved
+        self._said = ""
+        self._watch_seconds = watch_seconds
+        self._closing = threading.Event()
         hold_lock(show.path)  # made anew elsewhere by the process before
         self._thread = threading.Thread(target=self._run, name="file-watch", daemon=True)
         self._thread.start()

@@ -12,13 +12,15 @@ import msgspec
 from omote.edit.protocol.wire import read_recipe
 from omote.model.recipes.recipe import KEY, sources
 from omote.server.persistence.offline_show import open_offline_show
+from omote.show.objects.documents import names_in
 from omote.showfile.backup import back_up, backup_paths, refuse_foreign, remove
 from omote.showfile.changes import Item, Stored
 from omote.showfile.inspection import item_named
 from omote.showfile.schema import ShowFileError
 from omote.showfile.show_file import ShowFile
 
-SAMPLE, EVERY = 48, 1000
+SAMPLE = 48
+EVERY = 1000
 """Bytes of a content that are looked for in other files, and how far apart: pages of SQLite part contents."""
 
 
@@ -57,14 +59,15 @@ def forget_faces(path: Path, names: Sequence[str], /, *, copies: bool = False) -
         Where the disk fails; the same call again goes on.
     """
     with open_offline_show(path) as show:
-        stored, contents = show.stored(), show.contents()
+        stored = show.stored()
+        contents = show.contents()
         items = list(dict.fromkeys(item_named(stored, name, "face") for name in names))
         _refuse_dependents(stored, items)
         keys = _own_keys(stored, items)
-        damaged = [each for each in _damaged_copies(show.path) if _holds(each, [contents[key] for key in keys])]
+        damaged = [copy for copy in _damaged_copies(show.path) if _holds(copy, [contents[key] for key in keys])]
         if damaged and not copies:
             raise ShowFileError(
-                f"{' and '.join(each.name for each in damaged)} beside it hold{'s' * (len(damaged) < 2)} it too, so "
+                f"{' and '.join(copy.name for copy in damaged)} beside it hold{'s' * (len(damaged) < 2)} it too, so "
                 "nothing was removed: --copies removes what was put aside there with it."
             )
         for backup in (
@@ -82,9 +85,10 @@ def forget_faces(path: Path, names: Sequence[str], /, *, copies: bool = False) -
 
 def _refuse_dependents(stored: Stored, items: Sequence[Item]) -> None:
     """ShowFileError where the look of other items is made of these."""
-    ids, names = {item.id for item in items}, {item.name for item in items}
-    made = {KEY + revision.content for revision in stored.revisions if revision.item in ids}
-    others = [item for item in stored.items if item.id not in ids and _sources(stored, item.id) & (made | names)]
+    ids = {item.id for item in items}
+    names = {item.name for item in items}
+    keys = {KEY + revision.content for revision in stored.revisions if revision.item in ids}
+    others = [item for item in stored.items if item.id not in ids and _sources(stored, item.id) & (keys | names)]
     if others:
         raise ShowFileError(
             f"{', '.join(item.name for item in others)} {'are' if len(others) > 1 else 'is'} made of "
@@ -94,16 +98,16 @@ def _refuse_dependents(stored: Stored, items: Sequence[Item]) -> None:
 
 def _sources(stored: Stored, item: int) -> set[str]:
     """All that an item's revisions and drafts are made of, and what they made, as sources."""
-    recipes = [each.recipe for each in stored.revisions if each.item == item]
-    recipes += [each.recipe for each in stored.edits if each.item == item]
-    found = {KEY + revision.content for revision in stored.revisions if revision.item == item}
+    recipes = [revision.recipe for revision in stored.revisions if revision.item == item]
+    recipes += [edit.recipe for edit in stored.edits if edit.item == item]
+    names = {KEY + revision.content for revision in stored.revisions if revision.item == item}
     for recipe in recipes:
         try:
-            found |= sources(read_recipe(recipe))
+            names |= sources(read_recipe(recipe))
         except (ValueError, msgspec.MsgspecError):  # of a newer Omote: its text is looked through
             text = recipe.decode("utf-8", "replace")
-            found |= {each for revision in stored.revisions if (each := KEY + revision.content) in text}
-    return found
+            names |= {source for revision in stored.revisions if (source := KEY + revision.content) in text}
+    return names
 
 
 def _own_keys(stored: Stored, items: Sequence[Item]) -> set[str]:
@@ -137,17 +141,16 @@ def _is_played(show: ShowFile, items: Sequence[Item]) -> bool:
 def _notes(show: ShowFile, stored: Stored, items: Sequence[Item]) -> Iterator[str]:
     if _is_played(show, items):
         yield "the last state of the show played it: the show starts neutral."
-    names = [item.name.encode() for item in items]
-    pages = [page for page, document in stored.layouts.items() if any(name in document for name in names)]
-    if any(name in stored.bindings for name in names):
-        pages.append("bindings")
-    if pages:
-        yield f"its name still stands in {', '.join(pages)}: take it out there."
+    names = [item.name for item in items]
+    rows = ((kind, *named) for kind, of_kind in stored.documents.items() for named in of_kind.items())
+    still = [name if name == kind else f"{kind} {name}" for kind, name, body in rows if names_in(kind, body, names)]
+    if still:
+        yield f"its name still stands in {', '.join(still)}: take it out there."
 
 
 def _damaged_copies(path: Path) -> list[Path]:
     """Files that recovery has put aside."""
-    return sorted(each for each in path.parent.glob(f"{_escape(path.name)}.corrupt-*") if each.is_file())
+    return sorted(file for file in path.parent.glob(f"{_escape(path.name)}.corrupt-*") if file.is_file())
 
 
 def _escape(name: str) -> str:
@@ -156,5 +159,9 @@ def _escape(name: str) -> str:
 
 def _holds(path: Path, contents: Sequence[bytes]) -> bool:
     data = path.read_bytes()
-    samples = [each[at : at + SAMPLE] for each in contents for at in range(len(each) // 3, len(each) - SAMPLE, EVERY)]
+    samples = [
+        content[at : at + SAMPLE]
+        for content in contents
+        for at in range(len(content) // 3, len(content) - SAMPLE, EVERY)
+    ]
     return any(sample in data for sample in samples)

@@ -30,14 +30,17 @@ class JournalWriter:
         *,
         flush_seconds: float = FLUSH_SECONDS,
     ) -> None:
-        self._show, self._report, self._gate = show, report, gate or FileGate()
+        self._show = show
+        self._report = report
+        self._gate = gate or FileGate()
         with self._gate:  # now: once the threads run, the file may be moved away at any time
             self._flushed = show.again()
         self._newest: JournalEntry | None = None
         self._closing = False
         self._waiting = threading.Condition()
         self._failing = False
-        self._flush_seconds, self._done = flush_seconds, threading.Event()
+        self._flush_seconds = flush_seconds
+        self._done = threading.Event()
         self._thread = threading.Thread(target=self._run, name="journal", daemon=True)
         self._flusher = threading.Thread(target=self._flush, name="journal-flush", daemon=True)
         self._thread.start()
@@ -61,7 +64,8 @@ class JournalWriter:
         while True:
             with self._waiting:
                 self._waiting.wait_for(lambda: self._newest is not None or self._closing)
-                entry, self._newest = self._newest, None
+                entry = self._newest
+                self._newest = None
             if entry is None:
                 break
             self._failing = not self._try_write(partial(self._show.write_journal, entry))

@@ -52,7 +52,10 @@ def take_lock(path: Path) -> int:
 
 
 def release_lock(path: Path, lock: int) -> None:
-    """Ends a lock; where there is no show file after all, nothing stays beside it either."""
+    """Ends a lock; where there is no show file after all, nothing stays beside it either.
+
+    path: of the show file; lock: the descriptor that holds it.
+    """
     try:
         if not path.exists() and _is_at(_lock_path(path), lock):
             _lock_path(path).unlink()
@@ -61,7 +64,10 @@ def release_lock(path: Path, lock: int) -> None:
 
 
 def note_address(lock: int, address: str) -> None:
-    """Writes where a show listens (a URL) into its lock file, for other commands on this machine."""
+    """Writes where a show listens (a URL) into its lock file, for other commands on this machine.
+
+    lock: the descriptor that holds the lock; address: a URL.
+    """
     os.ftruncate(lock, 0)
     os.pwrite(lock, address.encode()[:LONGEST_ADDRESS], 0)
 

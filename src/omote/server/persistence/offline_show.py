@@ -21,6 +21,8 @@ def open_offline_show(path: Path, *, new: bool = False) -> Iterator[ShowFile]:
     """The show file, ours alone until the end; new: made where there is none, and backed up at the end.
 
     FileNotFoundError where there is none, ShowLockedError where a show plays it, ShowFileError where it cannot be used.
+
+    path: of the show file; links are followed.
     """
     path = locate_show(path)
     if not new and not path.exists():

@@ -29,7 +29,10 @@ FRESH_SECONDS = 3.0
 
 
 def open_journal(path: Path, report: Report) -> ShowFile | None:
-    """The show file, or its newest whole backup (`open_newest`); None when the disk allows no file at all."""
+    """The show file, or its newest whole backup (`open_newest`); None when the disk allows no file at all.
+
+    path: of the show file; report: tells the operator.
+    """
     try:
         return open_newest(path, report)
     except (ShowFileError, OSError) as error:
@@ -41,6 +44,8 @@ def open_newest(path: Path, report: Report) -> ShowFile:
     """The show file, made when there is none; a corrupt or lost one is kept and its newest whole backup opened.
 
     ShowFileError with an error message where it cannot be used; then it is untouched.
+
+    path: of the show file; report: tells the operator.
     """
     path = locate_show(path)
     try:
@@ -71,8 +76,8 @@ def _sentence_of(recovery: Recovery) -> str:
     kept = "" if recovery.kept is None else f"it is kept as {recovery.kept}; "
     if recovery.copied is None:
         return _sentence(f"{kept}there is no good copy of it: the show starts neutral.")
-    made = time.strftime("%Y-%m-%d %H:%M:%S", time.localtime(recovery.copied))
-    return _sentence(f"{kept}opened instead: its good copy of {made}.")
+    copied_at = time.strftime("%Y-%m-%d %H:%M:%S", time.localtime(recovery.copied))
+    return _sentence(f"{kept}opened instead: its good copy of {copied_at}.")
 
 
 def _sentence(text: str) -> str:
@@ -80,7 +85,10 @@ def _sentence(text: str) -> str:
 
 
 def restore(cast: Playable, show: ShowFile | None, order: Order, report: Report) -> ShowSession:
-    """The session of the journal's last state, under a new epoch; a neutral one when none can be played."""
+    """The session of the journal's last state, under a new epoch; a neutral one when none can be played.
+
+    cast: what can be played; show: the open file, if any; order: of the supervisor; report: tells the operator.
+    """
     last = _last_entry(show, report)
     epoch = next_epoch(last.epoch, order.epoch)
     session = None if order.neutral else _try_restore(cast, last, epoch, report)
@@ -145,7 +153,10 @@ def journal_entry(session: ShowSession) -> JournalEntry:
 
 
 def next_epoch(journal: int, order: int) -> int:
-    """An epoch above all before it: of this file, of this supervisor, and, by the calendar, of other show files."""
+    """An epoch above all before it: of this file, of this supervisor, and, by the calendar, of other show files.
+
+    journal: the last epoch of the file; order: the least that the supervisor asks for.
+    """
     return max(journal + 1, order, int(time.time()))  # noqa: TID251  (orders starts of servers; drives nothing)
 
 

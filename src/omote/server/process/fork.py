@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 import signal
+import socket
 import sys
 import traceback
 from collections.abc import Callable, Collection
@@ -41,3 +42,21 @@ def close_descriptors(keep: Collection[int]) -> None:
         if descriptor >= STANDARD and descriptor not in keep:
             with suppress(OSError):  # the one that listed the folder is closed already
                 os.close(descriptor)
+
+
+def fork_beside(work: Callable[[socket.socket], None]) -> tuple[int, socket.socket]:
+    """Forks a child that does `work` with its end of a line and has no other descriptor; returns its process id and our
+    end. OSError where no process can be made."""
+    ours, theirs = socket.socketpair()
+
+    def begin() -> None:
+        close_descriptors([theirs.fileno()])
+        work(theirs)
+
+    try:
+        return fork_process(begin), ours
+    except OSError:
+        ours.close()
+        raise
+    finally:
+        theirs.close()

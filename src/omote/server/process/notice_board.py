@@ -6,7 +6,7 @@ import threading
 import time
 from collections.abc import Callable, Iterable
 
-from omote.show.messages import Notice
+from omote.show.objects.link import Notice
 
 MOST_NOTICES = 16
 """The newest of a show; older ones have been seen, or nobody is there."""
@@ -23,8 +23,11 @@ class NoticeBoard:
     """
 
     def __init__(self, notices: Iterable[Notice] = (), *, clock: Callable[[], int] = time.time_ns) -> None:
-        self._notices, self._new = list(notices), list[Notice]()
-        self._lock, self._clock, self._last = threading.Lock(), clock, 0
+        self._notices = list(notices)
+        self._new = list[Notice]()
+        self._lock = threading.Lock()
+        self._clock = clock
+        self._last = 0
 
     @property
     def notices(self) -> list[Notice]:
@@ -38,7 +41,7 @@ class NoticeBoard:
         with self._lock:
             self._last = max(self._last + 1, self._clock())
             notice = Notice(str(self._last), self._last / 1e9, text)
-            others = [each for each in self._notices if each.text != text]
+            others = [older for older in self._notices if older.text != text]
             self._notices = [*others, notice][-MOST_NOTICES:]
             self._new.append(notice)
 
@@ -47,7 +50,8 @@ class NoticeBoard:
         if not self._new:  # sixty times a second
             return []
         with self._lock:
-            new, self._new = self._new, []
+            new = self._new
+            self._new = []
             return new
 
     def with_report(self, report: Report) -> Report:

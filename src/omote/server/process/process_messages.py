@@ -8,7 +8,7 @@ import socket
 
 import msgspec
 
-from omote.show.messages import Notice
+from omote.show.objects.link import Notice
 
 TICK = b"t"
 """A server's pulse, on a pipe to the supervisor: it plays."""
@@ -75,7 +75,10 @@ _order: msgspec.json.Decoder[Order] = msgspec.json.Decoder(Order)
 
 
 def send_order(line: socket.socket, order: Order, control: int, pulse: int) -> None:
-    """Sends an order and the server's ends of its two pipes (as file descriptors)."""
+    """Sends an order and the server's ends of its two pipes (as file descriptors).
+
+    line: to the standby; order: what to play; control, pulse: the pipes.
+    """
     socket.send_fds(line, [msgspec.json.encode(order)], [control, pulse])
 
 
@@ -93,7 +96,7 @@ def receive_order(line: socket.socket) -> tuple[Order, int, int] | None:
 
 
 def send_news(line: socket.socket, news: News) -> None:
-    """Sends news to the supervisor; ignores that it is gone."""
+    """Sends news to the supervisor; ignores that it is gone. line: to the supervisor; news: what has happened."""
     with contextlib.suppress(ConnectionError):
         line.sendall(msgspec.json.encode(news) + b"\n")
 
@@ -111,8 +114,8 @@ def write_notice(notice: Notice | ShowMoved) -> bytes:
 def read_pulse(data: bytes) -> tuple[list[Notice | ShowMoved], bytes]:
     """What is told in what came through a pulse, and the beginning of a line whose rest is still to come."""
     *lines, rest = (line[line.find(b"{") :] if b"{" in line else b"" for line in data.split(b"\n"))
-    found = list[Notice | ShowMoved]()
+    messages = list[Notice | ShowMoved]()
     for line in filter(None, lines):
         with contextlib.suppress(msgspec.DecodeError, UnicodeDecodeError):  # a process may die while it writes
-            found.append(_moved.decode(line) if line.startswith(MOVED) else _notice.decode(line))
-    return found, rest
+            messages.append(_moved.decode(line) if line.startswith(MOVED) else _notice.decode(line))
+    return messages, rest

@@ -1,4 +1,8 @@
-"""Does work with what strangers made in a child process with limits on time, memory and descriptors, and follows it."""
+"""Does work with what strangers made in a child process with limits on time, memory and descriptors, and follows it.
+
+What the work returns is encoded there (MessagePack, arrays with their type and shape) and validated here: nothing that
+a child sends is run.
+"""
 
 from __future__ import annotations
 
@@ -9,16 +13,24 @@ import select
 import signal
 import struct
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from pathlib import Path
+from typing import Any, TypeVar, get_args, get_origin
 
 import msgspec
+import numpy as np
+from numpy.typing import NDArray
 
+from omote.model.fitting.doubt import Doubt, DoubtKind
+
+T = TypeVar("T")
 Tell = Callable[[float, str], None]
 """Told how much is done, 0 to 1, and what is being done."""
 _HEAD = struct.Struct("<cQ")
-_PROGRESS, _ANSWER, _REFUSED = b"p", b"a", b"r"
+_PROGRESS = b"p"
+_ANSWER = b"a"
+_REFUSED = b"r"
 
 
 @dataclass(frozen=True)
@@ -36,16 +48,17 @@ class Limits:
 
 
 def ignore_progress(_: float, _what: str, /) -> None:
-    """Where nobody wants to know."""
+    """Ignores how much is done (_) and what is being done (_what): nobody wants to know."""
 
 
 def run_limited(
-    work: Callable[[Tell], bytes], limits: Limits, *, exhausted: str, follow: Tell = ignore_progress
-) -> bytes:  # fmt: skip
-    """Does `work` in a child process; returns the bytes that it returns.
+    work: Callable[[Tell], T], kind: Any, limits: Limits, *, exhausted: str, follow: Tell = ignore_progress
+) -> T:  # fmt: skip
+    """Does `work` in a child process and returns what it returns, decoded and validated as `kind`.
 
-    ValueError with its sentence where it raises one, and with `exhausted` where it died, took more than the limits or
-    longer than anyone waits. On any error here, Ctrl-C too, the child is killed.
+    limits: of that process; follow: told its progress. ValueError with the sentence of one that `work` raises, and with
+    `exhausted` where it died, took more than the limits, longer than anyone waits, or sent what is no `kind`. On any
+    error here, Ctrl-C too, the child is killed.
     """
     come, go = os.pipe()
     child = os.fork()
@@ -54,15 +67,45 @@ def run_limited(
         _work_and_exit(work, limits, go)
     os.close(go)
     try:
-        return _follow_child(come, limits, exhausted, follow)
+        answer = _follow_child(come, limits, exhausted, follow)
     finally:
         os.close(come)
         with contextlib.suppress(ProcessLookupError):
             os.kill(child, signal.SIGKILL)
         os.waitpid(child, 0)
+    try:
+        value: T = msgspec.msgpack.decode(answer, type=kind, dec_hook=_decode_special)
+    except msgspec.MsgspecError as error:
+        raise ValueError(exhausted) from error
+    return value
 
 
-def _work_and_exit(work: Callable[[Tell], bytes], limits: Limits, go: int) -> None:
+def _encode_special(value: object) -> object:
+    """What MessagePack has no type for: arrays, mappings that cannot be changed, doubts with their kinds."""
+    match value:
+        case np.ndarray():
+            return value.dtype.str, value.shape, value.tobytes()
+        case Doubt():
+            return str(value), value.kind
+        case Mapping():
+            return dict(value)
+    raise NotImplementedError(f"a child cannot send a {type(value).__name__}")
+
+
+def _decode_special(kind: Any, value: Any) -> object:
+    if kind is Doubt:
+        return Doubt(*msgspec.convert(value, tuple[str, DoubtKind]))
+    if get_origin(kind) is not np.ndarray:
+        raise NotImplementedError(f"a child cannot send a {kind}")
+    name, shape, data = msgspec.convert(value, tuple[str, tuple[int, ...], bytes])
+    (numbers,) = get_args(get_args(kind)[1])
+    if not np.issubdtype(np.dtype(name), numbers):
+        raise ValueError(f"an array is of {name}; expected {numbers.__name__}")
+    array: NDArray[Any] = np.frombuffer(data, name).reshape(shape)
+    return array
+
+
+def _work_and_exit(work: Callable[[Tell], Any], limits: Limits, go: int) -> None:
     with contextlib.suppress(BaseException):
         signal.signal(signal.SIGINT, signal.SIG_DFL)
         os.dup2(os.open(os.devnull, os.O_WRONLY), 2)  # decoders of other people talk to the terminal
@@ -79,9 +122,9 @@ def _send(pipe: int, done: float, what: str) -> None:
     os.write(pipe, _HEAD.pack(_PROGRESS, len(body)) + body)
 
 
-def _try_work(work: Callable[[Tell], bytes], tell: Tell) -> tuple[bytes, bytes]:
+def _try_work(work: Callable[[Tell], Any], tell: Tell) -> tuple[bytes, bytes]:
     try:
-        return _ANSWER, work(tell)
+        return _ANSWER, msgspec.msgpack.encode(work(tell), enc_hook=_encode_special)
     except ValueError as error:
         return _REFUSED, str(error).encode("utf-8", "replace")
     except (MemoryError, OSError):
@@ -108,7 +151,9 @@ def _follow_child(come: int, limits: Limits, exhausted: str, follow: Tell) -> by
 
 def _read(come: int, size: int, end: float) -> bytes:
     """So many bytes, fewer where the child ends or is waited for too long."""
-    parts, left, poll = [], size, select.poll()
+    parts = []
+    left = size
+    poll = select.poll()
     poll.register(come, select.POLLIN)
     while left:
         if not poll.poll(1000.0 * max(end - time.monotonic(), 0.0)):
@@ -126,8 +171,10 @@ def _limit_resources(limits: Limits) -> None:
     pages = int(Path("/proc/self/statm").read_text().split()[0]) if Path("/proc/self/statm").exists() else 0
     resource.setrlimit(resource.RLIMIT_CPU, (limits.seconds, limits.seconds))
     resource.setrlimit(resource.RLIMIT_CORE, (0, 0))
-    files = limits.files + max((int(each.name) for each in Path("/proc/self/fd").glob("*")), default=0)
-    resource.setrlimit(resource.RLIMIT_NOFILE, (files, files))  # the limit is of a descriptor's number: a show has many
+    files = limits.files
+    for number in sorted(int(descriptor.name) for descriptor in Path("/proc/self/fd").glob("*")):
+        files += number < files  # the limit is of a descriptor's number: so many are free below it
+    resource.setrlimit(resource.RLIMIT_NOFILE, (files, files))
     if not limits.writes:
         resource.setrlimit(resource.RLIMIT_FSIZE, (0, 0))
     if pages:

@@ -1,20 +1,53 @@
-"""Imports expressions and faces from files (JSON, GLB, OBJ) and reports how well each one fits."""
+"""Imports expressions and faces from files (JSON, GLB, OBJ), heads of any topology among them, with a report on each.
+
+Untrusted files are parsed in a child process with limits; what it sends back is validated again here.
+"""
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import replace
+from functools import partial
 from pathlib import Path
+
+import numpy as np
+from numpy.typing import ArrayLike
 
 from omote.builtin import load_meshes
 from omote.edit.store.import_items import ImportedItem, import_document
-from omote.inputs.shape_names import read_shape_name
-from omote.interchange.formats import expression_json
+from omote.inputs.shape_names import ShapeMeaning, read_shape_name
+from omote.interchange.formats import expression_json, glb_reader, gltf_document
 from omote.interchange.formats.file_names import DOCUMENT, GLB, VRM, require_imports
+from omote.interchange.formats.glb_reader import Piece
 from omote.interchange.import_meshes import Follow, ignore_progress, import_expressions, import_face
+from omote.interchange.landmark_points import read_landmarks
+from omote.interchange.mesh_correspondence import match_head
+from omote.interchange.scans.vrm_expressions import read_vrm_expressions
+from omote.interchange.scans.wavefront_reader import read_obj_pieces
 from omote.model.cast import Cast
+from omote.model.space.expression import Expression
 from omote.perform.name_lookup import find_name
-from omote.server.sandbox.child_reader import read_in_sandbox
-from omote.server.sandbox.foreign_heads import foreign_expressions, is_foreign
+from omote.server.sandbox.child_task import Limits, run_limited
+from omote.server.sandbox.scan_faces import take_in_child
+from omote.server.sandbox.scan_files import read_scan_in_sandbox
+
+LIMITS = Limits(seconds=60, memory=2 * 2**30)
+_TOO_MUCH = "reading it needs more time or memory than any face; export a smaller one"
+POINTS_HELP = (
+    "Say where the head is, with --landmarks as of omote face; or export the head alone, without body and hair, or "
+    "take its shapes in Python (omote.fit with landmarks, omote.take_expressions)"
+)
+STILL = 1e-6
+"""Radians; eyeballs that turn less are at rest."""
+
+_read_avatar = partial(glb_reader.read_glb, naming=read_vrm_expressions)
+
+READERS: Mapping[str, Callable[[bytes], tuple[Piece, ...]]] = {
+    GLB: _read_avatar,
+    VRM: _read_avatar,
+    ".obj": read_obj_pieces,
+}
+"""Parsers by file name suffix."""
 
 FAR = 5e-5
 """Metres; a larger error of an imported expression against its source shape is reported."""
@@ -23,10 +56,17 @@ Brought = tuple[ImportedItem, str]
 
 
 def expressions_from(
-    cast: Cast, paths: Sequence[Path], *, face: str = "", follow: Follow = ignore_progress
+    cast: Cast,
+    paths: Sequence[Path],
+    *,
+    face: str = "",
+    landmarks: Sequence[str] = (),
+    follow: Follow = ignore_progress,
 ) -> Iterator[Brought]:
-    """Yields each expression in the files with a report about it; face: the face of the cast that shapes start from;
-    follow: told of shapes done, all shapes, and the one that is next.
+    """Yields each expression in the files (paths) with a report about it.
+
+    cast: what the expressions are for; face: the face of it that shapes start from; landmarks: words and files of them,
+    of heads of another topology; follow: told of shapes done, all shapes, and the one that is next.
 
     ValueError for files without expressions; OSError where one cannot be read.
     """
@@ -43,19 +83,23 @@ def expressions_from(
     shapes = {path.stem: read_in_sandbox(path) for path in paths if path not in documents}
     for path in (path for path in paths if path.suffix.lower() in (GLB, VRM) and is_foreign(cast, shapes[path.stem])):
         del shapes[path.stem]
-        yield from foreign_expressions(cast, path)
+        yield from foreign_expressions(cast, path, landmarks=read_landmarks(landmarks, path, paths))
     if not shapes:
         return
-    for each in import_expressions(cast, load_meshes(), shapes, face=face, follow=follow):
-        off = f"; it misses its shape by up to {1000 * each.error:.2f} mm" if each.error > FAR else ""
+    for taken in import_expressions(cast, load_meshes(), shapes, face=face, follow=follow):
+        off = f"; it misses its shape by up to {1000 * taken.error:.2f} mm" if taken.error > FAR else ""
         note = f"from {', '.join(path.name for path in paths)}"[:200]
-        doubt = f"; {each.doubt}" if each.doubt else ""
-        tags = read_shape_name(each.label).tags
-        yield ImportedItem(each.label, each.expression, tags, note), f"{each.label}, taken from {each.face}{off}{doubt}"
+        doubt = f"; {taken.doubt}" if taken.doubt else ""
+        tags = read_shape_name(taken.label).tags
+        yield (
+            ImportedItem(taken.label, taken.expression, tags, note),
+            f"{taken.label}, taken from {taken.face}{off}{doubt}",
+        )
 
 
 def faces_from(cast: Cast, paths: Sequence[Path], *, look: str = "") -> Iterator[Brought]:
-    """Yields each head at rest in the files as a face; look: the cast's face whose colours it gets, "" for its own.
+    """Yields each head at rest in the files (paths) as a face; cast: whose topology they have; look: its face whose
+    colours they get, "" for their own.
 
     Errors as `expressions_from`.
     """
@@ -64,3 +108,67 @@ def faces_from(cast: Cast, paths: Sequence[Path], *, look: str = "") -> Iterator
         face, own = import_face(cast, load_meshes(), path.stem, read_in_sandbox(path))
         worn = cast.looks[find_name(look, cast.faces, "face")] if look else own
         yield ImportedItem(path.stem, (face, worn), note=f"from {path.name}"), f"{path.stem}, a face"
+
+
+def is_foreign(cast: Cast, pieces: Sequence[Piece], /) -> bool:
+    """Whether none of a file's pieces is a head of the cast's topology."""
+    try:
+        match_head(cast, load_meshes(), pieces)
+    except ValueError:
+        return True
+    return False
+
+
+def foreign_expressions(
+    cast: Cast, path: Path, /, *, landmarks: Mapping[str, ArrayLike] | None = None
+) -> Iterator[Brought]:
+    """Yields each expression of a stranger's head with a report about it; ValueError where there is none.
+
+    path: a scan with shapes; landmarks: (3,) by name in its frame, where its shape alone does not say where the head
+    is, or that it is an animal's. A shape whose name is known (`shape_names`) is tagged with the cast's units that do
+    the same; it takes no unit's place, for all other faces and trackers play those.
+    """
+    scan = read_scan_in_sandbox(path).scan
+    if not scan.shapes:
+        raise ValueError(
+            f"{path.name}: the head has no shapes that can be read; export it with its morph targets, or make a face "
+            f"of it: omote face {path.name} -o show.omote"
+        )
+    try:
+        taken = take_in_child(cast, scan, name=path.stem, landmarks=landmarks or {}, advice=POINTS_HELP)
+    except ValueError as error:
+        raise ValueError(f"{path.name}: {error}") from error
+    notes = " ".join(taken.notes)
+    if not taken.expressions:
+        raise ValueError(f"{path.name}: no shape is an expression. {notes}")
+    for number, (name, (expression, doubt)) in enumerate(taken.expressions.items()):
+        meaning = read_shape_name(name)
+        sentence = f"{name}, taken from the head in {path.name}"
+        sentence += f", as {' and '.join(meaning.units) or meaning.named}" if meaning.part else ""
+        sentence += f"; {doubt}" if doubt else ""
+        sentence += f". {notes}" if notes and number == len(taken.expressions) - 1 else ""
+        turned = _with_gaze(cast, meaning, expression)
+        yield ImportedItem(name, turned, tags=meaning.tags, note=f"from {path.name}"[:200]), sentence
+
+
+def _with_gaze(cast: Cast, meaning: ShapeMeaning, expression: Expression) -> Expression:
+    """The expression; where it is a look and the head's own eyeballs stay, for bones turn them, with the turn of the
+    cast's."""
+    if not meaning.is_gaze or abs(expression.eyes).max() > STILL:
+        return expression
+    turns = [cast.expressions[unit].eyes for unit in meaning.units if unit in cast.expressions]
+    return replace(expression, eyes=np.sum(turns, axis=0)) if turns else expression
+
+
+def read_in_sandbox(path: Path, /) -> tuple[Piece, ...]:
+    """Parses a GLB or OBJ file into its pieces; ValueError for an invalid file, OSError where it cannot be read."""
+    reader = READERS.get(path.suffix.lower())
+    if reader is None:
+        raise ValueError(f"{path.name!r} is no file with a head; expected {', '.join(READERS)} or .json")
+    if path.stat().st_size > gltf_document.LARGEST:
+        raise ValueError(f"{path.name} has {path.stat().st_size} bytes; expected {gltf_document.LARGEST} at most")
+    data = path.read_bytes()
+    try:
+        return run_limited(lambda _: reader(data), tuple[Piece, ...], LIMITS, exhausted=_TOO_MUCH)
+    except ValueError as error:
+        raise ValueError(f"{path.name}: {error}") from error

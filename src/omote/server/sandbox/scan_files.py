@@ -8,7 +8,6 @@ from __future__ import annotations
 
 from pathlib import Path, PurePosixPath
 
-import msgspec
 import numpy as np
 from numpy.typing import NDArray
 
@@ -16,21 +15,10 @@ from omote.interchange.scans.companions import Companions
 from omote.interchange.scans.picture_reader import LARGEST_PICTURE, read_picture
 from omote.interchange.scans.scan_parts import LARGEST
 from omote.interchange.scans.scan_reader import ScanFile, read_scan
-from omote.model.fitting.scan import Scan
 from omote.server.sandbox.child_task import Limits, Tell, ignore_progress, run_limited
 
 LIMITS = Limits(seconds=120, patience=300.0, memory=6 * 2**30)
 _TOO_MUCH = "reading it needs more time or memory than any scan of a head; export one with fewer points"
-
-
-class _PlainScan(msgspec.Struct, frozen=True, array_like=True):
-    positions: bytes
-    triangles: bytes | None
-    colours: bytes | None
-    texture: tuple[int, int, bytes] | None
-    texcoords: bytes | None
-    shapes: dict[str, bytes]
-    notes: list[str]
 
 
 def read_scan_in_sandbox(path: Path, /, *, follow: Tell = ignore_progress) -> ScanFile:
@@ -57,16 +45,15 @@ def read_scan_in_sandbox(path: Path, /, *, follow: Tell = ignore_progress) -> Sc
     """
     data = _read_whole(path, LARGEST)
 
-    def work(tell: Tell) -> bytes:
+    def work(tell: Tell) -> ScanFile:
         tell(0.0, "reading")
-        found = read_scan(path.suffix, data, Companions(lambda name: find_beside(path, name)))
+        scan_file = read_scan(path.suffix, data, Companions(lambda name: find_beside(path, name)))
         tell(0.9, "handing it over")
-        return msgspec.msgpack.encode(_plain(found))
+        return scan_file
 
     try:
-        answer = run_limited(work, LIMITS, exhausted=_TOO_MUCH, follow=follow)
-        return _scan_file(msgspec.msgpack.decode(answer, type=_PlainScan))
-    except (ValueError, msgspec.MsgspecError) as error:
+        return run_limited(work, ScanFile, LIMITS, exhausted=_TOO_MUCH, follow=follow)
+    except ValueError as error:
         raise ValueError(f"{path.name}: {error}") from error
 
 
@@ -74,15 +61,11 @@ def read_picture_in_sandbox(path: Path, /) -> NDArray[np.uint8]:
     """Decodes a picture (height, width, 3), sRGB; ValueError with what to do for another file, OSError where it cannot
     be read."""
     data = _read_whole(path, LARGEST_PICTURE)
-
-    def work(_: Tell) -> bytes:
-        pixels = read_picture(data)
-        return msgspec.msgpack.encode((*pixels.shape[:2], pixels.tobytes()))
-
     try:
-        found = run_limited(work, LIMITS, exhausted="decoding it needs more time or memory than any photograph")
-        rows, columns, pixels = msgspec.msgpack.decode(found, type=tuple[int, int, bytes])
-        return np.frombuffer(pixels, np.uint8).reshape(rows, columns, 3)
+        return run_limited(
+            lambda _: read_picture(data), NDArray[np.uint8], LIMITS,
+            exhausted="decoding it needs more time or memory than any photograph",
+        )  # fmt: skip
     except ValueError as error:
         raise ValueError(f"{path.name}: {error}") from error
 
@@ -91,15 +74,17 @@ def find_beside(path: Path, name: str, /) -> bytes | None:
     """The bytes of the file of this name beside a scan, or in a folder below it; None where there is none.
 
     Whole paths of another machine, and ones that lead elsewhere, are taken by their last part alone.
+
+    path: of the scan; name: as the scan's file gives it.
     """
     folder = path.resolve().parent
     parts = PurePosixPath(name.replace("\\", "/")).parts
     inside = parts and not any(part == ".." or part == "/" or ":" in part for part in parts)
     for way in ([Path(*parts)] if inside else []) + [Path(part) for part in parts[-1:] if part not in ("..", "/")]:
         try:
-            found = (folder / way).resolve()
-            if found.is_relative_to(folder) and found.is_file() and found.stat().st_size <= LARGEST:
-                return found.read_bytes()
+            file = (folder / way).resolve()
+            if file.is_relative_to(folder) and file.is_file() and file.stat().st_size <= LARGEST:
+                return file.read_bytes()
         except (OSError, ValueError):  # no name of a file: too long, with a zero in it
             continue
     return None
@@ -115,34 +100,3 @@ def _read_whole(path: Path, largest: int) -> bytes:
     if size > largest:
         raise ValueError(f"{path.name} has {size} bytes; expected {largest} at most: export it with fewer points")
     return path.read_bytes()
-
-
-def _plain(found: ScanFile) -> _PlainScan:
-    scan, texture = found.scan, found.scan.texture
-    return _PlainScan(
-        scan.positions.tobytes(),
-        None if scan.triangles is None else scan.triangles.astype(np.int32).tobytes(),
-        None if scan.colours is None else scan.colours.tobytes(),
-        None if texture is None else (texture.shape[0], texture.shape[1], texture.tobytes()),
-        None if scan.texcoords is None else scan.texcoords.tobytes(),
-        {name: moves.tobytes() for name, moves in scan.shapes.items()},
-        list(found.notes),
-    )
-
-
-def _scan_file(plain: _PlainScan) -> ScanFile:
-    """The scan of what came back; `Scan` proves all of it again."""
-    triangles, colours, texture, texcoords = plain.triangles, plain.colours, plain.texture, plain.texcoords
-    scan = Scan(
-        _points(plain.positions),
-        None if triangles is None else np.frombuffer(triangles, np.int32).reshape(-1, 3),
-        None if colours is None else np.frombuffer(colours, np.uint8).reshape(-1, 3),
-        None if texture is None else np.frombuffer(texture[2], np.uint8).reshape(texture[0], texture[1], 3),
-        None if texcoords is None else np.frombuffer(texcoords, np.float64).reshape(-1, 3, 2),
-        {name: _points(moves) for name, moves in plain.shapes.items()},
-    )
-    return ScanFile(scan, tuple(plain.notes))
-
-
-def _points(data: bytes) -> NDArray[np.float64]:
-    return np.frombuffer(data, np.float64).reshape(-1, 3)

@@ -19,19 +19,19 @@ from omote.interchange.formats.error_reasons import explain_error
 from omote.server.http.editor_link import NO_FILE
 from omote.server.http.long_requests import CancelledRequestError, LongRequests, request_id
 from omote.server.http.uploads import CANCELLED, AddItems, RunFileJob
-from omote.server.scans.photograph_upload import (
+from omote.server.scans.scan_previews import Preview, ScanPreviews
+from omote.server.scans.scan_upload import (
     LARGEST_PHOTOGRAPH,
     MOST_PHOTOGRAPHS,
     POINTS_FILE,
+    choose_scan,
     read_photographs,
+    receive_files,
     receive_points,
-)  # fmt: skip
-from omote.server.scans.scan_previews import Preview, ScanPreviews
-from omote.server.scans.scan_upload import choose_scan, receive_files
+)
 from omote.server.workers.file_jobs import Imported
 from omote.server.workers.job_server import Follow, JobError
-from omote.server.workers.photograph_jobs import FitPhotographs
-from omote.server.workers.scan_jobs import FILES, FitScan, TakeScan
+from omote.server.workers.scan_jobs import FILES, FitPhotographs, FitScan, TakeScan
 
 SCANS_PATH = "/scans"
 PHOTOGRAPHS_PATH = "/photographs"
@@ -39,6 +39,7 @@ MSGPACK = "application/msgpack"
 
 Point = tuple[float, float, float]
 FitPreview = Callable[[Preview], Awaitable[web.Response]]
+Work = Callable[[web.Request, Follow], Coroutine[object, object, web.Response]]
 FileWork = tuple[Callable[[], Path], RunFileJob]
 
 
@@ -65,50 +66,33 @@ class ScanRoutes:
     def __init__(
         self, work: FileWork | None, long_requests: LongRequests, add_items: AddItems, previews: ScanPreviews
     ) -> None:
-        self._work, self._long_requests, self._add_items, self.previews = work, long_requests, add_items, previews
+        self._work = work
+        self._long_requests = long_requests
+        self._add_items = add_items
+        self.previews = previews
 
     def add_routes(self, application: web.Application) -> None:
         """Adds where scans and photographs are brought to, and where each is fitted, taken and thrown away."""
-        application.router.add_post(PHOTOGRAPHS_PATH, self.bring_photographs)
-        application.router.add_post(f"{PHOTOGRAPHS_PATH}/{{token}}", self.fit_photographs_again)
-        application.router.add_post(SCANS_PATH, self.bring)
-        application.router.add_post(f"{SCANS_PATH}/{{token}}", self.fit_again)
-        application.router.add_post(f"{SCANS_PATH}/{{token}}/face", self.take)
+        posts = {
+            PHOTOGRAPHS_PATH: self._bring_photographs,
+            f"{PHOTOGRAPHS_PATH}/{{token}}": self._fit_photographs_again,
+            SCANS_PATH: self._bring,
+            f"{SCANS_PATH}/{{token}}": self._fit_again,
+            f"{SCANS_PATH}/{{token}}/face": self._take,
+        }
+        for path, work in posts.items():
+            application.router.add_post(path, partial(self._answer, work))
         application.router.add_delete(f"{SCANS_PATH}/{{token}}", self.drop)
-
-    async def bring(self, request: web.Request) -> web.Response:
-        """Fits the scan in a form of files; responds with a `ScanPreview` (MessagePack), 400 or 503 with a sentence,
-        204 where the page ended it."""
-        return await self._answer(request, partial(self._bring, request))
-
-    async def bring_photographs(self, request: web.Request) -> web.Response:
-        """Fits the photographs in a form of files, their landmarks among them (`photograph_upload.POINTS_FILE`);
-        responds with a `PhotographPreview` (MessagePack), else as `bring`."""
-        return await self._answer(request, partial(self._bring_photographs, request))
-
-    async def fit_photographs_again(self, request: web.Request) -> web.Response:
-        """Fits photographs by landmarks that an editor moved (JSON); responds as `bring_photographs`."""
-        return await self._answer(request, partial(self._fit_photographs_again, request))
-
-    async def fit_again(self, request: web.Request) -> web.Response:
-        """Fits a scan by points that an editor gives (JSON); responds as `bring`."""
-        return await self._answer(request, partial(self._fit_again, request))
-
-    async def take(self, request: web.Request) -> web.Response:
-        """Keeps the fitted face in the show, as the body says (JSON), and throws the scan away; responds with what was
-        taken (JSON), 400 or 503 with a sentence."""
-        return await self._answer(request, partial(self._take, request))
 
     async def drop(self, request: web.Request) -> web.Response:
         """Throws a scan away."""
         self.previews.drop(request.match_info["token"])
         return web.Response(status=204)
 
-    async def _answer(
-        self, request: web.Request, work: Callable[[Follow], Coroutine[object, object, web.Response]]
-    ) -> web.Response:  # fmt: skip
+    async def _answer(self, work: Work, request: web.Request) -> web.Response:
+        """Responds with what a work gives; 400 or 503 with a sentence, 204 where the page ended it."""
         try:
-            return await self._long_requests.run(request_id(request), work)
+            return await self._long_requests.run(request_id(request), partial(work, request))
         except (ValueError, JobError, msgspec.DecodeError) as error:
             raise web.HTTPBadRequest(text=str(error)) from error
         except CancelledRequestError:
@@ -117,6 +101,8 @@ class ScanRoutes:
             raise web.HTTPServiceUnavailable(text=f"nothing was done ({explain_error(error)}).") from error
 
     async def _bring(self, request: web.Request, follow: Follow) -> web.Response:
+        """Fits the scan in a form of files; responds with a `ScanPreview` (MessagePack)."""
+
         async def fit(preview: Preview) -> web.Response:
             preview.file = choose_scan(sorted(path.name for path in (preview.folder / FILES).iterdir()))
             return await self._fit(preview, Points({}), follow)
@@ -124,6 +110,9 @@ class ScanRoutes:
         return await self._receive(request, follow, fit)
 
     async def _bring_photographs(self, request: web.Request, follow: Follow) -> web.Response:
+        """Fits the photographs in a form of files, their landmarks among them (`scan_upload.POINTS_FILE`); responds
+        with a `PhotographPreview` (MessagePack)."""
+
         async def fit(preview: Preview) -> web.Response:
             described = preview.folder / FILES / POINTS_FILE
             if not described.exists():
@@ -152,10 +141,12 @@ class ScanRoutes:
         return response
 
     async def _fit_again(self, request: web.Request, follow: Follow) -> web.Response:
+        """Fits a scan by points that an editor gives (JSON); responds as `_bring`."""
         preview = self.previews.find(request.match_info["token"])
         return await self._fit(preview, msgspec.json.decode(await request.read(), type=Points), follow)
 
     async def _fit_photographs_again(self, request: web.Request, follow: Follow) -> web.Response:
+        """Fits photographs by landmarks that an editor moved (JSON); responds as `_bring_photographs`."""
         preview = self.previews.find(request.match_info["token"])
         return await self._fit_photographs(preview, await receive_points(request), follow)
 
@@ -175,13 +166,16 @@ class ScanRoutes:
         return web.Response(body=fitted, content_type=MSGPACK, headers={"Cache-Control": "no-store"})
 
     async def _take(self, request: web.Request, follow: Follow) -> web.Response:
+        """Keeps the fitted face in the show, as the body says (JSON), and throws the scan away; responds with what was
+        taken (JSON)."""
         preview = self.previews.find(request.match_info["token"])
         wanted = msgspec.json.decode(await request.read(), type=Taking)
         assert self._work is not None  # a preview is there
-        wall, show = time.time(), str(self._work[0]())  # noqa: TID251  (dates the revision)
+        wall = time.time()  # noqa: TID251  (dates the revision)
+        show = str(self._work[0]())
         job = TakeScan(show, str(preview.folder), wanted.label, wanted.hair_style, wanted.hair, wall)
-        made = await self._do(job, follow)
-        decode = partial(msgspec.msgpack.decode, made, type=Imported)
+        data = await self._do(job, follow)
+        decode = partial(msgspec.msgpack.decode, data, type=Imported)
         imported = await asyncio.get_running_loop().run_in_executor(None, decode)
         taken = await self._add_items(partial(take_made, brought=imported.items, replaced=wanted.replaced))
         if isinstance(taken, str):

@@ -1,24 +1,104 @@
-"""Receives the files of a scan: the scan's own, and materials and pictures that lie beside it."""
+"""Receives what a page sends: a scan and what lies beside it, or photographs and the landmarks found in them."""
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+import math
+from collections.abc import Mapping, Sequence
 from pathlib import Path
 
+import msgspec
 from aiohttp import BodyPartReader, MultipartReader, web
 
 from omote.interchange.scans.scan_parts import LARGEST
 from omote.interchange.scans.scan_reader import ADVICE, READERS
+from omote.model.fitting.photographs.landmark_table import LANDMARKS
+from omote.server.workers.scan_jobs import SeenPhotograph
 
+MOST_PHOTOGRAPHS = 8
+LARGEST_PHOTOGRAPH = 16 * 2**20
+"""Bytes of one."""
+SMALLEST_SIDE = 64
+LARGEST_SIDE = 4096
+"""Pixels; pages make photographs smaller before they send them."""
+BESIDE = 0.5
+"""Parts of a picture that a landmark may lie outside it: of a face that is cut off."""
+SUFFIXES = (".jpg", ".jpeg", ".png")
+POINTS_FILE = "landmarks.json"
+LARGEST_POINTS = 2**20
+"""Bytes of the landmarks of all."""
+POINTS_CHUNK = 2**16
+_decode: msgspec.json.Decoder[list[SeenPhotograph]] = msgspec.json.Decoder(list[SeenPhotograph])
 COMPANIONS = (".mtl", ".bin", ".png", ".jpg", ".jpeg", ".webp", ".bmp", ".tga", ".tif", ".tiff", ".gif")
 """Suffixes of what may lie beside a scan."""
 MOST_FILES = 40
 CHUNK = 2**18
+"""Bytes that are read at once."""
+
+
+def read_photographs(data: bytes, sizes: Mapping[str, int], /) -> list[SeenPhotograph]:
+    """The photographs that a page describes (JSON); sizes: bytes of each file that came, by its name.
+
+    ValueError with a sentence where they are none or too many, too small or too large, where one is named twice or did
+    not come, and where landmarks are missing, not finite or far outside their picture.
+
+    data: JSON; sizes: bytes by file name.
+    """
+    try:
+        photographs = _decode.decode(data)
+    except msgspec.DecodeError as error:
+        raise ValueError(f"the landmarks of these photographs cannot be read ({error}); bring them again.") from error
+    if not 1 <= len(photographs) <= MOST_PHOTOGRAPHS:
+        raise ValueError(
+            f"{len(photographs)} photographs with a face came; expected 1 to {MOST_PHOTOGRAPHS} of one person."
+        )
+    if len({photograph.file for photograph in photographs}) < len(photographs):
+        raise ValueError("one photograph came twice; bring each once.")
+    for photograph in photographs:
+        _refuse_file(photograph, sizes)
+        _refuse_points(photograph)
+    return [msgspec.structs.replace(photograph, name=_plain_name(photograph.name)) for photograph in photographs]
+
+
+async def receive_points(request: web.Request, /) -> bytes:
+    """The body of a request with landmarks alone; ValueError where it is too large."""
+    data = bytearray()
+    async for chunk in request.content.iter_chunked(POINTS_CHUNK):  # more than a body of another request may have
+        data += chunk
+        if len(data) > LARGEST_POINTS:
+            raise ValueError(f"the landmarks are too large: {LARGEST_POINTS >> 10} kB are read at most.")
+    return bytes(data)
+
+
+def _refuse_file(seen: SeenPhotograph, sizes: Mapping[str, int]) -> None:
+    name = _plain_name(seen.name)
+    if seen.file not in sizes or Path(seen.file).suffix.lower() not in SUFFIXES:
+        raise ValueError(f"{name!r} did not come as JPEG or PNG; bring it again.")
+    if sizes[seen.file] > LARGEST_PHOTOGRAPH:
+        raise ValueError(f"{name!r} is too large: {LARGEST_PHOTOGRAPH >> 20} MB are read at most; save a smaller one.")
+    if not (SMALLEST_SIDE <= seen.width <= LARGEST_SIDE and SMALLEST_SIDE <= seen.height <= LARGEST_SIDE):
+        raise ValueError(
+            f"{name!r} has {seen.width} x {seen.height} pixels; expected {SMALLEST_SIDE} to {LARGEST_SIDE} a side."
+        )
+
+
+def _refuse_points(seen: SeenPhotograph) -> None:
+    name = _plain_name(seen.name)
+    if len(seen.points) != LANDMARKS:
+        raise ValueError(f"{name!r} came with {len(seen.points)} landmarks; expected {LANDMARKS}.")
+    if not all(math.isfinite(part) for point in seen.points for part in point):
+        raise ValueError(f"landmarks of {name!r} are no finite numbers; look for them again.")
+    if not all(-BESIDE <= part <= 1.0 + BESIDE for point in seen.points for part in point[:2]):
+        raise ValueError(f"landmarks of {name!r} lie outside the picture; put them where they belong.")
+
+
+def _plain_name(name: str) -> str:
+    """A name for sentences and notes."""
+    return "".join(letter for letter in name if letter.isprintable())[-80:] or "a photograph"
 
 
 def clean_name(file: str, /) -> str:
     """The name under which a file is kept: printable, no folder, not hidden."""
-    return "".join(each for each in Path(file.replace("\\", "/")).name if each.isprintable())[-80:].lstrip("-.")
+    return "".join(letter for letter in Path(file.replace("\\", "/")).name if letter.isprintable())[-80:].lstrip("-.")
 
 
 def choose_scan(names: Sequence[str], /) -> str:
@@ -43,6 +123,8 @@ async def receive_files(request: web.Request, folder: Path, /, *, most: int | No
     """Writes the files of a form into a folder; ValueError with a sentence where they are too large or too many.
 
     most: bytes of all of them, None: as many as of a scan.
+
+    request: with a form; folder: where the files go; most: bytes.
     """
     room = most = LARGEST if most is None else most
     try:

@@ -7,19 +7,19 @@ from collections.abc import Callable
 from aiohttp import web
 
 from omote.inputs.sounds.sound_file import LARGEST_SOUND, SoundFile, read_sound
+from omote.show.objects.speech import MOST_BYTES, MOST_SOUNDS, SOUNDS_PATH
 
-SOUNDS_PATH = "/sounds"
-MOST_SOUNDS, MOST_BYTES = 256, 2**26
 CHUNK = 2**16
+"""Bytes that are read at once."""
 KEPT = "private, max-age=31536000, immutable"
 
 
 class Sounds:
     """Takes in sounds and gives them to stages; known: is told the keys of all that there are with their seconds."""
 
-    def __init__(self, known: Callable[[dict[str, float]], None]) -> None:
+    def __init__(self, tell_lengths: Callable[[dict[str, float]], None]) -> None:
         self._sounds: dict[str, SoundFile] = {}
-        self._known = known
+        self._tell_lengths = tell_lengths
 
     def add_routes(self, application: web.Application) -> None:
         """Adds where sounds are sent to, and where each is fetched."""
@@ -51,6 +51,6 @@ class Sounds:
         """Keeps a sound as the newest, in the place of the oldest where there is no room."""
         self._sounds.pop(sound.key, None)
         self._sounds[sound.key] = sound
-        while len(self._sounds) > MOST_SOUNDS or sum(len(each.data) for each in self._sounds.values()) > MOST_BYTES:
+        while len(self._sounds) > MOST_SOUNDS or sum(len(kept.data) for kept in self._sounds.values()) > MOST_BYTES:
             del self._sounds[next(iter(self._sounds))]
-        self._known({key: each.seconds for key, each in self._sounds.items()})
+        self._tell_lengths({key: kept.seconds for key, kept in self._sounds.items()})

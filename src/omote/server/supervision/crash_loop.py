@@ -5,7 +5,8 @@ from __future__ import annotations
 import signal
 from collections import deque
 
-DEATHS, WITHIN_SECONDS = 3, 30.0
+DEATHS = 3
+WITHIN_SECONDS = 30.0
 FROM_OUTSIDE = {-signal.SIGKILL, -signal.SIGTERM, -signal.SIGINT, -signal.SIGHUP}
 """Exit codes of servers that were ended from outside: no fault of the state."""
 
@@ -17,7 +18,10 @@ class CrashLoop:
         self._deaths: deque[float] = deque(maxlen=DEATHS)
 
     def record_end(self, now: float, code: int) -> None:
-        """Records that a server ended; code: its exit status, or minus the signal that killed it."""
+        """Records that a server ended; code: its exit status, or minus the signal that killed it.
+
+        now: seconds, monotonic.
+        """
         if code != 0 and code not in FROM_OUTSIDE:
             self._deaths.append(now)
 

@@ -33,16 +33,16 @@ class DeviceSockets:
     def handed(self) -> dict[str, int]:
         """Their descriptors, by the option of a standby that takes each."""
         single = {"--sacn": self.sacn, "--artnet": self.artnet}
-        found = {name: each.fileno() for name, each in single.items() if each is not None}
-        trackers = {OPTION + name: each.fileno() for name, each in self.trackers.items()}
-        return {**({} if self.osc is None else self.osc.handed), **found, **trackers}
+        lighting = {name: datagrams.fileno() for name, datagrams in single.items() if datagrams is not None}
+        trackers = {OPTION + name: datagrams.fileno() for name, datagrams in self.trackers.items()}
+        return {**({} if self.osc is None else self.osc.handed), **lighting, **trackers}
 
     @property
     def heard(self) -> list[str]:
         """What is heard, in words."""
         named = {"OSC": self.osc, "sACN": self.sacn, "Art-Net": self.artnet}
         trackers = [TRACKER_PROTOCOLS[name].title for name in self.trackers]
-        return [name for name, each in named.items() if each is not None] + trackers
+        return [name for name, opened in named.items() if opened is not None] + trackers
 
     @property
     def advice(self) -> list[str]:
@@ -51,9 +51,9 @@ class DeviceSockets:
 
     def close(self) -> None:
         """Closes all of them."""
-        for each in (self.osc, self.sacn, self.artnet, *self.trackers.values()):
-            if each is not None:
-                each.close()
+        for opened in (self.osc, self.sacn, self.artnet, *self.trackers.values()):
+            if opened is not None:
+                opened.close()
 
 
 @dataclass(frozen=True)
@@ -100,29 +100,24 @@ def add_device_options(parser: argparse.ArgumentParser) -> None:
 def read_device_options(options: argparse.Namespace) -> DeviceOptions:
     """What a standby was told of devices."""
     descriptors = (options.osc, options.osc_connections, options.sacn, options.artnet)
-    given = {name: getattr(options, f"{OPTION}{name}".strip("-").replace("-", "_")) for name in TRACKER_PROTOCOLS}
-    trackers = {name: descriptor for name, descriptor in given.items() if descriptor is not None}
+    handed = {name: getattr(options, f"{OPTION}{name}".strip("-").replace("-", "_")) for name in TRACKER_PROTOCOLS}
+    trackers = {name: descriptor for name, descriptor in handed.items() if descriptor is not None}
     return DeviceOptions(
-        *descriptors,
-        tuple(options.universe),
-        options.allow,
-        options.bindings,
-        trackers,
-        options.trackers,
-        options.send,
+        *descriptors, tuple(options.universe), options.allow, options.bindings, trackers, options.trackers, options.send
     )
 
 
 def read_universes(text: str) -> tuple[int, ...]:
     """The universes of a list as it is typed, `1,3-5`; none for "off"; ValueError with what is wrong."""
-    found: dict[int, None] = {}
+    universes: dict[int, None] = {}
     for word in text.split(",") if text.strip().lower() != "off" else ():
         first, dash, last = word.strip().partition("-")
-        low, high = _universe(first, word), _universe(last if dash else first, word)
-        found |= dict.fromkeys(range(low, min(high, low + MOST_UNIVERSES) + 1))
-        if low > high or len(found) > MOST_UNIVERSES:
+        low = _universe(first, word)
+        high = _universe(last if dash else first, word)
+        universes |= dict.fromkeys(range(low, min(high, low + MOST_UNIVERSES) + 1))
+        if low > high or len(universes) > MOST_UNIVERSES:
             raise ValueError(f"{text[:60]!r} is no list of at most {MOST_UNIVERSES} universes, such as 1,3-5")
-    return tuple(found)
+    return tuple(universes)
 
 
 def _universe(text: str, word: str) -> int:
@@ -135,7 +130,10 @@ def _universe(text: str, word: str) -> int:
 def listen_for_sacn(host: str, universes: Sequence[int], port: int = SACN_PORT) -> socket.socket:
     """A socket that hears sACN, unicast and in the groups of these universes on the networks of the show's host, of a
     show of this machine alone too where its desk may be: OLA sends by a network card, never on loopback; OSError with
-    a message."""
+    a message.
+
+    host: of the show; universes: their numbers; port: UDP.
+    """
     datagrams = _listen(host, port, "sACN")
     address = LOOPBACK if host in ANYWHERE else socket.gethostbyname(host)
     interfaces = {address: None, own_address() if is_loopback(address) else None: None}
@@ -154,7 +152,7 @@ def listen_for_sacn(host: str, universes: Sequence[int], port: int = SACN_PORT) 
 
 
 def listen_for_artnet(host: str, port: int = ARTNET_PORT) -> socket.socket:
-    """A socket that hears Art-Net, broadcast too; OSError with a message."""
+    """A socket that hears Art-Net, broadcast too; OSError with a message. host: of the show; port: UDP."""
     return _listen(host, port, "Art-Net")
 
 

@@ -22,20 +22,20 @@ class EarlyTicks:
         self._spoke.set()
 
     def forget(self) -> None:
-        """What has been noted so far is on air."""
+        """Forgets what has been noted so far: it is on air."""
         self._spoke.clear()
 
     async def spoke_within(self, seconds: float) -> bool:
         """Whether a device has spoken since `forget`, or speaks within some seconds; returns as soon as one has."""
         loop = asyncio.get_running_loop()
-        for each in self._sockets:  # here alone: a socket that nobody reads would wake the loop again and again
-            loop.add_reader(each, self._spoke.set)
+        for datagrams in self._sockets:  # here alone: a socket that nobody reads would wake the loop again and again
+            loop.add_reader(datagrams, self._spoke.set)
         try:
             async with asyncio.timeout(seconds):
                 await self._spoke.wait()
         except TimeoutError:
             return False
         finally:
-            for each in self._sockets:
-                loop.remove_reader(each)
+            for datagrams in self._sockets:
+                loop.remove_reader(datagrams)
         return True

@@ -18,7 +18,10 @@ HOSTS = "give --host 127.0.0.1 for this machine alone, 0.0.0.0 for the whole net
 
 def listen_on(host: str, port: int) -> socket.socket:
     """Opens the listening socket of a show; OSError with a message when the port is taken or the address is not
-    ours."""
+    ours.
+
+    host: the address; port: 0 for any.
+    """
     if not host:
         raise OSError(f"--host is empty: {HOSTS}.")
     family = socket.AF_INET6 if ":" in host else socket.AF_INET
@@ -34,7 +37,7 @@ def listen_for_osc(host: str, port: int) -> OscSockets:
     """Opens the sockets of OSC: UDP and TCP under one number (0: any that is free in both); OSError with a message
     where UDP cannot be had.
 
-    Where another program has that port of TCP, OSC is heard over UDP alone.
+    Where another program has that port of TCP, OSC is heard over UDP alone. host: the address; port: of both.
     """
     sockets = _listen_for_osc(host, port)
     for _ in range(FREE_PORT_TRIES if port == 0 else 0):
@@ -69,7 +72,8 @@ def _refused_address(host: str, port: int, error: OSError) -> str:
         return f"no address of the name {host} is known: {HOSTS}."
     if error.errno == errno.EADDRNOTAVAIL:
         return f"{host} is no address of this machine: {HOSTS}."
-    place, advice = f"port {port} on {host} cannot be opened", "name another with --port, 0 for any free one"
+    place = f"port {port} on {host} cannot be opened"
+    advice = "name another with --port, 0 for any free one"
     if error.errno == errno.EADDRINUSE:
         return f"{place} (it is in use by another program, perhaps another show): end that, or {advice}."
     if error.errno in (errno.EACCES, errno.EPERM) and port < LOWEST_FREE_PORT:

@@ -20,6 +20,7 @@ def prepare_show(path: Path, host: str, port: int, *, tell: Report, report: Repo
     """The lock of a show file and the listening socket; where one of them cannot be, nothing is left behind.
 
     tell: gets which file was opened or made; report: what was wrong with it. OSError, ShowFileError, ShowLockedError.
+    path: of the show file; host, port: where to listen.
     """
     read_pages()
     lock = lock_show(path)
@@ -37,7 +38,10 @@ def prepare_show(path: Path, host: str, port: int, *, tell: Report, report: Repo
 
 
 def open_or_make(path: Path, report: Report) -> str:
-    """Opens a show file, or makes it, so that what is wrong with it is known at once; says which of the two."""
+    """Opens a show file, or makes it, so that what is wrong with it is known at once; says which of the two.
+
+    path: of the file; report: told what was wrong with it.
+    """
     new = not path.exists() or path.stat().st_size == 0
     show = open_newest(path, report)
     try:

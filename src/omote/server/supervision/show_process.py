@@ -7,8 +7,8 @@ import os
 import signal
 import socket
 import sys
-from collections.abc import Callable, Coroutine, Mapping
-from contextlib import closing
+from collections.abc import AsyncIterator, Callable, Coroutine, Mapping
+from contextlib import asynccontextmanager, closing, suppress
 from dataclasses import dataclass
 from functools import partial
 from pathlib import Path
@@ -22,6 +22,7 @@ from omote.server.access.show_addresses import outside_address
 from omote.server.http.app import ShowServer
 from omote.server.http.cast_documents import CastDocuments, built_in_documents
 from omote.server.http.cast_reload import gather_cast
+from omote.server.http.connection_limit import HEAD_SECONDS, ConnectionLimit
 from omote.server.http.static_pages import Page, read_pages
 from omote.server.persistence.authored_work import AuthoredWork, open_authored_work
 from omote.server.persistence.backup_thread import BackupThread
@@ -42,6 +43,9 @@ from omote.server.workers.file_jobs import run_file_job
 from omote.server.workers.job_server import JobServer, open_job_server
 from omote.server.workers.workshop import open_workshop
 from omote.showfile.show_file import ShowFile
+
+KEEPALIVE_SECONDS = 75.0
+"""For which a connection stays open between two requests."""
 
 
 @dataclass(frozen=True)
@@ -70,12 +74,16 @@ def load_material() -> ShowMaterial:
 
 
 def report(sentence: str) -> None:
-    """Prints a sentence on the operator's terminal."""
-    sys.stderr.write(f"omote: {sentence}\n")
+    """Prints a sentence on the operator's terminal; one that is gone misses it."""
+    with suppress(OSError):
+        sys.stderr.write(f"omote: {sentence}\n")
 
 
 def run(material: ShowMaterial, order: Order, *, show: Path, pipes: Pipes) -> None:
-    """Plays the show to its end, on uvloop where it is available."""
+    """Plays the show to its end, on uvloop where it is available.
+
+    material: cast and pages; order: from where to go on; show: its file; pipes: from the supervisor.
+    """
     board = NoticeBoard(order.notices)
     tell = board.with_report(report)
     jobs = start_processes(material.documents, tell)  # while there is neither thread nor loop, which no copy may have
@@ -90,7 +98,10 @@ def run(material: ShowMaterial, order: Order, *, show: Path, pipes: Pipes) -> No
 
 def start_processes(documents: CastDocuments, tell: Callable[[str], None]) -> JobServer | None:
     """Starts the workshop, which computes orders (where that fails, a thread of the server does), and the process that
-    begins imports and exports (None where that fails)."""
+    begins imports and exports (None where that fails).
+
+    documents: compute by the workshop from now on; tell: tells the operator.
+    """
     try:
         documents.use_workshop(open_workshop(documents.compute), tell)
     except OSError as error:
@@ -105,10 +116,15 @@ def start_processes(documents: CastDocuments, tell: Callable[[str], None]) -> Jo
 async def play(
     material: ShowMaterial, order: Order, *, show: Path, pipes: Pipes, board: NoticeBoard, jobs: JobServer | None = None
 ) -> None:
-    """Plays until the control pipe ends or SIGTERM comes; raises what a tick raises."""
+    """Plays until the control pipe ends or SIGTERM comes; raises what a tick raises.
+
+    material, order, show, pipes: as of `run`; board: the notices; jobs: does imports and exports, None for none.
+    """
     os.set_blocking(pipes.pulse, False)  # a supervisor that does not read holds up no tick
     tell = board.with_report(report)
-    file, documents, gate = open_journal(show, tell), material.documents, FileGate()
+    file = open_journal(show, tell)
+    documents = material.documents
+    gate = FileGate()
     backup = BackupThread(file.again(), tell, gate) if file else None
     authored_work, reopen = open_reopenable_work(file, documents, tell, backup, gate)
     server = ShowServer(restore(documents.playing, file, order, tell), documents, material.pages)
@@ -125,14 +141,17 @@ async def play(
         scans.close()
         if journal:
             journal.offer(journal_entry(server.session))
-        for each in (jobs, watch, authored_work and authored_work.committer, journal, backup):
-            if each:
-                each.close()
+        for resource in (jobs, watch, authored_work and authored_work.committer, journal, backup):
+            if resource:
+                resource.close()
 
 
 def enable_files(server: ShowServer, work: FileWork | None, scans: ScanPreviews) -> None:
     """Adds imports, exports and scans; work: where the show file lies, and what does a `FileJob`, None where there is
-    no file."""
+    no file.
+
+    server: gets them; scans: those under way.
+    """
     if work is not None:
         server.enable_files(*work)
     if server.editing is not None:
@@ -141,34 +160,53 @@ def enable_files(server: ShowServer, work: FileWork | None, scans: ScanPreviews)
 
 
 async def serve(server: ShowServer, tick: Tick, pipes: Pipes, show: Path | None = None) -> None:
-    """Hears devices, answers pages and ticks until the control pipe ends or SIGTERM comes. show: its file."""
+    """Hears devices, answers pages and ticks until the control pipe ends or SIGTERM comes. show: its file.
+
+    server: answers; tick: called on each beat; pipes: from the supervisor.
+    """
     early = EarlyTicks()
     server.device_spoke = early.note
     devices = await start_devices(server, pipes.devices, report, early, show)
-    runner = await start_serving(server, pipes.listen, pipes.access)
-    try:
-        await run_until_ended(run_ticks(tick, early=early), pipes.control)
-    finally:
-        await asyncio.gather(server.close_all(), *(device.close() for device in devices))
-        await runner.cleanup()
+    async with serving(server, pipes.listen, pipes.access):
+        try:
+            await run_until_ended(run_ticks(tick, early=early), pipes.control)
+        finally:  # before what answers is cleaned up, which waits for links that are open
+            await asyncio.gather(server.close_all(), *(device.close() for device in devices))
 
 
 def tell_moved(pulse: int, path: Path) -> None:
-    """Tells the supervisor from where the next process is to open the show file."""
+    """Tells the supervisor from where the next process is to open the show file.
+
+    pulse: the pipe to it; path: where the file lies now.
+    """
     send_pulse(pulse, write_notice(ShowMoved(str(path))))
 
 
-async def start_serving(server: ShowServer, listen: int, access: AccessSetup = OPEN_TO_ALL) -> web.AppRunner:
-    """Answers pages and links on a listening socket, given by its descriptor, until the runner is cleaned up; access:
-    whom, and over https or not."""
+@asynccontextmanager
+async def serving(server: ShowServer, listen: int, access: AccessSetup = OPEN_TO_ALL) -> AsyncIterator[None]:
+    """Answers pages and links on a listening socket, given by its descriptor, for as long as it is entered.
+
+    server: answers; listen: the descriptor; access: whom, and over https or not.
+    """
     server.enable_access(access.open_control(report), access.authority)
     listening = socket.socket(fileno=listen)
     host, port = listening.getsockname()[:2]
     server.outside = outside_address(host, port, "http" if access.tls is None else "https")
-    runner = web.AppRunner(server.application(own_names()), access_log=None, shutdown_timeout=1.0)
+    runner = web.AppRunner(
+        server.application(own_names()), access_log=None, shutdown_timeout=1.0, keepalive_timeout=KEEPALIVE_SECONDS
+    )
     await runner.setup()
-    await web.SockSite(runner, listening, ssl_context=access.tls).start()
-    return runner
+    answering = runner.server
+    assert answering is not None
+    handshake = None if access.tls is None else HEAD_SECONDS
+    listener = await asyncio.get_running_loop().create_server(
+        ConnectionLimit(answering), sock=listening, ssl=access.tls, ssl_handshake_timeout=handshake
+    )
+    try:
+        yield
+    finally:
+        listener.close()
+        await runner.cleanup()
 
 
 def open_reopenable_work(
@@ -178,7 +216,11 @@ def open_reopenable_work(
     backup: BackupThread | None = None,
     gate: FileGate | None = None,
 ) -> tuple[AuthoredWork | None, Callable[[], AuthoredWork | None]]:
-    """Opens the authored work of a show file and adds it to the cast; also returns the function that reopens it."""
+    """Opens the authored work of a show file and adds it to the cast; also returns the function that reopens it.
+
+    file: the show file, None for none; documents: of the cast; report: tells the operator; backup: keeps copies; gate:
+    before the file.
+    """
     if file is None:
         return None, lambda: None
     gate = gate or FileGate()
@@ -198,7 +240,7 @@ def open_reopenable_work(
 
 
 async def run_until_ended(ticking: Coroutine[object, object, None], control: int) -> None:
-    """Runs `beating` until the control pipe or SIGTERM ends it; raises what it raises."""
+    """Runs `ticking` until the pipe `control` or SIGTERM ends it; raises what it raises."""
     ended = asyncio.Event()
     loop = asyncio.get_running_loop()
     loop.add_reader(control, ended.set)

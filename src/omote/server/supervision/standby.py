@@ -11,6 +11,7 @@ import argparse
 import contextlib
 import gc
 import os
+import resource
 import select
 import signal
 import socket
@@ -19,6 +20,7 @@ import time
 from collections.abc import Callable
 from pathlib import Path
 
+from omote.model.transfer.fold_repair import warm_repair
 from omote.perform.scene.scene import Scene
 from omote.server.access.access_setup import add_access_options, load_access, read_access_options
 from omote.server.http.cast_documents import CastDocuments
@@ -33,13 +35,18 @@ from omote.stage_data.assets import compound_asset
 
 END_SECONDS = 3.0
 """How long servers may take to end when their supervisor is gone."""
+MOST_DESCRIPTORS = 65536
 
 Start = Callable[[Order, int, int], int]
 
 
 def main(arguments: list[str] | None = None, load: Callable[[], ShowMaterial] = load_material) -> int:
-    """Loads and warms everything, reports ready, and serves orders; returns the exit status."""
+    """Loads and warms everything, reports ready, and serves orders; returns the exit status.
+
+    arguments: of the command line; load: gives the cast and the pages.
+    """
     options = _options(arguments)
+    allow_descriptors()
     signal.signal(signal.SIGINT, signal.SIG_IGN)  # a terminal sends it to all; the supervisor decides
     try:
         access = load_access(read_access_options(options))
@@ -54,18 +61,28 @@ def main(arguments: list[str] | None = None, load: Callable[[], ShowMaterial] = 
             pipes = Pipes(options.listen, control, pulse, read_device_options(options), access)
             return fork_server(line, lambda: run(material, order, show=Path(order.show or options.show), pipes=pipes))
 
-        raise_priority()
+        raise_priority(leads_session=True)
         send_news(line, Ready())
         serve_orders(line, start)
     return 0
 
 
+def allow_descriptors() -> None:
+    """Raises the number of descriptors that servers may have, as far as this process may: pages and programs that
+    connect take one each."""
+    _, most = resource.getrlimit(resource.RLIMIT_NOFILE)
+    wanted = MOST_DESCRIPTORS if most == resource.RLIM_INFINITY else min(most, MOST_DESCRIPTORS)
+    resource.setrlimit(resource.RLIMIT_NOFILE, (wanted, most))
+
+
 def warm(documents: CastDocuments) -> None:
     """Runs once what is slow the first time: compiles or loads kernels and fills caches."""
     cast = documents.cast
-    face = next(iter(cast.faces.values()))
-    for expression in list(cast.expressions)[:2]:
-        compound_asset(cast, face, expression)
+    # Another face than the generic one goes through more kernels: the first that a show calls would wait for them.
+    for face in list(cast.faces.values())[:2]:
+        for expression in list(cast.expressions)[:2]:
+            compound_asset(cast, face, expression)
+    warm_repair()
     Scene.begun(cast).advance(1.0 / STATE_RATE)
     _ = documents.worker.runner, documents.worker.net, documents.worker.welcome
     gc.collect()
@@ -73,7 +90,10 @@ def warm(documents: CastDocuments) -> None:
 
 
 def serve_orders(line: socket.socket, start: Start) -> None:
-    """Starts a server for each order and reports each that ended, until the supervisor is gone."""
+    """Starts a server for each order and reports each that ended, until the supervisor is gone.
+
+    line: to the supervisor; start: starts a server.
+    """
     wake, woken = os.pipe()
     os.set_blocking(wake, False)
     os.set_blocking(woken, False)
@@ -100,7 +120,10 @@ def serve_orders(line: socket.socket, start: Start) -> None:
 
 
 def wait_for_servers(servers: set[int], wake: int) -> None:
-    """Waits until servers whose supervisor is gone have ended, and kills those that do not."""
+    """Waits until servers whose supervisor is gone have ended, and kills those that do not.
+
+    servers: their process ids; wake: readable once one has ended.
+    """
     deadline = time.monotonic() + END_SECONDS
     while (servers := servers - {ended.pid for ended in reap_servers()}) and (left := deadline - time.monotonic()) > 0:
         select.select([wake], [], [], left)
@@ -112,7 +135,10 @@ def wait_for_servers(servers: set[int], wake: int) -> None:
 
 
 def fork_server(line: socket.socket, play: Callable[[], None]) -> int:
-    """Forks a child that plays and exits; returns its process id. The child closes its copy of the line."""
+    """Forks a child that plays and exits; returns its process id. The child closes its copy of the line.
+
+    line: to the supervisor; play: what the child does.
+    """
 
     def play_in_child() -> None:
         line.close()

@@ -38,7 +38,9 @@ class StartLimit:
 
     def record_play(self) -> bool:
         """A server ticked for the first time; says whether none had before it."""
-        first, self.played, self.failures = not self.played, True, 0
+        first = not self.played
+        self.played = True
+        self.failures = 0
         return first
 
     def record_server(self) -> float:

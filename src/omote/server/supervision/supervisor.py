@@ -37,16 +37,16 @@ from omote.server.process.process_messages import (
 )
 from omote.server.supervision.crash_loop import CrashLoop
 from omote.server.supervision.start_limit import FAILURES, StartLimit
-from omote.show.messages import Notice
+from omote.show.objects.link import Notice
 
 PROGRAM = (sys.executable, "-m", "omote.server.supervision.standby")
-HANG_SECONDS = 1.0
+HANG_SECONDS = 0.6
 """Silence of a playing server after which it is replaced."""
 START_SECONDS = 10.0
 """Seconds from an order to the first tick after which a server counts as hung."""
 END_SECONDS = 3.0
 """How long servers may take to end when told to."""
-WAIT_SECONDS = 0.25
+WAIT_SECONDS = 0.15
 LONGEST_EXCUSE = 4.0
 """Seconds of silence at most that the starving of others than a server's main thread excuses: one that hangs on a
 starved machine is found by then."""
@@ -79,7 +79,8 @@ class Server:
 
     def hear(self, now: float) -> None:
         """Notes a sign of life."""
-        self.heard, self.late = now, 0.0
+        self.heard = now
+        self.late = 0.0
         self.waited, self.locked = self._waiting()
 
     def hangs(self, now: float) -> bool:
@@ -89,7 +90,8 @@ class Server:
         That is when its main thread was ready and waited; when another of its threads did, which may hold what the main
         one needs; and when the supervisor itself came late.
         """
-        silent, most = now - self.heard, HANG_SECONDS if self.playing else START_SECONDS
+        silent = now - self.heard
+        most = HANG_SECONDS if self.playing else START_SECONDS
         if silent <= most:
             return False
         waited, locked = self._waiting()
@@ -121,15 +123,22 @@ class Supervisor:
         notices: Sequence[Notice] = (),
         handed: Mapping[str, int] = MappingProxyType({}),
     ) -> None:
-        self._listen, self._lock, self._show, self._program = listen, lock, show, tuple(program)
-        self._report, self._opened = report, opened
+        self._listen = listen
+        self._lock = lock
+        self._show = show
+        self._program = tuple(program)
+        self._report = report
+        self._opened = opened
         self._standby: Standby | None = None
         self._server: Server | None = None
-        self._crash_loop, self._start_limit = CrashLoop(), StartLimit()
+        self._crash_loop = CrashLoop()
+        self._start_limit = StartLimit()
         self._failover: Failover | None = None
-        self._notices, self._handed = list(notices), handed
+        self._notices = list(notices)
+        self._handed = handed
         self._not_before = self._checked = 0.0
-        self._epoch, self._ending = 0, False
+        self._epoch = 0
+        self._ending = False
         self._selector = selectors.DefaultSelector()
 
     def run(self) -> int:
@@ -138,8 +147,10 @@ class Supervisor:
         woken.setblocking(False)
         self._selector.register(wake, selectors.EVENT_READ)
         before = signal.set_wakeup_fd(woken.fileno(), warn_on_full_buffer=False)
-        for number in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP):
+        for number in (signal.SIGINT, signal.SIGTERM):
             signal.signal(number, self._end)
+        if signal.getsignal(signal.SIGHUP) is not signal.SIG_IGN:  # nohup
+            signal.signal(signal.SIGHUP, self._end)
         try:
             while not self._ending:
                 if self._start_limit.reached:
@@ -251,9 +262,11 @@ class Supervisor:
             self._drop_server(server)
             return
         server.hear(time.monotonic())
-        told, server.rest = read_pulse(server.rest + data)
-        self._notices = [*self._notices, *(each for each in told if isinstance(each, Notice))][-MOST_NOTICES:]
-        self._show = next((Path(each.show) for each in reversed(told) if isinstance(each, ShowMoved)), self._show)
+        messages, server.rest = read_pulse(server.rest + data)
+        notices = [message for message in messages if isinstance(message, Notice)]
+        self._notices = [*self._notices, *notices][-MOST_NOTICES:]
+        moves = [message for message in messages if isinstance(message, ShowMoved)]
+        self._show = Path(moves[-1].show) if moves else self._show
         if not server.playing:
             server.playing = True
             raise_priority()

@@ -16,8 +16,8 @@ from omote.server.persistence.journal import JournalWriter
 from omote.server.persistence.restore import journal_entry
 from omote.server.process.notice_board import NoticeBoard
 from omote.server.process.process_messages import PULSE_TICKS, TICK, write_notice
-from omote.show.leases.leasing import LeaseSnapshot
 from omote.show.messages import STATE_RATE
+from omote.show.ownership.leasing import LeaseSnapshot
 
 LATE_TICKS = 6
 """After a longer pause (a sleeping laptop) the loop starts anew; it never catches up in a burst."""
@@ -37,29 +37,32 @@ class Early(Protocol):
     """Where devices are heard between ticks (`EarlyTicks`)."""
 
     def forget(self) -> None:
-        """What has been noted so far is on air."""
+        """Forgets what has been noted so far: it is on air."""
 
     async def spoke_within(self, seconds: float) -> bool:
         """Whether a device has spoken since `forget`, or speaks within some seconds."""
 
 
 async def run_ticks(
-    tick: Tick,
-    *,
-    rate: float = STATE_RATE,
-    clock: Callable[[], float] = time.monotonic,
-    early: Early | None = None,
+    tick: Tick, *, rate: float = STATE_RATE, clock: Callable[[], float] = time.monotonic, early: Early | None = None
 ) -> None:
     """Calls `tick(beat)` `rate` times a second, for ever; early: in every second beat at most once more, with None, as
-    soon as a device speaks there."""
-    start, count, beat, extra = clock(), 0, 0, False
+    soon as a device speaks there.
+
+    rate: beats a second; clock: seconds, monotonic.
+    """
+    start = clock()
+    count = 0
+    beat = 0
+    extra = False
     while True:
         tick(beat)
         beat += 1
         count += 1
         wait = start + count / rate - clock()
         if wait < -LATE_TICKS / rate:
-            start, count = clock(), 0
+            start = clock()
+            count = 0
         extra = early is not None and not extra and await _is_early(early, wait, APART / rate)
         if extra:
             tick(None)
@@ -79,7 +82,10 @@ class ShowTick:
     """One tick of a playing server: its state, its heartbeat and its journal."""
 
     def __init__(self, server: ShowServer, journal: JournalWriter | None, pulse: int, board: NoticeBoard) -> None:
-        self._server, self._journal, self._pulse, self._board = server, journal, pulse, board
+        self._server = server
+        self._journal = journal
+        self._pulse = pulse
+        self._board = board
         self._kept: tuple[SceneSnapshot, LeaseSnapshot] | None = None
 
     def tick(self, beat: int | None) -> None:
@@ -108,6 +114,9 @@ class ShowTick:
 
 
 def send_pulse(pulse: int, sign: bytes) -> None:
-    """Sends a heartbeat to the supervisor; never waits: a full or closed pipe means that nobody reads it."""
+    """Sends a heartbeat to the supervisor; never waits: a full or closed pipe means that nobody reads it.
+
+    pulse: the pipe; sign: the heartbeat, or a notice.
+    """
     with contextlib.suppress(BlockingIOError, BrokenPipeError):
         os.write(pulse, sign)

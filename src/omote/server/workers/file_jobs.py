@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 import sqlite3
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Mapping
+from dataclasses import dataclass, field
 from pathlib import Path
+from typing import Any
 
 import msgspec
 
@@ -18,9 +20,8 @@ from omote.interchange.formats.file_names import GLB, VRM
 from omote.model.cast import Cast
 from omote.server.sandbox.import_files import Brought, expressions_from, faces_from
 from omote.server.workers.job_server import Follow
-from omote.server.workers.photograph_jobs import FitPhotographs, run_photograph_fit
-from omote.server.workers.scan_jobs import FitScan, TakeScan, face_to_take, run_fit
-from omote.showfile.changes import BroughtItem, Change, Item, Kind, PutContent, PutItem, PutRevision
+from omote.server.workers.scan_jobs import FitPhotographs, FitScan, TakeScan, face_to_take, run_fit, run_photograph_fit
+from omote.showfile.changes import BroughtItem, Change, Content, Item, Kind, Revision
 from omote.showfile.database_errors import describe_error
 from omote.showfile.inspection import Inspection, inspect_show
 from omote.showfile.schema import ShowFileError
@@ -57,7 +58,25 @@ class ExportFace(msgspec.Struct, frozen=True, tag=True):
     licence: str = ""
 
 
-FileJob = ImportFile | ExportExpression | ExportFace | FitScan | FitPhotographs | TakeScan
+class BuildTouchoscLayout(msgspec.Struct, frozen=True, tag=True):
+    """The file of a layout for TouchOSC (`.tosc`), of these names."""
+
+    faces: tuple[str, ...]
+    expressions: tuple[str, ...]
+    characters: tuple[str, ...]
+
+
+@dataclass(frozen=True)
+class NamedCast:
+    """Names that can be called, without what stands for them."""
+
+    faces: Mapping[str, Any]
+    expressions: Mapping[str, Any]
+    titles: Mapping[str, Any] = field(default_factory=dict)
+    digest: str = ""
+
+
+FileJob = ImportFile | ExportExpression | ExportFace | BuildTouchoscLayout | FitScan | FitPhotographs | TakeScan
 
 
 class Imported(msgspec.Struct, frozen=True):
@@ -71,7 +90,10 @@ _job: msgspec.msgpack.Decoder[FileJob] = msgspec.msgpack.Decoder(FileJob)
 
 
 def run_file_job(job: bytes, follow: Follow, /) -> bytes:
-    """Does an encoded job and returns what it makes; ValueError with a sentence for what cannot be done."""
+    """Does an encoded job and returns what it makes; ValueError with a sentence for what cannot be done.
+
+    job: a `FileJob`, MessagePack; follow: told of steps done, all steps and what is done now.
+    """
     wanted = _job.decode(job)
     try:
         if isinstance(wanted, FitScan):
@@ -80,22 +102,34 @@ def run_file_job(job: bytes, follow: Follow, /) -> bytes:
             return msgspec.msgpack.encode(run_photograph_fit(wanted, follow))
         if isinstance(wanted, ImportFile | TakeScan):
             return msgspec.msgpack.encode(_import_file(wanted, follow))
-        found = inspect_show(Path(wanted.show))
+        if isinstance(wanted, BuildTouchoscLayout):
+            return _build_layout(wanted)
+        inspection = inspect_show(Path(wanted.show))
         if isinstance(wanted, ExportExpression):
-            return encode_document(export_document(load_cast(), found.stored, found.contents, wanted.name))
-        return _export_face(found, wanted, follow)
+            return encode_document(export_document(load_cast(), inspection.stored, inspection.contents, wanted.name))
+        return _export_face(inspection, wanted, follow)
     except (ShowFileError, OSError, OverflowError, sqlite3.Error) as error:
         raise ValueError(describe_error(error)) from error
 
 
+def _build_layout(wanted: BuildTouchoscLayout) -> bytes:
+    from omote.inputs.presets.touchosc_layout import build_touchosc_layout  # a tenth of a second that a start saves
+
+    cast = NamedCast(dict.fromkeys(wanted.faces), dict.fromkeys(wanted.expressions))
+    return build_touchosc_layout(cast, wanted.characters)
+
+
 def _import_file(wanted: ImportFile | TakeScan, follow: Follow) -> Imported:
-    found, left_out = inspect_show(Path(wanted.show)), list[str]()
-    cast = build_full_cast(load_cast(), found.stored, found.contents, left_out.append)
+    inspection = inspect_show(Path(wanted.show))
+    left_out = list[str]()
+    cast = build_full_cast(load_cast(), inspection.stored, inspection.contents, left_out.append)
     brought = list(face_to_take(wanted) if isinstance(wanted, TakeScan) else _read_file(cast, wanted, follow))
-    distinct = distinguish(load_cast(), found.stored, [arrival for arrival, _ in brought])
+    distinct = distinguish(load_cast(), inspection.stored, [arrival for arrival, _ in brought])
     arrivals = [arrival for arrival, _ in distinct]
-    said = [f"{told}; {twin}" if twin else told for (_, told), (_, twin) in zip(brought, distinct, strict=True)]
-    changes = changes_to_import(cast, found.stored, arrivals, wall=wanted.wall)
+    said = [
+        f"{sentence}; {twin}" if twin else sentence for (_, sentence), (_, twin) in zip(brought, distinct, strict=True)
+    ]
+    changes = changes_to_import(cast, inspection.stored, arrivals, wall=wanted.wall)
     return Imported(list(bring_items(changes)), [*said, *left_out])
 
 
@@ -104,13 +138,13 @@ def _read_file(cast: Cast, wanted: ImportFile, follow: Follow) -> Iterator[Broug
     return faces_from(cast, [path]) if wanted.kind == "face" else expressions_from(cast, [path], follow=follow)
 
 
-def _export_face(found: Inspection, wanted: ExportFace, follow: Follow) -> bytes:
+def _export_face(inspection: Inspection, wanted: ExportFace, follow: Follow) -> bytes:
     left_out = list[str]()  # not told: a download has no room for it, and import and the show's notices do
-    cast = build_full_cast(load_cast(), found.stored, found.contents, left_out.append)
+    cast = build_full_cast(load_cast(), inspection.stored, inspection.contents, left_out.append)
     names = choose_expressions(cast, wanted.expressions)
     credit = None
     if wanted.kind == VRM:
-        credit = Credit(wanted.authors, parse_terms([wanted.licence]), labels=face_labels(found.stored))
+        credit = Credit(wanted.authors, parse_terms([wanted.licence]), labels=face_labels(inspection.stored))
     check_kind(wanted.kind, credit)
     check_count(wanted.kind, names)
     poses = ((name, named_compound_meshes(cast, wanted.face, name)) for name in _followed(names, follow))
@@ -127,12 +161,13 @@ def _followed(names: list[str], follow: Follow) -> Iterator[str]:
 
 def bring_items(changes: Iterable[Change]) -> Iterator[BroughtItem]:
     """The items that changes add, each with its revision and the bytes of its content."""
-    contents, items = dict[str, bytes](), dict[int, Item]()
+    contents = dict[str, bytes]()
+    items = dict[int, Item]()
     for change in changes:
         match change:
-            case PutContent(key, data):
+            case Content(key, data):
                 contents[key] = data
-            case PutItem(item):
-                items[item.id] = item
-            case PutRevision(revision):
-                yield BroughtItem(items[revision.item], revision, contents[revision.content])
+            case Item():
+                items[change.id] = change
+            case Revision():
+                yield BroughtItem(items[change.item], change, contents[change.content])

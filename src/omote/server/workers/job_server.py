@@ -19,14 +19,16 @@ from contextlib import suppress
 
 import msgspec
 
-from omote.server.process.fork import close_descriptors, fork_process
+from omote.server.process.fork import close_descriptors, fork_beside, fork_process
 from omote.server.process.priority import lower_priority
-from omote.server.workers.workshop import frame
+from omote.server.workers.workshop import frame, receive
 
 Follow = Callable[[int, int, str], None]
 """Told of progress: steps done, all steps, and what is done now."""
+
 RunJob = Callable[[bytes, Follow], bytes]
 """Does an encoded job and returns its encoded result; ValueError with a sentence for what cannot be done."""
+_length = struct.Struct("!I")
 
 
 class JobError(Exception):
@@ -57,18 +59,24 @@ class _Failed(msgspec.Struct, frozen=True, tag=True):
 
 
 _request: msgspec.msgpack.Decoder[_Start | _End] = msgspec.msgpack.Decoder(_Start | _End)
+
+
 _answer: msgspec.msgpack.Decoder[_Step | _Made | _Failed] = msgspec.msgpack.Decoder(_Step | _Made | _Failed)
-_length = struct.Struct("!I")
 
 
 class JobServer:
     """The server's end: runs jobs, several at once."""
 
     def __init__(self, line: socket.socket, pid: int) -> None:
-        self._line, self._pid, self._numbers = line, pid, itertools.count(1)
+        self._line = line
+        self._pid = pid
+        self._numbers = itertools.count(1)
 
     async def run(self, job: bytes, follow: Follow) -> bytes:
-        """Runs a job and returns its result; JobError where it fails. Cancelling this ends the job's process."""
+        """Runs a job and returns its result; JobError where it fails. Cancelling this ends the job's process.
+
+        job: encoded; follow: told of its progress.
+        """
         number = next(self._numbers)
         reader, transport = await self._start(number, job)
         try:
@@ -114,25 +122,20 @@ class JobServer:
 
 def open_job_server(run: RunJob) -> JobServer:
     """Forks a job server that does jobs with `run`, while this process has one thread; OSError where that fails."""
-    ours, theirs = socket.socketpair()
 
-    def work() -> None:
-        close_descriptors([theirs.fileno()])
-        lower_priority()
-        serve_jobs(theirs, run)
+    def work(line: socket.socket) -> None:
+        lower_priority(leaves_session=True)
+        serve_jobs(line, run)
 
-    try:
-        pid = fork_process(work)
-    except OSError:
-        ours.close()
-        raise
-    finally:
-        theirs.close()
-    return JobServer(ours, pid)
+    pid, line = fork_beside(work)
+    return JobServer(line, pid)
 
 
 def serve_jobs(line: socket.socket, run: RunJob) -> None:
-    """Starts and ends jobs as they are asked for, until the line ends; then ends them all."""
+    """Starts and ends jobs as they are asked for, until the line ends; then ends them all.
+
+    line: to the server; run: does a job.
+    """
     running: dict[int, int] = {}
     try:
         while (asked := _receive(line)) is not None:
@@ -149,7 +152,10 @@ def serve_jobs(line: socket.socket, run: RunJob) -> None:
 
 
 def do_job(job: bytes, pipe: int, run: RunJob) -> None:
-    """Does a job in this process and writes its answers into a pipe."""
+    """Does a job in this process and writes its answers into a pipe.
+
+    job: encoded; pipe: its descriptor; run: does it.
+    """
     with suppress(BrokenPipeError), os.fdopen(pipe, "wb", closefd=False) as stream:  # nobody may wait for it any more
 
         def write(answer: _Step | _Made | _Failed) -> None:
@@ -194,20 +200,5 @@ def _kill(pid: int | None) -> None:
 def _receive(line: socket.socket) -> tuple[_Start | _End, list[int]] | None:
     """The next request and the pipe that came with it; None when the line has ended."""
     pipes: list[int] = []
-    head = _receive_exactly(line, _length.size, pipes)
-    body = None if head is None else _receive_exactly(line, _length.unpack(head)[0], pipes)
+    body = receive(line, pipes)
     return None if body is None else (_request.decode(body), pipes)
-
-
-def _receive_exactly(line: socket.socket, size: int, pipes: list[int]) -> bytes | None:
-    data = bytearray()
-    while len(data) < size:
-        try:
-            more, descriptors, _, _ = socket.recv_fds(line, size - len(data), 1)
-        except ConnectionError:  # it died with something unread
-            return None
-        pipes += descriptors
-        if not more:
-            return None
-        data += more
-    return bytes(data)

@@ -21,7 +21,9 @@ class OrderScheduler:
     def __init__(
         self, make: Callable[[str, str], Awaitable[bytes]], all_expressions: Collection[str], *, memory: int = MEMORY
     ) -> None:
-        self._make, self._expressions, self._memory = make, tuple(all_expressions), memory
+        self._make = make
+        self._expressions = tuple(all_expressions)
+        self._memory = memory
         self._made: OrderedDict[Key, bytes] = OrderedDict()
         self._size = 0
         self._asked: dict[Key, asyncio.Future[bytes]] = {}
@@ -48,7 +50,10 @@ class OrderScheduler:
         return await waiting
 
     def set_on_air(self, faces: frozenset[str], expressions: frozenset[str]) -> None:
-        """Sets what is on air or coming: it is computed first; a new face is precomputed with all expressions."""
+        """Sets what is on air or coming: it is computed first; a new face is precomputed with all expressions.
+
+        faces, expressions: by their sources.
+        """
         if (faces, expressions) == self._on_air:
             return
         new = faces - self._on_air[0]
@@ -96,12 +101,12 @@ class OrderScheduler:
         if key in self._made:
             return
         try:
-            made = await self._make(*key)
+            result = await self._make(*key)
         except Exception as error:
             _answer(self._asked.pop(key, None), error)
         else:
-            self._keep(key, made)
-            _answer(self._asked.pop(key, None), made)
+            self._keep(key, result)
+            _answer(self._asked.pop(key, None), result)
 
     def _next_on_air(self) -> Key | None:
         """The next compound that is on air and not computed: those asked for first, then in order of arrival."""
@@ -126,18 +131,18 @@ async def _carry_out(make: Callable[[], Awaitable[bytes]], waiting: asyncio.Futu
     if waiting.done():  # whoever ordered it has gone
         return
     try:
-        made = await make()
+        result = await make()
     except Exception as error:
         _answer(waiting, error)
     else:
-        _answer(waiting, made)
+        _answer(waiting, result)
 
 
-def _answer(waiting: asyncio.Future[bytes] | None, made: bytes | Exception) -> None:
+def _answer(waiting: asyncio.Future[bytes] | None, result: bytes | Exception) -> None:
     if waiting is None or waiting.done():
         return
-    if isinstance(made, bytes):
-        waiting.set_result(made)
+    if isinstance(result, bytes):
+        waiting.set_result(result)
     else:
-        waiting.set_exception(made)
+        waiting.set_exception(result)
         waiting.exception()  # read, even if whoever asked has gone

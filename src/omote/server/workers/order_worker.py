@@ -12,9 +12,8 @@ from functools import cached_property
 
 import msgspec
 
-from omote.edit.compute.handles_asset import handles_asset
 from omote.edit.compute.order_runner import OrderRunner
-from omote.edit.compute.welcome import build_welcome
+from omote.edit.compute.welcome import build_welcome, handles_asset
 from omote.edit.protocol.messages import Greeted
 from omote.edit.protocol.orders import Contents, EditOrder
 from omote.model.cast import Cast, Look
@@ -102,20 +101,20 @@ class OrderWorker:
             if source not in self.cast.faces:
                 raise ValueError(f"there is no face {source[:80]!r} in this cast")
             return self.cast.faces[source], self.cast.looks[source]
-        found = self._content(source.removeprefix(KEY), contents)
-        if isinstance(found, Expression):
+        content = self._content(source.removeprefix(KEY), contents)
+        if isinstance(content, Expression):
             raise ValueError(f"{source[:80]} is an expression, not a face")
-        return found
+        return content
 
     def _expression(self, source: str, contents: Mapping[str, bytes]) -> Expression:
         if not source.startswith(KEY):
             if source not in self.cast.expressions:
                 raise ValueError(f"there is no expression {source[:80]!r} in this cast")
             return self.cast.expressions[source]
-        found = self._content(source.removeprefix(KEY), contents)
-        if not isinstance(found, Expression):
+        content = self._content(source.removeprefix(KEY), contents)
+        if not isinstance(content, Expression):
             raise ValueError(f"{source[:80]} is a face, not an expression")
-        return found
+        return content
 
     def _content(self, key: str, contents: Mapping[str, bytes]) -> Expression | tuple[Face, Look]:
         if key not in self._unpacked:

@@ -21,7 +21,7 @@ from collections.abc import Callable
 from contextlib import suppress
 from dataclasses import dataclass
 
-from omote.server.process.fork import close_descriptors, fork_process
+from omote.server.process.fork import fork_beside
 from omote.server.process.priority import lower_priority, waiting_seconds
 
 TRIES = 2
@@ -32,7 +32,9 @@ processors does not count."""
 
 Make = Callable[[bytes], bytes]
 
-MADE, REFUSED, FAILED = b"+", b"-", b"!"
+MADE = b"+"
+REFUSED = b"-"
+FAILED = b"!"
 """First byte of the answers; what follows is the result, or why there is none."""
 ENDED = "the process that computes ended or was silent for too long, each time that it was asked"
 
@@ -71,10 +73,10 @@ class Workshop:
             reader, writer = self._streams
             writer.write(frame(order))
             (size,) = _length.unpack(await reader.readexactly(_length.size))
-            made = await reader.readexactly(size)
+            answer = await reader.readexactly(size)
         except (OSError, EOFError) as error:
             raise ClosedWorkshopError("the process that computes beside the show is gone") from error
-        return read_answer(made)
+        return read_answer(answer)
 
     def close(self) -> None:
         """Kills the workshop at once."""
@@ -90,22 +92,14 @@ class Workshop:
 
 def open_workshop(make: Make) -> Workshop:
     """Forks a workshop that computes with `make`, while this process has one thread; OSError where that fails."""
-    ours, theirs = socket.socketpair()
-    ours.setblocking(False)
 
-    def work() -> None:
-        close_descriptors([theirs.fileno()])
-        lower_priority()
-        supervise_worker(theirs, make)
+    def work(line: socket.socket) -> None:
+        lower_priority(leaves_session=True)
+        supervise_worker(line, make)
 
-    try:
-        supervisor_pid = fork_process(work)
-    except OSError:
-        ours.close()
-        raise
-    finally:
-        theirs.close()
-    return Workshop(ours, supervisor_pid)
+    pid, line = fork_beside(work)
+    line.setblocking(False)
+    return Workshop(line, pid)
 
 
 @dataclass(eq=False)
@@ -126,7 +120,8 @@ class WorkerProcess:
 
     def _wait(self) -> None:
         """Waits for the beginning of an answer; TimeoutError where the worker had its time and was silent."""
-        began, waited = time.monotonic(), waiting_seconds(self.pid)
+        began = time.monotonic()
+        waited = waiting_seconds(self.pid)
         while not select.select([self.line], [], [], HANG_SECONDS / 4)[0]:
             if time.monotonic() - began - (waiting_seconds(self.pid) - waited) > HANG_SECONDS:
                 raise TimeoutError
@@ -141,31 +136,29 @@ class WorkerProcess:
 
 def spawn_worker(make: Make) -> WorkerProcess:
     """Forks a new worker."""
-    ours, theirs = socket.socketpair()
-
-    def work() -> None:
-        close_descriptors([theirs.fileno()])
-        serve_orders(theirs, make)
-
-    pid = fork_process(work)
-    theirs.close()
-    ours.settimeout(HANG_SECONDS)
-    return WorkerProcess(pid, ours)
+    pid, line = fork_beside(lambda theirs: serve_orders(theirs, make))
+    line.settimeout(HANG_SECONDS)
+    return WorkerProcess(pid, line)
 
 
 def supervise_worker(line: socket.socket, make: Make) -> None:
-    """Passes every order to a worker, replacing workers that die or hang, until the line ends."""
+    """Passes every order to a worker, replacing workers that die or hang, until the line ends.
+
+    line: to the server; make: computes an order.
+    """
     worker = spawn_worker(make)
     try:
         while (order := receive(line)) is not None:
-            made, tries = None, 0
-            while tries < TRIES and (made := worker.ask(order)) is None:
+            answer = None
+            tries = 0
+            while tries < TRIES and (answer := worker.ask(order)) is None:
                 worker.kill()
-                worker, tries = spawn_worker(make), tries + 1
-            if made is None:
+                worker = spawn_worker(make)
+                tries = tries + 1
+            if answer is None:
                 sys.stderr.write(f"omote: something cannot be computed: {ENDED}.\n")
-                made = FAILED + ENDED.encode()
-            line.sendall(frame(made))
+                answer = FAILED + ENDED.encode()
+            line.sendall(frame(answer))
     except ConnectionError:
         pass  # the server went without waiting for its order
     finally:
@@ -173,17 +166,20 @@ def supervise_worker(line: socket.socket, make: Make) -> None:
 
 
 def serve_orders(line: socket.socket, make: Make) -> None:
-    """Computes orders until the line ends; failures are answered with the error, rejections with their message."""
+    """Computes orders until the line ends; failures are answered with the error, rejections with their message.
+
+    line: to the supervisor; make: computes an order.
+    """
     while (order := receive(line)) is not None:
         try:
-            made = MADE + make(order)
+            answer = MADE + make(order)
         except ValueError as error:
-            made = REFUSED + str(error).encode()
+            answer = REFUSED + str(error).encode()
         except Exception as error:
             traceback.print_exc()
-            made = FAILED + f"a fault of Omote, {type(error).__name__}: {error}".encode()
+            answer = FAILED + f"a fault of Omote, {type(error).__name__}: {error}".encode()
         with suppress(ConnectionError):  # the supervisor ended without waiting for it
-            line.sendall(frame(made))
+            line.sendall(frame(answer))
 
 
 def read_answer(data: bytes) -> bytes:
@@ -200,19 +196,24 @@ def frame(data: bytes) -> bytes:
     return _length.pack(len(data)) + data
 
 
-def receive(line: socket.socket) -> bytes | None:
-    """Receives the next length-prefixed data of a line; None when the line has ended."""
-    head = _receive_exactly(line, _length.size)
-    return None if head is None else _receive_exactly(line, _length.unpack(head)[0])
+def receive(line: socket.socket, pipes: list[int] | None = None) -> bytes | None:
+    """Receives the next length-prefixed data of a line; None when the line has ended.
+
+    line: a socket of this machine; pipes: gets the descriptors that come along, one with each piece at most.
+    """
+    head = _receive_exactly(line, _length.size, pipes)
+    return None if head is None else _receive_exactly(line, _length.unpack(head)[0], pipes)
 
 
-def _receive_exactly(line: socket.socket, size: int) -> bytes | None:
+def _receive_exactly(line: socket.socket, size: int, pipes: list[int] | None) -> bytes | None:
     data = bytearray()
     while len(data) < size:
         try:
-            more = line.recv(size - len(data))
+            more, descriptors, _, _ = socket.recv_fds(line, size - len(data), 0 if pipes is None else 1)
         except ConnectionError:  # it died with something unread
             return None
+        if pipes is not None:
+            pipes += descriptors
         if not more:
             return None
         data += more

@@ -56,4 +56,7 @@ class CodeDocument(msgspec.Struct, frozen=True):
 
 REVOKED_CODE = 4401
 """How a link is closed whose token is not valid any more: pages then ask for another."""
+ACCESS_STRUCTS: tuple[type[msgspec.Struct], ...] = (
+    *(AccessDocument, PersonDocument, PeopleDocument, NewPerson, CodeDocument),
+)
 ACCESS_DOCUMENTS: tuple[type[msgspec.Struct], ...] = (AccessDocument, PeopleDocument, NewPerson, CodeDocument)

@@ -11,10 +11,11 @@ _RANKS = {role: rank for rank, role in enumerate(ACCESS_ROLES)}
 
 
 def role_allows(held: AccessRole, needed: AccessRole) -> bool:
-    """Whether somebody with one role may do what needs another."""
+    """Whether somebody who has the role `held` may do what needs the role `needed`."""
     return _RANKS[held] >= _RANKS[needed]
 
 
 def explain_missing_role(held: AccessRole, needed: AccessRole) -> str:
-    """Why somebody may not do something, as a whole sentence with what to do."""
+    """Why somebody with the role `held` may not do what needs the role `needed`, as a whole sentence with what to
+    do."""
     return f'this needs the role "{needed}", and you are here with "{held}": ask whoever runs the show for a token.'

@@ -17,10 +17,12 @@ import msgspec
 from omote.show.access.access_role import HIGHEST, AccessRole
 from omote.show.validation import Refusal
 
-ID_LENGTH, TOKEN_LENGTH = 8, 30
+ID_LENGTH = 8
+TOKEN_LENGTH = 30
 """Characters of an id, and of a token: the id, then 132 bits of the hash."""
 KEY_BYTES = 32
-MOST_PEOPLE, LONGEST_NAME = 100, 24
+MOST_PEOPLE = 100
+LONGEST_NAME = 24
 LONGEST_HOURS = 24.0 * 366
 
 PersonId = Annotated[str, msgspec.Meta(pattern=r"^[A-Za-z0-9_-]{8}$")]
@@ -57,31 +59,33 @@ ANYBODY = Visitor()
 
 
 def token_of(people: People, person: Person) -> str:
-    """The token of a person."""
+    """The token of a person. people: the list that the person is on."""
     return person.id + _code(people, person.id)
 
 
 def find_person(people: People, token: str, now: float) -> Person | None:
-    """Whose token it is; None where it is nobody's, revoked or past its time. Takes the same time for every token."""
+    """Whose token it is; None where it is nobody's, revoked or past its time. Takes the same time for every token.
+    people: the list; now: seconds since 1970."""
     if not is_own(people, token):
         return None
-    found = next((person for person in people.people if person.id == token[:ID_LENGTH]), None)
-    return found if found is not None and is_valid(found, now) else None
+    person = next((person for person in people.people if person.id == token[:ID_LENGTH]), None)
+    return person if person is not None and is_valid(person, now) else None
 
 
 def is_own(people: People, token: str) -> bool:
-    """Whether a token was made for this list, for somebody who is on it or was."""
+    """Whether a token was made for this list (people), for somebody who is on it or was."""
     right = _code(people, token[:ID_LENGTH]).encode()
     return hmac.compare_digest(right, token[ID_LENGTH:].encode(errors="replace"))
 
 
 def is_valid(person: Person, now: float) -> bool:
-    """Whether the time of a person has not ended."""
+    """Whether the time of a person has not ended. now: seconds since 1970."""
     return person.until is None or now < person.until
 
 
 def add_person(people: People, person: Person) -> People:
-    """The list with one more; Refusal where the name is taken or there is no room."""
+    """The list with one more; Refusal where the name is taken or there is no room. people: the list; person: who is
+    added."""
     if not person.name.strip() or len(person.name) > LONGEST_NAME or not person.name.isprintable():
         raise Refusal(f"{person.name[:40]!r} is no name; give 1 to {LONGEST_NAME} letters.")
     if any(other.name.casefold() == person.name.casefold() for other in people.people):
@@ -92,22 +96,23 @@ def add_person(people: People, person: Person) -> People:
 
 
 def find_named(people: People, name: str) -> Person:
-    """The person of a name; Refusal, with the names that there are, where nobody is called so."""
-    found = next((each for each in people.people if name.strip().casefold() == each.name.casefold()), None)
-    if found is None:
-        there = ", ".join(each.name for each in people.people) or "nobody"
+    """The person of a name; Refusal, with the names that there are, where nobody is called so. people: the list; name:
+    in any case."""
+    match = next((person for person in people.people if name.strip().casefold() == person.name.casefold()), None)
+    if match is None:
+        there = ", ".join(person.name for person in people.people) or "nobody"
         raise Refusal(f"there is no token for {name[:40]!r}; there are tokens for {there}.")
-    return found
+    return match
 
 
 def remove_person(people: People, wanted: str) -> tuple[People, Person]:
     """The list without somebody, by id or name, and who that was; Refusal where nobody is called so, or it would leave
-    nobody who may change the list."""
-    found = next((each for each in people.people if wanted == each.id), None) or find_named(people, wanted)
-    rest = tuple(each for each in people.people if each is not found)
-    if found.role == HIGHEST and not any(each.role == HIGHEST and each.until is None for each in rest):
-        raise Refusal(f"{found.name!r} is the last who may change this list: make another admin first.")
-    return msgspec.structs.replace(people, people=rest), found
+    nobody who may change the list. people: the list; wanted: an id or a name."""
+    removed = next((person for person in people.people if wanted == person.id), None) or find_named(people, wanted)
+    rest = tuple(person for person in people.people if person is not removed)
+    if removed.role == HIGHEST and not any(person.role == HIGHEST and person.until is None for person in rest):
+        raise Refusal(f"{removed.name!r} is the last who may change this list: make another admin first.")
+    return msgspec.structs.replace(people, people=rest), removed
 
 
 def check_hours(hours: float | None) -> float | None:

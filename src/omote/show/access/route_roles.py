@@ -17,7 +17,6 @@ ROUTES: Mapping[tuple[str, str], AccessRole] = MappingProxyType(
         ("POST", "/people"): "admin",
         ("DELETE", "/people/{id}"): "admin",
         ("GET", "/people/{id}/code"): "admin",
-        ("GET", "/layouts/{name}"): "view",
         ("GET", "/exports/{file}"): "operate",
         ("POST", "/imports/{file}"): "edit",
         ("POST", "/photographs"): "edit",
@@ -62,7 +61,7 @@ UNKNOWN_ROUTE: AccessRole = "view"
 
 def role_for_route(method: str, route: str | None) -> AccessRole:
     """The role that a request needs: the highest for a route that nobody has thought of. route: None where there is
-    none."""
+    none. method: of HTTP, HEAD counts as GET."""
     if route is None:
         return UNKNOWN_ROUTE
     return ROUTES.get(("GET" if method == "HEAD" else method, route), HIGHEST)

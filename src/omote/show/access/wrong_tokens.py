@@ -37,7 +37,8 @@ class WrongTokens:
         self._senders: OrderedDict[str, _Tries] = OrderedDict()
 
     def note(self, host: str, token: str, now: float) -> float:
-        """Notes a wrong token of a host; returns for how many seconds wrong tokens from there are told nothing more."""
+        """Notes a wrong token of a host; returns for how many seconds wrong tokens from there are told nothing more.
+        now: seconds."""
         tries = self._senders.setdefault(_sender(host), _Tries())
         self._senders.move_to_end(_sender(host))
         if len(self._senders) > MOST_SENDERS:
@@ -51,7 +52,8 @@ class WrongTokens:
 
 def _count(tries: _Tries, now: float) -> None:
     forgiven = FORGIVEN_PER_SECOND * max(0.0, now - tries.then)
-    tries.count, tries.then = min(MOST_TRIES, max(0.0, tries.count - forgiven) + 1.0), now
+    tries.count = min(MOST_TRIES, max(0.0, tries.count - forgiven) + 1.0)
+    tries.then = now
     beyond = tries.count - FREE_TRIES
     if beyond > 0.0:
         tries.until = max(tries.until, now + min(LONGEST_WAIT, 2.0 ** (beyond - 1.0)))

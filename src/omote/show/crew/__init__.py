@@ -1,1 +1,1 @@
-"""Who is connected to a show, and whose hands move what."""
+"""Who is connected to a show."""

@@ -3,14 +3,21 @@
 from __future__ import annotations
 
 import math
+import re
+from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from typing import Literal
 
-from omote.show import messages as wire
 from omote.show.access.people_list import ANYBODY, Visitor
-from omote.show.crew.contention import name_apart
-from omote.show.validation import FPS, Refusal, validate_number
+from omote.show.declaration import ClientMessage, tag_of
+from omote.show.objects.link import Hello, Role
+from omote.show.objects.stages import Crew, Drawing, StageReport
+from omote.show.validation import DARK, FPS, Refusal, validate_number
 
+LONGEST_NAME = 24
+"""Characters of a console's name, as a hello may have it."""
+NAMELESS = "console 1"
+"""What a console is called that asks for nothing, with another number where that is taken."""
 LOST_SECONDS = 600.0
 """How long a stage that does not come back is missed: after that somebody has put it away."""
 SILENCE = 3.0
@@ -25,19 +32,13 @@ class Member:
     at it, or the source itself; "" for a stage.
     """
 
-    role: wire.Role | Literal["source"]
-    report: wire.StageReport | None = None
+    role: Role | Literal["source"]
+    report: StageReport | None = None
     heard: float = -math.inf
     name: str = ""
     claims: bool = False
     page: str = ""
     seat: str = ""
-
-
-def report_in(message: wire.Drawing) -> wire.StageReport:
-    """What a stage reports; Refusal for a rate that none has."""
-    fps = validate_number(message.fps, FPS)
-    return wire.StageReport(fps, message.level, message.name, message.sound, message.sound_here)
 
 
 class Members:
@@ -53,13 +54,15 @@ class Members:
             raise Refusal("nothing is heard before hello: send hello with role and version first.")
         return self.present[who]
 
-    def refuse_a_stage(self, who: str, message: wire.FromClient) -> None:
-        """Refusal where a message that plays comes from a stage, or from who said no hello."""
+    def refuse_a_stage(self, who: str, message: ClientMessage) -> None:
+        """Refuses a message that plays (Refusal) where it comes from a stage, or from a client (who) that said no
+        hello."""
         if self[who].role == "stage":
-            raise Refusal(f"{type(message).__struct_config__.tag} came from a stage, but only a console plays.")
+            raise Refusal(f"{tag_of(type(message))} came from a stage, but only a console plays.")
 
     def identify(self, who: str, visitor: Visitor) -> None:
-        """Notes who has opened a link, by their token; who is not noted is on this machine and may do all."""
+        """Notes who has opened a link, by their token; who is not noted is on this machine and may do all. who: the
+        client; visitor: whose token it is."""
         self._visitors[who] = visitor
 
     def visitor(self, who: str) -> Visitor:
@@ -67,23 +70,28 @@ class Members:
         return self._visitors.get(who, ANYBODY)
 
     def join(self, who: str, name: str, seat: str = "") -> None:
-        """Adds a source: it hears nothing and needs no hello. seat: for whom it plays, where not for itself."""
+        """Adds a source: it hears nothing and needs no hello. seat: for whom it plays, where not for itself. who: the
+        client; name: what it is called."""
         self.present[who] = Member("source", name=name, seat=seat or who)
 
     def leave(self, who: str, *, lost: float | None = None) -> None:
-        """Removes a client; lost: when its link broke, where its page was not closed."""
+        """Removes a client (who); lost: when its link broke, where its page was not closed."""
         member = self.present.pop(who, None)
         self._visitors.pop(who, None)
         if member is not None and member.role == "stage" and lost is not None:
             self._lost_stages.append(lost)
 
-    def report(self, who: str, report: wire.StageReport, now: float) -> None:
-        """Notes what a stage draws; Refusal where it said no hello."""
+    def report(self, who: str, drawing: Drawing, now: float) -> None:
+        """Notes what a stage draws; Refusal where it said no hello, and for a rate that none has. who: the client;
+        drawing: its report; now: seconds."""
+        fps = validate_number(drawing.fps, FPS)
+        dark = validate_number(drawing.dark, DARK)
+        report = StageReport(fps, drawing.level, drawing.name, drawing.sound, drawing.sound_here, dark)
         self.present[who] = replace(self[who], report=report, heard=now)
 
-    def admit(self, who: str, hello: wire.Hello) -> list[str]:
+    def admit(self, who: str, hello: Hello) -> list[str]:
         """Adds a client that says hello, or changes it; returns whose names are new: another's too, where that was
-        given the name that a console claims. Links of the same page must have left."""
+        given the name that a console claims. Links of the same page must have left. who: the client."""
         if hello.role == "stage" and who not in self.present:
             del self._lost_stages[:1]  # one of them is back, or another in its place
         if hello.role != "console":
@@ -92,22 +100,22 @@ class Members:
         name = hello.name.strip() or self.visitor(who).name
         seat = f"seat {hello.seat or hello.page or who}"
         self.present[who] = Member("console", name=name, claims=bool(name), page=hello.page, seat=seat)
-        consoles = {each: (self.present[each].name, self.present[each].claims) for each in self.consoles()}
+        consoles = {client: (self.present[client].name, self.present[client].claims) for client in self.consoles()}
         names = name_apart(consoles, who)
-        for each, name in names.items():
-            self.present[each] = replace(self.present[each], name=name)
+        for client, name in names.items():
+            self.present[client] = replace(self.present[client], name=name)
         return list(names)
 
     def links_of_page(self, page: str) -> list[str]:
         """The clients of a page: a link of it that has broken, or its own before another hello."""
-        return [who for who, each in self.present.items() if page and each.page == page]
+        return [who for who, member in self.present.items() if page and member.page == page]
 
-    def now(self, now: float) -> wire.Crew:
+    def now(self, now: float) -> Crew:
         """Who is connected, and what each stage draws."""
         members = list(self.present.values())
         stages = [m.report if now - m.heard <= SILENCE else None for m in members if m.role == "stage"]
         lost = sum(now - broke <= LOST_SECONDS for broke in self._lost_stages)
-        return wire.Crew(stages, sum(m.role == "console" for m in members), lost)
+        return Crew(stages, sum(m.role == "console" for m in members), lost)
 
     def consoles(self) -> dict[str, str]:
         """The names of the consoles, by client."""
@@ -116,3 +124,26 @@ class Members:
     def sources(self) -> dict[str, str]:
         """The names of the sources, by client."""
         return {who: member.name for who, member in self.present.items() if member.role == "source"}
+
+
+def name_apart(consoles: Mapping[str, tuple[str, bool]], who: str) -> dict[str, str]:
+    """The names of a console that comes, and of one that gives way to it; consoles: by client, what each is called or
+    wants to be, and whether it asked for that. A name that somebody asks for is taken from one that was given it. who:
+    the client that comes."""
+    wanted, asks = consoles[who]
+    same = [other for other, (name, _) in consoles.items() if name.casefold() == wanted.casefold()]
+    yields = [other for other in same if other != who and asks and not consoles[other][1]]
+    names = {other: name for other, (name, _) in consoles.items() if other not in (who, *yields)}
+    for client in (who, *yields):
+        taken = {name.casefold() for name in names.values()}
+        names[client] = free_name(consoles[client][0] or NAMELESS, taken)
+    return {client: names[client] for client in (who, *yields)}
+
+
+def free_name(wanted: str, taken: set[str]) -> str:
+    """The name of a console: the one wanted, else the lowest number beside its words that makes it its own. taken:
+    names of others, in lower case."""
+    words = re.sub(r"(?<=\S) \d+$", "", wanted)
+    room = LONGEST_NAME - len(f" {len(taken) + 3}")
+    numbered = (f"{words[:room]} {number}" for number in range(2, len(taken) + 4))
+    return next(name for name in (wanted, *numbered) if name.casefold() not in taken)

@@ -8,11 +8,10 @@ from dataclasses import dataclass, field
 import numpy as np
 from numpy.typing import NDArray
 
+from omote.arrays import Values
 from omote.perform.frame import Gaze, Head
 from omote.perform.layers.source_frame import check_smoothing
 from omote.perform.limits import CHANNEL_HIGHEST, CHANNEL_LOWEST, check_within
-
-Values = NDArray[np.float64]
 
 LEAST_RANGE = 0.2
 """A performer who moved a channel less than this has not shown its range: it counts as the whole."""
@@ -67,21 +66,23 @@ class Measure:
     places: NDArray[np.intp]
 
     def weights(self, sent: Values, low: float, high: float) -> Values:
-        """The weights of the channels, low..high; what goes beyond the performer's range stays at its end."""
+        """The weights of the channels, low..high; what goes beyond the performer's range stays at its end. sent: one
+        value for each channel."""
         if self.calibration == AS_IT_IS and (low, high) == (CHANNEL_LOWEST, CHANNEL_HIGHEST):
             return sent
         moved = (sent[self.places] - self.zero) * self.scale
-        size, dead = np.abs(moved), self.calibration.dead_zone
+        size = np.abs(moved)
+        dead = self.calibration.dead_zone
         if dead:
             size = np.where(size > dead, (size - dead) / (1.0 - dead), 0.0)
         if self.calibration.curve:
             size = np.where(size < 1.0, size + self.calibration.curve * size * (1.0 - size), size)
-        found = np.where(moved < 0.0, -size, size) * self.gain
-        found = np.where(found > high, high, found)
-        return np.maximum(found, np.maximum(low, self.lowest))
+        shaped = np.where(moved < 0.0, -size, size) * self.gain
+        shaped = np.where(shaped > high, high, shaped)
+        return np.maximum(shaped, np.maximum(low, self.lowest))
 
     def turn(self, head: Head | None, gaze: Gaze | None) -> tuple[Head | None, Gaze | None]:
-        """Head and gaze, mirrored where the source is."""
+        """A head and a gaze (radians), mirrored where the source is."""
         if self.calibration.mirror and head is not None:
             head = Head(-head.yaw, head.pitch, -head.roll)
         if self.calibration.mirror and gaze is not None:
@@ -90,7 +91,7 @@ class Measure:
 
 
 def measure_of(calibration: Calibration, names: tuple[str, ...]) -> Measure:
-    """The measure of a performer for these channels."""
+    """The measure of a performer for channels of these names. calibration: how the performer is read."""
     read = [_mirrored(name, names) if calibration.mirror else name for name in names]
     zero = [_rest(calibration, name) for name in read]
     spans = [_span(calibration, name, start) for name, start in zip(read, zero, strict=True)]
@@ -121,6 +122,6 @@ def _span(calibration: Calibration, name: str, start: float) -> float:
 def _mirrored(name: str, names: Iterable[str]) -> str:
     """The channel of the other side, or itself where it has none."""
     for side, other in _SIDES.items():
-        if name.endswith(side) and (found := name.removesuffix(side) + other) in names:
-            return found
+        if name.endswith(side) and (twin := name.removesuffix(side) + other) in names:
+            return twin
     return name

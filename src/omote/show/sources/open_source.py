@@ -7,16 +7,17 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
+from omote.arrays import Values
 from omote.perform.frame import with_fields
 from omote.perform.layers.layer_names import LayerName
 from omote.perform.layers.source_frame import check_share
 from omote.perform.limits import CHANNEL_HIGHEST, CHANNEL_LOWEST, check_known, check_within
-from omote.show import messages as wire
-from omote.show.sources.calibration import Calibration, Measure, Values
+from omote.show.objects.sources import CalibrationStep, Drive, SourceState, SourceValues, StreamKind
+from omote.show.sources.calibration import Calibration, Measure
 from omote.show.sources.sources_snapshot import Route
 from omote.show.validation import Refusal
 
-LAYER_OF: Mapping[wire.StreamKind, LayerName] = {
+LAYER_OF: Mapping[StreamKind, LayerName] = {
     "tracker": "tracker", "lips": "lips", "playback": "playback", "program": "playback", "breath": "breath",
     "gaze": "gaze", "blink": "blink",
 }  # fmt: skip
@@ -35,7 +36,7 @@ class OpenSource:
     already; share: how much of its layer it takes; seen: when it was last known to see somebody."""
 
     name: str
-    kind: wire.StreamKind
+    kind: StreamKind
     who: str
     names: tuple[str, ...]
     performer: str
@@ -52,8 +53,9 @@ class OpenSource:
     seen: float = float("inf")
 
 
-def read_values(source: OpenSource, frame: wire.Drive) -> Values | None:
-    """The values of a frame, or the newest ones where it has found nobody; Refusal or ValueError for what is wrong."""
+def read_values(source: OpenSource, frame: Drive) -> Values | None:
+    """The values of a frame, or the newest ones where it has found nobody; Refusal or ValueError for what is wrong.
+    source: who sent it."""
     if len(frame.values) != 4 * len(source.names):
         raise Refusal(
             f"{source.name} sent {len(frame.values)} bytes for {len(source.names)} channels; send 4 for each."
@@ -68,8 +70,9 @@ def read_values(source: OpenSource, frame: wire.Drive) -> Values | None:
     return sent
 
 
-def read_share(source: OpenSource, frame: wire.Drive) -> float:
-    """How much of its layer a source takes; Refusal where it is not direct and takes less than all: it would jump."""
+def read_share(source: OpenSource, frame: Drive) -> float:
+    """How much of its layer a source takes; Refusal where it is not direct and takes less than all: it would jump.
+    frame: what it sent."""
     if frame.share != 1.0 and not source.direct:
         raise Refusal(
             f"{source.name} takes {frame.share} of its layer; only a source that is direct takes less than 1."
@@ -78,8 +81,10 @@ def read_share(source: OpenSource, frame: wire.Drive) -> float:
 
 
 def hear_values(source: OpenSource, sent: Values | None, *, found: bool, share: float) -> OpenSource:
-    """The source after a frame."""
-    ranging, rest = source.ranging, source.rest
+    """The source after a frame. sent: one value for each channel, None before the first; found: whether it found a
+    face; share: how much of its layer it takes, 0 to 1."""
+    ranging = source.ranging
+    rest = source.rest
     if found and sent is not None:
         ranging = None if ranging is None else np.maximum(ranging, sent)
         rest = sent if rest is None else rest + REST_SHARE * (sent - rest)
@@ -94,12 +99,13 @@ def check_channels(source: OpenSource, channels: list[str]) -> tuple[str, ...]:
 
 
 def begin_range(source: OpenSource, channels: tuple[str, ...]) -> OpenSource:
-    """The source as its performer's largest moves are listened to."""
+    """The source as its performer's largest moves are listened to. channels: those that are measured, none for all."""
     return replace(source, ranging=source.sent, ranged=channels)
 
 
-def measured_by(source: OpenSource, before: Calibration, step: wire.CalibrationStep) -> Calibration:
-    """The measure of a performer after a step; ValueError where there is nothing to measure."""
+def measured_by(source: OpenSource, before: Calibration, step: CalibrationStep) -> Calibration:
+    """The measure of a performer after a step; ValueError where there is nothing to measure. source: what was heard;
+    before: the measure until now."""
     if step == "reset":
         return replace(before, neutral={}, highest={})
     if source.rest is None:
@@ -113,10 +119,11 @@ def measured_by(source: OpenSource, before: Calibration, step: wire.CalibrationS
     return replace(before, highest={**before.highest, **wanted} if source.ranged else wanted)
 
 
-def source_state(source: OpenSource, route: Route, console: str) -> wire.SourceState:
-    """What consoles are told of a source."""
+def source_state(source: OpenSource, route: Route, console: str) -> SourceState:
+    """What consoles are told of a source. route: what it drives; console: the name of the console that it belongs
+    to."""
     measure = source.measure.calibration
-    return wire.SourceState(
+    return SourceState(
         name=source.name,
         kind=source.kind,
         console=console,
@@ -134,13 +141,13 @@ def source_state(source: OpenSource, route: Route, console: str) -> wire.SourceS
     )
 
 
-def source_values(source: OpenSource) -> wire.SourceValues | None:
+def source_values(source: OpenSource) -> SourceValues | None:
     """What a source sends now, and what its measure makes of it; None before its first frame."""
     if source.sent is None:
         return None
     weights = source.measure.weights(source.sent, CHANNEL_LOWEST, CHANNEL_HIGHEST)
-    sent, read = (each.astype("<f4").tobytes() for each in (source.sent, weights))
-    return wire.SourceValues(source.name, list(source.names), sent, read)
+    sent, read = (values.astype("<f4").tobytes() for values in (source.sent, weights))
+    return SourceValues(source.name, list(source.names), sent, read)
 
 
 def _by_name(source: OpenSource, values: Values) -> dict[str, float]:

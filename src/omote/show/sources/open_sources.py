@@ -4,8 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
 from dataclasses import replace
-from typing import TypeVar
+from typing import Any, TypeVar
 
+from omote.arrays import Values
 from omote.perform.frame import Gaze, Head
 from omote.perform.layers.layer_names import LAYER_PARTS, RANGES, RULES, LayerName, check_driven
 from omote.perform.layers.source_frame import AUTOMATIC, SourceFrame, check_names, check_smoothing
@@ -13,8 +14,19 @@ from omote.perform.limits import CHANNEL_HIGHEST, CHANNEL_LOWEST, check_known
 from omote.perform.scene.character_names import ALL
 from omote.perform.scene.scene import Scene
 from omote.perform.snapshot import Playable
-from omote.show import messages as wire
-from omote.show.sources.calibration import AS_IT_IS, Calibration, Values, measure_of
+from omote.show.objects.sources import (
+    CalibrateSource,
+    Drive,
+    MeasureSource,
+    RouteSource,
+    Source,
+    SourceIs,
+    Sources,
+    SourceState,
+    SourceValues,
+    TuneSource,
+)
+from omote.show.sources.calibration import AS_IT_IS, Calibration, measure_of
 from omote.show.sources.open_source import (
     LAYER_OF,
     TUNED,
@@ -31,8 +43,6 @@ from omote.show.sources.open_source import (
 from omote.show.sources.sources_snapshot import MOST_REMEMBERED, Route, SourcesSnapshot
 from omote.show.validation import Refusal
 
-SOURCE_CHANGES = wire.RouteSource, wire.CalibrateSource, wire.MeasureSource, wire.TuneSource
-"""What an operator changes of a source."""
 MOST_SOURCES = 32
 TOLD_SECONDS = 1.0
 QUIET_SECONDS = 10.0
@@ -48,42 +58,28 @@ class OpenSources:
     def __init__(self, snapshot: SourcesSnapshot | None = None) -> None:
         kept = SourcesSnapshot() if snapshot is None else snapshot
         self._open: dict[int, OpenSource] = {}
-        self._routes, self._calibrations = dict(kept.routes), dict(kept.calibrations)
+        self._routes = dict(kept.routes)
+        self._calibrations = dict(kept.calibrations)
         self._count = 0
-        self._told, self._changed = 0.0, False
-        self._watchers, self._watched = dict[str, str](), 0.0
+        self._told = 0.0
+        self._changed = False
+        self._watchers = dict[str, str]()
+        self._watched = 0.0
 
     def snapshot(self) -> SourcesSnapshot:
         """What stays with the show."""
         return SourcesSnapshot(dict(self._routes), dict(self._calibrations))
 
-    def hear(
-        self,
-        who: str,
-        message: wire.SourceMessage,
-        scene: Scene,
-        cast: Playable,
-    ) -> wire.SourceIs | None:
-        """What a source says of itself; the answer where there is one. Errors as of the methods below."""
-        if isinstance(message, wire.Source):
-            return self.begin(who, message, scene, cast)
-        if isinstance(message, wire.Drive):
-            self.drive(who, message, scene)
-        elif isinstance(message, wire.WatchSource):
-            self._watch(who, message.source)
-        else:
-            self.end(who, message.index, scene)
-        return None
-
-    def begin(self, who: str, asked: wire.Source, scene: Scene, cast: Playable) -> wire.SourceIs:
-        """A source opens; one of the same link and name takes its place. Refusal where it cannot be."""
+    def begin(self, who: str, asked: Source, scene: Scene, cast: Playable) -> SourceIs:
+        """Opens a source; one of the same link and name gives way to it. Refusal where it cannot be. who: the client;
+        asked: what it sends; scene: of the characters that it drives; cast: of the channels."""
         names = check_names(asked.names, cast.expressions)
         if asked.name == AUTOMATIC:
             raise Refusal(f"{AUTOMATIC} is what a character does by itself; choose another name.")
         if ALL not in asked.characters:
             for character in asked.characters:
                 check_known(character, scene, "character")
-        same = [index for index, each in self._open.items() if each.name == asked.name]
+        same = [index for index, source in self._open.items() if source.name == asked.name]
         if any(self._open[index].who != who for index in same):
             raise Refusal(f"another link sends as {asked.name} already; choose another name.")
         if not same and len(self._open) >= MOST_SOURCES:
@@ -99,11 +95,11 @@ class OpenSources:
         if asked.characters or asked.name not in self._routes:
             layer = self._routes[asked.name].layer if asked.name in self._routes else LAYER_OF[asked.kind]
             self._set_route(scene, asked.name, Route(tuple(asked.characters), layer))
-        return wire.SourceIs(index, asked.name)
+        return SourceIs(index, asked.name)
 
-    def drive(self, who: str, frame: wire.Drive, scene: Scene) -> None:
-        """A frame of a source: every layer that it drives follows it. Refusal, ValueError or TypeError where it cannot
-        be, and nothing has changed."""
+    def drive(self, who: str, frame: Drive, scene: Scene) -> None:
+        """Plays a frame of a source: every layer that it drives follows it. Refusal, ValueError or TypeError where it
+        cannot be, and nothing has changed. who: the client; scene: what is played."""
         source = self._of(who, frame.index)
         sent = read_values(source, frame)
         head = None if frame.head is None else Head(*frame.head)
@@ -115,16 +111,17 @@ class OpenSources:
             self._play(scene, self._open[frame.index], sent, head, gaze)
 
     def end(self, who: str, index: int, scene: Scene) -> None:
-        """A source ends: its layers let go. Refusal where this link has none of that index."""
+        """Ends a source: its layers let go. Refusal where this link (who) has none of that index. scene: what it
+        played."""
         source = self._of(who, index)
         self._let_go(scene, source.name)
         self._changed = True
         del self._open[index]
 
     def leave(self, who: str, scene: Scene) -> None:
-        """The end of a link is the end of its sources."""
+        """Ends the sources of a link (who) that has ended. scene: what they played."""
         self._watchers.pop(who, None)
-        for index in [index for index, each in self._open.items() if each.who == who]:
+        for index in [index for index, source in self._open.items() if source.who == who]:
             self.end(who, index, scene)
 
     def route(self, name: str) -> Route:
@@ -133,60 +130,82 @@ class OpenSources:
 
     def find_alone(self, name: str, characters: Iterable[str], layer: LayerName, now: float) -> list[str]:
         """Whom a source drives that comes for the first time: the character of a show that has one, where no other
-        source plays it on this layer or did until a moment ago."""
-        routes = ((each, self.route(each.name)) for each in self._open.values())
+        source plays it on this layer or did until a moment ago. name: of the source; characters: of the show; now:
+        seconds."""
+        routes = ((source, self.route(source.name)) for source in self._open.values())
         driven = any(
-            route.characters and route.layer == layer and now - each.seen < QUIET_SECONDS for each, route in routes
+            route.characters and route.layer == layer and now - source.seen < QUIET_SECONDS for source, route in routes
         )
-        found = list(characters)
-        return found if len(found) == 1 and name not in self._routes and not driven else []
+        alone = list(characters)
+        return alone if len(alone) == 1 and name not in self._routes and not driven else []
 
-    def change(
-        self, asked: wire.RouteSource | wire.CalibrateSource | wire.MeasureSource | wire.TuneSource, scene: Scene
-    ) -> None:
-        """Routes or measures a source; ValueError where it cannot be."""
-        if isinstance(asked, wire.RouteSource):
-            self._route(asked, scene)
-            return
-        index = self._index_of(asked.source)
-        performer = self._open[index].performer
+    def reroute(self, asked: RouteSource, scene: Scene) -> None:
+        """Routes a source; ValueError for a layer or a character that there is not. asked: the source and its new
+        route; scene: what is played."""
+        layer = check_driven(asked.layer)
+        for character in asked.characters:
+            if character != ALL:
+                check_known(character, scene, "character")
+        parts = tuple(part for part in LAYER_PARTS if part in asked.regions) if asked.regions else LAYER_PARTS
+        self._set_route(scene, asked.source, Route(tuple(asked.characters), layer, parts))
+
+    def tune(self, asked: TuneSource, scene: Scene) -> None:
+        """Sets how a source is read; ValueError where there is none, or for a number out of its range. asked: the
+        source and its numbers; scene: what is played."""
+        tuned = {name: getattr(asked, name) for name in TUNED}
+        self._recalibrate(scene, asked.source, tuned)
+
+    def measure(self, asked: MeasureSource, scene: Scene) -> None:
+        """Sets what was measured of the performer before a source; ValueError as `tune`. asked: the source and its
+        weights; scene: what is played."""
+        self._recalibrate(scene, asked.source, {"neutral": dict(asked.neutral), "highest": dict(asked.highest)})
+
+    def calibrate(self, asked: CalibrateSource, scene: Scene) -> None:
+        """Measures the performer before a source, a step at a time; ValueError where there is none, or for a channel
+        that it does not send. asked: the source and the step; scene: what is played."""
+        self._step(scene, self._index_of(asked.source), asked)
+
+    def _recalibrate(self, scene: Scene, name: str, changes: Mapping[str, Any]) -> None:
+        performer = self._open[self._index_of(name)].performer
         before = self._calibrations.get(performer, AS_IT_IS)
-        if isinstance(asked, wire.TuneSource):
-            tuned = {each: getattr(asked, each) for each in TUNED}
-            self._calibrate(scene, performer, replace(before, **tuned))
-        elif isinstance(asked, wire.MeasureSource):
-            measured = replace(before, neutral=dict(asked.neutral), highest=dict(asked.highest))
-            self._calibrate(scene, performer, measured)
-        else:
-            self._step(scene, index, asked)
+        self._calibrate(scene, performer, replace(before, **changes))
 
-    def states(self, consoles: Mapping[str, str]) -> list[wire.SourceState]:
+    def states(self, consoles: Mapping[str, str]) -> list[SourceState]:
         """All open sources; consoles: the names of links."""
-        return [source_state(each, self.route(each.name), consoles.get(each.who, "")) for each in self._open.values()]
+        return [
+            source_state(source, self.route(source.name), consoles.get(source.who, ""))
+            for source in self._open.values()
+        ]
 
-    def tell_watchers(self, now: float) -> list[tuple[str, wire.SourceValues]]:
+    def tell_watchers(self, now: float) -> list[tuple[str, SourceValues]]:
         """What each watcher is told of its source, as often as `WATCH_SECONDS` says."""
         if not self._watchers or now - self._watched < WATCH_SECONDS:
             return []
         self._watched = now
         values = {
-            each.name: source_values(each) for each in self._open.values() if each.name in self._watchers.values()
+            source.name: source_values(source)
+            for source in self._open.values()
+            if source.name in self._watchers.values()
         }
-        return [(who, told) for who, name in self._watchers.items() if (told := values.get(name)) is not None]
+        return [(who, message) for who, name in self._watchers.items() if (message := values.get(name)) is not None]
 
-    def news(self, consoles: Mapping[str, str], now: float) -> wire.Sources | None:
-        """What consoles are told: with each change, and once a second while there are any; None for nothing new."""
+    def news(self, consoles: Mapping[str, str], now: float) -> Sources | None:
+        """What consoles are told: with each change, and once a second while there are any; None for nothing new.
+        consoles: their names by client; now: seconds."""
         if not self._changed and (not self._open or now - self._told < TOLD_SECONDS):
             return None
         states = self.states(consoles)
-        self._told, self._changed = now, False
+        self._told = now
+        self._changed = False
         self._open = {
-            index: replace(each, frames=0, seen=now if each.found and each.frames else min(each.seen, now))
-            for index, each in self._open.items()
+            index: replace(source, frames=0, seen=now if source.found and source.frames else min(source.seen, now))
+            for index, source in self._open.items()
         }
-        return wire.Sources(states)
+        return Sources(states)
 
-    def _watch(self, who: str, name: str) -> None:
+    def watch(self, who: str, name: str) -> None:
+        """Tells a client (who) from now on what a source of this name sends; "" ends it. ValueError where there is
+        none."""
         if name:
             self._watchers[who] = self._open[self._index_of(name)].name
         else:
@@ -203,12 +222,12 @@ class OpenSources:
         return source
 
     def _index_of(self, name: str) -> int:
-        check_known(name, [each.name for each in self._open.values()], "source")
-        return next(index for index, each in self._open.items() if each.name == name)
+        check_known(name, [source.name for source in self._open.values()], "source")
+        return next(index for index, source in self._open.items() if source.name == name)
 
     def _driven(self, scene: Scene, name: str) -> list[str]:
         route = self.route(name)
-        return [each for each in scene if ALL in route.characters or each in route.characters]
+        return [character for character in scene if ALL in route.characters or character in route.characters]
 
     def _play(self, scene: Scene, source: OpenSource, sent: Values, head: Head | None, gaze: Gaze | None) -> None:
         route = self.route(source.name)
@@ -226,29 +245,24 @@ class OpenSources:
             scene[name].drive_layer(route.layer, frame)
 
     def _let_go(self, scene: Scene, name: str) -> None:
-        for each in self._driven(scene, name):
-            scene[each].leave_layer(self.route(name).layer, name)
-
-    def _route(self, asked: wire.RouteSource, scene: Scene) -> None:
-        layer = check_driven(asked.layer)
-        for character in asked.characters:
-            if character != ALL:
-                check_known(character, scene, "character")
-        parts = tuple(part for part in LAYER_PARTS if part in asked.regions) if asked.regions else LAYER_PARTS
-        self._set_route(scene, asked.source, Route(tuple(asked.characters), layer, parts))
+        for character in self._driven(scene, name):
+            scene[character].leave_layer(self.route(name).layer, name)
 
     def _set_route(self, scene: Scene, name: str, route: Route) -> None:
         """Characters that the source no longer drives, or drives on another layer, are let go; of sources that play the
         same, it is the one that was told to."""
-        before, gone = self.route(name), set(self._driven(scene, name))
-        route = replace(route, number=1 + max((each.number for each in self._routes.values()), default=0))
-        self._routes, self._changed = _with(self._routes, name, route), True
+        before = self.route(name)
+        gone = set(self._driven(scene, name))
+        route = replace(route, number=1 + max((other.number for other in self._routes.values()), default=0))
+        self._routes = _with(self._routes, name, route)
+        self._changed = True
         stay = set(self._driven(scene, name)) if route.layer == before.layer else set[str]()
-        for each in sorted(gone - stay):
-            scene[each].leave_layer(before.layer, name)
+        for character in sorted(gone - stay):
+            scene[character].leave_layer(before.layer, name)
 
-    def _step(self, scene: Scene, index: int, asked: wire.CalibrateSource) -> None:
-        source, channels = self._open[index], check_channels(self._open[index], asked.channels)
+    def _step(self, scene: Scene, index: int, asked: CalibrateSource) -> None:
+        source = self._open[index]
+        channels = check_channels(self._open[index], asked.channels)
         if asked.step == "range" and source.sent is not None:
             self._open[index], self._changed = begin_range(source, channels), True
             return
@@ -263,15 +277,16 @@ class OpenSources:
         otherwise alone, which changes no value."""
         before = self._calibrations.get(performer, AS_IT_IS)
         same = replace(before, smoothing=calibration.smoothing) == calibration
-        self._calibrations, self._changed = _with(self._calibrations, performer, calibration), True
-        for index, each in self._open.items():
-            if each.performer == performer:
-                self._open[index] = replace(each, measure=measure_of(calibration, each.names))
-                for name in () if same else self._driven(scene, each.name):
-                    scene[name].recalibrate_layer(self.route(each.name).layer, each.name)
+        self._calibrations = _with(self._calibrations, performer, calibration)
+        self._changed = True
+        for index, source in self._open.items():
+            if source.performer == performer:
+                self._open[index] = replace(source, measure=measure_of(calibration, source.names))
+                for name in () if same else self._driven(scene, source.name):
+                    scene[name].recalibrate_layer(self.route(source.name).layer, source.name)
 
 
 def _with(kept: Mapping[str, Kept], name: str, value: Kept) -> dict[str, Kept]:
     """The same with one more, the newest last; the oldest goes where there are too many."""
-    others = [(each, old) for each, old in kept.items() if each != name]
+    others = [(key, old) for key, old in kept.items() if key != name]
     return dict([*others, (name, value)][-MOST_REMEMBERED:])

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from msgspec import structs
 
-from omote.show import messages as wire
+from omote.show.objects.speech import Say
 
 NO_SOUND = "there is no sound"
 """How the reason begins that a speech is rejected for, where its sound is not there."""
@@ -17,15 +17,12 @@ class KnownSounds:
         self._seconds: dict[str, float] = {}
 
     def set(self, seconds: dict[str, float]) -> None:
-        """These are there now, and no others."""
+        """Notes the sounds that are there now, and no others, with their seconds."""
         self._seconds = dict(seconds)
 
-    def complete(self, message: wire.FromClient) -> wire.FromClient:
-        """The message itself; of a speech whose sound is known with its length, where it gives none.
-
-        ValueError where it names a sound that is not there.
-        """
-        if not isinstance(message, wire.Say) or not message.sound:
+    def complete(self, message: Say) -> Say:
+        """A speech with the length of its sound, where it gives none; ValueError where that is not there."""
+        if not message.sound:
             return message
         if message.sound not in self._seconds:
             raise ValueError(f"{NO_SOUND} {message.sound!r} any more, or not yet: send it to /sounds first")

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
-from omote.show import messages as wire
 from omote.show.crew.members import SILENCE, Member
-from omote.show.outgoing import Outgoing
+from omote.show.declaration import Outgoing
+from omote.show.objects.stages import PlaysSound
 
 
 class SoundStage:
@@ -25,9 +25,10 @@ class SoundStage:
         chosen = min(able, key=lambda who: (*_rank(able[who]), who != self.who), default="")
         if chosen == self.who:
             return []
-        before, self.who = self.who, chosen
-        told = [(before, False)] if before in members else []
-        return [Outgoing(who, wire.PlaysSound(on)) for who, on in [*told, *([(chosen, True)] if chosen else [])]]
+        before = self.who
+        self.who = chosen
+        ended = [(before, False)] if before in members else []
+        return [Outgoing(who, PlaysSound(on)) for who, on in [*ended, *([(chosen, True)] if chosen else [])]]
 
 
 def _is_able(member: Member, now: float) -> bool:

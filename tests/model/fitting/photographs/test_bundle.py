@@ -10,12 +10,14 @@ import pytest
 from omote.builtin import load_cast, load_identity_modes, load_landmark_table
 from omote.model.fitting.photographs.bundle import adjust
 from omote.model.fitting.photographs.landmark_table import LandmarkTable
-from omote.model.fitting.photographs.photograph import FILM, Photograph
-from omote.model.fitting.photographs.photograph_camera import PhotographCamera
+from omote.model.fitting.photographs.photograph import FILM, Photograph, PhotographCamera
 from tools.tracking.picture import turn
 
-SPACE, MODES, TABLE = load_cast().space, load_identity_modes(), load_landmark_table()
-SIDE, FOCAL = 600, 800.0
+SPACE = load_cast().space
+MODES = load_identity_modes()
+TABLE = load_landmark_table()
+SIDE = 600
+FOCAL = 800.0
 FACE = TABLE.corners.ravel()
 
 
@@ -62,7 +64,8 @@ def off(weights: np.ndarray, truth: np.ndarray) -> float:
 
 @pytest.mark.parametrize("seed", [1, 2])
 def test_landmarks_without_errors_give_shape_and_cameras_back(seed: int) -> None:
-    truth, yaws = somebody(seed), (0.0, 0.7, -0.6)
+    truth = somebody(seed)
+    yaws = (0.0, 0.7, -0.6)
     found = adjust(SPACE, MODES, sure(TABLE), [photograph(truth, yaw) for yaw in yaws])
     assert off(found.weights, truth) < 0.1
     for yaw, camera in zip(yaws, found.cameras, strict=True):
@@ -78,7 +81,8 @@ def test_two_views_say_more_than_one() -> None:
 
 
 def test_a_smile_is_taken_for_a_smile_and_not_for_a_wide_mouth() -> None:
-    truth, smile = np.zeros(len(MODES.moves)), {"mouthSmileLeft": 0.5, "mouthSmileRight": 0.5}
+    truth = np.zeros(len(MODES.moves))
+    smile = {"mouthSmileLeft": 0.5, "mouthSmileRight": 0.5}
     smiling = [photograph(truth, yaw, smile) for yaw in (0.0, 0.6)]
     found = adjust(SPACE, MODES, sure(TABLE), smiling)
     names = list(TABLE.units)

@@ -7,9 +7,10 @@ import numpy as np
 from omote.builtin import load_cast, load_identity_modes, load_landmark_table
 from omote.model.fitting.photographs.bundle_problem import LIGHTS, PAINTS, Problem
 from omote.model.fitting.photographs.photograph import Photograph
-from omote.model.fitting.photographs.skin.skin_evidence import unknowns
+from omote.model.fitting.photographs.skin_evidence import unknowns
 
-MODES, TABLE = load_identity_modes(), load_landmark_table()
+MODES = load_identity_modes()
+TABLE = load_landmark_table()
 
 
 def test_each_unknown_stands_at_one_place_and_lenses_are_shared() -> None:

@@ -12,11 +12,13 @@ from omote.inputs.camera.landmark_groups import CORNERS, MOUTH_CORNERS
 from omote.model.fitting.landmarks import find_landmarks
 from omote.model.fitting.photographs.landmark_table import ON_SKIN, refuse_other_space
 
-TABLE, SPACE = load_landmark_table(), load_cast().space
+TABLE = load_landmark_table()
+SPACE = load_cast().space
 
 
 def test_named_points_lie_where_the_space_names_them() -> None:
-    places, rows = TABLE.places(SPACE.points), find_landmarks(SPACE)
+    places = TABLE.places(SPACE.points)
+    rows = find_landmarks(SPACE)
     points = {
         "left_eye_inner": CORNERS["Left"][0], "left_eye_outer": CORNERS["Left"][1],
         "right_eye_inner": CORNERS["Right"][0], "right_eye_outer": CORNERS["Right"][1],

@@ -7,9 +7,9 @@ import pytest
 
 from omote.builtin import load_cast
 from omote.geometry.depth_map import draw_depth
+from omote.model.fitting.head_zones import head_zones
 from omote.model.fitting.photographs.outlines import find_outline
-from omote.model.fitting.photographs.photograph_camera import PhotographCamera
-from omote.model.fitting.shape.head_zones import head_zones
+from omote.model.fitting.photographs.photograph import PhotographCamera
 from tools.tracking.picture import turn
 
 SPACE = load_cast().space

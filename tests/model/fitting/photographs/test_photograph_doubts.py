@@ -8,9 +8,8 @@ import numpy as np
 import pytest
 
 from omote.model.fitting.photographs.bundle_problem import Bundle
-from omote.model.fitting.photographs.photograph import Photograph
-from omote.model.fitting.photographs.photograph_camera import PhotographCamera
-from omote.model.fitting.photographs.photograph_doubts import FOLDS, find_photograph_doubts
+from omote.model.fitting.photographs.photograph import Photograph, PhotographCamera
+from omote.model.fitting.photographs.photograph_fit import FOLDS, find_photograph_doubts
 from tools.tracking.picture import turn
 
 
@@ -47,5 +46,6 @@ def test_odd_photographs_and_heads_are_told() -> None:
     assert len(doubts(found, folds=FOLDS + 1)) == 1
     assert len(doubts(replace(found, weights=np.full(5, 3.0)))) == 1
     assert len(doubts(replace(found, units=(np.ones(3), *found.units[1:])))) == 1
-    right, wrong = doubts(found, "front", "right", "left"), doubts(found, "front", "left", "right")
+    right = doubts(found, "front", "right", "left")
+    wrong = doubts(found, "front", "left", "right")
     assert (len(right), len(wrong)) == (0, 2)

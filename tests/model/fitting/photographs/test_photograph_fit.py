@@ -9,21 +9,22 @@ import pytest
 
 import omote
 from omote.builtin import load_cast, load_identity_modes, load_landmark_table
-from omote.model.fitting.photographs.photograph import Photograph
-from omote.model.fitting.photographs.photograph_camera import PhotographCamera
-from omote.model.fitting.photographs.photograph_doubts import FOLDS
-from omote.model.fitting.photographs.photograph_fit import PhotographFit
-from omote.model.fitting.shape.fold_mending import find_folds
+from omote.model.fitting.photographs.photograph import Photograph, PhotographCamera
+from omote.model.fitting.photographs.photograph_fit import FOLDS, PhotographFit
+from omote.model.fitting.skin_repair import find_folds
 from tools.tracking.picture import turn
 
-SPACE, MODES, TABLE = load_cast().space, load_identity_modes(), load_landmark_table()
+SPACE = load_cast().space
+MODES = load_identity_modes()
+TABLE = load_landmark_table()
 SIDE = 500
 
 
 def photograph(weights: np.ndarray, yaw: float, side: str | None = None) -> Photograph:
     """Landmarks of somebody as they are found on average."""
     camera = PhotographCamera(turn("y", yaw), np.array([0.0, 0.0, -0.8]), 700.0, SIDE, SIDE)
-    law, places = TABLE.error_at(yaw), TABLE.places(MODES.shape_skin(weights))
+    law = TABLE.error_at(yaw)
+    places = TABLE.places(MODES.shape_skin(weights))
     off = (law.mean + law.slopes @ weights).reshape(-1, 2)
     points = np.full((478, 2), SIDE / 2.0)
     points[: len(places)] = camera.project(camera.view(places) + np.column_stack([off, np.zeros(len(off))]))
@@ -46,7 +47,8 @@ def test_the_face_is_one_of_the_space_with_eyes_and_teeth_and_hardly_a_fold() ->
 
 
 def test_photographs_from_all_sides_leave_less_open_than_one() -> None:
-    one, three = fitted(0.0), fitted(0.0, 0.6, -0.6)
+    one = fitted(0.0)
+    three = fitted(0.0, 0.6, -0.6)
     assert three.spread < one.spread
     assert three.doubts == ()
     assert len(one.doubts) == 1

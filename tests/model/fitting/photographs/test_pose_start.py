@@ -6,9 +6,8 @@ import numpy as np
 import pytest
 
 from omote.builtin import load_cast, load_landmark_table
-from omote.model.fitting.photographs.photograph import FILM, Photograph
-from omote.model.fitting.photographs.photograph_camera import PhotographCamera
-from omote.model.fitting.photographs.pose_start import start_camera, usual_focal
+from omote.model.fitting.photographs.bundle import start_camera, usual_focal
+from omote.model.fitting.photographs.photograph import FILM, Photograph, PhotographCamera
 from tools.tracking.picture import turn
 
 PLACES = load_landmark_table().places(load_cast().space.points)

@@ -6,13 +6,8 @@ import numpy as np
 import pytest
 from scipy.spatial.transform import Rotation
 
-from omote.model.fitting.photographs.photograph_camera import PhotographCamera
-from omote.model.fitting.photographs.view_errors import (
-    POSE,
-    change_by_places,
-    change_by_pose,
-    measure_errors,
-)
+from omote.model.fitting.photographs.bundle_problem import POSE, change_by_places, change_by_pose, measure_errors
+from omote.model.fitting.photographs.photograph import PhotographCamera
 
 DRAW = np.random.default_rng(3)
 PLACES = DRAW.uniform(-0.1, 0.1, (20, 3))

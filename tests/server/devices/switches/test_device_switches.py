@@ -19,7 +19,8 @@ from omote.server.devices.trackers.tracker_sockets import read_trackers
 from omote.server.devices.vtube_studio.api_announcements import ApiAnnouncements
 from omote.server.devices.vtube_studio.api_programs import ApiPrograms
 from omote.server.persistence.device_file import DeviceFile, DeviceNotes, read_notes, write_notes
-from omote.show import messages as wire
+from omote.show.objects.devices import SwitchDevice, TrackerOffer
+from omote.show.session import ShowSession
 from tests.inputs.trackers.packets import live_link_face
 from tests.server.conftest import ShowHarness
 
@@ -63,7 +64,11 @@ class Room:
 @pytest_asyncio.fixture
 async def room(show_harness: ShowHarness, tmp_path: Path) -> AsyncIterator[Room]:
     said: list[str] = []
-    session, log = lambda: show_harness.show.session, RejectionLog(said.append)
+
+    def session() -> ShowSession:
+        return show_harness.show.session
+
+    log = RejectionLog(said.append)
     faces = FaceOutput((), session, said.append)
     programs = ApiPrograms(session, log, DeviceFile(None), faces.weigh, ApiAnnouncements(0))
     switched = Switched(TrackerListener([], session, log), MediapipeLink(session, log), programs, faces)
@@ -74,21 +79,22 @@ async def room(show_harness: ShowHarness, tmp_path: Path) -> AsyncIterator[Room]
         await each.close()
 
 
-def listen(word: str, *, on: bool = True) -> wire.SwitchDevice:
-    return wire.SwitchDevice("listen", word, on)
+def listen(word: str, *, on: bool = True) -> SwitchDevice:
+    return SwitchDevice("listen", word, on)
 
 
-def send(word: str, *, on: bool = True) -> wire.SwitchDevice:
-    return wire.SwitchDevice("send", word, on)
+def send(word: str, *, on: bool = True) -> SwitchDevice:
+    return SwitchDevice("send", word, on)
 
 
-def offer(switches: DeviceSwitches, name: str) -> wire.TrackerOffer:
+def offer(switches: DeviceSwitches, name: str) -> TrackerOffer:
     (found,) = [each for each in switches.describe(0.0).trackers if each.name == name]
     return found
 
 
 async def test_a_tracker_is_heard_while_it_is_on(room: Room) -> None:
-    switches, port = room.open(), free_port()
+    switches = room.open()
+    port = free_port()
     assert offer(switches, "livelink").word == ""
     switches.switch(listen(f"livelink:{port}"), 0.0)
     found = offer(switches, "livelink")
@@ -127,7 +133,8 @@ async def test_a_port_that_the_system_chose_is_told(room: Room) -> None:
 
 
 async def test_what_was_switched_on_is_on_again_after_a_restart(room: Room) -> None:
-    port, switches = free_port(), room.open()
+    port = free_port()
+    switches = room.open()
     switches.switch(listen(f"vmc:{port}"), 0.0)
     switches.switch(send("livelink:10.0.0.9"), 0.0)
     switches.switch(send("livelink:10.0.0.8"), 0.0)
@@ -190,7 +197,8 @@ async def test_a_tracker_of_the_command_line_whose_port_is_taken_is_off_with_the
 
 
 async def test_who_sends_and_may_not_is_told_with_the_word_that_lets_it_play(room: Room) -> None:
-    switches, port = room.open(), free_port()
+    switches = room.open()
+    port = free_port()
     switches.switch(listen(f"livelink:{port}"), 0.0)
     assert offer(switches, "livelink").stranger == ""
     assert not room.switched.trackers._heard[0].reader.hears("10.9.8.7")
@@ -202,7 +210,8 @@ async def test_who_sends_and_may_not_is_told_with_the_word_that_lets_it_play(roo
 
 
 async def test_mediapipe_and_a_phone_are_switched_as_others_are(room: Room) -> None:
-    switches, port = room.open(), free_port()
+    switches = room.open()
+    port = free_port()
     switches.switch(listen("mediapipe"), 0.0)
     assert [probe().name for probe in room.switched.mediapipe.probes] == ["MediaPipe"]
     switches.switch(listen("mediapipe", on=False), 0.0)
@@ -258,7 +267,7 @@ async def test_vtube_studio_is_read_and_set_by_its_word(room: Room) -> None:
         (send("vmc:127.0.0.1:40001"), "its own face"),
     ],
 )
-async def test_what_cannot_be_is_said_and_changes_nothing(room: Room, message: wire.SwitchDevice, why: str) -> None:
+async def test_what_cannot_be_is_said_and_changes_nothing(room: Room, message: SwitchDevice, why: str) -> None:
     switches = room.open()
     switches.switch(listen("vmc:40001"), 0.0)
     before = switches.describe(0.0)

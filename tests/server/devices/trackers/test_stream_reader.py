@@ -38,7 +38,8 @@ def connect(reader: StreamReader) -> socket.socket:
 
 def read_until(reader: StreamReader, count: int) -> list[tuple[tuple[str, int], bytes]]:
     """Reads until so many packets have come."""
-    found, until = list(reader.read()), time.monotonic() + LONG
+    found = list(reader.read())
+    until = time.monotonic() + LONG
     while len(found) < count and time.monotonic() < until:
         found += reader.read()
     return found

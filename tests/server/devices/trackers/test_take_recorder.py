@@ -35,7 +35,8 @@ def test_packets_are_recorded_and_play(tmp_path: Path) -> None:
     with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as taken:
         taken.bind((HOST, 0))
         port = taken.getsockname()[1]
-    path, told = tmp_path / "take.pcap", list[tuple[int, str, float]]()
+    path = tmp_path / "take.pcap"
+    told = list[tuple[int, str, float]]()
     ended = threading.Event()
 
     def send() -> None:
@@ -57,7 +58,8 @@ def test_packets_are_recorded_and_play(tmp_path: Path) -> None:
 
 
 def test_a_phone_is_asked_and_without_a_packet_no_file_is_written(tmp_path: Path) -> None:
-    path, opened = tmp_path / "a.pcap", list[int]()
+    path = tmp_path / "a.pcap"
+    opened = list[int]()
     with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as phone:
         phone.bind((HOST, 0))
         phone.settimeout(10.0)
@@ -71,7 +73,8 @@ def test_a_phone_is_asked_and_without_a_packet_no_file_is_written(tmp_path: Path
 
 
 def test_nothing_is_claimed_or_written_where_the_port_or_the_file_cannot_be_had(tmp_path: Path) -> None:
-    opened, before = list[int](), tmp_path / "before.pcap"
+    opened = list[int]()
+    before = tmp_path / "before.pcap"
     before.write_bytes(b"a take")
     with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as taken:
         taken.bind(("", 0))
@@ -110,7 +113,8 @@ def test_what_came_before_ctrl_c_is_in_the_file(tmp_path: Path) -> None:
 
 
 def test_how_long_nothing_has_come_is_told(tmp_path: Path) -> None:
-    times, told = iter([0.0, 0.0, 1.5, 3.0]), list[tuple[int, str, float]]()
+    times = iter([0.0, 0.0, 1.5, 3.0])
+    told = list[tuple[int, str, float]]()
 
     def clock() -> float:
         if (now := next(times, None)) is None:

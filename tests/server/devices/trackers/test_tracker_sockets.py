@@ -15,7 +15,8 @@ from omote.server.devices.trackers.tracker_sockets import (
     read_trackers,
 )
 
-VMC, PHONES = TRACKER_PROTOCOLS["vmc"], TRACKER_PROTOCOLS["ifacialmocap"]
+VMC = TRACKER_PROTOCOLS["vmc"]
+PHONES = TRACKER_PROTOCOLS["ifacialmocap"]
 
 
 def test_a_list_is_read_as_it_is_typed() -> None:

@@ -38,15 +38,18 @@ class FalseVtubeStudio:
             assert asked["apiName"] == "VTubeStudioPublicAPI"
             assert asked["apiVersion"] == "1.0"
             assert 1 <= len(asked["requestID"]) <= 64
-            kind, data = asked["messageType"], asked["data"]
+            kind = asked["messageType"]
+            data = asked["data"]
             self.heard.append(kind)
             if kind == "AuthenticationTokenRequest":
                 kind, data = self._grant()
             elif kind == "AuthenticationRequest":
                 entered = data["authenticationToken"] in self.valid
-                kind, data = "AuthenticationResponse", {"authenticated": entered, "reason": ""}
+                kind = "AuthenticationResponse"
+                data = {"authenticated": entered, "reason": ""}
             elif not entered:
-                kind, data = "APIError", {"errorID": 8, "message": "Request requires authentication."}
+                kind = "APIError"
+                data = {"errorID": 8, "message": "Request requires authentication."}
             else:
                 kind, data = self._obey(kind, data)
             await link.send_str(

@@ -17,7 +17,10 @@ from omote.server.devices.vtube_studio import api_link
 from omote.server.devices.vtube_studio.api_announcements import LOST_SECONDS, ApiAnnouncements
 from omote.server.devices.vtube_studio.api_programs import ApiPrograms
 from omote.server.persistence.device_file import DeviceFile
-from omote.show import messages as wire
+from omote.show.messages import PROTOCOL_VERSION
+from omote.show.objects.faders import SetChannel
+from omote.show.objects.link import Hello
+from omote.show.session import ShowSession
 from tests.server.conftest import ShowHarness
 from tests.server.devices.vtube_studio.false_vtube_studio import TOKEN, FalseVtubeStudio, open_false_vtube_studio
 
@@ -55,7 +58,11 @@ class Room:
 async def room(show_harness: ShowHarness, monkeypatch: pytest.MonkeyPatch) -> AsyncIterator[Room]:
     monkeypatch.setattr(api_link, "RETRY_SECONDS", 0.01)
     said: list[str] = []
-    notes, session = DeviceFile(None), lambda: show_harness.show.session
+    notes = DeviceFile(None)
+
+    def session() -> ShowSession:
+        return show_harness.show.session
+
     faces = FaceOutput((), session)
     programs = ApiPrograms(session, RejectionLog(said.append), notes, faces.weigh, ApiAnnouncements(0))
     show_harness.show.sources.append(programs)
@@ -82,8 +89,8 @@ async def test_its_parameters_drive_a_character(room: Room) -> None:
 
 async def test_a_face_is_set_at_its_own_and_at_added_parameters(room: Room) -> None:
     session = room.harness.show.session
-    session.receive("console", wire.Hello("console", wire.PROTOCOL_VERSION), 0.0)
-    session.receive("console", wire.SetChannel("one", "jawOpen", 0.75), 0.0)
+    session.receive("console", Hello("console", PROTOCOL_VERSION), 0.0)
+    session.receive("console", SetChannel("one", "jawOpen", 0.75), 0.0)
     room.programs.add(room.target)
     while not room.studio.injected:
         await room.tick()
@@ -143,15 +150,15 @@ async def test_one_that_announces_itself_is_found_and_read(room: Room) -> None:
             program.sendto(json.dumps(document).encode(), (HOST, room.programs.announcements.port))
 
     announce(active=True)
-    while not room.programs.found:
+    while not room.programs.announced:
         await room.tick()
-    assert room.programs.found == {(HOST, room.port): "VTube Studio"}
+    assert room.programs.announced == {(HOST, room.port): "VTube Studio"}
     room.programs.read("", 8001)
     while not room.programs.trackers.values():
         await room.tick()
     room.harness.clock.now += LOST_SECONDS
     room.harness.tick()
-    assert room.programs.found == {}
+    assert room.programs.announced == {}
     announce(active=False)
     await room.tick()
-    assert room.programs.found == {}
+    assert room.programs.announced == {}

@@ -19,7 +19,8 @@ def test_strands_lie_on_the_ball() -> None:
 
 
 def test_the_same_seed_winds_the_same_coil() -> None:
-    coil, out = Coil(np.zeros(3), radius=0.03), np.array([0.0, 1.0, 0.0])
+    coil = Coil(np.zeros(3), radius=0.03)
+    out = np.array([0.0, 1.0, 0.0])
     assert np.array_equal(coil.wind(out, 8, seed=1), coil.wind(out, 8, seed=1))
     assert not np.array_equal(coil.wind(out, 8, seed=1), coil.wind(out, 8, seed=2))
     assert np.isfinite(Coil(np.zeros(3), radius=0.03).wind(np.array([0.0, 0.0, 1.0]), 8, seed=1)).all()

@@ -7,11 +7,14 @@ import pytest
 from scipy.spatial import cKDTree
 
 from omote.builtin import load_cast
+from omote.model.hair import LINKS
+from tests import synthetic
 from tools.baking.hair.groom import STATIONS, above, roots_of
-from tools.baking.hair.strands import grow_style
+from tools.baking.hair.strands import find_anchors, grow_style
 from tools.baking.hair.styles import GROOMS
 
 SPACE = load_cast().space
+SKIN, _ = synthetic.head()
 
 
 def test_the_same_hair_grows_on_every_bake() -> None:
@@ -51,3 +54,18 @@ def test_neighbours_of_a_lock_are_combed_alike() -> None:
         return float(np.median(1.0 - (ways * ways[near[:, 1]]).sum(axis=1)))
 
     assert turned_away(0.8) < turned_away(0.0)
+
+
+def test_only_allowed_vertices_carry_with_weights_that_sum_to_one() -> None:
+    noise = np.random.default_rng(4).normal(0.0, 0.01, SKIN.shape)
+    rows, weights = find_anchors(SKIN + noise, SKIN, SKIN[:, 1] > 0.0)
+    assert rows.shape == weights.shape == (len(SKIN), LINKS)
+    assert (SKIN[rows][..., 1] > 0.0).all()
+    assert (weights >= 0.0).all()
+    assert weights.sum(axis=-1) == pytest.approx(1.0)
+
+
+def test_a_place_on_a_vertex_is_carried_by_it_alone() -> None:
+    rows, weights = find_anchors(SKIN[3:4], SKIN, np.ones(len(SKIN), bool))
+    assert rows[0, 0] == 3
+    assert weights[0, 0] == pytest.approx(1.0, abs=1e-3)

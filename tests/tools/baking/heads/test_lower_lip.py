@@ -19,7 +19,8 @@ def dropped(drop: np.ndarray) -> np.ndarray:
 
 def test_a_pointed_lip_lacks_what_a_round_one_has() -> None:
     half = np.abs(X) / 0.02
-    pointed, round_ = 0.01 + 0.02 * (1.0 - half), 0.01 + 0.02 * (1.0 - half**ROUND)
+    pointed = 0.01 + 0.02 * (1.0 - half)
+    round_ = 0.01 + 0.02 * (1.0 - half**ROUND)
     np.testing.assert_allclose(pointed + measure_missing_drop(LINE, dropped(pointed)), round_, atol=1e-12)
     np.testing.assert_allclose(measure_missing_drop(LINE, dropped(round_)), 0.0, atol=1e-12)
     assert not measure_missing_drop(LINE, dropped(np.full_like(X, 0.03))).any()

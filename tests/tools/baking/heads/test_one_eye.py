@@ -5,7 +5,7 @@ import pytest
 
 import omote
 from omote.model.transfer.compound import compound
-from omote.model.transfer.eyes.socket_skin import find_socket_lining
+from omote.model.transfer.socket_skin import find_socket_lining
 from tests.synthetic import space as synthetic_space
 from tools.baking.expressions import PERFORMED, unit_weights
 from tools.baking.heads.moves import Move, compose

@@ -8,7 +8,8 @@ import omote
 from omote.builtin import load_identity_modes
 from omote.model.space.similarity import fit_similarity
 
-SPACE, MODES = omote.load_cast().space, load_identity_modes()
+SPACE = omote.load_cast().space
+MODES = load_identity_modes()
 
 
 def test_modes_fall_in_size_and_do_not_overlap() -> None:

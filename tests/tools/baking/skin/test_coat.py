@@ -7,7 +7,8 @@ from tools.baking.skin.texels import Texels
 
 
 def test_the_tip_of_the_nose_is_bare_and_the_cheeks_are_not(texels: Texels) -> None:
-    places, found = texels.places, leather(texels)
+    places = texels.places
+    found = leather(texels)
     assert found[places[:, 2] > 0.166].min() > 0.95
     assert found[np.abs(places[:, 0]) > 0.03].max() == 0.0
 
@@ -27,7 +28,8 @@ def test_make_up_is_on_the_lids_only(texels: Texels) -> None:
 
 
 def test_the_brows_of_a_mask_are_high_on_its_forehead(texels: Texels) -> None:
-    places, found = texels.places, mask_paint(texels)
+    places = texels.places
+    found = mask_paint(texels)
     face = (places[:, 2] > 0.12) & (np.abs(places[:, 0]) < 0.045) & (places[:, 1] < 0.068)
     painted = places[face & (found > 0.4)]
     assert painted[:, 1].min() > 0.035

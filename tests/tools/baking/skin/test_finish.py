@@ -13,7 +13,8 @@ def test_ears_are_thin_and_the_skull_is_not(texels: Texels) -> None:
 
 
 def test_the_nose_is_oilier_than_the_neck(texels: Texels) -> None:
-    found, places = oil(texels), texels.places
+    found = oil(texels)
+    places = texels.places
     nose = (places[:, 2] > 0.15) & (np.abs(places[:, 1] + 0.025) < 0.01)
     assert found[nose].mean() > 2 * found[places[:, 1] < -0.11].mean()
 

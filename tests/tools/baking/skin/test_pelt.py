@@ -7,7 +7,9 @@ from tools.baking.skin.texels import Texels
 
 
 def test_a_hound_has_a_pale_muzzle_and_blaze_and_dark_ears(texels: Texels) -> None:
-    places, pale, dark = texels.places, hound_pale(texels), hound_dark(texels)
+    places = texels.places
+    pale = hound_pale(texels)
+    dark = hound_dark(texels)
     outer = ~texels.inner
     lip = outer & (np.abs(places[:, 0]) < 0.01) & (np.abs(places[:, 1] + 0.058) < 0.004) & (places[:, 2] > 0.14)
     blaze = outer & (np.abs(places[:, 0]) < 0.002) & (np.abs(places[:, 1] - 0.03) < 0.01) & (places[:, 2] > 0.12)
@@ -19,7 +21,9 @@ def test_a_hound_has_a_pale_muzzle_and_blaze_and_dark_ears(texels: Texels) -> No
 
 
 def test_a_tabby_wears_an_m_and_a_streak_over_each_eye(texels: Texels) -> None:
-    places, pale, dark = texels.places, tabby_pale(texels), tabby_dark(texels)
+    places = texels.places
+    pale = tabby_pale(texels)
+    dark = tabby_dark(texels)
     forehead = ~texels.inner & (np.abs(places[:, 0]) < 0.035) & (places[:, 1] > 0.026) & (places[:, 1] < 0.055)
     forehead &= places[:, 2] > 0.11
     x = np.abs(places[:, 0])

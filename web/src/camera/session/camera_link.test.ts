@@ -36,7 +36,7 @@ class FakeSocket {
 
 const last = (): FakeSocket => FakeSocket.made.at(-1) as FakeSocket;
 const frame = new ArrayBuffer(8);
-let told: string[];
+let events: string[];
 let link: CameraLink;
 
 beforeEach(() => {
@@ -45,13 +45,13 @@ beforeEach(() => {
   vi.stubGlobal("location", { protocol: "http:", host: "localhost" });
   vi.stubGlobal("fetch", () => Promise.reject(new Error("away")));
   FakeSocket.made = [];
-  told = [];
+  events = [];
   link = new CameraLink({
-    status: ({ performer }) => told.push(`status ${performer}`),
-    refused: (reason) => told.push(`refused ${reason}`),
-    displaced: () => told.push("displaced"),
-    connected: (up) => told.push(up ? "up" : "down"),
-    revoked: () => told.push("revoked"),
+    status: ({ performer }) => events.push(`status ${performer}`),
+    refused: (reason) => events.push(`refused ${reason}`),
+    displaced: () => events.push("displaced"),
+    connected: (up) => events.push(up ? "up" : "down"),
+    revoked: () => events.push("revoked"),
   });
 });
 
@@ -71,7 +71,7 @@ it("says who performs, also when it comes back, by the name that it has then", (
   vi.advanceTimersByTime(2000);
   last().open();
   expect(decode(last().sent[0] as Uint8Array)).toMatchObject({ name: "Bo" });
-  expect(told).toEqual(["up", "status Ada", "down"]);
+  expect(events).toEqual(["up", "status Ada", "down"]);
 });
 
 it("sends frames only to a show that has answered, and none into a full connection", () => {
@@ -92,7 +92,7 @@ it("tells what the show says no to, and ends where another page has taken over",
   last().say({ type: "camera_refused", reason: "no" });
   last().say({ type: "displaced" });
   vi.advanceTimersByTime(5000);
-  expect(told).toEqual(["refused no", "down", "displaced"]);
+  expect(events).toEqual(["refused no", "down", "displaced"]);
   expect(FakeSocket.made.length).toBe(1);
   link.perform("Ada");
   expect(FakeSocket.made.length).toBe(2);

@@ -4,70 +4,40 @@ export const CAMERA_VERSION = 1;
 export const CAMERA_PATH = "/camera/link";
 
 /** Says who performs before this camera: the first message of a link, and again for another performer. */
-export interface Perform {
-  type: "perform";
-  version: number;
-  name: string;
-}
+export type Perform = { type: "perform"; version: number; name: string };
 
 /** Chooses the characters that this performer plays, by name; none: it plays nobody. */
-export interface PlayCharacters {
-  type: "play_characters";
-  characters: string[];
-}
+export type PlayCharacters = { type: "play_characters"; characters: string[] };
 
 /** Begins the guided minute, or with `rest` only a moment of the face at rest. */
-export interface BeginGuide {
-  type: "begin_guide";
-  rest: boolean;
-}
+export type BeginGuide = { type: "begin_guide"; rest?: boolean };
 
 /** Makes a step of the guided minute again, now or when all are done. */
-export interface RedoStep {
-  type: "redo_step";
-  step: string;
-}
+export type RedoStep = { type: "redo_step"; step: string };
 
 /** Ends the guided minute; the calibration before it stays, and so do the faces that were made. */
-export interface CancelGuide {
-  type: "cancel_guide";
-}
+export type CancelGuide = { type: "cancel_guide" };
 
 /** Goes on with a guided minute that was ended, at the next face that is missing. */
-export interface ContinueGuide {
-  type: "continue_guide";
-}
+export type ContinueGuide = { type: "continue_guide" };
 
 /** Reads the performer by the faces that were made, though others are missing. */
-export interface UseFaces {
-  type: "use_faces";
-}
+export type UseFaces = { type: "use_faces" };
 
 /** Gives this performer another name, calibration included. */
-export interface RenamePerformer {
-  type: "rename_performer";
-  name: string;
-}
+export type RenamePerformer = { type: "rename_performer"; name: string };
 
 /** Forgets the calibration of this performer. */
-export interface DeletePerformer {
-  type: "delete_performer";
-}
+export type DeletePerformer = { type: "delete_performer" };
 
 /** Takes the last change of the show's performers back. */
-export interface UndoPerformer {
-  type: "undo_performer";
-}
+export type UndoPerformer = { type: "undo_performer" };
 
 /** A character of the show, and whether this performer plays it. */
-export interface CharacterChoice {
-  name: string;
-  label: string;
-  played: boolean;
-}
+export type CharacterChoice = { name: string; label: string; played: boolean };
 
 /** The step of a guide that is being made. left: seconds of its phase, of `seconds`; done: steps that are made. */
-export interface GuideStep {
+export type GuideStep = {
   step: string;
   advice: string;
   phase: "ready" | "hold";
@@ -76,7 +46,7 @@ export interface GuideStep {
   number: number;
   of: number;
   done: string[];
-}
+};
 
 /**
  * All that the page shows of the show: complete, ten times a second. `performers`: those that the show knows;
@@ -84,7 +54,7 @@ export interface GuideStep {
  * `unused`: whether faces were made by which the performer is not read; `heard`: frames so far; `undo`: what an undo
  * takes back, "" for nothing; `weights`: what the face is read as.
  */
-export interface CameraStatus {
+export type CameraStatus = {
   type: "camera_status";
   performer: string;
   performers: string[];
@@ -99,18 +69,13 @@ export interface CameraStatus {
   found: boolean;
   undo: string;
   weights: Record<string, number>;
-}
+};
 
 /** Why something was not done. */
-export interface CameraRefused {
-  type: "camera_refused";
-  reason: string;
-}
+export type CameraRefused = { type: "camera_refused"; reason: string };
 
 /** Another page plays as this performer now; this one has ended. */
-export interface Displaced {
-  type: "displaced";
-}
+export type Displaced = { type: "displaced" };
 
 export type FromCamera =
   | Perform

@@ -42,21 +42,21 @@ export class CameraSession {
     worker: Messenger,
     private readonly storage: Storage,
     private readonly changed: () => void,
-    private readonly drawn: (found: Landmarks) => void,
+    private readonly drawn: (landmarks: Landmarks) => void,
     reload: () => void,
   ) {
     this.#client = new LandmarkClient(worker, {
       loading: (what, share) => this.#setModel({ kind: "loading", what, share }),
       ready: (backend, cost) => this.#setModel({ kind: "ready", backend, cost }),
-      landmarks: (found) => this.#receive(found),
+      landmarks: (landmarks) => this.#receive(landmarks),
       failed: (reason) => this.#setModel({ kind: "failed", reason }),
     });
-    const told = {
+    const listener = {
       opened: (stream: MediaStream, device: string) => this.#opened(stream, device),
-      devices: (found: CameraDevice[]) => this.#set({ devices: found }),
+      devices: (cameras: CameraDevice[]) => this.#set({ devices: cameras }),
       trouble: (trouble: CameraTrouble) => this.#lose(trouble),
     };
-    this.#stream = new CameraStream(told, WISH);
+    this.#stream = new CameraStream(listener, WISH);
     this.#link = new CameraLink({
       status: (status) => this.#follow(status),
       refused: (reason) => this.#note(reason),
@@ -139,13 +139,13 @@ export class CameraSession {
     if (picture !== null) this.#client.look(picture, time);
   }
 
-  #receive(found: Landmarks): void {
-    this.#link.sendFrame(writeLandmarkFrame(found));
-    this.drawn(found);
-    const rate = this.#rate.count(found.time);
-    if (found.time - this.#noticed > HEALTH_MS) {
-      this.#noticed = found.time;
-      this.#set({ health: judgeFace(found, rate) });
+  #receive(landmarks: Landmarks): void {
+    this.#link.sendFrame(writeLandmarkFrame(landmarks));
+    this.drawn(landmarks);
+    const rate = this.#rate.count(landmarks.time);
+    if (landmarks.time - this.#noticed > HEALTH_MS) {
+      this.#noticed = landmarks.time;
+      this.#set({ health: judgeFace(landmarks, rate) });
     }
   }
 

@@ -1,60 +1,41 @@
 /** What every element of the page has: the store it plays, the animation frame, the thumbnails. */
 
-import { LitElement } from "lit";
 import { property } from "lit/decorators.js";
 import type { FramePainter, Paintable } from "../../ui/frame_painter";
 import type { Thumbnails } from "../../ui/thumbnails";
-import type { ConsoleDevices } from "../devices/console_devices";
-import type { ConsoleLeases } from "../leases/console_leases";
-import type { PanicReturn } from "../panic/panic_return";
-import type { FileImports } from "../show_file/file_imports";
-import type { LayoutStorage } from "../show_file/layout_storage";
-import type { OwnItems } from "../show_file/own_items";
-import type { ConsoleSources } from "../sources/console_sources";
+import { TopicElement } from "../../ui/topic_element";
 import type { ConsoleStore } from "../store/console_store";
 import type { Topic } from "../store/page_store";
+import type { PanicReturn } from "../store/panic_return";
 
+/** What elements play with; each subject of the console declares its own part beside it. */
 export interface ConsoleContext {
   readonly store: ConsoleStore;
   readonly painter: FramePainter;
   readonly thumbnails: Thumbnails;
-  readonly layouts: LayoutStorage;
-  readonly items: OwnItems;
-  readonly imports: FileImports;
-  readonly devices: ConsoleDevices;
-  readonly leases: ConsoleLeases;
   readonly panicReturn: PanicReturn;
-  readonly sources: ConsoleSources;
   /** Gives this console another name, which the others read. */
   readonly rename: (name: string) => void;
 }
 
-export abstract class ConsoleElement extends LitElement {
-  @property({ attribute: false }) context!: ConsoleContext;
-  #leave: (() => void)[] = [];
+/** An element that renders again where something changes that it shows; `context`: what its page gives it. */
+export abstract class ConsoleElement<
+  Context extends Pick<ConsoleContext, "store"> = ConsoleContext,
+> extends TopicElement<Topic> {
+  @property({ attribute: false }) context!: Context;
 
   get store(): ConsoleStore {
     return this.context.store;
   }
-
-  /** What it renders again for. */
-  protected topics(): readonly Topic[] {
-    return [];
-  }
-
-  override connectedCallback(): void {
-    super.connectedCallback();
-    this.#leave = this.topics().map((topic) => this.store.listen(topic, () => this.requestUpdate()));
-  }
-
-  override disconnectedCallback(): void {
-    super.disconnectedCallback();
-    for (const leave of this.#leave) leave();
-  }
 }
 
 /** An element that also moves at the display's rate: `paint` writes transforms and nothing else. */
-export abstract class AnimatedElement extends ConsoleElement implements Paintable {
+export abstract class AnimatedElement<Context extends Pick<ConsoleContext, "store" | "painter"> = ConsoleContext>
+  extends ConsoleElement<Context>
+  implements Paintable
+{
+  protected readonly write = new StyleWriter();
+
   abstract paint(now: number): void;
 
   override connectedCallback(): void {
@@ -97,6 +78,3 @@ export class StyleWriter {
     if (this.#new(element, "text", text)) element.textContent = text;
   }
 }
-
-/** What was chosen in the list that an event comes from. */
-export const chosenIn = (event: Event): string => (event.target as HTMLSelectElement).value;

@@ -2,74 +2,66 @@
 
 import { css, html } from "lit";
 import { customElement, query } from "lit/decorators.js";
-import { base } from "../../ui/theme";
+import { base, ellipsis, flow } from "../../ui/theme";
 import type { Topic } from "../store/page_store";
-import { AnimatedElement, StyleWriter } from "./console_element";
+import { AnimatedElement } from "./console_element";
 import { short } from "./screen_sizes";
+
+const style = css`
+  .row {
+    ${flow}
+    gap: 4px;
+    padding: 4px 10px;
+  }
+  .row > span {
+    color: var(--dim);
+  }
+  button {
+    position: relative;
+    flex: 1 1 auto;
+    min-width: 0;
+    ${ellipsis}
+  }
+  @media (max-width: 1100px) {
+    .row > span {
+      display: none;
+    }
+    button {
+      padding: 0 4px;
+    }
+  }
+  @media ${short} {
+    .row {
+      padding: 3px;
+    }
+    .row > span {
+      display: none;
+    }
+  }
+  button i {
+    position: absolute;
+    inset: auto 0 0;
+    height: 4px;
+    transform-origin: left;
+    transform: scaleX(0);
+    background: var(--air);
+  }
+  button.coming {
+    border-color: var(--coming);
+  }
+  button.coming i {
+    background: var(--coming);
+  }
+`;
 
 /** A key for each light: which are on air and how much, which is coming. A call takes the time of a face's call. */
 @customElement("omote-lights")
 export class LightRow extends AnimatedElement {
   @query(".row") private row!: HTMLElement;
-  readonly #written = new StyleWriter();
 
-  static override styles = [
-    base,
-    css`
-      .row {
-        display: flex;
-        flex-wrap: wrap;
-        align-items: center;
-        gap: 4px;
-        padding: 4px 10px;
-      }
-      .row > span {
-        color: var(--dim);
-      }
-      button {
-        position: relative;
-        flex: 1 1 auto;
-        min-width: 0;
-        overflow: hidden;
-        text-overflow: ellipsis;
-        white-space: nowrap;
-      }
-      @media (max-width: 1100px) {
-        .row > span {
-          display: none;
-        }
-        button {
-          padding: 0 4px;
-        }
-      }
-      @media ${short} {
-        .row {
-          padding: 3px;
-        }
-        .row > span {
-          display: none;
-        }
-      }
-      button i {
-        position: absolute;
-        inset: auto 0 0;
-        height: 4px;
-        transform-origin: left;
-        transform: scaleX(0);
-        background: var(--air);
-      }
-      button.coming {
-        border-color: var(--coming);
-      }
-      button.coming i {
-        background: var(--coming);
-      }
-    `,
-  ];
+  static override styles = [base, style];
 
-  protected override topics(): readonly Topic[] {
-    return ["cast"];
-  }
+  protected override readonly topics: readonly Topic[] = ["manifest"];
 
   /** To the first key. */
   override focus(): void {
@@ -93,9 +85,9 @@ export class LightRow extends AnimatedElement {
       const name = button.dataset.light as string;
       const weight = state?.light[name] ?? 0;
       const coming = state?.light_call?.target === name;
-      this.#written.style(button.querySelector("i") as HTMLElement, "transform", `scaleX(${weight.toFixed(3)})`);
-      this.#written.flag(button, "coming", coming);
-      this.#written.attribute(button, "aria-pressed", String(!coming && weight > 0.5));
+      this.write.style(button.querySelector("i") as HTMLElement, "transform", `scaleX(${weight.toFixed(3)})`);
+      this.write.flag(button, "coming", coming);
+      this.write.attribute(button, "aria-pressed", String(!coming && weight > 0.5));
     }
   }
 }

@@ -1,6 +1,7 @@
 /** The mark on a control that a hand at another console moves: the name of that console. */
 
 import { css } from "lit";
+import { ellipsis } from "../../ui/theme";
 import type { ConsoleStore } from "../store/console_store";
 import type { Knob } from "../store/knob";
 import type { StyleWriter } from "./console_element";
@@ -17,9 +18,7 @@ export const otherStyle = css`
     font-size: 11px;
     font-weight: 600;
     line-height: 14px;
-    overflow: hidden;
-    text-overflow: ellipsis;
-    white-space: nowrap;
+    ${ellipsis}
     color: var(--text);
     background: var(--edge);
     pointer-events: none;

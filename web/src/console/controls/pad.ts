@@ -18,7 +18,7 @@ import {
 } from "../../ui/travel";
 import type { Knob } from "../store/knob";
 import type { Topic } from "../store/page_store";
-import { AnimatedElement, StyleWriter } from "./console_element";
+import { AnimatedElement } from "./console_element";
 import { otherStyle, paintOther } from "./other_hand";
 import { style } from "./pad_style";
 
@@ -44,7 +44,6 @@ export class Pad extends AnimatedElement {
   @query(".skull") private skull!: SVGElement;
   @query(".read") private read!: HTMLElement;
   @query(".other") private other!: HTMLElement;
-  readonly #written = new StyleWriter();
   #at: [number, number] = [0, 0];
   #roll = 0;
   readonly #spring = new Spring();
@@ -60,7 +59,7 @@ export class Pad extends AnimatedElement {
         <button
           aria-pressed=${this.springs}
           title="Back to the centre when the hand lets go"
-          @click=${() => this.store.arrange({ springs: { ...this.store.layout.springs, [this.what]: !this.springs } })}
+          @click=${() => this.store.arrange({ springs: { ...this.store.arrangement.springs, [this.what]: !this.springs } })}
         >
           Spring
         </button>
@@ -98,12 +97,10 @@ export class Pad extends AnimatedElement {
     this.field.focus();
   }
 
-  protected override topics(): readonly Topic[] {
-    return ["layout"];
-  }
+  protected override readonly topics: readonly Topic[] = ["arrangement"];
 
   private get springs(): boolean {
-    return this.store.layout.springs[this.what];
+    return this.store.arrangement.springs[this.what];
   }
 
   get #yaw(): Knob {
@@ -177,7 +174,7 @@ export class Pad extends AnimatedElement {
       end: () => this.#let(knob()),
       double: () => knob().nudge(0),
     });
-    const step = (by: number) => knob().nudge(within(knob().value(performance.now()) + by * STEP, HEAD_ROLL));
+    const step = (by: number) => knob().nudge(within(knob().stepFrom(performance.now()) + by * STEP, HEAD_ROLL));
     onWheel(tilt, step);
     onArrows(
       tilt,
@@ -190,8 +187,8 @@ export class Pad extends AnimatedElement {
     const now = performance.now();
     const [yaw, pitch] = this.#ranges;
     this.#spring.stop();
-    if (dx !== 0) this.#yaw.nudge(within(this.#yaw.value(now) + dx * STEP, yaw));
-    if (dy !== 0) this.#pitch.nudge(within(this.#pitch.value(now) + dy * STEP, pitch));
+    if (dx !== 0) this.#yaw.nudge(within(this.#yaw.stepFrom(now) + dx * STEP, yaw));
+    if (dy !== 0) this.#pitch.nudge(within(this.#pitch.stepFrom(now) + dy * STEP, pitch));
   }
 
   #rest(): void {
@@ -229,11 +226,11 @@ export class Pad extends AnimatedElement {
     if (!shown) return;
     const [x, y] = this.#ranges.map((range, at) => within(fractionOf(air[this.what][at] ?? 0, range), SQUARE));
     const place = `translate(${(100 * ((x ?? 0) - 0.5)).toFixed(2)}%, ${(100 * (0.5 - (y ?? 0))).toFixed(2)}%)`;
-    this.#written.style(this.mark, "transform", place);
+    this.write.style(this.mark, "transform", place);
   }
 
   #paintPlace(now: number): void {
-    const write = this.#written;
+    const { write } = this;
     const [x, y] = this.#place(now);
     const [yaw, pitch] = [this.#yaw.value(now), this.#pitch.value(now)];
     const roll = this.what === "head" ? this.store.head("roll").value(now) : 0;

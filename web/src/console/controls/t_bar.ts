@@ -2,12 +2,13 @@
 
 import { html } from "lit";
 import { customElement, property, query } from "lit/decorators.js";
-import { type Drag, onArrows, onDrag, onWheel } from "../../ui/gestures";
+import { type Drag, faderDrag, onArrows, onDrag, onWheel } from "../../ui/gestures";
 import { base } from "../../ui/theme";
-import { UNIT, within } from "../../ui/travel";
+import { UNIT } from "../../ui/travel";
 import { type Axis, mixLabel } from "../store/axis";
 import { remainingLabel } from "../store/timing";
-import { AnimatedElement, StyleWriter } from "./console_element";
+import { BarKeys } from "./bar_keys";
+import { AnimatedElement } from "./console_element";
 import { otherStyle, paintOther } from "./other_hand";
 import { style } from "./t_bar_style";
 import { type BarView, barView } from "./t_bar_view";
@@ -27,11 +28,9 @@ export class TBar extends AnimatedElement {
   @query(".mode") private mode!: HTMLElement;
   @query(".other") private other!: HTMLElement;
   @query(".release") private release!: HTMLButtonElement;
-  readonly #written = new StyleWriter();
   #view: BarView | null = null;
-  #position = 0;
   #touched = false;
-  #era = 0;
+  readonly #keys = new BarKeys();
 
   static override styles = [base, style, otherStyle];
 
@@ -80,33 +79,27 @@ export class TBar extends AnimatedElement {
   }
 
   #drag(): Drag {
-    const knob = () => this.store.bar(this.axis);
-    const read = () => {
-      this.#position = knob().value(performance.now());
+    const [knob, era, rest] = [() => this.store.bar(this.axis), () => this.store.era, () => this.#release()];
+    const drag = faderDrag({ knob, era, range: UNIT, rest });
+    const touch = (touched: boolean): void => {
+      this.#touched = touched;
     };
     return {
-      start: () => {
-        this.#era = this.store.era;
-        this.#touched = true;
-        read();
-      },
-      move: (_dx, dy) => {
-        if (this.#era !== this.store.era) return;
-        if (!knob().gripped()) read(); // no hand is on it yet, or no more (a lost link, another's hand): from what is on air
-        this.#position = within(this.#position + dy, UNIT);
-        knob().grip(this.#position);
+      ...drag,
+      start: (x, y) => {
+        touch(true);
+        drag.start(x, y);
       },
       end: () => {
-        this.#touched = false;
-        knob().leave();
+        touch(false);
+        drag.end();
       },
-      double: () => this.#release(),
     };
   }
 
   #step(by: number): void {
     const knob = this.store.bar(this.axis);
-    knob.nudge(within(knob.value(performance.now()) + by, UNIT));
+    knob.nudge(this.#keys.step(this.#view ?? IDLE, knob.stepFrom(performance.now()), by));
   }
 
   override focus(): void {
@@ -122,7 +115,7 @@ export class TBar extends AnimatedElement {
   }
 
   #paintTrack(view: BarView, position: number): void {
-    const write = this.#written;
+    const { write } = this;
     const [running, waiting] = [view.target !== null, view.mode === "waiting"];
     write.style(this.hand, "transform", `translateY(${-100 * position}%)`);
     write.flag(this.hand, "ghost", waiting);
@@ -139,7 +132,7 @@ export class TBar extends AnimatedElement {
   }
 
   #paintWords(view: BarView): void {
-    const write = this.#written;
+    const { write } = this;
     const call = this.store.callOf(this.axis);
     const [start, goal] = view.flipped ? [this.top, this.bottom] : [this.bottom, this.top];
     const label = (name: string) => this.store.label(this.axis, name);
@@ -166,6 +159,9 @@ export class TBar extends AnimatedElement {
     return (this.axis === "face" ? state?.faces : state?.expressions) ?? {};
   }
 }
+
+/** Before the first picture of it. */
+const IDLE = { target: null, flipped: false };
 
 const MODES: Record<BarView["mode"], (remaining: number | null, gap: number) => string> = {
   idle: () => "",

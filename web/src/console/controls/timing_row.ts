@@ -3,11 +3,136 @@
 import { css, html, nothing } from "lit";
 import { customElement, property, state } from "lit/decorators.js";
 import { EASING_NAMES } from "../../link/constants";
-import { base } from "../../ui/theme";
+import { base, selectable } from "../../ui/theme";
+import { textOf } from "../../ui/topic_element";
 import type { Axis } from "../store/axis";
 import type { Topic } from "../store/page_store";
 import { CHOICES, EASING_CURVES, type EasingName, MANY_CHOICES, parseSeconds, secondsLabel } from "../store/timing";
-import { ConsoleElement, chosenIn } from "./console_element";
+import { ConsoleElement } from "./console_element";
+
+const style = css`
+  :host {
+    display: flex;
+    flex-wrap: wrap;
+    gap: 4px;
+    container-type: inline-size;
+  }
+  .row {
+    display: flex;
+    flex: 1 1 290px;
+    min-width: 0;
+    gap: 2px;
+  }
+  button,
+  input {
+    flex: 1 0 auto;
+    min-width: 0;
+    padding: 0 2px;
+    font-size: 12px;
+  }
+  input {
+    width: 0;
+    flex: 1.2 1 14px;
+    font: inherit;
+    font-size: 12px;
+    color: var(--text);
+    background: #000;
+    border: 1px solid var(--line);
+    border-radius: 4px;
+    text-align: center;
+    ${selectable}
+  }
+  input::placeholder {
+    color: var(--faint);
+  }
+  input.chosen {
+    border-color: var(--text);
+  }
+  input.wrong {
+    border-color: var(--attention);
+    color: var(--attention);
+  }
+  .lists {
+    display: none;
+  }
+  select {
+    flex: 1 1 0;
+    min-width: 0;
+  }
+  select.resting {
+    color: var(--faint);
+  }
+  @media (pointer: coarse) {
+    .lists {
+      display: flex;
+      gap: 4px;
+    }
+    .chips,
+    .curves {
+      display: none;
+    }
+  }
+  @container (max-width: 230px) {
+    .lists {
+      display: flex;
+      gap: 4px;
+    }
+    .chips,
+    .curves {
+      display: none;
+    }
+  }
+  .curve {
+    position: relative;
+    flex: 1 1 0;
+    min-width: 0;
+    display: grid;
+  }
+  .curve svg {
+    display: none;
+  }
+  @container (max-width: 240px) {
+    .curve {
+      flex: 0 0 40px; /* no room for a word: its curve */
+    }
+    .lists button {
+      flex: 0 1 52px;
+    }
+    .lists {
+      gap: 2px;
+    }
+    .lists > select {
+      min-width: 40px;
+    }
+    .curve select {
+      appearance: none;
+      color: transparent;
+    }
+    .curve svg {
+      position: absolute;
+      inset: 0;
+      display: block;
+      width: 24px;
+      height: 15px;
+      margin: auto;
+      color: var(--text);
+      pointer-events: none;
+    }
+    .curve option {
+      color: var(--text);
+      background: #000;
+    }
+  }
+  svg {
+    width: 20px;
+    height: 12px;
+    fill: none;
+    stroke: currentColor;
+    stroke-width: 1.6;
+    vertical-align: middle;
+    overflow: visible;
+  }
+`;
 
 /** The seconds and the easing of an axis's next call. */
 @customElement("omote-timing")
@@ -15,137 +140,9 @@ export class TimingRow extends ConsoleElement {
   @property() axis: Axis = "face";
   @state() private wrong: string | null = null;
 
-  static override styles = [
-    base,
-    css`
-      :host {
-        display: flex;
-        flex-wrap: wrap;
-        gap: 4px;
-        container-type: inline-size;
-      }
-      .row {
-        display: flex;
-        flex: 1 1 290px;
-        min-width: 0;
-        gap: 2px;
-      }
-      button,
-      input {
-        flex: 1 0 auto;
-        min-width: 0;
-        padding: 0 2px;
-        font-size: 12px;
-      }
-      input {
-        width: 0;
-        flex: 1.2 1 14px;
-        font: inherit;
-        font-size: 12px;
-        color: var(--text);
-        background: #000;
-        border: 1px solid var(--line);
-        border-radius: 4px;
-        text-align: center;
-        user-select: text;
-        -webkit-user-select: text;
-      }
-      input::placeholder {
-        color: var(--faint);
-      }
-      input.chosen {
-        border-color: var(--text);
-      }
-      input.wrong {
-        border-color: var(--attention);
-        color: var(--attention);
-      }
-      .lists {
-        display: none;
-      }
-      select {
-        flex: 1 1 0;
-        min-width: 0;
-      }
-      select.resting {
-        color: var(--faint);
-      }
-      @media (pointer: coarse) {
-        .lists {
-          display: flex;
-          gap: 4px;
-        }
-        .chips,
-        .curves {
-          display: none;
-        }
-      }
-      @container (max-width: 230px) {
-        .lists {
-          display: flex;
-          gap: 4px;
-        }
-        .chips,
-        .curves {
-          display: none;
-        }
-      }
-      .curve {
-        position: relative;
-        flex: 1 1 0;
-        min-width: 0;
-        display: grid;
-      }
-      .curve svg {
-        display: none;
-      }
-      @container (max-width: 240px) {
-        .curve {
-          flex: 0 0 40px; /* no room for a word: its curve */
-        }
-        .lists button {
-          flex: 0 1 52px;
-        }
-        .lists {
-          gap: 2px;
-        }
-        .lists > select {
-          min-width: 40px;
-        }
-        .curve select {
-          appearance: none;
-          color: transparent;
-        }
-        .curve svg {
-          position: absolute;
-          inset: 0;
-          display: block;
-          width: 24px;
-          height: 15px;
-          margin: auto;
-          color: var(--text);
-          pointer-events: none;
-        }
-        .curve option {
-          color: var(--text);
-          background: #000;
-        }
-      }
-      svg {
-        width: 20px;
-        height: 12px;
-        fill: none;
-        stroke: currentColor;
-        stroke-width: 1.6;
-        vertical-align: middle;
-        overflow: visible;
-      }
-    `,
-  ];
+  static override styles = [base, style];
 
-  protected override topics(): readonly Topic[] {
-    return ["timing"];
-  }
+  protected override readonly topics: readonly Topic[] = ["timing"];
 
   #choose(seconds: number): void {
     this.wrong = null;
@@ -155,14 +152,14 @@ export class TimingRow extends ConsoleElement {
   /** What was typed, once it is finished (Enter, or the field is left): the seconds of the next calls, or why not. */
   #typed(event: Event): void {
     const input = event.target as HTMLInputElement;
-    const told = this.wrong;
+    const before = this.wrong;
     this.wrong = null;
     const seconds = input.value.trim() === "" ? this.store.timing[this.axis].seconds : parseSeconds(input.value);
     if (typeof seconds === "string") {
       this.wrong = `${seconds} Calls go on taking ${this.#effective()}.`;
       this.store.say(this.wrong);
     } else if (input.value.trim() !== "") this.#choose(seconds);
-    if (this.wrong === null && this.store.notice === told) this.store.say(null);
+    if (this.wrong === null && this.store.notice === before) this.store.say(null);
   }
 
   /** Leaves the field showing the seconds that count, whatever was typed. */
@@ -225,10 +222,10 @@ export class TimingRow extends ConsoleElement {
     const { seconds, easing, byHand } = this.store.timing[this.axis];
     const times = MANY_CHOICES.includes(seconds) ? MANY_CHOICES : [...MANY_CHOICES, seconds];
     return html`<div class="row lists">
-      <select aria-label="Seconds (${this.axis})" class=${byHand ? "resting" : ""} @change=${(event: Event) => this.#choose(Number(chosenIn(event)))}>
-        ${times.map((one) => html`<option value=${one} .selected=${one === seconds}>${one === 0 ? "cut" : `${secondsLabel(one)} s`}</option>`)}
+      <select aria-label="Seconds (${this.axis})" class=${byHand ? "resting" : ""} @change=${(event: Event) => this.#choose(Number(textOf(event)))}>
+        ${times.map((time) => html`<option value=${time} .selected=${time === seconds}>${time === 0 ? "cut" : `${secondsLabel(time)} s`}</option>`)}
       </select>
-      <div class="curve"><select class="easing" title=${easing} aria-label="Easing (${this.axis})" @change=${(event: Event) => this.store.setTiming(this.axis, { easing: chosenIn(event) })}>
+      <div class="curve"><select class="easing" title=${easing} aria-label="Easing (${this.axis})" @change=${(event: Event) => this.store.setTiming(this.axis, { easing: textOf(event) })}>
         ${EASING_NAMES.map((name) => html`<option value=${name} .selected=${name === easing}>${name}</option>`)}
       </select><svg viewBox="0 0 20 12" aria-hidden="true"><path d=${EASING_CURVES[easing as EasingName]} /></svg></div>
       ${this.#hand(byHand, "button")}

@@ -35,8 +35,8 @@ export function rangeText({ low, high }: BindingDocument): string {
 
 const rounded = (value: number): string => String(Math.round(value * 1000) / 1000);
 
-export function modeText(one: BindingDocument): string {
-  if (one.button !== "") return one.button;
-  if (one.relative !== "") return `encoder, ${one.relative.replaceAll("_", " ")}`;
-  return isLevel(one) ? "fader" : "key";
+export function modeText(binding: BindingDocument): string {
+  if (binding.button !== "") return binding.button;
+  if (binding.relative !== "") return `encoder, ${binding.relative.replaceAll("_", " ")}`;
+  return isLevel(binding) ? "fader" : "key";
 }

@@ -54,8 +54,8 @@ it("names one character, all, or some as addresses do", () => {
 
 it("finds the bindings of a target", () => {
   const [one, two] = ["a", "b"].map((control) => ({ ...FIRST_BINDING, control, to: "/omote/one/panic" }));
-  const found = bindingsByTarget([one, two, FIRST_BINDING] as (typeof FIRST_BINDING)[]);
-  expect(found.get(targetKey(panicTarget("one")))).toEqual([one, two]);
+  const groups = bindingsByTarget([one, two, FIRST_BINDING] as (typeof FIRST_BINDING)[]);
+  expect(groups.get(targetKey(panicTarget("one")))).toEqual([one, two]);
 });
 
 it.each([

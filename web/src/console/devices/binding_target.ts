@@ -97,7 +97,7 @@ export function bindingsByTarget(
   bindings: readonly BindingDocument[],
   key: (binding: BindingDocument) => string = targetKey,
 ): ReadonlyMap<string, readonly BindingDocument[]> {
-  const found = new Map<string, BindingDocument[]>();
-  for (const binding of bindings) found.set(key(binding), [...(found.get(key(binding)) ?? []), binding]);
-  return found;
+  const groups = new Map<string, BindingDocument[]>();
+  for (const binding of bindings) groups.set(key(binding), [...(groups.get(key(binding)) ?? []), binding]);
+  return groups;
 }

@@ -1,9 +1,10 @@
 /** The devices at this browser, told to the show: which there are, what they send, and what the browser lets us have. */
 
-import type { DeviceState, FromClient } from "../../link/messages";
-import { TopicStore } from "../../link/topics";
+import type { DeviceState, FromClient, Refused } from "../../link/messages";
+import { type BrowserStorage, keep, readKept, readRecord } from "../../ui/browser_storage";
+import type { ConsoleStore } from "../store/console_store";
 import { ByteBatches } from "./byte_batches";
-import { type BrowserStore, DeviceNames, storedObject, storeObject } from "./device_names";
+import { DeviceNames } from "./device_names";
 import { Gamepads, type PadState } from "./gamepads";
 import { type DeviceKind, MidiPorts } from "./midi_ports";
 import { type Hid, SpaceMice } from "./space_mice";
@@ -11,7 +12,7 @@ import { type Hid, SpaceMice } from "./space_mice";
 /** What a browser offers; what it has not is left out. `secure`: https, or this machine itself. */
 export interface Browser {
   readonly secure: boolean;
-  readonly store: BrowserStore;
+  readonly store: BrowserStorage;
   readonly requestMidi: (() => Promise<MIDIAccess>) | null;
   readonly gamepads: (() => readonly (PadState | null)[]) | null;
   readonly hid: Hid | null;
@@ -20,33 +21,34 @@ export interface Browser {
 }
 
 /** Whether devices of a kind are heard here: `insecure` and `missing`: they cannot be, `denied`: the browser refused. */
-export type Hearing = "off" | "asking" | "on" | "denied" | "missing" | "insecure";
+export type DeviceHearing = "off" | "asking" | "on" | "denied" | "missing" | "insecure";
+
+interface Here {
+  readonly kind: DeviceKind;
+  refused: string | null;
+}
 
 const KEY = "omote devices";
 
-export class BrowserDevices extends TopicStore<"devices"> {
-  readonly hearing: Record<DeviceKind, Hearing>;
+export class BrowserDevices {
+  readonly hearing: Record<DeviceKind, DeviceHearing>;
   /** What is plugged in at this browser, and for each that the show does not take from here the reason. */
-  readonly here = new Map<string, { readonly kind: DeviceKind; refused: string | null }>();
-  /** Asked for, and not rejected yet: the device by the id of the message. */
-  readonly #plugs = new Map<string, string>();
+  readonly here = new Map<string, Here>();
   readonly #midi: MidiPorts;
   readonly #pads: Gamepads;
   readonly #mice: SpaceMice | null;
   readonly #batches: ByteBatches;
   #online = false;
   #hidden = false;
-  #count = 0;
 
   constructor(
     private readonly browser: Browser,
+    private readonly store: Pick<ConsoleStore, "ask" | "tell">,
     private readonly send: (message: FromClient) => void,
-    private readonly id: string,
   ) {
-    super();
     const names = new DeviceNames(browser.store);
-    const may = (found: unknown, safe: boolean): Hearing =>
-      safe && !browser.secure ? "insecure" : found === null ? "missing" : "off";
+    const may = (api: unknown, safe: boolean): DeviceHearing =>
+      safe && !browser.secure ? "insecure" : api === null ? "missing" : "off";
     this.hearing = {
       midi: may(browser.requestMidi, true),
       gamepad: may(browser.gamepads, false),
@@ -62,7 +64,7 @@ export class BrowserDevices extends TopicStore<"devices"> {
 
   /** Hears again what was heard the last time; gamepads need no permission. */
   async start(): Promise<void> {
-    const kept = storedObject(this.browser.store, KEY);
+    const kept = readRecord(readKept(this.browser.store, KEY));
     if (kept.gamepad !== false && this.hearing.gamepad === "off") this.#set("gamepad", "on");
     if (kept.midi === true) await this.hear("midi", true);
     if (kept.space_mouse === true && this.hearing.space_mouse === "off" && ((await this.#mice?.open()) ?? 0) > 0)
@@ -72,7 +74,7 @@ export class BrowserDevices extends TopicStore<"devices"> {
   /** Hears devices of a kind from now on, or no more; the browser may ask the operator. */
   async hear(kind: DeviceKind, on: boolean): Promise<void> {
     if (this.hearing[kind] === "missing" || this.hearing[kind] === "insecure") return;
-    storeObject(this.browser.store, KEY, { ...storedObject(this.browser.store, KEY), [kind]: on });
+    keep(this.browser.store, KEY, JSON.stringify({ ...readRecord(readKept(this.browser.store, KEY)), [kind]: on }));
     if (kind === "midi") await (on ? this.#openMidi() : this.#close("midi", () => this.#midi.close()));
     else if (kind === "space_mouse") await (on ? this.#openMice() : this.#close(kind, () => this.#mice?.close()));
     else if (on) this.#set("gamepad", "on");
@@ -95,7 +97,6 @@ export class BrowserDevices extends TopicStore<"devices"> {
   /** The link came up, where the show knows of none of our devices, or was lost. */
   setOnline(online: boolean): void {
     this.#online = online;
-    this.#plugs.clear();
     if (online) for (const [device, { kind }] of this.here) this.#plug(device, kind);
   }
 
@@ -106,17 +107,6 @@ export class BrowserDevices extends TopicStore<"devices"> {
         this.#plug(device, here.kind);
   }
 
-  /** A message was rejected; whether it was one from here. */
-  receiveRefused(reason: string, id: string): boolean {
-    const device = this.#plugs.get(id);
-    if (device === undefined) return false;
-    this.#plugs.delete(id);
-    const here = this.here.get(device);
-    if (here !== undefined) here.refused = reason;
-    this.tell("devices");
-    return true;
-  }
-
   /** The show sends something to a device. */
   receiveBytes(device: string, data: Uint8Array): void {
     this.#midi.send(device, data);
@@ -125,23 +115,26 @@ export class BrowserDevices extends TopicStore<"devices"> {
   plugged(device: string, kind: DeviceKind): void {
     this.here.set(device, { kind, refused: null });
     if (this.#online) this.#plug(device, kind);
-    this.tell("devices");
+    this.store.tell("browser_devices");
   }
 
   unplugged(device: string): void {
     this.#batches.forget(device);
     if (this.#heard(device)) this.send({ type: "unplug", device });
     this.here.delete(device);
-    this.tell("devices");
+    this.store.tell("browser_devices");
   }
 
   #plug(device: string, kind: DeviceKind): void {
-    this.#count += 1;
-    const id = `${this.id}-plug-${this.#count}`;
-    this.#plugs.set(id, device);
-    this.here.set(device, { kind, refused: null });
-    this.send({ type: "plug", device, kind, id });
-    this.tell("devices");
+    const here: Here = { kind, refused: null };
+    this.here.set(device, here);
+    const refused = ({ reason }: Refused): true => {
+      here.refused = reason;
+      this.store.tell("browser_devices");
+      return true; // it stands beside the device
+    };
+    this.store.ask({ type: "plug", device, kind }, { refused });
+    this.store.tell("browser_devices");
   }
 
   /** Whether the show hears a device from here. */
@@ -171,8 +164,8 @@ export class BrowserDevices extends TopicStore<"devices"> {
   async #openMice(): Promise<void> {
     this.#set("space_mouse", "asking");
     try {
-      const found = (await this.#mice?.ask()) ?? 0;
-      this.#set("space_mouse", found > 0 ? "on" : "off");
+      const count = (await this.#mice?.ask()) ?? 0;
+      this.#set("space_mouse", count > 0 ? "on" : "off");
     } catch {
       this.#set("space_mouse", "denied");
     }
@@ -183,9 +176,9 @@ export class BrowserDevices extends TopicStore<"devices"> {
     this.#set(kind, "off");
   }
 
-  #set(kind: DeviceKind, hearing: Hearing): void {
+  #set(kind: DeviceKind, hearing: DeviceHearing): void {
     this.hearing[kind] = hearing;
-    this.tell("devices");
+    this.store.tell("browser_devices");
   }
 }
 

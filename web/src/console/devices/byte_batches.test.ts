@@ -6,21 +6,21 @@ function batches() {
   const sent: [string, number[]][] = [];
   const timers: (() => void)[] = [];
   const clock = { now: 1000 };
-  const made = new ByteBatches(
+  const batcher = new ByteBatches(
     (device, data) => sent.push([device, [...data]]),
     () => clock.now,
     (call) => void timers.push(call),
   );
-  return { made, sent, timers, clock };
+  return { batcher, sent, timers, clock };
 }
 
 it("sends the first bytes at once and those of the next moment together, in their order", () => {
-  const { made, sent, timers, clock } = batches();
-  made.add("a", [0xb0, 7, 1]);
+  const { batcher, sent, timers, clock } = batches();
+  batcher.add("a", [0xb0, 7, 1]);
   expect(sent).toEqual([["a", [0xb0, 7, 1]]]);
-  made.add("a", [0xb0, 7, 2]);
-  made.add("b", [0x90, 60, 100]);
-  made.add("a", [0xb0, 7, 3]);
+  batcher.add("a", [0xb0, 7, 2]);
+  batcher.add("b", [0x90, 60, 100]);
+  batcher.add("a", [0xb0, 7, 3]);
   expect([sent.length, timers.length]).toEqual([1, 1]);
   clock.now += BATCH_MILLISECONDS;
   timers[0]?.();
@@ -31,11 +31,11 @@ it("sends the first bytes at once and those of the next moment together, in thei
 });
 
 it("does not wait for a timer that a page out of sight gets late", () => {
-  const { made, sent, clock } = batches();
-  made.add("a", [0xb0, 7, 1]);
-  made.add("a", [0xb0, 7, 2]);
+  const { batcher, sent, clock } = batches();
+  batcher.add("a", [0xb0, 7, 1]);
+  batcher.add("a", [0xb0, 7, 2]);
   clock.now += BATCH_MILLISECONDS;
-  made.add("a", [0xb0, 7, 3]);
+  batcher.add("a", [0xb0, 7, 3]);
   expect(sent.map(([, data]) => data)).toEqual([
     [0xb0, 7, 1],
     [0xb0, 7, 2, 0xb0, 7, 3],
@@ -43,10 +43,10 @@ it("does not wait for a timer that a page out of sight gets late", () => {
 });
 
 it("loses no byte of a flood, and sends none that the wire would not take", () => {
-  const { made, sent, timers, clock } = batches();
+  const { batcher, sent, timers, clock } = batches();
   const all = Array.from({ length: 5000 }, (_, index) => index % 128);
-  made.add("a", [0]);
-  for (let at = 0; at < all.length; at += 100) made.add("a", all.slice(at, at + 100));
+  batcher.add("a", [0]);
+  for (let at = 0; at < all.length; at += 100) batcher.add("a", all.slice(at, at + 100));
   clock.now += BATCH_MILLISECONDS;
   timers[0]?.();
   expect(sent.flatMap(([, data]) => data)).toEqual([0, ...all]);
@@ -54,12 +54,12 @@ it("loses no byte of a flood, and sends none that the wire would not take", () =
 });
 
 it("passes over clocks, and sends what waits before a device is forgotten", () => {
-  const { made, sent } = batches();
-  made.add("a", [0xf8]);
-  made.add("a", []);
+  const { batcher, sent } = batches();
+  batcher.add("a", [0xf8]);
+  batcher.add("a", []);
   expect(sent).toEqual([]);
-  made.add("a", [0xb0, 7, 1]);
-  made.add("a", [0xb0, 7, 2]);
-  made.forget("a");
+  batcher.add("a", [0xb0, 7, 1]);
+  batcher.add("a", [0xb0, 7, 2]);
+  batcher.forget("a");
   expect(sent.length).toBe(2);
 });

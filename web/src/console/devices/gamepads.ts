@@ -13,7 +13,7 @@ export interface PadState {
   readonly buttons: readonly { readonly value: number; readonly pressed: boolean }[];
 }
 
-interface Known {
+interface KnownPad {
   readonly device: string;
   readonly id: string;
   readonly values: Map<string, number>;
@@ -28,7 +28,7 @@ const TRIGGERS: readonly number[] = [6, 7];
 const STANDARD = "standard";
 
 export class Gamepads {
-  readonly #known = new Map<number, Known>();
+  readonly #pads = new Map<number, KnownPad>();
 
   /** `listed`: the browser's list; `passed`: those that another interface has already. */
   constructor(
@@ -42,36 +42,36 @@ export class Gamepads {
   /** Looks once: who came, who went, and what moved. */
   look(): void {
     const pads = [...this.listed()].filter((pad) => pad?.connected && !this.passed(pad)) as PadState[];
-    for (const [index, known] of this.#known)
-      if (!pads.some((pad) => pad.index === index && pad.id === known.id)) this.#leave(index, known);
+    for (const [index, knownPad] of this.#pads)
+      if (!pads.some((pad) => pad.index === index && pad.id === knownPad.id)) this.#leave(index, knownPad);
     for (const pad of pads) {
-      const known = this.#known.get(pad.index);
-      if (known === undefined) this.#take(pad);
-      else this.#follow(pad, known);
+      const knownPad = this.#pads.get(pad.index);
+      if (knownPad === undefined) this.#take(pad);
+      else this.#follow(pad, knownPad);
     }
   }
 
   /** Lets go of all of them. */
   close(): void {
-    for (const [index, known] of this.#known) this.#leave(index, known);
+    for (const [index, knownPad] of this.#pads) this.#leave(index, knownPad);
   }
 
   /** A pad is here: where its controls stand now is where they rest, and plays nothing. */
   #take(pad: PadState): void {
     const device = this.names.take(keyOf(pad), pad.id);
-    this.#known.set(pad.index, { device, id: pad.id, values: new Map(valuesOf(pad)) });
+    this.#pads.set(pad.index, { device, id: pad.id, values: new Map(valuesOf(pad)) });
     this.events.plugged(device, isSpaceMouse(pad) ? "space_mouse" : "gamepad");
   }
 
-  #follow(pad: PadState, { device, values }: Known): void {
+  #follow(pad: PadState, { device, values }: KnownPad): void {
     const changed = valuesOf(pad).filter(([control, value]) => values.get(control) !== value);
     if (changed.length === 0) return;
     for (const [control, value] of changed) values.set(control, value);
     this.moved(device, Object.fromEntries(changed));
   }
 
-  #leave(index: number, { device, id }: Known): void {
-    this.#known.delete(index);
+  #leave(index: number, { device, id }: KnownPad): void {
+    this.#pads.delete(index);
     this.names.leave(keyOf({ id, index }));
     this.events.unplugged(device);
   }

@@ -8,10 +8,10 @@ const news: string[] = [];
 let ports: MidiPorts;
 let count = 0;
 /** All ports that a test has made. */
-const made: { disconnect(): void }[] = [];
+const openPorts: { disconnect(): void }[] = [];
 
 beforeEach(async () => {
-  for (const one of made.splice(0)) one.disconnect();
+  for (const one of openPorts.splice(0)) one.disconnect();
   ports?.close();
   heard.length = 0;
   news.length = 0;
@@ -27,10 +27,10 @@ beforeEach(async () => {
 /** A device that no test before has; `plug` puts it in. */
 function device(name = `device ${count++}`) {
   const [source, sink] = [new WMT.MidiSrc(name), new WMT.MidiDst(name)];
-  made.push(source, sink);
-  const told: number[][] = [];
-  sink.receive = (message = []) => void told.push([...message]);
-  return { name, source, sink, told };
+  openPorts.push(source, sink);
+  const messages: number[][] = [];
+  sink.receive = (message = []) => void messages.push([...message]);
+  return { name, source, sink, told: messages };
 }
 
 it("hears a device that is plugged in, unplugged and plugged in again, under the same name", () => {

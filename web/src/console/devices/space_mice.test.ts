@@ -24,8 +24,8 @@ it("reads axes from end to end with their rest in the middle, in both forms of r
 });
 
 it("reads buttons as keys", () => {
-  const found = readReport({ reportId: 3, data: new DataView(Uint8Array.of(0b10).buffer) });
-  expect([found.button0, found.button1, Object.keys(found).length]).toEqual([0, 1, 8]);
+  const buttons = readReport({ reportId: 3, data: new DataView(Uint8Array.of(0b10).buffer) });
+  expect([buttons.button0, buttons.button1, Object.keys(buttons).length]).toEqual([0, 1, 8]);
 });
 
 class Mouse extends EventTarget implements HidDevice {

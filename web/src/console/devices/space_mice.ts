@@ -42,10 +42,10 @@ export function readReport({ reportId, data }: HidReport): Record<string, number
 }
 
 function readButtons(data: DataView): Record<string, number> {
-  const found: Record<string, number> = {};
+  const buttons: Record<string, number> = {};
   for (let index = 0; index < Math.min(4, data.byteLength) * 8; index += 1)
-    found[`button${index}`] = (data.getUint8(index >> 3) >> (index & 7)) & 1;
-  return found;
+    buttons[`button${index}`] = (data.getUint8(index >> 3) >> (index & 7)) & 1;
+  return buttons;
 }
 
 /** Some give more than the full count where they are pushed hard. */
@@ -80,8 +80,8 @@ export class SpaceMice {
 
   /** Reads all that the browser lets this page have. */
   async open(): Promise<number> {
-    const found = await this.hid.getDevices();
-    await Promise.all(found.map((one) => this.#take(one)));
+    const mice = await this.hid.getDevices();
+    await Promise.all(mice.map((mouse) => this.#take(mouse)));
     return this.#opened.size;
   }
 
@@ -102,20 +102,20 @@ export class SpaceMice {
 
   /** Lets go of all of them. */
   close(): void {
-    for (const one of [...this.#opened.keys()]) {
-      this.#leave(one);
-      void one.close();
+    for (const mouse of [...this.#opened.keys()]) {
+      this.#leave(mouse);
+      void mouse.close();
     }
   }
 
-  async #take(one: HidDevice): Promise<void> {
-    if (this.#opened.has(one)) return;
-    if (!one.opened) await one.open();
-    const device = this.names.take(keyOf(one), one.productName);
+  async #take(mouse: HidDevice): Promise<void> {
+    if (this.#opened.has(mouse)) return;
+    if (!mouse.opened) await mouse.open();
+    const device = this.names.take(keyOf(mouse), mouse.productName);
     const opened: Opened = { device, values: new Map(), changed: new Map(), ending: new AbortController() };
-    this.#opened.set(one, opened);
+    this.#opened.set(mouse, opened);
     const hear = (event: Event): void => this.#hear(opened, event as Event & HidReport);
-    one.addEventListener("inputreport", hear, { signal: opened.ending.signal });
+    mouse.addEventListener("inputreport", hear, { signal: opened.ending.signal });
     this.events.plugged(device, "space_mouse");
   }
 
@@ -128,12 +128,12 @@ export class SpaceMice {
     if (key) this.look(); // a short press must not be gone before the next look
   }
 
-  #leave(one: HidDevice): void {
-    const opened = this.#opened.get(one);
+  #leave(mouse: HidDevice): void {
+    const opened = this.#opened.get(mouse);
     if (opened === undefined) return;
     opened.ending.abort();
-    this.#opened.delete(one);
-    this.names.leave(keyOf(one));
+    this.#opened.delete(mouse);
+    this.names.leave(keyOf(mouse));
     this.events.unplugged(opened.device);
   }
 }

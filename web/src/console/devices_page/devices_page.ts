@@ -3,101 +3,66 @@
 import { css, html, nothing } from "lit";
 import { customElement } from "lit/decorators.js";
 import { listenToKeys } from "../../ui/key_presses";
-import { base, palette } from "../../ui/theme";
-import { DevicesElement } from "../device_panel/devices_element";
+import { base, palette, toolPage } from "../../ui/theme";
+import { whileShown } from "../../ui/topic_element";
+import { DevicesElement } from "../devices/devices_element";
 import { offersOf, offersStyle } from "../panels/offers";
 import { isPanic, stepOf } from "../store/keys";
-import "../device_panel/devices_panel";
+import type { Topic } from "../store/page_store";
+import "../devices/devices_panel";
+
+const style = css`
+  :host {
+    --finger: 40px;
+    display: grid;
+    grid-template-rows: auto minmax(0, 1fr);
+    gap: 6px;
+  }
+  @media (min-width: 900px) {
+    :host {
+      height: 100dvh;
+    }
+  }
+  header {
+    position: sticky;
+    top: 0;
+    z-index: 3;
+    gap: 4px 10px;
+    background: var(--ground);
+  }
+  .notice {
+    flex: 1 1 220px;
+    min-width: 0;
+    color: var(--attention);
+    overflow-wrap: anywhere;
+  }
+  .notice.done {
+    color: var(--text);
+  }
+  .panic {
+    min-width: 120px;
+    min-height: 44px;
+    font-size: 16px;
+    font-weight: 800;
+    letter-spacing: 0.16em;
+    color: var(--attention);
+    background: #241a02;
+    border: 2px solid var(--attention);
+    border-radius: 6px;
+    touch-action: none;
+  }
+`;
 
 @customElement("omote-devices-page")
 export class DevicesPage extends DevicesElement {
-  #deaf: () => void = () => undefined;
+  static override styles = [palette, base, toolPage, offersStyle, style];
 
-  static override styles = [
-    palette,
-    base,
-    offersStyle,
-    css`
-      :host {
-        --finger: 40px;
-        min-height: 100dvh;
-        display: grid;
-        grid-template-rows: auto minmax(0, 1fr);
-        gap: 6px;
-        padding: 6px;
-        background: var(--ground);
-      }
-      @media (min-width: 900px) {
-        :host {
-          height: 100dvh;
-        }
-      }
-      header {
-        position: sticky;
-        top: 0;
-        z-index: 3;
-        display: flex;
-        flex-wrap: wrap;
-        align-items: center;
-        gap: 4px 10px;
-        min-height: 50px;
-        padding: 4px 10px;
-        background: var(--ground);
-      }
-      h1 {
-        margin: 0;
-        font-size: 15px;
-        letter-spacing: 0.14em;
-      }
-      a {
-        color: var(--focus);
-      }
-      .notice {
-        flex: 1 1 220px;
-        min-width: 0;
-        color: var(--attention);
-        overflow-wrap: anywhere;
-      }
-      .notice.done {
-        color: var(--text);
-      }
-      .lost {
-        padding: 4px 10px;
-        border-radius: 4px;
-        font-weight: 700;
-        color: #fff;
-        background: #c3170a;
-      }
-      .panic {
-        min-width: 120px;
-        min-height: 44px;
-        font-size: 16px;
-        font-weight: 800;
-        letter-spacing: 0.16em;
-        color: var(--attention);
-        background: #241a02;
-        border: 2px solid var(--attention);
-        border-radius: 6px;
-        touch-action: none;
-      }
-    `,
-  ];
+  protected override readonly topics: readonly Topic[] = ["link", "notice", "undo"];
 
-  protected override listen(changed: () => void): (() => void)[] {
-    return (["link", "notice", "undo"] as const).map((topic) => this.store.listen(topic, changed));
-  }
-
-  override connectedCallback(): void {
-    super.connectedCallback();
-    this.#deaf = listenToKeys({
-      everywhere: (event) => isPanic(event) && this.#panic(event.repeat),
-      page: this.#key,
-    });
-  }
-
-  override disconnectedCallback(): void {
-    super.disconnectedCallback();
-    this.#deaf();
+  constructor() {
+    super();
+    const everywhere = (event: KeyboardEvent): boolean => isPanic(event) && this.#panic(event.repeat);
+    whileShown(this, () => listenToKeys({ everywhere, page: this.#key }));
   }
 
   override render() {

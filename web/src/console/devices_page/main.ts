@@ -3,18 +3,19 @@
 import { showAccess } from "../../access/access_banner";
 import { missingRole, readAccess } from "../../access/page_access";
 import { Library } from "../../link/assets";
-import { ShowLink } from "../../link/show_link";
+import { type LinkHandlers, ShowLink } from "../../link/show_link";
+import { randomId } from "../../ui/browser_storage";
 import { FramePainter } from "../../ui/frame_painter";
 import { ConsoleName } from "../console_name";
 import { ConsoleDevices } from "../devices/console_devices";
-import { randomToken, seatToken } from "../leases/seat_token";
+import { seatToken } from "../leases/seat_token";
 import { keepUndo } from "../show_file/undo_storage";
 import { ConsoleStore } from "../store/console_store";
 import { DevicesPage } from "./devices_page";
 
-const PAGE = randomToken();
+const PAGE = randomId();
 /** Who sits here: whom the console of the same tab was for. */
-const SEAT = seatToken(() => sessionStorage, randomToken);
+const SEAT = seatToken(() => sessionStorage, randomId);
 
 const ownName = new ConsoleName(
   () => localStorage,
@@ -22,27 +23,15 @@ const ownName = new ConsoleName(
 );
 
 /** The link of a page whose devices play as a console's do. */
-function connect(store: ConsoleStore, devices: () => ConsoleDevices): ShowLink {
-  const renew = (): void => void Library.open().then(({ manifest }) => store.setManifest(manifest));
-  return new ShowLink(
-    "console",
-    {
-      welcome: ({ name, show }) => {
-        store.receiveShow(show);
-        ownName.receive(name);
-      },
-      cast: renew,
-      state: (state) => store.receiveState(state),
-      hands: (hands) => store.receiveHands(hands),
-      refused: (reason, id) => devices().receiveRefused(reason, id) || store.receiveRefused(reason, id),
-      devices: (message) => devices().receive(message),
-      connected: (up) => store.setOnline(up),
-      revoked: () => location.reload(), // the server then asks for another token
-    },
-    ownName.read,
-    PAGE,
-    SEAT,
-  );
+function connect(store: ConsoleStore): ShowLink {
+  const handlers: LinkHandlers = {
+    every: (message) => store.receive(message),
+    welcome: ({ name }) => ownName.receive(name),
+    cast: () => void Library.open().then(({ manifest }) => store.setManifest(manifest)),
+    connected: (up) => store.setOnline(up),
+    revoked: () => location.reload(), // the server then asks for another token
+  };
+  return new ShowLink("console", handlers, ownName.read, PAGE, SEAT);
 }
 
 async function start(): Promise<void> {
@@ -52,8 +41,8 @@ async function start(): Promise<void> {
     PAGE,
   );
   keepUndo(store, () => sessionStorage);
-  const devices = new ConsoleDevices(store, (message) => link.send(message), PAGE);
-  const link = connect(store, () => devices);
+  const devices = new ConsoleDevices(store, (message) => link.send(message));
+  const link = connect(store);
   const painter = new FramePainter();
   painter.add({ paint: () => store.flush() });
   const page = new DevicesPage();

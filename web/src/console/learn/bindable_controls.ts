@@ -18,7 +18,7 @@ import {
   targetKey,
   whoOf,
 } from "../devices/binding_target";
-import type { LayerFader } from "../layer_panel/layer_fader";
+import type { LayerFader } from "../mixer/layer_fader";
 import type { Palette } from "../palette/palette";
 import type { ConsoleStore } from "../store/console_store";
 
@@ -31,39 +31,40 @@ export interface BindableControl {
 }
 
 /** Where something is seen, in pixels of the page. */
-export interface Box {
+export interface PageBox {
   readonly left: number;
   readonly top: number;
   readonly right: number;
   readonly bottom: number;
 }
 
-type Found = readonly [selector: string, read: (part: HTMLElement) => readonly Target[], travel?: Range];
+type BindablePart = readonly [selector: string, read: (part: HTMLElement) => readonly Target[], travel?: Range];
 
 /** What of an element of the console can be bound, by its tag. */
-const PARTS: Readonly<Record<string, (element: Element, store: ConsoleStore, who: string) => readonly Found[]>> = {
-  "omote-fader": (element, _, who) => [[".slot", () => [channelTarget(who, (element as Fader).channel)], CHANNEL]],
-  "omote-tbar": (element, _, who) => [[".track", () => [barTarget(who, (element as TBar).axis)], UNIT]],
-  "omote-layer-fader": (element, _, who) => {
-    const { layer, region } = element as LayerFader;
-    return [[".slot", () => [layerTarget(who, layer, region)], UNIT]];
-  },
-  "omote-pad": (element, _, who) => {
-    const { what } = element as Pad;
-    const turns = (...parts: string[]) => parts.map((part) => directionTarget(who, what, part));
-    return [
-      [".field", () => turns("yaw", "pitch")],
-      [".tilt", () => turns("roll")],
-    ];
-  },
-  "omote-palette": (element, store, who) => {
-    const { axis } = element as Palette;
-    return [[".tile", (tile) => [callTarget(who, axis, tile.dataset.name ?? "", store.callSeconds(axis))]]];
-  },
-  "omote-lights": (_, store) => [
-    ["[data-light]", (key) => [lightTarget(key.dataset.light ?? "", store.timing.face.seconds)]],
-  ],
-};
+const PARTS: Readonly<Record<string, (element: Element, store: ConsoleStore, who: string) => readonly BindablePart[]>> =
+  {
+    "omote-fader": (element, _, who) => [[".slot", () => [channelTarget(who, (element as Fader).channel)], CHANNEL]],
+    "omote-tbar": (element, _, who) => [[".track", () => [barTarget(who, (element as TBar).axis)], UNIT]],
+    "omote-layer-fader": (element, _, who) => {
+      const { layer, region } = element as LayerFader;
+      return [[".slot", () => [layerTarget(who, layer, region)], UNIT]];
+    },
+    "omote-pad": (element, _, who) => {
+      const { what } = element as Pad;
+      const turns = (...parts: string[]) => parts.map((part) => directionTarget(who, what, part));
+      return [
+        [".field", () => turns("yaw", "pitch")],
+        [".tilt", () => turns("roll")],
+      ];
+    },
+    "omote-palette": (element, store, who) => {
+      const { axis } = element as Palette;
+      return [[".tile", (tile) => [callTarget(who, axis, tile.dataset.name ?? "", store.callSeconds(axis))]]];
+    },
+    "omote-lights": (_, store) => [
+      ["[data-light]", (key) => [lightTarget(key.dataset.light ?? "", store.timing.face.seconds)]],
+    ],
+  };
 const TAGS = Object.keys(PARTS).join(",");
 /** Elements that hold others of these. */
 const HOLDERS = "omote-bank,omote-layer-panel";
@@ -71,18 +72,18 @@ const HOLDERS = "omote-bank,omote-layer-panel";
 /** All of them below a root, in the order of the page. */
 export function findControls(root: ParentNode, store: ConsoleStore): BindableControl[] {
   const who = whoOf(store.played.targets);
-  const found: BindableControl[] = [];
+  const controls: BindableControl[] = [];
   for (const element of root.querySelectorAll(`${TAGS},${HOLDERS}`)) {
     const inside = element.shadowRoot;
     const parts = PARTS[element.localName];
     if (inside === null) continue;
-    if (parts === undefined) found.push(...findControls(inside, store));
+    if (parts === undefined) controls.push(...findControls(inside, store));
     else
       for (const [selector, read, travel = null] of parts(element, store, who))
         for (const part of inside.querySelectorAll<HTMLElement>(selector))
-          found.push({ element: part, targets: read(part), travel });
+          controls.push({ element: part, targets: read(part), travel });
   }
-  return found;
+  return controls;
 }
 
 /** The bindings of each target as `targetKey` has it: one of all characters plays the controls of those played here. */
@@ -91,15 +92,15 @@ export function bindingsShown(
   store: ConsoleStore,
 ): ReturnType<typeof bindingsByTarget> {
   const { names, targets } = store.played;
-  return bindingsByTarget(bindings, (one) => {
-    const who = characterOf(one.to);
+  return bindingsByTarget(bindings, (binding) => {
+    const who = characterOf(binding.to);
     const here = who === "*" || names.includes(who);
-    return targetKey(here ? { ...one, to: one.to.replace(`/${who}/`, `/${whoOf(targets)}/`) } : one);
+    return targetKey(here ? { ...binding, to: binding.to.replace(`/${who}/`, `/${whoOf(targets)}/`) } : binding);
   });
 }
 
 /** The part of a control that is seen: what scrolls out of its panel is not; null for nothing of it. */
-export function seenBox(element: HTMLElement): Box | null {
+export function seenBox(element: HTMLElement): PageBox | null {
   let { left, top, right, bottom } = element.getBoundingClientRect();
   for (const frame of framesOf(element)) {
     const edge = frame.getBoundingClientRect();
@@ -117,13 +118,13 @@ const frames = new WeakMap<Element, readonly Element[]>();
 
 /** What a control can scroll out of: it stays the same, so it is looked up once. */
 function framesOf(element: Element): readonly Element[] {
-  const known = frames.get(element);
-  if (known !== undefined) return known;
-  const found: Element[] = [];
-  for (let one = parentOf(element); one !== null; one = parentOf(one))
-    if (getComputedStyle(one).overflow !== "visible") found.push(one);
-  frames.set(element, found);
-  return found;
+  const cached = frames.get(element);
+  if (cached !== undefined) return cached;
+  const clipping: Element[] = [];
+  for (let ancestor = parentOf(element); ancestor !== null; ancestor = parentOf(ancestor))
+    if (getComputedStyle(ancestor).overflow !== "visible") clipping.push(ancestor);
+  frames.set(element, clipping);
+  return clipping;
 }
 
 function parentOf(element: Element): Element | null {

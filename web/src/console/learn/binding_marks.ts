@@ -6,8 +6,16 @@ import type { BindingDocument } from "../../link/messages";
 import { base } from "../../ui/theme";
 import { AnimatedElement } from "../controls/console_element";
 import { shortControl, targetKey } from "../devices/binding_target";
-import type { DeviceStore } from "../devices/device_store";
-import { type BindableControl, type Box, bindingsShown, findControls, markHeight, seenBox } from "./bindable_controls";
+import type { ConsoleDevices } from "../devices/console_devices";
+import type { Topic } from "../store/page_store";
+import {
+  type BindableControl,
+  bindingsShown,
+  findControls,
+  markHeight,
+  type PageBox,
+  seenBox,
+} from "./bindable_controls";
 
 /** Milliseconds after which the page is searched again for its controls. */
 const SEARCH = 400;
@@ -19,6 +27,44 @@ interface Mark {
   readonly waiting: HTMLElement;
 }
 
+const style = css`
+  .marks {
+    position: fixed;
+    inset: 0;
+    z-index: 2;
+    overflow: hidden;
+    pointer-events: none;
+  }
+  .chip,
+  .waiting {
+    position: absolute;
+    left: 0;
+    top: 0;
+    pointer-events: none;
+  }
+  .chip {
+    padding: 0 3px;
+    border-radius: 3px;
+    font-size: 10px;
+    font-weight: 600;
+    line-height: 13px;
+    white-space: nowrap;
+    color: #000;
+    background: var(--focus);
+  }
+  .chip.gone {
+    color: var(--dim);
+    background: var(--edge);
+  }
+  .waiting {
+    height: 4px;
+    margin-top: -2px;
+    border-radius: 2px;
+    background: var(--attention);
+    box-shadow: 0 0 0 1px #000;
+  }
+`;
+
 /** Lies over the panels, below every dialog, and takes no touch. */
 @customElement("omote-binding-marks")
 export class BindingMarks extends AnimatedElement {
@@ -27,67 +73,18 @@ export class BindingMarks extends AnimatedElement {
   @query(".marks") private layer!: HTMLElement;
   #marks: readonly Mark[] = [];
   #searched = Number.NEGATIVE_INFINITY;
-  #deaf: () => void = () => undefined;
 
-  private get devices(): DeviceStore {
-    return this.context.devices.store;
+  private get devices(): ConsoleDevices {
+    return this.context.devices;
   }
 
-  static override styles = [
-    base,
-    css`
-      .marks {
-        position: fixed;
-        inset: 0;
-        z-index: 2;
-        overflow: hidden;
-        pointer-events: none;
-      }
-      .chip,
-      .waiting {
-        position: absolute;
-        left: 0;
-        top: 0;
-        pointer-events: none;
-      }
-      .chip {
-        padding: 0 3px;
-        border-radius: 3px;
-        font-size: 10px;
-        font-weight: 600;
-        line-height: 13px;
-        white-space: nowrap;
-        color: #000;
-        background: var(--focus);
-      }
-      .chip.gone {
-        color: var(--dim);
-        background: var(--edge);
-      }
-      .waiting {
-        height: 4px;
-        margin-top: -2px;
-        border-radius: 2px;
-        background: var(--attention);
-        box-shadow: 0 0 0 1px #000;
-      }
-    `,
-  ];
+  static override styles = [base, style];
 
-  override connectedCallback(): void {
-    super.connectedCallback();
-    const again = (): void => {
-      this.#searched = Number.NEGATIVE_INFINITY;
-    };
-    const leave = [this.devices.listen("bindings", again), this.store.listen("characters", again)];
-    this.#deaf = () => {
-      for (const one of leave) one();
-    };
-  }
+  protected override readonly topics: readonly Topic[] = ["binding_list", "characters"];
 
-  override disconnectedCallback(): void {
-    super.disconnectedCallback();
-    this.#deaf();
+  /** The page is searched again. */
+  protected override changed(): void {
+    this.#searched = Number.NEGATIVE_INFINITY;
   }
 
   override render() {
@@ -103,7 +100,7 @@ export class BindingMarks extends AnimatedElement {
   #search(now: number): void {
     this.#searched = now;
     const of = bindingsShown(this.devices.bindings, this.store);
-    const found = findControls(this.page, this.store).flatMap((control) => {
+    const boundControls = findControls(this.page, this.store).flatMap((control) => {
       const bindings = control.targets.flatMap((target) => of.get(targetKey(target)) ?? []);
       return bindings.length === 0 ? [] : [{ control, bindings }];
     });
@@ -111,7 +108,11 @@ export class BindingMarks extends AnimatedElement {
       chip.remove();
       waiting.remove();
     }
-    this.#marks = found.map((one) => ({ ...one, chip: this.#make("chip"), waiting: this.#make("waiting") }));
+    this.#marks = boundControls.map((bound) => ({
+      ...bound,
+      chip: this.#make("chip"),
+      waiting: this.#make("waiting"),
+    }));
   }
 
   #make(kind: string): HTMLElement {
@@ -126,7 +127,7 @@ export class BindingMarks extends AnimatedElement {
     waiting.hidden = true;
     if (box === null) return;
     const there = bindings.filter(({ device }) => this.devices.device(device)?.plugged === true);
-    const text = [...new Set(bindings.map((one) => shortControl(one.control)))].join(" ");
+    const text = [...new Set(bindings.map((binding) => shortControl(binding.control)))].join(" ");
     if (chip.textContent !== text) chip.textContent = text;
     chip.classList.toggle("gone", there.length === 0);
     const place = placeOf(control.element, box);
@@ -153,7 +154,7 @@ export class BindingMarks extends AnimatedElement {
 }
 
 /** Where the name of a control's device stands, so that it covers nothing that is read: as a style. */
-function placeOf(element: Element, { left, top, right, bottom }: Box): string {
+function placeOf(element: Element, { left, top, right, bottom }: PageBox): string {
   const [x, y] = [Math.round(right - 1), Math.round(bottom - 14)];
   if (element.matches(".tile")) return `translate(calc(${x}px - 100%), ${Math.round(top + 1)}px)`; // name below, key left
   if (element.matches(".field")) return `translate(calc(${x}px - 100%), ${y}px)`; // its degrees stand at the left

@@ -3,17 +3,87 @@
 import { css, html, nothing } from "lit";
 import { customElement, property, query, state } from "lit/decorators.js";
 import type { BindingDocument } from "../../link/messages";
-import { base } from "../../ui/theme";
+import { base, flow } from "../../ui/theme";
+import { hearWhileShown, whileShown } from "../../ui/topic_element";
 import { AnimatedElement } from "../controls/console_element";
 import { narrow } from "../controls/screen_sizes";
 import { labelsOf, panicTarget, type Target, targetKey, targetText, whoOf } from "../devices/binding_target";
-import type { DeviceStore } from "../devices/device_store";
+import type { ConsoleDevices } from "../devices/console_devices";
+import type { Topic } from "../store/page_store";
 import { type BindableControl, bindingsShown, findControls, seenBox } from "./bindable_controls";
 
 type Bound = ReturnType<typeof bindingsShown>;
 
 /** Milliseconds after which the page is searched again for its controls. */
 const SEARCH = 250;
+
+const style = css`
+  .spots {
+    position: fixed;
+    inset: 0;
+    z-index: 4;
+    overflow: hidden;
+    pointer-events: none;
+  }
+  .spot {
+    position: absolute;
+    left: 0;
+    top: 0;
+    min-width: 0;
+    min-height: 0;
+    padding: 0;
+    border: 1.5px dashed var(--focus);
+    border-radius: 4px;
+    background: #86b9ff1c;
+    pointer-events: auto;
+    touch-action: none;
+  }
+  .spot.bound {
+    border-style: solid;
+  }
+  .spot.chosen {
+    border: 2px solid var(--attention);
+    background: #ffc53d3a;
+  }
+  .bar {
+    position: fixed;
+    z-index: 7;
+    inset: 6px calc(var(--panic, 252px)) auto 6px;
+    min-height: 50px;
+    ${flow}
+    gap: 4px 8px;
+    padding: 4px 10px;
+    border: 2px solid var(--focus);
+    border-radius: 6px;
+    background: #0d1a2b;
+    overflow: hidden;
+  }
+  .bar p {
+    flex: 1 1 180px;
+    min-width: 0;
+  }
+  .bar b {
+    color: var(--focus);
+    letter-spacing: 0.12em;
+  }
+  .bar .wanted {
+    color: var(--attention);
+  }
+  @media (max-width: 899px) {
+    .bar {
+      inset: 62px 96px auto;
+    }
+    .bar p {
+      flex-basis: 100%;
+    }
+  }
+  @media ${narrow} {
+    .bar {
+      inset: 60px 80px auto;
+      padding: 4px 6px;
+    }
+  }
+`;
 
 /** Marks what can be bound, and takes the touches that would play. Tells `close` and `devices`. */
 @customElement("omote-learn-mode")
@@ -25,107 +95,24 @@ export class LearnMode extends AnimatedElement {
   @state() private chosen: readonly Target[] = [];
   @query(".spots") private layer!: HTMLElement;
   #searched = Number.NEGATIVE_INFINITY;
-  #deaf: () => void = () => undefined;
 
-  private get devices(): DeviceStore {
-    return this.context.devices.store;
+  private get devices(): ConsoleDevices {
+    return this.context.devices;
   }
 
-  static override styles = [
-    base,
-    css`
-      .spots {
-        position: fixed;
-        inset: 0;
-        z-index: 4;
-        overflow: hidden;
-        pointer-events: none;
-      }
-      .spot {
-        position: absolute;
-        left: 0;
-        top: 0;
-        min-width: 0;
-        min-height: 0;
-        padding: 0;
-        border: 1.5px dashed var(--focus);
-        border-radius: 4px;
-        background: #86b9ff1c;
-        pointer-events: auto;
-        touch-action: none;
-      }
-      .spot.bound {
-        border-style: solid;
-      }
-      .spot.chosen {
-        border: 2px solid var(--attention);
-        background: #ffc53d3a;
-      }
-      .bar {
-        position: fixed;
-        z-index: 7;
-        inset: 6px calc(var(--panic, 252px)) auto 6px;
-        min-height: 50px;
-        display: flex;
-        flex-wrap: wrap;
-        align-items: center;
-        gap: 4px 8px;
-        padding: 4px 10px;
-        border: 2px solid var(--focus);
-        border-radius: 6px;
-        background: #0d1a2b;
-        overflow: hidden;
-      }
-      .bar p {
-        flex: 1 1 180px;
-        margin: 0;
-        min-width: 0;
-      }
-      .bar b {
-        color: var(--focus);
-        letter-spacing: 0.12em;
-      }
-      .bar .wanted {
-        color: var(--attention);
-      }
-      @media (max-width: 899px) {
-        .bar {
-          inset: 62px 96px auto;
-        }
-        .bar p {
-          flex-basis: 100%;
-        }
-      }
-      @media ${narrow} {
-        .bar {
-          inset: 60px 80px auto;
-          padding: 4px 6px;
-        }
-      }
-    `,
-  ];
+  static override styles = [base, style];
 
-  override connectedCallback(): void {
-    super.connectedCallback();
-    const leave = [
-      this.devices.listen("bindings", () => this.requestUpdate()),
-      this.devices.listen("devices", () => this.requestUpdate()),
-      this.store.listen("link", () => this.#close()),
-    ];
-    const heard = ({ key }: KeyboardEvent): void => {
-      if (key === "Escape") this.#close();
-    };
-    window.addEventListener("keydown", heard);
-    this.#deaf = () => {
-      for (const one of leave) one();
-      window.removeEventListener("keydown", heard);
-    };
+  protected override readonly topics: readonly Topic[] = ["binding_list", "devices", "link"];
+
+  protected override changed(topic: Topic): void {
+    if (topic === "link") this.close();
+    else super.changed(topic);
   }
 
-  override disconnectedCallback(): void {
-    super.disconnectedCallback();
-    this.#deaf();
-    this.devices.stopLearning();
+  constructor() {
+    super();
+    hearWhileShown(this, window, ["keydown"], ({ key }: KeyboardEvent) => key === "Escape" && this.close());
+    whileShown(this, () => () => this.devices.stopLearning());
   }
 
   override firstUpdated(): void {
@@ -140,8 +127,8 @@ export class LearnMode extends AnimatedElement {
         <p role="status">${this.#says()}</p>
         ${this.#axes()} ${this.#deletion()}
         <button data-learn="panic" title="A key of a device that is panic" @click=${() => this.#choose([panicTarget(this.#who)])}>Bind panic</button>
-        <button data-learn="devices" title="All devices and bindings" @click=${() => this.dispatchEvent(new CustomEvent("devices"))}>Bindings</button>
-        <button class="close" @click=${() => this.#close()}>Done</button>
+        <button data-learn="devices" title="All devices and bindings" @click=${() => this.tell("devices")}>Bindings</button>
+        <button class="close" @click=${() => this.close()}>Done</button>
       </div>
     `;
   }
@@ -193,7 +180,7 @@ export class LearnMode extends AnimatedElement {
     const axes = [...this.chosen].sort((a, b) => a.axis.localeCompare(b.axis) * -1);
     return axes.map(
       (target) => html`<button data-axis=${target.axis} aria-pressed=${targetKey(target) === this.#chosenKey}
-        @click=${() => this.#choose([target, ...this.chosen.filter((one) => one !== target)])}>${target.axis}</button>`,
+        @click=${() => this.#choose([target, ...this.chosen.filter((other) => other !== target)])}>${target.axis}</button>`,
     );
   }
 
@@ -204,27 +191,29 @@ export class LearnMode extends AnimatedElement {
 
   /** What else the same controls play. */
   #others(bindings: readonly BindingDocument[]): BindingDocument[] {
-    const same = (one: BindingDocument, other: BindingDocument): boolean =>
-      one.device === other.device && one.control === other.control && one.bank === other.bank;
-    return this.devices.bindings.filter((one) => !bindings.includes(one) && bindings.some((other) => same(one, other)));
+    const same = (binding: BindingDocument, other: BindingDocument): boolean =>
+      binding.device === other.device && binding.control === other.control && binding.bank === other.bank;
+    return this.devices.bindings.filter(
+      (binding) => !bindings.includes(binding) && bindings.some((other) => same(binding, other)),
+    );
   }
 
   #played(target: Target, bindings: readonly BindingDocument[]): string {
     const by = bindings.map(({ device, control }) => `${device} ${control}`).join(", ");
-    const also = this.#others(bindings).map((one) => this.#text(one));
+    const also = this.#others(bindings).map((binding) => this.#text(binding));
     const plays = also.length === 0 ? "Touch the next." : `That also plays ${also.join(", ")}.`;
     return `${this.#text(target)} is played by ${by}. ${plays}`;
   }
 
   #deletion() {
-    const mayGo = (one: BindingDocument): boolean => !this.devices.isFixed(one);
+    const mayGo = (binding: BindingDocument): boolean => !this.devices.isFixed(binding);
     const [of, others] = [this.#playing.filter(mayGo), this.#others(this.#playing).filter(mayGo)];
     return html`${others.length === 0 ? nothing : html`<button data-learn="alone" title="Takes away what else it plays" @click=${() => this.#unbind(others)}>This alone</button>`}
       ${of.length === 0 ? nothing : html`<button data-learn="unbind" @click=${() => this.#unbind(of)}>Unbind</button>`}`;
   }
 
   #unbind(bindings: readonly BindingDocument[]): void {
-    for (const one of bindings) this.devices.unbind(one);
+    for (const binding of bindings) this.devices.unbind(binding);
   }
 
   /** The marks follow what they mark: panels scroll, sizes change. */
@@ -247,16 +236,15 @@ export class LearnMode extends AnimatedElement {
   }
 
   #search(): void {
-    const found = findControls(this.page, this.store);
+    const controls = findControls(this.page, this.store);
     const same =
-      found.length === this.controls.length && found.every((one, index) => isSame(one, this.controls[index]));
-    if (!same) this.controls = found;
-  }
-
-  #close(): void {
-    this.dispatchEvent(new CustomEvent("close"));
+      controls.length === this.controls.length &&
+      controls.every((control, index) => isSame(control, this.controls[index]));
+    if (!same) this.controls = controls;
   }
 }
 
-const isSame = (one: BindableControl, other: BindableControl | undefined): boolean =>
-  other !== undefined && one.element === other.element && JSON.stringify(one.targets) === JSON.stringify(other.targets);
+const isSame = (control: BindableControl, other: BindableControl | undefined): boolean =>
+  other !== undefined &&
+  control.element === other.element &&
+  JSON.stringify(control.targets) === JSON.stringify(other.targets);

@@ -32,13 +32,13 @@ let now: number;
 
 /** The show tells who holds what. */
 const tell = (held: Leases["held"], on = true, wishes: Leases["wishes"] = []): void =>
-  leases.receive({ type: "leases", on, held, seats: [ANA, ME], you: 2, wishes });
+  store.receive({ type: "leases", on, held, seats: [ANA, ME], you: 2, wishes });
 /** What was sent, without the ids. */
 const said = () => sent.splice(0).map((message) => ({ ...message, id: undefined }));
 /** What the operator reads, and can do about it. */
 const notice = () => [store.notice, store.offers.map(({ label }) => label)];
 const press = (label: string): void => {
-  const offer = store.offers.find((one) => one.label === label);
+  const offer = store.offers.find((candidate) => candidate.label === label);
   if (offer !== undefined && "act" in offer) offer.act();
 };
 
@@ -51,7 +51,7 @@ beforeEach(() => {
   );
   leases = new ConsoleLeases(store);
   store.setOnline(true);
-  store.receiveState({ characters: { one: character } } as unknown as State);
+  store.receive({ type: "state", characters: { one: character } } as unknown as State);
 });
 
 describe("leases at a console", () => {
@@ -66,17 +66,17 @@ describe("leases at a console", () => {
   it("bar a hand from what another holds, show what is on air, say who it is once, and offer to take over", () => {
     store.channel("jawOpen").grip(0.5);
     tell({ "one/channels": ANA });
-    const before = store.told.length;
+    const before = store.logEntries.length;
     for (const value of [0.6, 0.7]) store.channel("jawOpen").grip(value);
     store.channel("jawOpen").nudge(0.8);
     expect(store.channel("jawOpen").value(now)).toBe(0.25);
     store.flush();
     expect(said()).toMatchObject([
       { type: "set_channel", value: 0.5 }, // of before
-      { type: "lease", part: "channels", take_over: false }, // so that Ana hears of it, once
+      { type: "lease", part: "channels" }, // so that Ana hears of it, once
     ]);
     expect(notice()).toEqual(["Ana holds the channels of One.", ["Take over"]]);
-    expect(store.told.length).toBe(before + 1);
+    expect(store.logEntries.length).toBe(before + 1);
     press("Take over");
     expect(said()).toMatchObject([{ type: "lease", character: "one", part: "channels", take_over: true }]);
     expect(notice()).toEqual(["Taken over: the channels of One. Ana is told.", ["Release"]]);
@@ -95,23 +95,28 @@ describe("leases at a console", () => {
     tell({ "one/face": ANA });
     leases.takeOverWanted();
     expect(notice()[0]).toMatch(/^Nothing to take over/);
-    leases.receiveRefused("Ana holds the face of one: take it over.", "me-1", ["one/face"]);
+    store.receive({
+      type: "refused",
+      reason: "Ana holds the face of one: take it over.",
+      id: "me-1",
+      held: ["one/face"],
+    });
     expect(notice()).toEqual(["Ana holds the face of One.", ["Take over"]]);
     leases.takeOverWanted();
     expect(said()).toMatchObject([{ type: "lease", part: "face", take_over: true }]);
-    leases.receiveRefused("no such face.", "me-2", []);
+    store.receive({ type: "refused", reason: "no such face.", id: "me-2", held: [] });
     expect(notice()).toEqual(["no such face.", []]);
   });
 
   it("tell a holder who wants its part and who has taken it, and what can be done", () => {
     tell({ "one/face": ME });
-    leases.receive({ type: "lease_claim", parts: ["one/face"], by: ANA, taken: false, kept: false });
+    store.receive({ type: "lease_claim", parts: ["one/face"], by: ANA, taken: false, kept: false });
     expect(notice()).toEqual(["Ana wants the face of One, which you hold.", ["Release", "Keep it"]]);
     press("Release");
     expect(said()).toMatchObject([{ type: "release_lease", character: "one", part: "face" }]);
     press("Hold again");
     expect(said()).toMatchObject([{ type: "lease", part: "face", take_over: false }]);
-    leases.receive({ type: "lease_claim", parts: ["one/face"], by: ANA, taken: true, kept: false });
+    store.receive({ type: "lease_claim", parts: ["one/face"], by: ANA, taken: true, kept: false });
     expect(notice()).toEqual(["Ana has taken over the face of One.", ["Take back"]]);
     press("Take back");
     expect(said()).toMatchObject([{ type: "lease", part: "face", take_over: true }]);
@@ -138,7 +143,7 @@ describe("leases at a console", () => {
     expect(leases.question?.offers.map(({ label }) => label)).toEqual(["Take over", "Leave it"]);
     leases.question?.dismiss();
     expect(said()).toMatchObject([{ type: "release_lease", part: "face" }]);
-    leases.receive({ type: "lease_claim", parts: ["one/face"], by: ANA, taken: false, kept: true });
+    store.receive({ type: "lease_claim", parts: ["one/face"], by: ANA, taken: false, kept: true });
     expect(notice()).toEqual(["Ana keeps the face of One.", ["Take over"]]);
   });
 
@@ -165,6 +170,6 @@ describe("leases at a console", () => {
     tell({ "one/face": ANA });
     tell({ "one/face": ANA });
     store.setOnline(false);
-    expect([heard, leases.told.on]).toEqual([2, false]);
+    expect([heard, leases.report.on]).toEqual([3, false]);
   });
 });

@@ -10,51 +10,54 @@ import {
   heldHere,
   holdingsOf,
   keysOf,
+  type LeasePart,
   listed,
   NOBODY,
-  type Part,
   partOf,
   wordsOf,
 } from "./held_parts";
 import { askedHere, waited, wantedHere } from "./lease_wishes";
 
+declare module "../controls/console_element" {
+  interface ConsoleContext {
+    readonly leases: ConsoleLeases;
+  }
+}
+
 export class ConsoleLeases {
   /** Who holds what, as the show told last. */
-  told: Leases = NOBODY;
+  report: Leases = NOBODY;
   /** What was touched in vain last, until it is taken over or anything else is told. */
   #wanted: readonly string[] = [];
 
   constructor(private readonly store: ConsoleStore) {
     store.mayPlay = (control) => this.#mayPlay(control);
+    store.sayRefused = ({ reason, held }) => this.#sayRefused(reason, held);
+    store.hear("lease_claim", (claim) => this.#hearClaim(claim));
+    store.hear("leases", (leases) => this.#set(leases));
     store.listen("link", () => {
-      if (!store.online) this.#set(NOBODY);
+      if (!store.online) store.receive(NOBODY);
     });
   }
 
-  receive(message: Leases | LeaseClaim): void {
-    if (message.type === "lease_claim") this.#hearClaim(message);
-    else if (JSON.stringify(message) !== JSON.stringify(this.told)) this.#set(message);
-  }
-
   #set(leases: Leases): void {
-    const before = this.told;
-    this.told = leases;
+    const before = this.report;
+    this.report = leases;
     if (before.on !== leases.on && this.store.online) this.store.say(...switched(leases));
-    this.store.tell("leases");
   }
 
   /** This console's own seat; null before the show has told. */
   get seat(): SeatState | null {
-    return this.told.seats.find(({ number }) => number === this.told.you) ?? null;
+    return this.report.seats.find(({ number }) => number === this.report.you) ?? null;
   }
 
   /** The stage manager, where one is there. */
   get manager(): SeatState | null {
-    return this.told.seats.find(({ manager }) => manager) ?? null;
+    return this.report.seats.find(({ manager }) => manager) ?? null;
   }
 
   get isManager(): boolean {
-    return this.told.on && this.seat?.manager === true;
+    return this.report.on && this.seat?.manager === true;
   }
 
   /** What is to be answered: what another wants of this seat, else what this seat wants of others; null for nothing. */
@@ -63,7 +66,7 @@ export class ConsoleLeases {
   }
 
   #asked(): Question | null {
-    const [first, ...others] = askedHere(this.told);
+    const [first, ...others] = askedHere(this.report);
     if (first === undefined) return null;
     const { by, parts, seconds } = first;
     const more = others.length === 0 ? "" : ` (${listed(others.map((wish) => wish.by.name))} too)`;
@@ -72,28 +75,28 @@ export class ConsoleLeases {
   }
 
   #wants(): Question | null {
-    const wish = wantedHere(this.told);
+    const wish = wantedHere(this.report);
     if (wish === null) return null;
     const { parts, seconds } = wish;
-    const text = `${explain(heldByOthers(this.told, parts), (name) => this.#label(name))}; you have wanted it for ${waited(seconds)}.`;
+    const text = `${explain(heldByOthers(this.report, parts), (name) => this.#label(name))}; you have wanted it for ${waited(seconds)}.`;
     const dismiss = (): void => this.withdraw(parts);
     const over = { label: "Take over", act: () => this.takeOver(parts) };
     return { text, offers: [over, { label: "Leave it", act: dismiss }], dismiss };
   }
 
   /** What others hold of a part of those that this console plays. */
-  others(part: Part): ReadonlyMap<string, SeatState> {
-    return heldByOthers(this.told, keysOf(this.store.played.names, part));
+  others(part: LeasePart): ReadonlyMap<string, SeatState> {
+    return heldByOthers(this.report, keysOf(this.store.played.names, part));
   }
 
   /** What this seat holds of a part of those that this console plays. */
-  own(part: Part): readonly string[] {
-    return heldHere(this.told, keysOf(this.store.played.names, part));
+  own(part: LeasePart): readonly string[] {
+    return heldHere(this.report, keysOf(this.store.played.names, part));
   }
 
   /** All that this seat holds. */
   get mine(): readonly string[] {
-    return heldHere(this.told, Object.keys(this.told.held));
+    return heldHere(this.report, Object.keys(this.report.held));
   }
 
   words(key: string): string {
@@ -116,16 +119,17 @@ export class ConsoleLeases {
   }
 
   /** The show rejected a message; `held`: because others hold these parts, which can be taken over. */
-  receiveRefused(reason: string, id: string, held: readonly string[]): void {
-    const holders = heldByOthers(this.told, held);
-    this.store.receiveRefused(reason, id, holders.size > 0 ? () => this.offer(holders) : undefined);
+  #sayRefused(reason: string, held: readonly string[]): void {
+    const holders = heldByOthers(this.report, held);
+    if (holders.size > 0) this.offer(holders);
+    else this.store.say(reason);
   }
 
   /** Lets the holders know, once, that a hand of this console wants their parts: the show has seen no message of it. */
   #ask(keys: readonly string[]): void {
-    const known = wantedHere(this.told)?.parts ?? [];
-    const fresh = keys.filter((key) => !known.includes(key) && !this.#wanted.includes(key));
-    for (const key of fresh) this.store.ask({ type: "lease", ...split(key), take_over: false });
+    const wantedParts = wantedHere(this.report)?.parts ?? [];
+    const fresh = keys.filter((key) => !wantedParts.includes(key) && !this.#wanted.includes(key));
+    for (const key of fresh) this.store.ask({ type: "lease", ...split(key) });
   }
 
   /** Takes back that this seat wants parts. */
@@ -155,10 +159,10 @@ export class ConsoleLeases {
 
   takeOver(keys: readonly string[]): void {
     this.#wanted = [];
-    const from = new Set([...heldByOthers(this.told, keys).values()].map(({ name }) => name));
+    const from = new Set([...heldByOthers(this.report, keys).values()].map(({ name }) => name));
     if (!this.#lease(keys, true)) return;
-    const told = from.size === 0 ? "" : ` ${listed([...from])} ${from.size === 1 ? "is" : "are"} told.`;
-    this.store.say(`Taken over: ${this.#list(keys)}.${told}`, "done", [this.#releaseOffer(keys)]);
+    const notice = from.size === 0 ? "" : ` ${listed([...from])} ${from.size === 1 ? "is" : "are"} told.`;
+    this.store.say(`Taken over: ${this.#list(keys)}.${notice}`, "done", [this.#releaseOffer(keys)]);
   }
 
   /** Holds what is free. */
@@ -207,7 +211,7 @@ export class ConsoleLeases {
   }
 
   #answers(keys: readonly string[]): Offer[] {
-    const own = holdingsOf(this.told, keys);
+    const own = holdingsOf(this.report, keys);
     return own.length === 0 ? [] : [this.#releaseOffer(own), { label: "Keep it", act: () => this.keep(keys) }];
   }
 
@@ -220,8 +224,8 @@ export class ConsoleLeases {
   }
 }
 
-const split = (key: string): { character: string; part: Part } => {
-  const [character, part] = key.split("/") as [string, Part];
+const split = (key: string): { character: string; part: LeasePart } => {
+  const [character, part] = key.split("/") as [string, LeasePart];
   return { character, part };
 };
 

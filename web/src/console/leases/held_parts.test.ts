@@ -43,12 +43,12 @@ describe("held parts", () => {
 
   it("are told in words with their holders", () => {
     const label = (name: string) => name.toUpperCase();
-    const found = new Map([
+    const holders = new Map([
       ["one/face", ANA],
       ["one/head", ANA],
       ["*/light", BEN],
     ]);
-    expect(explain(found, label)).toBe("Ana holds the face of ONE and the head of ONE, Ben the light");
+    expect(explain(holders, label)).toBe("Ana holds the face of ONE and the head of ONE, Ben the light");
     expect([listed([]), listed(["a"]), listed(["a", "b", "c"])]).toEqual(["", "a", "a, b and c"]);
   });
 });

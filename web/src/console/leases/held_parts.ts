@@ -3,9 +3,9 @@
 import { ALL } from "../../link/constants";
 import type { Lease, Leases, SeatState } from "../../link/messages";
 
-export type Part = Lease["part"];
+export type LeasePart = Lease["part"];
 /** The parts of a character, in the order of lists. */
-export const CHARACTER_PARTS: readonly Part[] = [
+export const CHARACTER_PARTS: readonly LeasePart[] = [
   "face",
   "expression",
   "brows",
@@ -17,12 +17,12 @@ export const CHARACTER_PARTS: readonly Part[] = [
   "place",
 ];
 /** The parts of the scene, whose character is `*`. */
-export const SCENE_PARTS: readonly Part[] = ["light", "framing"];
-const REGIONS: readonly Part[] = ["brows", "eyes", "mouth"];
+export const SCENE_PARTS: readonly LeasePart[] = ["light", "framing"];
+const REGIONS: readonly LeasePart[] = ["brows", "eyes", "mouth"];
 export const NOBODY: Leases = { type: "leases", on: false, held: {}, seats: [], you: 0, wishes: [] };
 
 /** The parts that messages of hands play, as `Hands` names these behind the character. */
-const PLAYED: Readonly<Record<string, Part>> = {
+const PLAYED: Readonly<Record<string, LeasePart>> = {
   fade_face: "face",
   fade_expression: "expression",
   set_channel: "channels",
@@ -31,27 +31,27 @@ const PLAYED: Readonly<Record<string, Part>> = {
 };
 
 /** The part that a control of a character plays; null for none. */
-export const partOf = (control: string): Part | null => PLAYED[control.split(":")[0] as string] ?? null;
+export const partOf = (control: string): LeasePart | null => PLAYED[control.split(":")[0] as string] ?? null;
 
 /** The names of a part in `Leases.held`: of each of these characters, or of the scene. */
-export const keysOf = (characters: readonly string[], part: Part): readonly string[] =>
+export const keysOf = (characters: readonly string[], part: LeasePart): readonly string[] =>
   SCENE_PARTS.includes(part) ? [`${ALL}/${part}`] : characters.map((name) => `${name}/${part}`);
 
 /** Who may play a part: its holder, or that of the expression whose region it is; null while it is free. */
 function holderOf({ held }: Leases, key: string): SeatState | null {
-  const [character, part] = key.split("/") as [string, Part];
+  const [character, part] = key.split("/") as [string, LeasePart];
   const whole = REGIONS.includes(part) ? held[`${character}/expression`] : undefined;
   return held[key] ?? whole ?? null;
 }
 
 /** What others hold of some parts, in the way of who plays them: a whole expression moves its regions too. */
 export function heldByOthers(leases: Leases, keys: readonly string[]): ReadonlyMap<string, SeatState> {
-  const found = new Map<string, SeatState>();
-  for (const key of leases.on ? keys.flatMap((one) => [one, ...regionsOf(one)]) : []) {
+  const holders = new Map<string, SeatState>();
+  for (const key of leases.on ? keys.flatMap((part) => [part, ...regionsOf(part)]) : []) {
     const holder = holderOf(leases, key);
-    if (holder !== null && holder.number !== leases.you) found.set(key, holder);
+    if (holder !== null && holder.number !== leases.you) holders.set(key, holder);
   }
-  return found;
+  return holders;
 }
 
 function regionsOf(key: string): readonly string[] {
@@ -66,11 +66,11 @@ export const heldHere = (leases: Leases, keys: readonly string[]): readonly stri
 /** What this seat would release so that others have some parts: a region goes with the expression that it is of. */
 export function holdingsOf(leases: Leases, keys: readonly string[]): readonly string[] {
   const whole = (key: string) => `${key.split("/")[0]}/expression`;
-  const found = keys.map((key) => (leases.held[key] === undefined && isRegion(key) ? whole(key) : key));
-  return heldHere(leases, [...new Set(found)]);
+  const holdings = keys.map((key) => (leases.held[key] === undefined && isRegion(key) ? whole(key) : key));
+  return heldHere(leases, [...new Set(holdings)]);
 }
 
-const isRegion = (key: string): boolean => REGIONS.includes(key.split("/")[1] as Part);
+const isRegion = (key: string): boolean => REGIONS.includes(key.split("/")[1] as LeasePart);
 
 /** A part in words: `the face of Kaori`, `the light`; `label`: what people call a character. */
 export function wordsOf(key: string, label: (character: string) => string): string {

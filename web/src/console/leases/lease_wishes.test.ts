@@ -22,26 +22,26 @@ const leases = (held: Leases["held"], wishes: Leases["wishes"]): Leases => ({
 
 describe("wishes for parts", () => {
   it("of others for what is held here come with whoever waits longest first", () => {
-    const told = leases({ "one/face": ME, "one/expression": ME, "*/light": ANA }, [
+    const report = leases({ "one/face": ME, "one/expression": ME, "*/light": ANA }, [
       { part: "one/face", by: 1, seconds: 3 },
       { part: "one/mouth", by: 2, seconds: 70 },
       { part: "*/light", by: 2, seconds: 90 },
     ]);
-    expect(askedHere(told).map(({ by, parts, seconds }) => [by.name, parts, seconds])).toEqual([
+    expect(askedHere(report).map(({ by, parts, seconds }) => [by.name, parts, seconds])).toEqual([
       ["Ben", ["one/mouth"], 70],
       ["Ana", ["one/face"], 3],
     ]);
-    expect(wantedHere(told)).toBeNull();
-    expect(wanting(told, "*/light").map(({ by }) => by.name)).toEqual(["Ben"]);
+    expect(wantedHere(report)).toBeNull();
+    expect(wanting(report, "*/light").map(({ by }) => by.name)).toEqual(["Ben"]);
   });
 
   it("of this seat are its own, however many", () => {
-    const told = leases({ "one/face": ANA, "one/head": BEN }, [
+    const report = leases({ "one/face": ANA, "one/head": BEN }, [
       { part: "one/face", by: 3, seconds: 3 },
       { part: "one/head", by: 3, seconds: 5 },
     ]);
-    expect(askedHere(told)).toEqual([]);
-    expect(wantedHere(told)).toEqual({ by: ME, parts: ["one/face", "one/head"], seconds: 5 });
+    expect(askedHere(report)).toEqual([]);
+    expect(wantedHere(report)).toEqual({ by: ME, parts: ["one/face", "one/head"], seconds: 5 });
   });
 
   it("are told in words", () => {

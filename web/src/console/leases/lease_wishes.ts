@@ -13,8 +13,8 @@ export interface Wish {
 /** What other seats want of this one's, whoever waits longest first. */
 export function askedHere(leases: Leases): readonly Wish[] {
   const others = leases.wishes.filter(({ by, part }) => by !== leases.you && isHeldHere(leases, part));
-  const found = leases.seats.map((by) => wishOf(by, others)).filter(({ parts }) => parts.length > 0);
-  return found.sort((one, other) => other.seconds - one.seconds);
+  const wishes = leases.seats.map((by) => wishOf(by, others)).filter(({ parts }) => parts.length > 0);
+  return wishes.sort((wish, other) => other.seconds - wish.seconds);
 }
 
 /** What this seat wants of others'; null for nothing. */
@@ -39,7 +39,7 @@ export const wanting = (leases: Leases, key: string): readonly Wish[] =>
 export const waited = (seconds: number): string => (seconds < 120 ? `${seconds} s` : `${Math.floor(seconds / 60)} min`);
 
 function wishOf(by: SeatState, wishes: readonly LeaseWish[]): Wish {
-  const own = wishes.filter((one) => one.by === by.number);
+  const own = wishes.filter((wish) => wish.by === by.number);
   return { by, parts: own.map(({ part }) => part), seconds: Math.max(0, ...own.map(({ seconds }) => seconds)) };
 }
 

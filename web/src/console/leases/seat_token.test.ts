@@ -1,10 +1,11 @@
 import { describe, expect, it } from "vitest";
-import { randomToken, seatToken } from "./seat_token";
+import { randomId } from "../../ui/browser_storage";
+import { seatToken } from "./seat_token";
 
 describe("the seat of a tab", () => {
   it("outlives a reload and is another in another tab", () => {
-    let made = 0;
-    const make = () => `token ${++made}`;
+    let madeCount = 0;
+    const make = () => `token ${++madeCount}`;
     const tab = () => {
       const kept = new Map<string, string>();
       return { getItem: (key: string) => kept.get(key) ?? null, setItem: kept.set.bind(kept) as never };
@@ -18,7 +19,7 @@ describe("the seat of a tab", () => {
   });
 
   it("is another each time that one is made", () => {
-    expect(new Set(Array.from({ length: 100 }, randomToken)).size).toBe(100);
+    expect(new Set(Array.from({ length: 100 }, randomId)).size).toBe(100);
   });
 
   it("lasts as long as the page where the browser keeps nothing", () => {

@@ -7,16 +7,17 @@ import { EDITOR, EDITOR_TAB } from "../../link/editor_address";
 import { onHold, onRoam } from "../../ui/gestures";
 import { base } from "../../ui/theme";
 import { THUMBNAIL_SIZE, type ThumbnailSubject } from "../../ui/thumbnails";
-import { AnimatedElement, chosenIn, StyleWriter } from "../controls/console_element";
-import { regionMark, type Shown, shownOf, targetsOf } from "../regions/region_calls";
+import { textOf } from "../../ui/topic_element";
+import { AnimatedElement } from "../controls/console_element";
 import type { OwnItem } from "../show_file/own_items";
+import { KINDS, type PaletteKind } from "../store/arrangement";
 import type { Axis } from "../store/axis";
-import { KINDS, type PaletteKind } from "../store/console_layout";
 import { keyLabel } from "../store/keys";
 import type { Topic } from "../store/page_store";
+import { regionMark, type ShownWeight, shownOf, targetsOf } from "../store/region_calls";
 import { ModelFace } from "./model_face";
 import { style } from "./palette_style";
-import { expressionGroups, faceGroups, foundIn, isOwn, type Tile, type TileGroup } from "./tile_groups";
+import { expressionGroups, faceGroups, foundIn, isOwn, type PaletteTile, type TileGroup } from "./tile_groups";
 import type { MenuRequest } from "./tile_menu";
 import "../controls/timing_row";
 import "./region_row";
@@ -40,31 +41,28 @@ export class Palette extends AnimatedElement {
   @query(".tiles") private list!: HTMLElement;
   @query("input") private input!: HTMLInputElement | null;
   @queryAll(".tile") private tiles!: NodeListOf<HTMLElement>;
-  readonly #written = new StyleWriter();
   readonly #model = new ModelFace("generic");
 
   static override styles = [base, style];
 
-  protected override topics(): readonly Topic[] {
-    return ["cast", "layout"];
-  }
+  protected override readonly topics: readonly Topic[] = ["manifest", "arrangement"];
 
   private get kind(): PaletteKind {
-    return this.store.layout.kind;
+    return this.store.arrangement.kind;
   }
 
   /** What the palette shows now, in order. */
-  get shown(): readonly Tile[] {
-    return this.#sections(this.store.layout.ownFaces).flatMap(([, inside]) => inside);
+  get shown(): readonly PaletteTile[] {
+    return this.#sections(this.store.arrangement.ownFaces).flatMap(([, inside]) => inside);
   }
 
   /** The first nine of these have hot keys: what is shown, but a face keeps its key while own faces are shown alone. */
-  get #keyed(): readonly Tile[] {
+  get #keyed(): readonly PaletteTile[] {
     return this.#sections(false).flatMap(([, inside]) => inside);
   }
 
   #sections(ownFaces: boolean): readonly TileGroup[] {
-    const all: readonly Tile[] = this.axis === "face" ? this.store.faces : this.store.expressions;
+    const all: readonly PaletteTile[] = this.axis === "face" ? this.store.faces : this.store.expressions;
     if (this.search.trim() !== "") return [["", foundIn(all, this.search)]];
     return this.axis === "face"
       ? faceGroups(this.store.faces, ownFaces)
@@ -91,7 +89,7 @@ export class Palette extends AnimatedElement {
   }
 
   #tabs() {
-    return html`<select class="kinds" aria-label="Kind of expressions" @change=${(event: Event) => this.#open(chosenIn(event) as PaletteKind)}>
+    return html`<select class="kinds" aria-label="Kind of expressions" @change=${(event: Event) => this.#open(textOf(event) as PaletteKind)}>
         ${KINDS.map((kind) => html`<option value=${kind} .selected=${this.kind === kind}>${LABELS[kind]}</option>`)}
       </select>
       <div class="tabs" role="tablist" aria-label="Kinds of expressions">
@@ -114,7 +112,7 @@ export class Palette extends AnimatedElement {
   }
 
   #ownSwitch() {
-    const { ownFaces } = this.store.layout;
+    const { ownFaces } = this.store.arrangement;
     return html`<h2>Faces</h2>
       <div class="tabs">
         <button
@@ -139,9 +137,7 @@ export class Palette extends AnimatedElement {
       aria-label="Search ${what}"
       .value=${this.search}
       @keydown=${this.#searchKey}
-      @input=${(event: Event) => {
-        this.search = (event.target as HTMLInputElement).value;
-      }}
+      @input=${(event: Event) => (this.search = textOf(event))}
     />`;
   }
 
@@ -152,46 +148,46 @@ export class Palette extends AnimatedElement {
       return html`<div class="none">Nothing is called "${this.search}".</div>`;
     if (shown.length === 0)
       return html`<div class="none">Nothing of your own yet: keep what is on air (${this.axis === "face" ? "N" : "M"}), or make one in the <a href=${EDITOR} target=${EDITOR_TAB}>editor</a>.</div>`;
-    return this.#sections(this.store.layout.ownFaces).map(
+    return this.#sections(this.store.arrangement.ownFaces).map(
       ([heading, inside]) => html`${heading === "" ? nothing : html`<div class="region">${heading}</div>`}
         ${repeat(
           inside,
-          (one) => one.name,
-          (one) => this.#place(one, keyed.indexOf(one)),
+          (tile) => tile.name,
+          (tile) => this.#place(tile, keyed.indexOf(tile)),
         )}`,
     );
   }
 
   /** A tile, and over a corner of an own one what opens its menu, which never calls: for a mouse on it and for the
    * keyboard; a finger holds the tile, and its tap calls, wherever it falls. */
-  #place(one: Tile, index: number) {
-    const more = isOwn(one)
+  #place(tile: PaletteTile, index: number) {
+    const more = isOwn(tile)
       ? html`<button
           class="menu"
-          aria-label="Menu of ${one.label}"
+          aria-label="Menu of ${tile.label}"
           aria-haspopup="menu"
-          title="Edit, rename or delete ${one.label}"
-          @click=${(event: MouseEvent) => this.#more(event, one)}
+          title="Edit, rename or delete ${tile.label}"
+          @click=${(event: MouseEvent) => this.#more(event, tile)}
           ><span aria-hidden="true">⋯</span></button
         >`
       : nothing;
-    return html`<div class="place">${this.#tile(one, index)}${more}</div>`;
+    return html`<div class="place">${this.#tile(tile, index)}${more}</div>`;
   }
 
-  #more(event: MouseEvent, one: Tile): void {
-    if (event instanceof PointerEvent && event.pointerType === "touch") this.store.call(this.axis, one.name);
-    else this.#askMenu(one.name);
+  #more(event: MouseEvent, tile: PaletteTile): void {
+    if (event instanceof PointerEvent && event.pointerType === "touch") this.store.call(this.axis, tile.name);
+    else this.#askMenu(tile.name);
   }
 
   /** The own item of a tile by its name; null for a built-in one. */
   #itemOf(name: string | undefined): OwnItem | null {
-    const found = this.shown.find((one) => one.name === name);
-    return found === undefined || !isOwn(found) ? null : { kind: this.axis, name: found.name, label: found.label };
+    const tile = this.shown.find((candidate) => candidate.name === name);
+    return tile === undefined || !isOwn(tile) ? null : { kind: this.axis, name: tile.name, label: tile.label };
   }
 
   #askMenu(name: string | undefined): void {
     const item = this.#itemOf(name);
-    const tile = [...this.tiles].find((one) => one.dataset.name === name)?.getBoundingClientRect();
+    const tile = [...this.tiles].find((element) => element.dataset.name === name)?.getBoundingClientRect();
     if (item === null || tile === undefined) return;
     this.dispatchEvent(new CustomEvent<MenuRequest>("menu", { detail: { item, tile } }));
   }
@@ -212,18 +208,18 @@ export class Palette extends AnimatedElement {
     else this.context.items.delete(item);
   };
 
-  #tile(one: Tile, index: number) {
+  #tile(tile: PaletteTile, index: number) {
     const key = this.search === "" ? keyLabel(this.axis, index) : null; // those keys type letters now
     return html`<button
-      class=${isOwn(one) ? "tile own" : "tile"}
-      data-name=${one.name}
-      data-source=${one.source}
-      aria-label="${one.label}${key === null ? "" : `, key ${key}`}"
-      title=${[one.name, ...one.tags].join(", ")}
-      @click=${(event: MouseEvent) => this.#call(event, one)}
+      class=${isOwn(tile) ? "tile own" : "tile"}
+      data-name=${tile.name}
+      data-source=${tile.source}
+      aria-label="${tile.label}${key === null ? "" : `, key ${key}`}"
+      title=${[tile.name, ...tile.tags].join(", ")}
+      @click=${(event: MouseEvent) => this.#call(event, tile)}
     >
       <canvas width="${THUMBNAIL_SIZE.width}" height="${THUMBNAIL_SIZE.height}" aria-hidden="true"></canvas>
-      <span class="name">${one.label}</span>
+      <span class="name">${tile.label}</span>
       ${key === null ? nothing : html`<span class="key">${key}</span>`}
       <span class="where"></span>
       <span class="weight"></span>
@@ -231,8 +227,8 @@ export class Palette extends AnimatedElement {
   }
 
   /** A tile that was clicked keeps no focus: the space bar would play it again long after another was called. */
-  #call(event: MouseEvent, one: Tile): void {
-    this.store.call(this.axis, one.name);
+  #call(event: MouseEvent, tile: PaletteTile): void {
+    this.store.call(this.axis, tile.name);
     if (event.detail > 0) (event.currentTarget as HTMLElement).blur();
   }
 
@@ -257,7 +253,7 @@ export class Palette extends AnimatedElement {
   /** Fades what goes on below: scroll bars are hidden on tablets until they are used. */
   readonly #hint = (): void => {
     const { scrollTop, clientHeight, scrollHeight } = this.list;
-    this.#written.flag(this.list, "more", scrollHeight - clientHeight - scrollTop > 4);
+    this.write.flag(this.list, "more", scrollHeight - clientHeight - scrollTop > 4);
   };
 
   override updated(): void {
@@ -282,17 +278,17 @@ export class Palette extends AnimatedElement {
     for (const tile of this.tiles) {
       const name = tile.dataset.name ?? "";
       const shown = this.#shown(name);
-      this.#written.flag(tile, "coming", coming.has(name));
-      this.#written.flag(tile, "air", !coming.has(name) && shown.weight >= 0.001);
+      this.write.flag(tile, "coming", coming.has(name));
+      this.write.flag(tile, "air", !coming.has(name) && shown.weight >= 0.001);
       const [where, bar] = [...tile.children].slice(-2) as [HTMLElement, HTMLElement];
-      this.#written.text(where, regionMark(shown));
-      this.#written.style(bar, "transform", `scaleX(${shown.weight.toFixed(3)})`);
+      this.write.text(where, regionMark(shown));
+      this.write.style(bar, "transform", `scaleX(${shown.weight.toFixed(3)})`);
     }
     if (this.axis === "expression")
       this.model = this.#model.follow(this.store.air?.faces ?? {}, this.store.callOf("face") !== null, now);
   }
 
-  #shown(name: string): Shown {
+  #shown(name: string): ShownWeight {
     const { air } = this.store;
     if (this.axis === "face" || air === null) return { weight: air?.faces[name] ?? 0, regions: [] };
     return shownOf(name, air);

@@ -1,5 +1,5 @@
 import { css } from "lit";
-import { caption, entry, portrait, thinBar } from "../../ui/theme";
+import { caption, entry, flow, portrait, thinBar } from "../../ui/theme";
 import { short } from "../controls/screen_sizes";
 
 export const style = css`
@@ -14,9 +14,7 @@ export const style = css`
   }
   header {
     grid-area: head;
-    display: flex;
-    flex-wrap: wrap;
-    align-items: center;
+    ${flow}
     gap: 4px 6px;
     min-height: 26px;
   }

@@ -3,75 +3,73 @@
 import { css, html } from "lit";
 import { customElement } from "lit/decorators.js";
 import { base } from "../../ui/theme";
-import { ConsoleElement, chosenIn } from "../controls/console_element";
-import { PLACES, type PlayRegion } from "../regions/region_calls";
+import { textOf } from "../../ui/topic_element";
+import { ConsoleElement } from "../controls/console_element";
 import type { Topic } from "../store/page_store";
+import { PLACES, type PlayRegion } from "../store/region_calls";
 
 const WHOLE = "whole";
 const labelOf = (place: PlayRegion | null): string => place ?? WHOLE;
 const TITLE = "Where the next expressions are called: on the whole face, or in one region of it, in its own time (D)";
 
+const style = css`
+  :host {
+    display: flex;
+    min-width: 0;
+    container-type: inline-size;
+  }
+  .row {
+    display: flex;
+    flex: 1;
+    gap: 2px;
+    min-width: 0;
+  }
+  button {
+    flex: 1 1 0;
+    min-width: 0;
+    padding: 0 2px;
+    font-size: 12px;
+  }
+  select {
+    display: none;
+    width: 100%;
+    min-width: 0;
+  }
+  select.chosen {
+    border-color: var(--hand);
+    color: var(--hand);
+  }
+  @container (max-width: 220px) {
+    .row {
+      display: none;
+    }
+    select {
+      display: block;
+    }
+  }
+  @container (max-width: 60px) {
+    select {
+      appearance: none; /* no arrow: the region is read in full */
+      padding: 0 3px;
+      text-align: center;
+    }
+  }
+  @media (pointer: coarse) {
+    .row {
+      display: none;
+    }
+    select {
+      display: block;
+    }
+  }
+`;
+
 /** The whole face or a region, as buttons; where there is little room and for fingers as a list. */
 @customElement("omote-regions")
 export class RegionRow extends ConsoleElement {
-  static override styles = [
-    base,
-    css`
-      :host {
-        display: flex;
-        min-width: 0;
-        container-type: inline-size;
-      }
-      .row {
-        display: flex;
-        flex: 1;
-        gap: 2px;
-        min-width: 0;
-      }
-      button {
-        flex: 1 1 0;
-        min-width: 0;
-        padding: 0 2px;
-        font-size: 12px;
-      }
-      select {
-        display: none;
-        width: 100%;
-        min-width: 0;
-      }
-      select.chosen {
-        border-color: var(--hand);
-        color: var(--hand);
-      }
-      @container (max-width: 220px) {
-        .row {
-          display: none;
-        }
-        select {
-          display: block;
-        }
-      }
-      @container (max-width: 60px) {
-        select {
-          appearance: none; /* no arrow: the region is read in full */
-          padding: 0 3px;
-          text-align: center;
-        }
-      }
-      @media (pointer: coarse) {
-        .row {
-          display: none;
-        }
-        select {
-          display: block;
-        }
-      }
-    `,
-  ];
+  static override styles = [base, style];
 
-  protected override topics(): readonly Topic[] {
-    return ["timing"];
-  }
+  protected override readonly topics: readonly Topic[] = ["timing"];
 
   override render() {
     const { region } = this.store;
@@ -87,7 +85,7 @@ export class RegionRow extends ConsoleElement {
   }
 
   readonly #chosen = (event: Event): void => {
-    const chosen = chosenIn(event);
+    const chosen = textOf(event);
     this.store.chooseRegion(PLACES.find((place) => labelOf(place) === chosen) ?? null);
   };
 }

@@ -16,7 +16,7 @@ const EXPRESSIONS = [
   unit("browInnerUp", "arkit", "brows"),
 ];
 const named = (groups: readonly TileGroup[]) =>
-  groups.map(([heading, tiles]) => [heading, tiles.map((one) => one.name)]);
+  groups.map(([heading, tiles]) => [heading, tiles.map((tile) => tile.name)]);
 
 it("puts the crew's own last, in the order in which they were kept", () => {
   expect(named(faceGroups(FACES, false))).toEqual([
@@ -39,7 +39,7 @@ it("puts units under their regions, and nothing in two kinds", () => {
 });
 
 it("finds by all words, in any case", () => {
-  expect(foundIn(EXPRESSIONS, " JAW arkit ").map((one) => one.name)).toEqual(["jawOpen"]);
-  expect(foundIn(FACES, "own").map((one) => one.name)).toEqual(["late", "early"]);
+  expect(foundIn(EXPRESSIONS, " JAW arkit ").map((tile) => tile.name)).toEqual(["jawOpen"]);
+  expect(foundIn(FACES, "own").map((tile) => tile.name)).toEqual(["late", "early"]);
   expect(foundIn(FACES, "cat dog")).toEqual([]);
 });

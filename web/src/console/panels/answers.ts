@@ -4,13 +4,76 @@ import { css, html, nothing } from "lit";
 import { customElement, property, state } from "lit/decorators.js";
 import { type Gain, gainOf, mixGains } from "../../face/pose/gains";
 import { openLayer } from "../../ui/key_presses";
-import { base } from "../../ui/theme";
+import { base, ellipsis } from "../../ui/theme";
 import { AnimatedElement } from "../controls/console_element";
 import { onAir } from "../store/axis";
 
+const style = css`
+  :host {
+    flex: 1;
+    min-width: 0;
+  }
+  :host([empty]) {
+    display: none;
+  }
+  button {
+    width: 100%;
+    padding: 0 4px;
+    border: 0;
+    background: none;
+    color: var(--dim);
+    font-size: 11px;
+    text-align: left;
+  }
+  button span {
+    display: block;
+    ${ellipsis}
+  }
+  .short {
+    text-align: center;
+  }
+  @media (max-width: 1100px) {
+    :host {
+      flex: 0 0 40px;
+    }
+    button {
+      padding: 0;
+    }
+  }
+  .list {
+    position: fixed;
+    z-index: 5;
+    display: grid;
+    grid-template-columns: 1fr auto;
+    gap: 3px 14px;
+    width: 216px;
+    box-sizing: border-box;
+    overflow: auto;
+    padding: 10px 12px;
+    border: 1px solid var(--edge);
+    border-radius: 4px;
+    background: var(--raised);
+  }
+  h3,
+  p {
+    grid-column: 1 / -1;
+    margin: 0;
+    font-size: 12px;
+  }
+  p {
+    color: var(--dim);
+  }
+  @media (pointer: fine) {
+    button {
+      height: 20px;
+      min-height: 0;
+    }
+  }
+`;
+
 /** The gains of the mix on air (the mean of the faces' by their weights); nothing shows where all are a person's. */
 @customElement("omote-answers")
-export class Answers extends AnimatedElement {
+export class AnswersPanel extends AnimatedElement {
   @state() private gains: readonly Gain[] = [];
   @state() private faces = "";
   @state() private open = false;
@@ -19,73 +82,7 @@ export class Answers extends AnimatedElement {
   #shown = "";
   #takeAway = (): void => undefined;
 
-  static override styles = [
-    base,
-    css`
-      :host {
-        flex: 1;
-        min-width: 0;
-      }
-      :host([empty]) {
-        display: none;
-      }
-      button {
-        width: 100%;
-        padding: 0 4px;
-        border: 0;
-        background: none;
-        color: var(--dim);
-        font-size: 11px;
-        text-align: left;
-      }
-      button span {
-        display: block;
-        overflow: hidden;
-        text-overflow: ellipsis;
-        white-space: nowrap;
-      }
-      .short {
-        text-align: center;
-      }
-      @media (max-width: 1100px) {
-        :host {
-          flex: 0 0 40px;
-        }
-        button {
-          padding: 0;
-        }
-      }
-      .list {
-        position: fixed;
-        z-index: 5;
-        display: grid;
-        grid-template-columns: 1fr auto;
-        gap: 3px 14px;
-        width: 216px;
-        box-sizing: border-box;
-        overflow: auto;
-        padding: 10px 12px;
-        border: 1px solid var(--edge);
-        border-radius: 4px;
-        background: var(--raised);
-      }
-      h3,
-      p {
-        grid-column: 1 / -1;
-        margin: 0;
-        font-size: 12px;
-      }
-      p {
-        color: var(--dim);
-      }
-      @media (pointer: fine) {
-        button {
-          height: 20px;
-          min-height: 0;
-        }
-      }
-    `,
-  ];
+  static override styles = [base, style];
 
   override disconnectedCallback(): void {
     super.disconnectedCallback();

@@ -5,10 +5,10 @@ import { customElement, query, state } from "lit/decorators.js";
 import { repeat } from "lit/directives/repeat.js";
 import type { ExpressionDocument } from "../../link/messages";
 import { base } from "../../ui/theme";
-import { AnimatedElement, StyleWriter } from "../controls/console_element";
-import { handsOf } from "../layers/held_state";
+import { AnimatedElement } from "../controls/console_element";
+import type { BankTab } from "../store/arrangement";
 import { byRegion, type Region, type Strip, stripsOf } from "../store/channels";
-import type { BankTab } from "../store/console_layout";
+import { handsOf } from "../store/held_state";
 import type { Topic } from "../store/page_store";
 import { style } from "./bank_style";
 import "../controls/fader";
@@ -29,22 +29,19 @@ export class Bank extends AnimatedElement {
   @state() private gathered: readonly string[] = [];
   @query("nav") private nav!: HTMLElement;
   @query(".strips") private list!: HTMLElement;
-  readonly #written = new StyleWriter();
 
   static override styles = [base, style];
 
-  protected override topics(): readonly Topic[] {
-    return ["cast", "layout"];
-  }
+  protected override readonly topics: readonly Topic[] = ["manifest", "arrangement"];
 
   private get tab(): BankTab {
-    return this.store.layout.tab;
+    return this.store.arrangement.tab;
   }
 
   /** The channels of the tab now open. */
   #shown(): readonly ExpressionDocument[] {
-    const playable = this.store.expressions.filter((one) => one.kind !== "neutral");
-    if (this.tab === "touched") return playable.filter((one) => this.gathered.includes(one.name));
+    const playable = this.store.expressions.filter((expression) => expression.kind !== "neutral");
+    if (this.tab === "touched") return playable.filter((expression) => this.gathered.includes(expression.name));
     return byRegion(playable).get(this.tab) ?? [];
   }
 
@@ -65,9 +62,8 @@ export class Bank extends AnimatedElement {
       <header>
         <nav role="tablist" aria-label="Channels by region">
           ${tabs.map(
-            (
-              tab,
-            ) => html`<button role="tab" data-tab=${tab} aria-selected=${tab === this.tab} @click=${() => this.#open(tab)}>
+            (tab) => html`<button role="tab" data-tab=${tab} aria-selected=${tab === this.tab}
+              @click=${() => this.#open(tab)}>
               ${tab}<span class="count"></span>
             </button>`,
           )}
@@ -81,7 +77,7 @@ export class Bank extends AnimatedElement {
         >
           Link R L
         </button>
-        <button data-clear="region" @click=${() => this.store.clearChannels(shown.map((one) => one.name))}>
+        <button data-clear="region" @click=${() => this.store.clearChannels(shown.map((expression) => expression.name))}>
           Clear ${this.tab}
         </button>
         <button data-clear="all" @click=${() => this.store.clearChannels(this.#touched())}>Clear all</button>
@@ -101,7 +97,7 @@ export class Bank extends AnimatedElement {
   /** Fades what goes on to the right: scroll bars are hidden on tablets until they are used. */
   readonly #hint = (): void => {
     const { scrollLeft, clientWidth, scrollWidth } = this.list;
-    this.#written.flag(this.list, "more", scrollWidth - clientWidth - scrollLeft > 4);
+    this.write.flag(this.list, "more", scrollWidth - clientWidth - scrollLeft > 4);
   };
 
   #strips(strips: readonly Strip[]) {
@@ -139,7 +135,7 @@ export class Bank extends AnimatedElement {
     for (const button of this.nav.querySelectorAll<HTMLElement>("button")) {
       const tab = button.dataset.tab as BankTab;
       const names = tab === "touched" ? [...touched] : (regions.get(tab) ?? []).filter((name) => touched.has(name));
-      this.#written.text(button.querySelector(".count") as Element, names.length === 0 ? "" : String(names.length));
+      this.write.text(button.querySelector(".count") as Element, names.length === 0 ? "" : String(names.length));
     }
   }
 }
@@ -149,7 +145,9 @@ let cached: { of: readonly ExpressionDocument[]; regions: Map<Region, string[]> 
 /** The names of each region, worked out once per cast. */
 function byRegionCached(of: readonly ExpressionDocument[]): Map<Region, string[]> {
   if (cached?.of !== of) {
-    const regions = [...byRegion(of)].map(([region, inside]) => [region, inside.map((one) => one.name)] as const);
+    const regions = [...byRegion(of)].map(
+      ([region, inside]) => [region, inside.map((expression) => expression.name)] as const,
+    );
     cached = { of, regions: new Map(regions) };
   }
   return cached.regions;

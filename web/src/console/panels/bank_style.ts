@@ -1,4 +1,5 @@
 import { css } from "lit";
+import { flow } from "../../ui/theme";
 import { narrow, short } from "../controls/screen_sizes";
 
 export const style = css`
@@ -9,9 +10,7 @@ export const style = css`
     min-width: 0;
   }
   header {
-    display: flex;
-    flex-wrap: wrap;
-    align-items: center;
+    ${flow}
     gap: 4px;
     padding: 6px 8px;
     border-bottom: 1px solid var(--line);

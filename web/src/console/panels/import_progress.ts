@@ -3,54 +3,49 @@
 import { css, html, nothing } from "lit";
 import { customElement } from "lit/decorators.js";
 import { progressWords } from "../../ui/long_requests";
-import { base } from "../../ui/theme";
+import { base, ellipsis } from "../../ui/theme";
 import { ConsoleElement } from "../controls/console_element";
 import type { Topic } from "../store/page_store";
 
+const style = css`
+  :host {
+    display: flex;
+    align-items: center;
+    gap: 8px;
+    min-width: 0;
+    padding: 0 6px;
+    border-radius: 4px;
+    background: var(--raised);
+    font-size: 12px;
+  }
+  :host([idle]) {
+    display: none;
+  }
+  span {
+    min-width: 0;
+    ${ellipsis}
+  }
+  button {
+    flex: none;
+  }
+  @media (max-width: 899px) {
+    progress {
+      display: none; /* numbers say it */
+    }
+  }
+  progress {
+    flex: 0 0 64px;
+    width: 64px;
+    height: 8px;
+    accent-color: var(--hand);
+  }
+`;
+
 @customElement("omote-import-progress")
 export class ImportProgress extends ConsoleElement {
-  static override styles = [
-    base,
-    css`
-      :host {
-        display: flex;
-        align-items: center;
-        gap: 8px;
-        min-width: 0;
-        padding: 0 6px;
-        border-radius: 4px;
-        background: var(--raised);
-        font-size: 12px;
-      }
-      :host([idle]) {
-        display: none;
-      }
-      span {
-        min-width: 0;
-        overflow: hidden;
-        text-overflow: ellipsis;
-        white-space: nowrap;
-      }
-      button {
-        flex: none;
-      }
-      @media (max-width: 899px) {
-        progress {
-          display: none; /* numbers say it */
-        }
-      }
-      progress {
-        flex: 0 0 64px;
-        width: 64px;
-        height: 8px;
-        accent-color: var(--hand);
-      }
-    `,
-  ];
+  static override styles = [base, style];
 
-  protected override topics(): readonly Topic[] {
-    return ["import"];
-  }
+  protected override readonly topics: readonly Topic[] = ["import"];
 
   override render() {
     const { running } = this.context.imports;

@@ -3,17 +3,70 @@
 import { css, html } from "lit";
 import { customElement, query, state } from "lit/decorators.js";
 import { FaceView } from "../../face/face_view";
-import type { Box } from "../../face/framing";
+import type { PictureBox } from "../../face/framing";
 import { closeUp, type ScenePose, sceneIn, sceneKey } from "../../face/pose/scene_pose";
 import type { Library } from "../../link/assets";
-import { base } from "../../ui/theme";
+import { base, ellipsis } from "../../ui/theme";
 import { AnimatedElement } from "../controls/console_element";
 import { low } from "../controls/screen_sizes";
 import type { Topic } from "../store/page_store";
 
 /** Milliseconds between two pictures: the monitor shows what is on air, the stage is what must be smooth. */
 const PACE = 30;
-const NOWHERE: ReadonlyMap<string, Box> = new Map();
+const NOWHERE: ReadonlyMap<string, PictureBox> = new Map();
+
+const style = css`
+  :host {
+    position: relative;
+    min-height: 0;
+    min-width: 0;
+    overflow: hidden;
+    background: #000;
+  }
+  canvas {
+    position: absolute;
+    inset: 0;
+    width: 100%;
+    height: 100%;
+  }
+  .alone {
+    position: absolute;
+    z-index: 1;
+    left: 10px;
+    bottom: 10px;
+  }
+  @media (max-width: 899px) or (pointer: coarse) or ${low} {
+    .alone {
+      left: 6px;
+      top: 36px;
+      bottom: auto;
+    }
+  }
+  @media (pointer: coarse) and (min-width: 600px) and ((max-width: 740px) or (max-height: 560px)) {
+    .alone {
+      display: none; /* the keys of the characters have the room */
+    }
+  }
+  .tally {
+    position: absolute;
+    left: 10px;
+    top: 10px;
+    font-size: 11px;
+    font-weight: 700;
+    letter-spacing: 0.14em;
+    padding: 3px 8px;
+    border-radius: 3px;
+    color: #fff;
+    background: #b3261a;
+    max-width: calc(100% - 20px);
+    ${ellipsis}
+  }
+  .wrong {
+    position: absolute;
+    inset: auto 10px 10px;
+    color: var(--attention);
+  }
+`;
 
 /** What is on air, live. It draws only when something has changed. */
 @customElement("omote-monitor")
@@ -29,70 +82,12 @@ export class Monitor extends AnimatedElement {
     this.#resized = true;
   });
 
-  static override styles = [
-    base,
-    css`
-      :host {
-        position: relative;
-        min-height: 0;
-        min-width: 0;
-        overflow: hidden;
-        background: #000;
-      }
-      canvas {
-        position: absolute;
-        inset: 0;
-        width: 100%;
-        height: 100%;
-      }
-      .alone {
-        position: absolute;
-        z-index: 1;
-        left: 10px;
-        bottom: 10px;
-      }
-      @media (max-width: 899px) or (pointer: coarse) or ${low} {
-        .alone {
-          left: 6px;
-          top: 36px;
-          bottom: auto;
-        }
-      }
-      @media (pointer: coarse) and (min-width: 600px) and ((max-width: 740px) or (max-height: 560px)) {
-        .alone {
-          display: none; /* the keys of the characters have the room */
-        }
-      }
-      .tally {
-        position: absolute;
-        left: 10px;
-        top: 10px;
-        font-size: 11px;
-        font-weight: 700;
-        letter-spacing: 0.14em;
-        padding: 3px 8px;
-        border-radius: 3px;
-        color: #fff;
-        background: #b3261a;
-        max-width: calc(100% - 20px);
-        overflow: hidden;
-        text-overflow: ellipsis;
-        white-space: nowrap;
-      }
-      .wrong {
-        position: absolute;
-        inset: auto 10px 10px;
-        color: var(--attention);
-      }
-    `,
-  ];
+  static override styles = [base, style];
 
-  protected override topics(): readonly Topic[] {
-    return ["characters", "layout"];
-  }
+  protected override readonly topics: readonly Topic[] = ["characters", "arrangement"];
 
   /** Where heads lie in the picture as it is: left, top, right and bottom as parts of it, by name. */
-  get heads(): ReadonlyMap<string, Box> {
+  get heads(): ReadonlyMap<string, PictureBox> {
     return this.#view?.heads ?? NOWHERE;
   }
 
@@ -110,7 +105,7 @@ export class Monitor extends AnimatedElement {
   }
 
   #choice() {
-    const { alone } = this.store.layout;
+    const { alone } = this.store.arrangement;
     return html`<button class="alone" aria-pressed=${alone} title="The picture shows the character played here alone"
       @click=${() => this.store.arrange({ alone: !alone })}>Close-up</button>`;
   }
@@ -133,7 +128,7 @@ export class Monitor extends AnimatedElement {
 
   paint(now: number): void {
     const { state, played } = this.store;
-    const alone = this.#several && this.store.layout.alone;
+    const alone = this.#several && this.store.arrangement.alone;
     this.tally = played.tally(alone);
     if (this.#view === null || state === null || now - this.#last < PACE) return;
     this.#draw(this.#view, alone ? closeUp(sceneIn(state), played.lead) : sceneIn(state), now);

@@ -3,153 +3,144 @@
 import { css, html, nothing } from "lit";
 import { customElement, property, query } from "lit/decorators.js";
 import type { CallState, CharacterState } from "../../link/messages";
-import { base, thinBar } from "../../ui/theme";
-import { AnimatedElement, StyleWriter } from "../controls/console_element";
+import { base, ellipsis, emptyBar, thinBar } from "../../ui/theme";
+import { AnimatedElement } from "../controls/console_element";
 import { short } from "../controls/screen_sizes";
-import { regionalMixes } from "../regions/region_calls";
 import { type Axis, onAir } from "../store/axis";
+import { regionalMixes } from "../store/region_calls";
 import { remainingLabel } from "../store/timing";
 import "./answers";
 
 const ROWS = 4;
 
+const style = css`
+  :host {
+    display: grid;
+    grid-template-rows: auto 1fr auto;
+    gap: 4px;
+    padding: 8px 10px;
+    min-width: 0;
+  }
+  header {
+    display: flex;
+    align-items: center;
+    justify-content: space-between;
+    gap: 6px;
+    min-width: 0;
+  }
+  header button {
+    padding: 0 7px;
+    font-size: 11px;
+    white-space: nowrap;
+  }
+  header button span {
+    display: none;
+  }
+  .rows {
+    display: grid;
+    align-content: start;
+    gap: 3px;
+    min-height: 76px;
+  }
+  .row {
+    position: relative;
+    display: flex;
+    align-items: center;
+    gap: 6px;
+    height: 17px;
+    padding: 0 6px;
+    border-radius: 3px;
+    overflow: hidden;
+    background: #000;
+  }
+  .row.none {
+    visibility: hidden;
+  }
+  .row i {
+    ${emptyBar}
+    background: var(--air-deep);
+    border-right: 2px solid var(--air);
+  }
+  .row.target i {
+    background: var(--coming-deep);
+  }
+  .row b {
+    position: relative;
+    flex: 1;
+    font-size: 12px;
+    font-weight: 600;
+    ${ellipsis}
+  }
+  .row span {
+    position: relative;
+    font-size: 12px;
+  }
+  .coming {
+    position: relative;
+    display: flex;
+    gap: 6px;
+    align-items: center;
+    height: 24px;
+    padding: 0 8px;
+    border-radius: 3px;
+    border: 1px solid var(--line);
+    color: var(--faint);
+    overflow: hidden;
+  }
+  .coming.shown {
+    color: var(--coming);
+    border-color: var(--coming);
+  }
+  .what {
+    flex: 1;
+    font-weight: 600;
+    ${ellipsis}
+  }
+  .progress {
+    ${thinBar}
+    background: var(--coming);
+  }
+  @media (pointer: fine) {
+    header button {
+      height: 20px;
+      min-height: 0;
+    }
+  }
+  @media ${short} {
+    .rows,
+    .coming {
+      display: none; /* the T-bars beside the picture name both ends */
+    }
+    :host {
+      padding: 2px 6px;
+    }
+    h2 {
+      display: none;
+    }
+    header button {
+      flex: 1;
+      min-width: 0;
+      padding: 0;
+      overflow: hidden;
+      text-overflow: ellipsis;
+    }
+    header button span {
+      display: inline;
+    }
+  }
+`;
+
 /** What is on air on one axis, heaviest first, and what is coming. */
 @customElement("omote-mix")
-export class Mix extends AnimatedElement {
+export class OnAirMix extends AnimatedElement {
   @property() axis: Axis = "face";
   @query(".rows") private rows!: HTMLElement;
   @query(".coming") private coming!: HTMLElement;
   @query(".what") private what!: HTMLElement;
   @query(".left") private left!: HTMLElement;
   @query(".progress") private progress!: HTMLElement;
-  readonly #written = new StyleWriter();
 
-  static override styles = [
-    base,
-    css`
-      :host {
-        display: grid;
-        grid-template-rows: auto 1fr auto;
-        gap: 4px;
-        padding: 8px 10px;
-        min-width: 0;
-      }
-      header {
-        display: flex;
-        align-items: center;
-        justify-content: space-between;
-        gap: 6px;
-        min-width: 0;
-      }
-      header button {
-        padding: 0 7px;
-        font-size: 11px;
-        white-space: nowrap;
-      }
-      header button span {
-        display: none;
-      }
-      .rows {
-        display: grid;
-        align-content: start;
-        gap: 3px;
-        min-height: 76px;
-      }
-      .row {
-        position: relative;
-        display: flex;
-        align-items: center;
-        gap: 6px;
-        height: 17px;
-        padding: 0 6px;
-        border-radius: 3px;
-        overflow: hidden;
-        background: #000;
-      }
-      .row.none {
-        visibility: hidden;
-      }
-      .row i {
-        position: absolute;
-        inset: 0;
-        transform-origin: left;
-        transform: scaleX(0);
-        background: var(--air-deep);
-        border-right: 2px solid var(--air);
-      }
-      .row.target i {
-        background: var(--coming-deep);
-      }
-      .row b {
-        position: relative;
-        flex: 1;
-        font-size: 12px;
-        font-weight: 600;
-        overflow: hidden;
-        text-overflow: ellipsis;
-        white-space: nowrap;
-      }
-      .row span {
-        position: relative;
-        font-size: 12px;
-      }
-      .coming {
-        position: relative;
-        display: flex;
-        gap: 6px;
-        align-items: center;
-        height: 24px;
-        padding: 0 8px;
-        border-radius: 3px;
-        border: 1px solid var(--line);
-        color: var(--faint);
-        overflow: hidden;
-      }
-      .coming.shown {
-        color: var(--coming);
-        border-color: var(--coming);
-      }
-      .what {
-        flex: 1;
-        font-weight: 600;
-        overflow: hidden;
-        text-overflow: ellipsis;
-        white-space: nowrap;
-      }
-      .progress {
-        ${thinBar}
-        background: var(--coming);
-      }
-      @media (pointer: fine) {
-        header button {
-          height: 20px;
-          min-height: 0;
-        }
-      }
-      @media ${short} {
-        .rows,
-        .coming {
-          display: none; /* the T-bars beside the picture name both ends */
-        }
-        :host {
-          padding: 2px 6px;
-        }
-        h2 {
-          display: none;
-        }
-        header button {
-          flex: 1;
-          min-width: 0;
-          padding: 0;
-          overflow: hidden;
-          text-overflow: ellipsis;
-        }
-        header button span {
-          display: inline;
-        }
-      }
-    `,
-  ];
+  static override styles = [base, style];
 
   override render() {
     return html`
@@ -177,7 +168,7 @@ export class Mix extends AnimatedElement {
     const [call, region] = this.#call;
     const whole = onAir((this.axis === "face" ? state?.faces : state?.expressions) ?? {});
     const names = this.axis === "face" || state === null ? whole : [...whole, ...this.#regional(state)];
-    const write = this.#written;
+    const { write } = this;
     for (const [index, row] of [...this.rows.children].entries()) {
       const [name, weight, where = ""] = names[index] ?? ["", 0];
       const [label, more] = [`${where}${this.store.label(this.axis, name)}`, names.length - ROWS];

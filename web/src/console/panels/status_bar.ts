@@ -3,11 +3,13 @@
 import { html, nothing } from "lit";
 import { customElement, property, state } from "lit/decorators.js";
 import { levelsOf } from "../../face/quality/quality_levels";
+import type { StageReport } from "../../link/messages";
 import type { ShowNotices } from "../../ui/show_notices";
 import { base } from "../../ui/theme";
 import { ConsoleElement } from "../controls/console_element";
 import type { Topic } from "../store/page_store";
 import { secondsLabel } from "../store/timing";
+import { HEARD_MS } from "../store/unheard_panic";
 import { offersStyle, viewOffers } from "./offers";
 import "./import_progress";
 import "./name_field";
@@ -28,15 +30,26 @@ const ROOMY = matchMedia("(min-width: 1101px)");
 export class StatusBar extends ConsoleElement {
   @property({ attribute: false }) notices!: ShowNotices;
   @state() private panicked = false;
-  #timers: { notice?: ReturnType<typeof setTimeout>; panic?: ReturnType<typeof setTimeout> } = {};
+  #timers: {
+    notice?: ReturnType<typeof setTimeout>;
+    panic?: ReturnType<typeof setTimeout>;
+    late?: ReturnType<typeof setTimeout>;
+  } = {};
   #leave: (() => void)[] = [];
   #era = 0;
 
   static override styles = [base, style, offersStyle];
 
-  protected override topics(): readonly Topic[] {
-    return ["cast", "characters", "crew", "leases", "link", "notice", "panic"];
-  }
+  protected override readonly topics: readonly Topic[] = [
+    "manifest",
+    "characters",
+    "crew",
+    "leases",
+    "link",
+    "naming",
+    "notice",
+    "panic",
+  ];
 
   override connectedCallback(): void {
     super.connectedCallback();
@@ -44,12 +57,14 @@ export class StatusBar extends ConsoleElement {
       this.store.listen("notice", () => {
         clearTimeout(this.#timers.notice);
         const { notice, offers } = this.store;
-        const stays = ROOMY.matches && offers.some((one) => "address" in one);
+        const stays = ROOMY.matches && offers.some((offer) => "address" in offer);
         if (notice === null || stays) return; // what leads on waits to be followed
         this.#timers.notice = setTimeout(() => this.store.say(null), offers.length > 0 ? OFFER : NOTICE);
       }),
       this.store.listen("panic", () => {
         const { era } = this.store;
+        clearTimeout(this.#timers.late);
+        this.#timers.late = setTimeout(() => this.requestUpdate(), HEARD_MS);
         if (era === this.#era || !this.store.online) return; // nothing was sent, so nothing lights up
         this.#era = era;
         this.panicked = true;
@@ -66,6 +81,7 @@ export class StatusBar extends ConsoleElement {
     for (const leave of this.#leave) leave();
     clearTimeout(this.#timers.notice);
     clearTimeout(this.#timers.panic);
+    clearTimeout(this.#timers.late);
   }
 
   /** What is to be answered has the room of what is to be watched. */
@@ -86,12 +102,13 @@ export class StatusBar extends ConsoleElement {
   override render() {
     const unread = this.notices.open.length;
     const { text, tone, offers, dismiss } = this.#said;
+    const none = text === null && this.context.items.naming === null; // the field for a name stands there too
     return html`
       <div class="mark">OMOTE</div>
       ${this.store.online ? this.#crew() : html`<div class="lost" role="alert">LINK LOST – nothing is sent</div>`}
       <div class="messages">
         <omote-import-progress .context=${this.context}></omote-import-progress>
-        <div class="notice ${tone} ${text === null ? "none" : ""}" role="status">
+        <div class="notice ${tone} ${none ? "none" : ""}" role="status">
           <span title=${text ?? ""}>${text ?? ""}</span>
           <omote-name-field .context=${this.context}></omote-name-field>
           <span class="offers">${viewOffers(offers, dismiss)}</span>
@@ -100,11 +117,11 @@ export class StatusBar extends ConsoleElement {
       <slot name="seat"></slot>
       ${this.#steps()}
       <button class="log ${unread > 0 ? "unread" : ""}" title="What was said, and what can be taken back"
-        @click=${() => this.dispatchEvent(new CustomEvent("log"))}>Log${unread > 0 ? html` <b>${unread}</b>` : nothing}</button>
+        @click=${() => this.tell("log")}>Log${unread > 0 ? html` <b>${unread}</b>` : nothing}</button>
       <button class="learn" title="Bind controls of devices: touch a control here, move one there (Z)"
-        @click=${() => this.dispatchEvent(new CustomEvent("learn"))}>Learn</button>
-      <button class="setup" title="Home face and layouts" @click=${() => this.dispatchEvent(new CustomEvent("setup"))}>Set-up</button>
-      <button class="help" title="Keys" aria-label="Keys" @click=${() => this.dispatchEvent(new CustomEvent("help"))}>?</button>
+        @click=${() => this.tell("learn")}>Learn</button>
+      <button class="setup" title="Home face and layouts" @click=${() => this.tell("setup")}>Set-up</button>
+      <button class="help" title="Keys" aria-label="Keys" @click=${() => this.tell("help")}>?</button>
       ${this.#panic()}
     `;
   }
@@ -121,14 +138,20 @@ export class StatusBar extends ConsoleElement {
 
   /** Says what it does now: the first press holds the face, the second brings the home face. */
   #panic() {
-    const { air: state, online } = this.store;
+    const { air: state, online, panicIsLate } = this.store;
+    if (panicIsLate) return html`${this.#panicOfAll()}${this.#panicButton("PANIC", "NOT HEARD", "unheard")}`;
     const again = online && state?.home_next === true;
     const way = again ? (state.home_seconds === 0 ? "cut" : `in ${secondsLabel(state.home_seconds)} s`) : "";
     const [title, says] = again
       ? ["HOME FACE", `${this.store.label("face", state.home_face)} ${way}`]
       : ["PANIC", "neutral, hold still"];
-    return html`${this.#panicOfAll()}<button class="panic ${this.panicked ? "done" : ""} ${again ? "again" : ""}"
-      title="${again ? "Panic again" : "Panic"} (Shift Backspace)" @pointerdown=${this.#press} @click=${this.#click}>
+    return html`${this.#panicOfAll()}${this.#panicButton(title, says, again ? "again" : "")}`;
+  }
+
+  #panicButton(title: string, says: string, kind: "" | "again" | "unheard") {
+    return html`<button class="panic ${this.panicked ? "done" : ""} ${kind}"
+      title="${kind === "again" ? "Panic again" : "Panic"} (Shift Backspace)"
+      @pointerdown=${this.#press} @click=${this.#click}>
       ${title}<small>${says}<i> · ⇧⌫</i></small>
     </button>`;
   }
@@ -158,11 +181,28 @@ export class StatusBar extends ConsoleElement {
       <div class="item link"><span class="lamp"></span><b>live</b> <span class="trip">${latency === null ? nothing : `${latency < 9.95 ? latency.toFixed(1) : latency.toFixed(0)} ms`}</span></div>
       <div class="item stages ${crew !== null && stages.length === 0 ? "slow" : ""}">
         <b title=${stages.length === 1 ? "stage" : "stages"}>${stages.length}</b> <span class="word">${stages.length === 1 ? "stage" : "stages"}</span>
-        ${stages.slice(0, 9).map((stage) => html`<b class=${stage === null || stage.fps < SLOW ? "slow" : ""} title=${stage?.level ?? "silent"}>${stage === null ? "–" : stage.fps < 1 ? stage.fps.toFixed(1) : Math.round(stage.fps)}</b>`)}
+        ${stages.slice(0, 9).map((stage) => html`<b class=${stage === null || stage.fps < SLOW ? "slow" : ""} title=${stageTitle(stage)}>${stageRate(stage)}</b>`)}
+        ${stages.map((stage, place) => darkNotice(stage, place))}
         ${crew?.lost ? html`<b class="slow" title="The link broke while the page was open, and has not come back">${crew.lost} lost</b>` : nothing}
         ${stages.length > 0 ? "fps" : nothing} <span class="level" title="quality">${levelsOf(stages)}</span>
       </div>
       <div class="item consoles"><b>${crew?.consoles ?? 0}</b> ${crew?.consoles === 1 ? "console" : "consoles"}</div>
     `;
   }
+}
+
+/** What a stage draws a second, in a few letters. */
+function stageRate(stage: StageReport | null): string {
+  if (stage === null) return "–";
+  return stage.fps < 1 ? stage.fps.toFixed(1) : String(Math.round(stage.fps));
+}
+
+const stageTitle = (stage: StageReport | null): string =>
+  stage === null ? "silent" : `${stage.name}${stage.name === "" ? "" : ": "}${stage.level}`;
+
+/** Which stage draws nothing, and for how long: nobody at a console sees its screen. */
+function darkNotice(stage: StageReport | null, place: number) {
+  if (stage === null || stage.dark < 1) return nothing;
+  const which = stage.name === "" ? `stage ${place + 1}` : `stage ${stage.name}`;
+  return html`<b class="slow dark" role="alert" title="Its browser has lost the graphics; it tries a new picture, then loads the page anew">${which} is dark, ${Math.round(stage.dark)} s</b>`;
 }

@@ -1,4 +1,5 @@
 import { css } from "lit";
+import { ellipsis } from "../../ui/theme";
 
 export const style = css`
   :host {
@@ -152,6 +153,11 @@ export const style = css`
     background: #b88a1d;
     letter-spacing: 0.08em;
   }
+  .panic.unheard {
+    color: #fff;
+    background: #a11d12;
+    border-color: #fff;
+  }
   .panic i {
     font-style: normal;
   }
@@ -161,9 +167,7 @@ export const style = css`
     }
   }
   .panic small {
-    overflow: hidden;
-    text-overflow: ellipsis;
-    white-space: nowrap;
+    ${ellipsis}
   }
   @media (max-width: 1100px) {
     .mark,

@@ -3,102 +3,97 @@
 import { css, html, nothing } from "lit";
 import { customElement } from "lit/decorators.js";
 import type { CharacterState } from "../../link/messages";
-import { base } from "../../ui/theme";
-import { standing } from "../characters/played_characters";
+import { base, ellipsis } from "../../ui/theme";
 import { ConsoleElement } from "../controls/console_element";
 import { low, narrow } from "../controls/screen_sizes";
 import type { Topic } from "../store/page_store";
+import { standing } from "../store/played_characters";
 import { SceneCommands } from "./scene_commands";
+
+const style = css`
+  :host {
+    z-index: 2;
+    min-width: 0;
+    padding: 6px;
+    pointer-events: none;
+  }
+  .row {
+    display: flex;
+    flex-wrap: wrap;
+    justify-content: flex-end;
+    gap: 4px;
+  }
+  button {
+    pointer-events: auto;
+    min-height: 30px;
+    min-width: 30px;
+    max-width: 120px;
+    ${ellipsis}
+    flex: none;
+  }
+  button.off {
+    border: 1px dashed var(--edge);
+    color: var(--dim);
+    line-height: 13px;
+  }
+  button.off[aria-pressed="true"] {
+    color: #000;
+    background: #9aa0a7;
+  }
+  small {
+    display: block;
+    font-size: 10px;
+    line-height: 10px;
+  }
+  @media (max-width: 899px) {
+    .view {
+      display: none; /* they stand with what is shown below */
+    }
+  }
+  @media ${low} {
+    .view {
+      display: block;
+    }
+  }
+  @media ${narrow} {
+    :host {
+      padding: 4px;
+    }
+    .row {
+      flex-wrap: nowrap;
+      gap: 2px;
+      justify-content: safe center;
+      overflow-x: auto;
+      pointer-events: auto;
+    }
+  }
+  @media (pointer: coarse) {
+    button {
+      min-height: 44px;
+      min-width: 44px;
+    }
+  }
+  @media (pointer: coarse) and (min-width: 900px) {
+    .row {
+      height: 100%;
+      align-content: space-between; /* a second line stands below the heads, not on them */
+    }
+  }
+  @media ${narrow} {
+    button {
+      min-width: 40px;
+      padding: 0 4px;
+      font-size: 12px;
+    }
+  }
+`;
 
 /** A key for each character, one for all, one for places and framing, one for its layers, one to add another (a double click is one). Tells `scene`, `layers`. */
 @customElement("omote-characters")
 export class CharacterRow extends ConsoleElement {
-  static override styles = [
-    base,
-    css`
-      :host {
-        z-index: 2;
-        min-width: 0;
-        padding: 6px;
-        pointer-events: none;
-      }
-      .row {
-        display: flex;
-        flex-wrap: wrap;
-        justify-content: flex-end;
-        gap: 4px;
-      }
-      button {
-        pointer-events: auto;
-        min-height: 30px;
-        min-width: 30px;
-        max-width: 120px;
-        overflow: hidden;
-        text-overflow: ellipsis;
-        white-space: nowrap;
-        flex: none;
-      }
-      button.off {
-        border: 1px dashed var(--edge);
-        color: var(--dim);
-        line-height: 13px;
-      }
-      button.off[aria-pressed="true"] {
-        color: #000;
-        background: #9aa0a7;
-      }
-      small {
-        display: block;
-        font-size: 10px;
-        line-height: 10px;
-      }
-      @media (max-width: 899px) {
-        .view {
-          display: none; /* they stand with what is shown below */
-        }
-      }
-      @media ${low} {
-        .view {
-          display: block;
-        }
-      }
-      @media ${narrow} {
-        :host {
-          padding: 4px;
-        }
-        .row {
-          flex-wrap: nowrap;
-          gap: 2px;
-          justify-content: safe center;
-          overflow-x: auto;
-          pointer-events: auto;
-        }
-      }
-      @media (pointer: coarse) {
-        button {
-          min-height: 44px;
-          min-width: 44px;
-        }
-      }
-      @media (pointer: coarse) and (min-width: 900px) {
-        .row {
-          height: 100%;
-          align-content: space-between; /* a second line stands below the heads, not on them */
-        }
-      }
-      @media ${narrow} {
-        button {
-          min-width: 40px;
-          padding: 0 4px;
-          font-size: 12px;
-        }
-      }
-    `,
-  ];
+  static override styles = [base, style];
 
-  protected override topics(): readonly Topic[] {
-    return ["characters", "link", "layout"];
-  }
+  protected override readonly topics: readonly Topic[] = ["characters", "link", "arrangement"];
 
   /** To the first key. */
   override focus(): void {
@@ -111,8 +106,8 @@ export class CharacterRow extends ConsoleElement {
     const why = commands.whyFull;
     return html`<div class="row" role="group" aria-label="Characters">
       ${characters.length > 1 ? this.#choice(characters) : nothing}
-      <button class="view layers" title="Layers as a mixer (;)" aria-pressed=${this.store.layout.view === "layers"}
-        @click=${() => this.dispatchEvent(new CustomEvent("layers"))}>Layers<omote-unrouted-mark .context=${this.context}></omote-unrouted-mark></button>
+      <button class="view layers" title="Layers as a mixer (;)" aria-pressed=${this.store.arrangement.view === "layers"}
+        @click=${() => this.tell("layers")}>Layers<omote-unrouted-mark .context=${this.context}></omote-unrouted-mark></button>
       <button class="add" aria-label="Add a character" title=${why ?? "Add a character"} ?disabled=${why !== null}
         @click=${(event: MouseEvent) => event.detail < 2 && commands.add()}>+</button>
     </div>`;
@@ -124,7 +119,7 @@ export class CharacterRow extends ConsoleElement {
     return html`${characters.map(([name, character]) => this.#key(name, character))}
       <button class="all" aria-pressed=${played.length === all.length} title="Play all characters" @click=${() => this.store.play(all)}>All</button>
       <button class="view" aria-label="Scene: places, framing, names" title="Places, framing, names (P)"
-        aria-pressed=${this.store.layout.view === "scene"} @click=${() => this.dispatchEvent(new CustomEvent("scene"))}>Scene</button>`;
+        aria-pressed=${this.store.arrangement.view === "scene"} @click=${() => this.tell("scene")}>Scene</button>`;
   }
 
   #key(name: string, character: CharacterState) {

@@ -1,33 +1,20 @@
 /** Keeps which characters a console plays with the browser's tab, so that the choice outlives a reload of the page. */
 
+import { type BrowserStorage, keep, readJson, readKept } from "../../ui/browser_storage";
 import type { ConsoleStore } from "../store/console_store";
 
 const KEY = "omote console characters";
 
 /** Goes on with the choice of before a reload, and keeps what changes; `tab`: what stays with this tab alone. */
-export function keepChoice(store: ConsoleStore, tab: () => Pick<Storage, "getItem" | "setItem">): void {
-  try {
-    const names = readChoice(tab().getItem(KEY) ?? "");
-    if (names !== null) store.played.choose(names);
-  } catch {
-    return; // forbidden: the choice lasts as long as the page
-  }
-  store.listen("characters", () => {
-    try {
-      tab().setItem(KEY, JSON.stringify(store.played.chosen));
-    } catch {
-      // full: the page itself still has it
-    }
-  });
+export function keepChoice(store: ConsoleStore, tab: BrowserStorage): void {
+  const names = readChoice(readKept(tab, KEY));
+  if (names !== null) store.played.choose(names);
+  store.listen("characters", () => keep(tab, KEY, JSON.stringify(store.played.chosen)));
 }
 
 /** The names in a document; null where there are none. */
 export function readChoice(document: string): readonly string[] | null {
-  try {
-    const found: unknown = JSON.parse(document);
-    const names = Array.isArray(found) && found.every((one): one is string => typeof one === "string");
-    return names && found.length > 0 ? found : null;
-  } catch {
-    return null;
-  }
+  const read = readJson(document);
+  const names = Array.isArray(read) && read.every((name): name is string => typeof name === "string");
+  return names && read.length > 0 ? read : null;
 }

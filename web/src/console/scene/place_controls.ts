@@ -2,10 +2,54 @@
 
 import { css, html } from "lit";
 import { customElement, property } from "lit/decorators.js";
-import { base, entry } from "../../ui/theme";
+import { base, ellipsis, entry } from "../../ui/theme";
+import { textOf } from "../../ui/topic_element";
 import { AnimatedElement } from "../controls/console_element";
 import type { Topic } from "../store/page_store";
-import { facing, type Part, PLACE_PARTS, type PlacePart, type Placing, shown, written } from "./placing";
+import { facing, PLACE_PARTS, type PlaceField, type PlacePart, type Placing, shown, written } from "./placing";
+
+const style = css`
+  :host {
+    display: grid;
+    align-content: start;
+    grid-auto-rows: max-content;
+    gap: 4px;
+    min-width: 0;
+  }
+  h2 {
+    ${ellipsis}
+  }
+  label {
+    display: grid;
+    grid-template-columns: 66px minmax(50px, 1fr) 62px 12px;
+    align-items: center;
+    gap: 6px;
+    min-height: 30px;
+  }
+  input {
+    min-width: 0;
+    width: 100%;
+    margin: 0;
+    accent-color: var(--hand);
+  }
+  input[type="number"] {
+    ${entry}
+    padding: 0 4px;
+    min-height: 26px;
+    text-align: right;
+  }
+  .row {
+    display: flex;
+    flex-wrap: wrap;
+    gap: 6px;
+  }
+  @media (pointer: coarse) {
+    input[type="range"],
+    input[type="number"] {
+      height: var(--finger);
+    }
+  }
+`;
 
 /** Sliders of the lead's place, and keys that turn those who are played. */
 @customElement("omote-place-controls")
@@ -14,57 +58,9 @@ export class PlaceControls extends AnimatedElement {
   /** Seconds that a place takes that is written, and a turn by key. */
   @property({ attribute: false }) seconds = 1;
 
-  static override styles = [
-    base,
-    css`
-      :host {
-        display: grid;
-        align-content: start;
-        grid-auto-rows: max-content;
-        gap: 4px;
-        min-width: 0;
-      }
-      h2 {
-        overflow: hidden;
-        text-overflow: ellipsis;
-        white-space: nowrap;
-      }
-      label {
-        display: grid;
-        grid-template-columns: 66px minmax(50px, 1fr) 62px 12px;
-        align-items: center;
-        gap: 6px;
-        min-height: 30px;
-      }
-      input {
-        min-width: 0;
-        width: 100%;
-        margin: 0;
-        accent-color: var(--hand);
-      }
-      input[type="number"] {
-        ${entry}
-        padding: 0 4px;
-        min-height: 26px;
-        text-align: right;
-      }
-      .row {
-        display: flex;
-        flex-wrap: wrap;
-        gap: 6px;
-      }
-      @media (pointer: coarse) {
-        input[type="range"],
-        input[type="number"] {
-          height: var(--finger);
-        }
-      }
-    `,
-  ];
+  static override styles = [base, style];
 
-  protected override topics(): readonly Topic[] {
-    return ["characters", "link"];
-  }
+  protected override readonly topics: readonly Topic[] = ["characters", "link"];
 
   override render() {
     const { state, played } = this.store;
@@ -93,7 +89,7 @@ export class PlaceControls extends AnimatedElement {
     const place = held?.character === lead ? held.now : this.store.air?.place;
     if (place === undefined || this.offsetParent === null) return;
     for (const input of this.renderRoot.querySelectorAll("input")) {
-      const part = PLACE_PARTS.find((one) => one.part === input.name) as PlacePart;
+      const part = PLACE_PARTS.find((candidate) => candidate.part === input.name) as PlacePart;
       const value = shown(part, place[part.part]);
       const busy = input.type === "number" ? this.shadowRoot?.activeElement === input : input.matches(":active");
       if (!busy && input.value !== value) input.value = value;
@@ -101,7 +97,7 @@ export class PlaceControls extends AnimatedElement {
   }
 
   #drag({ part, scale }: PlacePart, event: Event): void {
-    const value = Number((event.target as HTMLInputElement).value) / scale;
+    const value = Number(textOf(event)) / scale;
     this.placing.drag(this.store.played.lead, { [part]: value });
   }
 
@@ -116,7 +112,9 @@ export class PlaceControls extends AnimatedElement {
   get #turning(): readonly string[] {
     const [played, characters] = [this.store.played.names, this.store.state?.characters ?? {}];
     if (played.length > 1) return played;
-    return Object.entries(characters).flatMap(([name, one]) => (one.presence > 0 && !one.leaves ? [name] : []));
+    return Object.entries(characters).flatMap(([name, character]) =>
+      character.presence > 0 && !character.leaves ? [name] : [],
+    );
   }
 
   readonly #face = (): void => {
@@ -133,7 +131,7 @@ export class PlaceControls extends AnimatedElement {
     this.#move(Object.fromEntries(this.store.played.names.map((name) => [name, { turn: 0 }])));
   };
 
-  #move(changes: Readonly<Record<string, Partial<Record<Part, number>>>>): void {
+  #move(changes: Readonly<Record<string, Partial<Record<PlaceField, number>>>>): void {
     this.placing.move(changes, this.seconds);
   }
 }

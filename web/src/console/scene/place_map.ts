@@ -3,8 +3,9 @@
 import { css, html, svg } from "lit";
 import { customElement, property, query } from "lit/decorators.js";
 import type { CharacterState, Place } from "../../link/messages";
+import { ARROWS } from "../../ui/gestures";
 import { base } from "../../ui/theme";
-import { AnimatedElement, StyleWriter } from "../controls/console_element";
+import { AnimatedElement } from "../controls/console_element";
 import type { Topic } from "../store/page_store";
 import { type Extent, extentOf, type Placing } from "./placing";
 
@@ -12,94 +13,84 @@ import { type Extent, extentOf, type Placing } from "./placing";
 const RADIUS = 0.11;
 /** Metres that an arrow key moves; a tenth of it with Shift. */
 const STEP = 0.05;
-const ARROWS: Readonly<Record<string, readonly [number, number]>> = {
-  ArrowLeft: [-1, 0],
-  ArrowRight: [1, 0],
-  ArrowUp: [0, 1],
-  ArrowDown: [0, -1],
-};
 const FARTHEST = { x: 10, depth: 20 };
+
+const style = css`
+  :host {
+    min-height: 0;
+    min-width: 0;
+    position: relative;
+  }
+  svg {
+    position: absolute;
+    inset: 0;
+    width: 100%;
+    height: 100%;
+    border-radius: 4px;
+    background: #000;
+    touch-action: none;
+  }
+  g[data-character] {
+    cursor: grab;
+  }
+  .reach {
+    fill: transparent;
+  }
+  .head {
+    fill: var(--raised);
+    stroke: var(--dim);
+    stroke-width: 0.02;
+  }
+  .nose {
+    fill: var(--dim);
+  }
+  g.played .head {
+    stroke: var(--hand);
+    stroke-width: 0.04;
+  }
+  g.played .nose {
+    fill: var(--hand);
+  }
+  g.off {
+    opacity: 0.45;
+  }
+  g.off .head {
+    stroke-dasharray: 0.05 0.04;
+  }
+  text {
+    font-size: 0.12px;
+    fill: var(--text);
+    text-anchor: middle;
+    pointer-events: none;
+  }
+  .line {
+    stroke: var(--line);
+    stroke-width: 0.008;
+  }
+  .front {
+    stroke: var(--edge);
+    stroke-width: 0.015;
+  }
+  g[data-character]:focus {
+    outline: none; /* its width would be in metres */
+  }
+  g[data-character]:focus-visible .head {
+    stroke: var(--focus);
+  }
+`;
 
 /** A map of the stage; `placing` puts who is dragged. */
 @customElement("omote-place-map")
 export class PlaceMap extends AnimatedElement {
   @property({ attribute: false }) placing!: Placing;
   @query("svg") private picture!: SVGSVGElement;
-  readonly #written = new StyleWriter();
   /** The pointer that drags, whom, and from where to the middle of it, metres. */
   #drag: { readonly pointer: number; readonly name: string; readonly offset: readonly [number, number] } | null = null;
   #extent: Extent = extentOf([]);
 
-  static override styles = [
-    base,
-    css`
-      :host {
-        min-height: 0;
-        min-width: 0;
-        position: relative;
-      }
-      svg {
-        position: absolute;
-        inset: 0;
-        width: 100%;
-        height: 100%;
-        border-radius: 4px;
-        background: #000;
-        touch-action: none;
-      }
-      g[data-character] {
-        cursor: grab;
-      }
-      .reach {
-        fill: transparent;
-      }
-      .head {
-        fill: var(--raised);
-        stroke: var(--dim);
-        stroke-width: 0.02;
-      }
-      .nose {
-        fill: var(--dim);
-      }
-      g.played .head {
-        stroke: var(--hand);
-        stroke-width: 0.04;
-      }
-      g.played .nose {
-        fill: var(--hand);
-      }
-      g.off {
-        opacity: 0.45;
-      }
-      g.off .head {
-        stroke-dasharray: 0.05 0.04;
-      }
-      text {
-        font-size: 0.12px;
-        fill: var(--text);
-        text-anchor: middle;
-        pointer-events: none;
-      }
-      .line {
-        stroke: var(--line);
-        stroke-width: 0.008;
-      }
-      .front {
-        stroke: var(--edge);
-        stroke-width: 0.015;
-      }
-      g[data-character]:focus {
-        outline: none; /* its width would be in metres */
-      }
-      g[data-character]:focus-visible .head {
-        stroke: var(--focus);
-      }
-    `,
-  ];
+  static override styles = [base, style];
 
-  protected override topics(): readonly Topic[] {
-    return ["characters"];
-  }
+  protected override readonly topics: readonly Topic[] = ["characters"];
 
   override render() {
     const characters = Object.entries(this.store.state?.characters ?? {});
@@ -127,7 +118,7 @@ export class PlaceMap extends AnimatedElement {
     const placeOf = (name: string): Place | undefined =>
       this.placing.held?.character === name ? this.placing.held.now : characters[name]?.place;
     if (this.#drag === null) this.#extent = extentOf(Object.values(characters).map(({ place }) => place));
-    this.#written.attribute(this.picture, "viewBox", this.#extent.map((one) => one.toFixed(3)).join(" "));
+    this.write.attribute(this.picture, "viewBox", this.#extent.map((value) => value.toFixed(3)).join(" "));
     for (const mark of this.renderRoot.querySelectorAll<SVGGElement>("g[data-character]")) {
       const place = placeOf(mark.dataset.character ?? "");
       if (place !== undefined) this.#stand(mark, place);
@@ -135,10 +126,10 @@ export class PlaceMap extends AnimatedElement {
   }
 
   #stand(mark: SVGGElement, { x, depth, size, turn }: Place): void {
-    this.#written.attribute(mark, "transform", `translate(${x.toFixed(3)} ${(-depth).toFixed(3)})`);
+    this.write.attribute(mark, "transform", `translate(${x.toFixed(3)} ${(-depth).toFixed(3)})`);
     const degrees = ((-turn * 180) / Math.PI).toFixed(1);
     const body = mark.querySelector(".body") as Element;
-    this.#written.attribute(body, "transform", `rotate(${degrees}) scale(${Math.sqrt(size).toFixed(3)})`);
+    this.write.attribute(body, "transform", `rotate(${degrees}) scale(${Math.sqrt(size).toFixed(3)})`);
   }
 
   readonly #down = (event: PointerEvent): void => {

@@ -4,13 +4,19 @@ import { ConsoleStore } from "../store/console_store";
 import { extentOf, FARTHEST_TURN, facing, PLACE_PARTS, type PlacePart, Placing, shown, written } from "./placing";
 
 const FRONT: Place = { x: 0, depth: 0, size: 1, turn: 0 };
-const part = (name: string) => PLACE_PARTS.find((one) => one.part === name) as PlacePart;
+const part = (name: string) => PLACE_PARTS.find((candidate) => candidate.part === name) as PlacePart;
 
 describe("a number of a place", () => {
-  it.each(PLACE_PARTS)("is read as it was written: $part", (one) => {
-    for (const value of [one.least, one.low, (one.least + one.most) / 2, one.high, one.most]) {
-      const wire = written(one, String(value)) as number;
-      expect(Number(shown(one, wire))).toBeCloseTo(value, one.step < 1 ? 2 : 0);
+  it.each(PLACE_PARTS)("is read as it was written: $part", (placePart) => {
+    for (const value of [
+      placePart.least,
+      placePart.low,
+      (placePart.least + placePart.most) / 2,
+      placePart.high,
+      placePart.most,
+    ]) {
+      const wire = written(placePart, String(value)) as number;
+      expect(Number(shown(placePart, wire))).toBeCloseTo(value, placePart.step < 1 ? 2 : 0);
     }
   });
 
@@ -75,7 +81,7 @@ describe("placing", () => {
       expression_call: null,
       home_face: "generic",
     };
-    store.receiveState({ characters: { one, two: { ...one, label: "Two" } } } as never as State);
+    store.receive({ type: "state", characters: { one, two: { ...one, label: "Two" } } } as never as State);
   });
 
   it("follows a hand with at most one message a frame, and is one step to take back", () => {

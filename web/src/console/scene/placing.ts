@@ -9,11 +9,11 @@ const FOLLOW = 0.1;
 /** Who faces somebody turns no farther from the audience, radians. */
 export const FARTHEST_TURN = Math.PI / 3;
 
-export type Part = keyof Place;
+export type PlaceField = keyof Place;
 
 /** A part of a place as people read and write it: in metres, times and degrees. */
 export interface PlacePart {
-  readonly part: Part;
+  readonly part: PlaceField;
   readonly label: string;
   readonly unit: string;
   /** What a slider reaches. */
@@ -67,7 +67,7 @@ export function facing(places: Readonly<Record<string, Place>>): Record<string, 
   const turns: Record<string, number> = {};
   for (const [name, { x, depth }] of Object.entries(places)) {
     const others = Object.entries(places).flatMap(([other, place]) => (other === name ? [] : [place]));
-    const mean = (part: "x" | "depth"): number => others.reduce((sum, one) => sum + one[part], 0) / others.length;
+    const mean = (part: "x" | "depth"): number => others.reduce((sum, place) => sum + place[part], 0) / others.length;
     const [across, ahead] = [mean("x") - x, depth - mean("depth")];
     const turn = others.length === 0 || (across === 0 && ahead === 0) ? 0 : Math.atan2(across, ahead);
     turns[name] = Math.min(FARTHEST_TURN, Math.max(-FARTHEST_TURN, turn));
@@ -93,7 +93,7 @@ export class Placing {
     if (this.#held?.character !== character) this.release();
     this.#held ??= { character, before: place, now: place };
     this.#held.now = { ...this.#held.now, ...change };
-    const message = { type: "place_character", character, ...this.#held.now, seconds: FOLLOW, id: "" } as const;
+    const message = { type: "place_character", character, ...this.#held.now, seconds: FOLLOW } as const;
     this.store.put(`${character}/place`, message);
   }
 

@@ -1,6 +1,6 @@
 import { beforeEach, describe, expect, it } from "vitest";
 import type { CharacterState, FromClient, State } from "../../link/messages";
-import { nameOf } from "../characters/character_names";
+import { nameOf } from "../store/character_names";
 import { ConsoleStore } from "../store/console_store";
 import { SceneCommands } from "./scene_commands";
 
@@ -19,7 +19,10 @@ const REST = {
 };
 const character = (label: string, presence = 1): CharacterState => ({ ...REST, label, presence }) as never;
 const stateOf = (...labels: string[]): State =>
-  ({ characters: Object.fromEntries(labels.map((label) => [nameOf(label, []), character(label)])) }) as State;
+  ({
+    type: "state",
+    characters: Object.fromEntries(labels.map((label) => [nameOf(label, []), character(label)])),
+  }) as unknown as State;
 
 let sent: FromClient[];
 let store: ConsoleStore;
@@ -34,7 +37,7 @@ beforeEach(() => {
   );
   commands = new SceneCommands(store, 2);
   store.setOnline(true);
-  store.receiveState(stateOf("One", "Two"));
+  store.receive(stateOf("One", "Two"));
 });
 
 /** What was sent, without the ids. */
@@ -61,8 +64,8 @@ describe("the scene", () => {
       commands.add();
       expect(said()[0]).toMatchObject({ label, character: label.toLowerCase() });
     }
-    store.receiveState(stateOf("One", "Two", "Three", "Four", "Five"));
-    store.receiveState(stateOf("One", "Two", "Five"));
+    store.receive(stateOf("One", "Two", "Three", "Four", "Five"));
+    store.receive(stateOf("One", "Two", "Five"));
     commands.add();
     expect(said()[0]).toMatchObject({ character: "three" });
   });
@@ -70,16 +73,16 @@ describe("the scene", () => {
   it("gives another name where somebody else was first, and nothing of it is to be taken back twice", () => {
     commands.add();
     const { id } = sent[0] as { id: string };
-    store.receiveState(stateOf("One", "Two", "Three"));
+    store.receive(stateOf("One", "Two", "Three"));
     sent.length = 0;
-    store.receiveRefused("there is a character 'three' already", id);
+    store.receive({ type: "refused", reason: "there is a character 'three' already", id: id, held: [] });
     expect(said()[0]).toMatchObject({ type: "add_character", character: "four", label: "Four" });
     expect(store.history.steps.undo.map(({ what }) => what)).toEqual(["add Four"]);
   });
 
   it("says why nobody is added where the show has another reason", () => {
     commands.add();
-    store.receiveRefused("there is no face 'old'", (sent[0] as { id: string }).id);
+    store.receive({ type: "refused", reason: "there is no face 'old'", id: (sent[0] as { id: string }).id, held: [] });
     expect(store.notice).toBe("there is no face 'old'");
     expect([store.history.next("undo"), store.played.taken]).toEqual([null, ["one", "two"]]);
   });
@@ -119,7 +122,7 @@ describe("the scene", () => {
 
   it("is full at eight", () => {
     expect(commands.whyFull).toBeNull();
-    store.receiveState(stateOf(..."ABCDEFGH"));
+    store.receive(stateOf(..."ABCDEFGH"));
     expect(commands.whyFull).toMatch(/8 characters/);
   });
 });

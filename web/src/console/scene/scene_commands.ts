@@ -1,8 +1,9 @@
 /** What an operator does to the scene: characters come, go, are named; the picture holds some of them. */
 
 import { MOST_CHARACTERS } from "../../link/constants";
-import type { CharacterState } from "../../link/messages";
-import { freeLabel, nameOf } from "../characters/character_names";
+import type { CharacterState, Refused } from "../../link/messages";
+import { randomId } from "../../ui/browser_storage";
+import { freeLabel, nameOf } from "../store/character_names";
 import type { ConsoleStore } from "../store/console_store";
 import type { Change, Step } from "../store/undo_history";
 
@@ -29,13 +30,13 @@ export class SceneCommands {
   /** Adds a character with the face of the one that is played, brings it onto the stage and plays it. */
   add(label: string = freeLabel(this.characters, this.store.played.taken)): void {
     const { played } = this.store;
-    const [character, key, seconds] = [nameOf(label, played.taken), freshKey(), this.seconds];
+    const [character, key, seconds] = [nameOf(label, played.taken), randomId(), this.seconds];
     const step: Step = {
       what: `add ${label}`,
-      undo: [{ type: "remove_character", character, key, seconds: 1 }],
+      undo: [{ type: "remove_character", character, key }],
       redo: [{ type: "restore_character", key, seconds }],
     };
-    const refused = (reason: string): void => this.#refused(character, step, reason);
+    const refused = ({ reason }: Refused): void => this.#refused(character, step, reason);
     const face = faceOf(this.store.air);
     if (!this.store.ask({ type: "add_character", character, label, face }, { refused })) return;
     this.store.ask({ type: "enter_character", character, seconds }, { refused: () => this.store.say(null) });
@@ -57,49 +58,36 @@ export class SceneCommands {
   remove(character: string): void {
     const before = this.characters[character];
     if (before === undefined) return;
-    const [key, seconds] = [freshKey(), this.seconds];
-    const redo: Change[] = [{ type: "remove_character", character, key, seconds: 1 }];
-    const undo: Change[] = [{ type: "restore_character", key, seconds }];
-    if (this.#ask(redo))
-      this.store.offerUndo(`Removed ${before.label}.`, { what: `remove ${before.label}`, undo, redo });
+    const key = randomId();
+    this.store.act(`Removed ${before.label}.`, {
+      what: `remove ${before.label}`,
+      undo: [{ type: "restore_character", key, seconds: this.seconds }],
+      redo: [{ type: "remove_character", character, key }],
+    });
   }
 
   rename(character: string, label: string): void {
     const before = this.characters[character]?.label;
     if (before === undefined || before === label || label.trim() === "") return;
     const to = (name: string): Change => ({ type: "rename_character", character, label: name });
-    if (!this.#ask([to(label)])) return;
-    this.store.offerUndo(`${before} is now called ${label}.`, {
-      what: `rename ${before}`,
-      undo: [to(before)],
-      redo: [to(label)],
-    });
+    const step = { what: `rename ${before}`, undo: [to(before)], redo: [to(label)] };
+    this.store.act(`${before} is now called ${label}.`, step);
   }
 
   /** Brings a character onto the stage, or takes it off. */
   move(character: string, enters: boolean): void {
-    this.#ask([{ type: enters ? "enter_character" : "leave_character", character, seconds: this.seconds }]);
+    this.store.ask({ type: enters ? "enter_character" : "leave_character", character, seconds: this.seconds });
   }
 
   /** A shot of these characters; of none: of all that are on the stage. */
   frame(characters: readonly string[]): void {
     const { easing } = this.store.timing.face;
-    this.#ask([{ type: "call_framing", characters: [...characters], seconds: this.seconds, easing }]);
-  }
-
-  #ask(changes: readonly Change[]): boolean {
-    return changes.every(
-      (change) => change.type !== "set_home" && change.type !== "set_channel" && this.store.ask(change),
-    );
+    this.store.ask({ type: "call_framing", characters: [...characters], seconds: this.seconds, easing });
   }
 }
-
-/** What a removal is found by again; `randomUUID` is not there on a LAN without https. */
-const freshKey = (): string =>
-  [...crypto.getRandomValues(new Uint32Array(3))].map((part) => part.toString(36)).join("");
 
 /** The face that weighs most. */
 function faceOf(character: CharacterState | null): string {
   const faces = Object.entries(character?.faces ?? { generic: 1 });
-  return faces.reduce((one, other) => (other[1] > one[1] ? other : one))[0];
+  return faces.reduce((heaviest, other) => (other[1] > heaviest[1] ? other : heaviest))[0];
 }

@@ -5,9 +5,10 @@ import { customElement, state } from "lit/decorators.js";
 import { ALL, FRAMING_JOINT } from "../../link/constants";
 import type { CharacterState } from "../../link/messages";
 import { base } from "../../ui/theme";
-import { standing } from "../characters/played_characters";
-import { AnimatedElement, StyleWriter } from "../controls/console_element";
+import { whileShown } from "../../ui/topic_element";
+import { AnimatedElement } from "../controls/console_element";
 import type { Topic } from "../store/page_store";
+import { standing } from "../store/played_characters";
 import { Placing } from "./placing";
 import { SceneCommands, SECONDS } from "./scene_commands";
 import { style } from "./scene_panel_style";
@@ -23,23 +24,15 @@ export class ScenePanel extends AnimatedElement {
   /** Of coming and going, framing, and places that are written. */
   @state() private seconds = SECONDS;
   #placing: Placing | null = null;
-  readonly #written = new StyleWriter();
 
   static override styles = [base, style];
 
-  protected override topics(): readonly Topic[] {
-    return ["characters", "link"];
-  }
+  protected override readonly topics: readonly Topic[] = ["characters", "link"];
 
-  override connectedCallback(): void {
-    super.connectedCallback();
+  constructor() {
+    super();
     this.addEventListener("keydown", this.#key);
-  }
-
-  override disconnectedCallback(): void {
-    super.disconnectedCallback();
-    this.removeEventListener("keydown", this.#key);
-    this.#placing?.release();
+    whileShown(this, () => () => this.#placing?.release());
   }
 
   override render() {
@@ -49,7 +42,7 @@ export class ScenePanel extends AnimatedElement {
         <header><h2>Scene</h2>
           <label>in <input type="number" aria-label="Seconds of coming, going, framing and places" min="0" max=${LONGEST_SECONDS} step="0.5"
             .value=${String(seconds)} @change=${(event: Event) => this.#time(event.target as HTMLInputElement)} /> s</label>
-          <button class="close" aria-label="Close the scene" @click=${this.#close}>Close</button></header>
+          <button class="close" aria-label="Close the scene" @click=${this.close}>Close</button></header>
         <div class="shots" role="group" aria-label="Framing"><h2>Shot</h2>${this.#framings()}</div>
         ${Object.entries(this.#commands.characters).map(([name, character]) => this.#character(name, character))}
       </section>
@@ -101,14 +94,14 @@ export class ScenePanel extends AnimatedElement {
     const shots = this.#onAir.join();
     if (shots !== this.#shots) this.requestUpdate();
     this.#shots = shots;
-    const [heaviest] = Object.entries(state.framing).sort(([, one], [, other]) => other - one);
+    const [heaviest] = Object.entries(state.framing).sort(([, weight], [, other]) => other - weight);
     const chosen = state.framing_call?.target ?? heaviest?.[0];
     for (const key of this.renderRoot.querySelectorAll<HTMLElement>(".shot")) {
       const framing = key.dataset.framing ?? "";
       const weight = state.framing[framing] ?? 0;
-      this.#written.attribute(key, "aria-pressed", String(framing === chosen));
-      this.#written.attribute(key, "title", weight > 0 && weight < 1 ? `${Math.round(100 * weight)} %` : "");
-      this.#written.style(key.querySelector("i") as HTMLElement, "transform", `scaleX(${weight.toFixed(3)})`);
+      this.write.attribute(key, "aria-pressed", String(framing === chosen));
+      this.write.attribute(key, "title", weight > 0 && weight < 1 ? `${Math.round(100 * weight)} %` : "");
+      this.write.style(key.querySelector("i") as HTMLElement, "transform", `scaleX(${weight.toFixed(3)})`);
     }
   }
 
@@ -132,11 +125,7 @@ export class ScenePanel extends AnimatedElement {
 
   readonly #key = (event: KeyboardEvent): void => {
     const typing = event.composedPath()[0] instanceof HTMLInputElement;
-    if (event.key === "Escape" && !typing) this.#close();
-  };
-
-  readonly #close = (): void => {
-    this.dispatchEvent(new CustomEvent("close"));
+    if (event.key === "Escape" && !typing) this.close();
   };
 }
 

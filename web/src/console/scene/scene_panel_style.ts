@@ -1,5 +1,5 @@
 import { css } from "lit";
-import { entry } from "../../ui/theme";
+import { ellipsis, entry } from "../../ui/theme";
 import { low, narrow } from "../controls/screen_sizes";
 
 /** Beside each other where there is room: characters and shots, the map, the place of one; else one below the other. */
@@ -79,9 +79,7 @@ export const style = css`
   }
   .shot span {
     display: block;
-    overflow: hidden;
-    text-overflow: ellipsis;
-    white-space: nowrap;
+    ${ellipsis}
   }
   .shot i {
     position: absolute;

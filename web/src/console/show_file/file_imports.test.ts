@@ -16,11 +16,11 @@ let store: ConsoleStore;
 let requests: LongRequests;
 let imports: FileImports;
 /** The names of the files that the show was sent, and what answers them in turn. */
-let given: string[];
+let receivedFiles: string[];
 let answers: ((response: Response) => void)[];
 
 beforeEach(() => {
-  [sent, given, answers] = [[], [], []];
+  [sent, receivedFiles, answers] = [[], [], []];
   store = new ConsoleStore(
     (message) => sent.push(message),
     () => 0,
@@ -31,7 +31,7 @@ beforeEach(() => {
   requests.send = (message) => sent.push(message) > 0;
   imports = new FileImports(store, new OwnItems(store, () => 0), requests);
   vi.stubGlobal("fetch", (_: string, { body }: { body: File }) => {
-    given.push(body.name);
+    receivedFiles.push(body.name);
     return new Promise<Response>((done) => answers.push(done));
   });
 });
@@ -45,16 +45,16 @@ describe("files that come in", () => {
     requests.receive({ type: "progress", request, what: "smile", done: 3, total: 51 });
     expect(imports.running?.request).toMatchObject({ what: "smile", done: 3, total: 51 });
     await imports.add([file("c.json")], "expression");
-    expect([given, imports.running?.waiting]).toEqual([["a.json"], 2]);
+    expect([receivedFiles, imports.running?.waiting]).toEqual([["a.json"], 2]);
     answers[0]?.(brings(GRIN));
     for (const next of [1, 2]) {
-      await expect.poll(() => given.length).toBe(next + 1);
+      await expect.poll(() => receivedFiles.length).toBe(next + 1);
       answers[next]?.(new Response("it is no expression.", { status: 400 }));
     }
     await all;
-    expect(given).toEqual(["a.json", "b.glb", "c.json"]);
+    expect(receivedFiles).toEqual(["a.json", "b.glb", "c.json"]);
     expect(imports.running).toBeNull();
-    expect(store.told.map(({ text }) => text)).toEqual([
+    expect(store.logEntries.map(({ text }) => text)).toEqual([
       "Taken in, under Own: Grin, from a.json.",
       "b.glb was not taken in: it is no expression. Faces come in by Set-up or the editor.",
       "c.json was not taken in: it is no expression. Faces come in by Set-up or the editor.",
@@ -72,7 +72,7 @@ describe("files that come in", () => {
     answers[0]?.(when === "late" ? brings(GRIN) : new Response(null, { status: 204 }));
     await all;
     expect(store.notice).toMatch(when === "late" ? /^Taken in/ : /^Import of a.glb: cancelled/);
-    expect([given, imports.running]).toEqual([["a.glb"], null]);
+    expect([receivedFiles, imports.running]).toEqual([["a.glb"], null]);
     imports.cancel();
     expect(sent).toHaveLength(1);
   });

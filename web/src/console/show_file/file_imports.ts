@@ -16,6 +16,12 @@ export interface RunningImport {
 
 export type TakeIn = (file: File, kind: ImportKind, requests: LongRequests) => Promise<Imported>;
 
+declare module "../controls/console_element" {
+  interface ConsoleContext {
+    readonly imports: FileImports;
+  }
+}
+
 export class FileImports {
   #file: string | null = null;
   readonly #waiting: (readonly [File, ImportKind])[] = [];
@@ -27,6 +33,7 @@ export class FileImports {
     private readonly takeIn: TakeIn = importFile,
   ) {
     requests.listen(() => store.tell("import"));
+    store.hear("progress", (progress) => requests.receive(progress));
   }
 
   /** What is under way; null for nothing. */
@@ -66,12 +73,12 @@ export class FileImports {
 
   #tell(file: string, imported: Imported): void {
     const items: readonly (OwnItem & { known: boolean })[] = imported.items;
-    const [added, known] = [items.filter((item) => !item.known), items.filter((item) => item.known)];
+    const [added, existing] = [items.filter((item) => !item.known), items.filter((item) => item.known)];
     const says = sayTakenIn(imported);
     const both = (): void => {
-      for (const item of known) this.items.copy(item);
+      for (const item of existing) this.items.copy(item);
     };
-    const offers: Offer[] = known.length === 0 ? [] : [{ label: "Keep both", act: both }];
+    const offers: Offer[] = existing.length === 0 ? [] : [{ label: "Keep both", act: both }];
     if (added.length === 0) this.store.say(`Nothing new in ${file}: ${says}.`, "attention", offers);
     else this.store.offerUndo(`Taken in, under Own: ${says}.`, this.items.stepOf(`take in ${file}`, added), offers);
   }

@@ -1,10 +1,10 @@
 import { beforeEach, describe, expect, it } from "vitest";
 import type { FromClient } from "../../link/messages";
-import { type ConsoleLayout, FIRST, parsed, written } from "../store/console_layout";
+import { type Arrangement, FIRST, parsed, written } from "../store/arrangement";
 import { ConsoleStore } from "../store/console_store";
 import { DEFAULT_LAYOUT, LayoutStorage, layoutName } from "./layout_storage";
 
-const LEFT: ConsoleLayout = { ...FIRST, kind: "arkit", tab: "mouth", linked: false };
+const LEFT: Arrangement = { ...FIRST, kind: "arkit", tab: "mouth", linked: false };
 
 let saved: Map<string, string>;
 let sent: FromClient[];
@@ -20,7 +20,7 @@ function consoleOf(own: Map<string, string>, name = DEFAULT_LAYOUT) {
     (message) => {
       sent.push(message);
       change(message);
-      store.receiveLayouts([...saved.keys()]);
+      store.receive({ type: "layouts", names: [...saved.keys()] });
     },
     () => 0,
     "me",
@@ -32,7 +32,7 @@ function consoleOf(own: Map<string, string>, name = DEFAULT_LAYOUT) {
     () => ({ getItem: (key) => own.get(key) ?? null, setItem: (key, value) => void own.set(key, value) }),
   );
   store.setOnline(true);
-  store.receiveLayouts([...saved.keys()]);
+  store.receive({ type: "layouts", names: [...saved.keys()] });
   return { store, layouts };
 }
 
@@ -50,7 +50,7 @@ describe("a fresh console", () => {
     first.store.arrange({ kind: "own", ownFaces: true });
     first.store.setTiming("face", { byHand: true });
     await second.layouts.open();
-    expect(second.store.layout).toEqual(FIRST);
+    expect(second.store.arrangement).toEqual(FIRST);
     expect(sent).toEqual([]);
   });
 
@@ -58,14 +58,14 @@ describe("a fresh console", () => {
     saved.set(DEFAULT_LAYOUT, written(LEFT));
     const { store, layouts } = consoleOf(new Map());
     await layouts.open();
-    expect(store.layout).toEqual(LEFT);
+    expect(store.arrangement).toEqual(LEFT);
   });
 
   it("opens with the layout that its address names", async () => {
     saved.set("left", written(LEFT));
     const { store, layouts } = consoleOf(new Map(), "left");
     await layouts.open();
-    expect(store.layout).toEqual(LEFT);
+    expect(store.arrangement).toEqual(LEFT);
   });
 });
 
@@ -78,9 +78,9 @@ describe("a browser", () => {
     before.store.arrange({ view: "pads" });
     const [after, other] = [consoleOf(own), consoleOf(own, "left")];
     await after.layouts.open();
-    expect(after.store.layout).toEqual(before.store.layout);
+    expect(after.store.arrangement).toEqual(before.store.arrangement);
     await other.layouts.open();
-    expect(other.store.layout).toEqual(FIRST);
+    expect(other.store.arrangement).toEqual(FIRST);
   });
 
   it("may keep nothing: the console opens all the same", async () => {
@@ -91,7 +91,7 @@ describe("a browser", () => {
     const layouts = new LayoutStorage(store, DEFAULT_LAYOUT, async () => null, forbid);
     await layouts.open();
     store.arrange({ linked: false });
-    expect(store.layout.linked).toBe(false);
+    expect(store.arrangement.linked).toBe(false);
   });
 });
 
@@ -103,12 +103,12 @@ describe("a layout", () => {
     first.store.arrange(LEFT);
     expect(await first.layouts.save("left hand")).toBe(true);
     expect(parsed(saved.get("left hand") ?? "")).toEqual(LEFT);
-    second.store.receiveLayouts([...saved.keys()]);
+    second.store.receive({ type: "layouts", names: [...saved.keys()] });
     expect(second.layouts.names).toEqual([DEFAULT_LAYOUT, "left hand"]);
     await second.layouts.choose("left hand");
-    expect([second.store.layout, second.layouts.chosen]).toEqual([LEFT, "left hand"]);
+    expect([second.store.arrangement, second.layouts.chosen]).toEqual([LEFT, "left hand"]);
     await second.layouts.choose(DEFAULT_LAYOUT);
-    expect(second.store.layout).toEqual(FIRST);
+    expect(second.store.arrangement).toEqual(FIRST);
   });
 
   it("that was chosen last is laid out, whichever answer comes first", async () => {
@@ -121,7 +121,7 @@ describe("a layout", () => {
     expect(await second).toBe("chosen");
     answers.get("left")?.(written(LEFT));
     expect(await first).toBe("overtaken");
-    expect([store.layout, layouts.chosen]).toEqual([FIRST, DEFAULT_LAYOUT]);
+    expect([store.arrangement, layouts.chosen]).toEqual([FIRST, DEFAULT_LAYOUT]);
   });
 
   it("that cannot be read is told and ignored, and so is a server that does not answer", async () => {
@@ -129,7 +129,7 @@ describe("a layout", () => {
     const { store, layouts } = consoleOf(new Map());
     await layouts.open();
     expect(store.notice).toMatch(/another version/);
-    expect(store.layout).toEqual(FIRST);
+    expect(store.arrangement).toEqual(FIRST);
     const away = () => Promise.reject(new Error("away"));
     const other = new LayoutStorage(store, DEFAULT_LAYOUT, away, () => ({
       getItem: () => null,
@@ -148,7 +148,7 @@ describe("a layout", () => {
     expect(layouts.rename("left", "right")).toBe(true);
     expect([layouts.chosen, layouts.names, layouts.has("left")]).toEqual(["right", [DEFAULT_LAYOUT, "right"], false]);
     expect(await layouts.drop("right")).toBe(true);
-    expect([layouts.names, store.layout]).toEqual([[DEFAULT_LAYOUT], LEFT]);
+    expect([layouts.names, store.arrangement]).toEqual([[DEFAULT_LAYOUT], LEFT]);
     store.arrange({ linked: true });
     expect(await layouts.save("Left")).toBe(true);
     const end = new Map(saved);
@@ -174,14 +174,18 @@ describe("a layout", () => {
     expect(saved.get("left")).toBe(written(LEFT));
     layouts.rename("left", "right");
     const asked = sent.at(-1) as Extract<FromClient, { id: string }>;
-    store.receiveRefused("there is no layout 'left' any more.", asked.id);
+    store.receive({ type: "refused", reason: "there is no layout 'left' any more.", id: asked.id, held: [] });
     expect([store.history.next("undo"), store.notice]).toEqual([null, "there is no layout 'left' any more."]);
   });
 
   it("that another console deleted meanwhile changes nothing", async () => {
     const { store, layouts } = consoleOf(new Map());
     store.arrange(LEFT);
-    expect([await layouts.choose("gone"), layouts.chosen, store.layout]).toEqual(["missing", DEFAULT_LAYOUT, LEFT]);
+    expect([await layouts.choose("gone"), layouts.chosen, store.arrangement]).toEqual([
+      "missing",
+      DEFAULT_LAYOUT,
+      LEFT,
+    ]);
   });
 
   it("goes by the name in the address", () => {

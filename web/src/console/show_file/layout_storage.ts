@@ -1,8 +1,9 @@
 /** Where layouts are: this browser keeps how its operator has arranged the console; the show file keeps those saved by name. */
 
-import { FIRST, parsed, written } from "../store/console_layout";
+import { type BrowserStorage, keep, readKept } from "../../ui/browser_storage";
+import { FIRST, parsed, written } from "../store/arrangement";
 import type { ConsoleStore } from "../store/console_store";
-import type { Change, Step } from "../store/undo_history";
+import type { Change } from "../store/undo_history";
 
 /** The layout that a console opens with where nobody has arranged it; the crew may save its own under this name. */
 export const DEFAULT_LAYOUT = "Default";
@@ -19,13 +20,18 @@ export const readLayout: ReadLayout = async (name) => {
   return response.status === 200 ? response.text() : null; // 204: nothing has been saved under this name yet
 };
 
-/** What this browser keeps. */
-export type OwnStore = Pick<Storage, "getItem" | "setItem">;
-
 /** What has become of a choice: laid out, no such layout, or another was chosen before the show had answered. */
 export type Choice = "chosen" | "missing" | "overtaken";
 
+declare module "../controls/console_element" {
+  interface ConsoleContext {
+    readonly layouts: LayoutStorage;
+  }
+}
+
 export class LayoutStorage {
+  /** The name that was chosen or saved last. */
+  chosen: string;
   readonly #key: string;
   #choices = 0;
 
@@ -33,22 +39,20 @@ export class LayoutStorage {
     private readonly store: ConsoleStore,
     name: string,
     private readonly read: ReadLayout = readLayout,
-    private readonly own: () => OwnStore = () => localStorage,
+    private readonly own: BrowserStorage = () => localStorage,
   ) {
-    store.chosenLayout = name;
+    this.chosen = name;
+    store.sent.hear("rename_layout", ({ name, to }) => {
+      if (name === this.chosen) this.chosen = to;
+    });
     this.#key = `omote console ${name}`;
-  }
-
-  /** The name that was chosen or saved last. */
-  get chosen(): string {
-    return this.store.chosenLayout;
   }
 
   /** Lays the console out as this browser has it, else as the layout of the address or the default says; keeps what changes. */
   async open(): Promise<void> {
-    const mine = this.#mine();
-    this.#apply(mine ?? (await this.#document(this.chosen)) ?? written(FIRST));
-    this.store.listen("layout", () => this.#keep());
+    const mine = readKept(this.own, this.#key);
+    this.#apply(mine || (await this.#document(this.chosen)) || written(FIRST));
+    this.store.listen("arrangement", () => keep(this.own, this.#key, written(this.store.arrangement)));
   }
 
   /** Lays the console out as it was saved under a name; the newest choice wins, in whatever order the answers come. */
@@ -58,36 +62,40 @@ export class LayoutStorage {
     const document = await this.#document(name);
     if (choice !== this.#choices) return "overtaken";
     if (document === null && name !== DEFAULT_LAYOUT) return "missing";
-    this.store.chosenLayout = name;
+    this.chosen = name;
     this.#apply(document ?? written(FIRST));
     return "chosen";
   }
 
   /** The names to choose from, the default first. */
   get names(): readonly string[] {
-    const saved = this.store.layoutNames.filter((name) => name !== DEFAULT_LAYOUT);
+    const saved = this.#saved.filter((name) => name !== DEFAULT_LAYOUT);
     return [DEFAULT_LAYOUT, ...saved.toSorted((a, b) => a.localeCompare(b))];
   }
 
   /** Whether the show file has a layout of this name, in this case. */
   has(name: string): boolean {
-    return this.store.layoutNames.includes(name);
+    return this.#saved.includes(name);
+  }
+
+  get #saved(): readonly string[] {
+    return this.store.newest("layouts")?.names ?? [];
   }
 
   /** Saves the console as it is under a name, for every console of the show; whether it could be sent. */
   async save(name: string): Promise<boolean> {
-    const [before, document] = [await this.#document(name), written(this.store.layout)];
+    const [before, document] = [await this.#document(name), written(this.store.arrangement)];
     const undo = before === null ? removing(name) : putting(name, before);
     const step = { what: `save the layout ${name}`, undo: [undo], redo: [putting(name, document)] };
-    const sent = this.#begin(step, `Saved as ${name}: every console can choose it.`);
-    if (sent) this.store.chosenLayout = name;
+    const sent = this.store.act(`Saved as ${name}: every console can choose it.`, step);
+    if (sent) this.chosen = name;
     return sent;
   }
 
   /** Gives a saved layout another name; whether it could be sent. */
   rename(name: string, to: string): boolean {
     const step = { what: `rename the layout ${name}`, undo: [renaming(to, name)], redo: [renaming(name, to)] };
-    return this.#begin(step, `${name} is called ${to} now.`);
+    return this.store.act(`${name} is called ${to} now.`, step);
   }
 
   /** Takes a saved layout out of the show file; whether it could be sent. */
@@ -95,18 +103,7 @@ export class LayoutStorage {
     const document = await this.#document(name);
     if (document === null) return false;
     const step = { what: `delete the layout ${name}`, undo: [putting(name, document)], redo: [removing(name)] };
-    return this.#begin(step, `Deleted the layout ${name}; consoles that it was chosen on stay as they are.`);
-  }
-
-  /** Takes a step for the first time; what the show rejects cannot be taken back. */
-  #begin(step: Step, done: string): boolean {
-    const refused = (reason: string): void => {
-      this.store.history.skip(step);
-      this.store.say(reason);
-    };
-    if (!this.store.takeStep(step, "redo", refused)) return false;
-    this.store.offerUndo(done, step);
-    return true;
+    return this.store.act(`Deleted the layout ${name}; consoles that it was chosen on stay as they are.`, step);
   }
 
   #document(name: string): Promise<string | null> {
@@ -114,26 +111,9 @@ export class LayoutStorage {
   }
 
   #apply(document: string): void {
-    const found = parsed(document);
-    if (typeof found === "string") this.store.say(found);
-    else this.store.arrange(found);
-  }
-
-  /** A browser may forbid its store: then the console begins anew with each load. */
-  #mine(): string | null {
-    try {
-      return this.own().getItem(this.#key);
-    } catch {
-      return null;
-    }
-  }
-
-  #keep(): void {
-    try {
-      this.own().setItem(this.#key, written(this.store.layout));
-    } catch {
-      // full or forbidden: the console plays on as it is
-    }
+    const arrangement = parsed(document);
+    if (typeof arrangement === "string") this.store.say(arrangement);
+    else this.store.arrange(arrangement);
   }
 }
 

@@ -28,10 +28,9 @@ const SMILE: OwnItem = { kind: "expression", name: "smile_2", label: "Smile 2" }
 const last = (): Asked => sent.at(-1) as Asked;
 /** What was sent, without ids. */
 const asked = (): object[] => sent.map(({ id, ...rest }) => rest);
-const kept = (of: Asked, name: string, label: string): void =>
-  store.receiveKept({ type: "kept", id: of.id, name, label });
+const kept = (of: Asked, name: string, label: string): void => store.receive({ type: "kept", id: of.id, name, label });
 const changed = (label: string, before: string): void =>
-  store.receiveChanged({ type: "item_changed", id: last().id, label, before });
+  store.receive({ type: "item_changed", id: last().id, label, before });
 
 /** Keeps a face as the show answers. */
 function keep(kind: Axis, name: string): Naming {
@@ -128,12 +127,48 @@ describe("the name of what is kept", () => {
 
   it("is asked for no more where the show cannot keep it, or the link is lost meanwhile", () => {
     items.keep("face");
-    store.receiveRefused("there is no show file.", last().id);
+    store.receive({ type: "refused", reason: "there is no show file.", id: last().id, held: [] });
     expect([items.naming, store.notice]).toEqual([null, "there is no show file."]);
     now += 5000;
     items.keep("face");
     store.setOnline(false);
     expect(items.naming).toBeNull();
+  });
+});
+
+describe("a name that the show refuses", () => {
+  const refuse = (of: Asked, reason: string): void => store.receive({ type: "refused", reason, id: of.id, held: [] });
+  const reason = "the name has the character 'right-to-left override' in it.";
+
+  it.each([false, true])("stands in the field again, with the reason; left: %s", (left) => {
+    items.beginNaming(SMILE);
+    items.endNaming(items.naming as Naming, "Sm\u202eile", left);
+    refuse(last(), reason);
+    const refused = { label: "Sm\u202eile", reason, left };
+    expect(items.naming).toEqual({ kind: "expression", item: SMILE, fresh: false, refused });
+    expect(store.logEntries.at(-1)?.text).toBe(`Not renamed (Smile 2): ${reason}`);
+    items.endNaming(items.naming as Naming, "Grin");
+    expect(last()).toMatchObject({ type: "rename_item", name: "smile_2", label: "Grin" });
+  });
+
+  it("is asked for again also where it was typed before what was kept came", () => {
+    items.keep("face");
+    const keeping = last();
+    items.endNaming(items.naming as Naming, "Ana");
+    kept(keeping, "on_air_1", "On air 1");
+    refuse(last(), "there is a face 'Ana' already: give another name.");
+    expect(items.naming?.item?.name).toBe("on_air_1");
+    expect(items.naming?.refused?.label).toBe("Ana");
+  });
+
+  it("is only said where another one is typed by now", () => {
+    items.beginNaming(SMILE);
+    items.endNaming(items.naming as Naming, "Ana");
+    const asking = last();
+    items.beginNaming({ ...SMILE, name: "grin", label: "Grin" });
+    refuse(asking, reason);
+    expect(items.naming?.item?.name).toBe("grin");
+    expect(store.notice).toBe(`Not renamed (Smile 2): ${reason}`);
   });
 });
 
@@ -176,11 +211,11 @@ it("says why something is not taken back, and can leave it for what was done bef
   keep("face", "a");
   keep("face", "b");
   store.undo();
-  store.receiveRefused("'b' is on air or coming: call another first.", last().id);
+  store.receive({ type: "refused", reason: "'b' is on air or coming: call another first.", id: last().id, held: [] });
   expect(store.notice).toBe("Not undone (keep b): 'b' is on air or coming: call another first.");
   store.undo();
   expect(last()).toMatchObject({ name: "b" });
-  store.receiveRefused("'b' is on air or coming: call another first.", last().id);
+  store.receive({ type: "refused", reason: "'b' is on air or coming: call another first.", id: last().id, held: [] });
   const leave = store.offers.find(({ label }) => label === "Leave it");
   if (leave !== undefined && "act" in leave) leave.act();
   store.undo();
@@ -191,7 +226,7 @@ it("takes several back that came in together", () => {
   store.offerUndo("", items.stepOf("take in", [SMILE, { ...SMILE, name: "grin" }]));
   store.undo();
   store.redo();
-  expect(sent.map((one) => [one.type, "name" in one && one.name])).toEqual([
+  expect(sent.map((message) => [message.type, "name" in message && message.name])).toEqual([
     ["delete_item", "smile_2"],
     ["delete_item", "grin"],
     ["restore_item", "smile_2"],

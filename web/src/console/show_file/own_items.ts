@@ -25,12 +25,27 @@ export interface Naming {
   item: OwnItem | null;
   /** Only what has just been kept: it has a name already, and the field goes away by itself. */
   readonly fresh: boolean;
+  /** The name that the show refused, and why. */
+  readonly refused?: RefusedName;
+}
+
+export interface RefusedName {
+  readonly label: string;
+  readonly reason: string;
+  /** Whoever typed it has gone on elsewhere: the field does not take the focus back. */
+  readonly left: boolean;
+}
+
+declare module "../controls/console_element" {
+  interface ConsoleContext {
+    readonly items: OwnItems;
+  }
 }
 
 export class OwnItems {
   #naming: Naming | null = null;
-  /** Names that were typed before what was kept came. */
-  readonly #wanted = new WeakMap<Naming, string>();
+  /** Names that were typed before what was kept came, and whether their field was left for something else. */
+  readonly #wanted = new WeakMap<Naming, readonly [label: string, left: boolean]>();
   readonly #kept: Record<Axis, number> = { face: Number.NEGATIVE_INFINITY, expression: Number.NEGATIVE_INFINITY };
 
   /** `typing`: whether people here have keys, so that a name is asked for at once. */
@@ -57,8 +72,10 @@ export class OwnItems {
       { type, character: this.store.played.lead },
       {
         busy: `the ${kind} on air is being kept`,
-        kept: (name, label) => this.#received(naming, { kind, name, label }),
-        refused: () => this.#naming === naming && this.#name(null),
+        kept: ({ name, label }) => this.#received(naming, { kind, name, label }),
+        refused: () => {
+          if (this.#naming === naming) this.#name(null);
+        },
       },
     );
     if (!sent) return;
@@ -72,38 +89,55 @@ export class OwnItems {
     this.#name({ kind: item.kind, item, fresh: false });
   }
 
-  /** The name that was typed; where it is empty, the item's stays as it is. */
-  endNaming(naming: Naming, typed: string): void {
+  /** The name that was typed; where it is empty, the item's stays as it is. `left`: by going on elsewhere. */
+  endNaming(naming: Naming, typed: string, left = false): void {
     const [label, { item }] = [typed.trim(), naming];
     if (this.#naming === naming) this.#name(null);
     if (label === "") return;
-    if (item === null) this.#wanted.set(naming, label);
-    else if (label !== item.label) this.rename(item, label);
+    if (item === null) this.#wanted.set(naming, [label, left]);
+    else if (label !== item.label) this.#rename(item, label, left);
   }
 
-  rename(item: OwnItem, label: string): void {
+  #rename(item: OwnItem, label: string, left: boolean): void {
     this.store.ask(
       { type: "rename_item", kind: item.kind, name: item.name, label },
-      { changed: (now, before) => this.#offerRenamed(item, now, before) },
+      {
+        item_changed: ({ label: now, before }) => this.#offerRenamed(item, now, before),
+        refused: ({ reason }) => this.#askAgain(item, { label, reason, left }),
+      },
     );
+  }
+
+  /** What was typed stands in the field again, with the reason; where another name is typed by now, that is not disturbed. */
+  #askAgain(item: OwnItem, refused: RefusedName): true {
+    const says = `Not renamed (${item.label}): ${refused.reason}`;
+    if (this.#naming !== null) this.store.say(says);
+    else {
+      this.store.log(says, "attention");
+      this.#name({ kind: item.kind, item, fresh: false, refused });
+    }
+    return true;
   }
 
   /** Deletes an item at once: it can be brought back. What is on air stays; the show says so. */
   delete(item: OwnItem): void {
     const step = { what: `delete ${item.label}`, undo: [restoring(item)], redo: [deleting(item)] };
     const said = `Deleted ${item.label}: no console has it any more. Faces and layouts made with it stay as they are.`;
-    const changed = (): void => this.store.offerUndo(said, step);
-    this.store.ask({ type: "delete_item", kind: item.kind, name: item.name, unedited: false }, { changed });
+    this.store.ask(deleting(item), { item_changed: () => this.store.offerUndo(said, step) });
   }
 
   /** Why an item cannot be deleted now; null where it can. */
   whyKept({ kind, name }: OwnItem): string | null {
     const characters = Object.values(this.store.state?.characters ?? {});
-    if (kind === "face" && characters.some((one) => one.home_face === name))
+    if (kind === "face" && characters.some((character) => character.home_face === name))
       return "it is the home face; choose another in Set-up";
-    const weights = characters.flatMap((one) => (kind === "face" ? [one.faces] : [one.expressions, one.channels]));
+    const weights = characters.flatMap((character) =>
+      kind === "face" ? [character.faces] : [character.expressions, character.channels],
+    );
     if (weights.some((all) => (all[name] ?? 0) !== 0)) return "it is on air; call another first";
-    return characters.some((one) => callOf(one, kind)?.target === name) ? "it is coming; call another first" : null;
+    return characters.some((character) => callOf(character, kind)?.target === name)
+      ? "it is coming; call another first"
+      : null;
   }
 
   /** Makes a second one of an item, under a name of its own. */
@@ -112,7 +146,7 @@ export class OwnItems {
       { type: "copy_item", kind: item.kind, name: item.name },
       {
         busy: `${item.label} is being copied`,
-        kept: (name, label) => {
+        kept: ({ name, label }) => {
           const copy = { kind: item.kind, name, label };
           const step = { what: `keep ${label} too`, undo: [deleting(copy)], redo: [restoring(copy)] };
           this.store.offerUndo(`Both are there: ${item.label} and ${label}.`, step);
@@ -134,7 +168,7 @@ export class OwnItems {
     this.store.offerUndo(`Kept as ${label} under Own.`, step, this.typing() ? [edit] : [rename, edit]);
     const wanted = this.#wanted.get(naming);
     naming.item = item;
-    if (wanted !== undefined) this.rename(item, wanted);
+    if (wanted !== undefined) this.#rename(item, ...wanted);
     this.store.tell("naming");
   }
 
@@ -150,6 +184,7 @@ export class OwnItems {
   }
 }
 
-const deleting = ({ kind, name }: OwnItem, unedited = false): Change => ({ type: "delete_item", kind, name, unedited });
+const deleting = ({ kind, name }: OwnItem, unedited = false) =>
+  ({ type: "delete_item", kind, name, unedited }) as const;
 
-const restoring = ({ kind, name }: OwnItem): Change => ({ type: "restore_item", kind, name });
+const restoring = ({ kind, name }: OwnItem) => ({ type: "restore_item", kind, name }) as const;

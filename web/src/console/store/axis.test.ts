@@ -22,7 +22,7 @@ it("names a mix with its weights, one alone without, and counts those for which 
 const call = (target: string, by_hand: boolean, start = { generic: 1 }): CallState => ({
   ...{ target, by_hand, start, progress: 0.4, remaining: by_hand ? null : 2, fader: 0, pickup: 0.4 },
 });
-const told = (face_call: CallState | null): CharacterState =>
+const stateWith = (face_call: CallState | null): CharacterState =>
   ({ face_call, expression_call: null }) as unknown as CharacterState;
 const followed = (...states: CharacterState[]): boolean | null =>
   states.reduce<[boolean | null, CharacterState | null]>(
@@ -31,10 +31,12 @@ const followed = (...states: CharacterState[]): boolean | null =>
   )[0];
 
 it("knows a call that has seconds from one by hand, also when a T-bar has picked it up", () => {
-  expect(followed(told(null), told(call("old", false)), told(call("old", true)))).toBe(true);
-  expect(followed(told(null), told(call("old", true)))).toBe(false);
-  expect(followed(told(call("old", true)))).toBe(null); // from before this console was there
+  expect(followed(stateWith(null), stateWith(call("old", false)), stateWith(call("old", true)))).toBe(true);
+  expect(followed(stateWith(null), stateWith(call("old", true)))).toBe(false);
+  expect(followed(stateWith(call("old", true)))).toBe(null); // from before this console was there
   const again = call("old", true, { generic: 0.6, old: 0.4 } as unknown as { generic: number });
-  expect(followed(told(null), told(call("old", false)), told(call("old", true)), told(again))).toBe(false);
-  expect(followed(told(call("old", false)), told(null))).toBe(null);
+  expect(followed(stateWith(null), stateWith(call("old", false)), stateWith(call("old", true)), stateWith(again))).toBe(
+    false,
+  );
+  expect(followed(stateWith(call("old", false)), stateWith(null))).toBe(null);
 });

@@ -31,9 +31,9 @@ export function followTimed(
 }
 
 /** Whether two reports tell of one call: another to the same target leaves another mix. */
-const isSame = (one: CallState, other: CallState): boolean =>
-  one.target === other.target &&
-  Object.keys({ ...one.start, ...other.start }).every((name) => one.start[name] === other.start[name]);
+const isSame = (call: CallState, other: CallState): boolean =>
+  call.target === other.target &&
+  Object.keys({ ...call.start, ...other.start }).every((name) => call.start[name] === other.start[name]);
 
 /** The names on air, heaviest first; weights below a thousandth are not shown. */
 export function onAir(weights: Readonly<Record<string, number>>): [string, number][] {

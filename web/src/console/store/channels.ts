@@ -34,8 +34,8 @@ const BEGINNINGS: readonly (readonly [string, Region])[] = [
 /** The region of an expression: the one its document names, else the one its name begins with, else the whole face. */
 export function regionOf(expression: Pick<ExpressionDocument, "name" | "kind" | "region">): Region {
   const said = expression.region.toLowerCase();
-  const known = REGIONS.find((region) => region === said || region === `${said}s`);
-  if (known !== undefined) return known;
+  const namedRegion = REGIONS.find((region) => region === said || region === `${said}s`);
+  if (namedRegion !== undefined) return namedRegion;
   if (expression.kind === "performed" || expression.kind === "neutral") return "face";
   const name = expression.name.toLowerCase();
   return BEGINNINGS.find(([beginning]) => name.startsWith(beginning))?.[1] ?? "face";
@@ -73,7 +73,7 @@ export function stripsOf(expressions: readonly ExpressionDocument[]): Strip[] {
 export function byRegion(expressions: readonly ExpressionDocument[]): Map<Region, ExpressionDocument[]> {
   const regions = new Map<Region, ExpressionDocument[]>();
   for (const region of REGIONS) {
-    const inside = expressions.filter((one) => one.kind !== "neutral" && regionOf(one) === region);
+    const inside = expressions.filter((expression) => expression.kind !== "neutral" && regionOf(expression) === region);
     if (inside.length > 0) regions.set(region, inside);
   }
   return regions;
@@ -81,6 +81,6 @@ export function byRegion(expressions: readonly ExpressionDocument[]): Map<Region
 
 /** The channel that moves the same on the other side, if there is one. */
 export function mirrorOf(name: string, strips: readonly Strip[]): string | null {
-  const strip = strips.find((one) => one.channels.some((channel) => channel.name === name));
+  const strip = strips.find((candidate) => candidate.channels.some((channel) => channel.name === name));
   return strip?.channels.find((channel) => channel.name !== name)?.name ?? null;
 }

@@ -2,6 +2,7 @@ import { beforeEach, describe, expect, it } from "vitest";
 import type { CharacterState, FromClient, Manifest, State } from "../../link/messages";
 import { ConsoleStore } from "./console_store";
 import { ECHO } from "./held_values";
+import { HEARD_MS, MEANT_MS } from "./unheard_panic";
 
 const CALM: CharacterState = {
   faces: { generic: 1 },
@@ -65,7 +66,7 @@ beforeEach(() => {
     "me",
   );
   store.setManifest(MANIFEST);
-  store.receiveState(REST);
+  store.receive(REST);
   store.setOnline(true);
 });
 
@@ -108,7 +109,7 @@ describe("a T-bar that was left in the middle", () => {
     ] as const) {
       sent.length = 0;
       now += 10_000;
-      store.receiveState(withOne({ face_fader: stands }));
+      store.receive(withOne({ face_fader: stands }));
       now += 10_000;
       store.call("face", "old");
       store.flush();
@@ -118,7 +119,7 @@ describe("a T-bar that was left in the middle", () => {
       ]);
     }
     sent.length = 0;
-    store.receiveState(withOne({ face_fader: 0.4, face_call: call }));
+    store.receive(withOne({ face_fader: 0.4, face_call: call }));
     now += 10_000;
     store.setTiming("face", { byHand: true });
     store.call("face", "kaori");
@@ -130,15 +131,15 @@ describe("a T-bar that was left in the middle", () => {
   });
 
   it("stays where a hand may be on it, here or elsewhere, and where a timed call would be picked up", () => {
-    store.receiveState(withOne({ face_fader: 0.4 }));
-    store.receiveHands({ "one/fade_face": "Ana" });
+    store.receive(withOne({ face_fader: 0.4 }));
+    store.receive({ type: "hands", hands: { "one/fade_face": "Ana" } });
     store.call("face", "old");
-    store.receiveHands({});
+    store.receive({ type: "hands", hands: {} });
     store.bar("face").grip(0.5);
     store.call("face", "old");
     store.bar("face").leave();
     now += 10_000;
-    store.receiveState(withOne({ face_fader: 0.5, face_call: call }));
+    store.receive(withOne({ face_fader: 0.5, face_call: call }));
     now += 10_000;
     store.call("face", "kaori");
     store.flush();
@@ -149,7 +150,7 @@ describe("a T-bar that was left in the middle", () => {
     store.bar("face").grip(0.4);
     store.bar("face").leave();
     now += 10_000;
-    store.receiveState(withOne({ face_fader: 0.4 })); // a busy machine had it all that time
+    store.receive(withOne({ face_fader: 0.4 })); // a busy machine had it all that time
     sent.length = 0;
     store.call("face", "old");
     store.flush();
@@ -157,7 +158,7 @@ describe("a T-bar that was left in the middle", () => {
   });
 
   it("is left to a panic that is on its way", () => {
-    store.receiveState(withOne({ face_fader: 0.7 }));
+    store.receive(withOne({ face_fader: 0.7 }));
     now += 10_000;
     store.panic();
     store.call("face", "old");
@@ -165,7 +166,7 @@ describe("a T-bar that was left in the middle", () => {
   });
 
   it("has nothing to release in a call by hand, and says so", () => {
-    store.receiveState(withOne({ face_call: call }));
+    store.receive(withOne({ face_call: call }));
     expect(store.releasable("face")).toBe(false);
     store.release("face");
     expect([sent, store.notice]).toEqual([[], expect.stringContaining("Nothing to release")]);
@@ -202,14 +203,14 @@ describe("lights", () => {
 
 /** Takes what the notice offers. */
 function act(label: string): void {
-  const offer = store.offers.find((one) => one.label === label);
+  const offer = store.offers.find((candidate) => candidate.label === label);
   if (offer !== undefined && "act" in offer) offer.act();
 }
 
 describe("clearing", () => {
   const CHANNELS = { mouthSmileLeft: 0.4, mouthSmileRight: 0.7, jawOpen: 0 };
   const clear = (): void => {
-    store.receiveState(withOne({ channels: CHANNELS }));
+    store.receive(withOne({ channels: CHANNELS }));
     store.clearChannels(Object.keys(CHANNELS));
     store.flush();
   };
@@ -246,7 +247,7 @@ describe("clearing", () => {
 
   it("is not taken back over a panic", () => {
     clear();
-    store.receiveState(withOne({ panics: 1 }));
+    store.receive(withOne({ panics: 1 }));
     sent.length = 0;
     store.undo();
     store.flush();
@@ -256,10 +257,13 @@ describe("clearing", () => {
 });
 
 describe("a hand at another console", () => {
-  const heard = (jawOpen: number) => store.receiveState(withOne({ channels: { jawOpen } }));
+  const heard = (jawOpen: number) => store.receive(withOne({ channels: { jawOpen } }));
 
   it("is named on what it moves, and on nothing else", () => {
-    store.receiveHands({ "one/set_channel:jawOpen": "Ana", "one/set_gaze": "Ben", "one/fade_face": "Cy" });
+    store.receive({
+      type: "hands",
+      hands: { "one/set_channel:jawOpen": "Ana", "one/set_gaze": "Ben", "one/fade_face": "Cy" },
+    });
     const knobs = [
       store.channel("jawOpen"),
       store.gaze("yaw"),
@@ -275,7 +279,7 @@ describe("a hand at another console", () => {
   it("has a fader that this one holds still, and this one goes on from there", () => {
     const jaw = store.channel("jawOpen");
     jaw.grip(0.8);
-    store.receiveHands({ "one/set_channel:jawOpen": "Ana" });
+    store.receive({ type: "hands", hands: { "one/set_channel:jawOpen": "Ana" } });
     now += ECHO;
     heard(0.2);
     expect([jaw.value(now), jaw.gripped()]).toEqual([0.8, true]); // it has just moved it
@@ -297,7 +301,7 @@ describe("knobs", () => {
     expect(jaw.value(now)).toBe(0.6);
     jaw.leave();
     expect(jaw.value(now + ECHO - 1)).toBe(0.6);
-    store.receiveState(withOne({ channels: { jawOpen: 0.2 } }));
+    store.receive(withOne({ channels: { jawOpen: 0.2 } }));
     expect(jaw.value(now + ECHO)).toBe(0.2);
   });
 
@@ -314,7 +318,7 @@ describe("knobs", () => {
   });
 
   it("leave the parts of a direction that another console moves", () => {
-    store.receiveState(withOne({ head: [0, 0, 0.4], gaze: [0.1, 0] }));
+    store.receive(withOne({ head: [0, 0, 0.4], gaze: [0.1, 0] }));
     store.head("yaw").grip(0.2);
     store.gaze("pitch").nudge(0.3);
     store.flush();
@@ -337,7 +341,7 @@ describe("knobs", () => {
   });
 
   it("show the T-bar where any hand left it", () => {
-    store.receiveState(withOne({ face_fader: 0.8 }));
+    store.receive(withOne({ face_fader: 0.8 }));
     expect(store.bar("face").value(now)).toBe(0.8);
     store.bar("face").grip(0.9);
     store.release("face");
@@ -345,7 +349,7 @@ describe("knobs", () => {
   });
 
   it("clear only what is on air, and no mirror by accident", () => {
-    store.receiveState(withOne({ channels: { mouthSmileLeft: 0.4 } }));
+    store.receive(withOne({ channels: { mouthSmileLeft: 0.4 } }));
     store.clearChannels(["mouthSmileLeft", "mouthSmileRight", "jawOpen"]);
     store.flush();
     expect(sent).toEqual([{ type: "set_channel", character: "one", name: "mouthSmileLeft", value: 0 }]);
@@ -357,7 +361,7 @@ describe("panic", () => {
     store.channel("jawOpen").grip(0.9);
     const era = store.era;
     store.panic();
-    expect(sent).toEqual([{ type: "panic", character: "one" }]);
+    expect(sent).toMatchObject([{ type: "panic", character: "one" }]);
     expect(store.era).toBeGreaterThan(era);
     expect(store.channel("jawOpen").value(now)).toBe(0);
     store.flush();
@@ -365,11 +369,61 @@ describe("panic", () => {
   });
 });
 
+describe("a panic that the show has not heard", () => {
+  const heard = withOne({ panics: 1 });
+
+  it("is late after a while, until a state shows it", () => {
+    store.panic();
+    expect(store.panicIsLate).toBe(false);
+    now += HEARD_MS;
+    store.receive(REST);
+    expect(store.panicIsLate).toBe(true);
+    store.receive(heard);
+    expect(store.panicIsLate).toBe(false);
+  });
+
+  it("is sent again under its id by a link that comes back soon, and not later", () => {
+    store.panic();
+    store.setOnline(false);
+    store.setOnline(true);
+    expect(sent[1]).toEqual(sent[0]);
+    store.setOnline(false);
+    now += MEANT_MS + 1;
+    store.setOnline(true);
+    expect(sent).toHaveLength(2);
+    expect(store.notice).toMatch(/not heard/);
+  });
+
+  it("is not sent again once it was heard", () => {
+    store.panic();
+    store.receive(heard);
+    store.setOnline(false);
+    store.setOnline(true);
+    expect(sent).toHaveLength(1);
+  });
+
+  it("is kept where there is no link, and that is said", () => {
+    store.setOnline(false);
+    store.panic();
+    expect([sent, store.notice]).toEqual([[], expect.stringMatching(/not heard/)]);
+    store.setOnline(true);
+    expect(sent).toMatchObject([{ type: "panic", character: "one" }]);
+  });
+
+  it("is late no more where it was refused, which says why", () => {
+    store.panic();
+    const { id } = sent[0] as { id: string };
+    store.receive({ type: "refused", reason: "who may only look plays nothing", id, held: [] });
+    now += HEARD_MS;
+    expect([store.panicIsLate, store.notice]).toEqual([false, "who may only look plays nothing"]);
+  });
+});
+
 describe("panic at another console", () => {
   it("takes the hands off here, and so does none of before the page was opened", () => {
     const era = store.era;
     store.channel("jawOpen").grip(0.9);
-    store.receiveState(withOne({ panics: 1 }));
+    store.receive(withOne({ panics: 1 }));
     expect([store.channel("jawOpen").value(now), store.era]).toEqual([0, era + 1]);
     store.flush();
     expect(sent).toEqual([]);
@@ -378,7 +432,7 @@ describe("panic at another console", () => {
       () => now,
       "fresh",
     );
-    fresh.receiveState(withOne({ panics: 7 }));
+    fresh.receive(withOne({ panics: 7 }));
     expect(fresh.era).toBe(0);
   });
 
@@ -387,9 +441,9 @@ describe("panic at another console", () => {
     store.listen("panic", () => {
       heard += 1;
     });
-    store.receiveState(withOne({ home_next: true }));
-    store.receiveState(withOne({ home_next: true }));
-    store.receiveState(withOne({ home_next: true, home_face: "old" }));
+    store.receive(withOne({ home_next: true }));
+    store.receive(withOne({ home_next: true }));
+    store.receive(withOne({ home_next: true, home_face: "old" }));
     expect(heard).toBe(2);
   });
 
@@ -408,7 +462,6 @@ describe("a lost link", () => {
     store.bar("face").nudge(0.4);
     store.release("face");
     store.clearChannels(["jawOpen"]);
-    store.panic();
     store.flush();
     expect(sent).toEqual([]);
     expect(store.channel("jawOpen").value(now)).toBe(0);
@@ -436,11 +489,11 @@ describe("listeners", () => {
       heard += 1;
     });
     const call = { target: "old", progress: 0, remaining: 1, by_hand: false, fader: 0, pickup: 0, start: {} };
-    store.receiveState(withOne({ face_call: call }));
-    store.receiveState(withOne({ face_call: { ...call, progress: 0.1 } }));
+    store.receive(withOne({ face_call: call }));
+    store.receive(withOne({ face_call: { ...call, progress: 0.1 } }));
     expect(heard).toBe(1);
     leave();
-    store.receiveState(withOne({}));
+    store.receive(withOne({}));
     expect(heard).toBe(1);
   });
 });
@@ -457,7 +510,7 @@ describe("several characters", () => {
   });
 
   it("are played together, all of them by one message", () => {
-    store.receiveState(three());
+    store.receive(three());
     store.play(["two", "three"]);
     store.call("face", "old");
     expect(sent).toMatchObject([
@@ -470,14 +523,14 @@ describe("several characters", () => {
     store.bar("face").grip(0.5);
     store.flush();
     store.panic();
-    expect(sent).toEqual([
+    expect(sent).toMatchObject([
       { type: "fade_face", character: "*", value: 0.5 },
       { type: "panic", character: "*" },
     ]);
   });
 
   it("have their own values, and what a hand holds stays with those that it was for", () => {
-    store.receiveState(three({ two: { channels: { jawOpen: 0.25 } } }));
+    store.receive(three({ two: { channels: { jawOpen: 0.25 } } }));
     store.channel("jawOpen").grip(0.75);
     store.play(["two"]);
     expect(sent).toEqual([{ type: "set_channel", character: "one", name: "jawOpen", value: 0.75 }]);
@@ -486,19 +539,19 @@ describe("several characters", () => {
   });
 
   it("panic of one takes the hands off where it is played, and of all everywhere", () => {
-    store.receiveState(three());
+    store.receive(three());
     store.play(["two"]);
     const { era } = store;
-    store.receiveState(three({ one: { panics: 1 } }));
+    store.receive(three({ one: { panics: 1 } }));
     expect(store.era).toBe(era);
-    store.receiveState(three({ one: { panics: 1 }, two: { panics: 1 } }));
+    store.receive(three({ one: { panics: 1 }, two: { panics: 1 } }));
     expect(store.era).toBe(era + 1);
     store.panic(true);
-    expect(sent).toEqual([{ type: "panic", character: "*" }]);
+    expect(sent).toMatchObject([{ type: "panic", character: "*" }]);
   });
 
   it("cleared faders come back to each of them, whoever is played then", () => {
-    store.receiveState(three({ one: { channels: { jawOpen: 0.5 } }, three: { channels: { jawOpen: 0.25 } } }));
+    store.receive(three({ one: { channels: { jawOpen: 0.5 } }, three: { channels: { jawOpen: 0.25 } } }));
     store.play(["one", "three"]);
     store.clearChannels(["jawOpen"]);
     store.play(["two"]);
@@ -509,14 +562,14 @@ describe("several characters", () => {
       { type: "set_channel", character: "one", name: "jawOpen", value: 0.5 },
       { type: "set_channel", character: "three", name: "jawOpen", value: 0.25 },
     ]);
-    store.receiveState(three({ three: { panics: 1 } }));
+    store.receive(three({ three: { panics: 1 } }));
     store.redo();
     expect(store.history.next("undo")).not.toBeNull();
   });
 
   it("hears of hands on any that is played", () => {
-    store.receiveState(three());
-    store.receiveHands({ "two/fade_face": "Ana" });
+    store.receive(three());
+    store.receive({ type: "hands", hands: { "two/fade_face": "Ana" } });
     expect(store.otherOn(store.bar("face"))).toBeNull();
     store.play(["one", "two"]);
     expect(store.otherOn(store.bar("face"))).toBe("Ana");

@@ -4,32 +4,38 @@
  */
 
 import { ALL } from "../../link/constants";
-import type { CallState, CharacterState, FromClient, Hands, ItemChanged, Kept, State } from "../../link/messages";
-import { charactersKey, PlayedCharacters } from "../characters/played_characters";
-import { callMessage } from "../regions/region_calls";
+import type { CallState, CharacterState, FromClient, Hands, Refused, State } from "../../link/messages";
 import { type Axis, callOf, endFrom, followTimed } from "./axis";
-import { type Answers, type Asked, FileRequests } from "./file_requests";
 import { GAZE, type GazePart, HEAD, type HeadPart, type Knob, Knobs } from "./knob";
 import { Outbox } from "./outbox";
 import { PageStore } from "./page_store";
+import { charactersKey, PlayedCharacters } from "./played_characters";
+import { callMessage } from "./region_calls";
+import { type Answers, type Asked, Requests } from "./requests";
 import { type Change, clearStep, movedBy, type Step, type TakeStep, type Way } from "./undo_history";
+import { UnheardPanic } from "./unheard_panic";
 
 const NOT_SENT = "Not sent: the link to the show is lost.";
+const NOT_HEARD =
+  "Panic is not heard: the link to the show is lost. It is sent if the link is back within five seconds.";
+const NEVER_HEARD = "Panic was not heard: the link was lost for too long. Press it again.";
 const NOTHING_TO_RELEASE = "Nothing to release: a call by hand has no seconds to run on in.";
+
 export class ConsoleStore extends PageStore {
   state: State | null = null;
   online = false;
-  /** What hands at other consoles move, and the names of those consoles. */
-  hands: Hands["hands"] = {};
   /** Rises with each panic: a drag begun before it is over. */
   era = 0;
   /** The characters that this console plays. */
   readonly played = new PlayedCharacters(() => this.state);
 
-  #calls = 0;
+  /** Says that a message was rejected, and why. */
+  sayRefused: (message: Refused) => void = ({ reason }) => this.say(reason);
+
   /** A panic of this console, which puts the bars to their rest, has not been heard yet. */
   #panicking = false;
-  readonly #requests = new FileRequests();
+  readonly #unheard = new UnheardPanic();
+  readonly #requests: Requests;
   readonly #timed: Record<Axis, boolean | null> = { face: null, expression: null };
   readonly #knobs: Knobs;
   readonly #outbox: Outbox;
@@ -38,12 +44,22 @@ export class ConsoleStore extends PageStore {
   constructor(
     send: (message: FromClient) => void,
     private readonly now: () => number,
-    private readonly id: string,
+    id: string,
   ) {
     super();
+    this.#requests = new Requests(id);
     this.#outbox = new Outbox(send);
     const host = { air: () => this.air, targets: () => this.played.targets, now, mayAct: this.#mayAct };
     this.#knobs = new Knobs(host, this.#outbox);
+    this.hear("state", (state) => this.#receiveState(state));
+    this.hear("refused", (message) => this.#receiveRefused(message));
+    for (const tag of ["kept", "item_changed", "bindings_changed"] as const)
+      this.hear(tag, (answer) => this.#requests.receive(answer));
+  }
+
+  /** What hands at other consoles move, and the names of those consoles. */
+  get hands(): Hands["hands"] {
+    return this.newest("hands")?.hands ?? {};
   }
 
   /** What the character has on air whose values the controls show. */
@@ -62,12 +78,13 @@ export class ConsoleStore extends PageStore {
   #takeUp(): void {
     this.#knobs.clear();
     [this.#timed.face, this.#timed.expression] = [null, null];
+    this.#unheard.forget(); // whose panic it was is not played any more
     this.era += 1;
     for (const topic of ["characters", "call", "panic"] as const) this.tell(topic);
   }
 
   /** A newer state than any before. */
-  receiveState(state: State): void {
+  #receiveState(state: State): void {
     const [last, names, there] = [this.air, this.played.names.join(), charactersKey(this.state)];
     const panics = this.played.panics();
     this.state = state;
@@ -98,6 +115,7 @@ export class ConsoleStore extends PageStore {
   /** Somebody pressed panic: what hands hold here has no weight any more. */
   #handsOff(): void {
     this.#panicking = false;
+    this.#unheard.forget();
     this.#knobs.clear();
     this.#outbox.clear();
     this.era += 1;
@@ -108,45 +126,50 @@ export class ConsoleStore extends PageStore {
   setOnline(online: boolean): void {
     if (online === this.online) return;
     this.online = online;
-    this.hands = {};
+    this.receive({ type: "hands", hands: {} });
     this.#requests.clear();
     this.#knobs.clear();
     this.#outbox.clear();
     if (!online) this.latency = null;
     this.#panicking = false;
+    if (online) this.#panicAgain();
     this.tell("link");
   }
 
-  /** Asks for a change of the show file; whether it was sent. */
+  /** A panic that the link may have lost is sent again. */
+  #panicAgain(): void {
+    const late = this.panicIsLate;
+    const messages = this.#unheard.again(this.now());
+    if (late && messages.length === 0) this.say(NEVER_HEARD);
+    this.#sendPanic(messages);
+  }
+
+  #sendPanic(messages: readonly FromClient[]): void {
+    for (const message of messages) this.push(message);
+    this.#panicking = messages.length > 0 && this.online;
+  }
+
+  /** Whether a panic that was pressed here should have been heard, and was not. */
+  get panicIsLate(): boolean {
+    return this.#unheard.late(this.now());
+  }
+
+  /** Asks for something that is to be done once; whether it was sent. */
   ask(asked: Asked, answers: Answers = {}): boolean {
     if (!this.#mayAct()) return false;
-    const id = this.#nextId();
+    const id = this.#requests.nextId();
     this.#requests.add(id, answers);
-    return this.#push({ ...asked, id } as FromClient);
+    return this.push({ ...asked, id } as FromClient);
   }
 
-  /** What was on air, or copied, is in the cast. */
-  receiveKept({ id, name, label }: Kept): void {
-    this.#requests.take(id)?.kept?.(name, label);
-  }
-
-  receiveChanged({ id, label, before }: ItemChanged): void {
-    this.#requests.take(id)?.changed?.(label, before);
-  }
-
-  /** A message was rejected; `id`: which, where it was about the show file. */
-  receiveRefused(reason: string, id = "", say = (why: string): void => this.say(why)): void {
-    const told = this.told;
-    this.#requests.take(id)?.refused?.(reason);
-    if (this.told === told) say(reason);
+  /** Whoever asked says why it was rejected, or that nothing is to be said (true). */
+  #receiveRefused(message: Refused): void {
+    const { logEntries } = this;
+    if (this.#requests.receive(message) !== true && this.logEntries === logEntries) this.sayRefused(message);
   }
 
   override get busy(): string | null {
     return this.#requests.busy;
-  }
-
-  receiveHands(hands: Hands["hands"]): void {
-    this.hands = hands;
   }
 
   /** The other console whose hand is on a knob too; null for none. */
@@ -161,12 +184,6 @@ export class ConsoleStore extends PageStore {
     return this.online && this.mayPlay(control);
   };
 
-  /** A name for a message that is to be obeyed once. */
-  #nextId(): string {
-    this.#calls += 1;
-    return `${this.id}-${this.#calls}`;
-  }
-
   call(axis: Axis, name: string): void {
     if (!this.#mayAct()) return;
     const region = axis === "face" ? null : this.region;
@@ -174,7 +191,9 @@ export class ConsoleStore extends PageStore {
     const running = this.callOf(axis) !== null;
     if (rest !== null && !running) this.bar(axis).nudge(rest);
     const { easing } = this.timing[axis];
-    this.#play((character) => callMessage(axis, { character, id: this.#nextId(), name, seconds, easing }, region));
+    this.#play((character) =>
+      callMessage(axis, { character, id: this.#requests.nextId(), name, seconds, easing }, region),
+    );
     if (rest !== null && running && seconds === null) this.bar(axis).nudge(rest); // before, it would move the old call
   }
 
@@ -186,9 +205,8 @@ export class ConsoleStore extends PageStore {
 
   /** Calls a light in the time of a face, also while faces are called by hand: a light has no T-bar. */
   callLight(name: string): void {
-    if (!this.#mayAct()) return;
     const { seconds, easing } = this.timing.face;
-    this.#outbox.push({ type: "call_light", id: this.#nextId(), name, seconds, easing });
+    this.ask({ type: "call_light", name, seconds, easing });
   }
 
   /** Whether the call is timed and a T-bar has it, so that it runs on once the hand is off. */
@@ -204,30 +222,42 @@ export class ConsoleStore extends PageStore {
   /** Panic of the characters that this console plays, or of all that there are. */
   panic(all = false): void {
     this.#handsOff();
-    if (all) this.#panicking = this.#push({ type: "panic", character: ALL });
-    else this.#panicking = this.#play((character) => ({ type: "panic", character }));
+    const messages = (all ? [ALL] : this.played.targets).map((character) => this.#panicOf(character));
+    this.#unheard.press(messages, this.now());
+    if (this.online) this.#sendPanic(messages);
+    else this.say(NOT_HEARD);
+    this.tell("panic");
+  }
+
+  #panicOf(character: string): FromClient {
+    const id = this.#requests.nextId();
+    this.#requests.add(id, { refused: () => this.#unheard.forget() });
+    return { type: "panic", character, id };
   }
 
   /** Chooses the face that a second panic brings, and the seconds that it takes. */
   setHome(face: string, seconds: number): void {
     const [before, label] = [Object.entries(this.state?.characters ?? {}), this.label("face", face)];
     const [redo, undo]: [Change[], Change[]] = [[], []];
-    for (const [character, { home_face, home_seconds }] of before.filter(([one]) => this.played.names.includes(one))) {
+    for (const [character, { home_face, home_seconds }] of before.filter(([name]) =>
+      this.played.names.includes(name),
+    )) {
       redo.push({ type: "set_home", character, face, seconds });
       undo.push({ type: "set_home", character, face: home_face, seconds: home_seconds });
     }
-    if (!redo.every((change) => this.#push(change as FromClient)) || redo.length === 0) return;
-    this.offerUndo(`The home face is ${label}.`, { what: `home face ${label}`, undo, redo });
+    this.act(`The home face is ${label}.`, { what: `home face ${label}`, undo, redo });
   }
 
   /** Sends a message for each character that is played; whether it was sent. */
   #play(make: (character: string) => FromClient): boolean {
-    return this.played.targets.map(make).every((message) => this.#push(message));
+    return this.played.targets.map(make).every((message) => this.push(message));
   }
 
-  #push(message: FromClient): boolean {
+  /** Sends a message that is no value of a frame; whether it was sent. */
+  push(message: FromClient): boolean {
     if (!this.#mayAct()) return false;
     this.#outbox.push(message);
+    this.sent.receive(message);
     return true;
   }
 
@@ -238,8 +268,7 @@ export class ConsoleStore extends PageStore {
     if (before.length === 0) return;
     const step = clearStep(before);
     const counted = { ...step, panics: this.played.panics(movedBy(step)) };
-    this.takeStep(counted, "redo", () => undefined);
-    this.offerUndo(`Cleared ${step.what.replace(/^clear /, "")}.`, counted);
+    this.act(`Cleared ${step.what.replace(/^clear /, "")}.`, counted);
   }
 
   takeStep(step: Step, way: Way, refused: Parameters<TakeStep>[2]): boolean {
@@ -250,14 +279,13 @@ export class ConsoleStore extends PageStore {
   }
 
   #change(change: Change, refused: (reason: string) => void): boolean {
-    if (change.type === "set_home") return this.#push(change);
+    if (change.type === "set_home") return this.push(change);
     if (change.type === "set_channel") {
       if (this.played.names.join() === change.character) this.channel(change.name, false).nudge(change.value);
       else this.#outbox.put(`${change.character}/channel:${change.name}`, change);
       return true;
     }
-    if (change.type === "rename_layout" && change.name === this.chosenLayout) this.chosenLayout = change.to;
-    return this.ask(change, { refused });
+    return this.ask(change, { refused: ({ reason }) => refused(reason) });
   }
 
   centre(): void {

@@ -1,4 +1,4 @@
-import { expect, it } from "vitest";
+import { describe, expect, it } from "vitest";
 import { ECHO, HeldValues } from "./held_values";
 
 const LATER = 1e9;
@@ -41,6 +41,53 @@ it("gives a nudged value back a moment after it was sent, however long the page 
   holds.sent(LATER + ECHO - 1); // what was sent already is not sent again
   expect(holds.read("jaw", 0.1, LATER + ECHO)).toBe(0.1);
   expect(holds.counts("jaw", LATER + ECHO)).toBe(false);
+});
+
+describe("steps by keys over a slow link", () => {
+  const LAG = 1000;
+  /** Twenty steps, a third of a second apart; the server's answer to each comes `LAG` later. */
+  function steps(holds: HeldValues<number>): number {
+    const asked: [number, number][] = [];
+    for (let step = 0; step < 20; step++) {
+      const now = 10_000 + step * 350;
+      const said = asked.filter(([time]) => time + LAG <= now).at(-1)?.[1] ?? 0;
+      const value = holds.stepFrom("bar", said, now) + 1;
+      holds.nudge("bar", value, now);
+      holds.sent(now);
+      holds.read("bar", said, now);
+      asked.push([now, value]);
+    }
+    return asked.at(-1)?.[1] as number;
+  }
+
+  it("are all taken", () => {
+    expect(steps(new HeldValues())).toBe(20);
+  });
+
+  it("begin anew from what the server says otherwise", () => {
+    const holds = new HeldValues<number>();
+    holds.nudge("bar", holds.stepFrom("bar", 0, 0) + 1, 0);
+    holds.sent(0);
+    expect(holds.stepFrom("bar", 7, 2 * ECHO)).toBe(7);
+  });
+
+  it("do not begin from what was answered once the server has gone back to what was before", () => {
+    const holds = new HeldValues<number>();
+    holds.nudge("bar", holds.stepFrom("bar", 0, 0) + 1, 0);
+    holds.sent(0);
+    holds.read("bar", 1, 400);
+    expect(holds.stepFrom("bar", 0, 800)).toBe(0);
+  });
+
+  it("do not begin from what was asked long ago and never answered, nor from what a panic ended", () => {
+    const holds = new HeldValues<number>();
+    holds.nudge("bar", holds.stepFrom("bar", 0, 0) + 1, 0);
+    holds.sent(0);
+    expect(holds.stepFrom("bar", 0, 5000)).toBe(0);
+    holds.nudge("bar", 1, 5000);
+    holds.clear();
+    expect(holds.stepFrom("bar", 0, 5001)).toBe(0);
+  });
 });
 
 it("has nothing to hold after all hands are off", () => {

@@ -3,7 +3,7 @@
 import type { KeyPress } from "../../ui/gestures";
 import type { Axis } from "./axis";
 
-export type Place = "face" | "expression" | "head" | "gaze" | "search" | "light" | "characters";
+export type FocusPlace = "face" | "expression" | "head" | "gaze" | "search" | "light" | "characters";
 
 export type Command =
   | { do: "help" }
@@ -12,7 +12,7 @@ export type Command =
   | { do: "hand"; axis: Axis }
   | { do: "release"; axis: Axis }
   | { do: "keep"; axis: Axis }
-  | { do: "focus"; place: Place }
+  | { do: "focus"; place: FocusPlace }
   | { do: "centre" }
   | { do: "learn" }
   | { do: "clear" }

@@ -1,10 +1,10 @@
 /** Values that hands can hold: channels, head, gaze and T-bars. */
 
 import type { CharacterState, FromClient } from "../../link/messages";
-import { handsOf } from "../layers/held_state";
-import { influenceOf, type LayerName, type LayerPart } from "../layers/layer_state";
 import type { Axis } from "./axis";
+import { handsOf } from "./held_state";
 import { ECHO, HeldValues } from "./held_values";
+import { influenceOf, type LayerName, type LayerPart } from "./layer_state";
 import type { Outbox } from "./outbox";
 
 /** One number under a hand. */
@@ -14,6 +14,8 @@ export interface Knob {
   readonly control: string;
   /** The value to show at `now`: the hand's own while it counts, else the server's. */
   value(now: number): number;
+  /** The value that a step by key or wheel begins from at `now`: what was asked for last, until the server says another. */
+  stepFrom(now: number): number;
   /** The hand holds the knob at `value`. */
   grip(value: number): void;
   /** One step by key or wheel. */
@@ -33,7 +35,6 @@ export type GazePart = "yaw" | "pitch";
 export type MotionDetail = "liveliness" | "blinks" | "gaze" | "breath";
 /** As at first: nothing moves by itself. */
 export const STILL: Readonly<Record<MotionDetail, number>> = { liveliness: 0, blinks: 1, gaze: 1, breath: 1 };
-const UNSET = { liveliness: null, blinks: null, gaze: null, breath: null, seed: null, idle: null };
 export const HEAD: readonly HeadPart[] = ["yaw", "pitch", "roll"];
 export const GAZE: readonly GazePart[] = ["yaw", "pitch"];
 
@@ -84,11 +85,11 @@ export class Knobs {
   channel(name: string, mirror: string | null): Knob {
     const names = mirror === null ? [name] : [name, mirror];
     return this.#knob(
-      names.map((one) => `channel:${one}`),
+      names.map((channel) => `channel:${channel}`),
       (state) => handsOf(state).channels[name] ?? 0,
       (value) => {
-        for (const one of names)
-          this.#put(`channel:${one}`, (character) => ({ type: "set_channel", character, name: one, value }));
+        for (const channel of names)
+          this.#put(`channel:${channel}`, (character) => ({ type: "set_channel", character, name: channel, value }));
       },
     );
   }
@@ -107,16 +108,7 @@ export class Knobs {
     return this.#knob(
       [key],
       (state) => influenceOf(state, layer, part),
-      (influence) =>
-        this.#put(key, (character) => ({
-          type: "set_layer",
-          character,
-          layer,
-          region: part,
-          influence,
-          on: null,
-          id: "",
-        })),
+      (influence) => this.#put(key, (character) => ({ type: "set_layer", character, layer, region: part, influence })),
     );
   }
 
@@ -126,7 +118,7 @@ export class Knobs {
     return this.#knob(
       [key],
       (state) => (state.motion ?? STILL)[detail],
-      (value) => this.#put(key, (character) => ({ ...UNSET, type: "set_motion", character, [detail]: value, id: "" })),
+      (value) => this.#put(key, (character) => ({ type: "set_motion", character, [detail]: value })),
     );
   }
 
@@ -152,7 +144,7 @@ export class Knobs {
 
   /** Another has what a hand here is on: it shows what is on air. */
   #lose(keys: readonly string[]): void {
-    for (const one of keys) this.#holds.leave(one, this.host.now() - ECHO);
+    for (const parameter of keys) this.#holds.leave(parameter, this.host.now() - ECHO);
   }
 
   /** A message for each character that is played. */
@@ -170,23 +162,24 @@ export class Knobs {
       key,
       control: controlOf(key),
       value: (now) => this.#holds.read(key, heard(), now),
+      stepFrom: (now) => this.#holds.stepFrom(key, heard(), now),
       grip: (value) => {
         if (!host.mayAct(controlOf(key))) return this.#lose(keys);
-        for (const one of keys) {
-          this.#holds.grip(one, value);
-          this.#moved.set(one, host.now());
-          this.#touched.add(one);
+        for (const parameter of keys) {
+          this.#holds.grip(parameter, value);
+          this.#moved.set(parameter, host.now());
+          this.#touched.add(parameter);
         }
         put(value);
       },
       nudge: (value) => {
         if (!host.mayAct(controlOf(key))) return;
-        for (const one of keys) this.#holds.nudge(one, value, host.now());
+        for (const parameter of keys) this.#holds.nudge(parameter, value, host.now());
         put(value);
       },
       leave: () => {
-        for (const one of keys) this.#holds.leave(one, host.now());
-        for (const one of keys) this.#touched.delete(one);
+        for (const parameter of keys) this.#holds.leave(parameter, host.now());
+        for (const parameter of keys) this.#touched.delete(parameter);
       },
       touched: () => this.#touched.has(key),
       gripped: () => this.#holds.gripped(key),

@@ -1,22 +1,30 @@
-/** What the console has whatever is on air: the cast, who listens to changes, the layout, the notice and what can be taken back. */
+/** What the console has whatever is on air: the cast, who listens to changes, the arrangement, the notice and what can be taken back. */
 
-import type { Crew, ExpressionDocument, FaceDocument, LightDocument, Manifest, SourceState } from "../../link/messages";
-import { TopicStore } from "../../link/topics";
-import type { PlayRegion } from "../regions/region_calls";
+import type {
+  Crew,
+  ExpressionDocument,
+  FaceDocument,
+  FromClient,
+  FromServer,
+  LightDocument,
+  Manifest,
+  SourceState,
+} from "../../link/messages";
+import { MessageStore } from "../../link/topics";
+import { type Arrangement, FIRST } from "./arrangement";
 import type { Axis } from "./axis";
 import { mirrorOf, type Strip, stripsOf } from "./channels";
-import { type ConsoleLayout, FIRST } from "./console_layout";
+import type { PlayRegion } from "./region_calls";
 import { type Seconds, secondsLabel, type Timing } from "./timing";
 import { type Step, type TakeStep, UndoHistory, type Way } from "./undo_history";
 
-/** What has changed, for elements that render (rarely); what moves is read every frame instead. */
-export type Topic =
-  | "cast"
-  | "crew"
+/** What of the page itself has changed. */
+type PageTopic =
+  | "browser_devices"
+  | "manifest"
   | "link"
   | "timing"
-  | "layout"
-  | "layouts"
+  | "arrangement"
   | "call"
   | "notice"
   | "panic"
@@ -24,9 +32,9 @@ export type Topic =
   | "naming"
   | "undo"
   | "show"
-  | "import"
-  | "leases"
-  | "sources";
+  | "import";
+/** What has changed, for elements that render (rarely); what moves is read every frame instead. */
+export type Topic = PageTopic | FromServer["type"];
 
 /** Where to go on from a notice, or what to do about it. */
 export type Offer =
@@ -40,20 +48,20 @@ export interface Question {
   readonly dismiss: () => void;
 }
 
-/** Something that the operator was told, and when: milliseconds since 1970. */
-export interface Told {
+/** A sentence that the operator was told, and when: milliseconds since 1970. */
+export interface LogEntry {
   readonly time: number;
   readonly text: string;
   readonly tone: "attention" | "done";
 }
 
-/** What was told and is remembered. */
-const MOST_TOLD = 200;
+/** Sentences that the log remembers. */
+const MOST_LOG_ENTRIES = 200;
 const DONE: Readonly<Record<Way, string>> = { undo: "Undone", redo: "Done again" };
 
-export abstract class PageStore extends TopicStore<Topic> {
+export abstract class PageStore extends MessageStore<FromServer, PageTopic> {
   /** All that was told, the newest last. */
-  told: readonly Told[] = [];
+  logEntries: readonly LogEntry[] = [];
   readonly history = new UndoHistory(
     (step, way, refused) => this.takeStep(step, way, refused),
     (step, way, reason) => this.#offerToSkip(step, way, reason),
@@ -62,23 +70,17 @@ export abstract class PageStore extends TopicStore<Topic> {
   /** Which show file is played; "" while it is not known. */
   show = "";
   manifest: Manifest | null = null;
-  /** The names of the layouts in the show file, and of that chosen or saved last. */
-  layoutNames: readonly string[] = [];
-  chosenLayout = "";
+  /** What this page sent of each kind last. */
+  readonly sent = new MessageStore<FromClient>();
   /** The last thing the operator must read, how it is meant, and what can be done about it. */
   notice: string | null = null;
   tone: "attention" | "done" = "attention";
   offers: readonly Offer[] = [];
-  layout: ConsoleLayout = FIRST;
-  crew: Crew | null = null;
-  /** What sends values all the time. */
-  sources: readonly SourceState[] = [];
+  arrangement: Arrangement = FIRST;
   /** Where the next calls of expressions go: one region of the face alone; null: the whole face. */
   region: PlayRegion | null = null;
   /** Milliseconds there and back, or null before the first pong. */
   latency: number | null = null;
-  /** What the other consoles call this one. */
-  name = "";
   /** Whether a hand may move a control, named as in `Hands`; where not, the operator has been told why. */
   mayPlay: (control: string) => boolean = () => true;
   #strips: Strip[] = [];
@@ -87,6 +89,25 @@ export abstract class PageStore extends TopicStore<Topic> {
   /** `wall`: milliseconds since 1970, for people to read. */
   constructor(private readonly wall: () => number = Date.now) {
     super();
+    this.hear("welcome", ({ show }) => {
+      if (show === this.show) return; // another one may be served at the same address
+      this.show = show;
+      this.tell("show");
+    });
+  }
+
+  /** What the other consoles call this one. */
+  get name(): string {
+    return this.newest("welcome")?.name ?? "";
+  }
+
+  get crew(): Crew | null {
+    return this.newest("crew");
+  }
+
+  /** What sends values all the time. */
+  get sources(): readonly SourceState[] {
+    return this.newest("sources")?.sources ?? [];
   }
 
   /** Sends what a step does in one way; whether it was sent. */
@@ -109,29 +130,22 @@ export abstract class PageStore extends TopicStore<Topic> {
     return this.manifest?.lights ?? [];
   }
 
-  /** The show has said which one it is: another one may be served at the same address. */
-  receiveShow(show: string): void {
-    if (show === this.show) return;
-    this.show = show;
-    this.tell("show");
-  }
-
   setManifest(manifest: Manifest): void {
     this.manifest = manifest;
     this.#strips = stripsOf(manifest.expressions);
     const labels = (documents: readonly { name: string; label: string }[]) =>
       new Map(documents.map(({ name, label }) => [name, label]));
     this.#labels = { face: labels(manifest.faces), expression: labels(manifest.expressions) };
-    this.tell("cast");
+    this.tell("manifest");
   }
 
-  get timing(): ConsoleLayout["timing"] {
-    return this.layout.timing;
+  get timing(): Arrangement["timing"] {
+    return this.arrangement.timing;
   }
 
   /** Left and right of a pair move together. */
   get linked(): boolean {
-    return this.layout.linked;
+    return this.arrangement.linked;
   }
 
   /** Chosen seconds end calls by hand. */
@@ -141,10 +155,10 @@ export abstract class PageStore extends TopicStore<Topic> {
   }
 
   /** Lays the console out. */
-  arrange(change: Partial<ConsoleLayout>): void {
-    this.layout = { ...this.layout, ...change };
+  arrange(change: Partial<Arrangement>): void {
+    this.arrangement = { ...this.arrangement, ...change };
     if (change.timing !== undefined) this.tell("timing");
-    this.tell("layout");
+    this.tell("arrangement");
   }
 
   /** The seconds of the next call; a region has no T-bar, and takes those that are chosen beside it. */
@@ -162,31 +176,10 @@ export abstract class PageStore extends TopicStore<Topic> {
     this.tell("timing");
   }
 
-  receiveCrew(crew: Crew): void {
-    this.crew = crew;
-    this.tell("crew");
-  }
-
-  receiveSources(sources: readonly SourceState[]): void {
-    this.sources = sources;
-    this.tell("sources");
-  }
-
   /** The way there and back took `milliseconds`. */
   receiveTrip(milliseconds: number): void {
     this.latency = milliseconds;
     this.tell("crew");
-  }
-
-  /** What the other consoles call this one. */
-  receiveName(name: string): void {
-    this.name = name;
-    this.tell("layouts");
-  }
-
-  receiveLayouts(names: readonly string[]): void {
-    this.layoutNames = names;
-    this.tell("layouts");
   }
 
   /** The channel that moves the same on the other side of the face; null where there is none. */
@@ -202,13 +195,20 @@ export abstract class PageStore extends TopicStore<Topic> {
 
   /** What the log says and the bar does not. */
   log(text: string, tone: PageStore["tone"]): void {
-    this.told = [...this.told, { time: this.wall(), text, tone }].slice(-MOST_TOLD);
+    this.logEntries = [...this.logEntries, { time: this.wall(), text, tone }].slice(-MOST_LOG_ENTRIES);
   }
 
   /** Says what was done, and offers to take it back. */
   offerUndo(done: string, step: Step, others: readonly Offer[] = []): void {
     this.history.add(step);
     this.say(done, "done", [{ label: "Undo", act: () => this.undo() }, ...others]);
+  }
+
+  /** Does something that can be taken back, unless the show rejects it; whether it was sent. */
+  act(done: string, step: Step): boolean {
+    if (!this.takeStep(step, "redo", () => this.history.skip(step))) return false;
+    this.offerUndo(done, step);
+    return true;
   }
 
   /** What the show still works at, so that nothing can be taken back yet; null for nothing. */

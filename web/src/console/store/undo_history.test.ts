@@ -26,7 +26,7 @@ class Show {
 
   #put(changes: readonly Change[], refused: (reason: string) => void): boolean {
     if (this.away) return false;
-    for (const change of changes) if (change.type === "set_home") this.value = change.seconds;
+    for (const change of changes) if (change.type === "set_home") this.value = change.seconds ?? 0;
     this.asked.push(refused);
     return true;
   }

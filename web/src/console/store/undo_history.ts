@@ -1,7 +1,7 @@
 /** What this console has done that can be taken back, and what was taken back and can be done again, step by step. */
 
 import type { FromClient } from "../../link/messages";
-import type { Asked } from "./file_requests";
+import type { Asked } from "./requests";
 
 export type Way = "undo" | "redo";
 
@@ -27,7 +27,7 @@ export function clearStep(before: readonly (readonly [string, string, number])[]
 
 /** The characters whose channels a step moves. */
 export const movedBy = (step: Step): string[] => [
-  ...new Set(step.undo.flatMap((one) => (one.type === "set_channel" ? [one.character] : []))),
+  ...new Set(step.undo.flatMap((change) => (change.type === "set_channel" ? [change.character] : []))),
 ];
 
 /** Takes a step in one way; whether it was sent. Calls `refused` where the show rejects it later. */
@@ -79,7 +79,7 @@ export class UndoHistory {
 
   /** Leaves a step out for good: those before it can be taken. */
   skip(step: Step): void {
-    const others = (way: Way): readonly Step[] => this.#steps[way].filter((one) => one !== step);
+    const others = (way: Way): readonly Step[] => this.#steps[way].filter((other) => other !== step);
     this.#put(others("undo"), others("redo"));
   }
 

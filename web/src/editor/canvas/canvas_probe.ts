@@ -1,14 +1,14 @@
 /** What tests, benchmarks and curious users may ask of the canvas: `window.omoteEditor`. */
 
 import type { EditorCanvas } from "./editor_canvas";
-import type { Counters } from "./scene/frame_pacing";
+import type { CanvasCounters } from "./scene/frame_pacing";
 
 export interface EditorProbe {
   /** Whether all faces wear the draft, and nothing eases. */
   settled(): boolean;
   /** Whether all faces are drawn as well as can be, with smooth edges and hair where their skin has it. */
   refined(): boolean;
-  counters(): Counters;
+  counters(): CanvasCounters;
   /** The needles, or a face's handles, on the canvas: place, row, a handle's name, where the head and the foot are (CSS pixels), whether it can be seen. */
   needles(): { place: number; row: number; label: string; head: [number, number]; foot: [number, number] }[];
   /** The positions of a face as the GPU has them, (rows, 3) metres. */
@@ -36,7 +36,7 @@ export function exposeProbe(stage: EditorCanvas): void {
     const picture = stage.editsFace ? stage.faceScene?.all.find(({ label }) => label === face) : undefined;
     if (picture !== undefined) return picture;
     const member = stage.expressionScene?.member(store.sourceOf(face));
-    if (member === undefined || member.block < 0) throw new Error(`The face "${face}" is not shown.`);
+    if (member?.drawn === undefined) throw new Error(`The face "${face}" is not shown.`);
     return member;
   };
   window.omoteEditor = {
@@ -44,7 +44,7 @@ export function exposeProbe(stage: EditorCanvas): void {
     refined: () => stage.refined(),
     counters: () => countersOf(stage),
     needles: () => needlesOf(stage),
-    readPositions: (face) => Array.from(stage.expressionScene?.faceAtlas.read(memberOf(face).block) ?? []),
+    readPositions: (face) => Array.from(memberOf(face).drawn?.read() ?? []),
     positions: (face) => {
       const member = memberOf(face);
       return Array.from(stage.editsFace ? member.figure.base : (stage.expressionScene?.positions(member) ?? []));
@@ -56,7 +56,7 @@ export function exposeProbe(stage: EditorCanvas): void {
   };
 }
 
-const countersOf = ({ pacing, editsFace, faceScene, expressionScene }: EditorCanvas): Counters => ({
+const countersOf = ({ pacing, editsFace, faceScene, expressionScene }: EditorCanvas): CanvasCounters => ({
   drawn: pacing.drawn,
   intervals: [...pacing.intervals],
   waits: [...pacing.waits],

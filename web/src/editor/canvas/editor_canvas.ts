@@ -8,19 +8,25 @@ import { now } from "../../link/clock";
 import type { Manifest } from "../../link/messages";
 import { flat } from "../session/control_net";
 import type { DraftStore } from "../session/draft_store";
-import { SkinTextures } from "./draw/skin_texture";
+import { DrawnFaces, type ShownFace } from "./draw/drawn_face";
 import { CanvasInput } from "./input/canvas_input";
 import { HandleDrag } from "./input/handle_drag";
 import type { ViewName } from "./math/camera";
 import { surfaceOf } from "./math/hit_test";
-import { ballFrames } from "./model/gaze";
-import type { ShownFace } from "./model/shown_face";
 import { ExpressionScene } from "./scene/expression_scene";
 import { FaceScene } from "./scene/face_scene";
 import { FramePacing } from "./scene/frame_pacing";
-import { makePainters, type Painters } from "./scene/painters";
+import { Overlay } from "./scene/overlay";
+import { TilePainter } from "./scene/tile_painter";
 import { TileSource } from "./scene/tile_source";
 import { Viewports } from "./scene/viewports";
+
+/** What draws. */
+interface Painters {
+  readonly faces: DrawnFaces;
+  readonly overlay: Overlay;
+  readonly tiles: TilePainter;
+}
 
 /** Milliseconds without a change after which all is drawn as well as can be; longer while a hand is about to move on. */
 const [STILL, HELD] = [150, 600];
@@ -34,7 +40,7 @@ export class EditorCanvas {
   faceScene: FaceScene | undefined;
   handles: HandleDrag | undefined;
   private painters: Painters | undefined;
-  private tiles: TileSource | undefined;
+  private readonly tiles = new TileSource(this);
   private anatomy: Anatomy | undefined;
   private stale = true;
   /** Rises with every change of the faces' rows. */
@@ -126,30 +132,27 @@ export class EditorCanvas {
     for (const leave of this.leave) leave();
     this.input.dispose();
     this.viewports.dispose();
-    this.painters?.dispose();
-    this.expressionScene?.dispose();
+    for (const painter of Object.values(this.painters ?? {})) painter.dispose();
   }
 
   private async open(): Promise<void> {
     const { library } = this.store;
     if (library === null || this.anatomy !== undefined) return;
-    const skin = library.meshes.find(({ name }) => name === "skin");
-    if (skin === undefined) throw new Error("The cast has no skin; bake it again.");
-    const anatomy = await loadAnatomy(library);
-    this.anatomy = anatomy;
-    this.build(library, anatomy, await SkinTextures.open(this.gl, library, anatomy, skin));
+    if (!library.meshes.some(({ name }) => name === "skin")) throw new Error("The cast has no skin; bake it again.");
+    this.anatomy = await loadAnatomy(library);
+    this.build(library, this.anatomy, await library.layers());
     for (const topic of ["cast", "items", "draft", "live"] as const) this.hear(topic);
   }
 
-  /** Makes all that draws the cast, and all that takes hold of it. */
-  private build(library: Library, anatomy: Anatomy, skinTextures: SkinTextures): void {
-    const { gl } = this;
-    const side = drawsInSoftware() ? 512 : 1024;
-    this.expressionScene = new ExpressionScene(gl, library, anatomy, skinTextures, side);
-    const { faceAtlas } = this.expressionScene;
-    this.faceScene = new FaceScene(faceAtlas, skinTextures, anatomy, library.manifest.skin, side);
-    this.painters = makePainters(gl, this, faceAtlas, library, anatomy);
-    this.tiles = new TileSource(this, this.painters, ballFrames(anatomy));
+  /** Makes all that draws the cast, and all that takes hold of it; layers: the pictures of its skin. */
+  private build(library: Library, anatomy: Anatomy, layers: readonly ImageBitmap[]): void {
+    const software = drawsInSoftware();
+    const faces = new DrawnFaces(this.gl, library, anatomy, layers, software);
+    this.expressionScene = new ExpressionScene(library, anatomy, faces);
+    this.faceScene = new FaceScene(faces, anatomy, library.manifest.skin);
+    const overlay = new Overlay(this);
+    const tiles = new TilePainter(faces.renderer, overlay, (box) => this.viewports.pixels(box), software);
+    this.painters = { faces, overlay, tiles };
     const surface = surfaceOf(library.meshes, anatomy);
     this.input.picker.know(anatomy, surface);
     this.handles = new HandleDrag({
@@ -252,14 +255,13 @@ export class EditorCanvas {
     const whole = this.stale;
     this.stale = false;
     this.moving = true;
-    const { tiles } = this;
-    if (tiles === undefined || this.store.manifest === null) return;
+    if (this.store.manifest === null) return;
     const members = this.members(expressionScene);
     const boxes = this.viewports.share(members.length - 1);
-    if (whole) painters.face.clear(this.viewports.ground);
-    if (whole) painters.repaint.forget();
+    if (whole) painters.tiles.clear(this.viewports.ground);
+    if (whole) for (const member of members) member?.drawn?.repaint.forget();
     painters.tiles.drawParts(
-      members.flatMap((member, n) => tiles.tile(expressionScene, member, n, whole, this.version)),
+      members.flatMap((member, n) => this.tiles.tile(expressionScene, member, n, whole, this.version)),
     );
     painters.overlay.place(
       members.map((member) => member?.document.label ?? "..."),
@@ -270,17 +272,16 @@ export class EditorCanvas {
       if (!this.ended) this.frame();
     });
     if (this.faceScene?.awaits === true) this.shows(false);
-    else if (members.every((member) => tiles.shown(member))) this.shows(true);
+    else if (members.every((member) => member?.drawn !== undefined)) this.shows(true);
   }
 
   /** Once all is still, draws one tile as well as can be; whether there was anything to draw. */
   private refine(scene: ExpressionScene, tilePainter: Painters["tiles"]): boolean {
     const { tiles, version, store } = this;
     const still = performance.now() - this.changedAt;
-    if (tiles === undefined || store.manifest === null || still < (this.input.pointers.size > 0 ? HELD : STILL))
-      return false;
+    if (store.manifest === null || still < (this.input.pointers.size > 0 ? HELD : STILL)) return false;
     const members = this.members(scene);
-    const n = members.findIndex((member, n) => tiles.shown(member) && !tilePainter.finished({ n, version }));
+    const n = members.findIndex((member, n) => member?.drawn !== undefined && !tilePainter.finished({ n, version }));
     if (n < 0) return false;
     for (const tile of tiles.tile(scene, members[n], n, true, version)) tilePainter.drawWhole(tile);
     this.pacing.frame(false, fenced(this.gl));

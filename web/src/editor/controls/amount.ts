@@ -4,8 +4,32 @@ import { css, html, LitElement } from "lit";
 import { customElement, property } from "lit/decorators.js";
 import { live } from "lit/directives/live.js";
 import { base } from "../../ui/theme";
+import { textOf } from "../../ui/topic_element";
 import { controls } from "./controls_style";
 import { shown, typed, type Unit } from "./units";
+
+const style = css`
+  :host {
+    display: grid;
+    grid-template-columns: minmax(44px, 1fr) minmax(40px, 0.9fr) 50px 12px;
+    align-items: center;
+    gap: 6px;
+  }
+  label {
+    overflow: hidden;
+    text-overflow: ellipsis;
+    font-size: 12.5px;
+  }
+  input[type="text"] {
+    text-align: right;
+    padding: 0 5px;
+    min-height: 26px;
+  }
+  .unit {
+    color: var(--faint);
+    font-size: 11px;
+  }
+`;
 
 /** One number with its name: a slider, and a field for typing. Tells `live` while it moves and `done` when it rests. */
 @customElement("omote-amount")
@@ -21,32 +45,7 @@ export class Amount extends LitElement {
   @property({ type: Number }) rest = 0;
   @property({ type: Boolean }) disabled = false;
 
-  static override styles = [
-    base,
-    controls,
-    css`
-      :host {
-        display: grid;
-        grid-template-columns: minmax(44px, 1fr) minmax(40px, 0.9fr) 50px 12px;
-        align-items: center;
-        gap: 6px;
-      }
-      label {
-        overflow: hidden;
-        text-overflow: ellipsis;
-        font-size: 12.5px;
-      }
-      input[type="text"] {
-        text-align: right;
-        padding: 0 5px;
-        min-height: 26px;
-      }
-      .unit {
-        color: var(--faint);
-        font-size: 11px;
-      }
-    `,
-  ];
+  static override styles = [base, controls, style];
 
   override render() {
     const { unit } = this;
@@ -56,8 +55,8 @@ export class Amount extends LitElement {
       <input id="slide" type="range" title=${this.hint} ?disabled=${this.disabled}
         min=${this.low * unit.per} max=${this.high * unit.per} step=${step} .value=${String(this.value * unit.per)}
         aria-valuetext="${shown(this.value, unit)} ${unit.name}"
-        @input=${(event: Event) => this.#tell("live", Number((event.target as HTMLInputElement).value) / unit.per)}
-        @change=${(event: Event) => this.#tell("done", Number((event.target as HTMLInputElement).value) / unit.per)}
+        @input=${(event: Event) => this.#tell("live", Number(textOf(event)) / unit.per)}
+        @change=${(event: Event) => this.#tell("done", Number(textOf(event)) / unit.per)}
         @dblclick=${() => this.#tell("done", Math.max(this.low, Math.min(this.high, this.rest)))} />
       <input type="text" inputmode="decimal" aria-label="${this.label}, ${unit.name}" ?disabled=${this.disabled}
         .value=${live(shown(this.value, unit))} @change=${this.#type} />

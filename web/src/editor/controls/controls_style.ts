@@ -1,5 +1,5 @@
 import { css } from "lit";
-import { entry } from "../../ui/theme";
+import { entry, flow } from "../../ui/theme";
 
 /** Fields, choices and rows of controls, as wide as a finger where fingers are used. */
 export const controls = css`
@@ -48,7 +48,6 @@ export const controls = css`
     color: var(--dim);
   }
   p {
-    margin: 0;
     color: var(--dim);
     max-width: 60ch;
   }
@@ -56,10 +55,8 @@ export const controls = css`
     color: var(--text);
   }
   .row {
-    display: flex;
-    align-items: center;
+    ${flow}
     gap: 6px;
-    flex-wrap: wrap;
   }
   .grow {
     flex: 1;
@@ -101,9 +98,6 @@ export const panel = css`
   }
   ul,
   ol {
-    list-style: none;
-    margin: 0;
-    padding: 0;
     display: grid;
     gap: 6px;
   }

@@ -2,12 +2,12 @@
 
 import { html } from "lit";
 import { live } from "lit/directives/live.js";
-import { grouped, type Source } from "../session/sources";
-import { textOf } from "./editor_element";
+import { textOf } from "../../ui/topic_element";
+import { grouped, type ListedSource } from "../session/sources";
 
 /** A choice among sources under their groups; `chosen` hears each choice. */
 export const sourceChoice = (
-  sources: readonly Source[],
+  sources: readonly ListedSource[],
   {
     label,
     first,

@@ -12,7 +12,7 @@ import {
 } from "../../link/editing_messages";
 import { ReconnectingSocket } from "../../link/reconnecting_socket";
 import { PendingRequests } from "./pending_requests";
-import type { Answer, Request } from "./requests";
+import type { EditorAnswer, Request } from "./requests";
 
 export interface EditorLinkHandlers {
   greeted: (greeted: Greeted) => void;
@@ -52,7 +52,7 @@ export class EditorLink {
     });
   }
 
-  async ask(request: Request): Promise<Answer> {
+  async ask(request: Request): Promise<EditorAnswer> {
     const size = encode(request).length;
     if (size > EDITING_LIMIT - 16)
       throw new Error(`This edit is ${size} bytes, expected at most ${EDITING_LIMIT}: use fewer points or layers.`);

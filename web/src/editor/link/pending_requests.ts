@@ -1,11 +1,11 @@
 /** Requests that wait for their answers: numbered, and sent again to the same show when the link was lost before. */
 
 import type { FromEditor, ToEditor } from "../../link/editing_messages";
-import type { Answer, Request } from "./requests";
+import type { EditorAnswer, Request } from "./requests";
 
 interface Waiting {
   readonly message: Extract<FromEditor, { request: number }>;
-  readonly done: (answer: Answer) => void;
+  readonly done: (answer: EditorAnswer) => void;
   readonly fail: (reason: Error) => void;
 }
 
@@ -52,7 +52,7 @@ export class PendingRequests {
   }
 
   /** Sends a request, or keeps it until the link is there; rejects where it is refused or must not wait. */
-  ask(request: Request): Promise<Answer> {
+  ask(request: Request): Promise<EditorAnswer> {
     const name = NAMES[request.type];
     if (!this.#up && ONCE.has(request.type))
       return Promise.reject(

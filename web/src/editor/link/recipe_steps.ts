@@ -25,7 +25,7 @@ export class RecipeSteps<Recipe> {
 
   /** The recipe as the hand has it: the server's, and the steps that it has not answered. */
   shown<Kind extends Recipe>(recipe: Kind): Kind {
-    return this.#waiting.reduce<Recipe>((made, { change }) => change(made), recipe) as Kind;
+    return this.#waiting.reduce<Recipe>((current, { change }) => change(current), recipe) as Kind;
   }
 
   /** One more step; sent at once where none waits. */
@@ -51,7 +51,7 @@ export class RecipeSteps<Recipe> {
     for (let step = this.#waiting[0]; step !== undefined; step = this.#waiting[0]) {
       const [sent, recipe] = [step, this.recipe()];
       const answered = (): void => {
-        this.#waiting = this.#waiting.filter((one) => one !== sent);
+        this.#waiting = this.#waiting.filter((waiting) => waiting !== sent);
       };
       if (recipe !== null) await sent.send(sent.change(recipe), answered);
       answered(); // also where it was refused

@@ -6,9 +6,9 @@ type Unnumbered<R> = R extends unknown ? Omit<R, "request"> : never;
 /** A request before the link has numbered it. */
 export type Request = Unnumbered<Exclude<FromEditor, Greet | Cancel>>;
 /** What a request is answered with when it is not refused. */
-export type Answer = Exclude<ToEditor, { type: "greeted" | "items" | "refused" | "progress" }>;
+export type EditorAnswer = Exclude<ToEditor, { type: "greeted" | "items" | "refused" | "progress" }>;
 type Part<R> = R extends { item: number } ? Omit<R, "item"> : never;
 /** A request about the open item, before the store has named it. */
-export type Change = Part<Request>;
+export type ItemChange = Part<Request>;
 /** Sends a request; rejects with a sentence when it is refused or cannot be sent. */
-export type Ask = (request: Request) => Promise<Answer>;
+export type Ask = (request: Request) => Promise<EditorAnswer>;

@@ -4,6 +4,7 @@ import { css, html, nothing } from "lit";
 import { customElement, state } from "lit/decorators.js";
 import { openLayer } from "../../ui/key_presses";
 import { base } from "../../ui/theme";
+import { hearWhileShown, whileShown } from "../../ui/topic_element";
 import { controls } from "../controls/controls_style";
 import { EditorElement } from "../controls/editor_element";
 import type { Topic } from "../session/draft_store";
@@ -12,6 +13,50 @@ import { MOST_NEIGHBOURS } from "../session/editor_store";
 /** Pixels that the list takes, with its margin. */
 const WIDTH = 280;
 
+const style = css`
+  button {
+    min-width: 84px;
+  }
+  .list {
+    position: fixed;
+    z-index: 6;
+    width: 270px;
+    overflow: auto;
+    padding: 8px;
+    display: grid;
+    grid-template-columns: 1fr auto auto;
+    align-items: center;
+    gap: 4px 10px;
+    box-shadow: 0 8px 30px #000c;
+  }
+  .head {
+    font-size: 11px;
+    color: var(--faint);
+  }
+  input[type="radio"] {
+    accent-color: var(--text);
+    width: 18px;
+    height: 18px;
+    margin: 0;
+    justify-self: center;
+  }
+  input[type="checkbox"] {
+    justify-self: center;
+    width: 18px;
+    height: 18px;
+  }
+  @media (pointer: coarse) {
+    .list {
+      gap: 12px 16px;
+    }
+    input[type="radio"],
+    input[type="checkbox"] {
+      width: 26px;
+      height: 26px;
+    }
+  }
+`;
+
 /** Which face is under work, and which stand beside it and follow. */
 @customElement("omote-faces-choice")
 export class FacesChoice extends EditorElement {
@@ -19,71 +64,15 @@ export class FacesChoice extends EditorElement {
   @state() private place: { left: number; top: number } | null = null;
   #gone: () => void = () => undefined;
 
-  static override styles = [
-    base,
-    controls,
-    css`
-      button {
-        min-width: 84px;
-      }
-      .list {
-        position: fixed;
-        z-index: 6;
-        width: 270px;
-        overflow: auto;
-        padding: 8px;
-        display: grid;
-        grid-template-columns: 1fr auto auto;
-        align-items: center;
-        gap: 4px 10px;
-        box-shadow: 0 8px 30px #000c;
-      }
-      .head {
-        font-size: 11px;
-        color: var(--faint);
-      }
-      input[type="radio"] {
-        accent-color: var(--text);
-        width: 18px;
-        height: 18px;
-        margin: 0;
-        justify-self: center;
-      }
-      input[type="checkbox"] {
-        justify-self: center;
-        width: 18px;
-        height: 18px;
-      }
-      @media (pointer: coarse) {
-        .list {
-          gap: 12px 16px;
-        }
-        input[type="radio"],
-        input[type="checkbox"] {
-          width: 26px;
-          height: 26px;
-        }
-      }
-    `,
-  ];
+  static override styles = [base, controls, style];
 
-  protected override topics(): readonly Topic[] {
-    return ["cast"];
-  }
+  protected override readonly topics: readonly Topic[] = ["cast"];
 
-  override connectedCallback(): void {
-    super.connectedCallback();
-    window.addEventListener("pointerdown", this.#elsewhere, true);
-    window.addEventListener("focusin", this.#elsewhere, true);
-    window.addEventListener("resize", this.#close);
-  }
-
-  override disconnectedCallback(): void {
-    super.disconnectedCallback();
-    window.removeEventListener("pointerdown", this.#elsewhere, true);
-    window.removeEventListener("focusin", this.#elsewhere, true);
-    this.#gone();
-    window.removeEventListener("resize", this.#close);
+  constructor() {
+    super();
+    hearWhileShown(this, window, ["pointerdown", "focusin"], this.#elsewhere, true);
+    hearWhileShown(this, window, ["resize"], this.#close);
+    whileShown(this, () => () => this.#gone());
   }
 
   readonly #close = (): void => {
@@ -141,7 +130,7 @@ export class FacesChoice extends EditorElement {
   #choose(name: string): void {
     const { neighbours } = this.store;
     this.store.setNeighbours(
-      neighbours.includes(name) ? neighbours.filter((one) => one !== name) : [...neighbours, name],
+      neighbours.includes(name) ? neighbours.filter((other) => other !== name) : [...neighbours, name],
     );
   }
 }

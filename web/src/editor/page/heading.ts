@@ -5,8 +5,9 @@ import { customElement, state } from "lit/decorators.js";
 import { live } from "lit/directives/live.js";
 import type { DraftState, ItemDocument } from "../../link/editing_messages";
 import { base } from "../../ui/theme";
+import { textOf } from "../../ui/topic_element";
 import { controls } from "../controls/controls_style";
-import { EditorElement, textOf } from "../controls/editor_element";
+import { EditorElement } from "../controls/editor_element";
 import type { Topic } from "../session/draft_store";
 import { describe, othersOf, redo, save, undo } from "../session/item_commands";
 import { style } from "./heading_style";
@@ -18,9 +19,7 @@ export class Heading extends EditorElement {
 
   static override styles = [base, controls, style];
 
-  protected override topics(): readonly Topic[] {
-    return ["draft", "items", "link", "options"];
-  }
+  protected override readonly topics: readonly Topic[] = ["draft", "items", "link", "options"];
 
   override render() {
     const { store } = this;
@@ -32,7 +31,7 @@ export class Heading extends EditorElement {
       <label class="you" title="Other editors read this name">You:
         <input aria-label="Your name" maxlength="64" .value=${this.context.name()} @change=${this.#rename} /></label>
       <a class="console" href="/console" target="_blank" title="Play what is saved">Console</a>
-      <button class="icon" title="Keys (?)" aria-label="Keys" @click=${() => this.dispatchEvent(new CustomEvent("help"))}>?</button>
+      <button class="icon" title="Keys (?)" aria-label="Keys" @click=${() => this.tell("help")}>?</button>
     `;
   }
 
@@ -51,9 +50,7 @@ export class Heading extends EditorElement {
       <span class="grow"></span>
       ${this.#steps(draft.undo, draft.redo, draft.what)}
       <input class="remark" aria-label="Note" title="What you say of this save, if you like" placeholder="note" maxlength="200" .value=${this.note}
-        @input=${(event: Event) => {
-          this.note = textOf(event);
-        }}
+        @input=${(event: Event) => (this.note = textOf(event))}
         @keydown=${(event: KeyboardEvent) => (event.key === "Enter" ? this.save() : nothing)} />
       <button class="main save" title="Save (Ctrl S): it plays from now on" ?disabled=${!dirty && item.head > 0}
         @click=${() => this.save()}>Save</button>

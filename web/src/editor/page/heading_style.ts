@@ -1,4 +1,5 @@
 import { css } from "lit";
+import { ellipsis } from "../../ui/theme";
 
 export const style = css`
   :host {
@@ -64,9 +65,7 @@ export const style = css`
   }
   .steps span {
     max-width: 150px;
-    overflow: hidden;
-    text-overflow: ellipsis;
-    white-space: nowrap;
+    ${ellipsis}
   }
   .remark {
     flex: 0 1 120px;

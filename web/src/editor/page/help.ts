@@ -9,29 +9,21 @@ import { controls } from "../controls/controls_style";
 import { EditorElement } from "../controls/editor_element";
 import { HELP } from "./keys";
 
+const style = css`
+  p {
+    margin: 8px 0;
+  }
+`;
+
 /** The keys and the words of the editor, over everything else. Tells `close`. */
 @customElement("omote-editor-help")
 export class EditorHelp extends EditorElement {
-  static override styles = [
-    base,
-    controls,
-    curtain,
-    keysPage,
-    css`
-      p {
-        margin: 8px 0;
-      }
-    `,
-  ];
+  static override styles = [base, controls, curtain, keysPage, style];
 
   constructor() {
     super();
-    layerWhileShown(this, "dialog", () => this.#close());
+    layerWhileShown(this, "dialog", this.close);
   }
-
-  readonly #close = (): void => {
-    this.dispatchEvent(new CustomEvent("close"));
-  };
 
   override firstUpdated(): void {
     this.renderRoot.querySelector("button")?.focus();
@@ -45,7 +37,7 @@ export class EditorHelp extends EditorElement {
       <p>An expression belongs to no face. Each needle says how a point of the skin turns around the head, rises, and goes out or in; every face makes of it what suits its own shape.</p>
       <p>Your draft is kept with every step; Save makes a revision of it, and that is what the console plays. Nothing saved is ever replaced: History brings back any of it.</p>
       <p>Left and right are the character's own: its left is on the right of the picture.</p>
-      <button @click=${this.#close}>Close</button>
+      <button @click=${this.close}>Close</button>
     </section>`;
   }
 }

@@ -3,9 +3,13 @@ import { hintOf } from "./hints";
 import { TOOLS } from "./keys";
 
 type Known = Parameters<typeof hintOf>[0];
-const known = (draft: boolean, net: boolean, tool: Known["options"]["tool"] = "drag"): Known =>
+const hintedState = (draft: boolean, net: boolean, tool: Known["options"]["tool"] = "drag"): Known =>
   ({ draft: draft ? {} : null, net: net ? {} : null, options: { tool } }) as Known;
-const ALL = [known(false, false), known(true, false), ...TOOLS.map(([tool]) => known(true, true, tool))];
+const ALL = [
+  hintedState(false, false),
+  hintedState(true, false),
+  ...TOOLS.map(([tool]) => hintedState(true, true, tool)),
+];
 
 describe("the hint", () => {
   it("speaks to fingers of nothing that only a mouse and keys have", () => {
@@ -13,6 +17,6 @@ describe("the hint", () => {
   });
 
   it("says for each tool and each state something of its own", () => {
-    expect(new Set(ALL.map((one) => hintOf(one, false))).size).toBe(ALL.length);
+    expect(new Set(ALL.map((hintedState) => hintOf(hintedState, false))).size).toBe(ALL.length);
   });
 });

@@ -35,9 +35,9 @@ const FACES = [
   "Drag a white knob (a handle): the face follows. Its mix, parts of others and caricature stand under Recipe.",
 ] as const;
 
-type Known = Pick<DraftStore, "draft" | "net"> & { readonly options: Pick<Options, "tool"> };
+type HintedState = Pick<DraftStore, "draft" | "net"> & { readonly options: Pick<Options, "tool"> };
 
-export function hintOf({ draft, net, options }: Known, fingers: boolean): string {
+export function hintOf({ draft, net, options }: HintedState, fingers: boolean): string {
   const [mouse, finger] = draft === null ? CLOSED : net === null ? FACES : TOOLS[options.tool];
   return fingers ? finger : mouse;
 }

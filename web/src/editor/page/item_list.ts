@@ -7,8 +7,9 @@ import type { ItemDocument } from "../../link/editing_messages";
 import { strayClickStopper } from "../../ui/gestures";
 import { base } from "../../ui/theme";
 import { THUMBNAIL_SIZE } from "../../ui/thumbnails";
+import { textOf, whileShown } from "../../ui/topic_element";
 import { controls } from "../controls/controls_style";
-import { EditorElement, textOf } from "../controls/editor_element";
+import { EditorElement } from "../controls/editor_element";
 import { PicturesInSight, scrollToRow } from "../controls/scrolled_list";
 import type { Topic } from "../session/draft_store";
 import {
@@ -23,7 +24,7 @@ import {
   remove,
   restore,
 } from "../session/item_commands";
-import { grouped, type Source, sourcesOf } from "../session/sources";
+import { grouped, type ListedSource, sourcesOf } from "../session/sources";
 import { style } from "./item_list_style";
 import "./new_item";
 
@@ -56,15 +57,12 @@ export class ItemListPanel extends EditorElement {
   #open = -1;
   /** An item was opened whose row has not been scrolled to yet. */
   #sought = false;
-  readonly #stopStrayClicks = strayClickStopper();
   /** What items that are not saved yet look like, as far as they have been open here. */
   readonly #drafts = new Map<number, string>();
 
   static override styles = [base, controls, style];
 
-  protected override topics(): readonly Topic[] {
-    return ["items", "cast", "draft"];
-  }
+  protected override readonly topics: readonly Topic[] = ["items", "cast", "draft"];
 
   /** Opens the form for something new, from a mix of sources. */
   make(mix: Readonly<Record<string, number>> = {}, kind: Kind = this.kind): void {
@@ -75,14 +73,10 @@ export class ItemListPanel extends EditorElement {
     );
   }
 
-  override connectedCallback(): void {
-    super.connectedCallback();
-    this.addEventListener("click", this.#stopStrayClicks, { capture: true });
-  }
-
-  override disconnectedCallback(): void {
-    super.disconnectedCallback();
-    this.#sight.stop();
+  constructor() {
+    super();
+    this.addEventListener("click", strayClickStopper(), { capture: true });
+    whileShown(this, () => () => this.#sight.stop());
   }
 
   override focus(): void {
@@ -107,25 +101,19 @@ export class ItemListPanel extends EditorElement {
       <div class="tabs" role="tablist" aria-label="Library">
         ${TABS.map(
           ([kind, label]) => html`<button role="tab" data-kind=${kind} aria-selected=${this.kind === kind}
-            @click=${() => {
-              [this.kind, this.making] = [kind, null];
-            }}>${label}</button>`,
+            @click=${() => ([this.kind, this.making] = [kind, null])}>${label}</button>`,
         )}
       </div>
       <div class="row">
         <input class="grow" type="search" placeholder="search /" aria-label="Search by name or tag" .value=${this.search}
-          @input=${(event: Event) => {
-            this.search = textOf(event);
-          }} />
+          @input=${(event: Event) => (this.search = textOf(event))} />
         <button class="main" data-new @click=${() => this.make()}>New</button></div>
       ${this.kind === "face" ? html`<div class="row"><omote-scan-button></omote-scan-button><omote-scan-button of="photographs"></omote-scan-button><omote-scan-button of="camera"></omote-scan-button></div>` : nothing}
       ${
         this.making === null
           ? nothing
           : html`<omote-new .context=${this.context} .kind=${this.kind} .mix=${this.making}
-              @close=${() => {
-                this.making = null;
-              }}></omote-new>`
+              @close=${() => (this.making = null)}></omote-new>`
       }
       <div class="list">${this.#section(own)} ${this.deleted ? nothing : this.#beginnings()}</div>
     `;
@@ -138,9 +126,7 @@ export class ItemListPanel extends EditorElement {
         ${
           gone || this.deleted
             ? html`<label class="row note"><input type="checkbox" .checked=${this.deleted}
-                @change=${() => {
-                  this.deleted = !this.deleted;
-                }} /> deleted</label>`
+                @change=${() => (this.deleted = !this.deleted)} /> deleted</label>`
             : nothing
         }
       </header>
@@ -161,9 +147,7 @@ export class ItemListPanel extends EditorElement {
   #item(item: ItemDocument, shown: readonly ItemDocument[]) {
     const open = this.store.draft?.item === item.id;
     return html`<li class="item ${open ? "open" : ""}" data-item=${item.name} draggable=${!item.deleted && this.naming !== item.id}
-      @dragstart=${() => {
-        this.#carried = item;
-      }}
+      @dragstart=${() => (this.#carried = item)}
       @dragover=${(event: DragEvent) => event.preventDefault()}
       @drop=${() => this.#drop(item)}
       @keydown=${(event: KeyboardEvent) => this.#key(event, item)}>
@@ -267,7 +251,7 @@ export class ItemListPanel extends EditorElement {
     );
   }
 
-  #tile({ source, label }: Source) {
+  #tile({ source, label }: ListedSource) {
     return html`<button class="tile" data-begin=${source} title="New ${this.kind} from ${label}"
       @click=${() => this.make({ [source]: 1 })}>
       <canvas data-source=${source} width=${THUMBNAIL_SIZE.width} height=${THUMBNAIL_SIZE.height} aria-hidden="true"></canvas>

@@ -1,5 +1,5 @@
 import { css } from "lit";
-import { caption, portrait } from "../../ui/theme";
+import { caption, ellipsis, portrait } from "../../ui/theme";
 
 export const style = css`
   :host {
@@ -37,9 +37,6 @@ export const style = css`
     min-height: 22px;
   }
   ul {
-    list-style: none;
-    margin: 0;
-    padding: 0;
     display: grid;
     gap: 4px;
   }
@@ -78,16 +75,12 @@ export const style = css`
   .text b {
     color: var(--text);
     font-weight: 600;
-    overflow: hidden;
-    text-overflow: ellipsis;
-    white-space: nowrap;
+    ${ellipsis}
   }
   .text small {
     color: var(--faint);
     font-size: 11px;
-    overflow: hidden;
-    text-overflow: ellipsis;
-    white-space: nowrap;
+    ${ellipsis}
   }
   .text .unsaved {
     color: var(--attention);

@@ -3,12 +3,12 @@
 import type { KeyPress } from "../../ui/gestures";
 import type { Tool } from "../session/editor_store";
 
-export type View = "front" | "left" | "right" | "three-quarter" | "whole";
+export type ViewKey = "front" | "left" | "right" | "three-quarter" | "whole";
 
-export type Command =
+export type EditorCommand =
   | { do: "undo" | "redo" | "save" | "help" | "search" | "leave" | "mirror" | "wireframe" | "needles" | "muscles" }
   | { do: "tool"; tool: Tool }
-  | { do: "view"; view: View };
+  | { do: "view"; view: ViewKey };
 
 /** Tools in the order of the tool bar: name, key, what it does. */
 export const TOOLS: readonly (readonly [Tool, string, string, string])[] = [
@@ -19,7 +19,7 @@ export const TOOLS: readonly (readonly [Tool, string, string, string])[] = [
   ["place", "Move", "M", "Put a needle elsewhere"],
 ];
 
-export const VIEWS: readonly (readonly [View, string, string])[] = [
+export const VIEWS: readonly (readonly [ViewKey, string, string])[] = [
   ["front", "Front", "1"],
   ["left", "Left", "2"],
   ["right", "Right", "3"],
@@ -27,7 +27,7 @@ export const VIEWS: readonly (readonly [View, string, string])[] = [
   ["whole", "Whole", "0"],
 ];
 
-const LETTERS: Readonly<Record<string, Command>> = {
+const LETTERS: Readonly<Record<string, EditorCommand>> = {
   ...Object.fromEntries(TOOLS.map(([tool, , key]) => [`Key${key}`, { do: "tool", tool } as const])),
   ...Object.fromEntries(VIEWS.map(([view, , key]) => [`Digit${key}`, { do: "view", view } as const])),
   KeyX: { do: "mirror" },
@@ -55,7 +55,7 @@ export const HELP: readonly (readonly [string, string])[] = [
 ];
 
 /** What a key press means, or null. `typing`: the focus is in a field for text, where only saving is heard. */
-export function commandOf(press: KeyPress, typing: boolean): Command | null {
+export function commandOf(press: KeyPress, typing: boolean): EditorCommand | null {
   if (press.ctrlKey || press.metaKey) return press.altKey ? null : withControl(press, typing);
   if (typing || press.altKey || press.repeat) return null;
   if (press.key === "Escape") return { do: "leave" };
@@ -65,7 +65,7 @@ export function commandOf(press: KeyPress, typing: boolean): Command | null {
 }
 
 /** By the letter, as every program does, not by its place on the keyboard. */
-function withControl({ key, shiftKey }: { key: string; shiftKey: boolean }, typing: boolean): Command | null {
+function withControl({ key, shiftKey }: { key: string; shiftKey: boolean }, typing: boolean): EditorCommand | null {
   const letter = key.toLowerCase();
   if (letter === "s") return { do: "save" };
   if (typing) return null; // a field has an undo of its own

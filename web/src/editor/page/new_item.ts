@@ -4,9 +4,10 @@ import { css, html, nothing } from "lit";
 import { customElement, property, state } from "lit/decorators.js";
 import { layerWhileShown } from "../../ui/key_presses";
 import { base } from "../../ui/theme";
+import { textOf } from "../../ui/topic_element";
 import { amountOf } from "../controls/amount";
 import { controls } from "../controls/controls_style";
-import { EditorElement, textOf } from "../controls/editor_element";
+import { EditorElement } from "../controls/editor_element";
 import { sourceChoice } from "../controls/source_choice";
 import { PERCENT } from "../controls/units";
 import type { Topic } from "../session/draft_store";
@@ -17,6 +18,23 @@ import "../controls/amount";
 /** Letters that a name may have here. */
 const LONGEST = 64;
 
+const style = css`
+  form {
+    display: grid;
+    grid-template-columns: minmax(0, 1fr);
+    gap: 8px;
+    padding: 10px;
+    background: var(--raised);
+    border: 1px solid var(--edge);
+    border-radius: 6px;
+  }
+  .source {
+    display: grid;
+    grid-template-columns: minmax(0, 1fr) auto;
+    align-items: center;
+  }
+`;
+
 /** Where something new begins: neutral, any expression or mix, what is on air now. Tells `close`. */
 @customElement("omote-new")
 export class NewItem extends EditorElement {
@@ -24,34 +42,13 @@ export class NewItem extends EditorElement {
   @property({ attribute: false }) mix: Readonly<Record<string, number>> = {};
   @state() private label = "";
   @state() private onAir = false;
-  static override styles = [
-    base,
-    controls,
-    css`
-      form {
-        display: grid;
-        grid-template-columns: minmax(0, 1fr);
-        gap: 8px;
-        padding: 10px;
-        background: var(--raised);
-        border: 1px solid var(--edge);
-        border-radius: 6px;
-      }
-      .source {
-        display: grid;
-        grid-template-columns: minmax(0, 1fr) auto;
-        align-items: center;
-      }
-    `,
-  ];
+  static override styles = [base, controls, style];
 
-  protected override topics(): readonly Topic[] {
-    return ["items", "cast"];
-  }
+  protected override readonly topics: readonly Topic[] = ["items", "cast"];
 
   constructor() {
     super();
-    layerWhileShown(this, "form", () => this.#close());
+    layerWhileShown(this, "form", this.close);
   }
 
   override firstUpdated(): void {
@@ -62,15 +59,15 @@ export class NewItem extends EditorElement {
   get #proposed(): string {
     const [source] = Object.keys(this.mix);
     const stem = this.kind === "face" ? "New face" : "New expression";
-    const known = source === undefined ? stem : `My ${this.#nameOf(source)}`.slice(0, LONGEST - 3);
-    return freeLabel(this.store, this.kind, known);
+    const proposed = source === undefined ? stem : `My ${this.#nameOf(source)}`.slice(0, LONGEST - 3);
+    return freeLabel(this.store, this.kind, proposed);
   }
 
   /** What a source is called within a name: people's own names stay as they wrote them. */
   #nameOf(source: string): string {
     const sources = sourcesOf(this.store, this.kind);
     const label = labelOf(sources, source);
-    return sources.find((one) => one.source === source)?.group === OWN ? label : label.toLowerCase();
+    return sources.find((listed) => listed.source === source)?.group === OWN ? label : label.toLowerCase();
   }
 
   override render() {
@@ -79,13 +76,9 @@ export class NewItem extends EditorElement {
     return html`<form @submit=${this.#create} aria-label="New ${this.kind}">
       <h2>New ${this.kind}</h2>
       <input aria-label="Name" maxlength=${LONGEST} .value=${this.label || this.#proposed}
-        @input=${(event: Event) => {
-          this.label = textOf(event);
-        }} />
+        @input=${(event: Event) => (this.label = textOf(event))} />
       <label class="row"><input type="checkbox" .checked=${this.onAir}
-        @change=${() => {
-          this.onAir = !this.onAir;
-        }} /> From what is on air now</label>
+        @change=${() => (this.onAir = !this.onAir)} /> From what is on air now</label>
       ${
         this.onAir
           ? nothing
@@ -100,7 +93,7 @@ export class NewItem extends EditorElement {
             )}`
       }
       <div class="row"><button class="main grow" type="submit">Create</button>
-        <button type="button" @click=${() => this.#close()}>Cancel</button></div>
+        <button type="button" @click=${this.close}>Cancel</button></div>
     </form>`;
   }
 
@@ -116,17 +109,13 @@ export class NewItem extends EditorElement {
   }
 
   #drop(source: string): void {
-    this.mix = Object.fromEntries(Object.entries(this.mix).filter(([one]) => one !== source));
+    this.mix = Object.fromEntries(Object.entries(this.mix).filter(([other]) => other !== source));
   }
 
   readonly #create = (event: Event): void => {
     event.preventDefault();
     const label = this.label.trim() || this.#proposed;
     void create(this.store, this.kind, label, { mix: this.onAir ? {} : this.mix, onAir: this.onAir });
-    this.#close();
+    this.close();
   };
-
-  #close(): void {
-    this.dispatchEvent(new CustomEvent("close"));
-  }
 }

@@ -7,49 +7,47 @@ import { base, notice as box, wanted } from "../../ui/theme";
 import { controls } from "../controls/controls_style";
 import { EditorElement } from "../controls/editor_element";
 import type { Topic } from "../session/draft_store";
-import type { Notice } from "../session/notices";
+import type { EditorNotice } from "../session/notices";
 
 /** Milliseconds for which good news stands. */
 const SEEN = 12_000;
 
+const style = css`
+  :host {
+    display: grid;
+    grid-template-columns: minmax(0, 1fr);
+    gap: 6px;
+  }
+  :host([hidden]) {
+    display: none;
+  }
+  [role] {
+    ${box}
+    align-items: start;
+    padding: 6px 6px 8px 12px;
+    background: #1d2126;
+    border: 1px solid var(--edge);
+  }
+  .refusal,
+  .conflict {
+    ${wanted}
+  }
+  .done {
+    border-color: var(--coming);
+    background: #0d2417;
+  }
+  span {
+    padding-top: 5px;
+  }
+  .row {
+    grid-column: 1 / -1;
+  }
+`;
+
 /** What must be read. */
 @customElement("omote-notices")
 export class NoticesView extends EditorElement {
-  static override styles = [
-    base,
-    controls,
-    css`
-      :host {
-        display: grid;
-        grid-template-columns: minmax(0, 1fr);
-        gap: 6px;
-      }
-      :host([hidden]) {
-        display: none;
-      }
-      [role] {
-        ${box}
-        align-items: start;
-        padding: 6px 6px 8px 12px;
-        background: #1d2126;
-        border: 1px solid var(--edge);
-      }
-      .refusal,
-      .conflict {
-        ${wanted}
-      }
-      .done {
-        border-color: var(--coming);
-        background: #0d2417;
-      }
-      span {
-        padding-top: 5px;
-      }
-      .row {
-        grid-column: 1 / -1;
-      }
-    `,
-  ];
+  static override styles = [base, controls, style];
 
   readonly #timers = new Map<number, ReturnType<typeof setTimeout>>();
 
@@ -74,9 +72,7 @@ export class NoticesView extends EditorElement {
     this.hidden = this.store.notices.length === 0;
   }
 
-  protected override topics(): readonly Topic[] {
-    return ["notices"];
-  }
+  protected override readonly topics: readonly Topic[] = ["notices"];
 
   override render() {
     return repeat(
@@ -86,14 +82,14 @@ export class NoticesView extends EditorElement {
     );
   }
 
-  #button(id: number, { label, act }: Notice["actions"][number]) {
+  #button(id: number, { label, act }: EditorNotice["actions"][number]) {
     return html`<button @click=${() => {
       this.store.dismiss(id);
       act();
     }}>${label}</button>`;
   }
 
-  #notice({ id, text, kind, actions }: Notice) {
+  #notice({ id, text, kind, actions }: EditorNotice) {
     return html`<div class=${kind} role=${kind === "done" ? "status" : "alert"}>
       <span>${text}</span>
       <button class="icon quiet" title="I have read it" aria-label="Dismiss" @click=${() => this.store.dismiss(id)}>✕</button>

@@ -3,12 +3,13 @@
 import { css, html, nothing } from "lit";
 import { customElement } from "lit/decorators.js";
 import { live } from "lit/directives/live.js";
-import { base } from "../../ui/theme";
+import { base, flow } from "../../ui/theme";
+import { textOf } from "../../ui/topic_element";
 import { controls } from "../controls/controls_style";
-import { EditorElement, textOf } from "../controls/editor_element";
+import { EditorElement } from "../controls/editor_element";
 import type { Topic } from "../session/draft_store";
 import type { Options } from "../session/editor_store";
-import { TOOLS, VIEWS, type View } from "./keys";
+import { TOOLS, VIEWS, type ViewKey } from "./keys";
 import "./faces_choice";
 
 const SHOWN: readonly (readonly [keyof Options & ("needles" | "wireframe" | "muscles"), string, string])[] = [
@@ -23,70 +24,64 @@ const ON_FACES: typeof SHOWN = [
   ["wireframe", "Wires", "W"],
 ];
 
+const style = css`
+  :host {
+    ${flow}
+    gap: 4px 10px;
+    padding: 6px 8px;
+  }
+  .group {
+    display: flex;
+    align-items: center;
+    gap: 2px;
+  }
+  .group label {
+    display: flex;
+    align-items: center;
+    gap: 5px;
+    font-size: 12px;
+  }
+  .falloff input {
+    width: 74px;
+  }
+  output {
+    min-width: 38px;
+    color: var(--text);
+    font-size: 12px;
+  }
+  select {
+    max-width: 112px;
+  }
+  @media (max-width: 1180px) {
+    :host {
+      gap: 4px 6px;
+      padding: 5px 8px;
+    }
+    button,
+    select {
+      padding: 0 6px;
+      font-size: 12px;
+    }
+    .falloff input {
+      width: 54px;
+    }
+    select {
+      max-width: 90px;
+    }
+  }
+  @media (max-width: 940px) {
+    select {
+      max-width: 130px;
+    }
+  }
+`;
+
 /** What the hand does on the face, and what is shown of it. Tells `view` with the name of a view. */
 @customElement("omote-tools")
 export class Tools extends EditorElement {
-  static override styles = [
-    base,
-    controls,
-    css`
-      :host {
-        display: flex;
-        flex-wrap: wrap;
-        align-items: center;
-        gap: 4px 10px;
-        padding: 6px 8px;
-      }
-      .group {
-        display: flex;
-        align-items: center;
-        gap: 2px;
-      }
-      .group label {
-        display: flex;
-        align-items: center;
-        gap: 5px;
-        font-size: 12px;
-      }
-      .falloff input {
-        width: 74px;
-      }
-      output {
-        min-width: 38px;
-        color: var(--text);
-        font-size: 12px;
-      }
-      select {
-        max-width: 112px;
-      }
-      @media (max-width: 1180px) {
-        :host {
-          gap: 4px 6px;
-          padding: 5px 8px;
-        }
-        button,
-        select {
-          padding: 0 6px;
-          font-size: 12px;
-        }
-        .falloff input {
-          width: 54px;
-        }
-        select {
-          max-width: 90px;
-        }
-      }
-      @media (max-width: 940px) {
-        select {
-          max-width: 130px;
-        }
-      }
-    `,
-  ];
+  static override styles = [base, controls, style];
 
-  protected override topics(): readonly Topic[] {
-    return ["options", "draft", "items"];
-  }
+  protected override readonly topics: readonly Topic[] = ["options", "draft", "items"];
 
   override render() {
     const { store } = this;
@@ -142,17 +137,13 @@ export class Tools extends EditorElement {
   #shown(options: typeof SHOWN) {
     return html`<div class="group" role="group" aria-label="Shown">
       ${options.map(
-        ([
-          option,
-          label,
-          key,
-        ]) => html`<button data-option=${option} aria-pressed=${this.store.options[option]} title="Show ${label.toLowerCase()} (${key})"
-          @click=${() => this.store.setOptions({ [option]: !this.store.options[option] })}>${label}</button>`,
+        ([option, label, key]) => html`<button data-option=${option} title="Show ${label.toLowerCase()} (${key})"
+          aria-pressed=${this.store.options[option]} @click=${() => this.store.setOptions({ [option]: !this.store.options[option] })}>${label}</button>`,
       )}
     </div>`;
   }
 
-  #view(view: View): void {
+  #view(view: ViewKey): void {
     this.dispatchEvent(new CustomEvent("view", { detail: view }));
   }
 }

@@ -16,7 +16,7 @@ import type { DraftStore } from "../session/draft_store";
 import { distances, drawShape, FINER, heat, largest, largestSeen, SKIN } from "./shape_difference";
 
 /** One of two things that are compared: a content, and what people call it. */
-export interface Side {
+export interface ComparedContent {
   readonly content: string;
   readonly label: string;
 }
@@ -24,50 +24,46 @@ export interface Side {
 /** Below this all is called alike, metres: what the wire rounds away. */
 const ALIKE = 2e-5;
 
+const style = css`
+  section {
+    padding: 14px 16px;
+    display: grid;
+    gap: 10px;
+    max-height: 100%;
+    max-width: 100%;
+    overflow: auto;
+  }
+  .pictures {
+    display: grid;
+    grid-template-columns: repeat(3, minmax(0, 320px));
+    gap: 8px;
+  }
+  figure {
+    display: grid;
+    gap: 4px;
+  }
+  canvas {
+    width: 100%;
+    border: 1px solid var(--line);
+    border-radius: 5px;
+  }
+  figcaption {
+    color: var(--dim);
+    text-align: center;
+  }
+`;
+
 /** Two revisions beside each other, and where they differ. */
 @customElement("omote-comparison")
 export class Comparison extends EditorElement {
-  @property({ attribute: false }) sides!: readonly [Side, Side];
+  @property({ attribute: false }) sides!: readonly [ComparedContent, ComparedContent];
   @state() private sentence = "Drawing…";
   @queryAll("canvas") private canvases!: NodeListOf<HTMLCanvasElement>;
-  static override styles = [
-    base,
-    controls,
-    curtain,
-    css`
-      section {
-        padding: 14px 16px;
-        display: grid;
-        gap: 10px;
-        max-height: 100%;
-        max-width: 100%;
-        overflow: auto;
-      }
-      .pictures {
-        display: grid;
-        grid-template-columns: repeat(3, minmax(0, 320px));
-        gap: 8px;
-      }
-      figure {
-        margin: 0;
-        display: grid;
-        gap: 4px;
-      }
-      canvas {
-        width: 100%;
-        border: 1px solid var(--line);
-        border-radius: 5px;
-      }
-      figcaption {
-        color: var(--dim);
-        text-align: center;
-      }
-    `,
-  ];
+  static override styles = [base, controls, curtain, style];
 
   constructor() {
     super();
-    layerWhileShown(this, "dialog", () => this.#close());
+    layerWhileShown(this, "dialog", this.close);
   }
 
   override firstUpdated(): void {
@@ -79,15 +75,15 @@ export class Comparison extends EditorElement {
 
   async #draw(): Promise<void> {
     const { store } = this;
-    const worn = ({ content }: Side): Promise<Float32Array> =>
+    const worn = ({ content }: ComparedContent): Promise<Float32Array> =>
       store.face === null ? wearing(store, store.sourceOf(store.work), content) : wearing(store, content, "neutral");
-    const [one, other] = await Promise.all(this.sides.map(worn));
-    if (one === undefined || other === undefined) return;
-    const apart = distances(one, other);
+    const [shape, other] = await Promise.all(this.sides.map(worn));
+    if (shape === undefined || other === undefined) return;
+    const apart = distances(shape, other);
     const most = largest(apart);
     const meshes = (store.library?.meshes ?? []).filter(({ name }) => !name.includes("lash"));
     const [first, second, third] = [...this.canvases] as [HTMLCanvasElement, HTMLCanvasElement, HTMLCanvasElement];
-    drawShape(first, one, meshes, () => SKIN);
+    drawShape(first, shape, meshes, () => SKIN);
     drawShape(second, other, meshes, () => SKIN);
     void this.#portray([first, second]);
     const seen = largestSeen(apart, other, meshes);
@@ -101,7 +97,7 @@ export class Comparison extends EditorElement {
     if (thumbnailRenderer === null) return;
     const work = this.store.sourceOf(this.store.work);
     for (const [at, canvas] of canvases.entries()) {
-      const { content } = this.sides[at] as Side;
+      const { content } = this.sides[at] as ComparedContent;
       const sitting =
         this.store.face === null ? { face: work, expression: content } : { face: content, expression: "neutral" };
       const picture = await thumbnailRenderer
@@ -119,12 +115,8 @@ export class Comparison extends EditorElement {
         ${picture(this.sides[0].label)} ${picture(this.sides[1].label)}
         ${picture(html`<span role="status">${this.sentence}</span>`)}
       </div>
-      <div class="row"><span class="grow"></span><button @click=${() => this.#close()}>Close</button></div>
+      <div class="row"><span class="grow"></span><button @click=${this.close}>Close</button></div>
     </section>`;
-  }
-
-  #close(): void {
-    this.dispatchEvent(new CustomEvent("close"));
   }
 }
 

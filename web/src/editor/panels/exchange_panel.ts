@@ -5,69 +5,67 @@ import { customElement, state } from "lit/decorators.js";
 import { ACCEPTED, type ImportKind } from "../../ui/file_import";
 import { CancelledError } from "../../ui/long_requests";
 import { base } from "../../ui/theme";
+import { textOf } from "../../ui/topic_element";
 import { controls, panel } from "../controls/controls_style";
 import { EditorElement } from "../controls/editor_element";
 import type { Topic } from "../session/draft_store";
 import { takeIn } from "../session/item_commands";
 import { credit, download, type Export, exportsOf, IMPORT_COMMAND, LICENCES } from "./exports";
 
+const style = css`
+  .command {
+    display: grid;
+    grid-template-columns: 1fr auto;
+    gap: 4px;
+  }
+  .credit {
+    display: grid;
+    grid-template-columns: 1fr 1fr;
+    gap: 4px;
+    grid-column: 1 / -1;
+  }
+  .refused {
+    grid-column: 1 / -1;
+    color: var(--attention);
+  }
+  .button {
+    position: relative;
+    display: grid;
+    place-content: center;
+    min-height: 26px;
+    padding: 0 8px;
+    border: 1px solid var(--line);
+    border-radius: 4px;
+    color: var(--dim);
+    background: var(--raised);
+    overflow: hidden;
+  }
+  .button:focus-within {
+    outline: 2px solid var(--focus);
+    outline-offset: 1px;
+  }
+  .button input {
+    position: absolute;
+    inset: 0;
+    opacity: 0;
+    cursor: pointer;
+  }
+  @media (pointer: coarse) {
+    .button {
+      min-height: 40px;
+    }
+  }
+  code {
+    font-size: 11.5px;
+    overflow-wrap: anywhere;
+    user-select: text;
+  }
+`;
+
 /** How the open item gets out of the show, and others in. */
 @customElement("omote-exchange")
-export class Exchange extends EditorElement {
-  static override styles = [
-    base,
-    controls,
-    panel,
-    css`
-      .command {
-        display: grid;
-        grid-template-columns: 1fr auto;
-        gap: 4px;
-      }
-      .credit {
-        display: grid;
-        grid-template-columns: 1fr 1fr;
-        gap: 4px;
-        grid-column: 1 / -1;
-      }
-      .refused {
-        grid-column: 1 / -1;
-        color: var(--attention);
-      }
-      .button {
-        position: relative;
-        display: grid;
-        place-content: center;
-        min-height: 26px;
-        padding: 0 8px;
-        border: 1px solid var(--line);
-        border-radius: 4px;
-        color: var(--dim);
-        background: var(--raised);
-        overflow: hidden;
-      }
-      .button:focus-within {
-        outline: 2px solid var(--focus);
-        outline-offset: 1px;
-      }
-      .button input {
-        position: absolute;
-        inset: 0;
-        opacity: 0;
-        cursor: pointer;
-      }
-      @media (pointer: coarse) {
-        .button {
-          min-height: 40px;
-        }
-      }
-      code {
-        font-size: 11.5px;
-        overflow-wrap: anywhere;
-        user-select: text;
-      }
-    `,
-  ];
+export class ExchangePanel extends EditorElement {
+  static override styles = [base, controls, panel, style];
 
   /** The address of the export, or the kind of import, that is under way; empty: none. */
   @state() private busy = "";
@@ -75,16 +73,14 @@ export class Exchange extends EditorElement {
   @state() private author = "";
   @state() private licence = LICENCES[0]?.[0] ?? "";
 
-  protected override topics(): readonly Topic[] {
-    return ["draft", "items", "cast"];
-  }
+  protected override readonly topics: readonly Topic[] = ["draft", "items", "cast"];
 
   override render() {
     const { draft, item, work } = this.store;
     return html`
       ${item?.head === 0 ? html`<p class="note">Save first: only what is saved goes out.</p>` : nothing}
       ${draft?.dirty === true && (item?.head ?? 0) > 0 ? html`<p class="note behind">What goes out is your last save: save first for what you see.</p>` : nothing}
-      ${item === null ? nothing : exportsOf(item, work, this.store.unwritable).map((one) => this.#export(one, item.head === 0))}
+      ${item === null ? nothing : exportsOf(item, work, this.store.unwritable).map((exported) => this.#export(exported, item.head === 0))}
       <p>In, from files by other crews and other programs; or drop them on this page:</p>
       ${this.#import("expression", "Expressions: documents (JSON), heads with shapes (GLB)")}
       ${this.#import("face", "A face: a head of Omote at rest (GLB, OBJ)")}
@@ -115,33 +111,33 @@ export class Exchange extends EditorElement {
     field.value = ""; // the same file again is a change too
   }
 
-  #export(one: Export, unsaved: boolean) {
-    const busy = this.busy === one.address;
+  #export(exported: Export, unsaved: boolean) {
+    const busy = this.busy === exported.address;
     return html`<div class="command">
-      <span class="note">${one.what}</span>
-      <button aria-label="Download ${one.file}" ?disabled=${unsaved || this.busy !== "" || one.unwritable !== undefined} @click=${() => this.#download(one)}>
-        ${busy ? "Exporting ..." : `Download ${one.file.slice(one.file.lastIndexOf("."))}`}
+      <span class="note">${exported.what}</span>
+      <button aria-label="Download ${exported.file}" ?disabled=${unsaved || this.busy !== "" || exported.unwritable !== undefined} @click=${() => this.#download(exported)}>
+        ${busy ? "Exporting ..." : `Download ${exported.file.slice(exported.file.lastIndexOf("."))}`}
       </button>
-      ${one.unwritable === undefined ? nothing : html`<span class="note refused">Not on the show's computer: ${one.unwritable}.</span>`}
-      ${one.credited ? this.#credit() : nothing}
+      ${exported.unwritable === undefined ? nothing : html`<span class="note refused">Not on the show's computer: ${exported.unwritable}.</span>`}
+      ${exported.credited ? this.#credit() : nothing}
     </div>`;
   }
 
   #credit() {
     return html`<div class="credit">
       <input type="text" aria-label="Author of the avatar" placeholder="Its author" maxlength="200" .value=${this.author}
-        @input=${(event: Event) => (this.author = (event.target as HTMLInputElement).value)} />
-      <select aria-label="Who may use the avatar" @change=${(event: Event) => (this.licence = (event.target as HTMLSelectElement).value)}>
+        @input=${(event: Event) => (this.author = textOf(event))} />
+      <select aria-label="Who may use the avatar" @change=${(event: Event) => (this.licence = textOf(event))}>
         ${LICENCES.map(([value, what]) => html`<option value=${value} ?selected=${value === this.licence}>${what}</option>`)}
       </select>
     </div>`;
   }
 
-  async #download(one: Export): Promise<void> {
-    this.busy = one.address;
+  async #download(exported: Export): Promise<void> {
+    this.busy = exported.address;
     try {
-      await download(credit(one, { author: this.author, licence: this.licence }), this.store.longRequests);
-      this.store.say(`${one.file} is in your downloads.`, "done");
+      await download(credit(exported, { author: this.author, licence: this.licence }), this.store.longRequests);
+      this.store.say(`${exported.file} is in your downloads.`, "done");
     } catch (error) {
       this.store.say((error as Error).message, error instanceof CancelledError ? "done" : "refusal");
     } finally {

@@ -5,9 +5,9 @@ import { credit, download, exportsOf, LICENCES } from "./exports";
 afterEach(() => vi.unstubAllGlobals());
 
 it("an expression goes out as a document and on the face under work", () => {
-  const found = exportsOf({ kind: "expression", name: "crooked_smile", label: "Crooked smile" }, "dog");
-  expect(found.map(({ file }) => file)).toEqual(["crooked_smile.json", "dog-crooked_smile.glb"]);
-  expect(found[1]?.address).toBe("/exports/dog.glb?expressions=crooked_smile");
+  const exported = exportsOf({ kind: "expression", name: "crooked_smile", label: "Crooked smile" }, "dog");
+  expect(exported.map(({ file }) => file)).toEqual(["crooked_smile.json", "dog-crooked_smile.glb"]);
+  expect(exported[1]?.address).toBe("/exports/dog.glb?expressions=crooked_smile");
 });
 
 it("a file is called as the item is called now, also after it was renamed", () => {
@@ -19,15 +19,15 @@ it("a file is called as the item is called now, also after it was renamed", () =
 });
 
 it("a face goes out by its own name", () => {
-  const found = exportsOf({ kind: "face", name: "my_aunt", label: "My aunt" }, "dog");
-  expect(found.map(({ address }) => address)).toEqual([
+  const exported = exportsOf({ kind: "face", name: "my_aunt", label: "My aunt" }, "dog");
+  expect(exported.map(({ address }) => address)).toEqual([
     "/exports/my_aunt.glb?expressions=arkit",
     "/exports/my_aunt.glb?expressions=performed",
     "/exports/my_aunt.vrm?expressions=arkit",
     "/exports/my_aunt.usdz?expressions=arkit",
     "/exports/my_aunt.obj?expressions=neutral",
   ]);
-  expect(found.map(({ file }) => file.replace("my_aunt", ""))).toEqual([
+  expect(exported.map(({ file }) => file.replace("my_aunt", ""))).toEqual([
     ".glb",
     "-performed.glb",
     ".vrm",
@@ -38,9 +38,9 @@ it("a face goes out by its own name", () => {
 
 it("says which files the show's computer cannot make, and why", () => {
   const [item, why] = [{ kind: "face", name: "ann", label: "Ann" } as const, "USD needs usd-core"];
-  const found = exportsOf(item, "dog", { usdz: why });
-  expect(found.map(({ unwritable }) => unwritable)).toEqual([undefined, undefined, undefined, why, undefined]);
-  expect(exportsOf(item, "dog").some((one) => "unwritable" in one)).toBe(false);
+  const exported = exportsOf(item, "dog", { usdz: why });
+  expect(exported.map(({ unwritable }) => unwritable)).toEqual([undefined, undefined, undefined, why, undefined]);
+  expect(exportsOf(item, "dog").some((entry) => "unwritable" in entry)).toBe(false);
 });
 
 it("an avatar goes out with its author and its terms, and only then; nothing else asks for them", () => {

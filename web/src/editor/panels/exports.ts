@@ -62,11 +62,11 @@ export function exportsOf(
 }
 
 /** An export with what it names: who made it, and who may use it; an Error with a sentence where nobody is named. */
-export function credit(one: Export, { author, licence }: Credit): Export {
-  if (one.credited !== true) return one;
+export function credit(exported: Export, { author, licence }: Credit): Export {
+  if (exported.credited !== true) return exported;
   if (author.replaceAll(",", "").trim() === "") throw new Error("An avatar names who made it: fill in its author.");
   const said = `author=${encodeURIComponent(author.trim())}&licence=${encodeURIComponent(licence)}`;
-  return { ...one, address: `${one.address}&${said}` };
+  return { ...exported, address: `${exported.address}&${said}` };
 }
 
 /** A file is called as people call the item now; its name in the show is the first that it had. */

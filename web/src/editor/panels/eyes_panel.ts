@@ -25,23 +25,19 @@ const APART: readonly (readonly [string, readonly number[]])[] = [
 
 /** Eyeballs and pupils: what the expression adds to where the show looks. */
 @customElement("omote-eyes")
-export class Eyes extends EditorElement {
+export class EyesPanel extends EditorElement {
   @state() private together = true;
 
   static override styles = [base, controls, panel];
 
-  protected override topics(): readonly Topic[] {
-    return ["draft", "live"];
-  }
+  protected override readonly topics: readonly Topic[] = ["draft", "live"];
 
   override render() {
     const { pupil } = this.store.liveEyes;
     return html`
       <p>What this expression adds to the gaze. Sideways is + towards the character's own left, which is on the right of the picture.</p>
       <label class="row"><input type="checkbox" .checked=${this.together}
-        @change=${() => {
-          this.together = !this.together;
-        }} /> Both eyes together</label>
+        @change=${() => (this.together = !this.together)} /> Both eyes together</label>
       ${(this.together ? TOGETHER : APART).map(([label, parts]) => this.#slider(label, parts))}
       <omote-amount label="Pupils" .unit=${PERCENT} .low=${-1} .high=${1} .value=${pupil}
         hint="100 % as wide as they go, -100 % as narrow"

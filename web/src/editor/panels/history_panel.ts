@@ -9,41 +9,36 @@ import { controls, panel } from "../controls/controls_style";
 import { EditorElement } from "../controls/editor_element";
 import type { Topic } from "../session/draft_store";
 import { askHistory, bringBack } from "../session/item_commands";
-import type { Side } from "./comparison";
+import type { ComparedContent } from "./comparison";
 import "./comparison";
+
+const style = css`
+  li.card.shown {
+    border-color: var(--attention);
+  }
+  b {
+    color: var(--text);
+  }
+  .aside {
+    color: var(--attention);
+  }
+  .plays {
+    color: var(--coming);
+  }
+  omote-comparison {
+    pointer-events: auto;
+  }
+`;
 
 /** Every save of the open item: to look at, to compare, to bring back. */
 @customElement("omote-history")
-export class History extends EditorElement {
-  @state() private compared: readonly [Side, Side] | null = null;
+export class HistoryPanel extends EditorElement {
+  @state() private compared: readonly [ComparedContent, ComparedContent] | null = null;
   #asked = -1;
 
-  static override styles = [
-    base,
-    controls,
-    panel,
-    css`
-      li.card.shown {
-        border-color: var(--attention);
-      }
-      b {
-        color: var(--text);
-      }
-      .aside {
-        color: var(--attention);
-      }
-      .plays {
-        color: var(--coming);
-      }
-      omote-comparison {
-        pointer-events: auto;
-      }
-    `,
-  ];
+  static override styles = [base, controls, panel, style];
 
-  protected override topics(): readonly Topic[] {
-    return ["history", "draft", "items"];
-  }
+  protected override readonly topics: readonly Topic[] = ["history", "draft", "items"];
 
   override willUpdate(): void {
     const open = this.store.draft?.item ?? -1;
@@ -67,9 +62,7 @@ export class History extends EditorElement {
         this.compared === null
           ? nothing
           : html`<omote-comparison .context=${this.context} .sides=${this.compared}
-              @close=${() => {
-                this.compared = null;
-              }}></omote-comparison>`
+              @close=${() => (this.compared = null)}></omote-comparison>`
       }
     `;
   }

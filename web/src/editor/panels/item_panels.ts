@@ -31,6 +31,55 @@ const FOR_FACES: readonly (readonly [Tab, string])[] = [
   ["exchange", "Import & export"],
 ];
 
+const style = css`
+  :host {
+    display: grid;
+    grid-template-rows: auto minmax(0, 1fr);
+    min-height: 0;
+  }
+  [role="tablist"] {
+    display: grid;
+    grid-template-columns: repeat(3, 1fr);
+    gap: 2px;
+    padding: 6px;
+    border-bottom: 1px solid var(--line);
+  }
+  [role="tab"] {
+    padding: 0 4px;
+    font-size: 12.5px;
+  }
+  [role="tab"][aria-selected="true"] {
+    background: var(--raised);
+    color: var(--text);
+    border-color: var(--edge);
+  }
+  .inside {
+    overflow: hidden auto;
+    scrollbar-width: thin;
+    scrollbar-color: var(--edge) transparent;
+    min-height: 0;
+  }
+  .welcome {
+    display: block;
+    padding: 16px 18px;
+  }
+  .welcome ol {
+    margin: 10px 0 0;
+    padding: 0 0 0 18px;
+    list-style: decimal;
+    display: grid;
+    gap: 14px;
+    color: var(--dim);
+    font-size: 14px;
+  }
+  .welcome b {
+    color: var(--text);
+  }
+  .welcome .row {
+    margin-top: 6px;
+  }
+`;
+
 /** What the open item is made of, one side of it at a time. */
 @customElement("omote-panels")
 export class Panels extends EditorElement {
@@ -38,61 +87,9 @@ export class Panels extends EditorElement {
   /** What was open last. */
   #open: { item: number; face: boolean } | null = null;
 
-  static override styles = [
-    base,
-    controls,
-    css`
-      :host {
-        display: grid;
-        grid-template-rows: auto minmax(0, 1fr);
-        min-height: 0;
-      }
-      [role="tablist"] {
-        display: grid;
-        grid-template-columns: repeat(3, 1fr);
-        gap: 2px;
-        padding: 6px;
-        border-bottom: 1px solid var(--line);
-      }
-      [role="tab"] {
-        padding: 0 4px;
-        font-size: 12.5px;
-      }
-      [role="tab"][aria-selected="true"] {
-        background: var(--raised);
-        color: var(--text);
-        border-color: var(--edge);
-      }
-      .inside {
-        overflow: hidden auto;
-        scrollbar-width: thin;
-        scrollbar-color: var(--edge) transparent;
-        min-height: 0;
-      }
-      .welcome {
-        display: block;
-        padding: 16px 18px;
-      }
-      .welcome ol {
-        margin: 10px 0 0;
-        padding: 0 0 0 18px;
-        display: grid;
-        gap: 14px;
-        color: var(--dim);
-        font-size: 14px;
-      }
-      .welcome b {
-        color: var(--text);
-      }
-      .welcome .row {
-        margin-top: 6px;
-      }
-    `,
-  ];
+  static override styles = [base, controls, style];
 
-  protected override topics(): readonly Topic[] {
-    return ["draft", "items"];
-  }
+  protected override readonly topics: readonly Topic[] = ["draft", "items"];
 
   /** Something new, or something of another kind, is seen from the beginning: what it is made of. */
   override willUpdate(): void {
@@ -109,15 +106,12 @@ export class Panels extends EditorElement {
       return html`<section class="welcome" role="status"><h2>"${store.opening}" is being opened ...</h2></section>`;
     if (store.draft === null) return this.#welcome();
     const tabs = store.face === null ? FOR_EXPRESSIONS : FOR_FACES;
-    const tab = tabs.some(([one]) => one === this.tab) ? this.tab : (tabs[0] as (typeof tabs)[0])[0];
+    const tab = tabs.some(([name]) => name === this.tab) ? this.tab : (tabs[0] as (typeof tabs)[0])[0];
     return html`
       <div role="tablist" aria-label="Made of" @keydown=${this.#roam}>
         ${tabs.map(
-          ([
-            one,
-            label,
-          ]) => html`<button role="tab" id=${one} data-tab=${one} aria-selected=${one === tab} aria-controls="inside"
-            tabindex=${one === tab ? 0 : -1} @click=${() => this.show(one)}>${label}</button>`,
+          ([name, label]) => html`<button role="tab" id=${name} data-tab=${name} aria-selected=${name === tab}
+            aria-controls="inside" tabindex=${name === tab ? 0 : -1} @click=${() => this.show(name)}>${label}</button>`,
         )}
       </div>
       <div class="inside" id="inside" role="tabpanel" aria-labelledby=${tab}>${PANELS[tab](context)}</div>
@@ -152,7 +146,7 @@ export class Panels extends EditorElement {
     if (by === 0) return;
     event.preventDefault();
     const tabs = [...this.renderRoot.querySelectorAll<HTMLElement>("[role=tab]")];
-    const at = tabs.findIndex((one) => one.dataset.tab === (event.target as HTMLElement).dataset.tab);
+    const at = tabs.findIndex((tab) => tab.dataset.tab === (event.target as HTMLElement).dataset.tab);
     const next = tabs[(at + by + tabs.length) % tabs.length];
     next?.click();
     next?.focus();

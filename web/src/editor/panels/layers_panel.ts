@@ -6,48 +6,44 @@ import { live } from "lit/directives/live.js";
 import { repeat } from "lit/directives/repeat.js";
 import type { Layer } from "../../link/editing_messages";
 import { base } from "../../ui/theme";
+import { textOf } from "../../ui/topic_element";
 import { amountOf } from "../controls/amount";
 import { controls, panel } from "../controls/controls_style";
-import { EditorElement, textOf } from "../controls/editor_element";
+import { EditorElement } from "../controls/editor_element";
 import { sourceChoice } from "../controls/source_choice";
 import { PERCENT } from "../controls/units";
 import type { Topic } from "../session/draft_store";
 import { bake } from "../session/item_commands";
 import { labelOf, sourcesOf } from "../session/sources";
 
+const style = css`
+  .name {
+    font-weight: 600;
+  }
+  .silent .name {
+    color: var(--faint);
+    text-decoration: line-through;
+  }
+  .switch {
+    font-weight: 700;
+  }
+  .switch[aria-pressed="true"] {
+    color: var(--ground);
+    background: var(--text);
+    border-color: var(--text);
+  }
+  .mute[aria-pressed="true"] {
+    background: var(--attention);
+    border-color: var(--attention);
+  }
+`;
+
 /** Expressions laid under the control points: brow of one, mouth of another. */
 @customElement("omote-layers")
-export class Layers extends EditorElement {
-  static override styles = [
-    base,
-    controls,
-    panel,
-    css`
-      .name {
-        font-weight: 600;
-      }
-      .silent .name {
-        color: var(--faint);
-        text-decoration: line-through;
-      }
-      .switch {
-        font-weight: 700;
-      }
-      .switch[aria-pressed="true"] {
-        color: var(--ground);
-        background: var(--text);
-        border-color: var(--text);
-      }
-      .mute[aria-pressed="true"] {
-        background: var(--attention);
-        border-color: var(--attention);
-      }
-    `,
-  ];
+export class LayersPanel extends EditorElement {
+  static override styles = [base, controls, panel, style];
 
-  protected override topics(): readonly Topic[] {
-    return ["draft", "items", "cast"];
-  }
+  protected override readonly topics: readonly Topic[] = ["draft", "items", "cast"];
 
   get #layers(): readonly Layer[] {
     return this.store.recipe?.layers ?? [];
@@ -73,13 +69,15 @@ export class Layers extends EditorElement {
 
   override render() {
     const own = this.store.item?.content;
-    const sources = sourcesOf(this.store, "expression").map((one) =>
-      one.source === own ? { ...one, label: `${one.label}, as it was saved (a copy)` } : one,
+    const sources = sourcesOf(this.store, "expression").map((source) =>
+      source.source === own ? { ...source, label: `${source.label}, as it was saved (a copy)` } : source,
     );
     const add = (source: string): void => {
       if (source === "") return;
       const label = labelOf(sources, source);
-      if (this.#layers.some((one) => one.source === source && one.region === null && !one.mirrored)) {
+      if (
+        this.#layers.some((existing) => existing.source === source && existing.region === null && !existing.mirrored)
+      ) {
         this.store.say(
           `"${label}" is a layer already, on the whole face: give that one more weight, or a region of its own.`,
         );

@@ -12,12 +12,10 @@ import type { Topic } from "../session/draft_store";
 
 /** Muscles by their contraction; every face follows while a slider moves. */
 @customElement("omote-muscles")
-export class Muscles extends EditorElement {
+export class MusclesPanel extends EditorElement {
   static override styles = [base, controls, panel];
 
-  protected override topics(): readonly Topic[] {
-    return ["draft", "live", "options", "items"];
-  }
+  protected override readonly topics: readonly Topic[] = ["draft", "live", "options", "items"];
 
   override render() {
     const { store } = this;
@@ -26,12 +24,8 @@ export class Muscles extends EditorElement {
       <label class="row"><input type="checkbox" .checked=${store.options.muscles}
         @change=${() => store.setOptions({ muscles: !store.options.muscles })} /> Show them on the face (U)</label>
       ${store.muscles.map(
-        ({
-          name,
-          label,
-          kind,
-        }) => html`<omote-amount data-muscle=${name} label=${label} hint="${label} (${kind})" .unit=${PERCENT}
-          .value=${store.livePulls.get(name) ?? 0}
+        ({ name, label, kind }) => html`<omote-amount data-muscle=${name} label=${label} hint="${label} (${kind})"
+          .unit=${PERCENT} .value=${store.livePulls.get(name) ?? 0}
           @live=${(event: Event) => this.#pull(name, amountOf(event))}
           @done=${(event: Event) => {
             this.#pull(name, Math.min(1, Math.max(0, amountOf(event))));

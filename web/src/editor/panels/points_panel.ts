@@ -3,8 +3,9 @@
 import { css, html, nothing } from "lit";
 import { customElement } from "lit/decorators.js";
 import { base } from "../../ui/theme";
+import { textOf } from "../../ui/topic_element";
 import { controls, panel } from "../controls/controls_style";
-import { EditorElement, textOf } from "../controls/editor_element";
+import { EditorElement } from "../controls/editor_element";
 import { DEGREES, MILLIMETRES, RATIO, shown, typed, type Unit } from "../controls/units";
 import { REST, split, type Vector } from "../session/control_net";
 import type { Topic } from "../session/draft_store";
@@ -16,32 +17,27 @@ const ENTRIES: readonly (readonly [string, Unit, string])[] = [
   ["Off the skin", RATIO, "1 on the skin, more outside, less inside (R in the method)"],
 ];
 
+const style = css`
+  .entry {
+    display: grid;
+    grid-template-columns: 1fr 96px 22px;
+    align-items: center;
+    gap: 8px;
+  }
+  .entry input {
+    text-align: right;
+  }
+  b {
+    color: var(--text);
+  }
+`;
+
 /** The selected needles as numbers, to be read and typed. */
 @customElement("omote-points")
-export class Points extends EditorElement {
-  static override styles = [
-    base,
-    controls,
-    panel,
-    css`
-      .entry {
-        display: grid;
-        grid-template-columns: 1fr 96px 22px;
-        align-items: center;
-        gap: 8px;
-      }
-      .entry input {
-        text-align: right;
-      }
-      b {
-        color: var(--text);
-      }
-    `,
-  ];
+export class PointsPanel extends EditorElement {
+  static override styles = [base, controls, panel, style];
 
-  protected override topics(): readonly Topic[] {
-    return ["draft", "live", "selection"];
-  }
+  protected override readonly topics: readonly Topic[] = ["draft", "live", "selection"];
 
   override render() {
     const { selection, net } = this.store;

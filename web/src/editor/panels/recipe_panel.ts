@@ -15,15 +15,16 @@ import {
 import { GAIN_RANGE } from "../../link/constants";
 import type { FaceRecipe, HandlesAsset } from "../../link/editing_messages";
 import { base } from "../../ui/theme";
+import { textOf } from "../../ui/topic_element";
 import { amountWithin } from "../controls/amount";
 import { controls, panel } from "../controls/controls_style";
-import { EditorElement, textOf } from "../controls/editor_element";
+import { EditorElement } from "../controls/editor_element";
 import { sourceChoice } from "../controls/source_choice";
 import { GAIN, MILLIMETRES, PERCENT, shown } from "../controls/units";
 import type { Topic } from "../session/draft_store";
 import { loadHandles } from "../session/face_handles";
 import { normalised, weighed } from "../session/item_commands";
-import { labelOf, type Source, sourcesOf } from "../session/sources";
+import { type ListedSource, labelOf, sourcesOf } from "../session/sources";
 
 /** How a face is made from faces: a mix, regions from others, caricature, handles; and how strongly it answers. */
 @customElement("omote-recipe")
@@ -36,9 +37,7 @@ export class FaceRecipePanel extends EditorElement {
   /** Where the next gain for one expression goes. */
   @state() private region: GainRegion = "mouth";
 
-  protected override topics(): readonly Topic[] {
-    return ["draft", "items", "cast", "selection"];
-  }
+  protected override readonly topics: readonly Topic[] = ["draft", "items", "cast", "selection"];
 
   override firstUpdated(): void {
     loadHandles().then(
@@ -49,9 +48,9 @@ export class FaceRecipePanel extends EditorElement {
     );
   }
 
-  /** `made`: what changes, from the recipe as it is when the steps before are done. */
-  #set(made: (recipe: FaceRecipe) => Partial<FaceRecipe>, what: string): void {
-    this.store.setFace((recipe) => ({ ...recipe, ...made(recipe) }), what);
+  /** `change`: what changes, from the recipe as it is when the steps before are done. */
+  #set(change: (recipe: FaceRecipe) => Partial<FaceRecipe>, what: string): void {
+    this.store.setFace((recipe) => ({ ...recipe, ...change(recipe) }), what);
   }
 
   override render() {
@@ -71,17 +70,17 @@ export class FaceRecipePanel extends EditorElement {
     `;
   }
 
-  #mix({ base: mix }: FaceRecipe, sources: readonly Source[]) {
-    const one = Object.keys(mix).length === 1;
-    const put = (made: (mix: FaceRecipe["base"]) => FaceRecipe["base"]): void =>
-      this.#set((before) => ({ base: normalised(made(before.base)) }), "mix of faces");
+  #mix({ base: mix }: FaceRecipe, sources: readonly ListedSource[]) {
+    const isSingle = Object.keys(mix).length === 1;
+    const put = (change: (mix: FaceRecipe["base"]) => FaceRecipe["base"]): void =>
+      this.#set((before) => ({ base: normalised(change(before.base)) }), "mix of faces");
     const weigh = (source: string, weight: number): void => put((before) => weighed(before, source, weight));
     return html`<h2>Mix of faces</h2>
       ${Object.entries(mix).map(
         ([source, weight]) => html`<div class="row">
-          <omote-amount class="grow" label=${labelOf(sources, source, this.store.items)} .unit=${PERCENT} .value=${weight} ?disabled=${one}
+          <omote-amount class="grow" label=${labelOf(sources, source, this.store.items)} .unit=${PERCENT} .value=${weight} ?disabled=${isSingle}
             @done=${(event: Event) => weigh(source, amountWithin(event, 0, 1))}></omote-amount>
-          <button class="icon quiet" ?disabled=${one} title="Without it" aria-label="Without ${labelOf(sources, source, this.store.items)}"
+          <button class="icon quiet" ?disabled=${isSingle} title="Without it" aria-label="Without ${labelOf(sources, source, this.store.items)}"
             @click=${() => put((before) => Object.fromEntries(Object.entries(before).filter(([name]) => name !== source)))}>✕</button>
         </div>`,
       )}
@@ -96,7 +95,7 @@ export class FaceRecipePanel extends EditorElement {
       )}`;
   }
 
-  #regions({ regions }: FaceRecipe, sources: readonly Source[]) {
+  #regions({ regions }: FaceRecipe, sources: readonly ListedSource[]) {
     const chosen = (region: string, source: string): void => {
       this.#set(({ regions: before }) => {
         const others = Object.fromEntries(Object.entries(before).filter(([name]) => name !== region));
@@ -168,9 +167,7 @@ export class FaceRecipePanel extends EditorElement {
     const region = this.region;
     const sources = sourcesOf(this.store, "expression").filter(({ source }) => !source.startsWith("#"));
     return html`<div class="row">
-      <select aria-label="Region of a gain for one expression" @change=${(event: Event) => {
-        this.region = textOf(event) as GainRegion;
-      }}>${GAIN_REGIONS.map((one) => html`<option value=${one} .selected=${live(one === region)}>${titled(one)}</option>`)}</select>
+      <select aria-label="Region of a gain for one expression" @change=${(event: Event) => (this.region = textOf(event) as GainRegion)}>${GAIN_REGIONS.map((name) => html`<option value=${name} .selected=${live(name === region)}>${titled(name)}</option>`)}</select>
       ${sourceChoice(sources, {
         label: "A gain for one expression",
         first: "+ for one expression…",
@@ -182,7 +179,7 @@ export class FaceRecipePanel extends EditorElement {
   }
 
   #expressionLabel(name: string): string {
-    return this.store.manifest?.expressions.find((one) => one.name === name)?.label ?? name;
+    return this.store.manifest?.expressions.find((expression) => expression.name === name)?.label ?? name;
   }
 
   #label(row: number, at: number): string {
@@ -194,7 +191,7 @@ export class FaceRecipePanel extends EditorElement {
 const withGain =
   (gain: Gain) =>
   ({ gains }: FaceRecipe): Partial<FaceRecipe> => {
-    const others = gains.filter((one) => one.region !== gain.region || one.expression !== gain.expression);
+    const others = gains.filter((other) => other.region !== gain.region || other.expression !== gain.expression);
     return { gains: [...others, gain] };
   };
 

@@ -1,6 +1,7 @@
 /** A picture of how two shapes differ, drawn once on a plain canvas: how far each vertex moves, as heat. */
 
 import type { Mesh } from "../../link/assets";
+import type { Vector } from "../session/control_net";
 
 /** How far each row of one shape is from the same row of another, metres. */
 export function distances(a: Float32Array, b: Float32Array): Float32Array {
@@ -43,11 +44,7 @@ export function lightOf(positions: Float32Array, meshes: readonly Mesh[]): Float
   const normals = new Float32Array(positions.length);
   for (const { source, triangles } of meshes)
     for (let at = 0; at < triangles.length; at += 3) {
-      const [a, b, c] = [0, 1, 2].map((n) => 3 * (source[triangles[at + n] as number] as number)) as [
-        number,
-        number,
-        number,
-      ];
+      const [a, b, c] = [0, 1, 2].map((n) => 3 * (source[triangles[at + n] as number] as number)) as Vector;
       const across = crossOf(positions, a, b, c);
       for (const corner of [a, b, c])
         for (const axis of [0, 1, 2] as const)

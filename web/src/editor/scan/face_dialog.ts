@@ -6,12 +6,13 @@ import { curtain } from "../../ui/dialog_style";
 import { layerWhileShown } from "../../ui/key_presses";
 import { CancelledError } from "../../ui/long_requests";
 import { base } from "../../ui/theme";
+import { hearWhileShown, textOf, whileShown } from "../../ui/topic_element";
 import { controls } from "../controls/controls_style";
-import { EditorElement, textOf } from "../controls/editor_element";
+import { EditorElement } from "../controls/editor_element";
 import type { Topic } from "../session/draft_store";
 import { freeLabel, openItem } from "../session/item_commands";
 import { nameOf } from "./data/dropped_files";
-import type { Drawable, Hair } from "./data/scan_document";
+import type { Drawable, HairChoice } from "./data/scan_document";
 import { dropScan, sentence, type Taken, takeFace } from "./data/scan_requests";
 import { style } from "./scan_style";
 import { hairChoice, nameNote, placeChoice } from "./taking_form";
@@ -21,7 +22,7 @@ export type SeenFace = Drawable & {
   readonly token: string;
   readonly doubts: readonly { readonly sentence: string }[];
   readonly notes: readonly string[];
-  readonly hair: Hair;
+  readonly hair: HairChoice;
 };
 
 /** What a dialog says of what it works on. */
@@ -45,21 +46,21 @@ export abstract class FaceDialog<Seen extends SeenFace> extends EditorElement {
   @state() private leaving = false;
   @state() private label = "";
   /** What was chosen; null: what is proposed. */
-  @state() private chosenHair: Hair | null = null;
+  @state() private chosenHair: HairChoice | null = null;
   @state() private replaced: number | null = null;
   @query(".acts button") private first!: HTMLElement | null;
   @query(".panel") private panel!: HTMLElement | null;
   protected abstract readonly words: Words;
-  #deaf: () => void = () => undefined;
   /** What it is called where nobody says so. */
   #proposed = "";
-  readonly #left = (): void => this.#drop();
 
   static override styles = [base, controls, curtain, style];
 
   constructor() {
     super();
     layerWhileShown(this, "dialog", () => this.escape());
+    whileShown(this, () => this.store.longRequests.listen(() => this.requestUpdate()));
+    hearWhileShown(this, window, ["pagehide"], () => this.#drop());
   }
 
   /** Asks for the first fit. */
@@ -71,26 +72,12 @@ export abstract class FaceDialog<Seen extends SeenFace> extends EditorElement {
   /** Whether a fit would now be another than that which is shown. */
   protected abstract isChanged(seen: Seen): boolean;
   /** What to do now, and what is known of the fit. */
-  protected abstract advice(seen: Seen): { readonly advice: string; readonly known: string };
+  protected abstract advice(seen: Seen): { readonly advice: string; readonly note: string };
   /** What lies to the left, and under the verdict. */
   protected abstract views(seen: Seen): TemplateResult;
   protected abstract corrections(seen: Seen): unknown;
 
-  protected override topics(): readonly Topic[] {
-    return ["items", "cast"];
-  }
-
-  override connectedCallback(): void {
-    super.connectedCallback();
-    this.#deaf = this.store.longRequests.listen(() => this.requestUpdate());
-    window.addEventListener("pagehide", this.#left);
-  }
-
-  override disconnectedCallback(): void {
-    super.disconnectedCallback();
-    this.#deaf();
-    window.removeEventListener("pagehide", this.#left);
-  }
+  protected override readonly topics: readonly Topic[] = ["items", "cast"];
 
   override firstUpdated(): void {
     this.#proposed = nameOf(this.files.map(({ name }) => name));
@@ -98,7 +85,7 @@ export abstract class FaceDialog<Seen extends SeenFace> extends EditorElement {
     void this.#fit(() => this.begin());
   }
 
-  get #hair(): Hair {
+  get #hair(): HairChoice {
     return this.chosenHair ?? this.seen?.hair ?? { style: "", colour: "#000000" };
   }
 
@@ -172,7 +159,7 @@ export abstract class FaceDialog<Seen extends SeenFace> extends EditorElement {
         ? `"${label}" plays, with all expressions: consoles have it among their faces, under Own.`
         : `"${label}" is the face of ${this.words.source} now, wherever it plays; its history has the one before.${draft}`;
     const open = (): void => {
-      const item = store.items.find((each) => each.kind === "face" && each.name === name);
+      const item = store.items.find((candidate) => candidate.kind === "face" && candidate.name === name);
       if (item !== undefined) void openItem(store, item.id);
     };
     store.say(what, "done", [
@@ -201,7 +188,7 @@ export abstract class FaceDialog<Seen extends SeenFace> extends EditorElement {
   /** How far the fit is; the page stays usable, and so does the show. */
   protected progress(): TemplateResult {
     const { title } = this.words;
-    const request = this.store.longRequests.all.find((each) => each.title === title);
+    const request = this.store.longRequests.all.find((longRequest) => longRequest.title === title);
     const { done = 0, total = 0, what = "", ending = false } = request ?? {};
     const words = ending ? "It is being cancelled" : what === "" ? "It begins" : what;
     return html`<p role="status">${words.charAt(0).toUpperCase() + words.slice(1)} …${total > 0 ? ` ${Math.round((100 * done) / total)} %` : ""}</p>
@@ -215,13 +202,13 @@ export abstract class FaceDialog<Seen extends SeenFace> extends EditorElement {
   }
 
   #side(seen: Seen) {
-    const { advice, known } = this.advice(seen);
+    const { advice, note } = this.advice(seen);
     const said = [...seen.doubts.map((doubt) => doubt.sentence), ...seen.notes.map(sentence)];
     return html`<div class="side">
       <div class="verdict ${this.#isSure(seen) ? "" : "unsure"}" role="status">
         <p>${advice}</p>
         ${said.length === 0 ? nothing : html`<ul>${said.map((doubt) => html`<li>${doubt}</li>`)}</ul>`}
-        <span class="note">${known}</span>
+        <span class="note">${note}</span>
       </div>
       ${this.#refusal()}
       ${this.corrections(seen)} ${this.#takingForm()} ${this.#acts(seen)}
@@ -244,9 +231,7 @@ export abstract class FaceDialog<Seen extends SeenFace> extends EditorElement {
       })}
       <label for="label">Name</label><input id="label" maxlength="64" placeholder=${freeLabel(this.store, "face", this.#proposed)} ?disabled=${own !== undefined}
         .value=${own?.label ?? this.label}
-        @input=${(event: Event) => {
-          this.label = textOf(event);
-        }} />
+        @input=${(event: Event) => (this.label = textOf(event))} />
       ${own !== undefined || this.#called === this.#typed ? nothing : nameNote(this.#typed, this.#called)}
       ${hairChoice(
         (this.store.library?.manifest.hair ?? []).map(({ name }) => name),
@@ -264,9 +249,9 @@ export abstract class FaceDialog<Seen extends SeenFace> extends EditorElement {
         <button @click=${() => this.#throwAway()}>Throw away</button>
         <button @click=${() => this.escape()}>Keep looking</button></div>`;
     const again = this.isChanged(seen);
-    const [sure, made] = [seen.doubts.length === 0, seen.face !== null];
-    const take = html`<button class=${again || !made || !sure ? "" : "main"} ?disabled=${!made || this.busy !== "" || again}
-      @click=${() => this.#take()}>${this.busy === "take" ? "Taking it …" : sure || !made ? "Take it" : "Take it as it is"}</button>`;
+    const [sure, hasFace] = [seen.doubts.length === 0, seen.face !== null];
+    const take = html`<button class=${again || !hasFace || !sure ? "" : "main"} ?disabled=${!hasFace || this.busy !== "" || again}
+      @click=${() => this.#take()}>${this.busy === "take" ? "Taking it …" : sure || !hasFace ? "Take it" : "Take it as it is"}</button>`;
     return html`<div class="acts">
       ${again ? html`<button class="main" ?disabled=${this.busy !== ""} @click=${() => this.#fit(() => this.fitAgain(seen))}>Fit again</button>` : nothing}
       ${take}<button ?disabled=${this.busy === "take"} @click=${() => this.escape()}>Throw away</button></div>`;
@@ -292,7 +277,7 @@ export abstract class FaceDialog<Seen extends SeenFace> extends EditorElement {
     this.seen = null;
   }
 
-  protected close(): void {
-    if (this.isConnected) this.dispatchEvent(new CustomEvent("close"));
-  }
+  protected override readonly close = (): void => {
+    if (this.isConnected) this.tell("close");
+  };
 }

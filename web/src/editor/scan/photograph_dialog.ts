@@ -3,7 +3,7 @@
 import { html, nothing, type TemplateResult } from "lit";
 import { customElement, state } from "lit/decorators.js";
 import { CancelledError } from "../../ui/long_requests";
-import { textOf } from "../controls/editor_element";
+import { textOf } from "../../ui/topic_element";
 import { FaceDialog } from "./face_dialog";
 import type { SeenPhotographs } from "./photographs/photograph_document";
 import { MOST_PHOTOGRAPHS, readPhotograph } from "./photographs/photograph_files";
@@ -17,7 +17,7 @@ import "./turn/turn_view";
 import "./views/scan_views";
 
 /** What is seen: a photograph by its place, or the face. */
-type Place = number | "face";
+type PictureChoice = number | "face";
 
 /** Files: one to eight photographs of one person; none: the camera takes them. */
 @customElement("omote-photographs")
@@ -26,7 +26,7 @@ export class PhotographDialog extends FaceDialog<SeenPhotographs> {
   @state() private turned: ((files: readonly File[]) => void) | null = null;
   /** What the page itself does now, before it asks; empty: it has asked. */
   @state() private looking = "It begins";
-  @state() private place: Place = "face";
+  @state() private place: PictureChoice = "face";
   @state() private share = 0;
   @state() private heat = false;
   @state() private handle = 0;
@@ -55,17 +55,17 @@ export class PhotographDialog extends FaceDialog<SeenPhotographs> {
     if (this.files.length === 0) this.files = await this.#turn();
     if (this.files.length > MOST_PHOTOGRAPHS)
       throw new Error(`${this.files.length} pictures came; bring at most ${MOST_PHOTOGRAPHS} of one person.`);
-    const found: FoundPhotograph[] = [];
+    const photographs: FoundPhotograph[] = [];
     const left: string[] = [];
     for (const [at, file] of this.files.entries()) {
       this.looking = `Photograph ${at + 1} of ${this.files.length} is looked at`;
-      const one = await this.#look(file, at);
-      if (one === null) left.push(noFace(file.name));
-      else found.push(one);
+      const photograph = await this.#look(file, at);
+      if (photograph === null) left.push(noFace(file.name));
+      else photographs.push(photograph);
     }
     this.#finder.close(); // its memory is needed for the fit
-    if (found.length === 0) throw new Error(left.join(" "));
-    [this.#points, this.#left, this.looking] = [new PhotographPoints(found), left, ""];
+    if (photographs.length === 0) throw new Error(left.join(" "));
+    [this.#points, this.#left, this.looking] = [new PhotographPoints(photographs), left, ""];
     return await this.#kept(bringPhotographs(this.#points, this.store.longRequests));
   }
 
@@ -125,14 +125,12 @@ export class PhotographDialog extends FaceDialog<SeenPhotographs> {
   }
 
   protected override advice(seen: SeenPhotographs) {
-    return { advice: photographAdvice(seen, this.#points.changed), known: knowledgeOf(seen) };
+    return { advice: photographAdvice(seen, this.#points.changed), note: knowledgeOf(seen) };
   }
 
   protected override views(seen: SeenPhotographs) {
-    const button = (place: Place, label: string) =>
-      html`<button aria-pressed=${this.place === place} @click=${() => {
-        this.place = place;
-      }}>${label}</button>`;
+    const button = (place: PictureChoice, label: string) =>
+      html`<button aria-pressed=${this.place === place} @click=${() => (this.place = place)}>${label}</button>`;
     return html`<div class="views">
       ${this.place === "face" ? this.#face(seen) : this.#photograph(this.place)} ${this.waiting()}
       <div class="row show" role="group" aria-label="What is seen">
@@ -154,23 +152,15 @@ export class PhotographDialog extends FaceDialog<SeenPhotographs> {
 
   #photograph(at: number) {
     return html`<omote-photograph .points=${this.#points} .photograph=${at} .chosen=${this.handle} .step=${this.step}
-      @set=${() => this.#changed()} @choose=${(event: CustomEvent<number>) => {
-        this.handle = event.detail;
-      }}></omote-photograph>`;
+      @set=${() => this.#changed()} @choose=${(event: CustomEvent<number>) => (this.handle = event.detail)}></omote-photograph>`;
   }
 
   #shares() {
     const to = (share: number, label: string) =>
-      html`<button ?disabled=${this.heat} aria-pressed=${!this.heat && this.share === share} @click=${() => {
-        this.share = share;
-      }}>${label}</button>`;
+      html`<button ?disabled=${this.heat} aria-pressed=${!this.heat && this.share === share} @click=${() => (this.share = share)}>${label}</button>`;
     return html`${to(0, "Colours")}<input type="range" min="0" max="1" step="0.05" aria-label="From the photographs to the plain face" ?disabled=${this.heat}
-        .value=${String(this.share)} @input=${(event: Event) => {
-          this.share = Number(textOf(event));
-        }} />${to(1, "Plain")}
-      <button aria-pressed=${this.heat} title="Blue: a photograph shows it; grey: it is made up" @click=${() => {
-        this.heat = !this.heat;
-      }}>Seen</button>
+        .value=${String(this.share)} @input=${(event: Event) => (this.share = Number(textOf(event)))} />${to(1, "Plain")}
+      <button aria-pressed=${this.heat} title="Blue: a photograph shows it; grey: it is made up" @click=${() => (this.heat = !this.heat)}>Seen</button>
       ${this.heat ? html`<span class="note">blue: a photograph shows it; grey: made up</span>` : nothing}`;
   }
 

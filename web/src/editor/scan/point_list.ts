@@ -2,24 +2,32 @@
 
 import { html, nothing } from "lit";
 import { LANDMARKS } from "../../link/constants";
-import type { LandmarkName, Points } from "./data/scan_document";
+import type { LandmarkName, LandmarkPoints } from "./data/scan_document";
 import { POINT_LABELS, type ScanPoints } from "./data/scan_points";
 import { pointPicture } from "./point_picture";
 
-/** found: points that Omote found; changed: is called when something has. */
-export function pointList({ points, found, changed }: { points: ScanPoints; found: Points; changed: () => void }) {
+/** foundPoints: points that Omote found; changed: is called when something has. */
+export function pointList({
+  points,
+  foundPoints,
+  changed,
+}: {
+  points: ScanPoints;
+  foundPoints: LandmarkPoints;
+  changed: () => void;
+}) {
   const act = (does: () => void) => () => {
     does();
     changed();
   };
   const row = (name: LandmarkName, at: number) => {
-    const given = points.given[name] !== undefined;
-    const state = given ? " ✓" : found[name] === undefined ? " ?" : "";
+    const isGiven = points.given[name] !== undefined;
+    const state = isGiven ? " ✓" : foundPoints[name] === undefined ? " ?" : "";
     return html`<li><button class="quiet" aria-pressed=${points.chosen === name} data-point=${name}
         title="The next click on the scan sets this point" @click=${act(() => {
           points.chosen = name;
         })}>${at + 1} ${POINT_LABELS[name]}${state}</button>
-      ${given ? html`<button class="icon quiet" aria-label="Take back: ${POINT_LABELS[name]}" title="Take it back" @click=${act(() => points.remove(name))}>✕</button>` : nothing}</li>`;
+      ${isGiven ? html`<button class="icon quiet" aria-label="Take back: ${POINT_LABELS[name]}" title="Take it back" @click=${act(() => points.remove(name))}>✕</button>` : nothing}</li>`;
   };
   return html`<header><h2>Points</h2><span class="note">left is the person's own</span></header>
     <div class="points">${pointPicture(points.chosen, points.given)}<ol>${LANDMARKS.map(row)}</ol></div>

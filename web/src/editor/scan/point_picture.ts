@@ -2,7 +2,7 @@
 
 import { html, svg } from "lit";
 import { LANDMARKS } from "../../link/constants";
-import type { LandmarkName, Points } from "./data/scan_document";
+import type { LandmarkName, LandmarkPoints } from "./data/scan_document";
 
 /** Where the points lie on the drawn face, as one looks at it: its left is on the right. */
 const PLACES: Readonly<Record<LandmarkName, readonly [number, number]>> = {
@@ -15,10 +15,10 @@ const PLACES: Readonly<Record<LandmarkName, readonly [number, number]>> = {
   mouth_right: [37, 84],
 };
 
-export function pointPicture(chosen: LandmarkName, given: Points) {
+export function pointPicture(chosen: LandmarkName, givenPoints: LandmarkPoints) {
   const dot = (name: LandmarkName) => {
     const [x, y] = PLACES[name];
-    const kind = name === chosen ? "chosen" : given[name] === undefined ? "" : "given";
+    const kind = name === chosen ? "chosen" : givenPoints[name] === undefined ? "" : "given";
     return svg`<circle class=${kind} cx=${x} cy=${y} r=${name === chosen ? 5 : 3}></circle>`;
   };
   return html`<svg class="face" viewBox="0 0 100 118" aria-hidden="true">

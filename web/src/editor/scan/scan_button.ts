@@ -11,47 +11,46 @@ const TITLES = {
   camera: "A turn of the head before this computer's camera",
 };
 
+const style = css`
+  label,
+  button {
+    position: relative;
+    display: grid;
+    place-content: center;
+    width: 100%;
+    min-height: 30px;
+    padding: 0 8px;
+    border: 1px solid var(--line);
+    border-radius: 4px;
+    color: var(--dim);
+    background: var(--raised);
+    overflow: hidden;
+    white-space: nowrap;
+  }
+  label:focus-within {
+    outline: 2px solid var(--focus);
+    outline-offset: 1px;
+  }
+  input {
+    position: absolute;
+    inset: 0;
+    opacity: 0;
+    cursor: pointer;
+  }
+  @media (pointer: coarse) {
+    label,
+    button {
+      min-height: 40px;
+    }
+  }
+`;
+
 /** Tells `scan` with the files that were chosen; with none where the camera is to take them. */
 @customElement("omote-scan-button")
 export class ScanButton extends LitElement {
   @property() of: "scan" | "photographs" | "camera" = "scan";
 
-  static override styles = [
-    base,
-    css`
-      label,
-      button {
-        position: relative;
-        display: grid;
-        place-content: center;
-        width: 100%;
-        min-height: 30px;
-        padding: 0 8px;
-        border: 1px solid var(--line);
-        border-radius: 4px;
-        color: var(--dim);
-        background: var(--raised);
-        overflow: hidden;
-        white-space: nowrap;
-      }
-      label:focus-within {
-        outline: 2px solid var(--focus);
-        outline-offset: 1px;
-      }
-      input {
-        position: absolute;
-        inset: 0;
-        opacity: 0;
-        cursor: pointer;
-      }
-      @media (pointer: coarse) {
-        label,
-        button {
-          min-height: 40px;
-        }
-      }
-    `,
-  ];
+  static override styles = [base, style];
 
   override render() {
     if (this.of === "camera")

@@ -2,7 +2,7 @@
 
 import { html, nothing } from "lit";
 import { customElement, state } from "lit/decorators.js";
-import { textOf } from "../controls/editor_element";
+import { textOf } from "../../ui/topic_element";
 import { quarterTurned, type SeenScan } from "./data/scan_document";
 import { ScanPoints } from "./data/scan_points";
 import { bringScan, FIT_TITLE, fitAgain } from "./data/scan_requests";
@@ -10,13 +10,13 @@ import { adviceOf, asksEyes, nearnessOf } from "./data/scan_words";
 import { FaceDialog } from "./face_dialog";
 import { pointList } from "./point_list";
 import { HEAT_STOPS, heatGradient } from "./views/heat_scale";
-import type { Shown } from "./views/scan_painter";
+import type { ScanMix } from "./views/scan_painter";
 import "./views/scan_views";
 
 /** Files: the scan and what lies beside it. */
 @customElement("omote-scan")
 export class ScanDialog extends FaceDialog<SeenScan> {
-  @state() private shown: Shown = { share: 0.5, heat: false };
+  @state() private shown: ScanMix = { share: 0.5, heat: false };
   @state() private shut: boolean | null = null;
   /** Raised where points change: they are not Lit's. */
   @state() private step = 0;
@@ -50,11 +50,11 @@ export class ScanDialog extends FaceDialog<SeenScan> {
   // --- what is seen ---------------------------------------------------------------------------------------------------
 
   protected override advice(scan: SeenScan) {
-    return { advice: adviceOf(scan, this.#points.changed), known: nearnessOf(scan) };
+    return { advice: adviceOf(scan, this.#points.changed), note: nearnessOf(scan) };
   }
 
   protected override views(scan: SeenScan) {
-    const put = (shown: Partial<Shown>): void => {
+    const put = (shown: Partial<ScanMix>): void => {
       this.shown = { ...this.shown, ...shown };
     };
     return html`<div class="views">
@@ -77,9 +77,7 @@ export class ScanDialog extends FaceDialog<SeenScan> {
   /** Nobody knows which way up it is before it is fitted. */
   #turns(scan: SeenScan) {
     const button = (way: "tip" | "roll", label: string) =>
-      html`<button @click=${() => {
-        this.seen = quarterTurned(scan, way);
-      }}>${label}</button>`;
+      html`<button @click=${() => (this.seen = quarterTurned(scan, way))}>${label}</button>`;
     return [button("tip", "Tip forward"), button("roll", "Roll over")];
   }
 
@@ -89,16 +87,17 @@ export class ScanDialog extends FaceDialog<SeenScan> {
   }
 
   protected override corrections(scan: SeenScan) {
-    return [pointList({ points: this.#points, found: scan.found, changed: () => this.#changed() }), this.#eyes(scan)];
+    return [
+      pointList({ points: this.#points, foundPoints: scan.found, changed: () => this.#changed() }),
+      this.#eyes(scan),
+    ];
   }
 
   #eyes(scan: SeenScan) {
     const said = this.shut === null ? "" : this.shut ? "shut" : "open";
     const choices = { "": "Its eyes: open or shut?", open: "Its eyes are open", shut: "Its eyes are shut" };
     return html`<select class=${asksEyes(scan) && this.shut === null ? "asked" : ""} aria-label="Eyes of the scan"
-      @change=${(event: Event) => {
-        this.shut = { shut: true, open: false }[textOf(event)] ?? null;
-      }}>
+      @change=${(event: Event) => (this.shut = { shut: true, open: false }[textOf(event)] ?? null)}>
       ${Object.entries(choices).map(([value, label]) => html`<option value=${value} ?selected=${value === said}>${label}</option>`)}
     </select>`;
   }

@@ -1,4 +1,5 @@
 import { css } from "lit";
+import { ellipsis } from "../../ui/theme";
 
 export const style = css`
   :host {
@@ -23,9 +24,7 @@ export const style = css`
     min-width: 0;
   }
   header b {
-    overflow: hidden;
-    text-overflow: ellipsis;
-    white-space: nowrap;
+    ${ellipsis}
   }
   .views {
     grid-area: views;
@@ -88,8 +87,8 @@ export const style = css`
     color: var(--text);
   }
   .verdict ul {
-    margin: 0;
     padding-left: 16px;
+    list-style: disc;
     color: var(--attention);
   }
   .asked {
@@ -140,9 +139,6 @@ export const style = css`
     stroke: #04140a;
   }
   ol {
-    list-style: none;
-    margin: 0;
-    padding: 0;
     display: grid;
     gap: 2px;
   }
@@ -154,9 +150,7 @@ export const style = css`
   li button {
     text-align: left;
     min-height: 24px;
-    overflow: hidden;
-    text-overflow: ellipsis;
-    white-space: nowrap;
+    ${ellipsis}
   }
   li button[aria-pressed="true"] {
     color: var(--text);
@@ -170,7 +164,6 @@ export const style = css`
   }
   .called {
     grid-column: 2;
-    margin: 0;
   }
   input[type="color"] {
     width: 40px;

@@ -2,8 +2,8 @@
 
 import { html, nothing, type TemplateResult } from "lit";
 import type { ItemDocument } from "../../link/editing_messages";
-import { textOf } from "../controls/editor_element";
-import type { Hair } from "./data/scan_document";
+import { textOf } from "../../ui/topic_element";
+import type { HairChoice } from "./data/scan_document";
 
 /** A new face, or instead of which; nothing where there are none to replace. */
 export function placeChoice(
@@ -25,7 +25,11 @@ export const nameNote = (typed: string, called: string): TemplateResult =>
   html`<p class="note called" role="status">There is a face "${typed}" already: this one will be "${called}".</p>`;
 
 /** The style and the colour of the hair. */
-export function hairChoice(styles: readonly string[], hair: Hair, choose: (hair: Hair) => void): TemplateResult {
+export function hairChoice(
+  styles: readonly string[],
+  hair: HairChoice,
+  choose: (hair: HairChoice) => void,
+): TemplateResult {
   return html`<label for="hair">Hair</label><div class="row"><select id="hair" class="grow"
       @change=${(event: Event) => choose({ ...hair, style: textOf(event) })}>
     ${["", ...styles].map((name) => html`<option value=${name} ?selected=${name === hair.style}>${name === "" ? "none" : name}</option>`)}

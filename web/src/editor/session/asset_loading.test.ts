@@ -69,10 +69,10 @@ it("asks again for a draft's content that a server has not yet which has just ta
 it("gives up a draft's content that never comes, and what the cast has not at once", async () => {
   vi.useFakeTimers();
   try {
-    const given = vi.fn();
-    loadWorn(manifest, "dog", "#gone", rest, server({})).catch(given);
+    const failed = vi.fn();
+    loadWorn(manifest, "dog", "#gone", rest, server({})).catch(failed);
     await vi.advanceTimersByTimeAsync(60_000);
-    expect(given).toHaveBeenCalledWith(expect.any(RefusedAddress));
+    expect(failed).toHaveBeenCalledWith(expect.any(RefusedAddress));
     await expect(loadWorn(manifest, "dog", "gone", rest, server({}))).rejects.toThrow(RefusedAddress);
   } finally {
     vi.useRealTimers();

@@ -40,11 +40,11 @@ async function fetchContent(address: string, read: Fetch): Promise<Uint8Array> {
 
 /** A face of the manifest, or a draft's by its content (`#` and a key). */
 export async function loadFace(manifest: Manifest, source: string, read: Fetch = fetchBytes): Promise<LoadedFace> {
-  const known = manifest.faces.find((face) => face.source === source);
-  const address = known?.url ?? `/contents/${source.replace(/^#/, "")}`;
-  const fetched = known === undefined ? fetchContent(address, read) : fetchWithRetry(address, read);
+  const listed = manifest.faces.find((face) => face.source === source);
+  const address = listed?.url ?? `/contents/${source.replace(/^#/, "")}`;
+  const fetched = listed === undefined ? fetchContent(address, read) : fetchWithRetry(address, read);
   const asset = decode(await fetched) as { positions: Uint8Array; face?: FaceDocument };
-  const document = known ?? asset.face;
+  const document = listed ?? asset.face;
   const positions = new Float32Array(aligned(asset.positions));
   if (document === undefined || positions.length !== 3 * manifest.vertices)
     throw new Error(`The face ${source} has ${positions.length / 3} vertices, expected ${manifest.vertices}.`);

@@ -1,6 +1,6 @@
 import { beforeEach, describe, expect, it } from "vitest";
 import type { DraftState, Greeted, ItemDocument, NetDocument, Recipe } from "../../link/editing_messages";
-import type { Answer, Request } from "../link/requests";
+import type { EditorAnswer, Request } from "../link/requests";
 import { flat, REST, split, type Vector } from "./control_net";
 import { DraftStore } from "./draft_store";
 import { create, matches, normalised, placeAt, redo, remove, describe as rename, save, undo } from "./item_commands";
@@ -79,11 +79,11 @@ const greeting = (show: string, unsaved: number[] = []): Greeted => ({
 
 /** A server that answers when the test says so. */
 class Script {
-  readonly asked: { request: Request; done: (answer: Answer) => void; fail: (reason: Error) => void }[] = [];
-  readonly ask = (request: Request): Promise<Answer> =>
+  readonly asked: { request: Request; done: (answer: EditorAnswer) => void; fail: (reason: Error) => void }[] = [];
+  readonly ask = (request: Request): Promise<EditorAnswer> =>
     new Promise((done, fail) => this.asked.push({ request, done, fail }));
 
-  async answer(place: number, answer: Answer): Promise<void> {
+  async answer(place: number, answer: EditorAnswer): Promise<void> {
     this.asked[place]?.done(answer);
     await Promise.resolve();
     await Promise.resolve();

@@ -13,12 +13,12 @@ import type {
   ToEditor,
 } from "../../link/editing_messages";
 import { RecipeSteps } from "../link/recipe_steps";
-import type { Answer, Ask, Change, Request } from "../link/requests";
+import type { Ask, EditorAnswer, ItemChange, Request } from "../link/requests";
 import { flat, keptPlaces, type Net, readNet, split, type Vector } from "./control_net";
 import { EditorStore } from "./editor_store";
 import { LayerPreview } from "./layer_preview";
 
-export { MOST_NEIGHBOURS, type Options, type Tool, type Topic } from "./editor_store";
+export { type EditorTopic as Topic, MOST_NEIGHBOURS, type Options, type Tool } from "./editor_store";
 
 const LOOKING_AHEAD = { turns: [0, 0, 0, 0] as Recipe["eyes"], pupil: 0 };
 
@@ -146,9 +146,9 @@ export class DraftStore extends EditorStore {
   }
 
   /** Other layers, made of those that the steps before leave. */
-  setLayers(made: (layers: readonly Layer[]) => readonly Layer[]): void {
+  setLayers(change: (layers: readonly Layer[]) => readonly Layer[]): void {
     this.#step<Recipe>(
-      (recipe) => ({ ...recipe, layers: [...made(recipe.layers)] }),
+      (recipe) => ({ ...recipe, layers: [...change(recipe.layers)] }),
       ({ layers }) => ({ type: "set_layers", layers }),
     );
   }
@@ -175,13 +175,13 @@ export class DraftStore extends EditorStore {
   }
 
   /** Another recipe of a face, made of the one that the steps before leave; `what` goes into the history. */
-  setFace(made: (recipe: FaceRecipe) => FaceRecipe, what: string): void {
+  setFace(change: (recipe: FaceRecipe) => FaceRecipe, what: string): void {
     this.#endSolo();
-    this.#step<FaceRecipe>(made, (recipe) => ({ type: "set_face", recipe, what }));
+    this.#step<FaceRecipe>(change, (recipe) => ({ type: "set_face", recipe, what }));
   }
 
   /** A step that is made of the recipe: it waits for the steps before it, and is shown at once. */
-  #step<Kind extends Recipe | FaceRecipe>(change: (recipe: Kind) => Kind, asked: (recipe: Kind) => Change): void {
+  #step<Kind extends Recipe | FaceRecipe>(change: (recipe: Kind) => Kind, asked: (recipe: Kind) => ItemChange): void {
     if (this.draft === null) return;
     if (this.look !== null) this.setLook(null);
     const { item } = this.draft;
@@ -194,12 +194,12 @@ export class DraftStore extends EditorStore {
   // --- requests -------------------------------------------------------------------------------------------------------
 
   /** Asks, takes the answer in, and says what is refused; null where it was. */
-  async ask(request: Request): Promise<Answer | null> {
+  async ask(request: Request): Promise<EditorAnswer | null> {
     if (this.#steps.size > 0) await this.#steps.empty(); // a save or an undo is of all that was done before it
     return this.#askNow(request, () => undefined);
   }
 
-  async #askNow(request: Request, answered: () => void): Promise<Answer | null> {
+  async #askNow(request: Request, answered: () => void): Promise<EditorAnswer | null> {
     this.#unanswered += 1;
     const turn = this.noteAsked(request.type);
     try {
@@ -221,7 +221,7 @@ export class DraftStore extends EditorStore {
   }
 
   /** A change of the open item; an old revision that was looked at goes, for who edits wants to see it. */
-  edit(change: Change): void {
+  edit(change: ItemChange): void {
     this.#endSolo();
     if (this.draft === null) return;
     if (this.look !== null) this.setLook(null);

@@ -7,10 +7,19 @@ import { TopicStore } from "../../link/topics";
 import { LongRequests } from "../../ui/long_requests";
 import type { Request } from "../link/requests";
 import { type Followers, type HeadControls, type Muscle, readHeadControls } from "./control_net";
-import { type Notice, Notices } from "./notices";
+import { type EditorNotice, EditorNotices } from "./notices";
 
 /** What has changed. "live" is told at the rate of the pointer, all others rarely. */
-export type Topic = "cast" | "items" | "draft" | "selection" | "options" | "live" | "link" | "notices" | "history";
+export type EditorTopic =
+  | "cast"
+  | "items"
+  | "draft"
+  | "selection"
+  | "options"
+  | "live"
+  | "link"
+  | "notices"
+  | "history";
 
 /** drag: on the surface; pull: off it (R); add, remove, place: the net itself. */
 export type Tool = "drag" | "pull" | "add" | "remove" | "place";
@@ -41,7 +50,7 @@ const FIRST = "kaori";
 const NEIGHBOURS = ["dog", "child", "old"];
 
 /** Everything that belongs to no item; whoever listens to a topic hears of its changes. */
-export class EditorStore extends TopicStore<Topic> {
+export class EditorStore extends TopicStore<EditorTopic> {
   library: Library | null = null;
   headControls: HeadControls | null = null;
   items: readonly ItemDocument[] = [];
@@ -71,7 +80,7 @@ export class EditorStore extends TopicStore<Topic> {
   /** What is being opened, as people call it; "": nothing. */
   opening = "";
   readonly longRequests = new LongRequests();
-  readonly #notices = new Notices();
+  readonly #notices = new EditorNotices();
   /** How often something was to be opened. */
   openings = 0;
 
@@ -80,7 +89,7 @@ export class EditorStore extends TopicStore<Topic> {
     return this.library?.manifest ?? null;
   }
 
-  get notices(): readonly Notice[] {
+  get notices(): readonly EditorNotice[] {
     return this.#notices.all;
   }
 
@@ -105,9 +114,9 @@ export class EditorStore extends TopicStore<Topic> {
   setCast(library: Library): void {
     this.library = library;
     const { manifest } = library;
-    const known = (name: string) => manifest.faces.some((face) => face.name === name);
-    if (!known(this.work)) this.work = known(FIRST) ? FIRST : (manifest.faces[0]?.name ?? this.work);
-    this.neighbours = this.neighbours.filter((name) => known(name) && name !== this.work);
+    const isInCast = (name: string) => manifest.faces.some((face) => face.name === name);
+    if (!isInCast(this.work)) this.work = isInCast(FIRST) ? FIRST : (manifest.faces[0]?.name ?? this.work);
+    this.neighbours = this.neighbours.filter((name) => isInCast(name) && name !== this.work);
     this.tell("cast");
   }
 
@@ -153,7 +162,7 @@ export class EditorStore extends TopicStore<Topic> {
 
   protected setUnsaved(item: number, unsaved: boolean): void {
     if (this.unsaved.has(item) === unsaved) return;
-    const others = [...this.unsaved].filter((one) => one !== item);
+    const others = [...this.unsaved].filter((other) => other !== item);
     this.unsaved = new Set(unsaved ? [...others, item] : others);
     this.tell("items");
   }
@@ -181,7 +190,7 @@ export class EditorStore extends TopicStore<Topic> {
   /** Shows a face large; the one that was takes its place beside it. */
   setWork(name: string): void {
     if (name === this.work) return;
-    this.neighbours = this.neighbours.map((one) => (one === name ? this.work : one));
+    this.neighbours = this.neighbours.map((neighbour) => (neighbour === name ? this.work : neighbour));
     this.work = name;
     this.tell("cast");
   }
@@ -192,13 +201,13 @@ export class EditorStore extends TopicStore<Topic> {
   }
 
   /** Tells the user something that stays until it is read. */
-  say(text: string, kind: Notice["kind"] = "refusal", actions: Notice["actions"] = []): void {
+  say(text: string, kind: EditorNotice["kind"] = "refusal", actions: EditorNotice["actions"] = []): void {
     this.#notices.say(text, kind, actions);
     this.tell("notices");
   }
 
   /** What was said of this kind holds no more. */
-  clear(kind: Notice["kind"]): void {
+  clear(kind: EditorNotice["kind"]): void {
     this.#notices.clear(kind);
     this.tell("notices");
   }

@@ -24,11 +24,11 @@ export async function loadHandles(read: Fetch = fetchBytes): Promise<HandlesAsse
 /** A recipe's handles: the head's own, all at rest, where it has none yet; else those that it names. */
 export function handlesOf(asset: HandlesAsset, recipe: Pick<FaceRecipe, "points" | "moves">): Handles {
   const rows = recipe.points.length === 0 ? asset.points : recipe.points;
-  const known = rows.map((row) => asset.points.indexOf(row));
+  const places = rows.map((row) => asset.points.indexOf(row));
   return {
     rows,
-    labels: known.map((place, at) => asset.labels[place] ?? `handle ${at + 1}`),
-    mirror: known.map((place) => rows.indexOf(asset.points[asset.mirror[place] ?? -1] ?? -1)),
+    labels: places.map((place, at) => asset.labels[place] ?? `handle ${at + 1}`),
+    mirror: places.map((place) => rows.indexOf(asset.points[asset.mirror[place] ?? -1] ?? -1)),
     moves: Float64Array.from(rows.flatMap((_, place) => recipe.moves[place] ?? [0, 0, 0])),
   };
 }

@@ -4,7 +4,7 @@ import type { FaceRecipe, ItemDocument, RevisionDocument, Saved } from "../../li
 import { importFiles } from "../../ui/file_import";
 import type { Request } from "../link/requests";
 import type { DraftStore } from "./draft_store";
-import type { Notice } from "./notices";
+import type { EditorNotice } from "./notices";
 
 /** Where something new begins: sources by weight, or what is on air now. */
 export interface Start {
@@ -56,7 +56,7 @@ export async function takeIn(
   store: DraftStore,
   files: readonly File[],
   kind: Kind,
-  otherwise: Notice["actions"] = [],
+  otherwise: EditorNotice["actions"] = [],
 ): Promise<void> {
   const { done, failed } = await importFiles(files, kind, store.longRequests);
   if (done !== "") store.say(done, "done");
@@ -179,9 +179,9 @@ export function normalised(mix: FaceRecipe["base"]): FaceRecipe["base"] {
 export function weighed(mix: FaceRecipe["base"], source: string, weight: number): FaceRecipe["base"] {
   const others = Object.fromEntries(Object.entries(mix).filter(([name]) => name !== source));
   if (Object.keys(others).length === 0) return { [source]: 1 };
-  const given = Math.min(1, Math.max(0, weight));
-  const shared = Object.entries(normalised(others)).map(([name, share]) => [name, (1 - given) * share]);
-  return { ...mix, ...Object.fromEntries(shared), [source]: given };
+  const clamped = Math.min(1, Math.max(0, weight));
+  const shared = Object.entries(normalised(others)).map(([name, share]) => [name, (1 - clamped) * share]);
+  return { ...mix, ...Object.fromEntries(shared), [source]: clamped };
 }
 
 // --- any item ---------------------------------------------------------------------------------------------------------

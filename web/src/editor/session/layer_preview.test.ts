@@ -1,6 +1,6 @@
 import { describe, expect, it } from "vitest";
 import type { Layer, PreviewLayers, Recipe } from "../../link/editing_messages";
-import type { Answer, Request } from "../link/requests";
+import type { EditorAnswer, Request } from "../link/requests";
 import { LayerPreview } from "./layer_preview";
 
 const layer = (label: string, weight = 1, muted = false): Layer => ({
@@ -15,18 +15,18 @@ const layer = (label: string, weight = 1, muted = false): Layer => ({
 /** A draft with layers and a server that answers when told. */
 function draft(layers: Layer[]) {
   const asked: PreviewLayers[] = [];
-  const answers: ((answer: Answer | null) => void)[] = [];
-  let told = 0;
+  const answers: ((answer: EditorAnswer | null) => void)[] = [];
+  let changes = 0;
   const recipe = { layers, vectors: [[1, 2, 3]], pulls: [], eyes: [1, 0, 0, 0], pupil: 1, ground: "#g" };
   const store = {
     draft: { item: 7 },
     recipe: recipe as unknown as Recipe,
     ask: (request: Request) => {
       asked.push(request as PreviewLayers);
-      return new Promise<Answer | null>((resolve) => answers.push(resolve));
+      return new Promise<EditorAnswer | null>((resolve) => answers.push(resolve));
     },
     tell: () => {
-      told += 1;
+      changes += 1;
     },
   };
   const preview = new LayerPreview(store);
@@ -34,17 +34,17 @@ function draft(layers: Layer[]) {
     answers.shift()?.({ type: "previewed", request: 0, item, content });
     await new Promise((done) => setTimeout(done));
   };
-  return { preview, store, asked, answer, told: () => told };
+  return { preview, store, asked, answer, changes: () => changes };
 }
 
 describe("layers that are tried", () => {
   it("are asked for one at a time: of what came meanwhile only the last", async () => {
-    const { preview, asked, answer, told } = draft([layer("Smile")]);
+    const { preview, asked, answer, changes } = draft([layer("Smile")]);
     for (const weight of [0.1, 0.2, 0.3]) preview.show([layer("Smile", weight)]);
     expect(asked.map(({ layers }) => layers[0]?.weight)).toEqual([0.1]);
     await answer("#1");
     expect(preview.content).toBe("#1");
-    expect(told()).toBe(1);
+    expect(changes()).toBe(1);
     expect(asked.map(({ layers }) => layers[0]?.weight)).toEqual([0.1, 0.3]);
     expect(asked.every(({ alone, item }) => !alone && item === 7)).toBe(true);
   });

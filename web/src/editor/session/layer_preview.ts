@@ -1,7 +1,7 @@
 /** What faces wear while layers are tried: other weights under a hand, or some of the layers alone (solo). */
 
 import type { Layer, Recipe } from "../../link/editing_messages";
-import type { Answer, Request } from "../link/requests";
+import type { EditorAnswer, Request } from "../link/requests";
 
 /** What is previewed: the layers as they would be, alone or with all else of the draft. */
 interface Wanted {
@@ -13,7 +13,7 @@ interface Wanted {
 export interface PreviewedDraft {
   readonly draft: { readonly item: number } | null;
   readonly recipe: Recipe | null;
-  ask(request: Request): Promise<Answer | null>;
+  ask(request: Request): Promise<EditorAnswer | null>;
   tell(topic: "draft"): void;
 }
 
@@ -100,4 +100,5 @@ export class LayerPreview {
   }
 }
 
-const same = (one: readonly Layer[], other: readonly Layer[]): boolean => JSON.stringify(one) === JSON.stringify(other);
+const same = (layers: readonly Layer[], other: readonly Layer[]): boolean =>
+  JSON.stringify(layers) === JSON.stringify(other);

@@ -27,8 +27,8 @@ export function progressOf(all: readonly Download[], faces: number): { share: nu
 
 /** How much has come of what is coming, where that is known. */
 function bytesOf(coming: readonly Download[]): string {
-  const known = coming.filter(({ total }) => total !== undefined);
+  const sized = coming.filter(({ total }) => total !== undefined);
   const sum = (of: (download: Download) => number): string =>
-    (known.reduce((bytes, one) => bytes + of(one), 0) / 1e6).toFixed(1);
-  return known.length === 0 ? "" : `: ${sum(({ received }) => received)} of ${sum(({ total }) => total ?? 0)} MB`;
+    (sized.reduce((bytes, download) => bytes + of(download), 0) / 1e6).toFixed(1);
+  return sized.length === 0 ? "" : `: ${sum(({ received }) => received)} of ${sum(({ total }) => total ?? 0)} MB`;
 }

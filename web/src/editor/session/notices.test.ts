@@ -1,11 +1,11 @@
 import { describe, expect, it } from "vitest";
-import { Notices } from "./notices";
+import { EditorNotices } from "./notices";
 
 describe("notices", () => {
-  const texts = (notices: Notices): string[] => notices.all.map(({ text }) => text);
+  const texts = (notices: EditorNotices): string[] => notices.all.map(({ text }) => text);
 
   it("stand with the newest first, each sentence once", () => {
-    const notices = new Notices();
+    const notices = new EditorNotices();
     for (const text of ["a.txt was not taken in.", "b.json was not taken in.", "a.txt was not taken in."])
       notices.say(text, "refusal", []);
     expect(texts(notices)).toEqual(["a.txt was not taken in.", "b.json was not taken in."]);

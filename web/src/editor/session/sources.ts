@@ -5,7 +5,7 @@ import type { DraftStore } from "./draft_store";
 import type { Kind } from "./item_commands";
 import { ordered } from "./item_commands";
 
-export interface Source {
+export interface ListedSource {
   readonly source: string;
   readonly label: string;
   readonly group: string;
@@ -21,34 +21,34 @@ const GROUPS: Readonly<Record<string, string>> = {
   omote: "Omote",
 };
 
-export function sourcesOf(store: DraftStore, kind: Kind): Source[] {
+export function sourcesOf(store: DraftStore, kind: Kind): ListedSource[] {
   const own = ordered(store.items, kind)
     .filter(({ deleted, content }) => !deleted && content !== "")
     .map(({ content, label }) => ({ source: content, label, group: OWN }));
   return [...own, ...(kind === "face" ? facesOf(store) : expressionsOf(store))];
 }
 
-const facesOf = (store: DraftStore): Source[] =>
+const facesOf = (store: DraftStore): ListedSource[] =>
   (store.manifest?.faces ?? [])
     .filter(({ source }) => !source.startsWith("#"))
     .map(({ source, label }) => ({ source, label, group: "Faces" }));
 
-const expressionsOf = (store: DraftStore): Source[] =>
+const expressionsOf = (store: DraftStore): ListedSource[] =>
   (store.manifest?.expressions ?? [])
     .filter(({ kind }) => kind !== "neutral" && kind !== "own")
     .map(({ source, label, kind }) => ({ source, label, group: GROUPS[kind] ?? kind }));
 
 /** What people read of a source, of one that was deleted too; a content that nobody has is what came in from a file. */
-export function labelOf(sources: readonly Source[], source: string, items: DraftStore["items"] = []): string {
-  const known = sources.find((one) => one.source === source)?.label;
+export function labelOf(sources: readonly ListedSource[], source: string, items: DraftStore["items"] = []): string {
+  const label = sources.find((listed) => listed.source === source)?.label;
   const gone = items.find(({ deleted, content }) => deleted && content === source);
-  if (known === undefined && gone !== undefined) return `${gone.label} (deleted)`;
-  return known ?? (source.startsWith(KEY) ? "What came in" : source);
+  if (label === undefined && gone !== undefined) return `${gone.label} (deleted)`;
+  return label ?? (source.startsWith(KEY) ? "What came in" : source);
 }
 
 /** Sources under their groups, in order. */
-export function grouped(sources: readonly Source[]): [string, Source[]][] {
-  const groups = new Map<string, Source[]>();
-  for (const one of sources) groups.set(one.group, [...(groups.get(one.group) ?? []), one]);
+export function grouped(sources: readonly ListedSource[]): [string, ListedSource[]][] {
+  const groups = new Map<string, ListedSource[]>();
+  for (const source of sources) groups.set(source.group, [...(groups.get(source.group) ?? []), source]);
   return [...groups];
 }

@@ -1,11 +1,12 @@
 /** What a browser keeps of how somebody likes to work: the faces that are shown, and whether Mirror is on. */
 
+import { type BrowserStorage, keep, readKept, readRecord } from "../../ui/browser_storage";
 import type { DraftStore } from "./draft_store";
 import { MOST_NEIGHBOURS } from "./editor_store";
 
 const KEY = "omote-editor-view";
 
-export interface View {
+export interface ViewSettings {
   readonly work: string;
   readonly neighbours: readonly string[];
   readonly mirror: boolean;
@@ -15,21 +16,11 @@ export interface View {
 export const showsMuscles = ({ options, face }: Pick<DraftStore, "options" | "face">): boolean =>
   options.muscles && face === null;
 
-/** Reads and writes text by key; both may throw. */
-type Store = Pick<Storage, "getItem" | "setItem">;
-
 const isName = (name: unknown): name is string => typeof name === "string" && name !== "" && name.length <= 200;
 
 /** What was kept, as far as it makes sense: anything may stand in a browser's storage. */
-export function readViewSettings(text: string | null): Partial<View> {
-  let kept: unknown;
-  try {
-    kept = JSON.parse(text ?? "null");
-  } catch {
-    return {};
-  }
-  if (typeof kept !== "object" || kept === null) return {};
-  const { work, neighbours, mirror } = kept as Record<string, unknown>;
+export function readViewSettings(text: string): Partial<ViewSettings> {
+  const { work, neighbours, mirror } = readRecord(text);
   return {
     ...(isName(work) ? { work } : {}),
     ...(Array.isArray(neighbours) ? { neighbours: neighbours.filter(isName).slice(0, MOST_NEIGHBOURS) } : {}),
@@ -38,26 +29,16 @@ export function readViewSettings(text: string | null): Partial<View> {
 }
 
 /** Takes up how it was left, before the cast comes (which drops names that it has not), and keeps each change. */
-export function keepViewSettings(store: DraftStore, storage: () => Store = () => localStorage): void {
-  const view = readViewSettings(attempt(() => storage().getItem(KEY)) ?? null);
+export function keepViewSettings(store: DraftStore, storage: BrowserStorage = () => localStorage): void {
+  const view = readViewSettings(readKept(storage, KEY));
   store.work = view.work ?? store.work;
   store.neighbours = view.neighbours ?? store.neighbours;
   store.setOptions({ mirror: view.mirror ?? store.options.mirror });
-  const keep = (): void => {
+  const keepView = (): void => {
     if (store.library === null) return; // nobody has chosen anything yet
     const { work, neighbours, options } = store;
-    const text = JSON.stringify({ work, neighbours, mirror: options.mirror } satisfies View);
-    attempt(() => storage().setItem(KEY, text));
+    keep(storage, KEY, JSON.stringify({ work, neighbours, mirror: options.mirror } satisfies ViewSettings));
   };
-  store.listen("cast", keep);
-  store.listen("options", keep);
-}
-
-/** Storage may be shut off or full: then each load begins anew. */
-function attempt<T>(does: () => T): T | undefined {
-  try {
-    return does();
-  } catch {
-    return undefined;
-  }
+  store.listen("cast", keepView);
+  store.listen("options", keepView);
 }

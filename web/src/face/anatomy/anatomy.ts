@@ -35,9 +35,9 @@ const studied = new WeakMap<Library, Promise<Anatomy>>();
 
 /** The anatomy of a library's cast, worked out once. */
 export function loadAnatomy(library: Library): Promise<Anatomy> {
-  const known = studied.get(library) ?? buildAnatomy(library);
-  studied.set(library, known);
-  return known;
+  const anatomy = studied.get(library) ?? buildAnatomy(library);
+  studied.set(library, anatomy);
+  return anatomy;
 }
 
 async function buildAnatomy(library: Library): Promise<Anatomy> {
@@ -53,9 +53,9 @@ async function buildAnatomy(library: Library): Promise<Anatomy> {
 }
 
 function readDocuments({ manifest }: Library): Pick<Anatomy, "correctives" | "regions"> {
-  const { settling, regions } = manifest;
+  const { correctives, regions } = manifest;
   return {
-    correctives: settling ? readCorrectives(settling) : undefined,
+    correctives: correctives ? readCorrectives(correctives) : undefined,
     regions: regions ? readRegionMasks(regions, manifest.vertices) : undefined,
   };
 }

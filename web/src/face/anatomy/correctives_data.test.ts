@@ -1,6 +1,6 @@
 import { describe, expect, it } from "vitest";
 import { RUNGS } from "../../link/constants";
-import type { SettlingDocument } from "../../link/messages";
+import type { CorrectivesDocument } from "../../link/messages";
 import { readCorrectives, rolesOf } from "./correctives_data";
 
 const bytes = (values: Uint32Array | Float32Array): Uint8Array =>
@@ -9,12 +9,12 @@ const whole = (...values: number[]): Uint8Array => bytes(Uint32Array.from(values
 const real = (...values: number[]): Uint8Array => bytes(Float32Array.from(values));
 
 /** Four rows, two triangles, one line between rows 0 and 3, an eye around row 2, one follower. */
-const document: SettlingDocument = {
+const document: CorrectivesDocument = {
   rounds: [12, 10, 10],
-  upright: 0.1,
+  least_area: 0.1,
   floor: 0.02,
-  eager: 1.5,
-  flattest: 0.001,
+  over_relaxation: 1.5,
+  least_slope: 0.001,
   full: 0.05,
   momentum: 0.5,
   margin: 0.5,
@@ -37,10 +37,10 @@ const document: SettlingDocument = {
   ],
   lids: whole(2),
   eye: whole(1),
-  heard: whole(0, 1, 1),
-  ends: whole(2, 3),
-  members: whole(0, 1, 0, 1, 0, 1, 1, 0),
-  shares: real(1, 0, 0.5, 0.5, 0.75, 0.25, 1, 0),
+  patch_triangles: whole(0, 1, 1),
+  patch_ends: whole(2, 3),
+  row_patches: whole(0, 1, 0, 1, 0, 1, 1, 0),
+  row_shares: real(1, 0, 0.5, 0.5, 0.75, 0.25, 1, 0),
   followers: whole(77),
   anchors: whole(1, 3),
   weights: real(0.75, 0.25),
@@ -67,19 +67,19 @@ describe("the data of correctives", () => {
       [0, 1, 2],
       [1, 3, 2],
     ];
-    const found = Array.from(correctives.rows, (_, place) => {
+    const places = Array.from(correctives.rows, (_, place) => {
       const list: number[][] = [];
       const [first, end] = correctives.spans.slice(4 * place + 2, 4 * place + 4);
       for (let slot = first as number; slot < (end as number); slot++)
         list.push([place, ...correctives.corners.slice(4 * slot, 4 * slot + 3)]);
       return list;
     });
-    for (const [a, b, c, triangle] of found.flat() as [number, number, number, number][]) {
+    for (const [a, b, c, triangle] of places.flat() as [number, number, number, number][]) {
       const own = triangles[triangle] as number[];
       const at = own.indexOf(a);
       expect([b, c]).toEqual([own[(at + 1) % 3], own[(at + 2) % 3]]);
     }
-    expect(found.map((list) => list.length)).toEqual([1, 2, 2, 1]);
+    expect(places.map((list) => list.length)).toEqual([1, 2, 2, 1]);
   });
 
   it("speaks of places", () => {
@@ -91,15 +91,15 @@ describe("the data of correctives", () => {
 
   it("tells every row of the positions what it is", () => {
     const roles = rolesOf(correctives, 80);
-    const found = Array.from({ length: 80 }, (_, row) => [roles[2 * row], roles[2 * row + 1]]);
-    expect([10, 20, 30, 40].map((row) => found[row])).toEqual([
+    const pairs = Array.from({ length: 80 }, (_, row) => [roles[2 * row], roles[2 * row + 1]]);
+    expect([10, 20, 30, 40].map((row) => pairs[row])).toEqual([
       [1, 0],
       [2, 0],
       [3, 0],
       [4, 0],
     ]);
-    expect(found[77]).toEqual([0, 1]);
-    expect(found.flat().filter((role) => role !== 0)).toHaveLength(5);
+    expect(pairs[77]).toEqual([0, 1]);
+    expect(pairs.flat().filter((role) => role !== 0)).toHaveLength(5);
   });
 
   it("knows which rows give way to which line", () => {

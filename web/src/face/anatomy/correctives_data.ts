@@ -2,14 +2,14 @@
 
 import { aligned } from "../../link/arrays";
 import { RUNGS } from "../../link/constants";
-import type { SettlingDocument } from "../../link/messages";
+import type { CorrectivesDocument } from "../../link/messages";
 
 /** Texels in a line of every texture of the correctives. */
 export const DATA_WIDTH = 128;
 
-/** How sums are put right (omote.perform.blending.correctives), ready for the GPU: all counts in places of `rows`. */
+/** How sums are corrected (omote.perform.blending.correctives), ready for the GPU: all counts in places of `rows`. */
 export interface CorrectivesData {
-  document: SettlingDocument;
+  document: CorrectivesDocument;
   /** Rows of the positions that may move. */
   rows: Uint32Array;
   /** Per place: its line (-1: none), side, share, and 0. */
@@ -29,12 +29,12 @@ export interface CorrectivesData {
   /** Per follower: (place, weight) pairs, `width` of them. */
   anchors: Float32Array;
   width: number;
-  /** Triangles that patches listen to, patch after patch, and 0 behind each; per patch: the first of them and the end. */
-  heard: Uint32Array;
+  /** Triangles of patches, patch after patch, and 0 behind each; per patch: the first of them and the end. */
+  patchTriangles: Uint32Array;
   patches: Uint32Array;
-  /** Per place: (patch, share) pairs, `patchesEach` of them. */
+  /** Per place: (patch, share) pairs, `rowPatches` of them. */
   members: Float32Array;
-  patchesEach: number;
+  rowPatches: number;
   /** Numbers in an allowance. */
   size: number;
 }
@@ -43,7 +43,7 @@ const whole = (bytes: Uint8Array): Uint32Array => new Uint32Array(aligned(bytes)
 const real = (bytes: Uint8Array): Float32Array => new Float32Array(aligned(bytes));
 
 /** The correctives from their document; an Error when it points past its own rows. */
-export function readCorrectives(document: SettlingDocument): CorrectivesData {
+export function readCorrectives(document: CorrectivesDocument): CorrectivesData {
   const rows = whole(document.rows);
   const triangles = whole(document.triangles);
   if (triangles.some((place) => place >= rows.length))
@@ -65,7 +65,7 @@ export function readCorrectives(document: SettlingDocument): CorrectivesData {
   };
 }
 
-function readPulls({ crossings }: SettlingDocument, count: number): Float32Array {
+function readPulls({ crossings }: CorrectivesDocument, count: number): Float32Array {
   const pulls = new Float32Array(4 * count).map((_, at) => (at % 4 === 0 ? -1 : 0));
   crossings.forEach((crossing, line) => {
     const [side, share] = [real(crossing.side), real(crossing.share)];
@@ -77,7 +77,7 @@ function readPulls({ crossings }: SettlingDocument, count: number): Float32Array
 }
 
 /** Per place four numbers: its eye from 1 on, its place in an allowance, and room for two more. */
-function readEyes(document: SettlingDocument, count: number, first: number): Uint32Array {
+function readEyes(document: CorrectivesDocument, count: number, first: number): Uint32Array {
   const spans = new Uint32Array(4 * count);
   const eye = whole(document.eye);
   whole(document.lids).forEach((place, n) => {
@@ -112,7 +112,7 @@ function inFours(triples: Uint32Array): Uint32Array {
   return fours;
 }
 
-function readRungs({ crossings }: SettlingDocument): Pick<CorrectivesData, "rungs" | "rungWeights" | "upward"> {
+function readRungs({ crossings }: CorrectivesDocument): Pick<CorrectivesData, "rungs" | "rungWeights" | "upward"> {
   const rungs = new Uint32Array(4 * RUNGS * crossings.length);
   const rungWeights = new Float32Array(rungs.length);
   crossings.forEach((crossing, line) => {
@@ -132,15 +132,17 @@ function readPairs(numbers: Uint8Array, weights: Uint8Array): Float32Array {
   return pairs;
 }
 
-type Patches = Pick<CorrectivesData, "heard" | "patches" | "members" | "patchesEach">;
+type Patches = Pick<CorrectivesData, "patchTriangles" | "patches" | "members" | "rowPatches">;
 
-function readPatches({ heard, ends, members, shares }: SettlingDocument, count: number): Patches {
-  const [triangles, last] = [whole(heard), whole(ends)];
+function readPatches(document: CorrectivesDocument, count: number): Patches {
+  const [triangles, last] = [whole(document.patch_triangles), whole(document.patch_ends)];
   return {
-    heard: new Uint32Array(2 * triangles.length).map((_, at) => (at % 2 === 0 ? (triangles[at / 2] as number) : 0)),
+    patchTriangles: new Uint32Array(2 * triangles.length).map((_, at) =>
+      at % 2 === 0 ? (triangles[at / 2] as number) : 0,
+    ),
     patches: Uint32Array.from([...last].flatMap((end, n) => [n === 0 ? 0 : (last[n - 1] as number), end])),
-    members: readPairs(members, shares),
-    patchesEach: members.length / 4 / count,
+    members: readPairs(document.row_patches, document.row_shares),
+    rowPatches: document.row_patches.length / 4 / count,
   };
 }
 

@@ -54,8 +54,8 @@ export function ballFrame(positions: Float32Array, first: number, end: number): 
     return [row, extreme(first, end, (candidate) => -dot(off(candidate), off(row)))] as const;
   });
   const columns = pairs.map(([a, b]) => {
-    const [one, other] = [off(a), off(b)];
-    return AXES.map((axis) => ((one[axis] - other[axis]) * (end - first)) / (2 * radius)) as Vector;
+    const [offA, offB] = [off(a), off(b)];
+    return AXES.map((axis) => ((offA[axis] - offB[axis]) * (end - first)) / (2 * radius)) as Vector;
   }) as [Vector, Vector, Vector];
   return { rows: pairs.flat(), fromPairs: inverse(columns) };
 }

@@ -1,5 +1,5 @@
 import { describe, expect, it } from "vitest";
-import { edgesBefore, opening, outline } from "./openings";
+import { opening, outline } from "./openings";
 
 const COUNT = 30;
 /** A flat ellipse, walked counter-clockwise from its left end. */
@@ -45,26 +45,5 @@ describe("the edges of an opening", () => {
   it("repeat rows where a line has few", () => {
     const { upper } = opening([0, 7, 15, 22], ellipse, 6);
     expect(upper).toEqual([15, 15, 7, 7, 0, 0]);
-  });
-});
-
-describe("the edges before a row behind an opening", () => {
-  const behind = new Float32Array([...ellipse, 2, 0, -1, -0.5, 0.1, -1, 0, 0, -1]);
-
-  it("are of one upper and one lower row, a little nearer to the middle than it is", () => {
-    const before = edgesBefore(Uint32Array.from(rows), behind);
-    for (const row of [COUNT, COUNT + 1, COUNT + 2]) {
-      const [upper, lower] = before(row);
-      expect(y(upper)).toBeGreaterThan(0);
-      expect(y(lower)).toBeLessThan(0);
-      for (const edge of [upper, lower]) {
-        expect(Math.abs(x(edge))).toBeLessThanOrEqual(Math.abs(behind[3 * row] as number) + 0.35);
-        expect(Math.abs(x(edge) - 0.7 * (behind[3 * row] as number))).toBeLessThan(0.35);
-      }
-    }
-  });
-
-  it("are the row itself where the cast names no opening", () => {
-    expect(edgesBefore(undefined, behind)(COUNT)).toEqual([COUNT, COUNT]);
   });
 });

@@ -14,27 +14,11 @@ export function opening(loop: readonly number[], positions: Float32Array, points
   const across = loop.map((row) => positions[3 * row] as number);
   const right = across.indexOf(Math.min(...across));
   const left = across.indexOf(Math.max(...across));
-  const one = thinned(walk(loop, right, left), points);
+  const path = thinned(walk(loop, right, left), points);
   const other = thinned(walk([...loop].reverse(), loop.length - 1 - right, loop.length - 1 - left), points);
-  return meanHeight(one, positions) > meanHeight(other, positions)
-    ? { upper: one, lower: other }
-    : { upper: other, lower: one };
-}
-
-/** How far beside the middle light comes in to what stands aside, as a share of its own place. */
-const BESIDE = 0.7;
-
-/** For a row behind an opening (of the generic face) the rows of its edges, upper and lower, that light passes on its way there. */
-export function edgesBefore(
-  loop: ArrayLike<number> | undefined,
-  positions: Float32Array,
-): (row: number) => [upper: number, lower: number] {
-  if (loop === undefined) return (row) => [row, row];
-  const { upper, lower } = opening(Array.from(loop), positions, loop.length);
-  const x = (row: number): number => positions[3 * row] as number;
-  const nearest = (edge: readonly number[], goal: number): number =>
-    edge.reduce((best, row) => (Math.abs(x(row) - goal) < Math.abs(x(best) - goal) ? row : best));
-  return (row) => [nearest(upper, BESIDE * x(row)), nearest(lower, BESIDE * x(row))];
+  return meanHeight(path, positions) > meanHeight(other, positions)
+    ? { upper: path, lower: other }
+    : { upper: other, lower: path };
 }
 
 /** The outermost of some rows, right, top, left, bottom: a line for what has none of its own. */

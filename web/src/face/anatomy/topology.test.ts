@@ -1,5 +1,5 @@
 import { describe, expect, it } from "vitest";
-import { distances, fans, lowestBorder, smoothed } from "./topology";
+import { distances, fans, lowestBorder, normalAt, smoothed } from "./topology";
 
 /** An open-bottomed roof: four corners below, an apex above, wound so that it faces outwards. */
 const roof = {
@@ -14,12 +14,23 @@ describe("fans", () => {
     for (let row = 0; row < 5; row++)
       for (let slot = around.starts[row] as number; slot < (around.starts[row + 1] as number); slot++) {
         const turn = [row, around.pairs[2 * slot], around.pairs[2 * slot + 1]];
-        const found = [0, 3, 6, 9].some((at) => {
+        const inside = [0, 3, 6, 9].some((at) => {
           const list = Array.from(roof.triangles.slice(at, at + 3));
           return [0, 1, 2].some((shift) => [0, 1, 2].every((n) => list[(n + shift) % 3] === turn[n]));
         });
-        expect(found).toBe(true);
+        expect(inside).toBe(true);
       }
+  });
+});
+
+describe("the normal of a row", () => {
+  it("is up on the apex of a roof, also of positions with four numbers a row", () => {
+    expect(normalAt(around, roof.positions, 4)).toEqual([0, 1, 0]);
+    const wide = Float32Array.from({ length: 20 }, (_, at) =>
+      at % 4 < 3 ? (roof.positions[3 * (at >> 2) + (at % 4)] as number) : 1,
+    );
+    expect(normalAt(around, wide, 4, 4)).toEqual([0, 1, 0]);
+    expect(normalAt(around, roof.positions, 0)[1]).toBeGreaterThan(0);
   });
 });
 

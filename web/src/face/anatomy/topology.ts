@@ -131,3 +131,30 @@ export function extent(positions: Float32Array, axis: number, rows: Uint32Array)
   }
   return [low, high];
 }
+
+/** The area-weighted unit normal of a row from the triangles around it; positions: `width` numbers a row. */
+export function normalAt(
+  { starts, pairs }: Fans,
+  positions: Float32Array,
+  row: number,
+  width = 3,
+): [number, number, number] {
+  const at = (place: number, axis: number): number => positions[width * place + axis] as number;
+  const [x, y, z] = [at(row, 0), at(row, 1), at(row, 2)];
+  const sum: [number, number, number] = [0, 0, 0];
+  for (let slot = starts[row] as number; slot < (starts[row + 1] as number); slot++) {
+    const a = pairs[2 * slot] as number;
+    const b = pairs[2 * slot + 1] as number;
+    const ax = at(a, 0) - x;
+    const ay = at(a, 1) - y;
+    const az = at(a, 2) - z;
+    const bx = at(b, 0) - x;
+    const by = at(b, 1) - y;
+    const bz = at(b, 2) - z;
+    sum[0] += ay * bz - az * by;
+    sum[1] += az * bx - ax * bz;
+    sum[2] += ax * by - ay * bx;
+  }
+  const size = Math.sqrt(sum[0] * sum[0] + sum[1] * sum[1] + sum[2] * sum[2]);
+  return size > 0 ? [sum[0] / size, sum[1] / size, sum[2] / size] : [0, 0, 1];
+}

@@ -3,7 +3,8 @@
 import type { Compound, Library } from "../../link/assets";
 import { expressionNames, faceWeights, type Term, terms } from "../pose/mix_terms";
 import type { Pose } from "../pose/pose";
-import type { Blender, Mix } from "./blender";
+import type { Blender } from "./blender";
+import type { CompoundSum } from "./sum_pass";
 
 /** Writes a layer's values, (x, y, z, unused) per texel. */
 type Fill = (into: Float32Array) => void;
@@ -66,7 +67,7 @@ export class AssetResidency {
   }
 
   /** A pose's terms as layers of the blender; `allowed`: what is written with the compounds' allowances. */
-  mix(pose: Pose, blender: Blender, allowed: Float32Array): Mix {
+  mix(pose: Pose, blender: Blender, allowed: Float32Array): CompoundSum {
     const shown = this.masks === undefined ? { ...pose, regions: {} } : pose; // a head without eyes has no regions
     const held = terms(shown, (face, expression) => this.share(face, expression, blender));
     const layer = ({ face, expression }: Term): number => blender.layers.use(keyOf(face, expression)) as number;
@@ -113,7 +114,7 @@ export class AssetResidency {
   }
 
   /** Whether every term of the pose shows in full. */
-  settled(pose: Pose, blender: Blender): boolean {
+  shownInFull(pose: Pose, blender: Blender): boolean {
     return terms(pose, () => 1).every(({ face, expression }) => {
       const key = keyOf(face, expression);
       return this.lost.has(key) || (blender.layers.has(key) && this.shares.get(key) === 1);

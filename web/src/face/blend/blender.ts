@@ -8,14 +8,7 @@ import { type Correction, CorrectivePasses } from "./corrective_passes";
 import { SLOTS } from "./corrective_shaders";
 import { LayerTable } from "./layer_table";
 import { ProcessorBlend, socketsOf } from "./processor_blend";
-import { type Entry, type Eyeballs, type Sum, SumPass } from "./sum_pass";
-
-/** What is to be added up: all terms, those of them that are faces, and what the others are allowed. */
-export interface Mix extends Sum {
-  rest: readonly Entry[];
-  /** Allowances, weighted and added (omote.perform.blending.correctives); undefined: nothing can be wrong, one compound is worn. */
-  allowed: Float32Array | undefined;
-}
+import { type CompoundSum, type Eyeballs, SumPass } from "./sum_pass";
 
 /** Where one character is blended to: everything that is drawn of it reads these two textures. */
 export interface BlendTarget {
@@ -27,7 +20,7 @@ export interface BlendTarget {
 
 /** What will be blended with the frame's others. */
 interface Job {
-  mix: Mix;
+  mix: CompoundSum;
   eyes: Eyeballs;
   target: BlendTarget;
 }
@@ -107,7 +100,7 @@ export class Blender {
   }
 
   /** Takes on one character's frame: blended positions with turned eyeballs, put right, then normals; `finish` draws it. */
-  blend(mix: Mix, eyes: Eyeballs, target: BlendTarget): void {
+  blend(mix: CompoundSum, eyes: Eyeballs, target: BlendTarget): void {
     this.jobs.push({ mix, eyes, target });
   }
 

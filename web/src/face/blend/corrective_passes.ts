@@ -2,10 +2,9 @@
 
 import { RUNGS } from "../../link/constants";
 import { type CorrectivesData, DATA_WIDTH, rolesOf } from "../anatomy/correctives_data";
-import { dataTexture, floatTexture, targetTexture, uniformAt, wholeTexture } from "../gpu/gl";
-import { ROW_WIDTH } from "../gpu/pass_shaders";
-import { createPrograms, type Lines, type Programs } from "./corrective_programs";
-import { SLOTS } from "./corrective_shaders";
+import { createProgram, dataTexture, floatTexture, targetTexture, uniformAt, wholeTexture } from "../gpu/gl";
+import { PASS_VERTEX, ROW_WIDTH } from "../gpu/pass_shaders";
+import { CORRECTIVE_FRAGMENTS, correctiveHead, type Lines, SLOTS, samplersOf } from "./corrective_shaders";
 
 /** The eyeballs as lids meet them: centres (6) and radii (2) metres, and where they look (6), unit vectors. */
 export interface Sockets {
@@ -22,29 +21,36 @@ export interface Correction {
   into: WebGLFramebuffer;
 }
 
-/** A texture that is drawn into, and its size in texels. */
+/** A texture that is drawn into, its texels to a line, and its lines to a slot. */
 interface Target {
   texture: WebGLTexture;
   frame: WebGLFramebuffer;
-  size: [number, number];
+  width: number;
+  tall: number;
 }
 
-type TargetName = "before" | "one" | "other" | "third" | "rungs" | "rest" | "normals" | "goals" | "patches";
+/** A program, and the samplers of its shader, one to a texture unit. */
+interface Pass {
+  program: WebGLProgram;
+  samplers: readonly string[];
+}
+
+type PassName = keyof typeof CORRECTIVE_FRAGMENTS;
+type TargetName = "before" | "first" | "second" | "third" | "rungs" | "rest" | "normals" | "goals" | "patches";
 type Textures = Record<string, WebGLTexture>;
 
 /**
- * Puts the sums of compounds right on the GPU, pass by pass as `omote.perform.blending.correctives` does. Each pass takes
- * the characters of up to `SLOTS` slots at once: small passes cost by their number more than by their texels.
+ * Corrects sums of compounds on the GPU, pass by pass as `omote.perform.blending.correctives` does. Each pass takes the
+ * characters of up to `SLOTS` slots at once: small passes cost by their number more than by their texels.
  */
 export class CorrectivePasses {
-  private readonly lines: Lines;
   private readonly targets: Record<TargetName, Target>;
   private readonly mixed: Target[] = []; // by slot: all positions
-  private readonly allowed: WebGLTexture;
   private readonly allowedTexels: Float32Array;
   private readonly data: Textures;
-  private readonly programs: Programs;
-  private readonly bound = new Set<WebGLProgram>(); // whose samplers know their units
+  /** What samplers of these names read in every pass. */
+  private readonly fixed: Textures;
+  private readonly passes: Record<PassName, Pass>;
   private readonly nothing: WebGLVertexArrayObject;
 
   constructor(
@@ -52,25 +58,45 @@ export class CorrectivePasses {
     private readonly correctives: CorrectivesData,
     private readonly height: number,
   ) {
+    const linesOf = (count: number): number => Math.max(1, Math.ceil(count / DATA_WIDTH));
     const { rows, triangles, upward, size } = correctives;
-    this.lines = [linesOf(rows.length), linesOf(triangles.length / 4), Math.max(1, upward.length), linesOf(size)];
-    const [places, faces, rungs, allowed] = this.lines;
-    const slots = (lines: number, width = DATA_WIDTH) => this.target(width, SLOTS * lines);
+    const lines: Lines = [
+      linesOf(rows.length),
+      linesOf(triangles.length / 4),
+      Math.max(1, upward.length),
+      linesOf(size),
+    ];
+    const slots = (tall: number, width = DATA_WIDTH) => this.target(width, tall, SLOTS);
+    const places = () => slots(lines[0]);
     this.targets = {
-      before: slots(places),
-      one: slots(places),
-      other: slots(places),
-      third: slots(places),
-      rungs: slots(rungs, RUNGS),
-      rest: slots(places),
-      normals: slots(faces),
-      goals: slots(faces),
+      before: places(),
+      first: places(),
+      second: places(),
+      third: places(),
+      rungs: slots(lines[2], RUNGS),
+      rest: places(),
+      normals: slots(lines[1]),
+      goals: slots(lines[1]),
       patches: slots(1),
     };
-    this.allowedTexels = new Float32Array(SLOTS * allowed * DATA_WIDTH);
-    this.allowed = floatTexture(gl, this.allowedTexels, 1, DATA_WIDTH);
+    this.allowedTexels = new Float32Array(SLOTS * lines[3] * DATA_WIDTH);
     this.data = this.readData();
-    this.programs = createPrograms(gl, correctives, this.lines);
+    const { rest, normals, goals, patches, rungs, before } = this.targets;
+    this.fixed = {
+      ...this.data,
+      rest: rest.texture,
+      restNormals: normals.texture,
+      goals: goals.texture,
+      kept: goals.texture,
+      least: patches.texture,
+      rungs: rungs.texture,
+      before: before.texture,
+    };
+    const head = correctiveHead(correctives, lines);
+    const passes = Object.entries(CORRECTIVE_FRAGMENTS).map(([name, body]) => {
+      return [name, this.createPass(head + samplersOf(body) + body)];
+    });
+    this.passes = Object.fromEntries(passes) as Record<PassName, Pass>;
     this.nothing = gl.createVertexArray();
   }
 
@@ -81,13 +107,11 @@ export class CorrectivePasses {
 
   /** A mixed face without expression is new in a slot. */
   rested(slot: number): void {
-    const { data, targets, lines } = this;
-    this.gather(targets.rest, slot);
-    const textures = { rest: targets.rest.texture, triangles: data.triangles as WebGLTexture };
-    this.pass("normal", targets.normals, [slot * lines[1], lines[1]], textures);
+    this.gather(this.targets.rest, slot);
+    this.pass("rest", this.targets.normals, {}, 1, slot);
   }
 
-  /** Draws what is mixed in the first slots, put right, into their targets. */
+  /** Draws what is mixed in the first slots, corrected, into their targets. */
   correct(corrections: readonly Correction[]): void {
     const { targets } = this;
     const count = corrections.length;
@@ -99,8 +123,8 @@ export class CorrectivePasses {
     let from = this.part(this.damp(targets.before, count), count, false);
     this.correctives.document.rounds.forEach((rounds, block) => {
       from = this.part(from, count, true);
-      if (block === 0) this.aim(from, count);
-      from = this.unfold(from, count, rounds);
+      if (block === 0) this.pass("goal", targets.goals, { points: from.texture }, count);
+      from = this.repair(from, count, rounds);
     });
     corrections.forEach(({ into }, slot) => {
       this.spread(from, slot, into);
@@ -113,20 +137,31 @@ export class CorrectivePasses {
       gl.deleteTexture(texture);
       gl.deleteFramebuffer(frame);
     }
-    for (const texture of [this.allowed, ...Object.values(this.data)]) gl.deleteTexture(texture);
-    for (const program of Object.values(this.programs)) gl.deleteProgram(program);
+    for (const texture of Object.values(this.data)) gl.deleteTexture(texture);
+    for (const { program } of Object.values(this.passes)) gl.deleteProgram(program);
     gl.deleteVertexArray(this.nothing);
   }
 
-  private target(width: number, tall: number): Target {
-    const [texture, frame] = targetTexture(this.gl, width, tall);
-    return { texture, frame, size: [width, tall] };
+  private target(width: number, tall: number, slots = 1): Target {
+    const [texture, frame] = targetTexture(this.gl, width, slots * tall);
+    return { texture, frame, width, tall };
   }
 
   private mixedOf(slot: number): Target {
-    const known = this.mixed[slot] ?? this.target(ROW_WIDTH, this.height);
-    this.mixed[slot] = known;
-    return known;
+    const target = this.mixed[slot] ?? this.target(ROW_WIDTH, this.height);
+    this.mixed[slot] = target;
+    return target;
+  }
+
+  private createPass(fragment: string): Pass {
+    const { gl } = this;
+    const program = createProgram(gl, PASS_VERTEX, fragment);
+    const samplers = [...fragment.matchAll(/uniform u?sampler2D (\w+);/g)].map(([, name]) => name as string);
+    gl.useProgram(program);
+    samplers.forEach((name, unit) => {
+      gl.uniform1i(uniformAt(gl, program, name), unit);
+    });
+    return { program, samplers };
   }
 
   private readData(): Textures {
@@ -136,6 +171,7 @@ export class CorrectivePasses {
       rows[2 * place] = row;
     });
     return {
+      allowed: floatTexture(gl, this.allowedTexels, 1, DATA_WIDTH),
       rows: dataTexture(gl, rows, DATA_WIDTH),
       pulls: floatTexture(gl, correctives.pulls, 4, DATA_WIDTH),
       spans: wholeTexture(gl, correctives.spans, DATA_WIDTH),
@@ -144,7 +180,7 @@ export class CorrectivePasses {
       rungPlaces: wholeTexture(gl, correctives.rungs, RUNGS),
       rungWeights: floatTexture(gl, correctives.rungWeights, 4, RUNGS),
       anchors: floatTexture(gl, correctives.anchors, 2, DATA_WIDTH),
-      heard: dataTexture(gl, correctives.heard, DATA_WIDTH),
+      patchTriangles: dataTexture(gl, correctives.patchTriangles, DATA_WIDTH),
       patches: dataTexture(gl, correctives.patches, DATA_WIDTH),
       members: floatTexture(gl, correctives.members, 2, DATA_WIDTH),
       roles: dataTexture(gl, rolesOf(correctives, ROW_WIDTH * height), ROW_WIDTH),
@@ -152,124 +188,91 @@ export class CorrectivePasses {
   }
 
   private writeAllowed(corrections: readonly Correction[]): void {
-    const { gl, lines } = this;
-    const one = DATA_WIDTH * lines[3];
+    const { gl, allowedTexels } = this;
+    const texelsPerSlot = allowedTexels.length / SLOTS;
     corrections.forEach(({ allowed }, slot) => {
-      this.allowedTexels.set(allowed, slot * one);
+      allowedTexels.set(allowed, slot * texelsPerSlot);
     });
-    gl.bindTexture(gl.TEXTURE_2D, this.allowed);
-    const tall = corrections.length * lines[3];
-    gl.texSubImage2D(gl.TEXTURE_2D, 0, 0, 0, DATA_WIDTH, tall, gl.RED, gl.FLOAT, this.allowedTexels);
+    gl.bindTexture(gl.TEXTURE_2D, this.data.allowed as WebGLTexture);
+    const tall = (corrections.length * texelsPerSlot) / DATA_WIDTH;
+    gl.texSubImage2D(gl.TEXTURE_2D, 0, 0, 0, DATA_WIDTH, tall, gl.RED, gl.FLOAT, allowedTexels);
   }
 
   /** What stays the same in all passes of a frame. */
   private prepare(corrections: readonly Correction[]): void {
-    const { gl, programs } = this;
+    const { gl } = this;
+    const { program } = this.passes.part;
     const all = (part: keyof Sockets) => corrections.flatMap(({ sockets }) => [...sockets[part]]);
-    const [centres, radii, sights] = [all("centres"), all("radii"), all("sights")];
-    gl.useProgram(programs.part);
-    gl.uniform3fv(uniformAt(gl, programs.part, "centres"), centres);
-    gl.uniform1fv(uniformAt(gl, programs.part, "radii"), radii);
-    gl.uniform3fv(uniformAt(gl, programs.part, "sights"), sights);
+    gl.useProgram(program);
+    gl.uniform3fv(uniformAt(gl, program, "centres"), all("centres"));
+    gl.uniform1fv(uniformAt(gl, program, "radii"), all("radii"));
+    gl.uniform3fv(uniformAt(gl, program, "sights"), all("sights"));
   }
 
   /** The rows that may move of what is mixed in a slot. */
   private gather(target: Target, slot: number): void {
-    const { gl, programs, lines, data } = this;
-    gl.useProgram(programs.gather);
-    gl.uniform1i(uniformAt(gl, programs.gather, "slot"), slot);
-    const textures = { mixed: this.mixedOf(slot).texture, rows: data.rows as WebGLTexture };
-    this.pass("gather", target, [slot * lines[0], lines[0]], textures);
+    this.pass("gather", target, { mixed: this.mixedOf(slot).texture }, 1, slot);
   }
 
-  /** Brings patches that turn triangles far over back towards rest; where the result is. */
+  /** Brings patches that fold triangles far back towards rest; where the result is. */
   private damp(from: Target, count: number): Target {
-    const { targets, data, lines } = this;
-    const { heard, patches, members, triangles } = data as Record<string, WebGLTexture>;
-    const shared = { points: from.texture, rest: targets.rest.texture };
-    const turned = { allowed: this.allowed, restNormals: targets.normals.texture, triangles };
-    this.pass("keep", targets.goals, [0, count * lines[1]], { ...shared, ...turned } as Textures);
-    this.pass("patch", targets.patches, [0, count], { kept: targets.goals.texture, heard, patches } as Textures);
-    this.pass("damp", targets.one, [0, count * lines[0]], {
-      ...shared,
-      least: targets.patches.texture,
-      members,
-    } as Textures);
-    return targets.one;
+    const { goals, patches, first } = this.targets;
+    const points = { points: from.texture };
+    this.pass("keep", goals, points, count);
+    this.pass("patch", patches, {}, count);
+    this.pass("damp", first, points, count);
+    return first;
   }
 
   /** Opens lines that cross; where leaving, lids leave the eyeballs too; where the result is. */
   private part(from: Target, count: number, leaving: boolean): Target {
-    const { gl, targets, data, lines } = this;
-    const { pulls, rungPlaces, rungWeights } = data as Record<"pulls" | "rungPlaces" | "rungWeights", WebGLTexture>;
-    const [points, rest] = [from.texture, targets.rest.texture];
-    const textures = { points, rest, allowed: this.allowed, rungPlaces, rungWeights };
-    this.pass("rung", targets.rungs, [0, count * lines[2]], textures);
-    gl.useProgram(this.programs.part);
-    gl.uniform1i(uniformAt(gl, this.programs.part, "leaving"), leaving ? 1 : 0);
-    return this.step("part", from, count, { pulls, rungs: targets.rungs.texture });
+    const { gl, targets, passes } = this;
+    const points = { points: from.texture };
+    const into = this.free(from);
+    this.pass("rung", targets.rungs, points, count);
+    gl.useProgram(passes.part.program);
+    gl.uniform1i(uniformAt(gl, passes.part.program, "leaving"), leaving ? 1 : 0);
+    this.pass("part", into, points, count);
+    return into;
   }
 
-  /** What each triangle is to keep of its area. */
-  private aim(from: Target, count: number): void {
-    const { targets, data, lines } = this;
-    const textures = { restNormals: targets.normals.texture, triangles: data.triangles as WebGLTexture };
-    const shared = { points: from.texture, allowed: this.allowed };
-    this.pass("goal", targets.goals, [0, count * lines[1]], { ...shared, ...textures });
-  }
-
-  /** Turns back triangles that lack area, by so many rounds; where the result is. */
-  private unfold(from: Target, count: number, rounds: number): Target {
-    const { targets, data } = this;
-    const fixed = { restNormals: targets.normals.texture, goals: targets.goals.texture };
+  /** Repairs folds, by so many rounds; where the result is. */
+  private repair(from: Target, count: number, rounds: number): Target {
     let [earlier, now] = [from, from];
     for (let round = 0; round < rounds; round++) {
-      const textures = { earlier: earlier.texture, ...fixed, corners: data.corners as WebGLTexture };
-      const into = this.step("upright", now, count, textures, earlier);
+      const into = this.free(now, earlier);
+      this.pass("repair", into, { points: now.texture, earlier: earlier.texture }, count);
       [earlier, now] = [now, into];
     }
     return now;
   }
 
-  private step(name: "part" | "upright", from: Target, count: number, textures: Textures, kept = from): Target {
-    const { targets, data, lines } = this;
-    const into = [targets.one, targets.other, targets.third].find((each) => each !== from && each !== kept) as Target;
-    const shared = { points: from.texture, rest: targets.rest.texture, spans: data.spans as WebGLTexture };
-    this.pass(name, into, [0, count * lines[0]], { ...shared, allowed: this.allowed, ...textures });
-    return into;
+  /** A target of places that is none of these. */
+  private free(...used: readonly Target[]): Target {
+    const { first, second, third } = this.targets;
+    return [first, second, third].find((target) => !used.includes(target)) as Target;
   }
 
   private spread(from: Target, slot: number, into: WebGLFramebuffer): void {
-    const { gl, programs, targets, data } = this;
+    const { gl, passes } = this;
     const mixed = this.mixedOf(slot);
-    gl.useProgram(programs.spread);
-    gl.uniform1i(uniformAt(gl, programs.spread, "slot"), slot);
-    this.pass("spread", { ...mixed, frame: into }, [0, this.height], {
-      mixed: mixed.texture,
-      before: targets.before.texture,
-      points: from.texture,
-      roles: data.roles as WebGLTexture,
-      anchors: data.anchors as WebGLTexture,
-    });
+    gl.useProgram(passes.spread.program);
+    gl.uniform1i(uniformAt(gl, passes.spread.program, "slot"), slot);
+    this.pass("spread", { ...mixed, frame: into }, { mixed: mixed.texture, points: from.texture });
   }
 
-  /** Draws one texel after the other into so many lines of a target from the first on; a program's samplers come in one order. */
-  private pass(name: keyof Programs, target: Target, [first, tall]: [number, number], textures: Textures): void {
-    const { gl, bound } = this;
-    const program = this.programs[name];
-    gl.bindFramebuffer(gl.FRAMEBUFFER, target.frame);
-    gl.viewport(0, first, target.size[0], tall);
+  /** Draws so many slots of a target from the first on; `own`: what samplers read that is not the same in every pass. */
+  private pass(name: PassName, { frame, width, tall }: Target, own: Textures, count = 1, first = 0): void {
+    const { gl, fixed } = this;
+    const { program, samplers } = this.passes[name];
+    gl.bindFramebuffer(gl.FRAMEBUFFER, frame);
+    gl.viewport(0, first * tall, width, count * tall);
     gl.useProgram(program);
-    Object.entries(textures).forEach(([sampler, texture], unit) => {
+    samplers.forEach((sampler, unit) => {
       gl.activeTexture(gl.TEXTURE0 + unit);
-      gl.bindTexture(gl.TEXTURE_2D, texture);
-      if (!bound.has(program)) gl.uniform1i(uniformAt(gl, program, sampler), unit);
+      gl.bindTexture(gl.TEXTURE_2D, (own[sampler] ?? fixed[sampler]) as WebGLTexture);
     });
-    bound.add(program);
     gl.bindVertexArray(this.nothing);
     gl.drawArrays(gl.TRIANGLES, 0, 3);
   }
 }
-
-/** Lines of texels that so many values take. */
-const linesOf = (count: number): number => Math.max(1, Math.ceil(count / DATA_WIDTH));

@@ -13,12 +13,13 @@ const eyes: Eyeballs = {
   radii: Float32Array.from([1, 1]),
   turns: Float32Array.from([0, 1, 0, -1, 0, 0, 0, 0, 1, 1, 0, 0, 0, 1, 0, 0, 0, 1]),
 };
-const made = (number: number, row: number, axis: number): number => Math.fround(Math.sin(7 * number + 3 * row + axis));
+const coordinate = (number: number, row: number, axis: number): number =>
+  Math.fround(Math.sin(7 * number + 3 * row + axis));
 
 function blended(layers: number): ProcessorBlend {
   const blend = new ProcessorBlend(ROWS, fans([triangles], ROWS), undefined, masks);
   for (let number = 0; number < layers; number++) {
-    const texels = new Float32Array(4 * 128).map((_, at) => made(number, at >> 2, at & 3));
+    const texels = new Float32Array(4 * 128).map((_, at) => coordinate(number, at >> 2, at & 3));
     blend.keep(number, texels);
   }
   return blend;
@@ -38,7 +39,9 @@ describe("the blend on the processor", () => {
     for (let at = 0; at < 4; at++)
       close(
         row(blend.positions, at),
-        [0, 1, 2].map((axis) => entries.reduce((sum, { layer, weight }) => sum + weight * made(layer, at, axis), 0)),
+        [0, 1, 2].map((axis) =>
+          entries.reduce((sum, { layer, weight }) => sum + weight * coordinate(layer, at, axis), 0),
+        ),
       );
   });
 
@@ -47,7 +50,7 @@ describe("the blend on the processor", () => {
     const blend = new ProcessorBlend(many, fans([triangles], many));
     const reach = [many, 40, 3, 0, 100];
     const value = (number: number, at: number, axis: number): number =>
-      at < (reach[number] ?? 0) ? made(number, at, axis) : 0;
+      at < (reach[number] ?? 0) ? coordinate(number, at, axis) : 0;
     reach.forEach((_, number) => {
       blend.keep(
         number,
@@ -70,7 +73,7 @@ describe("the blend on the processor", () => {
     [0.1, 0.2, 0.6, 0.8].forEach((weight, at) => {
       close(
         row(blend.positions, at),
-        [0, 1, 2].map((axis) => made(0, at, axis) + weight * made(1, at, axis)),
+        [0, 1, 2].map((axis) => coordinate(0, at, axis) + weight * coordinate(1, at, axis)),
       );
     });
   });
@@ -78,7 +81,7 @@ describe("the blend on the processor", () => {
   it("turns an eyeball about its centre", () => {
     const blend = blended(1);
     blend.blend({ entries: [{ layer: 0, weight: 1 }], regional: [], rest: [], allowed: undefined }, eyes, {});
-    const [x, y, z] = [0, 1, 2].map((axis) => made(0, 4, axis)) as [number, number, number];
+    const [x, y, z] = [0, 1, 2].map((axis) => coordinate(0, 4, axis)) as [number, number, number];
     close(row(blend.positions, 4), [-y, x, z]);
   });
 

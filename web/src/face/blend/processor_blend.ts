@@ -4,15 +4,8 @@ import type { CorrectivesData } from "../anatomy/correctives_data";
 import type { Fans } from "../anatomy/topology";
 import { ROW_WIDTH } from "../gpu/pass_shaders";
 import type { Sockets } from "./corrective_passes";
-import { ProcessorCorrectives } from "./processor_correctives";
-import type { Rested } from "./rest_triangles";
-import type { Entry, Eyeballs, RegionalEntry, Sum } from "./sum_pass";
-
-/** A sum to be blended, as `Blender` takes it. */
-interface Correctable extends Sum {
-  rest: readonly Entry[];
-  allowed: Float32Array | undefined;
-}
+import { ProcessorCorrectives, type Rested } from "./processor_correctives";
+import type { CompoundSum, Entry, Eyeballs, RegionalEntry, Sum } from "./sum_pass";
 
 const NOTHING = new Float32Array();
 
@@ -20,8 +13,9 @@ const NOTHING = new Float32Array();
 const BLOCK = 3 * 32;
 
 /**
- * Weighted sums, correctives and normals on the processor. Where it draws everything anyway, shaders of small textures are a
- * dear way to do so: nothing is left out there that a sum does not need.
+ * Weighted sums, correctives and normals on the processor, as the shaders of this folder do it. Where the processor draws
+ * everything anyway, they cost 1.27 to 1.80 of a whole frame that is blended so (docs/decisions/stage-quality-and-cost.md):
+ * nothing is left out there that a sum does not need.
  */
 export class ProcessorBlend {
   private readonly layers: Float32Array[] = [];
@@ -65,7 +59,7 @@ export class ProcessorBlend {
   }
 
   /** Blends a sum into `positions` and `normals`; `target`: for whom, as mixed faces without expression are remembered. */
-  blend(mix: Correctable, eyes: Eyeballs, target: object): void {
+  blend(mix: CompoundSum, eyes: Eyeballs, target: object): void {
     const rested = mix.allowed && this.rested(mix.rest, eyes, target);
     this.add(mix, eyes);
     if (rested !== undefined) this.correctives?.correct(this.sum, rested, mix.allowed ?? NOTHING, socketsOf(eyes));
@@ -80,8 +74,8 @@ export class ProcessorBlend {
 
   private rested(rest: readonly Entry[], eyes: Eyeballs, target: object): Rested | undefined {
     const faces = JSON.stringify(rest);
-    const known = this.restings.get(target);
-    if (this.correctives === undefined || known?.faces === faces) return known?.rested;
+    const cached = this.restings.get(target);
+    if (this.correctives === undefined || cached?.faces === faces) return cached?.rested;
     this.add({ entries: rest, regional: [] }, eyes);
     const rested = this.correctives.rested(this.sum);
     this.restings.set(target, { faces, rested });
@@ -91,8 +85,8 @@ export class ProcessorBlend {
   /** The weighted sum of layers, with turned eyeballs. */
   private add({ entries, regional }: Sum, eyes: Eyeballs): void {
     this.sum.fill(0);
-    const known = entries.filter(({ layer }) => this.layers[layer] !== undefined);
-    for (let block = 0; BLOCK * block < this.sum.length; block++) this.addBlock(known, block);
+    const loaded = entries.filter(({ layer }) => this.layers[layer] !== undefined);
+    for (let block = 0; BLOCK * block < this.sum.length; block++) this.addBlock(loaded, block);
     for (const entry of regional) this.addRegional(entry);
     for (const side of [0, 1]) this.turn(eyes, side);
   }
@@ -193,13 +187,13 @@ export class ProcessorBlend {
 
 /** The triangles of fans, each once: three rows. */
 function trianglesOf({ starts, pairs }: Fans): Uint32Array {
-  const found: number[] = [];
+  const corners: number[] = [];
   for (let row = 0; row + 1 < starts.length; row++)
     for (let slot = starts[row] as number; slot < (starts[row + 1] as number); slot++) {
       const [second, third] = [pairs[2 * slot] as number, pairs[2 * slot + 1] as number];
-      if (row < second && row < third) found.push(row, second, third);
+      if (row < second && row < third) corners.push(row, second, third);
     }
-  return Uint32Array.from(found);
+  return Uint32Array.from(corners);
 }
 
 /** The eyeballs as lids meet them. */

@@ -1,10 +1,9 @@
 import { describe, expect, it } from "vitest";
 import { RUNGS } from "../../link/constants";
-import type { SettlingDocument } from "../../link/messages";
+import type { CorrectivesDocument } from "../../link/messages";
 import { readCorrectives } from "../anatomy/correctives_data";
 import type { Sockets } from "./corrective_passes";
 import { ProcessorCorrectives } from "./processor_correctives";
-import { areaLeft } from "./rest_triangles";
 
 const bytes = (values: Uint32Array | Float32Array): Uint8Array =>
   new Uint8Array(values.buffer, values.byteOffset, values.byteLength);
@@ -12,12 +11,12 @@ const whole = (...values: number[]): Uint8Array => bytes(Uint32Array.from(values
 const real = (...values: number[]): Uint8Array => bytes(Float32Array.from(values));
 
 /** A square of two triangles; between rows 0 and 2 a line that opens upward; row 3 is a lid; row 4 follows row 1 by half. */
-const document: SettlingDocument = {
+const document: CorrectivesDocument = {
   rounds: [8, 8, 8],
-  upright: 0.1,
+  least_area: 0.1,
   floor: 0.02,
-  eager: 1.5,
-  flattest: 0.001,
+  over_relaxation: 1.5,
+  least_slope: 0.001,
   full: 0.05,
   momentum: 0.5,
   margin: 0.5,
@@ -40,10 +39,10 @@ const document: SettlingDocument = {
   ],
   lids: whole(3),
   eye: whole(0),
-  heard: whole(0, 1),
-  ends: whole(2),
-  members: whole(0, 0, 0, 0),
-  shares: real(1, 1, 1, 1),
+  patch_triangles: whole(0, 1),
+  patch_ends: whole(2),
+  row_patches: whole(0, 0, 0, 0),
+  row_shares: real(1, 1, 1, 1),
   followers: whole(4),
   anchors: whole(1),
   weights: real(0.5),
@@ -67,7 +66,7 @@ function correct(moved: Readonly<Record<number, number>>, allowed = none, eyes =
   return positions;
 }
 const shares = (positions: Float64Array): number[] =>
-  [0, 1].map((t) => areaLeft(positions.subarray(0, 12), data.triangles, rest, t));
+  [0, 1].map((t) => corrected.areaShare(positions.subarray(0, 12), rest, t));
 
 describe("correctives on the processor", () => {
   it("leave alone what is as it should be", () => {
@@ -110,5 +109,13 @@ describe("correctives on the processor", () => {
     const allowed = none.slice();
     allowed[2 + RUNGS] = 0.05;
     expect(deep(correct({ 11: -0.1 }, allowed, eyes))).toBeCloseTo(still + 0.05, 6);
+  });
+});
+
+describe("areas of triangles", () => {
+  it("are all of those at rest where nothing moves, and negative where they fold", () => {
+    expect(shares(square)).toEqual([1, 1]);
+    const share = (x: number): number => shares(square.with(3, x).with(4, 0.5))[0] as number; // the diagonal at x = 0.5
+    expect([share(0.75), share(0.5), share(0.25)]).toEqual([0.25, 0, -0.25]);
   });
 });

@@ -29,6 +29,13 @@ export interface Sum {
   regional: readonly RegionalEntry[];
 }
 
+/** What is to be added up: all terms, those of them that are faces, and what the others are allowed. */
+export interface CompoundSum extends Sum {
+  rest: readonly Entry[];
+  /** Allowances, weighted and added (omote.perform.blending.correctives); undefined: nothing can be wrong, one compound is worn. */
+  allowed: Float32Array | undefined;
+}
+
 /** A uniform block of a program, and the numbers in it. */
 interface Block {
   buffer: WebGLBuffer;

@@ -1,7 +1,7 @@
 /** Draws a scene with smooth edges: by samples, or after it has been drawn. */
 
 import * as THREE from "three";
-import { FULLSCREEN_VERTEX, framebufferTexture, fullscreenTriangle } from "./renderer";
+import { coveringMaterial, framebufferTexture, fullscreenTriangle } from "./renderer";
 
 /** Samples of a pixel where edges are drawn from several. */
 const SAMPLES = 4;
@@ -79,10 +79,11 @@ export class EdgeSmoothing {
   private readonly size = new THREE.Vector2();
   private readonly picture: THREE.IUniform<THREE.Texture | null> = { value: null };
   private readonly place = { whole: { value: this.size }, left: { value: 0 }, texel: { value: new THREE.Vector2() } };
-  private readonly sampled = fullscreenTriangle(this.look(FULLSCREEN_VERTEX, SAMPLED_FRAGMENT));
+  private readonly uniforms = { picture: this.picture, ...this.place };
+  private readonly sampled = fullscreenTriangle(coveringMaterial(SAMPLED_FRAGMENT, this.uniforms));
   private readonly smoothed = new THREE.Mesh(
     new THREE.BufferGeometry().setIndex([0, 1, 2, 2, 1, 3]),
-    this.look(COLUMNS_VERTEX, COLUMNS_FRAGMENT),
+    coveringMaterial(COLUMNS_FRAGMENT, this.uniforms, COLUMNS_VERTEX),
   );
   private copy: THREE.FramebufferTexture | undefined;
 
@@ -138,22 +139,10 @@ export class EdgeSmoothing {
   }
 
   private copyOf(width: number, height: number): THREE.FramebufferTexture {
-    const { copy: known } = this;
-    if (known?.image.width === width && known.image.height === height) return known;
-    known?.dispose();
+    const { copy } = this;
+    if (copy?.image.width === width && copy.image.height === height) return copy;
+    copy?.dispose();
     this.copy = framebufferTexture(width, height);
     return this.copy;
-  }
-
-  private look(vertexShader: string, fragmentShader: string): THREE.RawShaderMaterial {
-    return new THREE.RawShaderMaterial({
-      glslVersion: THREE.GLSL3,
-      vertexShader,
-      fragmentShader,
-      uniforms: { picture: this.picture, ...this.place },
-      depthTest: false,
-      depthWrite: false,
-      blending: THREE.NoBlending,
-    });
   }
 }

@@ -29,22 +29,17 @@ export function uniformAt(
   program: WebGLProgram,
   name: string,
 ): WebGLUniformLocation | null {
-  const known = locations.get(program) ?? new Map<string, WebGLUniformLocation | null>();
-  locations.set(program, known);
-  const place = known.get(name);
+  const programLocations = locations.get(program) ?? new Map<string, WebGLUniformLocation | null>();
+  locations.set(program, programLocations);
+  const place = programLocations.get(name);
   if (place !== undefined) return place;
-  const found = gl.getUniformLocation(program, name);
-  known.set(name, found);
-  return found;
+  const location = gl.getUniformLocation(program, name);
+  programLocations.set(name, location);
+  return location;
 }
 
 /** An empty texture whose texels are read as they are. */
-export function nearestTexture(
-  gl: WebGL2RenderingContext,
-  format: number,
-  width: number,
-  height: number,
-): WebGLTexture {
+function nearestTexture(gl: WebGL2RenderingContext, format: number, width: number, height: number): WebGLTexture {
   const texture = gl.createTexture();
   gl.bindTexture(gl.TEXTURE_2D, texture);
   gl.texStorage2D(gl.TEXTURE_2D, 1, format, width, height);
@@ -102,32 +97,4 @@ function filledTexture(
   const texture = nearestTexture(gl, inside, width, height);
   gl.texSubImage2D(gl.TEXTURE_2D, 0, 0, 0, width, height, format, real ? gl.FLOAT : gl.UNSIGNED_INT, padded);
   return texture;
-}
-
-/** An attribute by its name in the program: values, so many to a vertex; 16 bit ones arrive as whole numbers. */
-export type Attribute = readonly [name: string, values: Float32Array | Uint16Array, size: number];
-
-/** Attributes of a program, and the indices of its triangles where there are any. */
-export function vertexArray(
-  gl: WebGL2RenderingContext,
-  program: WebGLProgram,
-  attributes: readonly Attribute[],
-  indices?: Uint16Array | Uint32Array,
-): WebGLVertexArrayObject {
-  const made = gl.createVertexArray();
-  gl.bindVertexArray(made);
-  for (const [name, values, size] of attributes) {
-    const place = gl.getAttribLocation(program, name);
-    gl.bindBuffer(gl.ARRAY_BUFFER, gl.createBuffer());
-    gl.bufferData(gl.ARRAY_BUFFER, values, gl.STATIC_DRAW);
-    gl.enableVertexAttribArray(place);
-    if (values instanceof Uint16Array) gl.vertexAttribIPointer(place, size, gl.UNSIGNED_SHORT, 0, 0);
-    else gl.vertexAttribPointer(place, size, gl.FLOAT, false, 0, 0);
-  }
-  if (indices !== undefined) {
-    gl.bindBuffer(gl.ELEMENT_ARRAY_BUFFER, gl.createBuffer());
-    gl.bufferData(gl.ELEMENT_ARRAY_BUFFER, indices, gl.STATIC_DRAW);
-  }
-  gl.bindVertexArray(null);
-  return made;
 }

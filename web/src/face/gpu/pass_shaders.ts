@@ -36,7 +36,7 @@ const REGIONAL_SUM = `
 `;
 
 /**
- * P = sum of weight x layer (docs/method.md, "The mix"); `regional`: and of layers that weigh another in each region; the
+ * Eq. 3 of Arai (1993): P = sum of weight x layer (docs/method.md, "The mix"), a layer for each compound; `regional`: and of layers that weigh another in each region; the
  * eyeballs' rows turn about their centres.
  */
 export const blendFragment = (regional: boolean): string => `${HEAD}

@@ -1,7 +1,7 @@
 /** Crossfades from the last picture of one level of quality to the next. */
 
 import * as THREE from "three";
-import { FULLSCREEN_VERTEX, framebufferTexture, fullscreenTriangle } from "./renderer";
+import { coveringMaterial, framebufferTexture, fullscreenTriangle } from "./renderer";
 
 const FRAGMENT = `
 precision mediump float;
@@ -20,13 +20,7 @@ const STEP = LENGTH / 8;
 export class PictureCrossfade {
   private readonly scene = new THREE.Scene();
   private readonly camera = new THREE.Camera();
-  private readonly look = new THREE.RawShaderMaterial({
-    glslVersion: THREE.GLSL3,
-    vertexShader: FULLSCREEN_VERTEX,
-    fragmentShader: FRAGMENT,
-    uniforms: { before: { value: null } },
-    depthTest: false,
-    depthWrite: false,
+  private readonly look = Object.assign(coveringMaterial(FRAGMENT, { before: { value: null } }), {
     blending: THREE.CustomBlending, // a mix, alpha too, so that a transparent stage fades as an opaque one does
     blendSrc: THREE.ConstantAlphaFactor,
     blendDst: THREE.OneMinusConstantAlphaFactor,

@@ -51,6 +51,14 @@ export function material(vertexShader: string, fragmentShader: string, uniforms:
   });
 }
 
+/** Tells a ribbon's shader the metres that a pixel covers a metre away, whenever its mesh is drawn. */
+export function tellPixel(mesh: THREE.Mesh, pixel: THREE.IUniform<number>): void {
+  mesh.onBeforeRender = (renderer, _scene, camera) => {
+    const { w: height } = renderer.getCurrentViewport(new THREE.Vector4());
+    pixel.value = 2 / ((camera.projectionMatrix.elements[5] as number) * height);
+  };
+}
+
 /** The vertex shader of a triangle that covers the picture; `place`: 0..1 from its left and from its bottom. */
 export const FULLSCREEN_VERTEX = `
 precision highp float;
@@ -61,6 +69,10 @@ void main() {
   gl_Position = vec4(corner * 2.0 - 1.0, 0.0, 1.0);
 }
 `;
+
+/** A material of what covers the picture, whatever its depth. */
+export const coveringMaterial = (fragment: string, uniforms: Uniforms, vertex = FULLSCREEN_VERTEX) =>
+  Object.assign(material(vertex, fragment, uniforms), { depthTest: false, depthWrite: false });
 
 /** A triangle that covers the picture; its vertex shader finds the corners by their numbers. */
 export function fullscreenTriangle(look?: THREE.Material): THREE.Mesh {

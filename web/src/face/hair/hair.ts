@@ -101,8 +101,8 @@ export class Hair {
   }
 
   private colour(face: string): THREE.Color {
-    const known = this.colours.get(face);
-    if (known !== undefined) return known;
+    const cached = this.colours.get(face);
+    if (cached !== undefined) return cached;
     const colour = new THREE.Color().setStyle(this.library.faces.get(face)?.look.hair ?? "#000000");
     this.colours.set(face, colour);
     return colour;
@@ -120,8 +120,8 @@ export class Hair {
   }
 
   private uniformsOf(style: ActiveStyle): StyleUniforms {
-    const known = this.uniforms.get(style.name) ?? styleUniforms(style, this.tint);
-    this.uniforms.set(style.name, known);
-    return known;
+    const uniforms = this.uniforms.get(style.name) ?? styleUniforms(style, this.tint);
+    this.uniforms.set(style.name, uniforms);
+    return uniforms;
   }
 }

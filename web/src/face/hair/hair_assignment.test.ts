@@ -27,11 +27,11 @@ function late(): { library: Library; come: () => void } {
     { name: "kaori", look: { hair_style: "bob" } },
     { name: "dog", look: { hair_style: "" } },
   ];
-  const known = new Map(faces.map((face) => [face.name, face]));
+  const faceByName = new Map(faces.map((face) => [face.name, face]));
   const library = {
-    faces: known,
+    faces: faceByName,
     meshes: [],
-    hasFace: (face: string) => known.has(face),
+    hasFace: (face: string) => faceByName.has(face),
     positions: async () => generic,
     hair: () => waiting,
   };

@@ -131,18 +131,18 @@ export class HairAssignment {
 
   private offsetsOf(style: ActiveStyle, face: string): Offsets {
     const key = `${style.name}\n${face}`;
-    const known =
+    const offsets =
       this.stock.offsets.get(key) ?? offsetsOn(style.hair, this.generic, this.faces.get(face) as Float32Array);
-    this.stock.offsets.set(key, known);
-    return known;
+    this.stock.offsets.set(key, offsets);
+    return offsets;
   }
 
   private take(name: string, hair: HairStrands): void {
     const [strands, carried] = [0, 1].map(() => new Float32Array((4 * hair.points.length) / 3));
     const style = { name, hair, strands, carried, scalp: 1, version: 0, grown: 0 } as ActiveStyle;
-    const styles = [...this.worn.values(), style].sort((one, other) => (one.name < other.name ? -1 : 1));
+    const styles = [...this.worn.values(), style].sort((a, b) => (a.name < b.name ? -1 : 1));
     this.worn.clear();
-    for (const each of styles) this.worn.set(each.name, each);
+    for (const activeStyle of styles) this.worn.set(activeStyle.name, activeStyle);
   }
 
   private ask(key: string, read: () => Promise<unknown>): void {

@@ -31,7 +31,7 @@ const blend = (painted = 1): HairBlend =>
   );
 
 /** The length, the width and the whole length of a strand. */
-const told = ({ hair, into }: ReturnType<typeof worn>, strand = 0): number[] =>
+const lengthAndScalp = ({ hair, into }: ReturnType<typeof worn>, strand = 0): number[] =>
   [3, 7, 11].map((at) => into[4 * strand * hair.stations + at] as number);
 
 const place = ({ into }: ReturnType<typeof worn>, at: number): [number, number, number] =>
@@ -42,8 +42,8 @@ describe("a blend of hair styles", () => {
     const bob = worn([forward, nape]);
     for (const weight of [1, 0.5]) {
       expect(blend().write(bob, new Map([[bob, weight]]), bob.into, 2)).toBeCloseTo(lengthAt(weight));
-      expect(told(bob)[0]).toBeCloseTo(lengthAt(weight));
-      expect(told(bob)[1]).toBe(1);
+      expect(lengthAndScalp(bob)[0]).toBeCloseTo(lengthAt(weight));
+      expect(lengthAndScalp(bob)[1]).toBe(1);
       for (let at = 0; at < bob.hair.stations; at++)
         for (let axis = 0; axis < 3; axis++)
           expect(place(bob, at)[axis]).toBeCloseTo(bob.carried[4 * at + axis] as number);
@@ -92,9 +92,9 @@ describe("a blend of hair styles", () => {
         [bob, step / 40],
         [crop, 1 - step / 40],
       ]);
-      const shown = [bob, crop].map((one) => {
-        blend().write(one, weights, one.into, 1);
-        return told(one)[1] as number;
+      const shown = [bob, crop].map((hairStyle) => {
+        blend().write(hairStyle, weights, hairStyle.into, 1);
+        return lengthAndScalp(hairStyle)[1] as number;
       });
       expect(Math.max(...shown)).toBe(1);
       if (Math.abs(step - 20) > 10) expect(Math.min(...shown)).toBe(0);
@@ -109,19 +109,19 @@ describe("a blend of hair styles", () => {
       [thin, 0.7],
     ]);
     blend().write(bob, weights, bob.into, 2);
-    expect(told(bob, 0)[0]).toBeCloseTo(lengthAt(0.3));
-    expect(told(bob, 0)[1]).toBe(1);
-    expect(told(bob, 1)[0]).toBe(1);
-    expect(told(bob, 1)[1]).toBe(0);
+    expect(lengthAndScalp(bob, 0)[0]).toBeCloseTo(lengthAt(0.3));
+    expect(lengthAndScalp(bob, 0)[1]).toBe(1);
+    expect(lengthAndScalp(bob, 1)[0]).toBe(1);
+    expect(lengthAndScalp(bob, 1)[1]).toBe(0);
   });
 
   it("grows later where the scalp is bare, and is whole with all its weight", () => {
-    const lengths = [worn([forward]), worn([forward], 0.3)].flatMap((one) =>
+    const lengths = [worn([forward]), worn([forward], 0.3)].flatMap((hairStyle) =>
       [1, 0.5].map((painted) => {
-        blend(painted).write(one, new Map([[one, 0.75]]), one.into, 1);
-        const [length] = told(one) as [number];
-        blend(painted).write(one, new Map([[one, 1]]), one.into, 1);
-        expect(told(one)[0]).toBe(1);
+        blend(painted).write(hairStyle, new Map([[hairStyle, 0.75]]), hairStyle.into, 1);
+        const [length] = lengthAndScalp(hairStyle) as [number];
+        blend(painted).write(hairStyle, new Map([[hairStyle, 1]]), hairStyle.into, 1);
+        expect(lengthAndScalp(hairStyle)[0]).toBe(1);
         return length;
       }),
     );
@@ -133,7 +133,7 @@ describe("a blend of hair styles", () => {
     const bun = worn([coil]);
     const sizes = [1, 0.6, 0.3].map((weight) => {
       blend().write(bun, new Map([[bun, weight]]), bun.into, 1);
-      expect(told(bun).slice(0, 2)).toEqual([1, 1]);
+      expect(lengthAndScalp(bun).slice(0, 2)).toEqual([1, 1]);
       return Math.hypot(...place(bun, 4));
     });
     expect(sizes[1]).toBeCloseTo((sizes[0] as number) * lengthAt(0.6));

@@ -34,7 +34,7 @@ interface Study {
 }
 
 /** A style as a source of the courses of another's strands. */
-interface Source extends Matches {
+interface StrandSource extends Matches {
   readonly from: CarriedStyle;
   readonly heights: Float32Array;
   readonly lengths: Float32Array;
@@ -83,7 +83,7 @@ export class HairBlend {
     return most;
   }
 
-  private sources(style: CarriedStyle, weights: ReadonlyMap<CarriedStyle, number>): Source[] {
+  private sources(style: CarriedStyle, weights: ReadonlyMap<CarriedStyle, number>): StrandSource[] {
     const heaviest = Math.max(...weights.values());
     return [...weights].map(([from, weight]) => {
       const { heights, lengths } = this.study(from.hair);
@@ -93,7 +93,7 @@ export class HairBlend {
   }
 
   /** A strand's places: the mean of its courses, each from its own root. */
-  private shape(style: CarriedStyle, strand: number, sources: readonly Source[], into: Float32Array): void {
+  private shape(style: CarriedStyle, strand: number, sources: readonly StrandSource[], into: Float32Array): void {
     const { stations } = style.hair;
     const own = strand * stations;
     const mean = this.room(stations);
@@ -113,7 +113,7 @@ export class HairBlend {
    * Between two courses around the head the straight mean runs through the skull: it is moved out to where it lies as
    * high over the scalp as the courses do, on the generic head; faces carry it as they carry the courses.
    */
-  private lift(style: CarriedStyle, own: number, sources: readonly Source[], into: Float32Array): void {
+  private lift(style: CarriedStyle, own: number, sources: readonly StrandSource[], into: Float32Array): void {
     const { points, stations } = style.hair;
     const [mean, scalp] = [this.room(stations), this.scalp()];
     fillPlaces(mean, points, 3 * own, stations);
@@ -140,14 +140,14 @@ export class HairBlend {
   private matched({ hair }: CarriedStyle, { hair: other }: CarriedStyle): Matches {
     const own = this.matches.get(hair) ?? new Map<HairStrands, Matches>();
     this.matches.set(hair, own);
-    const known = own.get(other) ?? (hair === other ? itself(hair) : matchRoots(hair, other));
-    own.set(other, known);
-    return known;
+    const matches = own.get(other) ?? (hair === other ? itself(hair) : matchRoots(hair, other));
+    own.set(other, matches);
+    return matches;
   }
 
   private study(hair: HairStrands): Study {
-    const known = this.studies.get(hair);
-    if (known !== undefined) return known;
+    const cached = this.studies.get(hair);
+    if (cached !== undefined) return cached;
     const study = {
       wound: woundStrands(hair),
       heights: heightsOf(hair, this.scalp()),
@@ -186,7 +186,7 @@ function addCourse(
 }
 
 /** Sets what each source gives to a strand; returns the weight of all that have hair at its root. */
-function choose(sources: readonly Source[], strand: number, stations: number): number {
+function choose(sources: readonly StrandSource[], strand: number, stations: number): number {
   let weight = 0;
   for (const source of sources) weight += source.weight * (source.same[strand] as number);
   for (const source of sources) {
@@ -197,7 +197,7 @@ function choose(sources: readonly Source[], strand: number, stations: number): n
 }
 
 /** How much of a strand's width is drawn, 0..1: none of it where a heavier style draws the same hair. */
-function widthOf(style: CarriedStyle, sources: readonly Source[], strand: number): number {
+function widthOf(style: CarriedStyle, sources: readonly StrandSource[], strand: number): number {
   let [drawn, covered] = [0, 0];
   for (const source of sources)
     if (source.from === style) drawn = source.drawn;
@@ -206,7 +206,7 @@ function widthOf(style: CarriedStyle, sources: readonly Source[], strand: number
 }
 
 /** Metres along a strand, as all its sources have it. */
-function wholeLength(sources: readonly Source[], strand: number): number {
+function wholeLength(sources: readonly StrandSource[], strand: number): number {
   let sum = 0;
   for (const source of sources) sum += source.share * (source.lengths[source.strand[strand] as number] as number);
   return sum;

@@ -2,7 +2,7 @@
 
 import * as THREE from "three";
 import type { HairStrands } from "../../link/strands";
-import { COVERAGE, material } from "../gpu/renderer";
+import { COVERAGE, material, tellPixel } from "../gpu/renderer";
 import type { HeadUniforms } from "../head/head";
 import { definesOf, type Features } from "../quality/quality_levels";
 import { HAIR_FRAGMENT, HAIR_VERTEX } from "./hair_shaders";
@@ -53,17 +53,17 @@ export function strandsTexture(
 }
 
 function shapeOf(hair: HairStrands): THREE.DataTexture {
-  const known = shapes.get(hair);
-  if (known !== undefined) return known;
+  const cached = shapes.get(hair);
+  if (cached !== undefined) return cached;
   const count = hair.anchors.length;
   const shape = new Uint8Array(4 * count * hair.stations);
   for (let place = 0; place < count * hair.stations; place++) {
     for (let axis = 0; axis < 3; axis++) shape[4 * place + axis] = (hair.facing[3 * place + axis] as number) + 128;
     shape[4 * place + 3] = hair.light[place] as number;
   }
-  const made = texture(shape, hair.stations, count, THREE.UnsignedByteType);
-  shapes.set(hair, made);
-  return made;
+  const shapeTexture = texture(shape, hair.stations, count, THREE.UnsignedByteType);
+  shapes.set(hair, shapeTexture);
+  return shapeTexture;
 }
 
 function texture(
@@ -72,9 +72,9 @@ function texture(
   height: number,
   type: THREE.TextureDataType,
 ): THREE.DataTexture {
-  const made = new THREE.DataTexture(data as Uint8Array<ArrayBuffer>, width, height, THREE.RGBAFormat, type);
-  made.needsUpdate = true;
-  return made;
+  const dataTexture = new THREE.DataTexture(data as Uint8Array<ArrayBuffer>, width, height, THREE.RGBAFormat, type);
+  dataTexture.needsUpdate = true;
+  return dataTexture;
 }
 
 /** How much wider fewer ribbons are: to the power of 1 they would cover as much as all, but lie on the head like slats. */
@@ -100,21 +100,18 @@ export function ribbons(style: RibbonStyle, shared: HeadUniforms, own: StyleUnif
   mesh.name = style.name;
   mesh.frustumCulled = false;
   mesh.castShadow = true;
-  mesh.onBeforeRender = (renderer, _scene, camera) => {
-    const { w: height } = renderer.getCurrentViewport(new THREE.Vector4());
-    pixel.value = 2 / ((camera.projectionMatrix.elements[5] as number) * height);
-  };
+  tellPixel(mesh, pixel);
   return mesh;
 }
 
 /** The ribbons of a style at a level of quality: the same for all who wear it. */
 function geometryOf(hair: HairStrands, features: Features): THREE.InstancedBufferGeometry {
-  const made = geometries.get(hair) ?? new Map<string, THREE.InstancedBufferGeometry>();
-  geometries.set(hair, made);
+  const styleGeometries = geometries.get(hair) ?? new Map<string, THREE.InstancedBufferGeometry>();
+  geometries.set(hair, styleGeometries);
   const key = `${features.ribbons} ${features.hair}`;
   const geometry =
-    made.get(key) ?? ribbon(hair, courseOf(features), features.ribbons, drawnStrands(hair, features.hair));
-  made.set(key, geometry);
+    styleGeometries.get(key) ?? ribbon(hair, courseOf(features), features.ribbons, drawnStrands(hair, features.hair));
+  styleGeometries.set(key, geometry);
   return geometry;
 }
 
@@ -135,7 +132,9 @@ export function outermostFirst({ light, stations }: Pick<HairStrands, "light" | 
   const open = (strand: number): number =>
     light.subarray(strand * stations, (strand + 1) * stations).reduce((sum, sky) => sum + sky, 0);
   const skies = Array.from({ length: count }, (_, strand) => open(strand));
-  return [...skies.keys()].sort((one, other) => (skies[other] as number) - (skies[one] as number) || one - other);
+  return [...skies.keys()].sort(
+    (strand, other) => (skies[other] as number) - (skies[strand] as number) || strand - other,
+  );
 }
 
 function ribbon(

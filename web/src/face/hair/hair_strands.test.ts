@@ -80,8 +80,8 @@ describe("a style", () => {
       ["old", -0.1],
     ]);
     const styles: Record<string, string> = { kaori: "bob", doll: "bob", man: "short", dog: "", old: "thin" };
-    const found = styleWeights(faces, (face) => styles[face] as string);
-    expect([...found.keys()]).toEqual(["bob", "short"]);
-    expect(Object.fromEntries(found.get("bob") as Map<string, number>)).toEqual({ kaori: 0.4, doll: 0.3 });
+    const weightsByStyle = styleWeights(faces, (face) => styles[face] as string);
+    expect([...weightsByStyle.keys()]).toEqual(["bob", "short"]);
+    expect(Object.fromEntries(weightsByStyle.get("bob") as Map<string, number>)).toEqual({ kaori: 0.4, doll: 0.3 });
   });
 });

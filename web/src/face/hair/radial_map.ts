@@ -86,8 +86,8 @@ function filled(map: RadialMap): RadialMap {
     const next = now.slice();
     now.forEach((radius, at) => {
       if (radius > 0) return;
-      const around = [at - 1, at + 1, at - SIZE, at + SIZE].map((cell) => now[cell] ?? 0).filter((one) => one > 0);
-      next[at] = around.length > 0 ? around.reduce((sum, one) => sum + one, 0) / around.length : 0;
+      const around = [at - 1, at + 1, at - SIZE, at + SIZE].map((cell) => now[cell] ?? 0).filter((value) => value > 0);
+      next[at] = around.length > 0 ? around.reduce((sum, value) => sum + value, 0) / around.length : 0;
     });
     now = next;
   }

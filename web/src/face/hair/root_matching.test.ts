@@ -7,8 +7,8 @@ const brow: Arc = { root: [0, 0.5, 1], toward: [0, -1, 0], length: 0.4, height: 
 
 describe("the matches of a style", () => {
   it("of itself are its own strands, wholly", () => {
-    const found = matchRoots(arcStyle([crown, brow]), arcStyle([crown, brow]));
-    expect([[...found.strand], [...found.same]]).toEqual([
+    const matches = matchRoots(arcStyle([crown, brow]), arcStyle([crown, brow]));
+    expect([[...matches.strand], [...matches.same]]).toEqual([
       [0, 1],
       [1, 1],
     ]);
@@ -16,8 +16,8 @@ describe("the matches of a style", () => {
 
   it("are the nearest roots, and none where the other style is bald", () => {
     const beside: Arc = { ...brow, root: [0.03, 0.5, 1] };
-    const found = matchRoots(arcStyle([crown, brow]), arcStyle([beside]));
-    expect([...found.same]).toEqual([0, 1]);
+    const matches = matchRoots(arcStyle([crown, brow]), arcStyle([beside]));
+    expect([...matches.same]).toEqual([0, 1]);
   });
 
   it("fade as the other root is farther off", () => {

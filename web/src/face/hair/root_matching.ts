@@ -26,19 +26,19 @@ export interface Matches {
 /** The strands of `to` that grow where those of `from` do and go about the same way. What is wound on a coil has no match. */
 export function matchRoots(from: HairStrands, to: HairStrands): Matches {
   const count = from.anchors.length;
-  const found: Matches = { strand: new Int32Array(count), same: new Float32Array(count) };
-  if (from.stations !== to.stations) return found;
+  const matches: Matches = { strand: new Int32Array(count), same: new Float32Array(count) };
+  if (from.stations !== to.stations) return matches;
   const [own, other] = [woundStrands(from), woundStrands(to)];
   const grows = Array.from(to.anchors.keys()).filter((strand) => other[strand] === 0);
   for (let strand = 0; strand < count; strand++) {
     if (own[strand] === 1) continue;
     const [nearest, far] = nearestRoot(from, strand, to, grows);
-    found.strand[strand] = nearest;
+    matches.strand[strand] = nearest;
     const near = MathUtils.smoothstep(OTHER - far, 0, OTHER - SAME);
-    found.same[strand] =
+    matches.same[strand] =
       near > 0 ? near * MathUtils.smoothstep(agreement(from, strand, to, nearest), APART, TOGETHER) : 0;
   }
-  return found;
+  return matches;
 }
 
 function nearestRoot(from: HairStrands, strand: number, to: HairStrands, among: readonly number[]): [number, number] {
@@ -61,9 +61,9 @@ function agreement(from: HairStrands, strand: number, to: HairStrands, other: nu
   const roots = [strand * from.stations, other * to.stations] as const;
   let least = 1;
   for (let place = 0; place < from.stations; place++) {
-    const one = direction(from.points, roots[0] + place, BEFORE);
-    const two = direction(to.points, roots[1] + place, AFTER);
-    least = Math.min(least, one.add(two).length() / 2);
+    const fromDirection = direction(from.points, roots[0] + place, BEFORE);
+    const toDirection = direction(to.points, roots[1] + place, AFTER);
+    least = Math.min(least, fromDirection.add(toDirection).length() / 2);
   }
   return least;
 }

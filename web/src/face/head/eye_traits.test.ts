@@ -6,7 +6,8 @@ import { type EyeTraits, eyeTraitsOf, writeEyeTraits } from "./eye_traits";
 const face = (name: string, iris_size: number, slit: number, lashes: number) =>
   ({ name, look: { iris_size, slit, lashes } }) as FaceDocument;
 const expression = (name: string, pupil: number) => ({ name, pupil }) as ExpressionDocument;
-const byName = <T extends { name: string }>(...documents: T[]) => new Map(documents.map((one) => [one.name, one]));
+const byName = <T extends { name: string }>(...documents: T[]) =>
+  new Map(documents.map((document) => [document.name, document]));
 const CAST = {
   faces: byName(face("kaori", 1, 0, 0.9), face("cat", 1.5, 1, 0.1)),
   expressions: byName(expression("fear", 1), expression("angry", -0.5), expression("pupils-narrow", -1)),

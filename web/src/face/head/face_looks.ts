@@ -4,14 +4,12 @@ import * as THREE from "three";
 import type { FaceDocument } from "../../link/messages";
 import { faceWeights } from "../pose/mix_terms";
 import type { Pose } from "../pose/pose";
-import { dressPictures, type ShownPicture } from "../skin/picture_mix";
+import { addScaled, dressPictures, type ShownPicture } from "../skin/picture_mix";
 import { mixScalp } from "../skin/scalp";
 import { mixSkinTraits, SKIN_TRAITS, type SkinTraits } from "../skin/skin_layers";
-import type { EyeUniforms, HeadUniforms } from "./head";
+import { type EyeUniforms, type HeadUniforms, LOOK_COLOURS } from "./head";
 
-const COLOURS = ["skin", "lip", "brow", "blush", "iris", "hair", "coat"] as const;
-
-type FaceLook = Record<(typeof COLOURS)[number], THREE.Color> & {
+type FaceLook = Record<(typeof LOOK_COLOURS)[number], THREE.Color> & {
   source: string;
   traits: SkinTraits;
   haired: boolean;
@@ -34,7 +32,7 @@ export class FaceLooks {
   /** The mix in linear light, for the shaders. */
   dress(pose: Pose, shared: HeadUniforms, eyes: readonly EyeUniforms[]): void {
     const shares = this.shares(pose);
-    for (const part of COLOURS) {
+    for (const part of LOOK_COLOURS) {
       const colour = shared[part].value.setRGB(0, 0, 0);
       for (const [look, share] of shares) addScaled(colour, look[part], share);
     }
@@ -51,19 +49,19 @@ export class FaceLooks {
 
   /** The mix of the eyeballs' centres, left then right, metres: eyeballs turn about it, as `omote.evaluate_parts` has it. */
   writeCentres(pose: Pose, into: Float32Array): void {
-    into.fill(0);
-    for (const [look, share] of this.shares(pose))
-      look.centres.forEach((part, at) => {
-        into[at] = (into[at] as number) + share * part;
-      });
+    this.write(pose, "centres", into);
   }
 
   /** The mix of the eyeballs' radii, left then right, metres: what lids must leave. */
   writeRadii(pose: Pose, into: Float32Array): void {
+    this.write(pose, "ballRadii", into);
+  }
+
+  private write(pose: Pose, part: "centres" | "ballRadii", into: Float32Array): void {
     into.fill(0);
     for (const [look, share] of this.shares(pose))
-      look.ballRadii.forEach((part, at) => {
-        into[at] = (into[at] as number) + share * part;
+      look[part].forEach((value, at) => {
+        into[at] = (into[at] as number) + share * value;
       });
   }
 
@@ -101,7 +99,7 @@ function dressScalp(shares: readonly (readonly [FaceLook, number])[], { scalp, h
 }
 
 function readLook(face: FaceDocument): FaceLook {
-  const colours = COLOURS.map((part) => [part, new THREE.Color().setStyle(face.look[part])]); // sRGB in, linear out
+  const colours = LOOK_COLOURS.map((part) => [part, new THREE.Color().setStyle(face.look[part])]); // sRGB in, linear out
   return {
     ...Object.fromEntries(colours),
     source: face.source,
@@ -112,8 +110,4 @@ function readLook(face: FaceDocument): FaceLook {
     ballRadii: [...face.ball_radii],
     extremes: face.extremes,
   } as FaceLook;
-}
-
-function addScaled(sum: THREE.Color, colour: THREE.Color, weight: number): void {
-  sum.setRGB(sum.r + colour.r * weight, sum.g + colour.g * weight, sum.b + colour.b * weight);
 }

@@ -11,40 +11,31 @@ import { type SkinUniforms, skinUniforms } from "../skin/skin_layers";
 import { type PaintUniforms, paintUniforms } from "../skin/skin_paint";
 import { skinParts } from "../skin/skin_parts";
 import { COLLAR_FRAGMENT, COLLAR_VERTEX, collar } from "./collar";
+import type { EyeTraits } from "./eye_traits";
 import { eyeball } from "./eyeballs";
 import { lashes } from "./lashes";
 import { mouthPart } from "./mouth";
 
-/** Colours in linear light and the eyeballs' size: what of a face's look the shaders take. */
-export interface BlendedLook {
-  skin: THREE.Color;
-  lip: THREE.Color;
-  brow: THREE.Color;
-  blush: THREE.Color;
-  iris: THREE.Color;
-  eyeRadius: number;
-}
+/** The colours of a look, which the shaders take in linear light. */
+export const LOOK_COLOURS = ["skin", "lip", "brow", "blush", "iris", "hair", "coat"] as const;
+type LookColours = Record<(typeof LOOK_COLOURS)[number], THREE.IUniform<THREE.Color>>;
+type EyeNumbers = Record<keyof EyeTraits, THREE.IUniform<number>>;
 
 /** The uniforms all materials share; written once a frame. */
-export interface HeadUniforms extends Uniforms, LightUniforms, ShadowUniforms, SkinUniforms, PaintUniforms {
+export interface HeadUniforms
+  extends Uniforms,
+    LightUniforms,
+    ShadowUniforms,
+    SkinUniforms,
+    PaintUniforms,
+    LookColours,
+    EyeNumbers {
   positions: THREE.IUniform<THREE.Texture>;
   normals: THREE.IUniform<THREE.Texture>;
   headTurn: THREE.IUniform<THREE.Matrix3>;
   pivot: THREE.IUniform<THREE.Vector3>;
   viewPoint: THREE.IUniform<THREE.Vector3>;
-  firstLine: THREE.IUniform<number>;
   grain: THREE.IUniform<THREE.Texture>;
-  skin: THREE.IUniform<THREE.Color>;
-  lip: THREE.IUniform<THREE.Color>;
-  brow: THREE.IUniform<THREE.Color>;
-  blush: THREE.IUniform<THREE.Color>;
-  hair: THREE.IUniform<THREE.Color>;
-  coat: THREE.IUniform<THREE.Color>;
-  iris: THREE.IUniform<THREE.Color>;
-  irisSize: THREE.IUniform<number>;
-  slit: THREE.IUniform<number>;
-  lashes: THREE.IUniform<number>;
-  pupil: THREE.IUniform<number>;
 }
 
 /** What differs between the two eyeballs. */
@@ -73,15 +64,8 @@ export function headUniforms(
     headTurn: { value: new THREE.Matrix3() },
     pivot: { value: PIVOT.clone() },
     viewPoint: { value: new THREE.Vector3() },
-    firstLine: { value: 0 },
     grain: common?.grain ?? { value: grainTexture() },
-    skin: { value: new THREE.Color() },
-    lip: { value: new THREE.Color() },
-    brow: { value: new THREE.Color() },
-    blush: { value: new THREE.Color() },
-    hair: { value: new THREE.Color() },
-    coat: { value: new THREE.Color() },
-    iris: { value: new THREE.Color() },
+    ...(Object.fromEntries(LOOK_COLOURS.map((part) => [part, { value: new THREE.Color() }])) as LookColours),
     irisSize: { value: 1 },
     slit: { value: 0 },
     lashes: { value: 1 },
@@ -108,10 +92,12 @@ export interface HeadParts {
 /** The whole head as a scene. */
 export function buildHead(from: HeadParts): THREE.Group {
   const head = new THREE.Group();
-  for (const mesh of from.meshes) if (mesh.name !== "lashes") head.add(...drawn(mesh, from));
+  for (const mesh of from.meshes)
+    if (mesh.name !== "lashes")
+      for (const part of drawn(mesh, from)) head.add(Object.assign(part, { name: mesh.name }));
   const fast = !from.features.pixelLight;
   const grown = lashes(from.anatomy, from.shared, fast);
-  if (grown !== undefined) head.add(grown);
+  if (grown !== undefined) head.add(Object.assign(grown, { name: "lashes" }));
   if (from.anatomy.rim.length > 0) {
     const cloth = material(COLLAR_VERTEX, COLLAR_FRAGMENT, from.shared);
     head.add(new THREE.Mesh(collar(from.anatomy, fast), cloth));
@@ -141,7 +127,8 @@ function drawn(mesh: Mesh, from: HeadParts): THREE.Mesh[] {
   }
 }
 
-function geometryOf(mesh: Mesh): THREE.BufferGeometry {
+/** The triangles of a mesh, and the row of the positions of each of its vertices. */
+export function geometryOf(mesh: Mesh): THREE.BufferGeometry {
   const geometry = new THREE.BufferGeometry();
   geometry.setIndex(new THREE.BufferAttribute(mesh.triangles, 1));
   geometry.setAttribute("source", new THREE.BufferAttribute(Float32Array.from(mesh.source), 1));

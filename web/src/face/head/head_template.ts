@@ -55,6 +55,7 @@ function copyPart(part: THREE.Mesh, theirs: ReadonlyMap<THREE.IUniform, THREE.IU
     Object.entries(uniforms).map(([name, uniform]) => [name, theirs.get(uniform) ?? uniform]),
   );
   const mesh = new THREE.Mesh(part.geometry, own);
+  mesh.name = part.name;
   mesh.frustumCulled = part.frustumCulled;
   mesh.castShadow = part.castShadow;
   mesh.renderOrder = part.renderOrder;

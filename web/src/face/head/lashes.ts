@@ -4,7 +4,7 @@ import * as THREE from "three";
 import type { Anatomy } from "../anatomy/anatomy";
 import { ballFrame } from "../anatomy/eye_mesh";
 import { EDGE_POINTS, opening } from "../anatomy/openings";
-import { LAID_OVER, material, type Uniforms } from "../gpu/renderer";
+import { LAID_OVER, material, tellPixel, type Uniforms } from "../gpu/renderer";
 import { LASH_FRAGMENT, LASH_VERTEX } from "./lash_shaders";
 
 /** How lashes grow on a lid: how many, in clumps of how many, how long at most (metres on an eye of 15 mm). */
@@ -20,35 +20,17 @@ const LOWER: Growth = { count: 44, clump: 3, length: 0.0042 };
 const [FINE, COARSE] = [5, 3];
 
 /** The ribbons of all lashes: what `LASH_VERTEX` reads. */
-export interface Ribbons {
+interface Ribbons {
   strands: Float32Array; // (n, 4)
   bends: Float32Array; // (n, 4)
   triangles: Uint32Array;
 }
 
-/** Where lashes grow: what `LASH_VERTEX` is told once. */
-export interface LashRows {
-  /** The lids' edges: left upper, left lower, right upper, right lower. */
-  edgeRows: number[];
-  /** Two rows of each eyeball that lie opposite each other. */
-  ballRows: number[];
-}
-
-/** The rows that lashes grow from; undefined in a cast that names no lids. */
-export function lashRows(anatomy: Anatomy): LashRows | undefined {
+/** Lashes on both lids of both eyes; undefined in a cast that names no lids. */
+export function lashes(anatomy: Anatomy, shared: Uniforms, fast = false): THREE.Mesh | undefined {
   const lines = [anatomy.lines.get("lid_left"), anatomy.lines.get("lid_right")];
   const edges = lines.flatMap((line) => (line === undefined ? [] : [opening([...line], anatomy.positions)]));
   if (edges.length < 2) return undefined;
-  return {
-    edgeRows: edges.flatMap(({ upper, lower }) => [...upper, ...lower]),
-    ballRows: [0, 1].flatMap((side) => ballRows(anatomy, side)),
-  };
-}
-
-/** Lashes on both lids of both eyes; undefined in a cast that names no lids. */
-export function lashes(anatomy: Anatomy, shared: Uniforms, fast = false): THREE.Mesh | undefined {
-  const rows = lashRows(anatomy);
-  if (rows === undefined) return undefined;
   const { strands, bends, triangles } = ribbons(UPPER, LOWER, fast ? COARSE : FINE);
   const geometry = new THREE.BufferGeometry();
   geometry.setIndex(new THREE.BufferAttribute(triangles, 1));
@@ -58,19 +40,17 @@ export function lashes(anatomy: Anatomy, shared: Uniforms, fast = false): THREE.
   const hair = material(LASH_VERTEX, LASH_FRAGMENT, {
     ...shared,
     pixel,
-    edgeRows: { value: Int32Array.from(rows.edgeRows) },
-    ballRows: { value: Int32Array.from(rows.ballRows) },
+    edgeRows: { value: Int32Array.from(edges.flatMap(({ upper, lower }) => [...upper, ...lower])) },
+    ballRows: { value: Int32Array.from([0, 1].flatMap((side) => ballRows(anatomy, side))) },
   });
   Object.assign(hair, LAID_OVER, { side: THREE.DoubleSide, depthWrite: false });
   const drawn = new THREE.Mesh(geometry, hair);
   drawn.renderOrder = 1;
-  drawn.onBeforeRender = (renderer, _scene, camera) => {
-    const height = renderer.getDrawingBufferSize(new THREE.Vector2()).y;
-    pixel.value = 2 / ((camera.projectionMatrix.elements[5] as number) * height);
-  };
+  tellPixel(drawn, pixel);
   return drawn;
 }
 
+/** Two rows of an eyeball that lie opposite each other. */
 function ballRows(anatomy: Anatomy, side: number): number[] {
   const [first, end] = [anatomy.eyeRows[2 * side] as number, anatomy.eyeRows[2 * side + 1] as number];
   return ballFrame(anatomy.positions, first, end).rows.slice(0, 2);

@@ -47,7 +47,7 @@ export function places(mesh: Mesh, positions: Float32Array): Float32Array {
     const angle = angles[index] as number;
     const beside = rows
       .filter((_, other) => Math.abs((angles[other] as number) - angle) < TOOTH_REACH)
-      .map((one) => at(one, 1));
+      .map((neighbour) => at(neighbour, 1));
     const [low, high] = [Math.min(...beside), Math.max(...beside)];
     const level = high > low ? (at(row, 1) - low) / (high - low) : 0;
     out.set([(ahead - at(row, 2)) / ARCH_DEPTH, angle, upper ? 1 - level : level, upper], 4 * index);

@@ -32,6 +32,9 @@ void main() {
 }
 `;
 
+/** The view of `tileView`, pixels: whole width and height, left, top, width, height. */
+type TileView = readonly [number, number, number, number, number, number];
+
 /** The stage behind the head; it fills the picture. */
 export class Backdrop {
   readonly mesh: THREE.Mesh;
@@ -61,14 +64,7 @@ export class Backdrop {
   }
 
   /** Where this picture lies in its wall's: the view of `tileView`, pixels. */
-  place([fullWidth, fullHeight, left, top, width, height]: readonly [
-    number,
-    number,
-    number,
-    number,
-    number,
-    number,
-  ]): void {
+  place([fullWidth, fullHeight, left, top, width, height]: TileView): void {
     const { window, aspect } = this.uniforms;
     window.value.set(left / fullWidth, 1 - (top + height) / fullHeight, width / fullWidth, height / fullHeight);
     aspect.value = fullWidth / fullHeight;

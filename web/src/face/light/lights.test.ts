@@ -4,14 +4,14 @@ import { LIGHTS, type Light, lightTurned, mixLights } from "./lights";
 import type { Triple } from "./tone";
 
 const names = Object.keys(LIGHTS);
-const directions = ({ key, fill, rims }: Light) => [key.from, fill.from, rims.left, rims.right];
+const directions = ({ key, fill, rims }: Light) => [key.direction, fill.direction, rims.left, rims.right];
 const length = ([x, y, z]: Triple) => Math.hypot(x, y, z);
 
 describe("a mix of lights", () => {
   it.each(names)("is %s itself where only that is on air", (name) => {
     const [mixed, own] = [mixLights({ [name]: 1 }), LIGHTS[name] as Light];
     expect(mixed.exposure).toBe(own.exposure);
-    expect(mixed.key.light).toEqual(own.key.light);
+    expect(mixed.key.colour).toEqual(own.key.colour);
     directions(mixed).forEach((from, at) => {
       expect(from).toEqual(directions(own)[at]?.map((part) => expect.closeTo(part, 12)));
     });
@@ -40,16 +40,16 @@ describe("a light as somebody sees it who is turned", () => {
   });
 
   it("comes from the other side after half a turn, from as high as before", () => {
-    const [x, y, z] = theatre.key.from;
+    const [x, y, z] = theatre.key.direction;
     const { key, rims } = lightTurned(theatre, Math.PI);
-    key.from.forEach((part, axis) => {
+    key.direction.forEach((part, axis) => {
       expect(part).toBeCloseTo([-x, y, -z][axis] as number, 12);
     });
     expect(Math.hypot(...rims.left)).toBeCloseTo(Math.hypot(...theatre.rims.left), 12);
   });
 
   it("meets a nose that is turned to the audience's right from its own right", () => {
-    const ahead: Light = { ...theatre, key: { ...theatre.key, from: [0, 0, 1] } };
-    expect(lightTurned(ahead, Math.PI / 2).key.from[0]).toBeCloseTo(-1, 12);
+    const ahead: Light = { ...theatre, key: { ...theatre.key, direction: [0, 0, 1] } };
+    expect(lightTurned(ahead, Math.PI / 2).key.direction[0]).toBeCloseTo(-1, 12);
   });
 });

@@ -15,10 +15,9 @@ uniform sampler2D positions;
 uniform sampler2D normals;
 uniform mat3 headTurn;
 uniform vec3 pivot;
-uniform int firstLine; // of the face in its textures, where several faces lie one below the other
 in float source;
 
-ivec2 texelOf(int row) { return ivec2(row & ${ROW_WIDTH - 1}, firstLine + (row >> ${ROW_SHIFT})); }
+ivec2 texelOf(int row) { return ivec2(row & ${ROW_WIDTH - 1}, row >> ${ROW_SHIFT}); }
 vec3 fetchRow(sampler2D rows) { return texelFetch(rows, texelOf(int(source + 0.5)), 0).xyz; }
 vec3 rowAt(int row) { return texelFetch(positions, texelOf(row), 0).xyz; }
 vec3 turned(vec3 point, float part) { return mix(point, pivot + headTurn * (point - pivot), part); }

@@ -1,6 +1,7 @@
 /** The shadow map of the key light. */
 
 import * as THREE from "three";
+import { material } from "../gpu/renderer";
 import type { Light } from "./lights";
 import { DEPTH, HEIGHT_FRAGMENT, REACH } from "./shadow_shaders";
 
@@ -58,7 +59,7 @@ export class Shadow {
 
   /** Draws the shadow map of this light for the head as it is now, `size` texels along a side; 0: none. */
   draw(renderer: THREE.WebGLRenderer, light: Light, head: THREE.Object3D, size: number): void {
-    const dark = Math.max(...light.key.light) <= 0;
+    const dark = Math.max(...light.key.colour) <= 0;
     if (size === 0 || (dark && this.drawn)) return; // nobody asks, but the shaders want to hold a map
     this.drawn = true;
     this.target.setSize(size, size);
@@ -71,7 +72,7 @@ export class Shadow {
 
   private look({ key, size }: Light): void {
     this.camera.position
-      .set(...key.from)
+      .set(...key.direction)
       .multiplyScalar(AWAY)
       .add(CENTRE);
     this.camera.lookAt(CENTRE);
@@ -114,19 +115,13 @@ export class Shadow {
 function caster(mesh: THREE.Mesh, lamp: THREE.Vector3): THREE.Mesh {
   const look = mesh.material as THREE.RawShaderMaterial;
   const { SHADOW: _, ...defines } = look.defines ?? {};
-  const depth = new THREE.RawShaderMaterial({
-    glslVersion: THREE.GLSL3,
-    vertexShader: look.vertexShader,
-    fragmentShader: HEIGHT_FRAGMENT,
-    uniforms: {
-      ...look.uniforms,
-      viewPoint: { value: lamp },
-      ...("pixel" in look.uniforms ? { pixel: { value: PIXEL } } : {}),
-    },
-    defines: { ...defines, ...("strands" in look.uniforms ? { STRANDS: "" } : {}) },
-    side: THREE.DoubleSide,
-    blending: THREE.NoBlending,
+  const depth = material(look.vertexShader, HEIGHT_FRAGMENT, {
+    ...look.uniforms,
+    viewPoint: { value: lamp },
+    ...("pixel" in look.uniforms ? { pixel: { value: PIXEL } } : {}),
   });
+  depth.defines = { ...defines, ...("strands" in look.uniforms ? { STRANDS: "" } : {}) };
+  depth.side = THREE.DoubleSide;
   const drawn = new THREE.Mesh(mesh.geometry, depth);
   drawn.frustumCulled = false;
   return drawn;

@@ -31,7 +31,7 @@ function tidied(gains: readonly Gain[]): Gain[] {
     return Math.abs(gain.value - gainOf(others, gain.region, gain.expression)) > ROUNDING;
   };
   const name = ({ expression }: Gain) => expression ?? "";
-  return gains.filter(says).sort((one, other) => place(one) - place(other) || (name(one) < name(other) ? -1 : 1));
+  return gains.filter(says).sort((gain, other) => place(gain) - place(other) || (name(gain) < name(other) ? -1 : 1));
 }
 
 const keyOf = ({ region, expression }: Gain): string => JSON.stringify([region, expression]);

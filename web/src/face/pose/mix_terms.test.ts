@@ -63,8 +63,8 @@ describe("the terms of a mix", () => {
 
   it("say of each expression what it weighs at 1: the share of its face", () => {
     const faces = { kaori: 0.25, old: 0.75 };
-    const found = terms({ ...restPose("kaori"), faces, channels: { smile: 1.5 } }, all);
-    for (const { face, expression, weight, most } of found) {
+    const termList = terms({ ...restPose("kaori"), faces, channels: { smile: 1.5 } }, all);
+    for (const { face, expression, weight, most } of termList) {
       expect(most).toBe(faces[face as keyof typeof faces]);
       expect(weight).toBe(most * (expression === undefined ? 1 : 1.5));
     }
@@ -87,10 +87,10 @@ describe("the terms of a mix whose regions go their own way", () => {
   const NAMES = ["brows", "eyes", "mouth", "rest"] as const;
 
   it("sum in each region to the mix of that region", () => {
-    const found = terms(own, all);
+    const termList = terms(own, all);
     for (const [at, region] of NAMES.entries()) {
       const there = { ...pose, expressions: own.regions[region] ?? own.expressions } as typeof pose;
-      const sum = found.reduce(
+      const sum = termList.reduce(
         (so, { face: name, expression, weight, regions }) =>
           so + (regions?.[at] ?? weight) * (expression === undefined ? face(name) : delta(name, expression)),
         0,

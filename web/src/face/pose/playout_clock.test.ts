@@ -89,7 +89,9 @@ describe.each(jitters)("on %s", (_, jitter) => {
     for (const seed of seeds) {
       const shown = play(jitter(seed));
       shown.forEach(({ time, due }, frame) => {
-        const waits = shown.slice(Math.max(0, frame - 60), frame + 1).map((each) => each.time - each.newest);
+        const waits = shown
+          .slice(Math.max(0, frame - 60), frame + 1)
+          .map((frameShown) => frameShown.time - frameShown.newest);
         if (frame > 60) expect(time - due).toBeLessThan(Math.max(LONGEST, ...waits) + 0.002);
       });
     }
@@ -101,8 +103,8 @@ describe.each(jitters)("on %s", (_, jitter) => {
       const moves = (n: number): boolean => changes.some((from) => n >= from && n < from + 40);
       const shown = play({ ...jitter(seed), moves });
       for (const change of changes) {
-        const known = shown.find(({ newest }) => newest >= change * TICK - 1e-9) as Shown;
-        expect(known.due).toBeGreaterThan((change - 1) * TICK);
+        const newestShown = shown.find(({ newest }) => newest >= change * TICK - 1e-9) as Shown;
+        expect(newestShown.due).toBeGreaterThan((change - 1) * TICK);
       }
     }
   });
@@ -145,7 +147,8 @@ describe("after a pause of the link", () => {
     const shown = play({ late: pause(0.2) });
     const after = shown.filter(({ time }) => time > 5);
     for (const { speed } of after) expect(speed).toBeLessThanOrEqual(2 + 1e-9);
-    for (const { time, due } of after.filter((each) => each.time > 6)) expect(time - due).toBeLessThan(LONGEST + 0.001);
+    for (const { time, due } of after.filter((frameShown) => frameShown.time > 6))
+      expect(time - due).toBeLessThan(LONGEST + 0.001);
   });
 
   it("begins anew after a long one", () => {

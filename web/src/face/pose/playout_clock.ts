@@ -77,9 +77,9 @@ export class PlayoutClock {
 
   /** The time after the rest in which `due` lies. */
   #afterRest(due: number): number {
-    const found = this.#rests.find((rest) => isRest(rest) && rest.from <= due && due < rest.to);
+    const currentRest = this.#rests.find((rest) => isRest(rest) && rest.from <= due && due < rest.to);
     this.#rests = this.#rests.filter((rest, at) => rest.to > due || at === this.#rests.length - 1);
-    return found?.to ?? due;
+    return currentRest?.to ?? due;
   }
 
   /** How fast time runs, so that from `next` on, where a second a second would lead, it glides to `aim`. */

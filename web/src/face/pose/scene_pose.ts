@@ -30,8 +30,8 @@ export const alone = (pose: Pose, name = FIRST_CHARACTER, presence = 1): ScenePo
 export function sceneIn(state: State, name?: string): ScenePose & Due {
   const { light, time, epoch, framing } = state;
   if (name === undefined) {
-    const each = Object.entries(state.characters).map(([key, character]) => [key, { ...character, light }] as const);
-    return { characters: Object.fromEntries(each), framing, time, epoch };
+    const entries = Object.entries(state.characters).map(([key, character]) => [key, { ...character, light }] as const);
+    return { characters: Object.fromEntries(entries), framing, time, epoch };
   }
   const character = state.characters[name];
   if (character === undefined) return { characters: {}, framing: { [name]: 1 }, time, epoch };
@@ -49,7 +49,12 @@ export function closeUp(scene: ScenePose, name: string): ScenePose {
 export const sceneKey = ({ characters, framing }: ScenePose): string =>
   JSON.stringify([
     framing,
-    Object.entries(characters).map(([name, each]) => [name, poseKey(each), each.place, each.presence]),
+    Object.entries(characters).map(([name, character]) => [
+      name,
+      poseKey(character),
+      character.place,
+      character.presence,
+    ]),
   ]);
 
 /** The scene part of the way (0..1) from `from` to `to`; who is in one of them only comes, or goes. */

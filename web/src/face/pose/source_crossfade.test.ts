@@ -6,9 +6,9 @@ const FRAME = 1 / 60;
 const shown: Arrival = () => "shown";
 
 /** What names stand for, to be changed by the test. */
-const cast = (known: Record<string, string>) => ({
-  known,
-  sourceOf: (_: "faces" | "expressions", name: string): string => known[name] ?? name,
+const cast = (sources: Record<string, string>) => ({
+  known: sources,
+  sourceOf: (_: "faces" | "expressions", name: string): string => sources[name] ?? name,
 });
 const sum = (weights: Record<string, number>): number =>
   Object.values(weights).reduce((total, part) => total + part, 0);
@@ -17,8 +17,12 @@ describe("a source crossfade", () => {
   it("names what stands for a name, and leaves the built-in cast as it is", () => {
     const sourceCrossfade = new SourceCrossfade(cast({ grin: "#1" }));
     const pose: Pose = { ...restPose("dog", "grin"), channels: { smile: 0.5 } };
-    const found = sourceCrossfade.pose(pose, FRAME, shown);
-    expect([found.faces, found.expressions, found.channels]).toEqual([{ dog: 1 }, { "#1": 1 }, { smile: 0.5 }]);
+    const shownPose = sourceCrossfade.pose(pose, FRAME, shown);
+    expect([shownPose.faces, shownPose.expressions, shownPose.channels]).toEqual([
+      { dog: 1 },
+      { "#1": 1 },
+      { smile: 0.5 },
+    ]);
     expect(sourceCrossfade.settled(pose)).toBe(true);
   });
 

@@ -8,7 +8,7 @@ type Kind = "faces" | "expressions";
 type Weights = Record<string, number>;
 
 /** What names stand for (`Library.sourceOf`). */
-export interface Sources {
+export interface SourceNames {
   sourceOf(kind: Kind, name: string): string;
 }
 
@@ -20,7 +20,7 @@ const SECONDS = 0.25;
 const FIRST = 0.001;
 
 /** A name on its way from what it stood for to what it stands for now. */
-interface Change {
+interface SourceChange {
   from: ReadonlyMap<string, number>;
   to: string;
   progress: number;
@@ -31,9 +31,9 @@ interface Change {
  * quarter of a second, once the new one is here; a name that is not on air changes at once.
  */
 export class SourceCrossfade {
-  private readonly changes = { faces: new Map<string, Change>(), expressions: new Map<string, Change>() };
+  private readonly changes = { faces: new Map<string, SourceChange>(), expressions: new Map<string, SourceChange>() };
 
-  constructor(private readonly sources: Sources) {}
+  constructor(private readonly sources: SourceNames) {}
 
   /** The pose by source, `seconds` after the last; `atOnce`: as the names stand now. */
   pose(pose: Pose, seconds: number, arrival: Arrival, atOnce = false): Pose {
@@ -108,14 +108,14 @@ export class SourceCrossfade {
   }
 }
 
-function advance(change: Change, seconds: number, arrival: "away" | "here" | "shown", atOnce: boolean): void {
+function advance(change: SourceChange, seconds: number, arrival: "away" | "here" | "shown", atOnce: boolean): void {
   if (change.progress === 1) return;
   if (atOnce) change.progress = 1;
   else if (arrival === "shown") change.progress = Math.min(1, change.progress + seconds / SECONDS);
   else if (arrival === "here") change.progress = Math.max(change.progress, Number.MIN_VALUE);
 }
 
-function sharesOf({ from, to, progress }: Change): ReadonlyMap<string, number> {
+function sharesOf({ from, to, progress }: SourceChange): ReadonlyMap<string, number> {
   const share = progress === 0 ? 0 : progress === 1 ? 1 : Math.max(FIRST, MathUtils.smoothstep(progress, 0, 1));
   const shares = new Map([...from].map(([source, old]) => [source, old * (1 - share)]));
   if (share > 0) shares.set(to, (shares.get(to) ?? 0) + share);

@@ -10,7 +10,7 @@ const EVERY = 5;
 /** Looks now and then whether the machine has finished a picture long before the display wants it. */
 export class FrameHeadroom {
   private frame = 0;
-  private found: boolean | undefined;
+  private early: boolean | undefined;
 
   constructor(private readonly gl: WebGL2RenderingContext) {}
 
@@ -24,15 +24,15 @@ export class FrameHeadroom {
     gl.flush();
     const due = performance.now() + SOON;
     setTimeout(() => {
-      if (performance.now() < due + SLACK) this.found = gl.getSyncParameter(fence, gl.SYNC_STATUS) === gl.SIGNALED;
+      if (performance.now() < due + SLACK) this.early = gl.getSyncParameter(fence, gl.SYNC_STATUS) === gl.SIGNALED;
       gl.deleteSync(fence);
     }, SOON);
   }
 
-  /** What the last look has found, once: done early or not; undefined: there was none, or it came too late itself. */
+  /** What the last look has seen, once: done early or not; undefined: there was none, or it came too late itself. */
   take(): boolean | undefined {
-    const { found } = this;
-    this.found = undefined;
-    return found;
+    const { early } = this;
+    this.early = undefined;
+    return early;
   }
 }

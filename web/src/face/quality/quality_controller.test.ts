@@ -20,9 +20,9 @@ function run(qualityController: QualityController, machine: Machine, seconds: nu
   const path: Level[] = [qualityController.level];
   const changes: number[] = [];
   for (let time = 0, frame = 0; time < seconds; frame++) {
-    const given = report(machine, qualityController.level, frame, calm, rate);
-    time += given.interval;
-    if (qualityController.after(given) === path.at(-1)) continue;
+    const frameReport = report(machine, qualityController.level, frame, calm, rate);
+    time += frameReport.interval;
+    if (qualityController.after(frameReport) === path.at(-1)) continue;
     path.push(qualityController.level);
     changes.push(time);
   }
@@ -72,14 +72,14 @@ describe("the level of quality", () => {
     for (const machine of [STRONG, FAIR, WEAK, slow]) {
       const qualityController = new QualityController("good");
       run(qualityController, machine, 2);
-      expect(qualityController.settled).toBe(false);
+      expect(qualityController.proved).toBe(false);
       run(qualityController, machine, 60);
       for (let second = 0; second < 60; second++) {
-        expect(qualityController.settled).toBe(true);
+        expect(qualityController.proved).toBe(true);
         run(qualityController, machine, 1, { calm: second % 2 === 0 });
       }
       qualityController.forget();
-      expect(qualityController.settled).toBe(false);
+      expect(qualityController.proved).toBe(false);
     }
   });
 

@@ -17,7 +17,7 @@ const TRIAL = 4;
 /** Seconds after a change until a level has proved itself: whoever draws less from then on hides nothing. */
 const PROVED = 8;
 /** Seconds after a change in which frames are not judged: shaders are compiled, textures made. */
-const SETTLING = 1;
+const UNJUDGED = 1;
 /** How often a level may prove too much before it is not tried again. */
 const CHANCES = 2;
 /** Looks at the machine that are judged together, and how many of them must have found it done. */
@@ -43,7 +43,7 @@ export class QualityController {
   private looks: boolean[] = [];
   private lateFor = 0;
   private spareFor = 0;
-  private unjudged = SETTLING;
+  private unjudged = UNJUDGED;
   private unproved = PROVED;
   private readonly failures = new Map<Level, number>();
 
@@ -65,7 +65,7 @@ export class QualityController {
   }
 
   /** Whether the level has proved itself since it was chosen: frames need not be drawn only to judge it. */
-  get settled(): boolean {
+  get proved(): boolean {
     return this.unproved <= 0;
   }
 
@@ -83,7 +83,7 @@ export class QualityController {
 
   private keep(interval: number, early: boolean | undefined): void {
     this.intervals.push(interval);
-    let sum = this.intervals.reduce((total, each) => total + each, 0);
+    let sum = this.intervals.reduce((total, interval) => total + interval, 0);
     while (sum > WINDOW && this.intervals.length > FEWEST) sum -= this.intervals.shift() as number;
     if (early === undefined) return;
     this.looks.push(early);
@@ -111,7 +111,7 @@ export class QualityController {
     this.looks = [];
     this.lateFor = 0;
     this.spareFor = 0;
-    this.unjudged = SETTLING;
+    this.unjudged = UNJUDGED;
   }
 }
 

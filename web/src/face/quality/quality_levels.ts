@@ -26,62 +26,38 @@ export interface Features {
 
 export type Level = (typeof LEVELS)[number];
 
+const LOWEST: Features = {
+  pixelLight: false,
+  shadow: 0,
+  detail: false,
+  hair: 0.35,
+  ribbons: 1,
+  multisample: false,
+  anisotropy: 1,
+  shaderBlend: false,
+  pixels: 0.5e6,
+};
+const LOW: Features = { ...LOWEST, pixelLight: true, hair: 0.6, pixels: 1e6 };
+const MEDIUM: Features = {
+  ...LOW,
+  shadow: 512,
+  detail: true,
+  hair: 1,
+  multisample: true,
+  anisotropy: 4,
+  shaderBlend: true,
+  pixels: 2.1e6,
+};
+const GOOD: Features = { ...MEDIUM, ribbons: 4 };
+const HIGH: Features = { ...GOOD, shadow: 1024, anisotropy: 8, pixels: Infinity };
+
+/** By level, each as the one below but for what it draws more. */
 export const FEATURES: Readonly<Record<Level, Features>> = {
-  lowest: {
-    pixelLight: false,
-    shadow: 0,
-    detail: false,
-    hair: 0.35,
-    ribbons: 1,
-    multisample: false,
-    anisotropy: 1,
-    shaderBlend: false,
-    pixels: 0.5e6,
-  },
-  low: {
-    pixelLight: true,
-    shadow: 0,
-    detail: false,
-    hair: 0.6,
-    ribbons: 1,
-    multisample: false,
-    anisotropy: 1,
-    shaderBlend: false,
-    pixels: 1e6,
-  },
-  medium: {
-    pixelLight: true,
-    shadow: 512,
-    detail: true,
-    hair: 1,
-    ribbons: 1,
-    multisample: true,
-    anisotropy: 4,
-    shaderBlend: true,
-    pixels: 2.1e6,
-  },
-  good: {
-    pixelLight: true,
-    shadow: 512,
-    detail: true,
-    hair: 1,
-    ribbons: 4,
-    multisample: true,
-    anisotropy: 4,
-    shaderBlend: true,
-    pixels: 2.1e6,
-  },
-  high: {
-    pixelLight: true,
-    shadow: 1024,
-    detail: true,
-    hair: 1,
-    ribbons: 4,
-    multisample: true,
-    anisotropy: 8,
-    shaderBlend: true,
-    pixels: Infinity,
-  },
+  lowest: LOWEST,
+  low: LOW,
+  medium: MEDIUM,
+  good: GOOD,
+  high: HIGH,
 };
 
 /**

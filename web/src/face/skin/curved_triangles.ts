@@ -62,9 +62,12 @@ function divide(part: readonly Point[], places: readonly (readonly number[])[], 
   return [...divide([a, middle, c], places, longest), ...divide([middle, b, c], places, longest)];
 }
 
-function distance(one: Point, other: Point, places: readonly (readonly number[])[]): number {
+function distance(point: Point, other: Point, places: readonly (readonly number[])[]): number {
   const along = [0, 1, 2].map((axis) =>
-    places.reduce((sum, place, at) => sum + ((one[at] as number) - (other[at] as number)) * (place[axis] as number), 0),
+    places.reduce(
+      (sum, place, at) => sum + ((point[at] as number) - (other[at] as number)) * (place[axis] as number),
+      0,
+    ),
   );
   return Math.hypot(...along);
 }
@@ -73,16 +76,16 @@ function distance(one: Point, other: Point, places: readonly (readonly number[])
 class OwnVertices {
   readonly corners: number[] = [];
   readonly shares: number[] = [];
-  private readonly known = new Map<string, number>();
+  private readonly vertexByKey = new Map<string, number>();
 
   number(corners: readonly number[], point: Point): number {
     const order = [0, 1, 2].sort((a, b) => (corners[a] as number) - (corners[b] as number));
     const key = order.flatMap((at) => (point[at] === 0 ? [] : [corners[at], point[at]])).join();
-    const known = this.known.get(key);
-    if (known !== undefined) return known;
+    const existing = this.vertexByKey.get(key);
+    if (existing !== undefined) return existing;
     this.corners.push(...order.map((at) => corners[at] as number));
     this.shares.push(...order.map((at) => point[at] as number));
-    this.known.set(key, this.known.size);
-    return this.known.size - 1;
+    this.vertexByKey.set(key, this.vertexByKey.size);
+    return this.vertexByKey.size - 1;
   }
 }

@@ -57,15 +57,15 @@ export function dressPictures(shares: readonly PictureShare[], into: PictureUnif
   const shown = shares.flatMap(({ weight, look, picture }) =>
     picture === undefined ? [] : [{ weight: weight * picture.grown, look, texture: picture.texture }],
   );
-  shown.sort((one, other) => Math.abs(other.weight) - Math.abs(one.weight));
+  shown.sort((picture, other) => Math.abs(other.weight) - Math.abs(picture.weight));
   const total = shown.reduce((sum, { weight }) => sum + weight, 0);
   const drawn = shown.slice(0, PICTURES.length);
   const kept = drawn.reduce((sum, { weight }) => sum + weight, 0);
   const scale = Math.abs(kept) > 1e-6 ? total / kept : 0;
   PICTURES.forEach((name, at) => {
-    const one = drawn[at];
-    into.pictureWeights.value.setComponent(at, one === undefined ? 0 : one.weight * scale);
-    if (one !== undefined) into[name].value = one.texture;
+    const picture = drawn[at];
+    into.pictureWeights.value.setComponent(at, picture === undefined ? 0 : picture.weight * scale);
+    if (picture !== undefined) into[name].value = picture.texture;
   });
   if (scale === 0) return;
   const { value } = into.pictured;
@@ -77,6 +77,7 @@ export function dressPictures(shares: readonly PictureShare[], into: PictureUnif
     value[name] = drawn.reduce((sum, { weight, look }) => sum + (weight / kept) * look.traits[name], 0);
 }
 
-function addScaled(sum: THREE.Color, { r, g, b }: THREE.Color, weight: number): void {
+/** Adds a colour times a weight to a sum. */
+export function addScaled(sum: THREE.Color, { r, g, b }: THREE.Color, weight: number): void {
   sum.setRGB(sum.r + r * weight, sum.g + g * weight, sum.b + b * weight);
 }

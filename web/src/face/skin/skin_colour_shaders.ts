@@ -1,5 +1,9 @@
 /** Shader code of the skin's own colour. */
 
+import { PAINTED_COLOURS, PAINTED_TRAITS, PICTURES } from "./picture_mix";
+
+const PAINTED = [...PAINTED_COLOURS, ...PAINTED_TRAITS];
+
 /** The scalp under hair: by a vertex's hairline, and by the strands that are painted there (0..1). */
 export const SCALP_COLOURS = `
 uniform vec3 hair;
@@ -22,31 +26,13 @@ uniform sampler2D mask;
 uniform sampler2D marks;
 uniform sampler2D patches;
 uniform sampler2D pelt;
-uniform vec3 skin;
-uniform vec3 lip;
-uniform vec3 brow;
-uniform vec3 blush;
-uniform vec3 coat;
-uniform float pores;
-uniform float age;
-uniform float freckles;
-uniform float stubble;
-uniform float brows;
-uniform float makeup;
-uniform float fur;
-uniform float stripes;
-uniform float lacquer;
-uniform sampler2D picture0;
-uniform sampler2D picture1;
-uniform sampler2D picture2;
-uniform sampler2D picture3;
+uniform vec3 ${PAINTED_COLOURS.join(", ")};
+uniform float ${PAINTED_TRAITS.join(", ")}, makeup, lacquer;
+uniform sampler2D ${PICTURES.join(", ")};
 uniform vec4 pictureWeights;
 
 /** What a look says of the painted skin alone. */
-struct Painted {
-  vec3 skin; vec3 lip; vec3 brow; vec3 blush; vec3 coat;
-  float pores; float age; float freckles; float stubble; float brows; float fur; float stripes;
-};
+struct Painted { vec3 ${PAINTED_COLOURS.join(", ")}; float ${PAINTED_TRAITS.join(", ")}; };
 uniform Painted pictured; // the mean of the faces that have pictures
 
 const float RIM = 0.22; // of the brows' colour, the dark skin along lids and lips under fur
@@ -72,31 +58,18 @@ float browHairs(float drawn, float brows) { return clamp((drawn - mix(1.0, -0.12
 /** The light of the pictures times how far they cover this place, and that: a weighted sum over the faces. */
 vec4 pictures() {
   vec4 sum = vec4(0.0);
-  if (pictureWeights.x != 0.0) { vec4 seen = layer(picture0); sum += pictureWeights.x * vec4(seen.rgb, 1.0) * seen.a; }
-  if (pictureWeights.y != 0.0) { vec4 seen = layer(picture1); sum += pictureWeights.y * vec4(seen.rgb, 1.0) * seen.a; }
-  if (pictureWeights.z != 0.0) { vec4 seen = layer(picture2); sum += pictureWeights.z * vec4(seen.rgb, 1.0) * seen.a; }
-  if (pictureWeights.w != 0.0) { vec4 seen = layer(picture3); sum += pictureWeights.w * vec4(seen.rgb, 1.0) * seen.a; }
+  vec4 seen;
+${PICTURES.map((name, at) => `  if (pictureWeights[${at}] != 0.0) { seen = layer(${name}); sum += pictureWeights[${at}] * vec4(seen.rgb, 1.0) * seen.a; }`).join("\n")}
   return sum;
 }
 
 /** The mean of all looks less those whose paint a picture covers, so that half-way to a painted face its own paint shows. */
 Painted painted(float covered) {
-  Painted all = Painted(skin, lip, brow, blush, coat, pores, age, freckles, stubble, brows, fur, stripes);
+  Painted all = Painted(${PAINTED.join(", ")});
   float left = 1.0 - covered;
   if (covered == 0.0 || abs(left) < 0.01) return all;
   float more = covered / left;
-  all.skin = clamp(all.skin + more * (all.skin - pictured.skin), 0.0, 1.0);
-  all.lip = clamp(all.lip + more * (all.lip - pictured.lip), 0.0, 1.0);
-  all.brow = clamp(all.brow + more * (all.brow - pictured.brow), 0.0, 1.0);
-  all.blush = clamp(all.blush + more * (all.blush - pictured.blush), 0.0, 1.0);
-  all.coat = clamp(all.coat + more * (all.coat - pictured.coat), 0.0, 1.0);
-  all.pores = clamp(all.pores + more * (all.pores - pictured.pores), 0.0, 1.0);
-  all.age = clamp(all.age + more * (all.age - pictured.age), 0.0, 1.0);
-  all.freckles = clamp(all.freckles + more * (all.freckles - pictured.freckles), 0.0, 1.0);
-  all.stubble = clamp(all.stubble + more * (all.stubble - pictured.stubble), 0.0, 1.0);
-  all.brows = clamp(all.brows + more * (all.brows - pictured.brows), 0.0, 1.0);
-  all.fur = clamp(all.fur + more * (all.fur - pictured.fur), 0.0, 1.0);
-  all.stripes = clamp(all.stripes + more * (all.stripes - pictured.stripes), 0.0, 1.0);
+${PAINTED.map((part) => `  all.${part} = clamp(all.${part} + more * (all.${part} - pictured.${part}), 0.0, 1.0);`).join("\n")}
   return all;
 }
 

@@ -6,7 +6,7 @@ import type { Look } from "../../link/messages";
 import type { Uniforms } from "../gpu/renderer";
 import { type PictureUniforms, pictureUniforms } from "./picture_mix";
 
-type Layer = (typeof SKIN_LAYERS)[number];
+type SkinLayer = (typeof SKIN_LAYERS)[number];
 
 /** What stands for each layer of the skin until its picture is here. */
 const BLANKS = {
@@ -16,7 +16,7 @@ const BLANKS = {
   relief: [128, 128, 128, 128],
   finish: [115, 51, 255, 128],
   pelt: [0, 0, 0, 0],
-} as const satisfies Record<Layer, readonly [number, number, number, number]>;
+} as const satisfies Record<SkinLayer, readonly [number, number, number, number]>;
 
 /** What of a look is a number for the skin's shaders, by the same name. */
 export const SKIN_TRAITS = [
@@ -40,7 +40,7 @@ export type SkinTraits = Record<SkinTrait, number>;
 /** What the skin's shaders take: its layers, and the traits and pictures of the faces on air. */
 export type SkinUniforms = Uniforms &
   PictureUniforms &
-  Record<Layer, THREE.IUniform<THREE.Texture>> &
+  Record<SkinLayer, THREE.IUniform<THREE.Texture>> &
   Record<SkinTrait, THREE.IUniform<number>>;
 
 /** Uniforms of a skin without layers, or with those of another one. */
@@ -63,7 +63,7 @@ export interface LayerFilter {
 export function applyLayers(uniforms: SkinUniforms, pictures: readonly ImageBitmap[], filter: LayerFilter): void {
   SKIN_LAYERS.forEach((name, index) => {
     const picture = pictures[index];
-    if (picture !== undefined) uniforms[name].value = layerTexture(picture, filter);
+    if (picture !== undefined) uniforms[name].value = pictureTexture(picture, filter);
   });
 }
 
@@ -79,9 +79,10 @@ function plainTexture(texel: readonly number[]): THREE.Texture {
   return texture;
 }
 
-function layerTexture(picture: ImageBitmap, { detail, anisotropy }: LayerFilter): THREE.Texture {
+/** A picture on the skin, its texture coordinates as in glTF: (0, 0) is the upper left corner. */
+export function pictureTexture(picture: ImageBitmap, { detail, anisotropy }: LayerFilter): THREE.Texture {
   const texture = new THREE.Texture(picture);
-  texture.flipY = false; // texture coordinates as in glTF: (0, 0) is the upper left corner
+  texture.flipY = false;
   texture.premultiplyAlpha = false;
   texture.generateMipmaps = true;
   texture.minFilter = detail ? THREE.LinearMipmapLinearFilter : THREE.LinearMipmapNearestFilter;

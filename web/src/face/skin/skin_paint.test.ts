@@ -46,9 +46,9 @@ describe("what a skin is painted by", () => {
   });
 
   it("is all that its shader is told, but for hair on the scalp, which is left to the vertices", () => {
-    const told = [...PAINT_FRAGMENT.matchAll(/^uniform \w+ (\w+);/gm)].map(([, name]) => name as string);
+    const uniformNames = [...PAINT_FRAGMENT.matchAll(/^uniform \w+ (\w+);/gm)].map(([, name]) => name as string);
     const uniforms = headUniforms(null, null);
-    for (const name of told.filter((name) => name !== "hair" && name !== "scalp")) {
+    for (const name of uniformNames.filter((name) => name !== "hair" && name !== "scalp")) {
       const before = lookOf(uniforms);
       const uniform = uniforms[name] as THREE.IUniform;
       uniform.value = new THREE.Texture();

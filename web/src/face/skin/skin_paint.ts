@@ -1,7 +1,7 @@
 /** The painted skin of a character as pictures of its own, so that a slow machine mixes its layers only when it changes. */
 
 import * as THREE from "three";
-import { FULLSCREEN_VERTEX, fullscreenTriangle, type Uniforms } from "../gpu/renderer";
+import { coveringMaterial, fullscreenTriangle, type Uniforms } from "../gpu/renderer";
 import { PICTURES } from "./picture_mix";
 import { SKIN_TRAITS, type SkinUniforms } from "./skin_layers";
 import { PAINT_FRAGMENT } from "./skin_paint_shaders";
@@ -10,7 +10,7 @@ import { PAINT_FRAGMENT } from "./skin_paint_shaders";
 const SIDE = 512;
 
 /** The uniforms that say what is painted: all of `PAINT_FRAGMENT`, and no other. */
-const TOLD = [
+const PAINT_UNIFORMS = [
   ...["mask", "marks", "patches", "pelt", "skin", "lip", "brow", "blush", "coat"],
   ...SKIN_TRAITS.filter((name) => name !== "scalp"),
   ...[...PICTURES, "pictureWeights", "pictured"],
@@ -40,17 +40,12 @@ export class SkinPaint {
   constructor(private readonly uniforms: SkinUniforms & PaintUniforms) {
     [uniforms.paint.value, uniforms.sheen.value] = this.target.textures as [THREE.Texture, THREE.Texture];
     this.mesh = fullscreenTriangle(
-      new THREE.RawShaderMaterial({
-        glslVersion: THREE.GLSL3,
-        vertexShader: FULLSCREEN_VERTEX,
-        fragmentShader: PAINT_FRAGMENT,
-        uniforms: Object.fromEntries(
-          [...TOLD, "hair", "scalp"].map((name) => [name, (uniforms as Uniforms)[name] as THREE.IUniform]),
+      coveringMaterial(
+        PAINT_FRAGMENT,
+        Object.fromEntries(
+          [...PAINT_UNIFORMS, "hair", "scalp"].map((name) => [name, (uniforms as Uniforms)[name] as THREE.IUniform]),
         ),
-        depthTest: false,
-        depthWrite: false,
-        blending: THREE.NoBlending,
-      }),
+      ),
     );
   }
 
@@ -71,10 +66,11 @@ export class SkinPaint {
 }
 
 /** All that a skin is painted by, in words. */
-export const lookOf = (uniforms: Uniforms): string => TOLD.map((name) => told(uniforms[name]?.value)).join();
+export const lookOf = (uniforms: Uniforms): string =>
+  PAINT_UNIFORMS.map((name) => textOf(uniforms[name]?.value)).join();
 
-function told(value: unknown): string {
+function textOf(value: unknown): string {
   if (value instanceof THREE.Texture) return `${value.id}.${value.version}`;
   if (value instanceof THREE.Color || value instanceof THREE.Vector4) return value.toArray().join();
-  return typeof value === "object" && value !== null ? Object.values(value).map(told).join() : String(value);
+  return typeof value === "object" && value !== null ? Object.values(value).map(textOf).join() : String(value);
 }

@@ -3,7 +3,7 @@
 import * as THREE from "three";
 import type { Library } from "../../link/assets";
 import type { ShownPicture } from "./picture_mix";
-import type { LayerFilter } from "./skin_layers";
+import { type LayerFilter, pictureTexture } from "./skin_layers";
 
 /** Seconds in which a picture that came late grows over the painted skin. */
 const EASE = 0.4;
@@ -91,7 +91,7 @@ export class SkinPictures {
   rebuild(filter: LayerFilter): void {
     this.filter = filter;
     for (const held of this.held.values()) {
-      held.texture = pictureTexture(held.picture, filter);
+      held.texture = colourTexture(held.picture, filter);
       held.uploaded = false;
     }
   }
@@ -118,7 +118,7 @@ export class SkinPictures {
     if (this.asked.has(digest) || this.lost.has(digest)) return;
     const came = this.library.albedo(face).then(
       (picture) => {
-        this.held.set(digest, { picture, texture: pictureTexture(picture, this.filter), grown: 0, uploaded: false });
+        this.held.set(digest, { picture, texture: colourTexture(picture, this.filter), grown: 0, uploaded: false });
       },
       (error: unknown) => {
         this.lost.add(digest);
@@ -147,15 +147,6 @@ export class SkinPictures {
   }
 }
 
-function pictureTexture(picture: ImageBitmap, { detail, anisotropy }: LayerFilter): THREE.Texture {
-  const texture = new THREE.Texture(picture);
-  texture.colorSpace = THREE.SRGBColorSpace; // read, filtered and made smaller in linear light
-  texture.flipY = false;
-  texture.premultiplyAlpha = false;
-  texture.generateMipmaps = true;
-  texture.minFilter = detail ? THREE.LinearMipmapLinearFilter : THREE.LinearMipmapNearestFilter;
-  texture.magFilter = THREE.LinearFilter;
-  texture.anisotropy = anisotropy;
-  texture.needsUpdate = true;
-  return texture;
-}
+/** Read, filtered and made smaller in linear light. */
+const colourTexture = (picture: ImageBitmap, filter: LayerFilter): THREE.Texture =>
+  Object.assign(pictureTexture(picture, filter), { colorSpace: THREE.SRGBColorSpace });

@@ -2,12 +2,18 @@
 
 from __future__ import annotations
 
+import re
+
 from omote.inputs.trackers.face_motion.motion_message import HEADER, LONGEST_PAYLOAD, MAGIC
 from omote.inputs.trackers.face_text import LONGEST_FRAME
 from omote.inputs.trackers.tracker_frame import TrackerError
 
 END = b"___iFacialMocap"
 """What a text frame ends with in a stream (ifacialmocap.com/for-developer)."""
+
+TEXT_BEGINS = re.compile(rb"\s*\w*\s*(?:[-&|=#]|$|_)")
+"""A name and what follows it. A web page can send to any port of this machine, with frames behind the first line of its
+request, which begins otherwise."""
 
 
 class FaceStream:
@@ -19,11 +25,11 @@ class FaceStream:
     def feed(self, data: bytes) -> list[bytes]:
         """The packets that have come whole; TrackerError where the stream cannot be read on, and is to be closed."""
         self._rest += data
-        found: list[bytes] = []
+        packets: list[bytes] = []
         while (packet := self._take()) is not None:
             if packet:
-                found.append(packet)
-        return found
+                packets.append(packet)
+        return packets
 
     def _take(self) -> bytes | None:
         rest = self._rest
@@ -33,6 +39,8 @@ class FaceStream:
                 return None
             self._rest = rest[size:]
             return rest[:size]
+        if not TEXT_BEGINS.match(rest):
+            raise TrackerError(f"the stream has {rest[:16]!r} where a frame begins: its connection is ended")
         packet, mark, after = rest.partition(END)
         if not mark:
             if len(rest) > LONGEST_FRAME + len(END):

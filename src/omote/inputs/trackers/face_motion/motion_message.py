@@ -14,7 +14,9 @@ from omote.inputs.trackers.tracker_frame import TrackerError
 MAGIC = b"FMV3"
 HEADER = struct.Struct("<4sBBHQIIIIHHI")
 LONGEST_PAYLOAD = 262_144
-MOST_PARTS, MOST_OPEN, MOST_BYTES = 512, 8, 524_288
+MOST_PARTS = 512
+MOST_OPEN = 8
+MOST_BYTES = 524_288
 """Parts of a message; messages whose parts are still coming, and bytes of all of these."""
 
 
@@ -110,6 +112,6 @@ class PartCollector:
         return MotionMessage(sent.kind, sent.session, sent.schema, sent.sequence, sent.flags, sent.source, payload)
 
     def _forget_old(self) -> None:
-        kept = sum(len(each) for parts in self._open.values() for each in parts.values())
+        kept = sum(len(part) for parts in self._open.values() for part in parts.values())
         while len(self._open) > MOST_OPEN or kept > MOST_BYTES:
             kept -= sum(map(len, self._open.pop(next(iter(self._open))).values()))

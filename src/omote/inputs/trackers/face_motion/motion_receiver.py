@@ -22,18 +22,23 @@ from omote.inputs.trackers.face_motion.motion_message import (
 )
 from omote.inputs.trackers.face_text import decode_face_text
 from omote.inputs.trackers.head_angles import average_eyes, read_right_handed_degrees
-from omote.inputs.trackers.tracker_frame import TrackerError, TrackerFrame
+from omote.inputs.trackers.tracker_frame import TrackerError, TrackerFrame, read_json
 from omote.perform.limits import CHANNEL_HIGHEST, CHANNEL_LOWEST
 
 REVISION = 4
 """Of the protocol that is spoken."""
 NONCE = int.from_bytes(b"omote-v3", "little")
 """By which a phone knows our hello; the same after a restart, so that it goes on with its session."""
-RATE, LONGEST_DATAGRAM = 60, 1200
-HELLO, START, POSE = struct.Struct("<HHI"), struct.Struct("<QHHII"), struct.Struct("<12f")
-PING_SECONDS, ASK_FRAMES = 2.0, 60
+RATE = 60
+LONGEST_DATAGRAM = 1200
+HELLO = struct.Struct("<HHI")
+START = struct.Struct("<QHHII")
+POSE = struct.Struct("<12f")
+PING_SECONDS = 2.0
+ASK_FRAMES = 60
 """Between two signs of life to a phone; frames without their list of names between two requests for it."""
-TRACKED, RECORDED = 1, 2
+TRACKED = 1
+RECORDED = 2
 Answer = Callable[[bytes], None]
 Name = Annotated[str, msgspec.Meta(min_length=1, max_length=255)]
 
@@ -50,9 +55,6 @@ class Schema(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     pose_layout: Literal["head_rxyz_pxyz_rightEye_rxyz_leftEye_rxyz"]
     rotation_unit: Literal["degree"]
     position_unit: Literal["meter"]
-
-
-_SCHEMA = msgspec.json.Decoder(Schema)
 
 
 @dataclass(frozen=True)
@@ -77,7 +79,8 @@ class MotionReceiver:
     one of TCP, where nothing is acknowledged."""
 
     def __init__(self, answer: Answer, *, stream: bool = False) -> None:
-        self._answer, self._stream = answer, stream
+        self._answer = answer
+        self._stream = stream
         self._parts = PartCollector()
         self._agreed: _Agreed | None = None
         self._newest: int | None = None
@@ -143,10 +146,7 @@ def _read_schema(message: MotionMessage) -> _Agreed:
         )
     if nonce not in (0, NONCE) or not 0 < rate <= RATE:
         raise TrackerError("the phone's list of names answers another program, or is for another rate")
-    try:
-        schema = _SCHEMA.decode(message.payload[START.size :])
-    except (msgspec.MsgspecError, UnicodeDecodeError, RecursionError) as error:
-        raise TrackerError(f"the phone's list of names cannot be read: {str(error)[:160]}") from error
+    schema = read_json(Schema, message.payload[START.size :], "the phone's list of names cannot be read")
     names = tuple(schema.blend_names)
     if len(set(names)) != len(names):
         raise TrackerError("the phone's list of names has one twice")

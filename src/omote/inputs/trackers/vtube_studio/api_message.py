@@ -9,10 +9,12 @@ from typing import Annotated, Any
 
 import msgspec
 
-from omote.inputs.trackers.tracker_frame import TrackerError
+from omote.inputs.trackers.tracker_frame import TrackerError, read_json
 
-API_NAME, API_VERSION = "VTubeStudioPublicAPI", "1.0"
-API_PORT, ANNOUNCEMENT_PORT = 8001, 47779
+API_NAME = "VTubeStudioPublicAPI"
+API_VERSION = "1.0"
+API_PORT = 8001
+ANNOUNCEMENT_PORT = 47779
 PLUGIN = {"pluginName": "Omote", "pluginDeveloper": "Omote contributors"}
 ANNOUNCEMENT = "VTubeStudioAPIStateBroadcast"
 LONGEST_MESSAGE = 1 << 20
@@ -77,12 +79,11 @@ class ParameterList(msgspec.Struct, frozen=True, rename="camel"):
     default_parameters: Annotated[list[Parameter], msgspec.Meta(max_length=1024)] = []
 
 
-_DECODER = msgspec.json.Decoder(ApiMessage)
-_ANNOUNCEMENT = msgspec.json.Decoder(Announcement)
-
-
 def encode_request(message_type: str, data: dict[str, Any] | None = None, request_id: str = "omote") -> bytes:
-    """The bytes of a request."""
+    """The bytes of a request.
+
+    message_type: its kind, as the API calls it; data: what belongs to that; request_id: what the answer repeats.
+    """
     return msgspec.json.encode(
         {
             "apiName": API_NAME,
@@ -98,10 +99,7 @@ def decode_message(data: bytes) -> ApiMessage:
     """An answer or an event; TrackerError where it is none."""
     if len(data) > LONGEST_MESSAGE:
         raise TrackerError(f"the message has {len(data)} bytes, but at most {LONGEST_MESSAGE} are read")
-    try:
-        message = _DECODER.decode(data)
-    except (msgspec.MsgspecError, UnicodeDecodeError, RecursionError) as error:
-        raise TrackerError(f"the message is none of VTube Studio: {str(error)[:160]}") from error
+    message = read_json(ApiMessage, data, "the message is none of VTube Studio")
     if message.api_name != API_NAME:
         raise TrackerError(f"the message is of the API {message.api_name[:40]!r}, expected {API_NAME}")
     return message
@@ -111,6 +109,7 @@ def decode_announcement(data: bytes) -> Announcement | None:
     """Where VTube Studio runs, by what it sends into the network every two seconds; None for anything else."""
     try:
         message = decode_message(data)
-        return _ANNOUNCEMENT.decode(message.data) if message.message_type == ANNOUNCEMENT else None
-    except (TrackerError, msgspec.MsgspecError, UnicodeDecodeError, RecursionError):
+        announced = message.message_type == ANNOUNCEMENT
+        return read_json(Announcement, message.data, "the announcement cannot be read") if announced else None
+    except TrackerError:
         return None

@@ -19,7 +19,8 @@ from omote.perform.limits import GAZE_LIMITS
 PREFIX = "Omote"
 """Before the names of the parameters that we add, which we do not read."""
 HEAD = ("FaceAngleX", "FaceAngleY", "FaceAngleZ")
-EYES_X, EYES_Y = ("EyeLeftX", "EyeRightX"), ("EyeLeftY", "EyeRightY")
+EYES_X = ("EyeLeftX", "EyeRightX")
+EYES_Y = ("EyeLeftY", "EyeRightY")
 Weights = dict[str, float]
 
 
@@ -64,7 +65,8 @@ READ: Mapping[str, Callable[[float], Weights]] = {
 
 
 def read_parameters(values: Mapping[str, float], *, found: bool = True) -> TrackerFrame:
-    """The frame of its parameters. values: by name; others than a face's are left out."""
+    """The frame of its parameters. values: by name; others than a face's are left out; found: whether it sees a
+    face."""
     finite = {name: value for name, value in values.items() if math.isfinite(value)}
     weights: Weights = {}
     for name, read in READ.items():
@@ -79,10 +81,14 @@ def read_parameters(values: Mapping[str, float], *, found: bool = True) -> Track
 
 
 def write_parameters(weights: Mapping[str, float], head: HeadAngles, gaze: GazeAngles) -> Weights:
-    """Its own parameters for all of ARKit's units, head and gaze (radians, ours): those that any model listens to."""
+    """Its own parameters for all of ARKit's units, head and gaze (radians, ours): those that any model listens to.
+
+    weights: of all units, 0 to 1.
+    """
     unit = weights.__getitem__
-    yaw, pitch, roll = (math.degrees(each) for each in head)
-    gaze_x, gaze_y = -gaze[0] / GAZE_LIMITS["yaw"], gaze[1] / GAZE_LIMITS["pitch"]
+    yaw, pitch, roll = (math.degrees(angle) for angle in head)
+    gaze_x = -gaze[0] / GAZE_LIMITS["yaw"]
+    gaze_y = gaze[1] / GAZE_LIMITS["pitch"]
     smile = unit("mouthSmileLeft") + unit("mouthSmileRight") - unit("mouthFrownLeft") - unit("mouthFrownRight")
     return {
         **dict(zip(HEAD, (-yaw, pitch, -roll), strict=True)),
@@ -129,5 +135,5 @@ def _read_gaze(values: Mapping[str, float]) -> GazeAngles | None:
     across, up = ([values[name] for name in names if name in values] for names in (EYES_X, EYES_Y))
     if not across and not up:
         return None
-    yaw, pitch = (sum(each) / len(each) if each else 0.0 for each in (across, up))
+    yaw, pitch = (sum(sides) / len(sides) if sides else 0.0 for sides in (across, up))
     return -yaw * GAZE_LIMITS["yaw"], pitch * GAZE_LIMITS["pitch"]

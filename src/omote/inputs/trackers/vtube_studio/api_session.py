@@ -9,11 +9,9 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from typing import TypeVar
 
-import msgspec
-
 from omote.inputs.trackers.arkit_names import ARKIT_NAMES
 from omote.inputs.trackers.head_angles import GazeAngles, HeadAngles
-from omote.inputs.trackers.tracker_frame import TrackerError, TrackerFrame
+from omote.inputs.trackers.tracker_frame import TrackerError, TrackerFrame, read_json
 from omote.inputs.trackers.vtube_studio.api_message import (
     PLUGIN,
     ApiFault,
@@ -32,7 +30,8 @@ from omote.inputs.trackers.vtube_studio.api_parameters import (
     write_parameters,
 )
 
-NEEDS_TOKEN, TOKEN_DENIED = 8, 50
+NEEDS_TOKEN = 8
+TOKEN_DENIED = 50
 """Numbers of its faults (Files/ErrorID.cs)."""
 STATUS_EVENT = "TrackingStatusChangedEvent"
 Kind = TypeVar("Kind")
@@ -53,9 +52,14 @@ class ApiSession:
         token: str = "",
         sets: bool = False,
     ) -> None:
-        self._answer, self._keep, self._token, self._sets = answer, keep, token, sets
-        self.ready, self.waits = False, ""
-        self._found, self._asked = True, False
+        self._answer = answer
+        self._keep = keep
+        self._token = token
+        self._sets = sets
+        self.ready = False
+        self.waits = ""
+        self._found = True
+        self._asked = False
         self._known: frozenset[str] = frozenset()
 
     def begin(self) -> None:
@@ -75,7 +79,7 @@ class ApiSession:
 
     def set_face(self, weights: Mapping[str, float], head: HeadAngles, gaze: GazeAngles) -> bool:
         """Sets the parameters of a face, of its own those that it has; False before it may. weights: of all of ARKit's
-        units."""
+        units; head, gaze: radians."""
         if not self.ready or not self._known:
             return False
         own = {name: value for name, value in write_parameters(weights, head, gaze).items() if name in self._known}
@@ -104,7 +108,8 @@ class ApiSession:
 
     def _enter(self, answer: Authentication) -> None:
         """Goes on where we may; a token that is not valid any more is asked for anew."""
-        self.ready, self.waits = answer.authenticated, ""
+        self.ready = answer.authenticated
+        self.waits = ""
         if not answer.authenticated:
             self._ask_anew()
         elif self._sets:
@@ -121,13 +126,13 @@ class ApiSession:
             self._keep("")
             self.begin()
 
-    def _take_list(self, found: ParameterList) -> list[TrackerFrame]:
+    def _take_list(self, listed: ParameterList) -> list[TrackerFrame]:
         self._asked = False
-        own = {each.name: each.value for each in found.default_parameters}
+        own = {parameter.name: parameter.value for parameter in listed.default_parameters}
         self._known = frozenset(own)
         if self._sets:
             return []
-        added = {each.name: each.value for each in found.custom_parameters}
+        added = {parameter.name: parameter.value for parameter in listed.custom_parameters}
         return [read_parameters({**added, **own}, found=self._found)]
 
     def _take_status(self, status: FaceStatus) -> list[TrackerFrame]:
@@ -160,7 +165,4 @@ def _parameter(unit: str) -> dict[str, object]:
 
 
 def _read(message: ApiMessage, kind: type[Kind]) -> Kind:
-    try:
-        return msgspec.json.decode(message.data, type=kind)
-    except (msgspec.MsgspecError, UnicodeDecodeError, RecursionError) as error:
-        raise TrackerError(f"{message.message_type} cannot be read: {str(error)[:160]}") from error
+    return read_json(kind, message.data, f"{message.message_type} cannot be read")

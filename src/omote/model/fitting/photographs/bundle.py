@@ -10,33 +10,40 @@ from collections.abc import Sequence
 from dataclasses import replace
 
 import numpy as np
-from numpy.typing import NDArray
 
+from omote.arrays import Values
+from omote.model.fitting.head_zones import head_zones
 from omote.model.fitting.identity_modes import IdentityModes
-from omote.model.fitting.photographs.bundle_problem import LIGHTS, PAINTS, Bundle, Problem
-from omote.model.fitting.photographs.landmark_table import LandmarkTable
-from omote.model.fitting.photographs.outlines import REACH, find_outline
-from omote.model.fitting.photographs.photograph import Photograph
-from omote.model.fitting.photographs.pose_start import (
-    FOCAL_SPREAD,
-    KNOWN_SPREAD,
-    start_camera,
-    usual_focal,
-)
-from omote.model.fitting.photographs.skin.skin_evidence import SkinEvidence, add_skin, open_evidence, start_lights
-from omote.model.fitting.photographs.skin.skin_samples import SkinSamples
-from omote.model.fitting.photographs.view_errors import (
+from omote.model.fitting.photographs.bundle_problem import (
+    LIGHTS,
+    PAINTS,
     POSE,
+    Bundle,
+    Problem,
     change_by_places,
     change_by_pose,
     measure_errors,
 )
-from omote.model.fitting.shape.head_zones import head_zones
+from omote.model.fitting.photographs.landmark_table import LandmarkTable
+from omote.model.fitting.photographs.outlines import REACH, find_outline
+from omote.model.fitting.photographs.photograph import FILM, Photograph, PhotographCamera
+from omote.model.fitting.photographs.skin_evidence import (
+    SkinEvidence,
+    SkinSamples,
+    add_skin,
+    open_evidence,
+    start_lights,
+)
 from omote.model.space.parameter_space import ParameterSpace
+from omote.model.space.similarity import fit_similarity
 
-Values = NDArray[np.float64]
-
-ROUNDS = 14
+FOCAL = 1.2
+"""Widths of the longer side: what most photographs of heads are taken with."""
+FOCAL_SPREAD = 0.4
+KNOWN_SPREAD = 0.03
+"""Of the logarithm of a focal length that nobody told, and of one that a file tells."""
+_AFAR_ROUNDS = 40
+LANDMARK_ROUNDS = 14
 # From this round on, outlines are sought in the pictures.
 OUTLINES = 4
 # Of a unit of expression in a photograph.
@@ -45,14 +52,51 @@ UNIT = 0.12
 ODD = 5.0
 # Landmarks of real people err more than those of ours: variances times this, and times the other where pictures say
 # better.
-CARE, LATE = 4.0, 16.0
+CARE = 4.0
+LATE = 16.0
 # Of an edge, metres, and how many neighbouring points of an outline say no more than one.
-EDGE, ALIKE = 0.0015, 4.0
+EDGE = 0.0015
+ALIKE = 4.0
 # No turn of one round is larger, radians, nor a change of a focal length's logarithm; nor one of a mode where pictures
 # are looked at, which are known only nearby.
-STRIDE, LEAP = 0.3, 1.0
+STRIDE = 0.3
+LEAP = 1.0
 # Metres by which pictures are blurred, round by round, where skin is looked at.
 BLURS = (0.005, 0.005, 0.004, 0.003, 0.0025, 0.002, 0.0015, 0.0015)
+
+
+def usual_focal(photograph: Photograph, /) -> float:
+    """The focal length in pixels: as the file says, else as usual."""
+    longer = max(photograph.width, photograph.height)
+    return longer * (FOCAL if photograph.focal is None else photograph.focal / FILM)
+
+
+def start_camera(photograph: Photograph, places: Values, /) -> PhotographCamera:
+    """The camera from which points (p, 3) of a usual head lie as the photograph's landmarks do.
+
+    photograph: with its landmarks; places (p, 3): metres.
+    """
+    pixels = photograph.landmarks[: len(places)]
+    upright = np.column_stack([pixels[:, 0], -pixels[:, 1], np.zeros(len(pixels))])
+    if photograph.has_depth:
+        upright[:, 2] = -pixels[:, 2]
+    else:
+        upright[:, 2] = _guess_depth(upright[:, :2], places)
+    pose = fit_similarity(places, upright, np.ones(len(places)))
+    focal = usual_focal(photograph)
+    away = focal / pose.scale
+    aside = (pose.shift[:2] - [0.5 * photograph.width, -0.5 * photograph.height]) / pose.scale
+    shift = np.array([aside[0], aside[1], -away])
+    return PhotographCamera(pose.rotation, shift, focal, photograph.width, photograph.height)
+
+
+def _guess_depth(flat: Values, places: Values) -> Values:
+    """Depths (p,) of points whose places in the picture (p, 2) are known, as a usual head turned the same way has."""
+    depth = np.zeros(len(flat))
+    for _ in range(_AFAR_ROUNDS):
+        pose = fit_similarity(places, np.column_stack([flat, depth]), np.ones(len(flat)))
+        depth = pose(places)[:, 2]
+    return depth
 
 
 def adjust(
@@ -60,36 +104,41 @@ def adjust(
     skin: SkinSamples | None = None,
 ) -> Bundle:  # fmt: skip
     """The most likely shape, cameras and expressions: by landmarks, then, where skin is known and pictures come along,
-    by what these show of it."""
+    by what these show of it.
+
+    space, modes: the head and what heads differ by; table: how landmarks err; photographs: of one person; skin: where
+    it is looked at.
+    """
     problem = Problem(
         space, modes, table, photographs, table.places(modes.skin), table.places(modes.moves),
-        np.stack(list(table.units.values())), _lenses(photographs), [_brightness(each) for each in photographs],
+        np.stack(list(table.units.values())), _lenses(photographs), [_brightness(view) for view in photographs],
     )  # fmt: skip
-    found = _start(problem)
-    for number in range(ROUNDS):
-        found = _step(problem, found, number >= OUTLINES)
-    if skin is None or all(each.picture is None for each in photographs):
-        return found
-    evidence = open_evidence(problem, skin, found)
-    found = replace(found, lights=start_lights(problem, evidence, found, BLURS[0]))
+    bundle = _start(problem)
+    for number in range(LANDMARK_ROUNDS):
+        bundle = _step(problem, bundle, number >= OUTLINES)
+    if skin is None or all(photograph.picture is None for photograph in photographs):
+        return bundle
+    evidence = open_evidence(problem, skin, bundle)
+    bundle = replace(bundle, lights=start_lights(problem, evidence, bundle, BLURS[0]))
     for blur in BLURS:
-        found = _step(problem, found, True, evidence, blur)
-    return found
+        bundle = _step(problem, bundle, True, evidence, blur)
+    return bundle
 
 
 def _start(problem: Problem) -> Bundle:
     """A usual head, seen as if from afar."""
-    count, views = len(problem.moves), problem.photographs
+    count = len(problem.moves)
+    views = problem.photographs
     return Bundle(
         np.zeros(count), np.ones(count), np.zeros(problem.common - count),
-        tuple(start_camera(each, problem.mean) for each in views),
+        tuple(start_camera(view, problem.mean) for view in views),
         tuple(np.zeros(len(problem.units)) for _ in views), (), np.zeros((len(views), LIGHTS)), np.zeros(PAINTS),
     )  # fmt: skip
 
 
 def _lenses(photographs: Sequence[Photograph]) -> list[int]:
     """The number of each photograph's lens."""
-    names = [each.camera if each.camera is not None else at for at, each in enumerate(photographs)]
+    names = [photograph.camera if photograph.camera is not None else at for at, photograph in enumerate(photographs)]
     order = list(dict.fromkeys(names))
     return [order.index(name) for name in names]
 
@@ -97,14 +146,15 @@ def _lenses(photographs: Sequence[Photograph]) -> list[int]:
 def _brightness(photograph: Photograph) -> Values | None:
     if photograph.picture is None:
         return None
-    result: Values = photograph.picture.astype(np.float64).mean(axis=2)
-    return result
+    return photograph.picture.astype(np.float64).mean(axis=2)
 
 
 def _step(
     problem: Problem, last: Bundle, outlined: bool, evidence: SkinEvidence | None = None, blur: float = 0.0
-) -> Bundle:  # fmt: skip
-    matrix, pull, errors = np.eye(problem.size) * 1e-9, np.zeros(problem.size), []
+) -> Bundle:
+    matrix = np.eye(problem.size) * 1e-9
+    pull = np.zeros(problem.size)
+    errors = []
     shape = problem.modes.shape_skin(last.weights) if outlined else None
     for view in range(len(problem.photographs)):
         at = problem.columns(view)
@@ -130,10 +180,12 @@ def _step(
 
 def _look(problem: Problem, last: Bundle, view: int) -> tuple[Values, Values, Values]:
     """Of a photograph: how what is left of its errors changes (2 p, n), that itself (2 p,), and both weighed."""
-    camera, table = last.cameras[view], problem.table
+    camera = last.cameras[view]
+    table = problem.table
     places = problem.mean + np.tensordot(last.weights, problem.moves, 1)
     places = places + np.tensordot(last.units[view], problem.units, 1)
-    pixels, law = problem.photographs[view].landmarks[: len(places), :2], table.error_at(camera.yaw)
+    pixels = problem.photographs[view].landmarks[: len(places), :2]
+    law = table.error_at(camera.yaw)
     explained = law.mean + law.slopes @ last.weights + law.person @ last.person
     error = measure_errors(pixels, camera, places) - explained
     slopes = np.column_stack([
@@ -156,32 +208,34 @@ def _expect(problem: Problem, last: Bundle, view: int, matrix: Values, pull: Val
     pull[at[0]] += spread**-2 * np.log(last.cameras[view].focal / usual_focal(photograph))
 
 
-def _add_outline(
-    problem: Problem, last: Bundle, view: int, shape: Values, matrix: Values, pull: Values
-) -> None:  # fmt: skip
+def _add_outline(problem: Problem, last: Bundle, view: int, shape: Values, matrix: Values, pull: Values) -> None:
     """Adds the edges found near where the head ends."""
-    luma, camera = problem.luma[view], last.cameras[view]
+    luma = problem.luma[view]
+    camera = last.cameras[view]
     if luma is None:
         return
     face = head_zones(problem.space).face
-    found = find_outline(problem.space, camera, shape, luma, face)
-    if not len(found.rows):
+    outline = find_outline(problem.space, camera, shape, luma, face)
+    if not len(outline.rows):
         return
-    places, moves = shape[found.rows], problem.modes.moves[:, found.rows]
-    across = found.ways.ravel()[:, None]
+    places = shape[outline.rows]
+    moves = problem.modes.moves[:, outline.rows]
+    across = outline.ways.ravel()[:, None]
     slopes = np.column_stack([
         (across * part).reshape(len(places), 2, -1).sum(axis=1)
         for part in (change_by_places(camera, places, moves), change_by_pose(camera, places))
     ])  # fmt: skip
-    share = found.clear * (1.0 - (found.away / REACH) ** 2) ** 2 / (EDGE**2 * ALIKE)
+    share = outline.clear * (1.0 - (outline.away / REACH) ** 2) ** 2 / (EDGE**2 * ALIKE)
     at = problem.columns(view)[: problem.common + POSE]
     at = np.r_[at[: len(moves)], at[problem.common :]]
     matrix[np.ix_(at, at)] += (slopes.T * share) @ slopes
-    pull[at] += (slopes.T * share) @ found.away
+    pull[at] += (slopes.T * share) @ outline.away
 
 
 def _moved(problem: Problem, last: Bundle, step: Values, deviations: Values, errors: list[Values]) -> Bundle:
-    count, cameras, units = len(problem.moves), [], []
+    count = len(problem.moves)
+    cameras = []
+    units = []
     for view, camera in enumerate(last.cameras):
         own = step[problem.columns(view)[problem.common :]]
         share = min(1.0, STRIDE / max(float(np.linalg.norm(own[:3])), 1e-9))

@@ -12,11 +12,11 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from omote.arrays import Indices, Values
 from omote.model.space.parameter_space import ParameterSpace
 
-Values = NDArray[np.float64]
-
-LANDMARKS, ON_SKIN = 478, 468
+LANDMARKS = 478
+ON_SKIN = 468
 """Points of MediaPipe's face mesh, and those of them that lie on the skin; the others are irises."""
 
 
@@ -41,14 +41,12 @@ class LandmarkError:
         inverse = trust / self.alone
         scaled = self.basis * inverse[:, None]
         inner = np.linalg.inv(self.shared) + self.basis.T @ scaled
-        result: Values = inverse[:, None] * matrix - scaled @ np.linalg.solve(inner, scaled.T @ matrix)
-        return result
+        return inverse[:, None] * matrix - scaled @ np.linalg.solve(inner, scaled.T @ matrix)
 
     @property
     def variance(self) -> Values:
         """Of each coordinate by itself, (2 p,)."""
-        result: Values = self.alone + ((self.basis @ self.shared) * self.basis).sum(axis=1)
-        return result
+        return self.alone + ((self.basis @ self.shared) * self.basis).sum(axis=1)
 
 
 @dataclass(frozen=True, eq=False)
@@ -70,7 +68,7 @@ class LandmarkTable:
         How each moves the points on the generic head, metres.
     """
 
-    corners: NDArray[np.int32]
+    corners: Indices
     shares: Values
     nodes: Values
     basis: Values
@@ -83,8 +81,7 @@ class LandmarkTable:
 
     def places(self, skin: NDArray[np.floating], /) -> Values:
         """Where the points lie on a skin (..., V, 3): (..., p, 3)."""
-        result: Values = np.einsum("pk,...pkc->...pc", self.shares, skin[..., self.corners, :])
-        return result
+        return np.einsum("pk,...pkc->...pc", self.shares, skin[..., self.corners, :])
 
     def error_at(self, yaw: float, /) -> LandmarkError:
         """How landmarks of a head that is turned so far are off."""
@@ -93,10 +90,9 @@ class LandmarkTable:
         share = at - low
 
         def between(values: Values) -> Values:
-            result: Values = (1.0 - share) * values[low] + share * values[low + 1]
-            return result
+            return (1.0 - share) * values[low] + share * values[low + 1]
 
-        mean, slopes, person = (self.basis @ between(each) for each in (self.mean, self.slopes, self.person))
+        mean, slopes, person = (self.basis @ between(nodes) for nodes in (self.mean, self.slopes, self.person))
         return LandmarkError(mean, slopes, person, self.basis, between(self.shared), between(self.alone))
 
 

@@ -9,15 +9,13 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 from scipy.ndimage import gaussian_filter, map_coordinates
 
+from omote.arrays import Floats, Mask, Rows, Values
 from omote.geometry import mesh
-from omote.geometry.depth_map import draw_depth, visible
-from omote.model.fitting.photographs.photograph_camera import PhotographCamera
+from omote.geometry.depth_map import visible
+from omote.model.fitting.photographs.photograph import PhotographCamera
 from omote.model.space.parameter_space import ParameterSpace
-
-Values = NDArray[np.float64]
 
 REACH = 0.007
 """Metres to both sides of a fitted outline within which an edge is sought."""
@@ -27,8 +25,8 @@ BLUR = 0.0012
 SLACK = 0.002
 CLEAR = 3.0
 """An edge stands out so many times over the median of what lies across it."""
-DEPTH_SIDE = 400
-BESIDE, GAP = 3.0, 0.02
+BESIDE = 3.0
+GAP = 0.02
 """An outline has nothing within so many metres behind it, so many pixels of the depth map beside it."""
 
 
@@ -37,19 +35,22 @@ class Outline:
     """Edges found: rows (k,) of the skin where it ends, ways (k, 2) across its outline (right, up), how far along them
     the edge lies (k,), metres, and how clear it is (k,), 0 to 1."""
 
-    rows: NDArray[np.intp]
+    rows: Rows
     ways: Values
     away: Values
     clear: Values
 
 
 def find_outline(
-    space: ParameterSpace, camera: PhotographCamera, skin: Values, luma: Values, counted: NDArray[np.bool_], /
-) -> Outline:  # fmt: skip
-    """The edges near the outline of a skin (V, 3) in a photograph's brightness (h, w); counted (V,): where to look."""
+    space: ParameterSpace, camera: PhotographCamera, skin: Values, luma: Values, counted: Mask, /
+) -> Outline:
+    """The edges near the outline of a skin (V, 3) in a photograph's brightness (h, w); counted (V,): where to look.
+
+    space, skin (V, 3): the head, metres; camera: of the photograph; luma (h, w): 0 to 255; counted (V,): where to look.
+    """
     seen = camera.view(skin)
     normals = mesh.normals(skin, space.triangles) @ camera.rotation.T
-    rows = _rims(space, seen, normals, camera, counted)
+    rows = _rims(space, skin, normals, camera, counted)
     ways = normals[rows, :2] / np.maximum(np.linalg.norm(normals[rows, :2], axis=1, keepdims=True), 1e-9)
     pixel = -seen[rows, 2] / camera.focal
     offsets = np.linspace(-REACH, REACH, STEPS)
@@ -65,10 +66,9 @@ def find_outline(
     return Outline(rows, ways, offsets[best], clear)
 
 
-def _rims(
-    space: ParameterSpace, seen: Values, normals: Values, camera: PhotographCamera, counted: NDArray[np.bool_]
-) -> NDArray[np.intp]:
+def _rims(space: ParameterSpace, skin: Values, normals: Values, camera: PhotographCamera, counted: Mask) -> Rows:
     """The counted rows of the skin where it turns away from the camera and nothing is before it."""
+    seen = camera.view(skin)
     facing = (normals * -seen).sum(axis=1) / np.linalg.norm(seen, axis=1)
     corners = space.triangles
     turned = facing[corners]
@@ -76,16 +76,14 @@ def _rims(
     rows = corners[crossing][np.abs(turned[crossing]).argmin(axis=1)[:, None] == np.arange(3)]
     rows = np.unique(rows)
     rows = rows[counted[rows]]
-    share = DEPTH_SIDE / max(camera.width, camera.height)
-    screen = np.column_stack([camera.project(seen) * share, -seen[:, 2]])
-    depth = draw_depth(screen, corners.astype(np.int32), int(camera.width * share), int(camera.height * share))
+    screen = camera.screen(skin, camera.coarse)
+    depth = camera.draw(skin, corners, camera.coarse)
     beside = screen[rows] + BESIDE * normals[rows] * [1.0, -1.0, 0.0]
     gap = _depth_at(depth, beside) - screen[rows, 2]
     return np.asarray(rows[visible(depth, screen[rows], SLACK) & (gap > GAP)])
 
 
-def _depth_at(depth: NDArray[np.float32], screen: Values) -> Values:
+def _depth_at(depth: Floats, screen: Values) -> Values:
     row = np.clip(screen[:, 1].astype(int), 0, depth.shape[0] - 1)
     column = np.clip(screen[:, 0].astype(int), 0, depth.shape[1] - 1)
-    result: Values = depth[row, column].astype(np.float64)
-    return result
+    return depth[row, column].astype(np.float64)

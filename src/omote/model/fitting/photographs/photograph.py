@@ -1,19 +1,96 @@
-"""Photographs of a head as they are fitted: what a landmark model found in them, and what is known of the camera."""
+"""Photographs of a head as they are fitted: what a landmark model found in them, and where the camera was."""
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
+from scipy.spatial.transform import Rotation
 
+from omote.arrays import Floats, Values
 from omote.geometry import mesh
+from omote.geometry.depth_map import draw_depth
 from omote.model.fitting.photographs.landmark_table import LANDMARKS
 
-LARGEST, FARTHEST = 20_000, 4.0
+LARGEST = 20_000
+FARTHEST = 4.0
 FOCALS = (8.0, 400.0)
 FILM = 36.0
 """Width of the picture to which focal lengths of 35 mm film refer, millimetres."""
+DEPTH_SIDE = 400
+"""Pixels of a coarse depth map's longer side."""
+
+
+@dataclass(frozen=True, eq=False)
+class PhotographCamera:
+    """A camera, relative to a head.
+
+    Attributes
+    ----------
+    rotation : ndarray, (3, 3)
+        From the head's frame to the camera's: x to the right in the picture, y up, z towards the photographer.
+    shift : ndarray, (3,)
+        Where the head's origin lies in the camera's frame, metres; z is negative.
+    focal : float
+        Focal length, pixels.
+    width, height : int
+        Of the picture, pixels.
+    """
+
+    rotation: Values
+    shift: Values
+    focal: float
+    width: int
+    height: int
+
+    def view(self, points: NDArray[np.floating], /) -> Values:
+        """Points (n, 3) of the head in the camera's frame, metres."""
+        return points.astype(np.float64) @ self.rotation.T + self.shift
+
+    def project(self, seen: Values, /) -> Values:
+        """Where points (n, 3) of the camera's frame lie in the picture, (n, 2) pixels, y down."""
+        plane = self.focal * seen[:, :2] / -seen[:, 2:]
+        return np.stack([0.5 * self.width + plane[:, 0], 0.5 * self.height - plane[:, 1]], axis=1)
+
+    def screen(self, points: NDArray[np.floating], /, share: float = 1.0) -> Values:
+        """Points (n, 3) of the head as depth maps take them: pixels right and down in a picture of so much a side
+        (share), depth in metres.
+
+        points (n, 3): metres; share: of each side of the picture.
+        """
+        seen = self.view(points)
+        return np.column_stack([self.project(seen) * share, -seen[:, 2]])
+
+    def facing(self, points: NDArray[np.floating], ways: Values, /) -> Values:
+        """The cosines (n,) between unit vectors, ways (n, 3), and those from points (n, 3) to the camera."""
+        seen = self.view(points)
+        return ((ways @ self.rotation.T) * -seen).sum(axis=1) / np.linalg.norm(seen, axis=1)
+
+    def draw(self, skin: NDArray[np.floating], triangles: NDArray[np.integer], /, share: float = 1.0) -> Floats:
+        """The depth map of a skin (V, 3), triangles (t, 3), in a picture with so much of each side (share)."""
+        size = max(int(self.width * share), 1), max(int(self.height * share), 1)
+        return draw_depth(self.screen(skin, share), triangles.astype(np.int32), *size)
+
+    @property
+    def coarse(self) -> float:
+        """The share of the picture's sides at which a depth map has DEPTH_SIDE pixels along the longer one."""
+        return DEPTH_SIDE / max(self.width, self.height)
+
+    def move(self, turn: Values, shift: Values, growth: float, /) -> PhotographCamera:
+        """The camera after the head turned (3,) radians about its middle and moved (3,) metres before it, and the
+        logarithm of the focal length grew.
+
+        turn (3,): radians; shift (3,): metres; growth: of the logarithm of the focal length.
+        """
+        turned = Rotation.from_rotvec(turn).as_matrix() @ self.rotation
+        return replace(self, rotation=turned, shift=self.shift + shift, focal=self.focal * float(np.exp(growth)))
+
+    @property
+    def yaw(self) -> float:
+        """How far the head looks past the camera, radians: positive where its left side turns away, its nose to the
+        picture's right."""
+        return float(np.arctan2(self.rotation[0, 2], self.rotation[2, 2]))
 
 
 @dataclass(frozen=True, eq=False)
@@ -52,7 +129,7 @@ class Photograph:
     K. Arai (1993), section 5.1 and [8]: faces from photographs.
     """
 
-    landmarks: NDArray[np.float64]
+    landmarks: Values
     width: int
     height: int
     focal: float | None = None
@@ -68,7 +145,8 @@ class Photograph:
             raise ValueError(
                 f"the focal length of a photograph is {self.focal}; expected {FOCALS[0]:g} to {FOCALS[1]:g} mm, or None"
             )
-        wanted, picture = (self.height, self.width, 3), self.picture
+        wanted = (self.height, self.width, 3)
+        picture = self.picture
         if picture is not None and (picture.shape != wanted or picture.dtype != np.uint8):
             raise ValueError(f"a picture has shape {picture.shape} of {picture.dtype}; expected {wanted} of uint8")
         object.__setattr__(self, "landmarks", _validate(self.landmarks, self.width, self.height))
@@ -79,7 +157,7 @@ class Photograph:
         return bool(self.landmarks.shape[1] == 3)
 
 
-def _validate(landmarks: ArrayLike, width: int, height: int) -> NDArray[np.float64]:
+def _validate(landmarks: ArrayLike, width: int, height: int) -> Values:
     points = mesh.validate_numbers(landmarks, name="landmarks of a photograph")
     if points.shape not in ((LANDMARKS, 2), (LANDMARKS, 3)):
         raise ValueError(f"landmarks of a photograph have shape {points.shape}; expected ({LANDMARKS}, 2) or 3")
@@ -88,6 +166,4 @@ def _validate(landmarks: ArrayLike, width: int, height: int) -> NDArray[np.float
     outside = np.abs(points[:, :2] / [width, height] - 0.5).max() - 0.5
     if outside > FARTHEST:
         raise ValueError(f"a landmark lies {outside:.3g} pictures outside; expected {FARTHEST:g} at most")
-    result = np.array(points, np.float64)
-    result.setflags(write=False)
-    return result
+    return mesh.freeze(points)

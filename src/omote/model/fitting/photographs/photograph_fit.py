@@ -1,4 +1,4 @@
-"""Fits the generic head to photographs of somebody: a face with our topology, and where each camera was."""
+"""Fits the generic head to photographs of somebody: a face with our topology, where each camera was, and doubts."""
 
 from __future__ import annotations
 
@@ -6,23 +6,83 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
-from omote.model.fitting.fit_face import Follow, say_nothing
+from omote.model.fitting.fit_face import Follow, close_face, say_nothing
 from omote.model.fitting.identity_modes import IdentityModes, refuse_other_topology
 from omote.model.fitting.photographs.bundle import adjust
 from omote.model.fitting.photographs.bundle_problem import Bundle
 from omote.model.fitting.photographs.landmark_table import LandmarkTable, refuse_other_space
-from omote.model.fitting.photographs.photograph import Photograph
-from omote.model.fitting.photographs.photograph_camera import PhotographCamera
-from omote.model.fitting.photographs.photograph_doubts import find_photograph_doubts
-from omote.model.fitting.photographs.skin.skin_samples import SkinSamples
-from omote.model.fitting.shape.face_closing import close_face
-from omote.model.fitting.shape.fold_mending import find_folds
+from omote.model.fitting.photographs.photograph import Photograph, PhotographCamera
+from omote.model.fitting.photographs.skin_evidence import SkinSamples
+from omote.model.fitting.skin_repair import find_folds
 from omote.model.space.face import Face
 from omote.model.space.parameter_space import ParameterSpace
 
-Values = NDArray[np.float64]
+TURNED = np.radians(25.0)
+"""From so far on a head shows its profile, and its other cheek no more."""
+STRANGE = 2.0
+LARGE = 0.015
+DIFFERENT = 0.5
+FOLDS = 5
+SIDES = {"front": 0.0, "left": -1.0, "right": 1.0}
+"""Of a photograph that was said to show a side of the head, the sign of the turn that shows it."""
+
+
+def find_photograph_doubts(
+    photographs: Sequence[Photograph], bundle: Bundle, residual: Sequence[float], spread: float, folds: int, /
+) -> tuple[str, ...]:
+    """Sentences on a fit, none where it is sure.
+
+    residual: pixels of each photograph; spread: millimetres; folds: how many triangles are folded.
+
+    photographs, bundle: what was fitted, and how.
+    """
+    yaws = [camera.yaw for camera in bundle.cameras]
+    return (*_of_views(yaws, spread), *_of_each(photographs, bundle, residual), *_of_shape(bundle, folds))
+
+
+def _of_views(yaws: Sequence[float], spread: float) -> list[str]:
+    """What is not seen from where the cameras were."""
+    if len(yaws) == 1:
+        return [
+            "One photograph shows how wide and tall a face is; only shades and what people's faces have in common tell "
+            f"how far nose, brow and chin stand out, about {spread:.1f} mm off. Add one from each side, or turn the "
+            "head."
+        ]
+    doubts = []
+    if max(yaws) < TURNED:
+        doubts.append("No photograph shows the head from its right; that side is made up.")
+    if min(yaws) > -TURNED:
+        doubts.append("No photograph shows the head from its left; that side is made up.")
+    if min(abs(yaw) for yaw in yaws) > TURNED:
+        doubts.append("No photograph shows the head from the front; add one.")
+    return doubts
+
+
+def _of_each(photographs: Sequence[Photograph], bundle: Bundle, residual: Sequence[float]) -> list[str]:
+    """What is odd about single photographs."""
+    doubts = []
+    for number, (photograph, camera, left) in enumerate(zip(photographs, bundle.cameras, residual, strict=True), 1):
+        if left * float(-camera.shift[2]) / camera.focal > LARGE:
+            doubts.append(f"Photograph {number} does not fit: its landmarks lie {left:.0f} pixels off; look at them.")
+        said = SIDES.get(photograph.side or "")
+        if said and said * camera.yaw < 0.0 and abs(camera.yaw) > TURNED:
+            doubts.append(f"Photograph {number} was said to show the {photograph.side}, and shows the other side.")
+        worn = max(bundle.units[number - 1], default=0.0)
+        if worn > DIFFERENT:
+            doubts.append(f"The face of photograph {number} is not at rest; that was taken out as far as it is known.")
+    return doubts
+
+
+def _of_shape(bundle: Bundle, folds: int) -> list[str]:
+    """What is odd about the head."""
+    doubts = []
+    strange = float(np.sqrt((bundle.weights**2).mean()))
+    if strange > STRANGE:
+        doubts.append("The head is unlike those of people; look whether all photographs show one person.")
+    if folds > FOLDS:
+        doubts.append(f"The skin stays folded at {folds} triangles; look at them, or smooth them.")
+    return doubts
 
 
 @dataclass(frozen=True, eq=False)
@@ -107,30 +167,31 @@ def fit_photograph_views(
         raise ValueError("there are no photographs; expected at least one")
     tell = follow or say_nothing
     tell(0.0, "shape and cameras")
-    found = adjust(space, modes, table, photographs, skin)
+    bundle = adjust(space, modes, table, photographs, skin)
     tell(0.8, "eyes and mouth")
-    head, parts = modes.shape_skin(found.weights), modes.shape_parts(found.weights)
+    head = modes.shape_skin(bundle.weights)
+    parts = modes.shape_parts(bundle.weights)
     face = close_face(space, name, space.points, head, parts)
     residual = tuple(
         float(np.sqrt((error**2).sum() * 2 / len(error))) * camera.focal / float(-camera.shift[2])
-        for error, camera in zip(found.errors, found.cameras, strict=True)
+        for error, camera in zip(bundle.errors, bundle.cameras, strict=True)
     )
-    spread = _spread(modes, found)
+    spread = _measure_spread(modes, bundle)
     tell(1.0, "done")
     folds = len(find_folds(space, space.points, face.positions.astype(np.float64)))
-    doubts = find_photograph_doubts(photographs, found, residual, spread, folds)
-    return PhotographFit(face, found.cameras, _worn(table, found), residual, spread, doubts)
+    doubts = find_photograph_doubts(photographs, bundle, residual, spread, folds)
+    return PhotographFit(face, bundle.cameras, _worn(table, bundle), residual, spread, doubts)
 
 
-def _worn(table: LandmarkTable, found: Bundle) -> tuple[dict[str, float], ...]:
+def _worn(table: LandmarkTable, bundle: Bundle) -> tuple[dict[str, float], ...]:
     return tuple(
         {name: float(weight) for name, weight in zip(table.units, units, strict=True) if weight > 0.0}
-        for units in found.units
+        for units in bundle.units
     )
 
 
-def _spread(modes: IdentityModes, found: Bundle) -> float:
+def _measure_spread(modes: IdentityModes, bundle: Bundle) -> float:
     """Millimetres: what the modes' standard deviations make of the skin."""
     flat = modes.moves.reshape(len(modes.moves), -1)
-    variance = ((found.deviations[:, None] * flat) ** 2).sum() / modes.skin.shape[0]
+    variance = ((bundle.deviations[:, None] * flat) ** 2).sum() / modes.skin.shape[0]
     return 1000.0 * float(np.sqrt(variance))

@@ -16,10 +16,10 @@ from omote.server.devices.trackers.tracker_listener import TrackerListener, Trac
 from omote.server.devices.trackers.tracker_sockets import TrackerWish, open_tracker, read_wish
 from omote.server.devices.vtube_studio.api_programs import ApiPrograms
 from omote.server.persistence.device_file import DeviceFile
-from omote.show import messages as wire
+from omote.show.objects.devices import Devices, FoundTracker, ReceiverState, SendWay, SwitchDevice, TrackerOffer
 
 MOST_RECEIVERS = 16
-WAYS = [wire.SendWay(name, SEND_TITLES[name], port) for name, port in SEND_PORTS.items() if name != SURFACE]
+WAYS = [SendWay(name, SEND_TITLES[name], port) for name, port in SEND_PORTS.items() if name != SURFACE]
 Report = Callable[[str], None]
 
 
@@ -43,8 +43,12 @@ class DeviceSwitches:
         self, switched: Switched, heard: Iterable[TrackerWish], sent: Iterable[FaceTarget], notes: DeviceFile,
         report: Report = lambda _: None, outside: Callable[[], str] = lambda: "",
     ) -> None:  # fmt: skip
-        self._switched, self._notes, self._report, self._outside = switched, notes, report, outside
-        self._heard, self._faults = dict[str, TrackerWish](), dict[str, tuple[str, str]]()
+        self._switched = switched
+        self._notes = notes
+        self._report = report
+        self._outside = outside
+        self._heard = dict[str, TrackerWish]()
+        self._faults = dict[str, tuple[str, str]]()
         for wish in heard:
             self._start(wish)
         self._sent = {target.word: target for target in sent}
@@ -62,8 +66,11 @@ class DeviceSwitches:
             except ValueError as error:
                 self._report(f"{word} stays off: {error}.")
 
-    def switch(self, message: wire.SwitchDevice, now: float) -> None:  # noqa: ARG002  (as other sources are)
-        """Does what a page asks for; ValueError where it cannot be, and nothing has changed."""
+    def switch(self, message: SwitchDevice, now: float) -> None:  # noqa: ARG002  (as other sources are)
+        """Does what a page asks for; ValueError where it cannot be, and nothing has changed.
+
+        message: what is asked for; now: seconds, monotonic.
+        """
         if message.on:
             self._switch_on(message.direction, message.word)
         else:
@@ -72,18 +79,18 @@ class DeviceSwitches:
         sent = tuple(word for word in self._sent if word not in self._fixed)
         self._notes.keep(listen=heard, send=sent)
 
-    def describe(self, now: float) -> wire.Devices:  # noqa: ARG002  (as other sources are)
+    def describe(self, now: float) -> Devices:  # noqa: ARG002  (as other sources are)
         """What can be switched, and how it does."""
         host = own_address() or ""
         programs = self._switched.programs
-        found = [
-            wire.FoundTracker(f"{API_NAME}:{port}@{place}", title, place)
-            for (place, port), title in programs.found.items()
+        announced = [
+            FoundTracker(f"{API_NAME}:{port}@{place}", title, place)
+            for (place, port), title in programs.announced.items()
         ]
-        return wire.Devices(
+        return Devices(
             [],
-            [self._offer(each, host or "127.0.0.1") for each in TRACKER_PROTOCOLS.values()],
-            found,
+            [self._offer(protocol, host or "127.0.0.1") for protocol in TRACKER_PROTOCOLS.values()],
+            announced,
             self._receivers(),
             WAYS,
             PHONE_PATH if self._outside() else "",
@@ -173,13 +180,13 @@ class DeviceSwitches:
         if len(self._sent) >= MOST_RECEIVERS:
             raise ValueError(f"{MOST_RECEIVERS} receivers are sent faces, and no more; switch one off")
 
-    def _offer(self, protocol: TrackerProtocol, host: str) -> wire.TrackerOffer:
+    def _offer(self, protocol: TrackerProtocol, host: str) -> TrackerOffer:
         wish = self._heard.get(protocol.name)
         asked = protocol.port if wish is None else wish.port
         port = self._switched.trackers.port(protocol.name) or asked
         stranger = "" if wish is None else self._switched.trackers.stranger(protocol.name)
         fault, again = self._faults.get(protocol.name, ("", ""))
-        return wire.TrackerOffer(
+        return TrackerOffer(
             name=protocol.name,
             title=protocol.title,
             port=port,
@@ -193,20 +200,26 @@ class DeviceSwitches:
             again=again,
         )
 
-    def _receivers(self) -> list[wire.ReceiverState]:
-        found = [
-            (each.target, each.character, each.sent, each.fault or _explain_absence(each.target, each.character))
-            for each in self._switched.faces.receivers
+    def _receivers(self) -> list[ReceiverState]:
+        receivers = [
+            (
+                receiver.target,
+                receiver.character,
+                receiver.sent,
+                receiver.fault or _explain_absence(receiver.target, receiver.character),
+            )
+            for receiver in self._switched.faces.receivers
         ]
-        found += [
-            (each.target, each.target.character, each.sent, each.fault) for each in self._switched.programs.receivers
+        receivers += [
+            (receiver.target, receiver.target.character, receiver.sent, receiver.fault)
+            for receiver in self._switched.programs.receivers
         ]
         return [
-            wire.ReceiverState(
+            ReceiverState(
                 target.word, SEND_TITLES[target.protocol], f"{target.host}:{target.port}", character, sent, fault,
                 target.word in self._fixed,
             )
-            for target, character, sent, fault in found
+            for target, character, sent, fault in receivers
         ]  # fmt: skip
 
 

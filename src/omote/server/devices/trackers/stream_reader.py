@@ -18,11 +18,11 @@ MOST_CONNECTIONS = 8
 """Of one tracker; the oldest makes room: a phone that comes again has left the one before open."""
 READ_BYTES = 65536
 
-Place = tuple[str, int]
+Endpoint = tuple[str, int]
 
 
 @dataclass
-class _Connection:
+class _StreamConnection:
     socket: socket.socket
     stream: FaceStream = field(default_factory=FaceStream)
 
@@ -32,11 +32,11 @@ class StreamReader(DatagramReader):
 
     def __init__(self, listening: socket.socket, what: str, allowed: AllowedSenders, log: RejectionLog) -> None:
         super().__init__(listening, what, allowed, log)
-        self._connections: dict[Place, _Connection] = {}
+        self._connections: dict[Endpoint, _StreamConnection] = {}
         self._asking = socket.socket(socket.AF_INET, socket.SOCK_DGRAM)
         self._asking.setblocking(False)
 
-    def read(self) -> Iterator[tuple[Place, bytes]]:
+    def read(self) -> Iterator[tuple[Endpoint, bytes]]:
         """What has come: the sender's host and port, and a packet."""
         self._accept()
         until = time.perf_counter() + READ_SECONDS
@@ -47,8 +47,11 @@ class StreamReader(DatagramReader):
                     break
                 yield from ((place, packet) for packet in packets)
 
-    def send(self, packet: bytes, place: Place) -> None:
-        """Answers by the connection that came from a place; where there is none, asks there over UDP."""
+    def send(self, packet: bytes, place: Endpoint) -> None:
+        """Answers by the connection that came from a place; where there is none, asks there over UDP.
+
+        packet: its bytes; place: host and port.
+        """
         connection = self._connections.get(place)
         if connection is None:
             self._asking.sendto(packet, place)
@@ -65,16 +68,16 @@ class StreamReader(DatagramReader):
     def _accept(self) -> None:
         with contextlib.suppress(OSError):  # nobody comes, or has gone already
             while True:
-                made, (host, port, *_) = self.socket.accept()
+                connection, (host, port, *_) = self.socket.accept()
                 if not self.hears(host):
-                    made.close()
+                    connection.close()
                     continue
                 while len(self._connections) >= MOST_CONNECTIONS:
                     self._drop(next(iter(self._connections)))
-                made.setblocking(False)
-                self._connections[host, port] = _Connection(made)
+                connection.setblocking(False)
+                self._connections[host, port] = _StreamConnection(connection)
 
-    def _receive(self, place: Place, connection: _Connection) -> list[bytes] | None:
+    def _receive(self, place: Endpoint, connection: _StreamConnection) -> list[bytes] | None:
         """The packets of what has come; None where nothing has. What cannot be read on is closed."""
         try:
             data = connection.socket.recv(READ_BYTES)
@@ -89,5 +92,5 @@ class StreamReader(DatagramReader):
         self._drop(place)
         return None
 
-    def _drop(self, place: Place) -> None:
+    def _drop(self, place: Endpoint) -> None:
         self._connections.pop(place).socket.close()

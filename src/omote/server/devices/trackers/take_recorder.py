@@ -14,8 +14,10 @@ from pathlib import Path
 from omote.inputs.takes.packet_capture import Packet, encode_capture, encode_packet
 from omote.server.devices.trackers.tracker_sockets import TrackerWish, open_tracker
 
-ASK_SECONDS, WAIT_SECONDS = 1.0, 0.1
+ASK_SECONDS = 1.0
+WAIT_SECONDS = 0.1
 LONGEST_DATAGRAM = 65507
+"""Bytes: what UDP over IPv4 carries at most."""
 
 
 def record_take(
@@ -29,25 +31,32 @@ def record_take(
 ) -> int:
     """Records for so many seconds after the first packet, or until Ctrl-C; returns the count of packets. The file is
     written from the first packet on. opened: is told of the port once it is heard; tell: each second of the count, of
-    who sends, and of the seconds since the newest; OSError where the port or the file cannot be had."""
-    until, told, count = float("inf"), float("-inf"), 0
+    who sends, and of the seconds since the newest; OSError where the port or the file cannot be had.
+
+    path: of the capture; wish: which tracker, and where; seconds: how long; clock: seconds, monotonic.
+    """
+    until = float("inf")
+    told_at = float("-inf")
+    count = 0
     _check_place(path)
     with contextlib.suppress(KeyboardInterrupt), open_tracker(wish) as datagrams, contextlib.ExitStack() as stack:
         begun = newest = clock()
-        host, write = "", None
+        host = ""
+        write = None
         opened(int(datagrams.getsockname()[1]))
         for now, packet in _hear(wish, datagrams, clock):
             if now >= until:
                 break
-            if now - told >= ASK_SECONDS:
-                told = now
+            if now - told_at >= ASK_SECONDS:
+                told_at = now
                 tell(count, host, now - newest)
             if packet is None:
                 continue
             if write is None:
                 write = stack.enter_context(path.open("wb", buffering=0)).write  # whatever ends it, packets are there
                 write(b"".join(encode_capture(())))
-            host, newest = packet.host, now
+            host = packet.host
+            newest = now
             write(encode_packet(replace(packet, time=packet.time - begun)))
             count += 1
             until = min(until, now + seconds)
@@ -58,7 +67,9 @@ def _hear(
     wish: TrackerWish, datagrams: socket.socket, clock: Callable[[], float]
 ) -> Iterator[tuple[float, Packet | None]]:
     """What comes, without end, and when; None where nothing came for a moment. A phone is asked once a second."""
-    protocol, port, asked = wish.protocol, int(datagrams.getsockname()[1]), -ASK_SECONDS
+    protocol = wish.protocol
+    port = int(datagrams.getsockname()[1])
+    asked = -ASK_SECONDS
     datagrams.settimeout(WAIT_SECONDS)
     while True:
         now = clock()
@@ -84,6 +95,6 @@ def _check_place(path: Path) -> None:
 
 
 def check_recordable(wish: TrackerWish) -> None:
-    """ValueError for a tracker that does not come in packets of UDP."""
+    """Rejects, by ValueError, a tracker that does not come in packets of UDP."""
     if not wish.protocol.heard or wish.protocol.stream:
         raise ValueError(f"{wish.protocol.title} does not come in packets of UDP, and cannot be recorded")

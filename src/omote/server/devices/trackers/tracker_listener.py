@@ -16,9 +16,10 @@ from omote.inputs.trackers.tracker_input import TrackerInput
 from omote.inputs.trackers.tracker_protocols import TRACKER_TITLES, TrackerProtocol, advise
 from omote.server.access.show_addresses import own_address
 from omote.server.devices.datagram_reader import DatagramReader
+from omote.server.devices.device_source import DeviceSource
 from omote.server.devices.rejection_log import RejectionLog
 from omote.server.devices.trackers.stream_reader import StreamReader
-from omote.show.messages import State
+from omote.show.objects.state import State
 from omote.show.session import ShowSession
 
 HEAR_SECONDS = 0.003
@@ -38,12 +39,11 @@ class TrackerSocket:
 
 
 @dataclass(eq=False)
-class _Heard:
+class _HeardTracker:
     tracker: TrackerSocket
     trackers: TrackerInput
     reader: DatagramReader
     advice: str
-    told_rejected: int = 0
     asked: float = -ASK_SECONDS
     count: Callable[[], SourceCounts] = field(init=False)
 
@@ -51,7 +51,7 @@ class _Heard:
         self.count = partial(_count, self)
 
 
-class TrackerListener:
+class TrackerListener(DeviceSource):
     """All trackers of one show. session: the one that plays; allowed: who may send beside the phones that are asked."""
 
     def __init__(
@@ -61,74 +61,79 @@ class TrackerListener:
         log: RejectionLog,
         allowed: AllowedSenders = THIS_MACHINE,
     ) -> None:
-        self._log, self._session, self._allowed = log, session, allowed
-        self._heard: list[_Heard] = []
-        for each in sockets:
-            self.add(each)
+        self._log = log
+        self._session = session
+        self._allowed = allowed
+        self._heard: list[_HeardTracker] = []
+        for tracker in sockets:
+            self.add(tracker)
 
     def add(self, tracker: TrackerSocket) -> None:
         """Hears a tracker from now on."""
         advice = advise(tracker.protocol, own_address() or "127.0.0.1", tracker.datagrams.getsockname()[1])
         reader = _open_reader(tracker, self._allowed, self._log)
-        self._heard.append(_Heard(tracker, TrackerInput(tracker.protocol, self._session, self.port), reader, advice))
+        self._heard.append(
+            _HeardTracker(tracker, TrackerInput(tracker.protocol, self._session, self.port), reader, advice)
+        )
 
     def remove(self, name: str) -> None:
         """Hears a tracker no more; name: its protocol's."""
-        for each in [each for each in self._heard if each.tracker.protocol.name == name]:
-            self._heard.remove(each)
-            each.trackers.leave()
-            each.reader.close()
+        for heard in [heard for heard in self._heard if heard.tracker.protocol.name == name]:
+            self._heard.remove(heard)
+            heard.trackers.leave()
+            heard.reader.close()
 
     def port(self, name: str) -> int | None:
         """The port on which a protocol is heard; None where it is not."""
-        own = (each.tracker.datagrams for each in self._heard if each.tracker.protocol.name == name)
-        return next((int(each.getsockname()[1]) for each in own), None)
+        sockets = (heard.tracker.datagrams for heard in self._heard if heard.tracker.protocol.name == name)
+        return next((int(datagrams.getsockname()[1]) for datagrams in sockets), None)
 
     def stranger(self, name: str) -> str:
         """The host that sent last to a protocol and may not play, or ""."""
-        return next((each.reader.foreign_host for each in self._heard if each.tracker.protocol.name == name), "")
+        return next((heard.reader.foreign_host for heard in self._heard if heard.tracker.protocol.name == name), "")
 
     @property
     def probes(self) -> list[Callable[[], SourceCounts]]:
         """How pages are told of each protocol."""
         order = {title: place for place, title in enumerate(TRACKER_TITLES)}
-        return [each.count for each in sorted(self._heard, key=lambda each: order[each.tracker.protocol.title])]
+        return [heard.count for heard in sorted(self._heard, key=lambda heard: order[heard.tracker.protocol.title])]
 
     @property
     def inputs(self) -> list[TrackerInput]:
         """The trackers of each protocol."""
-        return [each.trackers for each in self._heard]
+        return [heard.trackers for heard in self._heard]
 
     def hear(self, now: float) -> None:
         """Takes what has come since the last tick, for a bounded time, and drives by the newest of it."""
         until = time.perf_counter() + HEAR_SECONDS
-        for each in self._heard:
-            for place, data in each.reader.read():
-                for answer in each.trackers.receive(place[0], data, now):
+        for heard in self._heard:
+            for place, data in heard.reader.read():
+                for answer in heard.trackers.receive(place[0], data, now):
                     with contextlib.suppress(OSError):  # the phone is away
-                        each.reader.send(answer, place)
+                        heard.reader.send(answer, place)
                 if time.perf_counter() > until:
                     break
-        for each in self._heard:
-            each.trackers.play(now)
-            each.told_rejected = self._log.note_new(each.trackers, each.told_rejected)
+        for heard in self._heard:
+            heard.trackers.play(now)
+            self._log.note_new(heard.trackers)
         self._heard = self._heard[1:] + self._heard[:1]  # none of them waits for ever behind a flood
         self._log.tell(now)
 
     def tell(self, state: State, now: float) -> None:  # noqa: ARG002  (every source is told; phones are not)
-        """Asks phones for frames."""
-        for each in self._heard:
-            ask, port = each.tracker.protocol.ask, each.tracker.protocol.phone_port
-            if each.tracker.phone and ask is not None and port is not None and now - each.asked >= ASK_SECONDS:
-                each.asked = now
+        """Asks phones for frames. state: the newest; now: seconds, monotonic."""
+        for heard in self._heard:
+            ask = heard.tracker.protocol.ask
+            port = heard.tracker.protocol.phone_port
+            if heard.tracker.phone and ask is not None and port is not None and now - heard.asked >= ASK_SECONDS:
+                heard.asked = now
                 with contextlib.suppress(OSError):  # the phone is away; it is asked again
-                    own = each.tracker.datagrams.getsockname()[1]
-                    each.reader.send(ask(own), (each.tracker.phone, port))
+                    own = heard.tracker.datagrams.getsockname()[1]
+                    heard.reader.send(ask(own), (heard.tracker.phone, port))
 
     async def close(self) -> None:
         """Closes this process's copies of the sockets."""
-        for each in self._heard:
-            each.reader.close()
+        for heard in self._heard:
+            heard.reader.close()
 
 
 def _open_reader(tracker: TrackerSocket, allowed: AllowedSenders, log: RejectionLog) -> DatagramReader:
@@ -136,10 +141,11 @@ def _open_reader(tracker: TrackerSocket, allowed: AllowedSenders, log: Rejection
     return kind(tracker.datagrams, tracker.protocol.title, allowed.with_host(tracker.phone or None), log)
 
 
-def _count(each: _Heard) -> SourceCounts:
-    trackers, foreign = each.trackers, each.reader.foreign
+def _count(heard: _HeardTracker) -> SourceCounts:
+    trackers = heard.trackers
+    foreign = heard.reader.foreign
     rejection = trackers.last_rejection
     if foreign and rejection is None:
-        rejection = Rejection(0.0, each.reader.foreign_host, "is not heard: --allow and its address let it play")
-    counts = count_tracker(trackers, each.advice)
+        rejection = Rejection(0.0, heard.reader.foreign_host, "is not heard: --allow and its address let it play")
+    counts = count_tracker(trackers, heard.advice)
     return replace(counts, rejected=counts.rejected + foreign, last_rejection=rejection)

@@ -86,9 +86,12 @@ def listen_for_trackers(
     wishes: Iterable[TrackerWish], report: Callable[[str], None] = lambda _: None
 ) -> dict[str, socket.socket]:
     """A socket for each protocol, by its name, without those that cannot be had, of which `report` is told: no stage
-    stays dark for a tracker. They are bound to all addresses: who is heard, the list of allowed senders decides."""
+    stays dark for a tracker. They are bound to all addresses: who is heard, the list of allowed senders decides.
+
+    wishes: the trackers that were asked for.
+    """
     opened: dict[str, socket.socket] = {}
-    for wish in (each for each in wishes if each.protocol.heard):
+    for wish in (wish for wish in wishes if wish.protocol.heard):
         try:
             opened[wish.protocol.name] = open_tracker(wish)
         except OSError as error:
@@ -99,7 +102,8 @@ def listen_for_trackers(
 def open_tracker(wish: TrackerWish) -> socket.socket:
     """The socket of one that is heard; OSError with a message where it cannot be had."""
     stream = wish.protocol.stream
-    datagrams, port = socket.socket(socket.AF_INET, socket.SOCK_STREAM if stream else socket.SOCK_DGRAM), wish.port or 0
+    datagrams = socket.socket(socket.AF_INET, socket.SOCK_STREAM if stream else socket.SOCK_DGRAM)
+    port = wish.port or 0
     try:
         if stream:
             datagrams.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)  # connections of a show before linger
@@ -117,15 +121,19 @@ def open_tracker(wish: TrackerWish) -> socket.socket:
 
 
 def explain_others(wishes: Iterable[TrackerWish], targets: Iterable[FaceTarget]) -> list[str]:
-    """A line for each tracker that has no socket here, and for each receiver of faces."""
+    """A line for each tracker that has no socket here, and for each receiver of faces.
+
+    wishes: the trackers that were asked for; targets: the receivers.
+    """
     heard = [
         f"tracker  {wish.protocol.title}: {advise(wish.protocol, '', None)}"
         for wish in wishes
         if not wish.protocol.heard
     ]
     sent = [
-        f"sends    {SEND_TITLES[each.protocol]} at {each.host}:{each.port}: {each.character or 'the first character'}"
-        for each in targets
+        f"sends    {SEND_TITLES[target.protocol]} at {target.host}:{target.port}: "
+        f"{target.character or 'the first character'}"
+        for target in targets
     ]
     return heard + sent
 
@@ -134,6 +142,6 @@ def explain_trackers(sockets: Mapping[str, socket.socket]) -> list[str]:
     """A line for each protocol that is heard: its port, and what to do at the sender."""
     return [
         f"tracker  {protocol.title}: port {port}; {advise(protocol, own_address() or '127.0.0.1', port)}"
-        for name, each in sockets.items()
-        for protocol, port in [(TRACKER_PROTOCOLS[name], each.getsockname()[1])]
+        for name, datagrams in sockets.items()
+        for protocol, port in [(TRACKER_PROTOCOLS[name], datagrams.getsockname()[1])]
     ]

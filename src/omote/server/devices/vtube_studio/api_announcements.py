@@ -9,12 +9,13 @@ from omote.inputs.trackers.vtube_studio.api_message import ANNOUNCEMENT_PORT, An
 
 LOST_SECONDS = 7.0
 """Three announcements that have not come."""
-MOST_HEARD, MOST_READ = 16, 32
+MOST_HEARD = 16
+MOST_READ = 32
 """Programs that are remembered, and announcements of one look."""
 
 
 @dataclass(frozen=True)
-class _Heard:
+class _HeardAnnouncement:
     announcement: Announcement
     at: float
 
@@ -23,7 +24,7 @@ class ApiAnnouncements:
     """The programs in the network. Where another program has the port, none is found."""
 
     def __init__(self, port: int = ANNOUNCEMENT_PORT) -> None:
-        self._heard: dict[tuple[str, int], _Heard] = {}
+        self._heard: dict[tuple[str, int], _HeardAnnouncement] = {}
         self._socket: socket.socket | None = socket.socket(socket.AF_INET, socket.SOCK_DGRAM)
         self._socket.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)  # other plugins listen here too
         self._socket.setblocking(False)
@@ -43,10 +44,10 @@ class ApiAnnouncements:
             if (announcement := decode_announcement(data)) is not None:
                 place = (host, announcement.port)
                 self._heard.pop(place, None)
-                self._heard[place] = _Heard(announcement, now)
+                self._heard[place] = _HeardAnnouncement(announcement, now)
         self._heard = dict(list(self._heard.items())[-MOST_HEARD:])
-        fresh = {place: each for place, each in self._heard.items() if now - each.at < LOST_SECONDS}
-        return {place: each.announcement for place, each in fresh.items() if each.announcement.active}
+        fresh = {place: heard for place, heard in self._heard.items() if now - heard.at < LOST_SECONDS}
+        return {place: heard.announcement for place, heard in fresh.items() if heard.announcement.active}
 
     def close(self) -> None:
         """Closes the socket."""
@@ -55,11 +56,11 @@ class ApiAnnouncements:
             self._socket = None
 
     def _read(self) -> list[tuple[str, bytes]]:
-        found: list[tuple[str, bytes]] = []
-        while self._socket is not None and len(found) < MOST_READ:
+        datagrams: list[tuple[str, bytes]] = []
+        while self._socket is not None and len(datagrams) < MOST_READ:
             try:
                 data, (host, *_) = self._socket.recvfrom(4096)
             except OSError:
                 break
-            found.append((str(host), data))
-        return found
+            datagrams.append((str(host), data))
+        return datagrams

@@ -12,10 +12,12 @@ import aiohttp
 from omote.inputs.trackers.vtube_studio.api_message import LONGEST_MESSAGE
 from omote.inputs.trackers.vtube_studio.api_session import ApiSession
 
-RETRY_SECONDS, CONNECT_SECONDS = 2.0, 3.0
-MOST_WAITING, MOST_UNSENT = 64, 128
+RETRY_SECONDS = 2.0
+CONNECT_SECONDS = 3.0
+MOST_WAITING = 64
+MOST_UNSENT = 128
 """Messages that wait for the next tick, and to be sent; what is too much is dropped, the oldest first."""
-Place = tuple[str, int]
+Endpoint = tuple[str, int]
 
 
 class ApiLink:
@@ -23,11 +25,13 @@ class ApiLink:
     sends and where it is. session: the one that is open now; fault: why there is none, or ""."""
 
     def __init__(
-        self, find: Callable[[], Place], open_session: Callable[[Callable[[bytes], None], Place], ApiSession]
+        self, find: Callable[[], Endpoint], open_session: Callable[[Callable[[bytes], None], Endpoint], ApiSession]
     ) -> None:
-        self._find, self._open_session = find, open_session
+        self._find = find
+        self._open_session = open_session
         self.session: ApiSession | None = None
-        self.place, self.fault = find(), ""
+        self.place = find()
+        self.fault = ""
         self.waiting: deque[bytes] = deque(maxlen=MOST_WAITING)
         self._unsent: deque[bytes] = deque(maxlen=MOST_UNSENT)
         self._news = asyncio.Event()

@@ -12,11 +12,12 @@ from omote.inputs.trackers.tracker_frame import TrackerFrame
 from omote.inputs.trackers.tracker_input import TrackerInput
 from omote.inputs.trackers.tracker_protocols import API_NAME, TRACKER_PROTOCOLS, advise
 from omote.inputs.trackers.vtube_studio.api_session import ApiSession
+from omote.server.devices.device_source import DeviceSource
 from omote.server.devices.rejection_log import RejectionLog
 from omote.server.devices.vtube_studio.api_announcements import ApiAnnouncements
-from omote.server.devices.vtube_studio.api_link import ApiLink, Place
+from omote.server.devices.vtube_studio.api_link import ApiLink, Endpoint
 from omote.server.persistence.device_file import DeviceFile
-from omote.show.messages import CharacterState, State
+from omote.show.objects.state import CharacterState, State
 from omote.show.session import ShowSession
 
 THIS_MACHINE = "127.0.0.1"
@@ -39,26 +40,31 @@ class ApiReceiver:
         return self.link.fault or ("" if self.link.session is None else self.link.session.waits)
 
 
-class ApiPrograms:
+class ApiPrograms(DeviceSource):
     """The connections of one show. weigh: a character's weights of ARKit's units; notes: keep the tokens."""
 
     def __init__(
         self, session: Callable[[], ShowSession], log: RejectionLog, notes: DeviceFile, weigh: Weigh,
         announcements: ApiAnnouncements | None = None,
     ) -> None:  # fmt: skip
-        self._log, self._notes, self._weigh, self._ticks = log, notes, weigh, 0
+        self._log = log
+        self._notes = notes
+        self._weigh = weigh
+        self._ticks = 0
         self.announcements = announcements or ApiAnnouncements()
-        self.found: dict[Place, str] = {}
+        self.announced: dict[Endpoint, str] = {}
         self.receivers: list[ApiReceiver] = []
         self.reader: ApiLink | None = None
         protocol = replace(TRACKER_PROTOCOLS[API_NAME], open=lambda _: self._decode)
         self.trackers = TrackerInput(protocol, session)
-        self._told_rejected = 0
         self._closing: set[asyncio.Task[None]] = set()
 
     def read(self, host: str, port: int) -> None:
         """Reads the one at a place from now on, and no other; host "": the one that announces itself, or of this
-        machine."""
+        machine.
+
+        port: where its API is.
+        """
         self.stop_reading()
         self.reader = ApiLink(lambda: self._find(host, port), lambda send, place: self._open(send, place, sets=False))
 
@@ -77,9 +83,9 @@ class ApiPrograms:
 
     def remove(self, word: str) -> None:
         """Sets those of a target no more."""
-        for each in [each for each in self.receivers if each.target.word == word]:
-            self.receivers.remove(each)
-            self._close(each.link)
+        for receiver in [receiver for receiver in self.receivers if receiver.target.word == word]:
+            self.receivers.remove(receiver)
+            self._close(receiver.link)
 
     def hear(self, now: float) -> None:
         """Takes what has come since the last tick."""
@@ -88,24 +94,24 @@ class ApiPrograms:
             while reader.waiting and reader.session is not None:
                 self.trackers.receive(reader.place[0], reader.waiting.popleft(), now)
             self.trackers.play(now)
-            self._told_rejected = self._log.note_new(self.trackers, self._told_rejected)
-        for each in self.receivers:
-            while each.link.waiting and each.link.session is not None:
-                self._answer(each, each.link.waiting.popleft())
+            self._log.note_new(self.trackers)
+        for receiver in self.receivers:
+            while receiver.link.waiting and receiver.link.session is not None:
+                self._answer(receiver, receiver.link.waiting.popleft())
         self._log.tell(now)
 
     def tell(self, state: State, now: float) -> None:  # noqa: ARG002  (every source is told when)
-        """Asks for parameters, and sets faces."""
+        """Asks for parameters, and sets faces. state: the newest; now: seconds, monotonic."""
         self._ticks += 1
         if self._ticks % EVERY:
             return
         if self.reader is not None and self.reader.session is not None:
             self.reader.session.poll()
-        for each in self.receivers:
-            character = find_sent(each.target.character, state.characters)
-            if character is not None and each.link.session is not None:
+        for receiver in self.receivers:
+            character = find_sent(receiver.target.character, state.characters)
+            if character is not None and receiver.link.session is not None:
                 weights = self._weigh(character)
-                each.sent += each.link.session.set_face(weights, character.head, mean_gaze(character))
+                receiver.sent += receiver.link.session.set_face(weights, character.head, mean_gaze(character))
 
     @property
     def probes(self) -> list[Callable[[], SourceCounts]]:
@@ -115,8 +121,8 @@ class ApiPrograms:
     async def close(self) -> None:
         """Closes all connections."""
         self.stop_reading()
-        for each in list(self.receivers):
-            self.remove(each.target.word)
+        for receiver in list(self.receivers):
+            self.remove(receiver.target.word)
         await asyncio.gather(*self._closing)
         self.announcements.close()
         self._notes.close()
@@ -133,16 +139,18 @@ class ApiPrograms:
             self._log.note(f"VTube Studio at {receiver.link.place[0]}: {error}")
 
     def _look(self, now: float) -> None:
-        self.found = {place: each.window_title for place, each in self.announcements.look(now).items()}
+        self.announced = {
+            place: announcement.window_title for place, announcement in self.announcements.look(now).items()
+        }
 
-    def _find(self, host: str, port: int) -> Place:
+    def _find(self, host: str, port: int) -> Endpoint:
         """Where to connect to: the place that is named, or where one has announced itself."""
-        return (host, port) if host else next(iter(self.found), (THIS_MACHINE, port))
+        return (host, port) if host else next(iter(self.announced), (THIS_MACHINE, port))
 
-    def _open(self, send: Callable[[bytes], None], place: Place, *, sets: bool) -> ApiSession:
+    def _open(self, send: Callable[[bytes], None], place: Endpoint, *, sets: bool) -> ApiSession:
         program = f"VTube Studio {place[0]}:{place[1]}"
         token = self._notes.token(program)
-        return ApiSession(send, lambda each: self._notes.keep_token(program, each), token=token, sets=sets)
+        return ApiSession(send, lambda granted: self._notes.keep_token(program, granted), token=token, sets=sets)
 
     def _close(self, link: ApiLink) -> None:
         task = asyncio.get_running_loop().create_task(link.close())
@@ -150,6 +158,7 @@ class ApiPrograms:
         task.add_done_callback(self._closing.discard)
 
     def _count(self) -> SourceCounts:
-        reader, trackers = self.reader, self.trackers
+        reader = self.reader
+        trackers = self.trackers
         fault = "" if reader is None else reader.fault or ("" if reader.session is None else reader.session.waits)
         return count_tracker(trackers, fault or advise(trackers.protocol, "", None))

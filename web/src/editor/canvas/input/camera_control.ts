@@ -11,7 +11,7 @@ interface Span {
 }
 
 /** What is looked at. */
-interface Scene {
+interface CameraTarget {
   readonly viewports: Viewports;
   readonly work: { readonly bounds: Bounds } | undefined;
   redraw(): void;
@@ -20,7 +20,7 @@ interface Scene {
 export class CameraControl {
   private span: Span | undefined;
 
-  constructor(private readonly scene: Scene) {}
+  constructor(private readonly target: CameraTarget) {}
 
   /** Whether two fingers are at it. */
   get pinching(): boolean {
@@ -29,20 +29,20 @@ export class CameraControl {
 
   /** The camera of the work. */
   get camera(): Camera | undefined {
-    const { viewports, work } = this.scene;
+    const { viewports, work } = this.target;
     return work === undefined ? undefined : viewports.camera(0, work.bounds);
   }
 
   orbit(dx: number, dy: number): void {
-    this.scene.viewports.orbit(dx, dy);
-    this.scene.redraw();
+    this.target.viewports.orbit(dx, dy);
+    this.target.redraw();
   }
 
   /** Shifts the work by pixels. */
   pan(dx: number, dy: number): void {
-    const each = this.metresPerPixel;
-    this.scene.viewports.pan(dx * each, -dy * each);
-    this.scene.redraw();
+    const metresPerPixel = this.metresPerPixel;
+    this.target.viewports.pan(dx * metresPerPixel, -dy * metresPerPixel);
+    this.target.redraw();
   }
 
   /** Comes nearer by a factor to what lies at a place of the canvas. */
@@ -51,10 +51,10 @@ export class CameraControl {
     if (camera === undefined) return;
     const { left, top, width, height } = camera.box;
     const before = this.metresPerPixel;
-    this.scene.viewports.zoom(factor);
+    this.target.viewports.zoom(factor);
     const less = before - this.metresPerPixel;
-    this.scene.viewports.pan(-(x - left - width / 2) * less, (y - top - height / 2) * less);
-    this.scene.redraw();
+    this.target.viewports.pan(-(x - left - width / 2) * less, (y - top - height / 2) * less);
+    this.target.redraw();
   }
 
   wheel(event: WheelEvent): void {
@@ -81,12 +81,12 @@ export class CameraControl {
   }
 
   reset(): void {
-    this.scene.viewports.reset();
-    this.scene.redraw();
+    this.target.viewports.reset();
+    this.target.redraw();
   }
 
   private get metresPerPixel(): number {
-    const { camera, scene } = this;
-    return camera === undefined || scene.work === undefined ? 0 : camera.metresPerPixel(scene.work.bounds.centre);
+    const { camera, target } = this;
+    return camera === undefined || target.work === undefined ? 0 : camera.metresPerPixel(target.work.bounds.centre);
   }
 }

@@ -8,7 +8,7 @@ import type { FaceScene } from "../scene/face_scene";
 import type { FramePacing } from "../scene/frame_pacing";
 import { CameraControl } from "./camera_control";
 import type { NeedleDrag } from "./needle_drag";
-import { NeedlePicker, type PickerCanvas, type Placing } from "./needle_picker";
+import { NeedlePicker, type NeedlePlacing, type PickerCanvas } from "./needle_picker";
 import { nudgeOf, stepOf } from "./nudge_keys";
 
 /** Pixels that a pointer may tremble before a press becomes a drag. */
@@ -32,7 +32,7 @@ export class CanvasInput {
   hovered = -1;
   over = -1;
   needleDrag: NeedleDrag | undefined;
-  placing: Placing | undefined;
+  placing: NeedlePlacing | undefined;
   /** The corners of the rubber band, CSS pixels. */
   band: [number, number, number, number] | undefined;
   readonly picker: NeedlePicker;

@@ -105,10 +105,14 @@ describe("dragged handles", () => {
     expect(asked).toEqual([]);
     expect(shown.at(-1)?.slice(0, 6)).toEqual(new Float64Array(6));
     input.release();
-    const each = CAMERA.metresPerPixel([0, -0.05, 0.1]);
+    const metresPerPixel = CAMERA.metresPerPixel([0, -0.05, 0.1]);
     const { points, moves } = recipeAsked();
     expect(points).toEqual(ASSET.points);
-    expect(moves[2]).toEqual([expect.closeTo(30 * each, 9), expect.closeTo(-10 * each, 9), expect.closeTo(0, 9)]);
+    expect(moves[2]).toEqual([
+      expect.closeTo(30 * metresPerPixel, 9),
+      expect.closeTo(-10 * metresPerPixel, 9),
+      expect.closeTo(0, 9),
+    ]);
   });
 
   it("goes along the view with Alt, from where it is then", () => {

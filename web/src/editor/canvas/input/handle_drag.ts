@@ -4,14 +4,14 @@ import type { Fans } from "../../../face/anatomy/topology";
 import { flat } from "../../session/control_net";
 import type { DraftStore } from "../../session/draft_store";
 import { type Handles, movedBy, namesOf, withMoves } from "../../session/face_handles";
-import type { NeedleState } from "../draw/needle_renderer";
+import type { NeedleState } from "../draw/overlay_meshes";
 import type { Camera } from "../math/camera";
 import { add, type Pair, type Triple, times } from "../math/vectors";
 import { type Needle, needlesOn, picked, REACH, STUD } from "../model/needles";
 import type { FaceScene } from "../scene/face_scene";
 
 /** What hands must know of the canvas. */
-export interface Place {
+export interface HandleDragContext {
   readonly store: DraftStore;
   readonly faceScene: FaceScene;
   readonly fans: Fans;
@@ -39,7 +39,7 @@ export class HandleDrag {
   /** The moves as the hand has them now; undefined: as the recipe has them. */
   private now: Float64Array | undefined;
 
-  constructor(private readonly place: Place) {}
+  constructor(private readonly place: HandleDragContext) {}
 
   get dragging(): boolean {
     return this.hold !== undefined;
@@ -153,9 +153,9 @@ export class HandleDrag {
   private get moves(): Float64Array {
     const { store, faceScene } = this.place;
     if (this.now !== undefined) return this.now;
-    const told = store.face === null ? [] : flat(store.face.moves);
-    return told.length === 3 * (faceScene.handles?.rows.length ?? 0)
-      ? Float64Array.from(told)
+    const moves = store.face === null ? [] : flat(store.face.moves);
+    return moves.length === 3 * (faceScene.handles?.rows.length ?? 0)
+      ? Float64Array.from(moves)
       : new Float64Array(3 * (faceScene.handles?.rows.length ?? 0));
   }
 
@@ -199,7 +199,7 @@ export class HandleDrag {
 /** Metres by which a pointer that goes from one place of the canvas to another moves what lies at `point`: in the plane
  * of the screen, or along the view (down: nearer). */
 export function strokeOf(camera: Camera, point: Readonly<Triple>, from: Pair, to: Pair, along: boolean): Triple {
-  const each = camera.metresPerPixel(point);
-  const [right, down] = [(to[0] - from[0]) * each, (to[1] - from[1]) * each];
+  const metresPerPixel = camera.metresPerPixel(point);
+  const [right, down] = [(to[0] - from[0]) * metresPerPixel, (to[1] - from[1]) * metresPerPixel];
   return along ? times(camera.back, down) : add(times(camera.right, right), times(camera.up, -down));
 }

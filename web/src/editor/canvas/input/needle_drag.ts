@@ -103,12 +103,12 @@ export class NeedleDrag {
     const camera = this.context.camera();
     const from = this.foot();
     const [x, y] = camera.project(from);
-    const each = camera.metresPerPixel(from);
+    const metresPerPixel = camera.metresPerPixel(from);
     if (off !== 0) this.put(add(from, times(this.axis(), off)));
     else {
       this.origin = [x, y];
       this.restart(this.origin);
-      this.put(this.onSurface([x + right / each, y - up / each]));
+      this.put(this.onSurface([x + right / metresPerPixel, y - up / metresPerPixel]));
     }
   }
 
@@ -179,8 +179,9 @@ export class NeedleDrag {
     const [bx, by] = camera.project(add(from, times(axis, 0.001)));
     const [ex, ey] = [1000 * (bx - ax), 1000 * (by - ay)]; // pixels a metre
     const [dx, dy] = [x - this.origin[0], y - this.origin[1]];
-    const each = camera.metresPerPixel(from);
-    const along = Math.hypot(ex, ey) * each > END_ON ? (dx * ex + dy * ey) / (ex * ex + ey * ey) : -dy * each;
+    const metresPerPixel = camera.metresPerPixel(from);
+    const along =
+      Math.hypot(ex, ey) * metresPerPixel > END_ON ? (dx * ex + dy * ey) / (ex * ex + ey * ey) : -dy * metresPerPixel;
     return add(from, times(axis, along));
   }
 

@@ -3,6 +3,7 @@
 import type { Anatomy } from "../../../face/anatomy/anatomy";
 import type { Net } from "../../session/control_net";
 import type { DraftStore } from "../../session/draft_store";
+import type { ShownFace } from "../draw/drawn_face";
 import type { Camera } from "../math/camera";
 import { hit } from "../math/hit_test";
 import { dot, type Pair, type Triple } from "../math/vectors";
@@ -10,7 +11,6 @@ import type { Figure } from "../model/figure";
 import { lipsOf } from "../model/lip_coupling";
 import { NEEDLE, type Needle, needlesOn, picked, REACH, within } from "../model/needles";
 import { freeRow, withPlaceAt, withRow } from "../model/net_edits";
-import type { ShownFace } from "../model/shown_face";
 import type { Viewports } from "../scene/viewports";
 import type { CameraControl } from "./camera_control";
 import type { HandleDrag } from "./handle_drag";
@@ -28,7 +28,7 @@ export interface PickerCanvas {
 }
 
 /** A needle that is being set down somewhere else on the skin. */
-export interface Placing {
+export interface NeedlePlacing {
   place: number;
   row: number;
 }
@@ -146,7 +146,7 @@ export class NeedlePicker {
     if (row !== undefined) this.reweave((net) => withRow(net, row));
   }
 
-  setDown({ place, row }: Placing): void {
+  setDown({ place, row }: NeedlePlacing): void {
     if (this.rowOf(place) !== row) this.reweave((net) => withPlaceAt(net, place, row));
   }
 

@@ -1,17 +1,11 @@
 /** Keys of the canvas. */
 
+import { ARROWS } from "../../../ui/gestures";
 import type { Triple } from "../math/vectors";
 
 /** Metres of a nudge, and of a fine one (Shift). */
 export const NUDGE = 0.0005;
 export const FINE_NUDGE = 0.0001;
-
-const ARROWS: Readonly<Record<string, readonly [number, number]>> = {
-  ArrowLeft: [-1, 0],
-  ArrowRight: [1, 0],
-  ArrowUp: [0, 1],
-  ArrowDown: [0, -1],
-};
 
 /** Which way a key goes from needle to needle; undefined: it does not. */
 export const stepOf = ({ key }: Pick<KeyboardEvent, "key">): -1 | 1 | undefined =>

@@ -48,8 +48,8 @@ describe("Camera", () => {
 
   it("measures what a pixel covers", () => {
     const seen = camera({ yaw: 0.4, zoom: 3 });
-    const each = seen.metresPerPixel(BOUNDS.centre);
-    const [x] = seen.project(add(BOUNDS.centre, times(seen.right, each)));
+    const metresPerPixel = seen.metresPerPixel(BOUNDS.centre);
+    const [x] = seen.project(add(BOUNDS.centre, times(seen.right, metresPerPixel)));
     expect(x - seen.project(BOUNDS.centre)[0]).toBeCloseTo(1, 3);
   });
 });

@@ -19,12 +19,12 @@ export function tiles(width: number, height: number, count: number): Tiles {
   const [long, short] = wide ? [width, height] : [height, width];
   const room = long * (count <= FEW.count ? FEW.share : MANY_SHARE);
   const lanes = lanesOf(room, short, count);
-  const each = Math.ceil(count / lanes);
-  const side = Math.min((short - GAP * (each - 1)) / each, room / lanes - GAP);
+  const perLane = Math.ceil(count / lanes);
+  const side = Math.min((short - GAP * (perLane - 1)) / perLane, room / lanes - GAP);
   const thick = lanes * (side + GAP);
-  const along = (short - GAP * (each - 1)) / each;
+  const along = (short - GAP * (perLane - 1)) / perLane;
   const beside = Array.from({ length: count }, (_, n): Box => {
-    const [lane, place] = [Math.floor(n / each), n % each];
+    const [lane, place] = [Math.floor(n / perLane), n % perLane];
     const near = long - thick + GAP + lane * (side + GAP);
     const start = place * (along + GAP);
     return wide
@@ -40,8 +40,8 @@ export function tiles(width: number, height: number, count: number): Tiles {
 /** How many lanes make the faces largest. */
 function lanesOf(room: number, short: number, count: number): number {
   const side = (lanes: number): number => {
-    const each = Math.ceil(count / lanes);
-    return Math.min((short - GAP * (each - 1)) / each, room / lanes - GAP);
+    const perLane = Math.ceil(count / lanes);
+    return Math.min((short - GAP * (perLane - 1)) / perLane, room / lanes - GAP);
   };
   let best = 1;
   for (let lanes = 2; lanes <= count; lanes++) if (side(lanes) > side(best) + 1e-9) best = lanes;

@@ -13,14 +13,14 @@ const mesh = {
 const fineness = { lines: [40], around: 0.012, near: 1e-5, cell: 0.022, sky: () => 1 };
 
 it("draws fewer triangles of the same rows, and those around lines in their own cells", () => {
-  const made = coarsened(mesh, positions, fineness);
-  expect(made.triangles.length).toBeLessThan(triangles.length / 2);
-  expect(made.triangles.length).toBeGreaterThan(0);
-  const rows = new Set(made.source);
+  const coarse = coarsened(mesh, positions, fineness);
+  expect(coarse.triangles.length).toBeLessThan(triangles.length / 2);
+  expect(coarse.triangles.length).toBeGreaterThan(0);
+  const rows = new Set(coarse.source);
   for (const row of [40, 39, 41, 31, 49]) expect(rows.has(row)).toBe(true);
-  expect(Math.max(...made.triangles)).toBeLessThan(made.source.length);
-  expect(made.uv).toHaveLength(2 * made.source.length);
-  expect(made.openness).toHaveLength(made.source.length);
+  expect(Math.max(...coarse.triangles)).toBeLessThan(coarse.source.length);
+  expect(coarse.uv).toHaveLength(2 * coarse.source.length);
+  expect(coarse.openness).toHaveLength(coarse.source.length);
 });
 
 it("changes nothing where cells hold one row, and closes what no light reaches by few triangles", () => {
@@ -40,10 +40,10 @@ it("keeps apart what lies in one place but hangs together nowhere: lips that tou
     triangles: Uint32Array.from([...triangles, ...triangles.map((corner) => corner + count)]),
     openness: new Uint8Array(2 * count),
   };
-  const made = coarsened(both, twice, { ...fineness, lines: [] });
-  for (let at = 0; at < made.triangles.length; at += 3) {
-    const sides = new Set([0, 1, 2].map((n) => (made.source[made.triangles[at + n] as number] as number) >= count));
+  const coarse = coarsened(both, twice, { ...fineness, lines: [] });
+  for (let at = 0; at < coarse.triangles.length; at += 3) {
+    const sides = new Set([0, 1, 2].map((n) => (coarse.source[coarse.triangles[at + n] as number] as number) >= count));
     expect(sides.size).toBe(1);
   }
-  expect(made.triangles.length).toBe(2 * coarsened(mesh, positions, { ...fineness, lines: [] }).triangles.length);
+  expect(coarse.triangles.length).toBe(2 * coarsened(mesh, positions, { ...fineness, lines: [] }).triangles.length);
 });

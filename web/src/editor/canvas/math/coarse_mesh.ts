@@ -2,7 +2,7 @@
 
 import type { Anatomy } from "../../../face/anatomy/anatomy";
 import type { Mesh } from "../../../link/assets";
-import { rowOf, type Triple } from "./vectors";
+import { type Pair, rowOf, type Triple } from "./vectors";
 
 /** How coarse it becomes; metres. */
 export interface Fineness {
@@ -24,17 +24,17 @@ export function coarsened(mesh: Mesh, positions: Float32Array, fineness: Finenes
   const near = nearRows(positions, fineness);
   const cell = (row: number): number => (fineness.sky(row) > DARK ? fineness.cell : INSIDE);
   const shown = clusters(mesh, positions, (row) => (near(row) ? fineness.near : cell(row)));
-  const made = new Map<string, number>();
+  const vertexByKey = new Map<string, number>();
   const [source, uv, openness]: [number[], number[], number[]] = [[], [], []];
   const places = Array.from(mesh.source, (row, corner) => {
     const [u, v] = [mesh.uv[2 * corner] as number, mesh.uv[2 * corner + 1] as number];
     const key = [shown(row), Math.floor(u * ISLAND), Math.floor(v * ISLAND)].join();
-    const known = made.get(key);
-    if (known !== undefined) return known;
+    const vertex = vertexByKey.get(key);
+    if (vertex !== undefined) return vertex;
     source.push(shown(row));
     uv.push(u, v);
     openness.push(mesh.openness[corner] as number);
-    made.set(key, source.length - 1);
+    vertexByKey.set(key, source.length - 1);
     return source.length - 1;
   });
   const triangles = kept(mesh, places, source);
@@ -62,10 +62,7 @@ function clusters(mesh: Mesh, positions: Float32Array, cellAt: (row: number) => 
   };
   for (let at = 0; at < mesh.triangles.length; at++) {
     const other = at - (at % 3) + ((at + 1) % 3);
-    const [a, b] = [at, other].map((corner) => mesh.source[mesh.triangles[corner] as number] as number) as [
-      number,
-      number,
-    ];
+    const [a, b] = [at, other].map((corner) => mesh.source[mesh.triangles[corner] as number] as number) as Pair;
     if (cells.get(a) !== cells.get(b)) continue;
     const [low, high] = [Math.min(root(a), root(b)), Math.max(root(a), root(b))];
     if (low !== high) parents.set(high, low);
@@ -86,16 +83,16 @@ function kept(mesh: Mesh, places: readonly number[], source: readonly number[]):
 
 /** Whether a row lies near one of the lines. */
 function nearRows(positions: Float32Array, { lines: rows, around }: Fineness): (row: number) => boolean {
-  const known = new Map<number, boolean>();
+  const nearByRow = new Map<number, boolean>();
   return (row) => {
-    const before = known.get(row);
+    const before = nearByRow.get(row);
     if (before !== undefined) return before;
     const [x, y, z] = rowOf(positions, row);
     const near = rows.some((other) => {
       const [a, b, c] = rowOf(positions, other);
       return Math.hypot(a - x, b - y, c - z) <= around;
     });
-    known.set(row, near);
+    nearByRow.set(row, near);
     return near;
   };
 }
@@ -106,12 +103,12 @@ export const FINENESS = [
   { from: 0.0015, around: 0.005, near: 0.004, cell: 0.012 },
 ] as const;
 
-/** The meshes as they are drawn where a face is shown smaller and smaller (`FINENESS`). */
-export const coarseMeshes = (meshes: readonly Mesh[], { positions, lines, traits }: Anatomy): Mesh[][] =>
-  FINENESS.map((fineness) =>
-    meshes.map((mesh) => {
-      const rows = [...lines.values()].flatMap((line) => [...line]);
-      const sky = (row: number): number => traits[4 * row + 1] as number;
-      return mesh.name === "skin" ? coarsened(mesh, positions, { ...fineness, lines: rows, sky }) : mesh;
-    }),
+/** The skin as it is drawn where a face is shown smaller and smaller (`FINENESS`). */
+export const coarseMeshes = (meshes: readonly Mesh[], { positions, lines, traits }: Anatomy): Mesh[] => {
+  const rows = [...lines.values()].flatMap((line) => [...line]);
+  const sky = (row: number): number => traits[4 * row + 1] as number;
+  const skin = meshes.filter(({ name }) => name === "skin");
+  return FINENESS.flatMap((fineness) =>
+    skin.map((mesh) => coarsened(mesh, positions, { ...fineness, lines: rows, sky })),
   );
+};

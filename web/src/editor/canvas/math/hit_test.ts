@@ -13,7 +13,6 @@ export interface Hit {
 }
 
 /** Where a ray first meets a triangle that faces it (Moller and Trumbore 1997); positions (rows, 3), triangles (t, 3). */
-// biome-ignore lint/complexity/noExcessiveLinesPerFunction: one loop over ten thousand triangles for every move of a pointer; calls and arrays in it would cost the frame
 export function hit(
   positions: Float32Array,
   triangles: Uint32Array,
@@ -23,7 +22,7 @@ export function hit(
   const [dx, dy, dz] = direction;
   const [ox, oy, oz] = origin;
   let best = Infinity;
-  let found = -1;
+  let nearestHit = -1;
   // Plain numbers, no pairs of them: this runs over ten thousand triangles each time a pointer moves.
   for (let at = 0; at < triangles.length; at += 3) {
     const a = 3 * (triangles[at] as number);
@@ -56,10 +55,10 @@ export function hit(
     const distance = (fx * qx + fy * qy + fz * qz) / volume;
     if (distance <= 0 || distance >= best) continue;
     best = distance;
-    found = at;
+    nearestHit = at;
   }
-  if (found < 0) return undefined;
-  const corners: Triple = [triangles[found], triangles[found + 1], triangles[found + 2]] as Triple;
+  if (nearestHit < 0) return undefined;
+  const corners: Triple = [triangles[nearestHit], triangles[nearestHit + 1], triangles[nearestHit + 2]] as Triple;
   return { distance: best, corners, point: add(origin, times(direction, best)) };
 }
 

@@ -1,43 +1,37 @@
 /** The triangles of a head that a part of its picture needs: a drag draws these, not the whole head, again and again. */
 
 import type { Box } from "./boxes";
-import type { Camera } from "./camera";
 
-/** What of a head is drawn: triangles as places in the drawn vertices, and the row of positions of each vertex. */
+/** What of a head is drawn: triangles as places in the drawn vertices, and the `width` rows of positions around each vertex. */
 export interface Surface {
-  rows: Uint16Array;
-  triangles: Uint16Array;
+  readonly rows: ArrayLike<number>;
+  readonly width: number;
+  readonly triangles: ArrayLike<number>;
 }
 
-/** The triangles that may show in a box when no row is further than `reach` (metres) from positions (n, 3). */
+/**
+ * Writes into a list the triangles that may show in a box, and returns how many numbers these are. places: where the rows
+ * are on the canvas, (rows, 2) CSS pixels; slack: how far from there they may be.
+ */
 export function cut(
-  { rows, triangles }: Surface,
-  camera: Camera,
-  positions: Float32Array,
+  { rows, width, triangles }: Surface,
+  places: Float32Array,
   box: Box,
-  reach: number,
-): Uint16Array {
-  const places = camera.projectAll(positions);
-  const slack = reach / camera.metresPerPixel(camera.middle);
-  const [left, top] = [box.left - slack, box.top - slack];
-  const [right, bottom] = [box.left + box.width + slack, box.top + box.height + slack];
-  const kept = new Uint16Array(triangles.length);
+  slack: number,
+  into: Uint32Array,
+): number {
   let count = 0;
   for (let at = 0; at < triangles.length; at += 3) {
-    const [a, b, c] = [0, 1, 2].map((n) => 2 * (rows[triangles[at + n] as number] as number)) as [
-      number,
-      number,
-      number,
-    ];
-    if (apart(places, a, b, c, left, right) || apart(places, a + 1, b + 1, c + 1, top, bottom)) continue;
-    kept.set(triangles.subarray(at, at + 3), count);
-    count += 3;
+    let [left, right, top, bottom] = [Infinity, -Infinity, Infinity, -Infinity];
+    for (let corner = at; corner < at + 3; corner++)
+      for (let n = 0; n < width; n++) {
+        const row = rows[width * (triangles[corner] as number) + n] as number;
+        const [x, y] = [places[2 * row] as number, places[2 * row + 1] as number];
+        [left, right, top, bottom] = [Math.min(left, x), Math.max(right, x), Math.min(top, y), Math.max(bottom, y)];
+      }
+    if (right < box.left - slack || left > box.left + box.width + slack) continue;
+    if (bottom < box.top - slack || top > box.top + box.height + slack) continue;
+    for (let corner = at; corner < at + 3; corner++) into[count++] = triangles[corner] as number;
   }
-  return kept.slice(0, count);
-}
-
-/** Whether three numbers lie on one side of an interval. */
-function apart(places: Float32Array, a: number, b: number, c: number, low: number, high: number): boolean {
-  const [x, y, z] = [places[a] as number, places[b] as number, places[c] as number];
-  return (x < low && y < low && z < low) || (x > high && y > high && z > high);
+  return count;
 }

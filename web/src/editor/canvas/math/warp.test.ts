@@ -21,9 +21,9 @@ const displaced = (where: ArrayLike<number>, moves: ArrayLike<number>): Float32A
   return out;
 };
 
-const near = (found: ArrayLike<number>, wanted: ArrayLike<number>, digits = 6): void => {
-  expect(found.length).toBe(wanted.length);
-  for (let at = 0; at < found.length; at++) expect(found[at]).toBeCloseTo(wanted[at] as number, digits);
+const near = (values: ArrayLike<number>, wanted: ArrayLike<number>, digits = 6): void => {
+  expect(values.length).toBe(wanted.length);
+  for (let at = 0; at < values.length; at++) expect(values[at]).toBeCloseTo(wanted[at] as number, digits);
 };
 
 test("points arrive where they are moved to", () => {

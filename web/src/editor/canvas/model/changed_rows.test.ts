@@ -4,9 +4,9 @@ import { patch } from "./skin_patch";
 
 const { fans } = patch();
 const field = (...rows: number[]) => {
-  const made = new Float32Array(4 * 81);
-  for (const row of rows) made[4 * row + 1] = 0.1;
-  return made;
+  const rowsOfTexels = new Float32Array(4 * 81);
+  for (const row of rows) rowsOfTexels[4 * row + 1] = 0.1;
+  return rowsOfTexels;
 };
 
 describe("ChangedRows", () => {

@@ -27,14 +27,14 @@ export interface DragOptions {
 export const bell = (x: number): number => (x >= 1 ? 0 : (1 - x * x) ** 2 * (1 - 0.25 * x * x));
 
 /** A face that is dragged: what joins its rows, its lips (null: none), and where it is, (rows, 3) metres. */
-export interface Skin {
+export interface DraggedSkin {
   fans: Fans;
   lips: Lips | null;
   positions: Float32Array;
 }
 
 /** Who moves when a hand takes `led`. */
-export function dragGroup(net: Net, led: readonly number[], dragOptions: DragOptions, skin: Skin): DragGroup {
+export function dragGroup(net: Net, led: readonly number[], dragOptions: DragOptions, skin: DraggedSkin): DragGroup {
   const shares = new Map(led.map((place) => [place, 1]));
   if (dragOptions.falloff > 0) addNeighbours(shares, net, led, dragOptions.falloff / 1000, skin);
   if (dragOptions.mask !== null)
@@ -55,7 +55,7 @@ function addNeighbours(
   net: Net,
   led: readonly number[],
   radius: number,
-  { fans, lips, positions }: Skin,
+  { fans, lips, positions }: DraggedSkin,
 ): void {
   const far = distances(
     fans,
@@ -71,14 +71,14 @@ function addNeighbours(
 
 /** The mirror images of all that move; a point that both sides move follows the side that moves it more. */
 function images(net: Net, shares: ReadonlyMap<number, number>): Map<number, number> {
-  const found = new Map<number, number>();
+  const mirrored = new Map<number, number>();
   for (const [place, share] of shares) {
     const image = net.mirror[place] ?? -1;
     if (image < 0 || (shares.get(image) ?? 0) > share) continue;
-    if (image !== place && shares.get(image) === share && found.has(image)) continue; // one of two leads
-    found.set(place, image);
+    if (image !== place && shares.get(image) === share && mirrored.has(image)) continue; // one of two leads
+    mirrored.set(place, image);
   }
-  return found;
+  return mirrored;
 }
 
 /** The vectors when the hand has moved by `move` (dtheta, dh, R) since `before`; both (n, 3). */

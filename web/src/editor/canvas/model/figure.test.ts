@@ -7,14 +7,17 @@ const worn = { source: "#1", moves: undefined, net: null };
 
 /** The farthest that two lists of numbers are apart. */
 const apart = (a: ArrayLike<number>, b: ArrayLike<number>): number =>
-  Array.from(a, (value, at) => Math.abs(value - (b[at] as number))).reduce((most, each) => Math.max(most, each), 0);
+  Array.from(a, (value, at) => Math.abs(value - (b[at] as number))).reduce(
+    (most, difference) => Math.max(most, difference),
+    0,
+  );
 
 describe("Figure", () => {
   const { positions, tangents } = patch();
   const field = (row: number, vector: readonly number[]) => {
-    const made = new Float32Array((4 * positions.length) / 3);
-    made.set(vector, 4 * row);
-    return made;
+    const rowsOfTexels = new Float32Array((4 * positions.length) / 3);
+    rowsOfTexels.set(vector, 4 * row);
+    return rowsOfTexels;
   };
 
   it("moves by its tangents times the field", () => {

@@ -77,7 +77,7 @@ export class Figure {
     const linear = this.offset.map((_, at) => (shown[at] as number) - (this.live[at] as number));
     this.offset.set(linear);
     this.easedFrom = settleSmall(this.offset) ? time : -Infinity;
-    return { ...spread(linear), move };
+    return { ...lengths(linear), move };
   }
 
   /** Puts `live` where a field (V, 4) leads; undefined: no field. */
@@ -102,7 +102,7 @@ function settleSmall(offset: Float32Array): boolean {
 }
 
 /** The greatest length of the rows (n, 3), and the mean over those that are not still. */
-function spread(rows: Float32Array): { greatest: number; mean: number } {
+export function lengths(rows: Float32Array): { greatest: number; mean: number } {
   let [greatest, sum, count] = [0, 0, 0];
   for (let at = 0; at < rows.length; at += 3) {
     const length = Math.hypot(rows[at] as number, rows[at + 1] as number, rows[at + 2] as number);
@@ -112,8 +112,8 @@ function spread(rows: Float32Array): { greatest: number; mean: number } {
   return { greatest, mean: count === 0 ? 0 : sum / count };
 }
 
-const farthest = (from: Float32Array, to: Float32Array): number =>
-  spread(from.map((value, at) => (to[at] as number) - value)).greatest;
+export const farthest = (from: Float32Array, to: Float32Array): number =>
+  lengths(from.map((value, at) => (to[at] as number) - value)).greatest;
 
 /** Adds tangents (3, V, 3) times field (V, 4) to the first V rows of positions. */
 export function addDisplacement(positions: Float32Array, tangents: Float32Array, field: Float32Array): void {

@@ -2,7 +2,7 @@ import { expect, it } from "vitest";
 import type { Recipe } from "../../../link/editing_messages";
 import type { Manifest } from "../../../link/messages";
 import { Camera, FIRST_VIEW } from "../math/camera";
-import { gazeOf, shows } from "./gaze";
+import { ballOf, gazeOf, shows } from "./gaze";
 
 const manifest = {
   expressions: [{ name: "wink", source: "wink", eyes: [0.1, 0.2, 0.3, 0.4], pupil: 0.5 }],
@@ -27,7 +27,13 @@ it("leaves out layers of other regions, and looks ahead without a recipe", () =>
 it("shows an eyeball in the parts that it reaches into", () => {
   const tile = { left: 0, top: 0, width: 300, height: 300 };
   const camera = new Camera(FIRST_VIEW, tile, { centre: [0, 0, 0], radius: 0.13 });
-  const ball = { centre: Float32Array.of(0.03, 0, 0.08), axes: Float32Array.of(0.015, 0, 0, 0, 0.015, 0, 0, 0, 0.015) };
+  const ends = [0.015, -0.015].flatMap((far) => [
+    [0.03 + far, 0, 0.08],
+    [0.03, far, 0.08],
+    [0.03, 0, 0.08 + far],
+  ]);
+  const ball = ballOf({ rows: [0, 3, 1, 4, 2, 5] }, Float32Array.from(ends.flat()));
+  expect(ball.radius).toBeCloseTo(0.015);
   const [x, y] = camera.project([0.03, 0, 0.08]);
   expect(shows(ball, camera, tile)).toBe(true);
   expect(shows(ball, camera, { left: x + 10, top: y - 5, width: 50, height: 10 })).toBe(true);

@@ -22,10 +22,10 @@ const HANDLES = [0, 40, 85, 130, 170, 210, 255, 299];
 const STILL = new Float64Array(3 * HANDLES.length);
 const MOVES = Float64Array.from(STILL, (_, at) => 0.006 * Math.sin(1 + 7 * at));
 
-const near = (found: ArrayLike<number>, wanted: ArrayLike<number>, digits = 6): void => {
+const near = (values: ArrayLike<number>, wanted: ArrayLike<number>, digits = 6): void => {
   let worst = 0;
   for (let at = 0; at < wanted.length; at++)
-    worst = Math.max(worst, Math.abs((found[at] as number) - (wanted[at] as number)));
+    worst = Math.max(worst, Math.abs((values[at] as number) - (wanted[at] as number)));
   expect(worst).toBeLessThan(10 ** -digits);
 };
 

@@ -76,9 +76,9 @@ export class HandleDeform {
 
   /** How far each row follows a handle; worked out when it is first moved. */
   private column(place: number): Float64Array {
-    const known = this.columns.get(place) ?? this.warp.follows(this.rest, place);
-    this.columns.set(place, known);
-    return known;
+    const column = this.columns.get(place) ?? this.warp.follows(this.rest, place);
+    this.columns.set(place, column);
+    return column;
   }
 
   private seat(out: Float32Array): void {

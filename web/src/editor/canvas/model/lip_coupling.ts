@@ -20,13 +20,13 @@ const [CORNER, MIDDLE] = [0.2, 0.45];
 /** Lips farther apart than this share of the mouth's width do not meet (at rest 0.12 at most, on all faces). */
 const APART = 0.13;
 
-const known = new WeakMap<Anatomy, Lips | null>();
+const lipsByAnatomy = new WeakMap<Anatomy, Lips | null>();
 
 /** The lips of a cast, found once; null: it has none. */
 export function lipsOf(anatomy: Anatomy): Lips | null {
-  const found = known.get(anatomy) ?? halves(anatomy.lines.get(LINE), anatomy.positions);
-  known.set(anatomy, found);
-  return found;
+  const lips = lipsByAnatomy.get(anatomy) ?? halves(anatomy.lines.get(LINE), anatomy.positions);
+  lipsByAnatomy.set(anatomy, lips);
+  return lips;
 }
 
 /** The two halves of a closed line between the row farthest to one side and the row farthest to the other. */

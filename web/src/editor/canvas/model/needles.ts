@@ -1,9 +1,9 @@
 /** Where needles stand on the canvas, and which of them a pointer means. */
 
-import type { Fans } from "../../../face/anatomy/topology";
+import { type Fans, normalAt } from "../../../face/anatomy/topology";
 import type { Camera } from "../math/camera";
 import { hit } from "../math/hit_test";
-import { add, cross, dot, minus, rowOf, size, type Triple, times, unit } from "../math/vectors";
+import { add, dot, minus, rowOf, size, type Triple, times, unit } from "../math/vectors";
 
 /** Metres that a handle's head stands out of the skin. */
 export const STUD = 0.002;
@@ -23,20 +23,6 @@ export interface Needle {
   foot: Triple;
   head: Triple;
   outward: Triple;
-}
-
-/** The unit normal of a row from the triangles around it. */
-export function normalAt(fans: Fans, positions: Float32Array, row: number): Triple {
-  const here = rowOf(positions, row);
-  let sum: Triple = [0, 0, 0];
-  for (let slot = fans.starts[row] as number; slot < (fans.starts[row + 1] as number); slot++) {
-    const [a, b] = [
-      rowOf(positions, fans.pairs[2 * slot] as number),
-      rowOf(positions, fans.pairs[2 * slot + 1] as number),
-    ];
-    sum = add(sum, cross(minus(a, here), minus(b, here)));
-  }
-  return unit(sum);
 }
 
 /** How much a needle points away from the axis where the skin around it points anywhere: on lines of lips and lids. */
@@ -64,13 +50,13 @@ export function needlesOn(rows: readonly number[], fans: Fans, positions: Float3
 }
 
 /** What may hide needles. */
-export interface Skin {
+export interface HidingSkin {
   positions: Float32Array;
   triangles: Uint32Array;
 }
 
 /** Whether the camera sees a needle's head. */
-export function seen(needle: Needle, camera: Camera, skin: Skin): boolean {
+export function seen(needle: Needle, camera: Camera, skin: HidingSkin): boolean {
   const ray = minus(needle.head, camera.eye);
   const far = Math.hypot(...ray);
   const direction = times(ray, 1 / far);
@@ -83,7 +69,7 @@ export function seen(needle: Needle, camera: Camera, skin: Skin): boolean {
 export function picked(
   needles: readonly Needle[],
   camera: Camera,
-  skin: Skin,
+  skin: HidingSkin,
   pointer: readonly [x: number, y: number],
   reach: number,
 ): Needle | undefined {
@@ -108,7 +94,7 @@ function farFrom(needle: Needle, camera: Camera, [x, y]: readonly [number, numbe
 export function within(
   needles: readonly Needle[],
   camera: Camera,
-  skin: Skin,
+  skin: HidingSkin,
   [left, top, right, bottom]: readonly [number, number, number, number],
 ): number[] {
   const inside = (needle: Needle): boolean => {

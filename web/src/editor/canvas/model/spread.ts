@@ -12,36 +12,23 @@ export interface Spread {
   reach: number;
 }
 
-/** Where a field (V, 4) leads rows of a face from its base, and whence. */
-export function spreadOf(
-  { tangents, base }: Pick<Figure, "tangents" | "base">,
-  rows: Uint32Array,
-  field: Float32Array | undefined,
-): Spread {
+/** Where rows of a face are, led by a hand, and whence. */
+export function spreadOf({ base, live }: Pick<Figure, "base" | "live">, rows: Uint32Array): Spread {
   const low: Triple = [Infinity, Infinity, Infinity];
   const high: Triple = [-Infinity, -Infinity, -Infinity];
-  const size = tangents === undefined || field === undefined ? 0 : tangents.length / 3;
   let most = 0;
   for (const row of rows) {
-    const at = 3 * row;
-    const led = at < size;
     let sum = 0;
-    for (let axis = 0; axis < 3; axis++) {
-      const value = base[at + axis] as number;
-      const way = led ? wayOf(tangents as Float32Array, field as Float32Array, size, row, axis) : 0;
-      sum += way * way;
-      low[axis] = Math.min(low[axis] as number, value, value + way);
-      high[axis] = Math.max(high[axis] as number, value, value + way);
+    for (const axis of [0, 1, 2] as const) {
+      const [from, to] = [base[3 * row + axis] as number, live[3 * row + axis] as number];
+      sum += (to - from) ** 2;
+      low[axis] = Math.min(low[axis], from, to);
+      high[axis] = Math.max(high[axis], from, to);
     }
     most = Math.max(most, sum);
   }
   return { low, high, reach: Math.sqrt(most) };
 }
-
-const wayOf = (tangents: Float32Array, field: Float32Array, size: number, row: number, axis: number): number =>
-  (tangents[3 * row + axis] as number) * (field[4 * row] as number) +
-  (tangents[size + 3 * row + axis] as number) * (field[4 * row + 1] as number) +
-  (tangents[2 * size + 3 * row + axis] as number) * (field[4 * row + 2] as number);
 
 /** The box of the canvas, CSS pixels, that holds a spread and `border` metres around it. */
 export function boxOf(camera: Camera, { low, high }: Spread, border: number): Box {

@@ -5,14 +5,11 @@ import type { Library } from "../../../link/assets";
 import type { Manifest } from "../../../link/messages";
 import { loadFace, loadTangents, loadWorn } from "../../session/asset_loading";
 import type { Followers, Muscle, Net } from "../../session/control_net";
-import { MOST_BLOCKS } from "../draw/atlas_shaders";
-import { FaceAtlas } from "../draw/face_atlas";
-import type { SkinTextures } from "../draw/skin_texture";
+import type { DrawnFaces, ShownFace } from "../draw/drawn_face";
 import { boundsOf } from "../math/camera";
 import { ChangedRows } from "../model/changed_rows";
 import { type Difference, Figure } from "../model/figure";
 import { addField, type Moves, type Reach, reachOf } from "../model/influence_field";
-import type { ShownFace } from "../model/shown_face";
 import { type Spread, spreadOf } from "../model/spread";
 
 /** What all faces wear: an expression's source, and what of it hand and muscles made. */
@@ -29,6 +26,8 @@ export interface Hand {
   muscles: readonly Muscle[];
 }
 
+/** Faces that are shown at most: the work, and ten beside it. */
+const MOST = 11;
 /** Faces that take what has come for them in one frame, at most: more would make the frame late. */
 const ARRIVALS = 3;
 
@@ -39,7 +38,6 @@ interface Arrival {
 }
 
 export class ExpressionScene {
-  readonly faceAtlas: FaceAtlas;
   /** The last differences between linearised and true shape, by face. */
   readonly differences = new Map<string, Difference>();
   /** How often faces have taken a true shape. */
@@ -47,9 +45,8 @@ export class ExpressionScene {
   private readonly members = new Map<string, ShownFace>();
   private readonly asked = new Map<string, Promise<ShownFace>>();
   private readonly changedRows: ChangedRows;
-  private readonly fields: Float32Array[];
-  private readonly slots = new Int32Array(MOST_BLOCKS).fill(-1);
-  private readonly lags = new Float32Array(MOST_BLOCKS);
+  /** What the hand adds, by what it adds to. */
+  private readonly fields = new Map<Moves, Float32Array>();
   private readonly arrivals: Arrival[] = [];
   private readonly fresh = new Set<ShownFace>();
   private shown: string[] = [];
@@ -61,22 +58,16 @@ export class ExpressionScene {
   private turned: Uint32Array = new Uint32Array();
 
   constructor(
-    gl: WebGL2RenderingContext,
-    readonly library: Library,
-    readonly anatomy: Anatomy,
-    private readonly skinTextures: SkinTextures,
-    private readonly side: number,
+    private readonly library: Library,
+    { fans }: Anatomy,
+    private readonly faces: DrawnFaces,
   ) {
-    const { vertices, skin } = library.manifest;
-    this.faceAtlas = new FaceAtlas(gl, vertices, anatomy.fans);
-    this.changedRows = new ChangedRows(anatomy.fans);
-    this.fields = Array.from({ length: MOST_BLOCKS }, () => new Float32Array(4 * skin));
+    this.changedRows = new ChangedRows(fans);
   }
 
   setFollowers(followers: Followers | null): void {
     if (followers === null || followers === this.followers) return;
     this.followers = followers;
-    this.faceAtlas.setFollowers(followers);
     this.changedRows.setFollowers(followers);
   }
 
@@ -87,8 +78,12 @@ export class ExpressionScene {
 
   /** Shows these faces, by source; resolves when all are here. */
   async show(manifest: Manifest, sources: readonly string[]): Promise<void> {
-    this.shown = [...new Set(sources)].slice(0, MOST_BLOCKS - 1);
-    for (const member of this.members.values()) if (!this.shown.includes(member.source)) member.block = -1;
+    this.shown = [...new Set(sources)].slice(0, MOST);
+    for (const member of this.members.values()) {
+      if (member.drawn === undefined || this.shown.includes(member.source)) continue;
+      this.faces.give(member.drawn);
+      member.drawn = undefined;
+    }
     await Promise.all(this.shown.map((source) => this.call(manifest, source)));
   }
 
@@ -127,27 +122,18 @@ export class ExpressionScene {
     const whole = easing || this.arrivals.length > 0 || this.fresh.size > 0;
     this.changed = false;
     this.takeArrivals(time);
-    const used = this.assignFields();
-    for (const field of used.values()) this.faceAtlas.setField(field.slot, field.values);
-    const work = this.members.get(this.shown[0] ?? "");
-    if (work !== undefined) this.moveFigure(work, used);
-    this.passes(used, time);
+    this.writeFields();
+    this.put(time);
     return whole ? "whole" : "part";
   }
 
   /** Where the rows are that changed in the last step, on a face. */
-  spread({ figure, block }: ShownFace): Spread {
-    const slot = this.slots[block] as number;
-    return spreadOf(figure, this.turned, slot < 0 ? undefined : this.fields[slot]);
+  spread({ figure }: ShownFace): Spread {
+    return spreadOf(figure, this.turned);
   }
 
-  dispose(): void {
-    this.faceAtlas.dispose();
-  }
-
-  /** Members that have a block, in the order of the blocks. */
   private onStage(): ShownFace[] {
-    return [...this.members.values()].filter(({ block }) => block >= 0);
+    return [...this.members.values()].filter(({ drawn }) => drawn !== undefined);
   }
 
   private async call(manifest: Manifest, source: string): Promise<void> {
@@ -155,12 +141,10 @@ export class ExpressionScene {
     this.asked.set(source, asked);
     asked.catch(() => this.asked.delete(source));
     const member = await asked;
-    if (!this.shown.includes(source) || member.block >= 0) return;
-    const taken = new Set(this.onStage().map(({ block }) => block));
-    member.block = Array.from({ length: MOST_BLOCKS }, (_, block) => block).find(
-      (block) => !taken.has(block),
-    ) as number;
-    this.faceAtlas.upload(member.block, member.figure, true);
+    const style = await this.faces.wardrobe(member.document, member.rest);
+    if (!this.shown.includes(source) || member.drawn !== undefined) return;
+    member.drawn = this.faces.take();
+    member.drawn.dress(member.document, style);
     this.fresh.add(member);
     this.changed = true;
     await this.fit(manifest, member);
@@ -168,12 +152,9 @@ export class ExpressionScene {
 
   private async load(manifest: Manifest, source: string): Promise<ShownFace> {
     const [face, tangents] = await Promise.all([loadFace(manifest, source), loadTangents(manifest, source)]);
-    const { document, positions } = face;
-    const figure = new Figure(document.name, positions, tangents);
-    const picture = await this.skinTextures.picture(document);
-    const skinTexture = this.skinTextures.paint(document.look, picture, this.side);
-    const bounds = boundsOf(positions);
-    const member = { source, document, figure, rest: positions, bounds, skinTexture, block: -1 };
+    const { document, positions: rest } = face;
+    const figure = new Figure(document.name, rest, tangents);
+    const member = { source, document, figure, rest, bounds: boundsOf(rest), drawn: undefined };
     this.members.set(source, member);
     return member;
   }
@@ -200,67 +181,47 @@ export class ExpressionScene {
       if (first) figure.offset.fill(0);
       this.differences.set(figure.name, difference);
       this.arrived += 1;
-      if (member.block < 0) continue;
-      this.faceAtlas.upload(member.block, figure, false);
       this.fresh.add(member);
     }
   }
 
   /** The field of what the hand adds to what a face wears; undefined: nothing. */
-  private fieldOf(worn: WornExpression): Float32Array | undefined {
-    const field = new Float32Array(this.fields[0]?.length ?? 0);
-    return this.writeField(field, worn) ? field : undefined;
-  }
-
-  private writeField(field: Float32Array, { moves, net }: WornExpression): boolean {
-    const { hand } = this;
-    field.fill(0);
-    if (moves === undefined || hand.moves === undefined || net === null || net !== hand.net) return false;
+  private fieldOf({ moves, net }: WornExpression): Float32Array | undefined {
+    const { hand, library } = this;
+    if (moves === undefined || hand.moves === undefined || net === null || net !== hand.net) return undefined;
     if (this.reach?.net !== net) this.reach = { net, of: reachOf(net) };
-    return addField(field, this.reach.of, hand.muscles, hand.moves, moves);
+    const field = new Float32Array(4 * library.manifest.skin);
+    return addField(field, this.reach.of, hand.muscles, hand.moves, moves) ? field : undefined;
   }
 
-  /** A slot for each of the different things that faces wear. */
-  private assignFields(): Map<Moves, { slot: number; values: Float32Array }> {
-    const used = new Map<Moves, { slot: number; values: Float32Array }>();
-    this.slots.fill(-1);
-    for (const { block, figure } of this.onStage()) {
+  /** A field for each of the different things that faces wear. */
+  private writeFields(): void {
+    this.fields.clear();
+    for (const { figure } of this.onStage()) {
       const { moves } = figure.worn;
-      if (moves === undefined) continue;
-      if (!used.has(moves)) {
-        const values = this.fields[used.size] as Float32Array;
-        if (!this.writeField(values, figure.worn)) continue;
-        used.set(moves, { slot: used.size, values });
-      }
-      this.slots[block] = used.get(moves)?.slot ?? -1;
+      if (moves === undefined || this.fields.has(moves)) continue;
+      const field = this.fieldOf(figure.worn);
+      if (field !== undefined) this.fields.set(moves, field);
     }
-    return used;
   }
 
-  private moveFigure({ figure }: ShownFace, used: ReadonlyMap<Moves, { values: Float32Array }>): void {
-    const field = figure.worn.moves === undefined ? undefined : used.get(figure.worn.moves)?.values;
-    figure.move(field, this.followers);
+  private fieldUnder({ worn: { moves } }: Figure): Float32Array | undefined {
+    return moves && this.fields.get(moves);
   }
 
-  private passes(used: ReadonlyMap<Moves, { values: Float32Array }>, time: number): void {
-    const staged = this.onStage();
-    const offsets: Float32Array[] = [];
-    for (const { block, figure } of staged) {
+  /** Puts all faces where they are at a time: of those that have just come all rows, of others what changes. */
+  private put(time: number): void {
+    const easing = this.onStage().filter(({ figure }) => Number.isFinite(figure.easedFrom));
+    const offsets = easing.map(({ figure }) => figure.offset);
+    const rows = this.changedRows.after([...this.fields.values()], offsets);
+    this.turned = rows.turned;
+    for (const member of this.onStage()) {
+      const { figure, drawn } = member;
       const lag = figure.lag(time);
-      this.lags[block] = lag;
-      if (Number.isFinite(figure.easedFrom)) offsets.push(figure.offset);
       if (lag === 0) figure.easedFrom = -Infinity;
+      figure.move(this.fieldUnder(figure), this.followers);
+      drawn?.put(figure, lag, this.fresh.has(member) ? this.changedRows.all : rows);
     }
-    const lists = this.changedRows.after(
-      [...used.values()].map(({ values }) => values),
-      offsets,
-    );
-    this.turned = lists.turned;
-    const step = { ...lists, slots: this.slots, lags: this.lags };
-    const count = staged.reduce((most, { block }) => Math.max(most, block + 1), 0);
-    this.faceAtlas.run(step, 0, count);
-    for (const { block } of this.fresh)
-      if (block >= 0) this.faceAtlas.run({ ...step, ...this.changedRows.all }, block, 1);
     this.fresh.clear();
   }
 }

@@ -1,18 +1,16 @@
 /** The scene of the face editor: the face under work, once large and at rest, and again with other expressions beside it. */
 
 import type { Anatomy } from "../../../face/anatomy/anatomy";
+import type { RibbonStyle } from "../../../face/hair/hair_geometry";
 import type { FaceRecipe, HandlesAsset } from "../../../link/editing_messages";
 import type { FaceDocument, Manifest } from "../../../link/messages";
 import { loadFace, loadWorn } from "../../session/asset_loading";
 import { type Handles, handlesOf, loadHandles } from "../../session/face_handles";
-import { MOST_BLOCKS } from "../draw/atlas_shaders";
-import type { FaceAtlas } from "../draw/face_atlas";
-import type { SkinTextures } from "../draw/skin_texture";
+import type { DrawnFace, DrawnFaces, ShownFace } from "../draw/drawn_face";
 import { boundsOf } from "../math/camera";
 import { ChangedRows } from "../model/changed_rows";
-import { type Difference, Figure } from "../model/figure";
+import { type Difference, Figure, farthest, lengths } from "../model/figure";
 import { type HandleDeform, handleDeform } from "../model/handle_deform";
-import type { ShownFace } from "../model/shown_face";
 
 /** What the face wears, the first at rest: the sum of expressions, and what people read. */
 const WORN: readonly { label: string; expressions: readonly string[] }[] = [
@@ -24,6 +22,7 @@ const WORN: readonly { label: string; expressions: readonly string[] }[] = [
 
 /** One picture of the face, as the canvas draws any face. */
 export interface FacePicture extends ShownFace {
+  drawn: DrawnFace;
   /** What it wears, for people. */
   label: string;
   /** What the server made, (rows, 3) metres. */
@@ -31,7 +30,7 @@ export interface FacePicture extends ShownFace {
 }
 
 /** A face under work as the server has it: its item, what it is made of, and where that is kept. */
-interface Made {
+interface DraftFace {
   item: number;
   content: string;
   recipe: FaceRecipe;
@@ -42,7 +41,7 @@ interface Arrival {
   content: string;
   item: number;
   document: FaceDocument;
-  picture: ImageBitmap | undefined;
+  style: RibbonStyle | undefined;
   shape: HandleDeform;
   under: string;
   handles: Handles;
@@ -60,28 +59,23 @@ export class FaceScene {
   private awaited = -1;
   /** What is mixed in the pictures, in the content that was asked for last, and by the hand. */
   private mixes = { shown: "", made: "", asked: "" };
-  private look = "";
   private content = "";
   private shape: HandleDeform | undefined;
   /** What lies under the handles of this shape. */
   private under = "";
   /** The face at rest as the shape has it where the server made it: where handles were pulled very far, it may miss. */
-  private made: Float32Array = new Float32Array();
+  private servedRest: Float32Array = new Float32Array();
   private moves: Float64Array = new Float64Array();
   private asset: Promise<HandlesAsset> | undefined;
   private arrival: Arrival | undefined;
   private changed = false;
-  private readonly slots = new Int32Array(MOST_BLOCKS).fill(-1);
-  private readonly lags = new Float32Array(MOST_BLOCKS);
-  private readonly everything: { moved: Uint32Array; turned: Uint32Array };
+  private readonly everything: ChangedRows["all"];
   private readonly rows: { skin: number; balls: Uint32Array[] };
 
   constructor(
-    private readonly faceAtlas: FaceAtlas,
-    private readonly skinTextures: SkinTextures,
+    private readonly faces: DrawnFaces,
     anatomy: Anatomy,
     skin: number,
-    private readonly side: number,
   ) {
     this.everything = new ChangedRows(anatomy.fans).all;
     const ball = (n: number): Uint32Array => {
@@ -93,7 +87,7 @@ export class FaceScene {
 
   /** Shows a draft as the server made it, its content, by its recipe; what is there stays until all of it has come.
    * hand: the recipe as the hand has it, with steps that are not answered. */
-  async show(manifest: Manifest, draft: Made, hand: FaceRecipe): Promise<void> {
+  async show(manifest: Manifest, draft: DraftFace, hand: FaceRecipe): Promise<void> {
     const { item, content } = draft;
     [this.mixes.made, this.mixes.asked] = [mixOf(item, draft.recipe), mixOf(item, hand)];
     if (content === this.content && item === this.item) {
@@ -113,22 +107,24 @@ export class FaceScene {
     this.asset ??= loadHandles();
     const [{ document, positions }, asset] = await Promise.all([loadFace(manifest, content), this.asset]);
     const wear = async (expressions: readonly string[]): Promise<Float32Array> => {
-      const known = expressions.filter((name) => manifest.expressions.some((one) => one.name === name));
-      const worn = await Promise.all(known.map((name) => loadWorn(manifest, content, name, positions)));
-      return positions.map((rest, at) => worn.reduce((sum, one) => sum + (one[at] as number) - rest, rest));
+      const existing = expressions.filter((name) =>
+        manifest.expressions.some((expression) => expression.name === name),
+      );
+      const worn = await Promise.all(existing.map((name) => loadWorn(manifest, content, name, positions)));
+      return positions.map((rest, at) => worn.reduce((sum, wornShape) => sum + (wornShape[at] as number) - rest, rest));
     };
-    const [picture, ...truths] = await Promise.all([
-      this.skinTextures.picture(document),
+    const [style, ...truths] = await Promise.all([
+      this.faces.wardrobe(document, positions),
       ...WORN.map(({ expressions }) => wear(expressions)),
     ]);
     if (content !== this.content) return; // something newer is on its way
     const handles = handlesOf(asset, recipe);
     const under = JSON.stringify([item, recipe.base, recipe.regions, recipe.amount, handles.rows]);
     // Where only handles were moved, the face at rest is known already, and exactly.
-    const known = under === this.under ? this.shape : undefined;
-    known?.hold(handles.moves);
-    const shape = known ?? handleDeform(positions, this.rows, handles.rows, handles.moves);
-    this.arrival = { content, item, document, picture, shape, under, handles, truths };
+    const sameShape = under === this.under ? this.shape : undefined;
+    sameShape?.hold(handles.moves);
+    const shape = sameShape ?? handleDeform(positions, this.rows, handles.rows, handles.moves);
+    this.arrival = { content, item, document, style, shape, under, handles, truths };
   }
 
   /** Whether the item that was asked for last is still to come, while nothing or another one is shown. */
@@ -155,6 +151,7 @@ export class FaceScene {
 
   /** Forgets what is shown: the canvas is needed for something else. */
   leave(): void {
+    for (const { drawn } of this.all) this.faces.give(drawn);
     [this.all, this.content, this.item, this.handles, this.under] = [[], "", -1, undefined, ""];
     [this.awaited, this.mixes] = [-1, { shown: "", made: "", asked: "" }];
     [this.shape, this.arrival] = [undefined, undefined];
@@ -174,28 +171,26 @@ export class FaceScene {
     if (this.arrival !== undefined) this.take(this.arrival, time, ahead);
     else if (this.changed) this.pose();
     this.changed = false;
-    for (const { block, figure } of this.all) {
+    for (const { drawn, figure } of this.all) {
       const lag = figure.lag(time);
-      this.lags[block] = lag;
       if (lag === 0) figure.easedFrom = -Infinity;
+      drawn.put(figure, lag, this.everything);
     }
-    for (const { block, figure } of this.all) this.faceAtlas.upload(block, figure, false);
-    this.faceAtlas.run({ ...this.everything, slots: this.slots, lags: this.lags }, 0, this.all.length);
     return true;
   }
 
   private take(arrival: Arrival, time: number, ahead: boolean): void {
-    const { content, item, document, picture, shape, under, handles, truths } = arrival;
+    const { content, item, document, style, shape, under, handles, truths } = arrival;
     this.arrival = undefined;
     this.mixes.shown = this.mixes.made;
     const fresh = item !== this.item || this.all.length === 0;
-    if (fresh) this.begin(document, picture, truths);
+    if (fresh) this.begin(document, truths);
     const shown = this.all.map(({ figure }) => figure.base.slice());
     if (!ahead || fresh) this.moves = handles.moves;
     [this.item, this.shape, this.under, this.handles] = [item, shape, under, handles];
-    this.made = shape.at(handles.moves).slice();
-    this.dress(document, picture);
+    this.servedRest = shape.at(handles.moves).slice();
     for (const picture of this.all) {
+      picture.drawn.dress(document, style);
       picture.rest = truths[0] as Float32Array;
       picture.truth = truths[WORN.findIndex(({ label }) => label === picture.label)] as Float32Array;
       [picture.source, picture.document] = [content, { ...document, label: picture.label }];
@@ -203,46 +198,37 @@ export class FaceScene {
     this.pose();
     this.all.forEach((picture, n) => {
       ease(picture, fresh ? picture.figure.base : (shown[n] as Float32Array), fresh ? -Infinity : time);
-      this.differences.set(picture.label, differenceOf(picture.figure.offset, picture.truth, picture.figure.rest));
+      const { offset, rest } = picture.figure;
+      this.differences.set(picture.label, { ...lengths(offset), move: farthest(rest, picture.truth) });
     });
   }
 
-  private begin(document: FaceDocument, painted: ImageBitmap | undefined, truths: readonly Float32Array[]): void {
+  private begin(document: FaceDocument, truths: readonly Float32Array[]): void {
     const bounds = boundsOf(truths[0] as Float32Array); // kept while the face is under work: the view stays
-    const skinTexture = this.skinTextures.paint(document.look, painted, this.side);
-    this.look = lookOf(document);
-    this.all = WORN.map(({ label }, block) => {
-      const truth = truths[block] as Float32Array;
+    for (const { drawn } of this.all) this.faces.give(drawn);
+    this.all = WORN.map(({ label }, n) => {
+      const truth = truths[n] as Float32Array;
       return {
         source: "",
         document,
         figure: new Figure(label, truth, undefined),
         rest: truths[0] as Float32Array,
         bounds,
-        skinTexture,
-        block,
+        drawn: this.faces.take(),
         label,
         truth,
       };
     });
   }
 
-  private dress(document: FaceDocument, painted: ImageBitmap | undefined): void {
-    const wanted = lookOf(document);
-    if (wanted === this.look) return;
-    this.look = wanted;
-    const skinTexture = this.skinTextures.paint(document.look, painted, this.side);
-    for (const picture of this.all) picture.skinTexture = skinTexture;
-  }
-
   /** Puts every picture where the handles lead: what moves the face at rest moves it with any expression. */
   private pose(): void {
-    const { shape, made, moves } = this;
+    const { shape, servedRest, moves } = this;
     if (shape === undefined) return;
     const there = shape.at(moves);
     for (const { figure, truth } of this.all) {
       for (let at = 0; at < truth.length; at++)
-        figure.base[at] = (truth[at] as number) + (there[at] as number) - (made[at] as number);
+        figure.base[at] = (truth[at] as number) + (there[at] as number) - (servedRest[at] as number);
       figure.live.set(figure.base);
     }
   }
@@ -252,27 +238,10 @@ export class FaceScene {
 const mixOf = (item: number, { base, regions, amount }: FaceRecipe): string =>
   JSON.stringify([item, base, regions, amount]);
 
-/** Faces of one skin have the same. */
-const lookOf = ({ look, albedo }: FaceDocument): string => JSON.stringify([look, albedo]);
-
 /** The picture goes from what was shown to what is there now, from a time on. */
 function ease({ figure }: FacePicture, shown: Float32Array, time: number): void {
   figure.offset.forEach((_, at) => {
     figure.offset[at] = (shown[at] as number) - (figure.base[at] as number);
   });
   figure.easedFrom = time;
-}
-
-function differenceOf(offset: Float32Array, truth: Float32Array, first: Float32Array): Difference {
-  let [greatest, sum, move] = [0, 0, 0];
-  for (let at = 0; at < offset.length; at += 3) {
-    const far = (values: (place: number) => number): number => Math.hypot(values(at), values(at + 1), values(at + 2));
-    const missing = far((place) => offset[place] as number);
-    [greatest, sum] = [Math.max(greatest, missing), sum + missing];
-    move = Math.max(
-      move,
-      far((place) => (truth[place] as number) - (first[place] as number)),
-    );
-  }
-  return { greatest, mean: (3 * sum) / offset.length, move };
 }

@@ -2,7 +2,7 @@
 
 import type { Difference } from "../model/figure";
 
-export interface Counters {
+export interface CanvasCounters {
   /** Frames finished. */
   drawn: number;
   /** Milliseconds between the last frames finished, newest last. */
@@ -81,7 +81,7 @@ export class FramePacing {
   /** Frames in a second, of the last dozen. */
   get fps(): number {
     const recent = this.intervals.slice(-12);
-    return recent.length === 0 ? 0 : (1000 * recent.length) / recent.reduce((sum, each) => sum + each, 0);
+    return recent.length === 0 ? 0 : (1000 * recent.length) / recent.reduce((sum, interval) => sum + interval, 0);
   }
 }
 

@@ -1,17 +1,17 @@
 /** What lies over the faces: needles, the mesh's edges, muscles; and, as elements of the page, names and the rubber band. */
 
+import * as THREE from "three";
 import { rowTriangles } from "../../../face/anatomy/topology";
 import type { DraftStore } from "../../session/draft_store";
 import { type Handles, namesOf } from "../../session/face_handles";
 import { showsMuscles } from "../../session/view_settings";
-import type { FacePainter, Lines } from "../draw/face_painter";
-import { HEAD, type NeedleRenderer, type NeedleState } from "../draw/needle_renderer";
+import type { DrawnFace, ShownFace } from "../draw/drawn_face";
+import { HEAD, NeedleMesh, type NeedleState, skinLines, type UnderUniforms } from "../draw/overlay_meshes";
 import type { Box } from "../math/boxes";
 import type { Camera } from "../math/camera";
 import type { Triple } from "../math/vectors";
 import type { DragGroup } from "../model/drag_vectors";
 import { type Needle, STUD, spacing } from "../model/needles";
-import type { ShownFace } from "../model/shown_face";
 import type { Viewports } from "./viewports";
 
 const EDGE = [1, 1, 1, 0.16];
@@ -57,18 +57,23 @@ export class Overlay {
   private readonly rubber: HTMLElement;
   /** The name of the handle under the pointer. */
   private readonly tip: HTMLElement;
-  private wires: Lines | undefined;
-  private muscles: Lines | undefined;
+  /** All that is drawn over the face under work. */
+  readonly object = new THREE.Group();
+  private readonly under: UnderUniforms = {
+    positions: { value: new THREE.Texture() },
+    normals: { value: new THREE.Texture() },
+  };
+  private readonly needles = new NeedleMesh(this.under);
+  private wires: THREE.LineSegments | undefined;
+  private muscles: THREE.LineSegments | undefined;
   private pulled = "";
   private placed = "";
   private spaced: { rows: readonly number[]; far: number[] } | undefined;
 
-  constructor(
-    private readonly stage: OverlaidCanvas,
-    private readonly painter: FacePainter,
-    private readonly needleRenderer: NeedleRenderer,
-  ) {
+  constructor(private readonly stage: OverlaidCanvas) {
     const { canvas } = stage;
+    this.object.renderOrder = 1; // after the face
+    this.object.add(this.needles.mesh);
     this.layer = document.createElement("div");
     Object.assign(this.layer.style, { position: "absolute", pointerEvents: "none", overflow: "hidden" });
     this.rubber = this.layer.appendChild(document.createElement("div"));
@@ -102,25 +107,37 @@ export class Overlay {
     const pulled = JSON.stringify([store.options.muscles, [...store.livePulls], store.muscles.length]);
     if (pulled === this.pulled) return;
     this.pulled = pulled;
+    this.muscles?.removeFromParent();
+    this.muscles?.geometry.dispose();
     this.muscles = undefined;
   }
 
-  /** Draws over the face under work. */
-  draw(block: number, camera: Camera): void {
-    const { store, input, viewports } = this.stage;
-    if (store.options.wireframe) {
-      this.wires ??= this.buildWires();
-      this.painter.lines(this.wires, block, camera, EDGE_LIFT);
-    }
-    if (showsMuscles(store)) {
-      this.muscles ??= this.buildMuscles();
-      this.painter.lines(this.muscles, block, camera, MUSCLE_LIFT);
-    }
-    this.drawHandles(block, camera);
-    if (store.net === null || !input.picker.armed) return;
-    const rows = store.net.rows.map((row, place) => (input.placing?.place === place ? input.placing.row : row));
-    this.needleRenderer.set(rows, this.states(), this.scales(camera), input.picker.directions());
-    this.needleRenderer.draw(block, camera, input.picker.needleLength, viewports.ratio);
+  /** Lays what is shown now over the face under work. */
+  draw({ uniforms: { shared } }: DrawnFace, camera: Camera): void {
+    const { store } = this.stage;
+    this.under.positions.value = shared.positions.value;
+    this.under.normals.value = shared.normals.value;
+    if (store.options.wireframe) this.wires ??= this.buildWires();
+    if (showsMuscles(store)) this.muscles ??= this.buildMuscles();
+    if (this.wires !== undefined) this.wires.visible = store.options.wireframe;
+    if (this.muscles !== undefined) this.muscles.visible = showsMuscles(store);
+    this.needles.mesh.visible = this.drawHandles(camera) || this.drawNeedles(camera);
+  }
+
+  /** The needles of an expression under work; whether there are any. */
+  private drawNeedles(camera: Camera): boolean {
+    const { store, input } = this.stage;
+    const { picker, placing } = input;
+    if (store.net === null || !picker.armed) return false;
+    const rows = store.net.rows.map((row, place) => (placing?.place === place ? placing.row : row));
+    const shown = { rows, states: this.states(), scales: this.scales(camera), outward: picker.directions() };
+    this.show({ ...shown, length: picker.needleLength }, camera);
+    return true;
+  }
+
+  private show(needles: Parameters<NeedleMesh["show"]>[0], { box, back }: Camera): void {
+    const { ratio } = this.stage.viewports;
+    this.needles.show(needles, [box.width * ratio, box.height * ratio], ratio, back);
   }
 
   /** How large the needles' heads are: as they stand close, so that what they are on is seen between them. */
@@ -128,24 +145,24 @@ export class Overlay {
     const { store, work } = this.stage;
     const rows = store.net?.rows ?? [];
     if (this.spaced?.rows !== rows && work !== undefined) this.spaced = { rows, far: spacing(rows, work.figure.rest) };
-    const each = HEAD * camera.metresPerPixel(camera.middle);
-    return (this.spaced?.far ?? []).map((far) => Math.min(1, Math.max(LEAST, (0.36 * far) / each)));
+    const headSize = HEAD * camera.metresPerPixel(camera.middle);
+    return (this.spaced?.far ?? []).map((far) => Math.min(1, Math.max(LEAST, (0.36 * far) / headSize)));
   }
 
-  /** The handles of a face under work. */
-  private drawHandles(block: number, camera: Camera): void {
-    const { handles, editsFace, viewports } = this.stage;
+  /** The handles of a face under work; whether there are any. */
+  private drawHandles(camera: Camera): boolean {
+    const { handles, editsFace } = this.stage;
     const shown = editsFace ? handles?.handles : undefined;
     if (handles === undefined || shown === undefined) {
       this.tell(undefined, "");
-      return;
+      return false;
     }
     const studs = handles.studs();
     const outward = studs.map((stud) => stud.outward);
-    this.needleRenderer.set(shown.rows, handles.states(), undefined, outward);
-    this.needleRenderer.draw(block, camera, STUD, viewports.ratio);
+    this.show({ rows: shown.rows, states: handles.states(), outward, length: STUD }, camera);
     const under = studs[handles.hovered];
     this.tell(under && camera.project(under.head), under === undefined ? "" : namesOf(shown, [handles.hovered]));
+    return true;
   }
 
   /** Puts a name beside a place of the canvas, pixels; nothing: no name. */
@@ -187,13 +204,13 @@ export class Overlay {
   }
 
   private name(n: number): HTMLElement {
-    const known = this.names[n];
-    if (known !== undefined) return known;
-    const made = this.layer.appendChild(document.createElement("span"));
+    const existing = this.names[n];
+    if (existing !== undefined) return existing;
+    const label = this.layer.appendChild(document.createElement("span"));
     const font = n === 0 ? "500 13px/18px system-ui, sans-serif" : "400 11px/18px system-ui, sans-serif";
-    Object.assign(made.style, { position: "absolute", font, color: "#d8d2c8", textShadow: "0 1px 2px #000" });
-    this.names[n] = made;
-    return made;
+    Object.assign(label.style, { position: "absolute", font, color: "#d8d2c8", textShadow: "0 1px 2px #000" });
+    this.names[n] = label;
+    return label;
   }
 
   private states(): NeedleState[] {
@@ -208,7 +225,7 @@ export class Overlay {
     });
   }
 
-  private buildWires(): Lines {
+  private buildWires(): THREE.LineSegments {
     const skin = this.stage.store.library?.meshes.find(({ name }) => name === "skin");
     const corners = skin === undefined ? new Uint32Array() : rowTriangles(skin);
     const rows: number[] = [];
@@ -216,13 +233,14 @@ export class Overlay {
       const [a, b] = [corners[at] as number, corners[at - (at % 3) + ((at + 1) % 3)] as number];
       if (a < b) rows.push(a, b); // each edge once: its other triangle walks it the other way
     }
-    return this.painter.buildLines(
+    return this.lines(
       rows,
       rows.flatMap((_, n) => (n % 2 === 0 ? EDGE : [])),
+      EDGE_LIFT,
     );
   }
 
-  private buildMuscles(): Lines {
+  private buildMuscles(): THREE.LineSegments {
     const { store } = this.stage;
     const [rows, colours]: [number[], number[]] = [[], []];
     for (const muscle of store.muscles) {
@@ -232,6 +250,12 @@ export class Overlay {
         colours.push(...((store.livePulls.get(muscle.name) ?? 0) > 0 ? MUSCLE : SLACK));
       }
     }
-    return this.painter.buildLines(rows, colours);
+    return this.lines(rows, colours, MUSCLE_LIFT);
+  }
+
+  private lines(rows: readonly number[], colours: readonly number[], lift: number): THREE.LineSegments {
+    const lines = skinLines(rows, colours, lift, this.under);
+    this.object.add(lines);
+    return lines;
   }
 }

@@ -80,8 +80,8 @@ export class Viewports {
 
   /** Turns the head by pixels of the pointer. */
   orbit(dx: number, dy: number): void {
-    const each = Math.PI / Math.max(200, Math.min(this.canvas.clientWidth, this.canvas.clientHeight));
-    this.change({ yaw: this.view.yaw - dx * each, pitch: this.view.pitch + dy * each });
+    const radiansPerPixel = Math.PI / Math.max(200, Math.min(this.canvas.clientWidth, this.canvas.clientHeight));
+    this.change({ yaw: this.view.yaw - dx * radiansPerPixel, pitch: this.view.pitch + dy * radiansPerPixel });
   }
 
   /** Shifts the work by metres on the screen. */

@@ -18,10 +18,10 @@ export const arePhotographs = (names: readonly string[]): boolean =>
 
 /** "scan": a person, to be fitted; "either": taken in as it is where that can be, else a scan; "import": to be taken in
  * as it is. */
-export type Coming = "scan" | "either" | "import";
+export type ImportWay = "scan" | "either" | "import";
 
 /** What to do with files that were dropped while an item of a kind is open, or none. */
-export function comingOf(names: readonly string[], open: "expression" | "face" | null): Coming {
+export function comingOf(names: readonly string[], open: "expression" | "face" | null): ImportWay {
   const suffixes = names.map(suffixOf);
   if (suffixes.includes(".json")) return "import";
   if (arePhotographs(names)) return "scan";

@@ -8,7 +8,7 @@ import { add, cross, minus, rowOf, type Triple, times } from "../../canvas/math/
 
 export type LandmarkName = (typeof LANDMARKS)[number];
 /** Points of a scan by name, in the scan's own frame and unit. */
-export type Points = Readonly<Partial<Record<LandmarkName, Triple>>>;
+export type LandmarkPoints = Readonly<Partial<Record<LandmarkName, Triple>>>;
 
 /** scale * rotation @ point + shift; the rotation row by row. */
 export interface Placement {
@@ -38,14 +38,14 @@ export interface SeenScan {
   readonly unit: string;
   readonly doubts: readonly ScanDoubt[];
   readonly notes: readonly string[];
-  readonly given: Points;
-  readonly found: Points;
+  readonly given: LandmarkPoints;
+  readonly found: LandmarkPoints;
   readonly shut: boolean | null;
   readonly placement: Placement;
   readonly surface: ScanSurface;
   readonly face: FittedFace | null;
   /** What hair is proposed. */
-  readonly hair: Hair;
+  readonly hair: HairChoice;
 }
 
 /** What is drawn: a surface, and a face that may lie in it. */
@@ -56,7 +56,7 @@ export type Drawable = Pick<SeenScan, "surface" | "placement" | "found"> & {
 };
 
 /** A hair style of the cast, "" for none, and its colour. */
-export interface Hair {
+export interface HairChoice {
   readonly style: string;
   readonly colour: string;
 }
@@ -72,8 +72,8 @@ export function readScan(bytes: Uint8Array): SeenScan {
     unit: sent.unit,
     doubts: sent.doubts,
     notes: sent.notes,
-    given: sent.given as Points,
-    found: sent.found as Points,
+    given: sent.given as LandmarkPoints,
+    found: sent.found as LandmarkPoints,
     shut: sent.shut,
     placement: { scale, rotation: rest.slice(0, 9), shift: rest.slice(9) as Triple },
     surface: { positions, triangles, normals: normalsOf(positions, triangles), colours },

@@ -2,7 +2,8 @@
 
 import { LANDMARKS } from "../../../link/constants";
 import type { Triple } from "../../canvas/math/vectors";
-import type { LandmarkName, Points } from "./scan_document";
+import { PointHistory } from "./point_history";
+import type { LandmarkName, LandmarkPoints } from "./scan_document";
 
 /** What people call the points; left is the character's own. */
 export const POINT_LABELS: Readonly<Record<LandmarkName, string>> = {
@@ -15,78 +16,44 @@ export const POINT_LABELS: Readonly<Record<LandmarkName, string>> = {
   mouth_right: "Right corner of the mouth",
 };
 
-export class ScanPoints {
+export class ScanPoints extends PointHistory<LandmarkPoints> {
   /** The point that the next click sets. */
   chosen: LandmarkName = LANDMARKS[0];
-  #given: Points = {};
-  #past: Points[] = [];
-  #future: Points[] = [];
-  /** The points by which the face that is shown was fitted. */
-  #fitted: Points = {};
 
-  get given(): Points {
-    return this.#given;
+  constructor() {
+    super({});
   }
 
-  get canUndo(): boolean {
-    return this.#past.length > 0;
-  }
-
-  get canRedo(): boolean {
-    return this.#future.length > 0;
+  get given(): LandmarkPoints {
+    return this.now;
   }
 
   /** Whether a fit would now be by other points than that which is shown. */
   get changed(): boolean {
-    return LANDMARKS.some((name) => this.#given[name] !== this.#fitted[name]);
+    return LANDMARKS.some((name) => this.now[name] !== this.fittedBy[name]);
   }
 
   /** Sets a point; `goes`: and goes on to the next that is not set. A point that is set again within one drag is one step: `same`. */
   set(name: LandmarkName, point: Triple, { goes = false, same = false } = {}): void {
-    if (!same) this.#remember();
-    this.#given = { ...this.#given, [name]: point };
+    this.put({ ...this.now, [name]: point }, same);
     this.chosen = goes ? this.#following(name) : name;
   }
 
   /** Takes a point back: it is found by Omote again. */
   remove(name: LandmarkName): void {
-    if (this.#given[name] === undefined) return;
-    this.#remember();
-    this.#given = Object.fromEntries(Object.entries(this.#given).filter(([one]) => one !== name));
+    if (this.now[name] === undefined) return;
+    this.put(Object.fromEntries(Object.entries(this.now).filter(([landmark]) => landmark !== name)), false);
     this.chosen = name;
   }
 
-  undo(): void {
-    this.#step(this.#past, this.#future);
-  }
-
-  redo(): void {
-    this.#step(this.#future, this.#past);
-  }
-
-  /** What is set now has been fitted. */
-  fitted(): void {
-    this.#fitted = this.#given;
-  }
-
-  #remember(): void {
-    this.#past.push(this.#given);
-    this.#future = [];
-  }
-
-  #step(from: Points[], to: Points[]): void {
-    const points = from.pop();
-    if (points === undefined) return;
-    to.push(this.#given);
-    const before = this.#given;
-    this.#given = points;
-    this.chosen = LANDMARKS.find((name) => before[name] !== points[name]) ?? this.chosen;
+  protected override stepped(before: LandmarkPoints): void {
+    this.chosen = LANDMARKS.find((name) => before[name] !== this.now[name]) ?? this.chosen;
   }
 
   /** The next point after one that is not set, around at the end; where all are set, the one itself. */
   #following(name: LandmarkName): LandmarkName {
     const at = LANDMARKS.indexOf(name);
     const round = [...LANDMARKS.slice(at + 1), ...LANDMARKS.slice(0, at)];
-    return round.find((one) => this.#given[one] === undefined) ?? name;
+    return round.find((landmark) => this.now[landmark] === undefined) ?? name;
   }
 }

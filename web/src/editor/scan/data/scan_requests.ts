@@ -1,7 +1,7 @@
 /** What the page asks of the server about a scan. */
 
 import type { LongRequests } from "../../../ui/long_requests";
-import { type Points, readScan, type SeenScan } from "./scan_document";
+import { type LandmarkPoints, readScan, type SeenScan } from "./scan_document";
 
 /** The title of a fit among the long requests of the page. */
 export const FIT_TITLE = "A face from a scan";
@@ -25,7 +25,7 @@ export async function bringScan(files: readonly File[], requests: LongRequests):
 /** Fits a scan by points; errors as `bringScan`. */
 export async function fitAgain(
   { token }: SeenScan,
-  points: Points,
+  points: LandmarkPoints,
   shut: boolean | null,
   requests: LongRequests,
 ): Promise<SeenScan> {

@@ -23,8 +23,10 @@ describe("what is said of a fit", () => {
     expect(adviceOf(scan({ doubts: [LOST] }), false)).toContain("not sure");
     expect(adviceOf(scan({ face: null }), false)).toContain("Click the seven points");
     expect(adviceOf(scan({ face: null }), true)).toContain("Fit again");
-    const given = Object.fromEntries([..."abcdefg"].map((name) => [name, [0, 0, 0]]));
-    expect(adviceOf(scan({ face: null, given } as Partial<SeenScan>), false)).toContain("move those that are off");
+    const givenPoints = Object.fromEntries([..."abcdefg"].map((name) => [name, [0, 0, 0]]));
+    expect(adviceOf(scan({ face: null, given: givenPoints } as Partial<SeenScan>), false)).toContain(
+      "move those that are off",
+    );
     expect(adviceOf(scan({ doubts: [EYES] }), false)).toContain("sure of all but the eyes");
     expect(adviceOf(scan({ doubts: [EYES, LOST] }), false)).toContain("not sure");
   });

@@ -22,38 +22,38 @@ class FakeWorker implements PhotographMessenger {
 }
 
 function open() {
-  const [made, told] = [[] as FakeWorker[], [] as number[]];
+  const [workers, shares] = [[] as FakeWorker[], [] as number[]];
   const finder = new PhotographFinder(
-    (share) => told.push(share),
+    (share) => shares.push(share),
     () => {
-      made.push(new FakeWorker());
-      return made.at(-1) as FakeWorker;
+      workers.push(new FakeWorker());
+      return workers.at(-1) as FakeWorker;
     },
   );
-  return { made, told, finder, picture: {} as ImageBitmap };
+  return { workers, shares, finder, picture: {} as ImageBitmap };
 }
 
 it("makes its worker for the first picture, tells how it loads, and keeps it for the next", async () => {
-  const { made, told, finder, picture } = open();
-  expect(made).toHaveLength(0);
+  const { workers, shares, finder, picture } = open();
+  expect(workers).toHaveLength(0);
   const first = finder.find(picture);
-  made[0]?.say({ kind: "loading", share: 0.5 });
-  made[0]?.say({ kind: "found", points: new Float32Array(3) });
+  workers[0]?.say({ kind: "loading", share: 0.5 });
+  workers[0]?.say({ kind: "found", points: new Float32Array(3) });
   expect(await first).toHaveLength(3);
   const second = finder.find(picture);
-  made[0]?.say({ kind: "found", points: new Float32Array() });
+  workers[0]?.say({ kind: "found", points: new Float32Array() });
   expect(await second).toHaveLength(0);
-  expect([made.length, made[0]?.sent.length, told]).toEqual([1, 2, [0.5]]);
+  expect([workers.length, workers[0]?.sent.length, shares]).toEqual([1, 2, [0.5]]);
   finder.close();
-  expect(made[0]?.ended).toBe(true);
+  expect(workers[0]?.ended).toBe(true);
 });
 
 it("says why where the model does not run", async () => {
-  const { made, finder, picture } = open();
+  const { workers, finder, picture } = open();
   const first = finder.find(picture);
-  made[0]?.say({ kind: "failed", reason: "no memory" });
+  workers[0]?.say({ kind: "failed", reason: "no memory" });
   await expect(first).rejects.toThrow("The face model does not run here: no memory.");
   const second = finder.find(picture);
-  made[0]?.onerror?.({ message: "" } as ErrorEvent);
+  workers[0]?.onerror?.({ message: "" } as ErrorEvent);
   await expect(second).rejects.toThrow("its script could not be loaded");
 });

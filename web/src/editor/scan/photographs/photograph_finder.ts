@@ -16,9 +16,9 @@ const makeWorker = (): PhotographMessenger =>
 export class PhotographFinder {
   #worker: PhotographMessenger | null = null;
 
-  /** told: how much of the model has come, 0..1. */
+  /** progress: called with how much of the model has come, 0..1. */
   constructor(
-    private readonly told: (share: number) => void,
+    private readonly progress: (share: number) => void,
     private readonly make: () => PhotographMessenger = makeWorker,
   ) {}
 
@@ -26,11 +26,11 @@ export class PhotographFinder {
   find(picture: ImageBitmap): Promise<Float32Array> {
     this.#worker ??= this.make();
     const worker = this.#worker;
-    return new Promise((found, failed) => {
-      const fail = (reason: string): void => failed(new Error(`The face model does not run here: ${reason}.`));
+    return new Promise((resolve, reject) => {
+      const fail = (reason: string): void => reject(new Error(`The face model does not run here: ${reason}.`));
       worker.onmessage = ({ data }) => {
-        if (data.kind === "loading") this.told(data.share);
-        else if (data.kind === "found") found(data.points);
+        if (data.kind === "loading") this.progress(data.share);
+        else if (data.kind === "found") resolve(data.points);
         else fail(data.reason);
       };
       worker.onerror = (event) => fail(event.message || "its script could not be loaded");

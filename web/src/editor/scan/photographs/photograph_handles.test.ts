@@ -14,8 +14,8 @@ describe("a handle that is dragged", () => {
       const row = rowOf(at);
       const by = [0, 1, 2].map((axis) => part(moved, row, axis) - part(points, row, axis));
       const wanted = at === NOSE ? [0.03, -0.02, 0] : [0, 0, 0];
-      by.forEach((each, axis) => {
-        expect(each, label).toBeCloseTo(wanted[axis] as number, 6);
+      by.forEach((change, axis) => {
+        expect(change, label).toBeCloseTo(wanted[axis] as number, 6);
       });
     });
   });
@@ -24,15 +24,15 @@ describe("a handle that is dragged", () => {
     const near = points.slice();
     const [row, x] = [rowOf(NOSE), part(points, rowOf(NOSE), 0)];
     const away = HANDLES.map((_, at) => rowOf(at))
-      .filter((each) => each !== row)
-      .map((each) => Math.hypot(part(points, each, 0) - x, part(points, each, 1) - part(points, row, 1)));
+      .filter((other) => other !== row)
+      .map((other) => Math.hypot(part(points, other, 0) - x, part(points, other, 1) - part(points, row, 1)));
     const reach = Math.min(...away);
     const others = [7, 8, 9];
-    others.forEach((each, at) => {
-      near.set([x + reach * ([0.2, 0.5, 1.1][at] as number), part(points, row, 1), 0.3], 3 * each);
+    others.forEach((other, at) => {
+      near.set([x + reach * ([0.2, 0.5, 1.1][at] as number), part(points, row, 1), 0.3], 3 * other);
     });
     const moved = moveHandle(near, NOSE, [0.1, 0], 1);
-    const [close, further, beyond] = others.map((each) => part(moved, each, 0) - part(near, each, 0));
+    const [close, further, beyond] = others.map((other) => part(moved, other, 0) - part(near, other, 0));
     expect(close).toBeLessThan(0.1);
     expect(close).toBeGreaterThan(further as number);
     expect(further).toBeGreaterThan(0);

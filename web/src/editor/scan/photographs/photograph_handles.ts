@@ -23,18 +23,18 @@ export const HANDLES = [
  * width over its height. */
 export function moveHandle(points: Float32Array, handle: number, [dx, dy]: readonly [number, number], shape: number) {
   const row = rowOf(handle);
-  const away = (one: number, other: number): number =>
+  const away = (point: number, other: number): number =>
     Math.hypot(
-      ((points[3 * one] as number) - (points[3 * other] as number)) * shape,
-      (points[3 * one + 1] as number) - (points[3 * other + 1] as number),
+      ((points[3 * point] as number) - (points[3 * other] as number)) * shape,
+      (points[3 * point + 1] as number) - (points[3 * other + 1] as number),
     );
   const others = HANDLES.map((_, at) => rowOf(at)).filter((other) => other !== row);
   const reach = Math.max(1e-6, Math.min(...others.map((other) => away(row, other))));
   const moved = points.slice();
-  for (let each = 0; 3 * each < points.length; each++) {
-    const share = Math.max(0, 1 - (away(row, each) / reach) ** 2) ** 2;
-    moved[3 * each] = (points[3 * each] as number) + share * dx;
-    moved[3 * each + 1] = (points[3 * each + 1] as number) + share * dy;
+  for (let point = 0; 3 * point < points.length; point++) {
+    const share = Math.max(0, 1 - (away(row, point) / reach) ** 2) ** 2;
+    moved[3 * point] = (points[3 * point] as number) + share * dx;
+    moved[3 * point + 1] = (points[3 * point + 1] as number) + share * dy;
   }
   return moved;
 }

@@ -2,7 +2,7 @@ import { beforeEach, describe, expect, it } from "vitest";
 import { HANDLES, rowOf } from "./photograph_handles";
 import { type FoundPhotograph, PhotographPoints } from "./photograph_points";
 
-const found = (): FoundPhotograph => ({
+const photograph = (): FoundPhotograph => ({
   name: "anna.jpg",
   file: "1.jpg",
   picture: new Blob(),
@@ -18,7 +18,7 @@ describe("the points of photographs", () => {
   const x = (photograph = 0): number => points.of(photograph)[3 * rowOf(CHIN)] as number;
 
   beforeEach(() => {
-    points = new PhotographPoints([found(), found()]);
+    points = new PhotographPoints([photograph(), photograph()]);
   });
 
   it("are moved in one photograph, and a drag is one step from where it began", () => {

@@ -2,18 +2,13 @@
 
 import { css, html, LitElement, svg } from "lit";
 import { customElement, property, query, state } from "lit/decorators.js";
+import { ARROWS } from "../../../ui/gestures";
 import { base } from "../../../ui/theme";
 import { HANDLES, rowOf } from "./photograph_handles";
 import type { FoundPhotograph, PhotographPoints } from "./photograph_points";
 
 /** Of the face's size, what is seen around it. */
 const AROUND = 0.35;
-const ARROWS: Readonly<Record<string, readonly [number, number]>> = {
-  ArrowLeft: [-1, 0],
-  ArrowRight: [1, 0],
-  ArrowUp: [0, -1],
-  ArrowDown: [0, 1],
-};
 const MORE = 10;
 
 /** A press that moves less, parts of the photograph, is a click. */
@@ -26,6 +21,60 @@ interface Hand {
   moved: boolean;
 }
 
+const style = css`
+  :host {
+    display: block;
+    min-height: 0;
+    overflow: hidden;
+    background: #08090a;
+  }
+  svg {
+    width: 100%;
+    height: 100%;
+    touch-action: none;
+  }
+  path {
+    fill: none;
+    stroke-linecap: round;
+    vector-effect: non-scaling-stroke;
+    pointer-events: none;
+  }
+  .all {
+    stroke: #eafff2;
+    stroke-width: 2.5px;
+    opacity: 0.7;
+  }
+  .rim {
+    stroke: #06140c;
+    stroke-width: 15px;
+  }
+  .dot {
+    stroke: var(--hand);
+    stroke-width: 11px;
+  }
+  .chosen .dot {
+    stroke: var(--coming);
+  }
+  .grasp {
+    stroke: transparent;
+    stroke-width: 26px;
+    pointer-events: stroke;
+    cursor: grab;
+  }
+  g:focus-visible {
+    outline: none;
+  }
+  g:focus-visible .rim {
+    stroke: var(--focus);
+    stroke-width: 19px;
+  }
+  @media (pointer: coarse) {
+    .grasp {
+      stroke-width: 46px;
+    }
+  }
+`;
+
 /** Tells `set` when a point has been moved, `choose` with the handle that was taken. */
 @customElement("omote-photograph")
 export class PhotographView extends LitElement {
@@ -37,62 +86,7 @@ export class PhotographView extends LitElement {
   @state() private hand: Hand | null = null;
   @query("svg") private drawing!: SVGSVGElement;
 
-  static override styles = [
-    base,
-    css`
-      :host {
-        display: block;
-        min-height: 0;
-        overflow: hidden;
-        background: #08090a;
-      }
-      svg {
-        width: 100%;
-        height: 100%;
-        touch-action: none;
-      }
-      path {
-        fill: none;
-        stroke-linecap: round;
-        vector-effect: non-scaling-stroke;
-        pointer-events: none;
-      }
-      .all {
-        stroke: #eafff2;
-        stroke-width: 2.5px;
-        opacity: 0.7;
-      }
-      .rim {
-        stroke: #06140c;
-        stroke-width: 15px;
-      }
-      .dot {
-        stroke: var(--hand);
-        stroke-width: 11px;
-      }
-      .chosen .dot {
-        stroke: var(--coming);
-      }
-      .grasp {
-        stroke: transparent;
-        stroke-width: 26px;
-        pointer-events: stroke;
-        cursor: grab;
-      }
-      g:focus-visible {
-        outline: none;
-      }
-      g:focus-visible .rim {
-        stroke: var(--focus);
-        stroke-width: 19px;
-      }
-      @media (pointer: coarse) {
-        .grasp {
-          stroke-width: 46px;
-        }
-      }
-    `,
-  ];
+  static override styles = [base, style];
 
   get #seen(): FoundPhotograph {
     return this.points.all[this.photograph] as FoundPhotograph;
@@ -159,7 +153,7 @@ export class PhotographView extends LitElement {
     event.preventDefault();
     event.stopPropagation();
     const pixels = (event.shiftKey ? MORE : 1) / (this.drawing.getScreenCTM()?.a ?? 1);
-    this.#put(handle, [(arrow[0] * pixels) / this.#seen.width, (arrow[1] * pixels) / this.#seen.height], false);
+    this.#put(handle, [(arrow[0] * pixels) / this.#seen.width, (-arrow[1] * pixels) / this.#seen.height], false);
   }
 
   /** Where a pointer is, in parts of the photograph. */

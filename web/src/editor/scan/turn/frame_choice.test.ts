@@ -29,11 +29,11 @@ it("weighs sharpness above stillness and turn", () => {
 
 it("waits for enough pictures of each direction, and for each by itself", () => {
   const { choice } = open();
-  for (const yaw of [40, 20, 0, -20]) for (let each = 0; each < ENOUGH; each++) choice.offer("", { ...GOOD, yaw });
+  for (const yaw of [40, 20, 0, -20]) for (let count = 0; count < ENOUGH; count++) choice.offer("", { ...GOOD, yaw });
   expect([...choice.wanted]).toEqual(["right"]);
   choice.offer("", { ...GOOD, yaw: -42 });
   expect(choice.share("right")).toBeCloseTo(1 / ENOUGH);
-  for (let each = 1; each < ENOUGH; each++) choice.offer("", { ...GOOD, yaw: -42 });
+  for (let count = 1; count < ENOUGH; count++) choice.offer("", { ...GOOD, yaw: -42 });
   expect(choice.wanted.size).toBe(0);
   expect(choice.all.map(([name]) => name)).toEqual(["left", "half left", "front", "half right", "right"]);
 });

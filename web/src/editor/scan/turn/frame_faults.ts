@@ -19,27 +19,42 @@ export const BLURRED = 0.28;
 /** Of a picture without a fault, what is known; of another, what to do. */
 export type Judged = { readonly fault: string } | { readonly fault: null; readonly head: HeadMeasures; speed: number };
 
-/** Judges a picture by its landmarks and those of the picture before it, null where it is the first. */
-export function judgeFrame(found: Landmarks, before: Landmarks | null): Judged {
-  const bad = judgePicture(found).find(({ good }) => !good);
-  if (bad !== undefined) return { fault: bad.what === "No face" ? bad.advice : `${bad.what}. ${bad.advice}` };
-  const head = measureHead(found);
-  const speed = before === null ? Number.POSITIVE_INFINITY : speedBetween(before, found);
-  const wrong = FAULTS.find(([, is]) => is(head, speed, found));
-  return wrong === undefined ? { fault: null, head, speed } : { fault: wrong[0] };
+/**
+ * Judges a picture by its landmarks and those of the picture before it, null where it is the first.
+ *
+ * The face is looked for where the picture before had it: of a dark one, or of a mouth that was open, this one's
+ * landmarks still have something. So a picture is good as the second without a fault.
+ */
+export function judgeFrame(landmarks: Landmarks, before: Landmarks | null): Judged {
+  const wrong = faultOfPicture(landmarks);
+  if (wrong !== null) return { fault: wrong };
+  const head = measureHead(landmarks);
+  const speed = before === null ? Number.POSITIVE_INFINITY : speedBetween(before, landmarks);
+  if (speed === Number.POSITIVE_INFINITY) return { fault: HOLD }; // it is not known yet whether it is still
+  if (speed > MOVING) return { fault: "Slower: the picture blurs while you move." };
+  const fault = faultOfFace(head) ?? (before !== null && hasFault(before) ? HOLD : null);
+  return fault === null ? { fault, head, speed } : { fault };
 }
 
-/** Sentences, and when they hold; the first counts. */
-const FAULTS: readonly (readonly [string, (head: HeadMeasures, speed: number, found: Landmarks) => boolean])[] = [
-  ["Too far: come nearer.", ({ height }, _, { width, height: tall }) => height < FAR * Math.min(width, tall)],
-  ["Hold your head upright.", ({ roll }) => Math.abs(roll) > LEANS],
-  ["Lower your chin a little.", ({ pitch }) => pitch > NODS],
-  ["Raise your chin a little.", ({ pitch }) => pitch < -NODS],
-  [HOLD, (_, speed) => speed === Number.POSITIVE_INFINITY], // it is not known yet whether it is
-  ["Slower: the picture blurs while you move.", (_, speed) => speed > MOVING],
-  ["Close your mouth.", ({ mouth }) => mouth > MOUTH_OPEN],
-  ["Open your eyes.", ({ lids }) => lids < EYES_SHUT],
-];
+/** What is wrong with a face, and where in the picture it is; it counts before its motion. */
+function faultOfPicture(landmarks: Landmarks): string | null {
+  const bad = judgePicture(landmarks).find(({ good }) => !good);
+  if (bad !== undefined) return bad.what === "No face" ? bad.advice : `${bad.what}. ${bad.advice}`;
+  const { height, roll, pitch } = measureHead(landmarks);
+  if (height < FAR * Math.min(landmarks.width, landmarks.height)) return "Too far: come nearer.";
+  if (Math.abs(roll) > LEANS) return "Hold your head upright.";
+  if (pitch > NODS) return "Lower your chin a little.";
+  return pitch < -NODS ? "Raise your chin a little." : null;
+}
+
+/** What is wrong with what the face does. */
+function faultOfFace({ mouth, lids }: HeadMeasures): string | null {
+  if (mouth > MOUTH_OPEN) return "Close your mouth.";
+  return lids < EYES_SHUT ? "Open your eyes." : null;
+}
+
+const hasFault = (landmarks: Landmarks): boolean =>
+  faultOfPicture(landmarks) !== null || faultOfFace(measureHead(landmarks)) !== null;
 
 /** Of a picture whose face is not sharp. */
 export const NOT_SHARP = "Not sharp: hold still, give your face more light, or wipe the lens.";

@@ -46,10 +46,12 @@ function head(mouth: number, lids: [number, number]): Record<number, [number, nu
 }
 
 /** Landmarks of a head before a camera that sees it from afar; rows without a place lie in the middle of the face. */
-function seen(given: Head = {}): Landmarks {
-  const { mouth = 0.01, lids = [0.3, 0.3], size = 0.5, x = 0.5, light = 0.5, time = 100 } = given;
-  const { width = 640, height = 360 } = given;
-  const [yaw, pitch, roll] = [given.yaw ?? 0, given.pitch ?? 0, given.roll ?? 0].map((each) => (each * Math.PI) / 180);
+function seen(pose: Head = {}): Landmarks {
+  const { mouth = 0.01, lids = [0.3, 0.3], size = 0.5, x = 0.5, light = 0.5, time = 100 } = pose;
+  const { width = 640, height = 360 } = pose;
+  const [yaw, pitch, roll] = [pose.yaw ?? 0, pose.pitch ?? 0, pose.roll ?? 0].map(
+    (degrees) => (degrees * Math.PI) / 180,
+  );
   const rows = head(mouth, lids);
   const points = new Float32Array(3 * LANDMARK_COUNT);
   for (let row = 0; row < LANDMARK_COUNT; row++) {
@@ -103,8 +105,8 @@ describe("the measures of a head", () => {
 });
 
 describe("a picture of the camera", () => {
-  const judged = (given: Head, before: Landmarks | null = seen({ ...given, time: 0 })) =>
-    judgeFrame(seen({ ...given, time: 100 }), before).fault;
+  const judged = (pose: Head, before: Landmarks | null = seen({ ...pose, time: 0 })) =>
+    judgeFrame(seen({ ...pose, time: 100 }), before).fault;
 
   it("is good where a face at rest is near, upright, light and still, in every direction that is wanted", () => {
     for (const yaw of [-40, -20, 0, 20, 40]) expect(judged({ yaw, size: 0.6 })).toBeNull();
@@ -130,5 +132,11 @@ describe("a picture of the camera", () => {
   it("is not taken as the first, nor after one without a face: whether it is still is not known", () => {
     expect(judged({}, null)).toBe("Hold still …");
     expect(judged({}, { ...seen({ time: 0 }), points: new Float32Array() })).toBe("Hold still …");
+  });
+
+  it("is not taken after one with a fault, whose landmarks it still has in part", () => {
+    for (const fault of [{ light: 0.05 }, { pitch: 28 }, { mouth: 0.07 }, { lids: [0.08, 0.08] as [number, number] }])
+      expect(judged({ pitch: 25 }, seen({ pitch: 25, ...fault, time: 0 }))).toBe("Hold still …");
+    expect(judged({ pitch: 25 })).toBeNull();
   });
 });

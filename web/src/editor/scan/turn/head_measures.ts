@@ -73,7 +73,7 @@ export function speedBetween(before: Landmarks, now: Landmarks): number {
 
 const from = (start: Vector, end: Vector): Vector => [end[0] - start[0], end[1] - start[1], end[2] - start[2]];
 
-const distance = (one: Vector, other: Vector): number => Math.hypot(...from(one, other));
+const distance = (point: Vector, other: Vector): number => Math.hypot(...from(point, other));
 
 const sum = (vectors: readonly Vector[]): Vector =>
   vectors.reduce(([x, y, z], [dx, dy, dz]) => [x + dx, y + dy, z + dz]);

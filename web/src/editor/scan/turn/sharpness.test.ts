@@ -19,10 +19,10 @@ function drawn(across: number, down = across, light = 1): Grey {
 }
 
 it("falls with every pixel of blur", () => {
-  const found = [0, 1, 2, 4, 8].map((reach) => sharpnessOf(drawn(reach)));
-  expect(found).toEqual([...found].sort((one, other) => other - one));
-  expect(found[0]).toBeGreaterThan(0.6);
-  expect(found.at(-1)).toBeLessThan(0.3);
+  const measures = [0, 1, 2, 4, 8].map((reach) => sharpnessOf(drawn(reach)));
+  expect(measures).toEqual([...measures].sort((measure, other) => other - measure));
+  expect(measures[0]).toBeGreaterThan(0.6);
+  expect(measures.at(-1)).toBeLessThan(0.3);
 });
 
 it("is that of the axis along which something moved", () => {

@@ -22,10 +22,10 @@ const ORDER: readonly DirectionName[] = ["front", "half left", "left", "half rig
 
 /** The direction that a yaw belongs to; null: it lies between two, or beyond. */
 export const directionAt = (yaw: number): Direction | null =>
-  DIRECTIONS.find((one) => Math.abs(yaw - one.yaw) <= one.reach) ?? null;
+  DIRECTIONS.find((direction) => Math.abs(yaw - direction.yaw) <= direction.reach) ?? null;
 
 /** What is asked for next; null where nothing is wanted any more. */
 export function nextWanted(wanted: ReadonlySet<DirectionName>): Direction | null {
-  const name = ORDER.find((one) => wanted.has(one));
-  return DIRECTIONS.find((one) => one.name === name) ?? null;
+  const name = ORDER.find((candidate) => wanted.has(candidate));
+  return DIRECTIONS.find((direction) => direction.name === name) ?? null;
 }

@@ -16,7 +16,7 @@ export interface TurnListener {
   /** What is said has changed. */
   changed(): void;
   /** Landmarks were found, or none. */
-  drawn(found: Landmarks): void;
+  drawn(landmarks: Landmarks): void;
   /** A direction has a better picture. */
   kept(name: DirectionName, picture: ImageBitmap, points: Float32Array): void;
   /** All are taken. */
@@ -60,7 +60,7 @@ export class TurnSession {
     this.#client = new LandmarkClient(worker, {
       loading: (_, share) => this.#set({ model: { kind: "loading", share } }),
       ready: () => this.#set({ model: { kind: "ready" } }),
-      landmarks: (found) => this.#receive(found),
+      landmarks: (landmarks) => this.#receive(landmarks),
       failed: (reason) => this.#set({ model: { kind: "failed", reason } }),
     });
     this.#stream = new CameraStream(
@@ -134,42 +134,46 @@ export class TurnSession {
     this.#client.look(small, time);
   }
 
-  #receive(found: Landmarks): void {
+  #receive(landmarks: Landmarks): void {
     const [picture, before] = [this.#looked, this.#before];
-    [this.#looked, this.#before] = [null, found];
-    this.listener.drawn(found);
+    [this.#looked, this.#before] = [null, landmarks];
+    this.listener.drawn(landmarks);
     if (picture === null) return;
-    const judged = judgeFrame(found, before);
-    if (judged.fault === null) this.#offer(picture, found, judged);
+    const judged = judgeFrame(landmarks, before);
+    if (judged.fault === null) this.#offer(picture, landmarks, judged);
     else {
       picture.close();
-      this.#say(found, judged.fault);
+      this.#say(landmarks, judged.fault);
     }
   }
 
   /** A picture without a fault, but for its sharpness. */
-  #offer(picture: ImageBitmap, found: Landmarks, { head: { yaw }, speed }: { head: { yaw: number }; speed: number }) {
-    const sharpness = directionAt(yaw) === null ? 1 : sharpnessOf(greyOfFace(picture, found.points));
+  #offer(
+    picture: ImageBitmap,
+    landmarks: Landmarks,
+    { head: { yaw }, speed }: { head: { yaw: number }; speed: number },
+  ) {
+    const sharpness = directionAt(yaw) === null ? 1 : sharpnessOf(greyOfFace(picture, landmarks.points));
     if (sharpness < BLURRED) {
       picture.close();
-      this.#say(found, NOT_SHARP);
+      this.#say(landmarks, NOT_SHARP);
       return;
     }
     const waited = this.choice.wanted.size;
     const name = this.choice.offer(picture, { yaw, sharpness, stillness: 1 - speed / MOVING });
-    if (name !== null) this.listener.kept(name, picture, found.points);
-    this.#say(found, "");
+    if (name !== null) this.listener.kept(name, picture, landmarks.points);
+    this.#say(landmarks, "");
     if (waited > 0 && this.choice.wanted.size === 0) this.listener.complete();
   }
 
   /** Says what is wrong, or what to do next; what was said stays long enough to be read. */
-  #say(found: Landmarks, fault: string): void {
-    const yaw = found.points.length === 0 ? null : measureHead(found).yaw;
+  #say(landmarks: Landmarks, fault: string): void {
+    const yaw = landmarks.points.length === 0 ? null : measureHead(landmarks).yaw;
     const sentence = fault === "" ? guideTo(this.choice.wanted, yaw ?? 0) : fault;
     const here = yaw === null ? null : (directionAt(yaw)?.name ?? null);
-    if (sentence === this.sentence || found.time - this.#said < READ_MS) this.#set({ here });
+    if (sentence === this.sentence || landmarks.time - this.#said < READ_MS) this.#set({ here });
     else {
-      this.#said = found.time;
+      this.#said = landmarks.time;
       this.#set({ here, sentence, faulty: fault !== "" && fault !== HOLD });
     }
   }

@@ -1,4 +1,5 @@
 import { css } from "lit";
+import { flow } from "../../../ui/theme";
 
 export const style = css`
   :host {
@@ -11,7 +12,6 @@ export const style = css`
   figure {
     position: relative;
     display: grid;
-    margin: 0;
     min-height: 0;
     overflow: hidden;
     border: 1px solid var(--line);
@@ -72,9 +72,6 @@ export const style = css`
   ol {
     display: flex;
     gap: 10px;
-    margin: 0;
-    padding: 0;
-    list-style: none;
   }
   li {
     display: grid;
@@ -125,9 +122,7 @@ export const style = css`
     color: var(--attention);
   }
   .acts {
-    display: flex;
-    flex-wrap: wrap;
-    align-items: center;
+    ${flow}
     gap: 6px;
   }
   .acts .note {

@@ -7,8 +7,8 @@ import { openLandmarkWorker } from "../../../face_mesh/landmark_client";
 import { drawLandmarks } from "../../../face_mesh/landmark_drawing";
 import type { Landmarks } from "../../../face_mesh/landmark_messages";
 import { base } from "../../../ui/theme";
+import { textOf, whileShown } from "../../../ui/topic_element";
 import { controls } from "../../controls/controls_style";
-import { textOf } from "../../controls/editor_element";
 import { DIRECTIONS, type Direction, type DirectionName } from "./turn_directions";
 import { TurnSession } from "./turn_session";
 import { style } from "./turn_style";
@@ -27,20 +27,18 @@ export class TurnView extends LitElement {
 
   static override styles = [base, controls, style];
 
-  override connectedCallback(): void {
-    super.connectedCallback();
-    this.#session = new TurnSession(openLandmarkWorker(), {
-      changed: () => this.requestUpdate(),
-      drawn: (found) => this.#draw(found),
-      kept: (name, picture, points) => this.#show(name, picture, points),
-      complete: () => void this.#use(),
+  constructor() {
+    super();
+    whileShown(this, () => {
+      this.#session = new TurnSession(openLandmarkWorker(), {
+        changed: () => this.requestUpdate(),
+        drawn: (landmarks) => this.#draw(landmarks),
+        kept: (name, picture, points) => this.#show(name, picture, points),
+        complete: () => void this.#use(),
+      });
+      void this.#session.start();
+      return () => this.#session.end();
     });
-    void this.#session.start();
-  }
-
-  override disconnectedCallback(): void {
-    super.disconnectedCallback();
-    this.#session.end();
   }
 
   override render() {
@@ -49,7 +47,7 @@ export class TurnView extends LitElement {
     return html`
       <figure>${this.#session.video}<canvas aria-hidden="true"></canvas>${this.#cover()}</figure>
       <div class="guide">
-        <ol aria-label="Directions">${DIRECTIONS.map((one) => this.#mark(one))}</ol>
+        <ol aria-label="Directions">${DIRECTIONS.map((direction) => this.#mark(direction))}</ol>
         <p class="sentence ${faulty ? "faulty" : ""}" role="status">${trouble === null && model.kind !== "failed" ? words : ""}</p>
       </div>
       ${this.#acts()}
@@ -101,9 +99,9 @@ export class TurnView extends LitElement {
     </div>`;
   }
 
-  #draw(found: Landmarks): void {
+  #draw(landmarks: Landmarks): void {
     const canvas = this.renderRoot.querySelector<HTMLCanvasElement>("figure > canvas");
-    if (canvas !== null) drawLandmarks(canvas, found);
+    if (canvas !== null) drawLandmarks(canvas, landmarks);
   }
 
   /** Shows the face of a picture in its mark. */

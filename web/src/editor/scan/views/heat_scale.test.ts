@@ -8,8 +8,8 @@ describe("the colours of distances", () => {
       const next = HEAT_STOPS[at + 1];
       if (next === undefined) continue;
       const middle = heatOf((stop + next[0]) / 2);
-      middle.forEach((part, one) => {
-        expect(part).toBeCloseTo(((colour[one] as number) + (next[1][one] as number)) / 2, 9);
+      middle.forEach((part, place) => {
+        expect(part).toBeCloseTo(((colour[place] as number) + (next[1][place] as number)) / 2, 9);
       });
     }
   });

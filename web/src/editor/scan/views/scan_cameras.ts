@@ -33,15 +33,15 @@ const HIDDEN = 0.012;
 export function boxesOf(width: number, height: number): readonly Box[] {
   const gap = 2;
   if (width >= 1.1 * height) {
-    const each = (width - 2 * gap) / 3;
-    return [0, 1, 2].map((at) => ({ left: at * (each + gap), top: 0, width: each, height }));
+    const columnWidth = (width - 2 * gap) / 3;
+    return [0, 1, 2].map((at) => ({ left: at * (columnWidth + gap), top: 0, width: columnWidth, height }));
   }
-  const [upper, each] = [0.58 * height, (width - gap) / 2];
-  const lower = { top: upper + gap, width: each, height: height - upper - gap };
+  const [upper, columnWidth] = [0.58 * height, (width - gap) / 2];
+  const lower = { top: upper + gap, width: columnWidth, height: height - upper - gap };
   return [
     { left: 0, top: 0, width, height: upper },
     { left: 0, ...lower },
-    { left: each + gap, ...lower },
+    { left: columnWidth + gap, ...lower },
   ];
 }
 
@@ -102,8 +102,8 @@ export class ScanCameras {
     return { metresPerPixel: camera.metresPerPixel(camera.middle), middle: (this.#views[at] as View).pan };
   }
 
-  #change(at: number, made: (view: View) => View): void {
-    this.#views = this.#views.map((view, one) => (one === at ? bounded(made(view), this.#bounds.radius) : view));
+  #change(at: number, change: (view: View) => View): void {
+    this.#views = this.#views.map((view, index) => (index === at ? bounded(change(view), this.#bounds.radius) : view));
   }
 }
 
@@ -114,8 +114,8 @@ function viewOf(name: ViewName): View {
 
 /** What of a scan a place of the canvas shows, metres; undefined: nothing. */
 export function pick({ positions, triangles }: ScanSurface, camera: Camera, x: number, y: number): Triple | undefined {
-  const found = hit(positions, triangles, camera.eye, camera.ray(x, y));
-  return found?.point ?? nearestPoint(positions, camera, x, y);
+  const surfaceHit = hit(positions, triangles, camera.eye, camera.ray(x, y));
+  return surfaceHit?.point ?? nearestPoint(positions, camera, x, y);
 }
 
 /** Clouds have no surface, and some scans are inside out: of the points under a finger the one nearest to the eye. */
@@ -134,6 +134,6 @@ function nearestPoint(positions: Float32Array, camera: Camera, x: number, y: num
 export function isHidden({ positions, triangles }: ScanSurface, camera: Camera, point: Readonly<Triple>): boolean {
   const way = minus(point, camera.eye);
   const far = size(way);
-  const found = hit(positions, triangles, camera.eye, way.map((part) => part / far) as Triple);
-  return found !== undefined && found.distance < far - HIDDEN;
+  const surfaceHit = hit(positions, triangles, camera.eye, way.map((part) => part / far) as Triple);
+  return surfaceHit !== undefined && surfaceHit.distance < far - HIDDEN;
 }

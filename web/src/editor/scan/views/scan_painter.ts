@@ -48,6 +48,9 @@ const IRIS_DEPTH = 0.87;
 /** Pixels of a cloud's points. */
 const POINT = 2.5;
 
+/** Left, bottom, width and height in pixels. */
+type PixelBox = [number, number, number, number];
+
 interface Drawn {
   readonly array: WebGLVertexArrayObject;
   readonly buffers: readonly WebGLBuffer[];
@@ -56,7 +59,7 @@ interface Drawn {
 }
 
 /** What of the two is seen: `share` 0 the scan, 1 the face; `heat`: the face in the colours of its distance. */
-export interface Shown {
+export interface ScanMix {
   readonly share: number;
   readonly heat: boolean;
 }
@@ -93,15 +96,10 @@ export class ScanPainter {
   }
 
   /** Draws into a box of the canvas, CSS pixels, `ratio` pixels of the canvas each. */
-  paint(box: Box, camera: Camera, { share, heat }: Shown, ratio: number): void {
+  paint(box: Box, camera: Camera, { share, heat }: ScanMix, ratio: number): void {
     const { gl } = this;
     const bottom = gl.canvas.height - ratio * (box.top + box.height);
-    const place = [ratio * box.left, bottom, ratio * box.width, ratio * box.height].map(Math.round) as [
-      number,
-      number,
-      number,
-      number,
-    ];
+    const place = [ratio * box.left, bottom, ratio * box.width, ratio * box.height].map(Math.round) as PixelBox;
     gl.viewport(...place);
     gl.scissor(...place);
     gl.enable(gl.SCISSOR_TEST);
@@ -109,18 +107,18 @@ export class ScanPainter {
     gl.clearColor(0.03, 0.035, 0.04, 1);
     gl.clear(gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT);
     const face = heat ? this.heat : this.face;
-    for (const each of [this.scan, this.parts])
-      if (each !== null && (share < 1 || face === null)) this.draw(each, camera, 1, ratio);
+    for (const drawn of [this.scan, this.parts])
+      if (drawn !== null && (share < 1 || face === null)) this.draw(drawn, camera, 1, ratio);
     if (face === null || share <= 0) return;
     if (share < 1) gl.clear(gl.DEPTH_BUFFER_BIT);
     this.draw(face, camera, share, ratio);
   }
 
   dispose(): void {
-    for (const one of [this.scan, this.parts, this.face, this.heat]) {
-      if (one === null) continue;
-      this.gl.deleteVertexArray(one.array);
-      for (const buffer of one.buffers) this.gl.deleteBuffer(buffer);
+    for (const drawn of [this.scan, this.parts, this.face, this.heat]) {
+      if (drawn === null) continue;
+      this.gl.deleteVertexArray(drawn.array);
+      for (const buffer of drawn.buffers) this.gl.deleteBuffer(buffer);
     }
     [this.scan, this.parts, this.face, this.heat] = [null, null, null, null];
   }

@@ -4,24 +4,19 @@ import { html, LitElement, svg } from "lit";
 import { customElement, property, query, state } from "lit/decorators.js";
 import type { Mesh } from "../../../link/assets";
 import { LANDMARKS } from "../../../link/constants";
+import { ARROWS } from "../../../ui/gestures";
 import { base } from "../../../ui/theme";
 import type { Triple } from "../../canvas/math/vectors";
 import { type Drawable, type LandmarkName, placed, unplaced } from "../data/scan_document";
 import type { ScanPoints } from "../data/scan_points";
 import { isHidden, pick, ScanCameras, SIDE_LABELS } from "./scan_cameras";
-import { ScanPainter, type Shown } from "./scan_painter";
+import { type ScanMix, ScanPainter } from "./scan_painter";
 import { style } from "./scan_views_style";
 
 /** A press that moves less, pixels, is a click. */
 const STILL = 6;
 /** Pixels within which a press takes a point in hand; for fingers. */
 const GRASP = { mouse: 11, touch: 24 };
-const ARROWS: Readonly<Record<string, readonly [number, number]>> = {
-  ArrowLeft: [-1, 0],
-  ArrowRight: [1, 0],
-  ArrowUp: [0, -1],
-  ArrowDown: [0, 1],
-};
 const MORE = 10;
 const CLOSER = 1.2;
 
@@ -42,7 +37,7 @@ export class ScanViews extends LitElement {
   /** Null: nothing is set on it. */
   @property({ attribute: false }) points: ScanPoints | null = null;
   @property({ attribute: false }) meshes: readonly Mesh[] = [];
-  @property({ attribute: false }) shown: Shown = { share: 0.5, heat: false };
+  @property({ attribute: false }) shown: ScanMix = { share: 0.5, heat: false };
   /** Raised where points have changed. */
   @property({ attribute: false }) step = 0;
   @state() private active = 0;
@@ -98,14 +93,14 @@ export class ScanViews extends LitElement {
   }
 
   #mark(points: ScanPoints, at: number, name: LandmarkName) {
-    const given = points.given[name];
-    const own = given ?? this.scan.found[name];
+    const givenPoint = points.given[name];
+    const own = givenPoint ?? this.scan.found[name];
     const camera = this.#cameras?.camera(at);
     if (own === undefined || camera === undefined) return null;
     const place = placed(this.scan.placement, own);
     const [x, y] = camera.project(place);
     if (this.#cameras?.at(x, y) !== at) return null;
-    const names = [given === undefined ? "found" : "given"];
+    const names = [givenPoint === undefined ? "found" : "given"];
     if (name === points.chosen) names.push("chosen");
     if (this.#hands.size === 0 && isHidden(this.scan.surface, camera, place)) names.push("hidden");
     return svg`<g class=${names.join(" ")} data-point=${name}><circle cx=${x} cy=${y} r="6"></circle>
@@ -194,10 +189,10 @@ export class ScanViews extends LitElement {
 
   /** Pixels between two fingers; 0: there are not two. */
   #spread(): number {
-    const [one, other] = [...this.#hands.values()];
-    return one === undefined || other === undefined
+    const [hand, other] = [...this.#hands.values()];
+    return hand === undefined || other === undefined
       ? 0
-      : Math.hypot(one.last[0] - other.last[0], one.last[1] - other.last[1]);
+      : Math.hypot(hand.last[0] - other.last[0], hand.last[1] - other.last[1]);
   }
 
   #place({ clientX, clientY }: MouseEvent): [number, number] {
@@ -247,8 +242,8 @@ export class ScanViews extends LitElement {
     const number = Number(key);
     if (arrow !== undefined) {
       const far = shiftKey ? MORE : 1;
-      if (altKey) this.#cameras?.turn(this.active, 20 * arrow[0], 20 * arrow[1]);
-      else this.#nudge(far * arrow[0], far * arrow[1]);
+      if (altKey) this.#cameras?.turn(this.active, 20 * arrow[0], -20 * arrow[1]);
+      else this.#nudge(far * arrow[0], -far * arrow[1]);
     } else if (number >= 1 && number <= LANDMARKS.length && this.points !== null) {
       this.points.chosen = LANDMARKS[number - 1] as LandmarkName;
       this.#tell();

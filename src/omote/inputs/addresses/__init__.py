@@ -1,1 +1,0 @@
-"""What addresses of OSC are made of, and those of speech."""

@@ -1,1 +1,0 @@
-"""Reads scans from glTF files: what a viewer shows of them at rest."""

@@ -1,1 +1,0 @@
-"""Finds where in a scan a head is."""

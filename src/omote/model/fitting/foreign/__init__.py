@@ -1,1 +1,0 @@
-"""Shapes of strangers' heads as expressions of ours."""

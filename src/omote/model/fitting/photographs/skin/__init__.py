@@ -1,1 +1,0 @@
-"""What photographs show of the skin, as evidence for the shape of a face."""

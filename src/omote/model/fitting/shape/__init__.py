@@ -1,1 +1,0 @@
-"""How the generic head takes the shape of a scan."""

@@ -1,1 +1,0 @@
-"""Keeps lids and the lining of the sockets where they belong around the eyeballs."""

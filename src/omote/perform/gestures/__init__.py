@@ -1,1 +1,0 @@
-"""Gestures: short motions of head and brows that are called by name."""

@@ -1,1 +1,0 @@
-"""The link of a program to a running show."""

@@ -1,0 +1,1 @@
+"""Open WebSocket links of pages and programs, whatever they carry."""

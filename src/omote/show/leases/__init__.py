@@ -1,1 +1,0 @@
-"""Who may command which part of a character."""

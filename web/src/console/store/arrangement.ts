@@ -1,0 +1,107 @@
+/** How an operator has laid out the console, and as a document that this one, or another tablet, opens the same from. */
+
+import { DEFAULT_EASING, EASING_NAMES } from "../../link/constants";
+import { isRecord, readJson } from "../../ui/browser_storage";
+import type { Axis } from "./axis";
+import { REGIONS, type Region } from "./channels";
+import { LONGEST, type Timing } from "./timing";
+
+/** Which of the expressions a palette shows. */
+export const KINDS = ["performed", "own", "arkit", "makehuman"] as const;
+export type PaletteKind = (typeof KINDS)[number];
+/** Which faders are open. */
+export type BankTab = Region | "touched";
+/** What is shown below: the scene, or the layers, in the place of faders and pads; the others take turns where there is no room for all. */
+export const VIEWS = ["palettes", "faders", "pads", "scene", "layers"] as const;
+export type ConsoleView = (typeof VIEWS)[number];
+/** Which group of the mixer is shown; the strips stand beside the others where there is room. */
+export const MIXER_GROUPS = ["strips", "sources", "parts", "motion", "gaze", "speech"] as const;
+export type MixerGroup = (typeof MIXER_GROUPS)[number];
+
+export interface Arrangement {
+  readonly timing: Readonly<Record<Axis, Timing>>;
+  readonly kind: PaletteKind;
+  /** The palette of faces shows the crew's own alone. */
+  readonly ownFaces: boolean;
+  readonly tab: BankTab;
+  /** Left and right of a pair move together. */
+  readonly linked: boolean;
+  /** Pads go back to the centre when the hand lets go. */
+  readonly springs: Readonly<Record<"head" | "gaze", boolean>>;
+  readonly view: ConsoleView;
+  readonly mixer: MixerGroup;
+  /** The picture shows the character that is played, and not the scene. */
+  readonly alone: boolean;
+}
+
+export const FIRST: Arrangement = {
+  timing: {
+    face: { seconds: 2, easing: DEFAULT_EASING, byHand: false },
+    expression: { seconds: 0.5, easing: DEFAULT_EASING, byHand: false },
+  },
+  kind: "performed",
+  ownFaces: false,
+  tab: "brows",
+  linked: true,
+  springs: { head: true, gaze: true },
+  view: "palettes",
+  mixer: "strips",
+  alone: false,
+};
+
+const VERSION = 2;
+
+export const written = (arrangement: Arrangement): string => JSON.stringify({ version: VERSION, ...arrangement });
+
+const OWN = "; the console begins with its own.";
+
+/** The arrangement in a document, or a sentence why there is none. */
+export function parsed(document: string): Arrangement | string {
+  const stored = readJson(document);
+  if (stored === undefined) return `The layout cannot be read${OWN}`;
+  if (!isRecord(stored) || (stored.version !== VERSION && stored.version !== 1))
+    return `The layout is of another version${OWN}`;
+  const { timing } = stored;
+  const [face, expression] = isRecord(timing) ? [timingOf(timing, "face"), timingOf(timing, "expression")] : [];
+  if (!face || !expression) return `The layout has no times that a call can take${OWN}`;
+  const shown = shownIn(stored);
+  return shown === null
+    ? `The layout names what this console has not${OWN}`
+    : { timing: { face, expression }, ...shown };
+}
+
+/** What is shown, and how; layouts of before know no own faces, views, scenes, springs and groups, and of calls by hand no seconds. */
+function shownIn(stored: Record<string, unknown>): Omit<Arrangement, "timing"> | null {
+  const { ownFaces, springs, view, mixer, alone } = FIRST;
+  const all: Record<string, unknown> = { ownFaces, springs, view, mixer, alone, ...stored };
+  const parts = Object.entries(PARTS);
+  if (!parts.every(([name, isPart]) => isPart(all[name]))) return null;
+  return Object.fromEntries(parts.map(([name]) => [name, all[name]])) as unknown as Omit<Arrangement, "timing">;
+}
+
+const isSwitch = (value: unknown): value is boolean => typeof value === "boolean";
+
+const isOneOf = (choices: readonly string[], value: unknown): boolean => choices.some((choice) => choice === value);
+
+/** What each part of a document must be. */
+const PARTS: Readonly<Record<keyof Omit<Arrangement, "timing">, (value: unknown) => boolean>> = {
+  kind: (value) => isOneOf(KINDS, value),
+  tab: (value) => isOneOf([...REGIONS, "touched"], value),
+  linked: isSwitch,
+  ownFaces: isSwitch,
+  springs: (value) => isRecord(value) && isSwitch(value.head) && isSwitch(value.gaze),
+  view: (value) => isOneOf(VIEWS, value),
+  mixer: (value) => isOneOf(MIXER_GROUPS, value),
+  alone: isSwitch,
+};
+
+/** The time of an axis in a document, null where a call cannot take it. */
+function timingOf(timing: Record<string, unknown>, axis: Axis): Timing | null {
+  const stored = timing[axis];
+  if (!isRecord(stored)) return null;
+  const { seconds: storedSeconds, easing: named, byHand = storedSeconds === null } = stored;
+  const seconds = storedSeconds === null ? FIRST.timing[axis].seconds : storedSeconds;
+  const easing = EASING_NAMES.find((name) => name === named);
+  const isValid = typeof seconds === "number" && seconds >= 0 && seconds <= LONGEST && isSwitch(byHand);
+  return isValid && easing !== undefined ? { seconds, easing, byHand } : null;
+}

@@ -1,0 +1,74 @@
+/** Calls of expressions in one region of the face alone, and what is on air in regions. */
+
+import { PLAY_REGIONS } from "../../link/constants";
+import type { CallExpression, CallFace, CallState, CharacterState } from "../../link/messages";
+
+export type PlayRegion = (typeof PLAY_REGIONS)[number];
+
+/** Where calls of expressions can go: the whole face, then its regions. */
+export const PLACES: readonly (PlayRegion | null)[] = [null, ...PLAY_REGIONS];
+
+/** The message of a call; `region`: where alone an expression is called, null for the whole face. */
+export function callMessage(
+  axis: "face" | "expression",
+  call: Omit<CallFace, "type">,
+  region: PlayRegion | null = null,
+): CallFace | CallExpression {
+  return axis === "face" ? { type: "call_face", ...call } : { type: "call_expression", ...call, region };
+}
+
+/** The place of the next key press after `place`, round and round. */
+export function nextPlace(place: PlayRegion | null, direction: -1 | 1): PlayRegion | null {
+  const at = PLACES.indexOf(place) + direction + PLACES.length;
+  return PLACES[at % PLACES.length] ?? null;
+}
+
+/** What is called, on the whole face and in its regions. */
+export const targetsOf = (call: CallState | null, regional: CharacterState["region_calls"] = {}): ReadonlySet<string> =>
+  new Set([...(call ? [call] : []), ...Object.values(regional)].map(({ target }) => target));
+
+/** What is on air of a name: its greatest weight anywhere, and the regions that show it. */
+export interface ShownWeight {
+  readonly weight: number;
+  readonly regions: readonly PlayRegion[];
+}
+
+/** Weights below a thousandth are not shown. */
+const LEAST = 0.001;
+
+/** What is on air of an expression, where each region shows its own mix or that of the whole face. */
+export function shownOf(name: string, state: Pick<CharacterState, "expressions" | "regions">): ShownWeight {
+  const weights = PLAY_REGIONS.map((region) => (state.regions[region] ?? state.expressions)[name] ?? 0);
+  const regions = PLAY_REGIONS.filter((_, at) => Math.abs(weights[at] ?? 0) >= LEAST);
+  const weight = weights.reduce((most, value) => (Math.abs(value) > Math.abs(most) ? value : most), 0);
+  return { weight, regions };
+}
+
+/** Where a name is on air, for a small corner: nothing where it is on the whole face or nowhere, `brows`, of several `B E`. */
+export function regionMark({ regions }: ShownWeight): string {
+  if (regions.length === PLAY_REGIONS.length) return "";
+  if (regions.length === 1) return regions[0] as string;
+  return regions.map((region) => region.charAt(0).toUpperCase()).join(" ");
+}
+
+/** The expression of a face at rest. */
+const REST = "neutral";
+
+/** Whether a region is at rest because a source plays there, and nobody has called anything. */
+const isSourced = (mix: Readonly<Record<string, number>>, layers: CharacterState["layers"]): boolean =>
+  Object.entries(mix).every(([name, weight]) => name === REST || Math.abs(weight) < LEAST) &&
+  Object.values(layers).some(({ source, share }) => source !== "" && share >= LEAST);
+
+/** What regions show that go their own way, heaviest first in each: region, name and weight; nothing of one that a source
+ * has put to rest. */
+export function regionalMixes({
+  regions,
+  layers,
+}: Pick<CharacterState, "regions" | "layers">): [PlayRegion, string, number][] {
+  return PLAY_REGIONS.filter((region) => !isSourced(regions[region] ?? {}, layers)).flatMap((region) =>
+    Object.entries(regions[region] ?? {})
+      .filter(([, weight]) => Math.abs(weight) >= LEAST)
+      .sort(([, x], [, y]) => y - x)
+      .map(([name, weight]): [PlayRegion, string, number] => [region, name, weight]),
+  );
+}
