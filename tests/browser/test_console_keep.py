@@ -144,11 +144,33 @@ def test_keys_keep_too_and_the_notice_leads_to_the_editor(console: Console) -> N
     expect(page.locator(".notice")).to_contain_text("'notes.txt' is no expression that can be read")
 
 
-def test_the_menu_of_an_own_tile_edits_renames_and_deletes_and_calls_nothing(console: Console) -> None:
+def test_the_field_of_a_name_waits_for_a_letter_only_from_when_the_face_is_kept(console: Console) -> None:
     page = console()
-    kept = keep(page, "face")
+    page.evaluate("""() => {
+        const { items } = document.querySelector("omote-console").context;
+        const begin = window.setTimeout;
+        const kept = () => items.naming?.item?.label ?? null;
+        window.waits = [];
+        window.setTimeout = (act, after, ...rest) =>
+            after >= 5000 && items.naming !== null ? window.waits.push(kept()) : begin(act, after, ...rest);
+    }""")
+    page.locator("body").press("n")
+    expect(page.locator(".notice")).to_contain_text("Kept as On air")
+    wait_until(page, "window.waits.length > 0")
+    assert all(page.evaluate("window.waits")), "the field goes away while the face is still being kept"
     page.keyboard.type("Catdog")
     page.keyboard.press("Enter")
+    expect(page.locator(".tile.own .name", has_text="Catdog")).to_be_visible()
+
+
+def test_the_menu_of_an_own_tile_edits_renames_and_deletes_and_calls_nothing(console: Console) -> None:
+    page = console()
+    known = page.evaluate(f"{DESK}.faces.map(({{ name }}) => name)")
+    page.locator("[data-keep='face']").click()
+    page.locator("omote-name-field input").fill("Catdog")
+    page.keyboard.press("Enter")
+    wait_for(page, f"desk.faces.length === {len(known) + 1} && desk.faces.some(({{ label }}) => label === 'Catdog')")
+    kept = page.evaluate(f"{DESK}.faces.find(({{ label }}) => label === 'Catdog')")
     own = tile(page, kept["name"])
     expect(own.locator(".name")).to_have_text("Catdog")
     more = page.get_by_label("Menu of Catdog", exact=True)
@@ -179,7 +201,7 @@ def test_the_menu_of_an_own_tile_edits_renames_and_deletes_and_calls_nothing(con
     page.get_by_role("button", name="Log").click()
     expect(page.locator("omote-message-log")).to_contain_text("Deleted Dogcat")
     page.locator("body").press("Control+z")  # not through a dialog
-    assert page.evaluate(f"{DESK}.history.next('undo').what") == f"rename {kept['label']}"
+    assert page.evaluate(f"{DESK}.history.next('undo').what") == f"rename {kept['name'].replace('_', ' ').capitalize()}"
 
 
 def test_a_tap_on_an_own_tile_calls_wherever_it_falls_and_a_held_finger_opens_its_menu(

@@ -8,7 +8,7 @@ import { ConsoleElement } from "../controls/console_element";
 import { LONGEST_ITEM_NAME, type Naming } from "../show_file/own_items";
 import type { Topic } from "../store/page_store";
 
-/** Milliseconds for which the field of what was kept waits for a first letter. */
+/** Milliseconds for which the field of what was kept waits for a first letter, from when it is in the cast. */
 const PATIENCE = 8000;
 
 const style = css`
@@ -73,13 +73,19 @@ export class NameField extends ConsoleElement {
   }
 
   override updated(changed: PropertyValues): void {
-    if (!changed.has("naming")) return;
+    if (changed.has("naming")) this.#begin();
+    const { naming, field } = this;
+    if (naming === null || !naming.fresh || naming.item === null || this.#waiting !== undefined) return;
+    if (field?.value === "") this.#waiting = setTimeout(() => this.#end(""), PATIENCE);
+  }
+
+  #begin(): void {
     clearTimeout(this.#waiting);
+    this.#waiting = undefined;
     const { naming, field } = this;
     this.toggleAttribute("open", naming !== null);
     if (naming === null || field === null) return;
     field.value = naming.refused?.label ?? (naming.fresh ? "" : (naming.item?.label ?? ""));
-    if (naming.fresh) this.#waiting = setTimeout(() => this.#end(""), PATIENCE);
     if (naming.refused?.left === true) return;
     field.focus();
     field.select();
