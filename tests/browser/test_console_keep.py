@@ -158,9 +158,9 @@ def test_the_field_of_a_name_waits_for_a_letter_only_from_when_the_face_is_kept(
     expect(page.locator(".notice")).to_contain_text("Kept as On air")
     wait_until(page, "window.waits.length > 0")
     assert all(page.evaluate("window.waits")), "the field goes away while the face is still being kept"
-    page.keyboard.type("Catdog")
+    page.keyboard.type("Early")
     page.keyboard.press("Enter")
-    expect(page.locator(".tile.own .name", has_text="Catdog")).to_be_visible()
+    expect(page.locator(".tile.own .name", has_text="Early")).to_be_visible()
 
 
 def test_the_menu_of_an_own_tile_edits_renames_and_deletes_and_calls_nothing(console: Console) -> None:

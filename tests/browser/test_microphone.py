@@ -16,6 +16,14 @@ from tools.browser import find_browser
 
 RATE = 48000
 SIZES = [(1440, 900), (1024, 768), (390, 844)]
+LOSE_THE_CHOICE = """() => {
+    const send = WebSocket.prototype.send;
+    WebSocket.prototype.send = function (data) {
+        if (!new TextDecoder().decode(data).includes("speak")) return send.call(this, data);
+        WebSocket.prototype.send = send;
+        this.close();
+    };
+}"""
 STATUS = "document.querySelector('omote-microphone-page').shadowRoot.querySelector('.status')"
 
 
@@ -106,10 +114,11 @@ def test_a_sentence_measures_the_voice_and_is_remembered(page: Page) -> None:
     expect(page.get_by_text("The measure is forgotten.")).to_be_visible()
 
 
-def test_the_character_is_chosen(page: Page) -> None:
+def test_the_character_is_chosen_also_while_the_link_is_lost(page: Page) -> None:
     start(page)
     choice = page.locator("[data-field=character]")
     expect(choice).to_have_value("one")
+    page.evaluate(LOSE_THE_CHOICE)
     choice.select_option("")
     wait_until(page, f"{STATUS}.textContent.startsWith('Speaks, through nobody')")
     choice.select_option("one")

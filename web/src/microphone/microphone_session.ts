@@ -20,6 +20,8 @@ export class MicrophoneSession {
   held = false;
   /** What went wrong, in words, or what was done. */
   notice = "";
+  /** The character that was chosen, until the show tells it: a link that is lost takes what was sent with it. */
+  #chosen: string | null = null;
   readonly #capture = new MicrophoneCapture({
     heard: (samples) => this.#send(samples),
     ended: (reason) => this.#say(reason),
@@ -85,8 +87,14 @@ export class MicrophoneSession {
     this.changed();
   }
 
+  /** Chooses the character that speaks by this microphone, "" for none. */
   speakThrough(character: string): void {
-    this.#link.send({ type: "speak", character });
+    this.#chosen = character;
+    this.#choose();
+  }
+
+  #choose(): void {
+    if (this.#chosen !== null) this.#link.send({ type: "speak", character: this.#chosen });
   }
 
   /** Begins to measure the speaker, ends it, or forgets the measure. */
@@ -100,6 +108,7 @@ export class MicrophoneSession {
     const { name, device, speakers } = this.settings;
     const { bands, level } = speakers[device] ?? { bands: [], level: 0 };
     this.#link.send({ type: "begin", name, bands: [...bands], level });
+    this.#choose();
   }
 
   #connect(up: boolean): void {
@@ -109,9 +118,13 @@ export class MicrophoneSession {
   }
 
   #receive(message: ToMicrophone): void {
-    if (message.type === "voice") this.voice = message;
-    else if (message.type === "rejected") this.notice = message.reason;
-    else this.#keepSpeaker(message.bands, message.level);
+    if (message.type === "voice") {
+      this.voice = message;
+      if ((message.characters[0] ?? "") === this.#chosen) this.#chosen = null;
+    } else if (message.type === "rejected") {
+      this.notice = message.reason;
+      this.#chosen = null;
+    } else this.#keepSpeaker(message.bands, message.level);
     this.changed();
   }
 
