@@ -56,12 +56,12 @@ def play_take(
     ] = "",
 ) -> None:
     """Plays a recorded face into a running show."""
-    from omote.client.connect import connect
+    read = read_take(take, protocol)
+    from omote.client.connect import connect  # what is heavy comes after what can be refused without it
     from omote.client.take_player import play_take as play
     from omote.perform.layers.layer_names import check_driven
     from omote.perform.scene.character_names import ALL
 
-    read = read_take(take, protocol)
     how = "again and again, until Ctrl-C" if loop else "once"
     say(f"{take.name} waits for the show at {address} ...")
     with exit_on_refusal(), connect(address, name="take", authority=authority) as show:
@@ -90,6 +90,8 @@ def read_take(path: Path, protocol: str = "") -> Take:
         check_kind(path, data)
         if path.suffix.lower() in TABLES:
             text = read_text(data)
+            if not text.strip() or "\0" in text:
+                raise ValueError("it is no text of Live Link Face (.csv)")
             take = read_live_link_take(text)
             cut = is_table_cut(text)
         else:
