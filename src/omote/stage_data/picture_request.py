@@ -88,7 +88,7 @@ def spell_kinds(grid: GridRequest, kinds: Mapping[str, str]) -> GridRequest:
     """The table with every kind among its expressions (`performed`, `own`) replaced by its expressions; ValueError
     where there are no own ones.
 
-    kinds: of every expression, by name.
+    grid: as it is asked for; kinds: of every expression, by name.
     """
     spelled = [name for word in split_list(grid.expressions) for name in find_kind(word, kinds) or [word]]
     return msgspec.structs.replace(grid, expressions=",".join(spelled))
