@@ -32,6 +32,7 @@ def small_cast(cast: Cast, monkeypatch: pytest.MonkeyPatch) -> Cast:
     """The synthetic cast in place of the built-in one."""
     for name, made in (("load_cast", cast), ("load_meshes", meshes(cast)), ("load_mask", MASK), ("read_pages", PAGES)):
         monkeypatch.setattr(f"omote.server.headless.picture_run.{name}", lambda made=made: made)
+    monkeypatch.setattr("omote.stage_data.cast_names.read_names", lambda _: None)
     return cast
 
 

@@ -27,6 +27,8 @@ MOST_JOBS = 256
 STOPPED = "stopped; what is written stays, and the same command goes on from there."
 ARKIT = "arkit"
 NEUTRAL = "neutral"
+KINDS = "all", "own"
+"""Instead of the names of faces."""
 
 
 def export(
@@ -111,22 +113,26 @@ def export_file(output: Path, face: str, options: ExportOptions) -> None:
 
     output: the path; options: what was said of it.
     """
+    from omote.interchange.formats.file_names import NUMBERS, OBJ, VRM
+
     output = complete_name(output, ".glb")
     kind = output.suffix.lower()
     inspection = check_export(output, options.show, force=options.force)
+    expressions = options.expressions or (NEUTRAL if kind == OBJ else ARKIT)
+    check_names(inspection, face, expressions)
     from rich.console import Console  # what is heavy comes after what can be refused without it
     from rich.progress import track
 
-    from omote.interchange.export_face import choose_expressions, named_compound_meshes
+    from omote.interchange.export_face import named_compound_meshes
     from omote.interchange.exports.export_formats import check_count, encode_face
-    from omote.interchange.formats.file_names import NUMBERS, OBJ, VRM
+    from omote.interchange.name_choices import choose_expressions
     from omote.stage_data.full_cast import find_face
 
     with exit_on_refusal():
         cast = load_full_cast(inspection)
         credit = label_credit(options.credit, inspection)
         face = find_face(cast, None if inspection is None else inspection.stored, face)
-        names = choose_expressions(cast, options.expressions or (NEUTRAL if kind == OBJ else ARKIT))
+        names = choose_expressions(cast, expressions)
         check_count(kind, names)
         busy = track(names, f"omote: {face}", console=Console(stderr=True), transient=True)
         poses = ((name, named_compound_meshes(cast, face, name)) for name in busy)
@@ -153,6 +159,23 @@ def check_export(output: Path, show: Path | None, *, force: bool) -> Inspection 
         require_free(output, force=force)
         check_library(output.suffix.lower())
         return None if show is None else inspect_show(show)
+
+
+def check_names(inspection: Inspection | None, faces: str, expressions: str) -> None:
+    """Ends the command where a face or an expression is none of the cast, before one is loaded.
+
+    inspection: what the show file holds; faces: by commas, also `all` and `own`; expressions: names or kinds likewise.
+    """
+    from omote.interchange.name_choices import choose_expressions
+    from omote.stage_data.cast_names import read_names
+
+    with exit_on_refusal():
+        if (names := read_names(None if inspection is None else inspection.stored)) is None:
+            return
+        for word in filter(None, (word.strip() for word in faces.split(","))):
+            if word.lower() not in KINDS:
+                names.find_face(word)
+        choose_expressions(names, expressions)
 
 
 def check_library(kind: str) -> None:
@@ -189,8 +212,9 @@ def export_folder(folder: Path, faces: str, form: str, options: ExportOptions, p
         if folder.exists() and not folder.is_dir():
             raise NotADirectoryError(f"{folder} is a file; give the name of a folder")
         inspection = None if options.show is None else inspect_show(options.show)
-        from omote.interchange.export_face import choose_expressions
+        check_names(inspection, faces, options.expressions or ARKIT)
         from omote.interchange.exports.export_formats import check_kind, find_kind
+        from omote.interchange.name_choices import choose_expressions
         from omote.server.farm.export_run import ExportRun, run_export
 
         check_kind(kind := find_kind(form or "glb"), options.credit)
@@ -210,7 +234,8 @@ def choose_faces(cast: Cast, inspection: Inspection | None, text: str) -> list[s
 
     cast: the full one; inspection: what the show file holds; text: as it is typed.
     """
-    from omote.stage_data.full_cast import find_face, playing_items
+    from omote.showfile.changes import playing_items
+    from omote.stage_data.full_cast import find_face
 
     stored = None if inspection is None else inspection.stored
     own = [item.name for item, _ in playing_items(stored) if item.kind == "face"] if stored is not None else []

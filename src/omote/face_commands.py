@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from omote.file_commands import add_items, print_rows, read_own_work
+from omote.model.known_names import GENERIC
 from omote.terminal import complete_show, escape_controls, exit_on_refusal, fail, say
 
 Landmarks = dict[str, tuple[float, float, float]]
@@ -26,6 +27,7 @@ if TYPE_CHECKING:
     from omote.interchange.scan_face import ScanFace
     from omote.model.cast import Cast, Look
     from omote.model.fitting.doubt import Doubt
+    from omote.showfile.changes import Stored
 
 
 @dataclass(frozen=True, eq=False)
@@ -93,14 +95,15 @@ def face(
     with exit_on_refusal():
         check_request(scans, output, name, landmarks or [], report)
         own = None if output is None else read_own_work(output)
+        check_names(own and own[0], look, hair, NO_TABLE if report is None else expressions)
         from omote.builtin import load_cast
-        from omote.interchange.scan_face import choose_hair
+        from omote.interchange.name_choices import choose_hair
         from omote.server.headless.people_table import check_people
         from omote.stage_data.full_cast import build_full_cast, find_face
 
         cast = load_cast() if own is None else build_full_cast(load_cast(), *own, say)
         worn = cast.looks[find_face(cast, None if own is None else own[0], look)] if look else None
-        style = choose_hair(cast, hair)
+        style = choose_hair(cast.hair, hair)
         if report is not None and expressions != NO_TABLE:
             check_people(expressions)
         outcomes = [dress(outcome, worn, style) for outcome in fit_all(cast, scans, name, landmarks or [], shut)]
@@ -122,8 +125,6 @@ def check_request(
 
     scans, output, name, landmarks, report: as the command has them.
     """
-    from omote.interchange.landmark_points import parse_point, require_enough
-
     if output is not None and output.suffix.lower() != SHOW and not output.exists():
         fail(f"{output} does not end as a show file does; write -o {output.with_suffix(SHOW)}.")
     if report is not None and report.exists() and not report.is_dir():
@@ -139,7 +140,30 @@ def check_request(
     missing = [path for path in scans if not path.exists()]
     if missing:
         fail(f"there is no file {missing[0]}; name scans that are there.")
-    require_enough(dict(parse_point(word) for word in landmarks if "=" in word))
+    if landmarks:
+        from omote.interchange.landmark_points import parse_point, require_enough
+
+        require_enough(dict(parse_point(word) for word in landmarks if "=" in word))
+
+
+def check_names(stored: Stored | None, look: str, hair: str, expressions: str) -> None:
+    """Rejects, by ValueError, a face, a hair or an expression that is none, before the cast is loaded.
+
+    stored: what the show file lists; look, hair, expressions: as the command has them.
+    """
+    from omote.interchange.name_choices import choose_hair
+    from omote.stage_data.cast_names import read_names
+
+    if (names := read_names(stored)) is None:
+        return
+    choose_hair(names.hair, hair)
+    if look:
+        names.find_face(look)
+    if expressions != NO_TABLE:
+        from omote.stage_data import picture_request
+
+        table = picture_request.GridRequest(faces=GENERIC, expressions=expressions)
+        picture_request.check_names(table, names)
 
 
 def fit_all(cast: Cast, scans: list[Path], name: str, landmarks: list[str], shut: bool | None) -> list[ScanOutcome]:

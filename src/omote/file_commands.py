@@ -131,10 +131,13 @@ def take_in(
     """Takes expressions or faces made elsewhere into a show file that no show plays; what is there already is not
     added again."""
     from omote.interchange.formats.file_names import require_imports
+    from omote.stage_data.cast_names import read_names
 
     with exit_on_refusal():
         own = read_own_work(file)
         require_imports(things)
+        if face and (names := read_names(own and own[0])):
+            names.find_face(face)
         from omote.builtin import load_cast  # what is heavy comes after what can be refused without it
         from omote.stage_data.full_cast import build_full_cast, find_face
 
@@ -245,6 +248,7 @@ def give_out(
     from omote.interchange.formats.atomic_file import check_writable, require_free, write_whole
     from omote.interchange.formats.file_names import check_document_name
     from omote.showfile.inspection import inspect_show
+    from omote.stage_data.cast_names import find_exported, read_names
 
     output = complete_name(output, ".json")
     with exit_on_refusal():
@@ -259,6 +263,8 @@ def give_out(
             write_whole(output, named[name])
             typer.echo(f"omote: {output} holds {name}.", err=True)
             return
+        if (names := read_names()) is not None:
+            find_exported(names, inspection.stored, name)
         from omote.builtin import load_cast  # what is heavy comes after what can be refused without it
         from omote.edit.store.import_items import export_document
         from omote.interchange.formats.expression_json import encode

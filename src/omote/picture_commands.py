@@ -193,11 +193,14 @@ def plan(path: Path, request: Request, *, fresh: bool) -> tuple[PictureStudio, P
     from omote.interchange.formats.file_names import picture_kind
     from omote.server.headless.chromium import find_chromium
     from omote.showfile.inspection import inspect_show
-    from omote.stage_data.picture_request import check_request
+    from omote.stage_data.cast_names import read_names
+    from omote.stage_data.picture_request import check_names, check_request
 
     check_request(request, picture_kind(path))
     check_writable(path)
     show = inspect_show(Path(request.show)) if request.show else None
+    if names := read_names(None if show is None else show.stored):
+        check_names(request, names)
     find_chromium()
     from omote.server.headless.picture_run import PictureStudio
 

@@ -56,12 +56,12 @@ def play_take(
     ] = "",
 ) -> None:
     """Plays a recorded face into a running show."""
-    from omote.client.connect import connect
+    read = read_take(take, protocol)
+    from omote.client.connect import connect  # what is heavy comes after what can be refused without it
     from omote.client.take_player import play_take as play
     from omote.perform.layers.layer_names import check_driven
     from omote.perform.scene.character_names import ALL
 
-    read = read_take(take, protocol)
     how = "again and again, until Ctrl-C" if loop else "once"
     say(f"{take.name} waits for the show at {address} ...")
     with exit_on_refusal(), connect(address, name="take", authority=authority) as show:
@@ -83,22 +83,25 @@ def read_take(path: Path, protocol: str = "") -> Take:
     from omote.inputs.takes.live_link_take import is_table_cut, read_live_link_take
     from omote.inputs.takes.packet_capture import is_capture_cut, read_packets
     from omote.inputs.takes.packet_take import choose_protocol, read_packet_take
+    from omote.inputs.trackers.loose_json import read_text
 
     try:
         data = path.read_bytes()
         check_kind(path, data)
         if path.suffix.lower() in TABLES:
-            text = data.decode("utf-8-sig")
+            text = read_text(data)
+            if not text.strip() or "\0" in text:
+                raise ValueError("it is no text of Live Link Face (.csv)")
             take = read_live_link_take(text)
             cut = is_table_cut(text)
         else:
             packets = read_packets(data)
             take = read_packet_take(packets, choose_protocol(packets, protocol))
             cut = is_capture_cut(data)
-    except UnicodeDecodeError:
-        fail_with(ValueError(f"{path} is no text of Live Link Face (.csv)"))
     except (OSError, ValueError) as error:
         fail_with(error if isinstance(error, OSError) else ValueError(f"{path}: {error}"))
+    for note in take.notes:
+        say(f"{path.name}: {note}.")
     if cut:
         say(f"{path.name} is cut off: what it holds is played; copy or record it anew to have all of it.")
     return take

@@ -126,6 +126,15 @@ def test_a_surface_may_send_from_another_port_than_it_hears_at(session: ShowSess
     assert told(osc.news(session.tick(later), later), hears) == {"/omote/one/channel/jawOpen": (0.5,)}, "not silent"
 
 
+def test_what_of_a_bundle_is_no_message_costs_itself_and_is_said_once(session: ShowSession, osc: OscInput) -> None:
+    jaw = encode_message("/omote/one/channel/jawOpen", 1.0)
+    osc.receive(DESK, encode_bundle([b"hello", b"/a\0\0,q\0\0", jaw, b"/"]), 0.0)
+    assert (session.tick(0.0).characters["one"].channels, osc.heard, osc.rejected) == ({"jawOpen": 1.0}, 1, 1)
+    assert osc.last_rejection is not None
+    assert "begins with b'hello'" in osc.last_rejection.reason
+    assert "2 more" in osc.last_rejection.reason
+
+
 def test_a_surface_hears_why_something_was_rejected_and_others_do_not(osc: OscInput, send: Send) -> None:
     assert send("/omote/one/face", "nobody") == []
     send("/omote/subscribe")

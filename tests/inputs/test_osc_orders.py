@@ -125,7 +125,8 @@ def test_a_button_that_is_let_go_does_nothing(address: str, value: Argument) -> 
     ("address", "arguments", "said"),
     [
         ("/omote/one/nose", [1], "there is no address '/omote/one/nose'; near are /omote/one/"),
-        ("/omote/dog/expresion", ["smile"], "near are /omote/dog/expression"),
+        ("/omote/ONE/expresion", ["smile"], "near are /omote/ONE/expression"),
+        ("/omote/dog/expresion", ["smile"], "near are /omote/{character}/expression"),
         ("/other", [1], "they are like /omote/{character}/face; /omote of the show's pages lists all"),
         ("/omote/face", ["broad"], "there is no address"),
         ("/VMC/Ext/Blend/Apply", [], "this is VMC: switch that on (--listen vmc)"),

@@ -99,6 +99,33 @@ def test_what_is_no_packet_is_rejected_whole(packet: bytes, said: str) -> None:
         decode_packet(packet)
 
 
+@pytest.mark.parametrize(
+    "wrong",
+    [
+        b"one\0", b"/a\0\0,q\0\0", b"/a\0\0,i\0\0\0\0", b"/\xff\0\0", b"", b"hello", BUNDLE + bytes(4),
+        encode_bundle([b"/a\0\0,T\0\0more"]),
+    ],
+)  # fmt: skip
+def test_a_wrong_element_costs_itself_and_not_its_bundle(wrong: bytes) -> None:
+    faults: list[OscError] = []
+    before, after = encode_message("/before", 1), encode_message("/after", 0.5)
+    inner = BUNDLE + bytes(8) + b"".join(struct.pack(">i", len(each)) + each for each in (before, wrong, after))
+    for packet in (inner, encode_bundle([inner])):
+        assert decode_packet(packet, faults) == [OscMessage("/before", (1,)), OscMessage("/after", (0.5,))]
+    assert len(faults) == 2
+    with pytest.raises(OscError, match=str(faults[0])[:20].replace("(", ".")):
+        decode_packet(inner)
+
+
+def test_a_bundle_that_is_cut_or_too_large_gives_what_can_be_read() -> None:
+    faults: list[OscError] = []
+    assert [message.address for message in decode_packet(PACKET[:-1], faults)] == ["/omote/one/face"]
+    many = encode_bundle([encode_message("/a", number) for number in range(MOST_MESSAGES + 50)])
+    assert [message.arguments for message in decode_packet(many, faults)] == [(n,) for n in range(MOST_MESSAGES)]
+    assert decode_packet(encode_bundle([]), faults) == []
+    assert ["not there" in str(faults[0]), "256 messages" in str(faults[1]), len(faults)] == [True, True, 2]
+
+
 def test_a_deep_nest_of_bundles_is_rejected_before_it_costs_much() -> None:
     packet = encode_message("/a")
     for _ in range(MOST_BUNDLES + 1):

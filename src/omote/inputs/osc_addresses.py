@@ -32,6 +32,7 @@ VMC_ROOT = "/VMC/"
 PLACES = re.compile(r"{(\w+)}")
 """Where values stand in an address."""
 CHARACTER = "character"
+CHARACTER_PLACE = f"{{{CHARACTER}}}"
 
 
 @dataclass(frozen=True)
@@ -119,14 +120,24 @@ def _maker(
 ADDRESSES: tuple[Address, ...] = tuple(address for kind in CLIENT_MESSAGES for address in addresses_of(kind))
 
 
-def find_address(written: str) -> tuple[Address, str, list[str]]:
-    """The address, the character, and the values that stand in the address itself; OscError where there is none."""
+def find_address(written: str, is_character: Callable[[str], bool] = lambda _: True) -> tuple[Address, str, list[str]]:
+    """The address, the character, and the values that stand in the address itself; OscError where there is none.
+
+    written: as it came; is_character: whether a name means somebody, so that no address of nobody is called near.
+    """
     find = _find_again if len(written) <= REMEMBERED_LENGTH else _find_address
-    address, character, named = find(written)
+    found = find(written)
+    if found is None:
+        raise OscError(_explain_unknown(written[:80], is_character(_character_of(written))))
+    address, character, named = found
     return address, character, list(named)
 
 
-def _find_address(written: str) -> tuple[Address, str, tuple[str, ...]]:
+def _character_of(written: str) -> str:
+    return "".join(written.strip("/").split("/")[1:2])
+
+
+def _find_address(written: str) -> tuple[Address, str, tuple[str, ...]] | None:
     root, *parts = written.strip("/").split("/")
     for address in ADDRESSES if root == ROOT else ():
         character, rest = ("", parts) if address.of_show else ("".join(parts[:1]), parts[1:])
@@ -136,21 +147,27 @@ def _find_address(written: str) -> tuple[Address, str, tuple[str, ...]]:
         if all(want == part or (want.startswith("{") and part) for want, part in zip(wanted, rest, strict=True)):
             named = tuple(part for want, part in zip(wanted, rest, strict=True) if want.startswith("{"))
             return address, character, named
-    raise OscError(_explain_unknown(written[:80]))
+    return None
 
 
 _find_again = lru_cache(maxsize=1024)(_find_address)
 
 
 @lru_cache(maxsize=256)
-def _explain_unknown(written: str) -> str:
-    """Why an address is none, with the nearest that there are; remembered: what sends one wrong sends it again."""
+def _explain_unknown(written: str, known: bool) -> str:
+    """Why an address is none, with the nearest that there are; remembered: what sends one wrong sends it again.
+
+    known: whether the character in it is one; an address of nobody is none, however near.
+    """
     if written.startswith(VMC_ROOT):
         return explain_format("vmc")
-    character = "".join(written.strip("/").split("/")[1:2]) or "{character}"
-    patterns = [address.pattern.replace("{character}", character) for address in ADDRESSES]
-    near = difflib.get_close_matches(written, patterns, n=3, cutoff=0.7)
-    there = (
-        f"near are {', '.join(near)}" if near else f"they are like {patterns[0]}; /{ROOT} of the show's pages lists all"
-    )
+    typed = _character_of(written) or CHARACTER_PLACE
+    said = typed if known else CHARACTER_PLACE
+    patterns = {
+        address.pattern.replace(CHARACTER_PLACE, typed): address.pattern.replace(CHARACTER_PLACE, said)
+        for address in ADDRESSES
+    }
+    near = [patterns[pattern] for pattern in difflib.get_close_matches(written, patterns, n=3, cutoff=0.7)]
+    like = next(iter(patterns.values()))
+    there = f"near are {', '.join(near)}" if near else f"they are like {like}; /{ROOT} of the show's pages lists all"
     return f"there is no address {written!r}; {there}"

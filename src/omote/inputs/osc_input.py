@@ -70,17 +70,23 @@ class OscInput:
         return answers + [answer for message in messages for answer in self.obey(place, message, now)]
 
     def read(self, place: Endpoint, packet: bytes, now: float) -> tuple[list[OscMessage], list[tuple[Endpoint, bytes]]]:
-        """The messages of a packet, and what is answered; a packet that is none is rejected whole.
+        """The messages of a packet, and what is answered; what of it is no message is rejected by itself.
 
         place: where it came from; now: seconds of the show's clock.
         """
         for other in self._heard_by(place):
             self._surfaces[other].heard = now
+        faults: list[OscError] = []
         try:
-            return decode_packet(packet), []
+            messages = decode_packet(packet, faults)
         except OscError as error:
-            name = recognize_format(packet)
-            return [], self._reject(place, explain_format(name) if name else str(error), now)
+            messages = []
+            faults.append(error)
+        if not faults:
+            return messages, []
+        name = "" if messages else recognize_format(packet)
+        more = f"; {len(faults) - 1} more of its elements are left out too" if len(faults) > 1 else ""
+        return messages, self._reject(place, explain_format(name) if name else f"{faults[0]}{more}", now)
 
     def news(self, state: State, now: float) -> list[tuple[Endpoint, bytes]]:
         """What surfaces are to be told of a state, each what is new to it. now: seconds of the show's clock."""

@@ -93,7 +93,7 @@ class OrderReader:
         return level if type(weight) is float and CHANNEL_LOWEST <= weight <= CHANNEL_HIGHEST else None
 
     def _read(self, message: OscMessage, call: str) -> tuple[ClientMessage, ...]:
-        address, character, named = find_address(message.address)
+        address, character, named = find_address(message.address, self._is_character)
         values = self._read_values(address.values, [*named, *message.arguments])
         if values is None:
             return ()
@@ -120,6 +120,12 @@ class OrderReader:
             if len(self._meant) < MOST_REMEMBERED and len(pattern) <= LONGEST_REMEMBERED:
                 self._meant[pattern] = characters
         return characters
+
+    def _is_character(self, pattern: str) -> bool:
+        try:
+            return bool(self.characters_meant(pattern))
+        except OscError:
+            return False
 
     def _read_values(self, values: Sequence[Value], arguments: Sequence[Argument]) -> list[Any] | None:
         """What `make` takes; None where a button is let go."""

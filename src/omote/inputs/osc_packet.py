@@ -1,7 +1,8 @@
 """Reads and writes packets of OSC 1.0 (opensoundcontrol.org): messages, and bundles of them.
 
-Strict: what is not exactly a packet is rejected whole. A bundle within a bundle takes no recursion, and its time tag is
-not waited for: a sender's clock may be wrong, and what a hand does counts when it comes.
+Strict: what is not exactly a message is rejected; one wrong element costs itself, not its bundle. A bundle within a
+bundle takes no recursion, and its time tag is not waited for: a sender's clock may be wrong, and what a hand does
+counts when it comes.
 """
 
 from __future__ import annotations
@@ -16,6 +17,8 @@ LONGEST_PACKET = 65507
 """Bytes of a packet: the most that UDP carries."""
 MOST_MESSAGES = 256
 """Messages of one packet, all its bundles together: they are decoded at once, within a tick."""
+MOST_ELEMENTS = 2048
+"""Elements of one bundle: no packet has room for more with a value in each."""
 MOST_BUNDLES = 64
 """Bundles of one packet: nobody nests more, and each is read anew."""
 BUNDLE = b"#bundle\0"
@@ -38,22 +41,33 @@ class OscMessage(NamedTuple):
     arguments: tuple[Argument, ...] = ()
 
 
-def decode_packet(data: bytes) -> list[OscMessage]:
-    """The messages of a packet, in their order; OscError where it is none."""
+def decode_packet(data: bytes, faults: list[OscError] | None = None) -> list[OscMessage]:
+    """The messages of a packet, in their order; OscError where it is none.
+
+    data: its bytes; faults: gets why elements of it were left out; without it they are a reason to reject the packet.
+    """
     if len(data) > LONGEST_PACKET:
         raise OscError(f"the packet has {len(data)} bytes, but at most {LONGEST_PACKET} are read")
+    leave_out = _reject if faults is None else faults.append
     messages: list[OscMessage] = []
     left = [data]
     bundles = 0
     while left:
         part = left.pop()
-        if part.startswith(BUNDLE):
-            left.extend(reversed(split_bundle(part)))
-            bundles += 1
-        else:
-            messages.append(_decode_message(part))
+        try:
+            if part.startswith(BUNDLE):
+                bundles += 1
+                elements, fault = split_bundle(part)
+                left.extend(reversed(elements))
+                if fault is not None:
+                    leave_out(fault)
+            else:
+                messages.append(_decode_message(part))
+        except OscError as error:
+            leave_out(error)
         if len(messages) + len(left) > MOST_MESSAGES or bundles > MOST_BUNDLES:
-            raise OscError(f"the packet has more than {MOST_MESSAGES} messages or {MOST_BUNDLES} bundles")
+            leave_out(OscError(f"the packet has more than {MOST_MESSAGES} messages or {MOST_BUNDLES} bundles"))
+            left = left[len(messages) + len(left) - MOST_MESSAGES :] if bundles <= MOST_BUNDLES else []
     return messages
 
 
@@ -73,23 +87,30 @@ def encode_bundle(packets: Iterable[bytes]) -> bytes:
     return BUNDLE + IMMEDIATELY + b"".join(struct.pack(">i", len(packet)) + packet for packet in packets)
 
 
-def split_bundle(bundle: bytes) -> list[bytes]:
-    """The packets within a bundle; OscError where its lengths are wrong."""
+def split_bundle(bundle: bytes) -> tuple[list[bytes], OscError | None]:
+    """The packets within a bundle, and why it cannot be read further, None where it can; OscError where it has no
+    beginning."""
     if len(bundle) < len(BUNDLE) + 8:
         raise OscError("a bundle ends within its time tag")
-    packets = []
+    packets: list[bytes] = []
     at = len(BUNDLE) + 8
     end = len(bundle)
     while at < end:
         if at + SIZE.size > end:
-            raise OscError("the packet ends within a number")
+            return packets, OscError("the packet ends within a number")
         (size,) = SIZE.unpack_from(bundle, at)
         at += SIZE.size
-        if size < 0 or size % 4 or at + size > end:
-            raise OscError(f"an element of a bundle has {size} bytes, which are not there or no multiple of 4")
+        if size < 0 or at + size > end:
+            return packets, OscError(f"an element of a bundle has {size} bytes, which are not there")
+        if len(packets) == MOST_ELEMENTS:
+            return packets, OscError(f"a bundle has more than {MOST_ELEMENTS} elements")
         packets.append(bundle[at : at + size])
         at += size
-    return packets
+    return packets, None
+
+
+def _reject(error: OscError) -> None:
+    raise error
 
 
 def _decode_message(data: bytes) -> OscMessage:

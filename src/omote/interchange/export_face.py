@@ -15,18 +15,17 @@ from omote.geometry import mesh
 from omote.interchange import part_textures
 from omote.interchange.formats.glb_writer import ExportScene, Material, MorphTarget, Shape
 from omote.interchange.formats.png import png_bytes, read_png
+from omote.interchange.name_choices import choose_expressions as choose_expressions
 from omote.interchange.part_textures import paint_strands
 from omote.interchange.skin_texture import Canvas, build_canvas, decode_srgb, paint_skin
 from omote.model.cast import Cast, Look
 from omote.model.hair import HairStyle, place_strands
-from omote.model.known_names import NEUTRAL
 from omote.model.space.expression import Expression
 from omote.model.space.face import Face
 from omote.model.space.face_fit import FittedFace, fit
 from omote.model.space.parameter_space import ParameterSpace
 from omote.model.transfer.compound import apply_expression, compile_answer, move_parts, turn_eyes
 from omote.perform.limits import check_known
-from omote.perform.name_lookup import ALL, find_kind, find_names
 
 Meshes = dict[str, Points]
 
@@ -107,31 +106,6 @@ class ExportContext:
         """The skin's layers, ready to be coloured."""
         skin = next(part for part in self.meshes if part.name == SKIN)
         return build_canvas(read_png(self.layers), skin, self.cast.space.points)
-
-
-def choose_expressions(cast: Cast, text: str, /) -> list[str]:
-    """Parses a list of expressions: kinds (`arkit`, `performed`, `own`), `all`, or names, by commas; without neutral.
-
-    ValueError for a name that is neither, and where nothing is named.
-
-    cast: with its titles; text: as people write it.
-    """
-    names: dict[str, None] = {}
-    for word in filter(None, (word.strip() for word in text.split(","))):
-        kinds = {name: title.kind for name, title in cast.titles.items()}
-        names |= dict.fromkeys(find_kind(word, kinds) or _named_expressions(cast, word))
-    if not names:
-        raise ValueError(f"{text!r} names no expression; give names or a kind by commas: smile,joy or arkit or neutral")
-    return [name for name in names if name != NEUTRAL]
-
-
-def _named_expressions(cast: Cast, word: str) -> Sequence[str]:
-    labels = {name: title.label for name, title in cast.titles.items()}
-    try:
-        return find_names(word, cast.expressions, "expression", labels)
-    except ValueError as error:
-        kinds = dict.fromkeys(title.kind for title in cast.titles.values())
-        raise ValueError(f"{error}; or name a kind: {', '.join(kinds)}, {ALL}") from None
 
 
 def named_compound_meshes(cast: Cast, face: str, expression: str, /) -> Meshes:

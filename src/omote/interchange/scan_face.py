@@ -25,7 +25,6 @@ from omote.model.space.face import Face
 
 FIRST_HAIR = "short"
 """What a face wears until its editor chooses."""
-NO_HAIR = "none"
 """What people say for no hair."""
 BALD = 0.3
 """Of the skin's linear light: where the scalp differs from the skin by less, no hair is seen; black hair on dark skin
@@ -222,15 +221,3 @@ def suggest_photograph_look(
     elif hair.colour is not None:
         look = replace(look, hair=hair.colour)
     return look, taken.seen, (hair.doubt,) if hair.doubt else ()
-
-
-def choose_hair(cast: Cast, word: str, /) -> str | None:
-    """The hair style that a word names, "" for none, None where no word is given; ValueError for another word.
-
-    cast: with its styles; word: as people write it.
-    """
-    if word.lower() == NO_HAIR or not word:
-        return "" if word else None
-    if word not in cast.hair:
-        raise ValueError(f"there is no hair {word!r}; choose one of {', '.join(cast.hair)}, or {NO_HAIR}")
-    return word

@@ -113,6 +113,12 @@ class Stored(msgspec.Struct, frozen=True):
     documents: Documents = {}
 
 
+def playing_items(stored: Stored, /) -> list[tuple[Item, str]]:
+    """Every item that plays, with the key of its content."""
+    saved = {(revision.item, revision.number): revision.content for revision in stored.revisions}
+    return [(item, saved[item.id, item.head]) for item in stored.items if item.head and not item.deleted]
+
+
 def content_key(data: bytes, /) -> str:
     """The permanent key of these bytes (their hash): 24 hexadecimal digits."""
     return hashlib.blake2b(data, digest_size=12).hexdigest()

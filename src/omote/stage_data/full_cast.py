@@ -16,6 +16,7 @@ from omote.model.space.expression import Title
 from omote.model.space.face_fit import fit
 from omote.perform.name_lookup import find_name
 from omote.showfile.changes import Item, Stored
+from omote.showfile.changes import playing_items as playing_items
 from omote.showfile.contents import unpack_expression, unpack_face
 from omote.showfile.inspection import inspect_show
 from omote.showfile.recovery import name_show
@@ -105,12 +106,6 @@ def find_face(cast: Cast, stored: Stored | None, typed: str, /) -> str:
 def face_labels(stored: Stored, /) -> dict[str, str]:
     """What the own faces that play are called, by their names."""
     return {item.name: item.label for item, _ in playing_items(stored) if item.kind == "face"}
-
-
-def playing_items(stored: Stored, /) -> list[tuple[Item, str]]:
-    """Every item that plays, with the key of its content."""
-    saved = {(revision.item, revision.number): revision.content for revision in stored.revisions}
-    return [(item, saved[item.id, item.head]) for item in stored.items if item.head and not item.deleted]
 
 
 def own_items(stored: Stored, /) -> tuple[Own, ...]:

@@ -6,12 +6,9 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
-import msgspec
-
 from omote.interchange.formats.file_names import Kind
-from omote.perform.name_lookup import find_kind
-from omote.stage_data.picture_request import RenderRequest, Request, plan_cells
-from omote.stage_data.picture_setting import Setting, refuse_count, split_list
+from omote.stage_data.picture_request import RenderRequest, Request, plan_cells, spell_kinds
+from omote.stage_data.picture_setting import Setting, refuse_count
 from omote.stage_data.playing_cast import PlayingCast, kinds_of
 from omote.stage_data.pose_parser import Pose, find_pose, pose_of
 
@@ -58,11 +55,7 @@ def spell_out(request: Request, cast: PlayingCast) -> Request:
 
     cast: whose expressions the kinds stand for.
     """
-    if isinstance(request, RenderRequest):
-        return request
-    kinds = kinds_of(cast)
-    spelled = [name for word in split_list(request.expressions) for name in find_kind(word, kinds) or [word]]
-    return msgspec.structs.replace(request, expressions=",".join(spelled))
+    return request if isinstance(request, RenderRequest) else spell_kinds(request, kinds_of(cast))
 
 
 def lay_out(request: Request, cast: Cast | PlayingCast) -> PictureGrid:

@@ -3,10 +3,13 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Mapping
 
 import msgspec
 
 from omote.interchange.formats.file_names import Kind
+from omote.perform.name_lookup import find_kind
+from omote.stage_data.cast_names import CastNames
 from omote.stage_data.picture_setting import Setting, read_size, refuse_count, split_list
 from omote.stage_data.pose_words import PoseWords, read_pose
 
@@ -72,6 +75,23 @@ def check_request(request: Request, kind: Kind) -> None:
     cells = [request] if isinstance(request, RenderRequest) else plan_cells(request).all
     for cell in cells:
         _ = cell.words
+
+
+def check_names(request: Request, names: CastNames) -> None:
+    """Raises ValueError where a request names a face, an expression or a channel that is none. names: of the cast."""
+    spelled = request if isinstance(request, RenderRequest) else spell_kinds(request, names.kinds)
+    for cell in [spelled] if isinstance(spelled, RenderRequest) else plan_cells(spelled).all:
+        names.check_words(cell.words)
+
+
+def spell_kinds(grid: GridRequest, kinds: Mapping[str, str]) -> GridRequest:
+    """The table with every kind among its expressions (`performed`, `own`) replaced by its expressions; ValueError
+    where there are no own ones.
+
+    grid: as it is asked for; kinds: of every expression, by name.
+    """
+    spelled = [name for word in split_list(grid.expressions) for name in find_kind(word, kinds) or [word]]
+    return msgspec.structs.replace(grid, expressions=",".join(spelled))
 
 
 class CellPlan(msgspec.Struct, frozen=True):

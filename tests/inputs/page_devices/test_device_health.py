@@ -36,6 +36,15 @@ def test_a_look_at_a_source_logs_what_is_new_once() -> None:
     assert len(log.lines) == 2
 
 
+def test_a_remark_is_logged_once_and_is_no_rejection() -> None:
+    log = LineLog()
+    remark = Rejection(0.0, "VMC from 10.0.0.5", "HeartRate is left out")
+    source = SourceHealth(lambda: SourceCounts("VMC", "tracker", "", 40, 0, remarks=1, remark=remark))
+    for look in range(3):
+        assert source.look(2.0 + look, log).rejected == 0
+    assert [(line.text, line.rejected) for line in log.lines] == [("VMC from 10.0.0.5: HeartRate is left out", False)]
+
+
 def test_each_sender_of_a_face_is_one_line_that_shows_what_moves() -> None:
     log = LineLog()
     heard = {"Ada": 0, "Ben": 0}

@@ -60,15 +60,50 @@ def test_dropped_frames_and_angles_that_were_not_recorded_are_left_out() -> None
         ("a,b\n1,2\n", "no column Timecode"),
         ("Timecode,HeadYaw\n00:00:00:00,1\n", "none of ARKit's"),
         (HEADER, "no frames"),
-        (HEADER + row("now", *[0.0] * 8), "row 2: 'now' is no time code"),
-        (HEADER + row("00:00:00:00", 0.0, 0.0, 3.0, *[0.0] * 5), "row 2: jawOpen is 3"),
-        (HEADER + row("00:00:00:00", 0.0, 0.0, float("nan"), *[0.0] * 5), "row 2: jawOpen is no number"),
-        (HEADER + "00:00:00:00,61,a,b,c,0,0,0,0,0\n", "row 2: could not convert"),
+        (HEADER + row("now", *[0.0] * 8), "row 2 is left out: 'now' is no time code"),
+        (HEADER + "00:00:00:00,61,0,5,0,25,1,0,0,0,0,0\n", "row 2 is left out: its commas"),
     ],
 )
 def test_what_cannot_be_read_is_said_with_its_row(text: str, why: str) -> None:
     with pytest.raises(ValueError, match=why):
         read_live_link_take(text)
+
+
+def test_what_is_no_number_costs_itself_and_a_wrong_time_its_row() -> None:
+    text = (
+        HEADER
+        + row("00:00:00:00", 0.25, 0.5, 0.75, 0.1, *[0.0] * 4)
+        + "00:00:00:01,61,0.5,wide,3,nan,0,0,0,0\n"
+        + row("now", *[0.0] * 8)
+        + "00:00:00:02,61,,0.5,-9,0.2,0,0,0,0\n"
+    )
+    take = read_live_link_take(text)
+    assert list(take.values) == [(0.25, 0.5, 0.75), (0.5, 0.5, 1.5), (0.5, 0.5, -0.5)]
+    assert [head[0] for head in take.heads] == [-0.1, -0.1, -0.2]
+    assert list(take.notes) == [
+        "row 3: jawLeft is no number (1 times)",
+        "row 3: jawOpen is 3, so 1.5 is taken (2 times)",
+        "row 3: an angle of the head is no number (1 times)",
+        "row 4 is left out: 'now' is no time code such as 13:13:04:31.652 (1 times)",
+        "row 5: jawRight is no number (1 times)",
+    ]
+
+
+@pytest.mark.parametrize("end", ["\n", "\r\n", "\r"])
+@pytest.mark.parametrize("form", ["semicolons", "tabs", "commas", "quotes", "case"])
+def test_a_table_as_a_spreadsheet_of_another_country_writes_it_is_read_alike(form: str, end: str) -> None:
+    lines = [HEADER.strip(), row("00:00:00:00.25", 0.25, -0.5, 0.75, *[0.1] * 5).strip()]
+    plain = read_live_link_take("\n".join(lines))
+    written = {
+        "semicolons": [line.replace(",", ";").replace(".", ",") for line in lines],
+        "tabs": [line.replace(",", "\t").replace(".", ",") for line in lines],
+        "commas": [line.replace(".", ",") for line in lines],
+        "quotes": [",".join(f'"{cell.replace(".", ",")}"' for cell in line.split(",")) for line in lines],
+        "case": [line.upper().replace(",", " , ") for line in lines],
+    }
+    take = read_live_link_take("\ufeff" + end + end.join(written[form]) + end)
+    assert (take.names, list(take.values), take.notes) == (plain.names, list(plain.values), ())
+    assert (take.head(0), take.gaze(0)) == (plain.head(0), plain.gaze(0))
 
 
 @pytest.mark.data

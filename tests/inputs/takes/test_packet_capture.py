@@ -62,7 +62,8 @@ def test_a_capture_of_tcpdump_is_read_whatever_its_link(link: int, before: bytes
 
 def test_a_dump_of_vmc_packets_is_read() -> None:
     document = [{"buffer": base64.b64encode(b"abc").decode(), "time": 0.25}]
-    assert read_packets(msgspec.json.encode(document)) == [Packet(0.25, "127.0.0.1", 0, b"abc")]
+    for mark in (b"", b"\xef\xbb\xbf"):
+        assert read_packets(mark + msgspec.json.encode(document)) == [Packet(0.25, "127.0.0.1", 0, b"abc")]
 
 
 def test_what_is_no_packet_of_udp_is_left_out_and_a_capture_that_was_cut_short_is_read() -> None:

@@ -26,6 +26,14 @@ def test_frames_keep_their_times_and_what_one_lacks() -> None:
     assert take.gaze(0) is None
 
 
+def test_what_is_left_out_is_among_its_notes() -> None:
+    packets = [*vmc(0.0, JawOpen=1.75, HeartRate=72.0), Packet(0.1, HOST, 39539, b"hello"), *vmc(0.2, JawOpen=0.5)]
+    take = read_packet_take(packets, TRACKER_PROTOCOLS["vmc"])
+    assert list(take.values) == [(1.5,), (0.5,)]
+    assert take.notes[0].startswith("a packet is left out: a message begins with")
+    assert list(take.notes[1:]) == ["JawOpen is 1.75, so 1.5 is taken (1 times)"]
+
+
 def test_the_sender_that_sent_most_counts_and_times_never_fall() -> None:
     packets = [*vmc(1.0, JawOpen=0.25), *vmc(0.5, JawOpen=0.5), *vmc(2.0, "10.0.0.8", JawOpen=1.0)]
     take = read_packet_take(packets, TRACKER_PROTOCOLS["vmc"])

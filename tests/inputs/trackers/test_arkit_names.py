@@ -39,6 +39,12 @@ def test_a_cast_s_own_channels_are_found_too_and_what_it_lacks_is_not() -> None:
     assert names.find("") == ()
 
 
+@pytest.mark.parametrize("name", ["eye blink left", "Eye_Blink_Left", " EYE-BLINK-L ", "eyeBlink.L", "eyeblink l"])
+def test_signs_between_words_make_no_other_name(name: str) -> None:
+    assert ARKIT_CHANNELS.find(name) == ("eyeBlinkLeft",)
+    assert ChannelNames(["my_own", "eyeBlinkLeft"]).find("My own") == ("my_own",)
+
+
 def test_vowels_of_vrm_shape_the_mouth_in_both_versions() -> None:
     for old, new in zip("AIUEO", ("aa", "ih", "ou", "ee", "oh"), strict=True):
         shares = ARKIT_CHANNELS.shares(old)

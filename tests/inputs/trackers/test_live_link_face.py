@@ -58,15 +58,35 @@ def test_a_packet_without_a_face_says_that_nobody_is_seen() -> None:
         (live_link_face(STILL)[:52], "time code"),
         (live_link_face(STILL)[:-1], "announces 61 values in 243 bytes"),
         (live_link_face(STILL) + b"\0", "announces 61"),
-        (live_link_face(STILL[:52]), "announces 52"),
-        (live_link_face([float("nan"), *STILL[1:]]), "eyeBlinkLeft is no number"),
-        (live_link_face([2.0, *STILL[1:]]), "eyeBlinkLeft is 2"),
-        (live_link_face([*STILL[:59], float("inf"), 0.0]), "angle"),
+        (live_link_face(STILL[:51]), "announces 51"),
+        (live_link_face(STILL[:52])[:-1], "announces 52 values in 207 bytes"),
     ],
 )
 def test_damage_is_rejected_with_a_reason(data: bytes, why: str) -> None:
     with pytest.raises(TrackerError, match=why):
         decode_live_link_face(data)
+
+
+@pytest.mark.parametrize(
+    ("index", "wrong", "name"),
+    [(0, float("nan"), "eyeBlinkLeft"), (0, 2.0, "eyeBlinkLeft"), (52, float("inf"), "head"), (59, 1e30, "gaze")],
+)
+def test_one_wrong_value_costs_itself(index: int, wrong: float, name: str) -> None:
+    values = STILL.copy()
+    values[17], values[index] = 0.75, wrong
+    (frame,) = decode_live_link_face(live_link_face(values))
+    assert frame.weights["jawOpen"] == 0.75
+    assert (frame.head is None, frame.gaze is None) == (name == "head", name == "gaze")
+    assert [said for said, _ in frame.left_out] == [name]
+
+
+def test_an_app_that_sends_no_angles_or_more_values_is_read_by_what_it_has() -> None:
+    values = STILL.copy()
+    values[17], values[52] = 0.75, 0.25
+    (short,) = decode_live_link_face(live_link_face(values[:52]))
+    (long,) = decode_live_link_face(live_link_face([*values, 9.0]))
+    assert short.weights == long.weights
+    assert (short.head, long.head) == (None, (-0.25, 0.0, 0.0))
 
 
 @pytest.mark.data

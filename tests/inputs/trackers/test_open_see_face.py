@@ -48,21 +48,29 @@ def with_number(at: int, number: float) -> bytes:
     return bytes(data)
 
 
+@pytest.mark.parametrize("data", [b"", bytes(RECORD - 1), bytes(40 * RECORD)])
+def test_packets_of_another_size_are_rejected(data: bytes) -> None:
+    with pytest.raises(TrackerError, match="multiple of 1785"):
+        decode_open_see_face(data)
+
+
 @pytest.mark.parametrize(
-    ("data", "why"),
+    ("data", "name", "why"),
     [
-        (b"", "multiple of 1785"),
-        (bytes(RECORD - 1), "multiple of 1785"),
-        (bytes(40 * RECORD), "multiple of 1785"),
-        (with_number(24, math.nan), "eyeBlinkLeft is no number"),
-        (with_number(24, 9.0), "eyeBlinkLeft is -8"),
-        (with_number(33, math.nan), "no quaternion"),
-        (with_number(1729 + 4 * 12, 5.0), "jawOpen is 5"),
+        (with_number(24, math.nan), "eyeBlinkLeft", "no number"),
+        (with_number(24, 9.0), "eyeBlinkLeft", "-8"),
+        (with_number(33, math.nan), "head", "no quaternion"),
+        (with_number(1729 + 4 * 12, 5.0), "jawOpen", "5"),
+        (with_number(1729 + 4 * 12, math.nan), "jawOpen", "no number"),
     ],
 )
-def test_damage_is_rejected_with_a_reason(data: bytes, why: str) -> None:
-    with pytest.raises(TrackerError, match=why) if "quaternion" not in why else pytest.raises(ValueError, match=why):
-        decode_open_see_face(data)
+def test_one_wrong_number_costs_itself(data: bytes, name: str, why: str) -> None:
+    (frame,) = decode_open_see_face(data)
+    assert len(frame.weights) >= len(decode_open_see_face(open_see_face())[0].weights) - 1
+    assert (frame.head is None) == (name == "head")
+    ((said, reason),) = frame.left_out
+    assert said == name
+    assert why in reason
 
 
 def test_an_error_that_is_no_number_is_no_fit() -> None:

@@ -48,7 +48,7 @@ def test_the_port_is_the_one_where_it_is_heard_or_its_usual_one() -> None:
 
 def test_a_wrong_value_of_its_own_protocol_keeps_its_reason(cast: Cast) -> None:
     stage = Stage(cast, "vmc")
-    stage.play(0.0, encode_message("/VMC/Ext/Blend/Val", "JawOpen", 9.0))
+    stage.play(0.0, encode_message("/VMC/Ext/Blend/Val", "JawOpen", "wide"))
     assert stage.trackers.last_rejection is not None
     assert "JawOpen" in stage.trackers.last_rejection.reason
 

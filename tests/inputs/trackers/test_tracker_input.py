@@ -7,7 +7,7 @@ import pytest
 
 from omote.inputs.osc_packet import encode_bundle, encode_message
 from omote.inputs.trackers.face_text import encode_face_text
-from omote.inputs.trackers.tracker_input import MOST_FACES, TrackerInput
+from omote.inputs.trackers.tracker_input import MOST_FACES, MOST_SAID, TrackerInput
 from omote.inputs.trackers.tracker_protocols import TRACKER_PROTOCOLS
 from omote.inputs.trackers.vmc_messages import encode_vmc
 from omote.model.cast import Cast
@@ -227,14 +227,47 @@ def test_each_performer_is_a_source_and_the_one_that_was_silent_longest_makes_ro
     assert len(stage.trackers._decoders) <= MOST_FACES
 
 
-def test_what_cannot_be_read_is_counted_and_changes_nothing(cast: Cast) -> None:
+def test_what_cannot_be_read_is_counted_and_what_is_out_of_range_is_at_its_end(cast: Cast) -> None:
     stage = Stage(cast, "livelink")
     stage.play(0.0, FACES["livelink"](), b"hello", live_link_face([9.0] * 61))
     assert (stage.trackers.heard, stage.trackers.rejected, stage.trackers.where) == (3, 2, HOST)
     assert stage.trackers.last_rejection is not None
     assert stage.trackers.last_rejection.sender == f"Live Link Face from {HOST}"
-    assert "eyeBlinkLeft is 9" in stage.trackers.last_rejection.reason
+    assert "eyeLookInLeft is 9, so 1.5 is taken" in stage.trackers.last_rejection.reason
+    assert "more" in stage.trackers.last_rejection.reason
+    assert stage.trackers.values()["jawOpen"] == 1.5
+
+
+def test_what_is_left_out_is_said_once_by_name_and_names_that_the_cast_lacks_are_no_fault(cast: Cast) -> None:
+    stage = Stage(cast, "vmc")
+    stage.play(1.0, apply(HeartRate=72.0, JawOpen=0.5, Smile=float("nan")))
     assert stage.trackers.values()["jawOpen"] == 0.5
+    assert (stage.trackers.rejected, stage.trackers.remarks) == (1, 1)
+    assert stage.trackers.last_rejection is not None
+    assert stage.trackers.last_rejection.reason == "Smile is no number"
+    assert stage.trackers.remark is not None
+    assert stage.trackers.remark.reason.startswith("HeartRate: the cast has no such channel")
+    stage.play(0.0, apply(Smile=0.25, JawOpen=float("inf"), Heart=1.0))
+    stage.play(0.0, apply(Smile=9.0, JawOpen=0.75))
+    assert (stage.trackers.rejected, stage.trackers.remarks) == (2, 2)
+    assert stage.trackers.values()["jawOpen"] == 0.75
+
+
+def test_a_sender_with_new_names_in_each_packet_is_remembered_within_bounds(cast: Cast) -> None:
+    stage = Stage(cast, "meowface")
+    for packet in range(20):
+        shapes = ",".join(f'{{"k":"n{packet}.{name}","v":7}}' for name in range(100))
+        stage.play(0.0, f'{{"BlendShapes":[{shapes},{{"k":"JawOpen","v":0.25}}]}}'.encode())
+    (face,) = stage.trackers._faces.values()
+    assert len(face.said) == MOST_SAID
+    assert stage.trackers.remarks == 3, "what comes after so many is left out in silence"
+    assert stage.trackers.values()["jawOpen"] == 0.25
+
+
+def test_feelings_and_looks_of_vrm_are_the_cast_s(cast: Cast) -> None:
+    stage = Stage(cast, "vmc")
+    stage.play(0.0, apply(FUN=0.25, lookleft=0.5))
+    assert stage.trackers.values() == {"eyeLookInRight": 0.5, "eyeLookOutLeft": 0.5, "smile": 0.25}
 
 
 def test_another_name_of_the_same_source_is_rejected_with_the_session_s_reason(cast: Cast) -> None:

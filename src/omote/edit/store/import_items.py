@@ -17,9 +17,9 @@ from omote.model.recipes.recipe import KEY, FaceRecipe, Recipe, Vector
 from omote.model.space.expression import Expression
 from omote.model.space.face import Face
 from omote.model.space.parameter_space import ParameterSpace
-from omote.perform.name_lookup import find_name
 from omote.showfile.changes import Change, Content, Item, Kind, Revision, Stored, content_key
 from omote.showfile.contents import pack_expression, pack_face, unpack_expression
+from omote.stage_data.cast_names import find_exported
 
 EDITOR = "import"
 """The author of imported revisions."""
@@ -151,14 +151,7 @@ def export_document(cast: Cast, stored: Stored, contents: Mapping[str, bytes], n
 
     cast: the built-in one; stored, contents: of the show file; name: what the person typed.
     """
-    own = {item.name: item.label for item in stored.items if item.kind == "expression" and item.head}
-    labels = {name: title.label for name, title in cast.titles.items()} | own
-    faces = {word for item in stored.items if item.kind == "face" and item.head for word in (item.name, item.label)}
-    if name in faces.difference(own, labels.values(), cast.expressions):
-        raise ValueError(f"{name!r} is a face; only expressions become documents")
-    name = find_name(
-        name, [*own, *(expression for expression in cast.expressions if expression not in own)], "expression", labels
-    )
+    name = find_exported(cast, stored, name)
     revisions = {(revision.item, revision.number): revision for revision in stored.revisions}
     for item in stored.items:
         if (item.kind, item.name) == ("expression", name) and (item.id, item.head) in revisions:

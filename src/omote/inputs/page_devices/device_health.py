@@ -50,7 +50,8 @@ class DeviceHealth:
 @dataclass(frozen=True)
 class SourceCounts:
     """A source beside the pages, such as OSC: its counts, the newest that came, the last rejection, and what to do at
-    whoever sends it. senders: those of a tracker's protocol, each with its channels, instead of the newest."""
+    whoever sends it. senders: those of a tracker's protocol, each with its channels, instead of the newest. remark:
+    what was said last of what is left out without being wrong, remarks: how often."""
 
     name: str
     kind: SourceKind
@@ -62,6 +63,8 @@ class SourceCounts:
     values: dict[str, float] = field(default_factory=dict)
     advice: str = ""
     senders: tuple[SenderCounts, ...] = ()
+    remarks: int = 0
+    remark: Rejection | None = None
 
 
 def count_tracker(trackers: TrackerInput, advice: str) -> SourceCounts:
@@ -76,6 +79,8 @@ def count_tracker(trackers: TrackerInput, advice: str) -> SourceCounts:
         values=trackers.values(),
         advice=advice,
         senders=trackers.senders(),
+        remarks=trackers.remarks,
+        remark=trackers.remark,
     )
 
 
@@ -85,6 +90,7 @@ class SourceHealth:
     def __init__(self, probe: Callable[[], SourceCounts]) -> None:
         self._probe = probe
         self._health = DeviceHealth(0.0)
+        self._remarks = 0
         self._senders: dict[str, tuple[DeviceHealth, SenderActivity]] = {}
 
     def look(self, now: float, log: LineLog) -> DeviceState:
@@ -97,6 +103,9 @@ class SourceHealth:
         if came and counts.newest:
             log.note(counts.name, counts.newest, now, count=came)
         self._look_at_senders(counts, now, log)
+        if counts.remarks > self._remarks and counts.remark is not None:
+            log.note(counts.name, f"{counts.remark.sender}: {counts.remark.reason}", now)
+        self._remarks = counts.remarks
         if rejected and counts.last_rejection is not None:
             reason = f"{counts.last_rejection.sender}: {counts.last_rejection.reason}"
             log.note(counts.name, reason, now, rejected=True, count=rejected)

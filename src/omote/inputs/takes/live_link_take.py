@@ -3,26 +3,28 @@
 `Timecode` is `hours:minutes:seconds:frame.part`. The app counts frames at 60 a second, whatever rate it records at; a
 time code of its own or of a Tentacle counts at 24, 25, 30 or others, and drops numbers with `;` (SMPTE 12M). So the
 rate is read from where the seconds change, and is 60 where they do not. Rows of dropped frames have no values; they are
-left out.
+left out. Spreadsheets of some countries write semicolons between columns and commas before decimals.
 """
 
 from __future__ import annotations
 
 import csv
-import io
 import re
-from collections.abc import Mapping, Sequence
+from collections import deque
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from itertools import pairwise
-from typing import NamedTuple
+from typing import NamedTuple, TypeVar
 
-from omote.inputs.takes.take import Take
+from omote.inputs.takes.take import Take, TakeNotes
 from omote.inputs.trackers.arkit_names import ARKIT_CHANNELS
 from omote.inputs.trackers.head_angles import HeadAngles, average_eyes, read_unreal_radians
 from omote.inputs.trackers.live_link_face import FRAME_RATE
-from omote.inputs.trackers.tracker_frame import TrackerError, TrackerFrame
+from omote.inputs.trackers.loose_json import read_number
+from omote.inputs.trackers.tracker_frame import LeftOut, TrackerFrame
 
+T = TypeVar("T")
 TIME = "Timecode"
-COUNT = "BlendShapeCount"
+SEPARATORS = ",;\t"
 DAY = 86400.0
 MOST_ROWS = 1_000_000
 RATES = (24, 25, 30, 48, 50, 60, 120)
@@ -34,31 +36,67 @@ _TIME_CODE = re.compile(r"(\d{1,2}):(\d{1,2}):(\d{1,2})([:;])(\d{1,3}(?:\.\d+)?)
 
 
 def read_live_link_take(text: str) -> Take:
-    """The recording of a file's text; ValueError with the row and what is wrong."""
-    rows = csv.DictReader(io.StringIO(text.lstrip("\ufeff")))
-    columns = rows.fieldnames or []
-    names = {column: ARKIT_CHANNELS.find(column)[0] for column in columns if ARKIT_CHANNELS.find(column)}
-    if TIME not in columns or not names:
+    """The recording of a file's text; ValueError with what is wrong where no row of it is a frame. What of it is no
+    number is as it was before, what is out of range at its end; both are among its notes."""
+    header, rows = read_table(text)
+    names = {column: found[0] for column in header if len(found := ARKIT_CHANNELS.find(column)) == 1}
+    time = next((column for column in header if column.lower() == TIME.lower()), None)
+    if time is None or not names:
         raise ValueError(f"the file has no column {TIME} or none of ARKit's; expected one of Live Link Face")
     codes = list[TimeCode]()
     frames = list[TrackerFrame]()
+    notes = TakeNotes()
     for number, row in enumerate(rows, 2):
         if number > MOST_ROWS:
             raise ValueError(f"the file has more than {MOST_ROWS} rows")
-        if all(row[column] for column in names) and None not in row.values():  # such a row is cut off
-            try:
-                codes.append(read_time_code(row[TIME] or ""))
-                frames.append(_read_row(row, names))
-            except (TrackerError, ValueError) as error:
-                raise ValueError(f"row {number}: {error}") from error
+        if not row:
+            notes.add("commas", f"row {number} is left out: its commas stand between columns and before decimals")
+            continue
+        if len(row) < len(header) or not any(row[column] for column in names):
+            continue  # it is cut off, or of a dropped frame
+        try:
+            codes.append(read_time_code(row[time]))
+        except ValueError as error:
+            notes.add("row", f"row {number} is left out: {error}")
+            continue
+        frame = _read_row(row, names)
+        notes.add_values(LeftOut(name, f"row {number}: {reason}") for name, reason in frame.left_out)
+        frames.append(frame)
+    if not frames and (said := notes.sentences()):
+        raise ValueError(f"the file has no frame: {said[0]}")
     rate = find_rate(codes)
-    return _make_take(tuple(names.values()), [code.at(rate) for code in codes], frames)
+    return _make_take(tuple(dict.fromkeys(names.values())), [code.at(rate) for code in codes], frames, notes)
+
+
+def read_table(text: str) -> tuple[list[str], Iterator[dict[str, str]]]:
+    """The header and the rows of a table of text, cells by column, whatever separates them."""
+    lines = text.lstrip("\ufeff").splitlines()
+    first = next((line for line in lines if line.strip()), "")
+    separator = max(SEPARATORS, key=first.count)
+    table = csv.reader((line for line in lines if line.strip()), delimiter=separator)
+    header = [cell.strip() for cell in next(table, [])]
+    return header, (dict(zip(header, _cells(row, len(header)), strict=False)) for row in table)
+
+
+def _cells(row: list[str], columns: int) -> list[str]:
+    """The cells of a row. Where commas separate columns and decimals too, each value has two: all but the count of
+    them, and the time code in some; none where they cannot be told apart."""
+    cells = [cell.strip() for cell in row]
+    more = len(cells) - 2 * columns + 3
+    if len(cells) <= columns or any("." in cell or not cell for cell in cells[more:]):
+        return cells
+    values = cells[more + 1 :]
+    if more not in (1, 2):
+        return []
+    joined = (f"{whole}.{part}" for whole, part in zip(values[::2], values[1::2], strict=True))
+    return [".".join(cells[:more]), cells[more], *joined]
 
 
 def is_table_cut(text: str) -> bool:
     """Whether a file ends within a row: the last has fewer columns than its header."""
-    rows = [row for row in csv.reader(io.StringIO(text.lstrip("\ufeff"))) if row]
-    return len(rows) > 1 and len(rows[-1]) < len(rows[0]) and not text.endswith("\n")
+    header, rows = read_table(text)
+    last = next(iter(deque(rows, maxlen=1)), None)
+    return last is not None and len(last) < len(header) and not text.endswith(("\n", "\r"))
 
 
 class TimeCode(NamedTuple):
@@ -93,36 +131,49 @@ def find_rate(codes: Sequence[TimeCode]) -> int:
 
 def read_time_code(text: str) -> TimeCode:
     """A time code as it is written; ValueError where it is none."""
-    match = _TIME_CODE.fullmatch(text.strip())
+    match = _TIME_CODE.fullmatch(text.strip().replace(",", "."))
     if match is None:
         raise ValueError(f"{text[:40]!r} is no time code such as 13:13:04:31.652")
     hours, minutes, seconds = (int(match[part]) for part in (1, 2, 3))
     return TimeCode(3600 * hours + 60 * minutes + seconds, float(match[5]), match[4] == ";")
 
 
-def _read_row(row: Mapping[str, str | None], names: Mapping[str, str]) -> TrackerFrame:
-    weights = {name: float(row[column] or 0.0) for column, name in names.items()}
-    head, left, right = (_read_angles(row, columns) for columns in ANGLES.values())
+def _read_row(row: Mapping[str, str], names: Mapping[str, str]) -> TrackerFrame:
+    weights = {name: read_number(row[column]) for column, name in names.items()}
+    small = {column.lower(): cell for column, cell in row.items()}
+    head, left, right = (_read_angles(small, columns) for columns in ANGLES.values())
     return TrackerFrame(weights, head, average_eyes((left[:2], right[:2])))
 
 
-def _read_angles(row: Mapping[str, str | None], columns: tuple[str, ...]) -> HeadAngles:
-    yaw, pitch, roll = (float(row.get(column) or 0.0) for column in columns)
+def _read_angles(row: Mapping[str, str], columns: tuple[str, ...]) -> HeadAngles:
+    yaw, pitch, roll = (read_number(row.get(column.lower()) or "0") for column in columns)
     return read_unreal_radians(yaw, pitch, roll)
 
 
-def _make_take(names: tuple[str, ...], times: list[float], frames: list[TrackerFrame]) -> Take:
+def _make_take(names: tuple[str, ...], times: list[float], frames: list[TrackerFrame], notes: TakeNotes) -> Take:
     """The recording; angles that are never other than 0 were not recorded."""
+    weights = dict.fromkeys(names, 0.0)
+    values = [tuple((weights := {**weights, **frame.weights})[name] for name in names) for frame in frames]
     since = [0.0]
     for before, now in pairwise(times):
         step = now - before if now - before > -DAY / 2 else now - before + DAY  # over midnight
         since.append(since[-1] + max(0.0, step))
-    heads = [frame.head or (0.0, 0.0, 0.0) for frame in frames]
-    gazes = [frame.gaze or (0.0, 0.0) for frame in frames]
+    heads = _fill([frame.head for frame in frames], (0.0, 0.0, 0.0))
+    gazes = _fill([frame.gaze for frame in frames], (0.0, 0.0))
     return Take(
         names,
         since[: len(frames)],
-        [tuple(frame.weights.values()) for frame in frames],
+        values,
         heads if any(map(any, heads)) else (),
         gazes if any(map(any, gazes)) else (),
+        notes.sentences(),
     )
+
+
+def _fill(angles: Iterable[T | None], before: T) -> list[T]:
+    """Angles in which what is missing is as it was before. before: what was before all."""
+    filled = []
+    for angle in angles:
+        before = before if angle is None else angle
+        filled.append(before)
+    return filled

@@ -7,6 +7,7 @@ draft-ietf-opsawg-pcap and -pcapng; JSON: emilianavt/MotionReplay (`buffer` in b
 from __future__ import annotations
 
 import base64
+import codecs
 import struct
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
@@ -54,7 +55,7 @@ def read_packets(data: bytes) -> list[Packet]:
 
 def is_capture_cut(data: bytes) -> bool:
     """Whether a capture ends within a packet; a dump never does, for such one is not read."""
-    if data.lstrip()[:1] == b"[":
+    if _is_dump(data):
         return False
     order = _order(data)
     at = 0
@@ -88,14 +89,18 @@ def encode_packet(packet: Packet) -> bytes:
 
 
 def _read(data: bytes) -> Iterator[Packet]:
-    if data.lstrip()[:1] == b"[":
-        yield from _read_dump(data)
+    if _is_dump(data):
+        yield from _read_dump(data.removeprefix(codecs.BOM_UTF8))
         return
     if len(data) < 24:
         raise ValueError(NOT_ONE)
     order = _order(data)
     (magic,) = struct.unpack_from(f"{order}I", data)
     yield from _read_pcapng(data, order) if magic == SECTION else _read_pcap(data, order, magic)
+
+
+def _is_dump(data: bytes) -> bool:
+    return data.removeprefix(codecs.BOM_UTF8).lstrip()[:1] == b"["
 
 
 def _order(data: bytes) -> str:

@@ -7,7 +7,7 @@ from collections.abc import Sequence
 
 from omote.inputs.rejection import PacketError
 from omote.inputs.takes.packet_capture import Packet
-from omote.inputs.takes.take import Take
+from omote.inputs.takes.take import Take, TakeNotes
 from omote.inputs.trackers.arkit_names import ARKIT_CHANNELS
 from omote.inputs.trackers.head_angles import GazeAngles, HeadAngles
 from omote.inputs.trackers.packet_format import is_read_by, recognize_format
@@ -56,28 +56,30 @@ def read_packet_take(packets: Sequence[Packet], protocol: TrackerProtocol) -> Ta
     """
     ports = {packet.port for packet in packets}
     spoken = [packet for packet in packets if packet.port == protocol.port] if protocol.port in ports else packets
-    hosts = Counter(packet.host for packet in spoken)
+    (host, _), *_ = Counter(packet.host for packet in spoken).most_common(1)
     decode = protocol.open(lambda _: None)
     frames = list[tuple[float, TrackerFrame]]()
+    notes = TakeNotes()
     newest = ""
     for packet in spoken:
-        if packet.host != hosts.most_common(1)[0][0]:
+        if packet.host != host:
             continue
         try:
             frames += [(packet.time, frame) for frame in decode(packet.data) if frame.found]
         except PacketError as error:
             newest = str(error)
+            notes.add("packet", f"a packet is left out: {newest}")
     if not frames:
         name = recognize_most(spoken)
         other = f"they are {TRACKER_PROTOCOLS[name].title}, --protocol {name}" if name else newest
         reason = newest if is_read_by(name, protocol.name) else other
         raise ValueError(f"no packet of the capture is a face of {protocol.title}{reason and f': {reason}'}")
     begun = next((at for at, (_, frame) in enumerate(frames) if frame.weights), 0)
-    return _gather(frames[begun:])  # bones that come before the first values of VMC are no frame yet
+    return _gather(frames[begun:], notes)  # bones that come before the first values of VMC are no frame yet
 
 
-def _gather(frames: Sequence[tuple[float, TrackerFrame]]) -> Take:
-    """Frames one after the other; what one lacks is as it was."""
+def _gather(frames: Sequence[tuple[float, TrackerFrame]], notes: TakeNotes) -> Take:
+    """Frames one after the other; what one lacks is as it was. notes: on packets that are no frames."""
     weights: dict[str, float] = {}
     head: HeadAngles = (0.0, 0.0, 0.0)
     gaze: GazeAngles = (0.0, 0.0)
@@ -87,6 +89,7 @@ def _gather(frames: Sequence[tuple[float, TrackerFrame]]) -> Take:
     gazes = list[GazeAngles]()
     for time, frame in frames:
         weights |= _read_channels(frame)
+        notes.add_values(frame.left_out)
         head = frame.head or head
         gaze = frame.gaze or gaze
         times.append(max(time - frames[0][0], times[-1] if times else 0.0))
@@ -97,7 +100,7 @@ def _gather(frames: Sequence[tuple[float, TrackerFrame]]) -> Take:
     values = [tuple(row.get(name, 0.0) for name in names) for row in rows]
     turned = any(map(any, heads))
     looked = any(map(any, gazes))
-    return Take(names, times, values, heads if turned else (), gazes if looked else ())
+    return Take(names, times, values, heads if turned else (), gazes if looked else (), notes.sentences())
 
 
 def _read_channels(frame: TrackerFrame) -> dict[str, float]:

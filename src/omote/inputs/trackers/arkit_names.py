@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable, Mapping
 from types import MappingProxyType
 
@@ -29,6 +30,15 @@ _VOWELS: Mapping[tuple[str, str], Mapping[str, float]] = {
     ("e", "ee"): {"jawOpen": 0.35, **dict.fromkeys(_STRETCHES, 0.4)},
     ("o", "oh"): {"jawOpen": 0.45, "mouthFunnel": 0.5},
 }
+_GAZE: Mapping[str, tuple[str, str]] = {
+    "lookup": ("eyeLookUpLeft", "eyeLookUpRight"),
+    "lookdown": ("eyeLookDownLeft", "eyeLookDownRight"),
+    "lookleft": ("eyeLookOutLeft", "eyeLookInRight"),
+    "lookright": ("eyeLookInLeft", "eyeLookOutRight"),
+}
+_EMOTIONS: Mapping[str, str] = {
+    "happy": "joy", "sorrow": "sad", "relaxed": "smile", "fun": "smile", "surprised": "surprise",
+}  # fmt: skip
 ALIASES: Mapping[str, Mapping[str, float]] = MappingProxyType(
     {
         "browinnerupleft": {"browInnerUp": 1.0},
@@ -37,10 +47,14 @@ ALIASES: Mapping[str, Mapping[str, float]] = MappingProxyType(
         "blinkleft": {"eyeBlinkLeft": 1.0},
         "blinkright": {"eyeBlinkRight": 1.0},
         **{spelling: shares for spellings, shares in _VOWELS.items() for spelling in spellings},
+        **{spelling: dict.fromkeys(channels, 1.0) for spelling, channels in _GAZE.items()},
+        **{spelling: {expression: 1.0} for spelling, expression in _EMOTIONS.items()},
     }
 )
 """Names that are not ARKit's, and what says the same: MeowFace halves the inner brow; expressions of VRM, of version 0
-and 1, close the eyes and shape vowels (recipes of our own)."""
+and 1, close and turn the eyes, shape vowels (recipes of our own) and are the cast's feelings by other names."""
+_BETWEEN = re.compile(r"[\W_]+")
+_SIDE = re.compile(r"[\W_]([lr])[\W_]*$")
 _SIDES = {"_l": "left", "_r": "right"}
 
 
@@ -49,6 +63,12 @@ def plain_spelling(name: str) -> str:
     same."""
     small = name.lower()
     return small[:-2] + _SIDES[small[-2:]] if small[-2:] in _SIDES else small
+
+
+def loose_spelling(name: str) -> str:
+    """The same with letters and digits alone: `Eye Blink_Left` and `eye-blink L` are the same too."""
+    side = _SIDE.search(small := name.lower())
+    return _BETWEEN.sub("", small if side is None else small[: side.start()] + _SIDES[f"_{side[1]}"])
 
 
 class ChannelNames:
@@ -63,6 +83,7 @@ class ChannelNames:
             for spelling, shares in ALIASES.items()
         }
         self._found = {**{spelling: shares for spelling, shares in aliases.items() if shares}, **exact}
+        self._loosely = {loose_spelling(spelling): shares for spelling, shares in self._found.items()}
 
     def find(self, name: str) -> tuple[str, ...]:
         """The channels that a tracker means by a name; none where the cast has none of that name."""
@@ -70,7 +91,8 @@ class ChannelNames:
 
     def shares(self, name: str) -> Mapping[str, float]:
         """The same, each with its share of the name's weight."""
-        return self._found.get(plain_spelling(name), {})
+        shares = self._found.get(plain_spelling(name))
+        return self._loosely.get(loose_spelling(name), {}) if shares is None else shares
 
 
 ARKIT_CHANNELS = ChannelNames(ARKIT_NAMES)

@@ -7,6 +7,7 @@ PyLiveLinkFace, and Unreal's EARFaceBlendShape.
 
 from __future__ import annotations
 
+import math
 import struct
 from collections.abc import Sequence
 
@@ -42,9 +43,9 @@ def decode_live_link_face(data: bytes) -> list[TrackerFrame]:
     at += TIME_CODE.size
     if data[at] == 0:
         return [TrackerFrame(found=False, subject=subject)]
+    time = (frame + sub) * unit / rate if rate > 0 and unit > 0 and math.isfinite(sub) else None
     if data[at] != VALUES or len(data) != at + 1 + NUMBERS.size:
-        raise TrackerError(f"the packet announces {data[at]} values in {len(data) - at - 1} bytes; expected {VALUES}")
-    time = (frame + sub) * unit / rate if rate > 0 and unit > 0 else None
+        return [_read_others(data[at], data[at + 1 :], subject, time)]
     return [frame_of_values(NUMBERS.unpack_from(data, at + 1), subject, time)]
 
 
@@ -53,6 +54,16 @@ def frame_of_values(values: Sequence[float], subject: str = "", time: float | No
     head, left, right = (read_unreal_radians(*values[at : at + 3]) for at in (52, 55, 58))
     gaze = average_eyes((left[:2], right[:2]))
     return TrackerFrame(dict(zip(ARKIT_NAMES, values, strict=False)), head, gaze, time=time, subject=subject)
+
+
+def _read_others(count: int, data: bytes, subject: str, time: float | None) -> TrackerFrame:
+    """The frame of an app that sends the coefficients without angles, or more behind both."""
+    if count < len(ARKIT_NAMES) or len(data) != 4 * count:
+        raise TrackerError(f"the packet announces {count} values in {len(data)} bytes; expected {VALUES}")
+    values = struct.unpack(f">{count}f", data)
+    if count >= VALUES:
+        return frame_of_values(values[:VALUES], subject, time)
+    return TrackerFrame(dict(zip(ARKIT_NAMES, values, strict=False)), time=time, subject=subject)
 
 
 def encode_live_link_face(

@@ -11,6 +11,7 @@ import struct
 from collections.abc import Mapping
 from types import MappingProxyType
 
+from omote.inputs.rejection import PacketError
 from omote.inputs.trackers.head_angles import (
     GazeAngles,
     HeadAngles,
@@ -21,7 +22,7 @@ from omote.inputs.trackers.head_angles import (
     read_direction,
     read_quaternion,
 )
-from omote.inputs.trackers.tracker_frame import TrackerError, TrackerFrame
+from omote.inputs.trackers.tracker_frame import LeftOut, TrackerError, TrackerFrame
 
 RECORD = 1785
 HEAD = struct.Struct("<diffffBf4f")
@@ -84,16 +85,27 @@ def _face(record: bytes) -> TrackerFrame:
     features = dict(zip(NAMES, FEATURES.unpack_from(record, FEATURES_AT), strict=True))
     weights = {"eyeBlinkLeft": 1.0 - left, "eyeBlinkRight": 1.0 - right, **_weights(features)}
     x, y, z, w = rotation
-    return TrackerFrame(weights, _turn((x, y, z, w)), _gaze(record), time=time, subject=subject)
+    head = None
+    left_out: tuple[LeftOut, ...] = ()
+    try:
+        head = _turn((x, y, z, w))
+    except PacketError as error:
+        left_out = (LeftOut("head", str(error)),)
+    return TrackerFrame(weights, head, _gaze(record), time=time, subject=subject, left_out=left_out)
 
 
 def _weights(features: Mapping[str, float]) -> dict[str, float]:
     weights = {}
     for feature, parts in CHANNELS.items():
         for name, part in parts:
-            weights[name] = max(0.0, features[feature] * part)
+            weights[name] = _above(features[feature] * part)
     ups = [features[f"eyebrow_updown_{side}"] for side in "lr"]
-    return {**weights, "browInnerUp": max(0.0, 0.5 * sum(ups))}
+    return {**weights, "browInnerUp": _above(0.5 * sum(ups))}
+
+
+def _above(value: float) -> float:
+    """The part above 0; what is no number stays so, for the frame to leave it out."""
+    return 0.0 if value < 0.0 else value
 
 
 def _turn(rotation: Quaternion) -> HeadAngles:

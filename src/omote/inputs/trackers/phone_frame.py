@@ -6,15 +6,16 @@ some seconds after each request.
 
 from __future__ import annotations
 
-from typing import Annotated
+from itertools import islice
+from typing import Any
 
 import msgspec
 
 from omote.inputs.trackers.head_angles import HeadAngles, average_eyes, read_right_handed_degrees
-from omote.inputs.trackers.tracker_frame import TrackerFrame, read_json
+from omote.inputs.trackers.loose_json import find_field, read_number, read_pairs
+from omote.inputs.trackers.tracker_frame import MOST_SHAPES, TrackerFrame, read_json
 
 REQUEST_SECONDS = 5.0
-MOST_SHAPES = 256
 HALVES = ("browinnerupleft", "browinnerupright")
 
 
@@ -29,14 +30,14 @@ class PhoneAngles(msgspec.Struct, frozen=True):
 class Coefficient(msgspec.Struct, frozen=True):
     """A coefficient: its name and its value."""
 
-    k: Annotated[str, msgspec.Meta(max_length=80)]
+    k: str
     v: float
 
 
 class PhoneFrame(msgspec.Struct, frozen=True, rename="pascal"):
     """A frame as the phone sends it; what else it holds is left out."""
 
-    blend_shapes: Annotated[list[Coefficient], msgspec.Meta(max_length=MOST_SHAPES)]
+    blend_shapes: list[Coefficient]
     face_found: bool = True
     timestamp: float | None = None
     rotation: PhoneAngles | None = None
@@ -46,11 +47,11 @@ class PhoneFrame(msgspec.Struct, frozen=True, rename="pascal"):
 
 def decode_phone_frame(data: bytes) -> list[TrackerFrame]:
     """The frame of a packet; TrackerError where it is none."""
-    frame = read_json(PhoneFrame, data, "the packet is no frame of a phone")
+    frame = read_json(PhoneFrame, data, "the packet is no frame of a phone", _read_loosely)
     time = None if frame.timestamp is None else 0.001 * frame.timestamp
     if not frame.face_found:
         return [TrackerFrame(found=False, time=time)]
-    weights = {shape.k: shape.v for shape in frame.blend_shapes}
+    weights = {shape.k: shape.v for shape in islice(frame.blend_shapes, MOST_SHAPES)}
     halves = [name for name in weights if name.lower() in HALVES]
     if len(halves) == len(HALVES):  # of MeowFace: one channel takes the mean of both
         weights["browInnerUp"] = sum(weights.pop(name) for name in halves) / len(HALVES)
@@ -62,6 +63,27 @@ def request_frames(port: int) -> bytes:
     """What asks a phone for frames at our port for some seconds."""
     request = {"messageType": "iOSTrackingDataRequest", "time": REQUEST_SECONDS, "sentBy": "Omote", "ports": [port]}
     return msgspec.json.encode(request)
+
+
+def _read_loosely(document: Any) -> PhoneFrame | None:
+    """The frame of a document that has other names of fields, or values that are no numbers."""
+    shapes = find_field(document, "blendshapes")
+    weights = read_pairs(shapes, "k", "v")
+    if not weights:
+        return None
+    time = find_field(document, "timestamp")
+    return PhoneFrame(
+        [Coefficient(name, value) for name, value in weights.items()],
+        find_field(document, "facefound") not in (False, 0.0),
+        time if isinstance(time, float) else None,
+        *(_read_angles(find_field(document, name)) for name in ("rotation", "eyeleft", "eyeright")),
+    )
+
+
+def _read_angles(document: Any) -> PhoneAngles | None:
+    if not isinstance(document, dict):
+        return None
+    return PhoneAngles(*(read_number(find_field(document, axis, 0.0)) for axis in "xyz"))
 
 
 def _turn(angles: PhoneAngles | None) -> HeadAngles | None:

@@ -14,7 +14,7 @@ from omote.inputs.source_client import SourceClient, refusals
 from omote.inputs.trackers.arkit_names import ARKIT_NAMES, ChannelNames
 from omote.inputs.trackers.head_angles import GazeAngles, HeadAngles, limit_gaze, limit_head
 from omote.inputs.trackers.packet_format import explain_format, is_read_by, recognize_format
-from omote.inputs.trackers.tracker_frame import Decode, TrackerFrame
+from omote.inputs.trackers.tracker_frame import ANGLES, Decode, TrackerFrame
 from omote.inputs.trackers.tracker_protocols import TrackerProtocol
 from omote.model.known_names import NEUTRAL
 from omote.perform.limits import GAZE_LIMITS, HEAD_LIMITS
@@ -26,6 +26,10 @@ MOST_FACES = 8
 LONGEST_NAME = 80
 MOST_BARS = 59
 """Channels of which a page is told, beside five angles."""
+MOST_SAID = 256
+"""Names of one face of which is remembered that something was said of them; what comes then is left out in silence."""
+MOST_LISTED = 4
+"""Of what is said at once."""
 
 
 @dataclass(frozen=True)
@@ -45,6 +49,8 @@ class TrackedFace(SourceClient):
     their `shares`, the channels at `places`; several: names mean the same channel; cast: whose names.
 
     turns, looks: whether its head and its eyes have ever turned: senders that know no angles send zeros for ever.
+
+    strange: names of its newest frame that no channel has; said: what was said to be left out of it, or strange.
     """
 
     names: tuple[str, ...] = ()
@@ -61,11 +67,14 @@ class TrackedFace(SourceClient):
     shares: NDArray[np.float32] = field(default_factory=lambda: np.zeros(0, np.float32))
     several: bool = False
     heard: int = 0
+    strange: tuple[str, ...] = ()
+    said: set[str] = field(default_factory=set)
 
 
 class TrackerInput:
     """All trackers of one protocol. port_of: where another protocol is heard, by its name, None where it is not; heard,
-    rejected: counts of packets; where: the host of the newest one."""
+    rejected: counts of packets; where: the host of the newest one; remark: what was said last of names that the cast
+    has no channel for, and remarks: how often."""
 
     def __init__(
         self,
@@ -82,6 +91,8 @@ class TrackerInput:
         self.heard = self.rejected = 0
         self.where = ""
         self.last_rejection: Rejection | None = None
+        self.remarks = 0
+        self.remark: Rejection | None = None
         self._last: TrackedFace | None = None
         self._answers: list[bytes] = []
 
@@ -94,7 +105,9 @@ class TrackerInput:
         self.where = host
         try:
             for frame in self._decoder(host)(data):
-                self.note(host, frame)
+                face = self.note(host, frame)
+                if frame.left_out or face.strange:
+                    self._tell(host, face, frame, now)
         except PacketError as error:
             self.reject(host, self._explain(data, error), now)
         answers = self._answers
@@ -158,8 +171,8 @@ class TrackerInput:
             self._decoders[host] = self.protocol.open(lambda packet: self._answers.append(packet))
         return self._decoders[host]
 
-    def note(self, host: str, frame: TrackerFrame) -> None:
-        """Takes a frame that was decoded; host: "" for one that its subject alone tells."""
+    def note(self, host: str, frame: TrackerFrame) -> TrackedFace:
+        """Takes a frame that was decoded; returns whose it is. host: "" for one that its subject alone tells."""
         key = (host, frame.subject)
         face = self._faces.pop(key, None) or self._begin(host, frame.subject)
         face.heard += 1
@@ -167,6 +180,26 @@ class TrackerInput:
         if frame.found:
             self._keep(face, frame)
         face.newest = frame
+        return face
+
+    def _tell(self, host: str, face: TrackedFace, frame: TrackerFrame, now: float) -> None:
+        """Says, once for each name, what of a frame is not played as it came, and which names no channel has."""
+        strange = _unsaid(face, dict.fromkeys(face.strange, ""))
+        if strange:
+            self.remarks += 1
+            self.remark = Rejection(
+                now, self._sender(host), f"{_list(strange)}: the cast has no such channel, so that is left out"
+            )
+        face.strange = ()
+        names = self._channel_names()
+        wrong = {
+            name or reason: reason for name, reason in frame.left_out if name in ANGLES or not name or names.find(name)
+        }
+        if reasons := [wrong[name] for name in _unsaid(face, wrong)]:
+            self.reject(host, _list(reasons), now)
+
+    def _sender(self, host: str) -> str:
+        return f"{self.protocol.title} from {host}"
 
     def _begin(self, host: str, subject: str) -> TrackedFace:
         while len(self._faces) >= MOST_FACES:
@@ -221,7 +254,19 @@ class TrackerInput:
     def reject(self, host: str, reason: str, now: float) -> None:
         """Counts what was not obeyed. host: the sender's; reason: why; now: seconds of the show's clock."""
         self.rejected += 1
-        self.last_rejection = Rejection(now, f"{self.protocol.title} from {host}", reason)
+        self.last_rejection = Rejection(now, self._sender(host), reason)
+
+
+def _unsaid(face: TrackedFace, names: Mapping[str, str]) -> list[str]:
+    """The names of which nothing was said yet; from now on it is."""
+    unsaid = [name for name in names if name[:LONGEST_NAME] not in face.said][: MOST_SAID - len(face.said)]
+    face.said.update(name[:LONGEST_NAME] for name in unsaid)
+    return unsaid
+
+
+def _list(words: list[str]) -> str:
+    more = f" and {len(words) - MOST_LISTED} more" if len(words) > MOST_LISTED else ""
+    return ", ".join(word[:LONGEST_NAME] for word in words[:MOST_LISTED]) + more
 
 
 def _values(face: TrackedFace) -> dict[str, float]:
@@ -235,9 +280,9 @@ def _values(face: TrackedFace) -> dict[str, float]:
 
 def _take_names(face: TrackedFace, sent: tuple[str, ...], names: ChannelNames) -> None:
     """Finds the channels of the names that a frame has; with other channels it is another source."""
-    places = [
-        (index, *channel_share) for index, name in enumerate(sent) for channel_share in names.shares(name).items()
-    ]
+    shares = [names.shares(name) for name in sent]
+    places = [(index, *channel_share) for index, meant in enumerate(shares) for channel_share in meant.items()]
+    face.strange = tuple(name for name, meant in zip(sent, shares, strict=True) if not meant)
     earlier = face.names if face.cast is names else ()
     channels = tuple(name for name in names.channels if name in {*earlier, *(channel for _, channel, _ in places)})
     if channels != face.names:

@@ -13,14 +13,16 @@ from types import MappingProxyType
 
 from omote.inputs.osc_packet import (
     BUNDLE,
-    MOST_MESSAGES,
     Argument,
+    OscError,
     OscMessage,
     decode_packet,
     encode_bundle,
     encode_message,
     split_bundle,
 )
+from omote.inputs.rejection import PacketError
+from omote.inputs.trackers.arkit_names import ARKIT_CHANNELS
 from omote.inputs.trackers.head_angles import (
     GazeAngles,
     HeadAngles,
@@ -31,8 +33,7 @@ from omote.inputs.trackers.head_angles import (
     read_unity_quaternion,
     write_unity_quaternion,
 )
-from omote.inputs.trackers.tracker_frame import TrackerError, TrackerFrame, check_weight
-from omote.perform.limits import CHANNEL_HIGHEST, CHANNEL_LOWEST
+from omote.inputs.trackers.tracker_frame import LeftOut, TrackerError, TrackerFrame, read_weight
 
 VALUE = "/VMC/Ext/Blend/Val"
 APPLY = "/VMC/Ext/Blend/Apply"
@@ -40,34 +41,51 @@ BONE = "/VMC/Ext/Bone/Pos"
 OK = "/VMC/Ext/OK"
 TIME = "/VMC/Ext/T"
 MOST_NAMES = 256
-"""Expressions of one sender; a model has no more that a face has."""
+"""Expressions of one sender that are kept, of those that a face has and of others; beyond, the oldest makes room."""
+MOST_NEW = 512
+"""Of one packet, values of names that are not known yet which are read; the others have their turn in later packets."""
+IN_FULL = 8
+"""Values that take as long as one message that is none."""
+MOST_FAULTS = 8
+"""Of one frame, which are said."""
 MOST_VALUES = 26
 """Values of one bundle that we send: it stays below 1,500 bytes, which the protocol asks for."""
 LONGEST_NAME = 80
 FLOAT = struct.Struct(">f")
+BEGIN = encode_message(VALUE, "", 0.0)[:24]
+"""How a value begins that comes as a float."""
+APPLIES = frozenset({encode_message(APPLY), encode_message(APPLY)[:-4]})
+"""What ends a frame, with tags of no arguments and without tags: it waits for no turn."""
+TURN_FLOATS = b",sfffffff\0\0\0"
+"""The tags of a name with a place and a turn, as bones have them."""
 NO_TURN: Quaternion = (0.0, 0.0, 0.0, 1.0)
 BONES: Mapping[str, str] = MappingProxyType(
     {"head": "Head", "neck": "Neck", "lefteye": "LeftEye", "righteye": "RightEye"}
 )
 
+FACE_BONES = frozenset(name.encode() for name in BONES)
+
 
 @dataclass
 class _Said:
-    """What a sender has said: its values and bones, as it said them last."""
+    """What a sender has said: its values and bones, as it said them last. turned: whether a bone is another than
+    before; left_out: what could not be read since the last frame."""
 
     weights: dict[str, float] = field(default_factory=dict)
     bones: dict[str, Quaternion] = field(default_factory=dict)
     found: bool = True
     time: float | None = None
     complete: bool = False
+    turned: bool = False
+    left_out: list[LeftOut] = field(default_factory=list)
 
     def hear(self, message: OscMessage) -> None:
         """Notes a message; those of addresses that are not for a face are left out."""
         if message.address == VALUE:
             name, value = _read(message, 2)
-            self.weights[_name(name, message)] = check_weight(str(name), value)
+            self.weights[_name(name, message)] = read_weight(str(name), value)
         elif message.address == BONE:
-            _note_bone(self.bones, message)
+            self._note_bone(message)
         elif message.address == OK:
             self.found = _is_found(message)
             self.complete = self.complete or not self.found
@@ -76,6 +94,14 @@ class _Said:
         elif message.address == APPLY:
             self.complete = True
 
+    def _note_bone(self, message: OscMessage) -> None:
+        name, *numbers = _read(message, 8)
+        if (bone := BONES.get(_name(name, message).lower())) is not None:
+            x, y, z, w = (_number(number, message) for number in numbers[3:])
+            turn = normalize_quaternion((x, y, z, w))
+            self.turned = self.turned or self.bones.get(bone) != turn
+            self.bones[bone] = turn
+
     def frame(self) -> TrackerFrame:
         """The face as it is said."""
         head = None
@@ -83,7 +109,9 @@ class _Said:
         if "Head" in bones or "Neck" in bones:
             head = read_unity_quaternion(multiply_quaternions(bones.get("Neck", NO_TURN), bones.get("Head", NO_TURN)))
         eyes = [read_unity_quaternion(bones[eye])[:2] for eye in ("LeftEye", "RightEye") if eye in bones]
-        return TrackerFrame(dict(self.weights), head, average_eyes(eyes), self.found, self.time)
+        left_out = tuple(self.left_out)
+        self.left_out.clear()
+        return TrackerFrame(dict(self.weights), head, average_eyes(eyes), self.found, self.time, left_out=left_out)
 
 
 class VmcDecoder:
@@ -92,42 +120,82 @@ class VmcDecoder:
     def __init__(self) -> None:
         self._said = _Said()
         self._names: dict[bytes, str] = {}
+        self._begins: tuple[dict[str, bytes], dict[str, bytes]] = ({}, {})
+        self._window = 0
 
     def decode(self, data: bytes) -> list[TrackerFrame]:
-        """The frame that a packet completes, if it does; TrackerError or OscError where it is none, and nothing has
-        changed."""
-        before = self._said
-        said = _Said(dict(before.weights), dict(before.bones), before.found, before.time)
-        elements = split_bundle(data) if data.startswith(BUNDLE) else [data]
+        """The frame that a packet completes, if it does; what of it cannot be read is left out. TrackerError or
+        OscError where nothing of it can."""
+        said = self._said
+        said.complete = said.turned = False
+        elements, fault = split_bundle(data) if data.startswith(BUNDLE) else ([data], None)
+        faults: list[PacketError] = [] if fault is None else [fault]
         names = self._names
         weights = said.weights
         read = FLOAT.unpack
-        for element in elements if len(elements) <= MOST_MESSAGES else [data]:
+        unknown = 0
+        for element in elements:
             name = names.get(element[:-4])
-            if name is None:
-                self._hear(element, said)
-                continue
-            (value,) = read(element[-4:])
-            weights[name] = value if CHANNEL_LOWEST <= value <= CHANNEL_HIGHEST else check_weight(name, value)
-        if len(said.weights) > MOST_NAMES:
-            raise TrackerError(
-                f"the sender has named {len(said.weights)} expressions, but at most {MOST_NAMES} are kept"
-            )
-        self._said = said
-        turned = said.bones != before.bones and not said.weights  # who sends bones alone never says that it is complete
+            if name is not None:
+                (weights[name],) = read(element[-4:])
+            elif element in APPLIES:
+                said.complete = True
+            elif element[20:32] != TURN_FLOATS or element[32:-28].rstrip(b"\0").lower() in FACE_BONES:
+                if self._window <= unknown < self._window + MOST_NEW:
+                    self._hear(element, faults)
+                unknown += 1 if element.startswith(BEGIN) else IN_FULL
+        self._window = self._window + MOST_NEW if self._window + MOST_NEW < unknown else 0
+        if faults:
+            self._leave_out(faults, len(elements) + (fault is not None))
+        turned = said.turned and not weights  # who sends bones alone never says that it is complete
         return [said.frame()] if said.complete or turned else []
 
-    def _hear(self, element: bytes, said: _Said) -> None:
-        """Notes the messages of an element. What stands before the number of a value is read once: it comes again with
-        each frame, and reading it takes ten times as long as the number."""
-        messages = decode_packet(element)
+    def _hear(self, element: bytes, faults: list[PacketError]) -> None:
+        """Notes the messages of an element, which is a bundle rarely; why some cannot be read is added to faults."""
+        if (name := _name_of_value(element)) is not None:
+            self._said.weights[name] = FLOAT.unpack(element[-4:])[0]
+            self._remember(name, element[:-4])
+            return
+        wrong: list[OscError] = []
+        messages = decode_packet(element, wrong)
+        faults += wrong
         for message in messages:
-            said.hear(message)
-        if len(messages) == 1 and messages[0].address == VALUE and len(self._names) < MOST_NAMES:
-            name = str(messages[0].arguments[0])
-            before = element[: -FLOAT.size]
-            if before == encode_message(VALUE, name, 0.0)[: -FLOAT.size]:  # and no double, whose end is no number
-                self._names[before] = name
+            try:
+                self._said.hear(message)
+            except PacketError as error:
+                faults.append(error)
+            else:
+                if message.address == VALUE:
+                    self._remember(str(message.arguments[0]), b"")
+
+    def _remember(self, name: str, begin: bytes) -> None:
+        """What stands before the number of a value is read once: it comes again with each frame. A name that is new
+        makes the oldest one go, of those that no face has or of those of faces.
+
+        begin: b"" for a value that came as another number.
+        """
+        if begin:
+            self._names[begin] = name
+        begins = self._begins[bool(ARKIT_CHANNELS.find(name))]
+        begins[name] = begin or begins.get(name, b"")
+        if len(begins) > MOST_NAMES:
+            oldest = next(iter(begins))
+            self._names.pop(begins.pop(oldest), None)
+            del self._said.weights[oldest]
+
+    def _leave_out(self, faults: list[PacketError], elements: int) -> None:
+        if len(faults) >= elements:
+            raise faults[0]
+        listed = self._said.left_out
+        listed += [LeftOut("", str(fault)) for fault in faults[: MOST_FAULTS - len(listed)]]
+
+
+def _name_of_value(element: bytes) -> str | None:
+    """The name of a value that comes as a float; None for what is not exactly that, which is read in full."""
+    name = element[len(BEGIN) : -4].rstrip(b"\0")
+    if not element.startswith(BEGIN) or b"\0" in name or len(element) != len(BEGIN) + 8 + len(name) - len(name) % 4:
+        return None
+    return name.decode() if name.isascii() and 0 < len(name) <= LONGEST_NAME else None
 
 
 def encode_vmc(weights: Mapping[str, float], head: HeadAngles, gaze: GazeAngles, time: float) -> list[bytes]:
@@ -170,13 +238,6 @@ def _name(value: Argument, message: OscMessage) -> str:
     if not isinstance(value, str) or not 0 < len(value) <= LONGEST_NAME:
         raise TrackerError(f"{message.address} has {value!r:.40} where a name is expected")
     return value
-
-
-def _note_bone(bones: dict[str, Quaternion], message: OscMessage) -> None:
-    name, *numbers = _read(message, 8)
-    if (bone := BONES.get(_name(name, message).lower())) is not None:
-        x, y, z, w = (_number(number, message) for number in numbers[3:])
-        bones[bone] = normalize_quaternion((x, y, z, w))
 
 
 def _is_found(message: OscMessage) -> bool:

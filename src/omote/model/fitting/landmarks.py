@@ -4,12 +4,15 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from types import MappingProxyType
+from typing import TYPE_CHECKING
 
 import numpy as np
 
 from omote.arrays import Values
-from omote.model.space.lid_lip_lines import Line
-from omote.model.space.parameter_space import ParameterSpace
+
+if TYPE_CHECKING:  # who asks for the names of the points alone waits for no SciPy
+    from omote.model.space.lid_lip_lines import Line
+    from omote.model.space.parameter_space import ParameterSpace
 
 SEVEN = (
     "left_eye_outer", "left_eye_inner", "right_eye_inner", "right_eye_outer", "nose_tip", "mouth_left", "mouth_right",

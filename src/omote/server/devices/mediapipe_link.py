@@ -17,7 +17,8 @@ from omote.server.devices.rejection_log import RejectionLog
 from omote.server.links.links import HEARTBEAT, SENDER_BURST, SENDER_RATE, Link, Links, LinkSocket
 from omote.show.session import ShowSession
 
-LONGEST_RESULT = 65536
+LONGEST_RESULT = 262_144
+"""Bytes; the 478 points of a face as Python writes them, with all their fields, are some 70,000."""
 MOST_WAITING = 64
 """Results that wait for the next tick; the newest push the oldest out."""
 HEAR_SECONDS = 0.002

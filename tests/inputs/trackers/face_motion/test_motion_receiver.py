@@ -154,10 +154,16 @@ def test_what_cannot_be_used_is_rejected(receiver: MotionReceiver, data: bytes, 
         receiver.decode(data)
 
 
-def test_frames_of_another_size_and_angles_that_are_none_are_rejected(receiver: MotionReceiver) -> None:
+def test_frames_of_another_size_are_rejected_and_an_angle_that_is_none_costs_itself(receiver: MotionReceiver) -> None:
     receiver.decode(schema())
     with pytest.raises(TrackerError, match="54 bytes, expected 52"):
         receiver.decode(frame(1, (1, 2, 3)))
-    payload = struct.pack("<2h12f", 1, 2, *([math.nan] * 12))
-    with pytest.raises(TrackerError, match="no number"):
-        receiver.decode(MotionMessage(Kind.FRAME, SESSION, 1, 2, 1, payload=payload).encode())
+    payload = struct.pack("<2h12f", 1, 2, math.nan, *([0.0] * 11))
+    (found,) = receiver.decode(MotionMessage(Kind.FRAME, SESSION, 1, 2, 1, payload=payload).encode())
+    assert (found.weights["jawOpen"], found.head, found.gaze) == (0.02, None, (0.0, 0.0))
+
+
+def test_a_text_that_is_cut_is_read_up_to_there_where_others_were_whole(receiver: MotionReceiver) -> None:
+    assert receiver.decode(b"jawOpen-40")[0].weights == {"jawOpen": 0.4}, "a sender that ends no field"
+    receiver.decode(b"smile-10|jawOpen-80|")
+    assert receiver.decode(b"smile-20|jawOpen-8")[0].weights == {"smile": 0.2}

@@ -5,7 +5,6 @@ Source: the vendor's PROTOCOL_V3.md, sections 4 to 9. Angles are degrees and val
 
 from __future__ import annotations
 
-import math
 import struct
 from collections.abc import Callable
 from dataclasses import dataclass
@@ -84,12 +83,13 @@ class MotionReceiver:
         self._parts = PartCollector()
         self._agreed: _Agreed | None = None
         self._newest: int | None = None
+        self._ends = False
         self._frames = self._unknown = 0
 
     def decode(self, data: bytes) -> list[TrackerFrame]:
         """The frame that a packet completes, if it does; TrackerError where it is none."""
         if not data.startswith(MAGIC):
-            return decode_face_text(data)
+            return self._read_text(data)
         message = self._parts.collect(decode_part(data))
         if message is None or message.kind is Kind.PONG:
             return []
@@ -99,6 +99,12 @@ class MotionReceiver:
         if message.kind is Kind.ERROR:
             raise TrackerError(f"the phone says: {message.payload.decode(errors='replace')[:120]}")
         return self._read_frame(message)
+
+    def _read_text(self, data: bytes) -> list[TrackerFrame]:
+        """The frame of a text; its last field is left out where it ends within it, of a phone that ends all fields."""
+        whole = data.rstrip(b"\0 \r\n").endswith(b"|")
+        self._ends = self._ends or whole
+        return decode_face_text(data, cut=self._ends and not whole)
 
     def _agree(self, message: MotionMessage) -> None:
         """Takes a list of names, and says that it has come."""
@@ -158,8 +164,6 @@ def _make_frame(agreed: _Agreed, message: MotionMessage) -> TrackerFrame:
     """The frame of a message. Its values have no bounds; ours are at their ends there."""
     values = agreed.numbers.unpack_from(message.payload)
     pose = POSE.unpack_from(message.payload, agreed.numbers.size)
-    if not all(map(math.isfinite, pose)):
-        raise TrackerError("an angle of the frame is no number")
     weights = {
         name: min(CHANNEL_HIGHEST, max(CHANNEL_LOWEST, 0.01 * value))
         for name, value in zip(agreed.names, values, strict=True)

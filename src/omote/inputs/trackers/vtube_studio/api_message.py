@@ -5,11 +5,13 @@ Source: DenchiSoft/VTubeStudio, README and Events/README. Unknown fields are lef
 
 from __future__ import annotations
 
+import json
 from typing import Annotated, Any
 
 import msgspec
 
-from omote.inputs.trackers.tracker_frame import TrackerError, read_json
+from omote.inputs.trackers.loose_json import find_field, read_pairs
+from omote.inputs.trackers.tracker_frame import MOST_SHAPES, TrackerError, read_json
 
 API_NAME = "VTubeStudioPublicAPI"
 API_VERSION = "1.0"
@@ -68,15 +70,23 @@ class FaceStatus(msgspec.Struct, frozen=True, rename="camel"):
 class Parameter(msgspec.Struct, frozen=True):
     """A tracking parameter and its value now."""
 
-    name: Annotated[str, msgspec.Meta(max_length=80)]
+    name: str
     value: float = 0.0
 
 
 class ParameterList(msgspec.Struct, frozen=True, rename="camel"):
     """All tracking parameters."""
 
-    custom_parameters: Annotated[list[Parameter], msgspec.Meta(max_length=1024)] = []
-    default_parameters: Annotated[list[Parameter], msgspec.Meta(max_length=1024)] = []
+    custom_parameters: list[Parameter] = []
+    default_parameters: list[Parameter] = []
+
+    def values(self) -> tuple[dict[str, float], dict[str, float]]:
+        """The values of those that were added and of its own, by name, as many as are read."""
+        custom, own = (
+            {parameter.name: parameter.value for parameter in listed[:MOST_SHAPES]}
+            for listed in (self.custom_parameters, self.default_parameters)
+        )
+        return custom, own
 
 
 def encode_request(message_type: str, data: dict[str, Any] | None = None, request_id: str = "omote") -> bytes:
@@ -99,10 +109,32 @@ def decode_message(data: bytes) -> ApiMessage:
     """An answer or an event; TrackerError where it is none."""
     if len(data) > LONGEST_MESSAGE:
         raise TrackerError(f"the message has {len(data)} bytes, but at most {LONGEST_MESSAGE} are read")
-    message = read_json(ApiMessage, data, "the message is none of VTube Studio")
+    message = read_json(ApiMessage, data, "the message is none of VTube Studio", _read_loosely)
     if message.api_name != API_NAME:
         raise TrackerError(f"the message is of the API {message.api_name[:40]!r}, expected {API_NAME}")
     return message
+
+
+def read_parameter_list(message: ApiMessage) -> ParameterList:
+    """The parameters of an answer; TrackerError where it is none."""
+    return read_json(ParameterList, message.data, f"{message.message_type} cannot be read", _read_list_loosely)
+
+
+def _read_loosely(document: Any) -> ApiMessage | None:
+    """The message of a document with numbers as no JSON has them."""
+    name, kind, request = (find_field(document, field, "") for field in ("apiname", "messagetype", "requestid"))
+    if not (isinstance(name, str) and isinstance(kind, str) and name and kind):
+        return None
+    data = json.dumps(find_field(document, "data", {})).encode()
+    return ApiMessage(name[:80], kind[:80], str(request), msgspec.Raw(data))
+
+
+def _read_list_loosely(document: Any) -> ParameterList | None:
+    listed = [find_field(document, name) for name in ("customparameters", "defaultparameters")]
+    pairs = [read_pairs(each, "name", "value") for each in listed]
+    if not any(pairs):
+        return None
+    return ParameterList(*([Parameter(name, value) for name, value in each.items()] for each in pairs))
 
 
 def decode_announcement(data: bytes) -> Announcement | None:

@@ -13,7 +13,7 @@ from collections.abc import Callable, Mapping
 
 from omote.inputs.trackers.arkit_names import ARKIT_CHANNELS, ARKIT_NAMES
 from omote.inputs.trackers.head_angles import GazeAngles, HeadAngles
-from omote.inputs.trackers.tracker_frame import TrackerFrame
+from omote.inputs.trackers.tracker_frame import LeftOut, TrackerFrame
 from omote.perform.limits import GAZE_LIMITS
 
 PREFIX = "Omote"
@@ -62,12 +62,14 @@ READ: Mapping[str, Callable[[float], Weights]] = {
     "TongueOut": lambda value: {"tongueOut": value},
 }
 """What a parameter of its own says of coefficients; those above 1 are at 1."""
+_OF_A_FACE = frozenset({*READ, *HEAD, *EYES_X, *EYES_Y})
 
 
 def read_parameters(values: Mapping[str, float], *, found: bool = True) -> TrackerFrame:
     """The frame of its parameters. values: by name; others than a face's are left out; found: whether it sees a
     face."""
     finite = {name: value for name, value in values.items() if math.isfinite(value)}
+    wrong = [name for name in values if name not in finite and (name in _OF_A_FACE or ARKIT_CHANNELS.find(name))]
     weights: Weights = {}
     for name, read in READ.items():
         if name in finite:
@@ -77,7 +79,9 @@ def read_parameters(values: Mapping[str, float], *, found: bool = True) -> Track
         if name not in READ and not name.startswith(PREFIX):
             weights |= dict.fromkeys(ARKIT_CHANNELS.find(name), value)
     weights = {name: min(1.0, max(0.0, weight)) for name, weight in weights.items()}
-    return TrackerFrame(weights, _read_head(finite), _read_gaze(finite), found=found)
+    left_out = tuple(LeftOut("", f"{name[:40]} is no number") for name in wrong)
+    head = None if {*HEAD} & {*wrong} else _read_head(finite)
+    return TrackerFrame(weights, head, _read_gaze(finite), found=found, left_out=left_out)
 
 
 def write_parameters(weights: Mapping[str, float], head: HeadAngles, gaze: GazeAngles) -> Weights:

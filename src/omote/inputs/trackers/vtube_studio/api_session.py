@@ -22,6 +22,7 @@ from omote.inputs.trackers.vtube_studio.api_message import (
     Token,
     decode_message,
     encode_request,
+    read_parameter_list,
 )
 from omote.inputs.trackers.vtube_studio.api_parameters import (
     custom_name,
@@ -93,7 +94,7 @@ class ApiSession:
         message = decode_message(data)
         match message.message_type:
             case "InputParameterListResponse":
-                return self._take_list(_read(message, ParameterList))
+                return self._take_list(read_parameter_list(message))
             case "AuthenticationTokenResponse":
                 self._token = _read(message, Token).authentication_token
                 self._keep(self._token)
@@ -128,11 +129,10 @@ class ApiSession:
 
     def _take_list(self, listed: ParameterList) -> list[TrackerFrame]:
         self._asked = False
-        own = {parameter.name: parameter.value for parameter in listed.default_parameters}
+        added, own = listed.values()
         self._known = frozenset(own)
         if self._sets:
             return []
-        added = {parameter.name: parameter.value for parameter in listed.custom_parameters}
         return [read_parameters({**added, **own}, found=self._found)]
 
     def _take_status(self, status: FaceStatus) -> list[TrackerFrame]:
