@@ -2,6 +2,8 @@
 
 import { Library } from "../link/assets";
 import { now } from "../link/clock";
+import { WakeLock } from "../ui/wake_lock";
+import { fillScreenOnDemand } from "./full_screen";
 import { ParameterError, readParameters, type StageParameters } from "./parameters";
 import { Stage } from "./stage";
 import { exposeProbe } from "./stage_probe";
@@ -11,7 +13,7 @@ const canvas = document.getElementById("stage") as HTMLCanvasElement;
 
 async function open(parameters: StageParameters): Promise<void> {
   document.documentElement.classList.toggle("transparent", parameters.transparent);
-  const stage = await Stage.open(canvas, await Library.open(), parameters);
+  const stage = await Stage.open(canvas, await Library.open(), parameters, new WakeLock());
   exposeProbe(stage);
   const tick = (): void => {
     stage.frame(now());
@@ -49,9 +51,11 @@ function showCounters(stage: Stage): void {
   }, 500);
 }
 
+fillScreenOnDemand();
 try {
   await open(readParameters(location.search + location.hash));
 } catch (error) {
   notice.textContent = error instanceof Error ? error.message : String(error); // for whoever sets the stage up
+  document.body.style.opacity = "1"; // no picture comes for which the page would be black
   if (!(error instanceof ParameterError)) console.error(error);
 }
