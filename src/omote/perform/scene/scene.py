@@ -54,7 +54,7 @@ AWAY = movement.Movement({"presence": 0.0})
 
 
 class Scene:
-    """Characters on one stage: each is a performer with a place; the light and the framing are the scene's.
+    """Characters on one stage: each is a performer with a place; light, framing and black are the scene's.
 
     It owns no clock and no thread; the same commands and steps give the same frames. What one character plays changes
     nothing of another, but where that looks at it.

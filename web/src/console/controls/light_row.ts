@@ -49,7 +49,9 @@ const style = css`
   .black {
     display: flex;
     flex: 1 1 auto;
-    margin-left: 4px;
+  }
+  .black button {
+    min-width: var(--finger);
   }
   .black button + button {
     margin-left: -1px;
