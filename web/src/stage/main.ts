@@ -3,7 +3,6 @@
 import { Library } from "../link/assets";
 import { now } from "../link/clock";
 import { WakeLock } from "../ui/wake_lock";
-import { fillScreenOnDemand } from "./full_screen";
 import { ParameterError, readParameters, type StageParameters } from "./parameters";
 import { Stage } from "./stage";
 import { exposeProbe } from "./stage_probe";
@@ -30,6 +29,21 @@ function tell(text: string, atEdge: boolean): void {
   if (notice.textContent === text) return;
   notice.textContent = text;
   notice.classList.toggle("edge", atEdge);
+}
+
+/** Lets the page fill its screen, and no more, by F and by a double click, where its browser allows that. */
+function fillScreenOnDemand(): void {
+  addEventListener("dblclick", toggleFullScreen);
+  addEventListener("keydown", (event) => {
+    const chord = event.ctrlKey || event.altKey || event.metaKey;
+    if (event.code === "KeyF" && !chord && !event.repeat) toggleFullScreen();
+  });
+}
+
+function toggleFullScreen(): void {
+  const fill = document.fullscreenElement === null;
+  const done = fill ? document.documentElement.requestFullscreen?.() : document.exitFullscreen(); // none on an iPhone
+  done?.catch(() => undefined); // what is refused changes nothing
 }
 
 /** Why the picture is empty, where the character that it is to show is not in the show; it waits until that one comes. */
