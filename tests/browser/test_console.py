@@ -640,7 +640,7 @@ def test_the_keyboard_calls_chooses_times_and_reaches_the_controls(console: Cons
     page.keyboard.press("c")
     wait_for(page, "state.head[0] === 0")
     page.keyboard.press("Shift+B")
-    cut = page.get_by_role("button", name="Blackout")
+    cut = page.get_by_role("button", name="Cut to black")
     expect(cut).to_have_attribute("aria-pressed", "true")
     wait_for(page, "state.black === 1")
     expect(page.locator("omote-monitor .tally")).to_have_text("BLACK")

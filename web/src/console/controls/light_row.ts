@@ -101,7 +101,7 @@ export class LightRow extends AnimatedElement {
       <div class="black" role="group" aria-label="Black">
         <button data-black aria-label="Fade to black" title="Fades all stages to black, and up (Shift B)"
           @click=${() => this.store.callBlack()}>Black<i></i></button>
-        <button data-black aria-label="Blackout" title="All stages black at once, and up at once (Shift V)"
+        <button data-black aria-label="Cut to black" title="Blackout: all stages black at once, and up at once (Shift V)"
           @click=${() => this.store.callBlack(0)}>Cut</button>
       </div>
     </div>`;
