@@ -154,6 +154,8 @@ def wrong_calls(cast: omote.Cast) -> dict[tuple[str, type[Exception]], Callable[
         ("Scene.note_camera", TypeError): lambda: scene.note_camera("", (0.0, 0.0, words)),
         ("Scene.set_gaze_point", ValueError): lambda: scene.set_gaze_point("", x=0.0, y=0.0, z=1.0),
         ("Scene.set_gaze_point", TypeError): lambda: scene.set_gaze_point("seat", x=words, y=0.0, z=1.0),
+        ("Scene.call_black", ValueError): lambda: scene.call_black(1.5),
+        ("Scene.call_black", TypeError): lambda: scene.call_black(words),
         ("Scene.call_framing", ValueError): lambda: scene.call_framing(["nobody"]),
         ("Scene.call_framing", TypeError): lambda: scene.call_framing("one"),
         ("Scene.call_light", ValueError): lambda: scene.call_light("candle"),

@@ -35,7 +35,7 @@ USED: dict[str, str] = {
     "face/head": "link face/pose face/quality face/anatomy face/gpu face/light face/skin",
     "face/hair": "link face/quality face/anatomy face/gpu face/light face/head",
     "face": "link face/pose face/quality face/anatomy face/gpu face/blend face/light face/skin face/head face/hair",
-    "stage": "link face/pose face/quality face/light face",
+    "stage": "link ui face/pose face/quality face/light face",
     "console/store": "link ui",
     "console/controls": "link ui console/store",
     "console/show_file": "link ui console/store console/controls",

@@ -639,6 +639,17 @@ def test_the_keyboard_calls_chooses_times_and_reaches_the_controls(console: Cons
     wait_for(page, "Math.abs(state.head[0] - 0.05) < 0.001")
     page.keyboard.press("c")
     wait_for(page, "state.head[0] === 0")
+    page.keyboard.press("Shift+B")
+    cut = page.get_by_role("button", name="Cut to black")
+    expect(cut).to_have_attribute("aria-pressed", "true")
+    wait_for(page, "state.black === 1")
+    expect(page.locator("omote-monitor .tally")).to_have_text("BLACK")
+    page.keyboard.press("Shift+Backspace")  # brings no light
+    wait_for(page, "state.expressions.neutral === 1")
+    assert page.evaluate(f"{DESK}.state.black") == 1.0
+    cut.click()
+    wait_for(page, "state.black === 0")
+    expect(page.locator("omote-monitor .tally")).to_have_text("ON AIR")
     page.keyboard.press("?")
     expect(page.get_by_role("dialog", name="Keys")).to_be_visible()
     page.keyboard.press("Escape")

@@ -96,6 +96,7 @@ def test_no_part_of_a_head_is_drawn_before_it_is_whole(open_page: OpenPage) -> N
     wait_until(page, "window.omoteStage?.counters().drawn > 5")
     while not held:
         page.wait_for_timeout(15)
+    page.evaluate("() => { document.body.style.opacity = 1; }")  # nor below the black that a stage comes up from
     assert (picture(page)[..., 3] == 0).all()
     for route in held:
         route.continue_()

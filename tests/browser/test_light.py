@@ -17,7 +17,7 @@ def test_a_keyer_finds_exactly_the_colour_it_was_told(open_page: OpenPage) -> No
     page = None
     for query, colour in (("light=flat", GREEN), ("background=%231a2b3c", (0x1A, 0x2B, 0x3C, 255))):
         page = open_page(f"/stage?quality=lowest&{query}", width=200, height=120, over=page)
-        wait_until(page, READY)
+        wait_until(page, "window.omoteStage?.settled()")  # it has come up from black
         pixels = picture(page)
         assert (pixels[:60, :40] == colour).all()
         assert (pixels[:60, -40:] == colour).all()

@@ -67,8 +67,10 @@ def hold(page: Page, pose: Mapping[str, Any]) -> None:
     page.evaluate("pose => window.omoteStage.hold(pose)", pose)
 
 
-def hold_scene(page: Page, characters: Mapping[str, Any]) -> None:
-    page.evaluate("characters => window.omoteStage.holdScene({ characters })", characters)
+def hold_scene(page: Page, characters: Mapping[str, Any], black: float = 0.0) -> None:
+    page.evaluate(
+        "([characters, black]) => window.omoteStage.holdScene({ characters, black })", [dict(characters), black]
+    )
 
 
 def positions(page: Page) -> Floats:
@@ -207,6 +209,12 @@ def test_a_face_stands_on_a_dark_stage(stage: Callable[..., Page]) -> None:
     assert (seen[..., 3] == 255).all()
     assert corner.max() < 40 < 110 < middle.min()
     assert middle[0] > middle[2], "skin is warm"
+    hold_scene(page, {"one": {"faces": {"kaori": 1.0}}})
+    up = picture(page)
+    hold_scene(page, {"one": {"faces": {"kaori": 1.0}}}, black=0.25)
+    assert np.abs(picture(page)[..., :3] - 0.75 * up[..., :3]).max() <= 1.0
+    hold_scene(page, {"one": {"faces": {"kaori": 1.0}}}, black=1.0)
+    assert (picture(page) == (0, 0, 0, 255)).all()
 
 
 def test_skin_is_painted_anew_whenever_its_look_changes(stage: Callable[..., Page]) -> None:
@@ -245,6 +253,8 @@ def test_a_transparent_stage_leaves_the_background_open(stage: Callable[..., Pag
     assert (alpha[:8, [0, 1, -2, -1]] == 0).all()
     assert (alpha[80:160, 130:190] == 255).all()
     assert ((alpha > 0) & (alpha < 255)).sum() > 100  # edges are smooth at the lowest level too
+    hold_scene(page, {"one": {"faces": {"kaori": 1.0}}}, black=1.0)
+    assert (picture(page) == 0).all(), "what it lies over stays"
 
 
 def test_nine_tiles_make_one_picture(stage: Callable[..., Page]) -> None:
@@ -500,6 +510,63 @@ class Scene:
             self.state, number=self.state.number + 1, characters=whole, framing={"*": 1.0}
         )
         self.wire.send(self.state)
+
+
+RECORD_SEEN = """
+window.seen = [];
+const look = () => {
+    if (document.body !== null) window.seen.push(Number(getComputedStyle(document.body).opacity));
+    requestAnimationFrame(look);
+};
+look();
+"""
+
+
+def test_a_stage_comes_up_from_black_and_goes_black_with_the_show_and_all_that_lies_on_it(open_page: OpenPage) -> None:
+    page = open_page("/", disposable=True, width=160, height=120)
+    page.add_init_script(RECORD_SEEN)
+    wire = Wire(page)
+    page.goto(page.url + "stage?quality=lowest&hud")
+    wait_for(page, "stage.settled() && window.seen.at(-1) === 1")
+    seen = np.array(page.evaluate("window.seen"))
+    assert seen[0] == 0.0
+    assert (np.diff(seen) >= 0.0).all()
+    assert np.diff(seen).max() < 0.35, "half a second, however slow its frames"
+    page.locator("#hud").get_by_text("on air").wait_for()
+    assert picture(page)[..., :3].max() > 100
+
+    newest = msgspec.structs.replace(
+        wire.states[-1], epoch=wire.states[-1].epoch + 1
+    )  # the test's own count from now on
+    wire.send(msgspec.structs.replace(newest, black=1.0, black_goal=1.0))
+    wait_for(page, "stage.scene().black === 1 && document.body.style.opacity === '0'")
+    assert (picture(page) == (0, 0, 0, 255)).all()
+    drawn = page.evaluate("window.omoteStage.counters().drawn")
+    wait_for(page, f"stage.counters().drawn > {drawn + 3}")  # below it the picture goes on
+    wire.send(msgspec.structs.replace(newest, number=newest.number + 1, black=0.5))
+    wait_for(page, "stage.scene().black === 0.5 && document.body.style.opacity === '0.5'")
+    wire.cut()
+    wait_for(page, f"!stage.counters().connected && stage.counters().drawn > {drawn + 30}")
+    assert page.evaluate("window.omoteStage.scene().black") == 0.5, "a server that dies brings no light"
+
+
+INSECURE = "Object.defineProperty(window, 'isSecureContext', { value: false });"
+
+
+def test_a_stage_keeps_its_screen_on_or_is_named_and_fills_it_by_f_and_by_a_double_click(open_page: OpenPage) -> None:
+    devices = open_page("/devices", pictures=False)
+    stages = devices.locator("omote-stages")
+    page = open_page("/", disposable=True, width=160, height=120)
+    page.goto(page.url + "stage?quality=lowest&name=left")
+    expect(stages).to_contain_text("Stage left keeps its screen on.")
+    full = "document.fullscreenElement !== null"
+    page.keyboard.press("f")
+    wait_for(page, full)
+    page.mouse.dblclick(80, 60)
+    wait_for(page, f"!({full})")
+    page.add_init_script(INSECURE)
+    page.reload()
+    expect(stages.locator(".attention")).to_contain_text("Stage left may go to sleep: its address is not secure")
 
 
 COUNT_DRAWING = """

@@ -198,12 +198,14 @@ def test_characters_come_enter_move_are_framed_and_go(cast: Cast) -> None:
     show.place("two", turn=-0.3, seconds=0.5)
     show.call_framing(["one", "two"], seconds=0.5)
     show.call_light("flat", seconds=0.5)
+    show.call_black(0.5, seconds=0.5)
     show.rename("two", "Gamma")
     show["*"].call_expression("smile", seconds=0.5)
     wired.later(1.0)
     state = show.state
     assert (two.presence, two.place) == (1.0, Place(0.4, 0.1, 1.2, -0.3))
     assert (state.framing, state.light, state.characters["two"].label) == ({"one+two": 1.0}, {"flat": 1.0}, "Gamma")
+    assert state.black == 0.5
     assert [show[name].frame.expressions for name in show] == [{"smile": 1.0}] * 2
     show.panic()
     show.leave("two", seconds=0.5)

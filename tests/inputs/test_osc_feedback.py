@@ -13,7 +13,7 @@ from omote.show.objects.characters import AddCharacter
 from omote.show.objects.faders import SetChannel, SetHead
 from omote.show.objects.layers import SetLayer
 from omote.show.objects.link import Hello
-from omote.show.objects.pictures import CallFraming
+from omote.show.objects.pictures import CallBlack, CallFraming
 from omote.show.session import ShowSession
 from tests import synthetic
 
@@ -28,6 +28,7 @@ def test_all_that_is_told_can_be_sent_back_and_changes_nothing() -> None:
         CallExpression("one", "4", "smile", 0.0, "smooth", "mouth"),
         SetChannel("two", "jawOpen", 0.25),
         CallFraming("3", ["two", "one"], 0.0, "smooth"),
+        CallBlack(0.5, 0.0),
         SetChannel("one", "smile", 0.5),
         SetHead("one", 0.1, 0, 0),
         SetLayer("one", "tracker", "mouth", 0.5, on=False),
@@ -39,10 +40,11 @@ def test_all_that_is_told_can_be_sent_back_and_changes_nothing() -> None:
         assert len(orders) == 1
         assert session.receive("a", orders[0], 0.0) == []
     again = session.tick(5.0)
-    assert (again.characters["one"].faces, again.characters["one"].channels, again.light) == (
+    assert (again.characters["one"].faces, again.characters["one"].channels, again.light, again.black) == (
         state.characters["one"].faces,
         state.characters["one"].channels,
         state.light,
+        0.5,
     )
     assert again.characters["one"].regions == {"mouth": {"smile": 1.0}}
     assert (again.characters["two"], again.framing) == (state.characters["two"], {"one+two": 1.0})

@@ -10,6 +10,7 @@ from hypothesis import strategies as st
 from omote.inputs.osc_addresses import ADDRESSES, Address
 from omote.inputs.osc_orders import OrderReader
 from omote.inputs.osc_packet import Argument, OscError, OscMessage
+from omote.perform.easing import HAND_SECONDS
 from omote.perform.limits import GAZE_LIMITS
 from omote.show.declaration import ClientMessage, Message
 from omote.show.objects.calls import (
@@ -26,7 +27,7 @@ from omote.show.objects.faders import SetChannel, SetGaze, SetHead
 from omote.show.objects.layers import SetLayer
 from omote.show.objects.leases import Lease, ReleaseLease
 from omote.show.objects.motion import LookAt, SetMotion
-from omote.show.objects.pictures import CallFraming, CallLight
+from omote.show.objects.pictures import CallBlack, CallFraming, CallLight
 from tests import synthetic
 
 CAST = synthetic.cast()
@@ -97,6 +98,10 @@ def test_an_address_of_nobody_is_rejected(pattern: str) -> None:
     ("address", "arguments", "message"),
     [
         ("light", ["Flat", 3], CallLight("c1", "flat", 3.0, "smooth")),
+        ("black", [0.5], CallBlack(0.5, HAND_SECONDS)),
+        ("black", ["1", 3], CallBlack(1.0, 3.0)),
+        ("fade_to_black", [], CallBlack(1.0, 1.0)),
+        ("fade_up", [0], CallBlack(0.0, 0.0)),
         ("framing", ["*"], CallFraming("c1", [], 1.0, "smooth")),
         ("framing", ["one", 2], CallFraming("c1", ["one"], 2.0, "smooth")),
         ("framing", ["two + one"], CallFraming("c1", ["two", "one"], 1.0, "smooth")),

@@ -34,7 +34,7 @@ from omote.show.objects.faders import Hands, SetChannel, SetGaze, SetHead
 from omote.show.objects.items import DeleteItem, KeepExpression, KeepFace
 from omote.show.objects.layouts import DropLayout, Layouts, RenameLayout, SetLayout
 from omote.show.objects.link import Hello, Notice, Notices, Ping, Pong, Refused, Welcome
-from omote.show.objects.pictures import CallFraming, CallLight
+from omote.show.objects.pictures import CallBlack, CallFraming, CallLight
 from omote.show.objects.stages import CastChanged, Crew, Drawing, StageReport
 from omote.show.objects.state import Place
 from omote.show.session import ShowSession
@@ -88,6 +88,7 @@ command = st.one_of(
     st.builds(SetChannel, st.just("one"), st.sampled_from(synthetic.EXPRESSIONS[1:]), st.floats(-0.5, 1.5)),
     st.builds(SetHead, st.just("one"), *[st.floats(-1.0, 1.0)] * 3),
     st.builds(SetGaze, st.just("one"), *(st.floats(-limit, limit) for limit in GAZE_LIMITS.values())),
+    st.builds(CallBlack, st.floats(0.0, 1.0), st.floats(0.0, 3.0)),
     st.sampled_from([ReleaseFace("one"), ReleaseExpression("one"), Panic("one"), SetHome("one", "broad", 1.0)]),
 )
 wrong = st.one_of(
@@ -122,6 +123,8 @@ wrong = st.one_of(
         st.just("smooth"),
         st.sampled_from(PLAY_REGIONS),
     ),
+    st.builds(CallBlack, st.sampled_from([math.nan, -0.1, 1.1]), st.just(1.0)),
+    st.builds(CallBlack, st.just(1.0), st.sampled_from([math.inf, -1.0])),
     st.builds(Ping, st.sampled_from([math.nan, math.inf])),
 )
 
@@ -302,13 +305,13 @@ def test_a_stage_cannot_draw_at_no_rate(cast: Cast, fps: float) -> None:
     assert session.crew_now(0.0).stages == [StageReport(50.0, "low")]
 
 
-def test_a_stage_that_draws_nothing_says_for_how_long(cast: Cast) -> None:
+def test_a_stage_says_for_how_long_it_draws_nothing_and_whether_its_screen_stays_on(cast: Cast) -> None:
     session = opened(cast)
     session.receive("s", Hello("stage", PROTOCOL_VERSION), 0.0)
-    session.receive("s", Drawing(0.0, "low", "left", dark=12.5), 0.0)
+    session.receive("s", Drawing(0.0, "low", "left", dark=12.5, awake="insecure"), 0.0)
     refused = reasons(session.receive("s", Drawing(0.0, "low", dark=math.nan), 0.0))
     assert "the seconds for which a stage draws nothing" in refused[0]
-    assert session.crew_now(0.0).stages == [StageReport(0.0, "low", "left", dark=12.5)]
+    assert session.crew_now(0.0).stages == [StageReport(0.0, "low", "left", dark=12.5, awake="insecure")]
 
 
 def test_the_crew_is_who_said_hello_and_silent_stages_show(cast: Cast) -> None:

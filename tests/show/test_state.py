@@ -2,6 +2,7 @@
 
 import math
 
+import msgspec
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
@@ -20,6 +21,7 @@ from tests.conftest import Command, shows
 def test_a_state_is_its_frame(cast: Cast, show: list[Command]) -> None:
     scene = Scene.begun(cast)
     scene.place("one", x=0.2, depth=0.5, size=2.0, turn=-0.1, seconds=3.0)
+    scene.call_black(0.75, seconds=3.0)
     for command in show:
         command.play(scene["one"])
         whole = scene.advance(command.wait)
@@ -32,6 +34,7 @@ def test_a_state_is_its_frame(cast: Cast, show: list[Command]) -> None:
         assert (state.framing, state.framing_call) == (whole.framing, None)
         assert (state.epoch, state.number, state.revision, state.time) == (3, 7, 2, frame.time)
         assert state.light == frame.light
+        assert (state.black, state.black_goal) == (whole.black, 0.75)
         assert (
             state.characters["one"].faces,
             state.characters["one"].expressions,
@@ -113,6 +116,12 @@ def test_what_eases_at_the_eyes_of_one_character_is_its_own(cast: Cast) -> None:
     characters = state_of(cast, scene.advance(0.0), offsets, epoch=1, number=1, revision=1).characters
     assert characters["one"].eyes == (0.0, 0.0, 0.0, 0.0)
     assert characters["two"].eyes == (0.1, 0.2, 0.3, 0.4)
+
+
+def test_a_record_without_black_has_the_picture_up(cast: Cast) -> None:
+    record = msgspec.to_builtins(state_of(cast, Scene.begun(cast).advance(0.0), epoch=1, number=1, revision=1))
+    del record["black"], record["black_goal"]
+    assert msgspec.convert(record, State).black == 0.0
 
 
 def alone(cast: Cast, frame: Frame) -> State:

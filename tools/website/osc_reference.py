@@ -28,8 +28,8 @@ TAIL = f"""
   rejected, never clipped.
 * A framing is `*`, all that are on the stage, or names of characters joined by `+` or spaces: `one+two`.
 * Names are found in any case, with spaces, hyphens or underscores: `Crooked Smile` is `crooked_smile`.
-* A call takes {CALL_SECONDS:g} second where no seconds are given; `"{BY_HAND}"` in their place makes a call by hand,
-  which the T-bar moves.
+* A call takes {CALL_SECONDS:g} second where no seconds are given, but `black`, which follows a fader at once;
+  `"{BY_HAND}"` in their place makes a call by hand, which the T-bar moves.
 * Arguments in brackets may be left out. A `press` of 0 is a button that is let go: it does nothing.
 * The messages of a bundle are obeyed when they come, whatever time its tag says; each stands for itself.
 
@@ -45,7 +45,7 @@ The same as a tree, with names, ranges and values, for surfaces that build thems
 
 A surface hears all of it once, then what changes, at most 30 times a second, at the addresses above: `face` and
 `expression` with the name that is called or weighs most, `expression/brows`, `eyes`, `mouth` and `rest` with what shows
-there, channels, `head`, `gaze`, both `fade`s, `light`, `framing`.
+there, channels, `head`, `gaze`, both `fade`s, `light`, `framing`, `black`.
 What it sends itself it hears {QUIET_SECONDS:g} seconds after its last message, so that no motor fights a hand. On TCP
 all this comes on the surface's own connection. Why a message of its own was rejected comes to `{ERROR}`.
 A surface that has been silent for {SURFACE_SECONDS / 60:g} minutes is told no more until it subscribes again; so is

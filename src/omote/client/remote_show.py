@@ -26,7 +26,7 @@ from omote.show.objects.state import State
 
 class RemoteLeases(Generic[Sent]):
     """Who may command what. Parts: `face`, `expression`, `brows`, `eyes`, `mouth`, `channels`, `head`, `gaze`, `place`
-    of a character, `light` and `framing` of the character `*`, which is the scene; `*` is all parts."""
+    of a character, `light`, `framing` and `black` of the character `*`, which is the scene; `*` is all parts."""
 
     def __init__(self, send: Callable[[ClientMessage], Sent], next_id: Callable[[], str]) -> None:
         self.send = send
@@ -77,7 +77,7 @@ class RemoteSources(Generic[Sent]):
 
 
 class RemoteShow(RemoteLeases[Sent], RemoteSources[Sent], Generic[Sent, Said]):
-    """A running show: `show["one"]` is a character, `show["*"]` all of them; light and framing are the show's."""
+    """A running show: `show["one"]` is a character, `show["*"]` all of them; light, framing, black are the show's."""
 
     def __init__(
         self,

@@ -91,6 +91,8 @@ def state_of(
         framing=dict(frame.framing),
         framing_call=call_state(frame.framing_call),
         gaze_points=dict(frame.gaze_points),
+        black=frame.black,
+        black_goal=frame.black_goal,
     )
 
 

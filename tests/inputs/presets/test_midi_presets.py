@@ -89,7 +89,12 @@ def test_launchpad_mini_mk3() -> None:
     held = desk.send("90 35 7f")
     assert held.channels == {"cheekPuff": 1.0}
     assert desk.send("90 35 00").channels == {}
+    desk.send("b0 1d 7f", "b0 1d 00")
+    desk.tick(60)
+    assert desk.session.tick(desk.now).black == 1.0
+    assert bytes.fromhex("b0 1d 03") in desk.sent, "the key above panic is lit while all is black"
     assert desk.send("b0 13 7f").panics == 1
+    assert desk.session.tick(desk.now).black == 1.0, "panic brings no light"
 
 
 def test_two_desks_of_one_kind_have_names_and_bindings_of_their_own() -> None:

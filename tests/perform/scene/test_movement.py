@@ -8,26 +8,30 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from omote.perform.easing import EASINGS
 from omote.perform.scene.movement import Movement, Way, check_movement, proceed, rates, redirect, values
 
 RANGES = {"x": (-10.0, 10.0), "size": (0.25, 4.0)}
 goals = st.fixed_dictionaries({name: st.floats(*ends) for name, ends in RANGES.items()})
-orders = st.lists(st.tuples(goals, st.floats(0.05, 3.0), st.floats(0.0, 1.0)), min_size=1, max_size=6)
+orders = st.lists(
+    st.tuples(goals, st.floats(0.05, 3.0), st.floats(0.0, 1.0), st.sampled_from([*EASINGS])), min_size=1, max_size=6
+)
+Sent = list[tuple[dict[str, float], float, float, str]]
 HOME = Movement({"x": 0.0, "size": 1.0})
 MOMENT = 1e-6
 
 
-def after(sent: list[tuple[dict[str, float], float, float]]) -> Movement:
+def after(sent: Sent) -> Movement:
     """The movement that was sent somewhere else again and again, each time a while after the last."""
     movement = HOME
-    for goal, seconds, wait in sent:
-        movement = proceed(redirect(movement, goal, seconds, RANGES), wait)
+    for goal, seconds, wait, easing in sent:
+        movement = proceed(redirect(movement, goal, seconds, RANGES, easing), wait)
     return movement
 
 
 @given(orders, goals, st.floats(0.05, 3.0))
 def test_a_new_way_begins_where_the_old_one_is_and_at_its_speed(
-    sent: list[tuple[dict[str, float], float, float]], goal: dict[str, float], seconds: float
+    sent: Sent, goal: dict[str, float], seconds: float
 ) -> None:
     movement = after(sent)
     turned = redirect(movement, goal, seconds, RANGES)
@@ -37,7 +41,7 @@ def test_a_new_way_begins_where_the_old_one_is_and_at_its_speed(
 
 
 @given(orders)
-def test_nothing_leaves_its_range_and_nothing_jumps(sent: list[tuple[dict[str, float], float, float]]) -> None:
+def test_nothing_leaves_its_range_and_nothing_jumps(sent: Sent) -> None:
     movement = after(sent)
     before = values(movement, RANGES)
     for _ in range(60):
@@ -53,11 +57,9 @@ def test_nothing_leaves_its_range_and_nothing_jumps(sent: list[tuple[dict[str, f
 
 
 @given(orders, st.floats(0.0, 3.0))
-def test_it_arrives_in_its_time_and_short_steps_land_where_a_long_one_does(
-    sent: list[tuple[dict[str, float], float, float]], wait: float
-) -> None:
+def test_it_arrives_in_its_time_and_short_steps_land_where_a_long_one_does(sent: Sent, wait: float) -> None:
     movement = after(sent)
-    goal, seconds, waited = sent[-1]
+    goal, seconds, waited, _ = sent[-1]
     assert proceed(movement, max(0.0, seconds - waited) + 1e-6) == Movement(goal)
     stepped = movement
     for _ in range(10):
@@ -91,6 +93,7 @@ def with_way(**changes: Any) -> Movement:
         (with_way(seconds=0.0), "the time of its way"),
         (with_way(decay=1.0), "the decay of its speed"),
         (with_way(elapsed=2.5), "the elapsed time of its way"),
+        (with_way(easing="jump"), "there is no easing 'jump'"),
     ],
 )
 def test_what_no_movement_can_be_is_rejected(movement: Movement, said: str) -> None:

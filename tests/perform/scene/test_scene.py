@@ -9,6 +9,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from omote.model.cast import Cast
+from omote.perform.easing import find_easing
 from omote.perform.frame import Frame
 from omote.perform.performer import Performer
 from omote.perform.scene.scene import Scene
@@ -27,6 +28,7 @@ directions = st.one_of(
     st.tuples(st.just("remove"), st.just("three"), waits),
     st.tuples(st.just("framing"), st.sets(st.sampled_from(NAMES[:2])), waits),
     st.tuples(st.just("light"), st.sampled_from(["theatre", "flat"]), waits),
+    st.tuples(st.just("black"), st.floats(0.0, 1.0), waits),
 )
 
 
@@ -48,6 +50,8 @@ def direct(scene: Scene, what: tuple[Any, ...]) -> None:
             scene.call_framing(names, seconds=seconds)
         case ("light", name, seconds):
             scene.call_light(name, seconds=seconds)
+        case ("black", black, seconds):
+            scene.call_black(black, seconds=seconds)
 
 
 @given(shows)
@@ -174,6 +178,29 @@ def test_who_plays_the_light_is_an_operator_for_every_panic(cast: Cast) -> None:
     assert not any(character.frame.home_next for character in scene.advance(0.0).characters.values())
 
 
+def test_black_comes_from_what_is_showing_and_stays_through_a_panic(cast: Cast) -> None:
+    scene = Scene.begun(cast)
+    scene.call_black(1.0, seconds=2.0, easing="late")
+    frame = scene.advance(1.0)
+    assert (frame.black, frame.black_goal) == (find_easing("late").value(0.5), 1.0)
+    scene.call_black(0.0, seconds=2.0)
+    turned = scene.advance(1e-3)
+    assert turned.black == pytest.approx(frame.black + 1e-3 * find_easing("late").rate(0.5) / 2.0, abs=1e-5)
+    assert turned.black_goal == 0.0
+    scene.call_black(1.0, seconds=0.0)
+    for _ in range(2):
+        scene["one"].panic()
+        assert (scene.advance(3.0).black, scene["one"].advance(0.0).panics > 0) == (1.0, True)
+
+
+def test_black_is_no_play_of_a_face_so_the_home_face_comes_in_the_dark(cast: Cast) -> None:
+    scene = Scene.begun(cast)
+    scene["one"].call_face("broad", seconds=0.0)
+    scene["one"].panic()
+    scene.call_black(1.0, seconds=0.0)
+    assert scene.advance(1.0).characters["one"].frame.home_next
+
+
 WRONG: dict[str, Any] = {
     "a character cannot be called 'Two'": lambda scene: scene.add("Two"),
     "there is a character 'two' already": lambda scene: scene.add("two"),
@@ -185,6 +212,9 @@ WRONG: dict[str, Any] = {
     r"the time of a call \(seconds\) is -1": lambda scene: scene.enter("two", seconds=-1.0),
     "there is no easing 'bounce'": lambda scene: scene.call_framing(["two"], easing="bounce"),
     r"the time of a call \(seconds\) is no number": lambda scene: scene.remove("two", seconds=math.nan),
+    "there is no easing 'jump'": lambda scene: scene.call_black(1.0, easing="jump"),
+    "how black the picture is is 1.5": lambda scene: scene.call_black(1.5),
+    r"the time of a call \(seconds\) is 4000": lambda scene: scene.call_black(1.0, seconds=4000.0),
     r"the time step \(seconds\) is -1": lambda scene: scene.advance(-1.0),
 }
 

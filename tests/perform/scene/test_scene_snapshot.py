@@ -25,6 +25,7 @@ def running(cast: Cast) -> SceneSnapshot:
     scene.call_framing(["one", "two"], seconds=3.0)
     scene.advance(0.7)
     scene.place("two", x=-1.0, seconds=2.0)
+    scene.call_black(0.5, seconds=2.0, easing="late")
     return scene.snapshot()
 
 
@@ -33,6 +34,16 @@ def test_it_is_written_and_read_exactly(cast: Cast) -> None:
     for form in (msgspec.msgpack, msgspec.json):
         assert form.decode(form.encode(snapshot), type=SceneSnapshot) == snapshot
     assert check_scene(snapshot, cast) is snapshot
+
+
+def test_one_that_is_older_than_black_has_the_picture_up(cast: Cast) -> None:
+    snapshot = running(cast)
+    scene = Scene.restored(cast, snapshot)
+    assert (scene.advance(2.0).black, scene.advance(0.0).black_goal) == (0.5, 0.5)
+    written = msgspec.json.decode(msgspec.json.encode(snapshot))
+    del written["black"]
+    frame = Scene.restored(cast, msgspec.convert(written, SceneSnapshot)).advance(0.0)
+    assert (frame.black, frame.black_goal) == (0.0, 0.0)
 
 
 def with_two(part: str, **changes: Any) -> Callable[[SceneSnapshot], SceneSnapshot]:
@@ -57,6 +68,8 @@ BROKEN: dict[str, Callable[[SceneSnapshot], SceneSnapshot]] = {
     "there is no light 'candle'": lambda s: replace(s, light=Axis("candle")),
     "there is no framing 'three'": lambda s: replace(s, framing=Axis("three")),
     r"there is no framing 'two\+one'": lambda s: replace(s, framing=Axis("two+one")),
+    "the fade of the picture: black is 2.0": lambda s: replace(s, black=Movement({"black": 2.0})),
+    "the fade of the picture: has no numbers": lambda s: replace(s, black=Movement({})),
     "the snapshot's time": lambda s: replace(s, time=math.inf),
 }
 

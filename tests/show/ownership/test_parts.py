@@ -9,7 +9,7 @@ from omote.show.objects.calls import Panic
 from omote.show.objects.characters import RemoveCharacter
 from omote.show.objects.faders import SetHead
 from omote.show.objects.leases import LeasePart
-from omote.show.objects.pictures import CallLight
+from omote.show.objects.pictures import CallBlack, CallLight
 from omote.show.ownership.parts import (
     CHARACTER_PARTS,
     REGION_PARTS,
@@ -30,6 +30,7 @@ def test_every_message_of_a_client_plays_a_part_or_passes_whoever_holds_what() -
 def test_a_message_plays_its_part_of_each_of_its_characters_or_of_the_scene() -> None:
     assert keys_played(SetHead("*", 0.0, 0.0, 0.0), ["one", "two"]) == ("one/head", "two/head")
     assert keys_played(CallLight("a", "flat", 1.0, "smooth"), []) == ("*/light",)
+    assert keys_played(CallBlack(1.0), ["one"]) == ("*/black",)
     assert keys_played(Panic("one"), ["one"]) == ()
     assert {*keys_played(RemoveCharacter("a", "one"), ["one"])} == {f"one/{part}" for part in CHARACTER_PARTS}
 

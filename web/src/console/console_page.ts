@@ -230,6 +230,7 @@ export class ConsolePage extends ConsoleElement {
     else if (command.do === "centre") this.store.centre();
     else if (command.do === "clear") this.store.clearChannels(Object.keys(this.store.air?.channels ?? {}));
     else if (command.do === "leases") this.show("leases");
+    else if (command.do === "black") this.store.callBlack(command.seconds);
     else if (command.do === "take_over") this.context.leases.takeOverWanted();
     else if (command.do === "scene" || command.do === "layers") this.#toggle(command.do);
     else if (command.do === "region") this.store.chooseRegion(nextPlace(this.store.region, command.direction));

@@ -13,6 +13,7 @@ import { LongRequests } from "../ui/long_requests";
 import { loadPortraits } from "../ui/portraits";
 import { ShowNoticesView } from "../ui/show_notices_view";
 import { type DrawThumbnail, THUMBNAIL_SIZE, Thumbnails } from "../ui/thumbnails";
+import { WakeLock } from "../ui/wake_lock";
 import { ConsoleName } from "./console_name";
 import { ConsolePage } from "./console_page";
 import type { ConsoleContext } from "./controls/console_element";
@@ -78,15 +79,6 @@ async function openThumbnails(library: Library): Promise<DrawThumbnail> {
   };
 }
 
-/** Keeps a tablet's screen on while the page is seen; only where the browser allows it (https or this machine). */
-function stayAwake(): void {
-  const ask = (): void => {
-    if (document.visibilityState === "visible") navigator.wakeLock?.request("screen").catch(() => undefined);
-  };
-  document.addEventListener("visibilitychange", ask);
-  ask();
-}
-
 /** All that the page's elements play with; `link` is there before any of it is used. */
 function contextOf(link: () => ShowLink): ConsoleContext {
   const clock = (): number => performance.now();
@@ -127,7 +119,7 @@ async function start(): Promise<void> {
   context.painter.start();
   context.devices.start(context.painter);
   void loadPortraits().then((portraits) => context.thumbnails.give(portraits));
-  stayAwake();
+  new WakeLock(); // a tablet's screen stays on
   library = await Library.open();
   await context.layouts.open();
   store.setManifest(library.manifest);

@@ -448,7 +448,7 @@ export type Lease = {
   type: "lease";
   id: string;
   character: string;
-  part: "face" | "expression" | "brows" | "eyes" | "mouth" | "channels" | "head" | "gaze" | "place" | "light" | "framing" | "*";
+  part: "face" | "expression" | "brows" | "eyes" | "mouth" | "channels" | "head" | "gaze" | "place" | "light" | "framing" | "black" | "*";
   take_over?: boolean;
 };
 
@@ -457,7 +457,7 @@ export type ReleaseLease = {
   type: "release_lease";
   id: string;
   character: string;
-  part: "face" | "expression" | "brows" | "eyes" | "mouth" | "channels" | "head" | "gaze" | "place" | "light" | "framing" | "*";
+  part: "face" | "expression" | "brows" | "eyes" | "mouth" | "channels" | "head" | "gaze" | "place" | "light" | "framing" | "black" | "*";
 };
 
 /**
@@ -484,9 +484,9 @@ export type LeaseWish = { part: string; by: number; seconds: number };
 
 /**
  * Who holds what, complete, to consoles once leases have been switched on: when it changes and once a second.
- * `held`: by character and part (`one/face`; the character of light and framing is `*`); `seats`: all operators, and
- * what else holds or wants something; `you`: the number of this console's own. While leases are not `on` the last
- * touch wins.
+ * `held`: by character and part (`one/face`; the character of light, framing and black is `*`); `seats`: all
+ * operators, and what else holds or wants something; `you`: the number of this console's own. While leases are not
+ * `on` the last touch wins.
  */
 export type Leases = {
   type: "leases";
@@ -627,6 +627,12 @@ export type CallFraming = {
   seconds?: number;
   easing?: string;
 };
+
+/**
+ * Fades the picture of all stages to black (1) or up again (0) in `seconds`, from whatever shows; 0 seconds are a
+ * blackout. A fader sends many values between, the newest wins.
+ */
+export type CallBlack = { type: "call_black"; black: number; seconds?: number; easing?: string; id?: string };
 
 /**
  * Something that sends values all the time: a tracker, a microphone, a program. `names`: the expressions (channels)
@@ -802,7 +808,8 @@ export type StopSpeaking = { type: "stop_speaking"; character: string; id?: stri
  * A stage's heartbeat, once a second: the rate of frames that it really drew, and its level of quality. `name`: as
  * its address has it; `camera`: where that is, metres as of `look_at`. `sound`: whether it can play sounds: "" never,
  * `blocked` until somebody clicks it, `ready`; `sound_here`: its address asks that it plays them. `dark`: seconds for
- * which it has had no graphics context, and so draws nothing.
+ * which it has had no graphics context, and so draws nothing. `awake`: whether its browser keeps the screen on:
+ * `kept`, `refused`, `insecure` where the address is neither https nor of its own machine; "" before it has said.
  */
 export type Drawing = {
   type: "drawing";
@@ -813,11 +820,12 @@ export type Drawing = {
   sound?: "" | "blocked" | "ready";
   sound_here?: boolean;
   dark?: number;
+  awake?: "" | "kept" | "insecure" | "refused";
 };
 
 /**
  * The last report of a stage: frames per second, the level of quality, and its name, where its address has one; of
- * sounds and darkness as in `drawing`.
+ * sounds, darkness and the screen that stays on as in `drawing`.
  */
 export type StageReport = {
   fps: number;
@@ -826,6 +834,7 @@ export type StageReport = {
   sound: "" | "blocked" | "ready";
   sound_here: boolean;
   dark: number;
+  awake: "" | "kept" | "insecure" | "refused";
 };
 
 /**
@@ -966,7 +975,8 @@ export type CharacterState = {
  * All that is on air: complete and absolute; the highest (epoch, number) wins, any may be lost.
  * `time`: the show's clock, seconds. `characters`: at least one, in the order in which they were added. `light` sums
  * to one, and so does `framing`: a framing is `*`, all that are on the stage, or names joined by `+`, sorted.
- * `gaze_points`: the named points that eyes may look at, metres as of `look_at`.
+ * `gaze_points`: the named points that eyes may look at, metres as of `look_at`. `black`: how far stages fade their
+ * picture to black, 0..1; `black_goal`: where that goes. A record without them has the picture up.
  */
 export type State = {
   type: "state";
@@ -980,6 +990,8 @@ export type State = {
   framing: Record<string, number>;
   framing_call: CallState | null;
   gaze_points: Record<string, [number, number, number]>;
+  black: number;
+  black_goal: number;
 };
 
 /** Colours of a face, each `#rrggbb`, the hair style, and the traits, plain numbers (`model.cast.Look`). */
@@ -1280,6 +1292,7 @@ export type FromClient =
   | MakeGesture
   | CallLight
   | CallFraming
+  | CallBlack
   | Source
   | Drive
   | LeaveSource

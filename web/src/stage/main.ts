@@ -2,6 +2,7 @@
 
 import { Library } from "../link/assets";
 import { now } from "../link/clock";
+import { WakeLock } from "../ui/wake_lock";
 import { ParameterError, readParameters, type StageParameters } from "./parameters";
 import { Stage } from "./stage";
 import { exposeProbe } from "./stage_probe";
@@ -11,7 +12,7 @@ const canvas = document.getElementById("stage") as HTMLCanvasElement;
 
 async function open(parameters: StageParameters): Promise<void> {
   document.documentElement.classList.toggle("transparent", parameters.transparent);
-  const stage = await Stage.open(canvas, await Library.open(), parameters);
+  const stage = await Stage.open(canvas, await Library.open(), parameters, new WakeLock());
   exposeProbe(stage);
   const tick = (): void => {
     stage.frame(now());
@@ -28,6 +29,21 @@ function tell(text: string, atEdge: boolean): void {
   if (notice.textContent === text) return;
   notice.textContent = text;
   notice.classList.toggle("edge", atEdge);
+}
+
+/** Lets the page fill its screen, and no more, by F and by a double click, where its browser allows that. */
+function fillScreenOnDemand(): void {
+  addEventListener("dblclick", toggleFullScreen);
+  addEventListener("keydown", (event) => {
+    const chord = event.ctrlKey || event.altKey || event.metaKey;
+    if (event.code === "KeyF" && !chord && !event.repeat) toggleFullScreen();
+  });
+}
+
+function toggleFullScreen(): void {
+  const fill = document.fullscreenElement === null;
+  const done = fill ? document.documentElement.requestFullscreen?.() : document.exitFullscreen(); // none on an iPhone
+  done?.catch(() => undefined); // what is refused changes nothing
 }
 
 /** Why the picture is empty, where the character that it is to show is not in the show; it waits until that one comes. */
@@ -49,9 +65,11 @@ function showCounters(stage: Stage): void {
   }, 500);
 }
 
+fillScreenOnDemand();
 try {
   await open(readParameters(location.search + location.hash));
 } catch (error) {
   notice.textContent = error instanceof Error ? error.message : String(error); // for whoever sets the stage up
+  document.body.style.opacity = "1"; // no picture comes for which the page would be black
   if (!(error instanceof ParameterError)) console.error(error);
 }

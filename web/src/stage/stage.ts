@@ -13,6 +13,8 @@ import { Library } from "../link/assets";
 import { now } from "../link/clock";
 import type { CallState, State } from "../link/messages";
 import { ShowLink } from "../link/show_link";
+import type { WakeLock } from "../ui/wake_lock";
+import { Curtain } from "./curtain";
 import { FrameRate } from "./frame_rate";
 import { findCharacter } from "./named_character";
 import type { StageParameters } from "./parameters";
@@ -79,8 +81,8 @@ export class Stage {
   private movedAt = 0;
   /** The scene last drawn. */
   shown: ScenePose | undefined;
-  /** A scene that is drawn instead of the server's, in full; for tests. */
-  held: ScenePose | undefined;
+  private held: ScenePose | undefined;
+  private readonly curtain = new Curtain(dim);
   /** No frame is drawn; somebody else draws with the view. */
   resting = false;
 
@@ -88,6 +90,7 @@ export class Stage {
     private canvas: HTMLCanvasElement,
     public view: FaceView,
     private readonly parameters: StageParameters,
+    private readonly wakeLock: WakeLock,
   ) {
     if (parameters.quality === "auto") this.qualityController = new QualityController(view.level);
     this.frameHeadroom = new FrameHeadroom(view.context);
@@ -107,8 +110,13 @@ export class Stage {
   }
 
   /** A stage on a canvas of this page; an Error with a sentence when nothing can be drawn. */
-  static async open(canvas: HTMLCanvasElement, library: Library, parameters: StageParameters): Promise<Stage> {
-    return new Stage(canvas, await loadView(canvas, library, parameters), parameters);
+  static async open(
+    canvas: HTMLCanvasElement,
+    library: Library,
+    parameters: StageParameters,
+    wakeLock: WakeLock,
+  ): Promise<Stage> {
+    return new Stage(canvas, await loadView(canvas, library, parameters), parameters, wakeLock);
   }
 
   /** Shows the frame of our time `time`, seconds, unless it was drawn early. */
@@ -128,8 +136,21 @@ export class Stage {
       this.drawn += 1;
       this.rate.tick(time);
     }
+    if (this.held === undefined && this.shown !== undefined)
+      this.curtain.frame(this.shown.black, this.interval, this.curtain.open || this.view.settled);
     this.recover(time);
     this.report(time);
+  }
+
+  /** Draws a scene instead of the server's from now on, in full; the server's again without one. For tests and pictures. */
+  hold(scene: ScenePose | undefined): void {
+    this.held = scene;
+    if (scene !== undefined) this.curtain.raise(scene.black);
+  }
+
+  /** Whether all of what is shown is there, and seen. */
+  get settled(): boolean {
+    return this.view.settled && this.curtain.open;
   }
 
   /**
@@ -297,7 +318,7 @@ export class Stage {
     this.heartbeat();
   }
 
-  /** Tells the show what is drawn, from where, and whether sounds can be played. */
+  /** Tells the show what is drawn, from where, whether sounds can be played and whether the screen stays on. */
   private heartbeat(): void {
     const { camera, level } = this.view;
     const stands = camera.position.z > 0 ? camera.position.toArray() : null; // at the origin until a head is framed
@@ -310,8 +331,14 @@ export class Stage {
       sound: this.sound.state,
       sound_here: this.parameters.sound === "here",
       dark: this.darkSince === undefined ? 0 : Math.max(0, now() - this.darkSince),
+      awake: this.wakeLock.state,
     });
   }
+}
+
+/** Shows a share of the picture, 0..1, with all that lies on it. */
+function dim(share: number): void {
+  document.body.style.opacity = String(share);
 }
 
 /** Loads the page anew, unless that was done a moment ago. */

@@ -14,6 +14,7 @@ import type { SoundReport } from "./stage_sound";
 export interface PartialScene {
   characters: Record<string, Partial<CharacterPose>>;
   framing?: ScenePose["framing"];
+  black?: number;
 }
 
 /** What tests and curious operators may ask of a stage: `window.omoteStage`. */
@@ -52,7 +53,7 @@ export interface StageProbe {
   heads(): Record<string, PictureBox>;
   /** What is heard. */
   sound(): SoundReport;
-  /** Whether all of the pose shows in full: nothing is being fetched or caught up with. */
+  /** Whether all of the pose shows in full: nothing is being fetched or caught up with, and the stage has come up. */
   settled(): boolean;
 }
 
@@ -64,20 +65,22 @@ declare global {
 
 /** Puts the probe on the page. */
 export function exposeProbe(stage: Stage): void {
+  const show = async (scene: ScenePose | undefined): Promise<void> => {
+    stage.hold(scene);
+    if (scene !== undefined) await stage.view.presentScene(scene);
+  };
   window.omoteStage = {
     hold: async (pose) => {
-      stage.held = pose === null ? undefined : alone({ ...restPose("generic"), ...pose });
-      if (stage.held !== undefined) await stage.view.presentScene(stage.held);
+      await show(pose === null ? undefined : alone({ ...restPose("generic"), ...pose }));
     },
     set: (pose) => {
-      stage.held = alone({ ...restPose("generic"), ...pose });
+      stage.hold(alone({ ...restPose("generic"), ...pose }));
     },
     holdScene: async (scene) => {
-      stage.held = scene === null ? undefined : wholeScene(scene);
-      if (stage.held !== undefined) await stage.view.presentScene(stage.held);
+      await show(scene === null ? undefined : wholeScene(scene));
     },
     setScene: (scene) => {
-      stage.held = wholeScene(scene);
+      stage.hold(wholeScene(scene));
     },
     rest: () => {
       stage.resting = true;
@@ -94,19 +97,19 @@ export function exposeProbe(stage: Stage): void {
     scene: () => stage.shown,
     heads: () => Object.fromEntries(stage.view.heads),
     sound: () => stage.sound.report(),
-    settled: () => stage.view.settled,
+    settled: () => stage.settled,
   };
 }
 
 /** A scene with all that it leaves out: characters at rest, in front, present; a framing of all. */
-function wholeScene({ characters, framing = { [ALL]: 1 } }: PartialScene): ScenePose {
+function wholeScene({ characters, framing = { [ALL]: 1 }, black = 0 }: PartialScene): ScenePose {
   const whole = Object.entries(characters).map(([name, character]) => {
     return [
       name,
       { ...restPose("generic"), presence: 1, ...character, place: { ...FRONT, ...character.place } },
     ] as const;
   });
-  return { characters: Object.fromEntries(whole), framing };
+  return { characters: Object.fromEntries(whole), framing, black };
 }
 
 /** Composes a sheet from files of pictures. */

@@ -56,6 +56,7 @@ X_TOUCH_MINI = Preset(
 # Novation Launchpad Mini MK3 in programmer mode (channel 1): pads are notes ROW COLUMN, from 11 below left to 88 above
 # right, keys above are controllers 91-98, at the right 19 to 89. A lamp's velocity is a colour of the palette.
 DIM = 1
+WHITE = 3
 GREEN = 21
 AMBER = 9
 RED = 5
@@ -84,12 +85,14 @@ LAUNCHPAD_MINI = Preset(
             PresetControl(pad, "/omote/light", arguments=(light, 1.0))
             for pad, light in zip(PADS[32:], LIGHTS, strict=False)
         ),
+        PresetControl("1/cc29", "/omote/black", more={"button": "toggle", "pick_up": False}),
         PresetControl("1/cc19", "/omote/panic"),
     ),
     lamps={
         **{pad: _pad(pad, GREEN) for pad in PADS[:16]},
         **{pad: _pad(pad, BLUE) for pad in PADS[16:24]},
         **{pad: _pad(pad, AMBER) for pad in PADS[24 : 32 + len(LIGHTS)]},
+        "1/cc29": DeviceLamp(CONTROL, 29, DIM, WHITE),
         "1/cc19": DeviceLamp(CONTROL, 19, RED, RED),
     },
     greeting=bytes.fromhex("f0 00 20 29 02 0d 0e 01 f7"),

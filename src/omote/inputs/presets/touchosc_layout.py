@@ -25,7 +25,7 @@ OF_CHARACTER = {
     "leases": ("lease", "take_over", "release_lease"),
 }
 """The pages of a character: the addresses on each, below the character's own; a name with others below means these."""
-OF_SHOW = ("light", "framing", "panic", "lease", "take_over", "release_lease")
+OF_SHOW = ("light", "framing", "black", "panic", "lease", "take_over", "release_lease")
 """The addresses on the page of the whole show."""
 LEASES = ("lease", "take_over", "release_lease")
 MOST_ON_PAGE = 32

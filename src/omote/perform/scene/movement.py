@@ -27,6 +27,7 @@ class Way:
     decay: float
     seconds: float
     elapsed: float = 0.0
+    easing: str = DEFAULT_EASING
 
 
 @dataclass(frozen=True)
@@ -45,7 +46,7 @@ def values(movement: Movement, ranges: Ranges) -> dict[str, float]:
     way = movement.way
     if way is None:
         return dict(movement.goal)
-    y = find_easing(DEFAULT_EASING).value(min(1.0, way.elapsed / way.seconds))
+    y = find_easing(way.easing).value(min(1.0, way.elapsed / way.seconds))
     carried = way.decay * bump(way.elapsed / way.decay) if way.decay else 0.0
     at = {}
     for name, goal in movement.goal.items():
@@ -60,15 +61,17 @@ def rates(movement: Movement) -> dict[str, float]:
     way = movement.way
     if way is None:
         return dict.fromkeys(movement.goal, 0.0)
-    rate = find_easing(DEFAULT_EASING).rate(min(1.0, way.elapsed / way.seconds)) / way.seconds
+    rate = find_easing(way.easing).rate(min(1.0, way.elapsed / way.seconds)) / way.seconds
     carried = bump_rate(way.elapsed / way.decay) if way.decay else 0.0
     return {n: (goal - way.start[n]) * rate + way.velocity[n] * carried for n, goal in movement.goal.items()}
 
 
-def redirect(movement: Movement, goal: Numbers, seconds: float, ranges: Ranges) -> Movement:
+def redirect(
+    movement: Movement, goal: Numbers, seconds: float, ranges: Ranges, easing: str = DEFAULT_EASING
+) -> Movement:
     """The movement to `goal` in `seconds` from wherever it is, at its speed; 0 seconds cut.
 
-    ranges: lowest and highest of each number.
+    ranges: lowest and highest of each number; easing: the curve of the way.
     """
     if seconds == 0.0:
         return Movement(goal)
@@ -76,7 +79,8 @@ def redirect(movement: Movement, goal: Numbers, seconds: float, ranges: Ranges) 
     velocity = rates(movement)
     if start == goal and not any(velocity.values()):
         return Movement(goal)
-    return Movement(goal, Way(start, velocity, _decay(start, velocity, goal, seconds, ranges), seconds))
+    way = Way(start, velocity, 0.0, seconds, easing=easing)
+    return Movement(goal, replace(way, decay=_decay(way, goal, ranges)))
 
 
 def proceed(movement: Movement, dt: float) -> Movement:
@@ -101,6 +105,7 @@ def check_movement(movement: Movement, ranges: Ranges, what: str) -> None:
     check_within(way.seconds, SHORTEST_CALL, LONGEST_CALL, f"{what}: the time of its way (seconds)")
     check_within(way.decay, 0.0, DECAY_SECONDS, f"{what}: the decay of its speed (seconds)")
     check_within(way.elapsed, 0.0, way.seconds, f"{what}: the elapsed time of its way (seconds)")
+    find_easing(way.easing)
 
 
 def _check_numbers(numbers: Numbers, ranges: Ranges, what: str) -> None:
@@ -110,13 +115,13 @@ def _check_numbers(numbers: Numbers, ranges: Ranges, what: str) -> None:
         check_within(numbers[name], low, high, f"{what} {name}")
 
 
-def _decay(start: Numbers, velocity: Numbers, goal: Numbers, seconds: float, ranges: Ranges) -> float:
+def _decay(way: Way, goal: Numbers, ranges: Ranges) -> float:
     """The time in which the speed dies out, so that no number leaves its range: each is seen as a weight of a mix."""
     scale = {name: (HIGHEST - LOWEST) / (high - low) for name, (low, high) in ranges.items()}
     return decay_seconds(
-        {name: LOWEST + (value - ranges[name][0]) * scale[name] for name, value in start.items()},
-        {name: rate * scale[name] for name, rate in velocity.items()},
+        {name: LOWEST + (value - ranges[name][0]) * scale[name] for name, value in way.start.items()},
+        {name: rate * scale[name] for name, rate in way.velocity.items()},
         {name: LOWEST + (value - ranges[name][0]) * scale[name] for name, value in goal.items()},
-        seconds,
-        find_easing(DEFAULT_EASING),
+        way.seconds,
+        find_easing(way.easing),
     )

@@ -1,4 +1,4 @@
-"""The scene: several performers on one stage, each at its place, with one light and one framing. It owns no clock."""
+"""The scene: several performers on one stage, each at its place, in one light and one picture. It owns no clock."""
 
 from __future__ import annotations
 
@@ -37,6 +37,7 @@ from omote.perform.scene.removal import framing_back, insert_at_rank, with_kept,
 from omote.perform.scene.scene_character import SceneCharacter
 from omote.perform.scene.scene_frame import PLACE_LIMITS, CharacterFrame, Place, SceneFrame, free_place
 from omote.perform.scene.scene_snapshot import (
+    BLACK_LIMITS,
     PRESENCE_LIMITS,
     CharacterSnapshot,
     Removal,
@@ -44,6 +45,7 @@ from omote.perform.scene.scene_snapshot import (
     Standing,
     check_label,
     check_scene,
+    standing_after,
 )
 from omote.perform.snapshot import Playable, axis_names, check_snapshot, refuse_no_cast
 
@@ -52,7 +54,7 @@ AWAY = movement.Movement({"presence": 0.0})
 
 
 class Scene:
-    """Characters on one stage: each is a performer with a place; the light and the framing are the scene's.
+    """Characters on one stage: each is a performer with a place; light, framing and black are the scene's.
 
     It owns no clock and no thread; the same commands and steps give the same frames. What one character plays changes
     nothing of another, but where that looks at it.
@@ -94,6 +96,7 @@ class Scene:
         self._cameras: dict[str, Point] = {}
         self._light = Axis(FIRST_LIGHT)
         self._framing = Axis(ALL)
+        self._black = movement.Movement({"black": 0.0})
         self._time = 0.0
 
     @classmethod
@@ -155,6 +158,7 @@ class Scene:
         check_scene(snapshot, cast)
         scene._light = snapshot.light
         scene._framing = snapshot.framing
+        scene._black = snapshot.black
         scene._time = snapshot.time
         scene._removals = dict(snapshot.removals)
         scene._gaze_points = dict(snapshot.gaze_points)
@@ -183,9 +187,8 @@ class Scene:
         characters = {
             n: CharacterSnapshot(performer.snapshot(), standings[n]) for n, performer in self._characters.items()
         }
-        points = dict(self._gaze_points)
-        cameras = dict(self._cameras)
-        return SceneSnapshot(characters, self._light, self._framing, self._time, dict(self._removals), points, cameras)
+        kept = (dict(self._removals), self._gaze_points, self._cameras)
+        return SceneSnapshot(characters, self._light, self._framing, self._time, *kept, self._black)
 
     def recast(self, cast: Playable) -> None:
         """Plays another cast from now on; what is on air stays.
@@ -576,7 +579,7 @@ class Scene:
         """
         if camera is None or (stage not in self._cameras and len(self._cameras) >= MOST_CAMERAS):
             return
-        self._cameras[stage] = check_point(*camera, f"the camera of the stage {stage!r}")
+        self._cameras = {**self._cameras, stage: check_point(*camera, f"the camera of the stage {stage!r}")}
 
     def call_framing(
         self, characters: Iterable[str] = (), *, seconds: float = 1.0, easing: str = DEFAULT_EASING
@@ -643,6 +646,36 @@ class Scene:
         for character in self._characters.values():
             character.note_played()
 
+    def call_black(self, black: float, *, seconds: float = 1.0, easing: str = DEFAULT_EASING) -> None:
+        """Fades all stages to black, or up again, from whatever shows; 0 seconds are a blackout.
+
+        Parameters
+        ----------
+        black : float
+            How far, 0 (the picture) to 1 (black).
+        seconds : float
+            How long it takes, 0 to 3600; 0 cuts.
+        easing : {"smooth", "gentle", "sharp", "early", "late"}
+            The curve of the way.
+
+        Raises
+        ------
+        ValueError
+            On an easing that there is not, and on numbers out of range.
+        TypeError
+            On what is no number.
+
+        Examples
+        --------
+        >>> scene = omote.Scene.begun(cast)
+        >>> scene.call_black(1.0, seconds=2)
+        >>> scene.advance(1.0).black
+        0.5
+        """
+        goal = {"black": check_within(black, 0.0, 1.0, "how black the picture is")}
+        find_easing(easing)
+        self._black = movement.redirect(self._black, goal, check_call_seconds(seconds), BLACK_LIMITS, easing)
+
     def advance(self, dt: float) -> SceneFrame:
         """What is on air some time later; one long step lands where many short ones do.
 
@@ -672,11 +705,8 @@ class Scene:
         self._light = axis.advanced(self._light, dt)
         self._framing = axis.advanced(self._framing, dt)
         self._time += dt
-        for name, at in self._standings.items():
-            place = movement.proceed(at.place, dt)
-            presence = movement.proceed(at.presence, dt)
-            if place is not at.place or presence is not at.presence:
-                self._standings[name] = replace(at, place=place, presence=presence)
+        self._black = movement.proceed(self._black, dt)
+        self._standings = {name: standing_after(at, dt) for name, at in self._standings.items()}
         self._find_sights()
         frames = {name: character.advance(dt) for name, character in self._characters.items()}
         self._let_go()
@@ -690,6 +720,8 @@ class Scene:
             call,
             axis.status(self._framing),
             self._gaze_points,
+            movement.values(self._black, BLACK_LIMITS)["black"],
+            self._black.goal["black"],
         )
 
     def _find_sights(self) -> None:

@@ -57,7 +57,8 @@ class SceneFrame:
     """The characters by name in the order in which they were added, and the mixes of lights and of framings at `time`.
 
     A framing is `*`, a shot of all that are on the stage, or the names of its characters, sorted and joined by `+`.
-    gaze_points: the named points that eyes may look at, metres.
+    gaze_points: the named points that eyes may look at, metres. black: how far the picture is faded to black, 0..1;
+    black_goal: where that goes.
     """
 
     characters: Mapping[str, CharacterFrame]
@@ -67,6 +68,8 @@ class SceneFrame:
     light_call: CallStatus | None = None
     framing_call: CallStatus | None = None
     gaze_points: Mapping[str, Point] = field(default_factory=dict)
+    black: float = 0.0
+    black_goal: float = 0.0
 
 
 def free_place(taken: Iterable[Place]) -> Place:

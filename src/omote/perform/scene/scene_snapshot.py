@@ -13,11 +13,12 @@ from omote.perform.motion.sight import Point
 from omote.perform.name_lookup import NO_LABELS
 from omote.perform.scene.character_names import ALL, MOST_CHARACTERS, check_character_name, framing_of, names_in
 from omote.perform.scene.gaze_targets import MOST_POINTS, check_point
-from omote.perform.scene.movement import Movement, Ranges, check_movement
+from omote.perform.scene.movement import Movement, Ranges, check_movement, proceed
 from omote.perform.scene.scene_frame import PLACE_LIMITS, Place
 from omote.perform.snapshot import ROUNDING, Playable, Snapshot, axis_names, check_axis, check_snapshot, names_held
 
 PRESENCE_LIMITS: Ranges = {"presence": (0.0, 1.0)}
+BLACK_LIMITS: Ranges = {"black": (0.0, 1.0)}
 LONGEST_LABEL = 80
 MOST_REMOVALS = 16
 """Removed characters that can be brought back."""
@@ -31,6 +32,14 @@ class Standing:
     place: Movement = field(default_factory=lambda: Movement(vars(Place())))
     presence: Movement = field(default_factory=lambda: Movement({"presence": 1.0}))
     leaves: bool = False
+
+
+def standing_after(standing: Standing, dt: float) -> Standing:
+    """How a character stands `dt` seconds later; the same object where it does not move. standing: how it stands."""
+    place = proceed(standing.place, dt)
+    presence = proceed(standing.presence, dt)
+    still = place is standing.place and presence is standing.presence
+    return standing if still else replace(standing, place=place, presence=presence)
 
 
 @dataclass(frozen=True)
@@ -61,7 +70,7 @@ class SceneSnapshot:
     """The state of a scene: plain values, so msgspec writes and reads it exactly. `time`: of all performers too.
 
     `removals`: by their keys, oldest first. `gaze_points`, `cameras`: points that eyes may look at, by name, and where
-    stages' cameras are, metres.
+    stages' cameras are, metres. `black`: how far the picture is faded to black; older snapshots have none.
     """
 
     characters: Mapping[str, CharacterSnapshot] = field(default_factory=dict)
@@ -71,6 +80,7 @@ class SceneSnapshot:
     removals: Mapping[str, Removal] = field(default_factory=dict)
     gaze_points: Mapping[str, Point] = field(default_factory=dict)
     cameras: Mapping[str, Point] = field(default_factory=dict)
+    black: Movement = field(default_factory=lambda: Movement({"black": 0.0}))
 
 
 def check_scene(snapshot: SceneSnapshot, cast: Playable) -> SceneSnapshot:
@@ -87,6 +97,7 @@ def check_scene(snapshot: SceneSnapshot, cast: Playable) -> SceneSnapshot:
             raise ValueError(f"{name} is at {performer.time} seconds, its scene at {snapshot.time}; they must agree")
     check_axis(snapshot.light, LIGHTS, "light")
     check_axis(snapshot.framing, known_framings(snapshot.framing, snapshot.characters), "framing")
+    check_movement(snapshot.black, BLACK_LIMITS, "the fade of the picture:")
     check_removals(snapshot)
     check_within(len(snapshot.gaze_points), 0, MOST_POINTS, "the number of gaze points")
     for name, point in (*snapshot.gaze_points.items(), *snapshot.cameras.items()):

@@ -86,7 +86,8 @@ class Members:
         drawing: its report; now: seconds."""
         fps = validate_number(drawing.fps, FPS)
         dark = validate_number(drawing.dark, DARK)
-        report = StageReport(fps, drawing.level, drawing.name, drawing.sound, drawing.sound_here, dark)
+        sound = (drawing.sound, drawing.sound_here)
+        report = StageReport(fps, drawing.level, drawing.name, *sound, dark, drawing.awake)
         self.present[who] = replace(self[who], report=report, heard=now)
 
     def admit(self, who: str, hello: Hello) -> list[str]:

@@ -11,8 +11,9 @@ from omote.show.declaration import CallId, CharacterName, ClientMessage, Outgoin
 from omote.show.osc import PRESS, Osc, Value
 
 LeasePart = Literal[
-    "face", "expression", "brows", "eyes", "mouth", "channels", "head", "gaze", "place", "light", "framing", "*"
-]
+    "face", "expression", "brows", "eyes", "mouth", "channels", "head", "gaze", "place", "light", "framing", "black",
+    "*",
+]  # fmt: skip
 
 
 SCENE_PART = Value("scene_lease", name="part")
@@ -22,7 +23,7 @@ def _addresses(path: str, tells: str, **fixed: object) -> tuple[Osc, Osc]:
     """The addresses of a part of a character, and of the scene. path: the one before the part; tells: what it does to a
     part {}; fixed: as of `Osc`."""
     of_it = tells.format("of it (face, head ..., or all)")
-    of_scene = tells.format("of the scene (light, framing, or all of all characters)")
+    of_scene = tells.format("of the scene (light, framing, black, or all of all characters)")
     return (
         Osc(path + "/{part}", of_it, (PRESS,), fixed),
         Osc(path + "/{part}", of_scene, (SCENE_PART, PRESS), fixed, of_show=True),
@@ -121,9 +122,9 @@ class LeaseWish(msgspec.Struct, frozen=True):
 
 class Leases(ServerMessage, frozen=True):
     """Who holds what, complete, to consoles once leases have been switched on: when it changes and once a second.
-    `held`: by character and part (`one/face`; the character of light and framing is `*`); `seats`: all operators, and
-    what else holds or wants something; `you`: the number of this console's own. While leases are not `on` the last
-    touch wins.
+    `held`: by character and part (`one/face`; the character of light, framing and black is `*`); `seats`: all
+    operators, and what else holds or wants something; `you`: the number of this console's own. While leases are not
+    `on` the last touch wins.
     """
 
     on: bool

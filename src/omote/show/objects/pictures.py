@@ -1,4 +1,4 @@
-"""Light and framing of the picture."""
+"""Light and framing of the picture, and its fade to black."""
 
 from __future__ import annotations
 
@@ -6,14 +6,14 @@ from typing import Annotated
 
 import msgspec
 
-from omote.perform.easing import DEFAULT_EASING
+from omote.perform.easing import DEFAULT_EASING, HAND_SECONDS
 from omote.perform.limits import LONGEST_CALL
 from omote.perform.scene.character_names import MOST_CHARACTERS
 from omote.perform.scene.scene import Scene
-from omote.show.declaration import CallId, CharacterName, Name, SceneCommand, Seconds
+from omote.show.declaration import CallId, CharacterName, Name, RequestId, SceneCommand, Seconds
 from omote.show.objects.calls import seconds_of
 from omote.show.objects.state import named_most
-from omote.show.osc import Osc, Value
+from omote.show.osc import Osc, Value, osc
 
 
 class CallLight(SceneCommand, frozen=True):
@@ -63,3 +63,30 @@ class CallFraming(SceneCommand, frozen=True):
     def change(self, scene: Scene) -> None:
         """Changes the scene."""
         scene.call_framing(self.characters, seconds=self.seconds, easing=self.easing)
+
+
+class CallBlack(SceneCommand, frozen=True):
+    """Fades the picture of all stages to black (1) or up again (0) in `seconds`, from whatever shows; 0 seconds are a
+    blackout. A fader sends many values between, the newest wins."""
+
+    plays = "black"
+    osc = (
+        Osc(
+            "black",
+            "fades all stages to black, as a fader or in seconds; a key makes a blackout",
+            ("black", Value("time", high=LONGEST_CALL, unit="s", default=HAND_SECONDS, name="seconds")),
+            of_show=True,
+            on_air=lambda state: (state.black,),
+        ),
+        osc("fade_to_black", "fades all stages to black", "seconds", of_show=True, black=1.0),
+        osc("fade_up", "fades all stages up from black", "seconds", of_show=True, black=0.0),
+    )
+
+    black: Annotated[float, Value()]
+    seconds: Seconds = 1.0
+    easing: Name = DEFAULT_EASING
+    id: RequestId = ""
+
+    def change(self, scene: Scene) -> None:
+        """Changes the scene."""
+        scene.call_black(self.black, seconds=self.seconds, easing=self.easing)

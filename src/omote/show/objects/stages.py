@@ -12,13 +12,15 @@ from omote.show.declaration import ClientMessage, Outgoing, ServerMessage, Sessi
 StageName = Annotated[str, msgspec.Meta(max_length=24)]
 Level = Literal["lowest", "low", "medium", "good", "high"]
 SoundState = Literal["", "blocked", "ready"]
+AwakeState = Literal["", "kept", "insecure", "refused"]
 
 
 class Drawing(ClientMessage, frozen=True):
     """A stage's heartbeat, once a second: the rate of frames that it really drew, and its level of quality. `name`: as
     its address has it; `camera`: where that is, metres as of `look_at`. `sound`: whether it can play sounds: "" never,
     `blocked` until somebody clicks it, `ready`; `sound_here`: its address asks that it plays them. `dark`: seconds for
-    which it has had no graphics context, and so draws nothing."""
+    which it has had no graphics context, and so draws nothing. `awake`: whether its browser keeps the screen on:
+    `kept`, `refused`, `insecure` where the address is neither https nor of its own machine; "" before it has said."""
 
     access = "view"
     open_to = "everybody"
@@ -30,6 +32,7 @@ class Drawing(ClientMessage, frozen=True):
     sound: SoundState = ""
     sound_here: bool = False
     dark: float = 0.0
+    awake: AwakeState = ""
 
     def act(self, session: Session, who: str, now: float) -> Sequence[Outgoing]:
         """Notes what the stage draws, and where its camera is. session: the show; who: the client; now: seconds,
@@ -41,7 +44,7 @@ class Drawing(ClientMessage, frozen=True):
 
 class StageReport(msgspec.Struct, frozen=True):
     """The last report of a stage: frames per second, the level of quality, and its name, where its address has one; of
-    sounds and darkness as in `drawing`."""
+    sounds, darkness and the screen that stays on as in `drawing`."""
 
     fps: float
     level: Level
@@ -49,6 +52,7 @@ class StageReport(msgspec.Struct, frozen=True):
     sound: SoundState = ""
     sound_here: bool = False
     dark: float = 0.0
+    awake: AwakeState = ""
 
 
 class Crew(ServerMessage, frozen=True):

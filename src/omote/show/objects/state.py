@@ -156,7 +156,8 @@ class State(ServerMessage, frozen=True):
 
     `time`: the show's clock, seconds. `characters`: at least one, in the order in which they were added. `light` sums
     to one, and so does `framing`: a framing is `*`, all that are on the stage, or names joined by `+`, sorted.
-    `gaze_points`: the named points that eyes may look at, metres as of `look_at`.
+    `gaze_points`: the named points that eyes may look at, metres as of `look_at`. `black`: how far stages fade their
+    picture to black, 0..1; `black_goal`: where that goes. A record without them has the picture up.
     """
 
     epoch: int
@@ -169,6 +170,8 @@ class State(ServerMessage, frozen=True):
     framing: dict[str, float]
     framing_call: CallState | None
     gaze_points: dict[str, tuple[float, float, float]] = {}
+    black: float = 0.0
+    black_goal: float = 0.0
 
 
 def named_most(mix: Mapping[str, float], call: CallState | None) -> str:

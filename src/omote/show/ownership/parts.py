@@ -10,7 +10,7 @@ from omote.perform.scene.character_names import ALL, describe_character
 from omote.show.declaration import ClientMessage
 from omote.show.objects.leases import LeasePart
 
-SCENE_PARTS = ("light", "framing")
+SCENE_PARTS = ("light", "framing", "black")
 """The parts of the scene, whose character is `*`."""
 CHARACTER_PARTS = tuple(part for part in get_args(LeasePart) if part not in (*SCENE_PARTS, ALL))
 """The parts of a character."""

@@ -1,4 +1,4 @@
-/** The row of keys that call lights. */
+/** The row of keys that call lights, and black. */
 
 import { css, html } from "lit";
 import { customElement, query } from "lit/decorators.js";
@@ -46,6 +46,25 @@ const style = css`
     transform: scaleX(0);
     background: var(--air);
   }
+  .black {
+    display: flex;
+    flex: 1 1 auto;
+  }
+  .black button {
+    min-width: var(--finger);
+  }
+  .black button + button {
+    margin-left: -1px;
+    border-radius: 0 4px 4px 0;
+  }
+  .black button:first-child {
+    border-radius: 4px 0 0 4px;
+  }
+  .black button[aria-pressed="true"] {
+    color: #fff;
+    background: #b3261a; /* as the tally */
+    border-color: var(--air);
+  }
   button.coming {
     border-color: var(--coming);
   }
@@ -54,7 +73,10 @@ const style = css`
   }
 `;
 
-/** A key for each light: which are on air and how much, which is coming. A call takes the time of a face's call. */
+/**
+ * A key for each light: which are on air and how much, which is coming; and two for black, lit while it is on. A call
+ * takes the time of a face's call.
+ */
 @customElement("omote-lights")
 export class LightRow extends AnimatedElement {
   @query(".row") private row!: HTMLElement;
@@ -76,12 +98,18 @@ export class LightRow extends AnimatedElement {
           ${label}<i></i>
         </button>`,
       )}
+      <div class="black" role="group" aria-label="Black">
+        <button data-black aria-label="Fade to black" title="Fades all stages to black, and up (Shift B)"
+          @click=${() => this.store.callBlack()}>Black<i></i></button>
+        <button data-black aria-label="Cut to black" title="Blackout: all stages black at once, and up at once (Shift V)"
+          @click=${() => this.store.callBlack(0)}>Cut</button>
+      </div>
     </div>`;
   }
 
   paint(): void {
     const { state } = this.store;
-    for (const button of this.row.querySelectorAll<HTMLElement>("button")) {
+    for (const button of this.row.querySelectorAll<HTMLElement>("[data-light]")) {
       const name = button.dataset.light as string;
       const weight = state?.light[name] ?? 0;
       const coming = state?.light_call?.target === name;
@@ -89,5 +117,18 @@ export class LightRow extends AnimatedElement {
       this.write.flag(button, "coming", coming);
       this.write.attribute(button, "aria-pressed", String(!coming && weight > 0.5));
     }
+    this.#paintBlack();
+  }
+
+  /** Lit from the press on: whoever looks here knows what the audience sees next. */
+  #paintBlack(): void {
+    const { state, goesBlack } = this.store;
+    const [black, goal] = [state?.black ?? 0, state?.black_goal ?? 0];
+    for (const button of this.row.querySelectorAll<HTMLElement>("[data-black]")) {
+      this.write.flag(button, "coming", black !== goal);
+      this.write.attribute(button, "aria-pressed", String(goesBlack));
+    }
+    const bar = this.row.querySelector(".black i") as HTMLElement;
+    this.write.style(bar, "transform", `scaleX(${black.toFixed(3)})`);
   }
 }

@@ -1,6 +1,7 @@
 import { expect, it } from "vitest";
 import { FIRST_BINDING } from "./binding_fields";
 import {
+  BLACK_TARGET,
   barTarget,
   bindingsByTarget,
   callTarget,
@@ -31,6 +32,9 @@ const EACH: readonly (readonly [Target, string, boolean])[] = [
   [callTarget("one", "face", "old", 2), "face OLD, 2 s of one", false],
   [callTarget("one", "expression", "joy", null), "expression JOY, by hand of one", false],
   [lightTarget("theatre", 1), "light theatre, 1 s", false],
+  [BLACK_TARGET, "black", true],
+  [{ to: "/omote/fade_to_black", axis: "", arguments: [3] }, "fade to black, 3 s", false],
+  [{ to: "/omote/one/enter", axis: "", arguments: [1] }, "enter, 1 s of one", false],
   [panicTarget("one"), "panic of one", false],
   [releaseTarget("one", "face"), "let go of the face T-bar of one", false],
   [{ to: "/omote/panic", axis: "", arguments: [] }, "panic", false],

@@ -41,6 +41,9 @@ export const lightTarget = (name: string, seconds: number): Target => ({
   arguments: [name, seconds],
 });
 
+/** How black all stages are: a fader's, or a key's that makes a blackout. */
+export const BLACK_TARGET: Target = { to: `${ROOT}/black`, axis: "", arguments: [] };
+
 /** A call of a face or an expression; without seconds it is by hand. */
 export const callTarget = (who: string, axis: Axis, name: string, seconds: Seconds): Target => ({
   to: `${ROOT}/${who}/${axis}`,
@@ -53,7 +56,7 @@ export const targetKey = ({ to, axis, arguments: [name] }: Target): string => JS
 
 /** Whether a fader moves it; a key alone plays the rest. */
 export const isLevel = ({ to }: Pick<Target, "to">): boolean =>
-  /\/(channel\/[^/]+|layer\/[^/]+(\/[^/]+)?|layer_on\/[^/]+|head|gaze|fade\/\w+|place)$/.test(to);
+  /\/(channel\/[^/]+|layer\/[^/]+(\/[^/]+)?|layer_on\/[^/]+|head|gaze|fade\/\w+|place|black)$/.test(to);
 
 /** The character of an address, "" for what is the whole show's. */
 export function characterOf(to: string): string {
@@ -74,8 +77,10 @@ export function targetLabel(target: Target, labels: Pick<Labels, "label">): stri
   if (what === "fade") return `${name} T-bar`;
   if (what === "release") return `let go of the ${name} T-bar`;
   if (what === "face" || what === "expression") return `${what} ${labels.label(what, String(called))}${time}`;
-  if (called !== undefined) return `${what} ${called}${time}`;
-  return target.axis === "" ? what : `${what} ${target.axis}`;
+  const words = what.replaceAll("_", " ");
+  if (typeof called === "number") return `${words}, ${called} s`;
+  if (called !== undefined) return `${words} ${called}${time}`;
+  return target.axis === "" ? words : `${words} ${target.axis}`;
 }
 
 /** The same with whom it plays. */

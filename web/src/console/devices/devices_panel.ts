@@ -12,6 +12,7 @@ import "./browser_ports";
 import "./input_lines";
 import "./receiver_switches";
 import "./source_list";
+import "./stage_list";
 import "./tracker_switches";
 
 const style = css`
@@ -80,6 +81,7 @@ export class DevicesPanel extends DevicesElement {
         <omote-trackers .context=${context}></omote-trackers>
         <omote-sources .context=${context} @bind=${this.#bind}></omote-sources>
         <omote-receivers .context=${context}></omote-receivers>
+        <omote-stages .context=${context}></omote-stages>
       </div>
       <omote-bindings class="panel" .context=${context}></omote-bindings>
       <omote-input-lines class="panel" .context=${context}></omote-input-lines>

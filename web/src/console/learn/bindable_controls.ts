@@ -6,6 +6,7 @@ import type { Fader } from "../controls/fader";
 import type { Pad } from "../controls/pad";
 import type { TBar } from "../controls/t_bar";
 import {
+  BLACK_TARGET,
   barTarget,
   bindingsByTarget,
   callTarget,
@@ -63,6 +64,7 @@ const PARTS: Readonly<Record<string, (element: Element, store: ConsoleStore, who
     },
     "omote-lights": (_, store) => [
       ["[data-light]", (key) => [lightTarget(key.dataset.light ?? "", store.timing.face.seconds)]],
+      [".black", () => [BLACK_TARGET]],
     ],
   };
 const TAGS = Object.keys(PARTS).join(",");

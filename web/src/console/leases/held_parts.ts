@@ -17,7 +17,7 @@ export const CHARACTER_PARTS: readonly LeasePart[] = [
   "place",
 ];
 /** The parts of the scene, whose character is `*`. */
-export const SCENE_PARTS: readonly LeasePart[] = ["light", "framing"];
+export const SCENE_PARTS: readonly LeasePart[] = ["light", "framing", "black"];
 const REGIONS: readonly LeasePart[] = ["brows", "eyes", "mouth"];
 export const NOBODY: Leases = { type: "leases", on: false, held: {}, seats: [], you: 0, wishes: [] };
 

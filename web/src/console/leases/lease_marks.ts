@@ -16,6 +16,7 @@ const PANELS: readonly (readonly [string, readonly LeasePart[], string?])[] = [
   [".hands omote-pad", ["head"]],
   [".hands omote-pad + omote-pad", ["gaze"]],
   ["omote-lights", ["light"]],
+  ["omote-lights", ["black"], ".black"],
   ["omote-scene-panel", ["place", "framing"]],
   ["omote-layer-panel", ["expression"], "[data-layer=emotion]"],
   ["omote-layer-panel", ["gaze"], "[data-layer=gaze]"],

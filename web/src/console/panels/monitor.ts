@@ -61,6 +61,10 @@ const style = css`
     max-width: calc(100% - 20px);
     ${ellipsis}
   }
+  .tally.black {
+    background: #000;
+    outline: 2px solid #b3261a;
+  }
   .wrong {
     position: absolute;
     inset: auto 10px 10px;
@@ -73,6 +77,8 @@ const style = css`
 export class Monitor extends AnimatedElement {
   @state() private wrong: string | null = null;
   @state() private tally = "";
+  /** The audience sees less than this picture, or nothing of it. */
+  @state() private black = "";
   @query("canvas") private canvas!: HTMLCanvasElement;
   #view: FaceView | null = null;
   #drawn = "";
@@ -94,7 +100,7 @@ export class Monitor extends AnimatedElement {
   override render() {
     return html`
       <canvas aria-label="What is on air"></canvas>
-      <div class="tally">${this.tally}</div>
+      <div class="tally ${this.black === "" ? "" : "black"}">${this.black || this.tally}</div>
       ${this.#several ? this.#choice() : ""}
       ${this.wrong === null ? "" : html`<div class="wrong">${this.wrong}</div>`}
     `;
@@ -130,6 +136,7 @@ export class Monitor extends AnimatedElement {
     const { state, played } = this.store;
     const alone = this.#several && this.store.arrangement.alone;
     this.tally = played.tally(alone);
+    this.black = blackWords(state?.black ?? 0);
     if (this.#view === null || state === null || now - this.#last < PACE) return;
     this.#draw(this.#view, alone ? closeUp(sceneIn(state), played.lead) : sceneIn(state), now);
   }
@@ -145,3 +152,7 @@ export class Monitor extends AnimatedElement {
     view.render(now / 1000);
   }
 }
+
+/** What the badge says of a picture that is faded to black; nothing where it is up. */
+const blackWords = (black: number): string =>
+  black === 0 ? "" : black === 1 ? "BLACK" : `BLACK ${Math.round(100 * black)} %`;

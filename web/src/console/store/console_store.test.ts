@@ -44,6 +44,8 @@ const REST: State = {
   framing: { "*": 1 },
   framing_call: null,
   gaze_points: {},
+  black: 0,
+  black_goal: 0,
 };
 /** A state in which the first character has something else on air. */
 const withOne = (change: Partial<CharacterState>): State => ({ ...REST, characters: { one: { ...CALM, ...change } } });
@@ -198,6 +200,22 @@ describe("lights", () => {
       { type: "call_light", name: "portrait", seconds: 4 },
     ]);
     expect(new Set(sent.map((message) => "id" in message && message.id)).size).toBe(2);
+  });
+});
+
+describe("black", () => {
+  it("comes in the time of a face or at once, and goes again from wherever it is on its way", () => {
+    store.setTiming("face", { seconds: 4, easing: "late" });
+    store.callBlack();
+    store.receive({ ...REST, number: 2, black: 0.3, black_goal: 1 });
+    store.callBlack(0);
+    store.receive({ ...REST, number: 3, black: 0.5, black_goal: 0.5 });
+    store.callBlack(0);
+    expect(sent).toMatchObject([
+      { type: "call_black", black: 1, seconds: 4, easing: "late" },
+      { type: "call_black", black: 0, seconds: 0 },
+      { type: "call_black", black: 1, seconds: 0 }, // a fader stands half-way
+    ]);
   });
 });
 

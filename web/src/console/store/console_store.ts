@@ -209,6 +209,17 @@ export class ConsoleStore extends PageStore {
     this.ask({ type: "call_light", name, seconds, easing });
   }
 
+  /** Whether all stages are black, or on their way there. */
+  get goesBlack(): boolean {
+    return this.state?.black_goal === 1;
+  }
+
+  /** Fades all stages to black, or up where they go there: in the time of a face's call, unless other seconds are given. */
+  callBlack(seconds: number | null = null): void {
+    const { seconds: usual, easing } = this.timing.face;
+    this.ask({ type: "call_black", black: this.goesBlack ? 0 : 1, seconds: seconds ?? usual, easing });
+  }
+
   /** Whether the call is timed and a T-bar has it, so that it runs on once the hand is off. */
   releasable(axis: Axis): boolean {
     return this.callOf(axis)?.by_hand === true && this.#timed[axis] !== false;

@@ -56,6 +56,15 @@ describe("a key", () => {
     expect(commandOf(press("D", "KeyD", { shiftKey: true }), false)).toEqual({ do: "region", direction: -1 });
   });
 
+  it("makes black with Shift alone, and lets go of T-bars without", () => {
+    const shifted = (code: string) => commandOf(press("", code, { shiftKey: true }), false);
+    expect([shifted("KeyV"), shifted("KeyB")]).toEqual([
+      { do: "black", seconds: 0 },
+      { do: "black", seconds: null },
+    ]);
+    expect(commandOf(press("b", "KeyB"), false)).toEqual({ do: "release", axis: "expression" });
+  });
+
   it("keeps what is on air", () => {
     expect(commandOf(press("n", "KeyN"), false)).toEqual({ do: "keep", axis: "face" });
     expect(commandOf(press("m", "KeyM"), false)).toEqual({ do: "keep", axis: "expression" });

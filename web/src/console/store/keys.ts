@@ -18,6 +18,7 @@ export type Command =
   | { do: "clear" }
   | { do: "leases" }
   | { do: "take_over" }
+  | { do: "black"; seconds: 0 | null }
   | { do: "scene" }
   | { do: "layers" }
   | { do: "region"; direction: -1 | 1 };
@@ -52,6 +53,12 @@ const COMMANDS: Readonly<Record<string, Command>> = {
   KeyZ: { do: "learn" },
 };
 
+/** With Shift: two keys on purpose, beside each other; in the time of a face's call where no seconds are given. */
+const BLACK: Readonly<Record<string, Command>> = {
+  KeyV: { do: "black", seconds: 0 },
+  KeyB: { do: "black", seconds: null },
+};
+
 /** The lines of the help: keys, and what they do. */
 export const HELP: readonly (readonly [string, string])[] = [
   [
@@ -74,6 +81,8 @@ export const HELP: readonly (readonly [string, string])[] = [
   ["P", "Places, framing and names of the characters, and back to faders and pads"],
   [";", "Layers of the character as a mixer, and back to faders and pads"],
   ["L", "To the lights; then Tab and Enter"],
+  ["Shift B", "Fade all stages to black in the seconds of a face call; again: up"],
+  ["Shift V", "Blackout: all stages black at once; again: up at once. Panic leaves it as it is"],
   ["C", "Head and gaze to the centre"],
   ["X", "All channels to zero"],
   [",", "Leases: who holds what"],
@@ -108,6 +117,7 @@ export function commandOf(press: KeyPress, typing: boolean): Command | null {
   if (face >= 0) return { do: "call", axis: "face", index: face };
   const expression = EXPRESSION_KEYS.indexOf(press.code);
   if (expression >= 0) return { do: "call", axis: "expression", index: expression };
+  if (press.shiftKey && press.code in BLACK) return BLACK[press.code] ?? null;
   if (press.code === "KeyD") return { do: "region", direction: press.shiftKey ? -1 : 1 };
   return COMMANDS[press.code] ?? null;
 }

@@ -18,7 +18,8 @@ describe("a scene of a state", () => {
     const scene = sceneIn(state);
     expect(Object.keys(scene.characters)).toEqual(["one", "two"]);
     expect(scene.characters.two).toMatchObject({ light: { flat: 1 }, presence: 0.8, faces: { old: 1 } });
-    expect(scene).toMatchObject({ framing: state.framing, time: 4, epoch: 2 });
+    expect(scene).toMatchObject({ framing: state.framing, black: 0, time: 4, epoch: 2 }); // as of an older record
+    for (const name of [undefined, "two", "nobody"]) expect(sceneIn({ ...state, black: 0.5 }, name).black).toBe(0.5);
   });
 
   it("is held by a close-up of one, also of one that is not there in full, and of nobody as it is", () => {
@@ -41,14 +42,14 @@ describe("a scene of a state", () => {
 });
 
 describe("a mix of scenes", () => {
-  const scene: ScenePose = { characters: { one: kaori, two: old }, framing: { "*": 1 } };
+  const scene: ScenePose = { characters: { one: kaori, two: old }, framing: { "*": 1 }, black: 1 };
 
   it("mixes poses, places, presence and framings", () => {
     const other = { ...alone(restPose("dog"), "one"), framing: { one: 1 } };
     const half = mixScenes(scene, other, 0.5);
     expect(half.characters.one).toMatchObject(mixPoses(kaori, restPose("dog"), 0.5));
     expect(half.characters.one?.place).toEqual({ x: 0.5, depth: 0, size: 1, turn: 0.25 });
-    expect(half.framing).toEqual({ "*": 0.5, one: 0.5 });
+    expect([half.framing, half.black]).toEqual([{ "*": 0.5, one: 0.5 }, 0.5]);
     expect(mixScenes(scene, scene, 0.3)).toEqual(scene);
   });
 

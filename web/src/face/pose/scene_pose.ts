@@ -11,10 +11,11 @@ export interface CharacterPose extends Pose {
   presence: number;
 }
 
-/** What a stage draws: characters by name, and the weights of framings, which sum to one. */
+/** What a stage draws: characters by name, the weights of framings, which sum to one, and how black the picture is, 0..1. */
 export interface ScenePose {
   characters: Record<string, CharacterPose>;
   framing: Record<string, number>;
+  black: number;
 }
 
 /** Where a character stands that nobody has placed. */
@@ -24,31 +25,33 @@ export const FRONT: Place = { x: 0, depth: 0, size: 1, turn: 0 };
 export const alone = (pose: Pose, name = FIRST_CHARACTER, presence = 1): ScenePose => ({
   characters: { [name]: { ...pose, place: FRONT, presence } },
   framing: { [name]: 1 },
+  black: 0,
 });
 
 /** All characters of a state, or one of them alone; an empty scene where the state has none of that name. */
 export function sceneIn(state: State, name?: string): ScenePose & Due {
-  const { light, time, epoch, framing } = state;
+  const { light, time, epoch, framing, black = 0 } = state; // an older record has none
   if (name === undefined) {
     const entries = Object.entries(state.characters).map(([key, character]) => [key, { ...character, light }] as const);
-    return { characters: Object.fromEntries(entries), framing, time, epoch };
+    return { characters: Object.fromEntries(entries), framing, black, time, epoch };
   }
   const character = state.characters[name];
-  if (character === undefined) return { characters: {}, framing: { [name]: 1 }, time, epoch };
-  return { ...alone({ ...character, light }, name, character.presence), time, epoch };
+  if (character === undefined) return { characters: {}, framing: { [name]: 1 }, black, time, epoch };
+  return { ...alone({ ...character, light }, name, character.presence), black, time, epoch };
 }
 
 /** A scene of which the picture shows one character, also one that is off the stage. */
 export function closeUp(scene: ScenePose, name: string): ScenePose {
   const shown = scene.characters[name];
   if (shown === undefined) return scene;
-  return { characters: { ...scene.characters, [name]: { ...shown, presence: 1 } }, framing: { [name]: 1 } };
+  return { ...scene, characters: { ...scene.characters, [name]: { ...shown, presence: 1 } }, framing: { [name]: 1 } };
 }
 
 /** The same text for the same scene. */
-export const sceneKey = ({ characters, framing }: ScenePose): string =>
+export const sceneKey = ({ characters, framing, black }: ScenePose): string =>
   JSON.stringify([
     framing,
+    black,
     Object.entries(characters).map(([name, character]) => [
       name,
       poseKey(character),
@@ -66,7 +69,8 @@ export function mixScenes(from: ScenePose, to: ScenePose, part: number): ScenePo
     else if (after !== undefined) characters[name] = { ...after, presence: after.presence * part };
     else if (before !== undefined) characters[name] = { ...before, presence: before.presence * (1 - part) };
   }
-  return { characters, framing: mixWeights(from.framing, to.framing, part) };
+  const black = from.black + (to.black - from.black) * part;
+  return { characters, framing: mixWeights(from.framing, to.framing, part), black };
 }
 
 function mixCharacters(from: CharacterPose, to: CharacterPose, part: number): CharacterPose {
