@@ -173,6 +173,8 @@ def wrong_calls(cast: omote.Cast) -> dict[tuple[str, type[Exception]], Callable[
         ("Scene.restored", ValueError): lambda: omote.Scene.restored(without_face(cast, "old"), scene.snapshot()),
         ("Scene.restored", TypeError): lambda: omote.Scene.restored(cast, words),
         ("Sculpt", ValueError): lambda: omote.Sculpt("same", np.zeros((4, 3)), np.zeros((4, 3))),
+        ("add_random_faces", ValueError): lambda: omote.add_random_faces(cast, 0),
+        ("add_random_faces", TypeError): lambda: omote.add_random_faces(cast, words),
         ("caricature", ValueError): lambda: omote.caricature(space, kaori, math.nan),
         ("Renderer", ValueError): lambda: omote.Renderer(cast, size=(1, 1)),
         ("Scan", ValueError): lambda: omote.Scan(np.zeros((4, 3))),

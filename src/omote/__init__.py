@@ -9,6 +9,7 @@ if TYPE_CHECKING:
     from omote.builtin import load_cast as load_cast
     from omote.builtin.own_face import fit as fit
     from omote.builtin.own_face import fit_photographs as fit_photographs
+    from omote.builtin.random_faces import add_random_faces as add_random_faces
     from omote.client.connect import connect as connect
     from omote.client.connect import connect_async as connect_async
     from omote.interchange.formats.sculpt_toml import read_sculpt as read_sculpt
@@ -60,6 +61,7 @@ _HOMES = {
     "Scene": "omote.perform.scene.scene",
     "Sculpt": "omote.model.sculpting.sculpt",
     "action_units": "omote.model.action_units",
+    "add_random_faces": "omote.builtin.random_faces",
     "caricature": "omote.model.sculpting.caricature",
     "compound": "omote.model.transfer.compound",
     "connect": "omote.client.connect",

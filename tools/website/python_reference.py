@@ -28,7 +28,7 @@ GROUPS: Mapping[str, Sequence[str]] = {
     "Playing": ("Performer", "Scene", "connect", "connect_async", "parse_pose", "evaluate", "evaluate_parts"),
     "Pictures": ("render", "Renderer"),
     "Expressions": ("compound", "extract", "ExtractedExpression", "take_expressions", "ControlNet", "action_units"),
-    "Faces": ("fit", "Fit", "Scan", "Sculpt", "read_sculpt", "sculpted", "regional", "caricature"),
+    "Faces": ("fit", "Fit", "Scan", "Sculpt", "read_sculpt", "sculpted", "regional", "caricature", "add_random_faces"),
     "Photographs": ("Photograph", "fit_photographs", "PhotographFit"),
 }
 CONNECTED_HEAD = """# A program that plays a running show
