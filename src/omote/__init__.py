@@ -37,6 +37,7 @@ if TYPE_CHECKING:
     from omote.perform.scene.scene import Scene as Scene
     from omote.server.headless.picture_renderer import Renderer as Renderer
     from omote.server.headless.picture_renderer import render as render
+    from omote.server.headless.stimulus_run import draw_stimuli as draw_stimuli
     from omote.stage_data.full_cast import read_show as read_show
     from omote.stage_data.pose_parser import parse_pose as parse_pose
 
@@ -66,6 +67,7 @@ _HOMES = {
     "compound": "omote.model.transfer.compound",
     "connect": "omote.client.connect",
     "connect_async": "omote.client.connect",
+    "draw_stimuli": "omote.server.headless.stimulus_run",
     "evaluate": "omote.perform.blending.evaluate",
     "evaluate_parts": "omote.perform.blending.evaluate",
     "extract": "omote.model.extraction.extract",

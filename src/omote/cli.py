@@ -18,6 +18,7 @@ from omote.face_commands import draw_random, face
 from omote.file_commands import file_app
 from omote.picture_commands import grid, redraw, render
 from omote.show_command import show
+from omote.stimulus_commands import stimuli
 from omote.take_commands import play_take, record_take
 from omote.terminal import complete_show, fail, fail_with
 
@@ -88,6 +89,7 @@ app.command()(face)
 app.command()(render)
 app.command()(grid)
 app.command()(redraw)
+app.command()(stimuli)
 app.command()(export)
 app.command("play-take")(play_take)
 app.command()(track)

@@ -249,43 +249,45 @@ def draw_shown(studio: PictureStudio, run: PictureRun, path: Path, *, jobs: int,
     """
     from omote.server.headless.picture_run import draw_run
 
-    with shown_progress(run, path, stopped) as report:
+    with shown_progress(len(run.pictures), len(run.waiting), path, stopped) as report:
         draw_run(studio, run, report, jobs=jobs)
 
 
 @contextmanager
-def shown_progress(run: PictureRun, path: Path, stopped: str) -> Iterator[Callable[[PictureProgress], None]]:
+def shown_progress(
+    total: int, waiting: int, path: Path, stopped: str
+) -> Iterator[Callable[[PictureProgress], None]]:  # fmt: skip
     """Shows how far a run is: a bar with the time that is left on a terminal, else a line for each picture.
 
-    path: of the picture; stopped: what is said after Ctrl-C.
+    total: how many pictures there are; waiting: how many of them are not drawn yet; path: of the picture; stopped: what
+    is said after Ctrl-C.
     """
-    there = len(run.pictures) - len(run.waiting)
-    if there and run.waiting:
-        say(f"{there} of {len(run.pictures)} pictures are there already; going on.")
+    there = total - waiting
+    if there and waiting:
+        say(f"{there} of {total} pictures are there already; going on.")
     try:
         if sys.stderr.isatty():
-            yield from _bar(run, path, there)
+            yield from _bar(total, path, there)
         else:
-            yield _lines(run)
+            yield _lines(there)
     except KeyboardInterrupt:
         say(stopped)
         raise typer.Exit(INTERRUPTED) from None
 
 
-def _bar(run: PictureRun, path: Path, there: int) -> Iterator[Callable[[PictureProgress], None]]:
+def _bar(total: int, path: Path, there: int) -> Iterator[Callable[[PictureProgress], None]]:
     from rich.console import Console
     from rich.progress import BarColumn, MofNCompleteColumn, TextColumn, TimeRemainingColumn
     from rich.progress import Progress as Bar
 
     columns = (TextColumn("{task.description}"), BarColumn(), MofNCompleteColumn(), TimeRemainingColumn(compact=True))
     with Bar(*columns, TextColumn("left"), console=Console(stderr=True), transient=True) as bar:
-        task = bar.add_task(path.name, total=len(run.pictures), completed=there)
+        task = bar.add_task(path.name, total=total, completed=there)
         yield lambda progress: bar.update(task, completed=progress.number, description=progress.path.name)
 
 
-def _lines(run: PictureRun) -> Callable[[PictureProgress], None]:
+def _lines(first: int) -> Callable[[PictureProgress], None]:
     began = time.monotonic()
-    first = len(run.pictures) - len(run.waiting)
 
     def report(progress: PictureProgress) -> None:
         left = progress.total - progress.number

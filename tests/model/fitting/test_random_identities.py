@@ -18,10 +18,11 @@ GUIDE = MODES.skin
 def test_somebody_who_is_drawn_has_no_faults_and_looks_ahead_from_where_all_do() -> None:
     face = draw_identity(CAST.space, MODES, "kim", np.random.default_rng(3))
     assert find_faults(CAST.space, GUIDE, face, {name: CAST.expressions[name] for name in TRIED}) == ()
-    eyes = [np.mean([positions[eye].mean(axis=0) for eye in CAST.space.eyes], axis=0) for positions in (
-        face.parts, {name: part.points for name, part in CAST.space.parts.items()},
-    )]  # fmt: skip
-    np.testing.assert_allclose(*eyes, atol=1e-6)
+    here, there = (
+        np.mean([points[eye].mean(axis=0) for eye in CAST.space.eyes], axis=0)
+        for points in (face.parts, {name: part.points for name, part in CAST.space.parts.items()})
+    )
+    np.testing.assert_allclose(here, there, atol=1e-6)
 
 
 def test_each_fault_is_named() -> None:
