@@ -30,6 +30,14 @@ LightOption = Annotated[str, typer.Option(help=f"{', '.join(LIGHTS)} or a mix: t
 BackgroundOption = Annotated[str | None, typer.Option(help="Behind the head: green, grey, or #rrggbb.")]
 TransparentOption = Annotated[bool, typer.Option("--transparent", help="Nothing behind the head.")]
 QualityOption = Annotated[str, typer.Option(help="lowest, low, medium, good or high.")]
+HairOption = Annotated[bool, typer.Option("--hair/--no-hair", help="Whether heads wear their hair.")]
+MaskOption = Annotated[str, typer.Option(help="Leave the face alone: oval, or face (chin to hairline).")]
+LuminanceOption = Annotated[
+    float | None, typer.Option(help="The mean of relative luminance, linear light, that each picture gets: 0.2.")
+]
+ContrastOption = Annotated[
+    float | None, typer.Option(help="The standard deviation of luminance over its mean (RMS): 0.5.")
+]
 ShowOption = Annotated[
     Path | None, typer.Option(callback=complete_show, help="A show file (.omote) whose own work can be named too.")
 ]
@@ -54,6 +62,10 @@ def render(
     background: BackgroundOption = None,
     transparent: TransparentOption = False,
     quality: QualityOption = "high",
+    hair: HairOption = True,
+    mask: MaskOption = "",
+    luminance: LuminanceOption = None,
+    contrast: ContrastOption = None,
     show: ShowOption = None,
     fresh: FreshOption = False,
     force: ForceOption = False,
@@ -63,8 +75,8 @@ def render(
 
     request = RenderRequest(
         face=tuple(face or ["generic"]), expression=tuple(expression or []), channel=tuple(channel or []), turn=turn,
-        gaze=gaze, size=size, light=light, background=background, transparent=transparent, quality=quality,
-        show="" if show is None else str(show),
+        gaze=gaze, size=size, light=light, background=background, transparent=transparent, quality=quality, hair=hair,
+        mask=mask, luminance=luminance, contrast=contrast, show="" if show is None else str(show),
     )  # fmt: skip
     draw(output, request, fresh=fresh, force=force)
 
@@ -81,6 +93,10 @@ def grid(
     background: BackgroundOption = None,
     transparent: TransparentOption = False,
     quality: QualityOption = "high",
+    hair: HairOption = True,
+    mask: MaskOption = "",
+    luminance: LuminanceOption = None,
+    contrast: ContrastOption = None,
     show: ShowOption = None,
     jobs: JobsOption = 1,
     fresh: FreshOption = False,
@@ -91,7 +107,8 @@ def grid(
 
     request = GridRequest(
         faces=faces, morph=morph, expressions=expressions, turns=turns, labels=labels, size=size, light=light,
-        background=background, transparent=transparent, quality=quality, show="" if show is None else str(show),
+        background=background, transparent=transparent, quality=quality, hair=hair, mask=mask, luminance=luminance,
+        contrast=contrast, show="" if show is None else str(show),
     )  # fmt: skip
     draw(output, request, fresh=fresh, force=force, jobs=jobs)
 

@@ -24,14 +24,18 @@ class PictureOptions(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_f
     background: str | None = None
     transparent: bool = False
     quality: str = "high"
+    hair: bool = True
+    mask: str = ""
+    luminance: float | None = None
+    contrast: float | None = None
     show: str = ""
 
     @property
     def setting(self) -> Setting:
-        """Size, background and quality; ValueError where they cannot be drawn."""
+        """All of it but the light and the show file; ValueError where it cannot be drawn."""
         width, height = read_size(self.size)
-        chosen = {"background": self.background, "transparent": self.transparent, "quality": self.quality}
-        return Setting(width, height, **chosen)  # type: ignore[arg-type]
+        chosen = ("background", "transparent", "quality", "hair", "mask", "luminance", "contrast")
+        return Setting(width, height, **{name: getattr(self, name) for name in chosen})
 
 
 class RenderRequest(PictureOptions, frozen=True, kw_only=True, tag_field="command", tag="render"):

@@ -15,6 +15,7 @@ import msgspec
 from omote.perform.easing import DEFAULT_EASING, EASINGS
 from omote.stage_data.picture_grid import lay_out
 from omote.stage_data.picture_request import RenderRequest, check_request, file_name
+from omote.stage_data.picture_setting import CONTRASTS, LUMINANCES
 from omote.stage_data.playing_cast import PlayingCast
 from omote.stage_data.pose_parser import find_pose
 
@@ -27,6 +28,8 @@ BEGINNINGS = {"from_face": "face", "from_expression": "expression"}
 CLIP = ("seconds", "fps", "easing")
 RENDERED = tuple(field for field in RenderRequest.__struct_fields__ if field != "show")
 COLUMNS = (NAME, *RENDERED, *BEGINNINGS, *CLIP)
+NUMBERS = {"luminance": LUMINANCES, "contrast": CONTRASTS}
+"""Columns of numbers, with the least and the largest."""
 MIXES = ("face", "expression", "channel")
 """Columns of which a request holds tuples."""
 FPS = 25.0
@@ -183,7 +186,8 @@ class _Rows:
         elif column == "easing" and cell not in EASINGS:
             raise ValueError(f"there is no easing {cell!r}; give one of {', '.join(EASINGS)}")
         elif column not in CLIP:
-            request = _request({BEGINNINGS.get(column, column): cell}, "")
+            alone = {"mask": {"transparent": "yes"}}.get(column, {})  # a mask needs something around it
+            request = _request({**alone, BEGINNINGS.get(column, column): cell}, "")
             check_request(request, "image/png")
             lay_out(request, self._cast)
 
@@ -214,6 +218,8 @@ def _request(cells: Mapping[str, str], show: str) -> RenderRequest:
             words[column] = (cell,)
         elif isinstance(before, bool):
             words[column] = _read_switch(cell)
+        elif column in NUMBERS:
+            words[column] = _read_number(cell, *NUMBERS[column])
         else:
             words[column] = cell
     return RenderRequest(**words)  # type: ignore[arg-type]
