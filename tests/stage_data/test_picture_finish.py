@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 import numpy as np
 import pytest
 
@@ -77,3 +79,12 @@ def test_a_mask_leaves_the_face_and_nothing_around_it(mask: str) -> None:
     grey = finish_picture(white, Setting(4 * SIDE, 4 * SIDE, mask=mask, background="#808080"), places(), triangles)
     assert (grey[alpha == 0] == (128, 128, 128, 255)).all()
     assert (grey[alpha == 255] == 255).all()
+
+
+def test_a_background_comes_behind_what_was_matched_and_does_not_count() -> None:
+    picture = random_picture(0)
+    wish: dict[str, Any] = {"luminance": 0.3, "contrast": 0.4}
+    clear = finish_picture(picture, Setting(SIDE, SIDE, transparent=True, **wish))
+    on_green = finish_picture(picture, Setting(SIDE, SIDE, background="#00b140", **wish))
+    assert np.array_equal(on_green[picture[..., 3] == 255], clear[picture[..., 3] == 255])
+    assert (on_green[picture[..., 3] == 0] == (0, 0xB1, 0x40, 255)).all()

@@ -1,7 +1,7 @@
 """What is done to a drawn picture: a mask around the face, and a mean luminance and a contrast that it is to have.
 
 Luminance is relative luminance (CIE Y, 0 to 1) of linear sRGB (IEC 61966-2-1); contrast is its standard deviation over
-its mean (RMS contrast). What is transparent or masked does not count.
+its mean (RMS contrast). What is transparent or masked does not count, and a background comes behind it afterwards.
 """
 
 from __future__ import annotations
@@ -10,8 +10,10 @@ from typing import NamedTuple
 
 import numpy as np
 from scipy import ndimage
+from scipy.spatial import Delaunay
 
 from omote.arrays import Indices, Mask, Picture, Values
+from omote.geometry import mesh
 from omote.geometry.depth_map import draw_depth
 from omote.model.albedo import decode_light, encode_light
 from omote.model.fitting.head_zones import head_zones
@@ -22,6 +24,8 @@ from omote.stage_data.picture_setting import Setting
 LUMINANCE = np.array([0.2126, 0.7152, 0.0722])
 # Samples a side of a pixel at a mask's edge.
 FINE = 3
+# Skin whose normal goes down more than this is the underside of the chin.
+UNDERSIDE = -0.7
 # The outline of a face is rounded off over this share of its height.
 ROUNDED = 0.04
 ROUNDS = 60
@@ -43,12 +47,14 @@ def face_triangles(space: ParameterSpace, /) -> Indices:
 
     The face falls into thirds: from the chin to the nose, from there to the brows, and from these to the hairline.
     """
-    zone = head_zones(space).face
-    chin, brows = np.min(space.points[zone, 1]), np.max(space.points[zone, 1])
-    x, y, z = space.points.T
-    wide = np.abs(x) <= np.max(np.abs(x[zone]))
-    front = space.on_sheet & wide & (y > brows) & (y < brows + 0.5 * (brows - chin)) & (z > np.min(z[zone]))
-    inside = zone | front
+    zone = head_zones(space).face & (mesh.normals(space.points, space.triangles)[:, 1] > UNDERSIDE)
+    _, y, z = space.points.T
+    chin, brows = y[zone].min(), y[zone].max()
+    above = space.on_sheet & (y > brows) & (y < brows + 0.5 * (brows - chin)) & (z > z[zone].min())
+    unrolled = np.column_stack([space.theta, space.h])
+    wide = np.abs(space.theta) <= np.abs(space.theta[zone]).max()
+    hull = Delaunay(unrolled[zone | (above & wide)])
+    inside = space.on_sheet & (hull.find_simplex(unrolled) >= 0) & (zone | (z > z[zone].min()))
     result: Indices = space.sheet_triangles[inside[space.sheet_triangles].all(axis=1)]
     return result
 
@@ -64,17 +70,14 @@ def finish_picture(
     """
     colours = decode_light(picture[..., :3]).astype(np.float64)
     share = picture[..., 3] / 255.0
-    cover = np.ones(share.shape)
     if setting.mask:
         assert places is not None
         assert triangles is not None
-        cover = draw_mask(setting, places, triangles)
-        share = share * cover
+        share = share * draw_mask(setting, places, triangles)
     colours = match_luminance(colours, share, setting.luminance, setting.contrast)
-    if setting.background is not None and setting.mask:
+    if setting.background is not None:
         code = np.array([int(setting.background[at : at + 2], 16) for at in (1, 3, 5)], np.uint8)
-        behind = decode_light(code).astype(np.float64)
-        colours = cover[..., None] * colours + (1.0 - cover[..., None]) * behind
+        colours = share[..., None] * colours + (1.0 - share[..., None]) * decode_light(code)
         share = np.ones(share.shape)
     alpha = np.rint(255.0 * share).astype(np.uint8)
     return np.concatenate([encode_light(colours), alpha[..., None]], axis=-1)

@@ -84,6 +84,11 @@ class Setting:
         """Whether something is done to the picture after it is drawn."""
         return bool(self.mask) or self.luminance is not None or self.contrast is not None
 
+    @property
+    def clear(self) -> bool:
+        """Whether the stage draws nothing behind the head: what is finished gets its background afterwards."""
+        return self.transparent or (self.finished and self.background is not None)
+
     def paper(self, kind: Kind) -> str | None:
         """The colour behind the pictures of a file of this kind: dark, or None where the pictures are transparent.
 

@@ -8,6 +8,7 @@ import weakref
 from collections.abc import AsyncIterator, Sequence
 from concurrent.futures import Future
 from contextlib import asynccontextmanager, closing
+from dataclasses import replace
 from pathlib import Path
 from threading import Thread
 from typing import Self
@@ -66,7 +67,8 @@ class PicturePage:
         ValueError where the picture cannot have the setting's luminance and contrast. Of a mask, a grid is one picture.
         following: a pose that will be drawn next; what it needs is fetched meanwhile. sheet: the grid.
         """
-        words = [msgspec.json.encode(part).decode() for part in (sheet, following) if part is not None]
+        drawn = replace(sheet, paper=None) if self._setting.clear else sheet
+        words = [msgspec.json.encode(part).decode() for part in (drawn, following) if part is not None]
         data = base64.b64decode(await self._run(f"sheet({', '.join(words)})"))
         return await self._finish(data) if self._setting.finished else data
 
@@ -409,8 +411,8 @@ async def serve_pages(documents: CastDocuments, pages: dict[str, Page]) -> Async
 
 def query(setting: Setting) -> str:
     """The query string of the stage's address for this setting, from the question mark on."""
-    words = {"quality": setting.quality, "background": setting.background}
-    if setting.transparent:
+    words = {"quality": setting.quality, "background": None if setting.clear else setting.background}
+    if setting.clear:
         words["transparent"] = "1"
     if not setting.hair:
         words["hair"] = "0"
