@@ -101,7 +101,8 @@ def draw_mask(setting: Setting, places: Values, triangles: Indices, /) -> Values
     else:
         screen = np.column_stack([FINE * size * places[:, :2], places[:, 2]])
         inside = _round_off(np.isfinite(draw_depth(screen, triangles, *(int(FINE * side) for side in size))))
-    return inside.reshape(setting.height, FINE, setting.width, FINE).mean(axis=(1, 3))
+    cover: Values = inside.reshape(setting.height, FINE, setting.width, FINE).mean(axis=(1, 3))
+    return cover
 
 
 def _round_off(inside: Mask) -> Mask:
@@ -141,7 +142,7 @@ def match_luminance(colours: Values, share: Values, luminance: float | None, con
 
 def _measure(luminance: Values, weights: Values) -> tuple[float, float]:
     mean = float(weights @ luminance)
-    return mean, float(np.sqrt(max(weights @ (luminance - mean) ** 2, 0.0)))
+    return mean, float(np.sqrt(max(float(weights @ (luminance - mean) ** 2), 0.0)))
 
 
 def _fit_luminance(before: Values, weights: Values, mean: float, deviation: float) -> Values:
@@ -170,7 +171,8 @@ def _relight(colours: Values, before: Values, after: Values) -> Values:
     lit = np.where(dark[:, None], after[:, None], colours * (after / np.where(dark, 1.0, before))[:, None])
     over = np.maximum(lit.max(axis=1) - after, DARK)
     grey = np.minimum(1.0, (1.0 - after) / over)
-    return after[:, None] + (lit - after[:, None]) * grey[:, None]
+    relit: Values = after[:, None] + (lit - after[:, None]) * grey[:, None]
+    return relit
 
 
 def measure_luminance(picture: Picture, /) -> Luminance:
