@@ -84,7 +84,9 @@ def render(
 def grid(
     output: OutputOption,
     faces: Annotated[str, typer.Option(help="The rows: faces, or mixes (kaori=0.5+dog=0.5), by commas.")] = "",
-    morph: Annotated[str, typer.Option(help="The columns instead: steps from face to face, kaori:old:11.")] = "",
+    morph: Annotated[
+        str, typer.Option(help="Steps from face to face as columns: kaori:old:11, or kaori:old:0.5mm.")
+    ] = "",
     expressions: Annotated[str, typer.Option(help="Expressions, mixes, or kinds (performed), by commas.")] = "neutral",
     turns: Annotated[str, typer.Option(help="Each expression at these yaws, degrees, by commas.")] = "0",
     labels: Annotated[bool, typer.Option("--labels/--no-labels", help="Write the names beside the pictures.")] = True,

@@ -12,7 +12,11 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
+import msgspec
+import numpy as np
+
 from omote import __version__
+from omote.arrays import Values
 from omote.builtin import load_cast, load_mask, load_meshes
 from omote.interchange.formats.atomic_file import write_whole
 from omote.interchange.formats.file_names import KINDS, picture_kind
@@ -21,10 +25,12 @@ from omote.server.headless.picture_renderer import PicturePage, open_picture_pag
 from omote.server.http.cast_documents import CastDocuments
 from omote.server.http.cast_reload import gather_cast
 from omote.server.http.static_pages import Page, read_pages
+from omote.showfile.contents import unpack_face
 from omote.showfile.inspection import Inspection
 from omote.stage_data.full_cast import own_items
+from omote.stage_data.morph_distance import measure_distance
 from omote.stage_data.picture_grid import PictureGrid, lay_out, spell_out
-from omote.stage_data.picture_request import GridRequest, RenderRequest, Request, plan_cells
+from omote.stage_data.picture_request import MOST_STEPS, GridRequest, RenderRequest, Request, plan_cells, read_morph
 from omote.stage_data.picture_setting import Setting
 from omote.stage_data.picture_sidecar import (
     PictureState,
@@ -37,6 +43,7 @@ from omote.stage_data.picture_sidecar import (
     sidecar_path,
 )
 from omote.stage_data.playing_cast import Own, PlayingCast
+from omote.stage_data.pose_parser import find_pose
 
 
 @dataclass(frozen=True)
@@ -113,6 +120,7 @@ class PictureStudio:
     def __init__(self, show: Inspection | None = None, report: Callable[[str], None] | None = None) -> None:
         self.documents = CastDocuments(load_cast(), load_meshes(), load_mask())
         self.pages = read_pages()
+        self._report = report
         own: tuple[Own, ...] = ()
         if show is not None:
             own = own_items(show.stored)
@@ -127,11 +135,45 @@ class PictureStudio:
 
         path: of the picture or the table; fresh: draws all again.
         """
-        request = spell_out(request, self.cast)
+        request = spell_out(self._count_steps(request), self.cast)
         whole = self.file_of(request, path)
         if isinstance(request, RenderRequest):
             return PictureRun(request.setting, [whole], fresh=fresh)
         return PictureRun(request.setting, list(self._cells(request, path)), whole, fresh)
+
+    def _count_steps(self, request: Request) -> Request:
+        """The request with the number of a morph's steps where it says how far they are to be apart."""
+        if isinstance(request, RenderRequest) or not request.morph.strip():
+            return request
+        morph = read_morph(request.morph)
+        if morph.millimetres is None:
+            return request
+        away = measure_distance(self.cast.base.space, self._mix_shape(morph.first), self._mix_shape(morph.last))
+        count = round(away / morph.millimetres) + 1
+        if not 2 <= count <= MOST_STEPS:
+            raise ValueError(
+                f"{morph.first} and {morph.last} are {away:.2f} mm apart, so steps of {morph.millimetres:g} mm are "
+                f"{count - 1}; give a distance of which there are 1 to {MOST_STEPS - 1}"
+            )
+        if self._report is not None:
+            self._report(
+                f"{morph.first} and {morph.last} are {away:.2f} mm apart (root mean square of the skin): {count} "
+                f"pictures, {away / (count - 1):.3f} mm from each to the next."
+            )
+        return msgspec.structs.replace(request, morph=f"{morph.first}:{morph.last}:{count}")
+
+    def _mix_shape(self, mix: str) -> Values:
+        """The skin (V, 3) of a mix of faces as it is typed, metres."""
+        own = {item.name: item.content for item in self.cast.own if item.kind == "face"}
+        weights = find_pose(self.cast, RenderRequest(face=(mix,)).words).faces
+        shapes = [
+            weight
+            * (
+                unpack_face(self.documents.contents[own[name]], name)[0] if name in own else self.cast.base.faces[name]
+            ).positions.astype(np.float64)
+            for name, weight in weights.items()
+        ]
+        return np.asarray(np.sum(shapes, axis=0), np.float64)
 
     def file_of(self, request: Request, path: Path) -> PictureFile:
         """A picture or a table where it will lie; errors as `plan`.
