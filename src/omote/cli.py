@@ -64,9 +64,12 @@ def main() -> None:
 def cast(
     json: Annotated[bool, typer.Option("--json", help="Print it for programs.")] = False,
     random: Annotated[
-        int | None, typer.Option(metavar="COUNT", help="Instead: so many new faces of nobody into -o show.omote.")
+        int | None,
+        typer.Option(min=1, max=1000, metavar="COUNT", help="Instead: so many new faces of nobody into -o show.omote."),
     ] = None,
-    seed: Annotated[int | None, typer.Option(help="Of the new faces: the same seed, the same faces; else 0.")] = None,
+    seed: Annotated[
+        int | None, typer.Option(min=0, help="Of the new faces: the same seed, the same faces; else 0.")
+    ] = None,
     output: Annotated[
         Path | None,
         typer.Option("--output", "-o", callback=complete_show, help="The show file (.omote) that gets the new faces."),

@@ -303,11 +303,9 @@ def draw_random(output: Path | None, count: int, seed: int, *, json: bool) -> No
     if output.suffix.lower() != SHOW and not output.exists():
         fail(f"{output} does not end as a show file does; write -o {output.with_suffix(SHOW)}.")
     with exit_on_refusal():
-        from omote.builtin.random_faces import draw_random_faces, refuse_strange_count
-
-        refuse_strange_count(count, seed)
         read_own_work(output)
         from omote.builtin import load_cast
+        from omote.builtin.random_faces import draw_random_faces
         from omote.edit.store.import_items import ImportedItem
 
         people = []

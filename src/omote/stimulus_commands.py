@@ -27,9 +27,7 @@ def stimuli(
 ) -> None:
     """Draws the pictures and clips of a table, and a table of what was drawn; goes on where it was stopped."""
     with exit_on_refusal():
-        from omote.server.headless.stimulus_run import read_design
-
-        data = read_design(table, output)
+        data = table.read_bytes()
         if output.exists() and not output.is_dir():
             fail(f"{output} is a file; give the name of a folder for the pictures.")
         studio, planned = plan(table, data, output, show, fresh=fresh)
@@ -54,9 +52,10 @@ def plan(
     inspection = None if show is None else inspect_show(show)
     find_chromium()
     from omote.server.headless.picture_run import PictureStudio
-    from omote.server.headless.stimulus_run import plan_stimuli
+    from omote.server.headless.stimulus_run import plan_stimuli, refuse_own_table
     from omote.stage_data.stimulus_table import TableError
 
+    refuse_own_table(table, output)
     studio = PictureStudio(inspection, say)
     try:
         planned = plan_stimuli(studio, data, output, show="" if show is None else str(show), fresh=fresh)

@@ -23,5 +23,9 @@ def test_a_face_depends_on_seed_and_number_alone() -> None:
     assert two.looks["random_3_001"] == one.looks["random_3_001"] != two.looks["random_3_002"]
     for else_ in (second, strange):
         assert np.linalg.norm(first - else_, axis=1).mean() > 0.001
+    with pytest.raises(ValueError, match="0 random faces cannot be drawn; give 1 to 1000"):
+        omote.add_random_faces(CAST, 0)
+    with pytest.raises(ValueError, match="the seed is -1; give 0 or more"):
+        omote.add_random_faces(CAST, 1, seed=-1)
     with pytest.raises(ValueError, match="has a face 'random_3_001' already; give another seed than 3"):
         omote.add_random_faces(one, 1, seed=3)

@@ -39,15 +39,13 @@ class StimulusRun:
         return sum(len(run.waiting) for run in self.runs)
 
 
-def read_design(table: Path, folder: Path, /) -> bytes:
-    """What a table holds; OSError where it cannot be read, ValueError where the table of what is drawn would take its
-    place.
+def refuse_own_table(table: Path, folder: Path, /) -> None:
+    """Raises ValueError where the table of what is drawn would take the place of the design.
 
     table: the file; folder: that gets the pictures.
     """
     if table.resolve() == (folder / DRAWN).resolve():
         raise ValueError(f"{table} is where the table of what was drawn goes; give the design another name")
-    return table.read_bytes()
 
 
 def plan_stimuli(
@@ -132,7 +130,8 @@ def draw_stimuli(
     ----------
     docs/conventions.md
     """
-    data = read_design(Path(table), Path(folder))
+    refuse_own_table(Path(table), Path(folder))
+    data = Path(table).read_bytes()
     studio = PictureStudio(None if show is None else inspect_show(Path(show)))
     planned = plan_stimuli(studio, data, Path(folder), show="" if show is None else str(show), fresh=fresh)
     for run in planned.runs:
