@@ -57,6 +57,8 @@ def test_errors_that_need_no_cast_do_not_wait_for_one(tmp_path: Path) -> None:
         "file list none.omote", "file list notes.txt", "file check notes.txt", "file history none.omote smile",
         "file import a.omote none.json", "file import notes.txt none.json", "file export none.omote smile -o a",
         "show notes.txt", "show nowhere/a.omote", "show --port 99999",
+        "cast --random 0 -o a", "cast --random 2", "cast --random 2 -o nowhere/a", "stimuli none.csv -o out",
+        "stimuli notes.txt -o notes.txt",
     ]  # fmt: skip
     code = f"""
 import sys

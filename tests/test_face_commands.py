@@ -1,6 +1,8 @@
 """`omote face`: sure fits are stored, doubtful ones only if asked, and what fails stops no other scan."""
 
 import csv
+from collections.abc import Iterator
+from dataclasses import replace
 from pathlib import Path
 
 import pytest
@@ -12,9 +14,11 @@ from omote.cli import app
 from omote.face_commands import EXPRESSIONS
 from omote.interchange import scan_face
 from omote.interchange.formats.png import read_png
+from omote.model.cast import Look
 from omote.model.fitting.doubt import EYES, PLACE, Doubt
 from omote.model.fitting.find_head import HeadPlacement
 from omote.model.fitting.fit_face import Fit
+from omote.model.space.face import Face
 from omote.server.headless import people_table
 from omote.server.headless.devtools import BrowserError
 from omote.showfile.contents import unpack_face
@@ -242,3 +246,34 @@ def test_landmarks_of_other_scans_alone_are_refused_before_a_scan_is_read(tmp_pa
     assert "the landmarks have none for a.ply; they name b.ply" in text
     assert "reading" not in text
     assert not show.exists()
+
+
+def test_faces_of_nobody_go_into_a_show_file_under_the_names_that_python_gives_them(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def drawn(count: int, seed: int) -> Iterator[tuple[Face, Look]]:
+        kaori = load_cast().faces["kaori"]
+        yield from ((replace(kaori, name=f"random_{seed}_{number:03d}"), Look()) for number in range(1, count + 1))
+
+    monkeypatch.setattr("omote.builtin.random_faces.draw_random_faces", drawn)
+    show = tmp_path / "a.omote"
+    done = CliRunner().invoke(app, ["cast", "--random", "1", "--seed", "3", "-o", str(show)])
+    assert done.exit_code == 0, done.output
+    assert [(item.name, item.label) for item in kept(show).stored.items] == [("random_3_001", "random_3_001")]
+
+
+@pytest.mark.parametrize(
+    ("arguments", "sentence"),
+    [
+        (("--random", "2"), "write omote cast --random 50 --seed 3 -o people.omote"),
+        (("--seed", "1"), "add --random COUNT"),
+    ],
+)
+def test_faces_of_nobody_that_cannot_be_are_refused(
+    arguments: tuple[str, ...], sentence: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    done = CliRunner().invoke(app, ["cast", *arguments])
+    assert done.exit_code == 1
+    assert sentence in done.output
+    assert list(tmp_path.iterdir()) == []

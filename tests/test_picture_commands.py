@@ -80,6 +80,20 @@ def test_a_picture_is_drawn_as_it_is_asked_for(tmp_path: Path, runs: list[Pictur
     assert pose["head"][0] < 0 < pose["head"][1]
 
 
+def test_hair_mask_and_luminance_are_of_the_setting_and_of_the_sidecar(
+    tmp_path: Path, runs: list[PictureRun]
+) -> None:  # fmt: skip
+    words = ("--no-hair", "--mask", "oval", "--background", "grey", "--luminance", "0.2", "--contrast", "0.5")
+    typed("render", "-o", str(tmp_path / "a.png"), *words)
+    typed("grid", "-o", str(tmp_path / "b.png"), "--faces", "generic", *words)
+    for run in runs:
+        setting = run.setting
+        assert (setting.hair, setting.mask, setting.luminance, setting.contrast) == (False, "oval", 0.2, 0.5)
+    typed("redraw", str(tmp_path / "a.png"), "--force")
+    assert runs[-1].setting == runs[0].setting
+    assert read_sidecar(tmp_path / "a.png.json").setting["mask"] == "oval"
+
+
 def test_names_are_found_however_they_are_written(tmp_path: Path, runs: list[PictureRun]) -> None:
     typed("render", "-o", str(tmp_path / "a.png"), "--expression", "SMILE", "--channel", "jaw open=0.5")
     [[pose]] = runs[0].pictures[0].sheet.poses

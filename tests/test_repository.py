@@ -194,3 +194,9 @@ def test_decisions_are_found_by_subject_from_one_index() -> None:
     listed = re.findall(r"^\| \[(.+)\]\((.+)\) \|", (folder / "README.md").read_text(), re.MULTILINE)
     assert len(listed) <= 30
     assert sorted((page, f"# {title}") for title, page in listed) == sorted(titles.items())
+
+
+def test_who_cites_the_project_cites_this_version_and_licence() -> None:
+    cited = dict(re.findall(r"^([\w-]+): (.+)$", (ROOT / "CITATION.cff").read_text(), re.MULTILINE))
+    assert (cited["version"], cited["license"]) == (PROJECT["version"], PROJECT["license"])
+    assert cited["cff-version"] == "1.2.0"

@@ -9,6 +9,7 @@ if TYPE_CHECKING:
     from omote.builtin import load_cast as load_cast
     from omote.builtin.own_face import fit as fit
     from omote.builtin.own_face import fit_photographs as fit_photographs
+    from omote.builtin.random_faces import add_random_faces as add_random_faces
     from omote.client.connect import connect as connect
     from omote.client.connect import connect_async as connect_async
     from omote.interchange.formats.sculpt_toml import read_sculpt as read_sculpt
@@ -36,6 +37,7 @@ if TYPE_CHECKING:
     from omote.perform.scene.scene import Scene as Scene
     from omote.server.headless.picture_renderer import Renderer as Renderer
     from omote.server.headless.picture_renderer import render as render
+    from omote.server.headless.stimulus_run import draw_stimuli as draw_stimuli
     from omote.stage_data.full_cast import read_show as read_show
     from omote.stage_data.pose_parser import parse_pose as parse_pose
 
@@ -60,10 +62,12 @@ _HOMES = {
     "Scene": "omote.perform.scene.scene",
     "Sculpt": "omote.model.sculpting.sculpt",
     "action_units": "omote.model.action_units",
+    "add_random_faces": "omote.builtin.random_faces",
     "caricature": "omote.model.sculpting.caricature",
     "compound": "omote.model.transfer.compound",
     "connect": "omote.client.connect",
     "connect_async": "omote.client.connect",
+    "draw_stimuli": "omote.server.headless.stimulus_run",
     "evaluate": "omote.perform.blending.evaluate",
     "evaluate_parts": "omote.perform.blending.evaluate",
     "extract": "omote.model.extraction.extract",

@@ -6,6 +6,7 @@ import shutil
 import textwrap
 from collections.abc import Mapping
 from dataclasses import asdict
+from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
 import typer
@@ -13,12 +14,13 @@ import typer
 from omote.access_commands import access_app
 from omote.camera_commands import track
 from omote.export_commands import export
-from omote.face_commands import face
+from omote.face_commands import draw_random, face
 from omote.file_commands import file_app
 from omote.picture_commands import grid, redraw, render
 from omote.show_command import show
+from omote.stimulus_commands import stimuli
 from omote.take_commands import play_take, record_take
-from omote.terminal import fail, fail_with
+from omote.terminal import complete_show, fail, fail_with
 
 if TYPE_CHECKING:
     from omote.model.cast import Cast
@@ -59,8 +61,26 @@ def main() -> None:
 
 
 @app.command()
-def cast(json: Annotated[bool, typer.Option("--json", help="Print it for programs.")] = False) -> None:
-    """Lists the faces and the expressions of the built-in cast."""
+def cast(
+    json: Annotated[bool, typer.Option("--json", help="Print it for programs.")] = False,
+    random: Annotated[
+        int | None,
+        typer.Option(min=1, max=1000, metavar="COUNT", help="Instead: so many new faces of nobody into -o show.omote."),
+    ] = None,
+    seed: Annotated[
+        int | None, typer.Option(min=0, help="Of the new faces: the same seed, the same faces; else 0.")
+    ] = None,
+    output: Annotated[
+        Path | None,
+        typer.Option("--output", "-o", callback=complete_show, help="The show file (.omote) that gets the new faces."),
+    ] = None,
+) -> None:
+    """Lists the faces and the expressions of the built-in cast, or draws new faces at random."""
+    if random is not None:
+        draw_random(output, random, seed or 0, json=json)
+        return
+    if seed is not None or output is not None:
+        fail("--seed and -o are of new faces; add --random COUNT.")
     loaded = load_cast()
     if json:
         print_json(loaded)
@@ -72,6 +92,7 @@ app.command()(face)
 app.command()(render)
 app.command()(grid)
 app.command()(redraw)
+app.command()(stimuli)
 app.command()(export)
 app.command("play-take")(play_take)
 app.command()(track)

@@ -1,4 +1,7 @@
-"""The command `omote face`: scans become own faces of a show file; what is doubtful is stored only if asked."""
+"""The command `omote face`: scans become own faces of a show file; what is doubtful is stored only if asked.
+
+And faces of nobody (`omote cast --random`), which are stored alike.
+"""
 
 from __future__ import annotations
 
@@ -302,8 +305,40 @@ def store(output: Path, cast: Cast, good: list[ScanOutcome], *, keep_both: bool)
     output: the show file; cast: with its own work; good: what is stored; keep_both: whether copies of what is there are
     added.
     """
-    added = ", ".join(map(repr, add_items(output, cast, items_of(good), keep_both=keep_both)))
+    tell_added(output, add_items(output, cast, items_of(good), keep_both=keep_both))
+
+
+def tell_added(output: Path, labels: list[str]) -> None:
+    """Says which faces a show file got.
+
+    output: the show file; labels: of what was added.
+    """
+    added = ", ".join(map(repr, labels))
     say(f"added to {output}: {added}." if added else f"nothing was added to {output}.")
+
+
+def draw_random(output: Path | None, count: int, seed: int, *, json: bool) -> None:
+    """Draws new faces of nobody and stores them in a show file that no show plays.
+
+    output: the show file, None where none is named; count: how many; seed: which; json: whether that was asked for.
+    """
+    if output is None or json:
+        fail("new faces go into a show file; write omote cast --random 50 --seed 3 -o people.omote.")
+    if output.suffix.lower() != SHOW and not output.exists():
+        fail(f"{output} does not end as a show file does; write -o {output.with_suffix(SHOW)}.")
+    with exit_on_refusal():
+        read_own_work(output)
+        from omote.builtin import load_cast
+        from omote.builtin.random_faces import draw_random_faces
+        from omote.edit.store.import_items import ImportedItem
+
+        people = []
+        with shown_progress(count) as step:
+            step(0, "the first")
+            for number, (face, look) in enumerate(draw_random_faces(count, seed), start=1):
+                people.append(ImportedItem(face.name, (face, look), note=f"drawn at random, seed {seed}"))
+                step(number - 1, face.name)
+        tell_added(output, add_items(output, load_cast(), people, keep_both=False))
 
 
 def write_report(folder: Path, cast: Cast, outcomes: list[ScanOutcome]) -> None:

@@ -30,6 +30,14 @@ LightOption = Annotated[str, typer.Option(help=f"{', '.join(LIGHTS)} or a mix: t
 BackgroundOption = Annotated[str | None, typer.Option(help="Behind the head: green, grey, or #rrggbb.")]
 TransparentOption = Annotated[bool, typer.Option("--transparent", help="Nothing behind the head.")]
 QualityOption = Annotated[str, typer.Option(help="lowest, low, medium, good or high.")]
+HairOption = Annotated[bool, typer.Option("--hair/--no-hair", help="Whether heads wear their hair.")]
+MaskOption = Annotated[str, typer.Option(help="Leave the face alone: oval, or face (chin to hairline).")]
+LuminanceOption = Annotated[
+    float | None, typer.Option(help="The mean of relative luminance, linear light, that each picture gets: 0.2.")
+]
+ContrastOption = Annotated[
+    float | None, typer.Option(help="The standard deviation of luminance over its mean (RMS): 0.5.")
+]
 ShowOption = Annotated[
     Path | None, typer.Option(callback=complete_show, help="A show file (.omote) whose own work can be named too.")
 ]
@@ -54,6 +62,10 @@ def render(
     background: BackgroundOption = None,
     transparent: TransparentOption = False,
     quality: QualityOption = "high",
+    hair: HairOption = True,
+    mask: MaskOption = "",
+    luminance: LuminanceOption = None,
+    contrast: ContrastOption = None,
     show: ShowOption = None,
     fresh: FreshOption = False,
     force: ForceOption = False,
@@ -63,8 +75,8 @@ def render(
 
     request = RenderRequest(
         face=tuple(face or ["generic"]), expression=tuple(expression or []), channel=tuple(channel or []), turn=turn,
-        gaze=gaze, size=size, light=light, background=background, transparent=transparent, quality=quality,
-        show="" if show is None else str(show),
+        gaze=gaze, size=size, light=light, background=background, transparent=transparent, quality=quality, hair=hair,
+        mask=mask, luminance=luminance, contrast=contrast, show="" if show is None else str(show),
     )  # fmt: skip
     draw(output, request, fresh=fresh, force=force)
 
@@ -72,7 +84,9 @@ def render(
 def grid(
     output: OutputOption,
     faces: Annotated[str, typer.Option(help="The rows: faces, or mixes (kaori=0.5+dog=0.5), by commas.")] = "",
-    morph: Annotated[str, typer.Option(help="The columns instead: steps from face to face, kaori:old:11.")] = "",
+    morph: Annotated[
+        str, typer.Option(help="Steps from face to face as columns: kaori:old:11, or kaori:old:0.5mm.")
+    ] = "",
     expressions: Annotated[str, typer.Option(help="Expressions, mixes, or kinds (performed), by commas.")] = "neutral",
     turns: Annotated[str, typer.Option(help="Each expression at these yaws, degrees, by commas.")] = "0",
     labels: Annotated[bool, typer.Option("--labels/--no-labels", help="Write the names beside the pictures.")] = True,
@@ -81,6 +95,10 @@ def grid(
     background: BackgroundOption = None,
     transparent: TransparentOption = False,
     quality: QualityOption = "high",
+    hair: HairOption = True,
+    mask: MaskOption = "",
+    luminance: LuminanceOption = None,
+    contrast: ContrastOption = None,
     show: ShowOption = None,
     jobs: JobsOption = 1,
     fresh: FreshOption = False,
@@ -91,7 +109,8 @@ def grid(
 
     request = GridRequest(
         faces=faces, morph=morph, expressions=expressions, turns=turns, labels=labels, size=size, light=light,
-        background=background, transparent=transparent, quality=quality, show="" if show is None else str(show),
+        background=background, transparent=transparent, quality=quality, hair=hair, mask=mask, luminance=luminance,
+        contrast=contrast, show="" if show is None else str(show),
     )  # fmt: skip
     draw(output, request, fresh=fresh, force=force, jobs=jobs)
 
@@ -252,43 +271,45 @@ def draw_shown(studio: PictureStudio, run: PictureRun, path: Path, *, jobs: int,
     """
     from omote.server.headless.picture_run import draw_run
 
-    with shown_progress(run, path, stopped) as report:
+    with shown_progress(len(run.pictures), len(run.waiting), path, stopped) as report:
         draw_run(studio, run, report, jobs=jobs)
 
 
 @contextmanager
-def shown_progress(run: PictureRun, path: Path, stopped: str) -> Iterator[Callable[[PictureProgress], None]]:
+def shown_progress(
+    total: int, waiting: int, path: Path, stopped: str
+) -> Iterator[Callable[[PictureProgress], None]]:  # fmt: skip
     """Shows how far a run is: a bar with the time that is left on a terminal, else a line for each picture.
 
-    path: of the picture; stopped: what is said after Ctrl-C.
+    total: how many pictures there are; waiting: how many of them are not drawn yet; path: of the picture; stopped: what
+    is said after Ctrl-C.
     """
-    there = len(run.pictures) - len(run.waiting)
-    if there and run.waiting:
-        say(f"{there} of {len(run.pictures)} pictures are there already; going on.")
+    there = total - waiting
+    if there and waiting:
+        say(f"{there} of {total} pictures are there already; going on.")
     try:
         if sys.stderr.isatty():
-            yield from _bar(run, path, there)
+            yield from _bar(total, path, there)
         else:
-            yield _lines(run)
+            yield _lines(there)
     except KeyboardInterrupt:
         say(stopped)
         raise typer.Exit(INTERRUPTED) from None
 
 
-def _bar(run: PictureRun, path: Path, there: int) -> Iterator[Callable[[PictureProgress], None]]:
+def _bar(total: int, path: Path, there: int) -> Iterator[Callable[[PictureProgress], None]]:
     from rich.console import Console
     from rich.progress import BarColumn, MofNCompleteColumn, TextColumn, TimeRemainingColumn
     from rich.progress import Progress as Bar
 
     columns = (TextColumn("{task.description}"), BarColumn(), MofNCompleteColumn(), TimeRemainingColumn(compact=True))
     with Bar(*columns, TextColumn("left"), console=Console(stderr=True), transient=True) as bar:
-        task = bar.add_task(path.name, total=len(run.pictures), completed=there)
+        task = bar.add_task(path.name, total=total, completed=there)
         yield lambda progress: bar.update(task, completed=progress.number, description=progress.path.name)
 
 
-def _lines(run: PictureRun) -> Callable[[PictureProgress], None]:
+def _lines(first: int) -> Callable[[PictureProgress], None]:
     began = time.monotonic()
-    first = len(run.pictures) - len(run.waiting)
 
     def report(progress: PictureProgress) -> None:
         left = progress.total - progress.number

@@ -14,6 +14,7 @@ import pytest
 from numpy.typing import NDArray
 from playwright.sync_api import Page, expect
 
+from omote.stage_data.picture_finish import measure_luminance
 from tests.browser.pictures import DECODE, picture
 from tests.browser.waiting import draw_on_demand, wait_until
 from tools.browser import SENTENCE, find_browser
@@ -144,6 +145,26 @@ def test_a_grid_holds_the_pictures(open_page: OpenPage, tmp_path: Path) -> None:
     assert sheet.shape in {(481, 320, 4), (240, 641, 4)}
     assert np.array_equal(sheet[:240, :320], one)
     assert not np.array_equal(sheet[-240:, -320:], one)
+
+
+def test_stimuli_are_bald_masked_and_matched_as_their_table_says(open_page: OpenPage, tmp_path: Path) -> None:
+    (tmp_path / "design.csv").write_text(
+        "name,face,size,quality,turn,transparent,hair,mask,luminance,contrast\n"
+        "haired,kaori,160x180,low,,yes,yes,,,\nbald,kaori,160x180,low,,yes,no,,,\n"
+        "one,kaori,160x180,low,,yes,no,oval,0.25,0.35\nother,man,160x180,low,25,yes,no,oval,0.25,0.35\n"
+    )
+    done = omote("stimuli", str(tmp_path / "design.csv"), "-o", str(tmp_path / "out"))
+    assert done.returncode == 0, done.stderr
+    page = open_page("/")
+    names = ("haired", "bald", "one", "other")
+    haired, bald, *masked = (decoded(page, tmp_path / "out" / f"{name}.png").astype(np.uint8) for name in names)
+    assert (bald[..., 3] > 0).sum() < 0.9 * (haired[..., 3] > 0).sum()
+    for picture_of_one in masked:
+        assert measure_luminance(picture_of_one) == pytest.approx((0.25, 0.35), abs=1 / 255)
+    oval = masked[0][..., 3] > 0
+    assert not (oval & (bald[..., 3] == 0)).any(), "the oval lies on the face"
+    assert oval.sum() < 0.8 * (bald[..., 3] > 0).sum()
+    assert np.abs(oval.astype(int) - oval[:, ::-1]).mean() < 0.02, "and in the middle"
 
 
 def test_a_picture_from_its_sidecar_and_from_two_browsers_is_the_same(open_page: OpenPage, tmp_path: Path) -> None:

@@ -13,6 +13,7 @@ from omote.model.action_units import (
     find_units,
     read_action_unit,
 )
+from omote.perform.name_lookup import find_names
 
 WITHOUT = {"mouthLeft", "mouthRight", "mouthShrugUpper", "nose-depression"}
 """Units of the cast that FACS has no unit for."""
@@ -99,3 +100,20 @@ def test_where_no_one_channel_is_a_unit_it_is_said_what_to_do() -> None:
     assert explain_action_unit("AU 23", channels).startswith("no channel is AU23; there are AU1, AU2, AU4, ")
     assert explain_action_unit("AU51", channels) == "AU51 is a turn of the head (turn)"
     assert explain_action_unit("AU12", ["joy"]) == "no channel is AU12"
+
+
+@pytest.mark.parametrize(
+    ("typed", "unit", "weight"), [("AU12C", "AU12", 0.6), ("12 E", "AU12", 1), ("L12A", "AU12L", 0.2)]
+)
+def test_an_intensity_of_facs_is_answered_with_what_is_meant(typed: str, unit: str, weight: float) -> None:
+    said = explain_action_unit(typed, load_cast().expressions)
+    grade = typed[-1]
+    assert said.startswith(f"{unit}{grade} is {unit} at FACS's intensity {grade}")
+    assert said.endswith(f"write {unit}={weight:g}")
+    with pytest.raises(ValueError, match=rf"there is no channel '{typed}' in this cast; {unit}{grade} is {unit} at"):
+        find_names(typed, load_cast().expressions, "channel")
+
+
+def test_a_half_is_no_intensity_and_what_has_no_channel_has_none() -> None:
+    assert explain_action_unit("AU28B", load_cast().expressions) == "AU28B is mouthRollLower"
+    assert "intensity" not in explain_action_unit("AU11C", load_cast().expressions)

@@ -43,7 +43,9 @@ def test_steps_of_a_morph_weigh_one(count: int) -> None:
         assert sum(float(part.split("=")[1]) for part in mix.split("+")) == pytest.approx(1, abs=1e-6)
 
 
-@pytest.mark.parametrize("text", ["kaori", "kaori:man", "kaori:man:1", "kaori:man:x", ":man:3", "a:b:3:4", "a:b:99999"])
+@pytest.mark.parametrize(
+    "text", ["kaori", "kaori:man", "kaori:man:1", "kaori:man:x", ":man:3", "a:b:3:4", "a:b:99999", "a:b:0mm", "a:b:mm"]
+)
 def test_a_morph_that_is_none_is_refused(text: str) -> None:
     with pytest.raises(ValueError, match="as in kaori:man:11"):
         morph_steps(text)

@@ -1,5 +1,7 @@
 """What pictures share: what cannot be drawn is refused before a browser is asked."""
 
+from typing import Any
+
 import pytest
 
 from omote.stage_data.picture_setting import LARGEST, SMALLEST, Setting, read_size, refuse_count, split_list
@@ -53,3 +55,24 @@ def test_a_background_is_kept_as_its_colour() -> None:
 def test_an_empty_table_and_one_without_end_are_refused(count: int) -> None:
     with pytest.raises(ValueError, match=f"the table has {count} pictures"):
         refuse_count(count)
+
+
+@pytest.mark.parametrize(
+    ("wish", "sentence"),
+    [
+        ({"mask": "square"}, "no mask 'square'; give one of oval, face"),
+        ({"mask": "oval"}, "needs something around it"),
+        ({"luminance": 1.5}, "a luminance of 1.5 cannot be given to a picture; give 0.01 to 0.9"),
+        ({"contrast": float("nan")}, "a contrast of nan cannot be given"),
+    ],
+)
+def test_a_finish_that_cannot_be_is_refused(wish: dict[str, Any], sentence: str) -> None:
+    with pytest.raises(ValueError, match=sentence):
+        Setting(**wish)
+    with pytest.raises(TypeError, match="the luminance is 'x'; give a number"):
+        Setting(luminance="x")  # type: ignore[arg-type]
+
+
+def test_what_is_finished_is_no_jpeg() -> None:
+    with pytest.raises(ValueError, match=r"a JPEG would change what is masked or matched; write a \.png"):
+        Setting(contrast=0.5).paper("image/jpeg")

@@ -16,7 +16,7 @@ FACS is Ekman and Friesen's Facial Action Coding System (2002). The units of the
 of a coder: each row names the action units that the channel is nearest to by what it moves. `L` and `R` are the
 character's left and right, `T` and `B` the upper and the lower lip; `1+2` is both together. A dash: FACS has no unit
 for it. `eyeLookInLeft` turns the left eye towards the nose, which is to the right. Weights are no intensities A to E:
-a weight of 1 is the unit as it was sculpted.
+a weight of 1 is the unit as it was sculpted. `AU12C` is answered with that, and with 0.6, its place among A to E.
 
 Wherever the name of an expression or a channel is typed, its unit finds it: `--channel AU12=0.5`, `--channel "lip
 corner puller"`, `AU12L` or `L12` for the left half, `--expressions AU26`; a console finds it by *Search*.

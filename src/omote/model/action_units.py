@@ -54,6 +54,11 @@ HEAD_TURNS = range(51, 57)
 """Units that the head does: turns to both sides, up, down, and tilts."""
 SIDES = ("LR", "TB")
 """Letters of halves of the face that make a whole unit together."""
+GRADES: Mapping[str, str] = MappingProxyType(
+    {"A": "trace", "B": "slight", "C": "marked", "D": "severe", "E": "maximum"}
+)  # fmt: skip
+"""Intensities of FACS, which follow the number of a unit."""
+_GRADED = re.compile(r"((?:au)?[lrtb]?\d{1,2}[lrt]?)([a-e])")
 _CODE = re.compile(r"(au)?([lrtb]?)(\d{1,2})([lrtb]?)")
 _NUMBERS = {re.sub(r"[^a-z]", "", name.lower()): number for number, name in ACTION_UNITS.items()}
 
@@ -112,18 +117,35 @@ def explain_action_unit(typed: str, channels: Iterable[str], /) -> str:
 
     channels: the names that there are.
     """
+    choices = list(channels)
+    if units := find_units(typed, choices):
+        return f"{read_action_unit(typed)} is {' and '.join(units)}{' together' if len(units) > 1 else ''}"
+    if graded := _explain_grade(typed, choices):
+        return graded
     unit = read_action_unit(typed)
     if unit is None:
         return ""
-    choices = list(channels)
-    if units := find_units(typed, choices):
-        return f"{unit} is {' and '.join(units)}{' together' if len(units) > 1 else ''}"
     if unit.number in HEAD_TURNS:
         return f"{unit} is a turn of the head (turn)"
     if either := [units for side in "LR" for units in find_units(f"{unit}{side}", choices)]:
         return f"{unit} is {' or '.join(either)}"
     there = ", ".join(f"AU{number}" for number in ACTION_UNITS if _is_there(number, choices))
     return f"no channel is {unit}{f'; there are {there}' if there else ''}"
+
+
+def _explain_grade(typed: str, choices: Iterable[str]) -> str:
+    """A clause on an intensity of FACS behind a unit that is there, `AU12C`; "" for anything else."""
+    code = _GRADED.fullmatch(re.sub(r"[^a-z0-9]", "", typed.lower()))
+    unit = read_action_unit(code[1] if code[1].startswith("au") else f"au{code[1]}") if code else None
+    if code is None or unit is None or not find_units(str(unit), choices):
+        return ""
+    grade = code[2].upper()
+    share = (1 + list(GRADES).index(grade)) / len(GRADES)
+    return (
+        f"{unit}{grade} is {unit} at FACS's intensity {grade} ({GRADES[grade]}), which a coder judges and no number "
+        "measures; weights are shares of the unit as sculpted: where data count A to E as 1 to 5, write "
+        f"{unit}={share:g}"
+    )
 
 
 def _is_there(number: int, channels: Iterable[str]) -> bool:

@@ -15,6 +15,8 @@ from omote.stage_data.pose_words import PoseWords, read_pose
 
 MOST_STEPS = 1000
 LONGEST_FILE_NAME = 80
+APART = re.compile(r"(\d{1,4}(?:\.\d{1,6})?)\s*mm")
+"""How far steps of a morph are apart, millimetres of mesh."""
 TITLES = {"eyeBlinkLeft+eyeBlinkRight": "eyes shut"}
 """What mixes are called above a column that nobody would call by their names."""
 
@@ -27,14 +29,18 @@ class PictureOptions(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_f
     background: str | None = None
     transparent: bool = False
     quality: str = "high"
+    hair: bool = True
+    mask: str = ""
+    luminance: float | None = None
+    contrast: float | None = None
     show: str = ""
 
     @property
     def setting(self) -> Setting:
-        """Size, background and quality; ValueError where they cannot be drawn."""
+        """All of it but the light and the show file; ValueError where it cannot be drawn."""
         width, height = read_size(self.size)
-        chosen = {"background": self.background, "transparent": self.transparent, "quality": self.quality}
-        return Setting(width, height, **chosen)  # type: ignore[arg-type]
+        chosen = ("background", "transparent", "quality", "hair", "mask", "luminance", "contrast")
+        return Setting(width, height, **{name: getattr(self, name) for name in chosen})
 
 
 class RenderRequest(PictureOptions, frozen=True, kw_only=True, tag_field="command", tag="render"):
@@ -142,20 +148,39 @@ def cell_of(grid: GridRequest, face: str, expression: str, turn: str) -> RenderR
     return RenderRequest(face=(face,), expression=(expression,), turn=turn, **shared)
 
 
-def morph_steps(text: str) -> list[tuple[str, str, str]]:
-    """Parses a morph, `kaori:man:11`: for each step its title, the name of its file and the mix of the two faces.
+class Morph(msgspec.Struct, frozen=True):
+    """A morph as it is typed: the mixes at its ends, and the number of its steps or else how far apart they are."""
 
-    ValueError for anything else.
+    first: str
+    last: str
+    count: int
+    millimetres: float | None = None
+
+
+def read_morph(text: str) -> Morph:
+    """Parses a morph, `kaori:man:11` or `kaori:man:0.5mm`; ValueError for anything else.
+
+    Steps that are a distance apart count as the two ends: only who knows the faces can count them.
     """
     parts = [part.strip() for part in text.split(":")]
-    if len(parts) != 3 or not all(parts) or not parts[2].isdecimal() or not 2 <= int(parts[2][:6]) <= MOST_STEPS:
-        raise ValueError(
-            f"the morph {text!r} is not understood; give two faces and a number of steps from 2 to {MOST_STEPS}, "
-            "as in kaori:man:11"
-        )
-    first = parts[0]
-    last = parts[1]
-    count = int(parts[2])
+    if len(parts) == 3 and all(parts):
+        first, last, steps = parts
+        if steps.isdecimal() and 2 <= int(steps[:6]) <= MOST_STEPS:
+            return Morph(first, last, int(steps))
+        if (apart := APART.fullmatch(steps)) and float(apart[1]) > 0.0:
+            return Morph(first, last, 2, float(apart[1]))
+    raise ValueError(
+        f"the morph {text!r} is not understood; give two faces and a number of steps from 2 to {MOST_STEPS}, "
+        "as in kaori:man:11, or how far apart they are, as in kaori:man:0.5mm"
+    )
+
+
+def morph_steps(text: str) -> list[tuple[str, str, str]]:
+    """For each step of a morph (`read_morph`) its title, the name of its file and the mix of the two faces."""
+    morph = read_morph(text)
+    first = morph.first
+    last = morph.last
+    count = morph.count
     steps = []
     for step in range(count):
         share = round(step / (count - 1), 6)

@@ -1,4 +1,5 @@
-"""What all pictures of a table share: size, background and quality; all of it is checked without a cast."""
+"""What all pictures of a table share: size, background, quality, hair, mask and luminance; all of it is checked without
+a cast."""
 
 from __future__ import annotations
 
@@ -15,17 +16,29 @@ MOST_PIXELS = 8192 * 4320
 """Pixels: of a side, and of one picture; no graphics driver draws more everywhere."""
 MOST_CELLS = 2000
 PAPER = "#000"
+MASKS = ("oval", "face")
+LUMINANCES = (0.01, 0.9)
+CONTRASTS = (0.01, 2.0)
+"""The means of relative luminance that a picture may be given, and its deviation over the mean."""
 
 
 @dataclass(frozen=True)
 class Setting:
-    """What all pictures of a grid share: size in pixels, background, quality."""
+    """What all pictures of a grid share: size in pixels, background, quality, whether heads wear hair.
+
+    mask: "oval" or "face", what is left of a picture, "" for all; luminance: the mean of relative luminance in linear
+    light; contrast: its standard deviation over the mean; None: as drawn.
+    """
 
     width: int = 640
     height: int = 720
     background: str | None = None
     transparent: bool = False
     quality: str = "high"
+    hair: bool = True
+    mask: str = ""
+    luminance: float | None = None
+    contrast: float | None = None
 
     def __post_init__(self) -> None:
         """Rejects sizes that no canvas has, unknown levels of quality, and what is no colour."""
@@ -45,6 +58,36 @@ class Setting:
             raise TypeError(f"the background is {self.background!r}; give a colour as text, as in '#00b140'")
         if self.background is not None:
             object.__setattr__(self, "background", find_background(self.background))
+        self._refuse_finish()
+
+    def _refuse_finish(self) -> None:
+        if not isinstance(self.hair, bool):
+            raise TypeError(f"hair is {self.hair!r}; give True or False")
+        if self.mask not in ("", *MASKS):
+            raise ValueError(f"there is no mask {self.mask!r}; give one of {', '.join(MASKS)}")
+        if self.mask and not self.transparent and self.background is None:
+            raise ValueError(
+                f"a picture with the mask {self.mask!r} needs something around it: a background, as #808080, or "
+                "transparent"
+            )
+        for name, wish, (least, most) in (
+            ("luminance", self.luminance, LUMINANCES),
+            ("contrast", self.contrast, CONTRASTS),
+        ):
+            if wish is not None and (isinstance(wish, bool) or not isinstance(wish, int | float)):
+                raise TypeError(f"the {name} is {wish!r}; give a number, such as 0.3")
+            if wish is not None and not least <= wish <= most:
+                raise ValueError(f"a {name} of {wish:g} cannot be given to a picture; give {least:g} to {most:g}")
+
+    @property
+    def finished(self) -> bool:
+        """Whether something is done to the picture after it is drawn."""
+        return bool(self.mask) or self.luminance is not None or self.contrast is not None
+
+    @property
+    def clear(self) -> bool:
+        """Whether the stage draws nothing behind the head: what is finished gets its background afterwards."""
+        return self.transparent or (self.finished and self.background is not None)
 
     def paper(self, kind: Kind) -> str | None:
         """The colour behind the pictures of a file of this kind: dark, or None where the pictures are transparent.
@@ -53,6 +96,8 @@ class Setting:
         """
         if self.transparent and kind == "image/jpeg":
             raise ValueError("a JPEG cannot be transparent; write a .png, or leave --transparent out")
+        if self.finished and kind == "image/jpeg":
+            raise ValueError("a JPEG would change what is masked or matched; write a .png")
         return None if self.transparent else PAPER
 
 

@@ -35,6 +35,8 @@ def test_a_setting_is_the_address_of_a_stage() -> None:
     assert query(Setting()) == "?quality=high"
     assert query(Setting(background="#00b140", quality="low")) == "?quality=low&background=%2300b140"
     assert query(Setting(transparent=True)) == "?quality=high&transparent=1"
+    assert query(Setting(hair=False)) == "?quality=high&hair=0"
+    assert query(Setting(background="#00b140", mask="oval")) == "?quality=high&transparent=1"
 
 
 def documents(cast: Cast) -> CastDocuments:

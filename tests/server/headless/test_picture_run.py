@@ -1,8 +1,10 @@
 """Many pictures into files: written one by one, in several browsers, and not again."""
 
+import itertools
 import os
 from pathlib import Path
 
+import numpy as np
 import pytest
 
 from omote.model.cast import Cast
@@ -15,6 +17,7 @@ from omote.server.headless.picture_run import (
     pictures_folder,
 )
 from omote.server.http.static_pages import Page
+from omote.stage_data.morph_distance import measure_distance
 from omote.stage_data.picture_request import GridRequest, RenderRequest
 from omote.stage_data.picture_sidecar import is_drawn, sidecar_path
 from tests.server.false_browser import ANSWERS, false_browser
@@ -103,3 +106,17 @@ def test_no_more_browsers_start_than_there_are_pictures(studio: PictureStudio, t
     request = RenderRequest(face=(next(iter(studio.cast.faces)),))
     draw_run(studio, studio.plan(request, tmp_path / "a.png"), lambda _: None, jobs=os.cpu_count() or 2)
     assert started.read_text() == "."
+
+
+def test_a_morph_by_millimetres_has_steps_that_are_so_far_apart(studio: PictureStudio, tmp_path: Path) -> None:
+    one, other = list(studio.cast.faces)[1:3]
+    space = studio.cast.base.space
+    shapes = {name: studio.cast.base.faces[name].positions.astype(np.float64) for name in (one, other)}
+    away = measure_distance(space, shapes[one], shapes[other])
+    run = studio.plan(GridRequest(morph=f"{one}:{other}:{away / 7:.6f}mm"), tmp_path / "a.png")
+    poses = [file.sheet.poses[0][0]["faces"] for file in run.pictures]
+    skins = [np.sum([share * shapes[name] for name, share in pose.items()], axis=0) for pose in poses]
+    steps = [measure_distance(space, before, after) for before, after in itertools.pairwise(skins)]
+    assert steps == pytest.approx([away / 7] * 7, rel=1e-4)
+    with pytest.raises(ValueError, match=r"mm apart, so steps of 1000 mm are 0; give a distance"):
+        studio.plan(GridRequest(morph=f"{one}:{other}:1000mm"), tmp_path / "a.png")

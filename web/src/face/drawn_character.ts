@@ -6,7 +6,7 @@ import type { Anatomy } from "./anatomy/anatomy";
 import { AssetResidency, namesOf } from "./blend/asset_residency";
 import type { Blender, BlendTarget } from "./blend/blender";
 import type { Eyeballs } from "./blend/sum_pass";
-import { type Point, type Shot, shotOfHead } from "./framing";
+import { type Point, type Shot, shotOfHead, turnedAbout } from "./framing";
 import { Hair } from "./hair/hair";
 import { createHairStock, type HairStock } from "./hair/hair_assignment";
 import { FEET } from "./head/collar";
@@ -248,6 +248,22 @@ export class DrawnCharacter {
   /** Its blended positions, read back from the GPU. */
   readPositions(blender: Blender): Float32Array {
     return blender.readPositions(this.target);
+  }
+
+  /** Where vertices of its skin lie in the picture last drawn: right, down as shares of it, and depth, metres. */
+  placesOf(rows: readonly number[], camera: THREE.PerspectiveCamera, blender: Blender): number[][] {
+    const positions = this.readPositions(blender);
+    const { pivot, headTurn } = this.uniforms.shared;
+    const points = rows.map((row): Point => {
+      const [x = 0, y = 0, z = 0] = positions.subarray(3 * row, 3 * row + 3);
+      return [x, y, z];
+    });
+    return turnedAbout(points, pivot.value, headTurn.value).map((point) => {
+      const standing = new THREE.Vector3(...point).applyMatrix4(this.head.matrix);
+      const depth = -standing.clone().applyMatrix4(camera.matrixWorldInverse).z;
+      const { x, y } = standing.project(camera);
+      return [(1 + x) / 2, (1 - y) / 2, depth];
+    });
   }
 
   /** Frees its part of the GPU's memory. */

@@ -204,6 +204,12 @@ export class FaceView {
     return this.characters.get(name)?.readPositions(this.blender) ?? new Float32Array();
   }
 
+  /** Where points of the first character's skin lie in the picture last drawn: right, down as shares of it, and depth, metres. */
+  placesOf(rows: readonly number[]): number[][] {
+    const [character] = this.characters.values();
+    return character?.placesOf(rows, this.camera, this.blender) ?? [];
+  }
+
   /** Frees the GPU; the canvas keeps its context. */
   dispose(): void {
     this.alive = false;

@@ -46,6 +46,13 @@ describe("a library", () => {
     expect(asked).toEqual(["/assets/kaori", "/compounds/d/kaori/a%20smile"]);
   });
 
+  it("shaves every face where heads are bald", () => {
+    const look = { skin: "#d9a98c", hair_style: "bob", scalp: 0.7 };
+    const haired = { ...manifest, faces: [{ name: "kaori", source: "kaori", look }] } as unknown as Manifest;
+    const looks = [true, false].map((kept) => new Library(haired, undefined, kept).faces.get("kaori")?.look);
+    expect(looks).toEqual([look, { ...look, hair_style: "", scalp: 0 }]);
+  });
+
   it("fetches the picture on a face's skin by its digest, and its bytes stay as they are", async () => {
     const asked: string[] = [];
     const decoded = vi.fn(async () => "picture");

@@ -106,6 +106,9 @@ function readAllowance(document: CompoundAsset["allowed"]): Compound["allowed"] 
 /** Begins the source of what is known by its content; other sources are names of the built-in cast. */
 export const KEY = "#";
 
+/** A face without hair, and without its shadow on the scalp. */
+const shaved = (face: FaceDocument): FaceDocument => ({ ...face, look: { ...face.look, hair_style: "", scalp: 0 } });
+
 /**
  * The cast as documents: the manifest, and faces and compounds that are fetched once, when first asked for. What a name
  * of the cast stands for may change during the show; a source (`sourceOf`) stands for the same for ever.
@@ -128,6 +131,7 @@ export class Library {
   constructor(
     manifest: Manifest,
     private readonly read: Fetch = fetchBytes,
+    private readonly haired = true,
   ) {
     this.present = manifest;
     this.meshes = manifest.meshes.map((mesh) => readMesh(mesh, manifest.vertices));
@@ -157,7 +161,7 @@ export class Library {
       const documents: readonly (FaceDocument | ExpressionDocument)[] = manifest[kind];
       this.sources[kind] = new Map(documents.map(({ name, source }) => [name, source]));
     }
-    for (const face of manifest.faces) this.faces.set(face.source, face);
+    for (const face of manifest.faces) this.faces.set(face.source, this.haired ? face : shaved(face));
     for (const expression of manifest.expressions) this.expressions.set(expression.source, expression);
   }
 
@@ -166,9 +170,9 @@ export class Library {
     return this.sources[kind].get(name) ?? name;
   }
 
-  /** The library of the server that served this page; waits until the server is there. */
-  static async open(read: Fetch = fetchBytes): Promise<Library> {
-    return new Library(decode(await fetchWithRetry("/manifest", read)) as Manifest, read);
+  /** The library of the server that served this page; waits until the server is there. `haired`: else its heads are bald. */
+  static async open(haired = true, read: Fetch = fetchBytes): Promise<Library> {
+    return new Library(decode(await fetchWithRetry("/manifest", read)) as Manifest, read, haired);
   }
 
   hasFace(source: string): boolean {

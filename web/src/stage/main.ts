@@ -12,7 +12,7 @@ const canvas = document.getElementById("stage") as HTMLCanvasElement;
 
 async function open(parameters: StageParameters): Promise<void> {
   document.documentElement.classList.toggle("transparent", parameters.transparent);
-  const stage = await Stage.open(canvas, await Library.open(), parameters, new WakeLock());
+  const stage = await Stage.open(canvas, await Library.open(parameters.hair), parameters, new WakeLock());
   exposeProbe(stage);
   const tick = (): void => {
     stage.frame(now());

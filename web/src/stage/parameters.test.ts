@@ -10,6 +10,7 @@ describe("a stage's address", () => {
       sound: "may",
       light: undefined,
       transparent: false,
+      hair: true,
       hud: false,
       quality: "auto",
       tile: undefined,
@@ -31,6 +32,7 @@ describe("a stage's address", () => {
       quality: "low",
     });
     expect(readParameters("?transparent=0").transparent).toBe(false);
+    expect(["?hair=0", "?hair=1", "?hair"].map((query) => readParameters(query).hair)).toEqual([false, true, true]);
   });
 
   it.each(["#00b140", "00b140", "%2300B140", "green", "Green"])("puts %s behind the head", (colour) => {

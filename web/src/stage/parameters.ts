@@ -14,6 +14,8 @@ export interface StageParameters {
   background: Triple | undefined;
   /** A light of this stage alone; undefined: the one on air. */
   light: string | undefined;
+  /** Whether heads wear their hair. */
+  hair: boolean;
   hud: boolean;
   /** What the picture may cost; "auto": as much as the machine draws in time. */
   quality: Level | "auto";
@@ -32,6 +34,7 @@ const PARAMETERS = [
   "transparent",
   "background",
   "light",
+  "hair",
   "tile",
   "of",
   "bezel",
@@ -56,6 +59,7 @@ export function readParameters(query: string): StageParameters {
     transparent: readSwitch(parameters, "transparent"),
     background: readBackground(parameters),
     light: readLight(parameters.get("light")),
+    hair: !parameters.has("hair") || readSwitch(parameters, "hair"),
     hud: readSwitch(parameters, "hud"),
     quality: readQuality(parameters.get("quality")),
     tile: readTile(parameters),

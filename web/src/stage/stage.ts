@@ -300,7 +300,7 @@ export class Stage {
     if ((await this.view.library.renew()) || this.reloading) return;
     this.reloading = true; // while the other cast comes, too
     try {
-      await this.replaceView(this.canvas, await Library.open());
+      await this.replaceView(this.canvas, await Library.open(this.parameters.hair));
     } finally {
       this.reloading = false;
     }

@@ -195,7 +195,7 @@ def fit_face(
     bent = _bend(space, zones, skin, marks, head, filled if shut is None else shut)
     tell(0.7, "eyes and mouth")
     parts = _carry_parts(space, expected, head, bent, balls)
-    upright = _set_upright(space, modes_fit, parts, bent, bool(landmarks))
+    upright = set_upright(space, modes_fit.pose, parts, bent, bool(landmarks))
     guide = upright(head)
     face = close_face(space, name, guide, upright(bent), {part: upright(points) for part, points in parts.items()})
     folds = find_folds(space, guide, face.positions.astype(np.float64))
@@ -276,12 +276,16 @@ def find_mouth(space: ParameterSpace, /) -> tuple[list[str], Rows]:
     return names, np.unique(np.concatenate([space.parts[name].ring for name in names]))
 
 
-def _set_upright(
-    space: ParameterSpace, modes_fit: ModeFit, parts: Mapping[str, Values], bent: Values, said: bool
+def set_upright(
+    space: ParameterSpace, pose: Similarity, parts: Mapping[str, Values], bent: Values, said: bool, /
 ) -> Similarity:
-    """The turn that undoes the pose's, and the shift that brings the middle of the eyes to the generic ones'; where
-    landmarks said that this is a head, as far behind as puts the axis inside of the bent skin."""
-    turn = modes_fit.pose.rotation.T
+    """The turn that undoes a pose's, and the shift that brings the middle of the eyes to the generic ones'; where it is
+    said that this is a head, as far behind as puts the axis inside of the skin.
+
+    space: of the head; pose: from the modes' frame; parts: points (n, 3) by name, bent: the skin (V, 3), metres; said:
+    whether landmarks say that it is a head. ValueError where it cannot be one.
+    """
+    turn = pose.rotation.T
     there = np.mean([part.points.mean(axis=0) for part in space.eyes.values()], axis=0)
     here = np.mean([parts[name].mean(axis=0) for name in space.eyes], axis=0)
     upright = Similarity(1.0, turn, there - turn @ here)

@@ -119,6 +119,14 @@ def measure_teeth(space: ParameterSpace, rows: _Teeth, skin: Values, teeth: Valu
     return np.where(squarely, depth, np.inf), -normal, before & (membrane | ~squarely)
 
 
+def are_teeth_inside(space: ParameterSpace, fitted: FittedFace, /) -> bool:
+    """Whether the teeth of a face at rest lie behind its skin; so they do where a space has none.
+
+    space: the space of the generic head; fitted: the face, fitted.
+    """
+    return _find_rows(space) is None or _limit_depths(space, fitted)[1]
+
+
 @weakly_cached_with
 def _limit_depths(space: ParameterSpace, fitted: FittedFace) -> tuple[Values, bool]:
     """How far behind the skin the teeth of a face have to lie, (n,) metres: no farther than at rest, but behind it;

@@ -8,6 +8,7 @@ import weakref
 from collections.abc import AsyncIterator, Sequence
 from concurrent.futures import Future
 from contextlib import asynccontextmanager, closing
+from dataclasses import replace
 from pathlib import Path
 from threading import Thread
 from typing import Self
@@ -21,7 +22,7 @@ from numpy.typing import NDArray
 from omote.builtin import load_cast, load_mask, load_meshes
 from omote.interchange.formats.atomic_file import write_whole
 from omote.interchange.formats.file_names import picture_kind
-from omote.interchange.formats.png import read_png
+from omote.interchange.formats.png import png_bytes, read_png
 from omote.model.cast import Cast
 from omote.perform.blending.evaluate import check_playable
 from omote.perform.frame import Frame
@@ -32,6 +33,7 @@ from omote.server.http.app import ShowServer
 from omote.server.http.cast_documents import CastDocuments, built_in_documents
 from omote.server.http.static_pages import Page, read_pages
 from omote.show.session import ShowSession
+from omote.stage_data.picture_finish import face_triangles, finish_picture
 from omote.stage_data.picture_grid import PictureGrid
 from omote.stage_data.picture_setting import Setting
 from omote.stage_data.pose_parser import Pose, pose_of
@@ -51,20 +53,37 @@ OPENING = 60.0
 
 
 class PicturePage:
-    """A stage page in the headless browser that renders picture grids."""
+    """A stage page in the headless browser that renders picture grids in one setting."""
 
-    def __init__(self, tools: DevTools, target: str, session: str) -> None:
+    def __init__(self, tools: DevTools, target: str, session: str, setting: Setting) -> None:
         self._tools = tools
         self._target = target
         self._session = session
+        self._setting = setting
 
     async def draw(self, sheet: PictureGrid, following: Pose | None = None) -> bytes:
         """Renders a grid and returns the image file's bytes; BrowserError where the browser cannot.
 
+        ValueError where the picture cannot have the setting's luminance and contrast. Of a mask, a grid is one picture.
         following: a pose that will be drawn next; what it needs is fetched meanwhile. sheet: the grid.
         """
-        words = [msgspec.json.encode(part).decode() for part in (sheet, following) if part is not None]
-        return base64.b64decode(await self._run(f"sheet({', '.join(words)})"))
+        drawn = replace(sheet, paper=None) if self._setting.clear else sheet
+        words = [msgspec.json.encode(part).decode() for part in (drawn, following) if part is not None]
+        data = base64.b64decode(await self._run(f"sheet({', '.join(words)})"))
+        return await self._finish(data) if self._setting.finished else data
+
+    async def _finish(self, data: bytes) -> bytes:
+        """The picture masked and matched."""
+        picture = read_png(data)
+        if not self._setting.mask:
+            return png_bytes(finish_picture(picture, self._setting))
+        triangles = face_triangles(load_cast().space)
+        rows, corners = np.unique(triangles, return_inverse=True)
+        answer = await self._tools.evaluate(self._session, f"window.omoteStage.places({rows.tolist()})")
+        return png_bytes(
+            finish_picture(picture, self._setting, np.array(answer, np.float64),
+                           corners.reshape(-1, 3).astype(np.int32))
+        )  # fmt: skip
 
     async def compose(self, sheet: PictureGrid, pictures: Sequence[Sequence[Path]]) -> bytes:
         """Composes a grid from image files, row by row, and returns the image file's bytes.
@@ -160,11 +179,19 @@ class Renderer:
         Nothing behind the head.
     quality : {"lowest", "low", "medium", "good", "high"}
         The level of the stage's quality.
+    hair : bool
+        Whether heads wear their hair.
+    mask : {"", "oval", "face"}
+        What is left of the picture: an ellipse around the face, or the face from chin to hairline; around it is the
+        background, or nothing.
+    luminance, contrast : float, optional
+        The mean of relative luminance (linear light, 0 to 1) that the picture gets, and its standard deviation over the
+        mean; of what the mask leaves and what is not transparent.
 
     Raises
     ------
     ValueError
-        Where the size, the quality or the cast's head is none that can be drawn.
+        Where the size, the quality, the mask or the cast's head is none that can be drawn.
 
     Notes
     -----
@@ -189,10 +216,17 @@ class Renderer:
         background: str | None = None,
         transparent: bool = False,
         quality: str = "high",
+        hair: bool = True,
+        mask: str = "",
+        luminance: float | None = None,
+        contrast: float | None = None,
     ) -> None:
         if not isinstance(size, Sequence) or len(size) != 2:
             raise ValueError(f"size is {size!r}; give width and height in pixels, as in (640, 720)")
-        self._setting = Setting(*size, background=background, transparent=transparent, quality=quality)
+        self._setting = Setting(
+            *size, background=background, transparent=transparent, quality=quality, hair=hair, mask=mask,
+            luminance=luminance, contrast=contrast,
+        )  # fmt: skip
         if len(cast.space.points) != len(load_cast().space.points):
             raise ValueError(
                 f"a cast of {len(cast.space.points)} vertices cannot be drawn; give one on the head of "
@@ -225,7 +259,8 @@ class Renderer:
         Raises
         ------
         ValueError
-            Where the frame names what the cast has not, or the path's ending is no PNG's.
+            Where the frame names what the cast has not, the path's ending is no PNG's, or the picture cannot have the
+            luminance and the contrast.
         TypeError
             As `evaluate`.
         RuntimeError
@@ -272,6 +307,10 @@ def render(
     background: str | None = None,
     transparent: bool = False,
     quality: str = "high",
+    hair: bool = True,
+    mask: str = "",
+    luminance: float | None = None,
+    contrast: float | None = None,
     path: str | Path | None = None,
 ) -> NDArray[np.uint8]:
     """The picture of a frame, as the stage and `omote render` draw it, without a window.
@@ -290,6 +329,14 @@ def render(
         Nothing behind the head.
     quality : {"lowest", "low", "medium", "good", "high"}
         The level of the stage's quality.
+    hair : bool
+        Whether heads wear their hair.
+    mask : {"", "oval", "face"}
+        What is left of the picture: an ellipse around the face, or the face from chin to hairline; around it is the
+        background, or nothing.
+    luminance, contrast : float, optional
+        The mean of relative luminance (linear light, 0 to 1) that the picture gets, and its standard deviation over the
+        mean; of what the mask leaves and what is not transparent.
     path : str or Path, optional
         A PNG to be written too, over what is there; the picture of `omote render` has the same bytes. No sidecar.
 
@@ -301,8 +348,8 @@ def render(
     Raises
     ------
     ValueError
-        Where the frame names what the cast has not, or the size, the quality, the cast's head or the path's ending is
-        none that can be drawn.
+        Where the frame names what the cast has not, or the size, the quality, the mask, the cast's head or the path's
+        ending is none that can be drawn; where the picture cannot have the luminance and the contrast.
     TypeError
         As `evaluate`.
 
@@ -324,7 +371,10 @@ def render(
     """
     check_playable(cast, frame)  # and the path: before a browser starts
     target = _picture_path(path)
-    with Renderer(cast, size=size, background=background, transparent=transparent, quality=quality) as renderer:
+    with Renderer(
+        cast, size=size, background=background, transparent=transparent, quality=quality, hair=hair, mask=mask,
+        luminance=luminance, contrast=contrast,
+    ) as renderer:  # fmt: skip
         return renderer(frame, path=target)
 
 
@@ -361,9 +411,11 @@ async def serve_pages(documents: CastDocuments, pages: dict[str, Page]) -> Async
 
 def query(setting: Setting) -> str:
     """The query string of the stage's address for this setting, from the question mark on."""
-    words = {"quality": setting.quality, "background": setting.background}
-    if setting.transparent:
+    words = {"quality": setting.quality, "background": None if setting.clear else setting.background}
+    if setting.clear:
         words["transparent"] = "1"
+    if not setting.hair:
+        words["hair"] = "0"
     return "?" + urlencode({name: word for name, word in words.items() if word is not None})
 
 
@@ -383,4 +435,4 @@ async def open_picture_page(tools: DevTools, address: str, setting: Setting, *, 
         await asyncio.wait_for(tools.evaluate(session, ready), OPENING)
     except TimeoutError:
         raise BrowserError(f"the stage did not open within {OPENING:g} s; try again, or a lower quality") from None
-    return PicturePage(tools, str(target["targetId"]), session)
+    return PicturePage(tools, str(target["targetId"]), session, setting)

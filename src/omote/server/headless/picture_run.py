@@ -12,7 +12,11 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
+import msgspec
+import numpy as np
+
 from omote import __version__
+from omote.arrays import Values
 from omote.builtin import load_cast, load_mask, load_meshes
 from omote.interchange.formats.atomic_file import write_whole
 from omote.interchange.formats.file_names import KINDS, picture_kind
@@ -21,10 +25,12 @@ from omote.server.headless.picture_renderer import PicturePage, open_picture_pag
 from omote.server.http.cast_documents import CastDocuments
 from omote.server.http.cast_reload import gather_cast
 from omote.server.http.static_pages import Page, read_pages
+from omote.showfile.contents import unpack_face
 from omote.showfile.inspection import Inspection
 from omote.stage_data.full_cast import own_items
+from omote.stage_data.morph_distance import measure_distance
 from omote.stage_data.picture_grid import PictureGrid, lay_out, spell_out
-from omote.stage_data.picture_request import GridRequest, RenderRequest, Request, plan_cells
+from omote.stage_data.picture_request import MOST_STEPS, GridRequest, RenderRequest, Request, plan_cells, read_morph
 from omote.stage_data.picture_setting import Setting
 from omote.stage_data.picture_sidecar import (
     PictureState,
@@ -37,6 +43,7 @@ from omote.stage_data.picture_sidecar import (
     sidecar_path,
 )
 from omote.stage_data.playing_cast import Own, PlayingCast
+from omote.stage_data.pose_parser import find_pose
 
 
 @dataclass(frozen=True)
@@ -113,6 +120,7 @@ class PictureStudio:
     def __init__(self, show: Inspection | None = None, report: Callable[[str], None] | None = None) -> None:
         self.documents = CastDocuments(load_cast(), load_meshes(), load_mask())
         self.pages = read_pages()
+        self._report = report
         own: tuple[Own, ...] = ()
         if show is not None:
             own = own_items(show.stored)
@@ -127,23 +135,60 @@ class PictureStudio:
 
         path: of the picture or the table; fresh: draws all again.
         """
-        request, kind, setting = spell_out(request, self.cast), picture_kind(path), request.setting
-        sheet = lay_out(request, self.cast).on_paper(setting, kind)
-        whole = self._file(request, path, sheet, setting)
+        request = spell_out(self._count_steps(request), self.cast)
+        whole = self.file_of(request, path)
         if isinstance(request, RenderRequest):
-            return PictureRun(setting, [whole], fresh=fresh)
-        return PictureRun(setting, list(self._cells(request, path, setting)), whole, fresh)
+            return PictureRun(request.setting, [whole], fresh=fresh)
+        return PictureRun(request.setting, list(self._cells(request, path)), whole, fresh)
 
-    def _cells(self, request: GridRequest, path: Path, setting: Setting) -> Iterator[PictureFile]:
-        folder = pictures_folder(path)
-        for row in plan_cells(request).cells:
-            for name, cell in row:
-                sheet = lay_out(cell, self.cast).on_paper(setting, "image/png")
-                yield self._file(cell, folder / f"{name}.png", sheet, setting)
+    def _count_steps(self, request: Request) -> Request:
+        """The request with the number of a morph's steps where it says how far they are to be apart."""
+        if isinstance(request, RenderRequest) or not request.morph.strip():
+            return request
+        morph = read_morph(request.morph)
+        if morph.millimetres is None:
+            return request
+        away = measure_distance(self.cast.base.space, self._mix_shape(morph.first), self._mix_shape(morph.last))
+        count = round(away / morph.millimetres) + 1
+        if not 2 <= count <= MOST_STEPS:
+            raise ValueError(
+                f"{morph.first} and {morph.last} are {away:.2f} mm apart, so steps of {morph.millimetres:g} mm are "
+                f"{count - 1}; give a distance of which there are 1 to {MOST_STEPS - 1}"
+            )
+        if self._report is not None:
+            self._report(
+                f"{morph.first} and {morph.last} are {away:.2f} mm apart (root mean square of the skin): {count} "
+                f"pictures, {away / (count - 1):.3f} mm from each to the next."
+            )
+        return msgspec.structs.replace(request, morph=f"{morph.first}:{morph.last}:{count}")
 
-    def _file(self, request: Request, path: Path, sheet: PictureGrid, setting: Setting) -> PictureFile:
+    def _mix_shape(self, mix: str) -> Values:
+        """The skin (V, 3) of a mix of faces as it is typed, metres."""
+        own = {item.name: item.content for item in self.cast.own if item.kind == "face"}
+        weights = find_pose(self.cast, RenderRequest(face=(mix,)).words).faces
+        shapes = [
+            weight
+            * (
+                unpack_face(self.documents.contents[own[name]], name)[0] if name in own else self.cast.base.faces[name]
+            ).positions.astype(np.float64)
+            for name, weight in weights.items()
+        ]
+        return np.asarray(np.sum(shapes, axis=0), np.float64)
+
+    def file_of(self, request: Request, path: Path) -> PictureFile:
+        """A picture or a table where it will lie; errors as `plan`.
+
+        request: what it shows, spelled out; path: of the file.
+        """
+        setting = request.setting
+        sheet = lay_out(request, self.cast).on_paper(setting, picture_kind(path))
         named = move_request(request, Path(), path.parent)
         return PictureFile(path, sheet, describe(named, sheet, setting, self._made_by))
+
+    def _cells(self, request: GridRequest, path: Path) -> Iterator[PictureFile]:
+        folder = pictures_folder(path)
+        for row in plan_cells(request).cells:
+            yield from (self.file_of(cell, folder / f"{name}.png") for name, cell in row)
 
 
 def pictures_folder(path: Path) -> Path:
@@ -184,20 +229,36 @@ def draw_run(
     does not draw. What was written before stays. studio: the cast and the pages; run: what is wanted; report: told of
     each picture.
     """
+    draw_runs(studio, [run], report, jobs=jobs)
+
+
+def draw_runs(
+    studio: PictureStudio, runs: Sequence[PictureRun], report: Callable[[PictureProgress], None], *, jobs: int = 1
+) -> None:
+    """Draws several runs, each in its own setting, one after another in the same browsers; errors as `draw_run`.
+
+    studio: the cast and the pages; runs: what is wanted; report: told of each picture, counted through all runs; jobs:
+    browsers at once.
+    """
     browser = find_chromium()
-    if run.table is not None:
-        pictures_folder(run.table.path).mkdir(exist_ok=True)
-    browsers = min(jobs, len(run.waiting)) or 1  # one composes the table where all its pictures are there
-    asyncio.run(_Drawing(studio, run, report).draw(browser, browsers))
+    for run in runs:
+        if run.table is not None:
+            pictures_folder(run.table.path).mkdir(exist_ok=True)
+    waiting = max((len(run.waiting) for run in runs), default=0)
+    browsers = min(jobs, waiting) or 1  # one composes the table where all its pictures are there
+    asyncio.run(_Drawing(studio, runs, report).draw(browser, browsers))
 
 
 class _Drawing:
-    def __init__(self, studio: PictureStudio, run: PictureRun, report: Callable[[PictureProgress], None]) -> None:
+    def __init__(
+        self, studio: PictureStudio, runs: Sequence[PictureRun], report: Callable[[PictureProgress], None]
+    ) -> None:
         self._studio = studio
-        self._run = run
+        self._runs = runs
         self._report = report
-        self._left = list(run.waiting)
-        self._done = len(run.pictures) - len(self._left)
+        self._left: list[PictureFile] = []
+        self._total = sum(len(run.pictures) for run in runs)
+        self._done = self._total - sum(len(run.waiting) for run in runs)
 
     async def draw(self, browser: Path, jobs: int) -> None:
         documents = self._studio.documents
@@ -205,11 +266,13 @@ class _Drawing:
         documents.play(self._studio.cast)
         async with serve_pages(documents, self._studio.pages) as address, AsyncExitStack() as open_browsers:
             tools = [await open_browsers.enter_async_context(open_chromium(browser)) for _ in range(jobs)]
-            setting = self._run.setting
-            pages = await asyncio.gather(*(open_picture_page(tool, address, setting) for tool in tools))
-            await asyncio.gather(*(self._work(page) for page in pages))
-            if self._run.table is not None:
-                await self._compose(pages[0], self._run.table)
+            for run in self._runs:
+                pages = await asyncio.gather(*(open_picture_page(tool, address, run.setting) for tool in tools))
+                self._left = list(run.waiting)
+                await asyncio.gather(*(self._work(page) for page in pages))
+                if run.table is not None:
+                    await self._compose(pages[0], run, run.table)
+                await asyncio.gather(*(page.close() for page in pages))
 
     async def _work(self, page: PicturePage) -> None:
         """Draws one picture after the other, as long as there are any."""
@@ -219,10 +282,10 @@ class _Drawing:
             following: Any = self._left[0].sheet.poses[0][0] if self._left else None
             write_picture(file, await page.draw(file.sheet, following))
             self._done += 1
-            self._report(PictureProgress(file.path, time.monotonic() - began, self._done, len(self._run.pictures)))
+            self._report(PictureProgress(file.path, time.monotonic() - began, self._done, self._total))
 
-    async def _compose(self, page: PicturePage, table: PictureFile) -> None:
-        files = iter(self._run.pictures)
+    async def _compose(self, page: PicturePage, run: PictureRun, table: PictureFile) -> None:
+        files = iter(run.pictures)
         pictures = [[next(files).path for _ in row] for row in table.sheet.poses]
         write_picture(table, await page.compose(table.sheet, pictures))
 
