@@ -28,7 +28,7 @@ CAST := src/omote/builtin/cast.npz
 PAGES_FROM := $(wildcard web/*.html web/*.json web/*.ts) $(shell find web/src web/public -type f 2>/dev/null)
 CAST_FROM := tools/bake.py src/omote/interchange/formats/sculpt_toml.py $(shell find tools/baking src/omote/geometry src/omote/model src/omote/builtin src/omote/perform/blending/correctives.py -name "*.py" -o -name "*.toml")
 
-.PHONY: help demo test setup bake web check check-python check-web tests tests-and-wheel browser-tests wheel-test format bench gallery docs wheel clean
+.PHONY: help demo test setup bake web check check-python check-web tests tests-and-wheel browser-tests test-slow wheel-test format bench gallery docs wheel clean
 .DELETE_ON_ERROR:
 
 help:
@@ -38,6 +38,7 @@ help:
 	@echo "make web     the pages                  make bench   every figure of the README and the docs"
 	@echo "make bake    the cast                   make wheel   dist/*.whl with pages and cast inside"
 	@echo "make format  rewrite in house style     make gallery the pictures of docs/gallery.md and docs/method.md"
+	@echo "make test-slow  what make test leaves out: before a release"
 	@echo "make docs    the documentation site, build/site"
 	@echo "make clean   remove everything that was made here"
 
@@ -109,13 +110,19 @@ tests: setup
 # The wheel's tests wait for pip: other tests run beside them.
 tests-and-wheel: setup
 	@echo "== Tests, those of the wheel among them"
-	@$(PYTEST) --override-ini="addopts=--import-mode=importlib --ignore=tests/browser"
+	@$(PYTEST) --override-ini="addopts=--import-mode=importlib --ignore=tests/browser" -m "not slow"
 
 browser-tests: setup
 	@echo "== Tests in a browser"
 	@$(RUN) tools/browser.py
 # What waits for a page that never comes there does so for minutes: three of them tell enough.
 	@$(PYTEST) --maxfail=3 tests/browser
+
+# Whole fits, a second bake, levels of hair between the lowest and the high: before a release, and after a change of those.
+test-slow: setup
+	@echo "== Tests that cost most"
+	@$(PYTEST) -m slow
+	@$(PYTEST) -m slow tests/browser
 
 wheel-test: setup
 	@echo "== Test of the wheel"

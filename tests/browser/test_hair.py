@@ -26,7 +26,9 @@ SHADE = 105  # 0..255: black hair, and stubble on the skin
 SMALL = SIDE * SIDE / 400
 
 
-@pytest.fixture(params=["lowest", "medium", "good", "high"])
+@pytest.fixture(
+    params=["lowest", *(pytest.param(level, marks=pytest.mark.slow) for level in ("medium", "good")), "high"]
+)
 def stage(request: pytest.FixtureRequest, open_page: OpenPage) -> Page:
     """A stage at a level, without a backdrop, in even light; it draws what it is told to hold."""
     page = open_page(f"/stage?quality={request.param}&light=flat&transparent", width=SIDE, height=SIDE)

@@ -12,6 +12,7 @@ from tools.baking.package import VARIABLE, WHEEL, BakeError, Package
 pytestmark = pytest.mark.long
 
 
+@pytest.mark.slow
 def test_the_cast_in_place_is_what_the_tools_bake_to_the_byte() -> None:
     wheel = Path(os.environ.get(VARIABLE, bake.CACHE / WHEEL))
     if not wheel.is_file():

@@ -49,6 +49,7 @@ def test_a_head_in_metres_is_found_where_it_is_and_is_sure() -> None:
     assert found.inside.mean() > 0.95
 
 
+@pytest.mark.slow
 @settings(max_examples=2)
 @given(seed=st.integers(0, 1000), unit=st.sampled_from([*UNITS]))
 def test_turn_shift_unit_and_order_of_points_change_nothing(seed: int, unit: str) -> None:
@@ -64,6 +65,7 @@ def test_turn_shift_unit_and_order_of_points_change_nothing(seed: int, unit: str
     assert np.linalg.norm(found.similarity(points) - plain.similarity(KAORI), axis=1).max() < 0.006
 
 
+@pytest.mark.slow
 def test_triangles_that_face_inward_and_mirrored_axes_are_no_matter() -> None:
     scan = head_scan(KAORI)
     assert scan.triangles is not None

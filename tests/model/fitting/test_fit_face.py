@@ -95,6 +95,7 @@ def test_unknown_landmarks_and_other_heads_are_refused() -> None:
         fit_face(SPACE, MODES, scan, Similarity(1.0, np.eye(3), np.full(3, 5.0)))
 
 
+@pytest.mark.slow
 def test_only_who_was_said_to_be_a_head_is_moved_back_to_stand_around_the_axis(monkeypatch: pytest.MonkeyPatch) -> None:
     scan = Scan(KAORI, SPACE.triangles)
     marks = {"nose_tip": KAORI[ROWS["nose_tip"]]}

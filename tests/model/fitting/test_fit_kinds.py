@@ -53,6 +53,7 @@ def test_an_animal_is_found_again_from_an_animal_without_a_fold_and_with_one_dou
     assert told[-1] == 1.0
 
 
+@pytest.mark.slow
 def test_a_person_is_fitted_as_before() -> None:
     scan = Scan(OLD, SPACE.triangles)
     marks = marks_of(OLD)
@@ -63,11 +64,13 @@ def test_a_person_is_fitted_as_before() -> None:
     assert (found.doubts, found.kind) == (plain.doubts, "people")
 
 
+@pytest.mark.slow
 def test_few_landmarks_and_none_say_too_little_for_an_animal() -> None:
     few = dict(list(marks_of(DOG).items())[: FEWEST - 1])
     assert not any("no person's" in doubt for doubt in fit_marked(DOG, few).doubts)
 
 
+@pytest.mark.slow
 def test_where_no_animal_can_be_fitted_a_person_is(monkeypatch: pytest.MonkeyPatch) -> None:
     def refuse(*_: object) -> None:
         raise ValueError("too flat")

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import numpy as np
+import pytest
 from numpy.typing import NDArray
 
 import omote
@@ -56,6 +57,7 @@ def measure_width(skin: Values) -> float:
     return float(np.quantile(values[:, 1] / values[:, 0], 0.1))
 
 
+@pytest.mark.slow
 def test_a_fitted_person_is_less_squeezed_at_the_corners_than_its_scan() -> None:
     gained = []
     for seed in SEEDS:

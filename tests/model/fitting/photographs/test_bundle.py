@@ -72,6 +72,7 @@ def test_landmarks_without_errors_give_shape_and_cameras_back(seed: int) -> None
         assert abs(camera.yaw - yaw) < np.radians(1.0)
 
 
+@pytest.mark.slow
 def test_two_views_say_more_than_one() -> None:
     truth = somebody(5)
     one, two = ([photograph(truth, yaw, table=TABLE) for yaw in yaws] for yaws in ((0.0,), (0.0, 0.7)))
@@ -93,6 +94,7 @@ def test_a_smile_is_taken_for_a_smile_and_not_for_a_wide_mouth() -> None:
     assert np.linalg.norm(moved) < 0.5 * np.linalg.norm(smiled)
 
 
+@pytest.mark.slow
 def test_one_wild_landmark_changes_little() -> None:
     truth = somebody(7)
     views = [photograph(truth, yaw, table=TABLE) for yaw in (0.0, 0.6)]

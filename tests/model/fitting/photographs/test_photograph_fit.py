@@ -55,6 +55,7 @@ def test_photographs_from_all_sides_leave_less_open_than_one() -> None:
     assert one.doubts[0].startswith("One photograph shows how wide and tall")
 
 
+@pytest.mark.slow
 def test_sides_that_no_photograph_shows_are_named() -> None:
     assert any("from its left" in doubt for doubt in fitted(0.0, 0.6).doubts) != any(
         "from its right" in doubt for doubt in fitted(0.0, 0.6).doubts

@@ -109,6 +109,7 @@ def error(skin: np.ndarray, person: Sculpted) -> float:
     return float(np.linalg.norm(placed - truth, axis=1).mean())
 
 
+@pytest.mark.slow
 def test_pictures_bring_a_face_nearer_to_the_person_and_lights_start_bright() -> None:
     person, views = taken(0.0, 0.6, -0.6)
     blind, seeing = (adjust(SPACE, MODES, TABLE, views, each) for each in (None, load_skin_samples()))
