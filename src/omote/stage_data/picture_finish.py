@@ -49,7 +49,8 @@ def face_triangles(space: ParameterSpace, /) -> Indices:
     """
     zone = head_zones(space).face & (mesh.normals(space.points, space.triangles)[:, 1] > UNDERSIDE)
     _, y, z = space.points.T
-    chin, brows = y[zone].min(), y[zone].max()
+    chin = y[zone].min()
+    brows = y[zone].max()
     above = space.on_sheet & (y > brows) & (y < brows + 0.5 * (brows - chin)) & (z > z[zone].min())
     unrolled = np.column_stack([space.theta, space.h])
     wide = np.abs(space.theta) <= np.abs(space.theta[zone]).max()
