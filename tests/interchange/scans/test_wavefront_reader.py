@@ -79,7 +79,6 @@ OBJ = samples.write_obj(textured=False)
         (b"hello", "no OBJ with vertices, but text"),
         (OBJ + b"\nv 1 2", "'v 1 2' is no vertex"),
         (OBJ + b"\nv 1 2 two", "'two', which is no number"),
-        (OBJ + b"\nv 1 2 nan", "lies at"),
         (OBJ + b"\nv 1e7 2 3", "move the scan to the origin"),
         (OBJ + b"\nf 1 2 129", "'f 1 2 129' names a corner that is not among the 128"),
         (OBJ + b"\nf 0 2 3", "names a corner"),

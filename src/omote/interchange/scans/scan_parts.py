@@ -9,6 +9,7 @@ from numpy.typing import NDArray
 
 from omote.arrays import Rows, Values
 from omote.geometry.mesh import FARTHEST
+from omote.interchange.scans.companions import Companions
 from omote.model.fitting.scan import FEWEST_POINTS, Scan
 
 LARGEST = 512 * 2**20
@@ -50,24 +51,35 @@ def make_scan(
     texture: NDArray[np.uint8] | None = None,
     texcoords: Values | None = None,
     shapes: Mapping[str, Values] | None = None,
+    *,
+    beside: Companions | None = None,
 ) -> Scan:
     """Makes a scan of what a file holds; parameters as of `Scan`.
 
-    Triangles without area by their corners go; a cloud loses points that are not finite (scanners write them for what
-    they did not see); a texture without coordinates, or coordinates without a texture, go. ValueError with a sentence
-    for what cannot be a scan.
+    Triangles without area by their corners go; so do points that are no numbers (scanners write them for what they did
+    not see) or that a shape moves by none, with their triangles; a texture without coordinates, or coordinates without
+    a texture, go. ValueError with a sentence for what cannot be a scan.
 
-    points (n, 3), triangles (t, 3), colours (n, 3), texture, texcoords (t, 3, 2), shapes: as of `Scan`.
+    points (n, 3), triangles (t, 3), colours (n, 3), texture, texcoords (t, 3, 2), shapes: as of `Scan`; beside: is told
+    what goes.
     """
     refuse_many(len(points), "points", MOST_POINTS)
     if triangles is None or not len(triangles):
-        kept = np.isfinite(points).all(axis=1)
+        kept = _finite(points, {}, beside)
         return _checked(points[kept], None, None if colours is None else colours[kept], None, None, {})
     if not np.issubdtype(triangles.dtype, np.integer) or triangles.min() < 0 or triangles.max() >= len(points):
         raise ValueError(
             f"a triangle names points {triangles.min()} to {triangles.max()}, and the file has {len(points)}; expected "
             f"0 to {len(points) - 1}: export it anew"
         )
+    kept = _finite(points, shapes or {}, beside)
+    if not kept.all():
+        whole = kept[triangles].all(axis=1)
+        place = np.cumsum(kept) - 1
+        points, triangles = points[kept], place[triangles[whole]]
+        colours = None if colours is None else colours[kept]
+        texcoords = None if texcoords is None else texcoords[whole]
+        shapes = {name: moves[kept] for name, moves in (shapes or {}).items()}
     a, b, c = triangles.T
     kept = (a != b) & (b != c) & (c != a)
     if texture is None or texcoords is None:
@@ -75,6 +87,20 @@ def make_scan(
     else:
         texcoords = _wrap(texcoords[kept])
     return _checked(points, triangles[kept] if kept.any() else None, colours, texture, texcoords, shapes or {})
+
+
+def _finite(points: Values, shapes: Mapping[str, Values], beside: Companions | None) -> NDArray[np.bool_]:
+    """Which points (n,) are numbers and are moved by numbers; says how many are not."""
+    finite = np.ones(len(points), np.bool_)
+    for values in (points, *shapes.values()):
+        finite &= np.isfinite(values).all(axis=1)
+    lost = len(points) - int(finite.sum())
+    if lost and beside is not None:
+        first = int(np.flatnonzero(~finite)[0])
+        beside.note(
+            f"{lost} of its {len(points)} points are no numbers (the first is point {first}): they are left out"
+        )
+    return finite
 
 
 def _checked(
