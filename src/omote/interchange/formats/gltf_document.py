@@ -231,9 +231,9 @@ class AccessorReader:
             values = self._read_view(accessor.buffer_view, accessor, accessor.byte_offset, accessor.count, columns)
         if accessor.sparse is not None:
             self._place_sparse(accessor, accessor.sparse, values)
-        bad = np.flatnonzero(~np.isfinite(values).all(axis=1)) if finite else ()
-        if len(bad):
-            raise ValueError(f"{what} {bad[0]} is {values[bad[0]].tolist()}; expected finite numbers: export it anew")
+        if finite and not np.isfinite(values).all():
+            bad = int((~np.isfinite(values)).any(axis=1).argmax())
+            raise ValueError(f"{what} {bad} is {values[bad].tolist()}; expected finite numbers: export it anew")
         return values
 
     def _place_sparse(self, accessor: Accessor, sparse: Sparse, values: Values) -> None:

@@ -18,6 +18,8 @@ MOST_POINTS = 5_000_000
 MOST_TRIANGLES = 10_000_000
 MOST_NUMBERS = 40_000_000
 """Of one scan; numbers: of all its blendshapes together."""
+ROUNDED = 1.0 / 255.0
+"""By how much less than nothing a colour may be, of one; what is less is no colour but a direction."""
 _MULTIPLIERS = np.array([0x9E3779B97F4A7C15, 0xC2B2AE3D27D4EB4F, 0x165667B19E3779F9], np.uint64)  # odd, bits mixed
 
 
@@ -137,18 +139,22 @@ def _wrap(texcoords: Values) -> Values:
 
 
 def bytes_of_colours(values: NDArray[np.generic], /) -> NDArray[np.uint8] | None:
-    """Colours (n, 3) as uint8, whatever numbers a file has them in: whole ones to 255 or 65535, or parts of one.
+    """Colours (n, 3) as uint8, whatever numbers a file has them in: whole ones to 255 or 65535, or parts of one; white
+    where a row is no colour.
 
     None where they are no colours.
     """
     if values.dtype == np.uint8:
         return np.asarray(values, np.uint8)
     numbers = np.asarray(values, np.float64)
-    if not numbers.size or not np.isfinite(numbers).all() or numbers.min() < 0.0:
+    coloured = np.isfinite(numbers).all(axis=1)
+    if not coloured.any() or numbers[coloured].min() < -ROUNDED:
         return None
-    highest = float(numbers.max())
-    scale = 255.0 if highest <= 1.0 else 1.0 if highest <= 255.0 else 1.0 / 257.0
-    return np.asarray(np.rint(np.clip(numbers * scale, 0.0, 255.0)), np.uint8)
+    highest = float(numbers[coloured].max())
+    parts = highest <= 1.0 or (highest <= 2.0 and (numbers[coloured] != np.rint(numbers[coloured])).any())
+    scale = 255.0 if parts else 1.0 if highest <= 255.0 else 1.0 / 257.0
+    tones = np.where(coloured[:, None], np.clip(numbers * scale, 0.0, 255.0), 255.0)
+    return np.asarray(np.rint(tones), np.uint8)
 
 
 def find_doubles(*columns: NDArray[np.generic]) -> tuple[Rows, Rows]:
