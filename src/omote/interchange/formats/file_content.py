@@ -27,6 +27,10 @@ READ = 4096
 _VERTEX = (b"v ", b"v\t")
 
 
+MARKS = (codecs.BOM_UTF8, codecs.BOM_UTF16_LE, codecs.BOM_UTF16_BE)
+"""Marks of byte order, with which texts may begin."""
+
+
 def describe_content(data: bytes, /) -> str:
     """What a file is by its bytes, as a noun: "a picture (PNG)", "an empty file"."""
     if not data.strip():

@@ -24,6 +24,24 @@ def parse_numbers(text: bytes, what: str, /) -> Values:
         raise ValueError(f"{what} has {_find_stranger(text)!r}, which is no number; export it anew") from None
 
 
+def cut_comments(text: bytes, begin_with: bytes, /) -> bytes:
+    """The text without what stands behind a # in lines that begin with one of some signs.
+
+    text: lines that end with newlines; begin_with: the signs.
+    """
+    kept = list[bytes]()
+    begin = 0
+    mark = text.find(b"#")
+    while mark >= 0:
+        end = text.find(b"\n", mark)
+        first = text[text.rfind(b"\n", 0, mark) + 1 : mark].lstrip()[:1]
+        if first and first in begin_with:
+            kept.append(text[begin:mark])
+            begin = end if end >= 0 else len(text)
+        mark = text.find(b"#", end) if end >= 0 else -1
+    return b"".join([*kept, text[begin:]])
+
+
 def _find_stranger(text: bytes) -> str:
     """The first word that is no number; a text without one fails elsewhere."""
     for begin in range(0, len(text), 2**20):
@@ -94,6 +112,6 @@ class TextTable:
         words = bytes(self.text[self.begins[number] : self.ends[number]]).decode("utf-8", "replace").split(None, 1)
         return words[1].strip() if len(words) > 1 else ""
 
-    def line(self, number: int) -> str:
-        """A line as people read it."""
-        return bytes(self.text[self.begins[number] : self.ends[number]][:80]).decode("utf-8", "replace").strip()
+    def line(self, number: int, most: int = 80) -> str:
+        """A line as people read it, or the first letters of it."""
+        return bytes(self.text[self.begins[number] : self.ends[number]][:most]).decode("utf-8", "replace").strip()

@@ -22,7 +22,7 @@ from omote.interchange.scans.scan_parts import (
     make_scan,
     refuse_many,
 )  # fmt: skip
-from omote.interchange.scans.text_table import TextTable, parse_numbers
+from omote.interchange.scans.text_table import TextTable, cut_comments, parse_numbers
 from omote.model.fitting.scan import Scan
 
 SKIN = "skin"
@@ -107,25 +107,10 @@ def _read_vertices(data: bytes) -> tuple[TextTable, Rows, Values]:
 def _join_lines(data: bytes) -> bytes:
     """The text without marks, ends of lines as one sign, without comments behind numbers; lines that go on are one."""
     text = strip_mark(data).replace(b"\r\n", b"\n").replace(b"\r", b"\n")
-    text = _cut_comments(text)
+    text = cut_comments(text, _NUMBERED)
     if b"\\" in text:
         text = _CONTINUED.sub(b" ", _CONTINUED_COMMENT.sub(b"#", text))
     return text
-
-
-def _cut_comments(text: bytes) -> bytes:
-    """The text without comments behind numbers."""
-    kept = list[bytes]()
-    begin = 0
-    mark = text.find(b"#")
-    while mark >= 0:
-        end = text.find(b"\n", mark)
-        first = text[text.rfind(b"\n", 0, mark) + 1 : mark].lstrip()[:1]
-        if first and first in _NUMBERED:
-            kept.append(text[begin:mark])
-            begin = end if end >= 0 else len(text)
-        mark = text.find(b"#", end) if end >= 0 else -1
-    return b"".join([*kept, text[begin:]])
 
 
 def _columns(table: TextTable, lines: Rows, what: str, least: int, most: int = 0) -> Values:
