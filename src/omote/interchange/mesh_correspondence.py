@@ -19,6 +19,10 @@ from omote.model.space.face import Face
 
 NEAR = 2e-4
 """Tolerance, metres, in matching a face of the cast: programs round."""
+EXACT = 2e-6
+"""Metres within which a vertex lies where another one does, however numbers were rounded."""
+CHANCES = 4
+"""Vertices that an expression may bring there by chance."""
 _NUMBERED = re.compile(r"\.\d{3}$")  # what Blender adds to a name that is there already
 
 
@@ -74,14 +78,33 @@ def _match_piece(cast: Cast, meshes: Sequence[BakedMesh], piece: Piece) -> tuple
     if piece.rows is not None:
         name = named if named in counts else SKIN
         return (name, piece.rows) if piece.rows.max() < counts[name] else ("", none)
-    for mesh in meshes:
-        if len(piece.points) == len(mesh.source) and (mesh.name in (named, SKIN)):
-            return mesh.name, mesh.source.astype(np.int64)
-    for name, count in counts.items():
-        if len(piece.points) == count and name in (named, SKIN):
-            return name, np.arange(count)
+    orders = [(mesh.name, mesh.source.astype(np.int64)) for mesh in meshes]
+    orders += [(name, np.arange(count)) for name, count in counts.items()]
+    for name, order in orders:
+        if len(piece.points) == len(order) and name in (named, SKIN):
+            return name, _checked_order(cast, order, piece.points) if name == SKIN else order
     rows = _match_by_place(cast, piece.points)
     return ("", none) if rows is None else (SKIN, rows)
+
+
+def _checked_order(cast: Cast, order: NDArray[np.int64], points: Points) -> NDArray[np.int64]:
+    """The rows of the skin at points (n, 3) that come in our number: in our order where places do not say otherwise,
+    else where they lie; ValueError where places say that some are in another order and not in which."""
+    if any(np.abs(face.positions[order] - points).max() <= NEAR for face in cast.faces.values()):
+        return order
+    rows = _match_by_place(cast, points)
+    if rows is not None:
+        return rows
+    for face in cast.faces.values():
+        far, at = cKDTree(face.positions).query(points, distance_upper_bound=EXACT)
+        elsewhere = np.isfinite(far) & (np.abs(face.positions[order] - points).max(axis=1) > NEAR)
+        if elsewhere.sum() > CHANCES:
+            first = int(elsewhere.argmax())
+            raise ValueError(
+                f"{int(elsewhere.sum())} of its vertices are in another order than ours: vertex {first} lies where "
+                f"vertex {at[first]} of {face.name!r} does; keep the order or the attribute _VID where it is shaped"
+            )
+    return order
 
 
 def _match_by_place(cast: Cast, points: Points) -> NDArray[np.int64] | None:

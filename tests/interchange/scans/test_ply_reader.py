@@ -119,7 +119,7 @@ def test_colours_that_faces_alone_have_are_those_of_the_vertices_around() -> Non
     )
     scan = read_ply(data, Companions())
     assert scan.colours is not None
-    inside = np.array([len(set(half[(at == TRIANGLES).any(axis=1)])) == 1 for at in range(len(POINTS))])
+    inside = np.array([len(set(half[np.any(np.equal(TRIANGLES, at), axis=1)])) == 1 for at in range(len(POINTS))])
     np.testing.assert_array_equal(scan.colours[inside, 0], np.where(POINTS[inside, 2] > 0, 255, 0))
     np.testing.assert_allclose(scan.colours.astype(int).sum(axis=1), 255, atol=1)
 

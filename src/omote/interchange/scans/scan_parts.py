@@ -147,7 +147,7 @@ def bytes_of_colours(values: NDArray[np.generic], /) -> NDArray[np.uint8] | None
     if values.dtype == np.uint8:
         return np.asarray(values, np.uint8)
     numbers = np.asarray(values, np.float64)
-    coloured = np.isfinite(numbers).all(axis=1)
+    coloured: NDArray[np.bool_] = np.all(np.isfinite(numbers), axis=1)
     if not coloured.any() or numbers[coloured].min() < -ROUNDED:
         return None
     highest = float(numbers[coloured].max())
