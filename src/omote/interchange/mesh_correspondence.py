@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Sequence
-from dataclasses import dataclass
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import NDArray
@@ -61,6 +61,35 @@ def match_head(cast: Cast, meshes: Sequence[BakedMesh], pieces: Iterable[Piece],
     labels = dict.fromkeys(label for _, moves in whole.values() for label in moves)
     moves = {label: {name: moved[label] for name, (_, moved) in whole.items() if label in moved} for label in labels}
     return MatchedHead(nearest_face(cast, rest[SKIN]), rest, moves)
+
+
+def share_order(
+    cast: Cast, meshes: Sequence[BakedMesh], shapes: Mapping[str, Sequence[Piece]], /
+) -> dict[str, list[Piece]]:
+    """Shapes of one head, by names, whose vertices come in one order: where a face of the cast tells that of one, the
+    others of as many vertices are told it too, unless they lie nearer to that face in ours.
+
+    cast, meshes: the built-in ones; shapes: pieces by the names of files.
+    """
+    orders = [mesh.source.astype(np.int64) for mesh in meshes if mesh.name == SKIN]
+    ours = {len(order): order for order in (*orders, np.arange(cast.space.vertex_count))}
+    told: dict[int, tuple[Points, NDArray[np.int64]]] = {}
+    for piece in (piece for pieces in shapes.values() for piece in pieces if piece.rows is None):
+        rows = _match_by_place(cast, piece.points) if len(piece.points) in ours else None
+        if rows is not None:
+            told.setdefault(len(rows), (piece.points, rows))
+
+    def tell(piece: Piece) -> Piece:
+        count = len(piece.points)
+        if piece.rows is not None or count not in told or piece.moves:
+            return piece
+        rest, rows = told[count]
+        places = np.full((cast.space.vertex_count, 3), np.nan)
+        _fill(places, rows, rest, cast.space.welded)
+        apart = [float(np.abs(places[order] - piece.points).mean()) for order in (rows, ours[count])]
+        return replace(piece, name=SKIN, rows=rows) if apart[0] < apart[1] else piece
+
+    return {label: [tell(piece) for piece in pieces] for label, pieces in shapes.items()}
 
 
 def nearest_face(cast: Cast, skin: Points) -> str:
