@@ -204,7 +204,8 @@ def place_texcoords(texcoords: Values, moved: TextureTransform, wraps: Sampler, 
 
     texcoords: v down; moved, wraps: of `texture_layout`.
     """
-    sine, cosine = np.sin(moved.rotation), np.cos(moved.rotation)
+    sine = np.sin(moved.rotation)
+    cosine = np.cos(moved.rotation)
     turn = np.array([[cosine, sine], [-sine, cosine]]) * moved.scale
     placed: Values = texcoords @ turn.T + moved.offset
     for at, wrap in enumerate((wraps.wrap_s, wraps.wrap_t)):

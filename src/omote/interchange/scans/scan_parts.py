@@ -78,7 +78,8 @@ def make_scan(
     if not kept.all():
         whole = kept[triangles].all(axis=1)
         place = np.cumsum(kept) - 1
-        points, triangles = points[kept], place[triangles[whole]]
+        points = points[kept]
+        triangles = place[triangles[whole]]
         colours = None if colours is None else colours[kept]
         texcoords = None if texcoords is None else texcoords[whole]
         shapes = {name: moves[kept] for name, moves in (shapes or {}).items()}

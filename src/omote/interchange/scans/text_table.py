@@ -113,5 +113,8 @@ class TextTable:
         return words[1].strip() if len(words) > 1 else ""
 
     def line(self, number: int, most: int = 80) -> str:
-        """A line as people read it, or the first letters of it."""
+        """A line as people read it, by its number, or the first `most` letters of it.
+
+        number: from 0; most: letters.
+        """
         return bytes(self.text[self.begins[number] : self.ends[number]][:most]).decode("utf-8", "replace").strip()

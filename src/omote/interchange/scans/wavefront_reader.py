@@ -12,7 +12,7 @@ from omote.interchange.formats.file_content import describe_content, strip_mark
 from omote.interchange.formats.glb_reader import Piece
 from omote.interchange.scans.atlas import join_textures
 from omote.interchange.scans.companions import Companions
-from omote.interchange.scans.material_library import MOST_MATERIALS, find_material, read_materials, without_comment
+from omote.interchange.scans.obj_materials import MOST_MATERIALS, find_material, read_materials, without_comment
 from omote.interchange.scans.scan_parts import (
     LARGEST,
     MOST_POINTS,

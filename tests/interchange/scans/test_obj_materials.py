@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from omote.interchange.scans.companions import Companions
-from omote.interchange.scans.material_library import ObjMaterial, find_material, read_materials
+from omote.interchange.scans.obj_materials import ObjMaterial, find_material, read_materials
 from omote.interchange.scans.text_table import TextTable
 from tests.interchange.scans import scan_samples as samples
 
