@@ -45,6 +45,25 @@ def test_what_went_out_comes_back_as_it_was(face: str) -> None:
         assert each.error < NEAR
 
 
+@pytest.mark.parametrize("some", [12, len(CAST.space.welded)])
+def test_shapes_beside_their_head_at_rest_may_be_in_any_one_order(some: int) -> None:
+    """Some vertices of both files, or all, change places alike: the shape is that of the file in our order."""
+    rows = np.arange(len(CAST.space.welded))
+    rows[:some] = np.random.default_rng(11).permutation(some)
+    names = {"neutral": CAST.faces["broad"].positions.astype(np.float64), "odd": shape("broad", "smile")[0].points}
+    ours, mixed = (
+        list(
+            import_expressions(CAST, meshes(), {name: [Piece("head", points[order])] for name, points in names.items()})
+        )
+        for order in (np.arange(len(rows)), rows)
+    )
+    assert [each.label for each in mixed] == [each.label for each in ours] == ["odd"]
+    assert mixed[0].error < NEAR
+    for name, worn in compound_meshes(CAST.space, CAST.faces["long"], ours[0].expression).items():
+        again = compound_meshes(CAST.space, CAST.faces["long"], mixed[0].expression)[name]
+        np.testing.assert_allclose(again, worn, atol=NEAR)
+
+
 @pytest.mark.parametrize("face", synthetic.FACES)
 def test_an_unknown_head_is_measured_and_does_the_same(face: str) -> None:
     (piece, *others) = exported_pieces(face, ["smile", "eyeLookUpLeft"])

@@ -2,6 +2,8 @@
 
 import numpy as np
 import pytest
+from hypothesis import given
+from hypothesis import strategies as st
 
 from omote.interchange.export_face import meshes_of
 from omote.interchange.formats.glb_reader import Piece
@@ -44,6 +46,29 @@ def test_a_head_in_another_order_is_known_by_where_its_vertices_lie() -> None:
     found = match_head(CAST, meshes(), pieces(rows, told=False))
     assert found.face == "broad"
     np.testing.assert_allclose(found.moves["odd"]["skin"], MOVES)
+
+
+@given(st.sets(st.integers(0, len(SKIN) - 1), min_size=12, max_size=60), st.booleans(), st.integers(0, 99))
+def test_our_number_of_vertices_in_another_order_is_matched_by_place(some: set[int], torn: bool, seed: int) -> None:
+    """Some vertices change places, as programs do that pack meshes; split at seams or not."""
+    order = meshes()[0].source.astype(np.int64) if torn else np.arange(len(SKIN))
+    mixed = np.random.default_rng(seed).permutation(sorted(some))
+    rows = order.copy()
+    rows[sorted(some)] = order[mixed]
+    found = match_head(CAST, meshes(), pieces(rows, told=False))
+    np.testing.assert_allclose(found.rest["skin"], SKIN, atol=1e-12)
+    np.testing.assert_allclose(found.moves["odd"]["skin"], MOVES, atol=1e-12)
+
+
+def test_a_shape_in_another_order_that_no_place_tells_is_refused() -> None:
+    """Sixty vertices of a still half change places, and the other half moves: the rows of those are not known."""
+    moved = SKIN + np.where(SKIN[:, :1] > 0.0, 0.01, 0.0)
+    still = np.flatnonzero(SKIN[:, 0] <= 0.0)[:60]
+    rows = np.arange(len(SKIN))
+    rows[still] = np.roll(still, 7)
+    assert match_head(CAST, meshes(), [Piece("skin", moved)]).face == ""
+    with pytest.raises(ValueError, match=r"of its vertices are in another order than ours: vertex .* of 'broad'"):
+        match_head(CAST, meshes(), [Piece("skin", moved[rows])])
 
 
 def test_parts_are_known_by_their_names_and_others_are_passed_over() -> None:

@@ -18,7 +18,7 @@ from omote.arrays import Points
 from omote.builtin import BakedMesh
 from omote.interchange.export_face import SKIN, Meshes, compound_meshes, meshes_of
 from omote.interchange.formats.glb_reader import Piece
-from omote.interchange.mesh_correspondence import MatchedHead, build_face, match_head
+from omote.interchange.mesh_correspondence import MatchedHead, build_face, match_head, share_order
 from omote.model.cast import Cast, Look
 from omote.model.extraction.extract import extract
 from omote.model.extraction.extracted_expression import describe_uncertainty
@@ -123,7 +123,8 @@ def import_expressions(
 
     cast, meshes: the built-in ones; shapes: pieces by the names of files.
     """
-    heads = {label: _match_named_head(cast, meshes, label, pieces) for label, pieces in shapes.items()}
+    ordered = share_order(cast, meshes, shapes)
+    heads = {label: _match_named_head(cast, meshes, label, pieces) for label, pieces in ordered.items()}
     if face:
         face = find_name(face, cast.faces, "face")
     single = {label: head for label, head in heads.items() if not head.moves}

@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Sequence
-from dataclasses import dataclass
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import NDArray
@@ -19,6 +19,10 @@ from omote.model.space.face import Face
 
 NEAR = 2e-4
 """Tolerance, metres, in matching a face of the cast: programs round."""
+EXACT = 2e-6
+"""Metres within which a vertex lies where another one does, however numbers were rounded."""
+CHANCES = 4
+"""Vertices that an expression may bring there by chance."""
 _NUMBERED = re.compile(r"\.\d{3}$")  # what Blender adds to a name that is there already
 
 
@@ -59,6 +63,35 @@ def match_head(cast: Cast, meshes: Sequence[BakedMesh], pieces: Iterable[Piece],
     return MatchedHead(nearest_face(cast, rest[SKIN]), rest, moves)
 
 
+def share_order(
+    cast: Cast, meshes: Sequence[BakedMesh], shapes: Mapping[str, Sequence[Piece]], /
+) -> dict[str, list[Piece]]:
+    """Shapes of one head, by names, whose vertices come in one order: where a face of the cast tells that of one, the
+    others of as many vertices are told it too, unless they lie nearer to that face in ours.
+
+    cast, meshes: the built-in ones; shapes: pieces by the names of files.
+    """
+    orders = [mesh.source.astype(np.int64) for mesh in meshes if mesh.name == SKIN]
+    ours = {len(order): order for order in (*orders, np.arange(cast.space.vertex_count))}
+    told: dict[int, tuple[Points, NDArray[np.int64]]] = {}
+    for piece in (piece for pieces in shapes.values() for piece in pieces if piece.rows is None):
+        rows = _match_by_place(cast, piece.points) if len(piece.points) in ours else None
+        if rows is not None:
+            told.setdefault(len(rows), (piece.points, rows))
+
+    def tell(piece: Piece) -> Piece:
+        count = len(piece.points)
+        if piece.rows is not None or count not in told or piece.moves:
+            return piece
+        rest, rows = told[count]
+        places = np.full((cast.space.vertex_count, 3), np.nan)
+        _fill(places, rows, rest, cast.space.welded)
+        apart = [float(np.abs(places[order] - piece.points).mean()) for order in (rows, ours[count])]
+        return replace(piece, name=SKIN, rows=rows) if apart[0] < apart[1] else piece
+
+    return {label: [tell(piece) for piece in pieces] for label, pieces in shapes.items()}
+
+
 def nearest_face(cast: Cast, skin: Points) -> str:
     """The face of the cast whose skin (V, 3) this is, "" for none."""
     off = {name: float(np.abs(face.positions - skin).max()) for name, face in cast.faces.items()}
@@ -74,14 +107,33 @@ def _match_piece(cast: Cast, meshes: Sequence[BakedMesh], piece: Piece) -> tuple
     if piece.rows is not None:
         name = named if named in counts else SKIN
         return (name, piece.rows) if piece.rows.max() < counts[name] else ("", none)
-    for mesh in meshes:
-        if len(piece.points) == len(mesh.source) and (mesh.name in (named, SKIN)):
-            return mesh.name, mesh.source.astype(np.int64)
-    for name, count in counts.items():
-        if len(piece.points) == count and name in (named, SKIN):
-            return name, np.arange(count)
+    orders = [(mesh.name, mesh.source.astype(np.int64)) for mesh in meshes]
+    orders += [(name, np.arange(count)) for name, count in counts.items()]
+    for name, order in orders:
+        if len(piece.points) == len(order) and name in (named, SKIN):
+            return name, _checked_order(cast, order, piece.points) if name == SKIN else order
     rows = _match_by_place(cast, piece.points)
     return ("", none) if rows is None else (SKIN, rows)
+
+
+def _checked_order(cast: Cast, order: NDArray[np.int64], points: Points) -> NDArray[np.int64]:
+    """The rows of the skin at points (n, 3) that come in our number: in our order where places do not say otherwise,
+    else where they lie; ValueError where places say that some are in another order and not in which."""
+    if any(np.abs(face.positions[order] - points).max() <= NEAR for face in cast.faces.values()):
+        return order
+    rows = _match_by_place(cast, points)
+    if rows is not None:
+        return rows
+    for face in cast.faces.values():
+        far, at = cKDTree(face.positions).query(points, distance_upper_bound=EXACT)
+        elsewhere = np.isfinite(far) & (np.abs(face.positions[order] - points).max(axis=1) > NEAR)
+        if elsewhere.sum() > CHANCES:
+            first = int(elsewhere.argmax())
+            raise ValueError(
+                f"{int(elsewhere.sum())} of its vertices are in another order than ours: vertex {first} lies where "
+                f"vertex {at[first]} of {face.name!r} does; keep the order or the attribute _VID where it is shaped"
+            )
+    return order
 
 
 def _match_by_place(cast: Cast, points: Points) -> NDArray[np.int64] | None:

@@ -97,10 +97,6 @@ BOMBS: dict[str, tuple[bytes, str]] = {
         changed(lambda d: d["meshes"][0]["primitives"][0].update(targets=[{"POSITION": 0}] * 1025)),
         "1024 at most",
     ),
-    "a name twice": (
-        changed(lambda d: d["meshes"][0]["extras"].update(targetNames=["a", "a", "b"])),
-        "two targets named",
-    ),
     "rows of parts": (
         changed(lambda d: d["meshes"][0]["primitives"][0]["attributes"].update(_VID=2)),
         "_VID is 4 of 'VEC2'",

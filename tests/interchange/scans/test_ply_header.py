@@ -12,7 +12,7 @@ TEXT = (
 def test_a_header_is_read_with_either_end_of_line() -> None:
     for data in (TEXT, TEXT.replace(b"\r\n", b"\n"), TEXT.replace(b"\r\n", b"\r")):
         header = parse_header(data + b"abc")
-        assert (header.order, header.texture) == (">", "my head.png")
+        assert (header.order, header.textures) == (">", ("my head.png",))
         assert header.elements == [
             Element("vertex", 3, [Property("x", "f4"), Property("red", "u1")]),
             Element("face", 1, [Property("vertex_indices", "i4", "u1")]),

@@ -28,6 +28,9 @@ def test_colours_in_any_numbers_are_bytes() -> None:
         np.testing.assert_array_equal(bytes_of_colours(tones * scale), tones)
     assert bytes_of_colours(np.array([[0.5, -1.0, 0.0]])) is None
     assert bytes_of_colours(np.array([[0.5, np.nan, 0.0]])) is None
+    np.testing.assert_array_equal(
+        bytes_of_colours(np.array([[1.02, -0.001, 0.0], [np.nan, 0, 0]])), [[255, 0, 0], [255] * 3]
+    )
 
 
 @given(st.lists(st.tuples(st.sampled_from([0.0, -0.0, 1.5]), st.sampled_from([0.0, 2.0])), min_size=1, max_size=12))

@@ -3,6 +3,7 @@
 import numpy as np
 import pytest
 
+from omote.interchange.scans.companions import Companions
 from omote.interchange.scans.stl_reader import is_binary_stl, read_stl
 from tests.interchange.scans import scan_samples as samples
 
@@ -20,6 +21,29 @@ def test_corners_at_one_place_become_one_point(text: bool) -> None:
 def test_a_binary_file_that_begins_as_text_is_binary() -> None:
     assert is_binary_stl(samples.write_stl())
     assert not is_binary_stl(samples.write_stl(text=True))
+
+
+@pytest.mark.parametrize("encoding", ["utf-8-sig", "utf-16"])
+@pytest.mark.parametrize("end", ["\r\n", "\r"])
+def test_a_text_is_the_same_however_it_is_written(encoding: str, end: str) -> None:
+    text = samples.write_stl(text=True).decode().upper().replace("\n", end).replace(".", ",").replace(" ", "\t")
+    scan = read_stl(text.encode(encoding))
+    np.testing.assert_array_equal(scan.positions[scan.triangles], POINTS[TRIANGLES])
+
+
+@pytest.mark.parametrize("text", [False, True])
+def test_a_corner_that_is_no_number_costs_its_triangles_and_is_said(text: bool) -> None:
+    data = samples.write_stl(text=text)
+    if text:
+        first = data.index(b"vertex")
+        data = data[:first] + b"vertex nan 0 0" + data[data.index(b"\n", first) :]
+    else:
+        data = data[:96] + b"\0\0\xc0\x7f" + data[100:]
+    beside = Companions()
+    scan = read_stl(data, beside)
+    assert scan.triangles is not None
+    assert len(scan.triangles) == len(TRIANGLES) - 1
+    assert len(beside.notes) == 1
 
 
 @pytest.mark.parametrize(

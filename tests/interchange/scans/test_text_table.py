@@ -30,3 +30,6 @@ def test_numbers_are_those_of_python_and_the_first_other_word_is_named() -> None
     np.testing.assert_array_equal(parse_numbers(text, "it"), [float(word) for word in text.split()])
     with pytest.raises(ValueError, match="it has 'six', which is no number"):
         parse_numbers(b"1 2 six 7 eight", "it")
+    np.testing.assert_array_equal(parse_numbers(b"1,5 -2,25 3", "it"), [1.5, -2.25, 3.0])
+    with pytest.raises(ValueError, match=r"it has '1\.234,5', which is no number"):
+        parse_numbers(b"7 1.234,5 8", "it")

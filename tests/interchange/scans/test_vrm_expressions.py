@@ -9,9 +9,10 @@ import msgspec
 import numpy as np
 import pytest
 
-from omote.interchange.formats.glb_reader import MOST_TARGETS
+from omote.interchange.formats.gltf_scene import MOST_TARGETS
 from omote.interchange.scans.companions import Companions
-from omote.interchange.scans.gltf_scan import SceneDocument, read_gltf
+from omote.interchange.scans.gltf_materials import SceneDocument
+from omote.interchange.scans.gltf_scan import read_gltf
 from omote.interchange.scans.vrm_expressions import VrmExpressions, read_vrm_expressions
 from omote.model.fitting.scan import Scan
 from tests.interchange.scans import scan_samples as samples
@@ -123,3 +124,33 @@ def test_too_many_are_refused() -> None:
     many = {f"e{at}": [bind(0)] for at in range(MOST_TARGETS + 1)}
     with pytest.raises(ValueError, match="expressions of an avatar"):
         read(version_1({}, many))
+
+
+@pytest.mark.parametrize(
+    "twice",
+    [
+        version_0(*[{"name": "Smile", "binds": [{"mesh": 0, "index": 0, "weight": 50}]}] * 2),
+        version_1({"Smile": [bind(0, 0.5, NODE)]}, {"Smile": [bind(0, 0.5, NODE)]}),
+    ],
+)
+def test_the_second_of_one_name_is_numbered_and_said(twice: Json) -> None:
+    document, body = samples.gltf_document()
+    beside = Companions()
+    scan = read_gltf(samples.write_gltf(document | {"extensions": twice}, body), beside)
+    assert list(scan.shapes) == ["jawOpen", "Smile", "Smile 2"]
+    for name in ("Smile", "Smile 2"):
+        np.testing.assert_allclose(scan.shapes[name], 0.5 * BARE, atol=1e-12)
+    assert beside.notes == ["two of its expressions are named 'Smile': the second is read as 'Smile 2'"]
+
+
+def test_a_target_named_as_an_expression_that_does_something_else_stands_beside_it() -> None:
+    scan = ball_with(version_1({"jawOpen": [bind(0, 0.5, NODE)]}))
+    assert set(scan.shapes) == {"jawOpen", "jawOpen 2"}
+    np.testing.assert_allclose(scan.shapes["jawOpen"], 0.5 * BARE, atol=1e-12)
+    np.testing.assert_array_equal(scan.shapes["jawOpen 2"], BARE)
+
+
+def test_a_name_that_nobody_can_read_is_left_out_and_said() -> None:
+    assert read(version_1({"a\nb": [bind(0)]})).notes == (
+        "its expression 'a\\nb' is left out: its name is none that people can read",
+    )

@@ -38,7 +38,7 @@ from omote.server.sandbox.import_files import (
     is_foreign,
     read_in_sandbox,
 )
-from tests.interchange.formats.scenes import NAMES, head_glb, plain_glb, taken_apart
+from tests.interchange.formats.scenes import NAMES, head_glb, plain_glb, put_together, taken_apart
 from tests.interchange.scans.scan_samples import ball
 from tests.model.fitting.retriangulated import TURN, retriangulate
 from tests.stage_data.heads import context
@@ -73,6 +73,19 @@ def test_heads_bring_their_targets(built_in: Cast, tmp_path: Path) -> None:
     ((arrival, sentence),) = expressions_from(built_in, [path])
     assert arrival.label == "grin"
     assert sentence.startswith("grin, taken from dog")
+
+
+def test_what_a_file_leaves_out_is_said_with_its_first_item(built_in: Cast, tmp_path: Path) -> None:
+    rest = built_in.faces["dog"].positions.astype(np.float64)
+    moved = named_compound_meshes(built_in, "dog", "smile")["skin"] - rest
+    document, binary = taken_apart(head_glb("skin", rest, {"grin": moved, "Grin": moved, "bad": moved * np.nan}))
+    document["extensionsRequired"] = ["ACME_bones"]
+    path = tmp_path / "dog.glb"
+    path.write_bytes(put_together(document, binary))
+    (_, first), (_, second) = expressions_from(built_in, [path])
+    assert "dog: it needs ACME_bones, which is not read here" in first
+    assert "the shape 'bad' of the mesh 'skin' holds what is no number: it is left out" in first
+    assert "dog: " not in second
 
 
 def test_a_head_at_rest_is_a_face(built_in: Cast, tmp_path: Path) -> None:
@@ -129,7 +142,7 @@ def test_shapes_of_strangers_come_in_by_name(
         monkeypatch.setattr(scan_faces, "fit_scan", lambda *_, **__: fitted)
 
     monkeypatch.setattr(import_files, "read_scan_in_sandbox", lambda _: ScanFile(scan))
-    monkeypatch.setattr("omote.server.sandbox.import_files.read_in_sandbox", lambda _: as_pieces(scan))
+    monkeypatch.setattr("omote.server.sandbox.import_files.read_in_sandbox", lambda _, **__: as_pieces(scan))
     found = {arrival.label: (arrival, told) for arrival, told in expressions_from(CAST, [path])}
     assert set(found) == {"eyeLookUp_L", "lookDown", "Agape"}
     look, told = found["eyeLookUp_L"]
@@ -258,7 +271,7 @@ def test_what_no_reader_takes_is_told_with_its_file(tmp_path: Path) -> None:
 def test_a_reader_that_takes_too_much_or_dies_harms_nobody(
     kind: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    def hungry(_: bytes) -> tuple[Piece, ...]:
+    def hungry(_: bytes, __: object) -> tuple[Piece, ...]:
         if kind == "memory":
             return (Piece("x", np.ones((2**31, 3))),)
         if kind == "death":

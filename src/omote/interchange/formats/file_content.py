@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import codecs
 from collections.abc import Mapping
 
 import msgspec
@@ -26,6 +27,10 @@ READ = 4096
 _VERTEX = (b"v ", b"v\t")
 
 
+MARKS = (codecs.BOM_UTF8, codecs.BOM_UTF16_LE, codecs.BOM_UTF16_BE)
+"""Marks of byte order, with which texts may begin."""
+
+
 def describe_content(data: bytes, /) -> str:
     """What a file is by its bytes, as a noun: "a picture (PNG)", "an empty file"."""
     if not data.strip():
@@ -41,6 +46,14 @@ def describe_content(data: bytes, /) -> str:
     if any(line.lstrip()[:2] in _VERTEX for line in data.splitlines()[:1000]):
         return "a shape (OBJ)"
     return "text"
+
+
+def strip_mark(text: bytes, /) -> bytes:
+    """A text as UTF-8 without marks of byte order, which programs write before texts and what they add to them."""
+    for mark, encoding in ((codecs.BOM_UTF16_LE, "utf-16-le"), (codecs.BOM_UTF16_BE, "utf-16-be")):
+        if text.startswith(mark):
+            text = text.decode(encoding, "replace").encode()
+    return text.replace(codecs.BOM_UTF8, b"")
 
 
 def explain_syntax(data: bytes, /) -> str | None:

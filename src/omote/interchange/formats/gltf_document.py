@@ -5,6 +5,7 @@ What a file declares is validated before memory is allocated; nothing outside th
 
 from __future__ import annotations
 
+import math
 import struct
 from collections.abc import Sequence
 from typing import Annotated, Any, TypeVar
@@ -13,9 +14,9 @@ import msgspec
 import numpy as np
 
 from omote.arrays import Values
-from omote.geometry.mesh import rows_out_of_reach
+from omote.geometry.mesh import FARTHEST, rows_out_of_reach
 from omote.interchange.formats.error_reasons import explain_error
-from omote.interchange.formats.file_content import describe_content
+from omote.interchange.formats.file_content import describe_content, strip_mark
 from omote.interchange.formats.glb_writer import BIN_CHUNK, JSON_CHUNK, MAGIC, VERSION
 
 Whole = Annotated[int, msgspec.Meta(ge=0, le=2**31)]
@@ -28,6 +29,8 @@ LARGEST = 512 * 2**20
 """Bytes of a file at most."""
 MOST_VERTICES = 1_000_000
 """Of one primitive."""
+TRIANGLES = 4
+"""The mode of a primitive that says none."""
 _COMPONENTS = {5120: "i1", 5121: "u1", 5122: "<i2", 5123: "<u2", 5125: "<u4", 5126: "<f4"}
 _COLUMNS = {"SCALAR": 1, "VEC2": 2, "VEC3": 3, "VEC4": 4, "MAT2": 4, "MAT3": 9, "MAT4": 16}
 
@@ -37,6 +40,7 @@ class Buffer(msgspec.Struct, frozen=True, rename="camel"):
 
     byte_length: Whole
     uri: str | None = None
+    extensions: Any = None
 
 
 class View(msgspec.Struct, frozen=True, rename="camel"):
@@ -84,28 +88,29 @@ class Accessor(msgspec.Struct, frozen=True, rename="camel"):
 
 
 class Primitive(msgspec.Struct, frozen=True, rename="camel"):
-    """Vertices by attribute, and what each target adds to them."""
+    """Vertices by attribute, what each target adds to them, triangles and material."""
 
     attributes: dict[str, Whole]
-    targets: list[dict[str, Whole]] = []
-
-
-class Extras(msgspec.Struct, frozen=True, rename="camel"):
-    """What programs agree to write beside the format: the targets' names."""
-
-    target_names: list[str] = []
+    targets: list[dict[str, Any]] = []
+    indices: Whole | None = None
+    mode: Whole = TRIANGLES
+    material: Whole | None = None
+    extras: Any = None
+    extensions: Any = None
 
 
 class Mesh(msgspec.Struct, frozen=True, rename="camel"):
-    """A mesh of primitives."""
+    """A mesh of primitives; weights: of its targets at rest; extras: any JSON, where programs agree to name targets."""
 
     primitives: list[Primitive]
     name: str = ""
-    extras: Extras | None = None
+    weights: list[float] = []
+    extras: Any = None
 
 
 class Node(msgspec.Struct, frozen=True, rename="camel"):
-    """A place in the scene, by a matrix or by translation, rotation and scale, and what stands there."""
+    """A place in the scene, by a matrix or by translation, rotation and scale, and what stands there; weights: of the
+    mesh's targets at this node, in place of the mesh's own."""
 
     name: str = ""
     mesh: Whole | None = None
@@ -114,6 +119,21 @@ class Node(msgspec.Struct, frozen=True, rename="camel"):
     translation: Triple = (0.0, 0.0, 0.0)
     rotation: Quad = (0.0, 0.0, 0.0, 1.0)
     scale: Triple = (1.0, 1.0, 1.0)
+    skin: Whole | None = None
+    weights: list[float] | None = None
+
+
+class Skin(msgspec.Struct, frozen=True, rename="camel"):
+    """Joints, and what brings the mesh into the space of each."""
+
+    joints: list[Whole]
+    inverse_bind_matrices: Whole | None = None
+
+
+class SceneRoots(msgspec.Struct, frozen=True, rename="camel"):
+    """The nodes that a scene shows, with all below them."""
+
+    nodes: list[Whole] = []
 
 
 class Document(msgspec.Struct, frozen=True, rename="camel"):
@@ -121,6 +141,9 @@ class Document(msgspec.Struct, frozen=True, rename="camel"):
 
     nodes: list[Node] = []
     meshes: list[Mesh] = []
+    skins: list[Skin] = []
+    scenes: list[SceneRoots] = []
+    scene: Whole = 0
     accessors: list[Accessor] = []
     buffer_views: list[View] = []
     buffers: list[Buffer] = []
@@ -144,9 +167,14 @@ def parse_document_as(kind: type[D], text: bytes, /) -> D:
     if len(text) > LARGEST_JSON:
         raise ValueError(f"the file's JSON has {len(text)} bytes; expected {LARGEST_JSON} at most")
     try:
-        return msgspec.json.decode(text, type=kind)
+        return msgspec.json.decode(strip_mark(text), type=kind)
     except (msgspec.DecodeError, UnicodeDecodeError, RecursionError) as error:
         raise ValueError(f"the file's JSON is no glTF document ({explain_error(error)}); export it anew") from error
+
+
+def split_gltf(data: bytes, /) -> tuple[bytes, bytes]:
+    """The JSON of a glTF file, binary (.glb) or text (.gltf), and the binary chunk; ValueError for an invalid one."""
+    return (data, b"") if strip_mark(data[:64]).lstrip()[:1] == b"{" else split_glb(data)
 
 
 def split_glb(data: bytes, /) -> tuple[bytes, bytes]:
@@ -181,24 +209,31 @@ class AccessorReader:
         self.document = document
         self.buffers = buffers
 
-    def numbers(self, index: int, columns: int, what: str, most: int = MOST_VERTICES) -> Values:
-        """The values (count, columns) of an accessor, its sparse ones in place, all finite.
+    def numbers(
+        self, index: int, columns: int, what: str, most: int = MOST_VERTICES, *, finite: bool = True,
+        normalized: bool = False,
+    ) -> Values:  # fmt: skip
+        """The values (count, columns) of an accessor, its sparse ones in place.
 
-        index: the accessor's; columns: numbers of each value; what: its name in a message; most: values.
+        index: the accessor's; columns: numbers of each value; what: its name in a message; most: values; finite:
+        whether one that is no finite number is refused; normalized: whole numbers are parts of one whatever it says.
         """
         accessor = entry(self.document.accessors, index, "accessor")
         if _COLUMNS.get(accessor.type) != columns or not 0 < accessor.count <= most:
             raise ValueError(
                 f"{what} is {accessor.count} of {accessor.type[:20]!r}; expected 1 to {most} of {columns} numbers each"
             )
+        if normalized and not accessor.normalized:
+            accessor = msgspec.structs.replace(accessor, normalized=True)
         if accessor.buffer_view is None:
             values = np.zeros((accessor.count, columns))
         else:
             values = self._read_view(accessor.buffer_view, accessor, accessor.byte_offset, accessor.count, columns)
         if accessor.sparse is not None:
             self._place_sparse(accessor, accessor.sparse, values)
-        if not np.isfinite(values).all():
-            raise ValueError(f"{what} holds numbers that are not finite; export it anew")
+        if finite and not np.isfinite(values).all():
+            bad = int((~np.isfinite(values)).any(axis=1).argmax())
+            raise ValueError(f"{what} {bad} is {values[bad].tolist()}; expected finite numbers: export it anew")
         return values
 
     def _place_sparse(self, accessor: Accessor, sparse: Sparse, values: Values) -> None:
@@ -253,10 +288,26 @@ def node_places(document: Document, /) -> dict[int, Values]:
     return dict(sorted(places.items()))
 
 
+def shown_nodes(document: Document, /) -> set[int]:
+    """The nodes of the scene that viewers show; all where the document has no scenes."""
+    if not document.scenes:
+        return set(range(len(document.nodes)))
+    shown = set[int]()
+    waiting = list(document.scenes[min(document.scene, len(document.scenes) - 1)].nodes)
+    while waiting:
+        at = waiting.pop()
+        if at not in shown and at < len(document.nodes):
+            shown.add(at)
+            waiting += document.nodes[at].children
+    return shown
+
+
 def _transform(node: Node) -> Values:
     if node.matrix is not None:
         return np.array(node.matrix).reshape(4, 4).T
-    x, y, z, w = node.rotation
+    length = math.hypot(*node.rotation)
+    unit = length if 0.0 < length < FARTHEST else 1.0
+    x, y, z, w = (part / unit for part in node.rotation)
     turn = np.array(
         [
             [1 - 2 * (y * y + z * z), 2 * (x * y - z * w), 2 * (x * z + y * w)],

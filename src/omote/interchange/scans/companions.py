@@ -2,19 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from dataclasses import dataclass, field
 
 import numpy as np
 from numpy.typing import NDArray
 
 from omote.interchange.formats.error_reasons import explain_error
+from omote.interchange.formats.gltf_scene import Find, find_nothing
 from omote.interchange.scans.picture_reader import read_picture
-
-
-def find_nothing(_: str, /) -> bytes | None:
-    """Beside a file that is bytes alone lies nothing."""
-    return None
 
 
 @dataclass
@@ -25,7 +20,7 @@ class Companions:
     missing or unreadable and not needed for the shape.
     """
 
-    find: Callable[[str], bytes | None] = find_nothing
+    find: Find = find_nothing
     notes: list[str] = field(default_factory=list)
 
     def picture(self, name: str, /) -> NDArray[np.uint8] | None:

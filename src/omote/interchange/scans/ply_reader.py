@@ -9,7 +9,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from omote.arrays import Rows, Values
-from omote.interchange.formats.file_content import describe_content
+from omote.interchange.formats.file_content import MARKS, describe_content, strip_mark
+from omote.interchange.scans.atlas import join_textures
 from omote.interchange.scans.companions import Companions
 from omote.interchange.scans.scan_parts import (
     LARGEST,
@@ -38,6 +39,9 @@ MOST_ROWS = 100_000_000
 COLOURS = (("red", "green", "blue"), ("diffuse_red", "diffuse_green", "diffuse_blue"), ("r", "g", "b"))
 TEXCOORDS = (("s", "t"), ("u", "v"), ("texture_u", "texture_v"), ("texture_s", "texture_t"))
 CORNERS = ("vertex_indices", "vertex_index")
+TEXTURE = "texturefile"
+"""What a comment calls the picture of the file, in any capitals."""
+MOST_TEXTURES = 64
 MOST_VALUES = 2**28
 """Of one list of all rows together."""
 _UNPACKED = {"i1": "b", "u1": "B", "i2": "h", "u2": "H", "i4": "i", "u4": "I", "f8": "d"}
@@ -63,12 +67,12 @@ class Element:
 
 @dataclass(frozen=True)
 class Header:
-    """What a file declares; order: byte order, "" for text; body: where the first row begins; texture: its picture."""
+    """What a file declares; order: byte order, "" for text; body: where rows begin; textures: names of pictures."""
 
     order: str
     elements: list[Element]
     body: int
-    texture: str = ""
+    textures: tuple[str, ...] = ()
 
 
 def parse_header(data: bytes, /) -> Header:
@@ -84,7 +88,7 @@ def parse_header(data: bytes, /) -> Header:
 
 def _parse_lines(lines: list[str], body: int) -> Header:
     order = "?"
-    texture = ""
+    textures = list[str]()
     elements = list[Element]()
     for line in lines:
         words = line.split()
@@ -92,7 +96,7 @@ def _parse_lines(lines: list[str], body: int) -> Header:
             case ["format"]:
                 order = _format(words)
             case ["comment" | "obj_info"]:
-                texture = texture or (line.partition("TextureFile")[2].strip() if "TextureFile" in words[1:2] else "")
+                textures += _texture(line)
             case ["element"]:
                 elements.append(_element(words, line))
             case ["property"]:
@@ -101,7 +105,13 @@ def _parse_lines(lines: list[str], body: int) -> Header:
                 raise ValueError(f"the PLY's header has the line {line[:80]!r}; expected format, element or property")
     if order == "?":
         raise ValueError(f"the header of the PLY names no format; expected one of {', '.join(FORMATS)}: export it anew")
-    return Header(order, elements, body, texture)
+    return Header(order, elements, body, tuple(textures[:MOST_TEXTURES]))
+
+
+def _texture(line: str) -> list[str]:
+    """The name of the picture that a comment names, if it does."""
+    words = line.split(None, 2)
+    return [words[2].strip()] if len(words) > 2 and words[1].lower() == TEXTURE else []
 
 
 def _format(words: list[str]) -> str:
@@ -114,7 +124,7 @@ def _element(words: list[str], line: str) -> Element:
     digits = words[2] if len(words) == 3 else ""
     if not (digits.isascii() and digits.isdigit() and len(digits) < 12 and int(digits) <= MOST_ROWS):
         raise ValueError(f"the header of the PLY has the line {line[:80]!r}; expected element, a name and a count")
-    return Element(words[1], int(digits))
+    return Element(words[1].lower(), int(digits))
 
 
 def _add_property(elements: list[Element], words: list[str], line: str) -> None:
@@ -125,7 +135,7 @@ def _add_property(elements: list[Element], words: list[str], line: str) -> None:
     kinds = [TYPES[word] for word in words[1 + listed : -1]]
     if listed and kinds[0][0] == "f":
         raise ValueError(f"the header of the PLY counts a list by {words[2]}; expected whole numbers: export it anew")
-    elements[-1].properties.append(Property(words[-1], kinds[-1], kinds[0] if listed else ""))
+    elements[-1].properties.append(Property(words[-1].lower(), kinds[-1], kinds[0] if listed else ""))
 
 
 @dataclass
@@ -144,44 +154,68 @@ def read_ply(data: bytes, beside: Companions, /) -> Scan:
     data: the file.
     """
     refuse_many(len(data), "bytes", LARGEST)
+    if data.startswith(MARKS):  # before a text; in other bytes such a mark is a number
+        data = data.removeprefix(MARKS[0]) if data.startswith(MARKS[0]) else strip_mark(data)
     header = parse_header(data)
     tables = _read_tables(data, header)
     vertices = tables.get("vertex", ElementTable())
     if any(name not in vertices.columns for name in "xyz"):
         raise ValueError("the PLY has no vertices with x, y and z; expected a cloud or a mesh: export it anew")
     points = np.stack([np.asarray(vertices.columns[name], np.float64) for name in "xyz"], axis=1)
-    triangles, texcoords, doubled = _faces(tables, vertices)
-    texture = beside.picture(header.texture) if header.texture and texcoords is not None else None
-    scan = make_scan(points, triangles, _colours(vertices), texture, texcoords)
+    triangles, of, texcoords, doubled = _faces(tables, vertices)
+    colours = _colours(vertices)
+    if colours is None and triangles is not None:
+        colours = _colours_of_faces(tables.get("face", ElementTable()), triangles, of, len(points))
+    texture = None
+    if header.textures and texcoords is not None:
+        numbers = tables["face"].columns.get("texnumber", np.zeros(len(of), np.int64))
+        chosen = np.clip(np.asarray(numbers, np.float64), -1, MOST_TEXTURES).astype(np.int64)[of]
+        texture, texcoords = join_textures([beside.picture(name) for name in header.textures], texcoords, chosen)
+    scan = make_scan(points, triangles, colours, texture, texcoords, beside=beside)
     return weld_scan(scan) if doubled else scan
 
 
-def _colours(vertices: ElementTable) -> NDArray[np.uint8] | None:
+def _colours(table: ElementTable) -> NDArray[np.uint8] | None:
+    """The colours of vertices, or of faces."""
     for names in COLOURS:
-        if all(name in vertices.columns for name in names):
-            return bytes_of_colours(np.stack([vertices.columns[name] for name in names], axis=1))
+        if all(name in table.columns for name in names):
+            return bytes_of_colours(np.stack([table.columns[name] for name in names], axis=1))
     return None
 
 
-def _faces(tables: dict[str, ElementTable], vertices: ElementTable) -> tuple[Rows | None, Values | None, bool]:
-    """Triangles, the texture coordinates of their corners, and whether vertices are doubled for these."""
+def _colours_of_faces(faces: ElementTable, triangles: Rows, of: Rows, count: int) -> NDArray[np.uint8] | None:
+    """The colours of vertices where faces alone have some: the mean of those around each, white where there is none."""
+    tones = _colours(faces)
+    if tones is None or not len(triangles) or triangles.min() < 0 or triangles.max() >= count:
+        return None
+    corners = triangles.reshape(-1)
+    around = np.bincount(corners, minlength=count)
+    sums = [np.bincount(corners, np.repeat(tones[of, at], 3), minlength=count) for at in range(3)]
+    means = np.where(around > 0, np.stack(sums) / np.maximum(around, 1), 255.0)
+    return np.asarray(np.rint(means.T), np.uint8)
+
+
+def _faces(tables: dict[str, ElementTable], vertices: ElementTable) -> tuple[Rows | None, Rows, Values | None, bool]:
+    """Triangles, the face that each is of, texture coordinates of their corners, and whether vertices are doubled for
+    these."""
     faces = tables.get("face", ElementTable())
     polygons = next((faces.lists[name] for name in CORNERS if name in faces.lists), None)
     if polygons is None:
-        return _strips(tables), None, False
+        return _strips(tables), np.zeros(0, np.int64), None, False
     counts, corners = polygons
     places = fan_polygons(counts)
     triangles = np.asarray(corners).astype(np.int64)[places]
+    of = np.repeat(np.arange(len(counts)), np.maximum(counts - 2, 0))
     if "texcoord" in faces.lists:
         lengths, values = faces.lists["texcoord"]
         if (lengths == 2 * counts).all():
-            return triangles, _from_below(np.asarray(values, np.float64).reshape(-1, 2)[places]), False
+            return triangles, of, _from_below(np.asarray(values, np.float64).reshape(-1, 2)[places]), False
     for names in TEXCOORDS:
         if all(name in vertices.columns for name in names):
             pairs = np.stack([np.asarray(vertices.columns[name], np.float64) for name in names], axis=1)
             if len(triangles) and 0 <= triangles.min() <= triangles.max() < len(pairs):
-                return triangles, _from_below(pairs[triangles]), True
-    return triangles, None, False
+                return triangles, of, _from_below(pairs[triangles]), True
+    return triangles, of, None, False
 
 
 def _strips(tables: dict[str, ElementTable]) -> Rows | None:

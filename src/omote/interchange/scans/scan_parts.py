@@ -9,6 +9,7 @@ from numpy.typing import NDArray
 
 from omote.arrays import Rows, Values
 from omote.geometry.mesh import FARTHEST
+from omote.interchange.scans.companions import Companions
 from omote.model.fitting.scan import FEWEST_POINTS, Scan
 
 LARGEST = 512 * 2**20
@@ -17,6 +18,8 @@ MOST_POINTS = 5_000_000
 MOST_TRIANGLES = 10_000_000
 MOST_NUMBERS = 40_000_000
 """Of one scan; numbers: of all its blendshapes together."""
+ROUNDED = 1.0 / 255.0
+"""By how much less than nothing a colour may be, of one; what is less is no colour but a direction."""
 _MULTIPLIERS = np.array([0x9E3779B97F4A7C15, 0xC2B2AE3D27D4EB4F, 0x165667B19E3779F9], np.uint64)  # odd, bits mixed
 
 
@@ -50,24 +53,36 @@ def make_scan(
     texture: NDArray[np.uint8] | None = None,
     texcoords: Values | None = None,
     shapes: Mapping[str, Values] | None = None,
+    *,
+    beside: Companions | None = None,
 ) -> Scan:
     """Makes a scan of what a file holds; parameters as of `Scan`.
 
-    Triangles without area by their corners go; a cloud loses points that are not finite (scanners write them for what
-    they did not see); a texture without coordinates, or coordinates without a texture, go. ValueError with a sentence
-    for what cannot be a scan.
+    Triangles without area by their corners go; so do points that are no numbers (scanners write them for what they did
+    not see) or that a shape moves by none, with their triangles; a texture without coordinates, or coordinates without
+    a texture, go. ValueError with a sentence for what cannot be a scan.
 
-    points (n, 3), triangles (t, 3), colours (n, 3), texture, texcoords (t, 3, 2), shapes: as of `Scan`.
+    points (n, 3), triangles (t, 3), colours (n, 3), texture, texcoords (t, 3, 2), shapes: as of `Scan`; beside: is told
+    what goes.
     """
     refuse_many(len(points), "points", MOST_POINTS)
     if triangles is None or not len(triangles):
-        kept = np.isfinite(points).all(axis=1)
+        kept = _finite(points, {}, beside)
         return _checked(points[kept], None, None if colours is None else colours[kept], None, None, {})
     if not np.issubdtype(triangles.dtype, np.integer) or triangles.min() < 0 or triangles.max() >= len(points):
         raise ValueError(
             f"a triangle names points {triangles.min()} to {triangles.max()}, and the file has {len(points)}; expected "
             f"0 to {len(points) - 1}: export it anew"
         )
+    kept = _finite(points, shapes or {}, beside)
+    if not kept.all():
+        whole = kept[triangles].all(axis=1)
+        place = np.cumsum(kept) - 1
+        points = points[kept]
+        triangles = place[triangles[whole]]
+        colours = None if colours is None else colours[kept]
+        texcoords = None if texcoords is None else texcoords[whole]
+        shapes = {name: moves[kept] for name, moves in (shapes or {}).items()}
     a, b, c = triangles.T
     kept = (a != b) & (b != c) & (c != a)
     if texture is None or texcoords is None:
@@ -75,6 +90,20 @@ def make_scan(
     else:
         texcoords = _wrap(texcoords[kept])
     return _checked(points, triangles[kept] if kept.any() else None, colours, texture, texcoords, shapes or {})
+
+
+def _finite(points: Values, shapes: Mapping[str, Values], beside: Companions | None) -> NDArray[np.bool_]:
+    """Which points (n,) are numbers and are moved by numbers; says how many are not."""
+    finite = np.ones(len(points), np.bool_)
+    for values in (points, *shapes.values()):
+        finite &= np.isfinite(values).all(axis=1)
+    lost = len(points) - int(finite.sum())
+    if lost and beside is not None:
+        first = int(np.flatnonzero(~finite)[0])
+        beside.note(
+            f"{lost} of its {len(points)} points are no numbers (the first is point {first}): they are left out"
+        )
+    return finite
 
 
 def _checked(
@@ -111,18 +140,22 @@ def _wrap(texcoords: Values) -> Values:
 
 
 def bytes_of_colours(values: NDArray[np.generic], /) -> NDArray[np.uint8] | None:
-    """Colours (n, 3) as uint8, whatever numbers a file has them in: whole ones to 255 or 65535, or parts of one.
+    """Colours (n, 3) as uint8, whatever numbers a file has them in: whole ones to 255 or 65535, or parts of one; white
+    where a row is no colour.
 
     None where they are no colours.
     """
     if values.dtype == np.uint8:
         return np.asarray(values, np.uint8)
     numbers = np.asarray(values, np.float64)
-    if not numbers.size or not np.isfinite(numbers).all() or numbers.min() < 0.0:
+    coloured: NDArray[np.bool_] = np.all(np.isfinite(numbers), axis=1)
+    if not coloured.any() or numbers[coloured].min() < -ROUNDED:
         return None
-    highest = float(numbers.max())
-    scale = 255.0 if highest <= 1.0 else 1.0 if highest <= 255.0 else 1.0 / 257.0
-    return np.asarray(np.rint(np.clip(numbers * scale, 0.0, 255.0)), np.uint8)
+    highest = float(numbers[coloured].max())
+    parts = highest <= 1.0 or (highest <= 2.0 and (numbers[coloured] != np.rint(numbers[coloured])).any())
+    scale = 255.0 if parts else 1.0 if highest <= 255.0 else 1.0 / 257.0
+    tones = np.where(coloured[:, None], np.clip(numbers * scale, 0.0, 255.0), 255.0)
+    return np.asarray(np.rint(tones), np.uint8)
 
 
 def find_doubles(*columns: NDArray[np.generic]) -> tuple[Rows, Rows]:

@@ -21,9 +21,9 @@ Reader = Callable[[bytes, Companions], Scan]
 READERS: Mapping[str, Reader] = {
     ".ply": read_ply,
     ".obj": read_wavefront,
-    ".stl": lambda data, _: read_stl(data),
+    ".stl": read_stl,
     **dict.fromkeys((".glb", ".gltf", ".vrm"), read_gltf),
-    **dict.fromkeys((".xyz", ".pts", ".csv", ".txt", ".asc"), lambda data, _: read_cloud(data)),
+    **dict.fromkeys((".xyz", ".pts", ".csv", ".txt", ".asc"), read_cloud),
 }
 """Readers by the suffix of a file's name."""
 ADVICE: Mapping[str, str] = {

@@ -5,7 +5,8 @@ from __future__ import annotations
 import numpy as np
 
 from omote.arrays import Values
-from omote.interchange.formats.file_content import describe_content
+from omote.interchange.formats.file_content import MARKS, describe_content, strip_mark
+from omote.interchange.scans.companions import Companions
 from omote.interchange.scans.scan_parts import (
     LARGEST,
     MOST_TRIANGLES,
@@ -21,12 +22,17 @@ HEAD = 84
 _TRIANGLE = np.dtype([("normal", "<f4", 3), ("corners", "<f4", (3, 3)), ("rest", "<u2")])
 
 
-def read_stl(data: bytes, /) -> Scan:
-    """The scan in an STL file; ValueError for an invalid one."""
+def read_stl(data: bytes, beside: Companions | None = None, /) -> Scan:
+    """The scan in an STL file; ValueError for an invalid one.
+
+    data: the file; beside: is told what is left out.
+    """
     refuse_many(len(data), "bytes", LARGEST)
+    if data.startswith(MARKS):
+        data = strip_mark(data)
     corners = _read_binary(data) if is_binary_stl(data) else _read_text(data)
     first, inverse = find_doubles(corners)
-    return make_scan(corners[first], inverse.reshape(-1, 3))
+    return make_scan(corners[first], inverse.reshape(-1, 3), beside=beside)
 
 
 def is_binary_stl(data: bytes, /) -> bool:

@@ -8,17 +8,38 @@ from omote.arrays import Rows, Values
 
 _NEWLINE = 10
 _SPACE = 32
+_TO_SMALL = np.uint8(ord("a") - ord("A"))
 
 
 def parse_numbers(text: bytes, what: str, /) -> Values:
-    """All numbers of a text, separated by white space; ValueError, naming the first word that is none.
+    """All numbers of a text, separated by white space, their decimals by points or commas; ValueError, naming the first
+    word that is none.
 
     text: of numbers alone; what: it is, in a message.
     """
+    plain = text.replace(b",", b".")
     try:
-        return np.fromstring(text, np.float64, sep=" ")  # type: ignore[call-overload, no-any-return, unused-ignore]
+        return np.fromstring(plain, np.float64, sep=" ")  # type: ignore[call-overload, no-any-return, unused-ignore]
     except ValueError:
         raise ValueError(f"{what} has {_find_stranger(text)!r}, which is no number; export it anew") from None
+
+
+def cut_comments(text: bytes, begin_with: bytes, /) -> bytes:
+    """The text without what stands behind a # in lines that begin with one of some signs.
+
+    text: lines that end with newlines; begin_with: the signs.
+    """
+    kept = list[bytes]()
+    begin = 0
+    mark = text.find(b"#")
+    while mark >= 0:
+        end = text.find(b"\n", mark)
+        first = text[text.rfind(b"\n", 0, mark) + 1 : mark].lstrip()[:1]
+        if first and first in begin_with:
+            kept.append(text[begin:mark])
+            begin = end if end >= 0 else len(text)
+        mark = text.find(b"#", end) if end >= 0 else -1
+    return b"".join([*kept, text[begin:]])
 
 
 def _find_stranger(text: bytes) -> str:
@@ -26,7 +47,7 @@ def _find_stranger(text: bytes) -> str:
     for begin in range(0, len(text), 2**20):
         for word in text[begin : begin + 2**20 + 80].split():
             try:
-                float(word)
+                float(word.replace(b",", b"."))
             except ValueError:
                 return word[:40].decode("ascii", "replace")
     return "a character of no text"
@@ -35,7 +56,7 @@ def _find_stranger(text: bytes) -> str:
 class TextTable:
     """The lines of a text that are not blank, and the words in them.
 
-    words (lines,): how many each has; initials (lines, 3): the first three bytes of each.
+    words (lines,): how many each has; initials (lines, 3): the first three bytes of each, capitals as small letters.
     """
 
     def __init__(self, text: bytes) -> None:
@@ -50,7 +71,8 @@ class TextTable:
         self.words: Rows = count[kept]
         self.begins: Rows = begins[np.cumsum(self.words) - self.words]  # of the first word of each line
         self.ends: Rows = ends[kept]
-        self.initials = self._padded[self.begins[:, None] + np.arange(3)]
+        initials = self._padded[self.begins[:, None] + np.arange(3)]
+        self.initials = np.where((initials >= ord("A")) & (initials <= ord("Z")), initials + _TO_SMALL, initials)
 
     def __len__(self) -> int:
         return len(self.words)
@@ -69,18 +91,30 @@ class TextTable:
         chosen: bytes = self.text[np.cumsum(marks[:-1], dtype=np.int8).astype(bool)].tobytes()
         return chosen
 
-    def numbers(self, lines: Rows, what: str, skip: int = 0) -> Values:
-        """The numbers of some lines behind a keyword of `skip` letters: of each as many as the shortest has; ValueError
-        for words that are none. what: a line, in words."""
+    def numbers(self, lines: Rows, what: str, skip: int = 0, most: int = 0) -> Values:
+        """The numbers of some lines behind a keyword of `skip` letters: of each as many as the shortest has, up to
+        `most` where another has more (nan where one has fewer); ValueError for words that are none. what: a line, in
+        words."""
         words = self.words[lines] - (skip > 0)
         numbers = parse_numbers(self.join(lines, skip), what)
         if len(numbers) != words.sum():
             raise ValueError(f"{what} has words that run together; export it anew")
         if (words == words[0]).all():
             return numbers.reshape(len(lines), -1)
-        rows: Values = numbers[(np.cumsum(words) - words)[:, None] + np.arange(int(words.min()))]
+        most = max(int(words.min()), min(int(words.max()), most))
+        begins = np.cumsum(words) - words
+        rows: Values = numbers[np.minimum(begins[:, None] + np.arange(most), len(numbers) - 1)]
+        rows[np.arange(most) >= words[:, None]] = np.nan
         return rows
 
-    def line(self, number: int) -> str:
-        """A line as people read it."""
-        return bytes(self.text[self.begins[number] : self.ends[number]][:80]).decode("utf-8", "replace").strip()
+    def rest(self, number: int) -> str:
+        """What a line has behind its first word."""
+        words = bytes(self.text[self.begins[number] : self.ends[number]]).decode("utf-8", "replace").split(None, 1)
+        return words[1].strip() if len(words) > 1 else ""
+
+    def line(self, number: int, most: int = 80) -> str:
+        """A line as people read it, by its number, or the first `most` letters of it.
+
+        number: from 0; most: letters.
+        """
+        return bytes(self.text[self.begins[number] : self.ends[number]][:most]).decode("utf-8", "replace").strip()

@@ -5,12 +5,14 @@ from __future__ import annotations
 import re
 
 import numpy as np
+from numpy.typing import NDArray
 
 from omote.arrays import Picture, Rows, Values
-from omote.interchange.formats.file_content import describe_content
+from omote.interchange.formats.file_content import describe_content, strip_mark
 from omote.interchange.formats.glb_reader import Piece
-from omote.interchange.scans.atlas import join_textures, plain_picture
+from omote.interchange.scans.atlas import join_textures
 from omote.interchange.scans.companions import Companions
+from omote.interchange.scans.obj_materials import MOST_MATERIALS, find_material, read_materials, without_comment
 from omote.interchange.scans.scan_parts import (
     LARGEST,
     MOST_POINTS,
@@ -20,13 +22,19 @@ from omote.interchange.scans.scan_parts import (
     make_scan,
     refuse_many,
 )  # fmt: skip
-from omote.interchange.scans.text_table import TextTable, parse_numbers
+from omote.interchange.scans.text_table import TextTable, cut_comments, parse_numbers
 from omote.model.fitting.scan import Scan
 
 SKIN = "skin"
-MOST_MATERIALS = 64
+MOST_VERTEX = 7
+"""Numbers of a vertex: x y z r g b, and what some programs write after them."""
 _COLOURED = (6, 7)
-"""Numbers of a vertex with a colour: x y z r g b, and what some programs write after them."""
+_NUMBERED = b"vVfF0123456789.+-"
+"""What lines of numbers begin with, and lines that go on with them; in all others such a sign may belong to a name."""
+_CONTINUED_COMMENT = re.compile(rb"(?m)^[ \t]*#[^\n]*\\[ \t]*$")
+_CONTINUED = re.compile(rb"\\[ \t]*\n")
+_PAINTED = re.compile(rb"(?m)^[ \t]*#MRGB[ \t]+([0-9A-Fa-f]+)")
+"""A row of colours as ZBrush keeps them in comments: a mask and a colour of two digits a channel for each vertex."""
 
 
 def read_wavefront(data: bytes, beside: Companions, /) -> Scan:
@@ -37,14 +45,31 @@ def read_wavefront(data: bytes, beside: Companions, /) -> Scan:
     data: the file.
     """
     table, lines, vertices = _read_vertices(data)
-    colours = bytes_of_colours(vertices[:, 3:6]) if vertices.shape[1] in _COLOURED else None
+    colours = _colours(vertices, data, beside)
     faces = table.lines_of(b"f")
     if not len(faces):
-        return make_scan(vertices[:, :3], None, colours)
+        return make_scan(vertices[:, :3], None, colours, beside=beside)
     corners, of = _corners(table, faces)
     triangles = _absolute(corners[:, :, 0], table, lines, faces[of])
     texture, texcoords = _texture(table, corners[:, :, 1], faces[of], beside)
-    return make_scan(vertices[:, :3], triangles, colours, texture, texcoords)
+    return make_scan(vertices[:, :3], triangles, colours, texture, texcoords, beside=beside)
+
+
+def _colours(vertices: Values, data: bytes, beside: Companions) -> NDArray[np.uint8] | None:
+    """The colours of vertices, behind their places or in comments; says where some or all have none."""
+    painted = b"".join(_PAINTED.findall(data.replace(b"\r", b"\n"))) if b"#MRGB" in data else b""
+    if len(painted) == 8 * len(vertices):
+        return np.frombuffer(bytes.fromhex(painted.decode("ascii")), np.uint8).reshape(-1, 4)[:, 1:]
+    if vertices.shape[1] not in _COLOURED:
+        return None
+    tones = vertices[:, 3:6]
+    bare = int(np.isnan(tones).any(axis=1).sum())
+    colours = bytes_of_colours(tones)
+    if colours is None:
+        beside.note("the numbers behind its vertices are no colours: they are left out")
+    elif bare:
+        beside.note(f"{bare} of its {len(vertices)} vertices have no colour: they are white")
+    return colours
 
 
 def read_obj_pieces(data: bytes, /) -> tuple[Piece, ...]:
@@ -60,7 +85,7 @@ def read_obj_pieces(data: bytes, /) -> tuple[Piece, ...]:
     starts: dict[str, int] = {}
     objects = table.lines_of(b"o")
     for line, first in zip(objects.tolist(), np.searchsorted(lines, objects).tolist(), strict=True):
-        starts.setdefault(table.line(line)[1:].strip(), first)
+        starts.setdefault(without_comment(table.rest(line)), first)
     if SKIN not in starts:
         return (Piece(SKIN, points),)
     ends = [*list(starts.values())[1:], len(points)]
@@ -71,22 +96,31 @@ def read_obj_pieces(data: bytes, /) -> tuple[Piece, ...]:
 def _read_vertices(data: bytes) -> tuple[TextTable, Rows, Values]:
     """The lines of an OBJ file, those of its vertices, and the numbers of these (n, 3 or more)."""
     refuse_many(len(data), "bytes", LARGEST)
-    table = TextTable(data.replace(b"\\\r\n", b" ").replace(b"\\\n", b" "))
+    table = TextTable(_join_lines(data))
     lines = table.lines_of(b"v")
     refuse_many(len(lines), "points", MOST_POINTS)
     if not len(lines):
         raise ValueError(f"the file is no OBJ with vertices, but {describe_content(data)}; export it as .obj")
-    return table, lines, _columns(table, lines, "a vertex of the OBJ", least=3)
+    return table, lines, _columns(table, lines, "a vertex of the OBJ", least=3, most=MOST_VERTEX)
 
 
-def _columns(table: TextTable, lines: Rows, what: str, least: int) -> Values:
-    """The numbers of lines of one keyword, as many of each as the shortest has."""
+def _join_lines(data: bytes) -> bytes:
+    """The text without marks, ends of lines as one sign, without comments behind numbers; lines that go on are one."""
+    text = strip_mark(data).replace(b"\r\n", b"\n").replace(b"\r", b"\n")
+    text = cut_comments(text, _NUMBERED)
+    if b"\\" in text:
+        text = _CONTINUED.sub(b" ", _CONTINUED_COMMENT.sub(b"#", text))
+    return text
+
+
+def _columns(table: TextTable, lines: Rows, what: str, least: int, most: int = 0) -> Values:
+    """The numbers of lines of one keyword, as many of each as the shortest has; up to `most` where another has more."""
     words = table.words[lines] - 1
     if (words < least).any():
         bad = table.line(int(lines[int((words < least).argmax())]))
         raise ValueError(f"the line {bad!r} is no {what[2:]}; expected {least} numbers: export it anew")
     begin = len(table.text[table.begins[lines[0]] : table.ends[lines[0]]].tobytes().split(None, 1)[0])
-    return table.numbers(lines, what, skip=begin)
+    return table.numbers(lines, what, skip=begin, most=most)
 
 
 def _corners(table: TextTable, faces: Rows) -> tuple[Rows, Rows]:
@@ -134,16 +168,17 @@ def _texture(
     pairs = _columns(table, lines, "a texture coordinate of the OBJ", least=2)[:, :2]
     named = (corners != 0).all(axis=1)
     rows = _absolute(np.where(named[:, None], corners, 1), table, lines, faces)
-    texcoords = pairs[rows] * [1.0, -1.0] + [0.0, 1.0]
-    texcoords = np.nan_to_num(texcoords, posinf=0.0, neginf=0.0)
     switches = np.flatnonzero((table.initials == np.frombuffer(b"use", np.uint8)).all(axis=1))
-    names = [table.line(int(line)).partition(" ")[2].strip() for line in switches[: 10 * MOST_MATERIALS]]
-    materials = _materials(table, beside)
-    pictures = [materials.get(name) for name in ["", *names]]
+    names = [table.rest(int(line)) for line in switches[: 10 * MOST_MATERIALS]]
+    materials = read_materials(table, beside)
+    used = [None, *(find_material(materials, name, beside) for name in names)]
     if not names and len(materials) == 1:  # one material and nobody says that it is used
-        pictures = [*materials.values()]
-    of = np.minimum(np.searchsorted(switches, faces), len(pictures) - 1)
-    distinct, which = _distinct(pictures)
+        used = [*materials.values()]
+    of = np.minimum(np.searchsorted(switches, faces), len(used) - 1)
+    moves = np.array([(1.0, 1.0, 0.0, 0.0) if each is None else (*each.scale, *each.shift) for each in used])[of]
+    moved = pairs[rows] * moves[:, None, :2] + moves[:, None, 2:]
+    texcoords = np.nan_to_num(moved * [1.0, -1.0] + [0.0, 1.0], posinf=0.0, neginf=0.0)
+    distinct, which = _distinct([None if each is None else each.picture for each in used])
     return join_textures(distinct, texcoords, which[of])
 
 
@@ -152,58 +187,3 @@ def _distinct(pictures: list[Picture | None]) -> tuple[list[Picture | None], Row
     keys = [id(picture) for picture in pictures]
     order = list(dict.fromkeys(keys))
     return [pictures[keys.index(key)] for key in order], np.array([order.index(key) for key in keys], np.int64)
-
-
-def _materials(table: TextTable, beside: Companions) -> dict[str, Picture]:
-    """The picture of each material of the libraries that the file names."""
-    lines = np.flatnonzero((table.initials == np.frombuffer(b"mtl", np.uint8)).all(axis=1))
-    pictures: dict[str, Picture] = {}
-    for line in lines[:8].tolist():
-        name = table.line(line).partition(" ")[2].strip()
-        try:
-            data = beside.find(name)
-        except (OSError, ValueError):
-            data = None
-        if data is None:
-            beside.note(f"its materials {name[-80:]!r} do not lie beside it: give both together, with its pictures")
-        else:
-            pictures |= _parse_materials(data, beside)
-    return pictures
-
-
-def _parse_materials(data: bytes, beside: Companions) -> dict[str, Picture]:
-    pictures = dict[str, Picture]()
-    shown = dict[str, Picture | None]()
-    current = ""
-    for line in data[: 2**20].decode("utf-8", "replace").splitlines():
-        keyword, _, rest = line.strip().partition(" ")
-        match keyword.lower():
-            case "newmtl" if len(pictures) < MOST_MATERIALS:
-                current = rest.strip()
-            case "kd":
-                pictures.setdefault(current, _colour(rest))
-            case "map_kd" if len(shown) < MOST_MATERIALS:
-                name = _file_name(rest)
-                if name not in shown:
-                    shown[name] = beside.picture(name)
-                if (picture := shown[name]) is not None:
-                    pictures[current] = picture
-    return pictures
-
-
-def _colour(words: str) -> Picture:
-    try:
-        numbers = [float(word) for word in words.split()[:3]]
-    except ValueError:
-        numbers = []
-    return plain_picture(numbers if len(numbers) == 3 else (0.5, 0.5, 0.5))
-
-
-def _file_name(rest: str) -> str:
-    """The name behind a map's options (-s 1 1 1 -bm 0.5 name with blanks.jpg)."""
-    words = rest.strip().split(" ")
-    while len(words) > 1 and words[0].startswith("-"):
-        words = words[1:]
-        while len(words) > 1 and re.fullmatch(r"[-+.\deE]+|on|off", words[0]):
-            words = words[1:]
-    return " ".join(words)

@@ -6,8 +6,7 @@ Untrusted files are parsed in a child process with limits; what it sends back is
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from dataclasses import replace
-from functools import partial
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 import numpy as np
@@ -19,15 +18,16 @@ from omote.inputs.shape_names import ShapeMeaning, read_shape_name
 from omote.interchange.formats import expression_json, glb_reader, gltf_document
 from omote.interchange.formats.file_names import DOCUMENT, GLB, VRM, require_imports
 from omote.interchange.formats.glb_reader import Piece
+from omote.interchange.formats.gltf_scene import Note, note_nothing
 from omote.interchange.import_meshes import Follow, ignore_progress, import_expressions, import_face
 from omote.interchange.landmark_points import read_landmarks
 from omote.interchange.mesh_correspondence import match_head
-from omote.interchange.scans.vrm_expressions import read_vrm_expressions
+from omote.interchange.scans.vrm_expressions import VrmExpressions, read_vrm_expressions
 from omote.interchange.scans.wavefront_reader import read_obj_pieces
 from omote.model.cast import Cast
 from omote.model.space.expression import Expression
 from omote.perform.name_lookup import find_name
-from omote.server.sandbox.child_task import Limits, run_limited
+from omote.server.sandbox.child_task import Limits, Tell, run_limited
 from omote.server.sandbox.scan_faces import take_in_child
 from omote.server.sandbox.scan_files import read_scan_in_sandbox
 
@@ -40,14 +40,32 @@ POINTS_HELP = (
 STILL = 1e-6
 """Radians; eyeballs that turn less are at rest."""
 
-_read_avatar = partial(glb_reader.read_glb, naming=read_vrm_expressions)
 
-READERS: Mapping[str, Callable[[bytes], tuple[Piece, ...]]] = {
+def _read_avatar(data: bytes, note: Note) -> tuple[Piece, ...]:
+    def naming(document: gltf_document.Document) -> VrmExpressions:
+        named = read_vrm_expressions(document)
+        for sentence in named.notes:
+            note(sentence)
+        return named
+
+    return glb_reader.read_glb(data, naming=naming, note=note)
+
+
+READERS: Mapping[str, Callable[[bytes, Note], tuple[Piece, ...]]] = {
     GLB: _read_avatar,
     VRM: _read_avatar,
-    ".obj": read_obj_pieces,
+    ".obj": lambda data, _: read_obj_pieces(data),
 }
 """Parsers by file name suffix."""
+
+
+@dataclass(frozen=True, eq=False)
+class HeadFile:
+    """The pieces of a file with sentences about what of it is left out."""
+
+    pieces: tuple[Piece, ...]
+    notes: tuple[str, ...] = ()
+
 
 FAR = 5e-5
 """Metres; a larger error of an imported expression against its source shape is reported."""
@@ -80,9 +98,10 @@ def expressions_from(
         except ValueError as error:
             raise ValueError(f"{path.name}: {error}") from error
         yield arrival, f"{arrival.label}, from {path.name}"
-    shapes = {path.stem: read_in_sandbox(path) for path in paths if path not in documents}
+    notes: dict[str, list[str]] = {path.stem: [] for path in paths if path not in documents}
+    shapes = {path.stem: read_in_sandbox(path, note=notes[path.stem].append) for path in paths if path.stem in notes}
     for path in (path for path in paths if path.suffix.lower() in (GLB, VRM) and is_foreign(cast, shapes[path.stem])):
-        del shapes[path.stem]
+        del shapes[path.stem], notes[path.stem]
         yield from foreign_expressions(cast, path, landmarks=read_landmarks(landmarks, path, paths))
     if not shapes:
         return
@@ -93,7 +112,7 @@ def expressions_from(
         tags = read_shape_name(taken.label).tags
         yield (
             ImportedItem(taken.label, taken.expression, tags, note),
-            f"{taken.label}, taken from {taken.face}{off}{doubt}",
+            f"{taken.label}, taken from {taken.face}{off}{doubt}{_said_once(notes)}",
         )
 
 
@@ -105,9 +124,17 @@ def faces_from(cast: Cast, paths: Sequence[Path], *, look: str = "") -> Iterator
     """
     require_imports(paths)
     for path in paths:
-        face, own = import_face(cast, load_meshes(), path.stem, read_in_sandbox(path))
+        notes: dict[str, list[str]] = {path.name: []}
+        face, own = import_face(cast, load_meshes(), path.stem, read_in_sandbox(path, note=notes[path.name].append))
         worn = cast.looks[find_name(look, cast.faces, "face")] if look else own
-        yield ImportedItem(path.stem, (face, worn), note=f"from {path.name}"), f"{path.stem}, a face"
+        yield ImportedItem(path.stem, (face, worn), note=f"from {path.name}"), f"{path.stem}, a face{_said_once(notes)}"
+
+
+def _said_once(notes: dict[str, list[str]]) -> str:
+    """What was left out of files, by their names, as the end of a sentence; forgets it, for the first item says it."""
+    said = "".join(f"; {name}: {sentence}" for name, sentences in notes.items() for sentence in sentences)
+    notes.clear()
+    return said
 
 
 def is_foreign(cast: Cast, pieces: Sequence[Piece], /) -> bool:
@@ -128,7 +155,8 @@ def foreign_expressions(
     is, or that it is an animal's. A shape whose name is known (`shape_names`) is tagged with the cast's units that do
     the same; it takes no unit's place, for all other faces and trackers play those.
     """
-    scan = read_scan_in_sandbox(path).scan
+    read = read_scan_in_sandbox(path)
+    scan = read.scan
     if not scan.shapes:
         raise ValueError(
             f"{path.name}: the head has no shapes that can be read; export it with its morph targets, or make a face "
@@ -138,7 +166,7 @@ def foreign_expressions(
         taken = take_in_child(cast, scan, name=path.stem, landmarks=landmarks or {}, advice=POINTS_HELP)
     except ValueError as error:
         raise ValueError(f"{path.name}: {error}") from error
-    notes = " ".join(taken.notes)
+    notes = " ".join([*(f"{note}." for note in read.notes), *taken.notes])
     if not taken.expressions:
         raise ValueError(f"{path.name}: no shape is an expression. {notes}")
     for number, (name, (expression, doubt)) in enumerate(taken.expressions.items()):
@@ -160,15 +188,26 @@ def _with_gaze(cast: Cast, meaning: ShapeMeaning, expression: Expression) -> Exp
     return replace(expression, eyes=np.sum(turns, axis=0)) if turns else expression
 
 
-def read_in_sandbox(path: Path, /) -> tuple[Piece, ...]:
-    """Parses a GLB or OBJ file into its pieces; ValueError for an invalid file, OSError where it cannot be read."""
+def read_in_sandbox(path: Path, /, *, note: Note = note_nothing) -> tuple[Piece, ...]:
+    """Parses a GLB or OBJ file into its pieces; ValueError for an invalid file, OSError where it cannot be read.
+
+    path: the file; note: takes a sentence about what of it is left out.
+    """
     reader = READERS.get(path.suffix.lower())
     if reader is None:
         raise ValueError(f"{path.name!r} is no file with a head; expected {', '.join(READERS)} or .json")
     if path.stat().st_size > gltf_document.LARGEST:
         raise ValueError(f"{path.name} has {path.stat().st_size} bytes; expected {gltf_document.LARGEST} at most")
     data = path.read_bytes()
+
+    def work(_: Tell) -> HeadFile:
+        notes = list[str]()
+        return HeadFile(reader(data, notes.append), tuple(dict.fromkeys(notes)))
+
     try:
-        return run_limited(lambda _: reader(data), tuple[Piece, ...], LIMITS, exhausted=_TOO_MUCH)
+        read = run_limited(work, HeadFile, LIMITS, exhausted=_TOO_MUCH)
     except ValueError as error:
         raise ValueError(f"{path.name}: {error}") from error
+    for sentence in read.notes:
+        note(sentence)
+    return read.pieces
