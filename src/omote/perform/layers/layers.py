@@ -318,9 +318,11 @@ def _without_gone(layers: Layers) -> Layers:
 
 
 def _shows(layers: Layers, layer: LayerName, source: str) -> bool:
+    """Whether something of a source may show: a part that lets go for another measure (`recalibrate`) follows nobody,
+    and shows for as long as it weighs."""
     followed = layers.followed.get(layer, NOBODY)
     trust = trust_of(layers, layer).tolist()
-    return any(shown == source and part >= FADED for shown, part in zip(followed, trust, strict=True))
+    return any(shown in (source, None) and part >= FADED for shown, part in zip(followed, trust, strict=True))
 
 
 def _plugged(cast: HasExpressions, layers: Layers, layer: LayerName, frame: SourceFrame) -> Layers:
