@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-import codecs
 import json
 import math
 import re
 from typing import Any
+
+from omote.interchange.formats.file_content import strip_mark
 
 DECIMAL_COMMA = re.compile(r"(:\s*-?\d+),(\d+(?:[eE][-+]?\d+)?\s*[,}\]])")
 """Behind a colon a number is followed by a name in quotes, never by digits."""
@@ -24,8 +25,7 @@ def load_loosely(data: bytes) -> Any:
 
 def read_text(data: bytes) -> str:
     """A text in UTF-8, or UTF-16 with its mark, without that; what is neither becomes a sign of replacement."""
-    wide = data.startswith((codecs.BOM_UTF16_LE, codecs.BOM_UTF16_BE))
-    return data.decode("utf-16" if wide else "utf-8-sig", errors="replace").lstrip("\ufeff").translate(SIGNS)
+    return strip_mark(data).decode(errors="replace").translate(SIGNS)
 
 
 def find_field(document: Any, name: str, default: Any = None) -> Any:
