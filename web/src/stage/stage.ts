@@ -285,7 +285,7 @@ export class Stage {
     const { character } = this.parameters;
     const only = character && (findCharacter(character, state.characters) ?? character);
     const scene = sceneIn(state, only);
-    const air = sceneKey(scene);
+    const air = `${scene.black} ${sceneKey(scene)}`;
     const moved = air !== this.air;
     this.playout.arrived(state.time, !moved);
     if (moved) this.movedAt = time;

@@ -61,8 +61,9 @@ describe("a mix of scenes", () => {
     }
   });
 
-  it("has another key wherever something differs", () => {
+  it("has another key wherever its picture differs", () => {
     expect(sceneKey(scene)).toBe(sceneKey(structuredClone(scene)));
+    expect(sceneKey({ ...scene, black: 0.5 })).toBe(sceneKey(scene)); // a picture that fades is not drawn again
     expect(sceneKey(scene)).not.toBe(sceneKey(mixScenes(scene, alone(restPose("dog"), "one"), 0.01)));
   });
 });

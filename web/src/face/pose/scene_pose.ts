@@ -47,11 +47,10 @@ export function closeUp(scene: ScenePose, name: string): ScenePose {
   return { ...scene, characters: { ...scene.characters, [name]: { ...shown, presence: 1 } }, framing: { [name]: 1 } };
 }
 
-/** The same text for the same scene. */
-export const sceneKey = ({ characters, framing, black }: ScenePose): string =>
+/** The same text for the same picture; black lies over it, and is none of it. */
+export const sceneKey = ({ characters, framing }: ScenePose): string =>
   JSON.stringify([
     framing,
-    black,
     Object.entries(characters).map(([name, character]) => [
       name,
       poseKey(character),
