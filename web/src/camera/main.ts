@@ -18,7 +18,7 @@ async function start(): Promise<void> {
   );
   document.body.append(page);
   void readAccess().then((access) => showAccess(missingRole(access, "operate", "playing by a camera")));
-  await page.session.start(await warmUpPicture(), guestName(Math.random));
+  await page.session.start(warmUpPicture(), guestName(Math.random));
 }
 
 void start();

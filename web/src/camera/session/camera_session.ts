@@ -79,10 +79,10 @@ export class CameraSession {
     return this.health.length === 0 ? "No picture has come yet" : "";
   }
 
-  /** Loads the model, asks for the camera and greets the show. */
-  async start(face: ImageBitmap, fallbackName: string): Promise<void> {
+  /** Loads the model, asks for the camera and greets the show; who has no name has `fallbackName` at once. */
+  async start(face: Promise<ImageBitmap>, fallbackName: string): Promise<void> {
     if (this.name === "") this.storage.setItem(NAME_KEY, fallbackName);
-    this.#client.start(face);
+    this.#client.start(await face);
     this.#link.perform(this.name);
     await this.#stream.open(this.storage.getItem(CAMERA_KEY) ?? "");
   }
