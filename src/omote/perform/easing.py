@@ -1,7 +1,8 @@
 """How a weight moves in time: easings, the decay of a velocity, the glide of a hand
 (docs/method.md, "Interrupted calls").
 
-Everything is a polynomial of time since its start, so one large step lands exactly where many small ones do.
+Everything is a polynomial of time since its start, so one large step lands exactly where many small ones do. Powers
+are written as products: `pow` of a C library is not correctly rounded, so a replay on another would end in other bits.
 """
 
 from __future__ import annotations
@@ -79,7 +80,8 @@ def find_easing(name: str) -> Easing:
 
 def bump(u: float) -> float:
     """The quintic with slope 1 at 0, no curvature there, and nothing at all left at 1."""
-    return u * (1.0 - u) ** 3 * (1.0 + 3.0 * u) if u < 1.0 else 0.0
+    left = 1.0 - u
+    return u * (left * left * left) * (1.0 + 3.0 * u) if u < 1.0 else 0.0
 
 
 def bump_rate(u: float) -> float:
@@ -130,8 +132,9 @@ def glide_state(way: Glide) -> tuple[float, float]:
     u = way.elapsed / way.seconds
     reach = way.goal - way.origin
     carried = way.rate * way.seconds
-    value = way.origin + reach * u * u * (3.0 - 2.0 * u) + carried * u * (1.0 - u) ** 2
-    return value, (reach * 6.0 * u * (1.0 - u) + carried * (1.0 - u) * (1.0 - 3.0 * u)) / way.seconds
+    left = 1.0 - u
+    value = way.origin + reach * u * u * (3.0 - 2.0 * u) + carried * u * (left * left)
+    return value, (reach * 6.0 * u * left + carried * left * (1.0 - 3.0 * u)) / way.seconds
 
 
 def glide_after(way: Glide, dt: float) -> Glide:
