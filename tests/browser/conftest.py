@@ -67,6 +67,9 @@ KEEP = "for (const [key, text] of %s) localStorage.getItem(key) ?? localStorage.
 
 OpenPage = Callable[..., Page]
 
+COARSE = 0.5
+"""Pixels of a screen for each of a page's: an editor whose test looks at no pixel draws a quarter of them."""
+
 expect.set_options(timeout=1000 * PATIENCE)
 
 
@@ -111,6 +114,7 @@ class Tab:
 
     page: Page
     tools: CDPSession
+    scale: float = 1.0
     scripts: list[str] = field(default_factory=list)
     """What runs before the page's own scripts, as Chromium names it."""
 
@@ -140,16 +144,19 @@ class Tabs:
         self.browser = browser
         self.free: list[Tab] = []
 
-    def take(self) -> Tab:
-        """A tab that nobody has, with nothing in its store."""
-        return self.free.pop() if self.free else self.open()
+    def take(self, scale: float) -> Tab:
+        """A tab that nobody has, with nothing in its store. scale: pixels of its screen for each of a page's."""
+        for place, tab in enumerate(self.free):
+            if tab.scale == scale:
+                return self.free.pop(place)
+        return self.open(scale)
 
-    def open(self, **options: Any) -> Tab:
-        """A new tab; options: those of a context of Playwright."""
-        context = self.browser.new_context(**options)
+    def open(self, scale: float, **options: Any) -> Tab:
+        """A new tab; scale: as of `take`; options: those of a context of Playwright."""
+        context = self.browser.new_context(device_scale_factor=scale, **options)
         context.set_default_timeout(1000 * PATIENCE)
         page = context.new_page()
-        return Tab(page, context.new_cdp_session(page))
+        return Tab(page, context.new_cdp_session(page), scale)
 
     def give_back(self, tab: Tab, show: str) -> None:
         """Clears a tab for the next test; closes one that its test has closed, or that cannot leave its page."""
@@ -174,7 +181,8 @@ def open_page(show: str, tabs: Tabs) -> Iterator[OpenPage]:
     One that is opened without `pictures` finds no WebGL2 and draws no face, which is most of what a console costs.
     `kept` is what its browser keeps from an earlier visit, JSON by key.
     A `disposable` one is in no tab that another test takes: for a test that routes web sockets or adds scripts.
-    One that is opened `over` another page of the test takes its place in its tab.
+    One that is opened `over` another page of the test takes its place in its tab. An editor that is not `fine` draws
+    coarsely.
     More options (`has_touch`) are those of a context of Playwright.
     """
     taken: list[Tab] = []
@@ -187,6 +195,7 @@ def open_page(show: str, tabs: Tabs) -> Iterator[OpenPage]:
         width: int = 1280,
         height: int = 800,
         pictures: bool = True,
+        fine: bool = False,
         kept: dict[str, Any] | None = None,
         disposable: bool = False,
         over: Page | None = None,
@@ -195,7 +204,8 @@ def open_page(show: str, tabs: Tabs) -> Iterator[OpenPage]:
         if over is not None:
             tab = next(tab for tab in (*taken, *made) if tab.page is over)
         else:
-            tab = tabs.open(**options) if options or disposable else tabs.take()
+            scale = COARSE if path.startswith("/editor") and not fine else 1.0
+            tab = tabs.open(scale, **options) if options or disposable else tabs.take(scale)
             (made if options or disposable else taken).append(tab)
         page = tab.page
         page.set_viewport_size({"width": width, "height": height})

@@ -42,7 +42,7 @@ def wait_for(page: Page, condition: str) -> None:
 @pytest.fixture
 def editor(open_page: OpenPage) -> Page:
     """An editor with a new expression that all faces wear."""
-    page = open_page("/editor", width=1280, height=720)
+    page = open_page("/editor", width=1280, height=720, fine=True)
     wait_for(page, "bench.online && bench.library !== null")
     page.evaluate(f"{BENCH}.setWork('generic')")
     page.evaluate(f"""() => {BENCH}.ask(
