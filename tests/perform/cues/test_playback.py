@@ -133,7 +133,7 @@ class Rehearsal:
             assert long.current == self.at.current
         elif (chosen := next_from(self.cues, place_of(self.cues, follows.cue) or 0)) is not None:
             assert chosen in [step.left for step in long.steps]
-            assert long.current != self.at.current
+            assert long.steps != self.at.steps
         self.obey(long)
 
     def go_to(self) -> None:

@@ -156,7 +156,8 @@ def without_parts(playback: Playback, parts: Collection[Part]) -> Playback:
 def edited(playback: Playback, before: CueList, after: CueList) -> Playback:
     """The playback of a list that has been edited: nothing moves.
 
-    A cue that stood by, or would again after Back, and is gone leaves its place to the next one behind it.
+    A cue that stood by, or would again after Back, and is gone leaves its place to the next one behind it; nothing
+    follows in the place of one that is gone.
 
     playback: as it is; before, after: the list.
     """
@@ -170,11 +171,11 @@ def edited(playback: Playback, before: CueList, after: CueList) -> Playback:
 
     steps = tuple(replace(step, left=kept(step.left)) for step in playback.steps)
     following = playback.following
-    follows = None if following is None else kept(following.cue)
+    gone = following is None or following.cue not in there
     return replace(
         playback,
         standby=kept(playback.standby),
-        following=None if following is None or follows is None else replace(following, cue=follows),
+        following=None if gone else following,
         steps=steps,
         calls=(),
     )
