@@ -83,6 +83,7 @@ def wrong_calls(cast: omote.Cast) -> dict[tuple[str, type[Exception]], Callable[
     performer.call_face("old")
     scene = omote.Scene.begun(cast)
     scene["one"].call_face("old")
+    scene.keep_memory("finale")
     return {
         ("Cast", ValueError): lambda: omote.Cast(space, {"strange": strange}, dict(cast.expressions)),
         ("Cast", KeyError): lambda: cast.faces["dgo"],
@@ -149,6 +150,11 @@ def wrong_calls(cast: omote.Cast) -> dict[tuple[str, type[Exception]], Callable[
         ("Scene.add", ValueError): lambda: scene.add("Old"),
         ("Scene.advance", ValueError): lambda: scene.advance(-1.0),
         ("Scene.advance", TypeError): lambda: scene.advance(words),
+        ("Scene.keep_memory", ValueError): lambda: scene.keep_memory(""),
+        ("Scene.delete_memory", ValueError): lambda: scene.delete_memory("nowhere"),
+        ("Scene.restore_memory", ValueError): lambda: scene.restore_memory("nowhere"),
+        ("Scene.call_memory", ValueError): lambda: scene.call_memory("nowhere"),
+        ("Scene.call_memory", TypeError): lambda: scene.call_memory("finale", seconds=words),
         ("Scene.delete_gaze_point", ValueError): lambda: scene.delete_gaze_point("nowhere"),
         ("Scene.note_camera", ValueError): lambda: scene.note_camera("", (0.0, 0.0, 999.0)),
         ("Scene.note_camera", TypeError): lambda: scene.note_camera("", (0.0, 0.0, words)),
