@@ -33,6 +33,7 @@ if TYPE_CHECKING:
     from omote.model.transfer.compound import compound as compound
     from omote.perform.blending.evaluate import evaluate as evaluate
     from omote.perform.blending.evaluate import evaluate_parts as evaluate_parts
+    from omote.perform.cues.cue_player import CuePlayer as CuePlayer
     from omote.perform.performer import Performer as Performer
     from omote.perform.scene.scene import Scene as Scene
     from omote.server.headless.picture_renderer import Renderer as Renderer
@@ -48,6 +49,7 @@ __version__ = "0.1.0"
 _HOMES = {
     "Cast": "omote.model.cast",
     "ControlNet": "omote.model.controls.control_net",
+    "CuePlayer": "omote.perform.cues.cue_player",
     "Expression": "omote.model.space.expression",
     "ExtractedExpression": "omote.model.extraction.extracted_expression",
     "Face": "omote.model.space.face",

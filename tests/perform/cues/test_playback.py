@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 from omote.perform.cues import playback as cue_playback
-from omote.perform.cues.cue import WITH_FACE, Cue, CueList, Goal, Move, Part, expression_of, regions_of, with_move
+from omote.perform.cues.cue import Cue, CueList, Move, with_move
 from omote.perform.cues.playback import (
     Call,
     Playback,
@@ -28,6 +28,7 @@ from omote.perform.cues.playback import (
     without_parts,
 )
 from omote.perform.cues.tracking import tracked_after, tracked_at, tracked_through
+from omote.perform.scene.goals import WITH_FACE, Goal, Part, expression_of, regions_of
 
 PARTS = ("a/face", "a/expression", "a/brows", "b/brows", "*/light")
 GOALS: tuple[Goal, ...] = tuple({name: 1.0} for name in ("joy", "fear", "calm"))

@@ -9,16 +9,9 @@ from dataclasses import dataclass, field, replace
 from types import MappingProxyType
 from typing import Literal, get_args
 
-from omote.model.known_names import PLAY_REGIONS
 from omote.perform.easing import DEFAULT_EASING, find_easing
 from omote.perform.limits import LONGEST_CALL, check_known, check_switch, check_within
-
-Part = str
-"""Of a character, `kaori/face`, or of the scene, `*/light`."""
-Goal = Mapping[str, float]
-"""Where a part goes: a mix (`{"joy": 1.0}`) or numbers by name (`{"x": 0.4, "depth": 0.0, ...}`). A region of the
-expression goes with the whole face where that is empty."""
-WITH_FACE: Goal = MappingProxyType({})
+from omote.perform.scene.goals import Goal, Part, check_goal, regions_of
 
 GoesOn = Literal["", "continue", "follow"]
 """What comes after a cue by itself: nothing; the next one, counted from its begin (auto-continue); the next one,
@@ -83,6 +76,8 @@ class Cue:
             if len(getattr(self, name)) > most:
                 raise ValueError(f"the {name} of the cue {self.number} is longer than {most} characters; shorten it")
         ordered = sorted(self.moves, key=lambda part: (regions_of(part) == (), part))  # a face before its regions
+        for part in ordered:
+            check_goal(part, self.moves[part].goal)
         object.__setattr__(self, "moves", MappingProxyType({part: self.moves[part] for part in ordered}))
 
     @property
@@ -118,18 +113,6 @@ def check_cues(cues: Sequence[Cue]) -> CueList:
         if twice:
             raise ValueError(f"two cues have the {what} {twice[0]}; give one of them another")
     return tuple(cues)
-
-
-def regions_of(part: Part) -> tuple[Part, ...]:
-    """The regions that go with a whole expression; none of another part."""
-    character, _, name = part.rpartition("/")
-    return tuple(f"{character}/{region}" for region in PLAY_REGIONS) if name == "expression" else ()
-
-
-def expression_of(part: Part) -> Part | None:
-    """The whole expression that a region is one of; None of another part."""
-    character, _, name = part.rpartition("/")
-    return f"{character}/expression" if name in PLAY_REGIONS else None
 
 
 def is_of(part: Part, characters: Sequence[str]) -> bool:

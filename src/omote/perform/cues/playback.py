@@ -11,8 +11,9 @@ from collections.abc import Callable, Collection, Iterable, Iterator, Sequence
 from dataclasses import dataclass, field, replace
 from types import MappingProxyType
 
-from omote.perform.cues.cue import CueList, Goal, Move, Part, is_of, regions_of
+from omote.perform.cues.cue import CueList, Move, is_of
 from omote.perform.cues.tracking import NOTHING_TRACKED, Tracked, tracked_after, tracked_at
+from omote.perform.scene.goals import Goal, Part, regions_of
 
 GAP_SECONDS = 0.25
 """A GO that comes sooner after another is a key that bounces, or a finger that slips."""

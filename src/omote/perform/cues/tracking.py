@@ -5,7 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping
 from types import MappingProxyType
 
-from omote.perform.cues.cue import Cue, CueList, Goal, Part, regions_of
+from omote.perform.cues.cue import Cue, CueList
+from omote.perform.scene.goals import Goal, Part, regions_of
 
 Tracked = Mapping[Part, Goal]
 NOTHING_TRACKED: Tracked = MappingProxyType({})

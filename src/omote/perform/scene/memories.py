@@ -5,44 +5,24 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 
-from omote.model.known_names import PlayRegion, check_play_region
-from omote.perform.axis import LEAST_STANDING, Axis, called
 from omote.perform.frame import Gaze, Head
-from omote.perform.limits import GAZE_LIMITS, HEAD_LIMITS, check_known, check_within
-from omote.perform.mix import HIGHEST, LOWEST, Weights, normalise
-from omote.perform.scene.character_names import MOST_CHARACTERS, check_character_name
-from omote.perform.scene.movement import Movement, Ranges, check_movement, values
+from omote.perform.limits import check_known, check_within
+from omote.perform.scene.character_names import MOST_CHARACTERS
+from omote.perform.scene.goals import CHARACTER_PARTS, SCENE_PARTS, TURN_LIMITS, Goal, Part, check_goal
+from omote.perform.scene.movement import Movement, check_movement, values
 
 MOST_MEMORIES = 32
 LONGEST_MEMORY_NAME = 40
+MOST_PARTS = MOST_CHARACTERS * len(CHARACTER_PARTS) + len(SCENE_PARTS)
 MOST_REPLACED = 16
 """Memories that were kept anew or deleted and can be brought back."""
-TURN_LIMITS: Mapping[str, Ranges] = {
-    "head": {name: (-limit, limit) for name, limit in HEAD_LIMITS.items()},
-    "gaze": {name: (-limit, limit) for name, limit in GAZE_LIMITS.items()},
-}
-"""What of a character turns on its way to a memory, radians."""
-
-
-@dataclass(frozen=True)
-class CharacterMemory:
-    """What a memory has of a character: the mixes of faces and expressions, those of regions that show another, and
-    where hands hold head and gaze."""
-
-    faces: Weights
-    expressions: Weights
-    regions: Mapping[PlayRegion, Weights] = field(default_factory=dict)
-    head: Head = field(default_factory=Head)
-    gaze: Gaze = field(default_factory=Gaze)
 
 
 @dataclass(frozen=True)
 class Memory:
-    """A whole look: of each character that was on the stage, the light and the framing."""
+    """A whole look: the goals of its parts, as they showed."""
 
-    characters: Mapping[str, CharacterMemory]
-    light: Weights
-    framing: Weights
+    goals: Mapping[Part, Goal]
 
 
 @dataclass(frozen=True)
@@ -125,17 +105,6 @@ def turn_at(part: str, way: Movement) -> Head | Gaze:
     return Head(**angles) if part == "head" else Gaze(**angles)
 
 
-def standing_mix(mix: Weights) -> dict[str, float]:
-    """A mix that shows, as one to come to a stand at: nothing weighs less than none of it. mix: as on air."""
-    return normalise({name: weight for name, weight in mix.items() if weight >= LEAST_STANDING})
-
-
-def called_mix(on: Axis, mix: Weights, seconds: float, easing: str) -> Axis:
-    """The axis with a call to a whole mix. on: the axis; mix: what it comes to; seconds, easing: the way."""
-    heaviest = max(mix, key=lambda name: (mix[name], name))
-    return called(on, heaviest, seconds, easing, mix if len(mix) > 1 else None)
-
-
 def check_memories(memories: Memories) -> None:
     """Rejects memories that no scene has kept; whether a cast can play one is asked when it is called."""
     check_within(len(memories.kept), 0, MOST_MEMORIES, "the number of memories")
@@ -157,15 +126,6 @@ def check_turning(turning: Turning | None) -> None:
 
 
 def _check_memory(name: str, memory: Memory) -> None:
-    check_within(len(memory.characters), 0, MOST_CHARACTERS, f"the number of characters of the memory {name}")
-    mixes = [memory.light, memory.framing]
-    for character, of in memory.characters.items():
-        check_character_name(character)
-        for region in of.regions:
-            check_play_region(region)
-        mixes += [of.faces, of.expressions, *of.regions.values()]
-    for mix in mixes:
-        if not mix:
-            raise ValueError(f"a mix of the memory {name} is empty; expected weights that sum to one")
-        for other, weight in mix.items():
-            check_within(weight, LOWEST, HIGHEST, f"the weight of {other} in the memory {name}")
+    check_within(len(memory.goals), 0, MOST_PARTS, f"the number of parts of the memory {name}")
+    for part, goal in memory.goals.items():
+        check_goal(part, goal)

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
 from dataclasses import replace
-from typing import Any
 
 from omote.model.known_names import GENERIC, explain_unknown
 from omote.perform import axis
@@ -34,14 +33,13 @@ from omote.perform.scene.gaze_targets import (
     eyes_at,
     find_sight,
 )
+from omote.perform.scene.goals import BLACK_LIMITS, PRESENCE_LIMITS
 from omote.perform.scene.memories import NO_MEMORIES
-from omote.perform.scene.removal import framing_back, insert_at_rank, with_kept, with_removal, without_stay
+from omote.perform.scene.removal import framing_back, insert_at_rank, with_kept, with_removal
 from omote.perform.scene.scene_character import SceneCharacter
 from omote.perform.scene.scene_frame import PLACE_LIMITS, CharacterFrame, Place, SceneFrame, free_place
 from omote.perform.scene.scene_memories import SceneMemories
 from omote.perform.scene.scene_snapshot import (
-    BLACK_LIMITS,
-    PRESENCE_LIMITS,
     CharacterSnapshot,
     Removal,
     SceneSnapshot,
@@ -785,16 +783,3 @@ class Scene(SceneMemories):
             place = Place(**movement.values(at.place, PLACE_LIMITS))
             shown = self._shown[name] = (at, place, movement.values(at.presence, PRESENCE_LIMITS)["presence"])
         return shown[1:]
-
-    def _standing(self, name: str) -> Standing:
-        return self._standings[check_known(name, self._characters, "character")]
-
-    def _stand(self, name: str, **changes: Any) -> None:
-        self._standings[name] = replace(self._standing(name), **changes)
-
-    def _move_presence(self, name: str, goal: float, seconds: float, *, leaves: bool) -> None:
-        seconds = check_call_seconds(seconds)
-        presence = movement.redirect(self._standing(name).presence, {"presence": goal}, seconds, PRESENCE_LIMITS)
-        self._stand(name, presence=presence, leaves=leaves)
-        if not leaves:
-            self._removals = without_stay(self._removals, name)

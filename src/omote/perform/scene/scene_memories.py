@@ -2,31 +2,21 @@
 
 from __future__ import annotations
 
-from omote.perform.axis import Axis, weights
+from omote.model.known_names import PLAY_REGIONS
 from omote.perform.easing import DEFAULT_EASING, find_easing
-from omote.perform.lights import check_light
 from omote.perform.limits import check_call_seconds, check_known
-from omote.perform.scene.character_names import framing_of, names_in
-from omote.perform.scene.memories import (
-    Memories,
-    Memory,
-    called_mix,
-    standing_mix,
-    with_memory,
-    with_restored,
-    without_memory,
-)
-from omote.perform.scene.scene_character import SceneCharacter
-from omote.perform.scene.scene_snapshot import Standing
+from omote.perform.scene.character_names import ALL
+from omote.perform.scene.goals import WITH_FACE, Goal, Part
+from omote.perform.scene.memories import Memories, Memory, with_memory, with_restored, without_memory
+from omote.perform.scene.scene_goals import SceneGoals
+
+REMEMBERED = ("face", "expression", *PLAY_REGIONS, "head", "gaze")
+"""What a memory has of each character; of the scene it has light and framing."""
 
 
-class SceneMemories:
+class SceneMemories(SceneGoals):
     """The memories of a scene: its whole look under a name, as it shows, and back in one breath."""
 
-    _characters: dict[str, SceneCharacter]
-    _standings: dict[str, Standing]
-    _light: Axis
-    _framing: Axis
     _memories: Memories
 
     def keep_memory(self, name: str, *, key: str = "") -> None:
@@ -56,12 +46,11 @@ class SceneMemories:
         >>> dict(scene.advance(2.0).characters["one"].frame.faces)
         {'dog': 1.0}
         """
-        characters = {
-            other: character.remember()
-            for other, character in self._characters.items()
-            if not self._standings[other].leaves
-        }
-        memory = Memory(characters, standing_mix(weights(self._light)), standing_mix(weights(self._framing)))
+        parts = [
+            f"{other}/{part}" for other in self._characters if not self._standings[other].leaves for part in REMEMBERED
+        ]
+        goals = {part: self.shown_goal(part) for part in (*parts, f"{ALL}/light", f"{ALL}/framing")}
+        memory = Memory({part: goal for part, goal in goals.items() if goal != WITH_FACE})
         self._memories = with_memory(self._memories, name, memory, key or name)
 
     def delete_memory(self, name: str, *, key: str = "") -> None:
@@ -145,21 +134,15 @@ class SceneMemories:
         memory = self._memories.kept[check_known(name, self._memories.kept, "memory")]
         seconds = check_call_seconds(seconds)
         find_easing(easing)
-        self._check_memory(name, memory)
-        self._light = called_mix(self._light, memory.light, seconds, easing)
-        self._framing = called_mix(self._framing, memory.framing, seconds, easing)
+        for part, goal in memory.goals.items():
+            self._check_remembered(name, part, goal)
+        for part, goal in memory.goals.items():
+            self.call_goal(part, goal, seconds=seconds, easing=easing)
         for character in self._characters.values():
             character.note_played()
-        for other, of in memory.characters.items():
-            self._characters[other].call_memory(of, seconds, easing)
 
-    def _check_memory(self, name: str, memory: Memory) -> None:
+    def _check_remembered(self, name: str, part: Part, goal: Goal) -> None:
         try:
-            for other, of in memory.characters.items():
-                self._characters[check_known(other, self._characters, "character")].check_memory(of)
-            for framing in memory.framing:
-                framing_of(names_in(framing), self._characters)
-            for light in memory.light:
-                check_light(light)
+            self.check_call(part, goal)
         except ValueError as error:
             raise ValueError(f"the memory {name!r} cannot be called any more: {error}; keep it anew") from error

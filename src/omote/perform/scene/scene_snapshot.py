@@ -13,13 +13,12 @@ from omote.perform.motion.sight import Point
 from omote.perform.name_lookup import NO_LABELS
 from omote.perform.scene.character_names import ALL, MOST_CHARACTERS, check_character_name, framing_of, names_in
 from omote.perform.scene.gaze_targets import MOST_POINTS, check_point
+from omote.perform.scene.goals import BLACK_LIMITS, PRESENCE_LIMITS
 from omote.perform.scene.memories import NO_MEMORIES, Memories, Turning, check_memories, check_turning
-from omote.perform.scene.movement import Movement, Ranges, check_movement, proceed
+from omote.perform.scene.movement import Movement, check_movement, proceed
 from omote.perform.scene.scene_frame import PLACE_LIMITS, Place
 from omote.perform.snapshot import ROUNDING, Playable, Snapshot, axis_names, check_axis, check_snapshot, names_held
 
-PRESENCE_LIMITS: Ranges = {"presence": (0.0, 1.0)}
-BLACK_LIMITS: Ranges = {"black": (0.0, 1.0)}
 LONGEST_LABEL = 80
 MOST_REMOVALS = 16
 """Removed characters that can be brought back."""
