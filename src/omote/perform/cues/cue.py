@@ -26,7 +26,35 @@ MOST_CUES = 2000
 
 @dataclass(frozen=True)
 class Move:
-    """A part's way to a goal. seconds: how long it takes, 0 cuts; delay: seconds after the cue has begun."""
+    """A part's way to a goal, in a cue.
+
+    Parameters
+    ----------
+    goal : mapping of float
+        Where it goes, as `Scene.goal_of` gives it.
+    seconds : float
+        How long it takes, 0 to 3600; 0 cuts.
+    easing : {"smooth", "gentle", "sharp", "early", "late"}
+        The curve of the way.
+    delay : float
+        Seconds after the cue has begun, 0 to 3600.
+
+    Raises
+    ------
+    ValueError
+        On an easing that there is not and on times out of range.
+    TypeError
+        On what is no number.
+
+    Examples
+    --------
+    >>> omote.Move({"dog": 1.0}, seconds=2, delay=0.5).length
+    2.5
+
+    References
+    ----------
+    docs/method.md, "Cues".
+    """
 
     goal: Goal
     seconds: float = 1.0
@@ -48,10 +76,43 @@ class Move:
 
 @dataclass(frozen=True)
 class Cue:
-    """What one GO plays.
+    """What one GO plays: it says what it moves, and all else goes on as the cues before it have left it.
 
-    identity: for ever, whatever it is numbered; number: decimal, as `12.5`; pre_wait: seconds from GO to its begin;
-    goes_on: what comes after it by itself, post_wait seconds later; skip: whether GO passes it by; moves: by part.
+    Parameters
+    ----------
+    identity : str
+        Its own for ever, whatever it is numbered.
+    number : str
+        Decimal, 0 to 99999 and at most three decimals, as "12.5".
+    moves : mapping of Move
+        By part, as of `Scene.goal_of`.
+    label, note, colour : str
+        For people, to 80, 400 and 20 characters.
+    pre_wait : float
+        Seconds from GO to its begin, 0 to 3600.
+    post_wait : float
+        Seconds more until what goes on by itself, 0 to 3600.
+    goes_on : {"", "continue", "follow"}
+        What comes after it by itself: nothing, the next cue after its begin, the next cue after its end.
+    skip : bool
+        Whether GO passes it by.
+
+    Raises
+    ------
+    ValueError
+        On a number, a part, a goal or a time that no cue has.
+    TypeError
+        On what is no number or no switch.
+
+    Examples
+    --------
+    >>> cue = omote.Cue("dog", "12.5", {"one/face": omote.Move({"dog": 1.0}, seconds=2)}, goes_on="follow", post_wait=1)
+    >>> cue.length, cue.next_after
+    (2.0, 3.0)
+
+    References
+    ----------
+    docs/method.md, "Cues".
     """
 
     identity: str

@@ -1,12 +1,12 @@
-"""The player of a cue list: it holds the playback, and calls on a scene what that calls."""
+"""The player of a cue list: it holds the state, and calls on a scene what that calls."""
 
 from __future__ import annotations
 
 from collections.abc import Sequence
 
-from omote.perform.cues import playback as of_list
+from omote.perform.cues import cue_state as of_list
 from omote.perform.cues.cue import Cue, CueList, check_cues
-from omote.perform.cues.playback import Playback, place_of
+from omote.perform.cues.cue_state import CueState, place_of
 from omote.perform.limits import FOREVER, check_known, check_within
 from omote.perform.scene.goals import WITH_FACE, Goal, Part
 from omote.perform.scene.scene import Scene
@@ -32,11 +32,10 @@ class CuePlayer:
 
     Examples
     --------
-    >>> from omote.perform.cues.cue import Cue, Move
     >>> scene = omote.Scene.begun(cast)
     >>> cues = [
-    ...     Cue("a", "1", {"one/face": Move({"dog": 1.0}, 2.0)}, goes_on="follow"),
-    ...     Cue("b", "2", {"*/black": Move({"black": 1.0}, 1.0)}),
+    ...     omote.Cue("a", "1", {"one/face": omote.Move({"dog": 1.0}, 2.0)}, goes_on="follow"),
+    ...     omote.Cue("b", "2", {"*/black": omote.Move({"black": 1.0}, 1.0)}),
     ... ]
     >>> player = omote.CuePlayer(scene, cues)
     >>> player.go()
@@ -45,13 +44,13 @@ class CuePlayer:
 
     References
     ----------
-    docs/howto/cues.md.
+    docs/method.md, "Cues".
     """
 
     def __init__(self, scene: Scene, cues: Sequence[Cue]) -> None:
         self.scene = scene
         self.cues: CueList = check_cues(cues)
-        self.playback: Playback = of_list.begin(self.cues)
+        self.state: CueState = of_list.begin(self.cues)
         self.rejected: tuple[str, ...] = ()
         """What could not be called by the last act, in sentences: one move that cannot costs that move."""
         self._panics: dict[str, int] = {name: scene[name].panics for name in scene}
@@ -59,12 +58,12 @@ class CuePlayer:
     @property
     def current(self) -> Cue | None:
         """The cue that was called last."""
-        return self._cue(self.playback.current)
+        return self._cue(self.state.current)
 
     @property
     def standby(self) -> Cue | None:
         """The cue that GO plays; None at the end of the list."""
-        return self._cue(self.playback.standby)
+        return self._cue(self.state.standby)
 
     def go(self, *, seen: str | None = None) -> None:
         """Calls the cue that stands by; all that it does not move goes on.
@@ -81,9 +80,8 @@ class CuePlayer:
 
         Examples
         --------
-        >>> from omote.perform.cues.cue import Cue, Move
         >>> scene = omote.Scene.begun(cast)
-        >>> player = omote.CuePlayer(scene, [Cue("a", "1", {"*/light": Move({"flat": 1.0}, 0.0)})])
+        >>> player = omote.CuePlayer(scene, [omote.Cue("a", "1", {"*/light": omote.Move({"flat": 1.0}, 0.0)})])
         >>> player.go(seen="1")
         >>> dict(player.advance(0.0).light)
         {'flat': 1.0}
@@ -93,7 +91,7 @@ class CuePlayer:
             raise ValueError("no cue stands by: the list is at its end; go to a cue, or go back")
         if seen is not None and seen != standby.number:
             raise ValueError(f"cue {standby.number} stands by, not {seen}; nothing was called")
-        self._play(of_list.go(self.playback, self.cues, self._read))
+        self._play(of_list.go(self.state, self.cues, self._read))
 
     def go_to(self, number: str, *, whole: bool = False) -> None:
         """Calls a cue out of its order; what waits is forgotten.
@@ -112,46 +110,43 @@ class CuePlayer:
 
         Examples
         --------
-        >>> from omote.perform.cues.cue import Cue, Move
         >>> scene = omote.Scene.begun(cast)
-        >>> cues = [Cue("a", "1", {"*/light": Move({"flat": 1.0})}), Cue("b", "2", {"one/face": Move({"old": 1.0})})]
-        >>> player = omote.CuePlayer(scene, cues)
+        >>> light = omote.Cue("a", "1", {"*/light": omote.Move({"flat": 1.0})})
+        >>> player = omote.CuePlayer(scene, [light, omote.Cue("b", "2", {"one/face": omote.Move({"old": 1.0})})])
         >>> player.go_to("2", whole=True)
         >>> dict(player.advance(1.0).light)
         {'flat': 1.0}
         """
-        self._play(of_list.go_to(self.playback, self.cues, self._place(number), self._read, whole=whole))
+        self._play(of_list.go_to(self.state, self.cues, self._place(number), self._read, whole=whole))
 
     def go_back(self) -> None:
         """Brings back what stood before the last cue; that cue stands by again.
 
         Examples
         --------
-        >>> from omote.perform.cues.cue import Cue, Move
         >>> scene = omote.Scene.begun(cast)
-        >>> player = omote.CuePlayer(scene, [Cue("a", "1", {"*/light": Move({"flat": 1.0})})])
+        >>> player = omote.CuePlayer(scene, [omote.Cue("a", "1", {"*/light": omote.Move({"flat": 1.0})})])
         >>> player.go()
         >>> player.go_back()
         >>> dict(player.advance(1.0).light), player.standby.number
         ({'theatre': 1.0}, '1')
         """
-        self._play(of_list.go_back(self.playback))
+        self._play(of_list.go_back(self.state))
 
     def assert_look(self) -> None:
         """Calls all that the cues have left standing again, whoever has moved it since.
 
         Examples
         --------
-        >>> from omote.perform.cues.cue import Cue, Move
         >>> scene = omote.Scene.begun(cast)
-        >>> player = omote.CuePlayer(scene, [Cue("a", "1", {"*/light": Move({"flat": 1.0})})])
+        >>> player = omote.CuePlayer(scene, [omote.Cue("a", "1", {"*/light": omote.Move({"flat": 1.0})})])
         >>> player.go()
         >>> scene.call_light("portrait", seconds=0)
         >>> player.assert_look()
         >>> dict(player.advance(1.0).light)
         {'flat': 1.0}
         """
-        self._play(of_list.assert_look(self.playback))
+        self._play(of_list.assert_look(self.state))
 
     def set_standby(self, number: str) -> None:
         """Has another cue stand by; nothing moves.
@@ -168,13 +163,12 @@ class CuePlayer:
 
         Examples
         --------
-        >>> from omote.perform.cues.cue import Cue
-        >>> player = omote.CuePlayer(omote.Scene.begun(cast), [Cue("a", "1"), Cue("b", "2")])
+        >>> player = omote.CuePlayer(omote.Scene.begun(cast), [omote.Cue("a", "1"), omote.Cue("b", "2")])
         >>> player.set_standby("2")
         >>> player.standby.number
         '2'
         """
-        self._play(of_list.set_standby(self.playback, self.cues[self._place(number)].identity))
+        self._play(of_list.set_standby(self.state, self.cues[self._place(number)].identity))
 
     def edit(self, cues: Sequence[Cue]) -> None:
         """Plays another edition of the list from now on: nothing moves, and what was called goes on as it was.
@@ -191,14 +185,13 @@ class CuePlayer:
 
         Examples
         --------
-        >>> from omote.perform.cues.cue import Cue
-        >>> player = omote.CuePlayer(omote.Scene.begun(cast), [Cue("a", "1"), Cue("b", "2")])
-        >>> player.edit([Cue("b", "2")])
+        >>> player = omote.CuePlayer(omote.Scene.begun(cast), [omote.Cue("a", "1"), omote.Cue("b", "2")])
+        >>> player.edit([omote.Cue("b", "2")])
         >>> player.standby.number
         '2'
         """
         after = check_cues(cues)
-        self._play(of_list.edited(self.playback, self.cues, after))
+        self._play(of_list.edited(self.state, self.cues, after))
         self.cues = after
 
     def advance(self, dt: float) -> SceneFrame:
@@ -223,28 +216,28 @@ class CuePlayer:
 
         Examples
         --------
-        >>> from omote.perform.cues.cue import Cue, Move
         >>> scene = omote.Scene.begun(cast)
-        >>> player = omote.CuePlayer(scene, [Cue("a", "1", {"*/black": Move({"black": 1.0}, 2.0, delay=1.0)})])
+        >>> dark = omote.Move({"black": 1.0}, seconds=2.0, delay=1.0)
+        >>> player = omote.CuePlayer(scene, [omote.Cue("a", "1", {"*/black": dark})])
         >>> player.go()
         >>> player.advance(2.0).black
         0.5
         """
         dt = check_within(dt, 0.0, FOREVER, "the time step (seconds)")
         self._drop_after_panics()
-        now = self.playback.clock
-        later = of_list.advance(self.playback, self.cues, dt, self._read)
+        now = self.state.clock
+        later = of_list.advance(self.state, self.cues, dt, self._read)
         self.rejected = ()
         for call in later.calls:
             if call.at > now:
                 self.scene.advance(call.at - now)
                 now = call.at
             self._call(call)
-        self.playback = later
+        self.state = later
         return self.scene.advance(max(later.clock - now, 0.0))
 
-    def _play(self, later: Playback) -> None:
-        self.playback = later
+    def _play(self, later: CueState) -> None:
+        self.state = later
         self.rejected = ()
         for call in later.calls:
             self._call(call)
@@ -268,7 +261,7 @@ class CuePlayer:
         panics = {name: self.scene[name].panics for name in self.scene}
         pressed = [name for name, count in panics.items() if count > self._panics.get(name, 0)]
         if pressed:
-            self.playback = of_list.drop_waiting(self.playback, pressed)
+            self.state = of_list.drop_waiting(self.state, pressed)
         self._panics = panics
 
     def _cue(self, identity: str | None) -> Cue | None:

@@ -111,7 +111,7 @@ class SceneGoals:
             return movement.values(getattr(standing, name), STANDING[name])
         return self._characters[character].shown_goal(name)
 
-    def check_call(self, part: Part, goal: Goal) -> Goal:
+    def _check_call(self, part: Part, goal: Goal) -> Goal:
         """Returns a goal that can be called now; ValueError, TypeError where a name or a number of it is none.
 
         part, goal: as of `call_goal`.
@@ -156,7 +156,7 @@ class SceneGoals:
         >>> round(scene.advance(0.5).characters["one"].frame.head.yaw, 3)
         0.1
         """
-        checked = self.check_call(part, goal)
+        checked = self._check_call(part, goal)
         find_easing(easing)
         seconds = check_call_seconds(seconds)
         character, name = split_part(part)

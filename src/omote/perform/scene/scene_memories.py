@@ -143,6 +143,6 @@ class SceneMemories(SceneGoals):
 
     def _check_remembered(self, name: str, part: Part, goal: Goal) -> None:
         try:
-            self.check_call(part, goal)
+            self._check_call(part, goal)
         except ValueError as error:
             raise ValueError(f"the memory {name!r} cannot be called any more: {error}; keep it anew") from error

@@ -1,4 +1,4 @@
-"""The playback of a cue list against a stage that keeps nothing but the goal of each part."""
+"""The state of a cue list against a stage that keeps nothing but the goal of each part."""
 
 from __future__ import annotations
 
@@ -8,11 +8,11 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from omote.perform.cues import playback as cue_playback
+from omote.perform.cues import cue_state as cue_states
 from omote.perform.cues.cue import Cue, CueList, Move, with_move
-from omote.perform.cues.playback import (
+from omote.perform.cues.cue_state import (
     Call,
-    Playback,
+    CueState,
     Step,
     advance,
     assert_look,
@@ -54,7 +54,7 @@ class Goals(dict[Part, Goal]):
 
 
 class Rehearsal:
-    """A list, its playback and a stage, through random acts; each act is asked for all that it promises."""
+    """A list, its state and a stage, through random acts; each act is asked for all that it promises."""
 
     def __init__(self, seed: int) -> None:
         self.rng = np.random.default_rng(seed)
@@ -90,7 +90,7 @@ class Rehearsal:
             if self.at.standby is None:
                 self.end()
 
-    def obey(self, later: Playback) -> None:
+    def obey(self, later: CueState) -> None:
         self.at = later
         self.goals.call(later.calls)
 
@@ -108,7 +108,7 @@ class Rehearsal:
         old = [one for one in before.waiting if one.part not in taken]
         new = later.waiting[len(old) :]
         assert list(later.waiting[: len(old)]) == old
-        called: list[Call | cue_playback.Waiting] = [*new, *later.calls]
+        called: list[Call | cue_states.Waiting] = [*new, *later.calls]
         assert {one.part: (one.move, one.at) for one in called} == planned
         assert all(one.at > before.clock for one in new)
         assert dict(later.tracked) == dict(tracked_after(before.tracked, cue))
@@ -153,12 +153,12 @@ class Rehearsal:
     def go_back(self) -> None:
         self.obey(go_back(self.at))
 
-    def asserted(self) -> Playback:
+    def asserted(self) -> CueState:
         """Where all that the list has left standing shows, nothing waits, and nobody has moved anything since."""
         self.obey(assert_look(self.at))
         return self.at
 
-    def check_back(self, called: Playback) -> None:
+    def check_back(self, called: CueState) -> None:
         """Back brings back every goal, and the list to where it was."""
         before = self.at
         if called.steps == before.steps:
@@ -252,7 +252,7 @@ def rehearse_all() -> None:
 @pytest.mark.parametrize("fault", FAULTS)
 def test_a_fault_is_caught(fault: str, monkeypatch: pytest.MonkeyPatch) -> None:
     """The rehearsals are there to catch each of these."""
-    monkeypatch.setattr(cue_playback, *FAULTS[fault])
+    monkeypatch.setattr(cue_states, *FAULTS[fault])
     with pytest.raises(AssertionError):
         rehearse_all()
 

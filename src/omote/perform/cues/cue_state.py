@@ -1,6 +1,6 @@
-"""The playback of a cue list: GO, Back, waits and what follows by itself. It owns no clock and touches no scene.
+"""The state of a cue list: GO, Back, waits and what follows by itself. It owns no clock and touches no scene.
 
-Every act takes a playback and returns a changed copy with the calls that it makes, in their order. What has been called
+Every act takes a state and returns a changed copy with the calls that it makes, in their order. What has been called
 is a copy: editing a cue moves nothing that is on its way, waits, or is undone later.
 """
 
@@ -27,7 +27,7 @@ ReadGoal = Callable[[Part], Goal]
 
 @dataclass(frozen=True)
 class Call:
-    """A part that is called: its move, and when, seconds of the playback's clock."""
+    """A part that is called: its move, and when, seconds of the state's clock."""
 
     part: Part
     move: Move
@@ -36,7 +36,7 @@ class Call:
 
 @dataclass(frozen=True)
 class Waiting:
-    """A move that waits. cue: the identity of its cue; at: when it is called, seconds of the playback's clock."""
+    """A move that waits. cue: the identity of its cue; at: when it is called, seconds of the state's clock."""
 
     cue: str
     part: Part
@@ -46,7 +46,7 @@ class Waiting:
 
 @dataclass(frozen=True)
 class Following:
-    """The cue that follows by itself, and when: seconds of the playback's clock."""
+    """The cue that follows by itself, and when: seconds of the state's clock."""
 
     cue: str
     at: float
@@ -68,7 +68,7 @@ class Step:
 
 
 @dataclass(frozen=True)
-class Playback:
+class CueState:
     """How far a list is. current, standby: cues by identity; clock: seconds; steps: the oldest first."""
 
     current: str | None = None
@@ -92,75 +92,75 @@ def next_from(cues: CueList, place: int) -> str | None:
     return next((cue.identity for cue in cues[place:] if not cue.skip), None)
 
 
-def begin(cues: CueList) -> Playback:
-    """The playback of a list of which nothing has been called: its first cue stands by."""
-    return Playback(standby=next_from(cues, 0))
+def begin(cues: CueList) -> CueState:
+    """The state of a list of which nothing has been called: its first cue stands by."""
+    return CueState(standby=next_from(cues, 0))
 
 
-def go(playback: Playback, cues: CueList, read: ReadGoal) -> Playback:
+def go(state: CueState, cues: CueList, read: ReadGoal) -> CueState:
     """Calls the cue that stands by; nothing where none does.
 
-    playback: as it is; cues: of the list; read: where parts go on air.
+    state: as it is; cues: of the list; read: where parts go on air.
     """
-    place = place_of(cues, playback.standby)
-    return replace(playback, calls=()) if place is None else _called(playback, cues, place, playback.clock, read)
+    place = place_of(cues, state.standby)
+    return replace(state, calls=()) if place is None else _called(state, cues, place, state.clock, read)
 
 
-def go_to(playback: Playback, cues: CueList, place: int, read: ReadGoal, *, whole: bool = False) -> Playback:
+def go_to(state: CueState, cues: CueList, place: int, read: ReadGoal, *, whole: bool = False) -> CueState:
     """Calls a cue out of its order; nothing waits any more.
 
-    playback: as it is; cues: of the list; place: of the cue, from 0; read: where parts go on air; whole: whether all
+    state: as it is; cues: of the list; place: of the cue, from 0; read: where parts go on air; whole: whether all
     that the cues before it leave standing is called too.
     """
     tracked = tracked_at(cues, place)
     cue = cues[place]
     stands = {part: goal for part, goal in tracked.items() if whole and part not in cue.moves}
-    later = _called(replace(playback, waiting=(), following=None), cues, place, playback.clock, read)
+    later = _called(replace(state, waiting=(), following=None), cues, place, state.clock, read)
     moved = _taken((*stands, *cue.moves))
-    steps = (*playback.steps, _step(playback, moved, read, cue.identity))[-MOST_STEPS:]
-    calls = _face_first((*_returning(stands, playback.clock), *later.calls))
+    steps = (*state.steps, _step(state, moved, read, cue.identity))[-MOST_STEPS:]
+    calls = _face_first((*_returning(stands, state.clock), *later.calls))
     return replace(later, tracked=tracked, steps=steps, calls=calls)
 
 
-def go_back(playback: Playback) -> Playback:
+def go_back(state: CueState) -> CueState:
     """Brings back what stood before the last cue was called; nothing where none was."""
-    if not playback.steps:
-        return replace(playback, calls=())
-    step = playback.steps[-1]
+    if not state.steps:
+        return replace(state, calls=())
+    step = state.steps[-1]
     goals = {part: step.tracked.get(part, step.before.get(part)) for part in step.moved}
-    calls = _returning({part: goal for part, goal in goals.items() if goal is not None}, playback.clock)
-    return Playback(step.current, step.left, step.tracked, (), None, playback.steps[:-1], playback.clock, calls)
+    calls = _returning({part: goal for part, goal in goals.items() if goal is not None}, state.clock)
+    return CueState(step.current, step.left, step.tracked, (), None, state.steps[:-1], state.clock, calls)
 
 
-def assert_look(playback: Playback) -> Playback:
+def assert_look(state: CueState) -> CueState:
     """Calls all that the cues have left standing again, whoever has moved it since; nothing waits any more."""
-    calls = _returning(playback.tracked, playback.clock)
-    return replace(playback, waiting=(), following=None, calls=calls)
+    calls = _returning(state.tracked, state.clock)
+    return replace(state, waiting=(), following=None, calls=calls)
 
 
-def set_standby(playback: Playback, identity: str) -> Playback:
+def set_standby(state: CueState, identity: str) -> CueState:
     """Has another cue stand by; nothing moves. identity: of the cue."""
-    return replace(playback, standby=identity, calls=())
+    return replace(state, standby=identity, calls=())
 
 
-def drop_waiting(playback: Playback, characters: Sequence[str]) -> Playback:
+def drop_waiting(state: CueState, characters: Sequence[str]) -> CueState:
     """Forgets what waits for some characters, and what follows: somebody has pressed panic. characters: their names."""
-    waiting = tuple(one for one in playback.waiting if not is_of(one.part, characters))
-    return replace(playback, waiting=waiting, following=None, calls=())
+    waiting = tuple(one for one in state.waiting if not is_of(one.part, characters))
+    return replace(state, waiting=waiting, following=None, calls=())
 
 
-def without_parts(playback: Playback, parts: Collection[Part]) -> Playback:
+def without_parts(state: CueState, parts: Collection[Part]) -> CueState:
     """Forgets what waits for parts that another list has moved."""
-    return replace(playback, waiting=tuple(_without(playback.waiting, parts)), calls=())
+    return replace(state, waiting=tuple(_without(state.waiting, parts)), calls=())
 
 
-def edited(playback: Playback, before: CueList, after: CueList) -> Playback:
-    """The playback of a list that has been edited: nothing moves.
+def edited(state: CueState, before: CueList, after: CueList) -> CueState:
+    """The state of a list that has been edited: nothing moves.
 
     A cue that stood by, or would again after Back, and is gone leaves its place to the next one behind it; nothing
     follows in the place of one that is gone.
 
-    playback: as it is; before, after: the list.
+    state: as it is; before, after: the list.
     """
     there = {cue.identity for cue in after}
 
@@ -170,24 +170,24 @@ def edited(playback: Playback, before: CueList, after: CueList) -> Playback:
         behind = before[place_of(before, identity) or 0 :]
         return next((cue.identity for cue in behind if cue.identity in there and not cue.skip), None)
 
-    steps = tuple(replace(step, left=kept(step.left)) for step in playback.steps)
-    following = playback.following
+    steps = tuple(replace(step, left=kept(step.left)) for step in state.steps)
+    following = state.following
     gone = following is None or following.cue not in there
     return replace(
-        playback,
-        standby=kept(playback.standby),
+        state,
+        standby=kept(state.standby),
         following=None if gone else following,
         steps=steps,
         calls=(),
     )
 
 
-def advance(playback: Playback, cues: CueList, dt: float, read: ReadGoal) -> Playback:
-    """The playback some time later: what was due has been called, as at the time at which it was due.
+def advance(state: CueState, cues: CueList, dt: float, read: ReadGoal) -> CueState:
+    """The state some time later: what was due has been called, as at the time at which it was due.
 
     Parameters
     ----------
-    playback : Playback
+    state : CueState
         As it is.
     cues : tuple of Cue
         The list.
@@ -198,42 +198,42 @@ def advance(playback: Playback, cues: CueList, dt: float, read: ReadGoal) -> Pla
 
     Returns
     -------
-    Playback
+    CueState
         With its calls, the earliest first.
     """
-    end = playback.clock + dt
+    end = state.clock + dt
     calls: list[Call] = []
-    while (due := _next_due(playback)) <= end:
-        if playback.following is not None and playback.following.at <= due:
-            playback = _followed(playback, cues, playback.following, read)
+    while (due := _next_due(state)) <= end:
+        if state.following is not None and state.following.at <= due:
+            state = _followed(state, cues, state.following, read)
         else:
-            playback = _called_waiting(playback, due)
-        calls += playback.calls
-    return replace(playback, clock=end, calls=tuple(calls))
+            state = _called_waiting(state, due)
+        calls += state.calls
+    return replace(state, clock=end, calls=tuple(calls))
 
 
-def _next_due(playback: Playback) -> float:
+def _next_due(state: CueState) -> float:
     """When something is due next, infinite where nothing is: of what is due at once a cue comes before what waits."""
-    following = math.inf if playback.following is None else playback.following.at
-    return min([following, *(one.at for one in playback.waiting)])
+    following = math.inf if state.following is None else state.following.at
+    return min([following, *(one.at for one in state.waiting)])
 
 
-def _followed(playback: Playback, cues: CueList, following: Following, read: ReadGoal) -> Playback:
+def _followed(state: CueState, cues: CueList, following: Following, read: ReadGoal) -> CueState:
     """The cue that follows by itself is called; nothing where it, and all behind it, is gone or skipped by now."""
     place = place_of(cues, following.cue)
-    alone = replace(playback, following=None, calls=())
+    alone = replace(state, following=None, calls=())
     chosen = None if place is None else place_of(cues, next_from(cues, place))
     return alone if chosen is None else _called(alone, cues, chosen, following.at, read)
 
 
-def _called_waiting(playback: Playback, due: float) -> Playback:
+def _called_waiting(state: CueState, due: float) -> CueState:
     """What waits until then is called."""
-    ready = tuple(Call(one.part, one.move, one.at) for one in playback.waiting if one.at <= due)
-    left = tuple(one for one in playback.waiting if one.at > due)
-    return replace(playback, waiting=left, calls=_face_first(ready))
+    ready = tuple(Call(one.part, one.move, one.at) for one in state.waiting if one.at <= due)
+    left = tuple(one for one in state.waiting if one.at > due)
+    return replace(state, waiting=left, calls=_face_first(ready))
 
 
-def _called(playback: Playback, cues: CueList, place: int, at: float, read: ReadGoal) -> Playback:
+def _called(state: CueState, cues: CueList, place: int, at: float, read: ReadGoal) -> CueState:
     """The cue at a place of its list is called at a time of the clock: what waits for its parts, and what followed the
     cue before it, is forgotten."""
     cue = cues[place]
@@ -241,12 +241,12 @@ def _called(playback: Playback, cues: CueList, place: int, at: float, read: Read
     begun = at + cue.pre_wait
     planned = [Waiting(cue.identity, part, move, begun + move.delay) for part, move in cue.moves.items()]
     ready = tuple(Call(one.part, one.move, one.at) for one in planned if one.at <= at)
-    waiting = (*_without(playback.waiting, moved), *(one for one in planned if one.at > at))
+    waiting = (*_without(state.waiting, moved), *(one for one in planned if one.at > at))
     after = next_from(cues, place + 1)
     follows = None if after is None or cue.next_after is None else Following(after, at + cue.next_after)
-    steps = (*playback.steps, _step(playback, moved, read, cue.identity))[-MOST_STEPS:]
-    tracked = tracked_after(playback.tracked, cue)
-    return Playback(cue.identity, after, tracked, waiting, follows, steps, playback.clock, ready)
+    steps = (*state.steps, _step(state, moved, read, cue.identity))[-MOST_STEPS:]
+    tracked = tracked_after(state.tracked, cue)
+    return CueState(cue.identity, after, tracked, waiting, follows, steps, state.clock, ready)
 
 
 def _taken(parts: Iterable[Part]) -> tuple[Part, ...]:
@@ -255,9 +255,9 @@ def _taken(parts: Iterable[Part]) -> tuple[Part, ...]:
     return tuple(sorted(taken, key=_rank))
 
 
-def _step(playback: Playback, moved: tuple[Part, ...], read: ReadGoal, left: str) -> Step:
-    before = MappingProxyType({part: read(part) for part in moved if part not in playback.tracked})
-    return Step(left, playback.current, playback.tracked, moved, before)
+def _step(state: CueState, moved: tuple[Part, ...], read: ReadGoal, left: str) -> Step:
+    before = MappingProxyType({part: read(part) for part in moved if part not in state.tracked})
+    return Step(left, state.current, state.tracked, moved, before)
 
 
 def _without(waiting: Iterable[Waiting], parts: Collection[Part]) -> Iterator[Waiting]:
