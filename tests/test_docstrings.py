@@ -83,7 +83,26 @@ def wrong_calls(cast: omote.Cast) -> dict[tuple[str, type[Exception]], Callable[
     performer.call_face("old")
     scene = omote.Scene.begun(cast)
     scene["one"].call_face("old")
+    scene.keep_memory("finale")
+    player = omote.CuePlayer(scene, [])
     return {
+        ("Move", ValueError): lambda: omote.Move({}, seconds=-1.0),
+        ("Move", TypeError): lambda: omote.Move({}, seconds=words),
+        ("Cue", ValueError): lambda: omote.Cue("a", "1.10"),
+        ("Cue", TypeError): lambda: omote.Cue("a", "1", pre_wait=words),
+        ("CuePlayer", ValueError): lambda: omote.CuePlayer(scene, [omote.Cue("a", "1"), omote.Cue("b", "1")]),
+        ("CuePlayer.go", ValueError): player.go,
+        ("CuePlayer.go_to", ValueError): lambda: player.go_to("7"),
+        ("CuePlayer.set_standby", ValueError): lambda: player.set_standby("7"),
+        ("CuePlayer.edit", ValueError): lambda: player.edit([omote.Cue("a", "1"), omote.Cue("a", "2")]),
+        ("CuePlayer.advance", ValueError): lambda: player.advance(-1.0),
+        ("CuePlayer.advance", TypeError): lambda: player.advance(words),
+        ("read_cues", ValueError): lambda: omote.read_cues("no such cues.toml"),
+        ("write_cues", OSError): lambda: omote.write_cues([], "no such folder/cues.toml"),
+        ("Scene.goal_of", ValueError): lambda: scene.goal_of("one/tail"),
+        ("Scene.shown_goal", ValueError): lambda: scene.shown_goal("two/face"),
+        ("Scene.call_goal", ValueError): lambda: scene.call_goal("one/face", {"dgo": 1.0}),
+        ("Scene.call_goal", TypeError): lambda: scene.call_goal("*/black", {"black": words}),
         ("Cast", ValueError): lambda: omote.Cast(space, {"strange": strange}, dict(cast.expressions)),
         ("Cast", KeyError): lambda: cast.faces["dgo"],
         ("Cast.under", ValueError): lambda: cast.under(words),
@@ -149,6 +168,11 @@ def wrong_calls(cast: omote.Cast) -> dict[tuple[str, type[Exception]], Callable[
         ("Scene.add", ValueError): lambda: scene.add("Old"),
         ("Scene.advance", ValueError): lambda: scene.advance(-1.0),
         ("Scene.advance", TypeError): lambda: scene.advance(words),
+        ("Scene.keep_memory", ValueError): lambda: scene.keep_memory(""),
+        ("Scene.delete_memory", ValueError): lambda: scene.delete_memory("nowhere"),
+        ("Scene.restore_memory", ValueError): lambda: scene.restore_memory("nowhere"),
+        ("Scene.call_memory", ValueError): lambda: scene.call_memory("nowhere"),
+        ("Scene.call_memory", TypeError): lambda: scene.call_memory("finale", seconds=words),
         ("Scene.delete_gaze_point", ValueError): lambda: scene.delete_gaze_point("nowhere"),
         ("Scene.note_camera", ValueError): lambda: scene.note_camera("", (0.0, 0.0, 999.0)),
         ("Scene.note_camera", TypeError): lambda: scene.note_camera("", (0.0, 0.0, words)),

@@ -12,6 +12,8 @@ if TYPE_CHECKING:
     from omote.builtin.random_faces import add_random_faces as add_random_faces
     from omote.client.connect import connect as connect
     from omote.client.connect import connect_async as connect_async
+    from omote.interchange.formats.cue_toml import read_cues as read_cues
+    from omote.interchange.formats.cue_toml import write_cues as write_cues
     from omote.interchange.formats.sculpt_toml import read_sculpt as read_sculpt
     from omote.model.action_units import action_units as action_units
     from omote.model.cast import Cast as Cast
@@ -33,6 +35,9 @@ if TYPE_CHECKING:
     from omote.model.transfer.compound import compound as compound
     from omote.perform.blending.evaluate import evaluate as evaluate
     from omote.perform.blending.evaluate import evaluate_parts as evaluate_parts
+    from omote.perform.cues.cue import Cue as Cue
+    from omote.perform.cues.cue import Move as Move
+    from omote.perform.cues.cue_player import CuePlayer as CuePlayer
     from omote.perform.performer import Performer as Performer
     from omote.perform.scene.scene import Scene as Scene
     from omote.server.headless.picture_renderer import Renderer as Renderer
@@ -48,6 +53,8 @@ __version__ = "0.1.0"
 _HOMES = {
     "Cast": "omote.model.cast",
     "ControlNet": "omote.model.controls.control_net",
+    "Cue": "omote.perform.cues.cue",
+    "CuePlayer": "omote.perform.cues.cue_player",
     "Expression": "omote.model.space.expression",
     "ExtractedExpression": "omote.model.extraction.extracted_expression",
     "Face": "omote.model.space.face",
@@ -55,6 +62,7 @@ _HOMES = {
     "Photograph": "omote.model.fitting.photographs.photograph",
     "PhotographFit": "omote.model.fitting.photographs.photograph_fit",
     "Gain": "omote.model.space.gain",
+    "Move": "omote.perform.cues.cue",
     "ParameterSpace": "omote.model.space.parameter_space",
     "Performer": "omote.perform.performer",
     "Renderer": "omote.server.headless.picture_renderer",
@@ -75,12 +83,14 @@ _HOMES = {
     "fit_photographs": "omote.builtin.own_face",
     "load_cast": "omote.builtin",
     "parse_pose": "omote.stage_data.pose_parser",
+    "read_cues": "omote.interchange.formats.cue_toml",
     "read_sculpt": "omote.interchange.formats.sculpt_toml",
     "read_show": "omote.stage_data.full_cast",
     "regional": "omote.model.sculpting.regions",
     "render": "omote.server.headless.picture_renderer",
     "sculpted": "omote.model.sculpting.sculpt",
     "take_expressions": "omote.model.fitting.take_expressions",
+    "write_cues": "omote.interchange.formats.cue_toml",
 }
 
 __all__ = [*_HOMES]

@@ -36,14 +36,17 @@ BEATS = 30.0
 """States a second: half of what a show sends. Shows and pages share two cores with the browser that draws them."""
 
 # The standby, but a page that a busy machine loads anew slowly keeps its seat's leases; for how long they are kept is
-# asked in `tests/show/ownership`.
+# asked in `tests/show/ownership`. The face holds still until a test moves it; that it does not at first is asked in
+# `tests/server/persistence/test_restore.py`.
 PATIENT_STANDBY = f"""
 import sys
 from functools import partial
+import omote.server.persistence.restore as restore
 import omote.server.supervision.show_process as show_process
 import omote.show.ownership.ownership_table as ownership_table
 from omote.server.supervision.standby import main
 ownership_table.AWAY_SECONDS = {PATIENCE}
+restore.FIRST_LIVELINESS = 0.0
 show_process.run_ticks = partial(show_process.run_ticks, rate={BEATS})
 sys.exit(main())
 """

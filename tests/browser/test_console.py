@@ -385,6 +385,26 @@ def test_liveliness_moves_the_face_by_itself_until_panic(console: Console) -> No
     expect(page.get_by_role("button", name="Sources on again")).to_have_count(0)
     page.get_by_role("button", name="Undo", exact=True).first.click()
     wait_for(page, "state.motion.liveliness === 0")
+    still = page.get_by_role("button", name="Still", exact=True)
+    expect(still).to_have_attribute("aria-pressed", "true")
+    still.click()
+    wait_for(page, "state.motion.liveliness === 0.5")
+    expect(still).to_have_attribute("aria-pressed", "false")
+    page.keyboard.press("'")
+    wait_for(page, "state.motion.liveliness === 0")
+
+
+def test_the_picture_says_on_air_where_a_face_shows(console: Console) -> None:
+    page = console(pictures=True, disposable=True)
+    held: list[Route] = []
+    page.route("**/manifest", lambda route: held.append(route))
+    page.reload()
+    expect(page.locator("omote-monitor [role=status]")).to_have_text("The face on air is loading …")
+    expect(page.locator("omote-monitor .tally")).to_have_count(0)
+    for route in held:
+        route.continue_()
+    page.unroute("**/manifest")
+    expect(page.locator("omote-monitor .tally")).to_have_text("ON AIR")
 
 
 def test_eyes_look_at_a_camera_and_at_a_point_that_is_named_and_deleted(console: Console) -> None:

@@ -26,6 +26,7 @@ from omote.show.objects.characters import EnterCharacter, LeaveCharacter, PlaceC
 from omote.show.objects.faders import SetChannel, SetGaze, SetHead
 from omote.show.objects.layers import SetLayer
 from omote.show.objects.leases import Lease, ReleaseLease
+from omote.show.objects.memories import CallMemory, KeepMemory
 from omote.show.objects.motion import LookAt, SetMotion
 from omote.show.objects.pictures import CallBlack, CallFraming, CallLight
 from tests import synthetic
@@ -101,6 +102,9 @@ def test_an_address_of_nobody_is_rejected(pattern: str) -> None:
         ("black", [0.5], CallBlack(0.5, HAND_SECONDS)),
         ("black", ["1", 3], CallBlack(1.0, 3.0)),
         ("fade_to_black", [], CallBlack(1.0, 1.0)),
+        ("memory", ["finale", 2.5], CallMemory("c1", "finale", 2.5)),
+        ("memory/finale", [1.0], CallMemory("c1", "finale", 1.0)),
+        ("keep_memory", ["finale"], KeepMemory("c1", "finale")),
         ("fade_up", [0], CallBlack(0.0, 0.0)),
         ("framing", ["*"], CallFraming("c1", [], 1.0, "smooth")),
         ("framing", ["one", 2], CallFraming("c1", ["one"], 2.0, "smooth")),

@@ -506,6 +506,11 @@ class Performer(CalledMix):
             )
         self._now = replace(now, panicked=now.time, panics=now.panics + 1)
 
+    @property
+    def panics(self) -> int:
+        """How often panic has been pressed."""
+        return self._now.panics
+
     def advance(self, dt: float) -> Frame:
         """What is on air some time later; one long step lands where many short ones do.
 

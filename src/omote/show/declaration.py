@@ -106,15 +106,15 @@ class ClientMessage(Message, frozen=True):
     """A message of a client, with what the session must know of it before it acts.
 
     access: the role that it needs, the highest where nobody has thought of it. open_to: who may send it. plays: the
-    part of a character or of the scene that it plays, `*` for all of its character; None where it passes whoever holds
-    what. holds: whether who plays its part holds it from then on. hand: how a hand sends it. once: whether one that has
-    an id executes once for it. longest: bytes. osc: its addresses of OSC. method:
-    what `omote.connect` calls it, "" for its tag, None where a program has no method for it.
+    part of a character or of the scene that it plays, or several, `*` for all of its character; None where it passes
+    whoever holds what. holds: whether who plays its part holds it from then on. hand: how a hand sends it. once:
+    whether one that has an id executes once for it. longest: bytes. osc: its addresses of OSC. method: what
+    `omote.connect` calls it, "" for its tag, None where a program has no method for it.
     """
 
     access: ClassVar[AccessRole] = HIGHEST
     open_to: ClassVar[Literal["consoles", "everybody"]] = "consoles"
-    plays: ClassVar[str | None] = None
+    plays: ClassVar[str | tuple[str, ...] | None] = None
     holds: ClassVar[bool] = True
     hand: ClassVar[Hand | None] = None
     once: ClassVar[bool] = True

@@ -93,6 +93,7 @@ def state_of(
         gaze_points=dict(frame.gaze_points),
         black=frame.black,
         black_goal=frame.black_goal,
+        memories=list(frame.memories),
     )
 
 

@@ -10,6 +10,7 @@ import pytest
 
 from omote.model.cast import Cast
 from omote.perform.axis import Axis
+from omote.perform.scene.memories import Memories, Turning
 from omote.perform.scene.movement import Movement
 from omote.perform.scene.scene import Scene
 from omote.perform.scene.scene_snapshot import SceneSnapshot, check_scene, names_held_by, without_time
@@ -26,6 +27,12 @@ def running(cast: Cast) -> SceneSnapshot:
     scene.advance(0.7)
     scene.place("two", x=-1.0, seconds=2.0)
     scene.call_black(0.5, seconds=2.0, easing="late")
+    scene.keep_memory("a")
+    scene["one"].set_head(yaw=0.3, pitch=0.0, roll=0.0)
+    scene.keep_memory("a")
+    scene.call_memory("a", seconds=1.0)
+    scene["one"].set_head(yaw=-0.3, pitch=0.0, roll=0.0)
+    scene.call_memory("a", seconds=1.0)
     return scene.snapshot()
 
 
@@ -34,6 +41,14 @@ def test_it_is_written_and_read_exactly(cast: Cast) -> None:
     for form in (msgspec.msgpack, msgspec.json):
         assert form.decode(form.encode(snapshot), type=SceneSnapshot) == snapshot
     assert check_scene(snapshot, cast) is snapshot
+
+
+def test_one_that_is_older_than_memories_has_none(cast: Cast) -> None:
+    written = msgspec.json.decode(msgspec.json.encode(running(cast)))
+    del written["memories"]
+    for character in written["characters"].values():
+        del character["turning"]
+    assert Scene.restored(cast, msgspec.convert(written, SceneSnapshot)).advance(0.0).memories == ()
 
 
 def test_one_that_is_older_than_black_has_the_picture_up(cast: Cast) -> None:
@@ -55,6 +70,12 @@ def with_two(part: str, **changes: Any) -> Callable[[SceneSnapshot], SceneSnapsh
     return change
 
 
+def with_memory_a(snapshot: SceneSnapshot, **changes: Any) -> SceneSnapshot:
+    return replace(snapshot, memories=Memories({"a": replace(snapshot.memories.kept["a"], **changes)}))
+
+
+FAR = Movement({"yaw": 9.0, "pitch": 0.0, "roll": 0.0})
+
 BROKEN: dict[str, Callable[[SceneSnapshot], SceneSnapshot]] = {
     "there is no face 'gone'": with_two("performer", face=Axis("gone")),
     "two is at 9.0 seconds, its scene at": with_two("performer", time=9.0),
@@ -70,6 +91,15 @@ BROKEN: dict[str, Callable[[SceneSnapshot], SceneSnapshot]] = {
     r"there is no framing 'two\+one'": lambda s: replace(s, framing=Axis("two+one")),
     "the fade of the picture: black is 2.0": lambda s: replace(s, black=Movement({"black": 2.0})),
     "the fade of the picture: has no numbers": lambda s: replace(s, black=Movement({})),
+    "a mix of the memory a is empty": lambda s: with_memory_a(s, light={}),
+    "the weight of flat in the memory a is 3.0": lambda s: with_memory_a(s, light={"flat": 3.0}),
+    "the name of a memory is ''": lambda s: replace(s, memories=Memories({"": s.memories.kept["a"]})),
+    "the way of the head: yaw is 9.0": lambda s: replace(
+        s, characters={**s.characters, "one": replace(s.characters["one"], turning=Turning({"head": FAR}, 0))}
+    ),
+    "there is no part that turns 'neck'": lambda s: replace(
+        s, characters={**s.characters, "one": replace(s.characters["one"], turning=Turning({"neck": FAR}, 0))}
+    ),
     "the snapshot's time": lambda s: replace(s, time=math.inf),
 }
 

@@ -93,6 +93,35 @@ def test_a_new_file_starts_neutral(tmp_path: Path, cast: Cast, report: Terminal)
     show.close()
 
 
+def test_a_new_show_blinks_and_breathes(tmp_path: Path, cast: Cast, report: Terminal) -> None:
+    show = open_show(tmp_path / "a.omote")
+    session = restore(cast, show, ORDER, report)
+    assert set(session.tick(0.0).characters["one"].layers) >= {"blink", "breath", "gaze"}
+    assert len({session.tick(seconds).characters["one"].eyes for seconds in (1.0, 3.0, 5.0, 7.0)}) > 1
+    session.scene["one"].set_motion(0.0)
+    show.write_journal(journal_entry(session))
+    assert lively(restore(cast, show, ORDER, report)) == 0.0
+    assert lively(restore(cast, None, ORDER, report)) == 0.5
+    show.close()
+
+
+def test_what_begins_neutral_after_a_fault_holds_still(cast: Cast, report: Terminal) -> None:
+    assert lively(restore(cast, None, Order(epoch=1, neutral=True), report)) == 0.0
+    assert lively(restore(cast, None, Order(1, neutral=False, failover=Failover(1, 0.0, hung=False)), report)) == 0.0
+
+
+def test_a_show_of_before_keeps_its_stillness(tmp_path: Path, cast: Cast, report: Terminal) -> None:
+    show = kept(tmp_path / "a.omote", cast)
+    assert lively(restore(cast, show, ORDER, report)) == 0.0
+    show.close()
+
+
+def lively(session: ShowSession) -> float:
+    """How much the first character moves by itself."""
+    motion = session.tick(0.0).characters["one"].motion
+    return 0.0 if motion is None else motion.liveliness
+
+
 def test_a_suspected_state_is_kept_aside(tmp_path: Path, cast: Cast, report: Terminal) -> None:
     show = kept(tmp_path / "a.omote", cast)
     snapshot = show.journal().snapshot

@@ -45,6 +45,7 @@ import "./panels/monitor";
 import "./controls/pad";
 import "./palette/palette";
 import "./panels/status_bar";
+import { toggleStill } from "./mixer/stillness";
 import type { MenuRequest } from "./palette/tile_menu";
 import "./palette/tile_menu";
 import "./controls/t_bar";
@@ -230,6 +231,7 @@ export class ConsolePage extends ConsoleElement {
     else if (command.do === "centre") this.store.centre();
     else if (command.do === "clear") this.store.clearChannels(Object.keys(this.store.air?.channels ?? {}));
     else if (command.do === "leases") this.show("leases");
+    else if (command.do === "still") toggleStill(this.store);
     else if (command.do === "black") this.store.callBlack(command.seconds);
     else if (command.do === "take_over") this.context.leases.takeOverWanted();
     else if (command.do === "scene" || command.do === "layers") this.#toggle(command.do);

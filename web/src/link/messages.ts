@@ -565,6 +565,25 @@ export type Notices = { type: "notices"; notices: Notice[] };
 export type Progress = { type: "progress"; request: string; done: number; total: number; what: string };
 
 /**
+ * Keeps the whole look that shows under a name: faces, expressions, head and gaze of all characters, light and
+ * framing. One of that name is kept anew; `restore_memory` with the `key` (the name without one) takes that back. It
+ * is kept with the show. An `id` executes once, as of those below.
+ */
+export type KeepMemory = { type: "keep_memory"; id: string; name: string; key?: string };
+
+/**
+ * Brings a memory on air in `seconds`, all its parts in the same time, from whatever shows. Where others hold one
+ * of them, it is rejected whole; it holds none of them afterwards.
+ */
+export type CallMemory = { type: "call_memory"; id: string; name: string; seconds?: number; easing?: string };
+
+/** Forgets a memory; `restore_memory` with the `key` (the name without one) takes that back. */
+export type DeleteMemory = { type: "delete_memory"; id: string; name: string; key?: string };
+
+/** Takes back that a memory was kept or deleted under this `key`; asked again, it is as after that. */
+export type RestoreMemory = { type: "restore_memory"; id: string; key: string };
+
+/**
  * How much a character moves by itself: `liveliness` 0 (nothing) to 1, 0.5 as people move; `blinks`, `gaze` and
  * `breath` each beside the others, 0..2; `seed`: which of all ways to move; `idle`: whether it moves as people do
  * while its tracker is lost, where the liveliness is 0 too. `None` leaves a setting as it is.
@@ -976,7 +995,8 @@ export type CharacterState = {
  * `time`: the show's clock, seconds. `characters`: at least one, in the order in which they were added. `light` sums
  * to one, and so does `framing`: a framing is `*`, all that are on the stage, or names joined by `+`, sorted.
  * `gaze_points`: the named points that eyes may look at, metres as of `look_at`. `black`: how far stages fade their
- * picture to black, 0..1; `black_goal`: where that goes. A record without them has the picture up.
+ * picture to black, 0..1; `black_goal`: where that goes. A record without them has the picture up. `memories`: the
+ * names of the looks that were kept, in the order in which they were kept first.
  */
 export type State = {
   type: "state";
@@ -992,6 +1012,7 @@ export type State = {
   gaze_points: Record<string, [number, number, number]>;
   black: number;
   black_goal: number;
+  memories: string[];
 };
 
 /** Colours of a face, each `#rrggbb`, the hair style, and the traits, plain numbers (`model.cast.Look`). */
@@ -1287,6 +1308,10 @@ export type FromClient =
   | Hello
   | Cancel
   | Ping
+  | KeepMemory
+  | CallMemory
+  | DeleteMemory
+  | RestoreMemory
   | SetMotion
   | LookAt
   | MakeGesture

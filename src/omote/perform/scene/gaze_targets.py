@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Collection, Mapping
 from dataclasses import dataclass
 from functools import lru_cache
 
 from omote.perform.frame import POINT_LIMITS, GazeTarget
-from omote.perform.limits import check_within
+from omote.perform.limits import check_known, check_within
 from omote.perform.motion.counter_hash import uniform
 from omote.perform.motion.quantiles import MUTUAL_SPELL
 from omote.perform.motion.sight import NOTHING, Point, Sight, eyes_of, sight_of_direction, sight_of_point
@@ -102,6 +102,25 @@ def check_point_name(name: object) -> str:
     if not 0 < len(text) <= LONGEST_POINT_NAME:
         raise ValueError(f"the name of a gaze point is {name!r:.100}; give 1 to {LONGEST_POINT_NAME} letters")
     return text
+
+
+def check_target_there(
+    kind: str, name: str, characters: Collection[str], points: Collection[str], cameras: Collection[str]
+) -> None:
+    """Raises ValueError where there is nothing of a name to look at.
+
+    kind: of the target; name: of it; characters, points, cameras: the names of those that there are.
+    """
+    if kind == "gaze_point":
+        check_known(name, points, "gaze point")
+    if kind == "character":
+        check_known(name, characters, "character")
+    if kind == "stage" and name and name not in cameras:
+        there = ", ".join(repr(camera) for camera in cameras if camera) or "none with a name"
+        raise ValueError(
+            f"there is no stage {name[:80]!r} in this show, which has {there}; open /stage?name={name[:80]} first, "
+            "or give no name for the first stage"
+        )
 
 
 def find_sight(

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
 from dataclasses import replace
-from typing import Any
 
 from omote.model.known_names import GENERIC, explain_unknown
 from omote.perform import axis
@@ -30,15 +29,17 @@ from omote.perform.scene.gaze_targets import (
     Looker,
     check_point,
     check_point_name,
+    check_target_there,
     eyes_at,
     find_sight,
 )
-from omote.perform.scene.removal import framing_back, insert_at_rank, with_kept, with_removal, without_stay
+from omote.perform.scene.goals import BLACK_LIMITS, PRESENCE_LIMITS
+from omote.perform.scene.memories import NO_MEMORIES
+from omote.perform.scene.removal import framing_back, insert_at_rank, with_kept, with_removal
 from omote.perform.scene.scene_character import SceneCharacter
 from omote.perform.scene.scene_frame import PLACE_LIMITS, CharacterFrame, Place, SceneFrame, free_place
+from omote.perform.scene.scene_memories import SceneMemories
 from omote.perform.scene.scene_snapshot import (
-    BLACK_LIMITS,
-    PRESENCE_LIMITS,
     CharacterSnapshot,
     Removal,
     SceneSnapshot,
@@ -53,7 +54,7 @@ FIRST_LABEL = "One"
 AWAY = movement.Movement({"presence": 0.0})
 
 
-class Scene:
+class Scene(SceneMemories):
     """Characters on one stage: each is a performer with a place; light, framing and black are the scene's.
 
     It owns no clock and no thread; the same commands and steps give the same frames. What one character plays changes
@@ -97,6 +98,7 @@ class Scene:
         self._light = Axis(FIRST_LIGHT)
         self._framing = Axis(ALL)
         self._black = movement.Movement({"black": 0.0})
+        self._memories = NO_MEMORIES
         self._time = 0.0
 
     @classmethod
@@ -159,14 +161,15 @@ class Scene:
         scene._light = snapshot.light
         scene._framing = snapshot.framing
         scene._black = snapshot.black
+        scene._memories = snapshot.memories
         scene._time = snapshot.time
         scene._removals = dict(snapshot.removals)
         scene._gaze_points = dict(snapshot.gaze_points)
         scene._cameras = dict(snapshot.cameras)
         for name, character in snapshot.characters.items():
-            scene._characters[name] = SceneCharacter.of(
-                cast, character.performer, scene.call_light, scene._check_target
-            )
+            restored = SceneCharacter.of(cast, character.performer, scene.call_light, scene._check_target)
+            restored.turning = character.turning
+            scene._characters[name] = restored
             scene._standings[name] = character.standing
         return scene
 
@@ -185,10 +188,11 @@ class Scene:
         """
         standings = self._standings
         characters = {
-            n: CharacterSnapshot(performer.snapshot(), standings[n]) for n, performer in self._characters.items()
+            name: CharacterSnapshot(character.snapshot(), standings[name], character.turning)
+            for name, character in self._characters.items()
         }
         kept = (dict(self._removals), self._gaze_points, self._cameras)
-        return SceneSnapshot(characters, self._light, self._framing, self._time, *kept, self._black)
+        return SceneSnapshot(characters, self._light, self._framing, self._time, *kept, self._black, self._memories)
 
     def recast(self, cast: Playable) -> None:
         """Plays another cast from now on; what is on air stays.
@@ -722,6 +726,7 @@ class Scene:
             self._gaze_points,
             movement.values(self._black, BLACK_LIMITS)["black"],
             self._black.goal["black"],
+            tuple(self._memories.kept),
         )
 
     def _find_sights(self) -> None:
@@ -743,15 +748,8 @@ class Scene:
         return Looker(place, eyes_at(place, character.turned), motion.target, motion.seed, present)
 
     def _check_target(self, looker: object, kind: str, name: str) -> None:
-        if kind == "gaze_point":
-            check_known(name, self._gaze_points, "gaze point")
-        if kind == "stage" and name and name not in self._cameras:
-            there = ", ".join(repr(camera) for camera in self._cameras if camera) or "none with a name"
-            raise ValueError(
-                f"there is no stage {name[:80]!r} in this show, which has {there}; open /stage?name={name[:80]} first, "
-                "or give no name for the first stage"
-            )
-        if kind == "character" and self._characters[check_known(name, self._characters, "character")] is looker:
+        check_target_there(kind, name, self._characters, self._gaze_points, self._cameras)
+        if looker is self._characters.get(name) and kind == "character":
             raise ValueError(f"{name} cannot look at itself; give another character")
 
     def _let_go(self) -> None:
@@ -785,16 +783,3 @@ class Scene:
             place = Place(**movement.values(at.place, PLACE_LIMITS))
             shown = self._shown[name] = (at, place, movement.values(at.presence, PRESENCE_LIMITS)["presence"])
         return shown[1:]
-
-    def _standing(self, name: str) -> Standing:
-        return self._standings[check_known(name, self._characters, "character")]
-
-    def _stand(self, name: str, **changes: Any) -> None:
-        self._standings[name] = replace(self._standing(name), **changes)
-
-    def _move_presence(self, name: str, goal: float, seconds: float, *, leaves: bool) -> None:
-        seconds = check_call_seconds(seconds)
-        presence = movement.redirect(self._standing(name).presence, {"presence": goal}, seconds, PRESENCE_LIMITS)
-        self._stand(name, presence=presence, leaves=leaves)
-        if not leaves:
-            self._removals = without_stay(self._removals, name)

@@ -2,13 +2,31 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable, Mapping
 from dataclasses import replace
 from typing import Protocol
 
+from omote.model.known_names import PLAY_REGIONS, check_play_region
+from omote.perform.axis import Axis, call_regions, weights
 from omote.perform.easing import DEFAULT_EASING
-from omote.perform.frame import GazeTarget, MotionSettings
+from omote.perform.frame import Frame, Gaze, GazeTarget, Head, Held, MotionSettings, with_fields
+from omote.perform.mix import Weights
 from omote.perform.motion.sight import NOTHING, Sight
+from omote.perform.panic import eased
 from omote.perform.performer import Performer
+from omote.perform.scene.goals import (
+    MOTION_LIMITS,
+    TURN_LIMITS,
+    WITH_FACE,
+    Goal,
+    called_mix,
+    check_names,
+    expression_of,
+    goal_of_axis,
+    standing_mix,
+)
+from omote.perform.scene.memories import Turning, turn_at
+from omote.perform.scene.movement import Movement, proceed, redirect
 from omote.perform.snapshot import Playable, Snapshot
 
 
@@ -27,11 +45,13 @@ class CheckTarget(Protocol):
 
 
 class SceneCharacter(Performer):
-    """A performer in a scene. sight: what its eyes look at, which the scene finds before each step of time."""
+    """A performer in a scene. sight: what its eyes look at, which the scene finds before each step of time; turning:
+    head and gaze on their way to a memory."""
 
     _call_light: CallSceneLight
     _check_target: CheckTarget
     sight: Sight = NOTHING
+    turning: Turning | None = None
 
     @classmethod
     def of(
@@ -95,6 +115,96 @@ class SceneCharacter(Performer):
 
     def _find_sight(self, target: GazeTarget) -> Sight:
         return NOTHING if target.kind == "ahead" else self.sight
+
+    def goal_of(self, name: str) -> Goal:
+        """Where a part goes, or stands: a mix, or numbers; nothing for a region that goes with the whole face.
+
+        name: of a part that is the character's own, without place and presence.
+        """
+        return self._goal_of(name, goal_of_axis, self._way_of)
+
+    def shown_goal(self, name: str) -> Goal:
+        """What a part shows now, as a goal that brings it back. name: as of `goal_of`."""
+        return self._goal_of(
+            name, lambda on: standing_mix(weights(on)), lambda part: vars(getattr(self._turned_by_hands(), part))
+        )
+
+    def check_call(self, part: str, goal: Goal) -> None:
+        """Raises ValueError for a name of a goal that the cast has not. part: with the character's name."""
+        if part.endswith("/face"):
+            check_names(goal, self._cast.faces, "face")
+        elif part.endswith("/expression") or expression_of(part):
+            check_names(goal, self._cast.expressions, "expression")
+
+    def call_goal(self, name: str, goal: Goal, seconds: float, easing: str) -> None:
+        """Brings a part to a goal from whatever shows. name: as of `goal_of`; goal: checked; seconds: 0 cuts; easing:
+        the curve of the way."""
+        now = self._now
+
+        def call(on: Axis) -> Axis:
+            return called_mix(on, goal or goal_of_axis(now.expression), seconds, easing)
+
+        if name in TURN_LIMITS:
+            self._turn_to(name, goal, seconds, easing)
+        elif name == "motion":
+            self.set_motion(goal["liveliness"], blinks=goal["blinks"], gaze=goal["gaze"], breath=goal["breath"])
+        elif name == "face":
+            self._play(face=call(now.face))
+        elif name == "expression":
+            self._play(expression=call(now.expression), regions=call_regions(now.regions, now.expression, call))
+        else:
+            region = check_play_region(name)
+            if goal or region in now.regions:  # else it goes with the face already
+                self._play(regions={**now.regions, region: call(now.regions.get(region, now.expression))})
+
+    def _goal_of(self, name: str, mix: Callable[[Axis], Weights], turned: Callable[[str], Mapping[str, float]]) -> Goal:
+        now = self._now
+        if name in TURN_LIMITS:
+            return dict(turned(name))
+        if name == "motion":
+            return {each: getattr(self.motion, each) for each in MOTION_LIMITS}
+        if name in PLAY_REGIONS:
+            own = now.regions.get(check_play_region(name))
+            return WITH_FACE if own is None else dict(mix(own))
+        return dict(mix(now.face if name == "face" else now.expression))
+
+    def _way_of(self, part: str) -> Mapping[str, float]:
+        """Where head or gaze go."""
+        ways = {} if self.turning is None else self._ways(self.turning)
+        return ways[part].goal if part in ways else vars(getattr(self._now, part))
+
+    def advance(self, dt: float) -> Frame:
+        """What is on air some time later, with head and gaze further on their way to a memory. dt: seconds."""
+        turning = self.turning
+        if turning is not None:
+            self._set_turns({part: proceed(way, dt) for part, way in self._ways(turning).items()}, turning.panics)
+        return super().advance(dt)
+
+    def _turned_by_hands(self) -> Held:
+        """Where hands hold head and gaze, or what a panic has left of it."""
+        now = self._now
+        return eased(Held({}, now.head, now.gaze), now.easing_to_rest)
+
+    def _ways(self, turning: Turning) -> dict[str, Movement]:
+        """The ways that no hand and no panic has ended since."""
+        if turning.panics != self._now.panics:
+            return {}
+        return {part: way for part, way in turning.ways.items() if getattr(self._now, part) == turn_at(part, way)}
+
+    def _turn_to(self, part: str, goal: Goal, seconds: float, easing: str) -> None:
+        under_way = {} if self.turning is None else self._ways(self.turning)
+        way = under_way.get(part, Movement(vars(getattr(self._turned_by_hands(), part))))
+        rest = self._now.easing_to_rest
+        if rest is not None:
+            rest = replace(rest, head=Head()) if part == "head" else replace(rest, gaze=Gaze())
+        self._play(easing_to_rest=rest)
+        ways = {**under_way, part: redirect(way, goal, seconds, TURN_LIMITS[part], easing)}
+        self._set_turns(ways, self._now.panics)
+
+    def _set_turns(self, ways: Mapping[str, Movement], panics: int) -> None:
+        self._now = with_fields(self._now, **{part: turn_at(part, way) for part, way in ways.items()})
+        on = {part: way for part, way in ways.items() if way.way is not None}
+        self.turning = Turning(on, panics) if on else None
 
     def note_played(self) -> None:
         """Notes that an operator did something for the whole scene: the next panic is a first one again."""

@@ -58,7 +58,7 @@ class SceneFrame:
 
     A framing is `*`, a shot of all that are on the stage, or the names of its characters, sorted and joined by `+`.
     gaze_points: the named points that eyes may look at, metres. black: how far the picture is faded to black, 0..1;
-    black_goal: where that goes.
+    black_goal: where that goes. memories: the names of the looks that were kept.
     """
 
     characters: Mapping[str, CharacterFrame]
@@ -70,6 +70,7 @@ class SceneFrame:
     gaze_points: Mapping[str, Point] = field(default_factory=dict)
     black: float = 0.0
     black_goal: float = 0.0
+    memories: tuple[str, ...] = ()
 
 
 def free_place(taken: Iterable[Place]) -> Place:

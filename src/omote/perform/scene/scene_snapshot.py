@@ -13,12 +13,12 @@ from omote.perform.motion.sight import Point
 from omote.perform.name_lookup import NO_LABELS
 from omote.perform.scene.character_names import ALL, MOST_CHARACTERS, check_character_name, framing_of, names_in
 from omote.perform.scene.gaze_targets import MOST_POINTS, check_point
-from omote.perform.scene.movement import Movement, Ranges, check_movement, proceed
+from omote.perform.scene.goals import BLACK_LIMITS, PRESENCE_LIMITS
+from omote.perform.scene.memories import NO_MEMORIES, Memories, Turning, check_memories, check_turning
+from omote.perform.scene.movement import Movement, check_movement, proceed
 from omote.perform.scene.scene_frame import PLACE_LIMITS, Place
 from omote.perform.snapshot import ROUNDING, Playable, Snapshot, axis_names, check_axis, check_snapshot, names_held
 
-PRESENCE_LIMITS: Ranges = {"presence": (0.0, 1.0)}
-BLACK_LIMITS: Ranges = {"black": (0.0, 1.0)}
 LONGEST_LABEL = 80
 MOST_REMOVALS = 16
 """Removed characters that can be brought back."""
@@ -44,10 +44,11 @@ def standing_after(standing: Standing, dt: float) -> Standing:
 
 @dataclass(frozen=True)
 class CharacterSnapshot:
-    """The state of one character."""
+    """The state of one character. `turning`: head and gaze on their way to a memory."""
 
     performer: Snapshot
     standing: Standing
+    turning: Turning | None = None
 
 
 @dataclass(frozen=True)
@@ -70,7 +71,8 @@ class SceneSnapshot:
     """The state of a scene: plain values, so msgspec writes and reads it exactly. `time`: of all performers too.
 
     `removals`: by their keys, oldest first. `gaze_points`, `cameras`: points that eyes may look at, by name, and where
-    stages' cameras are, metres. `black`: how far the picture is faded to black; older snapshots have none.
+    stages' cameras are, metres. `black`: how far the picture is faded to black; `memories`: the looks that were kept.
+    Older snapshots have neither.
     """
 
     characters: Mapping[str, CharacterSnapshot] = field(default_factory=dict)
@@ -81,6 +83,7 @@ class SceneSnapshot:
     gaze_points: Mapping[str, Point] = field(default_factory=dict)
     cameras: Mapping[str, Point] = field(default_factory=dict)
     black: Movement = field(default_factory=lambda: Movement({"black": 0.0}))
+    memories: Memories = NO_MEMORIES
 
 
 def check_scene(snapshot: SceneSnapshot, cast: Playable) -> SceneSnapshot:
@@ -92,6 +95,7 @@ def check_scene(snapshot: SceneSnapshot, cast: Playable) -> SceneSnapshot:
     for name, character in snapshot.characters.items():
         check_character_name(name)
         check_standing(character.standing, name)
+        check_turning(character.turning)
         performer = check_snapshot(character.performer, cast)
         if not math.isclose(performer.time, snapshot.time, rel_tol=ROUNDING, abs_tol=ROUNDING):
             raise ValueError(f"{name} is at {performer.time} seconds, its scene at {snapshot.time}; they must agree")
@@ -99,6 +103,7 @@ def check_scene(snapshot: SceneSnapshot, cast: Playable) -> SceneSnapshot:
     check_axis(snapshot.framing, known_framings(snapshot.framing, snapshot.characters), "framing")
     check_movement(snapshot.black, BLACK_LIMITS, "the fade of the picture:")
     check_removals(snapshot)
+    check_memories(snapshot.memories)
     check_within(len(snapshot.gaze_points), 0, MOST_POINTS, "the number of gaze points")
     for name, point in (*snapshot.gaze_points.items(), *snapshot.cameras.items()):
         check_point(*point, f"the point {name!r:.80}")

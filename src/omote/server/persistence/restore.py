@@ -12,6 +12,7 @@ import msgspec
 
 from omote.interchange.formats.error_reasons import explain_error
 from omote.perform.limits import GAZE_LIMITS
+from omote.perform.scene.character_names import FIRST_CHARACTER
 from omote.perform.snapshot import Playable
 from omote.server.process.process_messages import Failover, Order
 from omote.show.session import ShowSession
@@ -24,6 +25,8 @@ from omote.showfile.show_file import CorruptShowFileError, JournalEntry, ShowFil
 
 Report = Callable[[str], None]
 
+FIRST_LIVELINESS = 0.5
+"""How much the character of a new show moves by itself: as people do."""
 FRESH_SECONDS = 3.0
 """A state that is not older is what was on air: a resting show writes one a second."""
 
@@ -87,6 +90,8 @@ def _sentence(text: str) -> str:
 def restore(cast: Playable, show: ShowFile | None, order: Order, report: Report) -> ShowSession:
     """The session of the journal's last state, under a new epoch; a neutral one when none can be played.
 
+    The character of a new show blinks and breathes; one that begins neutral after a fault holds still.
+
     cast: what can be played; show: the open file, if any; order: of the supervisor; report: tells the operator.
     """
     last = _last_entry(show, report)
@@ -96,7 +101,10 @@ def restore(cast: Playable, show: ShowFile | None, order: Order, report: Report)
         written = None if session is None else last.written
         report(_failover_sentence(order, order.failover, written, now=time.monotonic()))
     aside = None if session is not None else last
-    session = session or ShowSession(cast, epoch=epoch)
+    if session is None:
+        session = ShowSession(cast, epoch=epoch)
+        if last.snapshot is None and not order.neutral and order.failover is None:
+            session.scene[FIRST_CHARACTER].set_motion(FIRST_LIVELINESS)
     session.show = _identify(show)
     _record(show, session, aside, report)
     return session

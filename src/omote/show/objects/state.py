@@ -157,7 +157,8 @@ class State(ServerMessage, frozen=True):
     `time`: the show's clock, seconds. `characters`: at least one, in the order in which they were added. `light` sums
     to one, and so does `framing`: a framing is `*`, all that are on the stage, or names joined by `+`, sorted.
     `gaze_points`: the named points that eyes may look at, metres as of `look_at`. `black`: how far stages fade their
-    picture to black, 0..1; `black_goal`: where that goes. A record without them has the picture up.
+    picture to black, 0..1; `black_goal`: where that goes. A record without them has the picture up. `memories`: the
+    names of the looks that were kept, in the order in which they were kept first.
     """
 
     epoch: int
@@ -172,6 +173,7 @@ class State(ServerMessage, frozen=True):
     gaze_points: dict[str, tuple[float, float, float]] = {}
     black: float = 0.0
     black_goal: float = 0.0
+    memories: list[str] = []
 
 
 def named_most(mix: Mapping[str, float], call: CallState | None) -> str:

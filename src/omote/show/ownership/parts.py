@@ -50,13 +50,15 @@ def keys_of(characters: Iterable[str], part: str, *, whole_scene: bool = False) 
 
 def keys_played(message: ClientMessage, characters: Iterable[str]) -> tuple[str, ...]:
     """The parts of some characters that a message plays; none where it passes whoever holds what."""
-    part = message.plays
-    if part is None:
+    plays = message.plays
+    if plays is None:
         return ()
     region = getattr(message, "region", None)
     if region in REGION_PARTS:
-        part = region
-    return keys_of(characters, part, whole_scene=part in SCENE_PARTS)
+        plays = region
+    whom = tuple(characters)
+    parts = (plays,) if isinstance(plays, str) else plays
+    return tuple(key for part in parts for key in keys_of(whom, part, whole_scene=part in SCENE_PARTS))
 
 
 def regions_of(key: str) -> tuple[str, ...]:

@@ -65,10 +65,15 @@ const style = css`
     background: #000;
     outline: 2px solid #b3261a;
   }
-  .wrong {
+  .wrong,
+  .loading {
     position: absolute;
     inset: auto 10px 10px;
     color: var(--attention);
+  }
+  .loading {
+    color: var(--dim);
+    text-align: center;
   }
 `;
 
@@ -79,9 +84,11 @@ export class Monitor extends AnimatedElement {
   @state() private tally = "";
   /** The audience sees less than this picture, or nothing of it. */
   @state() private black = "";
+  /** The face has been drawn: before that nothing shows of what is on air. */
+  @state() private drawn = false;
   @query("canvas") private canvas!: HTMLCanvasElement;
   #view: FaceView | null = null;
-  #drawn = "";
+  #pose = "";
   #last = 0;
   #resized = true;
   readonly #sizes = new ResizeObserver(() => {
@@ -100,10 +107,14 @@ export class Monitor extends AnimatedElement {
   override render() {
     return html`
       <canvas aria-label="What is on air"></canvas>
-      <div class="tally ${this.black === "" ? "" : "black"}">${this.black || this.tally}</div>
+      ${this.drawn || this.wrong !== null ? this.#badge() : html`<div class="loading" role="status">The face on air is loading …</div>`}
       ${this.#several ? this.#choice() : ""}
       ${this.wrong === null ? "" : html`<div class="wrong">${this.wrong}</div>`}
     `;
+  }
+
+  #badge() {
+    return html`<div class="tally ${this.black === "" ? "" : "black"}">${this.black || this.tally}</div>`;
   }
 
   get #several(): boolean {
@@ -143,13 +154,14 @@ export class Monitor extends AnimatedElement {
 
   #draw(view: FaceView, scene: ScenePose, now: number): void {
     const pose = sceneKey(scene);
-    if (pose === this.#drawn && view.settled && !this.#resized) return;
+    if (pose === this.#pose && view.settled && !this.#resized) return;
     this.#last = now;
-    this.#drawn = pose;
+    this.#pose = pose;
     if (this.#resized) view.resize(this.clientWidth, this.clientHeight);
     this.#resized = false;
     view.showScene(scene);
     view.render(now / 1000);
+    this.drawn ||= view.settled;
   }
 }
 

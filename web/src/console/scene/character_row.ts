@@ -4,8 +4,9 @@ import { css, html, nothing } from "lit";
 import { customElement } from "lit/decorators.js";
 import type { CharacterState } from "../../link/messages";
 import { base, ellipsis } from "../../ui/theme";
-import { ConsoleElement } from "../controls/console_element";
+import { AnimatedElement } from "../controls/console_element";
 import { low, narrow } from "../controls/screen_sizes";
+import { isStill, toggleStill } from "../mixer/stillness";
 import type { Topic } from "../store/page_store";
 import { standing } from "../store/played_characters";
 import { SceneCommands } from "./scene_commands";
@@ -88,9 +89,9 @@ const style = css`
   }
 `;
 
-/** A key for each character, one for all, one for places and framing, one for its layers, one to add another (a double click is one). Tells `scene`, `layers`. */
+/** A key for each character, one for all, one for places and framing, one that holds still, one for layers, one to add another (a double click is one). Tells `scene`, `layers`. */
 @customElement("omote-characters")
-export class CharacterRow extends ConsoleElement {
+export class CharacterRow extends AnimatedElement {
   static override styles = [base, style];
 
   protected override readonly topics: readonly Topic[] = ["characters", "link", "arrangement"];
@@ -106,11 +107,18 @@ export class CharacterRow extends ConsoleElement {
     const why = commands.whyFull;
     return html`<div class="row" role="group" aria-label="Characters">
       ${characters.length > 1 ? this.#choice(characters) : nothing}
+      <button class="still" aria-pressed="false" title="Holds still; else it blinks, breathes and looks about as people do (')"
+        @click=${() => toggleStill(this.store)}>Still</button>
       <button class="view layers" title="Layers as a mixer (;)" aria-pressed=${this.store.arrangement.view === "layers"}
         @click=${() => this.tell("layers")}>Layers<omote-unrouted-mark .context=${this.context}></omote-unrouted-mark></button>
       <button class="add" aria-label="Add a character" title=${why ?? "Add a character"} ?disabled=${why !== null}
         @click=${(event: MouseEvent) => event.detail < 2 && commands.add()}>+</button>
     </div>`;
+  }
+
+  paint(): void {
+    const still = this.renderRoot.querySelector(".still");
+    if (still !== null) this.write.attribute(still, "aria-pressed", String(isStill(this.store)));
   }
 
   #choice(characters: readonly (readonly [string, CharacterState])[]) {

@@ -14,6 +14,7 @@ export type Command =
   | { do: "keep"; axis: Axis }
   | { do: "focus"; place: FocusPlace }
   | { do: "centre" }
+  | { do: "still" }
   | { do: "learn" }
   | { do: "clear" }
   | { do: "leases" }
@@ -47,6 +48,7 @@ const COMMANDS: Readonly<Record<string, Command>> = {
   KeyC: { do: "centre" },
   KeyP: { do: "scene" },
   Semicolon: { do: "layers" },
+  Quote: { do: "still" },
   KeyX: { do: "clear" },
   Comma: { do: "leases" },
   Period: { do: "take_over" },
@@ -80,6 +82,7 @@ export const HELP: readonly (readonly [string, string])[] = [
   ["K", "To the characters beside the picture; then Tab and Enter, with Shift beside those played"],
   ["P", "Places, framing and names of the characters, and back to faders and pads"],
   [";", "Layers of the character as a mixer, and back to faders and pads"],
+  ["'", "The characters played here hold still; again: they blink, breathe and look about as people do"],
   ["L", "To the lights; then Tab and Enter"],
   ["Shift B", "Fade all stages to black in the seconds of a face call; again: up"],
   ["Shift V", "Blackout: all stages black at once; again: up at once. Panic leaves it as it is"],

@@ -1,0 +1,259 @@
+"""Cue lists as text (TOML), for any editor and for readable differences between two nights (docs/howto/cues.md).
+
+A cue is a table `[[cue]]`; its moves stand below it, a line each. What a cue has as all others have is left out.
+"""
+
+from __future__ import annotations
+
+import csv
+import io
+import json
+import math
+import re
+import tomllib
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import MISSING, Field, fields
+from pathlib import Path
+from typing import Any
+
+from omote.interchange.formats.atomic_file import write_whole
+from omote.interchange.formats.error_reasons import explain_error
+from omote.perform.cues.cue import Cue, CueList, Move, check_cues
+from omote.perform.scene.goals import WITH_FACE, Goal, Part, expression_of, ranges_of
+
+CUE_FIELDS: Mapping[str, Field[Any]] = {
+    each.name: each for each in fields(Cue) if each.name not in ("identity", "moves")
+}
+MOVE_FIELDS: Mapping[str, Field[Any]] = {each.name: each for each in fields(Move) if each.name != "goal"}
+FACE = "face"
+"""How the text says that a region goes with the whole face."""
+HEADING = "# Cues of an Omote show (docs/howto/cues.md)."
+RUNNING_ORDER = ("number", "label", "pre_wait", "goes_on", "post_wait", "note")
+"""The columns of a running order."""
+
+_CUE = re.compile(r"\s*\[\[\s*cue\s*\]\]")
+
+
+class CueFileError(ValueError):
+    """The text is no cue list; the message has a line for each thing that is wrong, with its place."""
+
+
+def read_cues(path: str | Path) -> CueList:
+    """The cues in a text file (TOML).
+
+    Parameters
+    ----------
+    path : str or Path
+        The file.
+
+    Returns
+    -------
+    tuple of Cue
+        In the order of the file; a cue is the same from one file to another by its number.
+
+    Raises
+    ------
+    ValueError
+        CueFileError: names the file and every line that is wrong, and what was expected there.
+
+    Examples
+    --------
+    >>> from pathlib import Path
+    >>> _ = Path("evening.toml").write_text('''
+    ... [[cue]]
+    ... number = "1"
+    ... [cue.moves]
+    ... "one/face" = { to = "dog", seconds = 2 }
+    ... ''')
+    >>> cues = omote.read_cues("evening.toml")
+    >>> cues[0].moves["one/face"].seconds
+    2.0
+
+    References
+    ----------
+    docs/method.md, "Cues".
+    """
+    path = Path(path)
+    try:
+        text = path.read_text(encoding="utf-8")
+    except (OSError, UnicodeDecodeError) as error:
+        raise CueFileError(f"{path} cannot be read ({explain_error(error)}); expected a text file with cues") from error
+    try:
+        return parse_cues(text)
+    except CueFileError as error:
+        raise CueFileError(f"{path}: {error}") from error
+
+
+def write_cues(cues: Sequence[Cue], path: str | Path) -> None:
+    """Writes cues as a text file (TOML) that `read_cues` reads back as they are.
+
+    Parameters
+    ----------
+    cues : sequence of Cue
+        The list.
+    path : str or Path
+        The file; cues that are there are replaced whole, any other file stays.
+
+    Raises
+    ------
+    OSError
+        Where it cannot be written, or another file is there.
+
+    Examples
+    --------
+    >>> omote.write_cues([omote.Cue("1", "1", label="The dog wakes")], "matinee.toml")
+    >>> omote.read_cues("matinee.toml")[0].label
+    'The dog wakes'
+
+    References
+    ----------
+    docs/method.md, "Cues".
+    """
+    write_whole(Path(path), format_cues(cues).encode())
+
+
+def parse_cues(text: str, /) -> CueList:
+    """Parses a cue list; CueFileError with every line that is wrong."""
+    try:
+        table = tomllib.loads(text)
+    except tomllib.TOMLDecodeError as error:
+        raise CueFileError(f"this is no TOML ({error})") from error
+    rows = table.get("cue", [])
+    lines = _Lines(text)
+    wrong = [f"line {lines.of_key(0, key)}: {key!r} is no cue; write [[cue]]" for key in table if key != "cue"]
+    if not isinstance(rows, list) or not all(isinstance(row, dict) for row in rows):
+        raise CueFileError("a cue is written below [[cue]], with two brackets on each side")
+    cues = []
+    for place, row in enumerate(rows):
+        found, errors = _cue(row, lines, place + 1)
+        wrong += errors
+        cues += found
+    if wrong:
+        raise CueFileError("\n".join(wrong))
+    try:
+        return check_cues(cues)
+    except ValueError as error:
+        raise CueFileError(str(error)) from error
+
+
+def format_cues(cues: Iterable[Cue]) -> str:
+    """Cues as text that `parse_cues` reads back as they are, but for identities: there a cue is known by its number."""
+    return "\n".join([HEADING, *(_format_cue(cue) for cue in cues)])
+
+
+def format_running_order(cues: Iterable[Cue]) -> str:
+    """A running order as comma-separated values, a line for each cue that is not skipped, with a heading."""
+    text = io.StringIO()
+    table = csv.writer(text, lineterminator="\n")
+    table.writerow((*RUNNING_ORDER, "moves"))
+    for cue in cues:
+        if not cue.skip:
+            table.writerow((*(getattr(cue, name) for name in RUNNING_ORDER), " ".join(cue.moves)))
+    return text.getvalue()
+
+
+class _Lines:
+    """The lines of a text: where its cues begin, and where a key stands below one."""
+
+    def __init__(self, text: str) -> None:
+        self.lines = text.splitlines()
+        self.begins = [0, *(at for at, line in enumerate(self.lines) if _CUE.match(line)), len(self.lines)]
+
+    def of_key(self, cue: int, key: str) -> int:
+        """The line of a key below the cue of a number (0: before all); that of the cue itself where it is not found."""
+        begin, end = self.begins[cue : cue + 2]
+        named = re.compile(rf"\s*(\[cue\.)?[\"']?{re.escape(key)}[\"']?\s*[=\]]")
+        return next((at + 1 for at in range(begin, end) if named.match(self.lines[at])), begin + 1)
+
+
+def _cue(row: Mapping[str, Any], lines: _Lines, place: int) -> tuple[list[Cue], list[str]]:
+    """The cue of a table, and what is wrong with it, each with its line."""
+    wrong = [
+        f"line {lines.of_key(place, key)}: a cue has no {key!r}; expected {', '.join((*CUE_FIELDS, 'moves'))}"
+        for key in row
+        if key not in (*CUE_FIELDS, "moves")
+    ]
+    written = row.get("moves", {})
+    moves = {}
+    for part, move in written.items() if isinstance(written, dict) else ():
+        try:
+            moves[part] = _move(part, move)
+            Cue("", "0", {part: moves[part]})
+        except (ValueError, TypeError) as error:
+            wrong.append(f"line {lines.of_key(place, part)}: {error}")
+    if not isinstance(written, dict):
+        wrong.append(
+            f"line {lines.of_key(place, 'moves')}: the moves are {written!r}; expected [cue.moves] and lines below"
+        )
+    given = {key: value for key, value in row.items() if key in CUE_FIELDS}
+    for key, value in given.items():
+        try:
+            Cue(**{"identity": "", "number": "0", key: value})
+        except (ValueError, TypeError) as error:
+            wrong.append(f"line {lines.of_key(place, key)}: {error}")
+    if "number" not in given:
+        wrong.append(f'line {lines.of_key(place, "number")}: a cue has no number; write number = "1"')
+    return ([] if wrong else [Cue(identity=given["number"], moves=moves, **given)]), wrong
+
+
+def _move(part: Part, written: Any) -> Move:
+    if not isinstance(written, dict) or "to" not in written:
+        raise ValueError(f"the move of {part} is {written!r}; expected {{ to = ..., seconds = 1 }}")
+    strange = [key for key in written if key not in (*MOVE_FIELDS, "to")]
+    if strange:
+        raise ValueError(f"a move has no {strange[0]!r}; expected {', '.join(('to', *MOVE_FIELDS))}")
+    return Move(_goal(part, written["to"]), **{key: value for key, value in written.items() if key != "to"})
+
+
+def _goal(part: Part, to: Any) -> Goal:
+    """A goal as text has it: a name, a number where the part has one alone, or all weights or numbers by name."""
+    ranges = ranges_of(part)
+    if isinstance(to, str) and ranges is None:
+        return WITH_FACE if to == FACE and expression_of(part) else {to: 1.0}
+    if isinstance(to, int | float) and ranges is not None and len(ranges) == 1:
+        return dict.fromkeys(ranges, to)
+    if isinstance(to, dict):
+        return to
+    expected = (
+        "a name, or weights by name" if ranges is None else f"{{ {', '.join(f'{name} = 0' for name in ranges)} }}"
+    )
+    raise ValueError(f"{part} goes to {to!r}; expected {expected}")
+
+
+def _format_cue(cue: Cue) -> str:
+    lines = ["[[cue]]"]
+    lines += [f"{name} = {_value(getattr(cue, name))}" for name, each in CUE_FIELDS.items() if _differs(cue, each)]
+    if cue.moves:
+        lines += ["[cue.moves]", *(f"{_value(part)} = {_format_move(part, move)}" for part, move in cue.moves.items())]
+    return "\n".join(lines) + "\n"
+
+
+def _format_move(part: Part, move: Move) -> str:
+    said = {"to": _format_goal(part, move.goal)}
+    said |= {name: _value(getattr(move, name)) for name, each in MOVE_FIELDS.items() if _differs(move, each)}
+    return f"{{ {', '.join(f'{name} = {value}' for name, value in said.items())} }}"
+
+
+def _format_goal(part: Part, goal: Goal) -> str:
+    if not goal:
+        return _value(FACE)
+    name, value = next(iter(goal.items()))
+    if len(goal) == 1 and ranges_of(part) is not None:
+        return _value(value)
+    if goal == {name: 1.0} and ranges_of(part) is None and not (name == FACE and expression_of(part)):
+        return _value(name)
+    return f"{{ {', '.join(f'{_value(each)} = {_value(number)}' for each, number in goal.items())} }}"
+
+
+def _differs(of: object, each: Field[Any]) -> bool:
+    """Whether a field has to be written: it has no default, or is another."""
+    return each.default is MISSING or getattr(of, each.name) != each.default
+
+
+def _value(value: str | float | bool) -> str:
+    """A value of TOML; the escapes of a JSON text are TOML's too, but for one character that JSON leaves bare."""
+    if isinstance(value, bool):
+        return "true" if value else "false"
+    if isinstance(value, str):
+        return json.dumps(value, ensure_ascii=False).replace("\x7f", "\\u007f")
+    return repr(value) if math.isfinite(value) else "inf"

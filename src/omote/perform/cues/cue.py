@@ -1,0 +1,191 @@
+"""Cues: sparse, tracking. A cue says only what it moves; all else goes on as the cues before it left it."""
+
+from __future__ import annotations
+
+import re
+from collections import Counter
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field, replace
+from types import MappingProxyType
+from typing import Literal, get_args
+
+from omote.perform.easing import DEFAULT_EASING, find_easing
+from omote.perform.limits import LONGEST_CALL, check_known, check_switch, check_within
+from omote.perform.scene.goals import Goal, Part, check_goal, regions_of
+
+GoesOn = Literal["", "continue", "follow"]
+"""What comes after a cue by itself: nothing; the next one, counted from its begin (auto-continue); the next one,
+counted from its end (auto-follow)."""
+
+NUMBER = re.compile(r"(0|[1-9]\d{0,4})(\.\d{0,2}[1-9])?")
+LONGEST_TEXT = {"label": 80, "note": 400, "colour": 20}
+"""Characters."""
+MOST_CUES = 2000
+"""Of a list."""
+
+
+@dataclass(frozen=True)
+class Move:
+    """A part's way to a goal, in a cue.
+
+    Parameters
+    ----------
+    goal : mapping of float
+        Where it goes, as `Scene.goal_of` gives it.
+    seconds : float
+        How long it takes, 0 to 3600; 0 cuts.
+    easing : {"smooth", "gentle", "sharp", "early", "late"}
+        The curve of the way.
+    delay : float
+        Seconds after the cue has begun, 0 to 3600.
+
+    Raises
+    ------
+    ValueError
+        On an easing that there is not and on times out of range.
+    TypeError
+        On what is no number.
+
+    Examples
+    --------
+    >>> omote.Move({"dog": 1.0}, seconds=2, delay=0.5).length
+    2.5
+
+    References
+    ----------
+    docs/method.md, "Cues".
+    """
+
+    goal: Goal
+    seconds: float = 1.0
+    easing: str = DEFAULT_EASING
+    delay: float = 0.0
+
+    def __post_init__(self) -> None:
+        """Rejects times and easings that there are not."""
+        find_easing(self.easing)
+        for name in ("seconds", "delay"):
+            object.__setattr__(self, name, _seconds(getattr(self, name), f"the {name} of a move"))
+        object.__setattr__(self, "goal", MappingProxyType(dict(self.goal)))
+
+    @property
+    def length(self) -> float:
+        """Seconds from the begin of its cue to its end."""
+        return self.delay + self.seconds
+
+
+@dataclass(frozen=True)
+class Cue:
+    """What one GO plays: it says what it moves, and all else goes on as the cues before it have left it.
+
+    Parameters
+    ----------
+    identity : str
+        Its own for ever, whatever it is numbered.
+    number : str
+        Decimal, 0 to 99999 and at most three decimals, as "12.5".
+    moves : mapping of Move
+        By part, as of `Scene.goal_of`.
+    label, note, colour : str
+        For people, to 80, 400 and 20 characters.
+    pre_wait : float
+        Seconds from GO to its begin, 0 to 3600.
+    post_wait : float
+        Seconds more until what goes on by itself, 0 to 3600.
+    goes_on : {"", "continue", "follow"}
+        What comes after it by itself: nothing, the next cue after its begin, the next cue after its end.
+    skip : bool
+        Whether GO passes it by.
+
+    Raises
+    ------
+    ValueError
+        On a number, a part, a goal or a time that no cue has.
+    TypeError
+        On what is no number or no switch.
+
+    Examples
+    --------
+    >>> cue = omote.Cue("dog", "12.5", {"one/face": omote.Move({"dog": 1.0}, seconds=2)}, goes_on="follow", post_wait=1)
+    >>> cue.length, cue.next_after
+    (2.0, 3.0)
+
+    References
+    ----------
+    docs/method.md, "Cues".
+    """
+
+    identity: str
+    number: str
+    moves: Mapping[Part, Move] = field(default_factory=dict)
+    label: str = ""
+    note: str = ""
+    colour: str = ""
+    pre_wait: float = 0.0
+    post_wait: float = 0.0
+    goes_on: GoesOn = ""
+    skip: bool = False
+
+    def __post_init__(self) -> None:
+        """Rejects numbers, times and texts that no cue has."""
+        check_cue_number(self.number)
+        check_known(self.goes_on, get_args(GoesOn), "way to go on after a cue")
+        check_switch(self.skip, f"whether the cue {self.number} is skipped")
+        for name in ("pre_wait", "post_wait"):
+            object.__setattr__(self, name, _seconds(getattr(self, name), f"the {name} of the cue {self.number}"))
+        for name, most in LONGEST_TEXT.items():
+            if len(getattr(self, name)) > most:
+                raise ValueError(f"the {name} of the cue {self.number} is longer than {most} characters; shorten it")
+        ordered = sorted(self.moves, key=lambda part: (regions_of(part) == (), part))  # a face before its regions
+        for part in ordered:
+            check_goal(part, self.moves[part].goal)
+        object.__setattr__(self, "moves", MappingProxyType({part: self.moves[part] for part in ordered}))
+
+    @property
+    def length(self) -> float:
+        """Seconds from its begin until nothing of it moves."""
+        return max((move.length for move in self.moves.values()), default=0.0)
+
+    @property
+    def next_after(self) -> float | None:
+        """Seconds from its GO until the next one follows by itself; None where nobody follows."""
+        if not self.goes_on:
+            return None
+        return self.pre_wait + (self.length if self.goes_on == "follow" else 0.0) + self.post_wait
+
+
+CueList = tuple[Cue, ...]
+"""In the order in which GO plays them."""
+
+
+def check_cue_number(number: object) -> str:
+    """Returns the number of a cue; ValueError where none can have it."""
+    if isinstance(number, str) and NUMBER.fullmatch(number):
+        return number
+    raise ValueError(f"a cue cannot be numbered {number!r}; give 0 to 99999 and at most three decimals, such as 12.5")
+
+
+def check_cues(cues: Sequence[Cue]) -> CueList:
+    """Returns the cues of a list; ValueError where two have one number, or there are too many."""
+    if len(cues) > MOST_CUES:
+        raise ValueError(f"the list has {len(cues)} cues; a list holds {MOST_CUES}, begin another")
+    for what in ("number", "identity"):
+        twice = [value for value, count in Counter(getattr(cue, what) for cue in cues).items() if count > 1]
+        if twice:
+            raise ValueError(f"two cues have the {what} {twice[0]}; give one of them another")
+    return tuple(cues)
+
+
+def is_of(part: Part, characters: Sequence[str]) -> bool:
+    """Whether a part belongs to one of some characters."""
+    return part.rpartition("/")[0] in characters
+
+
+def with_move(cue: Cue, part: Part, move: Move | None) -> Cue:
+    """The cue with another move of a part, or without one (None)."""
+    others = {name: kept for name, kept in cue.moves.items() if name != part}
+    return replace(cue, moves=others if move is None else {**others, part: move})
+
+
+def _seconds(value: object, what: str) -> float:
+    return check_within(value, 0.0, LONGEST_CALL, f"{what} (seconds)")

@@ -1,0 +1,273 @@
+"""The player of a cue list: it holds the state, and calls on a scene what that calls."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from omote.perform.cues import cue_state as of_list
+from omote.perform.cues.cue import Cue, CueList, check_cues
+from omote.perform.cues.cue_state import CueState, place_of
+from omote.perform.limits import FOREVER, check_known, check_within
+from omote.perform.scene.goals import WITH_FACE, Goal, Part
+from omote.perform.scene.scene import Scene
+from omote.perform.scene.scene_frame import SceneFrame
+
+
+class CuePlayer:
+    """Plays a list of cues on a scene, from whatever shows; hands, trackers and programs play on beside it.
+
+    It owns no clock and no thread; the same acts and steps give the same frames.
+
+    Parameters
+    ----------
+    scene : Scene
+        The scene.
+    cues : sequence of Cue
+        In the order in which GO plays them.
+
+    Raises
+    ------
+    ValueError
+        Where two cues have one number.
+
+    Examples
+    --------
+    >>> scene = omote.Scene.begun(cast)
+    >>> cues = [
+    ...     omote.Cue("a", "1", {"one/face": omote.Move({"dog": 1.0}, 2.0)}, goes_on="follow"),
+    ...     omote.Cue("b", "2", {"*/black": omote.Move({"black": 1.0}, 1.0)}),
+    ... ]
+    >>> player = omote.CuePlayer(scene, cues)
+    >>> player.go()
+    >>> player.advance(2.5).black, player.current.number
+    (0.5, '2')
+
+    References
+    ----------
+    docs/method.md, "Cues".
+    """
+
+    def __init__(self, scene: Scene, cues: Sequence[Cue]) -> None:
+        self.scene = scene
+        self.cues: CueList = check_cues(cues)
+        self.state: CueState = of_list.begin(self.cues)
+        self.rejected: tuple[str, ...] = ()
+        """What could not be called by the last act, in sentences: one move that cannot costs that move."""
+        self._panics: dict[str, int] = {name: scene[name].panics for name in scene}
+
+    @property
+    def current(self) -> Cue | None:
+        """The cue that was called last."""
+        return self._cue(self.state.current)
+
+    @property
+    def standby(self) -> Cue | None:
+        """The cue that GO plays; None at the end of the list."""
+        return self._cue(self.state.standby)
+
+    def go(self, *, seen: str | None = None) -> None:
+        """Calls the cue that stands by; all that it does not move goes on.
+
+        Parameters
+        ----------
+        seen : str, optional
+            The number of the cue that its presser saw standing by.
+
+        Raises
+        ------
+        ValueError
+            Where another cue stands by than was seen, and at the end of the list; nothing is called then.
+
+        Examples
+        --------
+        >>> scene = omote.Scene.begun(cast)
+        >>> player = omote.CuePlayer(scene, [omote.Cue("a", "1", {"*/light": omote.Move({"flat": 1.0}, 0.0)})])
+        >>> player.go(seen="1")
+        >>> dict(player.advance(0.0).light)
+        {'flat': 1.0}
+        """
+        standby = self.standby
+        if standby is None:
+            raise ValueError("no cue stands by: the list is at its end; go to a cue, or go back")
+        if seen is not None and seen != standby.number:
+            raise ValueError(f"cue {standby.number} stands by, not {seen}; nothing was called")
+        self._play(of_list.go(self.state, self.cues, self._read))
+
+    def go_to(self, number: str, *, whole: bool = False) -> None:
+        """Calls a cue out of its order; what waits is forgotten.
+
+        Parameters
+        ----------
+        number : str
+            Of the cue.
+        whole : bool
+            Whether all that the cues before it leave standing is called too.
+
+        Raises
+        ------
+        ValueError
+            On a number that there is not.
+
+        Examples
+        --------
+        >>> scene = omote.Scene.begun(cast)
+        >>> light = omote.Cue("a", "1", {"*/light": omote.Move({"flat": 1.0})})
+        >>> player = omote.CuePlayer(scene, [light, omote.Cue("b", "2", {"one/face": omote.Move({"old": 1.0})})])
+        >>> player.go_to("2", whole=True)
+        >>> dict(player.advance(1.0).light)
+        {'flat': 1.0}
+        """
+        self._play(of_list.go_to(self.state, self.cues, self._place(number), self._read, whole=whole))
+
+    def go_back(self) -> None:
+        """Brings back what stood before the last cue; that cue stands by again.
+
+        Examples
+        --------
+        >>> scene = omote.Scene.begun(cast)
+        >>> player = omote.CuePlayer(scene, [omote.Cue("a", "1", {"*/light": omote.Move({"flat": 1.0})})])
+        >>> player.go()
+        >>> player.go_back()
+        >>> dict(player.advance(1.0).light), player.standby.number
+        ({'theatre': 1.0}, '1')
+        """
+        self._play(of_list.go_back(self.state))
+
+    def assert_look(self) -> None:
+        """Calls all that the cues have left standing again, whoever has moved it since.
+
+        Examples
+        --------
+        >>> scene = omote.Scene.begun(cast)
+        >>> player = omote.CuePlayer(scene, [omote.Cue("a", "1", {"*/light": omote.Move({"flat": 1.0})})])
+        >>> player.go()
+        >>> scene.call_light("portrait", seconds=0)
+        >>> player.assert_look()
+        >>> dict(player.advance(1.0).light)
+        {'flat': 1.0}
+        """
+        self._play(of_list.assert_look(self.state))
+
+    def set_standby(self, number: str) -> None:
+        """Has another cue stand by; nothing moves.
+
+        Parameters
+        ----------
+        number : str
+            Of the cue.
+
+        Raises
+        ------
+        ValueError
+            On a number that there is not.
+
+        Examples
+        --------
+        >>> player = omote.CuePlayer(omote.Scene.begun(cast), [omote.Cue("a", "1"), omote.Cue("b", "2")])
+        >>> player.set_standby("2")
+        >>> player.standby.number
+        '2'
+        """
+        self._play(of_list.set_standby(self.state, self.cues[self._place(number)].identity))
+
+    def edit(self, cues: Sequence[Cue]) -> None:
+        """Plays another edition of the list from now on: nothing moves, and what was called goes on as it was.
+
+        Parameters
+        ----------
+        cues : sequence of Cue
+            The list; a cue is the same by its identity, whatever its number and place.
+
+        Raises
+        ------
+        ValueError
+            Where two cues have one number.
+
+        Examples
+        --------
+        >>> player = omote.CuePlayer(omote.Scene.begun(cast), [omote.Cue("a", "1"), omote.Cue("b", "2")])
+        >>> player.edit([omote.Cue("b", "2")])
+        >>> player.standby.number
+        '2'
+        """
+        after = check_cues(cues)
+        self._play(of_list.edited(self.state, self.cues, after))
+        self.cues = after
+
+    def advance(self, dt: float) -> SceneFrame:
+        """What is on air some time later, with all that was due called at its own time, however long the step.
+
+        Parameters
+        ----------
+        dt : float
+            Seconds since the last step, 0 or more.
+
+        Returns
+        -------
+        SceneFrame
+            As of `Scene.advance`.
+
+        Raises
+        ------
+        ValueError
+            On a step that is negative or endless.
+        TypeError
+            On what is no number.
+
+        Examples
+        --------
+        >>> scene = omote.Scene.begun(cast)
+        >>> dark = omote.Move({"black": 1.0}, seconds=2.0, delay=1.0)
+        >>> player = omote.CuePlayer(scene, [omote.Cue("a", "1", {"*/black": dark})])
+        >>> player.go()
+        >>> player.advance(2.0).black
+        0.5
+        """
+        dt = check_within(dt, 0.0, FOREVER, "the time step (seconds)")
+        self._drop_after_panics()
+        now = self.state.clock
+        later = of_list.advance(self.state, self.cues, dt, self._read)
+        self.rejected = ()
+        for call in later.calls:
+            if call.at > now:
+                self.scene.advance(call.at - now)
+                now = call.at
+            self._call(call)
+        self.state = later
+        return self.scene.advance(max(later.clock - now, 0.0))
+
+    def _play(self, later: CueState) -> None:
+        self.state = later
+        self.rejected = ()
+        for call in later.calls:
+            self._call(call)
+
+    def _call(self, call: of_list.Call) -> None:
+        """Calls a part, unless a character or a face of its move is gone by now."""
+        move = call.move
+        try:
+            self.scene.call_goal(call.part, move.goal, seconds=move.seconds, easing=move.easing)
+        except ValueError as error:
+            self.rejected = (*self.rejected, str(error))
+
+    def _read(self, part: Part) -> Goal:
+        try:
+            return self.scene.goal_of(part)
+        except ValueError:  # of somebody who is gone: there is nothing to go back to
+            return WITH_FACE
+
+    def _drop_after_panics(self) -> None:
+        """Who was panicked since the last step waits for nothing."""
+        panics = {name: self.scene[name].panics for name in self.scene}
+        pressed = [name for name, count in panics.items() if count > self._panics.get(name, 0)]
+        if pressed:
+            self.state = of_list.drop_waiting(self.state, pressed)
+        self._panics = panics
+
+    def _cue(self, identity: str | None) -> Cue | None:
+        place = place_of(self.cues, identity)
+        return None if place is None else self.cues[place]
+
+    def _place(self, number: str) -> int:
+        numbers = [cue.number for cue in self.cues]
+        return numbers.index(check_known(number, numbers, "cue"))

@@ -1,0 +1,278 @@
+"""The state of a cue list: GO, Back, waits and what follows by itself. It owns no clock and touches no scene.
+
+Every act takes a state and returns a changed copy with the calls that it makes, in their order. What has been called
+is a copy: editing a cue moves nothing that is on its way, waits, or is undone later.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Collection, Iterable, Iterator, Sequence
+from dataclasses import dataclass, field, replace
+from types import MappingProxyType
+
+from omote.perform.cues.cue import CueList, Move, is_of
+from omote.perform.cues.tracking import NOTHING_TRACKED, Tracked, tracked_after, tracked_at
+from omote.perform.scene.goals import Goal, Part, regions_of
+
+GAP_SECONDS = 0.25
+"""A GO that comes sooner after another is a key that bounces, or a finger that slips."""
+RETURN_SECONDS = 1.0
+"""In which Back and an assertion bring what they bring."""
+MOST_STEPS = 100
+"""That Back undoes."""
+ReadGoal = Callable[[Part], Goal]
+"""Where a part goes now, on air."""
+
+
+@dataclass(frozen=True)
+class Call:
+    """A part that is called: its move, and when, seconds of the state's clock."""
+
+    part: Part
+    move: Move
+    at: float
+
+
+@dataclass(frozen=True)
+class Waiting:
+    """A move that waits. cue: the identity of its cue; at: when it is called, seconds of the state's clock."""
+
+    cue: str
+    part: Part
+    move: Move
+    at: float
+
+
+@dataclass(frozen=True)
+class Following:
+    """The cue that follows by itself, and when: seconds of the state's clock."""
+
+    cue: str
+    at: float
+
+
+@dataclass(frozen=True)
+class Step:
+    """What Back goes back to.
+
+    left: the cue that was called, by identity, None where it and all behind it are gone; current, tracked: as they were
+    before; moved: the parts that it moved; before: the goals of those of them that no cue had moved.
+    """
+
+    left: str | None
+    current: str | None
+    tracked: Tracked
+    moved: tuple[Part, ...]
+    before: Tracked
+
+
+@dataclass(frozen=True)
+class CueState:
+    """How far a list is. current, standby: cues by identity; clock: seconds; steps: the oldest first."""
+
+    current: str | None = None
+    standby: str | None = None
+    tracked: Tracked = field(default_factory=lambda: NOTHING_TRACKED)
+    waiting: tuple[Waiting, ...] = ()
+    following: Following | None = None
+    steps: tuple[Step, ...] = ()
+    clock: float = 0.0
+    calls: tuple[Call, ...] = field(default=(), compare=False)
+    """What the last act called, in order."""
+
+
+def place_of(cues: CueList, identity: str | None) -> int | None:
+    """The place of a cue in its list, from 0; None where it is not there."""
+    return next((place for place, cue in enumerate(cues) if cue.identity == identity), None)
+
+
+def next_from(cues: CueList, place: int) -> str | None:
+    """The first cue from a place on that GO does not pass by; None at the end."""
+    return next((cue.identity for cue in cues[place:] if not cue.skip), None)
+
+
+def begin(cues: CueList) -> CueState:
+    """The state of a list of which nothing has been called: its first cue stands by."""
+    return CueState(standby=next_from(cues, 0))
+
+
+def go(state: CueState, cues: CueList, read: ReadGoal) -> CueState:
+    """Calls the cue that stands by; nothing where none does.
+
+    state: as it is; cues: of the list; read: where parts go on air.
+    """
+    place = place_of(cues, state.standby)
+    return replace(state, calls=()) if place is None else _called(state, cues, place, state.clock, read)
+
+
+def go_to(state: CueState, cues: CueList, place: int, read: ReadGoal, *, whole: bool = False) -> CueState:
+    """Calls a cue out of its order; nothing waits any more.
+
+    state: as it is; cues: of the list; place: of the cue, from 0; read: where parts go on air; whole: whether all
+    that the cues before it leave standing is called too.
+    """
+    tracked = tracked_at(cues, place)
+    cue = cues[place]
+    stands = {part: goal for part, goal in tracked.items() if whole and part not in cue.moves}
+    later = _called(replace(state, waiting=(), following=None), cues, place, state.clock, read)
+    moved = _taken((*stands, *cue.moves))
+    steps = (*state.steps, _step(state, moved, read, cue.identity))[-MOST_STEPS:]
+    calls = _face_first((*_returning(stands, state.clock), *later.calls))
+    return replace(later, tracked=tracked, steps=steps, calls=calls)
+
+
+def go_back(state: CueState) -> CueState:
+    """Brings back what stood before the last cue was called; nothing where none was."""
+    if not state.steps:
+        return replace(state, calls=())
+    step = state.steps[-1]
+    goals = {part: step.tracked.get(part, step.before.get(part)) for part in step.moved}
+    calls = _returning({part: goal for part, goal in goals.items() if goal is not None}, state.clock)
+    return CueState(step.current, step.left, step.tracked, (), None, state.steps[:-1], state.clock, calls)
+
+
+def assert_look(state: CueState) -> CueState:
+    """Calls all that the cues have left standing again, whoever has moved it since; nothing waits any more."""
+    calls = _returning(state.tracked, state.clock)
+    return replace(state, waiting=(), following=None, calls=calls)
+
+
+def set_standby(state: CueState, identity: str) -> CueState:
+    """Has another cue stand by; nothing moves. identity: of the cue."""
+    return replace(state, standby=identity, calls=())
+
+
+def drop_waiting(state: CueState, characters: Sequence[str]) -> CueState:
+    """Forgets what waits for some characters, and what follows: somebody has pressed panic. characters: their names."""
+    waiting = tuple(one for one in state.waiting if not is_of(one.part, characters))
+    return replace(state, waiting=waiting, following=None, calls=())
+
+
+def without_parts(state: CueState, parts: Collection[Part]) -> CueState:
+    """Forgets what waits for parts that another list has moved."""
+    return replace(state, waiting=tuple(_without(state.waiting, parts)), calls=())
+
+
+def edited(state: CueState, before: CueList, after: CueList) -> CueState:
+    """The state of a list that has been edited: nothing moves.
+
+    A cue that stood by, or would again after Back, and is gone leaves its place to the next one behind it; nothing
+    follows in the place of one that is gone.
+
+    state: as it is; before, after: the list.
+    """
+    there = {cue.identity for cue in after}
+
+    def kept(identity: str | None) -> str | None:
+        if identity is None or identity in there:
+            return identity
+        behind = before[place_of(before, identity) or 0 :]
+        return next((cue.identity for cue in behind if cue.identity in there and not cue.skip), None)
+
+    steps = tuple(replace(step, left=kept(step.left)) for step in state.steps)
+    following = state.following
+    gone = following is None or following.cue not in there
+    return replace(
+        state,
+        standby=kept(state.standby),
+        following=None if gone else following,
+        steps=steps,
+        calls=(),
+    )
+
+
+def advance(state: CueState, cues: CueList, dt: float, read: ReadGoal) -> CueState:
+    """The state some time later: what was due has been called, as at the time at which it was due.
+
+    Parameters
+    ----------
+    state : CueState
+        As it is.
+    cues : tuple of Cue
+        The list.
+    dt : float
+        Seconds, 0 or more.
+    read : callable
+        Where a part goes on air.
+
+    Returns
+    -------
+    CueState
+        With its calls, the earliest first.
+    """
+    end = state.clock + dt
+    calls: list[Call] = []
+    while (due := _next_due(state)) <= end:
+        if state.following is not None and state.following.at <= due:
+            state = _followed(state, cues, state.following, read)
+        else:
+            state = _called_waiting(state, due)
+        calls += state.calls
+    return replace(state, clock=end, calls=tuple(calls))
+
+
+def _next_due(state: CueState) -> float:
+    """When something is due next, infinite where nothing is: of what is due at once a cue comes before what waits."""
+    following = math.inf if state.following is None else state.following.at
+    return min([following, *(one.at for one in state.waiting)])
+
+
+def _followed(state: CueState, cues: CueList, following: Following, read: ReadGoal) -> CueState:
+    """The cue that follows by itself is called; nothing where it, and all behind it, is gone or skipped by now."""
+    place = place_of(cues, following.cue)
+    alone = replace(state, following=None, calls=())
+    chosen = None if place is None else place_of(cues, next_from(cues, place))
+    return alone if chosen is None else _called(alone, cues, chosen, following.at, read)
+
+
+def _called_waiting(state: CueState, due: float) -> CueState:
+    """What waits until then is called."""
+    ready = tuple(Call(one.part, one.move, one.at) for one in state.waiting if one.at <= due)
+    left = tuple(one for one in state.waiting if one.at > due)
+    return replace(state, waiting=left, calls=_face_first(ready))
+
+
+def _called(state: CueState, cues: CueList, place: int, at: float, read: ReadGoal) -> CueState:
+    """The cue at a place of its list is called at a time of the clock: what waits for its parts, and what followed the
+    cue before it, is forgotten."""
+    cue = cues[place]
+    moved = _taken(cue.moves)
+    begun = at + cue.pre_wait
+    planned = [Waiting(cue.identity, part, move, begun + move.delay) for part, move in cue.moves.items()]
+    ready = tuple(Call(one.part, one.move, one.at) for one in planned if one.at <= at)
+    waiting = (*_without(state.waiting, moved), *(one for one in planned if one.at > at))
+    after = next_from(cues, place + 1)
+    follows = None if after is None or cue.next_after is None else Following(after, at + cue.next_after)
+    steps = (*state.steps, _step(state, moved, read, cue.identity))[-MOST_STEPS:]
+    tracked = tracked_after(state.tracked, cue)
+    return CueState(cue.identity, after, tracked, waiting, follows, steps, state.clock, ready)
+
+
+def _taken(parts: Iterable[Part]) -> tuple[Part, ...]:
+    """Some parts and the regions that go with a whole expression among them; a face before its regions."""
+    taken = {one for part in parts for one in (part, *regions_of(part))}
+    return tuple(sorted(taken, key=_rank))
+
+
+def _step(state: CueState, moved: tuple[Part, ...], read: ReadGoal, left: str) -> Step:
+    before = MappingProxyType({part: read(part) for part in moved if part not in state.tracked})
+    return Step(left, state.current, state.tracked, moved, before)
+
+
+def _without(waiting: Iterable[Waiting], parts: Collection[Part]) -> Iterator[Waiting]:
+    return (one for one in waiting if one.part not in parts)
+
+
+def _returning(goals: Tracked, at: float) -> tuple[Call, ...]:
+    """Calls of goals that stood before."""
+    return _face_first(Call(part, Move(goal, RETURN_SECONDS), at) for part, goal in goals.items())
+
+
+def _face_first(calls: Iterable[Call]) -> tuple[Call, ...]:
+    """Calls at their times; of those at one time a whole expression before its regions, which it would take along."""
+    return tuple(sorted(calls, key=lambda call: (call.at, _rank(call.part))))
+
+
+def _rank(part: Part) -> tuple[bool, Part]:
+    return regions_of(part) == (), part

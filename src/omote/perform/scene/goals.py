@@ -1,0 +1,117 @@
+"""Goals: where a part of a character or of the scene goes, as plain numbers by name; cues and memories consist of them.
+
+A part is `kaori/face`, or `*/light` of the scene. A goal of it is a mix (`{"joy": 1.0}`) or numbers that it stands at
+(`{"yaw": 0.2, "pitch": 0.0, "roll": 0.0}`).
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable, Mapping
+from types import MappingProxyType
+
+from omote.model.known_names import PLAY_REGIONS
+from omote.perform.axis import LEAST_STANDING, Axis, called
+from omote.perform.limits import GAZE_LIMITS, HEAD_LIMITS, check_known, check_within
+from omote.perform.mix import HIGHEST, LOWEST, Weights, mix_of_one, normalise
+from omote.perform.scene.character_names import ALL
+from omote.perform.scene.movement import Ranges
+from omote.perform.scene.scene_frame import PLACE_LIMITS
+from omote.perform.snapshot import ROUNDING
+
+Part = str
+Goal = Mapping[str, float]
+WITH_FACE: Goal = MappingProxyType({})
+"""The goal of a region of the expression that goes with the whole face."""
+
+TURN_LIMITS: Mapping[str, Ranges] = {
+    "head": {name: (-limit, limit) for name, limit in HEAD_LIMITS.items()},
+    "gaze": {name: (-limit, limit) for name, limit in GAZE_LIMITS.items()},
+}
+"""Radians."""
+PRESENCE_LIMITS: Ranges = {"presence": (0.0, 1.0)}
+BLACK_LIMITS: Ranges = {"black": (0.0, 1.0)}
+MOTION_LIMITS: Ranges = {"liveliness": (0.0, 1.0), "blinks": (0.0, 2.0), "gaze": (0.0, 2.0), "breath": (0.0, 2.0)}
+CHARACTER_NUMBERS: Mapping[str, Ranges] = {
+    **TURN_LIMITS,
+    "place": PLACE_LIMITS,
+    "presence": PRESENCE_LIMITS,
+    "motion": MOTION_LIMITS,
+}
+"""The parts of a character that are numbers, with the range of each; all else of it are mixes."""
+CHARACTER_PARTS = ("face", "expression", *PLAY_REGIONS, *CHARACTER_NUMBERS)
+SCENE_PARTS = ("light", "framing", "black")
+
+
+def split_part(part: Part) -> tuple[str, str]:
+    """The character of a part, `*` for the scene, and its name there; ValueError for a part that there is not."""
+    character, _, name = part.rpartition("/")
+    parts = SCENE_PARTS if character == ALL else CHARACTER_PARTS
+    if not character or name not in parts:
+        expected = f"CHARACTER/{'|'.join(CHARACTER_PARTS)} or {ALL}/{'|'.join(SCENE_PARTS)}"
+        raise ValueError(f"there is no part {part[:80]!r}; expected {expected}")
+    return character, name
+
+
+def regions_of(part: Part) -> tuple[Part, ...]:
+    """The regions that go with a whole expression; none of another part."""
+    character, _, name = part.rpartition("/")
+    return tuple(f"{character}/{region}" for region in PLAY_REGIONS) if name == "expression" else ()
+
+
+def expression_of(part: Part) -> Part | None:
+    """The whole expression that a region is one of; None of another part."""
+    character, _, name = part.rpartition("/")
+    return f"{character}/expression" if name in PLAY_REGIONS else None
+
+
+def ranges_of(part: Part) -> Ranges | None:
+    """The numbers of a part, with the range of each; None of a part that is a mix."""
+    character, name = split_part(part)
+    if character == ALL:
+        return BLACK_LIMITS if name == "black" else None
+    return CHARACTER_NUMBERS.get(name)
+
+
+def check_goal(part: Part, goal: Goal) -> Goal:
+    """Returns a goal that a part can have, whoever is in the scene and the cast; ValueError, TypeError for another.
+
+    part: `kaori/face`; goal: its mix, or all its numbers.
+    """
+    ranges = ranges_of(part)
+    if ranges is not None:
+        if goal.keys() != ranges.keys():
+            raise ValueError(f"the goal of {part} has {', '.join(goal) or 'nothing'}; expected {', '.join(ranges)}")
+        return {name: check_within(goal[name], *ranges[name], f"{name} of {part}") for name in ranges}
+    if not goal and expression_of(part):
+        return WITH_FACE
+    mix = {name: check_within(weight, LOWEST, HIGHEST, f"{name} of {part}") for name, weight in goal.items()}
+    if not abs(math.fsum(mix.values()) - 1.0) <= ROUNDING:
+        raise ValueError(f"the weights of {part} sum to {math.fsum(mix.values()):g}; they must sum to 1")
+    return mix
+
+
+def check_names(goal: Goal, names: Iterable[str], what: str) -> None:
+    """Raises ValueError for a name of a mix (goal) that there is not. names: those that there are; what: what messages
+    call one."""
+    for name in goal:
+        check_known(name, names, what)
+
+
+def goal_of_axis(axis: Axis) -> Weights:
+    """The mix that an axis comes to stand at, by its call or its T-bar, or stands at."""
+    call = axis.call
+    if call is not None:
+        return mix_of_one(call.target) if call.goal is None else call.goal
+    return mix_of_one(axis.on_air) if axis.stands is None else axis.stands
+
+
+def standing_mix(mix: Weights) -> dict[str, float]:
+    """A mix that shows, as one to come to a stand at: nothing weighs less than none of it. mix: as on air."""
+    return normalise({name: weight for name, weight in mix.items() if weight >= LEAST_STANDING})
+
+
+def called_mix(on: Axis, mix: Weights, seconds: float, easing: str) -> Axis:
+    """The axis with a call to a whole mix. on: the axis; mix: what it comes to; seconds, easing: the way."""
+    heaviest = max(mix, key=lambda name: (mix[name], name))
+    return called(on, heaviest, seconds, easing, mix if len(mix) > 1 else None)

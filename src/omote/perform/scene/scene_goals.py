@@ -1,0 +1,198 @@
+"""The part of a scene that reads and calls goals, whatever part they are of."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import replace
+from typing import Any
+
+from omote.perform.axis import Axis, weights
+from omote.perform.easing import DEFAULT_EASING, find_easing
+from omote.perform.lights import LIGHTS
+from omote.perform.limits import check_call_seconds, check_known
+from omote.perform.scene import movement
+from omote.perform.scene.character_names import ALL, framing_of, names_in
+from omote.perform.scene.goals import (
+    BLACK_LIMITS,
+    PRESENCE_LIMITS,
+    Goal,
+    Part,
+    called_mix,
+    check_goal,
+    check_names,
+    goal_of_axis,
+    split_part,
+    standing_mix,
+)
+from omote.perform.scene.removal import without_stay
+from omote.perform.scene.scene_character import SceneCharacter
+from omote.perform.scene.scene_frame import PLACE_LIMITS
+from omote.perform.scene.scene_snapshot import Removal, Standing
+
+STANDING: Mapping[str, movement.Ranges] = {"place": PLACE_LIMITS, "presence": PRESENCE_LIMITS}
+"""The parts that say how a character stands, by the field of `Standing`."""
+
+
+class SceneGoals:
+    """Where the parts of a scene go: read, and called from whatever shows."""
+
+    _characters: dict[str, SceneCharacter]
+    _standings: dict[str, Standing]
+    _light: Axis
+    _framing: Axis
+    _black: movement.Movement
+    _removals: dict[str, Removal]
+
+    def goal_of(self, part: Part) -> Goal:
+        """Where a part goes, or stands.
+
+        Parameters
+        ----------
+        part : str
+            Of a character, `kaori/face` (face, expression, brows, eyes, mouth, rest, head, gaze, place, presence,
+            motion), or of the scene, `*/light` (light, framing, black).
+
+        Returns
+        -------
+        mapping of float
+            A mix, or numbers by name, radians and metres; nothing for a region that goes with the whole face.
+
+        Raises
+        ------
+        ValueError
+            On a part or a character that there is not.
+
+        Examples
+        --------
+        >>> scene = omote.Scene.begun(cast)
+        >>> scene["one"].call_face("dog", seconds=2)
+        >>> scene.goal_of("one/face"), scene.goal_of("*/black")
+        ({'dog': 1.0}, {'black': 0.0})
+        """
+        character, name = split_part(part)
+        if character == ALL:
+            return dict(self._black.goal) if name == "black" else dict(goal_of_axis(self._scene_axis(name)))
+        standing = self._standing(character)
+        return dict(getattr(standing, name).goal) if name in STANDING else self._characters[character].goal_of(name)
+
+    def shown_goal(self, part: Part) -> Goal:
+        """What a part shows now, as a goal that brings it back.
+
+        Parameters
+        ----------
+        part : str
+            As of `goal_of`.
+
+        Returns
+        -------
+        mapping of float
+            As of `goal_of`.
+
+        Raises
+        ------
+        ValueError
+            On a part or a character that there is not.
+
+        Examples
+        --------
+        >>> scene = omote.Scene.begun(cast)
+        >>> scene.call_black(1.0, seconds=2)
+        >>> frame = scene.advance(1.0)
+        >>> scene.shown_goal("*/black")
+        {'black': 0.5}
+        """
+        character, name = split_part(part)
+        if name == "black":
+            return movement.values(self._black, BLACK_LIMITS)
+        if character == ALL:
+            return standing_mix(weights(self._scene_axis(name)))
+        standing = self._standing(character)
+        if name in STANDING:
+            return movement.values(getattr(standing, name), STANDING[name])
+        return self._characters[character].shown_goal(name)
+
+    def _check_call(self, part: Part, goal: Goal) -> Goal:
+        """Returns a goal that can be called now; ValueError, TypeError where a name or a number of it is none.
+
+        part, goal: as of `call_goal`.
+        """
+        checked = check_goal(part, goal)
+        character, name = split_part(part)
+        if name == "framing":
+            for framing in checked:
+                framing_of(names_in(framing), self._characters)
+        elif name == "light":
+            check_names(checked, LIGHTS, "light")
+        elif character != ALL:
+            self._characters[check_known(character, self._characters, "character")].check_call(part, checked)
+        return checked
+
+    def call_goal(self, part: Part, goal: Goal, *, seconds: float = 1.0, easing: str = DEFAULT_EASING) -> None:
+        """Brings a part to a goal from whatever shows, as its own call would; other parts go on.
+
+        Parameters
+        ----------
+        part : str
+            As of `goal_of`.
+        goal : mapping of float
+            As `goal_of` gives it.
+        seconds : float
+            How long it takes, 0 to 3600; 0 cuts. Automatic motion takes what its own filters take.
+        easing : {"smooth", "gentle", "sharp", "early", "late"}
+            The curve of the way.
+
+        Raises
+        ------
+        ValueError
+            On names that there are not and numbers out of range; then nothing has changed.
+        TypeError
+            On what is no number.
+
+        Examples
+        --------
+        >>> scene = omote.Scene.begun(cast)
+        >>> scene.call_goal("one/expression", {"smile": 0.5, "neutral": 0.5}, seconds=0)
+        >>> scene.call_goal("one/head", {"yaw": 0.2, "pitch": 0.0, "roll": 0.0}, seconds=1)
+        >>> round(scene.advance(0.5).characters["one"].frame.head.yaw, 3)
+        0.1
+        """
+        checked = self._check_call(part, goal)
+        find_easing(easing)
+        seconds = check_call_seconds(seconds)
+        character, name = split_part(part)
+        if name == "black":
+            self._black = movement.redirect(self._black, checked, seconds, BLACK_LIMITS, easing)
+        elif name == "light":
+            self._light = called_mix(self._light, checked, seconds, easing)
+            for each in self._characters.values():
+                each.note_played()
+        elif name == "framing":
+            self._framing = called_mix(self._framing, checked, seconds, easing)
+        elif name == "place":
+            way = movement.redirect(self._standing(character).place, checked, seconds, PLACE_LIMITS, easing)
+            self._stand(character, place=way)
+        elif name == "presence":
+            stays = checked["presence"] > 0.0
+            leaves = self._standing(character).leaves and not stays
+            self._move_presence(character, checked["presence"], seconds, leaves=leaves, easing=easing)
+        else:
+            self._characters[character].call_goal(name, checked, seconds, easing)
+
+    def _scene_axis(self, name: str) -> Axis:
+        return self._light if name == "light" else self._framing
+
+    def _standing(self, name: str) -> Standing:
+        return self._standings[check_known(name, self._characters, "character")]
+
+    def _stand(self, name: str, **changes: Any) -> None:
+        self._standings[name] = replace(self._standing(name), **changes)
+
+    def _move_presence(
+        self, name: str, goal: float, seconds: float, *, leaves: bool, easing: str = DEFAULT_EASING
+    ) -> None:
+        seconds = check_call_seconds(seconds)
+        before = self._standing(name).presence
+        presence = movement.redirect(before, {"presence": goal}, seconds, PRESENCE_LIMITS, easing)
+        self._stand(name, presence=presence, leaves=leaves)
+        if not leaves:
+            self._removals = without_stay(self._removals, name)

@@ -1,0 +1,80 @@
+"""Memories: whole looks of the scene, kept from what shows and called back in one breath."""
+
+from __future__ import annotations
+
+from typing import Annotated, ClassVar
+
+import msgspec
+
+from omote.perform.easing import DEFAULT_EASING
+from omote.perform.scene.character_names import ALL
+from omote.perform.scene.memories import LONGEST_MEMORY_NAME
+from omote.perform.scene.scene import Scene
+from omote.show.declaration import CallId, Name, OptionalCallId, SceneCommand, Seconds
+from omote.show.osc import PRESS, Value, osc
+
+MemoryName = Annotated[str, msgspec.Meta(min_length=1, max_length=LONGEST_MEMORY_NAME), Value("text")]
+
+
+class KeepMemory(SceneCommand, frozen=True):
+    """Keeps the whole look that shows under a name: faces, expressions, head and gaze of all characters, light and
+    framing. One of that name is kept anew; `restore_memory` with the `key` (the name without one) takes that back. It
+    is kept with the show. An `id` executes once, as of those below."""
+
+    osc = (osc("keep_memory", "keeps the whole look that shows under this name", "name", of_show=True),)
+
+    id: CallId
+    name: MemoryName
+    key: OptionalCallId = ""
+
+    def change(self, scene: Scene) -> None:
+        """Changes the scene."""
+        scene.keep_memory(self.name, key=self.key)
+
+
+class CallMemory(SceneCommand, frozen=True):
+    """Brings a memory on air in `seconds`, all its parts in the same time, from whatever shows. Where others hold one
+    of them, it is rejected whole; it holds none of them afterwards."""
+
+    plays = ("face", "expression", "head", "gaze", "light", "framing")
+    holds = False
+    osc = (
+        osc("memory", "brings the whole look of this name on air", "name", "seconds", of_show=True),
+        osc("memory/{name}", "the same for a button, when it is pressed", PRESS, "seconds", of_show=True),
+    )
+
+    character: ClassVar[str] = ALL
+
+    id: CallId
+    name: MemoryName
+    seconds: Seconds = 1.0
+    easing: Name = DEFAULT_EASING
+
+    def change(self, scene: Scene) -> None:
+        """Changes the scene."""
+        scene.call_memory(self.name, seconds=self.seconds, easing=self.easing)
+
+
+class DeleteMemory(SceneCommand, frozen=True):
+    """Forgets a memory; `restore_memory` with the `key` (the name without one) takes that back."""
+
+    osc = (osc("delete_memory", "forgets the whole look of this name", "name", of_show=True),)
+
+    id: CallId
+    name: MemoryName
+    key: OptionalCallId = ""
+
+    def change(self, scene: Scene) -> None:
+        """Changes the scene."""
+        scene.delete_memory(self.name, key=self.key)
+
+
+class RestoreMemory(SceneCommand, frozen=True):
+    """Takes back that a memory was kept or deleted under this `key`; asked again, it is as after that."""
+
+    id: CallId
+    key: Annotated[str, msgspec.Meta(min_length=1, max_length=64)]
+
+    def change(self, scene: Scene) -> None:
+        """Changes the scene."""
+        scene.restore_memory(self.key)

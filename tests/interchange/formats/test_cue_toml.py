@@ -1,0 +1,155 @@
+"""Cue lists as text."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from omote.interchange.formats.cue_toml import (
+    HEADING,
+    CueFileError,
+    format_cues,
+    format_running_order,
+    parse_cues,
+    read_cues,
+    write_cues,
+)
+from omote.perform.cues.cue import Cue, CueList, Move
+from omote.perform.easing import EASINGS
+from omote.perform.scene.goals import CHARACTER_PARTS, SCENE_PARTS, WITH_FACE, Goal, Part, expression_of, ranges_of
+
+times = st.floats(0.0, 3600.0)
+words = st.text(st.characters(exclude_categories=["Cs"]), max_size=20)
+parts = st.one_of(
+    st.builds("{}/{}".format, st.sampled_from(["one", "kaori"]), st.sampled_from(CHARACTER_PARTS)),
+    st.sampled_from([f"*/{part}" for part in SCENE_PARTS]),
+)
+
+
+@st.composite
+def goals(draw: st.DrawFn, part: Part) -> Goal:
+    ranges = ranges_of(part)
+    if ranges is not None:
+        return {name: draw(st.floats(low, high)) for name, (low, high) in ranges.items()}
+    if expression_of(part) and draw(st.booleans()):
+        return WITH_FACE
+    share = draw(st.sampled_from([1.0, 0.75, 1.05]))
+    first, second = draw(st.lists(words, min_size=2, max_size=2, unique=True))
+    return {first: 1.0} if share == 1.0 else {first: share, second: 1.0 - share}
+
+
+@st.composite
+def cue_lists(draw: st.DrawFn) -> CueList:
+    numbers = draw(
+        st.lists(st.from_regex(r"(0|[1-9]\d{0,4})(\.\d{0,2}[1-9])?", fullmatch=True), max_size=4, unique=True)
+    )
+    return tuple(
+        Cue(
+            number,
+            number,
+            {
+                part: Move(draw(goals(part)), draw(times), draw(st.sampled_from([*EASINGS])), draw(times))
+                for part in draw(st.lists(parts, max_size=3, unique=True))
+            },
+            draw(words),
+            draw(words),
+            draw(words),
+            draw(times),
+            draw(times),
+            draw(st.sampled_from(["", "continue", "follow"])),
+            draw(st.booleans()),
+        )
+        for number in numbers
+    )
+
+
+@given(cue_lists())
+def test_what_is_written_is_read_back_as_it_was(cues: CueList) -> None:
+    assert parse_cues(format_cues(cues)) == cues
+
+
+def test_what_all_cues_have_is_left_out() -> None:
+    cue = Cue("1", "1", {"one/face": Move({"dog": 1.0}), "*/black": Move({"black": 1.0}, 0.0)})
+    assert format_cues([cue]) == HEADING + (
+        '\n[[cue]]\nnumber = "1"\n[cue.moves]\n"*/black" = { to = 1.0, seconds = 0.0 }\n"one/face" = { to = "dog" }\n'
+    )
+
+
+def test_a_change_of_one_thing_changes_one_line() -> None:
+    cues = [Cue(str(number), str(number), {"one/face": Move({"dog": 1.0})}, "A label") for number in range(5)]
+    before = format_cues(cues).splitlines()
+    cues[3] = Cue("3", "3", {"one/face": Move({"old": 1.0})}, "A label")
+    after = format_cues(cues).splitlines()
+    assert len([line for line, other in zip(before, after, strict=True) if line != other]) == 1
+
+
+WRONG = """# Tuesday
+[[cue]]
+number = "1"
+goes_on = "later"
+[cue.moves]
+"one/face" = { to = "dog", secs = 2 }
+"one/tail" = { to = "wag" }
+"*/black" = { to = 2 }
+"one/place" = { to = { x = 1 } }
+
+[[cue]]
+label = "no number"
+pre_wait = -1
+colour = 3
+[cue.moves]
+'one/expression' = "smile"
+"""
+
+
+def test_every_error_is_said_with_its_line() -> None:
+    with pytest.raises(CueFileError) as error:
+        parse_cues(WRONG)
+    said = str(error.value).splitlines()
+    assert [line.split(":")[0] for line in said] == [
+        "line 6", "line 7", "line 8", "line 9", "line 4", "line 16", "line 13", "line 14", "line 11",
+    ]  # fmt: skip
+    assert "a move has no 'secs'" in said[0]
+    assert "black of */black is 2.0; give a number from 0 to 1" in said[2]
+
+
+@pytest.mark.parametrize(
+    ("text", "reason"),
+    [
+        ("cue = 3", "two brackets"),
+        ("[[cue]\n", "no TOML"),
+        ('[[cue]]\nnumber = "1"\n[[cue]]\nnumber = "1"\n', "two cues have the number 1"),
+        ("[[scene]]\n", "line 1: 'scene' is no cue"),
+        ('[[cue]]\nnumber = "1"\nmoves = 3\n', "line 3: the moves are 3"),
+        ('[[cue]]\nnumber = "01"\n', "line 2: a cue cannot be numbered '01'"),
+        ("[[cue]]\nnumber = 1\n", "line 2: a cue cannot be numbered 1;"),
+    ],
+)
+def test_what_is_no_list_is_refused_in_words(text: str, reason: str) -> None:
+    with pytest.raises(CueFileError, match=reason):
+        parse_cues(text)
+
+
+def test_a_file_is_written_and_read_and_named_where_it_is_wrong(tmp_path: Path) -> None:
+    path = tmp_path / "evening.toml"
+    cues = (Cue("1", "1", label="Öffnen"),)
+    write_cues(cues[:0], path)
+    write_cues(cues, path)
+    assert read_cues(path) == cues
+    path.write_text("[[cue]]\n", encoding="utf-8")
+    with pytest.raises(CueFileError, match=r"evening\.toml: line 1: a cue has no number"):
+        read_cues(path)
+    with pytest.raises(CueFileError, match="cannot be read"):
+        read_cues(tmp_path / "none.toml")
+
+
+def test_a_running_order_has_a_line_for_each_cue_that_plays() -> None:
+    cues = [Cue("1", "1", label="Dog, then cat", goes_on="follow"), Cue("2", "2", skip=True), Cue("3.5", "3.5")]
+    assert format_running_order(cues).splitlines() == [
+        "number,label,pre_wait,goes_on,post_wait,note,moves",
+        '1,"Dog, then cat",0.0,follow,0.0,,',
+        "3.5,,0.0,,0.0,,",
+    ]
