@@ -18,12 +18,14 @@ import type { TBar } from "./controls/t_bar";
 import type { Palette } from "./palette/palette";
 import type { Monitor } from "./panels/monitor";
 import type { CharacterRow } from "./scene/character_row";
+import type { MemoryRow } from "./scene/memory_row";
 import { type ConsoleView, VIEWS } from "./store/arrangement";
 import { type Command, commandOf, isPanic, stepOf } from "./store/keys";
 import type { Topic } from "./store/page_store";
 import { nextPlace } from "./store/region_calls";
 import { neighbour } from "./store/timing";
 import "./scene/character_row";
+import "./scene/memory_row";
 import "./scene/head_frames";
 import "./scene/scene_panel";
 import "./mixer/layer_panel";
@@ -117,7 +119,10 @@ export class ConsolePage extends ConsoleElement {
         </div>
       </section>
       ${this.notices}
-      <omote-lights class="panel live" .context=${context}></omote-lights>
+      <div class="looks live">
+        <omote-lights class="panel" .context=${context}></omote-lights>
+        <omote-memories class="panel" .context=${context}></omote-memories>
+      </div>
       <omote-tbar class="panel exprbar live" .context=${context} .axis=${"expression"}></omote-tbar>
       <omote-palette class="panel expressions live" .context=${context} .axis=${"expression"} @menu=${this.#openMenu}></omote-palette>
       <section class="hands live" aria-label="Head and gaze">
@@ -231,6 +236,8 @@ export class ConsolePage extends ConsoleElement {
     else if (command.do === "centre") this.store.centre();
     else if (command.do === "clear") this.store.clearChannels(Object.keys(this.store.air?.channels ?? {}));
     else if (command.do === "leases") this.show("leases");
+    else if (command.do === "memory") this.#at<MemoryRow>("omote-memories")?.press(command.name);
+    else if (command.do === "keep_memory") this.#at<MemoryRow>("omote-memories")?.keep();
     else if (command.do === "still") toggleStill(this.store);
     else if (command.do === "black") this.store.callBlack(command.seconds);
     else if (command.do === "take_over") this.context.leases.takeOverWanted();

@@ -55,6 +55,9 @@ const style = css`
     .view {
       display: block;
     }
+    .still {
+      display: none; /* the picture is small; the mixer has it */
+    }
   }
   @media ${narrow} {
     :host {

@@ -46,6 +46,7 @@ const REST: State = {
   gaze_points: {},
   black: 0,
   black_goal: 0,
+  memories: [],
 };
 /** A state in which the first character has something else on air. */
 const withOne = (change: Partial<CharacterState>): State => ({ ...REST, characters: { one: { ...CALM, ...change } } });
