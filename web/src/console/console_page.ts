@@ -64,6 +64,8 @@ export class ConsolePage extends ConsoleElement {
   @state() private calibrated = "";
   /** The own tile whose menu is open. */
   @state() private menu: MenuRequest | null = null;
+  /** Its person may only look. */
+  @state() private restricted = false;
   /** What is touched is bound, not played. */
   @state() private learning = false;
   @query("omote-monitor") private monitor!: Monitor;
@@ -88,7 +90,8 @@ export class ConsolePage extends ConsoleElement {
   /** Lets hands off everything, where this page may only look; `sentence` says why. */
   restrict(sentence: string | null): void {
     showAccess(sentence);
-    this.classList.toggle("view-only", sentence !== null);
+    this.restricted = sentence !== null;
+    this.classList.toggle("view-only", this.restricted);
   }
 
   override render() {
@@ -101,6 +104,7 @@ export class ConsolePage extends ConsoleElement {
       <omote-status
         .context=${context}
         .notices=${this.notices.notices}
+        .restricted=${this.restricted}
         @help=${() => this.show("help")}
         @setup=${() => this.show("setup")}
         @log=${() => this.show("log")}

@@ -55,6 +55,8 @@ const style = css`
     .view {
       display: block;
     }
+  }
+  @media ${narrow} or ${low} {
     .still {
       display: none; /* the picture is small; the mixer has it */
     }
