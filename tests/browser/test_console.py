@@ -394,6 +394,29 @@ def test_liveliness_moves_the_face_by_itself_until_panic(console: Console) -> No
     wait_for(page, "state.motion.liveliness === 0")
 
 
+def test_a_whole_look_is_kept_by_a_press_and_called_by_a_key(console: Console) -> None:
+    page = console()
+    memory = page.locator("omote-memories [data-memory='1']")
+    page.locator("omote-palette.faces [data-name=old]").click()
+    wait_for(page, "state.face_call === null && state.faces.old === 1")
+    page.locator("omote-lights [data-light=flat]").click()
+    wait_for(page, "desk.state.light.flat === 1")
+    expect(memory).to_have_attribute("aria-label", "Memory 1, empty")
+    page.get_by_role("button", name="Keep a memory").click()
+    memory.click()
+    expect(memory).to_have_attribute("aria-label", "Memory 1")
+    page.locator("omote-palette.faces [data-name=dog]").click()
+    page.locator("omote-lights [data-light=theatre]").click()
+    wait_for(page, "state.face_call === null && state.faces.dog === 1 && desk.state.light.theatre === 1")
+    page.keyboard.press("Shift+1")
+    wait_for(page, "state.faces.old === 1 && desk.state.light.flat === 1")
+    page.get_by_role("button", name="Delete a memory").click()
+    memory.click()
+    expect(memory).to_have_attribute("aria-label", "Memory 1, empty")
+    page.get_by_role("button", name="Undo", exact=True).first.click()
+    expect(memory).to_have_attribute("aria-label", "Memory 1")
+
+
 def test_the_picture_says_on_air_where_a_face_shows(console: Console) -> None:
     page = console(pictures=True, disposable=True)
     held: list[Route] = []

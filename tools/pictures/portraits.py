@@ -27,7 +27,7 @@ WIDTH = 130
 HEIGHT = 120
 """Of a portrait, pixels: `THUMBNAIL_SIZE`."""
 SHARE = 0.185 / 0.305
-"""Of a stage's picture that a thumbnail shows: the heights of `THUMBNAIL` and `PORTRAIT` (web/src/face/framing.ts)."""
+"""Of a stage's picture that a thumbnail shows: one over the zoom of `THUMBNAIL` (web/src/face/framing.ts)."""
 LOWER = 0.003 / 0.305
 """By how much lower its middle lies, as a share of that picture's height."""
 

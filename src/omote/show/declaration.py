@@ -82,6 +82,7 @@ class Session(Protocol):
     sources: Any
     sounds: Any
     leasing: Any
+    notes: Any
     wishes: list[Any]
     cancelled: list[str]
 

@@ -28,6 +28,7 @@ from omote.show.messages import PROTOCOL_VERSION
 from omote.show.objects.documents import NAMES_OF
 from omote.show.objects.faders import SetChannel
 from omote.show.objects.link import Hello, Notice, Notices, Refused, Welcome
+from omote.show.objects.show_notes import ShowNotes
 from omote.show.objects.stages import CastChanged, Crew
 from omote.show.objects.state import State
 from omote.show.ownership.hands import HandReports, Panics
@@ -62,6 +63,7 @@ class ShowSession:
         self.notices: list[Notice] = []
         self.documents: dict[str, list[str]] = {}
         self.show = ""
+        self.notes = ShowNotes()
         self._executed = ExecutedCalls()
         self._now: float | None = None
         self._time = self.scene.snapshot().time
@@ -81,6 +83,7 @@ class ShowSession:
         session = cls(cast, Scene.restored(cast, snapshot.scene), epoch=epoch, revision=revision)
         session._executed = ExecutedCalls(snapshot.executed)
         session.sources = OpenSources(snapshot.sources)
+        session.notes = snapshot.notes
         session._own(snapshot.leases)
         return session
 
@@ -92,7 +95,11 @@ class ShowSession:
     def snapshot(self) -> SessionSnapshot:
         """The show as it is now."""
         return SessionSnapshot(
-            self.scene.snapshot(), self._executed.snapshot(), self.leasing.snapshot(), self.sources.snapshot()
+            self.scene.snapshot(),
+            self._executed.snapshot(),
+            self.leasing.snapshot(),
+            self.sources.snapshot(),
+            self.notes,
         )
 
     def receive_bytes(self, who: str, data: bytes, now: float) -> list[Outgoing]:
@@ -181,7 +188,7 @@ class ShowSession:
         frame = self.scene.advance(elapsed)
         self._time = frame.time
         numbers = {"epoch": self.epoch, "number": self.number, "revision": self.revision}
-        return state_of(self.cast, frame, self._eye_offsets, **numbers)
+        return state_of(self.cast, frame, self._eye_offsets, notes=self.notes, **numbers)
 
     def recast(self, cast: Playable) -> CastChanged:
         """Plays another cast from now on; returns the message for all pages. ValueError where it lacks what is on

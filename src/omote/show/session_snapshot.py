@@ -11,17 +11,20 @@ from omote.perform.scene.scene import FIRST_LABEL
 from omote.perform.scene.scene_snapshot import SceneSnapshot
 from omote.perform.snapshot import limit_gaze
 from omote.show.executed_calls import Executed
+from omote.show.objects.show_notes import ShowNotes
 from omote.show.ownership.leasing import LeaseSnapshot
 from omote.show.sources.sources_snapshot import SourcesSnapshot
 
 
 class SessionSnapshot(msgspec.Struct, frozen=True):
-    """The scene, the ids of messages already executed, who holds what, and the routes and measures of sources."""
+    """The scene, the ids of messages already executed, who holds what, the routes and measures of sources, and the
+    notes of the crew."""
 
     scene: SceneSnapshot
     executed: Executed
     leases: LeaseSnapshot = LeaseSnapshot()
     sources: SourcesSnapshot = SourcesSnapshot()
+    notes: ShowNotes = ShowNotes()
 
 
 def read_session_snapshot(saved: object) -> tuple[SessionSnapshot, bool]:

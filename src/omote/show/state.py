@@ -13,6 +13,7 @@ from omote.perform.easing import DEFAULT_EASING, EASINGS
 from omote.perform.frame import CallStatus, Frame, Gaze, Held, LayerStatus, MotionSettings
 from omote.perform.mix import mix_in
 from omote.perform.scene.scene_frame import CharacterFrame, SceneFrame
+from omote.show.objects.show_notes import ShowNotes
 from omote.show.objects.state import (
     CallState,
     CharacterState,
@@ -57,6 +58,7 @@ class EyeOffset:
 
 
 NO_OFFSET = EyeOffset()
+NO_NOTES = ShowNotes()
 
 
 def offset_between(shown: Angles, wanted: Angles, time: float) -> EyeOffset:
@@ -74,9 +76,10 @@ def state_of(
     epoch: int,
     number: int,
     revision: int,
+    notes: ShowNotes = NO_NOTES,
 ) -> State:
     """The complete state of a frame; eye_offsets: by character, what is added to the eyes that its frame has. cast:
-    what plays; epoch, number and revision: those of the state."""
+    what plays; epoch, number and revision: those of the state; notes: of the crew."""
     return State(
         epoch=epoch,
         number=number,
@@ -94,6 +97,8 @@ def state_of(
         black=frame.black,
         black_goal=frame.black_goal,
         memories=list(frame.memories),
+        note=notes.note,
+        began=notes.began,
     )
 
 

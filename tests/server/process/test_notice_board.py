@@ -54,6 +54,15 @@ def test_a_report_goes_to_the_terminal_and_to_the_board() -> None:
     assert (said, texts(board)) == (["the disk is full."], ["The disk is full."])
 
 
+def test_what_is_solved_says_so_in_the_place_of_what_it_solves() -> None:
+    board = NoticeBoard()
+    tell = board.with_report(list[str]().append)
+    tell("the disk is full.")
+    tell("the disk is written again.", solves="the disk is full.")
+    assert [(notice.text, notice.solved) for notice in board.notices] == [("The disk is written again.", True)]
+    assert len(board.take_new()) == 2
+
+
 def test_threads_lose_nothing() -> None:
     board = NoticeBoard()
     found: list[Notice] = []

@@ -18,6 +18,7 @@ from omote.server.devices.osc_listener import OscListener
 from omote.server.devices.page_device_source import PageDeviceSource
 from omote.server.devices.trackers.tracker_listener import TrackerListener
 from omote.server.devices.trackers.tracker_sockets import listen_for_trackers, read_trackers
+from omote.server.persistence import restore
 from omote.server.supervision.device_sockets import DeviceOptions, listen_for_artnet
 from omote.server.supervision.device_sources import load_bindings, start_devices
 from omote.server.supervision.early_tick import EarlyTicks
@@ -149,7 +150,10 @@ async def test_pages_alone_have_devices_where_nothing_else_was_asked_for(show_ha
 
 
 @pytest.mark.asyncio
-async def test_what_a_page_binds_lies_in_the_show_file_and_plays_after_a_restart(cast: Cast, tmp_path: Path) -> None:
+async def test_what_a_page_binds_lies_in_the_show_file_and_plays_after_a_restart(
+    cast: Cast, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(restore, "FIRST_LIVELINESS", 0.0)  # over what moves by itself a fader is followed
     bound = BindingDocument("pad", "1/cc7", "/omote/one/channel/jawOpen", pick_up=False)
     for expected in (0.0, 1.0):
         async with open_edit_harness(cast, tmp_path / "a.omote") as harness:

@@ -18,12 +18,14 @@ import type { TBar } from "./controls/t_bar";
 import type { Palette } from "./palette/palette";
 import type { Monitor } from "./panels/monitor";
 import type { CharacterRow } from "./scene/character_row";
+import type { MemoryRow } from "./scene/memory_row";
 import { type ConsoleView, VIEWS } from "./store/arrangement";
 import { type Command, commandOf, isPanic, stepOf } from "./store/keys";
 import type { Topic } from "./store/page_store";
 import { nextPlace } from "./store/region_calls";
 import { neighbour } from "./store/timing";
 import "./scene/character_row";
+import "./scene/memory_row";
 import "./scene/head_frames";
 import "./scene/scene_panel";
 import "./mixer/layer_panel";
@@ -62,6 +64,8 @@ export class ConsolePage extends ConsoleElement {
   @state() private calibrated = "";
   /** The own tile whose menu is open. */
   @state() private menu: MenuRequest | null = null;
+  /** Its person may only look. */
+  @state() private restricted = false;
   /** What is touched is bound, not played. */
   @state() private learning = false;
   @query("omote-monitor") private monitor!: Monitor;
@@ -86,7 +90,8 @@ export class ConsolePage extends ConsoleElement {
   /** Lets hands off everything, where this page may only look; `sentence` says why. */
   restrict(sentence: string | null): void {
     showAccess(sentence);
-    this.classList.toggle("view-only", sentence !== null);
+    this.restricted = sentence !== null;
+    this.classList.toggle("view-only", this.restricted);
   }
 
   override render() {
@@ -99,6 +104,7 @@ export class ConsolePage extends ConsoleElement {
       <omote-status
         .context=${context}
         .notices=${this.notices.notices}
+        .restricted=${this.restricted}
         @help=${() => this.show("help")}
         @setup=${() => this.show("setup")}
         @log=${() => this.show("log")}
@@ -117,7 +123,10 @@ export class ConsolePage extends ConsoleElement {
         </div>
       </section>
       ${this.notices}
-      <omote-lights class="panel live" .context=${context}></omote-lights>
+      <div class="looks live">
+        <omote-lights class="panel" .context=${context}></omote-lights>
+        <omote-memories class="panel" .context=${context}></omote-memories>
+      </div>
       <omote-tbar class="panel exprbar live" .context=${context} .axis=${"expression"}></omote-tbar>
       <omote-palette class="panel expressions live" .context=${context} .axis=${"expression"} @menu=${this.#openMenu}></omote-palette>
       <section class="hands live" aria-label="Head and gaze">
@@ -231,6 +240,8 @@ export class ConsolePage extends ConsoleElement {
     else if (command.do === "centre") this.store.centre();
     else if (command.do === "clear") this.store.clearChannels(Object.keys(this.store.air?.channels ?? {}));
     else if (command.do === "leases") this.show("leases");
+    else if (command.do === "memory") this.#at<MemoryRow>("omote-memories")?.press(command.name);
+    else if (command.do === "keep_memory") this.#at<MemoryRow>("omote-memories")?.keep();
     else if (command.do === "still") toggleStill(this.store);
     else if (command.do === "black") this.store.callBlack(command.seconds);
     else if (command.do === "take_over") this.context.leases.takeOverWanted();

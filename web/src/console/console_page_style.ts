@@ -64,8 +64,11 @@ export const style = css`
     align-self: start;
     margin: 84px 8px 0;
   }
-  omote-lights {
+  .looks {
     grid-area: lights;
+    display: grid;
+    grid-template-columns: minmax(0, 1fr);
+    gap: inherit;
   }
   .mixes {
     display: grid;
@@ -252,6 +255,9 @@ export const style = css`
     .views [data-view="palettes"] {
       display: block;
     }
+    :host(:not([data-view="pads"])) omote-memories {
+      display: none; /* they stand with the pads */
+    }
     :host(:not([data-view="palettes"])) omote-palette,
     :host(:not([data-view="pads"])) .hands,
     :host(:not([data-view="faders"])) omote-bank {
@@ -322,7 +328,7 @@ export const style = css`
     .views button {
       min-height: 40px;
     }
-    :host(:not([data-view="pads"])) omote-lights {
+    :host(:not([data-view="pads"])) .looks {
       display: none;
     }
   }

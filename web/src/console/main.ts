@@ -115,7 +115,10 @@ async function start(): Promise<void> {
   page.notices = shown;
   shown.openLog = () => page.show("log");
   document.body.append(page);
-  void readAccess().then((access) => page.restrict(missingRole(access, "operate", "playing")));
+  void readAccess().then((access) => {
+    page.restrict(missingRole(access, "operate", "playing"));
+    context.leases.barred = missingRole(access, "admin", "switching leases on or off");
+  });
   context.painter.start();
   context.devices.start(context.painter);
   void loadPortraits().then((portraits) => context.thumbnails.give(portraits));

@@ -12,18 +12,25 @@ export interface WallTile {
   bezel: [number, number];
 }
 
-/** What the picture shows: `centre` of the head in metres and the `height` and `width` that must be seen. */
+/**
+ * What the picture shows: `centre` of the head in metres and the `height` and `width` that must be seen; `zoom`: of that,
+ * the middle alone, so many times larger.
+ */
 export interface Shot {
   centre: [number, number, number];
   height: number;
   width: number;
+  zoom?: number;
 }
 
 /** The head with its collar, as a director frames it. */
 export const PORTRAIT: Shot = { centre: [0, -0.011, 0.05], height: 0.305, width: 0.23 };
 
-/** Close on brows, eyes and mouth: what tells one expression from another on a picture as small as a thumb. */
-export const THUMBNAIL: Shot = { centre: [0, -0.014, 0.05], height: 0.185, width: 0.185 };
+/**
+ * Close on brows, eyes and mouth: what tells one expression from another on a picture as small as a thumb. It is cut out
+ * of a portrait, as those that come with the pages are (tools/pictures/portraits.py): a shot would step back for the ears.
+ */
+export const THUMBNAIL: Shot = { ...PORTRAIT, centre: [0, -0.014, 0.05], zoom: PORTRAIT.height / 0.185 };
 
 export type Point = readonly [number, number, number];
 

@@ -191,6 +191,7 @@ export function frameScene(
 ): [number, number] {
   const heads = new Map([...characters].map(([name, character]) => [name, character.place(shot, centred)]));
   const stood = camera.position.toArray();
+  camera.zoom = shot.zoom ?? 1;
   aim(camera, size, tile, (half, aspect) => standFor(framing, heads, half, aspect) ?? stood);
   const frustum = new Frustum().setFromProjectionMatrix(
     camera.projectionMatrix.clone().multiply(camera.matrixWorldInverse),

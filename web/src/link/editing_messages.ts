@@ -68,8 +68,11 @@ export type Recipe = {
  */
 export type Cancel = { type: "cancel"; request: string };
 
-/** What the crew must know until each has dismissed it; `id` is its own for ever, `time` seconds since 1970. */
-export type Notice = { id: string; time: number; text: string };
+/**
+ * What the crew must know until each has dismissed it; `id` is its own for ever, `time` seconds since 1970.
+ * `solved`: it says that something is well again, and goes by itself.
+ */
+export type Notice = { id: string; time: number; text: string; solved: boolean };
 
 /**
  * All notices of this show, oldest first: complete, so any may be lost. Consoles and editors get them after the

@@ -549,8 +549,11 @@ export type Welcome = {
  */
 export type Refused = { type: "refused"; reason: string; id: string; held: string[] };
 
-/** What the crew must know until each has dismissed it; `id` is its own for ever, `time` seconds since 1970. */
-export type Notice = { id: string; time: number; text: string };
+/**
+ * What the crew must know until each has dismissed it; `id` is its own for ever, `time` seconds since 1970.
+ * `solved`: it says that something is well again, and goes by itself.
+ */
+export type Notice = { id: string; time: number; text: string; solved: boolean };
 
 /**
  * All notices of this show, oldest first: complete, so any may be lost. Consoles and editors get them after the
@@ -652,6 +655,21 @@ export type CallFraming = {
  * blackout. A fader sends many values between, the newest wins.
  */
 export type CallBlack = { type: "call_black"; black: number; seconds?: number; easing?: string; id?: string };
+
+/** The line of notes, and when the show began: seconds of its clock (`State.time`). */
+export type ShowNotes = { note: string; began: number };
+
+/**
+ * Writes the line of notes that every console shows; it is kept with the show. An `id` executes once, as of the one
+ * below.
+ */
+export type SetNote = { type: "set_note"; id: string; text: string };
+
+/**
+ * The show begins: the time that consoles show counts from now, or from `at` (seconds of `State.time`) where that
+ * is given.
+ */
+export type BeginShow = { type: "begin_show"; id: string; at?: number | null };
 
 /**
  * Something that sends values all the time: a tracker, a microphone, a program. `names`: the expressions (channels)
@@ -996,7 +1014,8 @@ export type CharacterState = {
  * to one, and so does `framing`: a framing is `*`, all that are on the stage, or names joined by `+`, sorted.
  * `gaze_points`: the named points that eyes may look at, metres as of `look_at`. `black`: how far stages fade their
  * picture to black, 0..1; `black_goal`: where that goes. A record without them has the picture up. `memories`: the
- * names of the looks that were kept, in the order in which they were kept first.
+ * names of the looks that were kept, in the order in which they were kept first. `note`: the line of notes of the
+ * crew; `began`: when the show began, of `time`.
  */
 export type State = {
   type: "state";
@@ -1013,6 +1032,8 @@ export type State = {
   black: number;
   black_goal: number;
   memories: string[];
+  note: string;
+  began: number;
 };
 
 /** Colours of a face, each `#rrggbb`, the hair style, and the traits, plain numbers (`model.cast.Look`). */
@@ -1318,6 +1339,8 @@ export type FromClient =
   | CallLight
   | CallFraming
   | CallBlack
+  | SetNote
+  | BeginShow
   | Source
   | Drive
   | LeaveSource

@@ -7,7 +7,7 @@ class Memory {
   setItem = (key: string, value: string): void => void this.kept.set(key, value);
 }
 
-const notice = (id: string) => ({ id, time: 1.7e9, text: `notice ${id}` });
+const notice = (id: string) => ({ id, time: Date.now() / 1000, text: `notice ${id}`, solved: false });
 const ids = (notices: ShowNotices): string[] => notices.open.map(({ id }) => id);
 
 describe("notices of the show", () => {
@@ -29,6 +29,39 @@ describe("notices of the show", () => {
     expect(ids(reloaded)).toEqual([]);
     reloaded.receive([notice("1"), notice("2"), notice("3")]);
     expect(ids(reloaded)).toEqual(["2", "3"]);
+  });
+
+  it("come to a new page once where they are old, and stay there until they are dismissed", () => {
+    const [memory, old] = [new Memory(), { ...notice("1"), time: 100 }];
+    const opened = () =>
+      new ShowNotices(
+        () => memory,
+        () => undefined,
+        () => 1000,
+      );
+    const first = opened();
+    for (let times = 0; times < 3; times++) first.receive([old]);
+    expect(ids(first)).toEqual(["1"]);
+    const second = opened();
+    second.receive([old]);
+    expect(ids(second)).toEqual([]);
+    first.dismiss("1");
+    expect(ids(first)).toEqual([]);
+  });
+
+  it("go by themselves where they say that something is well again", () => {
+    let now = 100;
+    const notices = new ShowNotices(
+      () => new Memory(),
+      () => undefined,
+      () => now,
+    );
+    const solved = { ...notice("1"), time: 100, solved: true };
+    notices.receive([solved]);
+    expect(ids(notices)).toEqual(["1"]);
+    now = 121;
+    notices.receive([solved]);
+    expect(ids(notices)).toEqual([]);
   });
 
   it("tell of a change once, however often they come", () => {

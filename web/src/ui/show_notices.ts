@@ -6,6 +6,10 @@ import { type BrowserStorage, keep, readJson, readKept } from "./browser_storage
 const KEY = "omote-dismissed-notices";
 /** Dismissed notices that are remembered: more than a show has at a time. */
 const MOST = 64;
+/** Seconds after which a notice is old: a page that opens then shows it once. */
+const OLD = 60;
+/** Seconds for which what says that something is well again stands. */
+const SOLVED = 20;
 
 /** The notices that nobody has dismissed in this browser; `changed` is called when there are others. */
 export class ShowNotices {
@@ -13,10 +17,14 @@ export class ShowNotices {
   /** All of the show, read or not, oldest first. */
   all: readonly Notice[] = [];
   #dismissed: readonly string[];
+  /** What this page has shown, though no other will. */
+  readonly #here = new Set<string>();
 
+  /** `now`: seconds since 1970. */
   constructor(
     private readonly storage: BrowserStorage,
     private readonly changed: () => void,
+    private readonly now: () => number = () => Date.now() / 1000,
   ) {
     const ids = readJson(readKept(storage, KEY));
     this.#dismissed = Array.isArray(ids) ? ids.filter((id) => typeof id === "string") : [];
@@ -25,6 +33,11 @@ export class ShowNotices {
   /** All notices of the show, which come again and again. */
   receive(all: readonly Notice[]): void {
     this.all = all;
+    const old = all.filter(({ id, time }) => !this.#dismissed.includes(id) && this.now() - time > OLD);
+    if (old.length > 0) {
+      for (const { id } of old) this.#here.add(id);
+      this.#remember(old.map(({ id }) => id));
+    }
     this.#show();
   }
 
@@ -38,13 +51,21 @@ export class ShowNotices {
   }
 
   #dismiss(ids: readonly string[]): void {
-    this.#dismissed = [...this.#dismissed, ...ids].slice(-MOST);
-    keep(this.storage, KEY, JSON.stringify(this.#dismissed));
+    for (const id of ids) this.#here.delete(id);
+    this.#remember(ids);
     this.#show();
   }
 
+  #remember(ids: readonly string[]): void {
+    this.#dismissed = [...this.#dismissed.filter((id) => !ids.includes(id)), ...ids].slice(-MOST);
+    keep(this.storage, KEY, JSON.stringify(this.#dismissed));
+  }
+
   #show(): void {
-    const open = this.all.filter(({ id }) => !this.#dismissed.includes(id));
+    const open = this.all.filter(
+      ({ id, time, solved }) =>
+        (this.#here.has(id) || !this.#dismissed.includes(id)) && !(solved && this.now() - time > SOLVED),
+    );
     if (open.length === this.open.length && open.every(({ id }, index) => id === this.open[index]?.id)) return;
     this.open = open;
     this.changed();

@@ -4,6 +4,7 @@ import { css, html, LitElement, nothing } from "lit";
 import { customElement, state } from "lit/decorators.js";
 import type { Notice } from "../link/messages";
 import { ShowNotices } from "./show_notices";
+import { ageOf } from "./show_times";
 import { base, notice, palette, wanted } from "./theme";
 
 const style = css`
@@ -115,7 +116,8 @@ export class ShowNoticesView extends LitElement {
   }
 
   #row(notice: Notice, alone: boolean) {
-    return html`<div><span title=${notice.text} @click=${this.openLog}>${notice.text}</span>${alone ? this.#away(notice) : nothing}</div>`;
+    const age = ageOf(Date.now() / 1000 - notice.time);
+    return html`<div class=${notice.solved ? "solved" : ""}><span title=${notice.text} @click=${this.openLog}>${age === "" ? nothing : html`<b>${age}:</b> `}${notice.text}</span>${alone ? this.#away(notice) : nothing}</div>`;
   }
 
   #away({ id }: Notice) {

@@ -117,6 +117,25 @@ it("fades the picture of what a canvas no longer stands for until the new one co
   expect([one.element.style.opacity, one.drawn.at(-1)]).toEqual(["", sitting("sad")]);
 });
 
+it("shows the face that is called at once, at rest and bright, until its expression is drawn", async () => {
+  const [one, all] = [canvas(), portraits()];
+  const gates: (() => void)[] = [];
+  const old = { face: "old", expression: "neutral" };
+  all.give([
+    [sitting("smile"), "generic smiles" as unknown as CanvasImageSource],
+    [old, "old at rest" as unknown as CanvasImageSource],
+  ]);
+  all.open((wish) => new Promise((done) => gates.push(() => done(wish as unknown as CanvasImageSource))));
+  all.ask(one.element, sitting("smile"));
+  all.ask(one.element, { face: "old", expression: "smile" });
+  expect([one.drawn, one.element.style.opacity]).toEqual([["generic smiles", "old at rest"], ""]);
+  all.ask(one.element, { face: "old", expression: "smile" });
+  await nextTurn();
+  gates[0]?.();
+  await nextTurn();
+  expect([one.drawn.at(-1), one.element.style.opacity]).toEqual([{ face: "old", expression: "smile" }, ""]);
+});
+
 it("tries again where a picture could not be drawn for a moment", async () => {
   const [one, all] = [canvas(), portraits()];
   let lost = 2;

@@ -12,6 +12,8 @@ export const THUMBNAIL_SIZE = { width: 130, height: 120 } as const;
 /** Draws a subject as a picture of its own; may wait for its shapes to be loaded. Rejects when it cannot be drawn. */
 export type DrawThumbnail = (subject: ThumbnailSubject) => Promise<CanvasImageSource>;
 
+/** The expression of a face at rest. */
+const NEUTRAL = "neutral";
 /** Milliseconds between two pictures: the show goes first. */
 const PAUSE = 40;
 /** Attempts at one picture: a graphics context that is lost for a moment is there again soon. */
@@ -50,11 +52,14 @@ export class Thumbnails {
     for (const [canvas, subject] of [...this.#waiting]) this.ask(canvas, subject);
   }
 
-  /** Asks for a picture on `canvas`; a newer wish for the same canvas replaces an older, whose picture fades at once. */
+  /**
+   * Asks for a picture on `canvas`; a newer wish for the same canvas replaces an older. Until the picture of another face is
+   * there, that face at rest stands in for it; where that is not known, what hangs there fades at once.
+   */
   ask(canvas: HTMLCanvasElement, subject: ThumbnailSubject): void {
     this.#wanted.set(canvas, keyOf(subject));
-    this.#fade(canvas);
     if (this.#done.get(canvas) === keyOf(subject)) {
+      this.#fade(canvas);
       this.#waiting.delete(canvas);
       return;
     }
@@ -64,8 +69,16 @@ export class Thumbnails {
       this.#show(canvas, subject, cached);
       return;
     }
+    this.#standIn(canvas, subject.face);
     this.#waiting.set(canvas, subject);
     void this.#work();
+  }
+
+  #standIn(canvas: HTMLCanvasElement, face: string): void {
+    const rest = { face, expression: NEUTRAL };
+    const [picture, hangs] = [this.#cache.get(keyOf(rest)), this.#done.get(canvas)];
+    if (picture !== undefined && hangs?.startsWith(`${face} `) !== true) this.#show(canvas, rest, picture);
+    else this.#fade(canvas);
   }
 
   async #work(): Promise<void> {
@@ -112,8 +125,9 @@ export class Thumbnails {
 
   /** A picture of what the canvas no longer stands for is seen to be old until the new one comes. */
   #fade(canvas: HTMLCanvasElement): void {
-    const drawn = this.#done.get(canvas);
-    canvas.style.opacity = drawn === undefined || drawn === this.#wanted.get(canvas) ? "" : "0.25";
+    const [drawn, wanted] = [this.#done.get(canvas), this.#wanted.get(canvas)];
+    const stands = drawn === undefined || drawn === wanted || drawn === standInOf(wanted);
+    canvas.style.opacity = stands ? "" : "0.25";
   }
 
   #keep(subject: ThumbnailSubject, picture: CanvasImageSource): void {
@@ -133,5 +147,8 @@ export class Thumbnails {
     this.#fade(canvas);
   }
 }
+
+/** The picture that may stand in for one: the same face at rest. */
+const standInOf = (wanted: string | undefined): string | undefined => wanted?.replace(/ .*$/, ` ${NEUTRAL}`);
 
 const keyOf = ({ face, expression }: ThumbnailSubject): string => `${face} ${expression}`;

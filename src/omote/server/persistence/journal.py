@@ -8,6 +8,7 @@ from collections.abc import Callable
 from functools import partial
 
 from omote.server.persistence.file_gate import FileGate
+from omote.server.process.notice_board import CrewReport
 from omote.showfile.database_errors import explain_database_error
 from omote.showfile.show_file import JournalEntry, ShowFile
 
@@ -19,7 +20,8 @@ class JournalWriter:
     """Writes the newest state in a thread; older states that it could not write in time are dropped.
 
     A second thread flushes: syncing a disk takes tens of milliseconds, and a state must not wait for it. gate: passed
-    for each use of the file. sqlite3.Error where the file cannot be opened a second time.
+    for each use of the file; solved: told when the file is written again, and of what that solves. sqlite3.Error where
+    the file cannot be opened a second time.
     """
 
     def __init__(
@@ -28,17 +30,19 @@ class JournalWriter:
         report: Callable[[str], None],
         gate: FileGate | None = None,
         *,
+        solved: CrewReport | None = None,
         flush_seconds: float = FLUSH_SECONDS,
     ) -> None:
         self._show = show
         self._report = report
+        self._solved = solved
         self._gate = gate or FileGate()
         with self._gate:  # now: once the threads run, the file may be moved away at any time
             self._flushed = show.again()
         self._newest: JournalEntry | None = None
         self._closing = False
         self._waiting = threading.Condition()
-        self._failing = False
+        self._failure = ""
         self._flush_seconds = flush_seconds
         self._done = threading.Event()
         self._thread = threading.Thread(target=self._run, name="journal", daemon=True)
@@ -68,7 +72,8 @@ class JournalWriter:
                 self._newest = None
             if entry is None:
                 break
-            self._failing = not self._try_write(partial(self._show.write_journal, entry))
+            if self._try_write(partial(self._show.write_journal, entry)):
+                self._note_success()
         self._done.set()
         with self._gate:
             self._show.close()
@@ -79,15 +84,22 @@ class JournalWriter:
         with self._gate:
             self._flushed.close()
 
+    def _note_success(self) -> None:
+        failure = self._failure
+        self._failure = ""
+        if failure and self._solved is not None:
+            self._solved(f"{self._show.path} is written again: what has changed is kept.", failure)
+
     def _try_write(self, work: Callable[[], None]) -> bool:
         try:
             with self._gate:
                 work()
         except sqlite3.Error as error:
-            if not self._failing:
-                self._report(
+            if not self._failure:
+                self._failure = (
                     f"{self._show.path} cannot be written ({explain_database_error(error)}): the show goes on, but if "
                     "its process ends, what has changed since is not restored. Mend that soon."
                 )
+                self._report(self._failure)
             return False
         return True

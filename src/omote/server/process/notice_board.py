@@ -5,6 +5,7 @@ from __future__ import annotations
 import threading
 import time
 from collections.abc import Callable, Iterable
+from typing import Protocol
 
 from omote.show.objects.link import Notice
 
@@ -14,6 +15,13 @@ LONGEST_NOTICE = 400
 """Characters: a notice goes through a pipe at once, whole."""
 
 Report = Callable[[str], None]
+
+
+class CrewReport(Protocol):
+    """Reports a sentence; solves: the one about what is well again, which goes."""
+
+    def __call__(self, sentence: str, solves: str = "") -> None:
+        """Reports it."""
 
 
 class NoticeBoard:
@@ -35,13 +43,14 @@ class NoticeBoard:
         with self._lock:
             return list(self._notices)
 
-    def post(self, sentence: str) -> None:
-        """Adds a sentence for the crew."""
-        text = sentence[:1].upper() + sentence[1:LONGEST_NOTICE]
+    def post(self, sentence: str, solves: str = "") -> None:
+        """Adds a sentence for the crew. solves: the sentence about what is well again, which goes."""
+        text = _text_of(sentence)
+        gone = {text, _text_of(solves)}
         with self._lock:
             self._last = max(self._last + 1, self._clock())
-            notice = Notice(str(self._last), self._last / 1e9, text)
-            others = [older for older in self._notices if older.text != text]
+            notice = Notice(str(self._last), self._last / 1e9, text, solves != "")
+            others = [older for older in self._notices if older.text not in gone]
             self._notices = [*others, notice][-MOST_NOTICES:]
             self._new.append(notice)
 
@@ -54,11 +63,15 @@ class NoticeBoard:
             self._new = []
             return new
 
-    def with_report(self, report: Report) -> Report:
+    def with_report(self, report: Report) -> CrewReport:
         """A function that reports a sentence to the operator's terminal, and posts it for the crew."""
 
-        def tell(sentence: str) -> None:
+        def tell(sentence: str, solves: str = "") -> None:
             report(sentence)
-            self.post(sentence)
+            self.post(sentence, solves)
 
         return tell
+
+
+def _text_of(sentence: str) -> str:
+    return sentence[:1].upper() + sentence[1:LONGEST_NOTICE]

@@ -132,7 +132,7 @@ async def play(
     server.enable_editing(authored_work, reopen, tell)
     scans = ScanPreviews()
     enable_files(server, (lambda: file.path, jobs.run) if file and jobs else None, scans)
-    journal = JournalWriter(file, tell, gate) if file else None
+    journal = JournalWriter(file, tell, gate, solved=tell) if file else None
     watch = FileWatch(file, gate, tell, partial(tell_moved, pipes.pulse)) if file else None
     try:
         await serve(server, ShowTick(server, journal, pipes.pulse, board).tick, pipes, show if file else None)

@@ -90,11 +90,13 @@ class Refused(ServerMessage, frozen=True):
 
 
 class Notice(msgspec.Struct, frozen=True):
-    """What the crew must know until each has dismissed it; `id` is its own for ever, `time` seconds since 1970."""
+    """What the crew must know until each has dismissed it; `id` is its own for ever, `time` seconds since 1970.
+    `solved`: it says that something is well again, and goes by itself."""
 
     id: str
     time: float
     text: str
+    solved: bool = False
 
 
 class Notices(ServerMessage, frozen=True):

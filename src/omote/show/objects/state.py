@@ -158,7 +158,8 @@ class State(ServerMessage, frozen=True):
     to one, and so does `framing`: a framing is `*`, all that are on the stage, or names joined by `+`, sorted.
     `gaze_points`: the named points that eyes may look at, metres as of `look_at`. `black`: how far stages fade their
     picture to black, 0..1; `black_goal`: where that goes. A record without them has the picture up. `memories`: the
-    names of the looks that were kept, in the order in which they were kept first.
+    names of the looks that were kept, in the order in which they were kept first. `note`: the line of notes of the
+    crew; `began`: when the show began, of `time`.
     """
 
     epoch: int
@@ -174,6 +175,8 @@ class State(ServerMessage, frozen=True):
     black: float = 0.0
     black_goal: float = 0.0
     memories: list[str] = []
+    note: str = ""
+    began: float = 0.0
 
 
 def named_most(mix: Mapping[str, float], call: CallState | None) -> str:

@@ -182,7 +182,10 @@ export class BindingForm extends DevicesElement {
     const own = ["face", "expression", "head", "gaze", "fade/face", "fade/expression", "panic"];
     const channels = this.store.expressions.map(({ name }) => `channel/${name}`);
     const of = characters.flatMap((who) => [...own, ...channels].map((path) => `/omote/${who}/${path}`));
-    return [...of, ...["light", "black", "fade_to_black", "fade_up", "panic"].map((path) => `/omote/${path}`)];
+    return [
+      ...of,
+      ...["light", "memory", "black", "fade_to_black", "fade_up", "panic"].map((path) => `/omote/${path}`),
+    ];
   }
 
   readonly #keep = (event: Event): void => {

@@ -41,6 +41,12 @@ export const lightTarget = (name: string, seconds: number): Target => ({
   arguments: [name, seconds],
 });
 
+export const memoryTarget = (name: string, seconds: number): Target => ({
+  to: `${ROOT}/memory`,
+  axis: "",
+  arguments: [name, seconds],
+});
+
 /** How black all stages are: a fader's, or a key's that makes a blackout. */
 export const BLACK_TARGET: Target = { to: `${ROOT}/black`, axis: "", arguments: [] };
 

@@ -15,6 +15,7 @@ import {
   directionTarget,
   layerTarget,
   lightTarget,
+  memoryTarget,
   type Target,
   targetKey,
   whoOf,
@@ -65,6 +66,9 @@ const PARTS: Readonly<Record<string, (element: Element, store: ConsoleStore, who
     "omote-lights": (_, store) => [
       ["[data-light]", (key) => [lightTarget(key.dataset.light ?? "", store.timing.face.seconds)]],
       [".black", () => [BLACK_TARGET]],
+    ],
+    "omote-memories": (_, store) => [
+      ["[data-memory]", (key) => [memoryTarget(key.dataset.memory ?? "", store.timing.face.seconds)]],
     ],
   };
 const TAGS = Object.keys(PARTS).join(",");

@@ -91,6 +91,24 @@ describe("leases at a console", () => {
     expect([leases.own("head"), leases.mine]).toEqual([["one/head"], ["one/head"]]);
   });
 
+  it("repeat the call that was rejected, once it is taken over", () => {
+    tell({ "one/face": ANA });
+    store.call("face", "old");
+    const [call] = sent as { id: string }[];
+    said();
+    store.receive({ type: "refused", reason: "Ana holds it.", id: call?.id ?? "", held: ["one/face"] });
+    press("Take over");
+    const [lease, again] = [...sent] as [FromClient, FromClient & { id: string }];
+    expect(said()).toMatchObject([
+      { type: "lease", part: "face", take_over: true },
+      { type: "call_face", character: "one", name: "old" },
+    ]);
+    expect(again.id).not.toBe(call?.id);
+    expect(lease.type).toBe("lease");
+    leases.takeOver(["one/face"]);
+    expect(said()).toHaveLength(1);
+  });
+
   it("say why the show rejected a call, with the same offer by key", () => {
     tell({ "one/face": ANA });
     leases.takeOverWanted();

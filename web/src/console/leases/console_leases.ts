@@ -27,12 +27,16 @@ declare module "../controls/console_element" {
 export class ConsoleLeases {
   /** Who holds what, as the show told last. */
   report: Leases = NOBODY;
+  /** Why this page's person may not switch leases nor name the stage manager; null where they may. */
+  barred: string | null = null;
+  /** Asks anew for what was rejected because others hold it; null where a hand moved it. */
+  #again: (() => void) | null = null;
   /** What was touched in vain last, until it is taken over or anything else is told. */
   #wanted: readonly string[] = [];
 
   constructor(private readonly store: ConsoleStore) {
     store.mayPlay = (control) => this.#mayPlay(control);
-    store.sayRefused = ({ reason, held }) => this.#sayRefused(reason, held);
+    store.sayRefused = ({ reason, held }, again) => this.#sayRefused(reason, held, again);
     store.hear("lease_claim", (claim) => this.#hearClaim(claim));
     store.hear("leases", (leases) => this.#set(leases));
     store.listen("link", () => {
@@ -112,6 +116,7 @@ export class ConsoleLeases {
     const part = partOf(control);
     const held = part === null ? new Map<string, SeatState>() : this.others(part);
     if (held.size > 0) {
+      this.#again = null;
       this.#ask([...held.keys()]);
       this.offer(held);
     }
@@ -119,8 +124,9 @@ export class ConsoleLeases {
   }
 
   /** The show rejected a message; `held`: because others hold these parts, which can be taken over. */
-  #sayRefused(reason: string, held: readonly string[]): void {
+  #sayRefused(reason: string, held: readonly string[], again: (() => void) | null): void {
     const holders = heldByOthers(this.report, held);
+    this.#again = again;
     if (holders.size > 0) this.offer(holders);
     else this.store.say(reason);
   }
@@ -158,9 +164,11 @@ export class ConsoleLeases {
   }
 
   takeOver(keys: readonly string[]): void {
-    this.#wanted = [];
+    const again = this.#wanted.length > 0 && this.#wanted.every((key) => keys.includes(key)) ? this.#again : null;
+    [this.#wanted, this.#again] = [[], null];
     const from = new Set([...heldByOthers(this.report, keys).values()].map(({ name }) => name));
     if (!this.#lease(keys, true)) return;
+    again?.();
     const notice = from.size === 0 ? "" : ` ${listed([...from])} ${from.size === 1 ? "is" : "are"} told.`;
     this.store.say(`Taken over: ${this.#list(keys)}.${notice}`, "done", [this.#releaseOffer(keys)]);
   }

@@ -60,15 +60,18 @@ export class LeaseDialog extends ConsoleDialog {
 
   #switch() {
     const { report, isManager, manager } = this.context.leases;
-    const barred = report.on && !isManager && manager !== null;
+    const { barred: role } = this.context.leases;
+    const other = report.on && !isManager && manager !== null;
+    const why = role ?? (other ? `${manager.name} is the stage manager, who alone switches leases off` : null);
     const says = report.on
       ? "The first touch of a part makes it yours until you release it, leave, or another takes it over."
       : "Off: whoever touches a control last has it. On: whoever touches a part first.";
     return html`<p>${says}</p>
       <div class="row">
-        <button role="switch" aria-checked=${report.on} ?disabled=${barred} title=${barred ? `${manager.name} is the stage manager, who alone switches leases off` : nothing}
+        <button role="switch" aria-checked=${report.on} ?disabled=${why !== null} title=${why ?? nothing}
           @click=${() => this.context.leases.switch(!report.on)}>Leases ${report.on ? "on" : "off"}</button>
-        ${report.on && manager === null ? html`<button data-do="manage" @click=${() => this.context.leases.switch(true)}>Become stage manager</button>` : nothing}
+        ${role === null ? nothing : html`<p>${role}</p>`}
+        ${report.on && manager === null && role === null ? html`<button data-do="manage" @click=${() => this.context.leases.switch(true)}>Become stage manager</button>` : nothing}
       </div>`;
   }
 

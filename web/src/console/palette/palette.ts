@@ -285,7 +285,7 @@ export class Palette extends AnimatedElement {
       this.write.style(bar, "transform", `scaleX(${shown.weight.toFixed(3)})`);
     }
     if (this.axis === "expression")
-      this.model = this.#model.follow(this.store.air?.faces ?? {}, this.store.callOf("face") !== null, now);
+      this.model = this.#model.follow(this.store.air?.faces ?? {}, this.store.callOf("face")?.target ?? null, now);
   }
 
   #shown(name: string): ShownWeight {

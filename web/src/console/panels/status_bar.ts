@@ -13,6 +13,8 @@ import { HEARD_MS } from "../store/unheard_panic";
 import { offersStyle, viewOffers } from "./offers";
 import "./import_progress";
 import "./name_field";
+import "./note_line";
+import "./show_clock";
 import { style } from "./status_bar_style";
 
 /** Stages that draw fewer frames a second than this are worth a look. */
@@ -29,6 +31,8 @@ const ROOMY = matchMedia("(min-width: 1101px)");
 @customElement("omote-status")
 export class StatusBar extends ConsoleElement {
   @property({ attribute: false }) notices!: ShowNotices;
+  /** Its person may only look. */
+  @property({ type: Boolean }) restricted = false;
   @state() private panicked = false;
   #timers: {
     notice?: ReturnType<typeof setTimeout>;
@@ -105,6 +109,7 @@ export class StatusBar extends ConsoleElement {
     const none = text === null && this.context.items.naming === null; // the field for a name stands there too
     return html`
       <div class="mark">OMOTE</div>
+      <omote-show-clock .context=${this.context}></omote-show-clock>
       ${this.store.online ? this.#crew() : html`<div class="lost" role="alert">LINK LOST – nothing is sent</div>`}
       <div class="messages">
         <omote-import-progress .context=${this.context}></omote-import-progress>
@@ -113,6 +118,7 @@ export class StatusBar extends ConsoleElement {
           <omote-name-field .context=${this.context}></omote-name-field>
           <span class="offers">${viewOffers(offers, dismiss)}</span>
         </div>
+        ${none ? html`<omote-note .context=${this.context}></omote-note>` : nothing}
       </div>
       <slot name="seat"></slot>
       ${this.#steps()}
@@ -132,15 +138,17 @@ export class StatusBar extends ConsoleElement {
     const [undo, redo] = [history.next("undo"), history.next("redo")];
     return html`<button class="step" aria-label="Undo" title="Undo${undo === null ? "" : `: ${undo.what}`} (Ctrl Z)"
         ?disabled=${undo === null} @click=${() => this.store.undo()}>↶</button>
-      <button class="step" aria-label="Redo" title="Redo${redo === null ? "" : `: ${redo.what}`} (Ctrl Y)"
+      <button class="step redo" aria-label="Redo" title="Redo${redo === null ? "" : `: ${redo.what}`} (Ctrl Y)"
         ?disabled=${redo === null} @click=${() => this.store.redo()}>↷</button>`;
   }
 
   /** Says what it does now: the first press holds the face, the second brings the home face. */
   #panic() {
     const { air: state, online, panicIsLate } = this.store;
+    if (this.restricted) return this.#panicButton("PANIC", "not by this role", "unheard");
+    if (!online) return html`${this.#panicOfAll()}${this.#panicButton("PANIC", "NOT HEARD: no link", "unheard")}`;
     if (panicIsLate) return html`${this.#panicOfAll()}${this.#panicButton("PANIC", "NOT HEARD", "unheard")}`;
-    const again = online && state?.home_next === true;
+    const again = state?.home_next === true;
     const way = again ? (state.home_seconds === 0 ? "cut" : `in ${secondsLabel(state.home_seconds)} s`) : "";
     const [title, says] = again
       ? ["HOME FACE", `${this.store.label("face", state.home_face)} ${way}`]

@@ -86,6 +86,7 @@ export const style = css`
     flex: 0 1 auto;
   }
   :host([asks]) .mark,
+  :host([asks]) omote-show-clock,
   :host([asks]) .item {
     display: none;
   }
@@ -180,10 +181,6 @@ export const style = css`
     .panic {
       width: 220px;
     }
-    :host([asks]) .step,
-    :host([asks]) .learn {
-      display: none;
-    }
     omote-name-field[open] ~ .offers {
       display: none; /* the keys for it are there */
     }
@@ -203,15 +200,22 @@ export const style = css`
     .item .level {
       display: none;
     }
-    .step,
+    .step.redo,
     a.offer {
       display: none; /* they stand in the log too, in the set-up and in the menu of the tile */
+    }
+    .step {
+      width: 40px;
     }
     .panic {
       width: 190px;
     }
   }
   @media (max-width: 699px) {
+    omote-note,
+    omote-show-clock {
+      display: none; /* messages lie over the picture there: words of the crew do not */
+    }
     .messages {
       position: fixed;
       inset: 92px 88px auto; /* over the picture, between the T-bars, below the tally */
@@ -237,7 +241,7 @@ export const style = css`
     omote-import-progress {
       pointer-events: auto;
     }
-    .log {
+    .step {
       margin-left: auto; /* panic stands in the corner, where a hand finds it */
     }
   }

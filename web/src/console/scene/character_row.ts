@@ -56,6 +56,11 @@ const style = css`
       display: block;
     }
   }
+  @media ${narrow} or ${low} {
+    .still {
+      display: none; /* the picture is small; the mixer has it */
+    }
+  }
   @media ${narrow} {
     :host {
       padding: 4px;

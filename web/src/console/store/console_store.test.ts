@@ -46,6 +46,9 @@ const REST: State = {
   gaze_points: {},
   black: 0,
   black_goal: 0,
+  memories: [],
+  note: "",
+  began: 0,
 };
 /** A state in which the first character has something else on air. */
 const withOne = (change: Partial<CharacterState>): State => ({ ...REST, characters: { one: { ...CALM, ...change } } });
@@ -410,6 +413,13 @@ describe("a panic that the show has not heard", () => {
     store.setOnline(true);
     expect(sent).toHaveLength(2);
     expect(store.notice).toMatch(/not heard/);
+  });
+
+  it("is told of a link that is back, not of the first", () => {
+    expect(store.notice).toBeNull();
+    store.setOnline(false);
+    store.setOnline(true);
+    expect([store.notice, store.tone]).toEqual(["The link to the show is back.", "done"]);
   });
 
   it("is not sent again once it was heard", () => {

@@ -15,11 +15,15 @@ import { type Answers, type Asked, Requests } from "./requests";
 import { type Change, clearStep, movedBy, type Step, type TakeStep, type Way } from "./undo_history";
 import { UnheardPanic } from "./unheard_panic";
 
+const BACK = "The link to the show is back.";
 const NOT_SENT = "Not sent: the link to the show is lost.";
 const NOT_HEARD =
   "Panic is not heard: the link to the show is lost. It is sent if the link is back within five seconds.";
 const NEVER_HEARD = "Panic was not heard: the link was lost for too long. Press it again.";
 const NOTHING_TO_RELEASE = "Nothing to release: a call by hand has no seconds to run on in.";
+
+/** Messages that are remembered until their answer has come. */
+const MOST_CALLED = 64;
 
 export class ConsoleStore extends PageStore {
   state: State | null = null;
@@ -30,12 +34,16 @@ export class ConsoleStore extends PageStore {
   readonly played = new PlayedCharacters(() => this.state);
 
   /** Says that a message was rejected, and why. */
-  sayRefused: (message: Refused) => void = ({ reason }) => this.say(reason);
+  sayRefused: (message: Refused, again: (() => void) | null) => void = ({ reason }) => this.say(reason);
 
   /** A panic of this console, which puts the bars to their rest, has not been heard yet. */
   #panicking = false;
+  /** The link was lost after it had been there. */
+  #lost = false;
   readonly #unheard = new UnheardPanic();
   readonly #requests: Requests;
+  /** What was asked for last, by id: what is rejected can be asked for again. */
+  readonly #called = new Map<string, FromClient>();
   readonly #timed: Record<Axis, boolean | null> = { face: null, expression: null };
   readonly #knobs: Knobs;
   readonly #outbox: Outbox;
@@ -132,6 +140,8 @@ export class ConsoleStore extends PageStore {
     this.#outbox.clear();
     if (!online) this.latency = null;
     this.#panicking = false;
+    if (online && this.#lost) this.say(BACK, "done");
+    this.#lost = !online;
     if (online) this.#panicAgain();
     this.tell("link");
   }
@@ -165,7 +175,14 @@ export class ConsoleStore extends PageStore {
   /** Whoever asked says why it was rejected, or that nothing is to be said (true). */
   #receiveRefused(message: Refused): void {
     const { logEntries } = this;
-    if (this.#requests.receive(message) !== true && this.logEntries === logEntries) this.sayRefused(message);
+    if (this.#requests.receive(message) !== true && this.logEntries === logEntries)
+      this.sayRefused(message, this.#again(message.id));
+  }
+
+  /** Sends a message anew that the show has rejected; null for one that is not known any more. */
+  #again(id: string | undefined): (() => void) | null {
+    const asked = id === undefined ? undefined : this.#called.get(id);
+    return asked === undefined ? null : () => void this.push({ ...asked, id: this.#requests.nextId() } as FromClient);
   }
 
   override get busy(): string | null {
@@ -269,7 +286,14 @@ export class ConsoleStore extends PageStore {
     if (!this.#mayAct()) return false;
     this.#outbox.push(message);
     this.sent.receive(message);
+    if ("id" in message && message.id) this.#remember(message.id, message);
     return true;
+  }
+
+  #remember(id: string, message: FromClient): void {
+    this.#called.set(id, message);
+    const [oldest] = this.#called.keys();
+    if (this.#called.size > MOST_CALLED && oldest !== undefined) this.#called.delete(oldest);
   }
 
   clearChannels(names: Iterable<string>): void {

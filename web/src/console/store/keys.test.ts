@@ -56,6 +56,11 @@ describe("a key", () => {
     expect(commandOf(press("D", "KeyD", { shiftKey: true }), false)).toEqual({ do: "region", direction: -1 });
   });
 
+  it("calls a memory with Shift and a digit, and keeps the next one pressed", () => {
+    expect(commandOf(press("!", "Digit1", { shiftKey: true }), false)).toEqual({ do: "memory", name: "1" });
+    expect(commandOf(press("\\", "Backslash"), false)).toEqual({ do: "keep_memory" });
+  });
+
   it("makes black with Shift alone, and lets go of T-bars without", () => {
     const shifted = (code: string) => commandOf(press("", code, { shiftKey: true }), false);
     expect([shifted("KeyV"), shifted("KeyB")]).toEqual([

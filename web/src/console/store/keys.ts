@@ -15,6 +15,8 @@ export type Command =
   | { do: "focus"; place: FocusPlace }
   | { do: "centre" }
   | { do: "still" }
+  | { do: "memory"; name: string }
+  | { do: "keep_memory" }
   | { do: "learn" }
   | { do: "clear" }
   | { do: "leases" }
@@ -49,6 +51,7 @@ const COMMANDS: Readonly<Record<string, Command>> = {
   KeyP: { do: "scene" },
   Semicolon: { do: "layers" },
   Quote: { do: "still" },
+  Backslash: { do: "keep_memory" },
   KeyX: { do: "clear" },
   Comma: { do: "leases" },
   Period: { do: "take_over" },
@@ -70,6 +73,8 @@ export const HELP: readonly (readonly [string, string])[] = [
   ["Ctrl Shift ⌫", "Panic of all characters, also of those that this console does not play"],
   ["Esc", "Closes what is open, leaves a field; nothing else"],
   ["1 – 9", "Call one of the first nine faces"],
+  ["Shift 1 – 9", "Call a memory: the whole look that was kept there, in the seconds of a face call"],
+  ["\\", "Keep: the next memory pressed keeps the whole look that shows; again: not"],
   ["Q – O", "Call one of the first nine expressions shown"],
   ["D", "Expressions are called on the whole face, the brows, the eyes, the mouth, the rest alone; Shift D: back"],
   ["[  ]", "Shorter, longer: seconds of a face call"],
@@ -117,6 +122,7 @@ export function commandOf(press: KeyPress, typing: boolean): Command | null {
   if (press.key === "?") return { do: "help" };
   if (press.key === "/") return { do: "focus", place: "search" };
   const face = FACE_KEYS.indexOf(press.code);
+  if (face >= 0 && press.shiftKey) return { do: "memory", name: String(face + 1) };
   if (face >= 0) return { do: "call", axis: "face", index: face };
   const expression = EXPRESSION_KEYS.indexOf(press.code);
   if (expression >= 0) return { do: "call", axis: "expression", index: expression };

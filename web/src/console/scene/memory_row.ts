@@ -1,0 +1,129 @@
+/** The row of memories: whole looks that are kept by a press and called by another. */
+
+import { css, html } from "lit";
+import { customElement, state } from "lit/decorators.js";
+import { base, ellipsis, flow } from "../../ui/theme";
+import { hearWhileShown } from "../../ui/topic_element";
+import { ConsoleElement } from "../controls/console_element";
+import { short } from "../controls/screen_sizes";
+import type { Topic } from "../store/page_store";
+import { MemoryCommands, type MemoryPress, PLACES, placesOf } from "./memory_commands";
+
+const style = css`
+  .row {
+    ${flow}
+    flex-wrap: nowrap;
+    gap: 4px;
+    padding: 4px 10px;
+    overflow-x: auto;
+  }
+  .row > span {
+    color: var(--dim);
+  }
+  button {
+    flex: 1 0 auto;
+    min-width: 24px;
+    max-width: 110px;
+    padding: 0 3px;
+    ${ellipsis}
+  }
+  button.empty {
+    color: var(--dim);
+    border-style: dashed;
+    background: none;
+  }
+  .means {
+    flex: 0 0 auto;
+  }
+  .means[aria-pressed="true"],
+  .asked button:not(.means) {
+    border-color: var(--attention);
+  }
+  @media (max-width: 1400px) {
+    .row > span {
+      display: none;
+    }
+  }
+  @media ${short} {
+    .row {
+      padding: 3px;
+    }
+    .row > span {
+      display: none;
+    }
+  }
+  @media (pointer: coarse) {
+    button {
+      min-width: 40px;
+    }
+  }
+`;
+
+/** A key for each memory, one that keeps what shows in the next one pressed, one that deletes that. */
+@customElement("omote-memories")
+export class MemoryRow extends ConsoleElement {
+  /** What the next press means: after it, a press calls again. */
+  @state() private means: MemoryPress = "call";
+  #shown = "";
+
+  static override styles = [base, style];
+
+  protected override readonly topics: readonly Topic[] = ["state"];
+
+  constructor() {
+    super();
+    hearWhileShown<PointerEvent>(this, window, ["pointerdown"], (event) => {
+      if (!event.composedPath().includes(this)) this.means = "call"; // whoever goes on elsewhere has thought better of it
+    });
+  }
+
+  /** States come sixty times a second. */
+  protected override changed(): void {
+    const shown = JSON.stringify(this.#commands.kept);
+    if (shown !== this.#shown) this.requestUpdate();
+    this.#shown = shown;
+  }
+
+  get #commands(): MemoryCommands {
+    return new MemoryCommands(this.store);
+  }
+
+  /** A key or a click: calls a memory, or does what was asked for before. */
+  press(name: string): void {
+    const { means } = this;
+    this.means = "call";
+    this.#commands.press(name, means);
+  }
+
+  /** The next press keeps what shows; asked again, it calls. */
+  readonly keep = (): void => this.#mean("keep");
+
+  #mean(means: MemoryPress): void {
+    this.means = this.means === means ? "call" : means;
+  }
+
+  override render() {
+    const { kept } = this.#commands;
+    return html`<div class="row ${this.means === "call" ? "" : "asked"}" role="group" aria-label="Memories">
+      <span>Memory</span>
+      ${placesOf(kept).map((name) => this.#key(name, kept.includes(name)))}
+      <button class="means" aria-label="Keep a memory" aria-pressed=${this.means === "keep"}
+        title="The next place pressed keeps the whole look that shows: faces, expressions, head, gaze, light, framing (\\)"
+        @click=${this.keep}>Keep</button>
+      <button class="means" aria-label="Delete a memory" aria-pressed=${this.means === "delete"}
+        title="The next place pressed is emptied" @click=${() => this.#mean("delete")}>✕</button>
+    </div>`;
+  }
+
+  #key(name: string, there: boolean) {
+    const [key, does] = [PLACES.includes(name) ? ` (Shift ${name})` : "", DOES[this.means]];
+    return html`<button class=${there ? "" : "empty"} data-memory=${name} aria-label="Memory ${name}${there ? "" : ", empty"}"
+      title="${does} ${name}${key}" @click=${() => this.press(name)}>${name}</button>`;
+  }
+}
+
+const DOES: Readonly<Record<MemoryPress, string>> = {
+  call: "Call memory",
+  keep: "Keep what shows as memory",
+  delete: "Delete memory",
+};
