@@ -80,7 +80,16 @@ class Show:
 
     def server(self) -> int:
         """The process id of the server that plays."""
-        return max(children(self.standby()))
+        return server_of(self.standby())
+
+
+def server_of(standby: int) -> int:
+    """The process id of the server that a standby has started: it has workers, what makes a spare has none."""
+    while True:
+        for pid in reversed(children(standby)):
+            with contextlib.suppress(OSError):
+                if len(children(pid)) > 1:
+                    return pid
 
 
 def children(pid: int) -> list[int]:
@@ -279,6 +288,49 @@ def test_a_standby_that_dies_is_replaced_and_the_server_plays_on(show: Show) -> 
     after = ask(show)
     assert after.epoch == before.epoch
     assert after.number > before.number
+
+
+def test_server_and_standby_that_are_killed_at_one_instant_are_replaced_by_a_spare(show: Show) -> None:
+    """Twice: the spare that took their place has one of its own. Nothing is loaded anew, nothing is left at the end."""
+    before = ask(show, SetChannel("one", "jawOpen", 0.5))
+    while not journalled(show, b"jawOpen"):
+        before = ask(show)
+    standby, server, spare = show.standby(), show.server(), spare_of(show)
+    for _ in range(2):
+        for pid in (standby, server):
+            os.kill(pid, signal.SIGKILL)
+        show.heard("the standby ended; its spare takes its place")
+        before = ask(show, above=before.epoch)
+        assert before.characters["one"].channels == {"jawOpen": 0.5}
+        assert children(show.process.pid) == []
+        standby, server, spare = spare, server_of(spare), spare_of(show, spare)
+    ends = [os.pidfd_open(pid) for pid in (standby, server, spare)]
+    show.process.terminate()
+    assert show.process.wait(LIMIT) == 0
+    for end in ends:
+        assert wait_readable(end)
+        os.close(end)
+
+
+def spare_of(show: Show, standby: int = 0) -> int:
+    """The process id of the copy of the standby that waits, once it is there: no process of the show is its parent.
+
+    standby: the process id of a standby that was a spare itself.
+    """
+    path = os.fsencode(str(show.process.args[-1]))  # type: ignore[index]
+    while True:
+        parents = dict(filter(None, (parent_of(entry, path) for entry in Path("/proc").iterdir())))
+        spares = [pid for pid, parent in parents.items() if parent not in parents and pid != standby]
+        if spares := [pid for pid in spares if pid != show.process.pid]:
+            return spares[0]
+
+
+def parent_of(entry: Path, word: bytes) -> tuple[int, int] | None:
+    """A process and its parent by its folder in /proc, where its command line has a word."""
+    with contextlib.suppress(OSError):
+        if entry.name.isdigit() and word in (entry / "cmdline").read_bytes():
+            return int(entry.name), int((entry / "stat").read_text().rpartition(")")[2].split()[1])
+    return None
 
 
 @pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM])
