@@ -218,12 +218,15 @@ class Supervisor:
             if not self._server.playing:
                 self._crash_loop.record_hang(now)
             self._drop_server(self._server)
+        self._start_what_lacks(now)
+
+    def _start_what_lacks(self, now: float) -> None:
         if now >= self._not_before:
             if self._standby is None:
                 self._standby = self._start_standby()
             if self._server is None and self._standby.ready:
                 self._server = self._start_server(self._standby, now)
-        plays = self._server is not None and self._server.playing
+        plays = self._server is not None and self._server.playing  # a spare delays no start
         if plays and self._spare is None and now >= self._spare_not_before:
             self._spare = self._start_spare()
 
@@ -244,7 +247,7 @@ class Supervisor:
         return standby
 
     def _start_spare(self) -> Standby | None:
-        """Has the standby copy itself; None where it cannot now. Only beside a server that plays: it delays no start."""
+        """Has the standby copy itself; None where it cannot now."""
         if self._standby is None or not self._standby.ready:
             return None
         ours, theirs = socket.socketpair()
