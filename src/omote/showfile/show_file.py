@@ -1,7 +1,7 @@
 """The show file: one SQLite file (`.omote`) with the journal of the live state and all authored work.
 
 The journal is one row that is overwritten, so the file stays small. In WAL mode every commit survives the death of the
-process; authored work survives a loss of power at once, the journal from the next `flush` on.
+process; authored work survives a loss of power at once, the journal from the next `sync_log` or `flush` on.
 """
 
 from __future__ import annotations
@@ -26,6 +26,8 @@ __all__ = ["CorruptShowFileError", "JournalEntry", "ShowFile", "ShowFileError", 
 
 ASIDE_LIMIT = 20
 """Snapshots kept that no server could start from; older ones are deleted."""
+
+_sync = getattr(os, "fdatasync", os.fsync)
 
 HIGHEST_EPOCH = 2**53
 """Epochs are numbers in the browser too; beyond this they would not be told apart."""
@@ -208,8 +210,20 @@ class ShowFile:
         """Writes all commits of the log into the file itself, as far as no other program reads it."""
         self._connection.execute("PRAGMA wal_checkpoint(TRUNCATE)").fetchone()
 
+    def sync_log(self) -> None:
+        """Waits until what was committed so far is on the disk, and survives a loss of power; from any thread.
+
+        It lies in the log then; nothing is merged. Nothing where the log was moved away. OSError where the disk fails.
+        """
+        with contextlib.suppress(FileNotFoundError):
+            log = os.open(self.place.log_path, os.O_RDONLY)  # SQLite has no lock on it, which closing it would drop
+            try:
+                _sync(log)
+            finally:
+                os.close(log)
+
     def flush(self) -> None:
-        """Flushes to the disk, so that all commits survive a loss of power.
+        """Flushes to the disk, so that all commits survive a loss of power, and merges the log.
 
         Only where another connection has committed since the last time: a checkpoint that has nothing to do, while a
         commit begins the log anew, can lose that commit (SQLite before 3.51.3, "the WAL-reset bug").

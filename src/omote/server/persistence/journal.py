@@ -11,15 +11,18 @@ from omote.server.persistence.file_gate import FileGate
 from omote.showfile.database_errors import explain_database_error
 from omote.showfile.show_file import JournalEntry, ShowFile
 
+SYNC_SECONDS = 0.1
+"""Seconds between two syncs of the log, after which the journal survives a loss of power."""
 FLUSH_SECONDS = 1.0
-"""Seconds between two flushes (fsync), after which the journal survives a loss of power."""
+"""Seconds between two times that the log is merged into the file, so that it stays short."""
 
 
 class JournalWriter:
     """Writes the newest state in a thread; older states that it could not write in time are dropped.
 
-    A second thread flushes: syncing a disk takes tens of milliseconds, and a state must not wait for it. gate: passed
-    for each use of the file. sqlite3.Error where the file cannot be opened a second time.
+    A second thread syncs the log: that takes a disk tens of milliseconds, and a state must not wait for it. A third one
+    merges the log, which takes tenths of a second, for which no sync waits. gate: passed for each use of the file.
+    sqlite3.Error where the file cannot be opened a second time.
     """
 
     def __init__(
@@ -28,6 +31,7 @@ class JournalWriter:
         report: Callable[[str], None],
         gate: FileGate | None = None,
         *,
+        sync_seconds: float = SYNC_SECONDS,
         flush_seconds: float = FLUSH_SECONDS,
     ) -> None:
         self._show = show
@@ -40,11 +44,13 @@ class JournalWriter:
         self._waiting = threading.Condition()
         self._failing = False
         self._flush_seconds = flush_seconds
+        self._unsynced = threading.Event()
         self._done = threading.Event()
         self._thread = threading.Thread(target=self._run, name="journal", daemon=True)
         self._flusher = threading.Thread(target=self._flush, name="journal-flush", daemon=True)
-        self._thread.start()
-        self._flusher.start()
+        syncing = threading.Thread(target=self._sync, args=(sync_seconds,), name="journal-sync", daemon=True)
+        for thread in (self._thread, self._flusher, syncing):
+            thread.start()
 
     def offer(self, entry: JournalEntry) -> None:
         """Queues the newest state; returns at once."""
@@ -69,9 +75,16 @@ class JournalWriter:
             if entry is None:
                 break
             self._failing = not self._try_write(partial(self._show.write_journal, entry))
+            self._unsynced.set()
         self._done.set()
         with self._gate:
             self._show.close()
+
+    def _sync(self, seconds: float) -> None:
+        while not self._done.wait(seconds):
+            if self._unsynced.is_set():
+                self._unsynced.clear()
+                self._try_write(self._show.sync_log)
 
     def _flush(self) -> None:
         while not self._done.wait(self._flush_seconds):
@@ -83,7 +96,7 @@ class JournalWriter:
         try:
             with self._gate:
                 work()
-        except sqlite3.Error as error:
+        except (sqlite3.Error, OSError) as error:
             if not self._failing:
                 self._report(
                     f"{self._show.path} cannot be written ({explain_database_error(error)}): the show goes on, but if "
