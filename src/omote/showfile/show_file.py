@@ -41,7 +41,8 @@ FileId = tuple[int, int]
 class FilePlace:
     """Where an open show file lies, and which files of the disk it and its log are (None: not known).
 
-    moves: how often it was made anew; opened: all connections to it.
+    moves: how often it was made anew; opened: all connections to it; home: where a copy belongs, links followed, None
+    for what is none.
     """
 
     path: Path
@@ -49,6 +50,7 @@ class FilePlace:
     log: FileId | None = None
     moves: int = 0
     opened: list[ShowFile] = field(default_factory=list)
+    home: Path | None = None
 
     @property
     def log_path(self) -> Path:
@@ -143,7 +145,7 @@ class ShowFile:
         sqlite3.Error where it cannot be read.
         """
         (own,) = self._connection.execute("SELECT id FROM identity").fetchone() or ("",)
-        where = os.fsencode(os.path.realpath(self.path))
+        where = os.fsencode(self.place.home or os.path.realpath(self.path))
         return hashlib.blake2b(f"{own} ".encode() + where, digest_size=8).hexdigest()
 
     def journal(self) -> JournalEntry:

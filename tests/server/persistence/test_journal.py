@@ -4,7 +4,7 @@ import sqlite3
 import threading
 from pathlib import Path
 
-from omote.server.persistence.journal import SYNC_SECONDS, JournalWriter
+from omote.server.persistence.journal import STALL_SECONDS, SYNC_SECONDS, JournalWriter
 from omote.showfile.show_file import JournalEntry, ShowFile, open_show
 
 
@@ -95,6 +95,27 @@ def test_a_stuck_disk_keeps_nobody_and_costs_only_what_is_old() -> None:
     journal.close()
     assert disk.written == [1, 999]
     assert disk.closed.is_set()
+
+
+def test_a_stalled_disk_is_told_for_what_it_is_once_and_when_it_answers_again() -> None:
+    disk, said, now = Disk(), list[str](), [100.0]
+    disk.free.clear()
+    journal = JournalWriter(disk, said.append, clock=lambda: now[0])  # type: ignore[arg-type]
+    journal.offer(entry(1))
+    assert disk.reached.wait(60.0)
+    journal.offer(entry(2))
+    assert said == [], "a write may take its time"
+    now[0] += 1.1 * STALL_SECONDS
+    journal.offer(entry(3))
+    journal.offer(entry(4))
+    assert said == [
+        "the disk of show.omote does not answer: the show goes on, and what changes waits in memory.",
+    ]
+    disk.free.set()
+    while len(said) < 2:
+        journal.offer(entry(5))
+    assert said[1] == "the disk of show.omote answers again."
+    journal.close()
 
 
 def test_a_broken_disk_is_reported_once_and_tried_again() -> None:

@@ -26,6 +26,7 @@ from omote.server.access.access_setup import AccessOptions
 from omote.server.access.certificates import make_certificate
 from omote.server.access.people_file import open_people
 from omote.server.persistence.lock import lock_show
+from omote.server.persistence.memory_copy import find_copy, read_state
 from omote.server.process.process_messages import REJECTED
 from omote.server.supervision import supervisor
 from omote.server.supervision.listening_socket import listen_on
@@ -39,6 +40,8 @@ from omote.show.objects.faders import SetChannel
 from omote.show.objects.link import Hello, Notice, Notices, Ping, Pong
 from omote.show.objects.state import State
 from omote.show.wire import decode_answer, encode
+from omote.showfile.inspection import inspect_show
+from omote.showfile.schema import ShowFileError
 from omote.showfile.show_file import JournalEntry, open_show
 from tests.server.conftest import Editor
 
@@ -253,6 +256,51 @@ def test_a_killed_server_is_replaced_by_one_that_has_the_own_face_on_air(show: S
         before = ask(show)
     os.kill(show.server(), signal.SIGKILL)
     assert ask(show, above=before.epoch).characters["one"].faces == {"cousin": 1.0}
+
+
+def test_a_server_that_is_killed_while_the_disk_stalls_goes_on_from_memory_and_then_from_the_file(
+    tmp_path: Path,
+) -> None:
+    """The own face on air too. Later work is kept in the file again, and nothing is left in memory at the end."""
+    stall, path = tmp_path / "stall", tmp_path / "a.omote"
+    copy = find_copy(path)
+    if copy is None:
+        pytest.skip("this system has no files in memory")
+
+    async def author(url: str, label: str) -> object:
+        async with aiohttp.ClientSession() as http, http.ws_connect(url + EDITING_PATH, max_msg_size=0) as link:
+            page = Editor(link)
+            await page.greet()
+            draft = await page.ask(editing.CreateFace, label, {"broad": 0.5, "long": 0.5}, False)
+            return await page.ask(editing.Save, draft.item, "") if isinstance(draft, editing.DraftState) else draft
+
+    for show in played(Show(path, SYNTHETIC_STALL=str(stall))):
+        assert isinstance(asyncio.run(asyncio.wait_for(author(show.url, "Cousin"), LIMIT)), editing.Saved)
+        before = ask(show, CallFace("one", "1", "cousin", 0.0, "smooth"), SetChannel("one", "jawOpen", 0.5))
+        while not (in_memory := read_state(copy)) or b"jawOpen" not in (in_memory.snapshot or b"") or not holds(copy):
+            before = ask(show)
+        stall.touch()
+        for _ in range(2):
+            os.kill(show.server(), signal.SIGKILL)
+            show.heard("does not answer: the show goes on from memory")
+            after = ask(show, SetChannel("one", "jawOpen", 0.25), above=before.epoch)
+            assert after.characters["one"].faces == {"cousin": 1.0}
+            assert after.characters["one"].channels.keys() == {"jawOpen"}
+            before = after
+        stall.unlink()
+        show.heard("answers again: the show's process starts anew with it")
+        after = ask(show, above=before.epoch)
+        assert after.characters["one"].channels == {"jawOpen": 0.25}
+        assert after.characters["one"].faces == {"cousin": 1.0}
+        assert isinstance(asyncio.run(asyncio.wait_for(author(show.url, "Aunt"), LIMIT)), editing.Saved)
+    assert list(copy.parent.glob(f"{copy.stem}*")) == []
+
+
+def holds(copy: Path) -> bool:
+    """Whether the copy of a show in memory has an own face."""
+    with contextlib.suppress(OSError, ShowFileError):
+        return [item.name for item in inspect_show(copy).stored.items] == ["cousin"]
+    return False
 
 
 def journalled(show: Show, word: bytes, name: str = "a.omote") -> bool:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import sqlite3
 import threading
+import time
 from collections.abc import Callable
 from functools import partial
 
@@ -15,6 +16,8 @@ SYNC_SECONDS = 0.1
 """Seconds between two syncs of the log, after which the journal survives a loss of power."""
 FLUSH_SECONDS = 1.0
 """Seconds between two times that the log is merged into the file, so that it stays short."""
+STALL_SECONDS = 3.0
+"""After which a disk that has not taken a write counts as stalled, and the crew is told."""
 
 
 class JournalWriter:
@@ -33,6 +36,7 @@ class JournalWriter:
         *,
         sync_seconds: float = SYNC_SECONDS,
         flush_seconds: float = FLUSH_SECONDS,
+        clock: Callable[[], float] = time.monotonic,
     ) -> None:
         self._show = show
         self._report = report
@@ -42,7 +46,9 @@ class JournalWriter:
         self._newest: JournalEntry | None = None
         self._closing = False
         self._waiting = threading.Condition()
-        self._failing = False
+        self._failing = self._stalled = False
+        self._clock = clock
+        self._under_way: dict[int, float] = {}
         self._flush_seconds = flush_seconds
         self._unsynced = threading.Event()
         self._done = threading.Event()
@@ -53,10 +59,19 @@ class JournalWriter:
             thread.start()
 
     def offer(self, entry: JournalEntry) -> None:
-        """Queues the newest state; returns at once."""
+        """Queues the newest state, and tells the operator when the disk stalls; returns at once."""
         with self._waiting:
             self._newest = entry
             self._waiting.notify()
+        began = list(self._under_way.values())
+        stalled = bool(began) and self._clock() - min(began) > STALL_SECONDS
+        if stalled and not self._stalled:
+            self._report(
+                f"the disk of {self._show.path} does not answer: the show goes on, and what changes waits in memory."
+            )
+        elif self._stalled and not began:
+            self._report(f"the disk of {self._show.path} answers again.")
+        self._stalled = stalled or (self._stalled and bool(began))
 
     def close(self) -> None:
         """Writes what is left and closes the file; waits two seconds at most."""
@@ -93,6 +108,8 @@ class JournalWriter:
             self._flushed.close()
 
     def _try_write(self, work: Callable[[], None]) -> bool:
+        me = threading.get_ident()
+        self._under_way[me] = self._clock()
         try:
             with self._gate:
                 work()
@@ -103,4 +120,6 @@ class JournalWriter:
                     "its process ends, what has changed since is not restored. Mend that soon."
                 )
             return False
+        finally:
+            del self._under_way[me]
         return True

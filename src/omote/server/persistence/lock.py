@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import fcntl
 import os
+from contextlib import suppress
 from pathlib import Path
 
 from omote.interchange.formats.error_reasons import explain_error
@@ -70,6 +71,20 @@ def note_address(lock: int, address: str) -> None:
     """
     os.ftruncate(lock, 0)
     os.pwrite(lock, address.encode()[:LONGEST_ADDRESS], 0)
+
+
+def probe_disk(path: Path) -> None:
+    """Returns once the disk of a show file has taken something: a byte of its lock file, as it is there.
+
+    path: of the show file.
+    """
+    with suppress(OSError):  # an answer too
+        descriptor = os.open(_lock_path(path), os.O_RDWR)
+        try:
+            os.pwrite(descriptor, os.pread(descriptor, 1, 0), 0)
+            os.fsync(descriptor)
+        finally:
+            os.close(descriptor)
 
 
 def read_address(path: Path) -> str:
