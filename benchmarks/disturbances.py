@@ -174,8 +174,8 @@ async def kill_beside_stalled_disk(show: Show, seconds: float) -> str:
     pauses = [b[2] - a[2] for a, b in pairwise(show.stage.ticks) if a[0] != b[0] and b[2] > killed]
     away = show.stage.longest(killed + 1.0, killed + seconds)
     return (
-        f"blackout {pauses[0]:.2f} s; while the disk is away longest time between two ticks {1000 * away:.0f} ms; pauses "
-        f"when it is back {', '.join(f'{pause:.2f} s' for pause in pauses[1:]) or 'none'}"
+        f"blackout {pauses[0]:.2f} s; while the disk is away longest time between two ticks {1000 * away:.0f} ms; "
+        f"pauses when it is back {', '.join(f'{pause:.2f} s' for pause in pauses[1:]) or 'none'}"
     )
 
 

@@ -17,7 +17,7 @@ from pathlib import Path
 
 from omote.showfile.authored_rows import apply_changes, read_all, read_contents, row_checksum
 from omote.showfile.changes import Change, Stored
-from omote.showfile.database_errors import DamageError, explain_database_error
+from omote.showfile.database_errors import LOCKLESS, DamageError, explain_database_error, is_lockless
 from omote.showfile.identification import require_show
 from omote.showfile.integrity import verify_integrity
 from omote.showfile.schema import CorruptShowFileError, ShowFileError, migrate
@@ -276,6 +276,8 @@ def open_show(path: Path) -> ShowFile:
         migrate(connection, version)
     except sqlite3.OperationalError as error:
         connection.close()
+        if is_lockless(error):
+            raise ShowFileError(f"{path} cannot be played: {LOCKLESS}.") from error
         raise ShowFileError(
             f"{path} cannot be written ({explain_database_error(error)}): mend that, or name another file."
         ) from error
