@@ -179,6 +179,21 @@ async def kill_beside_stalled_disk(show: Show, seconds: float) -> str:
     )
 
 
+async def hang_server(show: Show, seconds: float) -> str:
+    """The server stops (SIGSTOP) five times."""
+    pauses = list[float]()
+    for _ in range(5):
+        await asyncio.sleep(seconds / 5)
+        _, server = show.processes()
+        seen, stopped = len(show.stage.ticks), time.monotonic()
+        epoch = show.stage.ticks[-1][0]
+        os.kill(server, signal.SIGSTOP)
+        while not (back := [tick[2] for tick in show.stage.ticks[seen:] if tick[0] != epoch]):
+            await asyncio.sleep(0.01)
+        pauses.append(back[0] - stopped)
+    return f"pauses {', '.join(f'{pause:.2f}' for pause in pauses)} s"
+
+
 async def unread_terminal(show: Show, seconds: float) -> str:
     """Nobody reads the terminal, and unknown OSC is said there."""
     client = SimpleUDPClient("127.0.0.1", show.osc)
@@ -255,6 +270,7 @@ DISTURBANCES: dict[str, Callable[[Show, float], object]] = {
     "power": lose_power,
     "disk": stall_disk,
     "kill": kill_beside_stalled_disk,
+    "hang": hang_server,
     "terminal": unread_terminal,
     "busy": busy_programs,
     "editors": rotten_editors,
