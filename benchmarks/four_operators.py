@@ -36,7 +36,7 @@ sys.path.insert(0, str(Path(__file__).resolve().parent.parent))
 
 import omote
 from benchmarks.pace import measure_waiting_pace
-from benchmarks.recovery import children, server_of
+from benchmarks.recovery import children
 from benchmarks.stage import CHROMIUM
 from tools.browser import SENTENCE, find_browser
 
@@ -226,7 +226,8 @@ def run_evening(browser: Browser, place: tuple[str, int], trial: Trial, options:
         play(consoles, 30 * options.minutes, trial, dice)
         take_pictures(pages, options.pictures, part)
         if part == "first":
-            os.kill(server_of(pid), signal.SIGKILL)
+            (standby,) = children(pid)
+            os.kill(max(children(standby)), signal.SIGKILL)
     seconds = time.monotonic() - began
     drawn = int(stage.evaluate("window.drawnFrames"))
     after = megabytes(pid)

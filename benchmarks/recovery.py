@@ -3,13 +3,14 @@
 Starts `omote show` as a user does, follows it as a browser does (a link that is tried again every 50 ms), and kills the
 server at random moments of a fade. Printed: the blackout from the kill to the next state that a stage receives, and the
 age of the state that came back: how much older it is than the last that the stage had seen. `--kills N` for another
-count.
+count; `--both` kills the standby with each server.
 """
 
 from __future__ import annotations
 
 import argparse
 import asyncio
+import contextlib
 import os
 import re
 import signal
@@ -93,15 +94,20 @@ def children(pid: int) -> list[int]:
     return [int(word) for word in Path(f"/proc/{pid}/task/{pid}/children").read_text().split()]
 
 
-def server_of(supervisor: int) -> int:
-    """The process that plays: the youngest child of the supervisor's standby."""
-    return max(child for standby in children(supervisor) for child in children(standby))
+def processes_of(show: Path) -> tuple[int, int]:
+    """The standby and the server that plays (Linux): the one with workers, and its parent."""
+    while True:
+        for entry in Path("/proc").iterdir():
+            with contextlib.suppress(OSError, ValueError):
+                if os.fsencode(show) in (entry / "cmdline").read_bytes() and len(children(int(entry.name))) > 1:
+                    return int((entry / "stat").read_text().rpartition(")")[2].split()[1]), int(entry.name)
 
 
 async def kill_once(
-    follower: Follower, http: aiohttp.ClientSession, supervisor: int, number: int, wait: float
+    follower: Follower, http: aiohttp.ClientSession, show: Path, number: int, wait: float, *, both: bool
 ) -> Recovery:
-    """Calls a face, kills the server `wait` seconds into the fade, waits for the picture."""
+    """Calls a face, kills the server, or both it and the standby, `wait` seconds into the fade; waits for the
+    picture."""
     await follower.call(number, http)
     state = await follower.state(http)
     begun = time.monotonic()
@@ -109,8 +115,10 @@ async def kill_once(
         state = await follower.state(http)
     called = state.characters["one"].face_call.target
     seen = state.time
+    standby, server = processes_of(show)
     killed = time.monotonic()
-    os.kill(server_of(supervisor), signal.SIGKILL)
+    for pid in (standby, server) if both else (server,):
+        os.kill(pid, signal.SIGKILL)
     while state.epoch == (first := await follower.state(http)).epoch:
         seen = first.time
     came_back = first.time - (first.number - 1) / STATE_RATE
@@ -118,12 +126,12 @@ async def kill_once(
     return Recovery(follower.received - killed, seen - came_back, same)
 
 
-async def measure(url: str, supervisor: int, kills: int) -> list[Recovery]:
+async def measure(url: str, show: Path, kills: int, *, both: bool) -> list[Recovery]:
     """As many kills as asked for, at seeded random moments of a fade."""
     waits = np.random.default_rng(8).uniform(0.3, FADE_SECONDS - 0.7, kills)
     follower = Follower(url)
     async with aiohttp.ClientSession() as http:
-        return [await kill_once(follower, http, supervisor, n, float(wait)) for n, wait in enumerate(waits)]
+        return [await kill_once(follower, http, show, n, float(wait), both=both) for n, wait in enumerate(waits)]
 
 
 def read_address(process: subprocess.Popen[str]) -> str:
@@ -155,18 +163,20 @@ def main() -> int:
     """Runs the show, kills it, prints; exit status 1 when a limit is missed."""
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--kills", type=int, default=20)
-    kills = parser.parse_args().kills
+    parser.add_argument("--both", action="store_true", help="kill the standby with each server, at one instant")
+    options = parser.parse_args()
     with tempfile.TemporaryDirectory() as folder:
-        command = [*COMMAND, str(Path(folder) / "show.omote"), "--port", "0", "--no-open"]
+        show = Path(folder) / "show.omote"
+        command = [*COMMAND, str(show), "--port", "0", "--no-open", "--no-announce", "--osc", "off"]
         with (Path(folder) / "said").open("w+") as said:
             process = subprocess.Popen(command, stdout=subprocess.PIPE, stderr=said, text=True)
             try:
-                recoveries = asyncio.run(measure(read_address(process), process.pid, kills))
+                recoveries = asyncio.run(measure(read_address(process), show, options.kills, both=options.both))
             finally:
                 process.terminate()
                 process.wait(10.0)
             said.seek(0)
-            print("".join(line for line in said if "is gone; another" not in line), end="")
+            print("".join(line for line in said if "another" not in line and "spare" not in line), end="")
     return 0 if verdict(recoveries) else 1
 
 

@@ -2,6 +2,10 @@
 
 import os
 import sys
+import time
+from collections.abc import Callable
+from pathlib import Path
+from typing import TypeVar
 
 import msgspec
 import numpy as np
@@ -11,10 +15,13 @@ from omote.builtin import BakedMesh
 from omote.model.cast import Cast
 from omote.server.http.cast_documents import CastDocuments
 from omote.server.http.static_pages import Page
+from omote.server.persistence import disk_wait
 from omote.server.supervision.show_process import ShowMaterial
 from omote.server.supervision.standby import main
 from omote.show.session import ShowSession
 from tests import synthetic
+
+Result = TypeVar("Result")
 
 MASK = b"\x89PNG\r\n\x1a\n"
 PAGES = {path: Page(f"page {path}".encode(), "text/html", immutable=False) for path in ("/", "/stage", "/console")}
@@ -44,7 +51,21 @@ def poisoned(*_: object) -> ShowSession:
     raise ArithmeticError("the state is poisoned")
 
 
+def wait_for_disk(work: Callable[..., Result]) -> Callable[..., Result]:
+    """Does what the disk does only while the file is not there that stands for its stall."""
+
+    def waiting(*arguments: object) -> Result:
+        while Path(os.environ["SYNTHETIC_STALL"]).exists():
+            time.sleep(0.01)
+        return work(*arguments)
+
+    return waiting
+
+
 if __name__ == "__main__":
+    if os.environ.get("SYNTHETIC_STALL"):
+        for work in ("open_journal", "probe_disk"):
+            setattr(disk_wait, work, wait_for_disk(getattr(disk_wait, work)))
     if os.environ.get("SYNTHETIC_POISON"):
         ShowSession.restored = poisoned  # type: ignore[method-assign, assignment]
         msgspec.msgpack.decode = lambda *_, **__: None  # type: ignore[assignment]

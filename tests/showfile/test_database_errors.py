@@ -9,6 +9,7 @@ import pytest
 
 from omote.showfile.database_errors import (
     DATABASE_REASONS,
+    LOCKLESS,
     DamageError,
     describe_error,
     explain_database_error,
@@ -66,3 +67,11 @@ def test_whatever_a_command_ends_with_is_a_sentence() -> None:
         == "the show file cannot be used: another program has it open, or its disk does not answer."
     )
     assert describe_error(ValueError("a face is missing")) == "a face is missing"
+
+
+def test_a_folder_whose_files_cannot_be_shared_is_named_as_the_reason() -> None:
+    error = sqlite3.OperationalError("disk I/O error")
+    error.sqlite_errorcode = sqlite3.SQLITE_IOERR_SHMMAP
+    assert explain_database_error(error) == LOCKLESS
+    error.sqlite_errorcode = sqlite3.SQLITE_IOERR_WRITE
+    assert explain_database_error(error) == "the disk fails"

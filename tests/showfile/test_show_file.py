@@ -11,6 +11,7 @@ import pytest
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
+from omote.showfile import show_file
 from omote.showfile.changes import StoredDocument
 from omote.showfile.recovery import move_aside
 from omote.showfile.schema import APPLICATION_ID, SCHEMA_VERSION
@@ -204,6 +205,20 @@ def test_a_flush_with_nothing_new_makes_no_checkpoint(tmp_path: Path) -> None:
     flusher.flush()
     assert len(made) == 2
     flusher.close()
+    show.close()
+
+
+def test_what_was_committed_is_in_the_log_that_is_synced(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    synced = list[bytes]()
+    monkeypatch.setattr(show_file, "_sync", lambda log: synced.append(os.pread(log, 1 << 20, 0)))
+    show = open_show(tmp_path / "a.omote")
+    show.write_journal(JournalEntry(1, 0.0, b"what is on air"))
+    show.sync_log()
+    assert b"what is on air" in synced[0]
+    (tmp_path / "a.omote-wal").rename(tmp_path / "moved")
+    show.sync_log()
+    assert len(synced) == 1
+    (tmp_path / "moved").rename(tmp_path / "a.omote-wal")
     show.close()
 
 

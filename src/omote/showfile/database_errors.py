@@ -25,6 +25,20 @@ DATABASE_REASONS: Mapping[int, str] = {
     sqlite3.SQLITE_ERROR: "its tables are not those of a show",
 }
 """What SQLite's primary result codes (https://sqlite.org/rescode.html) say of a show file."""
+LOCKLESS = (
+    "its folder cannot hold a show: it has no locks or no memory that programs share, as on network drives and in "
+    "synced folders; keep the show on a disk of this machine"
+)
+"""Why no show can be played in a folder: SQLite and Omote need both."""
+LOCKLESS_CODES = frozenset(
+    (
+        sqlite3.SQLITE_IOERR_LOCK,
+        sqlite3.SQLITE_IOERR_RDLOCK,
+        sqlite3.SQLITE_IOERR_SHMLOCK,
+        sqlite3.SQLITE_IOERR_SHMMAP,
+        sqlite3.SQLITE_PROTOCOL,
+    )
+)
 _OTHER = "the database fails"
 _PRIMARY = 0xFF
 
@@ -44,7 +58,14 @@ def explain_database_error(error: BaseException, /) -> str:
     if isinstance(error, sqlite3.ProgrammingError):
         return "it is closed already"
     code = getattr(error, "sqlite_errorcode", None)  # Python's own, about text that is none, have no code
+    if is_lockless(error):
+        return LOCKLESS
     return "what it holds cannot be read" if code is None else DATABASE_REASONS.get(code & _PRIMARY, _OTHER)
+
+
+def is_lockless(error: BaseException, /) -> bool:
+    """Whether a folder lacks what programs need to share a file in it."""
+    return getattr(error, "sqlite_errorcode", None) in LOCKLESS_CODES
 
 
 def describe_error(error: BaseException, /) -> str:

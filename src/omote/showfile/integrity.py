@@ -7,7 +7,7 @@ import sqlite3
 from pathlib import Path
 
 from omote.showfile.authored_rows import read_all, read_contents, row_checksum
-from omote.showfile.database_errors import DATABASE_REASONS, DamageError, explain_database_error
+from omote.showfile.database_errors import DATABASE_REASONS, LOCKLESS, DamageError, explain_database_error, is_lockless
 from omote.showfile.identification import reject_foreign
 from omote.showfile.schema import AUTHORED_SINCE, CorruptShowFileError, ShowFileError, version_of
 
@@ -35,6 +35,8 @@ def verify_integrity(path: Path, /) -> int:
         with contextlib.closing(open_read_only(path)) as connection:
             return _verified_version(connection, path)
     except sqlite3.DatabaseError as error:
+        if is_lockless(error):
+            raise ShowFileError(f"{path} cannot be played: {LOCKLESS}.") from error
         if not is_damage(error):
             raise ShowFileError(
                 f"{path} cannot be read ({explain_database_error(error)}): mend that, or name another file."

@@ -1,7 +1,7 @@
 """The show file: one SQLite file (`.omote`) with the journal of the live state and all authored work.
 
 The journal is one row that is overwritten, so the file stays small. In WAL mode every commit survives the death of the
-process; authored work survives a loss of power at once, the journal from the next `flush` on.
+process; authored work survives a loss of power at once, the journal from the next `sync_log` or `flush` on.
 """
 
 from __future__ import annotations
@@ -17,7 +17,7 @@ from pathlib import Path
 
 from omote.showfile.authored_rows import apply_changes, read_all, read_contents, row_checksum
 from omote.showfile.changes import Change, Stored
-from omote.showfile.database_errors import DamageError, explain_database_error
+from omote.showfile.database_errors import LOCKLESS, DamageError, explain_database_error, is_lockless
 from omote.showfile.identification import require_show
 from omote.showfile.integrity import verify_integrity
 from omote.showfile.schema import CorruptShowFileError, ShowFileError, migrate
@@ -26,6 +26,8 @@ __all__ = ["CorruptShowFileError", "JournalEntry", "ShowFile", "ShowFileError", 
 
 ASIDE_LIMIT = 20
 """Snapshots kept that no server could start from; older ones are deleted."""
+
+_sync = getattr(os, "fdatasync", os.fsync)
 
 HIGHEST_EPOCH = 2**53
 """Epochs are numbers in the browser too; beyond this they would not be told apart."""
@@ -39,7 +41,8 @@ FileId = tuple[int, int]
 class FilePlace:
     """Where an open show file lies, and which files of the disk it and its log are (None: not known).
 
-    moves: how often it was made anew; opened: all connections to it.
+    moves: how often it was made anew; opened: all connections to it; home: where a copy belongs, links followed, None
+    for what is none.
     """
 
     path: Path
@@ -47,6 +50,7 @@ class FilePlace:
     log: FileId | None = None
     moves: int = 0
     opened: list[ShowFile] = field(default_factory=list)
+    home: Path | None = None
 
     @property
     def log_path(self) -> Path:
@@ -141,7 +145,7 @@ class ShowFile:
         sqlite3.Error where it cannot be read.
         """
         (own,) = self._connection.execute("SELECT id FROM identity").fetchone() or ("",)
-        where = os.fsencode(os.path.realpath(self.path))
+        where = os.fsencode(self.place.home or os.path.realpath(self.path))
         return hashlib.blake2b(f"{own} ".encode() + where, digest_size=8).hexdigest()
 
     def journal(self) -> JournalEntry:
@@ -208,8 +212,20 @@ class ShowFile:
         """Writes all commits of the log into the file itself, as far as no other program reads it."""
         self._connection.execute("PRAGMA wal_checkpoint(TRUNCATE)").fetchone()
 
+    def sync_log(self) -> None:
+        """Waits until what was committed so far is on the disk, and survives a loss of power; from any thread.
+
+        It lies in the log then; nothing is merged. Nothing where the log was moved away. OSError where the disk fails.
+        """
+        with contextlib.suppress(FileNotFoundError):
+            log = os.open(self.place.log_path, os.O_RDONLY)  # SQLite has no lock on it, which closing it would drop
+            try:
+                _sync(log)
+            finally:
+                os.close(log)
+
     def flush(self) -> None:
-        """Flushes to the disk, so that all commits survive a loss of power.
+        """Flushes to the disk, so that all commits survive a loss of power, and merges the log.
 
         Only where another connection has committed since the last time: a checkpoint that has nothing to do, while a
         commit begins the log anew, can lose that commit (SQLite before 3.51.3, "the WAL-reset bug").
@@ -260,6 +276,8 @@ def open_show(path: Path) -> ShowFile:
         migrate(connection, version)
     except sqlite3.OperationalError as error:
         connection.close()
+        if is_lockless(error):
+            raise ShowFileError(f"{path} cannot be played: {LOCKLESS}.") from error
         raise ShowFileError(
             f"{path} cannot be written ({explain_database_error(error)}): mend that, or name another file."
         ) from error

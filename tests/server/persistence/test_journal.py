@@ -4,7 +4,7 @@ import sqlite3
 import threading
 from pathlib import Path
 
-from omote.server.persistence.journal import JournalWriter
+from omote.server.persistence.journal import STALL_SECONDS, SYNC_SECONDS, JournalWriter
 from omote.showfile.show_file import JournalEntry, ShowFile, open_show
 
 
@@ -15,6 +15,8 @@ class Disk:
         self.path = Path("show.omote")
         self.written: list[int] = []
         self.flushing = threading.Event()
+        self.logged = threading.Event()
+        self.synced_log: list[int] = []
         self.synced = threading.Event()
         self.synced.set()
         self.closed = threading.Event()
@@ -32,6 +34,10 @@ class Disk:
             error.sqlite_errorcode = sqlite3.SQLITE_IOERR
             raise error
         self.written.append(entry.epoch)
+
+    def sync_log(self) -> None:
+        self.synced_log.append(len(self.written))
+        self.logged.set()
 
     def again(self) -> "Flusher":
         self.opened_by = threading.current_thread()
@@ -91,6 +97,27 @@ def test_a_stuck_disk_keeps_nobody_and_costs_only_what_is_old() -> None:
     assert disk.closed.is_set()
 
 
+def test_a_stalled_disk_is_told_for_what_it_is_once_and_when_it_answers_again() -> None:
+    disk, said, now = Disk(), list[str](), [100.0]
+    disk.free.clear()
+    journal = JournalWriter(disk, said.append, clock=lambda: now[0])  # type: ignore[arg-type]
+    journal.offer(entry(1))
+    assert disk.reached.wait(60.0)
+    journal.offer(entry(2))
+    assert said == [], "a write may take its time"
+    now[0] += 1.1 * STALL_SECONDS
+    journal.offer(entry(3))
+    journal.offer(entry(4))
+    assert said == [
+        "the disk of show.omote does not answer: the show goes on, and what changes waits in memory.",
+    ]
+    disk.free.set()
+    while len(said) < 2:
+        journal.offer(entry(5))
+    assert said[1] == "the disk of show.omote answers again."
+    journal.close()
+
+
 def test_a_broken_disk_is_reported_once_and_tried_again() -> None:
     disk = Disk()
     said = list[str]()
@@ -123,6 +150,23 @@ def test_a_disk_that_syncs_for_ever_holds_up_no_state() -> None:
     disk.synced.set()
     journal.close()
     assert disk.written == [0, 1, 2]
+
+
+def test_each_state_is_synced_at_once_also_while_the_log_is_merged() -> None:
+    """What a loss of power costs: the time between two syncs, and what one takes."""
+    assert SYNC_SECONDS <= 0.1
+    disk = Disk()
+    disk.synced.clear()
+    journal = JournalWriter(disk, [].append, sync_seconds=1e-4, flush_seconds=1e-4)  # type: ignore[arg-type]
+    assert disk.flushing.wait(60.0)
+    for number in range(1, 4):
+        disk.logged.clear()
+        journal.offer(entry(number))
+        while disk.synced_log[-1:] != [number]:
+            assert disk.logged.wait(60.0)
+    assert len(disk.synced_log) <= 2 * 3, "nothing is synced where nothing was written"
+    disk.synced.set()
+    journal.close()
 
 
 def test_a_real_file_flushes(tmp_path: Path) -> None:

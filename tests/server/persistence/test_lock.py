@@ -1,5 +1,7 @@
 """One server to a show file."""
 
+import errno
+import fcntl
 import os
 import subprocess
 import sys
@@ -95,3 +97,21 @@ def test_a_place_where_no_file_can_be_is_refused_in_a_sentence(tmp_path: Path) -
             ShowFileError, match=rf"{path.name} cannot be (made: .* is no folder|read \(.*\): name another file)"
         ):
             lock_show(path)
+
+
+@pytest.mark.parametrize(
+    ("call", "number"), [("flock", errno.EOPNOTSUPP), ("flock", errno.ENOLCK), ("lockf", errno.ENOLCK)]
+)
+def test_a_folder_without_locks_is_said_to_be_one_and_nothing_is_left_in_it(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, call: str, number: int
+) -> None:
+    def refuse(*_: object) -> None:
+        raise OSError(number, os.strerror(number))
+
+    monkeypatch.setattr(fcntl, call, refuse)
+    with pytest.raises(
+        ShowFileError, match=r"cannot be played: its folder cannot hold a show: it has no locks"
+    ) as told:
+        lock_show(tmp_path / "a.omote")
+    assert "on a disk of this machine" in str(told.value)
+    assert list(tmp_path.iterdir()) == []

@@ -5,6 +5,7 @@ from pathlib import Path
 
 import pytest
 
+from omote.server.persistence import offline_show
 from omote.server.persistence.lock import ShowLockedError, lock_show
 from omote.server.persistence.offline_show import open_offline_show, wall_clock
 from omote.showfile.backup import backup_paths
@@ -66,3 +67,11 @@ def test_a_file_that_a_show_plays_is_refused(tmp_path: Path) -> None:
 
 def test_the_wall_clock_counts_from_1970() -> None:
     assert wall_clock() > 1.7e9
+
+
+def test_what_a_killed_show_left_in_memory_is_removed(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    copy = tmp_path / "copy.omote"
+    copy.write_bytes(b"faces of people")
+    monkeypatch.setattr(offline_show, "find_copy", lambda _: copy)
+    with open_offline_show(tmp_path / "a.omote", new=True):
+        assert not copy.exists()

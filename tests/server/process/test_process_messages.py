@@ -17,6 +17,7 @@ from omote.server.process.process_messages import (
     Order,
     Ready,
     ShowMoved,
+    SpareOrder,
     Started,
     read_news,
     read_pulse,
@@ -37,7 +38,7 @@ def test_an_order_arrives_with_its_pipes() -> None:
         send_order(ours, Order(epoch=3, neutral=True), control, end)
         taken = receive_order(theirs)
     assert taken is not None
-    order, got_control, got_pulse = taken
+    order, (got_control, got_pulse) = taken
     assert order == Order(epoch=3, neutral=True)
     os.write(got_pulse, b"t")
     assert os.read(got_control, 10) == b"t"
@@ -50,21 +51,36 @@ def test_the_end_of_the_line_is_no_order(unread: bool) -> None:
     ours, theirs = socket.socketpair()
     with theirs:
         if unread:
-            send_news(theirs, Ready())
+            send_news(theirs, Ready(11))
         ours.close()
         assert receive_order(theirs) is None
 
 
-def test_an_order_without_its_pipes_is_none() -> None:
+@pytest.mark.parametrize("order", [Order(epoch=1, neutral=False), SpareOrder()])
+def test_an_order_without_what_belongs_to_it_is_none(order: Order | SpareOrder) -> None:
     ours, theirs = socket.socketpair()
     with ours, theirs:
-        ours.sendall(msgspec.json.encode(Order(epoch=1, neutral=False)))
+        ours.sendall(msgspec.json.encode(order))
         assert receive_order(theirs) is None
+
+
+def test_an_order_for_a_spare_arrives_with_its_line() -> None:
+    ours, theirs = socket.socketpair()
+    near, far = socket.socketpair()
+    with ours, theirs, near, far:
+        send_order(ours, SpareOrder(), far.fileno())
+        taken = receive_order(theirs)
+        assert taken is not None
+        order, (line,) = taken
+        assert order == SpareOrder()
+        os.write(line, b"ready")
+        assert near.recv(10) == b"ready"
+        os.close(line)
 
 
 def test_news_arrive_in_order() -> None:
     ours, theirs = socket.socketpair()
-    news: list[News] = [Ready(), Started(pid=12), Ended(pid=12, code=-9)]
+    news: list[News] = [Ready(11), Started(pid=12), Ended(pid=12, code=-9)]
     with ours, theirs:
         for each in news:
             send_news(ours, each)
@@ -75,7 +91,7 @@ def test_news_to_nobody_are_no_fault() -> None:
     ours, theirs = socket.socketpair()
     theirs.close()
     with ours:
-        send_news(ours, Ready())
+        send_news(ours, Ready(11))
 
 
 def test_an_order_brings_what_the_crew_was_told() -> None:
@@ -88,7 +104,7 @@ def test_an_order_brings_what_the_crew_was_told() -> None:
         taken = receive_order(theirs)
     assert taken is not None
     assert taken[0] == order
-    for descriptor in (control, end, *taken[1:]):
+    for descriptor in (control, end, *taken[1]):
         os.close(descriptor)
 
 

@@ -10,8 +10,18 @@ from pathlib import Path
 
 import pytest
 
-from omote.server.process.process_messages import REJECTED, Ended, News, Order, Ready, Started, read_news, send_order
-from omote.server.supervision.standby import fork_server, main, reap_servers, serve_orders
+from omote.server.process.process_messages import (
+    REJECTED,
+    Ended,
+    News,
+    Order,
+    Ready,
+    SpareOrder,
+    Started,
+    read_news,
+    send_order,
+)
+from omote.server.supervision.standby import main, reap_servers, serve_orders
 
 
 def in_a_process(run: Callable[[socket.socket], object]) -> tuple[int, socket.socket]:
@@ -51,7 +61,7 @@ def standing_by(play: Callable[[int, int], None]) -> tuple[int, socket.socket]:
     """A standby whose servers do this with their control and pulse."""
 
     def run(line: socket.socket) -> None:
-        serve_orders(line, lambda _, control, pulse: fork_server(line, lambda: play(control, pulse)))
+        serve_orders(line, lambda _, control, pulse: play(control, pulse))
 
     return in_a_process(run)
 
@@ -129,6 +139,35 @@ def test_a_standby_without_supervisor_sees_its_servers_out(stopped: bool, monkey
     os.close(pulse)
 
 
+def test_a_spare_serves_orders_when_its_standby_and_the_server_are_killed_at_one_instant() -> None:
+    pid, line = standing_by(wait_for_the_end)
+    control, pulse = ordered(line)
+    (started,) = news_of(line, 1)
+    assert isinstance(started, Started)
+    ours, theirs = socket.socketpair()
+    send_order(line, SpareOrder(), theirs.fileno())
+    theirs.close()
+    (ready,) = news_of(ours, 1)
+    assert isinstance(ready, Ready)
+    assert os.getsid(ready.pid) not in (ready.pid, os.getsid(pid)), "what ends the standby's session spares it"
+    for killed in (pid, started.pid):
+        os.kill(killed, signal.SIGKILL)
+    os.waitpid(pid, 0)
+    assert line.recv(4096) == b"", "nobody else holds the line"
+    assert os.read(pulse, 1) == b""
+    next_control, next_pulse = ordered(ours)
+    (second,) = news_of(ours, 1)
+    assert isinstance(second, Started)
+    os.close(next_control)
+    assert news_of(ours, 1) == [Ended(second.pid, 0)]
+    ours.shutdown(socket.SHUT_WR)
+    assert ours.recv(4096) == b"", "it ends with its supervisor"
+    for descriptor in (control, pulse, next_pulse):
+        os.close(descriptor)
+    line.close()
+    ours.close()
+
+
 def test_without_children_none_is_gone() -> None:
     assert reap_servers() == []
 
@@ -158,7 +197,7 @@ def test_a_standby_says_when_it_is_ready_and_has_one_thread(tmp_path: Path) -> N
     )
     theirs.close()
     ours.settimeout(60.0)
-    assert read_news(ours.recv(4096)) == [Ready()]
+    assert read_news(ours.recv(4096)) == [Ready(pid)]
     if (tasks := Path(f"/proc/{pid}/task")).exists():
         assert len(list(tasks.iterdir())) == 1  # a process of several threads cannot be copied whole
     ours.close()

@@ -26,6 +26,7 @@ from omote.server.access.access_setup import AccessOptions
 from omote.server.access.certificates import make_certificate
 from omote.server.access.people_file import open_people
 from omote.server.persistence.lock import lock_show
+from omote.server.persistence.memory_copy import find_copy, read_state
 from omote.server.process.process_messages import REJECTED
 from omote.server.supervision import supervisor
 from omote.server.supervision.listening_socket import listen_on
@@ -39,6 +40,8 @@ from omote.show.objects.faders import SetChannel
 from omote.show.objects.link import Hello, Notice, Notices, Ping, Pong
 from omote.show.objects.state import State
 from omote.show.wire import decode_answer, encode
+from omote.showfile.inspection import inspect_show
+from omote.showfile.schema import ShowFileError
 from omote.showfile.show_file import JournalEntry, open_show
 from tests.server.conftest import Editor
 
@@ -80,7 +83,16 @@ class Show:
 
     def server(self) -> int:
         """The process id of the server that plays."""
-        return max(children(self.standby()))
+        return server_of(self.standby())
+
+
+def server_of(standby: int) -> int:
+    """The process id of the server that a standby has started: it has workers, what makes a spare has none."""
+    while True:
+        for pid in reversed(children(standby)):
+            with contextlib.suppress(OSError):
+                if len(children(pid)) > 1:
+                    return pid
 
 
 def children(pid: int) -> list[int]:
@@ -246,6 +258,51 @@ def test_a_killed_server_is_replaced_by_one_that_has_the_own_face_on_air(show: S
     assert ask(show, above=before.epoch).characters["one"].faces == {"cousin": 1.0}
 
 
+def test_a_server_that_is_killed_while_the_disk_stalls_goes_on_from_memory_and_then_from_the_file(
+    tmp_path: Path,
+) -> None:
+    """The own face on air too. Later work is kept in the file again, and nothing is left in memory at the end."""
+    stall, path = tmp_path / "stall", tmp_path / "a.omote"
+    copy = find_copy(path)
+    if copy is None:
+        pytest.skip("this system has no files in memory")
+
+    async def author(url: str, label: str) -> object:
+        async with aiohttp.ClientSession() as http, http.ws_connect(url + EDITING_PATH, max_msg_size=0) as link:
+            page = Editor(link)
+            await page.greet()
+            draft = await page.ask(editing.CreateFace, label, {"broad": 0.5, "long": 0.5}, False)
+            return await page.ask(editing.Save, draft.item, "") if isinstance(draft, editing.DraftState) else draft
+
+    for show in played(Show(path, SYNTHETIC_STALL=str(stall))):
+        assert isinstance(asyncio.run(asyncio.wait_for(author(show.url, "Cousin"), LIMIT)), editing.Saved)
+        before = ask(show, CallFace("one", "1", "cousin", 0.0, "smooth"), SetChannel("one", "jawOpen", 0.5))
+        while not (in_memory := read_state(copy)) or b"jawOpen" not in (in_memory.snapshot or b"") or not holds(copy):
+            before = ask(show)
+        stall.touch()
+        for _ in range(2):
+            os.kill(show.server(), signal.SIGKILL)
+            show.heard("does not answer: the show goes on from memory")
+            after = ask(show, SetChannel("one", "jawOpen", 0.25), above=before.epoch)
+            assert after.characters["one"].faces == {"cousin": 1.0}
+            assert after.characters["one"].channels.keys() == {"jawOpen"}
+            before = after
+        stall.unlink()
+        show.heard("answers again: the show's process starts anew with it")
+        after = ask(show, above=before.epoch)
+        assert after.characters["one"].channels == {"jawOpen": 0.25}
+        assert after.characters["one"].faces == {"cousin": 1.0}
+        assert isinstance(asyncio.run(asyncio.wait_for(author(show.url, "Aunt"), LIMIT)), editing.Saved)
+    assert list(copy.parent.glob(f"{copy.stem}*")) == []
+
+
+def holds(copy: Path) -> bool:
+    """Whether the copy of a show in memory has an own face."""
+    with contextlib.suppress(OSError, ShowFileError):
+        return [item.name for item in inspect_show(copy).stored.items] == ["cousin"]
+    return False
+
+
 def journalled(show: Show, word: bytes, name: str = "a.omote") -> bool:
     """Whether the show file holds this word in its last state."""
     path = Path(show.process.args[-1]).with_name(name)  # type: ignore[index, arg-type]
@@ -279,6 +336,49 @@ def test_a_standby_that_dies_is_replaced_and_the_server_plays_on(show: Show) -> 
     after = ask(show)
     assert after.epoch == before.epoch
     assert after.number > before.number
+
+
+def test_server_and_standby_that_are_killed_at_one_instant_are_replaced_by_a_spare(show: Show) -> None:
+    """Twice: the spare that took their place has one of its own. Nothing is loaded anew, nothing is left at the end."""
+    before = ask(show, SetChannel("one", "jawOpen", 0.5))
+    while not journalled(show, b"jawOpen"):
+        before = ask(show)
+    standby, server, spare = show.standby(), show.server(), spare_of(show)
+    for _ in range(2):
+        for pid in (standby, server):
+            os.kill(pid, signal.SIGKILL)
+        show.heard("the standby ended; its spare takes its place")
+        before = ask(show, above=before.epoch)
+        assert before.characters["one"].channels == {"jawOpen": 0.5}
+        assert children(show.process.pid) == []
+        standby, server, spare = spare, server_of(spare), spare_of(show, spare)
+    ends = [os.pidfd_open(pid) for pid in (standby, server, spare)]
+    show.process.terminate()
+    assert show.process.wait(LIMIT) == 0
+    for end in ends:
+        assert wait_readable(end)
+        os.close(end)
+
+
+def spare_of(show: Show, standby: int = 0) -> int:
+    """The process id of the copy of the standby that waits, once it is there: no process of the show is its parent.
+
+    standby: the process id of a standby that was a spare itself.
+    """
+    path = os.fsencode(str(show.process.args[-1]))  # type: ignore[index]
+    while True:
+        parents = dict(filter(None, (parent_of(entry, path) for entry in Path("/proc").iterdir())))
+        spares = [pid for pid, parent in parents.items() if parent not in parents and pid != standby]
+        if spares := [pid for pid in spares if pid != show.process.pid]:
+            return spares[0]
+
+
+def parent_of(entry: Path, word: bytes) -> tuple[int, int] | None:
+    """A process and its parent by its folder in /proc, where its command line has a word."""
+    with contextlib.suppress(OSError):
+        if entry.name.isdigit() and word in (entry / "cmdline").read_bytes():
+            return int(entry.name), int((entry / "stat").read_text().rpartition(")")[2].split()[1])
+    return None
 
 
 @pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM])

@@ -139,7 +139,7 @@ def played(cast: Cast) -> tuple[ShowServer, Kept, ShowTick, int]:
     os.set_blocking(far, False)
     os.set_blocking(near, False)
     journal = Kept()
-    return show, journal, ShowTick(show, journal, near, NoticeBoard()), far  # type: ignore[arg-type]
+    return show, journal, ShowTick(show, [journal], near, NoticeBoard()), far
 
 
 @pytest.mark.asyncio
@@ -205,7 +205,7 @@ async def test_a_show_without_a_journal_plays(cast: Cast) -> None:
     far, near = os.pipe()
     show = ShowServer(session, material().documents, PAGES)
     for number in range(5):
-        ShowTick(show, None, near, NoticeBoard()).tick(number)
+        ShowTick(show, [], near, NoticeBoard()).tick(number)
     assert session.number == 5
     os.close(far)
     os.close(near)
@@ -216,7 +216,7 @@ async def test_notices_go_to_the_session_and_to_the_supervisor(cast: Cast) -> No
     board = NoticeBoard()
     far, near = os.pipe()
     show = ShowServer(ShowSession(cast), material().documents, PAGES)
-    playing = ShowTick(show, None, near, board)
+    playing = ShowTick(show, [], near, board)
     playing.tick(1)
     board.post("the disk is full.")
     playing.tick(2)

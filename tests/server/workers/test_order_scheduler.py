@@ -5,7 +5,9 @@ from collections.abc import Awaitable, Callable
 
 import pytest
 
-from omote.server.workers.order_scheduler import Key, OrderScheduler
+from omote.edit.store.content_store import PASSING_BYTES
+from omote.server.http.cast_documents import CACHED_FACES
+from omote.server.workers.order_scheduler import MEMORY, Key, OrderScheduler
 
 EXPRESSIONS = ("neutral", "smile", "cry", "wink")
 NOTHING: frozenset[str] = frozenset()
@@ -181,3 +183,8 @@ def test_who_still_waits_when_the_show_ends_is_let_go() -> None:
                 await each
 
     assert played(show) == []
+
+
+def test_what_a_server_caches_is_bounded_in_all() -> None:
+    """Compounds, contents of drafts and documents of own faces, 60 KB each; each bound has its own test."""
+    assert MEMORY + PASSING_BYTES + CACHED_FACES * 60_000 <= 80 << 20

@@ -14,8 +14,8 @@ from omote.showfile.changes import Content
 
 PASSING = 2048
 """Contents of drafts that are cached, so that undo needs no computation."""
-PASSING_BYTES = 2**28
-"""All of them together: a face with a picture on its skin takes a few megabytes."""
+PASSING_BYTES = 2**24
+"""All of them together: some 300 faces, or five with a picture on their skin. What is dropped is computed again."""
 _NETS = 16
 _RECIPES = 4096
 

@@ -40,11 +40,26 @@ class _Job:
     on_outcome: OnOutcome
 
 
+class RefusingCommitter:
+    """Commits nothing while a show is played from memory; reason: why, as a whole sentence."""
+
+    def __init__(self, reason: str) -> None:
+        self._reason = reason
+
+    def commit(self, changes: Sequence[Change], on_outcome: OnOutcome) -> None:  # noqa: ARG002  (as `Committer`)
+        """Refuses changes. changes: any; on_outcome: called with that."""
+        on_outcome(CommitOutcome("refused", self._reason))
+
+    def close(self) -> None:
+        """Nothing is left."""
+
+
 class CommitThread:
     """A thread that commits lists of changes one after the other.
 
     show: the thread's own connection (`ShowFile.again`), which it closes. backup: of the same file; nothing is
-    committed to a file that it found damaged. gate: passed for each use of the file. Outcomes are told on this thread.
+    committed to a file that it found damaged. gate: passed for each use of the file. committed: called after each
+    commit. Outcomes are told on this thread.
     """
 
     def __init__(
@@ -54,12 +69,14 @@ class CommitThread:
         backup: BackupThread | None = None,
         gate: FileGate | None = None,
         *,
+        committed: Callable[[], None] = lambda: None,
         retry_seconds: float = RETRY_SECONDS,
     ) -> None:
         self._show = show
         self._report = report
         self._backup = backup
         self._gate = gate or FileGate()
+        self._committed = committed
         self._retry_seconds = retry_seconds
         self._queue: deque[_Job] = deque()
         self._waiting = threading.Condition()
@@ -131,6 +148,7 @@ class CommitThread:
             reason = explain_database_error(error)
             return CommitOutcome("refused", f"{self._show.path} cannot keep this ({reason}): undo it, or do it again.")
         self._failing = False
+        self._committed()
         return CommitOutcome("committed")
 
     def _tell(self, job: _Job, outcome: CommitOutcome) -> None:

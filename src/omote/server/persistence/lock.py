@@ -4,16 +4,20 @@ from __future__ import annotations
 
 import fcntl
 import os
+from contextlib import suppress
 from pathlib import Path
 
 from omote.interchange.formats.error_reasons import explain_error
 from omote.showfile.backup import BACKUP_SUFFIXES
+from omote.showfile.database_errors import LOCKLESS
 from omote.showfile.identification import require_folder
 from omote.showfile.recovery import reject_unproven
 from omote.showfile.schema import ShowFileError
 
 LONGEST_ADDRESS = 400
 """Bytes."""
+ASKED_BYTE = 1 << 30
+"""Of the lock file, far behind what is written and locked there."""
 
 
 class ShowLockedError(RuntimeError):
@@ -42,9 +46,13 @@ def take_lock(path: Path) -> int:
     descriptor = _open_lock(path)
     try:
         fcntl.flock(descriptor, fcntl.LOCK_EX | fcntl.LOCK_NB)
-    except OSError as error:
+        _require_record_locks(descriptor)
+    except BlockingIOError as error:
         os.close(descriptor)
         raise ShowLockedError(f"another Omote plays {path} already: stop that one, or name another file.") from error
+    except OSError as error:
+        release_lock(path, descriptor)
+        raise ShowFileError(f"{path} cannot be played: {LOCKLESS}.") from error
     if _is_at(_lock_path(path), descriptor):
         return descriptor
     os.close(descriptor)  # who held it removed it meanwhile (`release_lock`)
@@ -72,6 +80,20 @@ def note_address(lock: int, address: str) -> None:
     os.pwrite(lock, address.encode()[:LONGEST_ADDRESS], 0)
 
 
+def probe_disk(path: Path) -> None:
+    """Returns once the disk of a show file has taken something: a byte of its lock file, as it is there.
+
+    path: of the show file.
+    """
+    with suppress(OSError):  # an answer too
+        descriptor = os.open(_lock_path(path), os.O_RDWR)
+        try:
+            os.pwrite(descriptor, os.pread(descriptor, 1, 0), 0)
+            os.fsync(descriptor)
+        finally:
+            os.close(descriptor)
+
+
 def read_address(path: Path) -> str:
     """Where the show of a file listens, or did when it was played last; "" where that is not known."""
     try:
@@ -83,6 +105,13 @@ def read_address(path: Path) -> str:
 
 def _lock_path(path: Path) -> Path:
     return path.with_name(path.name + ".lock")
+
+
+def _require_record_locks(descriptor: int) -> None:
+    """OSError where a folder has no record locks, without which SQLite takes a file for one that is in use."""
+    with suppress(BlockingIOError):  # another process asks the same
+        fcntl.lockf(descriptor, fcntl.LOCK_EX | fcntl.LOCK_NB, 1, ASKED_BYTE)
+        fcntl.lockf(descriptor, fcntl.LOCK_UN, 1, ASKED_BYTE)
 
 
 def _open_lock(path: Path) -> int:

@@ -9,6 +9,7 @@ from contextlib import contextmanager, suppress
 from pathlib import Path
 
 from omote.server.persistence.lock import ShowLockedError, lock_show, release_lock
+from omote.server.persistence.memory_copy import find_copy, remove_copy
 from omote.showfile.backup import back_up
 from omote.showfile.identification import locate_show
 from omote.showfile.inspection import what_opens
@@ -33,6 +34,8 @@ def open_offline_show(path: Path, *, new: bool = False) -> Iterator[ShowFile]:
             "them back, then repeat this."
         )
     lock = _lock_idle(path)
+    if (copy := find_copy(path)) is not None:
+        remove_copy(copy)  # left by a show whose processes were all killed
     try:
         file = _open_whole(path)
         try:

@@ -32,7 +32,7 @@ class Failover(msgspec.Struct, frozen=True):
     hung: bool
 
 
-class Order(msgspec.Struct, frozen=True):
+class Order(msgspec.Struct, frozen=True, tag="play"):
     """Supervisor to standby, with two pipes: play, at least under this epoch; `neutral`: not from the journal;
     `failover`: in whose place; `notices`: what the crew was told so far; `show`: the show file ("": the standby's)."""
 
@@ -43,6 +43,10 @@ class Order(msgspec.Struct, frozen=True):
     show: str = ""
 
 
+class SpareOrder(msgspec.Struct, frozen=True, tag="spare"):
+    """Supervisor to standby, with a line of its own: copy yourself; the copy takes your place when you die."""
+
+
 class ShowMoved(msgspec.Struct, frozen=True):
     """Show process to supervisor, in its pulse: the show file was made anew, and is opened there from now on."""
 
@@ -50,7 +54,9 @@ class ShowMoved(msgspec.Struct, frozen=True):
 
 
 class Ready(msgspec.Struct, frozen=True, tag="ready"):
-    """Standby to supervisor: it is warmed up."""
+    """Standby to supervisor: it is warmed up; `pid` is its own."""
+
+    pid: int
 
 
 class Started(msgspec.Struct, frozen=True, tag="started"):
@@ -71,28 +77,30 @@ News = Ready | Started | Ended
 _news: msgspec.json.Decoder[News] = msgspec.json.Decoder(News)
 _notice: msgspec.json.Decoder[Notice] = msgspec.json.Decoder(Notice)
 _moved: msgspec.json.Decoder[ShowMoved] = msgspec.json.Decoder(ShowMoved)
-_order: msgspec.json.Decoder[Order] = msgspec.json.Decoder(Order)
+_order: msgspec.json.Decoder[Order | SpareOrder] = msgspec.json.Decoder(Order | SpareOrder)
 
 
-def send_order(line: socket.socket, order: Order, control: int, pulse: int) -> None:
-    """Sends an order and the server's ends of its two pipes (as file descriptors).
+def send_order(line: socket.socket, order: Order | SpareOrder, *descriptors: int) -> None:
+    """Sends an order and what belongs to it (as file descriptors): the server's ends of its two pipes, or the line of a
+    spare.
 
-    line: to the standby; order: what to play; control, pulse: the pipes.
+    line: to the standby; order: what to do; descriptors: two for an `Order`, control and pulse, one for a `SpareOrder`.
     """
-    socket.send_fds(line, [msgspec.json.encode(order)], [control, pulse])
+    socket.send_fds(line, [msgspec.json.encode(order)], descriptors)
 
 
-def receive_order(line: socket.socket) -> tuple[Order, int, int] | None:
-    """Receives the next order and its pipes; None when the supervisor is gone."""
+def receive_order(line: socket.socket) -> tuple[Order | SpareOrder, list[int]] | None:
+    """Receives the next order and what belongs to it (`send_order`); None when the supervisor is gone."""
     try:
         data, descriptors, _, _ = socket.recv_fds(line, LONGEST_ORDER, 2)
     except ConnectionError:  # it went without reading our last news
         return None
-    if not data or len(descriptors) != 2:
+    order = _order.decode(data) if data else None
+    if order is None or len(descriptors) != (2 if isinstance(order, Order) else 1):
         for descriptor in descriptors:
             os.close(descriptor)
         return None
-    return _order.decode(data), descriptors[0], descriptors[1]
+    return order, descriptors
 
 
 def send_news(line: socket.socket, news: News) -> None:

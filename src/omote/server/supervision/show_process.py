@@ -7,7 +7,9 @@ import os
 import signal
 import socket
 import sys
+import time
 from collections.abc import AsyncIterator, Callable, Coroutine, Mapping
+from concurrent.futures import Future
 from contextlib import asynccontextmanager, closing, suppress
 from dataclasses import dataclass
 from functools import partial
@@ -24,13 +26,15 @@ from omote.server.http.cast_documents import CastDocuments, built_in_documents
 from omote.server.http.cast_reload import gather_cast
 from omote.server.http.connection_limit import HEAD_SECONDS, ConnectionLimit
 from omote.server.http.static_pages import Page, read_pages
-from omote.server.persistence.authored_work import AuthoredWork, open_authored_work
+from omote.server.persistence.authored_work import AuthoredWork, Committer, open_authored_work
 from omote.server.persistence.backup_thread import BackupThread
-from omote.server.persistence.commit_thread import CommitThread
+from omote.server.persistence.commit_thread import CommitThread, RefusingCommitter
+from omote.server.persistence.disk_wait import OpenedShow, open_in_time
 from omote.server.persistence.file_gate import FileGate
 from omote.server.persistence.file_watch import FileWatch
 from omote.server.persistence.journal import JournalWriter
-from omote.server.persistence.restore import journal_entry, open_journal, restore
+from omote.server.persistence.memory_copy import MemoryCopy, find_copy
+from omote.server.persistence.restore import journal_entry, restore
 from omote.server.process.notice_board import NoticeBoard
 from omote.server.process.process_messages import Order, ShowMoved, write_notice
 from omote.server.scans.scan_previews import ScanPreviews
@@ -44,6 +48,8 @@ from omote.server.workers.job_server import JobServer, open_job_server
 from omote.server.workers.workshop import open_workshop
 from omote.showfile.show_file import ShowFile
 
+TELL_SECONDS = 0.3
+"""Until the supervisor has heard a notice from this process."""
 KEEPALIVE_SECONDS = 75.0
 """For which a connection stays open between two requests."""
 
@@ -122,28 +128,62 @@ async def play(
     """
     os.set_blocking(pipes.pulse, False)  # a supervisor that does not read holds up no tick
     tell = board.with_report(report)
-    file = open_journal(show, tell)
+    opened = open_in_time(show, order, tell)
+    file, kept = opened.file, opened.on_disk
     documents = material.documents
     gate = FileGate()
-    backup = BackupThread(file.again(), tell, gate) if file else None
-    authored_work, reopen = open_reopenable_work(file, documents, tell, backup, gate)
+    backup = BackupThread(kept.again(), tell, gate) if kept else None
+    memory = open_memory_copy(show, kept, tell, gate)
+    authored_work, reopen = open_reopenable_work(file, documents, tell, backup, gate, memory, opened.away)
     server = ShowServer(restore(documents.playing, file, order, tell), documents, material.pages)
     server.post(board.notices)
     server.enable_editing(authored_work, reopen, tell)
     scans = ScanPreviews()
-    enable_files(server, (lambda: file.path, jobs.run) if file and jobs else None, scans)
-    journal = JournalWriter(file, tell, gate, solved=tell) if file else None
-    watch = FileWatch(file, gate, tell, partial(tell_moved, pipes.pulse)) if file else None
+    enable_files(server, (lambda: kept.path, jobs.run) if kept and jobs else None, scans)
+    journal = JournalWriter(kept, tell, gate, solved=tell) if kept else None
+    watch = FileWatch(kept, gate, tell, partial(tell_moved, pipes.pulse)) if kept else None
+    journals = [each for each in (journal, memory) if each]
+    leave_when_back(opened, show, tell)
     try:
-        await serve(server, ShowTick(server, journal, pipes.pulse, board).tick, pipes, show if file else None)
+        await serve(server, ShowTick(server, journals, pipes.pulse, board).tick, pipes, show if kept else None)
+        if memory:
+            memory.remove()
     finally:
         documents.close()
         scans.close()
-        if journal:
-            journal.offer(journal_entry(server.session))
-        for resource in (jobs, watch, authored_work and authored_work.committer, journal, backup):
+        for each in journals:
+            each.offer(journal_entry(server.session))
+        for resource in (jobs, watch, authored_work and authored_work.committer, *journals, backup):
             if resource:
                 resource.close()
+
+
+def open_memory_copy(
+    show: Path, kept: ShowFile | None, tell: Callable[[str], None], gate: FileGate
+) -> MemoryCopy | None:
+    """Keeps the show in memory too, where the system can.
+
+    show: the path of its file; kept: the open file, None while its disk is away; tell: tells the operator; gate: before
+    the file.
+    """
+    copy = find_copy(show)
+    return None if copy is None else MemoryCopy(copy, kept.again() if kept else None, tell, gate)
+
+
+def leave_when_back(opened: OpenedShow, show: Path, tell: Callable[[str], None]) -> None:
+    """Ends this process, which plays from memory, once the disk answers: the next one plays the file.
+
+    opened: how it was opened; show: its path; tell: tells the operator.
+    """
+
+    def leave(back: Future[ShowFile | None]) -> None:
+        if back.exception() is None and back.result() is not None:
+            tell(f"the disk of {show} answers again: the show's process starts anew with it.")
+            time.sleep(TELL_SECONDS)
+            os._exit(0)
+
+    if opened.back is not None:
+        opened.back.add_done_callback(leave)
 
 
 def enable_files(server: ShowServer, work: FileWork | None, scans: ScanPreviews) -> None:
@@ -215,16 +255,21 @@ def open_reopenable_work(
     report: Callable[[str], None],
     backup: BackupThread | None = None,
     gate: FileGate | None = None,
+    memory: MemoryCopy | None = None,
+    away: str = "",
 ) -> tuple[AuthoredWork | None, Callable[[], AuthoredWork | None]]:
     """Opens the authored work of a show file and adds it to the cast; also returns the function that reopens it.
 
     file: the show file, None for none; documents: of the cast; report: tells the operator; backup: keeps copies; gate:
-    before the file.
+    before the file; memory: copies what is committed; away: why nothing can be committed, "" where it can.
     """
     if file is None:
         return None, lambda: None
     gate = gate or FileGate()
-    committer = CommitThread(file.again(), report, backup, gate)
+    committed = memory.note_commit if memory else lambda: None
+    committer: Committer = (
+        RefusingCommitter(away) if away else CommitThread(file.again(), report, backup, gate, committed=committed)
+    )
 
     def reopen() -> AuthoredWork | None:
         with gate, closing(file.again()) as own:  # the journal's thread writes with the other connection

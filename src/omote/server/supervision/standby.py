@@ -2,7 +2,8 @@
 
 Starting Python, loading the cast and its kernels takes seconds, so it is done once, here. On an order this
 process forks (`fork_server`) in milliseconds, and the child plays. The standby has no thread and no event loop, so that
-a fork is safe. It lives as long as its supervisor, and each server as long as its own pipe.
+a fork is safe. It lives as long as its supervisor, and each server as long as its own pipe. Its spare is a fork of it
+too: where standby and server die at one instant, nothing has to be loaded anew.
 """
 
 from __future__ import annotations
@@ -17,7 +18,8 @@ import signal
 import socket
 import sys
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
+from functools import partial
 from pathlib import Path
 
 from omote.model.transfer.fold_repair import warm_repair
@@ -26,7 +28,16 @@ from omote.server.access.access_setup import add_access_options, load_access, re
 from omote.server.http.cast_documents import CastDocuments
 from omote.server.process.fork import fork_process
 from omote.server.process.priority import raise_priority
-from omote.server.process.process_messages import REJECTED, Ended, Order, Ready, Started, receive_order, send_news
+from omote.server.process.process_messages import (
+    REJECTED,
+    Ended,
+    Order,
+    Ready,
+    SpareOrder,
+    Started,
+    receive_order,
+    send_news,
+)
 from omote.server.supervision.device_sockets import add_device_options, read_device_options
 from omote.server.supervision.show_process import Pipes, ShowMaterial, load_material, report, run
 from omote.show.messages import STATE_RATE
@@ -37,7 +48,8 @@ END_SECONDS = 3.0
 """How long servers may take to end when their supervisor is gone."""
 MOST_DESCRIPTORS = 65536
 
-Start = Callable[[Order, int, int], int]
+Play = Callable[[Order, int, int], None]
+"""Plays an order, with the control and the pulse of its server."""
 
 
 def main(arguments: list[str] | None = None, load: Callable[[], ShowMaterial] = load_material) -> int:
@@ -55,16 +67,24 @@ def main(arguments: list[str] | None = None, load: Callable[[], ShowMaterial] = 
     except (OSError, ValueError) as error:
         report(describe_error(error))
         return REJECTED
+
+    def play(order: Order, control: int, pulse: int) -> None:
+        pipes = Pipes(options.listen, control, pulse, read_device_options(options), access)
+        run(material, order, show=Path(order.show or options.show), pipes=pipes)
+
     with socket.socket(fileno=options.line) as line:
-
-        def start(order: Order, control: int, pulse: int) -> int:
-            pipes = Pipes(options.listen, control, pulse, read_device_options(options), access)
-            return fork_server(line, lambda: run(material, order, show=Path(order.show or options.show), pipes=pipes))
-
-        raise_priority(leads_session=True)
-        send_news(line, Ready())
-        serve_orders(line, start)
+        stand_by(line, play)
     return 0
+
+
+def stand_by(line: socket.socket, play: Play) -> None:
+    """Reports ready and serves orders, before other programs, until the supervisor is gone.
+
+    line: to the supervisor; play: what servers do.
+    """
+    raise_priority(leads_session=True)
+    send_news(line, Ready(os.getpid()))
+    serve_orders(line, play)
 
 
 def allow_descriptors() -> None:
@@ -89,10 +109,10 @@ def warm(documents: CastDocuments) -> None:
     gc.freeze()  # children share this memory (copy on write) as long as nobody touches it
 
 
-def serve_orders(line: socket.socket, start: Start) -> None:
-    """Starts a server for each order and reports each that ended, until the supervisor is gone.
+def serve_orders(line: socket.socket, play: Play) -> None:
+    """Starts a server for each order and reports each that ended, and spares, until the supervisor is gone.
 
-    line: to the supervisor; start: starts a server.
+    line: to the supervisor; play: what servers do.
     """
     wake, woken = os.pipe()
     os.set_blocking(wake, False)
@@ -111,12 +131,15 @@ def serve_orders(line: socket.socket, start: Start) -> None:
             taken = receive_order(line)
             if taken is None:
                 return wait_for_servers(servers, wake)
-            order, control, pulse = taken
-            pid = start(order, control, pulse)
-            servers.add(pid)
-            send_news(line, Started(pid))
-            os.close(control)
-            os.close(pulse)
+            order, descriptors = taken
+            if isinstance(order, SpareOrder):
+                fork_spare([line.fileno(), wake, woken], descriptors[0], play)
+            else:
+                pid = fork_server(line, partial(play, order, *descriptors))
+                servers.add(pid)
+                send_news(line, Started(pid))
+            for descriptor in descriptors:
+                os.close(descriptor)
 
 
 def wait_for_servers(servers: set[int], wake: int) -> None:
@@ -145,6 +168,27 @@ def fork_server(line: socket.socket, play: Callable[[], None]) -> int:
         play()
 
     return fork_process(play_in_child)
+
+
+def fork_spare(own: Sequence[int], line: int, play: Play) -> None:
+    """Forks a child that stands by in a session of its own, and is no child of this process: whatever ends this one,
+    with its children or its session, leaves the other alone.
+
+    own: descriptors that the child closes, of this process alone; line: from the supervisor, for the child; play: what
+    servers do.
+    """
+
+    def stand_by_in_child() -> None:
+        for descriptor in own:
+            os.close(descriptor)
+        with socket.socket(fileno=line) as spare:
+            stand_by(spare, play)
+
+    def leave() -> None:
+        os.setsid()
+        fork_process(stand_by_in_child)
+
+    os.waitpid(fork_process(leave), 0)
 
 
 def reap_servers() -> list[Ended]:

@@ -30,13 +30,14 @@ from omote.server.process.process_messages import (
     Order,
     Ready,
     ShowMoved,
+    SpareOrder,
     Started,
     read_news,
     read_pulse,
     send_order,
 )
 from omote.server.supervision.crash_loop import CrashLoop
-from omote.server.supervision.start_limit import FAILURES, StartLimit
+from omote.server.supervision.start_limit import FAILURES, PAUSE_SECONDS, StartLimit
 from omote.show.objects.link import Notice
 
 PROGRAM = (sys.executable, "-m", "omote.server.supervision.standby")
@@ -56,11 +57,42 @@ Report = Callable[[str], None]
 
 @dataclass(eq=False)
 class Standby:
-    """The standby process and the line to it."""
+    """A standby process and the line to it; process: None where another standby has forked it, `pid` as it tells."""
 
-    process: subprocess.Popen[bytes]
+    process: subprocess.Popen[bytes] | None
     line: socket.socket
     ready: bool = False
+    pid: int | None = None
+
+    def end(self, deadline: float) -> int | None:
+        """Has it end by itself until a deadline (s, monotonic), and kills it then; its exit status, None where it is
+        not ours to wait for."""
+        ended = self._hears_end(deadline)
+        self.line.close()
+        if self.process is not None:
+            with contextlib.suppress(subprocess.TimeoutExpired):
+                return self.process.wait(max(0.0, deadline - time.monotonic()))
+            self.process.kill()
+            return self.process.wait()
+        if self.pid is not None and not ended:
+            with contextlib.suppress(ProcessLookupError):
+                os.kill(self.pid, signal.SIGKILL)
+        return None
+
+    def _hears_end(self, deadline: float) -> bool:
+        """Waits for the end of the line, which this process alone holds at its other side."""
+        with contextlib.suppress(OSError):
+            self.line.shutdown(socket.SHUT_WR)
+        try:
+            while (left := deadline - time.monotonic()) > 0:
+                self.line.settimeout(left)
+                if not self.line.recv(65536):
+                    return True
+        except ConnectionError:
+            return True
+        except TimeoutError:
+            pass
+        return False
 
 
 @dataclass(eq=False)
@@ -130,13 +162,14 @@ class Supervisor:
         self._report = report
         self._opened = opened
         self._standby: Standby | None = None
+        self._spare: Standby | None = None
         self._server: Server | None = None
         self._crash_loop = CrashLoop()
         self._start_limit = StartLimit()
         self._failover: Failover | None = None
         self._notices = list(notices)
         self._handed = handed
-        self._not_before = self._checked = 0.0
+        self._not_before = self._spare_not_before = self._checked = 0.0
         self._epoch = 0
         self._ending = False
         self._selector = selectors.DefaultSelector()
@@ -185,11 +218,17 @@ class Supervisor:
             if not self._server.playing:
                 self._crash_loop.record_hang(now)
             self._drop_server(self._server)
+        self._start_what_lacks(now)
+
+    def _start_what_lacks(self, now: float) -> None:
         if now >= self._not_before:
             if self._standby is None:
                 self._standby = self._start_standby()
             if self._server is None and self._standby.ready:
                 self._server = self._start_server(self._standby, now)
+        plays = self._server is not None and self._server.playing  # a spare delays no start
+        if plays and self._spare is None and now >= self._spare_not_before:
+            self._spare = self._start_spare()
 
     def _start_standby(self) -> Standby:
         ours, theirs = socket.socketpair()
@@ -206,6 +245,22 @@ class Supervisor:
         standby = Standby(process, ours)
         self._selector.register(ours, selectors.EVENT_READ, standby)
         return standby
+
+    def _start_spare(self) -> Standby | None:
+        """Has the standby copy itself; None where it cannot now."""
+        if self._standby is None or not self._standby.ready:
+            return None
+        ours, theirs = socket.socketpair()
+        try:
+            send_order(self._standby.line, SpareOrder(), theirs.fileno())
+        except OSError:
+            ours.close()
+            return None
+        finally:
+            theirs.close()
+        spare = Standby(None, ours)
+        self._selector.register(ours, selectors.EVENT_READ, spare)
+        return spare
 
     def _start_server(self, standby: Standby, now: float) -> Server | None:
         neutral = self._crash_loop.suspects_state(now)
@@ -247,8 +302,9 @@ class Supervisor:
 
     def _handle_news(self, standby: Standby, news: News) -> None:
         match news:
-            case Ready():
+            case Ready(pid):
                 standby.ready = True
+                standby.pid = pid
             case Started(pid) if self._server is not None and self._server.pid is None:
                 self._server.pid = pid
             case Ended(_, code):
@@ -294,13 +350,19 @@ class Supervisor:
 
     def _drop_standby(self, standby: Standby) -> None:
         self._selector.unregister(standby.line)
-        standby.line.close()
-        standby.process.kill()
-        status = standby.process.wait()
-        self._standby = None
+        now = time.monotonic()
+        status = standby.end(now)
+        if standby is self._spare:
+            self._spare_not_before = now + PAUSE_SECONDS
+            self._spare = None
+            return
+        self._standby, self._spare = self._spare, None
         plays = self._server is not None
-        self._not_before = time.monotonic() + self._start_limit.record_standby(status, ready=standby.ready, plays=plays)
-        if self._start_limit.played and self._start_limit.unready < 2:  # the next ones would only say the same
+        code = 0 if status is None else status
+        self._not_before = now + self._start_limit.record_standby(code, ready=standby.ready, plays=plays)
+        if self._standby is not None:
+            self._report("the standby ended; its spare takes its place.")
+        elif self._start_limit.played and self._start_limit.unready < 2:  # the next ones would only say the same
             self._report(f"the standby ended (status {status}); another one is started.")
 
     def _end_all(self) -> None:
@@ -308,13 +370,9 @@ class Supervisor:
             os.close(self._server.control)
             self._wait_for_end(self._server.pulse)
             os.close(self._server.pulse)
-        if self._standby is not None:
-            self._standby.line.close()
-            try:
-                self._standby.process.wait(2 * END_SECONDS)  # it sees its servers out
-            except subprocess.TimeoutExpired:
-                self._standby.process.kill()
-                self._standby.process.wait()
+        deadline = time.monotonic() + 2 * END_SECONDS  # they see their servers out
+        for standby in filter(None, (self._spare, self._standby)):
+            standby.end(deadline)
 
     def _wait_for_end(self, pulse: int) -> None:
         deadline = time.monotonic() + END_SECONDS

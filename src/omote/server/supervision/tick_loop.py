@@ -7,17 +7,17 @@ import asyncio
 import contextlib
 import os
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from typing import Protocol
 
 from omote.perform.scene.scene_snapshot import SceneSnapshot, without_time
 from omote.server.http.app import ShowServer
-from omote.server.persistence.journal import JournalWriter
 from omote.server.persistence.restore import journal_entry
 from omote.server.process.notice_board import NoticeBoard
 from omote.server.process.process_messages import PULSE_TICKS, TICK, write_notice
 from omote.show.messages import STATE_RATE
 from omote.show.ownership.leasing import LeaseSnapshot
+from omote.showfile.show_file import JournalEntry
 
 LATE_TICKS = 6
 """After a longer pause (a sleeping laptop) the loop starts anew; it never catches up in a burst."""
@@ -78,12 +78,19 @@ async def _is_early(early: Early, wait: float, apart: float) -> bool:
     return await early.spoke_within(wait - 2.0 * apart)
 
 
+class Journal(Protocol):
+    """Keeps the newest state (`JournalWriter`, `MemoryCopy`)."""
+
+    def offer(self, entry: JournalEntry) -> None:
+        """Queues the newest state; returns at once."""
+
+
 class ShowTick:
     """One tick of a playing server: its state, its heartbeat and its journal."""
 
-    def __init__(self, server: ShowServer, journal: JournalWriter | None, pulse: int, board: NoticeBoard) -> None:
+    def __init__(self, server: ShowServer, journals: Sequence[Journal], pulse: int, board: NoticeBoard) -> None:
         self._server = server
-        self._journal = journal
+        self._journals = journals
         self._pulse = pulse
         self._board = board
         self._kept: tuple[SceneSnapshot, LeaseSnapshot] | None = None
@@ -99,18 +106,20 @@ class ShowTick:
             return
         if beat % PULSE_TICKS == 0:
             send_pulse(self._pulse, TICK)
-        if self._journal and beat % JOURNAL_TICKS == 0:
-            self._keep(self._journal, even_resting=beat % RESTING_TICKS == 0)
+        if self._journals and beat % JOURNAL_TICKS == 0:
+            self._keep(even_resting=beat % RESTING_TICKS == 0)
         if beat % RESTING_TICKS == 0:
             self._server.broadcast_crew()
             self._server.broadcast_notices()
 
-    def _keep(self, journal: JournalWriter, *, even_resting: bool) -> None:
+    def _keep(self, *, even_resting: bool) -> None:
         session = self._server.session
         still = without_time(session.scene.snapshot()), session.leasing.snapshot()
         if still != self._kept or even_resting:
             self._kept = still
-            journal.offer(journal_entry(session))
+            entry = journal_entry(session)
+            for journal in self._journals:
+                journal.offer(entry)
 
 
 def send_pulse(pulse: int, sign: bytes) -> None:

@@ -7,8 +7,8 @@ import asyncio
 from collections import OrderedDict, deque
 from collections.abc import Awaitable, Callable, Collection
 
-MEMORY = 128 << 20
-"""Bytes of compounds kept."""
+MEMORY = 48 << 20
+"""Bytes of compounds kept: 26 faces with all expressions. What is dropped is computed again, in milliseconds."""
 
 Key = tuple[str, str]
 """The sources of a face and of an expression."""
