@@ -33,6 +33,7 @@ from omote.server.http.uploads import RunFileJob, Uploads
 from omote.server.links.links import HEARTBEAT, Link, Links, LinkSocket, close_revoked
 from omote.server.persistence.authored_work import AuthoredWork
 from omote.server.sounds.sound_routes import Sounds
+from omote.server.sounds.voice_routes import Voices
 from omote.server.workers.file_jobs import BuildTouchoscLayout, run_file_job
 from omote.show.declaration import MESSAGE_LIMIT, SPEECH_LIMIT, KeepRequest, Outgoing, ServerMessage
 from omote.show.messages import LINK_PATH
@@ -188,7 +189,9 @@ class ShowServer:
 
     def _add_device_routes(self, application: web.Application) -> None:
         """Adds what surfaces read, where trackers and sounds are sent, and what others add."""
-        Sounds(self.session.sounds.set).add_routes(application)
+        sounds = Sounds(self.session.sounds.set)
+        sounds.add_routes(application)
+        Voices(sounds, lambda: self._run_job).add_routes(application)
         layout = TouchoscLayout(lambda: (self.session.cast, tuple(self.session.scene)), self._build_layout)
         application.router.add_get(TOUCHOSC_PATH, layout.respond)
         for path, respond in self._heard.items():
