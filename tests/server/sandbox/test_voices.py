@@ -30,7 +30,8 @@ def levels(spoken: SpokenText) -> np.ndarray:
         count = round(sound.getframerate() * STEP)
     pieces = samples[: len(samples) // count * count].reshape(-1, count)
     level: np.ndarray = np.sqrt(np.mean(pieces**2, axis=1))
-    return level / level.max()
+    level /= level.max()
+    return level
 
 
 def rises(level: np.ndarray) -> list[float]:

@@ -41,7 +41,7 @@ const style = css`
   select {
     ${entry}
     min-height: 28px;
-    max-width: 130px;
+    flex: 0 1 96px;
   }
   .hint {
     color: var(--dim);
