@@ -27,7 +27,7 @@ from omote.showfile.changes import BroughtItem, Change, Content, Item, Kind, Rev
 from omote.showfile.database_errors import describe_error
 from omote.showfile.inspection import Inspection, inspect_show
 from omote.showfile.schema import ShowFileError
-from omote.stage_data.full_cast import build_full_cast, face_labels
+from omote.stage_data.full_cast import build_full_cast, face_labels, free_faces
 
 
 class ImportFile(msgspec.Struct, frozen=True, tag=True):
@@ -167,7 +167,9 @@ def _export_face(inspection: Inspection, wanted: ExportFace, follow: Follow) -> 
     names = choose_expressions(cast, wanted.expressions)
     credit = None
     if wanted.kind == VRM:
-        credit = Credit(wanted.authors, parse_terms([wanted.licence]), labels=face_labels(inspection.stored))
+        labels = face_labels(inspection.stored)
+        free = free_faces(inspection.stored, inspection.contents)
+        credit = Credit(wanted.authors, parse_terms([wanted.licence]), labels=labels, free=free)
     check_kind(wanted.kind, credit)
     check_count(wanted.kind, names)
     poses = ((name, named_compound_meshes(cast, wanted.face, name)) for name in _followed(names, follow))
