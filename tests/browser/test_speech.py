@@ -187,21 +187,3 @@ def test_the_mouth_of_the_picture_moves(open_page: OpenPage, program: ConnectedS
     assert np.abs(opened - rest).max() > 0.004  # metres
     program["one"].stop_speaking()
     wait_until(page, "(window.omoteStage.pose().channels.jawOpen ?? 0) < 0.02")
-
-
-def test_a_line_of_the_console_is_heard_by_the_voice_that_is_chosen(
-    open_page: OpenPage, program: ConnectedShow
-) -> None:
-    page = open_page("/console")
-    page.keyboard.press(";")
-    page.locator("omote-group-heads [data-group=speech]").click()
-    page.get_by_role("combobox", name="Voice").select_option("voice de")
-    page.get_by_label("A line to say").fill("Guten Abend, meine Damen und Herren. " * 20)
-    page.get_by_role("button", name="Say", exact=True).click()
-    while (speech := program["one"].frame.speech) is None or not speech.sound:
-        program.wait()
-    assert speech.seconds > 30.0
-    page.get_by_role("button", name="Stop", exact=True).click()
-    page.get_by_label("A line to say").fill("...")
-    page.get_by_role("button", name="Say", exact=True).click()
-    page.get_by_text("nothing was said: this voice finds nothing to speak").wait_for()

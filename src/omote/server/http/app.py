@@ -19,7 +19,7 @@ from omote.server.access.access_control import AccessControl
 from omote.server.access.access_guard import guard_access, visitor_in
 from omote.server.access.people_routes import PeopleRoutes
 from omote.server.access.phone_page import PHONE_PATH, PhonePage
-from omote.server.access.security import add_headers, guard, silence_bad_requests
+from omote.server.access.security import adding_headers, guard, silence_bad_requests
 from omote.server.http.cast_documents import CastDocuments
 from omote.server.http.cast_reload import CastReload
 from omote.server.http.document_routes import CACHE_FOREVER, NO_CACHE, DocumentRoutes
@@ -90,6 +90,7 @@ class ShowServer:
         self._surface_allowed: Callable[[str], bool] = lambda _: False
         self.access: AccessControl | None = None
         self.authority: bytes | None = None
+        self.embedders: tuple[str, ...] = ()
         self._pages = pages
         self.outside = ""
         self._state: State | None = None
@@ -166,7 +167,7 @@ class ShowServer:
             guard_access(lambda: self.access, frozenset((*PAGES, PHONE_PATH)), self._surface_allowed),
         ]
         application = web.Application(middlewares=guards, client_max_size=MESSAGE_LIMIT)
-        application.on_response_prepare.append(add_headers)
+        application.on_response_prepare.append(adding_headers(self.embedders))
         application.router.add_get(LINK_PATH, self.link)
         if self.editing is not None:
             application.router.add_get(EDITING_PATH, self.editing.link)
