@@ -41,6 +41,7 @@ from omote.inputs.microphone.sound_features import HOP, SAMPLE_RATE, FeatureStre
 from omote.inputs.microphone.speaker_profile import measure_speaker
 from omote.inputs.microphone.viseme_network import load_network
 from omote.inputs.microphone.voice_visemes import DELAY_SECONDS, VoiceVisemes
+from omote.inputs.voices.phones import Segment
 from omote.perform.speech.visemes import RECIPES, VISEMES
 from tools.lips.corpus import LEFT_OUT_LANGUAGES, LEFT_OUT_VARIANTS, join_speech
 from tools.lips.espeak_voice import Espeak, EspeakVoice
@@ -48,7 +49,7 @@ from tools.lips.named_voices import LEFT_OUT_FLITE, speak_flite
 from tools.lips.phones import is_voiced
 from tools.lips.sentences import make_sentence
 from tools.lips.sound_conditions import Condition, apply_condition
-from tools.lips.spoken import Segment, Spoken, label_frames
+from tools.lips.spoken import Spoken, label_frames
 from tools.lips.vowel_profiles import measure_profiles, read_visemes
 
 SHUT = PARTED = 0.1

@@ -220,6 +220,7 @@ def wrong_calls(cast: omote.Cast) -> dict[tuple[str, type[Exception]], Callable[
         ),
         ("connect_async", ValueError): lambda: asyncio.run(omote.connect_async("ftp://stage")),
         ("connect_async", TypeError): lambda: asyncio.run(omote.connect_async(no_parts)),
+        ("speak", ValueError): lambda: omote.speak("..."),
         ("draw_stimuli", ValueError): lambda: omote.draw_stimuli(Path(omote.__file__), "out"),
         ("draw_stimuli", OSError): lambda: omote.draw_stimuli(nowhere, "out"),
         ("evaluate", ValueError): lambda: omote.evaluate(cast, frame, words),

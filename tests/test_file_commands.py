@@ -240,3 +240,25 @@ def test_documents_of_any_kind_are_listed_and_written(show: ShowFile, tmp_path: 
     assert "there are: bow" in said(
         "export", show.path, "row", "--documents", "pose", "-o", tmp_path / "x.json", status=1
     )
+
+
+def test_an_item_goes_out_whole_and_a_show_comes_in_whole(show: ShowFile, tmp_path: Path) -> None:
+    alone = tmp_path / "smirk.omote"
+    other = tmp_path / "other.omote"
+    assert "holds the expression smirk whole, revisions: 3." in said("export", show.path, "smirk", "-o", alone)
+    assert "is there already" in said("export", show.path, "smirk", "-o", alone, "--force", status=1)
+    assert f"{other} has 1 of smirk.omote more: Smirk [left]." in said("import", other, alone).replace("\n", " ")
+    assert said("history", other, "smirk", "--json") == said("history", show.path, "smirk", "--json")
+    again = said("import", other, alone)
+    assert "'Smirk [left]' is there already, with the same history" in again
+    assert "has nothing of smirk.omote more." in again
+    assert "has 1 of a.omote more: Own." in said("import", other, show.path), "a deleted one stays deleted"
+    assert "GOOD" in said("check", other).upper()
+
+
+def test_nothing_of_a_show_that_is_not_right_comes_in(show: ShowFile, tmp_path: Path) -> None:
+    show.apply(
+        [item(3, name="odd", head=1), revision(3, 1, content=content_key(b"odd")), Content(content_key(b"odd"), b"odd")]
+    )
+    text = said("import", tmp_path / "other.omote", show.path, status=1).replace("\n", " ")
+    assert "is not all right, so nothing of it was taken: revision 1 of odd" in text

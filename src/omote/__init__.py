@@ -43,6 +43,7 @@ if TYPE_CHECKING:
     from omote.server.headless.picture_renderer import Renderer as Renderer
     from omote.server.headless.picture_renderer import render as render
     from omote.server.headless.stimulus_run import draw_stimuli as draw_stimuli
+    from omote.server.sandbox.voices import speak as speak
     from omote.stage_data.full_cast import read_show as read_show
     from omote.stage_data.pose_parser import parse_pose as parse_pose
 
@@ -89,6 +90,7 @@ _HOMES = {
     "regional": "omote.model.sculpting.regions",
     "render": "omote.server.headless.picture_renderer",
     "sculpted": "omote.model.sculpting.sculpt",
+    "speak": "omote.server.sandbox.voices",
     "take_expressions": "omote.model.fitting.take_expressions",
     "write_cues": "omote.interchange.formats.cue_toml",
 }

@@ -249,13 +249,16 @@ def choose_faces(cast: Cast, inspection: Inspection | None, text: str) -> list[s
 
 
 def label_credit(credit: Credit | None, inspection: Inspection | None) -> Credit | None:
-    """Who made a VRM, with what a show file calls its own faces.
+    """Who made a VRM, with what a show file calls its own faces, and which of them are CC0.
 
     credit: as it was said; inspection: what the show file holds.
     """
-    from omote.stage_data.full_cast import face_labels
+    from omote.stage_data.full_cast import face_labels, free_faces
 
-    return credit if credit is None or inspection is None else replace(credit, labels=face_labels(inspection.stored))
+    if credit is None or inspection is None:
+        return credit
+    stored = inspection.stored
+    return replace(credit, labels=face_labels(stored), free=free_faces(stored, inspection.contents))
 
 
 def choose_pool(pool: str | int) -> Pool:

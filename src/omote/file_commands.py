@@ -114,7 +114,10 @@ def history(
 def take_in(
     file: ShowFileArgument,
     things: Annotated[
-        list[Path], typer.Argument(help="Expressions (.json), heads with morph targets (.glb, .vrm), shapes (.obj).")
+        list[Path],
+        typer.Argument(
+            help="Expressions (.json), heads with morph targets (.glb, .vrm), shapes (.obj), shows (.omote)."
+        ),
     ],
     face: Annotated[str, typer.Option(help="The face of the cast that shapes start from; else it is seen.")] = "",
     kind: Annotated[
@@ -128,14 +131,21 @@ def take_in(
         bool, typer.Option("--keep-both", help="Adds a copy of what is there already, exactly the same.")
     ] = False,
 ) -> None:
-    """Takes expressions or faces made elsewhere into a show file that no show plays; what is there already is not
-    added again."""
-    from omote.interchange.formats.file_names import require_imports
+    """Takes expressions or faces made elsewhere, or all of other show files, into a show file that no show plays; what
+    is there already is not added again."""
+    from omote.interchange.formats.file_names import SHOW, require_imports
     from omote.stage_data.cast_names import read_names
 
+    shows = [thing for thing in things if thing.suffix.lower() == SHOW]
+    things = [thing for thing in things if thing not in shows]
     with exit_on_refusal():
         own = read_own_work(file)
         require_imports(things)
+        if shows:
+            take_in_shows(file, shows)
+            if not things:
+                return
+            own = read_own_work(file)
         if face and (names := read_names(own and own[0])):
             names.find_face(face)
         from omote.builtin import load_cast  # what is heavy comes after what can be refused without it
@@ -146,6 +156,30 @@ def take_in(
         arrivals = read_arrivals(cast, things, face, kind, landmarks or [])
         new = add_items(file, cast, arrivals, keep_both=keep_both)
     say(f"{file} has {f'{len(new)} {kind}' if new else 'nothing'}{'s' if len(new) > 1 else ''} more.")
+
+
+def take_in_shows(file: Path, shows: Sequence[Path]) -> None:
+    """Adds all of other show files to one that no show plays; what is called otherwise or stays out is told.
+
+    file: the show file, made where there is none; shows: the others, which are only read.
+    """
+    from omote.builtin import load_cast
+    from omote.edit.store.whole_items import merge_show
+    from omote.server.persistence.offline_show import open_offline_show
+    from omote.showfile.inspection import inspect_show, refuse_wrong
+
+    others = [inspect_show(other) for other in shows]
+    for other, inspection in zip(shows, others, strict=True):
+        refuse_wrong(other, inspection)
+    with open_offline_show(file, new=True) as show:
+        for other, inspection in zip(shows, others, strict=True):
+            merged = merge_show(load_cast(), show.stored(), inspection.stored, inspection.contents)
+            show.apply(merged.changes)
+            for note in merged.notes:
+                say(escape_controls(f"{note}."))
+            count = len(merged.labels)
+            named = f": {', '.join(merged.labels)}" if count else ""
+            say(escape_controls(f"{file} has {count or 'nothing'} of {other.name} more{named}."))
 
 
 @file_app.command()
@@ -238,18 +272,26 @@ def read_own_work(file: Path) -> tuple[Stored, Mapping[str, bytes]] | None:
 def give_out(
     file: ShowFileArgument,
     name: Annotated[
-        str, typer.Argument(help="The name of an own expression (omote file list), one of the cast, or a document's.")
+        str,
+        typer.Argument(help="The name of an own face or expression (omote file list), one of the cast, a document's."),
     ],
-    output: Annotated[Path, typer.Option("--output", "-o", help="The document to write: smile.json.")],
+    output: Annotated[Path, typer.Option("--output", "-o", help="What to write: smile.json, or my_face.omote.")],
     force: Annotated[bool, typer.Option("--force", help="Replaces a document that is there.")] = False,
     documents: DocumentsOption = "",
+    kind: Annotated[
+        Literal["expression", "face"] | None, typer.Option(help="Which goes into a show file, where both are so named.")
+    ] = None,
 ) -> None:
-    """Writes an expression as a document that any crew can take in, or a stored document as it is (JSON)."""
+    """Writes an expression as a document that any crew can take in, a stored document as it is (JSON), or an own face
+    or expression whole, with recipe, look and history, as a show file of its own (.omote)."""
     from omote.interchange.formats.atomic_file import check_writable, require_free, write_whole
-    from omote.interchange.formats.file_names import check_document_name
+    from omote.interchange.formats.file_names import SHOW, check_document_name
     from omote.showfile.inspection import inspect_show
     from omote.stage_data.cast_names import find_exported, read_names
 
+    if output.suffix.lower() == SHOW:
+        give_out_whole(file, name, kind, output)
+        return
     output = complete_name(output, ".json")
     with exit_on_refusal():
         check_writable(output)
@@ -271,6 +313,26 @@ def give_out(
 
         write_whole(output, encode(export_document(load_cast(), inspection.stored, inspection.contents, name)))
     typer.echo(f"omote: {output} holds {name}.", err=True)
+
+
+def give_out_whole(file: Path, name: str, kind: Literal["expression", "face"] | None, output: Path) -> None:
+    """Writes an own face or expression as a show file of its own.
+
+    file: the show file that has it; name: as a person types it; kind: where both are so named; output: a new file.
+    """
+    from omote.edit.store.whole_items import whole_item
+    from omote.interchange.formats.atomic_file import check_writable, require_free
+    from omote.showfile.inspection import inspect_show, item_named, revisions_of
+    from omote.showfile.show_file import write_new_show
+
+    with exit_on_refusal():
+        check_writable(output)
+        require_free(output, force=False)  # a show file is never written over
+        inspection = inspect_show(file)
+        item = item_named(inspection.stored, name, kind)
+        write_new_show(output, whole_item(inspection.stored, inspection.contents, item))
+    count = len(revisions_of(inspection.stored, item))
+    say(f"{output} holds the {item.kind} {item.name} whole, revisions: {count}.")
 
 
 def format_time(seconds: float) -> str:

@@ -108,6 +108,10 @@ def show(
         Path | None, typer.Option(help="Serve over https with a certificate of your own (.pem).")
     ] = None,
     key: Annotated[Path | None, typer.Option(help="The key of that certificate (.pem), without a password.")] = None,
+    embed: Annotated[
+        list[str] | None,
+        typer.Option(metavar="ORIGIN", help="A site whose pages may show a stage in a frame: https://museum.example."),
+    ] = None,
     browser: Annotated[bool, typer.Option("--open/--no-open", help="Open the stage and the console.")] = True,
 ) -> None:
     """Opens a show: serves stage and console, and keeps them alive."""
@@ -116,6 +120,7 @@ def show(
     from omote.server.supervision.supervisor import PROGRAM, Supervisor
 
     options = read_options(sacn, bindings, allow, listen, send)
+    embedders = read_embedders(embed or [])
     tls = open_certificate(host, certificate, key, made=https)
     devices = open_devices(host, osc, options, OFF if artnet is None else artnet)
     context.call_on_close(devices.close)
@@ -133,7 +138,7 @@ def show(
     )
     opened = partial(opened, stack=stack, allow=allow, people=people, scheme=scheme)
     opened = partial(opened, heard=devices.heard, trackers=devices.advice + list_others(options))
-    words = (*PROGRAM, *options.words, *access.words)
+    words = (*PROGRAM, *options.words, *replace(access, embed=embedders).words)
     handed = devices.handed
     supervisor = Supervisor(
         listening, lock, path, report=say, opened=opened, program=words, notices=board.notices, handed=handed
@@ -200,6 +205,16 @@ def open_certificate(host: str, certificate: Path | None, key: Path | None, *, m
     except (OSError, ValueError) as error:
         fail_with(error)
     return files
+
+
+def read_embedders(origins: Sequence[str]) -> str:
+    """The origins of pages that may show a stage, by spaces; ends the command where one is none."""
+    from omote.server.access.security import check_embedder
+
+    try:
+        return " ".join(dict.fromkeys(check_embedder(origin) for origin in origins))
+    except ValueError as error:
+        fail_with(error)
 
 
 def open_access(show: Path, address: str, tls: CertificateFiles | None) -> tuple[People | None, AccessOptions]:

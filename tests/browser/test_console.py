@@ -361,6 +361,22 @@ def group(page: Page, name: str) -> Locator:
     return head
 
 
+def test_a_line_is_spoken_by_the_voice_that_is_chosen_and_one_that_cannot_be_is_said(console: Console) -> None:
+    page = console()
+    page.keyboard.press(";")
+    group(page, "speech")
+    page.get_by_role("combobox", name="Voice").select_option("voice de")
+    line = page.get_by_label("A line to say")
+    line.fill("Guten Abend, meine Damen und Herren. " * 20)
+    line.press("Enter")
+    wait_for(page, "state.speech?.sound && state.speech.seconds > 30")
+    page.get_by_role("button", name="Stop", exact=True).click()
+    wait_for(page, "state.speech === null")
+    line.fill("...")
+    line.press("Enter")
+    expect(page.locator("omote-status .notice")).to_contain_text("this voice finds nothing to speak in this text")
+
+
 def test_liveliness_moves_the_face_by_itself_until_panic(console: Console) -> None:
     page = console()
     page.keyboard.press(";")

@@ -7,6 +7,7 @@ from typing import Any, cast
 import pytest
 
 from omote.client.remote_character import CharacterLink, RemoteCharacter
+from omote.inputs.voices.spoken_text import WantedSpeech
 from omote.model.cast import Cast
 from omote.show.declaration import ClientMessage
 from omote.show.objects.motion import MakeGesture
@@ -80,6 +81,12 @@ def test_a_sound_goes_along_as_bytes_or_as_the_path_of_its_file(tmp_path: Path) 
     assert sent == [(Say("one", "id", "Hi", key="greeting"), b"RIFF")] * 3
 
 
+def test_a_voice_of_the_show_is_asked_for_the_text() -> None:
+    sent = Sent()
+    sent.character().say("Mama\n", voice="de+f2", queue=True)
+    assert sent == [(Say("one", "id", "Mama\n", queue=True, key="id"), WantedSpeech("Mama", "de+f2"))]
+
+
 def test_gestures_and_stops_are_messages() -> None:
     sent = Sent()
     sent.character().gesture("tilt", amplitude=-1.0)
@@ -98,6 +105,9 @@ def test_gestures_and_stops_are_messages() -> None:
         (ValueError, r"no key of send_sound; for a file give pathlib.Path\('hello.wav'\)", {"sound": "hello.wav"}),
         (TypeError, "the sound is a int; give the bytes of a file, or its Path", {"sound": 3}),
         (FileNotFoundError, "nosuch.wav", {"sound": Path("nosuch.wav")}),
+        (ValueError, "a voice came with marks or a sound", {"voice": "de", "sound": b"RIFF"}),
+        (ValueError, "a voice came with marks or a sound", {"voice": "de", "marks": ["a"], "times": [0.0]}),
+        (TypeError, "the voice is 3", {"voice": 3}),
     ],
 )  # fmt: skip
 def test_rejects_what_cannot_be_before_anything_is_sent(error: type[Exception], words: str, wrong: Any) -> None:

@@ -8,13 +8,17 @@ import numpy as np
 import pytest
 from msgspec import structs
 
+from omote.edit.protocol.wire import write_recipe
 from omote.edit.store.import_items import ImportedItem, changes_to_import
+from omote.model.albedo import SIDES, Albedo
 from omote.model.cast import Cast, Look
+from omote.model.recipes.recipe import KEY, FaceRecipe
 from omote.model.space.face import Face
-from omote.showfile.changes import Content, Item, Revision, Stored
+from omote.showfile.changes import Content, Item, Revision, Stored, content_key
+from omote.showfile.contents import pack_face
 from omote.showfile.schema import ShowFileError
 from omote.showfile.show_file import open_show
-from omote.stage_data.full_cast import build_full_cast, find_face, playing_items, read_show
+from omote.stage_data.full_cast import build_full_cast, find_face, free_faces, playing_items, read_show
 from tests import synthetic
 
 
@@ -116,3 +120,29 @@ def test_what_is_deleted_or_never_saved_does_not_play() -> None:
     assert (
         build_full_cast(synthetic.cast(), changed, contents, pytest.fail).faces.keys() == synthetic.cast().faces.keys()
     )
+
+
+def test_a_face_is_free_that_is_made_of_free_faces_alone() -> None:
+    base = synthetic.cast()
+    first, second = list(base.faces)[:2]
+    painted = Look(albedo=Albedo(np.zeros((SIDES[0], SIDES[0], 4), np.uint8)))
+    looks = [Look(iris=f"#00000{number}") for number in range(6)]
+    contents = [pack_face(base.faces[first], look) for look in (*looks, painted)]
+    keys = [content_key(content) for content in contents]
+    mix = FaceRecipe({first: 0.5, second: 0.5}, regions={"nose": second}, amount=1.3)
+    recipes = {
+        "mix": mix,
+        "of_mix": FaceRecipe({KEY + keys[0]: 1.0}),
+        "scan": FaceRecipe({KEY + keys[2]: 1.0}),
+        "of_scan": FaceRecipe({first: 0.5, KEY + keys[2]: 0.5}),
+        "regional": FaceRecipe({first: 1.0}, regions={"nose": KEY + keys[2]}),
+        "moved": structs.replace(mix, points=(1,), moves=((0.0, 0.0, 0.01),)),
+        "painted": mix,
+    }
+    items = tuple(Item(place, "face", name, name, head=1) for place, name in enumerate(recipes, start=1))
+    revisions = tuple(
+        Revision(place, 1, 0, write_recipe(recipe), keys[place - 1], 0.0, "Ada")
+        for place, recipe in enumerate(recipes.values(), start=1)
+    )
+    free = free_faces(Stored(items, revisions), dict(zip(keys, contents, strict=True)))
+    assert free == {"mix", "of_mix"}

@@ -11,11 +11,12 @@ import numpy as np
 from omote.inputs.microphone.sound_features import BANDS, SAMPLE_RATE, FeatureStream, SoundFeatures, band_hertz
 from omote.inputs.microphone.speaker_profile import SpeakerState, measure_speaker
 from omote.inputs.microphone.viseme_network import frame_inputs
+from omote.inputs.voices.phones import Segment
 from tools.lips.espeak_voice import Espeak, EspeakVoice
 from tools.lips.named_voices import FESTIVAL_VOICES, FLITE_VOICES, NamedVoice, speak_festival, speak_flite
 from tools.lips.sentences import make_sentence
 from tools.lips.sound_conditions import apply_condition, draw_condition
-from tools.lips.spoken import Segment, Spoken, label_frames
+from tools.lips.spoken import Spoken, label_frames
 
 LANGUAGES = {
     "en": "american-english", "en-us": "american-english", "en-gb-x-rp": "american-english",

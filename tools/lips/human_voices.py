@@ -16,9 +16,10 @@ from pathlib import Path
 import numpy as np
 from scipy.io import wavfile
 
+from omote.inputs.voices.phones import Segment
 from tools.lips.named_voices import read_lines
 from tools.lips.phones import shapes_of_name
-from tools.lips.spoken import Segment, Spoken, resample
+from tools.lips.spoken import Spoken, resample
 
 RUSSIAN = Path("/usr/share/festival/voices/russian/msu_ru_nsh_clunits")
 LIBRIVOX = Path("/usr/share/pocketsphinx/test/data/librivox")

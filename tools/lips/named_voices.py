@@ -11,8 +11,9 @@ from pathlib import Path
 import numpy as np
 from scipy.io import wavfile
 
+from omote.inputs.voices.phones import Segment
 from tools.lips.phones import shapes_of_name
-from tools.lips.spoken import Segment, Spoken, resample
+from tools.lips.spoken import Spoken, resample
 
 SECONDS = 300
 """The longest that a synthesizer may take."""

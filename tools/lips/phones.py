@@ -1,37 +1,8 @@
-"""Which viseme a phone looks like: IPA as espeak-ng writes it, and the names that festival's and flite's voices use."""
+"""Which viseme a phone looks like by the names that festival's and flite's voices use."""
 
 from __future__ import annotations
 
-import re
-
-from omote.perform.speech.visemes import VISEMES
-
-Shapes = tuple[str, ...]
-"""Visemes of a phone, one after the other; two of a diphthong, none where it takes the shape of its neighbours."""
-
-_CONSONANTS = {
-    "PP": "p b m ɓ ɸ β",
-    "FF": "f v ʋ ɱ",
-    "TH": "θ ð",
-    "DD": "t d ʈ ɖ ɗ ɾ ɟ c ʔd",
-    "kk": "k g ɡ ŋ x ɣ q χ ɠ ʁ ʀ ɰ ɢ ħ ʕ",
-    "CH": "tʃ dʒ ʃ ʒ tɕ dʑ ɕ ʑ ʂ ʐ tʂ dʐ ç ʝ",
-    "SS": "s z ts dz",
-    "nn": "n l ɲ ʎ ɳ ɫ ɭ ɬ",
-    "RR": "r ɹ ɻ ɚ ɝ ɽ",
-    "U": "w ɥ",
-    "I": "j",
-}
-_VOWELS = {
-    "aa": "a ɑ ɐ ʌ æ ɒ̃ ɑ̃",
-    "E": "e ɛ ə ɜ ɘ ɛ̃ ẽ ɤ œ̃",
-    "I": "i ɪ ɨ ɯ ĩ ᵻ",
-    "O": "o ɔ ɒ õ ɔ̃ œ ø ɵ",
-    "U": "u ʊ y ʏ ʉ ũ",
-}
-_IPA = {phone: shape for table in (_CONSONANTS, _VOWELS) for shape, phones in table.items() for phone in phones.split()}
-_MARKS = re.compile("[ːˑˈˌʰʲʷˤ̩̯̪̝̞̃ˠ'ˀ̥̬̟̠̤̰~.|\u200d͡0-9-]")
-_PHONES = sorted(_IPA, key=len, reverse=True)
+from omote.inputs.voices.phones import MARKS, Shapes
 
 _RADIO = {  # of the English voices
     "PP": "p b m em",
@@ -101,25 +72,6 @@ NAMED = {name: _by_name(table) for name, table in
 SILENT = {"", "pau", "#", "sil", "brth", "_", "_:", "h#", "ssil"}
 
 
-def shapes_of_ipa(phone: str) -> Shapes | None:
-    """The visemes of a phone in IPA; ("sil",) of a pause, () of one without a shape of its own (h, a glottal stop),
-    None of one that is unknown."""
-    rest = _MARKS.sub("", phone)
-    if not rest.strip("_: "):
-        return ("sil",)
-    found: list[str] = []
-    while rest:
-        match = next((each for each in _PHONES if rest.startswith(each)), None)
-        if match is None:
-            if rest[0] not in "hɦʔ":
-                return None
-            rest = rest[1:]
-            continue
-        found.append(_IPA[match])
-        rest = rest[len(match) :]
-    return tuple(found[:2])
-
-
 def shapes_of_name(phone_set: str, name: str) -> Shapes | None:
     """The visemes of a phone by its name in a voice's phone set ("radio", "latin", "russian", "finnish", "czech").
 
@@ -138,8 +90,5 @@ _VOICED_NAMES = ("dh", "jh", "zh")
 
 def is_voiced(name: str) -> bool:
     """Whether vocal cords swing in a phone, by its name in IPA or in the English voices' phone set."""
-    plain = _MARKS.sub("", name)
+    plain = MARKS.sub("", name)
     return plain not in SILENT and (plain in _VOICED_NAMES or not plain.startswith(_VOICELESS))
-
-
-assert {shape for shapes in (*_CONSONANTS, *_VOWELS) for shape in shapes.split()} <= set(VISEMES)

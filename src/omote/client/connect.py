@@ -17,6 +17,7 @@ from omote.client.show_address import check_token, link_address
 from omote.client.sounds import read_bytes
 from omote.client.trust import trusted_context
 from omote.client.utterance import AsyncUtterance, SpeechWatch, Utterance
+from omote.inputs.voices.spoken_text import WantedSpeech
 from omote.perform.limits import check_within
 from omote.show.objects.leases import Leases
 from omote.show.objects.speech import Say
@@ -116,7 +117,7 @@ class AsyncConnectedShow(RemoteShow[Awaitable[None], Awaitable[AsyncUtterance]])
         super().__init__(link.send, lambda: _newest(link), link.next_id, link.drive, self._speak)
         self._link = link
 
-    async def _speak(self, message: Say, sound: bytes | None) -> AsyncUtterance:
+    async def _speak(self, message: Say, sound: bytes | WantedSpeech | None) -> AsyncUtterance:
         return AsyncUtterance(await self._link.speak(message, sound), self._link.wait_until_spoken)
 
     async def wait(self) -> State:

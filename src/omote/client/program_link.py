@@ -12,10 +12,11 @@ import aiohttp
 import msgspec
 from msgspec import structs
 
-from omote.client.message_check import encode_checked
+from omote.client.message_check import encode_checked, pack_numbers
 from omote.client.show_address import DENIALS, NO_ANSWER, explain_https_error
-from omote.client.sounds import SentSounds, upload_sound
+from omote.client.sounds import SentSounds, speak_text, upload_sound
 from omote.client.utterance import SpeechWatch, SpeechWatches
+from omote.inputs.voices.spoken_text import WantedSpeech
 from omote.show.declaration import ClientMessage
 from omote.show.messages import LINK_PATH, PROTOCOL_VERSION
 from omote.show.objects.leases import Leases
@@ -155,14 +156,28 @@ class ProgramLink:
         self._sounds.keep(key, data)
         return key
 
-    async def speak(self, message: Say, sound: bytes | None = None) -> SpeechWatch:
-        """Says something, with a sound that is sent first where there is one; errors as of `send` and `send_sound`.
-        message: the speech."""
-        if sound is not None:
+    async def speak(self, message: Say, sound: bytes | WantedSpeech | None = None) -> SpeechWatch:
+        """Says something, with a sound that is sent first where there is one, or that a voice of the show speaks first;
+        errors as of `send` and `send_sound`. message: the speech."""
+        if isinstance(sound, WantedSpeech):
+            message = await self._give_voice(message, sound)
+        elif sound is not None:
             message = structs.replace(message, sound=await self.send_sound(sound))
         await self.send(message)
         assert self.state is not None  # a link is open once it has one
         return self._said.add(message, self.state)
+
+    async def _give_voice(self, message: Say, wanted: WantedSpeech) -> Say:
+        """A speech with the sound and the times of a voice of the show."""
+        headers = self._headers
+        spoken, data = await speak_text(
+            self._show, wanted, headers=headers, trusted=self._trusted, timeout=self._timeout
+        )
+        self._sounds.keep(spoken.sound, data)
+        times = pack_numbers(spoken.times, "a time (seconds)")
+        return structs.replace(
+            message, timing="visemes", marks=spoken.marks, times=times, seconds=spoken.seconds, sound=spoken.sound
+        )
 
     async def wait_until_spoken(self, watch: SpeechWatch, timeout: float | None) -> bool:
         """Whether a speech was said to its end, once it is over; TimeoutError after `timeout` seconds, ConnectionError

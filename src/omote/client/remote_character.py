@@ -14,6 +14,7 @@ from omote.client.derived_methods import add_methods, named
 from omote.client.message_check import pack_numbers
 from omote.client.remote_frame import frame_in
 from omote.client.sounds import split_sound
+from omote.inputs.voices.spoken_text import USUAL_VOICE, WantedSpeech, check_wanted
 from omote.model.known_names import check_play_region
 from omote.perform.easing import DEFAULT_EASING
 from omote.perform.frame import Frame, check_target_kind
@@ -44,7 +45,7 @@ class CharacterLink(Protocol[Sent, Said]):
     send: Callable[[ClientMessage], Sent]
     next_id: Callable[[], str]
     drive: Callable[[Source, Drive], Sent]
-    speak: Callable[[Say, bytes | None], Said]
+    speak: Callable[[Say, bytes | WantedSpeech | None], Said]
 
     @property
     def state(self) -> State:
@@ -162,21 +163,24 @@ class RemoteCharacter(Generic[Sent, Said]):
         offset: float = 0.0,
         queue: bool = False,
         key: str = "",
+        voice: str = "",
     ) -> Said:
         """Speaks: lips move in time with a sound that something else plays, or, where `sound` is one (the bytes of a
         WAV, MP3 or Ogg, the Path of its file, or the key that `send_sound` gave), a stage. Marks are words, characters,
         or mouth shapes (visemes, azure, rhubarb), each with the time at which it begins; with text alone the times are
         estimated. `wait()` of what it gives waits until it is over; `frame.speech` tells how far it is. timing: the
         kind of timing; times, seconds, delay and offset: seconds; language: of the text; queue: whether it waits for
-        what is said now; marks: those words, characters or shapes; key: what to call the speech."""
+        what is said now; marks: those words, characters or shapes; key: what to call the speech; voice: the name of a
+        voice of the show that speaks the text, whose phones give the times (`en-gb`, `de+f2`)."""
         kind = check_known(timing, TIMING_KINDS, "kind of timing")
         packed = pack_numbers(times, "a time (seconds)")
         after = check_switch(queue, "the switch queue")
         sent, data = split_sound(sound)
+        wanted = _wanted_of(voice, text, marks, sound)
         message = Say(self.name, name := self._show.next_id(), text, kind, _listed(marks), packed)
         rest = {"seconds": seconds, "sound": sent, "delay": delay, "offset": offset, "queue": after}
         spoken = structs.replace(message, language=check_language(language), key=key or name, **rest)
-        return self._show.speak(spoken, data)
+        return self._show.speak(spoken, wanted or data)
 
     def build(self, command: type[ClientMessage], fields: Mapping[str, Any]) -> Sent:
         """Sends a command to it. command: its kind; fields: their values by name, without the character and the id."""
@@ -202,6 +206,15 @@ def _or_by_hand(seconds: object) -> float | None:
     if isinstance(seconds, bool) or not isinstance(seconds, Real):
         raise TypeError(f"seconds is {seconds!r:.80}; give a number, or math.inf, which waits for the T-bar")
     return None if seconds == math.inf else float(seconds)
+
+
+def _wanted_of(voice: object, text: str, marks: Sequence[str], sound: object) -> WantedSpeech | None:
+    """What a voice is to say; None without one. ValueError where marks or a sound say already how it is said."""
+    if not isinstance(voice, str):
+        raise TypeError(f"the voice is {voice!r:.80}; give its name, such as {USUAL_VOICE!r}")
+    if voice and (marks or sound):
+        raise ValueError("a voice came with marks or a sound; give one of them: a voice makes its own sound and times")
+    return check_wanted(WantedSpeech(text, voice)) if voice else None
 
 
 def _listed(marks: Sequence[str]) -> list[str]:

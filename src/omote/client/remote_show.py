@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any, Generic, get_args
 
 from omote.client.derived_methods import add_methods, named
 from omote.client.remote_character import RemoteCharacter, Said, Sent
+from omote.inputs.voices.spoken_text import WantedSpeech
 from omote.model.known_names import GENERIC
 from omote.perform.easing import DEFAULT_EASING
 from omote.perform.layers.layer_names import check_driven, check_part
@@ -85,7 +86,7 @@ class RemoteShow(RemoteLeases[Sent], RemoteSources[Sent], Generic[Sent, Said]):
         newest: Callable[[], State],
         next_id: Callable[[], str],
         drive: Callable[[Source, Drive], Sent],
-        speak: Callable[[Say, bytes | None], Said],
+        speak: Callable[[Say, bytes | WantedSpeech | None], Said],
     ) -> None:
         super().__init__(send, next_id)
         self.drive = drive

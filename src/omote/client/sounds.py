@@ -11,6 +11,7 @@ from pathlib import Path
 import aiohttp
 import msgspec
 
+from omote.inputs.voices.spoken_text import VOICES_PATH, SpokenAnswer, WantedSpeech
 from omote.show.declaration import ClientMessage
 from omote.show.objects.speech import MOST_BYTES, MOST_SOUNDS, SOUNDS_PATH, Say
 from omote.show.speech.known_sounds import NO_SOUND
@@ -76,6 +77,31 @@ async def upload_sound(
         ) from error
     except aiohttp.ClientError as error:
         raise ConnectionError(f"the show at {show} took no sound: {error}") from error
+
+
+async def speak_text(
+    show: str, wanted: WantedSpeech, *, headers: Mapping[str, str], trusted: ssl.SSLContext | bool, timeout: float
+) -> tuple[SpokenAnswer, bytes]:
+    """What a voice of a show at an address makes of a text, within some seconds: what to say, and its sound.
+
+    ValueError with the show's reason where it cannot be spoken, ConnectionError where the show does not answer. show:
+    its address; wanted: the text; headers: of the request; trusted: the certificates; timeout: seconds.
+    """
+    try:
+        async with aiohttp.ClientSession(headers=headers, timeout=aiohttp.ClientTimeout(timeout)) as session:
+            body = msgspec.json.encode(wanted)
+            async with session.post(f"{show}{VOICES_PATH}", data=body, ssl=trusted) as response:
+                if response.status != 200:
+                    raise ValueError(await response.text())
+                answer = msgspec.json.decode(await response.read(), type=SpokenAnswer)
+            async with session.get(f"{show}{SOUNDS_PATH}/{answer.sound}", ssl=trusted) as response:
+                return answer, await response.read()
+    except TimeoutError as error:
+        raise ConnectionError(
+            f"the show at {show} spoke no text in {timeout:g} s; connect with a longer timeout="
+        ) from error
+    except aiohttp.ClientError as error:
+        raise ConnectionError(f"the show at {show} spoke no text: {error}") from error
 
 
 class SentSounds:

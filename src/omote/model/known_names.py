@@ -22,7 +22,7 @@ _FIXED = (
 )  # fmt: skip
 PLACES: Mapping[str, str] = {
     **dict.fromkeys(("character", "removed character", "gaze point"), " in this scene"),
-    **dict.fromkeys(("performer", "source"), " in this show"),
+    **dict.fromkeys(("performer", "source", "voice", "variant of a voice"), " in this show"),
     **dict.fromkeys(_FIXED, ""),
 }
 """Where names of each kind are, as messages say it; "" for those that are the same everywhere; else in the cast."""

@@ -83,6 +83,12 @@ def revisions_of(stored: Stored, item: Item, /) -> list[Revision]:
     return [revision for revision in stored.revisions if revision.item == item.id]
 
 
+def refuse_wrong(path: Path, inspection: Inspection, /) -> None:
+    """ShowFileError where not all of a show file can be used. path: its place, for the message; inspection: of it."""
+    if wrong := [*_wrong_revisions(inspection), *_wrong_steps(inspection)]:
+        raise ShowFileError(f"{path} is not all right, so nothing of it was taken: {wrong[0]} (omote file check).")
+
+
 def holds_nothing(path: Path, /) -> bool:
     """Whether nothing is at a path that could be checked: no file or an empty one, and nothing left of a show."""
     return identify(path).kind in ("missing", "empty") and not is_lost(path)

@@ -11,6 +11,7 @@ import hashlib
 import os
 import shutil
 import sqlite3
+import tempfile
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
@@ -287,6 +288,22 @@ def open_show(path: Path) -> ShowFile:
     place = FilePlace(path)
     place.remember()
     return ShowFile(connection, place)
+
+
+def write_new_show(path: Path, changes: Iterable[Change], /) -> None:
+    """Makes a show file that holds what changes add, whole or not at all; ShowFileError, OSError or sqlite3.Error where
+    it cannot be.
+
+    path: where nothing lies yet; changes: to an empty show.
+    """
+    with tempfile.TemporaryDirectory(dir=path.parent) as folder:
+        made = Path(folder) / path.name
+        show = open_show(made)
+        try:
+            show.apply(changes)
+        finally:
+            show.close()
+        made.rename(path)
 
 
 def default_path(environment: Mapping[str, str] = os.environ) -> Path:

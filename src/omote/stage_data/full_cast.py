@@ -4,20 +4,24 @@ from __future__ import annotations
 
 import warnings
 from collections.abc import Callable, Mapping
+from contextlib import suppress
 from dataclasses import replace
 from functools import partial
 from pathlib import Path
+
+import msgspec
 
 from omote.builtin import load_cast
 from omote.interchange.formats.error_reasons import explain_error
 from omote.model.cast import Cast
 from omote.model.known_names import NEUTRAL
+from omote.model.recipes.recipe import KEY, FaceRecipe, Recipe, sources
 from omote.model.space.expression import Title
 from omote.model.space.face_fit import fit
 from omote.perform.name_lookup import find_name
 from omote.showfile.changes import Item, Stored
 from omote.showfile.changes import playing_items as playing_items
-from omote.showfile.contents import unpack_expression, unpack_face
+from omote.showfile.contents import ContentError, read_albedo, unpack_expression, unpack_face
 from omote.showfile.inspection import inspect_show
 from omote.showfile.recovery import name_show
 from omote.stage_data.playing_cast import Own, check_fit
@@ -106,6 +110,36 @@ def find_face(cast: Cast, stored: Stored | None, typed: str, /) -> str:
 def face_labels(stored: Stored, /) -> dict[str, str]:
     """What the own faces that play are called, by their names."""
     return {item.name: item.label for item, _ in playing_items(stored) if item.kind == "face"}
+
+
+def free_faces(stored: Stored, contents: Mapping[str, bytes], /) -> frozenset[str]:
+    """The names of own faces that are CC0 as the built-in cast is: mixes, regions and caricatures of nothing but that,
+    without handles that somebody moved and without a picture on the skin.
+
+    stored, contents: of the show file.
+    """
+    recipes: dict[str, list[bytes]] = {}
+    for revision in stored.revisions:
+        recipes.setdefault(revision.content, []).append(revision.recipe)
+
+    def is_free(content: str, above: frozenset[str]) -> bool:
+        if content in above or read_albedo(contents.get(content, b"")) is not None:
+            return False
+        below = above | {content}
+        made = [msgspec.json.decode(recipe, type=Recipe | FaceRecipe) for recipe in recipes.get(content, ())]
+        return bool(made) and all(
+            isinstance(recipe, FaceRecipe)
+            and not recipe.points
+            and all(not source.startswith(KEY) or is_free(source[len(KEY) :], below) for source in sources(recipe))
+            for recipe in made
+        )
+
+    free = set[str]()
+    for item, content in playing_items(stored):
+        with suppress(ContentError, msgspec.DecodeError):  # of a newer Omote: nobody knows
+            if item.kind == "face" and is_free(content, frozenset()):
+                free.add(item.name)
+    return frozenset(free)
 
 
 def own_items(stored: Stored, /) -> tuple[Own, ...]:

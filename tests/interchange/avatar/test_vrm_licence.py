@@ -57,3 +57,11 @@ def test_what_came_with_omote_is_free_and_an_own_face_is_asked_about() -> None:
     assert "came with Omote and is CC0" in silent.sentence("kaori")
     assert "aunt is by Ann, and others may use it so: avatarPermission onlyAuthor, " in said.sentence("aunt")
     assert "allowRedistribution no" in said.sentence("aunt")
+
+
+def test_an_own_face_that_is_made_of_the_cast_alone_is_as_free() -> None:
+    credit = Credit(("Ann",), free=frozenset({"aunt"}))
+    assert credit.agreed("aunt", own=True) == parse_terms(["cc0"])
+    assert "aunt is by Ann; it is made of nothing but faces that came with Omote and is CC0" in credit.sentence("aunt")
+    with pytest.raises(ValueError, match="'uncle' is an own face"):
+        credit.agreed("uncle", own=True)

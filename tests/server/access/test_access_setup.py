@@ -21,7 +21,10 @@ def read(words: list[str]) -> AccessOptions:
     return read_access_options(parser.parse_args(words))
 
 
-@pytest.mark.parametrize("options", [AccessOptions(), AccessOptions("a b", "c", "d", "e"), AccessOptions("", "c", "d")])
+@pytest.mark.parametrize(
+    "options",
+    [AccessOptions(), AccessOptions("a b", "c", "d", "e"), AccessOptions("", "c", "d", embed="https://a.b http://c")],
+)
 def test_options_come_back_as_they_were(options: AccessOptions) -> None:
     assert read(options.words) == options
 

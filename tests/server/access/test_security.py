@@ -3,10 +3,20 @@
 import socket
 
 import pytest
+from aiohttp import web
+from aiohttp.test_utils import TestClient, TestServer
 from hypothesis import given
 from hypothesis import strategies as st
 
-from omote.server.access.security import host_allowed, origin_allowed, own_names, refusal
+from omote.server.access.security import (
+    POLICY,
+    adding_headers,
+    check_embedder,
+    host_allowed,
+    origin_allowed,
+    own_names,
+    refusal,
+)
 
 NAMES = frozenset({"localhost", "theatre", "theatre.local"})
 
@@ -55,3 +65,56 @@ def test_any_pair_of_headers_is_passed_or_refused_with_a_sentence(host: str, ori
 
 def test_this_machine_knows_its_names() -> None:
     assert {"localhost", socket.gethostname().lower()} <= own_names()
+
+
+@pytest.mark.parametrize(
+    ("typed", "origin"),
+    [
+        ("https://museum.example", "https://museum.example"),
+        ("HTTPS://Museum.Example:443", "https://museum.example"),
+        ("http://127.0.0.1:3000", "http://127.0.0.1:3000"),
+        ("http://[::1]:3000", "http://[::1]:3000"),
+    ],
+)
+def test_an_origin_is_read_as_browsers_write_it(typed: str, origin: str) -> None:
+    assert check_embedder(typed) == origin == check_embedder(origin)
+
+
+@pytest.mark.parametrize(
+    "typed",
+    [
+        "", "*", "museum.example", "https://*.museum.example", "https://museum.example/", "https://a.example/page",
+        "file:///page.html", "null", "https://a.example; script-src *", "https://a.example https://b.example",
+        "https://me@a.example", "https://a.example:0", "https://a.example:99999", "'self'", "https://[::g]",
+    ],
+)  # fmt: skip
+def test_what_is_no_origin_may_embed_nothing(typed: str) -> None:
+    with pytest.raises(ValueError, match="museum"):
+        check_embedder(typed)
+
+
+@given(st.text(max_size=60))
+def test_no_text_gets_a_second_rule_into_the_header(text: str) -> None:
+    try:
+        origin = check_embedder(text)
+    except ValueError:
+        return
+    assert not set(origin) & set(" ;,'\"*\n")
+
+
+@pytest.mark.asyncio
+async def test_stages_alone_stand_in_frames_of_the_pages_that_are_named() -> None:
+    application = web.Application()
+    application.on_response_prepare.append(adding_headers(("https://museum.example", "http://127.0.0.1:3000")))
+    for path in ("/stage", "/console", "/"):
+        application.router.add_get(path, respond)
+    async with TestClient(TestServer(application)) as client:
+        ancestors = {}
+        for path in ("/stage", "/stage?transparent", "/console", "/"):
+            (_, ancestors[path]) = (await client.get(path)).headers[POLICY].split("frame-ancestors ")
+    framed = "'self' https://museum.example http://127.0.0.1:3000"
+    assert ancestors == {"/stage": framed, "/stage?transparent": framed, "/console": "'self'", "/": "'self'"}
+
+
+async def respond(_: web.Request) -> web.Response:
+    return web.Response()

@@ -34,7 +34,8 @@ HOW = "--licence strict (the author alone), cc0 (anyone, for anything), or terms
 @dataclass(frozen=True)
 class Credit:
     """Who made an avatar, and what others may do with it; terms None: not said, so only what is CC0 can be written;
-    version: of VRM. labels: what own faces are called, by their names.
+    version: of VRM. labels: what own faces are called, by their names; free: own faces that are CC0, made of nothing
+    but the built-in cast.
 
     Raises ValueError where no author is named.
     """
@@ -43,6 +44,7 @@ class Credit:
     terms: Terms | None = None
     version: Version = "1.0"
     labels: Mapping[str, str] = field(default_factory=dict)
+    free: frozenset[str] = frozenset()
 
     def __post_init__(self) -> None:
         if not self.authors or not all(name.strip() for name in self.authors):
@@ -55,13 +57,14 @@ class Credit:
         """Whose a written avatar is said to be, for people."""
         who = f"{self.labels.get(face, face)} is by {', '.join(self.authors)}"
         if self.terms is None:
-            return f"{who}; it came with Omote and is CC0, so anyone may use it for anything (--licence says otherwise)"
+            whence = "is made of nothing but faces that came with Omote" if face in self.free else "came with Omote"
+            return f"{who}; it {whence} and is CC0, so anyone may use it for anything (--licence says otherwise)"
         said = [f"{name} {ANSWERED.get(value, value)}" for name, value in self.terms.items() if name in TERMS]
         return f"{who}, and others may use it so: {', '.join(said)}"
 
     def agreed(self, face: str, *, own: bool) -> Terms:
         """The terms for a face; ValueError for an own one whose terms nobody has said."""
-        if self.terms is None and own:
+        if self.terms is None and own and face not in self.free:
             raise ValueError(f"{face!r} is an own face and not CC0 as the built-in cast is: say who may use it, {HOW}")
         return _freest() if self.terms is None else self.terms
 

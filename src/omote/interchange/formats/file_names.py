@@ -12,6 +12,7 @@ KINDS: dict[str, Kind] = {".png": "image/png", ".jpg": "image/jpeg", ".jpeg": "i
 GLB = ".glb"
 VRM = ".vrm"
 DOCUMENT = ".json"
+SHOW = ".omote"
 NUMBERS = (".npz", ".csv")
 USD = (".usdc", ".usda", ".usdz")
 OBJ = ".obj"
@@ -19,7 +20,7 @@ EXPORTS = (GLB, VRM, *USD, OBJ, *NUMBERS)
 """What an export writes: heads, and tables of numbers."""
 IMPORTS = (DOCUMENT, GLB, VRM, ".obj")
 HINTS = {
-    ".omote": "a show file is opened with `omote show`; take single expressions out of it as documents (.json)",
+    SHOW: "a show file comes into another with `omote file import`, while no show plays that",
     **dict.fromkeys((".gltf", ".fbx", ".blend", ".dae", ".stl", ".ply", ".usdz"), "export it as glTF binary (.glb)"),
     **dict.fromkeys((".png", ".jpg", ".jpeg", ".gif", ".webp"), "a picture has no shape that a face could have"),
 }

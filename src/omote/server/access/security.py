@@ -4,23 +4,28 @@ from __future__ import annotations
 
 import ipaddress
 import logging
+import re
 import socket
+from collections.abc import Awaitable, Callable, Sequence
 from urllib.parse import urlsplit
 
 from aiohttp import web
 from aiohttp.http_exceptions import HttpProcessingError
 from aiohttp.typedefs import Handler, Middleware
 
+POLICY = "Content-Security-Policy"
+ANCESTORS = "frame-ancestors 'self'"
+STAGE_PAGE = "/stage"
 HEADERS = {
-    "Content-Security-Policy": "default-src 'self'; img-src 'self' data: blob:; style-src 'self' 'unsafe-inline'; "
-    "worker-src 'self' blob:; connect-src 'self'; object-src 'none'; base-uri 'none'; form-action 'none'; "
-    "frame-ancestors 'self'",
+    POLICY: "default-src 'self'; img-src 'self' data: blob:; style-src 'self' 'unsafe-inline'; "
+    "worker-src 'self' blob:; connect-src 'self'; object-src 'none'; base-uri 'none'; form-action 'none'; " + ANCESTORS,
     "X-Content-Type-Options": "nosniff",
     "Referrer-Policy": "no-referrer",
     "Cross-Origin-Opener-Policy": "same-origin",
     "Cross-Origin-Resource-Policy": "same-origin",
 }
 
+_ORIGIN = re.compile(r"https?://([a-z0-9.-]{1,253}|\[[0-9a-f:.]{2,45}\])(:[0-9]{1,5})?", re.IGNORECASE)
 WASM_FOLDER = "/static/wasm_workers/"
 """Scripts of workers that compile WebAssembly (the camera page's face model): these alone may, no page may."""
 
@@ -88,16 +93,39 @@ def guard(names: frozenset[str]) -> Middleware:
     return middleware
 
 
-async def add_headers(request: web.Request, response: web.StreamResponse) -> None:
-    """Adds `HEADERS` to a response (an `on_response_prepare` signal).
+def check_embedder(origin: str) -> str:
+    """The origin of pages in which a stage may stand in a frame, as browsers write it: scheme, host, port where it is
+    not the usual one. ValueError for what is none, and for more than one site."""
+    wanted = "give it as in https://museum.example or http://127.0.0.1:3000"
+    if not _ORIGIN.fullmatch(origin):
+        raise ValueError(f"{origin[:80]!r} is no origin of a page; {wanted}, without a path and without *")
+    try:
+        parts = urlsplit(origin)
+        asked = parts.port
+    except ValueError as error:
+        raise ValueError(f"{origin[:80]!r} is no origin of a page ({error}); {wanted}") from error
+    if asked == 0:
+        raise ValueError(f"the origin {origin[:80]!r} has no port that a browser opens; {wanted}")
+    usual = {"http": 80, "https": 443}[parts.scheme.lower()]
+    port = "" if asked in (None, usual) else f":{asked}"
+    host = parts.hostname or ""
+    return f"{parts.scheme.lower()}://{f'[{host}]' if ':' in host else host}{port}"
 
-    request: that is answered; response: that is sent.
-    """
-    if request.path.startswith(WASM_FOLDER):
-        allowed = f"{HEADERS['Content-Security-Policy']}; script-src 'self' 'wasm-unsafe-eval'"
-        response.headers.setdefault("Content-Security-Policy", allowed)
-    for name, value in HEADERS.items():
-        response.headers.setdefault(name, value)
+
+def adding_headers(embedders: Sequence[str] = ()) -> Callable[[web.Request, web.StreamResponse], Awaitable[None]]:
+    """Builds what adds `HEADERS` to responses (an `on_response_prepare` signal). embedders: origins of pages that may
+    show a stage in a frame, as `check_embedder` gives them; no other page of the show may stand in one."""
+    framed = HEADERS[POLICY].replace(ANCESTORS, " ".join((ANCESTORS, *embedders)))
+
+    async def add_headers(request: web.Request, response: web.StreamResponse) -> None:
+        if request.path.startswith(WASM_FOLDER):
+            response.headers.setdefault(POLICY, f"{HEADERS[POLICY]}; script-src 'self' 'wasm-unsafe-eval'")
+        elif request.path == STAGE_PAGE:
+            response.headers.setdefault(POLICY, framed)
+        for name, value in HEADERS.items():
+            response.headers.setdefault(name, value)
+
+    return add_headers
 
 
 def _is_address(name: str) -> bool:

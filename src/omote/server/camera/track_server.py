@@ -14,7 +14,7 @@ from omote.client.show_address import base_address, check_token
 from omote.client.trust import trusted_context
 from omote.inputs.performers.camera_messages import CAMERA_PATH
 from omote.interchange.formats.error_reasons import explain_error
-from omote.server.access.security import add_headers, guard, silence_bad_requests
+from omote.server.access.security import adding_headers, guard, silence_bad_requests
 from omote.server.camera.show_relay import ShowRelay, ShowTarget
 from omote.server.http.static_pages import Page, read_pages
 
@@ -49,7 +49,7 @@ def application(target: ShowTarget, pages: Mapping[str, Page]) -> web.Applicatio
     """
     silence_bad_requests()
     app = web.Application(middlewares=[guard(frozenset({"localhost"}))])
-    app.on_response_prepare.append(add_headers)
+    app.on_response_prepare.append(adding_headers())
     app.router.add_get(CAMERA_PATH, ShowRelay(target).respond)
 
     async def respond(request: web.Request) -> web.Response:

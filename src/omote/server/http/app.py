@@ -19,7 +19,7 @@ from omote.server.access.access_control import AccessControl
 from omote.server.access.access_guard import guard_access, visitor_in
 from omote.server.access.people_routes import PeopleRoutes
 from omote.server.access.phone_page import PHONE_PATH, PhonePage
-from omote.server.access.security import add_headers, guard, silence_bad_requests
+from omote.server.access.security import adding_headers, guard, silence_bad_requests
 from omote.server.http.cast_documents import CastDocuments
 from omote.server.http.cast_reload import CastReload
 from omote.server.http.document_routes import CACHE_FOREVER, NO_CACHE, DocumentRoutes
@@ -33,6 +33,7 @@ from omote.server.http.uploads import RunFileJob, Uploads
 from omote.server.links.links import HEARTBEAT, Link, Links, LinkSocket, close_revoked
 from omote.server.persistence.authored_work import AuthoredWork
 from omote.server.sounds.sound_routes import Sounds
+from omote.server.sounds.voice_routes import Voices
 from omote.server.workers.file_jobs import BuildTouchoscLayout, run_file_job
 from omote.show.declaration import MESSAGE_LIMIT, SPEECH_LIMIT, KeepRequest, Outgoing, ServerMessage
 from omote.show.messages import LINK_PATH
@@ -89,6 +90,7 @@ class ShowServer:
         self._surface_allowed: Callable[[str], bool] = lambda _: False
         self.access: AccessControl | None = None
         self.authority: bytes | None = None
+        self.embedders: tuple[str, ...] = ()
         self._pages = pages
         self.outside = ""
         self._state: State | None = None
@@ -165,7 +167,7 @@ class ShowServer:
             guard_access(lambda: self.access, frozenset((*PAGES, PHONE_PATH)), self._surface_allowed),
         ]
         application = web.Application(middlewares=guards, client_max_size=MESSAGE_LIMIT)
-        application.on_response_prepare.append(add_headers)
+        application.on_response_prepare.append(adding_headers(self.embedders))
         application.router.add_get(LINK_PATH, self.link)
         if self.editing is not None:
             application.router.add_get(EDITING_PATH, self.editing.link)
@@ -188,7 +190,9 @@ class ShowServer:
 
     def _add_device_routes(self, application: web.Application) -> None:
         """Adds what surfaces read, where trackers and sounds are sent, and what others add."""
-        Sounds(self.session.sounds.set).add_routes(application)
+        sounds = Sounds(self.session.sounds.set)
+        sounds.add_routes(application)
+        Voices(sounds, lambda: self._run_job).add_routes(application)
         layout = TouchoscLayout(lambda: (self.session.cast, tuple(self.session.scene)), self._build_layout)
         application.router.add_get(TOUCHOSC_PATH, layout.respond)
         for path, respond in self._heard.items():

@@ -7,10 +7,8 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
-import msgspec
-
-from omote.edit.protocol.wire import read_recipe
-from omote.model.recipes.recipe import KEY, sources
+from omote.edit.store.whole_items import item_sources
+from omote.model.recipes.recipe import KEY
 from omote.server.persistence.offline_show import open_offline_show
 from omote.show.objects.documents import names_in
 from omote.showfile.backup import back_up, backup_paths, refuse_foreign, remove
@@ -88,7 +86,7 @@ def _refuse_dependents(stored: Stored, items: Sequence[Item]) -> None:
     ids = {item.id for item in items}
     names = {item.name for item in items}
     keys = {KEY + revision.content for revision in stored.revisions if revision.item in ids}
-    others = [item for item in stored.items if item.id not in ids and _sources(stored, item.id) & (keys | names)]
+    others = [item for item in stored.items if item.id not in ids and item_sources(stored, item.id) & (keys | names)]
     if others:
         raise ShowFileError(
             f"{', '.join(item.name for item in others)} {'are' if len(others) > 1 else 'is'} made of "
@@ -96,25 +94,11 @@ def _refuse_dependents(stored: Stored, items: Sequence[Item]) -> None:
         )
 
 
-def _sources(stored: Stored, item: int) -> set[str]:
-    """All that an item's revisions and drafts are made of, and what they made, as sources."""
-    recipes = [revision.recipe for revision in stored.revisions if revision.item == item]
-    recipes += [edit.recipe for edit in stored.edits if edit.item == item]
-    names = {KEY + revision.content for revision in stored.revisions if revision.item == item}
-    for recipe in recipes:
-        try:
-            names |= sources(read_recipe(recipe))
-        except (ValueError, msgspec.MsgspecError):  # of a newer Omote: its text is looked through
-            text = recipe.decode("utf-8", "replace")
-            names |= {source for revision in stored.revisions if (source := KEY + revision.content) in text}
-    return names
-
-
 def _own_keys(stored: Stored, items: Sequence[Item]) -> set[str]:
     """Keys of the contents that only these items name."""
     ids = {item.id for item in items}
-    own = {name for item in ids for name in _sources(stored, item) if name.startswith(KEY)}
-    others = {name for item in stored.items if item.id not in ids for name in _sources(stored, item.id)}
+    own = {name for item in ids for name in item_sources(stored, item) if name.startswith(KEY)}
+    others = {name for item in stored.items if item.id not in ids for name in item_sources(stored, item.id)}
     return {name.removeprefix(KEY) for name in own - others}
 
 

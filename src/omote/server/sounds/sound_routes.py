@@ -37,7 +37,7 @@ class Sounds:
             sound = read_sound(bytes(data))
         except ValueError as error:
             raise web.HTTPBadRequest(text=f"{error}.") from error
-        self._keep(sound)
+        self.keep(sound)
         return web.json_response({"sound": sound.key, "seconds": sound.seconds, "type": sound.type})
 
     async def respond(self, request: web.Request) -> web.Response:
@@ -47,7 +47,7 @@ class Sounds:
             raise web.HTTPNotFound(text="there is no such sound any more: send it to /sounds again.")
         return web.Response(body=sound.data, content_type=sound.type, headers={"Cache-Control": KEPT})
 
-    def _keep(self, sound: SoundFile) -> None:
+    def keep(self, sound: SoundFile) -> None:
         """Keeps a sound as the newest, in the place of the oldest where there is no room."""
         self._sounds.pop(sound.key, None)
         self._sounds[sound.key] = sound

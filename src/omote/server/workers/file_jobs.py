@@ -12,6 +12,7 @@ import msgspec
 
 from omote.builtin import load_cast, load_mask, load_meshes
 from omote.edit.store.import_items import changes_to_import, distinguish, export_document
+from omote.inputs.voices.spoken_text import SpokenText, Voice, WantedSpeech
 from omote.interchange.avatar.vrm_licence import Credit, parse_terms
 from omote.interchange.export_face import ExportContext, choose_expressions, named_compound_meshes
 from omote.interchange.exports.export_formats import check_count, check_kind, encode_face, pack_files
@@ -19,13 +20,14 @@ from omote.interchange.formats.expression_json import encode as encode_document
 from omote.interchange.formats.file_names import GLB, VRM
 from omote.model.cast import Cast
 from omote.server.sandbox.import_files import Brought, expressions_from, faces_from
+from omote.server.sandbox.voices import list_voices, speak
 from omote.server.workers.job_server import Follow
 from omote.server.workers.scan_jobs import FitPhotographs, FitScan, TakeScan, face_to_take, run_fit, run_photograph_fit
 from omote.showfile.changes import BroughtItem, Change, Content, Item, Kind, Revision
 from omote.showfile.database_errors import describe_error
 from omote.showfile.inspection import Inspection, inspect_show
 from omote.showfile.schema import ShowFileError
-from omote.stage_data.full_cast import build_full_cast, face_labels
+from omote.stage_data.full_cast import build_full_cast, face_labels, free_faces
 
 
 class ImportFile(msgspec.Struct, frozen=True, tag=True):
@@ -66,6 +68,16 @@ class BuildTouchoscLayout(msgspec.Struct, frozen=True, tag=True):
     characters: tuple[str, ...]
 
 
+class ListVoices(msgspec.Struct, frozen=True, tag=True):
+    """The synthetic voices of this machine. Made: a list of `Voice`, encoded."""
+
+
+class SpeakText(msgspec.Struct, frozen=True, tag=True):
+    """What a synthetic voice is asked to say. Made: a `SpokenText`, encoded."""
+
+    wanted: WantedSpeech
+
+
 @dataclass(frozen=True)
 class NamedCast:
     """Names that can be called, without what stands for them."""
@@ -76,7 +88,10 @@ class NamedCast:
     digest: str = ""
 
 
-FileJob = ImportFile | ExportExpression | ExportFace | BuildTouchoscLayout | FitScan | FitPhotographs | TakeScan
+FileJob = (
+    ImportFile | ExportExpression | ExportFace | BuildTouchoscLayout | FitScan | FitPhotographs | TakeScan | ListVoices
+    | SpeakText
+)  # fmt: skip
 
 
 class Imported(msgspec.Struct, frozen=True):
@@ -104,12 +119,20 @@ def run_file_job(job: bytes, follow: Follow, /) -> bytes:
             return msgspec.msgpack.encode(_import_file(wanted, follow))
         if isinstance(wanted, BuildTouchoscLayout):
             return _build_layout(wanted)
+        if isinstance(wanted, ListVoices | SpeakText):
+            return msgspec.msgpack.encode(_use_voice(wanted))
         inspection = inspect_show(Path(wanted.show))
         if isinstance(wanted, ExportExpression):
             return encode_document(export_document(load_cast(), inspection.stored, inspection.contents, wanted.name))
         return _export_face(inspection, wanted, follow)
     except (ShowFileError, OSError, OverflowError, sqlite3.Error) as error:
         raise ValueError(describe_error(error)) from error
+
+
+def _use_voice(wanted: ListVoices | SpeakText) -> list[Voice] | SpokenText:
+    if isinstance(wanted, ListVoices):
+        return list_voices()
+    return speak(wanted.wanted.text, voice=wanted.wanted.voice, speed=wanted.wanted.speed)
 
 
 def _build_layout(wanted: BuildTouchoscLayout) -> bytes:
@@ -144,7 +167,9 @@ def _export_face(inspection: Inspection, wanted: ExportFace, follow: Follow) -> 
     names = choose_expressions(cast, wanted.expressions)
     credit = None
     if wanted.kind == VRM:
-        credit = Credit(wanted.authors, parse_terms([wanted.licence]), labels=face_labels(inspection.stored))
+        labels = face_labels(inspection.stored)
+        free = free_faces(inspection.stored, inspection.contents)
+        credit = Credit(wanted.authors, parse_terms([wanted.licence]), labels=labels, free=free)
     check_kind(wanted.kind, credit)
     check_count(wanted.kind, names)
     poses = ((name, named_compound_meshes(cast, wanted.face, name)) for name in _followed(names, follow))

@@ -35,6 +35,8 @@ ROUTES: Mapping[tuple[str, str], AccessRole] = MappingProxyType(
         ("GET", "/mediapipe"): "operate",
         ("POST", "/sounds"): "operate",
         ("GET", "/sounds/{key}"): "view",
+        ("GET", "/voices"): "view",
+        ("POST", "/voices"): "operate",
         ("GET", "/camera/link"): "operate",
         ("GET", "/connect"): "view",
         ("GET", "/connect/{page}.svg"): "operate",  # it may hold the token that operators share

@@ -21,7 +21,7 @@ SOUNDS_PATH = "/sounds"
 MOST_SOUNDS = 256
 MOST_BYTES = 2**26
 """Of all sounds that a show keeps; the oldest makes room."""
-MOST_MARKS = 1000
+MOST_MARKS = 1500
 """Words, characters or mouth shapes of one message."""
 
 

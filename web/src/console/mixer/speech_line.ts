@@ -1,11 +1,13 @@
 /** A line to say by hand, to try lips and sound; gestures, and what is said now. */
 
-import { css, html } from "lit";
+import { css, html, nothing } from "lit";
 import { customElement, state } from "lit/decorators.js";
+import { live } from "lit/directives/live.js";
 import type { MakeGesture, Say, SpeechState } from "../../link/messages";
 import { base, ellipsis, entry, flow } from "../../ui/theme";
 import { AnimatedElement } from "../controls/console_element";
 import { groupStyle } from "./group_style";
+import { HOW_TO_GET_A_VOICE, listVoices, speak, usualVoice, type Voice } from "./voices";
 
 /** The gestures of the engine, with what they are. */
 const GESTURES: readonly (readonly [MakeGesture["name"], string])[] = [
@@ -17,6 +19,10 @@ const GESTURES: readonly (readonly [MakeGesture["name"], string])[] = [
   ["brows", "Flashes its brows"],
   ["wink", "Winks"],
 ];
+/** By whose rules letters are read where only lips move. */
+const SPELLINGS: Readonly<Record<NonNullable<Say["language"]>, string>> = { en: "English", de: "German" };
+/** Before the name of a voice among what can be chosen. */
+const VOICE = "voice ";
 /** The longest line that a message takes. */
 const LONGEST = 2000;
 
@@ -32,6 +38,14 @@ const style = css`
     min-width: 0;
     min-height: 28px;
   }
+  select {
+    ${entry}
+    min-height: 28px;
+    flex: 0 1 96px;
+  }
+  .hint {
+    color: var(--dim);
+  }
   .said {
     color: var(--dim);
     ${ellipsis}
@@ -41,34 +55,71 @@ const style = css`
 
 @customElement("omote-speech-line")
 export class SpeechLine extends AnimatedElement {
-  @state() private language: NonNullable<Say["language"]> = "en";
+  @state() private voices: readonly Voice[] | null = null;
+  @state() private manner = "en";
+  @state() private speaking = false;
 
   static override styles = [base, groupStyle, style];
 
   override render() {
     return html`<form @submit=${this.#say}>
         <input name="text" maxlength=${LONGEST} aria-label="A line to say" placeholder="A line, to try its lips" />
-        <button type="button" title="The language whose letters are read" @click=${this.#turn}>${this.language}</button>
-        <button type="submit">Say</button>
+        <select aria-label="Voice" title="Who speaks it; the stage that plays sounds is heard" @change=${this.#choose}>
+          <optgroup label="Lips alone">${Object.entries(SPELLINGS).map(([name, label]) => this.#option(name, label))}</optgroup>
+          ${this.voices === null || this.voices.length === 0 ? nothing : html`<optgroup label="Voices">${this.voices.map(({ name, label }) => this.#option(VOICE + name, label))}</optgroup>`}
+        </select>
+        <button type="submit" ?disabled=${this.speaking}>Say</button>
         <button type="button" title="Ends what is said, and what waits" @click=${this.#stop}>Stop</button>
       </form>
+      ${this.voices?.length === 0 ? html`<div class="hint">${HOW_TO_GET_A_VOICE}</div>` : nothing}
       <div class="said" role="status"></div>
       <div class="row" role="group" aria-label="Gestures">${GESTURES.map(
         ([name, title]) => html`<button title=${title} @click=${() => this.#gesture(name)}>${name}</button>`,
       )}</div>`;
   }
 
+  override connectedCallback(): void {
+    super.connectedCallback();
+    void this.#list();
+  }
+
+  async #list(): Promise<void> {
+    this.voices = await listVoices();
+    const usual = usualVoice(this.voices, navigator.languages);
+    if (usual !== "") this.manner = VOICE + usual;
+  }
+
+  #option(value: string, label: string) {
+    return html`<option value=${value} .selected=${live(value === this.manner)}>${label}</option>`;
+  }
+
+  readonly #choose = (event: Event): void => {
+    this.manner = (event.target as HTMLSelectElement).value;
+  };
+
   readonly #say = (event: SubmitEvent): void => {
     event.preventDefault();
     const text = String(new FormData(event.target as HTMLFormElement).get("text") ?? "").trim();
-    if (text === "") return;
-    for (const character of this.store.played.names)
-      this.store.ask({ type: "say", character, text, language: this.language });
+    if (text === "" || this.speaking) return;
+    if (this.manner.startsWith(VOICE)) void this.#speak(text, this.manner.slice(VOICE.length));
+    else this.#ask({ text, language: this.manner as NonNullable<Say["language"]> });
   };
 
-  readonly #turn = (): void => {
-    this.language = this.language === "en" ? "de" : "en";
-  };
+  /** Says a text as soon as a voice has spoken it; why not, where it cannot. */
+  async #speak(text: string, voice: string): Promise<void> {
+    this.speaking = true;
+    try {
+      this.#ask({ text, ...(await speak(text, voice)) });
+    } catch (error) {
+      this.store.say((error as Error).message);
+    } finally {
+      this.speaking = false;
+    }
+  }
+
+  #ask(said: Omit<Say, "type" | "id" | "character">): void {
+    for (const character of this.store.played.names) this.store.ask({ type: "say", character, ...said });
+  }
 
   readonly #stop = (): void => {
     for (const character of this.store.played.names) this.store.ask({ type: "stop_speaking", character });
