@@ -50,13 +50,13 @@ def crumple(name: str, seed: int) -> ExtractedExpression:
 def test_nobody_wears_a_fold(name: str, seed: int) -> None:
     rough = crumple(name, seed)
     assert folds_on(GENERIC, rough) > 0
-    repaired = repair_field(SPACE, rough)
+    repaired = repair_field(SPACE, rough, {})
     assert [folds_on(face, repaired) for face in (GENERIC, CAST.faces["kaori"], CAST.faces["dog"])] == [0, 0, 0]
 
 
 def test_lids_and_lips_stay_as_far_apart() -> None:
     rough = crumple("jawOpen", 4)
-    repaired = repair_field(SPACE, rough)
+    repaired = repair_field(SPACE, rough, {})
     before, after = (worn_by(GENERIC, each) for each in (rough, repaired))
     for contact in READY.contacts:
         off = contact.bins @ (contact.source * (contact.line.rungs(after) - contact.line.rungs(before))).sum(axis=1)
@@ -66,7 +66,7 @@ def test_lids_and_lips_stay_as_far_apart() -> None:
 def test_what_folds_nothing_stays_itself() -> None:
     moved = worn_by(GENERIC, CAST.expressions["smile"]) - GENERIC.positions
     smile = extract(SPACE, GENERIC, moved)
-    assert repair_field(SPACE, smile) is smile
+    assert repair_field(SPACE, smile, {}) is smile
 
 
 def test_lips_that_close_an_open_jaw_may_lie_over_each_other() -> None:
@@ -75,10 +75,10 @@ def test_lips_that_close_an_open_jaw_may_lie_over_each_other() -> None:
     for name in pressed:
         assert not closes_open_jaw(READY, worn_by(GENERIC, CAST.expressions[name]))
     close = extract(SPACE, GENERIC, worn_by(GENERIC, CAST.expressions["mouthClose"]) - GENERIC.positions)
-    assert repair_field(SPACE, close) is close
+    assert repair_field(SPACE, close, {}) is close
 
 
 def test_the_paper_s_map_is_left_alone() -> None:
     paper = replace(SPACE, transfer="paper")
     rough = extract(paper, GENERIC, 0.01 * np.random.default_rng(5).normal(size=(SPACE.vertex_count, 3)))
-    assert repair_field(paper, rough) is rough
+    assert repair_field(paper, rough, {}) is rough

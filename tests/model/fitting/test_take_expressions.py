@@ -68,6 +68,22 @@ def test_others_wear_it_as_the_cast_s_own(name: str, taken: TakenExpressions) ->
     assert cosine > 0.95
 
 
+def test_lids_that_meet_meet_on_a_face_whose_lids_lie_beside_the_scan_s(fitted: Fit, scan: Scan) -> None:
+    wide = omote.compound(SPACE, fitted.face, CAST.expressions["eyeWideRight"])
+    beside = replace(fitted, face=replace(fitted.face, positions=wide))
+    blink = omote.take_expressions(SPACE, beside, replace(scan, shapes={"wink": scan.shapes["eyeBlinkRight"]}))
+    line = next(line for line in SPACE.lines if line.name == "lid_right")
+    for face in (beside.face, CAST.faces["kaori"], CAST.faces["baby"]):
+        rungs = line.rungs(face.positions.astype(float))
+        now = line.rungs(omote.compound(SPACE, face, blink.expressions["wink"]).astype(float))
+        opening = (rungs * now).sum(axis=1) / np.linalg.norm(rungs, axis=1)
+        fifths = [part.sum() for part in np.array_split(opening, 5)]
+        assert (
+            np.max(np.divide(fifths, [np.linalg.norm(part, axis=1).sum() for part in np.array_split(rungs, 5)])) < 0.05
+        )
+    assert not blink.notes
+
+
 def test_what_is_no_expression_is_left_out_and_said(taken: TakenExpressions) -> None:
     assert set(taken.expressions) == set(NAMES)
     said = " ".join(taken.notes)

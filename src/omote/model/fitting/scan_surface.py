@@ -178,6 +178,18 @@ def _label_sheets(corners: NDArray[np.integer]) -> Indices:
     return connected_components(graph, directed=False)[1]
 
 
+def whole_sheets(points: Values, triangles: NDArray[np.integer], surface: ScanSurface, /) -> Rows:
+    """The triangles of a mesh in the sheets that a surface shows, those among them that are too small for a sample.
+
+    points (n, 3), triangles (t, 3): the mesh, metres; surface: samples of it.
+    """
+    corners = mesh.weld(points)[triangles]
+    labels = np.full(len(triangles), -1)
+    rows = np.flatnonzero((corners != np.roll(corners, 1, axis=1)).all(axis=1))
+    labels[rows] = _label_sheets(corners[rows])
+    return np.flatnonzero(np.isin(labels, np.unique(labels[surface.triangle])))
+
+
 def sample_cloud(points: Values, outside: tuple[Values, Values], near: Values, reach: float, /) -> ScanSurface:
     """A cloud of points (n, 3) near a box (2, 3) with the normals of local planes, that look as those of a head
     (k, 3), (k, 3) beside them.

@@ -1,9 +1,9 @@
 """Blendshapes of a stranger's head as expressions that every face wears.
 
 They are carried to the face that was fitted to it, as the scan where that is sure, as a thin plate where it is not,
-then extracted (paper, sections 2.2 and 5.1). What they fold on the generic head is repaired: on a face only what is
-no fold there would be, and every face would wear folds that the stranger has not. The bake does the same to the cast's
-own units (`tools/baking/heads/fold_repair`).
+then extracted (paper, sections 2.2 and 5.1). Lids meet where the scan's are seen to. What is folded on the
+generic head is repaired: on a face only what is no fold there would be, and every face would wear folds that the
+stranger has not. The bake does the same to the cast's own units (`tools/baking/heads/fold_repair`).
 """
 
 from __future__ import annotations
@@ -25,10 +25,12 @@ from omote.model.extraction.sheet_field import measure_field
 from omote.model.fitting.carried_parts import carry_parts, find_parts
 from omote.model.fitting.fit_face import Fit, Follow
 from omote.model.fitting.head_zones import head_zones
+from omote.model.fitting.lid_motion import describe_lids, lid_pairs, shut_lids
 from omote.model.fitting.scan import Scan
 from omote.model.fitting.scan_correspondence import Correspondence, correspond
 from omote.model.fitting.scan_skin import keep_skin
-from omote.model.fitting.scan_surface import face_outward, sample_mesh
+from omote.model.fitting.scan_slits import find_slit
+from omote.model.fitting.scan_surface import face_outward, sample_mesh, whole_sheets
 from omote.model.space.face_fit import fit, generic_face
 from omote.model.space.head_regions import region_weights
 from omote.model.space.parameter_space import ParameterSpace, refuse_no_space
@@ -113,25 +115,43 @@ def _spread(space: ParameterSpace, used: NDArray[np.integer], moved: Values) -> 
     return whole
 
 
-def repair_field(space: ParameterSpace, taken: ExtractedExpression, /) -> ExtractedExpression:
-    """The expression without a fold of the sheet on the generic head; itself where there is none.
+def repair_field(
+    space: ParameterSpace, taken: ExtractedExpression, shut: Mapping[str, Values | None], /
+) -> ExtractedExpression:
+    """The expression with lids that meet where a scan's do, and without a fold of the sheet on the generic head; itself
+    where nothing is amiss.
 
-    Lids and lips stay as far apart as they were. Inner skin and parts follow. Under transfer="paper", where nothing is
-    repaired, it stays. Position based dynamics (Mueller et al. 2007), as in fold repair.
+    Lids and lips stay as far apart as they are then. Inner skin and parts follow. Under transfer="paper", where nothing
+    is repaired, it stays. Position based dynamics (Mueller et al. 2007), as in fold repair.
 
-    space: of the expression; taken: as it was read off.
+    space: of the expression; taken: as it was read off; shut: by line, of lids that are to meet,
+    how much of it the upper one does at each rung (RUNGS,); None for others.
     """
     if space.transfer == "paper":
         return taken
     ready = prepare_smooth_map(space, generic_face(space))
-    worn = ready.generic + displace_generic(space, compile_expression(space, taken))
+    worn = wear_on_generic(space, taken)
     if closes_open_jaw(ready, worn):
         return taken
-    repaired = _repair_folds(ready, worn)
+    moved = worn
+    for pair in lid_pairs(space):
+        upper = shut.get(pair.line.name)
+        if upper is not None:
+            moved = shut_lids(pair, moved, upper)
+    repaired = _repair_folds(ready, moved)
     if repaired is worn:
         return taken
     field = measure_field(space, ready.generic, (repaired - ready.generic)[space.welded])
     return replace(taken, dtheta=field.dtheta, dh=field.dh, ratio=field.ratio)
+
+
+def wear_on_generic(space: ParameterSpace, taken: ExtractedExpression, /) -> Values:
+    """The generic head (V, 3) wearing an expression, metres, by its field alone.
+
+    space: of the expression; taken: the expression.
+    """
+    generic = prepare_smooth_map(space, generic_face(space)).generic
+    return generic + displace_generic(space, compile_expression(space, taken))
 
 
 def closes_open_jaw(ready: SmoothMap, worn: Values, /) -> bool:
@@ -175,7 +195,7 @@ class TakenExpressions:
     expressions : mapping of ExtractedExpression, by name
         As the shapes are called; any face of the space wears them.
     notes : tuple of str
-        Which shapes were left out, and why, in sentences.
+        Which shapes were left out, and why, and where lids do not close as the scan's, in sentences.
     """
 
     expressions: Mapping[str, ExtractedExpression]
@@ -184,10 +204,13 @@ class TakenExpressions:
 
 @dataclass(frozen=True, eq=False)
 class CarriedShape:
-    """What a shape of a scan does to the face that was fitted to it: skin (V, 3), parts (n, 3) by name, metres."""
+    """What a shape of a scan does to the face that was fitted to it: skin (V, 3), parts (n, 3) by name, metres; shut:
+    for each line of lids between which the scan shows an opening at rest, how much of it the upper one shuts at each
+    rung (RUNGS,), None where they stay apart."""
 
     skin: Values
     parts: Mapping[str, Values]
+    shut: Mapping[str, Values | None]
 
 
 def take_expressions(
@@ -241,9 +264,12 @@ def take_expressions(
             notes.append(f"{name!r} {trouble}, so it is left out.")
             continue
         try:
-            taken[name] = repair_field(space, extract(space, fitted.face, shape.skin, parts=shape.parts))
+            bare = extract(space, fitted.face, shape.skin, parts=shape.parts)
         except ValueError as error:
             notes.append(f"{name!r} is left out: {error}.")
+            continue
+        taken[name] = repair_field(space, bare, shape.shut)
+        notes += describe_lids(space, name, wear_on_generic(space, taken[name]), shape.shut)
     if follow:
         follow(1.0, "done")
     return TakenExpressions(MappingProxyType(taken), tuple(notes))
@@ -269,12 +295,18 @@ def carry_shapes(space: ParameterSpace, fitted: Fit, scan: Scan, /) -> dict[str,
         triangles = triangles[:, ::-1]
     surface = keep_skin(outward, head_zones(space), skin)
     correspondence = correspond(space, skin, points, triangles, surface)
+    whole = triangles[whole_sheets(points, triangles, surface)]
+    slits = [find_slit(line, skin, points, whole) for line in space.lines if line.kind == "lids"]
     rows = np.unique(triangles[np.unique(surface.triangle)])
     parts = find_parts(space, face, points, triangles, rows)
     turn = fitted.placement.scale * fitted.placement.rotation
     moves = [shape @ turn.T for shape in scan.shapes.values()]
     skins = carry_skin(space, skin, correspondence, moves)
     return {
-        name: CarriedShape(moved, carry_parts(parts, face, points, move))
+        name: CarriedShape(
+            moved,
+            carry_parts(parts, face, points, move),
+            {slit.line.name: slit.shut_by(points, move) for slit in slits if slit.known},
+        )
         for name, moved, move in zip(scan.shapes, skins, moves, strict=True)
     }

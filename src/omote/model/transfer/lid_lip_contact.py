@@ -63,7 +63,8 @@ def build_contact(line: Line, generic: Values, positions: Values, sheet: SheetGe
     lips = line.kind == "lips"
     source = np.tile(_UP, (RUNGS, 1)) if lips else there / long_there[:, None]
     target = np.tile(_UP, (RUNGS, 1)) if lips else here / long_here[:, None]
-    near, response = _solve_responses(line, target, positions, sheet, float(np.ptp(positions[line.loop, 0])))
+    asked = np.einsum("br,rk,rc->brkc", hat_functions(BINS[line.kind]), line.weights, target)
+    near, response = solve_responses(line, asked, positions, sheet)
     return Contact(
         line, hat_functions(BINS[line.kind]), source, target, long_here / long_there, (source * there).sum(axis=1),
         (target * here).sum(axis=1), lip_amplitude(line, generic, positions), near, response,
@@ -78,13 +79,16 @@ def hat_functions(count: int, /) -> Values:
     return result
 
 
-def _solve_responses(
-    line: Line, target: Values, positions: Values, sheet: SheetGeometry, width: float
-) -> tuple[Indices, Values]:
-    """The smoothest displacements near the line that open each bin alone: M^-1 C' (C M^-1 C')^-1.
+def solve_responses(line: Line, asked: Values, positions: Values, sheet: SheetGeometry, /) -> tuple[Indices, Values]:
+    """The vertices (m,) near a line, and the smoothest displacements (m, b, 3) of them that give each asked sum alone
+    one metre: M^-1 C' (C M^-1 C')^-1.
 
     Least squares of minimum norm under equality constraints, by the Schur complement of its KKT system.
+
+    asked (b, RUNGS, 4, 3): how much each coordinate of a rung's vertices counts in a sum; positions (V, 3): the face,
+    metres; sheet: its.
     """
+    width = float(np.ptp(positions[line.loop, 0]))
     used = np.unique(sheet.triangles)
     distance = np.full(len(used), np.inf)
     for vertex in line.loop:
@@ -92,11 +96,10 @@ def _solve_responses(
     near = used[distance < FARTHEST_WIDTHS * width].astype(np.int32)
     place = np.full(len(positions), -1)
     place[near] = np.arange(len(near))
-    openings = np.zeros((BINS[line.kind], len(near), 3))
-    weighted = np.einsum("br,rk,rc->brkc", hat_functions(BINS[line.kind]), line.weights, target)
+    openings = np.zeros((len(asked), len(near), 3))
     for column in range(4):
         for rung in range(RUNGS):
-            openings[:, place[line.vertices[rung, column]]] += weighted[:, rung, column]
+            openings[:, place[line.vertices[rung, column]]] += asked[:, rung, column]
     solver = splu(sparse.csc_array(_stiffness(sheet, near, place, LENGTH_WIDTHS * width)))
     flat = np.stack([solver.solve(np.ascontiguousarray(openings[:, :, c].T)) for c in range(3)], axis=2)
     gram = np.einsum("bvc,vdc->bd", openings, flat)
