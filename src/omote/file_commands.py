@@ -114,7 +114,8 @@ def history(
 def take_in(
     file: ShowFileArgument,
     things: Annotated[
-        list[Path], typer.Argument(help="Expressions (.json), heads with morph targets (.glb, .vrm), shapes (.obj).")
+        list[Path],
+        typer.Argument(help="Expressions (.json), heads with morph targets (.glb, .gltf, .vrm), shapes (.obj, .ply)."),
     ],
     face: Annotated[str, typer.Option(help="The face of the cast that shapes start from; else it is seen.")] = "",
     kind: Annotated[
@@ -135,7 +136,7 @@ def take_in(
 
     with exit_on_refusal():
         own = read_own_work(file)
-        require_imports(things)
+        require_imports(things, kind)
         if face and (names := read_names(own and own[0])):
             names.find_face(face)
         from omote.builtin import load_cast  # what is heavy comes after what can be refused without it

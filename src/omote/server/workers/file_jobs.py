@@ -19,8 +19,17 @@ from omote.interchange.formats.expression_json import encode as encode_document
 from omote.interchange.formats.file_names import GLB, VRM
 from omote.model.cast import Cast
 from omote.server.sandbox.import_files import Brought, expressions_from, faces_from
+from omote.server.sandbox.scan_files import read_photograph_in_sandbox
 from omote.server.workers.job_server import Follow
-from omote.server.workers.scan_jobs import FitPhotographs, FitScan, TakeScan, face_to_take, run_fit, run_photograph_fit
+from omote.server.workers.scan_jobs import (
+    FitPhotographs,
+    FitScan,
+    ShowPhotograph,
+    TakeScan,
+    face_to_take,
+    run_fit,
+    run_photograph_fit,
+)
 from omote.showfile.changes import BroughtItem, Change, Content, Item, Kind, Revision
 from omote.showfile.database_errors import describe_error
 from omote.showfile.inspection import Inspection, inspect_show
@@ -76,7 +85,16 @@ class NamedCast:
     digest: str = ""
 
 
-FileJob = ImportFile | ExportExpression | ExportFace | BuildTouchoscLayout | FitScan | FitPhotographs | TakeScan
+FileJob = (
+    ImportFile
+    | ExportExpression
+    | ExportFace
+    | BuildTouchoscLayout
+    | FitScan
+    | FitPhotographs
+    | ShowPhotograph
+    | TakeScan
+)
 
 
 class Imported(msgspec.Struct, frozen=True):
@@ -100,6 +118,8 @@ def run_file_job(job: bytes, follow: Follow, /) -> bytes:
             return msgspec.msgpack.encode(run_fit(wanted, follow))
         if isinstance(wanted, FitPhotographs):
             return msgspec.msgpack.encode(run_photograph_fit(wanted, follow))
+        if isinstance(wanted, ShowPhotograph):
+            return read_photograph_in_sandbox(Path(wanted.path), wanted.longest)
         if isinstance(wanted, ImportFile | TakeScan):
             return msgspec.msgpack.encode(_import_file(wanted, follow))
         if isinstance(wanted, BuildTouchoscLayout):
