@@ -22,6 +22,7 @@ from omote.edit.protocol import messages as editing
 from omote.inputs.microphone import microphone_messages as microphone
 from omote.inputs.microphone.sound_features import SAMPLE_RATE
 from omote.inputs.performers import camera_messages as camera
+from omote.interchange.formats.file_kinds import FILE_CONTENTS
 from omote.interchange.part_textures import ARCH, ARCH_DEPTH, TOOTH_REACH
 from omote.interchange.skin_texture import HAIRLINE
 from omote.interchange.skin_texture import LAYERS as SKIN_LAYERS
@@ -148,6 +149,10 @@ CONSTANTS: Mapping[str, tuple[str, object]] = {
     "LIPS_INFLUENCE": (
         "The influence of lips at first, by part; all others have 1 on all.",
         tuple(DEFAULT_SETTINGS["lips"].influence.values()),
+    ),
+    "FILE_CONTENTS": (
+        "What files can hold, by their suffix; the first is what they are taken for.",
+        {suffix: list(held) for suffix, held in FILE_CONTENTS.items()},
     ),
     "EASING_NAMES": ("The easings of a call.", tuple(EASINGS)),
     "DEFAULT_EASING": ("The easing of a call that names none.", DEFAULT_EASING),

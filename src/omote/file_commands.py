@@ -116,7 +116,8 @@ def take_in(
     things: Annotated[
         list[Path],
         typer.Argument(
-            help="Expressions (.json), heads with morph targets (.glb, .vrm), shapes (.obj), shows (.omote)."
+            help="Expressions (.json), heads with morph targets (.glb, .gltf, .vrm), shapes (.obj, .ply), "
+            "shows (.omote)."
         ),
     ],
     face: Annotated[str, typer.Option(help="The face of the cast that shapes start from; else it is seen.")] = "",
@@ -140,7 +141,7 @@ def take_in(
     things = [thing for thing in things if thing not in shows]
     with exit_on_refusal():
         own = read_own_work(file)
-        require_imports(things)
+        require_imports(things, kind)
         if shows:
             take_in_shows(file, shows)
             if not things:

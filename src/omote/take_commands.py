@@ -8,13 +8,14 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
+from omote.interchange.formats.file_kinds import suffixes_of
 from omote.terminal import exit_on_refusal, fail, fail_with, say
 
 if TYPE_CHECKING:
     from omote.inputs.takes.take import Take
 
-CAPTURES = (".pcap", ".pcapng", ".cap", ".json")
-TABLES = (".csv",)
+CAPTURES = suffixes_of("capture")
+TABLES = suffixes_of("take")
 QUIET_SECONDS = 5
 """Seconds without a packet, after which a recording says so, again and again."""
 SLOWEST = 0.05

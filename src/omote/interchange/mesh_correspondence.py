@@ -54,7 +54,8 @@ def match_head(cast: Cast, meshes: Sequence[BakedMesh], pieces: Iterable[Piece],
     if SKIN not in gathered or np.isnan(gathered[SKIN][0]).any():
         raise ValueError(
             f"no head of this topology is in this file: expected a mesh with the {cast.space.vertex_count} vertices of "
-            "the cast's skin, in their order or with the attribute _VID; export one from Omote and shape that"
+            "the cast's skin, in their order or with the attribute _VID; export one from Omote and shape that. Any "
+            "other head becomes a face by omote face, or dropped on the editor"
         )
     whole = {name: (rest, moves) for name, (rest, moves) in gathered.items() if not np.isnan(rest).any()}
     rest = {name: points for name, (points, _) in whole.items()}

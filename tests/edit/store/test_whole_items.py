@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 from contextlib import closing
 from pathlib import Path
+from typing import Any
 
 import msgspec
 import numpy as np
@@ -56,7 +57,7 @@ def faces(cast: Cast) -> Iterator[Change]:
 def rows_of(stored: Stored, name: str) -> list[object]:
     """All rows of an item without its number and its place among others."""
     (found,) = [each for each in stored.items if each.name == name]
-    rows = (*stored.revisions, *stored.drafts, *stored.edits)
+    rows: tuple[Any, ...] = (*stored.revisions, *stored.drafts, *stored.edits)
     mine = [msgspec.structs.replace(row, item=0) for row in rows if row.item == found.id]
     return [msgspec.structs.replace(found, id=0, place=0.0), *mine]
 

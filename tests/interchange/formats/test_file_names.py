@@ -41,18 +41,27 @@ def test_a_folder_is_no_file(tmp_path: Path, check: Callable[[Path], object]) ->
 
 
 def test_files_to_be_taken_in_are_there_and_say_what_they_are(tmp_path: Path) -> None:
-    for ending in IMPORTS:
-        (tmp_path / f"smile{ending}").touch()
-    require_imports(tmp_path.iterdir())
-    (tmp_path / "smile.txt").touch()
-    with pytest.raises(
-        ValueError, match=r"smile\.txt holds is told by its name; end that with \.json, \.glb, \.vrm, \.obj"
+    for kind, endings in IMPORTS.items():
+        paths = [tmp_path / f"smile{ending}" for ending in endings]
+        for path in paths:
+            path.touch()
+        require_imports(paths, kind)
+    for name, kind, what in (
+        (
+            "smile.txt",
+            "expression",
+            r"smile\.txt cannot be taken in as an expression: it has no shapes .* omote face smile",
+        ),
+        ("head.FBX", "expression", r"head\.FBX cannot be taken in as an expression: export it as \.glb or \.obj"),
+        ("take.pcap", "expression", r"omote play-take take\.pcap plays it"),
+        ("smile.json", "face", "leave out --as face"),
+        ("anna.mtl", "face", "is read where that is given"),
+        ("notes", "face", r"export it as one of \.ply, \.obj"),
     ):
-        require_imports([tmp_path / "smile.txt"])
-    (tmp_path / "head.FBX").touch()
-    with pytest.raises(ValueError, match=r"head\.FBX cannot be imported: export it as glTF binary"):
-        require_imports([tmp_path / "head.FBX"])
-    with pytest.raises(FileNotFoundError, match=r"there is no file .*; did you mean .*smile\.json\?"):
+        (tmp_path / name).touch()
+        with pytest.raises(ValueError, match=what):
+            require_imports([tmp_path / name], kind)
+    with pytest.raises(FileNotFoundError, match=r"there is no file .*; did you mean .*smile\.ply\?"):
         require_imports([tmp_path / "smile"])
     with pytest.raises(FileNotFoundError, match="name one that is there"):
         require_imports([tmp_path / "frown.json"])

@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 from PIL import Image, ImageCms
 
-from omote.interchange.scans.picture_reader import read_picture
+from omote.interchange.scans.picture_reader import read_picture, write_plain
 from tests.interchange.scans import scan_samples as samples
 
 PIXELS = samples.picture()
@@ -33,6 +33,16 @@ def test_a_picture_stands_upright(turn: int) -> None:
     exif = Image.Exif()
     exif[274] = turn
     np.testing.assert_array_equal(read_picture(samples.picture_bytes("PNG", exif=exif)), TURNS[turn])
+
+
+def test_a_telephones_picture_stands_upright_once() -> None:
+    """Its header and its Exif both say how it lies."""
+    found = read_picture(samples.HEIC).astype(int)
+    assert found.shape == (64, 48, 3)
+    seen = [found[8, 8], found[-8, 8], found[8, -8], found[-8, -8]]
+    assert np.abs(np.subtract(seen, [[200, 30, 30], [30, 30, 200], [30, 200, 30], [30, 200, 30]])).max() <= 3
+    again = read_picture(write_plain(read_picture(samples.HEIC), 32))
+    assert again.shape == (32, 24, 3)
 
 
 def test_a_jpeg_of_one_colour_keeps_it() -> None:
@@ -86,6 +96,9 @@ def bomb(columns: int, rows: int) -> bytes:
         (bomb(3_000, 3_000), "declares 3000 x 3000 pixels in"),
         (samples.picture_bytes("PNG")[:-30], "cannot be decoded|no picture"),
         (samples.picture_bytes("JPEG")[:300], "cannot be decoded"),
+        (samples.HEIC[:-40], r"cannot be decoded .a picture .HEIC., damaged or cut off"),
+        (samples.HEIC[:300], r"cannot be decoded .a picture .HEIC., damaged or cut off"),
+        (b"\0\0\0\x18ftypqt  ", "no picture, but a film"),
     ],
 )
 def test_what_is_no_picture_is_refused_with_a_sentence(data: bytes, sentence: str) -> None:

@@ -44,6 +44,7 @@ def test_what_could_not_be_used_is_told() -> None:
         (".blend", b"(\xb5/\xfd\0\1\2", r"\(.blend\), which is not read here; in Blender, File > Export"),
         (".fbx", b"Kaydara FBX Binary", "an FBX file, which is not read here; export it as .glb or .obj"),
         (".usdz", b"PK\x03\x04...", "which is not read here; export it as .glb or .obj; scanning apps"),
+        (".json", b"{}", "document of expressions or a recording: omote file import show.omote"),
         (".heic", b"\0\0\0\x18ftypheic", "a photograph has no shape"),
         (".mp3", b"ID3\0\0", r"\(.mp3\), which is not read here; export it as one of .ply, .obj"),
         ("", b"hello", r"text \(no suffix\), which is not read here"),

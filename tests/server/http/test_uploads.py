@@ -100,7 +100,7 @@ async def test_a_file_that_brings_nothing_is_told_and_changes_nothing(edit_harne
     use_false_job(edit_harness)
     assert await post(edit_harness, "notes.json", b"words") == (400, "notes.json is no expression.")
     status, text = await post(edit_harness, "notes.txt", b"words")
-    assert (status, "is no expression that can be read" in text) == (400, True)
+    assert (status, "no shapes that could be expressions" in text) == (400, True)
     assert edit_harness.show.session.revision == 1
 
 
@@ -158,10 +158,17 @@ def test_a_name_from_a_page_is_no_path() -> None:
     ("file", "kind", "why"),
     [
         ("grin.json", "dog", "taken in as expression or face"),
-        ("grin.json", "face", "expected a head"),
-        ("grin", "expression", "is no expression that can be read"),
-        ("grin.exe", "face", "is no face that can be read"),
-        (".json", "expression", "is no expression that can be read"),
+        ("grin.json", "face", "a document of expressions; leave out --as face, or drop it on the list of expressions"),
+        ("grin", "expression", "export it as one of .ply, .obj, .glb, .gltf, .vrm, .json"),
+        ("grin.exe", "face", "cannot be taken in as a face: export it as one of"),
+        (
+            "head.xyz",
+            "expression",
+            "no shapes that could be expressions, and a face is made of it: omote face head.xyz",
+        ),
+        ("head.stl", "face", "a face is made of it: omote face head.stl"),
+        ("anna.HEIC", "expression", "a photograph has no shape; drop it on the editor"),
+        (".json", "expression", "cannot be taken in as an expression"),
     ],
 )
 def test_what_nothing_can_be_made_of_is_refused_by_its_name(file: str, kind: str, why: str) -> None:

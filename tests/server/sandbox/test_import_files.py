@@ -5,6 +5,7 @@ Heads of any topology bring their shapes, tagged with the units that they are na
 
 from __future__ import annotations
 
+import json
 import os
 from dataclasses import replace
 from pathlib import Path
@@ -29,6 +30,7 @@ from omote.model.fitting.fit_face import Fit
 from omote.model.fitting.landmarks import find_landmarks
 from omote.model.fitting.scan import Scan
 from omote.model.fitting.take_expressions import TakenExpressions
+from omote.model.space.expression import Expression
 from omote.model.transfer.compound import compound
 from omote.server.sandbox import import_files, scan_faces
 from omote.server.sandbox.import_files import (
@@ -98,6 +100,34 @@ def test_a_head_at_rest_is_a_face(built_in: Cast, tmp_path: Path) -> None:
         face, worn = arrival.made
         assert worn == built_in.looks[expected]
         np.testing.assert_array_equal(face.positions, built_in.faces["kaori"].positions)
+
+
+@pytest.mark.parametrize("suffix", [".gltf", ".ply", ".obj"])
+def test_every_kind_of_mesh_brings_the_same_expression(suffix: str, built_in: Cast, tmp_path: Path) -> None:
+    """A glTF with its buffer beside it, and shapes of our head in its order."""
+    rest = built_in.faces["dog"].positions.astype(np.float64)
+    moved = named_compound_meshes(built_in, "dog", "smile")["skin"].astype(np.float64)
+    path = tmp_path / f"grin{suffix}"
+    document, binary = taken_apart(head_glb("skin", rest, {"grin": moved - rest}))
+    document["buffers"][0]["uri"] = "grin.bin"
+    (tmp_path / "grin.bin").write_bytes(binary)
+    rows = "".join(f"{x!r} {y!r} {z!r}\n" for x, y, z in moved.tolist())
+    head = f"ply\nformat ascii 1.0\nelement vertex {len(moved)}\n"
+    head += "".join(f"property double {axis}\n" for axis in "xyz") + "end_header\n"
+    written = {".gltf": json.dumps(document), ".ply": head + rows, ".obj": as_obj(moved).decode()}
+    path.write_text(written[suffix])
+    ((arrival, sentence),) = expressions_from(built_in, [path])
+    assert sentence.startswith("grin, taken from dog")
+    assert isinstance(arrival.made, Expression)
+    worn = compound(built_in.space, built_in.faces["dog"], arrival.made)
+    assert np.abs(worn - moved).max() < 1e-4
+
+
+def test_shapes_of_one_name_are_refused_for_one_would_be_lost(built_in: Cast, tmp_path: Path) -> None:
+    for name in ("grin.obj", "grin.ply"):
+        (tmp_path / name).write_bytes(b"v 0 0 0\n")
+    with pytest.raises(ValueError, match=r"grin\.obj and .*grin\.ply would both be called 'grin'; rename one"):
+        list(expressions_from(built_in, [tmp_path / "grin.obj", tmp_path / "grin.ply"]))
 
 
 def test_what_is_not_there_is_refused(built_in: Cast, tmp_path: Path) -> None:

@@ -16,14 +16,14 @@ from omote.model.cast import Cast
 from omote.server.access.security import own_names
 from omote.server.scans.scan_previews import ScanPreviews
 from omote.server.scans.scan_routes import ScanRoutes
-from omote.server.workers.file_jobs import Imported, bring_items
+from omote.server.workers.file_jobs import Imported, bring_items, run_file_job
 from omote.server.workers.job_server import Follow, JobError
-from omote.server.workers.scan_jobs import FILES, FitPhotographs, FitScan, TakeScan
+from omote.server.workers.scan_jobs import FILES, FitPhotographs, FitScan, ShowPhotograph, TakeScan
 from omote.showfile.changes import Stored
 from omote.showfile.show_file import open_show
 from tests.server.conftest import EditHarness, open_edit_harness
 
-Job = FitScan | FitPhotographs | TakeScan
+Job = FitScan | FitPhotographs | ShowPhotograph | TakeScan
 _job: msgspec.msgpack.Decoder[Job] = msgspec.msgpack.Decoder(Job)
 
 
@@ -40,6 +40,8 @@ class FalseJobs:
         self.asked.append(wanted)
         if isinstance(wanted, TakeScan):
             return self._take(wanted)
+        if isinstance(wanted, ShowPhotograph):
+            return run_file_job(job, follow)
         if isinstance(wanted, FitPhotographs):
             follow(20, 100, "shape and cameras")
             return msgspec.msgpack.encode(

@@ -6,10 +6,12 @@ import json
 
 import aiohttp
 import msgspec
+import numpy as np
 import pytest
 from aiohttp.test_utils import TestClient, TestServer
 
 from omote.edit.protocol.messages import PhotographPreview, ScanPreview
+from omote.interchange.scans.picture_reader import read_picture, write_plain
 from omote.model.cast import Cast
 from omote.server.access.security import own_names
 from omote.server.http.uploads import CANCELLED
@@ -21,6 +23,7 @@ from omote.show.declaration import MESSAGE_LIMIT
 from omote.show.objects.link import Cancel, Progress
 from omote.show.wire import encode
 from omote.showfile.contents import unpack_face
+from tests.interchange.scans import scan_samples as samples
 from tests.server.conftest import open_edit_harness
 from tests.server.scans.conftest import ScanHarness, stored_in
 from tests.server.scans.test_photograph_upload import described
@@ -226,3 +229,14 @@ async def test_landmarks_have_room_for_eight_photographs_and_no_more(scan_harnes
     for data, wanted in ((long, 200), (long + b" " * LARGEST_POINTS, 400)):
         async with scan_harness.client.post(f"/photographs/{token}", data=io.BytesIO(data)) as response:
             assert response.status == wanted
+
+
+async def test_a_photograph_that_browsers_do_not_decode_comes_back_as_one_that_they_do(
+    scan_harness: ScanHarness,
+) -> None:
+    status, body = await scan_harness.bring({"Anna.HEIC": samples.HEIC}, path="/photographs/picture")
+    assert status == 200
+    assert body.startswith(b"\xff\xd8\xff")
+    np.testing.assert_array_equal(read_picture(body), read_picture(write_plain(read_picture(samples.HEIC), 4096)))
+    assert (await scan_harness.bring({"a.heic": samples.HEIC[:300]}, path="/photographs/picture"))[0] == 400
+    assert not scan_harness.folders()

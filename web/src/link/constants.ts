@@ -28,6 +28,8 @@ export const LAYER_PARTS = ["brows", "eyes", "mouth", "rest", "head", "gaze"] as
 export const DRIVEN_LAYERS = ["breath", "gaze", "blink", "tracker", "lips", "playback"] as const;
 /** The influence of lips at first, by part; all others have 1 on all. */
 export const LIPS_INFLUENCE = [0.0, 0.0, 0.7, 0.0, 0.0, 0.0] as const;
+/** What files can hold, by their suffix; the first is what they are taken for. */
+export const FILE_CONTENTS = {".ply": ["head", "shape"], ".obj": ["shape", "head"], ".stl": ["head"], ".glb": ["shape", "head"], ".gltf": ["shape", "head"], ".vrm": ["shape", "head"], ".xyz": ["head"], ".pts": ["head"], ".txt": ["head"], ".asc": ["head"], ".csv": ["head", "take"], ".json": ["document", "capture"], ".pcap": ["capture"], ".pcapng": ["capture"], ".cap": ["capture"], ".jpg": ["photograph", "companion"], ".jpeg": ["photograph", "companion"], ".png": ["photograph", "companion"], ".heic": ["photograph", "companion"], ".heif": ["photograph", "companion"], ".webp": ["photograph", "companion"], ".avif": ["photograph", "companion"], ".bmp": ["photograph", "companion"], ".tif": ["photograph", "companion"], ".tiff": ["photograph", "companion"], ".gif": ["photograph", "companion"], ".mtl": ["companion"], ".bin": ["companion"], ".tga": ["companion"]} as const;
 /** The easings of a call. */
 export const EASING_NAMES = ["smooth", "gentle", "sharp", "early", "late"] as const;
 /** The easing of a call that names none. */

@@ -1,5 +1,6 @@
 /** Files dropped on a page or chosen there, which the show takes in as expressions or faces. */
 
+import { suffixesOf } from "./file_contents";
 import { CancelledError, LongRequests } from "./long_requests";
 
 export type ImportKind = "expression" | "face";
@@ -20,8 +21,8 @@ export interface Imported {
 
 /** What a page may be given of each kind, as a file dialog has it. */
 export const ACCEPTED: Readonly<Record<ImportKind, string>> = {
-  expression: ".json,.glb,.vrm,.obj",
-  face: ".glb,.vrm,.obj",
+  expression: suffixesOf("document", "shape").join(","),
+  face: suffixesOf("shape").join(","),
 };
 
 /** Sends one file; an Error with a sentence where the show cannot take it in, CancelledError where it was ended. */

@@ -22,6 +22,11 @@ BEGINNINGS: Mapping[bytes, str] = {
     b"\x1f\x8b": "an archive (GZIP)",
 }
 """What files that people confuse begin with."""
+BRANDS: Mapping[tuple[bytes, ...], str] = {
+    (b"heic", b"heix", b"heim", b"heis", b"hevc", b"hevx", b"mif1", b"msf1"): "a picture (HEIC)",
+    (b"avif", b"avis"): "a picture (AVIF)",
+}
+"""What files are whose first box names a brand (ISO base media), by the brand."""
 READ = 4096
 """Bytes that tell text from other things."""
 _VERTEX = (b"v ", b"v\t")
@@ -39,6 +44,8 @@ def describe_content(data: bytes, /) -> str:
     if known is not None:
         return known
     begin = data[:READ]
+    if begin[4:8] == b"ftyp":
+        return next((what for brand, what in BRANDS.items() if begin[8:12] in brand), "a film (MP4)")
     if begin.lstrip()[:1] in (b"{", b"["):
         return "JSON"
     if b"\0" in begin or not _is_text(begin):

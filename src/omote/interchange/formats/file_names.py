@@ -6,6 +6,8 @@ from collections.abc import Iterable
 from pathlib import Path
 from typing import Literal
 
+from omote.interchange.formats.file_kinds import Content, advise, may_be, suffixes_of
+
 Kind = Literal["image/png", "image/jpeg"]
 
 KINDS: dict[str, Kind] = {".png": "image/png", ".jpg": "image/jpeg", ".jpeg": "image/jpeg"}
@@ -18,13 +20,11 @@ USD = (".usdc", ".usda", ".usdz")
 OBJ = ".obj"
 EXPORTS = (GLB, VRM, *USD, OBJ, *NUMBERS)
 """What an export writes: heads, and tables of numbers."""
-IMPORTS = (DOCUMENT, GLB, VRM, ".obj")
-HINTS = {
-    SHOW: "a show file comes into another with `omote file import`, while no show plays that",
-    **dict.fromkeys((".gltf", ".fbx", ".blend", ".dae", ".stl", ".ply", ".usdz"), "export it as glTF binary (.glb)"),
-    **dict.fromkeys((".png", ".jpg", ".jpeg", ".gif", ".webp"), "a picture has no shape that a face could have"),
-}
-"""What to do with files that people try to import, by their suffix."""
+CONTENTS: dict[str, tuple[Content, ...]] = {"expression": ("document", "shape"), "face": ("shape",)}
+"""What a file holds that is taken in as a kind."""
+IMPORTS = {kind: suffixes_of(*contents) for kind, contents in CONTENTS.items()}
+"""The suffixes of files that are taken in, by kind."""
+AS = {"expression": "an expression", "face": "a face"}
 
 
 def picture_kind(path: Path) -> Kind:
@@ -58,17 +58,23 @@ def check_document_name(path: Path) -> None:
         raise ValueError(f"{path.name!r} is no name of a document; end it with {DOCUMENT}")
 
 
-def require_imports(paths: Iterable[Path]) -> None:
-    """Raises FileNotFoundError, with the one that may be meant, for a file that is not there; ValueError where a name
-    does not say what a file holds."""
+def require_imports(paths: Iterable[Path], kind: str = "expression") -> None:
+    """Raises FileNotFoundError, with the one that may be meant, for a file that is not there; ValueError where its
+    name does not say that a file can be of a kind ("expression", "face"), with what to do."""
+    read = IMPORTS[kind]
     for path in paths:
         if path.is_dir():
             raise IsADirectoryError(f"{path} is a folder; name the files in it, as in {path / '*.json'}")
         if not path.is_file():
-            near = [candidate for ending in IMPORTS if (candidate := path.with_name(path.name + ending)).is_file()]
+            near = [candidate for ending in read if (candidate := path.with_name(path.name + ending)).is_file()]
             what = f"did you mean {near[0]}?" if near else "name one that is there"
             raise FileNotFoundError(f"there is no file {path}; {what}")
-        if hint := HINTS.get(path.suffix.lower()):
-            raise ValueError(f"{path} cannot be imported: {hint}")
-        if path.suffix.lower() not in IMPORTS:
-            raise ValueError(f"what {path} holds is told by its name; end that with {', '.join(IMPORTS)}")
+        if path.suffix.lower() not in read:
+            raise ValueError(f"{path.name} cannot be taken in as {AS[kind]}: {advise_import(path.name, kind)}")
+
+
+def advise_import(name: str, kind: str) -> str:
+    """What to do with a file that cannot be taken in as a kind ("expression", "face"), as a clause."""
+    if may_be(name, "document") and kind == "face":
+        return "it is a document of expressions; leave out --as face, or drop it on the list of expressions"
+    return advise(name, *CONTENTS[kind])

@@ -1,4 +1,4 @@
-"""Decodes untrusted pictures (PNG, JPEG, WebP and others) as sRGB, upright, without anything else that was in them."""
+"""Decodes untrusted pictures (PNG, JPEG, HEIC and others) as sRGB, upright, without anything else that was in them."""
 
 from __future__ import annotations
 
@@ -7,6 +7,7 @@ import warnings
 
 import numpy as np
 from numpy.typing import NDArray
+from pi_heif import register_heif_opener
 from PIL import (
     AvifImagePlugin,
     BmpImagePlugin,
@@ -36,8 +37,9 @@ _PLUGINS = (
     PngImagePlugin, JpegImagePlugin, MpoImagePlugin, WebPImagePlugin, BmpImagePlugin, GifImagePlugin, TiffImagePlugin,
     AvifImagePlugin,
 )  # fmt: skip
+register_heif_opener(thumbnails=False)  # HEIC, as telephones write it
 FORMATS: list[str] = [
-    name for name in ("PNG", "JPEG", "MPO", "WEBP", "BMP", "GIF", "TIFF", "AVIF") if name in Image.OPEN
+    name for name in ("PNG", "JPEG", "MPO", "WEBP", "BMP", "GIF", "TIFF", "AVIF", "HEIF") if name in Image.OPEN
 ]
 """What Pillow is let read: formats with a signature; a build of it may lack one."""
 _DEEP = ("I;16", "I;16B", "I;16L", "I;16N", "I")
@@ -70,12 +72,25 @@ def _damaged(data: bytes) -> str:
     return f"the picture cannot be decoded ({describe_content(data)}, damaged or cut off); save it anew as PNG or JPEG"
 
 
+def write_plain(picture: NDArray[np.uint8], longest: int, /) -> bytes:
+    """A picture (height, width, 3) as JPEG without anything but its pixels, its longer side no longer than `longest`
+    pixels."""
+    image = Image.fromarray(picture)
+    image.thumbnail((longest, longest), Image.Resampling.LANCZOS)
+    file = io.BytesIO()
+    image.save(file, "JPEG", quality=95)
+    return file.getvalue()
+
+
 def _decode(data: bytes) -> NDArray[np.uint8]:
     try:
         image: Image.Image = Image.open(io.BytesIO(data), formats=FORMATS)
     except UnidentifiedImageError:
+        what = describe_content(data)
+        if what.startswith("a picture"):
+            raise _PictureError(_damaged(data)) from None
         raise _PictureError(
-            f"the file is no picture, but {describe_content(data)}; expected PNG, JPEG or WebP: save it as one"
+            f"the file is no picture, but {what}; expected PNG, JPEG, HEIC or WebP: save it as one"
         ) from None
     columns, rows = image.size
     if not 0 < columns * rows <= MOST_PIXELS or max(columns, rows) > MOST_SIDE:

@@ -8,6 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from omote.interchange.formats.file_content import describe_content
+from omote.interchange.formats.file_kinds import advise, suffixes_of
 from omote.interchange.scans.cloud_reader import read_cloud
 from omote.interchange.scans.companions import Companions
 from omote.interchange.scans.gltf_scan import read_gltf
@@ -18,29 +19,14 @@ from omote.model.fitting.scan import Scan
 
 Reader = Callable[[bytes, Companions], Scan]
 
-READERS: Mapping[str, Reader] = {
+_MESHES: Mapping[str, Reader] = {
     ".ply": read_ply,
     ".obj": read_wavefront,
     ".stl": read_stl,
     **dict.fromkeys((".glb", ".gltf", ".vrm"), read_gltf),
-    **dict.fromkeys((".xyz", ".pts", ".csv", ".txt", ".asc"), read_cloud),
 }
-"""Readers by the suffix of a file's name."""
-ADVICE: Mapping[str, str] = {
-    ".blend": "in Blender, File > Export > glTF 2.0 (.glb) or Stanford PLY (.ply)",
-    ".fbx": "export it as .glb or .obj, or open it in Blender and export it from there",
-    **dict.fromkeys((".usd", ".usda", ".usdc", ".usdz"), "export it as .glb or .obj; scanning apps offer that too"),
-    **dict.fromkeys((".zip", ".rar", ".7z", ".gz"), "unpack it and give the .obj, .ply or .glb that is in it"),
-    **dict.fromkeys((".las", ".laz", ".e57", ".pcd"), "export the cloud as .ply or .xyz, in CloudCompare for example"),
-    **dict.fromkeys(
-        (".dae", ".3ds", ".max", ".ma", ".mb", ".abc", ".ztl", ".3mf", ".x3d"), "export it as .glb or .obj"
-    ),
-    **dict.fromkeys(
-        (".png", ".jpg", ".jpeg", ".webp", ".heic", ".tif", ".tiff", ".bmp", ".gif"),
-        "a photograph has no shape; drop it on the editor, which makes faces of photographs too, or give a scan",
-    ),
-}
-"""What to do with files that people have instead, by the suffix of their names."""
+READERS: Mapping[str, Reader] = {suffix: _MESHES.get(suffix, read_cloud) for suffix in suffixes_of("head")}
+"""Readers by the suffix of a file's name; what is no mesh is a table of points."""
 _BEGINNINGS: Mapping[bytes, str] = {
     b"ply\n": ".ply", b"ply\r": ".ply", b"glTF": ".glb", b"BLENDER": ".blend", b"Kaydara FBX": ".fbx",
     b"PXR-USDC": ".usdc", b"#usda": ".usda", b"PK\x03\x04": ".zip", b"\x1f\x8b": ".gz", b"\x89PNG": ".png",
@@ -70,8 +56,8 @@ def read_scan(suffix: str, data: bytes, beside: Companions | None = None, /) -> 
     if detected == ".zip" and suffix == ".usdz":
         detected = suffix
     if detected not in READERS:
-        advice = ADVICE.get(detected, f"export it as one of {', '.join(READERS)}")
-        raise ValueError(f"the file is {_name(detected, data)}, which is not read here; {advice}")
+        what = _name(detected, data)
+        raise ValueError(f"the file is {what}, which is not read here; {advise(detected, 'head')}")
     companions = Companions() if beside is None else beside
     with np.errstate(invalid="ignore", over="ignore"):  # of numbers that are none, which are refused at the end
         return ScanFile(READERS[detected](data, companions), tuple(companions.notes))

@@ -17,15 +17,15 @@ from aiohttp import web
 
 from omote.edit.session.brought_items import Adding, TakenIn, take_in
 from omote.interchange.formats.error_reasons import explain_error
-from omote.interchange.formats.file_names import HINTS
+from omote.interchange.formats.file_kinds import suffix_of
+from omote.interchange.formats.file_names import AS, IMPORTS, advise_import
 from omote.interchange.formats.gltf_document import LARGEST
 from omote.server.http.long_requests import CancelledRequestError, LongRequests, request_id
 from omote.server.workers.file_jobs import Imported, ImportFile
 from omote.server.workers.job_server import Follow, JobError
 from omote.showfile.changes import Kind
 
-SUFFIXES = (".json", ".glb", ".vrm", ".obj")
-KINDS = ("expression", "face")
+KINDS = tuple(IMPORTS)
 CHUNK = 2**18
 CANCELLED = 204
 """The status of a request that its page ended: there is nothing, and browsers log no error."""
@@ -86,16 +86,9 @@ def plan_upload(file: str, kind: str) -> tuple[str, Kind]:
     name = "".join(letter for letter in Path(file).name if letter.isprintable())[-80:].lstrip("-.")
     if kind not in KINDS:
         raise ValueError(f"a file is taken in as {' or '.join(KINDS)}, not as {kind[:80]!r}.")
-    suffix = Path(name).suffix.lower()
-    if suffix not in SUFFIXES or (kind == "face" and suffix == ".json"):
-        expected = (
-            "a head (.glb, .vrm, .obj)"
-            if kind == "face"
-            else "an expression (.json), or a head with shapes (.glb, .vrm, .obj)"
-        )
-        hint = f": {HINTS[suffix]}" if suffix in HINTS else ""
+    if suffix_of(name) not in IMPORTS[kind]:
         raise ValueError(
-            f"{file[:80]!r} is no {kind} that can be read; expected {expected}{hint}. Nothing has changed."
+            f"{file[:80]!r} cannot be taken in as {AS[kind]}: {advise_import(name, kind)}. Nothing has changed."
         )
     return name, "face" if kind == "face" else "expression"
 

@@ -1,4 +1,4 @@
-"""Imports expressions and faces from files (JSON, GLB, OBJ), heads of any topology among them, with a report on each.
+"""Imports expressions and faces from files (`file_kinds`), heads of any topology among them, with a report on each.
 
 Untrusted files are parsed in a child process with limits; what it sends back is validated again here.
 """
@@ -15,13 +15,17 @@ from numpy.typing import ArrayLike
 from omote.builtin import load_meshes
 from omote.edit.store.import_items import ImportedItem, import_document
 from omote.inputs.shape_names import ShapeMeaning, read_shape_name
+from omote.interchange.export_face import SKIN
 from omote.interchange.formats import expression_json, glb_reader, gltf_document
-from omote.interchange.formats.file_names import DOCUMENT, GLB, VRM, require_imports
+from omote.interchange.formats.file_kinds import suffixes_of
+from omote.interchange.formats.file_names import DOCUMENT, require_imports
 from omote.interchange.formats.glb_reader import Piece
-from omote.interchange.formats.gltf_scene import Note, note_nothing
+from omote.interchange.formats.gltf_scene import Find, Note, note_nothing
 from omote.interchange.import_meshes import Follow, ignore_progress, import_expressions, import_face
 from omote.interchange.landmark_points import read_landmarks
 from omote.interchange.mesh_correspondence import match_head
+from omote.interchange.scans.companions import Companions
+from omote.interchange.scans.ply_reader import read_ply
 from omote.interchange.scans.vrm_expressions import VrmExpressions, read_vrm_expressions
 from omote.interchange.scans.wavefront_reader import read_obj_pieces
 from omote.model.cast import Cast
@@ -29,7 +33,7 @@ from omote.model.space.expression import Expression
 from omote.perform.name_lookup import find_name
 from omote.server.sandbox.child_task import Limits, Tell, run_limited
 from omote.server.sandbox.scan_faces import take_in_child
-from omote.server.sandbox.scan_files import read_scan_in_sandbox
+from omote.server.sandbox.scan_files import find_beside, read_scan_in_sandbox
 
 LIMITS = Limits(seconds=60, memory=2 * 2**30)
 _TOO_MUCH = "reading it needs more time or memory than any face; export a smaller one"
@@ -41,22 +45,26 @@ STILL = 1e-6
 """Radians; eyeballs that turn less are at rest."""
 
 
-def _read_avatar(data: bytes, note: Note) -> tuple[Piece, ...]:
+def _read_avatar(data: bytes, note: Note, find: Find) -> tuple[Piece, ...]:
     def naming(document: gltf_document.Document) -> VrmExpressions:
         named = read_vrm_expressions(document)
         for sentence in named.notes:
             note(sentence)
         return named
 
-    return glb_reader.read_glb(data, naming=naming, note=note)
+    return glb_reader.read_glb(data, naming=naming, find=find, note=note)
 
 
-READERS: Mapping[str, Callable[[bytes, Note], tuple[Piece, ...]]] = {
-    GLB: _read_avatar,
-    VRM: _read_avatar,
-    ".obj": lambda data, _: read_obj_pieces(data),
+def _read_ply_piece(data: bytes, _: Note, __: Find) -> tuple[Piece, ...]:
+    return (Piece(SKIN, read_ply(data, Companions()).positions),)
+
+
+_ONE_SHAPE: Mapping[str, Callable[[bytes, Note, Find], tuple[Piece, ...]]] = {
+    ".obj": lambda data, _, __: read_obj_pieces(data),
+    ".ply": _read_ply_piece,
 }
-"""Parsers by file name suffix."""
+READERS = {suffix: _ONE_SHAPE.get(suffix, _read_avatar) for suffix in suffixes_of("shape")}
+"""Parsers by file name suffix; all others than these hold one shape."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -89,6 +97,7 @@ def expressions_from(
     ValueError for files without expressions; OSError where one cannot be read.
     """
     require_imports(paths)
+    _refuse_same_names(paths)
     documents = [path for path in paths if path.suffix.lower() == DOCUMENT]
     for path in documents:
         if path.stat().st_size > expression_json.LARGEST:
@@ -100,7 +109,9 @@ def expressions_from(
         yield arrival, f"{arrival.label}, from {path.name}"
     notes: dict[str, list[str]] = {path.stem: [] for path in paths if path not in documents}
     shapes = {path.stem: read_in_sandbox(path, note=notes[path.stem].append) for path in paths if path.stem in notes}
-    for path in (path for path in paths if path.suffix.lower() in (GLB, VRM) and is_foreign(cast, shapes[path.stem])):
+    for path in [
+        path for path in paths if path not in documents and _has_targets(path) and is_foreign(cast, shapes[path.stem])
+    ]:
         del shapes[path.stem], notes[path.stem]
         yield from foreign_expressions(cast, path, landmarks=read_landmarks(landmarks, path, paths))
     if not shapes:
@@ -122,12 +133,25 @@ def faces_from(cast: Cast, paths: Sequence[Path], *, look: str = "") -> Iterator
 
     Errors as `expressions_from`.
     """
-    require_imports(paths)
+    require_imports(paths, "face")
     for path in paths:
         notes: dict[str, list[str]] = {path.name: []}
         face, own = import_face(cast, load_meshes(), path.stem, read_in_sandbox(path, note=notes[path.name].append))
         worn = cast.looks[find_name(look, cast.faces, "face")] if look else own
         yield ImportedItem(path.stem, (face, worn), note=f"from {path.name}"), f"{path.stem}, a face{_said_once(notes)}"
+
+
+def _refuse_same_names(paths: Sequence[Path]) -> None:
+    """Raises ValueError where two shapes would get one name: one of them would be lost."""
+    named: dict[str, Path] = {}
+    for path in paths:
+        if path.suffix.lower() != DOCUMENT and (other := named.setdefault(path.stem, path)) is not path:
+            raise ValueError(f"{other} and {path} would both be called {path.stem!r}; rename one, or take in one alone")
+
+
+def _has_targets(path: Path) -> bool:
+    """Whether files of this kind have morph targets, which are carried over from other heads."""
+    return path.suffix.lower() not in _ONE_SHAPE
 
 
 def _said_once(notes: dict[str, list[str]]) -> str:
@@ -189,20 +213,19 @@ def _with_gaze(cast: Cast, meaning: ShapeMeaning, expression: Expression) -> Exp
 
 
 def read_in_sandbox(path: Path, /, *, note: Note = note_nothing) -> tuple[Piece, ...]:
-    """Parses a GLB or OBJ file into its pieces; ValueError for an invalid file, OSError where it cannot be read.
+    """Parses a file that has one shape or several into its pieces; ValueError for an invalid one, OSError where it
+    cannot be read.
 
     path: the file; note: takes a sentence about what of it is left out.
     """
-    reader = READERS.get(path.suffix.lower())
-    if reader is None:
-        raise ValueError(f"{path.name!r} is no file with a head; expected {', '.join(READERS)} or .json")
+    reader = READERS[path.suffix.lower()]
     if path.stat().st_size > gltf_document.LARGEST:
         raise ValueError(f"{path.name} has {path.stat().st_size} bytes; expected {gltf_document.LARGEST} at most")
     data = path.read_bytes()
 
     def work(_: Tell) -> HeadFile:
         notes = list[str]()
-        return HeadFile(reader(data, notes.append), tuple(dict.fromkeys(notes)))
+        return HeadFile(reader(data, notes.append, lambda name: find_beside(path, name)), tuple(dict.fromkeys(notes)))
 
     try:
         read = run_limited(work, HeadFile, LIMITS, exhausted=_TOO_MUCH)

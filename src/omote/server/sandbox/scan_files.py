@@ -12,12 +12,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from omote.interchange.scans.companions import Companions
-from omote.interchange.scans.picture_reader import LARGEST_PICTURE, read_picture
+from omote.interchange.scans.picture_reader import LARGEST_PICTURE, read_picture, write_plain
 from omote.interchange.scans.scan_parts import LARGEST
 from omote.interchange.scans.scan_reader import ScanFile, read_scan
 from omote.server.sandbox.child_task import Limits, Tell, ignore_progress, run_limited
 
 LIMITS = Limits(seconds=120, patience=300.0, memory=6 * 2**30)
+_TOO_LARGE = "decoding it needs more time or memory than any photograph"
 _TOO_MUCH = "reading it needs more time or memory than any scan of a head; export one with fewer points"
 
 
@@ -64,8 +65,18 @@ def read_picture_in_sandbox(path: Path, /) -> NDArray[np.uint8]:
     try:
         return run_limited(
             lambda _: read_picture(data), NDArray[np.uint8], LIMITS,
-            exhausted="decoding it needs more time or memory than any photograph",
+            exhausted=_TOO_LARGE,
         )  # fmt: skip
+    except ValueError as error:
+        raise ValueError(f"{path.name}: {error}") from error
+
+
+def read_photograph_in_sandbox(path: Path, longest: int, /) -> bytes:
+    """A photograph as a JPEG that every browser shows, upright, its longer side no longer than `longest` pixels, with
+    its pixels alone; errors as `read_picture_in_sandbox`."""
+    data = _read_whole(path, LARGEST_PICTURE)
+    try:
+        return run_limited(lambda _: write_plain(read_picture(data), longest), bytes, LIMITS, exhausted=_TOO_LARGE)
     except ValueError as error:
         raise ValueError(f"{path.name}: {error}") from error
 

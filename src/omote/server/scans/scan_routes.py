@@ -6,6 +6,7 @@ A job beside the show does the work (`workers.scan_jobs`), one scan at a time.
 from __future__ import annotations
 
 import asyncio
+import tempfile
 import time
 from collections.abc import Awaitable, Callable, Coroutine
 from functools import partial
@@ -16,12 +17,14 @@ from aiohttp import web
 
 from omote.edit.session.brought_items import take_made
 from omote.interchange.formats.error_reasons import explain_error
+from omote.interchange.scans.picture_reader import LARGEST_PICTURE
 from omote.server.http.editor_link import NO_FILE
 from omote.server.http.long_requests import CancelledRequestError, LongRequests, request_id
 from omote.server.http.uploads import CANCELLED, AddItems, RunFileJob
 from omote.server.scans.scan_previews import Preview, ScanPreviews
 from omote.server.scans.scan_upload import (
     LARGEST_PHOTOGRAPH,
+    LARGEST_SIDE,
     MOST_PHOTOGRAPHS,
     POINTS_FILE,
     choose_scan,
@@ -31,10 +34,11 @@ from omote.server.scans.scan_upload import (
 )
 from omote.server.workers.file_jobs import Imported
 from omote.server.workers.job_server import Follow, JobError
-from omote.server.workers.scan_jobs import FILES, FitPhotographs, FitScan, TakeScan
+from omote.server.workers.scan_jobs import FILES, FitPhotographs, FitScan, ShowPhotograph, TakeScan
 
 SCANS_PATH = "/scans"
 PHOTOGRAPHS_PATH = "/photographs"
+PICTURE_PATH = "/photographs/picture"
 MSGPACK = "application/msgpack"
 
 Point = tuple[float, float, float]
@@ -74,6 +78,7 @@ class ScanRoutes:
     def add_routes(self, application: web.Application) -> None:
         """Adds where scans and photographs are brought to, and where each is fitted, taken and thrown away."""
         posts = {
+            PICTURE_PATH: self._show_photograph,  # before the addresses of tokens
             PHOTOGRAPHS_PATH: self._bring_photographs,
             f"{PHOTOGRAPHS_PATH}/{{token}}": self._fit_photographs_again,
             SCANS_PATH: self._bring,
@@ -108,6 +113,21 @@ class ScanRoutes:
             return await self._fit(preview, Points({}), follow)
 
         return await self._receive(request, follow, fit)
+
+    async def _show_photograph(self, request: web.Request, follow: Follow) -> web.Response:
+        """Responds with the one photograph in a form of files as a JPEG that browsers show, upright; nothing is
+        kept."""
+        if self._work is None:
+            raise web.HTTPServiceUnavailable(text=f"nothing can be taken in: {NO_FILE}")
+        follow(0, 0, "the file is sent")
+        with tempfile.TemporaryDirectory(prefix="omote-") as place:
+            folder = Path(place)
+            await receive_files(request, folder, most=LARGEST_PICTURE)
+            paths = sorted(folder.iterdir())
+            if len(paths) != 1:
+                raise ValueError(f"{len(paths)} files came; bring one photograph at a time.")
+            body = await self._do(ShowPhotograph(str(paths[0]), LARGEST_SIDE), follow)
+        return web.Response(body=body, content_type="image/jpeg", headers={"Cache-Control": "no-store"})
 
     async def _bring_photographs(self, request: web.Request, follow: Follow) -> web.Response:
         """Fits the photographs in a form of files, their landmarks among them (`scan_upload.POINTS_FILE`); responds
@@ -183,7 +203,7 @@ class ScanRoutes:
         self.previews.drop(preview.token)
         return web.json_response(body=msgspec.json.encode({"items": taken, "said": imported.said}))
 
-    async def _do(self, job: FitScan | FitPhotographs | TakeScan, follow: Follow) -> bytes:
+    async def _do(self, job: FitScan | FitPhotographs | ShowPhotograph | TakeScan, follow: Follow) -> bytes:
         """What a job makes, once no other scan is worked on."""
         assert self._work is not None  # a preview is there
         async with self._long_requests.turn("scan", follow, "it waits until another scan is fitted"):

@@ -9,8 +9,8 @@ from pathlib import Path
 import msgspec
 from aiohttp import BodyPartReader, MultipartReader, web
 
+from omote.interchange.formats.file_kinds import advise, may_be, suffixes_of
 from omote.interchange.scans.scan_parts import LARGEST
-from omote.interchange.scans.scan_reader import ADVICE, READERS
 from omote.model.fitting.photographs.landmark_table import LANDMARKS
 from omote.server.workers.scan_jobs import SeenPhotograph
 
@@ -23,13 +23,12 @@ LARGEST_SIDE = 4096
 BESIDE = 0.5
 """Parts of a picture that a landmark may lie outside it: of a face that is cut off."""
 SUFFIXES = (".jpg", ".jpeg", ".png")
+"""Of photographs as pages save them anew."""
 POINTS_FILE = "landmarks.json"
 LARGEST_POINTS = 2**20
 """Bytes of the landmarks of all."""
 POINTS_CHUNK = 2**16
 _decode: msgspec.json.Decoder[list[SeenPhotograph]] = msgspec.json.Decoder(list[SeenPhotograph])
-COMPANIONS = (".mtl", ".bin", ".png", ".jpg", ".jpeg", ".webp", ".bmp", ".tga", ".tif", ".tiff", ".gif")
-"""Suffixes of what may lie beside a scan."""
 MOST_FILES = 40
 CHUNK = 2**18
 """Bytes that are read at once."""
@@ -103,16 +102,14 @@ def clean_name(file: str, /) -> str:
 
 def choose_scan(names: Sequence[str], /) -> str:
     """The scan among the names of files that came together; ValueError with a sentence for none, and for several."""
-    strange = [name for name in names if Path(name).suffix.lower() not in (*READERS, *COMPANIONS)]
-    scans = [name for name in names if Path(name).suffix.lower() in READERS]
+    strange = [name for name in names if not may_be(name, "head", "companion")]
+    scans = [name for name in names if may_be(name, "head")]
     if strange:
-        suffix = Path(strange[0]).suffix.lower()
-        advice = ADVICE.get(suffix, f"export it as one of {', '.join(READERS)}")
-        raise ValueError(f"{strange[0]!r} is no scan that is read here; {advice}.")
+        raise ValueError(f"{strange[0]!r} is no scan that is read here; {advise(strange[0], 'head')}.")
     if not scans:
         raise ValueError(
-            f"{', '.join(names) or 'nothing'} came without a scan; bring the scan ({', '.join(READERS)}) and what lies "
-            "beside it together."
+            f"{', '.join(names) or 'nothing'} came without a scan; bring the scan ({', '.join(suffixes_of('head'))}) "
+            "and what lies beside it together."
         )
     if len(scans) > 1:
         raise ValueError(f"{scans[0]!r} and {scans[1]!r} are two scans; bring one at a time.")

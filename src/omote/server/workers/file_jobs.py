@@ -12,7 +12,7 @@ import msgspec
 
 from omote.builtin import load_cast, load_mask, load_meshes
 from omote.edit.store.import_items import changes_to_import, distinguish, export_document
-from omote.inputs.voices.spoken_text import SpokenText, Voice, WantedSpeech
+from omote.inputs.voices.spoken_text import Voice, WantedSpeech
 from omote.interchange.avatar.vrm_licence import Credit, parse_terms
 from omote.interchange.export_face import ExportContext, choose_expressions, named_compound_meshes
 from omote.interchange.exports.export_formats import check_count, check_kind, encode_face, pack_files
@@ -20,9 +20,18 @@ from omote.interchange.formats.expression_json import encode as encode_document
 from omote.interchange.formats.file_names import GLB, VRM
 from omote.model.cast import Cast
 from omote.server.sandbox.import_files import Brought, expressions_from, faces_from
+from omote.server.sandbox.scan_files import read_photograph_in_sandbox
 from omote.server.sandbox.voices import list_voices, speak
 from omote.server.workers.job_server import Follow
-from omote.server.workers.scan_jobs import FitPhotographs, FitScan, TakeScan, face_to_take, run_fit, run_photograph_fit
+from omote.server.workers.scan_jobs import (
+    FitPhotographs,
+    FitScan,
+    ShowPhotograph,
+    TakeScan,
+    face_to_take,
+    run_fit,
+    run_photograph_fit,
+)
 from omote.showfile.changes import BroughtItem, Change, Content, Item, Kind, Revision
 from omote.showfile.database_errors import describe_error
 from omote.showfile.inspection import Inspection, inspect_show
@@ -89,8 +98,8 @@ class NamedCast:
 
 
 FileJob = (
-    ImportFile | ExportExpression | ExportFace | BuildTouchoscLayout | FitScan | FitPhotographs | TakeScan | ListVoices
-    | SpeakText
+    ImportFile | ExportExpression | ExportFace | BuildTouchoscLayout | FitScan | FitPhotographs | ShowPhotograph
+    | TakeScan | ListVoices | SpeakText
 )  # fmt: skip
 
 
@@ -111,28 +120,30 @@ def run_file_job(job: bytes, follow: Follow, /) -> bytes:
     """
     wanted = _job.decode(job)
     try:
-        if isinstance(wanted, FitScan):
-            return msgspec.msgpack.encode(run_fit(wanted, follow))
-        if isinstance(wanted, FitPhotographs):
-            return msgspec.msgpack.encode(run_photograph_fit(wanted, follow))
-        if isinstance(wanted, ImportFile | TakeScan):
-            return msgspec.msgpack.encode(_import_file(wanted, follow))
+        if isinstance(wanted, ExportExpression | ExportFace):
+            return _export(wanted, follow)
+        if isinstance(wanted, ShowPhotograph):
+            return read_photograph_in_sandbox(Path(wanted.path), wanted.longest)
         if isinstance(wanted, BuildTouchoscLayout):
             return _build_layout(wanted)
-        if isinstance(wanted, ListVoices | SpeakText):
-            return msgspec.msgpack.encode(_use_voice(wanted))
-        inspection = inspect_show(Path(wanted.show))
-        if isinstance(wanted, ExportExpression):
-            return encode_document(export_document(load_cast(), inspection.stored, inspection.contents, wanted.name))
-        return _export_face(inspection, wanted, follow)
+        return msgspec.msgpack.encode(_answer(wanted, follow))
     except (ShowFileError, OSError, OverflowError, sqlite3.Error) as error:
         raise ValueError(describe_error(error)) from error
 
 
-def _use_voice(wanted: ListVoices | SpeakText) -> list[Voice] | SpokenText:
+def _answer(
+    wanted: ImportFile | TakeScan | FitScan | FitPhotographs | ListVoices | SpeakText, follow: Follow
+) -> msgspec.Struct | list[Voice]:
+    """What is encoded as an answer."""
+    if isinstance(wanted, FitScan):
+        return run_fit(wanted, follow)
+    if isinstance(wanted, FitPhotographs):
+        return run_photograph_fit(wanted, follow)
     if isinstance(wanted, ListVoices):
         return list_voices()
-    return speak(wanted.wanted.text, voice=wanted.wanted.voice, speed=wanted.wanted.speed)
+    if isinstance(wanted, SpeakText):
+        return speak(wanted.wanted.text, voice=wanted.wanted.voice, speed=wanted.wanted.speed)
+    return _import_file(wanted, follow)
 
 
 def _build_layout(wanted: BuildTouchoscLayout) -> bytes:
@@ -159,6 +170,13 @@ def _import_file(wanted: ImportFile | TakeScan, follow: Follow) -> Imported:
 def _read_file(cast: Cast, wanted: ImportFile, follow: Follow) -> Iterator[Brought]:
     path = Path(wanted.path)
     return faces_from(cast, [path]) if wanted.kind == "face" else expressions_from(cast, [path], follow=follow)
+
+
+def _export(wanted: ExportExpression | ExportFace, follow: Follow) -> bytes:
+    inspection = inspect_show(Path(wanted.show))
+    if isinstance(wanted, ExportExpression):
+        return encode_document(export_document(load_cast(), inspection.stored, inspection.contents, wanted.name))
+    return _export_face(inspection, wanted, follow)
 
 
 def _export_face(inspection: Inspection, wanted: ExportFace, follow: Follow) -> bytes:

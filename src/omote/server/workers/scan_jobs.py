@@ -66,6 +66,14 @@ class FitPhotographs(msgspec.Struct, frozen=True, tag=True):
     photographs: list[SeenPhotograph]
 
 
+class ShowPhotograph(msgspec.Struct, frozen=True, tag=True):
+    """A photograph that a browser does not decode (HEIC), as a JPEG whose longer side is no longer than so many
+    pixels."""
+
+    path: str
+    longest: int
+
+
 class TakeScan(msgspec.Struct, frozen=True, tag=True):
     """The face fitted in a preview's folder as an item beside those of a show file, with a hair style and its colour;
     wall: seconds since 1970. Made: `Imported`, encoded."""

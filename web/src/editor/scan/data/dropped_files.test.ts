@@ -5,7 +5,11 @@ describe("files that are dropped", () => {
   it.each([
     [["anna.ply"], "expression", "scan"],
     [["Anna.STL"], "face", "scan"],
-    [["anna.vrm"], "expression", "scan"],
+    [["anna.vrm"], "expression", "import"],
+    [["anna.gltf"], "face", "either"],
+    [["anna.gltf", "anna.bin"], "expression", "scan"],
+    [["anna.csv"], "face", "scan"],
+    [["anna.HEIC"], "face", "scan"],
     [["anna.obj", "anna.mtl", "skin.jpg"], "expression", "scan"],
     [["anna.obj"], "face", "either"],
     [["anna.glb"], "face", "either"],
@@ -15,10 +19,10 @@ describe("files that are dropped", () => {
     [["a.obj", "b.obj"], null, "import"],
     [["a.obj", "b.obj"], "face", "import"],
     [["smile.json", "anna.ply"], "face", "import"],
-    [["notes.txt"], "face", "import"],
+    [["notes.doc"], "face", "import"],
     [["front.JPG", "left.png"], "expression", "scan"],
     [["anna.jpeg"], "face", "scan"],
-    [["anna.jpeg", "notes.txt"], "face", "import"],
+    [["anna.jpeg", "notes.doc"], "face", "import"],
     [["README"], "expression", "import"],
   ] as const)("%j while %s is open are taken as %s", (names, open, coming) => {
     expect(comingOf(names, open)).toBe(coming);
@@ -32,10 +36,10 @@ describe("files that are dropped", () => {
   });
 
   it("are photographs where all of them are pictures", () => {
-    expect(arePhotographs(["a.jpg", "b.PNG", "c.jpeg"])).toBe(true);
+    expect(arePhotographs(["a.jpg", "b.PNG", "c.jpeg", "d.HEIC"])).toBe(true);
     expect(arePhotographs(["a.jpg", "b.obj"])).toBe(false);
     expect(arePhotographs([])).toBe(false);
-    expect(ACCEPTED_PHOTOGRAPHS).toBe(".jpg,.jpeg,.png");
+    expect(ACCEPTED_PHOTOGRAPHS.split(",")).toEqual(expect.arrayContaining([".jpg", ".png", ".heic"]));
   });
 
   it("may be chosen with what lies beside them", () => {

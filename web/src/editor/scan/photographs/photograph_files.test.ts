@@ -13,5 +13,9 @@ it("makes what is large smaller, with its shape, and leaves what is not", () => 
 
 it("says of a file that is no picture what to do", async () => {
   vi.stubGlobal("createImageBitmap", () => Promise.reject(new Error("no")));
-  await expect(readPhotograph(new File(["x"], "anna.heic"))).rejects.toThrow("anna.heic is no picture");
+  const decode = vi.fn(() => Promise.resolve(new Blob()));
+  await expect(readPhotograph(new File(["x"], "anna.heic"), decode)).rejects.toThrow("anna.heic is no picture");
+  expect(decode).toHaveBeenCalledOnce();
+  const refused = (): Promise<Blob> => Promise.reject(new Error("anna.heic: cut off"));
+  await expect(readPhotograph(new File(["x"], "anna.heic"), refused)).rejects.toThrow("cut off");
 });

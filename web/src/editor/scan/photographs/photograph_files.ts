@@ -11,9 +11,10 @@ export interface PlainPicture {
   readonly bitmap: ImageBitmap;
 }
 
-/** Reads a file as browsers show it; an Error with a sentence where it is no picture that they know. */
-export async function readPhotograph(file: File): Promise<PlainPicture> {
-  const whole = await createImageBitmap(file).catch(() => null);
+/** Reads a file as browsers show it; `decode` gives one that the browser does not decode (HEIC) as one that it does. An
+ * Error with a sentence where it is no picture. */
+export async function readPhotograph(file: File, decode: (file: File) => Promise<Blob>): Promise<PlainPicture> {
+  const whole = (await bitmapOf(file)) ?? (await bitmapOf(await decode(file)));
   if (whole === null) throw new Error(`${file.name} is no picture that this browser reads; save it as JPEG or PNG.`);
   const [width, height] = smaller(whole.width, whole.height);
   const canvas = new OffscreenCanvas(width, height);
@@ -24,6 +25,8 @@ export async function readPhotograph(file: File): Promise<PlainPicture> {
   const picture = await canvas.convertToBlob({ type: "image/jpeg", quality: QUALITY });
   return { picture, bitmap: canvas.transferToImageBitmap() };
 }
+
+const bitmapOf = (picture: Blob): Promise<ImageBitmap | null> => createImageBitmap(picture).catch(() => null);
 
 /** Width and height, the longer no longer than `LARGEST_SIDE`. */
 export function smaller(width: number, height: number): [number, number] {

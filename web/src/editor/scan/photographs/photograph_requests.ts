@@ -19,6 +19,15 @@ export async function bringPhotographs(points: PhotographPoints, requests: LongR
   return readPhotographs(await bytesOf(requests.fetch(PHOTOGRAPH_TITLE, "/photographs", body)));
 }
 
+/** A photograph that this browser does not decode (HEIC, as telephones write it), as a JPEG; errors as
+ * `bringPhotographs`. */
+export async function decodePhotograph(file: File, requests: LongRequests): Promise<Blob> {
+  const form = new FormData();
+  form.append("file", file, file.name);
+  const coming = requests.fetch(PHOTOGRAPH_TITLE, "/photographs/picture", { method: "POST", body: form });
+  return new Blob([(await bytesOf(coming)) as Uint8Array<ArrayBuffer>], { type: "image/jpeg" });
+}
+
 /** Fits photographs by points that were moved; errors as `bringPhotographs`. */
 export async function fitPhotographsAgain(
   { token }: SeenPhotographs,
