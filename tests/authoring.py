@@ -188,7 +188,7 @@ class EditHarness:
 
     def receive_bytes(self, who: str, data: bytes) -> list[tuple[str, Any]]:
         """Everything that goes to anybody after these bytes, once all orders are done."""
-        return self.carry_out(self.session.receive_bytes(who, data, wall=self.wall, on_air=self.on_air))
+        return self.carry_out(self.session.receive_bytes(who, data, wall=self.wall, on_air=lambda: self.on_air))
 
     def carry_out(self, outcome: Outcome) -> list[tuple[str, Any]]:
         """Commits an outcome, does its orders (or, `slow`, lays them aside) and gives all messages."""

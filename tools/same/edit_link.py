@@ -65,7 +65,7 @@ class House:
     def ask(self, key: str, who: str, data: bytes, on_air: OnAir) -> None:
         """What follows from a page's bytes, orders and all; some orders wait."""
         self.recording.data("editing: sent by the script", key, data)
-        self.settle(key, self.session.receive_bytes(who, data, wall=WALL + self.script.number, on_air=on_air))
+        self.settle(key, self.session.receive_bytes(who, data, wall=WALL + self.script.number, on_air=lambda: on_air))
 
     def settle(self, key: str, outcome: Outcome) -> None:
         """Commits what an outcome changes, records it, and makes what it orders."""

@@ -67,6 +67,11 @@ def test_greet_tells_which_show_this_is_and_what_the_editor_has_not_saved(cast: 
     assert harness.greet("ann").unsaved == []
 
 
+def unasked() -> OnAir:
+    """What shows now takes longer to tell than a refusal: sixty pages that send rot held the ticks."""
+    raise AssertionError("it was asked what shows now")
+
+
 @pytest.mark.parametrize(
     ("data", "sentence"),
     [
@@ -79,7 +84,7 @@ def test_greet_tells_which_show_this_is_and_what_the_editor_has_not_saved(cast: 
 )
 def test_bytes_that_are_no_message_are_refused_and_counted(cast: Cast, data: bytes, sentence: str) -> None:
     session = session_of(cast)
-    outcome = session.receive_bytes("ann", data, wall=WALL, on_air=NOBODY)
+    outcome = session.receive_bytes("ann", data, wall=WALL, on_air=unasked)
     ((who, refusal),) = [(each.who, each.message) for each in outcome.replies]
     assert who == "ann"
     assert isinstance(refusal, wire.EditRefused)
@@ -90,7 +95,7 @@ def test_bytes_that_are_no_message_are_refused_and_counted(cast: Cast, data: byt
 def test_messages_before_greet_are_rejected(cast: Cast) -> None:
     session = session_of(cast)
     outcome = session.receive_bytes(
-        "ann", encode(wire.CreateFace(4, "Aunt", {"broad": 1.0}, False)), wall=WALL, on_air=NOBODY
+        "ann", encode(wire.CreateFace(4, "Aunt", {"broad": 1.0}, False)), wall=WALL, on_air=unasked
     )
     sentence = "nothing is heard before greet: send greet with editor, name and version first."
     assert outcome == Outcome(replies=(EditorReply("ann", wire.EditRefused(4, sentence)),))
@@ -99,8 +104,10 @@ def test_messages_before_greet_are_rejected(cast: Cast) -> None:
 @given(st.binary(max_size=200))
 def test_no_bytes_change_anything(data: bytes) -> None:
     session = session_of(synthetic.cast())
-    session.receive_bytes("ann", encode(wire.Greet("ann", "Ann", wire.EDITING_VERSION)), wall=WALL, on_air=NOBODY)
-    outcome = session.receive_bytes("ann", data, wall=WALL, on_air=NOBODY)
+    session.receive_bytes(
+        "ann", encode(wire.Greet("ann", "Ann", wire.EDITING_VERSION)), wall=WALL, on_air=lambda: NOBODY
+    )
+    outcome = session.receive_bytes("ann", data, wall=WALL, on_air=lambda: NOBODY)
     assert (outcome.changes, outcome.orders, outcome.cast, session.stored()) == ((), (), False, Stored())
 
 

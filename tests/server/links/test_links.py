@@ -11,12 +11,15 @@ from omote.server.links.links import (
     HEARD_BURST,
     STALL_LIMIT,
     UNSENT_LIMIT,
+    Link,
     Links,
     LinkSocket,
     finish_now,
 )
+from omote.show.access.people_list import ANYBODY
 from omote.show.messages import LINK_PATH
 from omote.show.objects.faders import SetChannel
+from omote.show.rate_limit import TokenBucket
 from omote.show.wire import encode
 from tests.server.conftest import ShowHarness, send_and_wait, state
 
@@ -197,6 +200,8 @@ async def test_a_flood_is_heard_in_order_and_in_time(show_harness: ShowHarness) 
     for number in range(count):
         await flooding.send_bytes(encode(SetChannel("one", "jawOpen", number / count)))
     await send_and_wait(calm, SetChannel("one", "smile", 1.0))
+    while show_harness.show.session.commands < HEARD_BURST:
+        await asyncio.sleep(0.0)
     assert (
         show_harness.show.session.commands <= HEARD_BURST + 1
     )  # the clock stands still, so no more than the burst was heard
@@ -213,3 +218,26 @@ async def test_all_are_told_when_the_server_goes(show_harness: ShowHarness) -> N
     for link in links:
         assert (await link.receive()).data == 1001  # going away
     await hanging
+
+
+@pytest.mark.asyncio
+async def test_what_many_links_send_at_one_time_is_heard_between_ticks() -> None:
+    """Sixty links with a burst of sixty messages each held the ticks for .4 s: no message was waited for."""
+    heard = list[str]()
+
+    async def listen(who: str) -> None:
+        link = Link(who, None, Transport(), ANYBODY, TokenBucket(60.0, 60.0))  # type: ignore[arg-type]
+        for _ in range(60):
+            await link.wait_turn(lambda: 0.0)
+            heard.append(who)
+
+    listening = [asyncio.create_task(listen(f"editor {number}")) for number in range(60)]
+    while not heard:
+        await asyncio.sleep(0.0)
+    most = 0
+    while len(heard) < 60 * 60:
+        before = len(heard)
+        await asyncio.sleep(0.0)  # as a tick waits for its turn
+        most = max(most, len(heard) - before)
+    assert most <= len(listening)
+    await asyncio.gather(*listening)

@@ -122,10 +122,12 @@ class EditSession:
         """All authored work."""
         return self.authored.state.stored()
 
-    def receive_bytes(self, who: str, data: bytes, wall: float, on_air: OnAir, role: AccessRole = HIGHEST) -> Outcome:
+    def receive_bytes(
+        self, who: str, data: bytes, wall: float, on_air: Callable[[], OnAir], role: AccessRole = HIGHEST
+    ) -> Outcome:
         """Handles the bytes of an editor; wall: seconds since 1970, shown in histories; role: of who sends them.
 
-        who: the link; data: a message; on_air: what shows now.
+        who: the link; data: a message; on_air: tells what shows now; asked for requests alone.
         """
         answer = _Answer()
         try:
@@ -184,11 +186,11 @@ class EditSession:
         answer.greeted = who
         answer.listed = True
 
-    def _task(self, who: str, message: Message, wall: float, on_air: OnAir) -> Task:
+    def _task(self, who: str, message: Message, wall: float, on_air: Callable[[], OnAir]) -> Task:
         member = self.crew.get(who)
         if member is None:
             raise Refusal("nothing is heard before greet: send greet with editor, name and version first.")
-        context = RequestContext(self.authored, message, Author(member.name, member.editor, wall), on_air)
+        context = RequestContext(self.authored, message, Author(member.name, member.editor, wall), on_air())
         return Task(queue_key(message, member.editor), lambda: respond(context), who, context.message.request)
 
     # --- carrying out -------------------------------------------------------------------------------------------------

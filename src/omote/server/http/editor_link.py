@@ -183,7 +183,7 @@ class EditorLinks:
             elif message.type is WSMsgType.BINARY and self.authored_work is None:
                 self._send(link.who, EditRefused(-1, NO_FILE))
             elif message.type is WSMsgType.BINARY and self.authored_work is not None:
-                now = partial(EditSession.receive_bytes, wall=_wall(), on_air=self._on_air(""))
+                now = partial(EditSession.receive_bytes, wall=_wall(), on_air=lambda: self._on_air(""))
                 self._take(self.authored_work, partial(now, who=link.who, data=message.data, role=link.visitor.role))
 
     def _take(self, authored_work: AuthoredWork, happens: Callable[[EditSession], Outcome]) -> None:

@@ -104,9 +104,12 @@ class Link:
     async def wait_turn(self, clock: Callable[[], float], size: int = 0) -> None:
         """Waits until the rate limit allows this link one more message; meanwhile the socket fills, not our memory.
 
+        Others come first: what many links have sent at one time is heard between ticks, not in place of one.
+
         size: its bytes; a long one, which only a speech may be, counts as often as it is longer than others may be.
         clock: seconds, monotonic.
         """
+        await asyncio.sleep(0.0)
         for _ in range(1 + size // MESSAGE_LIMIT):
             while not self.bucket.take(clock()):
                 await asyncio.sleep(1.0 / self.bucket.rate)
