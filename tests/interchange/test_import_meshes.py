@@ -82,6 +82,15 @@ def test_an_unknown_head_is_measured_and_does_the_same(face: str) -> None:
             np.testing.assert_allclose(points, aim[name], atol=NEAR)
 
 
+def test_a_shape_alone_whose_moved_vertices_change_places_is_refused() -> None:
+    """No face has a vertex where they are, so that places say nothing of their order: it was 17 mm wrong, and taken."""
+    points = shape("broad", "smile")[0].points
+    moved = np.argsort(-np.linalg.norm(points - CAST.faces["broad"].positions, axis=1))[:24]
+    points[moved] = points[np.random.default_rng(5).permutation(moved)]
+    with pytest.raises(ValueError, match=r"'odd': vertex \d+.* went another way than all vertices around"):
+        list(import_expressions(CAST, meshes(), {"odd": [Piece("skin", points)]}))
+
+
 def test_a_keyed_model_is_an_expression() -> None:
     for face in ("long", ""):
         (found,) = import_expressions(CAST, meshes(), {"Grin": shape("long", "smile")}, face=face)

@@ -18,7 +18,7 @@ from omote.arrays import Points
 from omote.builtin import BakedMesh
 from omote.interchange.export_face import SKIN, Meshes, compound_meshes, meshes_of
 from omote.interchange.formats.glb_reader import Piece
-from omote.interchange.mesh_correspondence import MatchedHead, build_face, match_head, share_order
+from omote.interchange.mesh_correspondence import MatchedHead, build_face, match_head, refuse_torn, share_order
 from omote.model.cast import Cast, Look
 from omote.model.extraction.extract import extract
 from omote.model.extraction.extracted_expression import describe_uncertainty
@@ -153,6 +153,7 @@ def _moved_shapes(
     for label, head in heads.items():
         if not head.moves and label not in resting:
             check_start(cast, label, head.rest[SKIN], start, named=bool(face), own_rest=rests and not face)
+            refuse_torn(cast, label, start, head.rest[SKIN])
             before = meshes_of(fit(cast.space, start))
             yield start, label, {name: rest - before[name] for name, rest in head.rest.items()}
 

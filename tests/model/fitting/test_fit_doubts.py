@@ -22,7 +22,7 @@ def found(weight: float = 0.0) -> ModeFit:
 
 
 def test_a_good_fit_leaves_no_doubt() -> None:
-    assert find_doubts(ZONES, found(), GOOD, 0, False, False) == ()
+    assert find_doubts(ZONES, found(), GOOD, 0, False, False, False) == ()
 
 
 @pytest.mark.parametrize(
@@ -39,6 +39,6 @@ def test_a_good_fit_leaves_no_doubt() -> None:
 def test_each_fault_is_said(
     fit: ModeFit, residual: np.ndarray, folds: int, filled: bool, turned: bool, word: str
 ) -> None:
-    (sentence,) = find_doubts(ZONES, fit, residual, folds, filled, turned)
+    (sentence,) = find_doubts(ZONES, fit, residual, folds, filled, turned, False)
     assert word in sentence
     assert sentence.endswith(".")

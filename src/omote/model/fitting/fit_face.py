@@ -21,7 +21,7 @@ from omote.model.fitting.plate_fit import Hold, bend, find_lengths, match
 from omote.model.fitting.scan import Scan
 from omote.model.fitting.scan_skin import keep_skin, may_be_shut
 from omote.model.fitting.scan_surface import ScanSurface, face_outward, is_inside_out, sample_cloud, sample_mesh
-from omote.model.fitting.skin_repair import find_folds, relax_corners, repair_corners, repair_folds
+from omote.model.fitting.skin_repair import find_folds, relax_corners, repair_corners, repair_folds, repair_slight_folds
 from omote.model.sculpting.caricature import find_way_back
 from omote.model.sculpting.socket_depth import fit_lining_at_rest
 from omote.model.space.face import Face
@@ -52,12 +52,13 @@ SEEN = 0.003
 
 
 def find_doubts(
-    zones: HeadZones, mode_fit: ModeFit, residual: Values, folds: int, filled: bool, turned: bool, /
+    zones: HeadZones, mode_fit: ModeFit, residual: Values, folds: int, filled: bool, turned: bool, marked: bool, /
 ) -> tuple[Doubt, ...]:
     """Sentences on a fit, none where it is sure.
 
     residual (V,): millimetres, nan where nothing was seen; folds: how many triangles are folded; filled: whether the
-    scan is closed between its lids and nobody said what that means; turned: whether its triangles face inward.
+    scan is closed between its lids and nobody said what that means; turned: whether its triangles face inward; marked:
+    whether points were given.
 
     zones: of the head; mode_fit: its modes.
     """
@@ -74,7 +75,7 @@ def find_doubts(
         doubts.append(Doubt("The head is unlike those of people; look whether eyes, nose and mouth are in place."))
     if folds:
         places = "one triangle" if folds == 1 else f"{folds} triangles"
-        why = "points that were given may be off, or the scan is rough"
+        why = "points that were given may be off, or the scan is rough" if marked else "the scan may be rough there"
         doubts.append(Doubt(f"The skin stays folded at {places}: {why}."))
     if filled:
         asked = "The scan is closed between its lids, so they were opened; say whether its eyes are shut."
@@ -93,7 +94,8 @@ def close_face(space: ParameterSpace, name: str, guide: Values, skin: Values, pa
     seated = repair_folds(space, guide, seated)
     placed = {part: points.astype(np.float32) for part, points in parts.items()}
     closed = fit_mouth_at_rest(space, seated.astype(np.float32), placed)
-    face = Face(name, fit_lining_at_rest(space, closed), placed)
+    lined = np.asarray(fit_lining_at_rest(space, closed), np.float64)
+    face = Face(name, repair_slight_folds(space, guide, lined), placed)
     fit(space, face)  # refuses what is no face of this space
     return face
 
@@ -200,7 +202,7 @@ def fit_face(
     face = close_face(space, name, guide, upright(bent), {part: upright(points) for part, points in parts.items()})
     folds = find_folds(space, guide, face.positions.astype(np.float64))
     residual, seen = _compare(space, skin, upright.back(face.positions))
-    doubts = find_doubts(zones, modes_fit, residual, len(folds), filled and shut is None, turned)
+    doubts = find_doubts(zones, modes_fit, residual, len(folds), filled and shut is None, turned, bool(landmarks))
     tell(1.0, "done")
     return Fit(face, residual, seen, _after(upright, placement), doubts)
 

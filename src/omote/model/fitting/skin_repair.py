@@ -27,6 +27,10 @@ REPAIR_ROUNDS = 60
 RINGS = 1
 WIDER = 6
 PASSES = 3
+# What folds by less, metres, is mended where it is: nobody sees it.
+SLIGHT = 2e-4
+# Each round takes them so far to the means of their rings, so that they stop where nothing folds any more.
+EASING = 0.02
 # So near to a corner skin slides freely, so far from it not at all; the generic head is laid on what is around, metres.
 FREE_WITHIN = 0.010
 HELD_BEYOND = 0.024
@@ -77,6 +81,24 @@ def repair_folds(space: ParameterSpace, guide: Values, skin: Values, /) -> Value
         for _ in range(PASSES + number):
             moves = moves + share[:, None] * (average @ moves - moves)
     return guide + moves
+
+
+def repair_slight_folds(space: ParameterSpace, guide: Values, skin: Values, /) -> Values:
+    """A skin (V, 3) without the last folds against a guide (V, 3), where they go by the means of their one-rings and
+    move nothing farther than SLIGHT; else the same skin.
+
+    space: of both; guide (V, 3), skin (V, 3): metres.
+    """
+    average = smoothing_matrix(space.triangles, len(skin))
+    mended = skin.copy()
+    for _ in range(REPAIR_ROUNDS):
+        folded = find_folds(space, guide, mended)
+        if not len(folded):
+            break
+        rows = np.unique(space.sheet_triangles[folded])
+        mended[rows] += EASING * ((average @ mended)[rows] - mended[rows])
+    slight = np.abs(mended - skin).max() <= SLIGHT
+    return mended if slight and not len(find_folds(space, guide, mended)) else skin
 
 
 def relax_corners(space: ParameterSpace, skin: Values, /) -> Values:

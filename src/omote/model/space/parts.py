@@ -6,11 +6,16 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
+from scipy.spatial import cKDTree
+from scipy.spatial.distance import cdist
 
 from omote.arrays import Indices, Values
 from omote.geometry import mesh
 from omote.model.space.eye_socket import radius_of
 from omote.model.space.similarity import fit_similarity, fit_turn
+
+AROUND = 8
+"""Vertices of the skin around each vertex of a part in the mouth, by which that is placed."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -109,11 +114,29 @@ def _ring(points: Values, skin: Values, candidates: Indices) -> Indices:
 
 
 def place(part: Part, generic: Values, positions: Values, /) -> Values:
-    """The part's vertices (n, 3) on a face with skin positions (V, 3), by the similarity of its ring.
+    """The part's vertices (n, 3) on a face with skin positions (V, 3): an eyeball by the similarity of its ring, lashes
+    with the skin beneath them, what is in the mouth as the skin around it is bent, so that it stays inside of a muzzle.
 
-    generic: the generic skin (V, 3), metres.
+    generic: the generic skin (V, 3), metres. Source: radial basis functions with the kernel r (Duchon 1977).
     """
-    return fit_similarity(generic[part.ring], positions[part.ring], np.ones(len(part.ring)))(part.points)
+    if part.follows_skin:
+        return part.points + np.einsum("nk,nkc->nc", part.weights, (positions - generic)[part.anchors])
+    move = fit_similarity(generic[part.ring], positions[part.ring], np.ones(len(part.ring)))
+    if part.eye:
+        return move(part.points)
+    _, near = cKDTree(generic).query(part.points, k=AROUND)
+    rows = np.unique(near)
+    _, first = np.unique(generic[rows], axis=0, return_index=True)
+    rows = rows[first]
+    return move(part.points) + _interpolate(generic[rows], positions[rows] - move(generic[rows]), part.points)
+
+
+def _interpolate(where: Values, values: Values, wanted: Values) -> Values:
+    """What a function that has values (k, 3) at distinct points (k, 3) is at wanted points (n, 3)."""
+    one = np.ones((len(where), 1))
+    system = np.block([[cdist(where, where), one], [one.T, np.zeros((1, 1))]])
+    shares = np.linalg.solve(system, np.concatenate([values, np.zeros((1, 3))]))
+    return np.asarray(cdist(wanted, where) @ shares[:-1] + shares[-1])
 
 
 def size_ratio(part: Part, placed: Values, /) -> float:

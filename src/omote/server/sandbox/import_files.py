@@ -17,7 +17,7 @@ from omote.edit.store.import_items import ImportedItem, import_document
 from omote.inputs.shape_names import ShapeMeaning, read_shape_name
 from omote.interchange.export_face import SKIN
 from omote.interchange.formats import expression_json, glb_reader, gltf_document
-from omote.interchange.formats.file_kinds import suffixes_of
+from omote.interchange.formats.file_kinds import advise, suffixes_of
 from omote.interchange.formats.file_names import DOCUMENT, require_imports
 from omote.interchange.formats.glb_reader import Piece
 from omote.interchange.formats.gltf_scene import Find, Note, note_nothing
@@ -218,7 +218,9 @@ def read_in_sandbox(path: Path, /, *, note: Note = note_nothing) -> tuple[Piece,
 
     path: the file; note: takes a sentence about what of it is left out.
     """
-    reader = READERS[path.suffix.lower()]
+    reader = READERS.get(path.suffix.lower())
+    if reader is None:
+        raise ValueError(f"{path.name}: the file is no head with shapes: {advise(path.name, 'shape')}")
     if path.stat().st_size > gltf_document.LARGEST:
         raise ValueError(f"{path.name} has {path.stat().st_size} bytes; expected {gltf_document.LARGEST} at most")
     data = path.read_bytes()
