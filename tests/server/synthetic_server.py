@@ -11,6 +11,7 @@ from omote.builtin import BakedMesh
 from omote.model.cast import Cast
 from omote.server.http.cast_documents import CastDocuments
 from omote.server.http.static_pages import Page
+from omote.server.persistence import restore
 from omote.server.supervision.show_process import ShowMaterial
 from omote.server.supervision.standby import main
 from omote.show.session import ShowSession
@@ -45,6 +46,7 @@ def poisoned(*_: object) -> ShowSession:
 
 
 if __name__ == "__main__":
+    restore.FIRST_LIVELINESS = 0.0  # what tests play is all that moves
     if os.environ.get("SYNTHETIC_POISON"):
         ShowSession.restored = poisoned  # type: ignore[method-assign, assignment]
         msgspec.msgpack.decode = lambda *_, **__: None  # type: ignore[assignment]

@@ -47,7 +47,7 @@ import "./panels/monitor";
 import "./controls/pad";
 import "./palette/palette";
 import "./panels/status_bar";
-import { toggleStill } from "./mixer/stillness";
+import { toggleStill } from "./store/stillness";
 import type { MenuRequest } from "./palette/tile_menu";
 import "./palette/tile_menu";
 import "./controls/t_bar";
