@@ -7,7 +7,6 @@ from hypothesis import strategies as st
 
 from omote.model.cast import Cast
 from omote.perform.frame import Gaze, Head
-from omote.perform.scene.memories import MOST_MEMORIES
 from omote.perform.scene.scene import Scene
 from omote.perform.scene.scene_frame import SceneFrame
 from omote.perform.scene.scene_snapshot import SceneSnapshot
@@ -127,14 +126,6 @@ def test_what_has_gone_is_named_and_nothing_changes(cast: Cast) -> None:
     with pytest.raises(ValueError, match="the memory 'a' cannot be called any more: there is no character 'two'"):
         scene.call_memory("a")
     assert scene.snapshot() == before
-    for name in ("", " ", "x" * 41):
-        with pytest.raises(ValueError, match="the name of a memory is"):
-            scene.keep_memory(name)
-    for number in range(MOST_MEMORIES - 1):
-        scene.keep_memory(str(number))
-    scene.keep_memory("0")
-    with pytest.raises(ValueError, match="there are 32 memories"):
-        scene.keep_memory("one more")
 
 
 def test_a_change_of_a_memory_is_taken_back_and_done_again(cast: Cast) -> None:
@@ -161,5 +152,3 @@ def test_a_change_of_a_memory_is_taken_back_and_done_again(cast: Cast) -> None:
     assert scene.advance(0.0).memories == ()
     scene.restore_memory("1")
     assert called() == first
-    with pytest.raises(ValueError, match="there is no change of a memory '4'"):
-        scene.restore_memory("4")

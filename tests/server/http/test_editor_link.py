@@ -16,6 +16,7 @@ from omote.edit.protocol.messages import EDITING_LIMIT, EDITING_PATH
 from omote.edit.protocol.wire import decode_answer
 from omote.model.cast import Cast
 from omote.server.http.cast_documents import CastDocuments
+from omote.server.persistence import restore
 from omote.server.workers.workshop import RefusedOrderError
 from omote.show.cast_documents import CompoundAsset, ContentAsset, Manifest
 from omote.show.declaration import ClientMessage
@@ -103,7 +104,10 @@ async def test_what_is_acknowledged_is_in_the_file(edit_harness: EditHarness) ->
     assert stored.revisions[0].content in contents
 
 
-async def test_a_show_that_starts_again_has_own_things_on_air(cast: Cast, tmp_path: Path) -> None:
+async def test_a_show_that_starts_again_has_own_things_on_air(
+    cast: Cast, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(restore, "FIRST_LIVELINESS", 0.0)
     path = tmp_path / "a.omote"
     async with open_edit_harness(cast, path) as first:
         page = await first.editor()

@@ -12,6 +12,7 @@ import pytest
 from omote.server.access.show_addresses import outside_address
 from omote.server.http.app import ShowServer
 from omote.server.http.static_pages import FOLDER
+from omote.server.persistence import restore
 from omote.server.process.notice_board import NoticeBoard
 from omote.server.process.process_messages import TICK, Order
 from omote.server.supervision.show_process import (
@@ -48,7 +49,8 @@ async def visit(port: int, pulse: int) -> State:
     return seen
 
 
-def test_a_server_plays_and_leaves_its_last_state(tmp_path: Path) -> None:
+def test_a_server_plays_and_leaves_its_last_state(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(restore, "FIRST_LIVELINESS", 0.0)
     listening = socket.create_server(("127.0.0.1", 0))
     port = listening.getsockname()[1]
     control, ours = os.pipe()

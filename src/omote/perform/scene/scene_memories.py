@@ -79,7 +79,9 @@ class SceneMemories(SceneGoals):
         self._memories = without_memory(self._memories, name, key or name)
 
     def restore_memory(self, key: str) -> None:
-        """Takes back that a memory was kept or deleted; again, it is as after that. The last sixteen can be taken back.
+        """Takes back that a memory was kept or deleted; again, it is as after that.
+
+        The last sixteen changes can be taken back.
 
         Parameters
         ----------

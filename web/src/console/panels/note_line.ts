@@ -33,6 +33,13 @@ const style = css`
     width: 100%;
     min-height: 28px;
   }
+  @media (pointer: coarse) {
+    button,
+    input {
+      min-height: 40px;
+      min-width: 40px;
+    }
+  }
 `;
 
 @customElement("omote-note")

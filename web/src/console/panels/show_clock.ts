@@ -27,6 +27,12 @@ const style = css`
     color: var(--text);
     font-size: 12px;
   }
+  @media (pointer: coarse) {
+    button {
+      min-height: 40px;
+      min-width: 40px;
+    }
+  }
 `;
 
 /** A press on the time since the show began begins it anew; *Undo* puts it back. */

@@ -6,9 +6,9 @@ import type { CharacterState } from "../../link/messages";
 import { base, ellipsis } from "../../ui/theme";
 import { AnimatedElement } from "../controls/console_element";
 import { low, narrow } from "../controls/screen_sizes";
-import { isStill, toggleStill } from "../mixer/stillness";
 import type { Topic } from "../store/page_store";
 import { standing } from "../store/played_characters";
+import { isStill, toggleStill } from "../store/stillness";
 import { SceneCommands } from "./scene_commands";
 
 const style = css`

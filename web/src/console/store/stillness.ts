@@ -1,7 +1,7 @@
 /** One key that lets the characters that are played hold still, or move as people do. */
 
-import type { ConsoleStore } from "../store/console_store";
-import type { Change } from "../store/undo_history";
+import type { ConsoleStore } from "./console_store";
+import type { Change } from "./undo_history";
 
 /** As people move (`set_motion`). */
 const LIVELY = 0.5;

@@ -1,6 +1,6 @@
 import { beforeEach, expect, it } from "vitest";
 import type { FromClient, State } from "../../link/messages";
-import { ConsoleStore } from "../store/console_store";
+import { ConsoleStore } from "./console_store";
 import { isStill, toggleStill } from "./stillness";
 
 const character = (liveliness: number) => ({
