@@ -80,10 +80,10 @@ def _rings(rim: Points, profile: Points) -> Points:
     expected = np.stack([np.interp(angles, turn, values, period=2.0 * np.pi) for values in smooth.T], axis=1)
     beyond = (np.stack([radii, rim[:, 1]], axis=1) - expected).max(axis=0)
     wider, higher = np.maximum(beyond - [HIDDEN * HEAD_METRES, TOP * HEAD_METRES], 0.0)
-    height, level = smooth[:, 1], smooth[:, 1].min()
+    height = smooth[:, 1]
     low = np.clip((profile[:, 1].max() - profile[:, 1:]) / np.ptp(profile[:, 1]), 0.0, 1.0)
     out = smooth[:, 0] + profile[:, :1] + np.where(profile[:, :1] > 0.0, wider, 0.0)
-    up = (1.0 - low) * (height + higher) + low * level + profile[:, 1:]
+    up = (1.0 - low) * (height + higher) + low * height.min() + profile[:, 1:]
     points: Points = np.stack([middle[0] + np.sin(turn) * out, up, middle[1] + np.cos(turn) * out], axis=-1)
     return points.reshape(-1, 3)
 

@@ -22,7 +22,7 @@ from omote.interchange.export_face import named_compound_meshes
 from omote.interchange.formats.expression_json import encode
 from omote.interchange.formats.glb_reader import Piece, read_glb
 from omote.interchange.scans.scan_reader import ScanFile
-from omote.model.cast import Cast
+from omote.model.cast import Cast, Look
 from omote.model.fitting.doubt import EYES, Doubt
 from omote.model.fitting.find_head import HeadPlacement
 from omote.model.fitting.fit_face import Fit
@@ -32,6 +32,7 @@ from omote.model.fitting.take_expressions import TakenExpressions
 from omote.model.transfer.compound import compound
 from omote.server.sandbox import import_files, scan_faces
 from omote.server.sandbox.import_files import (
+    PLAIN,
     expressions_from,
     faces_from,
     foreign_expressions,
@@ -98,6 +99,18 @@ def test_a_head_at_rest_is_a_face(built_in: Cast, tmp_path: Path) -> None:
         face, worn = arrival.made
         assert worn == built_in.looks[expected]
         np.testing.assert_array_equal(face.positions, built_in.faces["kaori"].positions)
+
+
+def test_a_head_that_is_no_face_of_the_cast_says_that_its_look_is_not_taken(built_in: Cast, tmp_path: Path) -> None:
+    path = tmp_path / "Aunt.obj"
+    mixed = (built_in.faces["kaori"].positions + built_in.faces["old"].positions.astype(np.float64)) / 2.0
+    path.write_bytes(as_obj(mixed))
+    ((arrival, sentence),) = faces_from(built_in, [path])
+    assert sentence == f"Aunt, a face; Aunt.obj: {PLAIN}"
+    assert isinstance(arrival.made, tuple)
+    assert arrival.made[1] == Look()
+    ((_, sentence),) = faces_from(built_in, [path], look="dog")
+    assert sentence == "Aunt, a face"
 
 
 def test_what_is_not_there_is_refused(built_in: Cast, tmp_path: Path) -> None:
