@@ -57,9 +57,12 @@ def numbers(text: str) -> Points:
 
 
 def worn(page: Page, weights: Mapping[str, float], at: list[float] | None = None) -> dict[str, Points]:
-    """Where three-vrm has the vertices of each mesh but hair: (n, 3) metres; at: what is looked at, from the eyes."""
+    """Where three-vrm has the vertices of each mesh but hair and collar: (n, 3) metres.
+
+    at: what is looked at, from the eyes.
+    """
     page.evaluate("([weights, at]) => window.avatar.wear(weights, at)", [dict(weights), at])
-    names = [name for name in page.evaluate("window.avatar.found.meshes") if name != "hair"]
+    names = [name for name in page.evaluate("window.avatar.found.meshes") if name not in ("hair", "collar")]
     found = page.evaluate("names => names.map((name) => window.avatar.points(name))", names)
     return {name: numbers(text).reshape(-1, 3) for name, text in zip(names, found, strict=True)}
 

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from omote.inputs.voices.phones import claim_closures
-from omote.server.sandbox.espeak_library import Espeak as Library
+from omote.server.sandbox.espeak_ng import Espeak as Library
 from omote.server.sandbox.voices import segments_of
 from tools.lips.spoken import Spoken, resample
 

@@ -13,6 +13,7 @@ from omote.arrays import Picture, Points
 from omote.builtin import BakedMesh
 from omote.geometry import mesh
 from omote.interchange import part_textures
+from omote.interchange.collar_mesh import collar_shape
 from omote.interchange.formats.glb_writer import ExportScene, Material, MorphTarget, Shape
 from omote.interchange.formats.png import png_bytes, read_png
 from omote.interchange.name_choices import choose_expressions as choose_expressions
@@ -134,13 +135,19 @@ def compound_meshes(space: ParameterSpace, face: Face, expression: Expression, /
 
 
 def build_scene(
-    context: ExportContext, face: str, poses: Iterable[tuple[str, Meshes]], /, *, hair: bool = True
+    context: ExportContext,
+    face: str,
+    poses: Iterable[tuple[str, Meshes]],
+    /,
+    *,
+    hair: bool = True,
+    collar: bool = False,
 ) -> ExportScene:
     """Builds the scene of a face of the cast; poses: `named_compound_meshes` of each expression, by its name.
 
     ValueError for a face that is not in the cast, and for reserved names.
 
-    context, face: of the cast; hair: whether it comes along.
+    context, face: of the cast; hair: whether it comes along; collar: whether its neck ends in one.
     """
     cast = context.cast
     check_known(face, cast.faces, "face")
@@ -160,6 +167,8 @@ def build_scene(
     style = cast.hair.get(look.hair_style)
     if hair and style is not None:
         shapes.append(hair_shape(style, cast.space.points, fitted.positions, targets[SKIN], look))
+    if collar:
+        shapes.append(collar_shape(cast.space, fitted.positions, targets[SKIN]))
     return ExportScene(face, shapes, {"notice": NOTICE, "cast": cast.digest, "units": "metres", "rows": "_VID"})
 
 

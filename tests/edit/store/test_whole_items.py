@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 from contextlib import closing
 from pathlib import Path
-from typing import Any
 
 import msgspec
 import numpy as np
@@ -17,7 +16,7 @@ from omote.model.albedo import SIDES, Albedo
 from omote.model.cast import Cast, Look
 from omote.model.recipes.recipe import KEY, FaceRecipe, GainRow
 from omote.show.validation import Refusal
-from omote.showfile.changes import Change, Content, Draft, Edit, Item, Stored, StoredDocument, content_key
+from omote.showfile.changes import Change, Content, Draft, Edit, Item, Revision, Stored, StoredDocument, content_key
 from omote.showfile.contents import pack_face
 from omote.showfile.inspection import Inspection, inspect_show
 from omote.showfile.show_file import open_show, write_new_show
@@ -57,7 +56,7 @@ def faces(cast: Cast) -> Iterator[Change]:
 def rows_of(stored: Stored, name: str) -> list[object]:
     """All rows of an item without its number and its place among others."""
     (found,) = [each for each in stored.items if each.name == name]
-    rows: tuple[Any, ...] = (*stored.revisions, *stored.drafts, *stored.edits)
+    rows: tuple[Revision | Draft | Edit, ...] = (*stored.revisions, *stored.drafts, *stored.edits)
     mine = [msgspec.structs.replace(row, item=0) for row in rows if row.item == found.id]
     return [msgspec.structs.replace(found, id=0, place=0.0), *mine]
 

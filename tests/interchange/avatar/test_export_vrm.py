@@ -63,8 +63,9 @@ def test_what_is_read_is_where_the_compounds_are_on_a_body(face: str) -> None:
     data = vrm_bytes(context(), face, [], ANN)
     check_vrm(taken_apart(data)[0])
     shift = build_skeleton(cast.space, fitted).shift
-    pieces = read_glb(data)
+    *pieces, collar = read_glb(data)
     assert [piece.name for piece in pieces] == ["skin", *cast.space.parts]
+    assert (collar.name, collar.moves) == ("collar", {})
     for name in ("neutral", "smile", "jawOpen", *synthetic.LOOKS):
         worn = named_compound_meshes(cast, face, name)
         for piece in pieces:
@@ -117,4 +118,4 @@ def test_khronos_and_three_take_the_built_in_faces(face: str, tmp_path: Path) ->
     assert (found["validator"]["errors"], found["validator"]["warnings"]) == (0, 0)
     assert {said["code"] for said in found["validator"]["said"]} <= {"UNSUPPORTED_EXTENSION", "NODE_EMPTY"}
     hair = {"hair"} if cast.looks[face].hair_style else set()
-    assert found["three"]["meshes"].keys() == {"skin", *cast.space.parts} | hair
+    assert found["three"]["meshes"].keys() == {"skin", "collar", *cast.space.parts} | hair

@@ -23,7 +23,7 @@ from omote.interchange.export_face import named_compound_meshes
 from omote.interchange.formats.expression_json import encode
 from omote.interchange.formats.glb_reader import Piece, read_glb
 from omote.interchange.scans.scan_reader import ScanFile
-from omote.model.cast import Cast
+from omote.model.cast import Cast, Look
 from omote.model.fitting.doubt import EYES, Doubt
 from omote.model.fitting.find_head import HeadPlacement
 from omote.model.fitting.fit_face import Fit
@@ -34,6 +34,7 @@ from omote.model.space.expression import Expression
 from omote.model.transfer.compound import compound
 from omote.server.sandbox import import_files, scan_faces
 from omote.server.sandbox.import_files import (
+    PLAIN,
     expressions_from,
     faces_from,
     foreign_expressions,
@@ -128,6 +129,18 @@ def test_shapes_of_one_name_are_refused_for_one_would_be_lost(built_in: Cast, tm
         (tmp_path / name).write_bytes(b"v 0 0 0\n")
     with pytest.raises(ValueError, match=r"grin\.obj and .*grin\.ply would both be called 'grin'; rename one"):
         list(expressions_from(built_in, [tmp_path / "grin.obj", tmp_path / "grin.ply"]))
+
+
+def test_a_head_that_is_no_face_of_the_cast_says_that_its_look_is_not_taken(built_in: Cast, tmp_path: Path) -> None:
+    path = tmp_path / "Aunt.obj"
+    mixed = (built_in.faces["kaori"].positions + built_in.faces["old"].positions.astype(np.float64)) / 2.0
+    path.write_bytes(as_obj(mixed))
+    ((arrival, sentence),) = faces_from(built_in, [path])
+    assert sentence == f"Aunt, a face; Aunt.obj: {PLAIN}"
+    assert isinstance(arrival.made, tuple)
+    assert arrival.made[1] == Look()
+    ((_, sentence),) = faces_from(built_in, [path], look="dog")
+    assert sentence == "Aunt, a face"
 
 
 def test_what_is_not_there_is_refused(built_in: Cast, tmp_path: Path) -> None:

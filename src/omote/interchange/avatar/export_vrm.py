@@ -73,7 +73,7 @@ def vrm_bytes(
     }
     fitted = fit(cast.space, cast.faces[face])
     skeleton = build_skeleton(cast.space, fitted)
-    scene = _stand(build_scene(context, face, worn.items(), hair=hair), skeleton)
+    scene = _stand(build_scene(context, face, worn.items(), hair=hair, collar=True), skeleton)
     skins = {name: meshes[SKIN] for name, meshes in worn.items()}
     overrides = find_overrides(cast.space, fitted.positions.astype(np.float64), skins, presets)
     expressions = describe_expressions(scene.shapes, presets, customs, overrides)

@@ -28,7 +28,7 @@ from omote.interchange.scans.companions import Companions
 from omote.interchange.scans.ply_reader import read_ply
 from omote.interchange.scans.vrm_expressions import VrmExpressions, read_vrm_expressions
 from omote.interchange.scans.wavefront_reader import read_obj_pieces
-from omote.model.cast import Cast
+from omote.model.cast import Cast, Look
 from omote.model.space.expression import Expression
 from omote.perform.name_lookup import find_name
 from omote.server.sandbox.child_task import Limits, Tell, run_limited
@@ -40,6 +40,10 @@ _TOO_MUCH = "reading it needs more time or memory than any face; export a smalle
 POINTS_HELP = (
     "Say where the head is, with --landmarks as of omote face; or export the head alone, without body and hair, or "
     "take its shapes in Python (omote.fit with landmarks, omote.take_expressions)"
+)
+PLAIN = (
+    "its shape is taken, and its colours, pictures and hair are not: choose a look for it in the editor, or with "
+    "--face that of a face of the cast; a show file (omote file export NAME -o NAME.omote) keeps all of a face"
 )
 STILL = 1e-6
 """Radians; eyeballs that turn less are at rest."""
@@ -138,6 +142,8 @@ def faces_from(cast: Cast, paths: Sequence[Path], *, look: str = "") -> Iterator
         notes: dict[str, list[str]] = {path.name: []}
         face, own = import_face(cast, load_meshes(), path.stem, read_in_sandbox(path, note=notes[path.name].append))
         worn = cast.looks[find_name(look, cast.faces, "face")] if look else own
+        if worn == Look():
+            notes[path.name].append(PLAIN)
         yield ImportedItem(path.stem, (face, worn), note=f"from {path.name}"), f"{path.stem}, a face{_said_once(notes)}"
 
 

@@ -21,7 +21,7 @@ from omote.inputs.voices.spoken_text import (
 )
 from omote.perform.limits import check_known
 from omote.server.sandbox.child_task import Limits, run_limited
-from omote.server.sandbox.espeak_library import USUAL_RATE, Espeak, LibraryVoice, Sounded
+from omote.server.sandbox.espeak_ng import USUAL_RATE, Espeak, LibraryVoice, Sounded
 from omote.show.objects.speech import MOST_MARKS
 
 LIMITS = Limits(seconds=20, patience=60.0, memory=2**30)
