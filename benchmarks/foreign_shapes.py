@@ -10,7 +10,9 @@ displacement"); beside it, the worst vertex over the farthest displacement.
 * worn: our way: carried along slits, extracted, worn
 * either lip: ours, where the truth may be on the other lip
 * copied: a peer: each vertex copies the displacement of the nearest place of the person's whole mesh
-* lids: what a blink leaves of the opening of an eye on the person, and on faces of the cast that wear it
+* lids: what a blink leaves of the opening of an eye on the person, and on faces of the cast that wear it. Blinks are
+  judged by this alone (`foreign_blinks` looks closer): who copied skin from beside the edge of a lid had no error, and
+  the eye stood .6 open
 * folds: triangles of the face of others that turn over where those of the fitted face do not
 """
 
@@ -48,6 +50,8 @@ Values = NDArray[np.float64]
 MEDIAN = 0.02
 WORST = 0.08
 FOLDS = 0
+LEFT_OPEN = 0.05
+SHUTS = "eyeBlink"
 WITHIN = 1e-3
 LOOKED_AT = 40
 # Lips whose shares in an open jaw differ by so much are not the same one.
@@ -177,11 +181,11 @@ def measure(
     return cases, truth.share
 
 
-def look_at_others(cast: Cast, face: Face, taken: dict[str, ExtractedExpression]) -> tuple[int, list[str]]:
-    """How many triangles turn over on others alone, and what blinks leave open, in words."""
+def look_at_others(cast: Cast, face: Face, taken: dict[str, ExtractedExpression]) -> tuple[int, dict[str, float]]:
+    """How many triangles turn over on others alone, and what blinks leave open, by who wears them."""
     space = cast.space
     folds = 0
-    told = []
+    left = dict[str, float]()
     for name in (name for name in FOR_OTHERS if name in taken):
         wearers = [face, *(cast.faces[each] for each in WEARERS)]
         worn = [compound(space, each, taken[name]).astype(np.float64) for each in wearers]
@@ -190,13 +194,11 @@ def look_at_others(cast: Cast, face: Face, taken: dict[str, ExtractedExpression]
             int(count_turned(space, each.positions.astype(np.float64), points, own).sum())
             for each, points in zip(wearers[1:], worn[1:], strict=True)
         )
-        if name.startswith("eyeBlink"):
+        if name.startswith(SHUTS):
             lid = "lid_left" if name.endswith("L") else "lid_right"
-            told += [
-                f"{each.name} {openings(space, points)[lid] / openings(space, each.positions)[lid]:.3f}"
-                for each, points in zip(wearers, worn, strict=True)
-            ]
-    return folds, told
+            for each, points in zip(wearers, worn, strict=True):
+                left[each.name] = openings(space, points)[lid] / openings(space, each.positions)[lid]
+    return folds, left
 
 
 def parse_options() -> argparse.Namespace:
@@ -237,20 +239,27 @@ def main() -> int:
     shapes = {name: read_shapes()[name] for name in chosen}
     cases = list[Case]()
     folds = 0
+    open_lids = [0.0]
     for number in track(range(options.people), "people", console=console):
         person = model.draw((options.seed, number))
         fitted = fit(cast.space, person, model.triangles, landmarks=model.clicks(person), name=f"person {number}")
         taken = take_expressions(cast.space, fitted, Scan(person, model.triangles, shapes=shapes))
         found, share = measure(cast, model, person, fitted, dict(taken.expressions), number, shapes)
-        more, told = look_at_others(cast, fitted.face, dict(taken.expressions))
+        more, left = look_at_others(cast, fitted.face, dict(taken.expressions))
+        told = [f"{who} {share:.3f}" for who, share in left.items()]
+        open_lids += left.values()
         cases = [*cases, *found]
         folds = folds + more
         console.print(f"person {number}: {share:.1%} of the face has a corresponding place; notes: {taken.notes}")
         console.print(f"  of an eye's opening a blink leaves: {', '.join(told)}; {more} triangles turn over on others")
     tell(cases, console)
-    off = np.array([each.worn for each in cases])
-    console.print(f"seed {options.seed}; bars: median {MEDIAN:.0%}, worst {WORST:.0%}, folds on others {FOLDS}")
-    return 0 if np.median(off) <= MEDIAN and off.max() <= WORST and folds <= FOLDS else 1
+    off = np.array([each.worn for each in cases if not each.shape.startswith(SHUTS)])
+    console.print(
+        f"seed {options.seed}; bars: median {MEDIAN:.0%}, worst but of blinks {WORST:.0%}, folds on others {FOLDS}, "
+        f"blinks leave {LEFT_OPEN} open: {max(open_lids):.3f}"
+    )
+    held = np.median(off) <= MEDIAN and off.max() <= WORST and folds <= FOLDS and max(open_lids) <= LEFT_OPEN
+    return 0 if held else 1
 
 
 if __name__ == "__main__":

@@ -16,6 +16,7 @@ from omote.model.fitting.fitted_eyes import Ball, find_balls, place_balls, seat_
 from omote.model.fitting.head_zones import HeadZones, head_zones, row_matrix, rung_matrix
 from omote.model.fitting.identity_modes import IdentityModes, refuse_other_topology
 from omote.model.fitting.landmarks import SEVEN, find_landmarks
+from omote.model.fitting.lid_edges import LidEdges, see_lid_edges
 from omote.model.fitting.mode_fit import Marks, ModeFit, fit_modes
 from omote.model.fitting.plate_fit import Hold, bend, find_lengths, match
 from omote.model.fitting.scan import Scan
@@ -194,7 +195,9 @@ def fit_face(
     balls = find_balls(surface, {name: expected[name] for name in space.eyes})
     filled = len(balls) < 2 and may_be_shut(space, skin, head)  # who is made with eyeballs looks
     tell(0.25, "the skin")
-    bent = _bend(space, zones, skin, marks, head, filled if shut is None else shut)
+    closed = filled if shut is None else shut
+    edges = None if closed else see_lid_edges(space, scan, placement, skin)
+    bent = _bend(space, zones, skin, marks, head, closed, edges)
     tell(0.7, "eyes and mouth")
     parts = _carry_parts(space, expected, head, bent, balls)
     upright = set_upright(space, modes_fit.pose, parts, bent, bool(landmarks))
@@ -236,8 +239,12 @@ def _sample(space: ParameterSpace, scan: Scan, placement: Similarity) -> tuple[S
     return sample_cloud(points, outside, box, AROUND), False
 
 
-def _bend(space: ParameterSpace, zones: HeadZones, skin: ScanSurface, marks: Marks, head: Values, shut: bool) -> Values:
-    """The head (V, 3) bent onto the skin of a scan; shut eyes are opened as far as the generic ones."""
+def _bend(
+    space: ParameterSpace, zones: HeadZones, skin: ScanSurface, marks: Marks, head: Values, shut: bool,
+    edges: LidEdges | None,
+) -> Values:  # fmt: skip
+    """The head (V, 3) bent onto the skin of a scan, its lids to their edges; shut eyes are opened as far as the generic
+    ones."""
     weights = zones.weights
     lengths = find_lengths(skin)
     count = space.vertex_count
@@ -252,7 +259,7 @@ def _bend(space: ParameterSpace, zones: HeadZones, skin: ScanSurface, marks: Mar
             pull = Hold(rungs, wide * line.rungs(space.points), np.ones(rungs.shape[0]))
             pulls.append((pull, np.full(len(lengths), RUNGS)))
     relax = None if shut else partial(relax_corners, space)
-    bent = bend(space, head, skin, weights, pulls, lengths, relax)
+    bent = bend(space, head, skin, weights, pulls, lengths, relax, edges.find_pulls if edges else None)
     return repair_folds(space, head, repair_corners(space, head, bent) if relax else bent)
 
 

@@ -15,12 +15,12 @@ from omote.geometry.laplacian import bending_energy, factor_symmetric
 from omote.model.fitting.scan_surface import ScanSurface
 from omote.model.space.parameter_space import ParameterSpace
 
-Relax = Callable[[Values], Values]
-
 # The plate's stiffness as a length, metres; matches are found anew at each.
 LENGTHS = (0.024, 0.014, 0.007, 0.0035, 0.0018, 0.0009, 0.0005)
 # Before this one the skin is relaxed, once it lies near the surface.
 RELAXED = 0.0035
+# From this one on the skin lies near enough to look for where lids end.
+LOOKED_AT = 0.007
 # The share of a match that pulls along the surface too.
 ALONG = 0.02
 # Normals of a match lie within 60 degrees.
@@ -48,6 +48,10 @@ class Hold:
     weights: Values
 
 
+Relax = Callable[[Values], Values]
+FindPulls = Callable[[Values], Sequence[Hold]]
+
+
 @dataclass(frozen=True, eq=False)
 class Matches:
     """Where each vertex belongs, as far as that is known: rows of the surface (V,), weights (V,) from 0 to 1."""
@@ -71,12 +75,13 @@ def match(surface: ScanSurface, space: ParameterSpace, skin: Values, reach: floa
 
 def bend(
     space: ParameterSpace, rest: Values, surface: ScanSurface, weights: Values, pulls: Sequence[tuple[Hold, Values]],
-    lengths: Sequence[float] = LENGTHS, relax: Relax | None = None,
+    lengths: Sequence[float] = LENGTHS, relax: Relax | None = None, find_pulls: FindPulls | None = None,
 ) -> Values:  # fmt: skip
     """The skin (V, 3) at rest bent onto a surface.
 
     weights (V,): how much each vertex's match counts; pulls: with how strong each is at each of the lengths; relax:
-    slides the skin along itself once, before the length RELAXED, and what it is at rest goes along.
+    slides the skin along itself once, before the length RELAXED, and what it is at rest goes along; find_pulls: what
+    else pulls, found anew at each length from LOOKED_AT on.
 
     space: of the skin; rest (V, 3): metres; surface: the scan's; lengths: of the plate's stiffness, metres.
     """
@@ -89,6 +94,8 @@ def bend(
             skin = relaxed
         matches = match(surface, space, skin, max(REACH * length, LEAST))
         held = [(pull, float(area.mean() * strengths[level])) for pull, strengths in pulls]
+        if find_pulls and length <= LOOKED_AT:
+            held += [(pull, float(area.mean())) for pull in find_pulls(skin)]
         skin = _solve(rest, skin, length**4 * energy, surface, matches.rows, area * weights * matches.weights, held)
     return skin
 

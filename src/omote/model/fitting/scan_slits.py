@@ -36,6 +36,8 @@ SHUT = 0.2
 WEIGHTS = (0.75, 0.5, 0.25)
 APART = (0.1, 0.95)
 UPPER = 0.9
+# The edge of a lid is the nearest of so many samples of a rung beside what is open.
+BESIDE = 6
 # The depth of a picture has to be positive, metres.
 _AWAY = 1.0
 
@@ -73,9 +75,11 @@ class Slit:
         return np.asarray(left / np.diff(self.open)[:, 0])
 
     def shut_by(self, points: Values, moves: Values, /) -> Values | None:
-        """How much of the opening the upper lid shuts at each rung (RUNGS,), the lower one the rest, where the
-        displacements (n, 3) of a shape shut it; None where they leave the lids apart; points (n, 3): the scan at rest,
-        metres."""
+        """How much of the opening the upper lid shuts at each rung (RUNGS,), the lower one the rest, where a shape
+        shuts it; None where it leaves the lids apart.
+
+        points (n, 3): the scan at rest; moves (n, 3): the shape's displacements; metres.
+        """
         height = np.diff(self.open)[:, 0]
         metres = np.nan_to_num(self.lengths * height)
         if not self.known or metres @ np.nan_to_num(self.remains(points + moves)) > SHUT * metres.sum():
@@ -159,3 +163,19 @@ def _find_opening(through: Mask, shares: Values, expected: Values) -> Values:
     common = np.minimum(runs[:, 1], expected[1]) - np.maximum(runs[:, 0], expected[0])
     most = int(common.argmax())
     return runs[most] if common[most] > 0.0 else np.full(2, np.nan)
+
+
+def find_edges(slit: Slit, points: Values, /) -> Values:
+    """Where the edges of the lids of a scan's points (n, 3) are, (RUNGS, 2, 3) metres, the lower and the upper one of
+    each rung; nan where the slit is not open."""
+    depth = draw_depth(_draw(slit.picture, points), slit.triangles, *slit.size)
+    found = np.full((RUNGS, 2, 3), np.nan)
+    back = np.linalg.inv(slit.picture[:, :3])
+    for rung in np.flatnonzero(np.isfinite(slit.open[:, 0])):
+        for end, way in enumerate((-1, 1)):
+            at = int(np.searchsorted(slit.shares[rung], slit.open[rung, end])) - (end == 0)
+            pixels = slit.places[rung, np.clip(at + way * np.arange(BESIDE), 0, SAMPLES - 1)]
+            away = depth[pixels[:, 1], pixels[:, 0]]
+            spot = [*(pixels[0] + 0.5), away[np.isfinite(away)].min(initial=slit.depths[rung].max())]
+            found[rung, end] = back @ (spot - slit.picture[:, 3])
+    return found
