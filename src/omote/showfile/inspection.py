@@ -84,7 +84,7 @@ def revisions_of(stored: Stored, item: Item, /) -> list[Revision]:
 
 
 def refuse_wrong(path: Path, inspection: Inspection, /) -> None:
-    """ShowFileError where not all of a show file can be used. path: its place, for the message; inspection: of it."""
+    """Raises ShowFileError where not all of a show file can be used. path: its place; inspection: of it."""
     if wrong := [*_wrong_revisions(inspection), *_wrong_steps(inspection)]:
         raise ShowFileError(f"{path} is not all right, so nothing of it was taken: {wrong[0]} (omote file check).")
 

@@ -5,14 +5,13 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from omote.perform.frame import Gaze, Head
+from omote.perform.scene.goals import TURN_LIMITS
 from omote.perform.scene.memories import (
     MOST_MEMORIES,
     MOST_REPLACED,
     NO_MEMORIES,
-    TURN_LIMITS,
     Memory,
     check_memories,
-    standing_mix,
     turn_at,
     with_memory,
     with_restored,
@@ -20,12 +19,10 @@ from omote.perform.scene.memories import (
 )
 from omote.perform.scene.movement import Movement, proceed, redirect
 
-LIGHT = {"flat": 1.0}
-
 
 def look(number: int) -> Memory:
     """A memory that is told apart by its framing."""
-    return Memory({}, LIGHT, {str(number): 1.0})
+    return Memory({"*/framing": {str(number): 1.0}})
 
 
 @given(changes=st.lists(st.tuples(st.sampled_from("ab"), st.booleans()), max_size=MOST_REPLACED))
@@ -66,11 +63,6 @@ def test_there_are_so_many_and_each_can_still_be_kept_anew() -> None:
         without_memory(memories, "x", "k")
     with pytest.raises(ValueError, match="there is no change of a memory 'x'"):
         with_restored(memories, "x")
-
-
-def test_a_mix_that_shows_is_kept_without_what_is_less_than_nothing() -> None:
-    assert standing_mix({"a": 1.05, "b": -0.05}) == {"a": 1.0}
-    assert sum(standing_mix({"a": 0.5, "b": 0.6, "c": -0.1}).values()) == pytest.approx(1.0)
 
 
 @given(yaw=st.floats(-0.5, 0.5), seconds=st.floats(0.1, 5.0), share=st.floats(0.0, 1.0))

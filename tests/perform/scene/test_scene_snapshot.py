@@ -10,7 +10,8 @@ import pytest
 
 from omote.model.cast import Cast
 from omote.perform.axis import Axis
-from omote.perform.scene.memories import Memories, Turning
+from omote.perform.scene.goals import Goal
+from omote.perform.scene.memories import Memories, Memory, Turning
 from omote.perform.scene.movement import Movement
 from omote.perform.scene.scene import Scene
 from omote.perform.scene.scene_snapshot import SceneSnapshot, check_scene, names_held_by, without_time
@@ -70,8 +71,8 @@ def with_two(part: str, **changes: Any) -> Callable[[SceneSnapshot], SceneSnapsh
     return change
 
 
-def with_memory_a(snapshot: SceneSnapshot, **changes: Any) -> SceneSnapshot:
-    return replace(snapshot, memories=Memories({"a": replace(snapshot.memories.kept["a"], **changes)}))
+def with_light_of_memory(snapshot: SceneSnapshot, light: Goal) -> SceneSnapshot:
+    return replace(snapshot, memories=Memories({"a": Memory({"*/light": light})}))
 
 
 FAR = Movement({"yaw": 9.0, "pitch": 0.0, "roll": 0.0})
@@ -91,8 +92,8 @@ BROKEN: dict[str, Callable[[SceneSnapshot], SceneSnapshot]] = {
     r"there is no framing 'two\+one'": lambda s: replace(s, framing=Axis("two+one")),
     "the fade of the picture: black is 2.0": lambda s: replace(s, black=Movement({"black": 2.0})),
     "the fade of the picture: has no numbers": lambda s: replace(s, black=Movement({})),
-    "a mix of the memory a is empty": lambda s: with_memory_a(s, light={}),
-    "the weight of flat in the memory a is 3.0": lambda s: with_memory_a(s, light={"flat": 3.0}),
+    r"the memory a: the weights of \*/light sum to 0": lambda s: with_light_of_memory(s, {}),
+    r"the memory a: flat of \*/light is 3.0": lambda s: with_light_of_memory(s, {"flat": 3.0}),
     "the name of a memory is ''": lambda s: replace(s, memories=Memories({"": s.memories.kept["a"]})),
     "the way of the head: yaw is 9.0": lambda s: replace(
         s, characters={**s.characters, "one": replace(s.characters["one"], turning=Turning({"head": FAR}, 0))}

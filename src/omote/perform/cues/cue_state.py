@@ -83,12 +83,12 @@ class CueState:
 
 
 def place_of(cues: CueList, identity: str | None) -> int | None:
-    """The place of a cue in its list, from 0; None where it is not there."""
+    """The place of a cue in its list, from 0; None where it is not there. cues: the list; identity: of the cue."""
     return next((place for place, cue in enumerate(cues) if cue.identity == identity), None)
 
 
 def next_from(cues: CueList, place: int) -> str | None:
-    """The first cue from a place on that GO does not pass by; None at the end."""
+    """The first cue from a place on that GO does not pass by, by identity; None at the end. cues: the list."""
     return next((cue.identity for cue in cues[place:] if not cue.skip), None)
 
 
@@ -139,18 +139,21 @@ def assert_look(state: CueState) -> CueState:
 
 
 def set_standby(state: CueState, identity: str) -> CueState:
-    """Has another cue stand by; nothing moves. identity: of the cue."""
+    """Has another cue stand by; nothing moves. state: as it is; identity: of the cue."""
     return replace(state, standby=identity, calls=())
 
 
 def drop_waiting(state: CueState, characters: Sequence[str]) -> CueState:
-    """Forgets what waits for some characters, and what follows: somebody has pressed panic. characters: their names."""
+    """Forgets what waits for some characters, and what follows: somebody has pressed panic.
+
+    state: as it is; characters: their names.
+    """
     waiting = tuple(one for one in state.waiting if not is_of(one.part, characters))
     return replace(state, waiting=waiting, following=None, calls=())
 
 
 def without_parts(state: CueState, parts: Collection[Part]) -> CueState:
-    """Forgets what waits for parts that another list has moved."""
+    """Forgets what waits for parts that another list has moved. state: as it is."""
     return replace(state, waiting=tuple(_without(state.waiting, parts)), calls=())
 
 

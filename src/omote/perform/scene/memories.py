@@ -128,4 +128,7 @@ def check_turning(turning: Turning | None) -> None:
 def _check_memory(name: str, memory: Memory) -> None:
     check_within(len(memory.goals), 0, MOST_PARTS, f"the number of parts of the memory {name}")
     for part, goal in memory.goals.items():
-        check_goal(part, goal)
+        try:
+            check_goal(part, goal)
+        except ValueError as error:
+            raise ValueError(f"the memory {name}: {error}") from error

@@ -51,7 +51,7 @@ class RefusingCommitter:
         on_outcome(CommitOutcome("refused", self._reason))
 
     def close(self) -> None:
-        """Nothing is left."""
+        """Leaves nothing to be committed."""
 
 
 class CommitThread:
