@@ -111,7 +111,8 @@ async def playing(library: Path, port: int, *, terminal: int | None = None) -> A
     with tempfile.TemporaryDirectory() as name:
         folder = Path(name)
         (folder / "disk").mkdir()
-        file, said = folder / "disk" / "show.omote", folder / "said"
+        file = folder / "disk" / "show.omote"
+        said = folder / "said"
         disk = {"LD_PRELOAD": str(library), "DISK_FOLDER": str(folder / "disk"), "DISK_STALLS": str(folder / "stalls")}
         environment = {**os.environ, **disk, "DISK_RECORD": str(folder / "record")}
         words = [str(file), "--port", str(port), "--osc", str(port + 1), "--no-open", "--no-announce"]
@@ -147,7 +148,8 @@ async def lose_power(show: Show, seconds: float) -> str:
         kept = writes[writes <= begun]
         ages += [next_done - kept.max()] if len(kept) else []
     minutes = (writes.max() - writes.min()) / 60.0
-    most, usual = max(ages), float(np.median(ages))
+    most = max(ages)
+    usual = float(np.median(ages))
     slowest = max(done - begun for done, begun in syncs)
     pause = float(np.diff(writes).max())
     return (
@@ -185,7 +187,8 @@ async def hang_server(show: Show, seconds: float) -> str:
     for _ in range(5):
         await asyncio.sleep(seconds / 5)
         _, server = show.processes()
-        seen, stopped = len(show.stage.ticks), time.monotonic()
+        seen = len(show.stage.ticks)
+        stopped = time.monotonic()
         epoch = show.stage.ticks[-1][0]
         os.kill(server, signal.SIGSTOP)
         while not (back := [tick[2] for tick in show.stage.ticks[seen:] if tick[0] != epoch]):

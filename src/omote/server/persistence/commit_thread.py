@@ -51,7 +51,7 @@ class RefusingCommitter:
         on_outcome(CommitOutcome("refused", self._reason))
 
     def close(self) -> None:
-        """Leaves nothing to be committed."""
+        """Does nothing: nothing was taken."""
 
 
 class CommitThread:

@@ -138,13 +138,14 @@ class MemoryCopy:
         while True:
             with self._changed:
                 self._changed.wait_for(lambda: self._newest is not None or self._closing)
-                entry, self._newest = self._newest, None
+                entry = self._newest
+                self._newest = None
             if entry is None:
                 return
-            draft, state = _drafts(self._copy)[0], _state_path(self._copy)
+            draft = _drafts(self._copy)[0]
             try:
                 _write(draft, msgspec.msgpack.encode(entry))
-                draft.replace(state)
+                draft.replace(_state_path(self._copy))
             except OSError as error:
                 self._say(error)
 

@@ -129,7 +129,8 @@ async def play(
     os.set_blocking(pipes.pulse, False)  # a supervisor that does not read holds up no tick
     tell = board.with_report(report)
     opened = open_in_time(show, order, tell)
-    file, kept = opened.file, opened.on_disk
+    file = opened.file
+    kept = opened.on_disk
     documents = material.documents
     gate = FileGate()
     backup = BackupThread(kept.again(), tell, gate) if kept else None

@@ -356,7 +356,8 @@ class Supervisor:
             self._spare_not_before = now + PAUSE_SECONDS
             self._spare = None
             return
-        self._standby, self._spare = self._spare, None
+        self._standby = self._spare
+        self._spare = None
         plays = self._server is not None
         code = 0 if status is None else status
         self._not_before = now + self._start_limit.record_standby(code, ready=standby.ready, plays=plays)
