@@ -29,5 +29,5 @@ def test_parts_turn_and_grow_with_their_face() -> None:
     for part in MOUTH:
         np.testing.assert_allclose(moved[part], 1.25 * still[part], atol=2e-5)
     generic = fit(space, Face("bare", space.points)).parts
-    for name, resting in space.parts.items():
-        np.testing.assert_allclose(generic[name], resting.points, atol=1e-6)
+    for name, bound in space.parts.items():
+        np.testing.assert_allclose(generic[name], bound.points, atol=1e-6)

@@ -62,7 +62,10 @@ def suffixes_of(*contents: Content) -> tuple[str, ...]:
 
 
 def may_be(name: str, *contents: Content) -> bool:
-    """Whether a file of this name can hold one of these contents."""
+    """Whether a file of this name can hold one of these.
+
+    name: the file's; contents: what it may hold.
+    """
     return any(content in FILE_CONTENTS.get(suffix_of(name), ()) for content in contents)
 
 

@@ -60,7 +60,10 @@ def check_document_name(path: Path) -> None:
 
 def require_imports(paths: Iterable[Path], kind: str = "expression") -> None:
     """Raises FileNotFoundError, with the one that may be meant, for a file that is not there; ValueError where its
-    name does not say that a file can be of a kind ("expression", "face"), with what to do."""
+    name does not say that a file can be of a kind ("expression", "face"), with what to do.
+
+    paths: the files; kind: as what they are brought.
+    """
     read = IMPORTS[kind]
     for path in paths:
         if path.is_dir():
@@ -74,7 +77,10 @@ def require_imports(paths: Iterable[Path], kind: str = "expression") -> None:
 
 
 def advise_import(name: str, kind: str) -> str:
-    """What to do with a file that cannot be taken in as a kind ("expression", "face"), as a clause."""
+    """What to do with a file that cannot be taken in as a kind ("expression", "face"), as a clause.
+
+    name: the file's; kind: as what it is brought.
+    """
     if may_be(name, "document") and kind == "face":
         return "it is a document of expressions; leave out --as face, or drop it on the list of expressions"
     return advise(name, *CONTENTS[kind])

@@ -73,7 +73,10 @@ def read_picture_in_sandbox(path: Path, /) -> NDArray[np.uint8]:
 
 def read_photograph_in_sandbox(path: Path, longest: int, /) -> bytes:
     """A photograph as a JPEG that every browser shows, upright, its longer side no longer than `longest` pixels, with
-    its pixels alone; errors as `read_picture_in_sandbox`. path: of the file."""
+    its pixels alone; errors as `read_picture_in_sandbox`.
+
+    path: of the photograph; longest: pixels.
+    """
     data = _read_whole(path, LARGEST_PICTURE)
     try:
         return run_limited(lambda _: write_plain(read_picture(data), longest), bytes, LIMITS, exhausted=_TOO_LARGE)
