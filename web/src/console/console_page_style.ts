@@ -328,7 +328,8 @@ export const style = css`
     .views button {
       min-height: 40px;
     }
-    :host(:not([data-view="pads"])) .looks {
+    :host(:not([data-view="pads"])) .looks,
+    omote-memories {
       display: none;
     }
   }

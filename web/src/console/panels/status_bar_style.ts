@@ -273,6 +273,12 @@ export const style = css`
     }
   }
   @media (max-width: 379px) {
+    .step {
+      display: none; /* it stands in the log */
+    }
+    .log {
+      margin-left: auto;
+    }
     :host {
       gap: 6px;
     }
