@@ -89,19 +89,26 @@ def _is_installed() -> bool:
 
 
 def _library() -> Espeak:
-    loader = importlib.import_module(_PACKAGE)
-    return Espeak(loader.get_library_path(), loader.get_data_path())
+    import espeakng_loader  # an extra
+
+    return Espeak(espeakng_loader.get_library_path(), espeakng_loader.get_data_path())
 
 
 def _speak(wanted: WantedSpeech) -> SpokenText:
     library = _library()
     language, plus, variant = wanted.voice.partition("+")
     found = _find_voice(_by_language(library), language)
-    data = Path(importlib.import_module(_PACKAGE).get_data_path())
     if plus:
-        check_known(variant, sorted(path.name for path in (data / "voices" / "!v").iterdir()), "variant of a voice")
+        check_known(variant, _variants(), "variant of a voice")
     sounded = library.speak(found.identifier + plus + variant, wanted.text, rate=round(USUAL_RATE * wanted.speed))
     return put_together(sounded.sound, sounded.rate, segments_of(sounded), most=MOST_MARKS)
+
+
+def _variants() -> list[str]:
+    """The names of speakers that each voice can be."""
+    import espeakng_loader
+
+    return sorted(path.name for path in (Path(espeakng_loader.get_data_path()) / "voices" / "!v").iterdir())
 
 
 def _by_language(library: Espeak) -> dict[str, LibraryVoice]:
