@@ -30,9 +30,9 @@ from omote.geometry import mesh
 from omote.model.cast import Cast
 from omote.model.fitting.fit_face import Fit
 from omote.model.fitting.head_zones import head_zones
+from omote.model.fitting.lids.scan_slits import find_slit
 from omote.model.fitting.scan import Scan
 from omote.model.fitting.scan_skin import keep_skin
-from omote.model.fitting.scan_slits import find_slit
 from omote.model.fitting.scan_surface import face_outward, sample_mesh, whole_sheets
 from omote.model.fitting.take_expressions import take_expressions
 from omote.model.space.face import Face

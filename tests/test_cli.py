@@ -345,7 +345,7 @@ def test_an_ending_that_is_left_out_is_the_files_own(tmp_path: Path, monkeypatch
     assert "smile.json holds smile" in done.stderr
     assert "did you mean smile.json?" in runner.invoke(app, ["file", "import", "a.omote", "smile"]).stderr
     (tmp_path / "head").write_bytes(b"glTF")
-    assert "is told by its name; end that with .json, .glb, .vrm, .obj" in (
+    assert "is told by its name; end that with .ply, .obj, .glb, .gltf, .vrm, .json" in (
         runner.invoke(app, ["file", "import", "a.omote", "head"]).stderr
     )
     for command in ("list", "check"):

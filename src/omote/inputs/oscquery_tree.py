@@ -119,6 +119,8 @@ def _names(value: Value, names: Names) -> list[str]:
         return [*names.characters]
     if value.kind == "framing":
         return [ALL, *names.characters]
+    if value.kind == "text":
+        return []  # of any kind: no path can list them
     listed: dict[str, Sequence[str]] = {
         "language": LANGUAGES, "gesture": GESTURES, "region": PLAY_REGIONS, "layer": LAYERS, "part": LAYER_PARTS,
         "lease": (*CHARACTER_PARTS, WORD_FOR_ALL), "scene_lease": (*SCENE_PARTS, WORD_FOR_ALL),

@@ -14,7 +14,7 @@ from omote.model.space.head_regions import REGIONS
 from omote.show.validation import Refusal
 from tools.messages import editing_module
 
-WIRE = (6, "2d6cedf8b6d09e65")
+WIRE = (7, "f3c55c2964833c36")
 """The version of the link, and a fingerprint of what its messages hold."""
 
 

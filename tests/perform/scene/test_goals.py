@@ -4,7 +4,6 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from omote.model.cast import Cast
 from omote.perform.axis import Axis, called, weights
 from omote.perform.scene.goals import (
     CHARACTER_PARTS,
@@ -17,10 +16,8 @@ from omote.perform.scene.goals import (
     goal_of_axis,
     ranges_of,
     regions_of,
-    split_part,
     standing_mix,
 )
-from omote.perform.scene.scene import Scene
 
 PARTS = (*(f"one/{part}" for part in CHARACTER_PARTS), *(f"*/{part}" for part in SCENE_PARTS))
 
@@ -28,14 +25,6 @@ PARTS = (*(f"one/{part}" for part in CHARACTER_PARTS), *(f"*/{part}" for part in
 def test_a_mix_that_shows_is_kept_without_what_is_less_than_nothing() -> None:
     assert standing_mix({"a": 1.05, "b": -0.05}) == {"a": 1.0}
     assert sum(standing_mix({"a": 0.5, "b": 0.6, "c": -0.1}).values()) == pytest.approx(1.0)
-
-
-@pytest.mark.parametrize("part", PARTS)
-def test_where_a_part_goes_is_a_goal_that_it_can_have(cast: Cast, part: str) -> None:
-    scene = Scene.begun(cast)
-    for goal in (scene.goal_of(part), scene.shown_goal(part)):
-        assert check_goal(part, goal) == goal
-    assert "/".join(split_part(part)) == part
 
 
 @pytest.mark.parametrize(

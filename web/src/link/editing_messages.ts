@@ -1,6 +1,6 @@
 // Written by tools/messages.py from src/omote/edit/protocol/messages.py. Do not edit: run `python tools/messages.py`.
 
-export const EDITING_VERSION = 6;
+export const EDITING_VERSION = 7;
 export const EDITING_PATH = "/editing";
 /** Bytes; no message of an editor is longer. */
 export const EDITING_LIMIT = 65536;

@@ -20,7 +20,7 @@ from omote.show.declaration import Message, Name, kinds_below
 from omote.show.objects.link import Cancel, Notice, Notices, Progress  # noqa: F401  (the mirror has all)
 from omote.showfile.changes import Kind
 
-EDITING_VERSION = 6
+EDITING_VERSION = 7
 EDITING_PATH = "/editing"
 EDITING_LIMIT = 65536
 """Bytes; no message of an editor is longer."""

@@ -72,6 +72,8 @@ def require_imports(paths: Iterable[Path], kind: str = "expression") -> None:
             near = [candidate for ending in read if (candidate := path.with_name(path.name + ending)).is_file()]
             what = f"did you mean {near[0]}?" if near else "name one that is there"
             raise FileNotFoundError(f"there is no file {path}; {what}")
+        if not path.suffix:
+            raise ValueError(f"what {path} holds is told by its name; end that with {', '.join(read)}")
         if path.suffix.lower() not in read:
             raise ValueError(f"{path.name} cannot be taken in as {AS[kind]}: {advise_import(path.name, kind)}")
 

@@ -16,7 +16,7 @@ from omote.model.fitting.fitted_eyes import Ball, find_balls, place_balls, seat_
 from omote.model.fitting.head_zones import HeadZones, head_zones, row_matrix, rung_matrix
 from omote.model.fitting.identity_modes import IdentityModes, refuse_other_topology
 from omote.model.fitting.landmarks import SEVEN, find_landmarks
-from omote.model.fitting.lid_edges import LidEdges, see_lid_edges
+from omote.model.fitting.lids.lid_edges import LidEdges, see_lid_edges
 from omote.model.fitting.mode_fit import Marks, ModeFit, fit_modes
 from omote.model.fitting.plate_fit import Hold, bend, find_lengths, match
 from omote.model.fitting.scan import Scan

@@ -25,11 +25,11 @@ from omote.model.extraction.sheet_field import measure_field
 from omote.model.fitting.carried_parts import carry_parts, find_parts
 from omote.model.fitting.fit_face import Fit, Follow
 from omote.model.fitting.head_zones import head_zones
-from omote.model.fitting.lid_motion import describe_lids, lid_pairs, shut_lids
+from omote.model.fitting.lids.lid_motion import describe_lids, lid_pairs, shut_lids
+from omote.model.fitting.lids.scan_slits import find_slit
 from omote.model.fitting.scan import Scan
 from omote.model.fitting.scan_correspondence import Correspondence, correspond
 from omote.model.fitting.scan_skin import keep_skin
-from omote.model.fitting.scan_slits import find_slit
 from omote.model.fitting.scan_surface import face_outward, sample_mesh, whole_sheets
 from omote.model.space.face_fit import fit, generic_face
 from omote.model.space.head_regions import region_weights

@@ -10,7 +10,12 @@ import { MOST_PHOTOGRAPHS, readPhotograph } from "./photographs/photograph_files
 import { PhotographFinder } from "./photographs/photograph_finder";
 import { HANDLES } from "./photographs/photograph_handles";
 import { type FoundPhotograph, PhotographPoints } from "./photographs/photograph_points";
-import { bringPhotographs, decodePhotograph, fitPhotographsAgain, PHOTOGRAPH_TITLE } from "./photographs/photograph_requests";
+import {
+  bringPhotographs,
+  decodePhotograph,
+  fitPhotographsAgain,
+  PHOTOGRAPH_TITLE,
+} from "./photographs/photograph_requests";
 import { knowledgeOf, noFace, photographAdvice } from "./photographs/photograph_words";
 import "./photographs/photograph_view";
 import "./turn/turn_view";
@@ -81,7 +86,9 @@ export class PhotographDialog extends FaceDialog<SeenPhotographs> {
 
   /** A photograph with its landmarks; null where there is no face in it. */
   async #look(file: File, at: number): Promise<FoundPhotograph | null> {
-    const { picture, bitmap } = await readPhotograph(file, (unread) => decodePhotograph(unread, this.store.longRequests));
+    const { picture, bitmap } = await readPhotograph(file, (unread) =>
+      decodePhotograph(unread, this.store.longRequests),
+    );
     if (!this.isConnected) throw new CancelledError("closed meanwhile");
     const { width, height } = bitmap;
     const points = await this.#finder.find(bitmap);

@@ -7,12 +7,10 @@ import pytest
 from numpy.typing import NDArray
 
 import omote
-from omote.model.fitting.lid_motion import OVERLAP, describe_lids, lid_pairs, shut_lids
-from omote.model.fitting.scan_slits import Slit, find_slit
+from omote.model.fitting.lids.lid_motion import lid_pairs
+from omote.model.fitting.lids.scan_slits import Slit, find_slit
 from omote.model.space.face import Face
 from omote.model.space.face_fit import generic_face
-from omote.model.space.lid_lip_lines import RUNGS
-from omote.model.transfer.lid_lip_contact import BINS, hat_functions
 
 CAST = omote.load_cast()
 SPACE = CAST.space
@@ -56,26 +54,3 @@ def test_what_leaves_lids_apart_shuts_none(name: str, weight: float) -> None:
 def test_eyes_that_are_shut_at_rest_show_no_opening() -> None:
     shut = REST + moves_of(GENERIC, "eyeBlinkLeft")
     assert not find_slit(LEFT, REST, shut, SPACE.triangles).known
-
-
-def test_lids_meet_bin_by_bin_the_upper_one_more_and_the_other_eye_s_stay() -> None:
-    pair, other = lid_pairs(SPACE)
-    half = REST + moves_of(GENERIC, "eyeBlinkLeft", 0.5)
-    moved = shut_lids(pair, half, np.full(RUNGS, 0.8))
-    bins = hat_functions(BINS["lids"])
-    assert bins @ ((pair.opening(moved) + OVERLAP) * pair.lengths) == pytest.approx(0.0, abs=1e-9)
-    went = np.einsum("rkc,rc->rk", (moved - half)[pair.line.vertices], pair.ways) * np.abs(pair.line.weights)
-    upper, lower = bins @ went[:, :2].sum(axis=1), bins @ went[:, 2:].sum(axis=1)
-    assert upper == pytest.approx(-4.0 * lower)
-    assert other.opening(moved) == pytest.approx(1.0)
-
-
-def test_lids_that_do_not_close_as_the_scan_s_are_told_of() -> None:
-    half = REST + moves_of(GENERIC, "eyeBlinkLeft", 0.5)
-    assert describe_lids(SPACE, "wink", half, {"lid_right": np.ones(RUNGS)}) == [
-        "'wink' moves the left eye's lids, but at rest the scan shows no opening between them: how far they close is a "
-        "guess.",
-        "'wink' shuts the right eye of the scan, but leaves 100% of it open here.",
-    ]
-    assert not describe_lids(SPACE, "half", half, {"lid_left": None})
-    assert not describe_lids(SPACE, "rest", REST, {})

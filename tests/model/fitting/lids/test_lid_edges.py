@@ -7,7 +7,7 @@ import pytest
 from numpy.typing import NDArray
 
 import omote
-from omote.model.fitting.lid_edges import LidEdges, see_lid_edges
+from omote.model.fitting.lids.lid_edges import LidEdges, see_lid_edges
 from omote.model.fitting.scan import Scan
 from omote.model.fitting.scan_surface import ScanSurface, sample_mesh
 from omote.model.space.similarity import Similarity

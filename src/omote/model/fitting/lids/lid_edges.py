@@ -14,9 +14,9 @@ from numpy.typing import NDArray
 from scipy import sparse
 
 from omote.arrays import Rows, Values
+from omote.model.fitting.lids.scan_slits import find_edges, find_slit
 from omote.model.fitting.plate_fit import Hold
 from omote.model.fitting.scan import Scan
-from omote.model.fitting.scan_slits import find_edges, find_slit
 from omote.model.fitting.scan_surface import ScanSurface, whole_sheets
 from omote.model.space.lid_lip_lines import Line
 from omote.model.space.parameter_space import ParameterSpace

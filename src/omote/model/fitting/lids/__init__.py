@@ -1,0 +1,1 @@
+"""Lids of a scan: where their edges are seen, and how far a shape of it shuts them."""

@@ -1,0 +1,87 @@
+"""Goals of a scene are read, and called from whatever shows."""
+
+import numpy as np
+import pytest
+
+from omote.model.cast import Cast
+from omote.perform.scene.goals import CHARACTER_PARTS, SCENE_PARTS, check_goal, split_part
+from omote.perform.scene.scene import Scene
+from tests import synthetic
+
+PARTS = (*(f"one/{part}" for part in CHARACTER_PARTS), *(f"*/{part}" for part in SCENE_PARTS))
+GOALS = {
+    "one/face": {synthetic.FACES[1]: 0.75, synthetic.FACES[0]: 0.25},
+    "one/expression": {"jawOpen": 1.0},
+    **{f"one/{region}": {"jawOpen": 0.5, "neutral": 0.5} for region in ("brows", "eyes", "mouth", "rest")},
+    "one/head": {"yaw": 0.3, "pitch": -0.1, "roll": 0.2},
+    "one/gaze": {"yaw": 0.3, "pitch": -0.1},
+    "one/place": {"x": 0.5, "depth": 1.0, "size": 2.0, "turn": -1.0},
+    "one/presence": {"presence": 0.25},
+    "one/motion": {"liveliness": 0.0, "blinks": 0.5, "gaze": 2.0, "breath": 0.0},
+    "*/light": {"flat": 0.75, "theatre": 0.25},
+    "*/framing": {"one": 1.0},
+    "*/black": {"black": 0.75},
+}
+
+
+def test_every_part_is_tried() -> None:
+    assert GOALS.keys() == {*PARTS}
+
+
+@pytest.mark.parametrize("part", PARTS)
+def test_a_part_goes_where_it_is_called_from_where_it_was_and_nothing_else_moves(cast: Cast, part: str) -> None:
+    scene = Scene.begun(cast)
+    before = {each: scene.shown_goal(each) for each in PARTS}
+    for each in PARTS:
+        assert check_goal(each, scene.goal_of(each)) == scene.goal_of(each) == before[each]
+    scene.call_goal(part, GOALS[part], seconds=2.0)
+    assert scene.goal_of(part) == GOALS[part]
+    assert part == "one/motion" or scene.shown_goal(part).keys() >= before[part].keys()
+    scene.advance(1.0)
+    scene.advance(1.0)
+    assert scene.shown_goal(part) == pytest.approx(GOALS[part])
+    with_it = {part} | ({"one/expression"} if part == "one/rest" else set())
+    others = [each for each in PARTS if each not in with_it]
+    assert {each: scene.shown_goal(each) for each in others} == {each: before[each] for each in others}
+    assert "/".join(split_part(part)) == part
+
+
+def test_what_cannot_be_called_changes_nothing(cast: Cast) -> None:
+    scene = Scene.begun(cast)
+    snapshot = scene.snapshot()
+    for part, goal, reason in (
+        ("two/face", {synthetic.FACES[0]: 1.0}, "there is no character 'two'"),
+        ("one/face", {"nobody": 1.0}, "there is no face 'nobody'"),
+        ("one/eyes", {"nothing": 1.0}, "there is no expression 'nothing'"),
+        ("*/light", {"dusk": 1.0}, "there is no light 'dusk'"),
+        ("*/framing", {"two": 1.0}, "there is no character 'two'"),
+    ):
+        with pytest.raises(ValueError, match=reason):
+            scene.call_goal(part, goal)
+    assert scene.snapshot() == snapshot
+
+
+def test_a_region_that_is_called_to_its_face_goes_with_it_again(cast: Cast) -> None:
+    scene = Scene.begun(cast)
+    scene.call_goal("one/brows", {"jawOpen": 1.0}, seconds=0.0)
+    scene.call_goal("one/brows", {}, seconds=1.0)
+    scene.advance(0.5)
+    assert 0.0 < scene.shown_goal("one/brows")["jawOpen"] < 1.0
+    scene.advance(0.5)
+    scene.advance(0.0)
+    assert scene.goal_of("one/brows") == {}
+
+
+def test_a_part_that_is_called_on_its_way_goes_on_at_its_speed(cast: Cast) -> None:
+    """Numbers and turns as mixes do: no part jumps, and none stops for an instant."""
+    scene = Scene.begun(cast)
+    for part, name in (("one/place", "x"), ("one/head", "yaw"), ("*/black", "black")):
+        scene.call_goal(part, GOALS[part], seconds=1.0)
+        places = []
+        for step in range(40):
+            if step == 20:
+                scene.call_goal(part, {key: 0.5 * value for key, value in GOALS[part].items()}, seconds=1.0)
+            scene.advance(1.0 / 60.0)
+            places.append(scene.shown_goal(part)[name])
+        speeds = np.diff(places)
+        assert np.abs(np.diff(speeds)).max() < 0.25 * np.abs(speeds).max(), part
