@@ -87,6 +87,7 @@ def test_every_address_and_every_name_of_the_cast_has_its_leaf() -> None:
             layered = address.path.startswith("layer")
             known: set[str] = {*LAYERS} if layered else set(CAST.expressions) - {"neutral"}
             known = {*GESTURES} if address.path.startswith("gesture") else known
+            known = set() if address.path.startswith("memory") else known  # whose names no cast has
             names = known if "{name}" in written or layered else {""}
             languages = LANGUAGES if "{language}" in written else [""]
             regions = (LAYER_PARTS if layered else PLAY_REGIONS) if "{region}" in written else [""]

@@ -56,7 +56,7 @@ def test_files_to_be_taken_in_are_there_and_say_what_they_are(tmp_path: Path) ->
         ("take.pcap", "expression", r"omote play-take take\.pcap plays it"),
         ("smile.json", "face", "leave out --as face"),
         ("anna.mtl", "face", "is read where that is given"),
-        ("notes", "face", r"export it as one of \.ply, \.obj"),
+        ("notes", "face", r"is told by its name; end that with \.ply, \.obj"),
     ):
         (tmp_path / name).touch()
         with pytest.raises(ValueError, match=what):

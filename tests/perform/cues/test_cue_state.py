@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 from omote.perform.cues import cue_state as cue_states
-from omote.perform.cues.cue import Cue, CueList, Move, with_move
+from omote.perform.cues.cue import Cue, CueList, Move
 from omote.perform.cues.cue_state import (
     Call,
     CueState,
@@ -27,7 +27,7 @@ from omote.perform.cues.cue_state import (
     set_standby,
     without_parts,
 )
-from omote.perform.cues.tracking import tracked_after, tracked_at, tracked_through
+from omote.perform.cues.tracking import tracked_after, tracked_at
 from omote.perform.scene.goals import WITH_FACE, Goal, Part, expression_of, regions_of
 
 PARTS = ("a/face", "a/expression", "a/brows", "b/brows", "*/light")
@@ -261,16 +261,6 @@ def cue(number: str, part: Part = "a/face", **options: object) -> Cue:
     return Cue(f"cue {number}", number, {part: Move(GOALS[0], 1.0)}, **options)  # type: ignore[arg-type]
 
 
-def test_what_is_tracked_is_the_fold_of_what_was_called() -> None:
-    cues = Rehearsal(7).cues
-    at = begin(cues)
-    goals = Goals()
-    while at.standby is not None:
-        at = go(at, cues, goals.read)
-        goals.call(at.calls)
-    assert dict(at.tracked) == dict(tracked_through(each for each in cues if not each.skip))
-
-
 def test_what_follows_by_itself_begins_at_its_time_and_no_later() -> None:
     """One is followed after its end and a pause; one goes on with the next at once, however long the tick."""
     cues = (cue("1", goes_on="follow", post_wait=0.5), cue("2", "b/face", goes_on="continue"), cue("3", "*/light"))
@@ -298,10 +288,3 @@ def test_a_cue_that_is_called_out_of_order_brings_what_all_before_it_have_left()
 def test_a_cue_that_stands_by_is_chosen_and_nothing_moves() -> None:
     cues = (cue("1"), cue("2"))
     assert set_standby(begin(cues), "cue 2") == replace(begin(cues), standby="cue 2")
-
-
-def test_a_move_is_added_to_a_cue_and_taken_out_again() -> None:
-    one = cue("1")
-    with_light = with_move(one, "*/light", Move(GOALS[1]))
-    assert list(with_light.moves) == ["*/light", "a/face"]
-    assert with_move(with_light, "*/light", None) == one
