@@ -369,7 +369,8 @@ def test_public_names_say_where_they_come_from() -> None:
 
 
 @pytest.mark.parametrize("name", PUBLIC)
-def test_examples_run(name: str, cast: omote.Cast) -> None:
+def test_examples_run(name: str, cast: omote.Cast, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.chdir(tmp_path)  # for what they write
     text = sections_of(PUBLIC[name]).get("Examples", "")
     names = {"omote": omote, "cast": cast, "np": np, "math": math}
     example = doctest.DocTestParser().get_doctest(text, names, name, None, None)
