@@ -54,6 +54,9 @@ def build_addresses(cast: Playable, characters: Iterable[str]) -> Node:
         for owner in [""] if address.of_show else names.characters:
             for path in _paths(address, owner, names):
                 _insert(root, path, _leaf(address, path, names))
+            place = _own_path(address, owner).partition("/{")[0]
+            if find_node(root, place) is None:  # names that no cast has stand in it: a surface sees where they would be
+                _insert(root, place, _container(place))
     return root
 
 
@@ -78,9 +81,13 @@ def find_node(root: Node, path: str) -> Node | None:
 
 def _paths(address: Address, owner: str, names: Names) -> list[str]:
     """The full paths of an address for a character; one for each name where a name stands in the path."""
-    own = f"/{ROOT}/{owner}/{address.path}" if owner else f"/{ROOT}/{address.path}"
+    own = _own_path(address, owner)
     choices = product(*(_names(value, names) for value in address.values[: own.count("{")]))
     return [fill_places(own, chosen) for chosen in choices]
+
+
+def _own_path(address: Address, owner: str) -> str:
+    return f"/{ROOT}/{owner}/{address.path}" if owner else f"/{ROOT}/{address.path}"
 
 
 def _leaf(address: Address, path: str, names: Names) -> Node:

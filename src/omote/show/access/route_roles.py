@@ -20,6 +20,7 @@ ROUTES: Mapping[tuple[str, str], AccessRole] = MappingProxyType(
         ("GET", "/exports/{file}"): "operate",
         ("POST", "/imports/{file}"): "edit",
         ("POST", "/photographs"): "edit",
+        ("POST", "/photographs/picture"): "edit",
         ("POST", "/photographs/{token}"): "edit",
         ("POST", "/scans"): "edit",
         ("POST", "/scans/{token}"): "edit",
