@@ -50,7 +50,7 @@ def drop_a_text(page: Page) -> None:
     """Drops a file with words on a page, which must not leave for it."""
     assert page.evaluate("""() => {
         const dataTransfer = new DataTransfer();
-        dataTransfer.items.add(new File(["dear diary"], "notes.txt"));
+        dataTransfer.items.add(new File(["dear diary"], "notes.doc"));
         return !document.body.dispatchEvent(new DragEvent("drop", { dataTransfer, bubbles: true, cancelable: true }));
     }""")
 
@@ -130,7 +130,7 @@ def test_keys_keep_too_and_the_notice_leads_to_the_editor(console: Console) -> N
     wait_until(opened.value, f"document.querySelector('omote-editor')?.context?.store.item?.name === {name!r}")
     expect(page.locator(".notice")).to_contain_text("under Own")
     drop_a_text(opened.value)
-    expect(opened.value.locator("omote-notices")).to_contain_text("notes.txt was not taken in")
+    expect(opened.value.locator("omote-notices")).to_contain_text("notes.doc was not taken in")
     page.bring_to_front()
     page.locator("body").press("Control+z")  # the last keep
     expect(page.locator(".notice")).to_contain_text("Undone: keep")
@@ -141,7 +141,7 @@ def test_keys_keep_too_and_the_notice_leads_to_the_editor(console: Console) -> N
     page.locator("body").press("Control+z")  # the one before
     wait_for(page, "desk.history.next('undo') === null")
     drop_a_text(page)
-    expect(page.locator(".notice")).to_contain_text("'notes.txt' is no expression that can be read")
+    expect(page.locator(".notice")).to_contain_text("'notes.doc' is no expression that can be read")
 
 
 def test_the_field_of_a_name_waits_for_a_letter_only_from_when_the_face_is_kept(console: Console) -> None:

@@ -214,7 +214,7 @@ def test_who_has_no_camera_is_told_what_to_do_and_keys_stay_in_the_dialog(editor
     assert focused == {"Try again", "A face from photographs", "Cancel"}, "Tab goes round in the dialog"
     wall = FilePayload(name="wall.png", mimeType="image/png", buffer=b"no picture")
     trouble.get_by_label("A face from photographs").set_input_files([wall])  # instead
-    expect(dialog.get_by_role("alert")).to_contain_text("wall.png is no picture that this browser reads")
+    expect(dialog.get_by_role("alert")).to_contain_text("wall.png: the file is no picture, but text")
     dialog.get_by_role("button", name="Close").click()
     page.get_by_label("A face from the camera").first.click()
     dialog.get_by_role("button", name="Cancel").click()

@@ -154,7 +154,7 @@ def test_one_photograph_says_what_it_cannot_know_and_none_with_a_face_is_said(ed
     expect(dialog.get_by_role("alert")).to_contain_text("No face was found in wall.jpg")
     dialog.get_by_role("button", name="Close").click()
     choose(page, payload("words.jpg", b"words"))
-    expect(dialog.get_by_role("alert")).to_contain_text("words.jpg is no picture that this browser reads")
+    expect(dialog.get_by_role("alert")).to_contain_text("words.jpg: the file is no picture, but text")
     dialog.get_by_role("button", name="Close").click()
     choose(page, payload("anna.jpg", portrait(0.0)))
     page.keyboard.press("Escape")  # while it is looked at

@@ -120,7 +120,7 @@ def work(page: Page, label: str) -> NDArray[np.int16]:
 
 
 def test_the_editor_shows_the_picture_of_a_face_and_of_a_mix(editor: Editor) -> None:
-    page = editor()
+    page = editor(fine=True)
     under = work(page, "chequered")
     half = work(page, "half")
     redder, mixed = (each[..., 0] - each[..., 1] for each in (under, half))

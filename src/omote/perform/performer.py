@@ -707,7 +707,7 @@ def _at_rest(now: Snapshot) -> Snapshot:
         easing_to_rest=easing_to_rest,
         motion=None
         if now.motion is None
-        else set_motion(now.motion, now.motion.settings.change(liveliness=0.0, target=NO_TARGET)),
+        else replace(set_motion(now.motion, now.motion.settings.change(liveliness=0.0, target=NO_TARGET)), lost=False),
         speaking=None,
         gestures=release_gestures(now.gestures),
     )

@@ -277,12 +277,19 @@ def test_what_is_not_to_idle_holds_still(cast: Cast) -> None:
     assert (frame.head, dict(frame.channels)) == (Head(), {})
 
 
-def test_panic_ends_the_idle_motion_and_the_look(cast: Cast) -> None:
+@pytest.mark.parametrize("leaves", [False, True], ids=["silent", "gone"])
+def test_panic_ends_the_idle_motion_and_the_look(cast: Cast, leaves: bool) -> None:
+    """Also of a tracker that has long gone: its layer is none that a panic would switch off."""
     performer = Performer(cast)
-    performer.set_motion(idle=True)
+    performer.set_motion(idle=not leaves)
     performer.look_at("direction", yaw=0.4)
     track(performer, 240)
+    if leaves:
+        performer.leave_layer("tracker", "")
+    looks(performer, 600)
+    performer.set_motion(idle=True)
     looks(performer, 300)
+    assert performer.advance(0.0).channels["browInnerUp"] != 0.0
     performer.panic()
     looks(performer, 120)
     frame = performer.advance(0.0)
