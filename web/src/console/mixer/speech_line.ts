@@ -43,6 +43,12 @@ const style = css`
     min-height: 28px;
     flex: 0 1 96px;
   }
+  @media (pointer: coarse) {
+    input,
+    select {
+      min-height: var(--finger, 34px);
+    }
+  }
   .hint {
     color: var(--dim);
   }
