@@ -141,7 +141,7 @@ def test_keys_keep_too_and_the_notice_leads_to_the_editor(console: Console) -> N
     page.locator("body").press("Control+z")  # the one before
     wait_for(page, "desk.history.next('undo') === null")
     drop_a_text(page)
-    expect(page.locator(".notice")).to_contain_text("'notes.doc' is no expression that can be read")
+    expect(page.locator(".notice")).to_contain_text("'notes.doc' cannot be taken in as an expression")
 
 
 def test_the_field_of_a_name_waits_for_a_letter_only_from_when_the_face_is_kept(console: Console) -> None:
