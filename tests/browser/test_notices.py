@@ -52,8 +52,7 @@ def opened(page: Page) -> Page:
 
 
 def process_of(file: Path) -> int:
-    """The process id of the server that plays: the child of its standby, which is named by the show file; the standby's
-    copy has another parent."""
+    """The process id of the server that plays: the child of its standby, which is named by the show file."""
     named = set[int]()
     parents = dict[int, int]()
     for entry in Path("/proc").iterdir():
@@ -66,7 +65,8 @@ def process_of(file: Path) -> int:
             continue
         if str(file).encode() in words and b"--line" in words:  # to its supervisor
             named.add(int(entry.name))
-    return max(pid for pid in named if parents[pid] in named)
+    standbys = {pid for pid in named if parents[pid] not in named}  # and the copy of it, which has no children
+    return max(pid for pid in named if parents[pid] in standbys)
 
 
 def test_a_recovered_file_and_a_killed_process_are_told_until_they_are_dismissed(
