@@ -125,6 +125,20 @@ def test_panic_forgets_what_waits_for_its_character_alone(cast: Cast) -> None:
     assert dict(frame.characters["two"].frame.faces) == {synthetic.FACES[1]: 1.0}
 
 
+def test_what_is_called_after_a_panic_waits_and_what_waited_before_it_does_not(cast: Cast) -> None:
+    """Also where both come between two steps."""
+    scene = begun(cast)
+    early = Cue("a", "1", {"one/face": Move({synthetic.FACES[1]: 1.0}, 0.0, delay=1.0)})
+    late = Cue("b", "2", {"one/expression": Move({"jawOpen": 1.0}, 0.0, delay=1.0)})
+    player = CuePlayer(scene, [early, late])
+    player.go()
+    scene["one"].panic()
+    player.go()
+    frame = player.advance(2.0).characters["one"].frame
+    assert dict(frame.faces) == {synthetic.FACES[0]: 1.0}
+    assert dict(frame.expressions) == {"jawOpen": 1.0}
+
+
 def test_a_move_that_cannot_be_called_costs_that_move_and_is_said(cast: Cast) -> None:
     scene = begun(cast)
     moves = {"two/face": Move({synthetic.FACES[1]: 1.0}, 0.0), "*/black": Move({"black": 1.0}, 0.0)}

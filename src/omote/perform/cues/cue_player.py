@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 
 from omote.perform.cues import cue_state as of_list
 from omote.perform.cues.cue import Cue, CueList, check_cues
@@ -91,7 +91,7 @@ class CuePlayer:
             raise ValueError("no cue stands by: the list is at its end; go to a cue, or go back")
         if seen is not None and seen != standby.number:
             raise ValueError(f"cue {standby.number} stands by, not {seen}; nothing was called")
-        self._play(of_list.go(self.state, self.cues, self._read))
+        self._play(lambda state: of_list.go(state, self.cues, self._read))
 
     def go_to(self, number: str, *, whole: bool = False) -> None:
         """Calls a cue out of its order; what waits is forgotten.
@@ -117,7 +117,8 @@ class CuePlayer:
         >>> dict(player.advance(1.0).light)
         {'flat': 1.0}
         """
-        self._play(of_list.go_to(self.state, self.cues, self._place(number), self._read, whole=whole))
+        place = self._place(number)
+        self._play(lambda state: of_list.go_to(state, self.cues, place, self._read, whole=whole))
 
     def go_back(self) -> None:
         """Brings back what stood before the last cue; that cue stands by again.
@@ -131,7 +132,7 @@ class CuePlayer:
         >>> dict(player.advance(1.0).light), player.standby.number
         ({'theatre': 1.0}, '1')
         """
-        self._play(of_list.go_back(self.state))
+        self._play(of_list.go_back)
 
     def assert_look(self) -> None:
         """Calls all that the cues have left standing again, whoever has moved it since.
@@ -146,7 +147,7 @@ class CuePlayer:
         >>> dict(player.advance(1.0).light)
         {'flat': 1.0}
         """
-        self._play(of_list.assert_look(self.state))
+        self._play(of_list.assert_look)
 
     def set_standby(self, number: str) -> None:
         """Has another cue stand by; nothing moves.
@@ -168,7 +169,8 @@ class CuePlayer:
         >>> player.standby.number
         '2'
         """
-        self._play(of_list.set_standby(self.state, self.cues[self._place(number)].identity))
+        identity = self.cues[self._place(number)].identity
+        self._play(lambda state: of_list.set_standby(state, identity))
 
     def edit(self, cues: Sequence[Cue]) -> None:
         """Plays another edition of the list from now on: nothing moves, and what was called goes on as it was.
@@ -191,7 +193,7 @@ class CuePlayer:
         '2'
         """
         after = check_cues(cues)
-        self._play(of_list.edited(self.state, self.cues, after))
+        self._play(lambda state: of_list.edited(state, self.cues, after))
         self.cues = after
 
     def advance(self, dt: float) -> SceneFrame:
@@ -236,10 +238,12 @@ class CuePlayer:
         self.state = later
         return self.scene.advance(max(later.clock - now, 0.0))
 
-    def _play(self, later: CueState) -> None:
-        self.state = later
+    def _play(self, act: Callable[[CueState], CueState]) -> None:
+        """Does an act on what a panic has left, and calls what it calls."""
+        self._drop_after_panics()
+        self.state = act(self.state)
         self.rejected = ()
-        for call in later.calls:
+        for call in self.state.calls:
             self._call(call)
 
     def _call(self, call: of_list.Call) -> None:
@@ -257,7 +261,7 @@ class CuePlayer:
             return WITH_FACE
 
     def _drop_after_panics(self) -> None:
-        """Who was panicked since the last step waits for nothing."""
+        """Who was panicked since the last step or act waits for nothing."""
         panics = {name: self.scene[name].panics for name in self.scene}
         pressed = [name for name, count in panics.items() if count > self._panics.get(name, 0)]
         if pressed:
