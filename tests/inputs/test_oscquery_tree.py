@@ -23,13 +23,14 @@ from omote.perform.easing import DEFAULT_EASING
 from omote.perform.gestures import GESTURES
 from omote.perform.layers.layer_names import LAYER_PARTS, LAYERS
 from omote.perform.lights import LIGHTS
+from omote.perform.scene.goals import SCENE_PARTS
 from omote.perform.speech.spelling import LANGUAGES
 from omote.show.messages import PROTOCOL_VERSION
 from omote.show.objects.calls import CallFace
 from omote.show.objects.faders import SetChannel
 from omote.show.objects.leases import SetLeases
 from omote.show.objects.link import Hello
-from omote.show.ownership.parts import CHARACTER_PARTS, SCENE_PARTS
+from omote.show.ownership.parts import CHARACTER_PARTS
 from omote.show.session import ShowSession
 from tests import synthetic
 

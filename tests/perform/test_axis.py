@@ -12,7 +12,21 @@ from hypothesis import strategies as st
 
 from omote.model.cast import Cast
 from omote.model.known_names import PLAY_REGIONS, PlayRegion
-from omote.perform.axis import Axis, advanced, called, faded, halted, rates, released, slots, status, weights
+from omote.perform.axis import (
+    Axis,
+    advanced,
+    called,
+    called_to_mix,
+    faded,
+    goal_of,
+    halted,
+    rates,
+    released,
+    slots,
+    standing_mix,
+    status,
+    weights,
+)
 from omote.perform.easing import EASINGS
 from omote.perform.frame import Frame
 from omote.perform.mix import HIGHEST, LOWEST
@@ -322,3 +336,16 @@ def test_a_snapshot_of_a_region_that_is_none_is_refused(cast: Cast) -> None:
     strange: Any = {"tail": performer.snapshot().expression}
     with pytest.raises(ValueError, match="no region 'tail'"):
         Performer.restored(cast, replace(performer.snapshot(), regions=strange))
+
+
+def test_a_mix_that_shows_is_kept_without_what_is_less_than_nothing() -> None:
+    assert standing_mix({"a": 1.05, "b": -0.05}) == {"a": 1.0}
+    assert sum(standing_mix({"a": 0.5, "b": 0.6, "c": -0.1}).values()) == pytest.approx(1.0)
+
+
+@given(st.floats(0.0, 5.0), st.floats(0.05, 3.0), st.sampled_from([{"b": 1.0}, {"a": 0.25, "b": 0.75}]))
+def test_an_axis_comes_to_the_goal_that_it_is_called_to(begun: float, seconds: float, goal: dict[str, float]) -> None:
+    on = called_to_mix(called(Axis("a"), "c", begun, "smooth"), goal, seconds, "smooth")
+    assert goal_of(on) == goal
+    cut = called_to_mix(on, goal, 0.0, "smooth")
+    assert weights(cut) == goal_of(cut) == goal

@@ -14,10 +14,11 @@ from omote.perform.gestures import GESTURES
 from omote.perform.layers.layer_names import LAYER_PARTS, LAYERS
 from omote.perform.lights import LIGHTS
 from omote.perform.scene.character_names import ALL
+from omote.perform.scene.goals import SCENE_PARTS
 from omote.perform.snapshot import Playable
 from omote.perform.speech.spelling import LANGUAGES
 from omote.show.osc import ROOT, Value
-from omote.show.ownership.parts import CHARACTER_PARTS, SCENE_PARTS, WORD_FOR_ALL
+from omote.show.ownership.parts import CHARACTER_PARTS, WORD_FOR_ALL
 
 Node = dict[str, Any]
 """A node as JSON has it: `FULL_PATH`, and what the proposal calls attributes."""

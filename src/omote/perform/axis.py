@@ -25,7 +25,7 @@ from omote.perform.easing import (
     plan_glide,
 )
 from omote.perform.frame import CallStatus, with_fields
-from omote.perform.mix import combine, mix_of_one, normalise, share_in_range
+from omote.perform.mix import Weights, combine, mix_of_one, normalise, share_in_range
 
 LEAST_STANDING = 1e-3
 """What weighs less when a mix comes to a stand goes: nobody sees it, and nobody would find it."""
@@ -157,11 +157,29 @@ def halted(axis: Axis, seconds: float) -> Axis:
     start = weights(axis)
     velocity = rates(axis)
     easing = DEFAULT_EASING
-    carried = combine(((1.0, start), (seconds / 2.0, velocity)))
-    goal = normalise({name: weight for name, weight in carried.items() if weight >= LEAST_STANDING})
+    goal = standing_mix(combine(((1.0, start), (seconds / 2.0, velocity))))
     decay = decay_seconds(start, velocity, goal, seconds, find_easing(easing))
-    heaviest = max(goal, key=lambda name: (goal[name], name))
-    return replace(axis, call=Call(heaviest, start, velocity, decay, easing, seconds, goal=goal))
+    return replace(axis, call=Call(_heaviest(goal), start, velocity, decay, easing, seconds, goal=goal))
+
+
+def called_to_mix(axis: Axis, mix: Weights, seconds: float, easing: str) -> Axis:
+    """The axis with a call to a whole mix, as of `called`. mix: what it comes to, one name or several; seconds: 0 cuts;
+    easing: the curve of the way."""
+    return called(axis, _heaviest(mix), seconds, easing, mix if len(mix) > 1 else None)
+
+
+def goal_of(axis: Axis) -> Weights:
+    """The mix that an axis comes to, by its call or its T-bar, or stands at."""
+    return weights(axis) if axis.call is None else _goal(axis.call)
+
+
+def standing_mix(mix: Weights) -> dict[str, float]:
+    """A mix that shows, as one to come to a stand at: what nobody sees of it goes. mix: as on air."""
+    return normalise({name: weight for name, weight in mix.items() if weight >= LEAST_STANDING})
+
+
+def _heaviest(mix: Weights) -> str:
+    return max(mix, key=lambda name: (mix[name], name))
 
 
 def faded(axis: Axis, hand: float) -> Axis:

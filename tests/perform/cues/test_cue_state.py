@@ -224,7 +224,7 @@ def test_random_acts_keep_what_each_promises(seed: int) -> None:
 
 FAULTS: dict[str, tuple[str, object]] = {
     "regions stay where their whole expression is called": ("regions_of", lambda part: ()),
-    "a region may be called before its face": ("_rank", lambda part: (False, part)),
+    "a region may be called before its face": ("rank_of", lambda part: (False, part)),
     "what no cue had moved is not kept": (
         "_step",
         lambda at, moved, read, left: Step(left, at.current, at.tracked, moved, {}),

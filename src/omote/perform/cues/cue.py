@@ -11,7 +11,7 @@ from typing import Literal, get_args
 
 from omote.perform.easing import DEFAULT_EASING, find_easing
 from omote.perform.limits import LONGEST_CALL, check_known, check_switch, check_within
-from omote.perform.scene.goals import Goal, Part, check_goal, regions_of
+from omote.perform.scene.goals import Goal, Part, check_goal, rank_of
 
 GoesOn = Literal["", "continue", "follow"]
 """What comes after a cue by itself: nothing; the next one, counted from its begin (auto-continue); the next one,
@@ -136,7 +136,7 @@ class Cue:
         for name, most in LONGEST_TEXT.items():
             if len(getattr(self, name)) > most:
                 raise ValueError(f"the {name} of the cue {self.number} is longer than {most} characters; shorten it")
-        ordered = sorted(self.moves, key=lambda part: (regions_of(part) == (), part))  # a face before its regions
+        ordered = sorted(self.moves, key=rank_of)
         for part in ordered:
             check_goal(part, self.moves[part].goal)
         object.__setattr__(self, "moves", MappingProxyType({part: self.moves[part] for part in ordered}))

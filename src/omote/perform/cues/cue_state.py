@@ -13,7 +13,7 @@ from types import MappingProxyType
 
 from omote.perform.cues.cue import CueList, Move, is_of
 from omote.perform.cues.tracking import NOTHING_TRACKED, Tracked, tracked_after, tracked_at
-from omote.perform.scene.goals import Goal, Part, regions_of
+from omote.perform.scene.goals import Goal, Part, rank_of, regions_of
 
 GAP_SECONDS = 0.25
 """A GO that comes sooner after another is a key that bounces, or a finger that slips."""
@@ -255,7 +255,7 @@ def _called(state: CueState, cues: CueList, place: int, at: float, read: ReadGoa
 def _taken(parts: Iterable[Part]) -> tuple[Part, ...]:
     """Some parts and the regions that go with a whole expression among them; a face before its regions."""
     taken = {one for part in parts for one in (part, *regions_of(part))}
-    return tuple(sorted(taken, key=_rank))
+    return tuple(sorted(taken, key=rank_of))
 
 
 def _step(state: CueState, moved: tuple[Part, ...], read: ReadGoal, left: str) -> Step:
@@ -274,8 +274,4 @@ def _returning(goals: Tracked, at: float) -> tuple[Call, ...]:
 
 def _face_first(calls: Iterable[Call]) -> tuple[Call, ...]:
     """Calls at their times; of those at one time a whole expression before its regions, which it would take along."""
-    return tuple(sorted(calls, key=lambda call: (call.at, _rank(call.part))))
-
-
-def _rank(part: Part) -> tuple[bool, Part]:
-    return regions_of(part) == (), part
+    return tuple(sorted(calls, key=lambda call: (call.at, rank_of(call.part))))

@@ -11,9 +11,9 @@ from collections.abc import Iterable, Mapping
 from types import MappingProxyType
 
 from omote.model.known_names import PLAY_REGIONS
-from omote.perform.axis import LEAST_STANDING, Axis, called
+from omote.perform.frame import DETAIL_LIMIT, DETAILS
 from omote.perform.limits import GAZE_LIMITS, HEAD_LIMITS, check_known, check_within
-from omote.perform.mix import HIGHEST, LOWEST, Weights, mix_of_one, normalise
+from omote.perform.mix import HIGHEST, LOWEST
 from omote.perform.scene.character_names import ALL
 from omote.perform.scene.movement import Ranges
 from omote.perform.scene.scene_frame import PLACE_LIMITS
@@ -31,7 +31,7 @@ TURN_LIMITS: Mapping[str, Ranges] = {
 """Radians."""
 PRESENCE_LIMITS: Ranges = {"presence": (0.0, 1.0)}
 BLACK_LIMITS: Ranges = {"black": (0.0, 1.0)}
-MOTION_LIMITS: Ranges = {"liveliness": (0.0, 1.0), "blinks": (0.0, 2.0), "gaze": (0.0, 2.0), "breath": (0.0, 2.0)}
+MOTION_LIMITS: Ranges = {"liveliness": (0.0, 1.0), **dict.fromkeys(DETAILS, (0.0, DETAIL_LIMIT))}
 CHARACTER_NUMBERS: Mapping[str, Ranges] = {
     **TURN_LIMITS,
     "place": PLACE_LIMITS,
@@ -98,20 +98,7 @@ def check_names(goal: Goal, names: Iterable[str], what: str) -> None:
         check_known(name, names, what)
 
 
-def goal_of_axis(axis: Axis) -> Weights:
-    """The mix that an axis comes to stand at, by its call or its T-bar, or stands at."""
-    call = axis.call
-    if call is not None:
-        return mix_of_one(call.target) if call.goal is None else call.goal
-    return mix_of_one(axis.on_air) if axis.stands is None else axis.stands
-
-
-def standing_mix(mix: Weights) -> dict[str, float]:
-    """A mix that shows, as one to come to a stand at: nothing weighs less than none of it. mix: as on air."""
-    return normalise({name: weight for name, weight in mix.items() if weight >= LEAST_STANDING})
-
-
-def called_mix(on: Axis, mix: Weights, seconds: float, easing: str) -> Axis:
-    """The axis with a call to a whole mix. on: the axis; mix: what it comes to; seconds, easing: the way."""
-    heaviest = max(mix, key=lambda name: (mix[name], name))
-    return called(on, heaviest, seconds, easing, mix if len(mix) > 1 else None)
+def rank_of(part: Part) -> tuple[bool, Part]:
+    """The rank of a part among those called at one time: a whole expression comes before its regions, which it would
+    take along."""
+    return regions_of(part) == (), part

@@ -7,7 +7,7 @@ from dataclasses import replace
 from typing import Protocol
 
 from omote.model.known_names import PLAY_REGIONS, check_play_region
-from omote.perform.axis import Axis, call_regions, weights
+from omote.perform.axis import Axis, call_regions, called_to_mix, goal_of, standing_mix, weights
 from omote.perform.easing import DEFAULT_EASING
 from omote.perform.frame import Frame, Gaze, GazeTarget, Head, Held, MotionSettings, with_fields
 from omote.perform.mix import Weights
@@ -19,11 +19,8 @@ from omote.perform.scene.goals import (
     TURN_LIMITS,
     WITH_FACE,
     Goal,
-    called_mix,
     check_names,
     expression_of,
-    goal_of_axis,
-    standing_mix,
 )
 from omote.perform.scene.memories import Turning, turn_at
 from omote.perform.scene.movement import Movement, proceed, redirect
@@ -121,7 +118,7 @@ class SceneCharacter(Performer):
 
         name: of a part that is the character's own, without place and presence.
         """
-        return self._goal_of(name, goal_of_axis, self._way_of)
+        return self._goal_of(name, goal_of, self._way_of)
 
     def shown_goal(self, name: str) -> Goal:
         """What a part shows now, as a goal that brings it back. name: as of `goal_of`."""
@@ -142,7 +139,7 @@ class SceneCharacter(Performer):
         now = self._now
 
         def call(on: Axis) -> Axis:
-            return called_mix(on, goal or goal_of_axis(now.expression), seconds, easing)
+            return called_to_mix(on, goal or goal_of(now.expression), seconds, easing)
 
         if name in TURN_LIMITS:
             self._turn_to(name, goal, seconds, easing)

@@ -6,7 +6,8 @@ from collections.abc import Mapping
 from dataclasses import replace
 from typing import Any
 
-from omote.perform.axis import Axis, weights
+from omote.perform import axis
+from omote.perform.axis import Axis
 from omote.perform.easing import DEFAULT_EASING, find_easing
 from omote.perform.lights import LIGHTS
 from omote.perform.limits import check_call_seconds, check_known
@@ -17,12 +18,9 @@ from omote.perform.scene.goals import (
     PRESENCE_LIMITS,
     Goal,
     Part,
-    called_mix,
     check_goal,
     check_names,
-    goal_of_axis,
     split_part,
-    standing_mix,
 )
 from omote.perform.scene.removal import without_stay
 from omote.perform.scene.scene_character import SceneCharacter
@@ -71,7 +69,7 @@ class SceneGoals:
         """
         character, name = split_part(part)
         if character == ALL:
-            return dict(self._black.goal) if name == "black" else dict(goal_of_axis(self._scene_axis(name)))
+            return dict(self._black.goal) if name == "black" else dict(axis.goal_of(self._scene_axis(name)))
         standing = self._standing(character)
         return dict(getattr(standing, name).goal) if name in STANDING else self._characters[character].goal_of(name)
 
@@ -105,7 +103,7 @@ class SceneGoals:
         if name == "black":
             return movement.values(self._black, BLACK_LIMITS)
         if character == ALL:
-            return standing_mix(weights(self._scene_axis(name)))
+            return axis.standing_mix(axis.weights(self._scene_axis(name)))
         standing = self._standing(character)
         if name in STANDING:
             return movement.values(getattr(standing, name), STANDING[name])
@@ -163,11 +161,11 @@ class SceneGoals:
         if name == "black":
             self._black = movement.redirect(self._black, checked, seconds, BLACK_LIMITS, easing)
         elif name == "light":
-            self._light = called_mix(self._light, checked, seconds, easing)
+            self._light = axis.called_to_mix(self._light, checked, seconds, easing)
             for each in self._characters.values():
                 each.note_played()
         elif name == "framing":
-            self._framing = called_mix(self._framing, checked, seconds, easing)
+            self._framing = axis.called_to_mix(self._framing, checked, seconds, easing)
         elif name == "place":
             way = movement.redirect(self._standing(character).place, checked, seconds, PLACE_LIMITS, easing)
             self._stand(character, place=way)
