@@ -149,6 +149,11 @@ export const style = css`
     }
   }
   /* a window as low as a small laptop's: everything still has its place, with less air */
+  @media (pointer: coarse) and (min-width: 900px) and (max-width: 1100px) and (max-height: 560px) {
+    omote-memories {
+      display: none; /* the picture keeps its room; Shift 1 to 9 call them */
+    }
+  }
   @media (min-width: 900px) and (max-height: 720px) {
     :host {
       gap: 4px;

@@ -61,6 +61,12 @@ export const style = css`
     align-items: center;
     gap: 8px;
     max-height: 100%;
+    container-type: inline-size;
+  }
+  @container (max-width: 48px) {
+    omote-note {
+      display: none; /* no room for a finger */
+    }
   }
   .notice {
     display: flex;
@@ -185,6 +191,16 @@ export const style = css`
       display: none; /* the keys for it are there */
     }
   }
+  @media (max-width: 1100px) and (pointer: coarse) {
+    .step.redo {
+      display: none; /* it stands in the log too */
+    }
+  }
+  @media (max-width: 767px) {
+    omote-show-clock {
+      display: none;
+    }
+  }
   @media (max-width: 940px) {
     .learn {
       display: none; /* it stands in the set-up too */
@@ -212,8 +228,7 @@ export const style = css`
     }
   }
   @media (max-width: 699px) {
-    omote-note,
-    omote-show-clock {
+    omote-note {
       display: none; /* messages lie over the picture there: words of the crew do not */
     }
     .messages {
@@ -270,6 +285,11 @@ export const style = css`
     .lost {
       font-size: 12px;
       padding: 4px 6px;
+    }
+  }
+  @media (max-width: 429px) {
+    .panic {
+      width: 110px;
     }
   }
   @media (max-width: 379px) {

@@ -61,6 +61,11 @@ const style = css`
       display: none; /* the picture is small; the mixer has it */
     }
   }
+  @media (pointer: coarse) and (max-width: 1100px) and (max-height: 560px) {
+    .still {
+      display: none; /* with keys for fingers it would be a third row */
+    }
+  }
   @media ${narrow} {
     :host {
       padding: 4px;
