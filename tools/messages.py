@@ -33,6 +33,7 @@ from omote.model.sculpting.sculpt import WARP_UNIT
 from omote.model.space.eye_socket import FAR, NEAR
 from omote.model.space.gain import LEAST_GAIN, MOST_GAIN, NEUTRAL_GAINS
 from omote.model.space.lid_lip_lines import RUNGS
+from omote.perform.cues.cue import Cue, Move
 from omote.perform.easing import DEFAULT_EASING, EASINGS
 from omote.perform.layers.layer_names import DEFAULT_SETTINGS, DRIVEN, LAYER_PARTS, LAYERS
 from omote.perform.lights import BACKGROUNDS, FIRST_LIGHT, LIGHTS
@@ -49,6 +50,8 @@ FOLDER = Path(__file__).parent.parent / "web" / "src" / "link"
 HEAD = "// Written by tools/messages.py from {}. Do not edit: run `python tools/messages.py`.\n"
 WIDTH = 120
 """Characters of a line, as the web's formatter has it."""
+VALUES = (Move, Cue)
+"""Values of the engine that travel as they are."""
 PLAIN = {float: "number", int: "number", str: "string", bool: "boolean", bytes: "Uint8Array", type(None): "null"}
 
 
@@ -56,9 +59,17 @@ def type_script(annotation: object) -> str:
     """The TypeScript type of a Python annotation; TypeError for one the wire does not know."""
     if isinstance(annotation, type) and annotation in PLAIN:
         return PLAIN[annotation]
-    if isinstance(annotation, type) and issubclass(annotation, msgspec.Struct):
+    if isinstance(annotation, type) and (issubclass(annotation, msgspec.Struct) or annotation in VALUES):
         return annotation.__name__
     return _generic(typing.get_origin(annotation), typing.get_args(annotation), annotation)
+
+
+def value_type(value: type[Move | Cue]) -> str:
+    """One exported type of a value of the engine, with the first line of its docstring as its comment."""
+    hints = typing.get_type_hints(value)
+    fields = "".join(f"  {each.name}: {type_script(hints[each.name])};\n" for each in dataclasses.fields(value))
+    comment = (value.__doc__ or "").splitlines()[0]
+    return f"/** {comment} */\n\nexport type {value.__name__} = {{\n{fields}}};\n"
 
 
 def interface(struct: type[msgspec.Struct], sent: bool = False) -> str:
@@ -89,7 +100,8 @@ def show_module() -> str:
         f"/** States per second. */\nexport const STATE_RATE = {STATE_RATE:g};",
     ]
     unions = [_union("FromClient", CLIENT_MESSAGES), _union("FromServer", SERVER_MESSAGES)]
-    return _module(messages, constants, [*STRUCTS, *ACCESS_STRUCTS], unions, CLIENT_MESSAGES)
+    module = _module(messages, constants, [*STRUCTS, *ACCESS_STRUCTS], unions, CLIENT_MESSAGES)
+    return "\n".join([module, *map(value_type, VALUES)])
 
 
 def editing_module() -> str:
@@ -234,7 +246,7 @@ def _generic(origin: object, arguments: tuple[object, ...], annotation: object) 
         return f"({inner})[]" if "|" in inner else f"{inner}[]"
     if origin is tuple:
         return f"[{', '.join(map(type_script, arguments))}]"
-    if origin is dict and arguments[0] is str:
+    if origin in (dict, Mapping) and arguments[0] is str:
         return f"Record<string, {type_script(arguments[1])}>"
     if origin is dict and typing.get_origin(arguments[0]) is typing.Literal:
         return f"Partial<Record<{type_script(arguments[0])}, {type_script(arguments[1])}>>"

@@ -23,18 +23,19 @@ from omote.perform.easing import DEFAULT_EASING
 from omote.perform.gestures import GESTURES
 from omote.perform.layers.layer_names import LAYER_PARTS, LAYERS
 from omote.perform.lights import LIGHTS
-from omote.perform.scene.goals import SCENE_PARTS
 from omote.perform.speech.spelling import LANGUAGES
 from omote.show.messages import PROTOCOL_VERSION
 from omote.show.objects.calls import CallFace
 from omote.show.objects.faders import SetChannel
 from omote.show.objects.leases import SetLeases
 from omote.show.objects.link import Hello
-from omote.show.ownership.parts import CHARACTER_PARTS
+from omote.show.ownership.parts import CHARACTER_PARTS, SCENE_PARTS
 from omote.show.session import ShowSession
 from tests import synthetic
 
 CAST = synthetic.cast()
+OF_CUES = ("/omote/back", "/omote/assert", "/omote/update_cue")
+"""What needs a cue that has been called (tests/show/cues)."""
 
 
 @pytest.fixture
@@ -54,8 +55,8 @@ def nodes(node: Node) -> list[Node]:
 def extremes(leaf: Node) -> list[list[Argument]]:
     """The arguments at both ends of what a leaf says that it takes."""
     ranges = leaf.get("RANGE", [])
-    if None in ranges or "/look_at/character" in leaf["FULL_PATH"]:
-        return []  # names of what there is not yet: there is one character here, which cannot look at itself
+    if None in ranges or leaf["FULL_PATH"].endswith(("/look_at/character", *OF_CUES)):
+        return []  # of what there is not yet: there is one character here, which cannot look at itself, and no cue
     lows = [each["VALS"][0] if "VALS" in each else each["MIN"] for each in ranges]
     highs = [each["VALS"][-1] if "VALS" in each else each["MAX"] for each in ranges]
     return [lows, highs] if ranges else [[True]]

@@ -113,7 +113,11 @@ def test_every_message_says_what_it_does_and_who_may_send_it() -> None:
         kind for kind in CLIENT_MESSAGES if issubclass(kind, SceneCommand) and kind.change is SceneCommand.change
     }
     assert silent == set()
-    assert {kind.__name__ for kind in CLIENT_MESSAGES if kind.access == HIGHEST} == {"SetLeases", "AppointManager"}
+    assert {kind.__name__ for kind in CLIENT_MESSAGES if kind.access == HIGHEST} == {
+        "SetLeases",
+        "AppointManager",
+        "SetShowMode",
+    }
 
 
 def test_a_removed_character_comes_back_by_its_key_or_its_name(cast: Cast) -> None:

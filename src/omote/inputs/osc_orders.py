@@ -11,6 +11,7 @@ from omote.inputs.character_patterns import characters_meant
 from omote.inputs.osc_addresses import BY_HAND, find_address
 from omote.inputs.osc_packet import Argument, OscError, OscMessage
 from omote.model.known_names import check_play_region
+from omote.perform.cues.cue import check_cue_number
 from omote.perform.gestures import check_gesture
 from omote.perform.layers.layer_names import check_layer, check_part
 from omote.perform.lights import LIGHTS
@@ -30,6 +31,8 @@ CHECKS: Mapping[str, Callable[[str], str]] = {
     "lease": partial(find_part, of_scene=False), "scene_lease": partial(find_part, of_scene=True),
 }  # fmt: skip
 """What finds the names that every show has."""
+BUTTON = (0.0, 1.0)
+"""What a button sends, as decimals: where the number of a cue may be left out it is let go or pressed."""
 MOST_REMEMBERED = 1024
 """Names and addresses that are remembered when they were found, or were not: what sends one sends it again."""
 LONGEST_REMEMBERED = 120
@@ -136,6 +139,10 @@ class OrderReader:
             if value.kind == "press":
                 if argument is not None and not _number(value, argument) > 0.0:
                     return None
+            elif value.kind == "cue" and value.default is not None and type(argument) is float and argument in BUTTON:
+                if argument == 0.0:
+                    return None
+                read_values.append(value.default)
             else:
                 read_values.append(self._read_value(value, argument))
         return read_values
@@ -153,6 +160,8 @@ class OrderReader:
             return CALL_SECONDS if argument is None else _number(value, argument)
         if value.kind == "switch":
             return _switch(value, argument)
+        if value.kind == "cue":
+            return _cue_number(argument)
         return _number(value, argument) if value.kind == "number" else self._name(value, argument)
 
     def _name(self, value: Value, argument: Argument) -> str | list[str]:
@@ -201,6 +210,15 @@ def _number(value: Value, argument: Argument) -> float:
     if isinstance(argument, int | float):
         return float(argument)
     raise ValueError(f"the {value.name} is {str(argument)[:80]!r}; expected {_listed([value])}")
+
+
+def _cue_number(argument: Argument) -> str:
+    """The number of a cue, as text or as a number."""
+    if isinstance(argument, str):
+        return check_cue_number(argument.strip())
+    if isinstance(argument, int | float) and not isinstance(argument, bool):
+        return check_cue_number(f"{argument:.3f}".rstrip("0").rstrip("."))
+    raise ValueError(f"a cue cannot be numbered {str(argument)[:80]!r}; give its number, such as 12.5")
 
 
 def _switch(value: Value, argument: Argument) -> float:

@@ -14,11 +14,10 @@ from omote.perform.gestures import GESTURES
 from omote.perform.layers.layer_names import LAYER_PARTS, LAYERS
 from omote.perform.lights import LIGHTS
 from omote.perform.scene.character_names import ALL
-from omote.perform.scene.goals import SCENE_PARTS
 from omote.perform.snapshot import Playable
 from omote.perform.speech.spelling import LANGUAGES
 from omote.show.osc import ROOT, Value
-from omote.show.ownership.parts import CHARACTER_PARTS, WORD_FOR_ALL
+from omote.show.ownership.parts import CHARACTER_PARTS, SCENE_PARTS, WORD_FOR_ALL
 
 Node = dict[str, Any]
 """A node as JSON has it: `FULL_PATH`, and what the proposal calls attributes."""
@@ -113,12 +112,10 @@ def _leaf(address: Address, path: str, names: Names) -> Node:
 
 def _range(value: Value, names: Names) -> dict[str, Any] | None:
     """What a value may be; None for a text of any kind."""
-    if value.kind == "speech":
+    if value.kind in ("speech", "text", "cue"):
         return None
     if value.kind in ("number", "time"):
         return {"MIN": value.low, "MAX": value.high}
-    if value.kind == "text":
-        return None
     return {"VALS": [False, True] if value.kind == "switch" else _names(value, names)}
 
 

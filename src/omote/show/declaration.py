@@ -83,6 +83,7 @@ class Session(Protocol):
     sounds: Any
     leasing: Any
     notes: Any
+    cues: Any
     wishes: list[Any]
     cancelled: list[str]
 

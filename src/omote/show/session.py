@@ -14,6 +14,7 @@ from omote.perform.scene.scene_snapshot import names_held_by
 from omote.perform.snapshot import Playable
 from omote.show.access.access_role import explain_missing_role, role_allows
 from omote.show.crew.members import Member, Members
+from omote.show.cues.cue_lists import CueLists
 from omote.show.declaration import (
     ClientMessage,
     DeviceMessage,
@@ -71,6 +72,7 @@ class ShowSession:
         self._panics = Panics()
         self.sources = OpenSources()
         self.sounds = KnownSounds()
+        self.cues = CueLists(lambda: self.scene, lambda who: self.members[who].name)
         self._sound_stage = SoundStage()
         self._own(None)
 
@@ -84,6 +86,7 @@ class ShowSession:
         session._executed = ExecutedCalls(snapshot.executed)
         session.sources = OpenSources(snapshot.sources)
         session.notes = snapshot.notes
+        session.cues.restore(snapshot.cues)
         session._own(snapshot.leases)
         return session
 
@@ -100,6 +103,7 @@ class ShowSession:
             self.leasing.snapshot(),
             self.sources.snapshot(),
             self.notes,
+            self.cues.snapshot(),
         )
 
     def receive_bytes(self, who: str, data: bytes, now: float) -> list[Outgoing]:
@@ -182,10 +186,11 @@ class ShowSession:
         self._now = now
         self.number += 1
         self.leasing.expire(tuple(self.scene), now)
-        return self._state(elapsed)
+        state = self._state(elapsed)
+        return msgspec.structs.replace(state, cues=self.cues.status(now)) if self.cues.book.cues else state
 
     def _state(self, elapsed: float) -> State:
-        frame = self.scene.advance(elapsed)
+        frame = self.cues.advance(elapsed)
         self._time = frame.time
         numbers = {"epoch": self.epoch, "number": self.number, "revision": self.revision}
         return state_of(self.cast, frame, self._eye_offsets, notes=self.notes, **numbers)

@@ -10,6 +10,7 @@ from omote.perform.scene.character_names import FIRST_CHARACTER
 from omote.perform.scene.scene import FIRST_LABEL
 from omote.perform.scene.scene_snapshot import SceneSnapshot
 from omote.perform.snapshot import limit_gaze
+from omote.show.cues.cue_lists import CuesSnapshot
 from omote.show.executed_calls import Executed
 from omote.show.objects.show_notes import ShowNotes
 from omote.show.ownership.leasing import LeaseSnapshot
@@ -17,14 +18,15 @@ from omote.show.sources.sources_snapshot import SourcesSnapshot
 
 
 class SessionSnapshot(msgspec.Struct, frozen=True):
-    """The scene, the ids of messages already executed, who holds what, the routes and measures of sources, and the
-    notes of the crew."""
+    """The scene, the ids of messages already executed, who holds what, the routes and measures of sources, the notes of
+    the crew, and how far its lists of cues are."""
 
     scene: SceneSnapshot
     executed: Executed
     leases: LeaseSnapshot = LeaseSnapshot()
     sources: SourcesSnapshot = SourcesSnapshot()
     notes: ShowNotes = ShowNotes()
+    cues: CuesSnapshot = CuesSnapshot()
 
 
 def read_session_snapshot(saved: object) -> tuple[SessionSnapshot, bool]:

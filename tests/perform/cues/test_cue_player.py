@@ -150,8 +150,8 @@ def test_a_move_that_cannot_be_called_costs_that_move_and_is_said(cast: Cast) ->
     player.go_to("1")
     rejected = player.rejected
     assert len(rejected) == 2
-    assert rejected[0].startswith("there is no face 'nobody'")
-    assert rejected[1].startswith("there is no character 'two'")
+    assert rejected[0].startswith("cue 1: there is no face 'nobody'")
+    assert rejected[1].startswith("cue 1: there is no character 'two'")
 
 
 def test_an_edition_moves_nothing_and_is_played_from_then_on(cast: Cast) -> None:

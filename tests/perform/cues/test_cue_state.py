@@ -13,7 +13,6 @@ from omote.perform.cues.cue import Cue, CueList, Move
 from omote.perform.cues.cue_state import (
     Call,
     CueState,
-    Step,
     advance,
     assert_look,
     begin,
@@ -222,12 +221,17 @@ def test_random_acts_keep_what_each_promises(seed: int) -> None:
     Rehearsal(seed).play(300)
 
 
+KEPT_STEP = cue_states._step
 FAULTS: dict[str, tuple[str, object]] = {
     "regions stay where their whole expression is called": ("regions_of", lambda part: ()),
     "a region may be called before its face": ("rank_of", lambda part: (False, part)),
     "what no cue had moved is not kept": (
         "_step",
-        lambda at, moved, read, left: Step(left, at.current, at.tracked, moved, {}),
+        lambda *asked: replace(KEPT_STEP(*asked), before={}),
+    ),
+    "what was tracked is not kept": (
+        "_step",
+        lambda *asked: replace(KEPT_STEP(*asked), stood={}),
     ),
     "a cue forgets what those before it have left": (
         "tracked_after",

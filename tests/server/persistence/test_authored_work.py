@@ -73,7 +73,7 @@ def test_performers_are_kept_and_dropped_together(cast: Cast, tmp_path: Path) ->
     work = open_authored_work(show, Refusing(), OrderWorker(cast), said.append)
     assert work is not None
     assert work.documents("performer") == {"Ada": b"1"}
-    work.keep_documents("performer", {"Bo": b"1"}, ["Ada"], said.append)
+    work.keep_documents([DocumentRemoval("performer", "Ada"), StoredDocument("performer", "Bo", b"1")], said.append)
     assert work.documents("performer") == {"Bo": b"1"}
     assert made == [(DocumentRemoval("performer", "Ada"), StoredDocument("performer", "Bo", b"1"))]
     assert said == ["a change of performer documents is not kept: the disk is full"]

@@ -4,7 +4,6 @@ from typing import get_args
 
 import pytest
 
-from omote.perform.scene.goals import SCENE_PARTS
 from omote.show.messages import CLIENT_MESSAGES
 from omote.show.objects.calls import Panic
 from omote.show.objects.characters import RemoveCharacter
@@ -14,6 +13,7 @@ from omote.show.objects.pictures import CallBlack, CallLight
 from omote.show.ownership.parts import (
     CHARACTER_PARTS,
     REGION_PARTS,
+    SCENE_PARTS,
     describe_key,
     expression_of,
     keys_of,

@@ -200,6 +200,180 @@ export type EnterCharacter = { type: "enter_character"; id: string; character: s
 export type LeaveCharacter = { type: "leave_character"; id: string; character: string; seconds?: number };
 
 /**
+ * Calls the cue that stands by, or the one of a number (`cue`), each once however often the message comes. `seen`:
+ * the identity of the cue that its presser saw standing by; where another does, nothing is called, and every console
+ * reads so. While cues are paused it lets them go on instead. An `id` executes once, as of all that follow.
+ * `cue_list`: of several lists; "" for the one that is chosen.
+ */
+export type Go = { type: "go"; id: string; cue?: string; seen?: string; cue_list?: string };
+
+/** Brings back what stood before the last cue was called, in a second; that cue stands by again. */
+export type GoBack = { type: "go_back"; id: string; cue_list?: string };
+
+/**
+ * Calls a cue out of its order; what waits is forgotten. `whole`: with all that the cues before it leave
+ * standing.
+ */
+export type GoToCue = { type: "go_to_cue"; id: string; cue: string; whole?: boolean; cue_list?: string };
+
+/** Calls all that the cues have left standing again, whoever has moved it since, in a second. */
+export type AssertLook = { type: "assert_look"; id: string; cue_list?: string };
+
+/** Has another cue stand by; nothing moves. */
+export type SetStandby = { type: "set_standby"; id: string; cue: string; cue_list?: string };
+
+/**
+ * Pauses the cues of all lists, or lets them go on: their waits, what follows, and what they have called comes to a
+ * stand in .2 s. Hands, trackers and what moves by itself go on.
+ */
+export type PauseCues = { type: "pause_cues"; id: string; on?: boolean };
+
+/** Chooses the list that is meant where a message names none. */
+export type ChooseCueList = { type: "choose_cue_list"; id: string; cue_list: string };
+
+/**
+ * Writes a new cue, or changes what is given of the one of an identity (`cue`). `number`: "" for the next free one;
+ * `after`: the identity of the cue that a new one comes behind, "" for where its number belongs.
+ */
+export type PutCue = {
+  type: "put_cue";
+  id: string;
+  cue?: string;
+  number?: string | null;
+  label?: string | null;
+  note?: string | null;
+  colour?: string | null;
+  pre_wait?: number | null;
+  post_wait?: number | null;
+  goes_on?: "" | "continue" | "follow" | null;
+  skip?: boolean | null;
+  after?: string;
+  cue_list?: string;
+};
+
+/**
+ * Writes the move of a part in a cue (an identity), or takes its place. `goal`: a mix, or numbers by name; as of
+ * the parts of cues.
+ */
+export type PutMove = {
+  type: "put_move";
+  id: string;
+  cue: string;
+  part: string;
+  goal: Record<string, number>;
+  seconds?: number;
+  easing?: string;
+  delay?: number;
+};
+
+/** Takes the move of a part out of a cue (an identity). */
+export type DropMove = { type: "drop_move"; id: string; cue: string; part: string };
+
+/**
+ * Writes a new cue of what shows: the parts that stand otherwise than the cues before it leave them, or those that
+ * `parts` names (`one/face`, `one` for all of a character). `number`: "" for the next free one behind the cue that was
+ * called last.
+ */
+export type RecordCue = {
+  type: "record_cue";
+  id: string;
+  cue?: string;
+  label?: string;
+  seconds?: number;
+  parts?: string[];
+  cue_list?: string;
+};
+
+/**
+ * Writes what shows into a cue (an identity; "" for the one that was called last): each part that stands otherwise
+ * than the list leaves it there.
+ */
+export type UpdateCue = { type: "update_cue"; id: string; cue?: string; cue_list?: string };
+
+/** Copies a cue (an identity) behind itself, or behind another (`after`), under the next free number. */
+export type CopyCue = { type: "copy_cue"; id: string; cue: string; after?: string };
+
+/** Moves a cue (an identity) behind another one of its list (`after`; "" for the first place); its number stays. */
+export type MoveCue = { type: "move_cue"; id: string; cue: string; after?: string };
+
+/** Takes a cue (an identity) out of its list. */
+export type DropCue = { type: "drop_cue"; id: string; cue: string };
+
+/** Numbers the cues of a list anew, in their order: `first`, then each by `step` more. */
+export type RenumberCues = { type: "renumber_cues"; id: string; first?: string; step?: string; cue_list?: string };
+
+/** Begins a list of cues. */
+export type AddCueList = { type: "add_cue_list"; id: string; cue_list: string };
+
+/** Gives a list of cues another name. */
+export type RenameCueList = { type: "rename_cue_list"; id: string; cue_list: string; to: string };
+
+/** Takes a list with its cues out of the show; the last one stays. */
+export type DropCueList = { type: "drop_cue_list"; id: string; cue_list: string };
+
+/**
+ * Takes the last edit of cues back, whoever made it; again, the one before it. `seen`: how many edits its presser
+ * saw in `CueStatus.edits`; where there are others now, nothing is taken back.
+ */
+export type UndoCues = { type: "undo_cues"; id: string; seen?: number | null };
+
+/** Does the edit again that was taken back last. `seen`: as of `undo_cues`. */
+export type RedoCues = { type: "redo_cues"; id: string; seen?: number | null };
+
+/** Locks the cues for a performance, or opens them: while the show mode is on nobody edits them. */
+export type SetShowMode = { type: "set_show_mode"; id: string; on: boolean };
+
+/** A cue as consoles name it. */
+export type CueName = { identity: string; number: string; label: string; note: string; colour: string };
+
+/** A move that waits: the number of its cue, its part, and in how many seconds it is called. */
+export type CueWait = { number: string; part: string; seconds: number };
+
+/** A part that a cue moves: the number of the cue ("" where it goes back), and in how many seconds it arrives. */
+export type CueMotion = { number: string; part: string; seconds: number };
+
+/**
+ * How far a list is. `current`: the cue that was called last; `standby`: the one that GO calls; `waits`, `moving`:
+ * the next first; `follows`: the cue that follows by itself, in `follows_in` seconds; `since`: seconds since the last
+ * GO, None before the first, `by` whom, "" where it followed by itself.
+ */
+export type CueListStatus = {
+  current: CueName | null;
+  standby: CueName | null;
+  waits: CueWait[];
+  moving: CueMotion[];
+  follows: CueName | null;
+  follows_in: number;
+  since: number | null;
+  by: string;
+};
+
+/**
+ * The lists of cues by name, in their order. `chosen`: the one that is meant where none is named; `rate`: of their
+ * time, 0 paused; `edits`: how many edits there were: `/cue_lists/NAME` has the cues; `undo`, `redo`: what would be
+ * taken back or done again, "" for nothing. `ignored`: the last GO that was not obeyed, and why, with the number of
+ * such; `rejected`: what of the last cue could not be called. `locked`: the show mode is on.
+ */
+export type CueStatus = {
+  chosen: string;
+  lists: Record<string, CueListStatus>;
+  rate: number;
+  edits: number;
+  undo: string;
+  redo: string;
+  ignored: string;
+  ignored_count: number;
+  rejected: string[];
+  locked: boolean;
+};
+
+/**
+ * A list of cues as `/cue_lists/NAME` returns it (JSON): its cues in the order of GO. `edits`: as of
+ * `CueStatus`.
+ */
+export type CueListDocument = { edits: number; cues: Cue[] };
+
+/**
  * A device is at this page from now on, until `unplug` or the end of the link. Rejected while another page has one
  * of that name: two of a kind need two names.
  */
@@ -448,7 +622,7 @@ export type Lease = {
   type: "lease";
   id: string;
   character: string;
-  part: "face" | "expression" | "brows" | "eyes" | "mouth" | "channels" | "head" | "gaze" | "place" | "light" | "framing" | "black" | "*";
+  part: "face" | "expression" | "brows" | "eyes" | "mouth" | "channels" | "head" | "gaze" | "place" | "light" | "framing" | "black" | "cues" | "*";
   take_over?: boolean;
 };
 
@@ -457,7 +631,7 @@ export type ReleaseLease = {
   type: "release_lease";
   id: string;
   character: string;
-  part: "face" | "expression" | "brows" | "eyes" | "mouth" | "channels" | "head" | "gaze" | "place" | "light" | "framing" | "black" | "*";
+  part: "face" | "expression" | "brows" | "eyes" | "mouth" | "channels" | "head" | "gaze" | "place" | "light" | "framing" | "black" | "cues" | "*";
 };
 
 /**
@@ -1015,7 +1189,7 @@ export type CharacterState = {
  * `gaze_points`: the named points that eyes may look at, metres as of `look_at`. `black`: how far stages fade their
  * picture to black, 0..1; `black_goal`: where that goes. A record without them has the picture up. `memories`: the
  * names of the looks that were kept, in the order in which they were kept first. `note`: the line of notes of the
- * crew; `began`: when the show began, of `time`.
+ * crew; `began`: when the show began, of `time`. `cues`: how far its lists of cues are, `None` where it has no cue.
  */
 export type State = {
   type: "state";
@@ -1034,6 +1208,7 @@ export type State = {
   memories: string[];
   note: string;
   began: number;
+  cues: CueStatus | null;
 };
 
 /** Colours of a face, each `#rrggbb`, the hair style, and the traits, plain numbers (`model.cast.Look`). */
@@ -1301,6 +1476,28 @@ export type FromClient =
   | PlaceCharacter
   | EnterCharacter
   | LeaveCharacter
+  | Go
+  | GoBack
+  | GoToCue
+  | AssertLook
+  | SetStandby
+  | PauseCues
+  | ChooseCueList
+  | PutCue
+  | PutMove
+  | DropMove
+  | RecordCue
+  | UpdateCue
+  | CopyCue
+  | MoveCue
+  | DropCue
+  | RenumberCues
+  | AddCueList
+  | RenameCueList
+  | DropCueList
+  | UndoCues
+  | RedoCues
+  | SetShowMode
   | Plug
   | Unplug
   | MidiBytes
@@ -1377,3 +1574,27 @@ export type FromServer =
   | PlaysSound
   | CastChanged
   | State;
+
+/** A part's way to a goal, in a cue. */
+
+export type Move = {
+  goal: Record<string, number>;
+  seconds: number;
+  easing: string;
+  delay: number;
+};
+
+/** What one GO plays: it says what it moves, and all else goes on as the cues before it have left it. */
+
+export type Cue = {
+  identity: string;
+  number: string;
+  moves: Record<string, Move>;
+  label: string;
+  note: string;
+  colour: string;
+  pre_wait: number;
+  post_wait: number;
+  goes_on: "" | "continue" | "follow";
+  skip: boolean;
+};

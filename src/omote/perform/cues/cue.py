@@ -6,7 +6,6 @@ import re
 from collections import Counter
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
-from types import MappingProxyType
 from typing import Literal, get_args
 
 from omote.perform.easing import DEFAULT_EASING, find_easing
@@ -66,7 +65,7 @@ class Move:
         find_easing(self.easing)
         for name in ("seconds", "delay"):
             object.__setattr__(self, name, _seconds(getattr(self, name), f"the {name} of a move"))
-        object.__setattr__(self, "goal", MappingProxyType(dict(self.goal)))
+        object.__setattr__(self, "goal", dict(self.goal))
 
     @property
     def length(self) -> float:
@@ -139,7 +138,7 @@ class Cue:
         ordered = sorted(self.moves, key=rank_of)
         for part in ordered:
             check_goal(part, self.moves[part].goal)
-        object.__setattr__(self, "moves", MappingProxyType({part: self.moves[part] for part in ordered}))
+        object.__setattr__(self, "moves", {part: self.moves[part] for part in ordered})
 
     @property
     def length(self) -> float:

@@ -225,34 +225,85 @@ class CuePlayer:
         >>> player.advance(2.0).black
         0.5
         """
-        dt = check_within(dt, 0.0, FOREVER, "the time step (seconds)")
+        return advance_lists(self.scene, [self], dt)
+
+    def begin_step(self, dt: float) -> tuple[of_list.Call, ...]:
+        """Goes on some time and returns what was due, to be called by `call`.
+
+        Parameters
+        ----------
+        dt : float
+            Seconds of the list's clock, 0 or more.
+
+        Returns
+        -------
+        tuple of Call
+            The earliest first.
+
+        Examples
+        --------
+        >>> player = omote.CuePlayer(omote.Scene.begun(cast), [omote.Cue("a", "1")])
+        >>> player.begin_step(1.0)
+        ()
+        """
         self._drop_after_panics()
-        now = self.state.clock
-        later = of_list.advance(self.state, self.cues, dt, self._read)
+        self.state = of_list.with_moving(of_list.advance(self.state, self.cues, dt, self._read))
         self.rejected = ()
-        for call in later.calls:
-            if call.at > now:
-                self.scene.advance(call.at - now)
-                now = call.at
-            self._call(call)
-        self.state = later
-        return self.scene.advance(max(later.clock - now, 0.0))
+        return self.state.calls
+
+    def forget_waiting(self, part: Part) -> None:
+        """Forgets what waits for a part that another list has moved.
+
+        Parameters
+        ----------
+        part : str
+            As of `Scene.goal_of`.
+
+        Examples
+        --------
+        >>> late = omote.Move({"flat": 1.0}, delay=1.0)
+        >>> player = omote.CuePlayer(omote.Scene.begun(cast), [omote.Cue("a", "1", {"*/light": late})])
+        >>> player.go()
+        >>> player.forget_waiting("*/light")
+        >>> player.state.waiting
+        ()
+        """
+        if any(one.part == part for one in self.state.waiting):
+            self.state = of_list.without_parts(self.state, (part,))
 
     def _play(self, act: Callable[[CueState], CueState]) -> None:
         """Does an act on what a panic has left, and calls what it calls."""
         self._drop_after_panics()
-        self.state = act(self.state)
+        self.state = of_list.with_moving(act(self.state))
         self.rejected = ()
         for call in self.state.calls:
-            self._call(call)
+            self.call(call)
 
-    def _call(self, call: of_list.Call) -> None:
-        """Calls a part, unless a character or a face of its move is gone by now."""
+    def call(self, call: of_list.Call) -> None:
+        """Calls a part, unless a character or a face of its move is gone by now: then `rejected` says so.
+
+        Parameters
+        ----------
+        call : Call
+            The part, its move and its cue.
+
+        Examples
+        --------
+        >>> scene = omote.Scene.begun(cast)
+        >>> player = omote.CuePlayer(scene, [omote.Cue("a", "1", {"two/face": omote.Move({"dog": 1.0})})])
+        >>> player.go()
+        >>> len(player.rejected)
+        1
+        """
         move = call.move
         try:
             self.scene.call_goal(call.part, move.goal, seconds=move.seconds, easing=move.easing)
         except ValueError as error:
-            self.rejected = (*self.rejected, str(error))
+            self.rejected = (*self.rejected, f"{self._name(call.cue)}{error}")
+
+    def _name(self, identity: str | None) -> str:
+        cue = self._cue(identity)
+        return "" if cue is None else f"cue {cue.number}: "
 
     def _read(self, part: Part) -> Goal:
         try:
@@ -275,3 +326,25 @@ class CuePlayer:
     def _place(self, number: str) -> int:
         numbers = [cue.number for cue in self.cues]
         return numbers.index(check_known(number, numbers, "cue"))
+
+
+def advance_lists(scene: Scene, players: Sequence[CuePlayer], dt: float, rate: float = 1.0) -> SceneFrame:
+    """What is on air some time later, where several lists play on one scene: what moves a part owns it, so what waits
+    for it in another list is forgotten.
+
+    scene: of all players; players: of the lists; dt: seconds; rate: of the lists' clocks, 0 (paused) to 1.
+    """
+    dt = check_within(dt, 0.0, FOREVER, "the time step (seconds)")
+    due = []
+    for place, player in enumerate(players):
+        before = player.state.clock
+        due += [((call.at - before) / rate if rate else 0.0, place, call) for call in player.begin_step(dt * rate)]
+    now = 0.0
+    for at, place, call in sorted(due, key=lambda each: each[:2]):
+        if at > now:
+            scene.advance(at - now)
+            now = at
+        players[place].call(call)
+        for other in (*players[:place], *players[place + 1 :]):
+            other.forget_waiting(call.part)
+    return scene.advance(max(dt - now, 0.0))

@@ -7,9 +7,8 @@ is a copy: editing a cue moves nothing that is on its way, waits, or is undone l
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Collection, Iterable, Iterator, Sequence
+from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
-from types import MappingProxyType
 
 from omote.perform.cues.cue import CueList, Move, is_of
 from omote.perform.cues.tracking import NOTHING_TRACKED, Tracked, tracked_after, tracked_at
@@ -27,11 +26,13 @@ ReadGoal = Callable[[Part], Goal]
 
 @dataclass(frozen=True)
 class Call:
-    """A part that is called: its move, and when, seconds of the state's clock."""
+    """A part that is called: its move, when, seconds of the state's clock, and by which cue, by identity; None where it
+    goes back."""
 
     part: Part
     move: Move
     at: float
+    cue: str | None = None
 
 
 @dataclass(frozen=True)
@@ -56,15 +57,25 @@ class Following:
 class Step:
     """What Back goes back to.
 
-    left: the cue that was called, by identity, None where it and all behind it are gone; current, tracked: as they were
-    before; moved: the parts that it moved; before: the goals of those of them that no cue had moved.
+    left: the cue that was called, by identity, None where it and all behind it are gone; current: as it was before;
+    stood: what was tracked where that has changed, None for nothing; moved: the parts that it moved; before: the goals
+    of those of them that no cue had moved.
     """
 
     left: str | None
     current: str | None
-    tracked: Tracked
+    stood: Mapping[Part, Goal | None]
     moved: tuple[Part, ...]
     before: Tracked
+
+
+@dataclass(frozen=True)
+class Moving:
+    """A part that a cue has called, and when it arrives, seconds of the state's clock. cue: as of `Call`."""
+
+    part: Part
+    cue: str | None
+    until: float
 
 
 @dataclass(frozen=True)
@@ -78,6 +89,7 @@ class CueState:
     following: Following | None = None
     steps: tuple[Step, ...] = ()
     clock: float = 0.0
+    moving: tuple[Moving, ...] = ()
     calls: tuple[Call, ...] = field(default=(), compare=False)
     """What the last act called, in order."""
 
@@ -117,7 +129,7 @@ def go_to(state: CueState, cues: CueList, place: int, read: ReadGoal, *, whole: 
     stands = {part: goal for part, goal in tracked.items() if whole and part not in cue.moves}
     later = _called(replace(state, waiting=(), following=None), cues, place, state.clock, read)
     moved = _taken((*stands, *cue.moves))
-    steps = (*state.steps, _step(state, moved, read, cue.identity))[-MOST_STEPS:]
+    steps = (*state.steps, _step(state, tracked, moved, read, cue.identity))[-MOST_STEPS:]
     calls = _face_first((*_returning(stands, state.clock), *later.calls))
     return replace(later, tracked=tracked, steps=steps, calls=calls)
 
@@ -127,9 +139,21 @@ def go_back(state: CueState) -> CueState:
     if not state.steps:
         return replace(state, calls=())
     step = state.steps[-1]
-    goals = {part: step.tracked.get(part, step.before.get(part)) for part in step.moved}
+    stood = {**state.tracked, **step.stood}
+    tracked = {part: goal for part, goal in stood.items() if goal is not None}
+    goals = {part: tracked.get(part, step.before.get(part)) for part in step.moved}
     calls = _returning({part: goal for part, goal in goals.items() if goal is not None}, state.clock)
-    return CueState(step.current, step.left, step.tracked, (), None, state.steps[:-1], state.clock, calls)
+    back = replace(state, current=step.current, standby=step.left, tracked=tracked, waiting=(), following=None)
+    return replace(back, steps=state.steps[:-1], calls=calls)
+
+
+def with_moving(state: CueState) -> CueState:
+    """The state after an act or a step, with what its calls have set on its way and without what has arrived."""
+    called = {part for call in state.calls for part in (call.part, *regions_of(call.part))}
+    begun = (Moving(call.part, call.cue, call.at + call.move.seconds) for call in state.calls)
+    under_way = (*(one for one in state.moving if one.part not in called), *begun)
+    moving = tuple(one for one in under_way if one.until > state.clock)
+    return state if moving == state.moving else replace(state, moving=moving)
 
 
 def assert_look(state: CueState) -> CueState:
@@ -161,7 +185,7 @@ def edited(state: CueState, before: CueList, after: CueList) -> CueState:
     """The state of a list that has been edited: nothing moves.
 
     A cue that stood by, or would again after Back, and is gone leaves its place to the next one behind it; nothing
-    follows in the place of one that is gone.
+    follows in the place of one that is gone. Where the list was at its end, what has come behind it stands by.
 
     state: as it is; before, after: the list.
     """
@@ -178,11 +202,19 @@ def edited(state: CueState, before: CueList, after: CueList) -> CueState:
     gone = following is None or following.cue not in there
     return replace(
         state,
-        standby=kept(state.standby),
+        standby=kept(state.standby) if state.standby is not None else next_from(after, _behind(after, state.current)),
         following=None if gone else following,
         steps=steps,
         calls=(),
     )
+
+
+def _behind(cues: CueList, identity: str | None) -> int:
+    """The place behind a cue; the first one where no cue has been called, the end where that one is gone."""
+    if identity is None:
+        return 0
+    place = place_of(cues, identity)
+    return len(cues) if place is None else place + 1
 
 
 def advance(state: CueState, cues: CueList, dt: float, read: ReadGoal) -> CueState:
@@ -231,7 +263,7 @@ def _followed(state: CueState, cues: CueList, following: Following, read: ReadGo
 
 def _called_waiting(state: CueState, due: float) -> CueState:
     """What waits until then is called."""
-    ready = tuple(Call(one.part, one.move, one.at) for one in state.waiting if one.at <= due)
+    ready = tuple(Call(one.part, one.move, one.at, one.cue) for one in state.waiting if one.at <= due)
     left = tuple(one for one in state.waiting if one.at > due)
     return replace(state, waiting=left, calls=_face_first(ready))
 
@@ -243,13 +275,14 @@ def _called(state: CueState, cues: CueList, place: int, at: float, read: ReadGoa
     moved = _taken(cue.moves)
     begun = at + cue.pre_wait
     planned = [Waiting(cue.identity, part, move, begun + move.delay) for part, move in cue.moves.items()]
-    ready = tuple(Call(one.part, one.move, one.at) for one in planned if one.at <= at)
+    ready = tuple(Call(one.part, one.move, one.at, one.cue) for one in planned if one.at <= at)
     waiting = (*_without(state.waiting, moved), *(one for one in planned if one.at > at))
     after = next_from(cues, place + 1)
     follows = None if after is None or cue.next_after is None else Following(after, at + cue.next_after)
-    steps = (*state.steps, _step(state, moved, read, cue.identity))[-MOST_STEPS:]
     tracked = tracked_after(state.tracked, cue)
-    return CueState(cue.identity, after, tracked, waiting, follows, steps, state.clock, ready)
+    steps = (*state.steps, _step(state, tracked, moved, read, cue.identity))[-MOST_STEPS:]
+    later = replace(state, current=cue.identity, standby=after, tracked=tracked, waiting=waiting, following=follows)
+    return replace(later, steps=steps, calls=ready)
 
 
 def _taken(parts: Iterable[Part]) -> tuple[Part, ...]:
@@ -258,9 +291,10 @@ def _taken(parts: Iterable[Part]) -> tuple[Part, ...]:
     return tuple(sorted(taken, key=rank_of))
 
 
-def _step(state: CueState, moved: tuple[Part, ...], read: ReadGoal, left: str) -> Step:
-    before = MappingProxyType({part: read(part) for part in moved if part not in state.tracked})
-    return Step(left, state.current, state.tracked, moved, before)
+def _step(state: CueState, tracked: Tracked, moved: tuple[Part, ...], read: ReadGoal, left: str) -> Step:
+    before = {part: read(part) for part in moved if part not in state.tracked}
+    changed = [part for part in {**state.tracked, **tracked} if state.tracked.get(part) != tracked.get(part)]
+    return Step(left, state.current, {part: state.tracked.get(part) for part in changed}, moved, before)
 
 
 def _without(waiting: Iterable[Waiting], parts: Collection[Part]) -> Iterator[Waiting]:

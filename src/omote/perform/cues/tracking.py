@@ -3,13 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
-from types import MappingProxyType
 
 from omote.perform.cues.cue import Cue, CueList
 from omote.perform.scene.goals import Goal, Part, regions_of
 
 Tracked = Mapping[Part, Goal]
-NOTHING_TRACKED: Tracked = MappingProxyType({})
+NOTHING_TRACKED: Tracked = {}
 
 
 def tracked_after(tracked: Tracked, cue: Cue) -> Tracked:
@@ -31,7 +30,7 @@ def tracked_after(tracked: Tracked, cue: Cue) -> Tracked:
     """
     taken = {region for part in cue.moves for region in regions_of(part)}
     kept = {part: goal for part, goal in tracked.items() if part not in taken}
-    return MappingProxyType({**kept, **{part: move.goal for part, move in cue.moves.items()}})
+    return {**kept, **{part: move.goal for part, move in cue.moves.items()}}
 
 
 def tracked_through(cues: Iterable[Cue]) -> Tracked:

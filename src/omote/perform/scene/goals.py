@@ -8,7 +8,6 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterable, Mapping
-from types import MappingProxyType
 
 from omote.model.known_names import PLAY_REGIONS
 from omote.perform.frame import DETAIL_LIMIT, DETAILS
@@ -21,7 +20,7 @@ from omote.perform.snapshot import ROUNDING
 
 Part = str
 Goal = Mapping[str, float]
-WITH_FACE: Goal = MappingProxyType({})
+WITH_FACE: Goal = {}
 """The goal of a region of the expression that goes with the whole face."""
 
 TURN_LIMITS: Mapping[str, Ranges] = {

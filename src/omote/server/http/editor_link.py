@@ -11,7 +11,7 @@ import contextlib
 import sys
 import time
 import traceback
-from collections.abc import Awaitable, Callable, Coroutine, Mapping
+from collections.abc import Awaitable, Callable, Coroutine, Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import partial
 
@@ -162,6 +162,11 @@ class EditorLinks:
     def documents(self, kind: str) -> Mapping[str, bytes]:
         """The stored documents (JSON) of a kind by name."""
         return {} if self.authored_work is None else self.authored_work.documents(kind)
+
+    def keep_documents(self, changes: Sequence[StoredDocument | DocumentRemoval]) -> None:
+        """Commits documents beside the show; without a show file they are known until its end."""
+        if self.authored_work is not None:
+            self.authored_work.keep_documents(changes, self._report)
 
     def send_news(self, news: Notices | Progress) -> None:
         """Sends what is complete by itself to every editor that reads."""

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import sqlite3
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Protocol
 
@@ -37,20 +37,18 @@ class AuthoredWork:
         return self.session.authored.state.documents.get(kind, {})
 
     def keep_documents(
-        self, kind: str, bodies: Mapping[str, bytes], dropped: Iterable[str], report: Callable[[str], None]
+        self, changes: Sequence[StoredDocument | DocumentRemoval], report: Callable[[str], None]
     ) -> None:
-        """Commits documents of a kind beside the show.
+        """Commits documents together, beside the show.
 
-        kind: of all of them; bodies: what is put (JSON) by name; dropped: the names that go; report: told on the
-        terminal where that cannot be kept.
+        changes: what is put, and what goes; report: told on the terminal where that cannot be kept.
         """
-        changes: list[Change] = [DocumentRemoval(kind, name) for name in dropped]
-        changes += [StoredDocument(kind, *named) for named in bodies.items()]
         self.session.authored.state.apply(changes)
+        kinds = ", ".join(sorted({change.kind for change in changes}))
 
         def report_outcome(outcome: CommitOutcome) -> None:
             if outcome.state == "refused":
-                report(f"a change of {kind} documents is not kept: {outcome.sentence}")
+                report(f"a change of {kinds} documents is not kept: {outcome.sentence}")
 
         self.committer.commit(changes, report_outcome)
 

@@ -51,6 +51,7 @@ from omote.server.supervision.source_report import SourceReport
 from omote.show.objects.bindings import StoredBindings
 from omote.show.objects.performers import StoredPerformer
 from omote.show.session import ShowSession
+from omote.showfile.changes import DocumentRemoval, StoredDocument
 
 Report = Callable[[str], None]
 
@@ -167,7 +168,9 @@ def _open_cameras(opening: _Opening) -> CameraLinks:
 
     def keep(documents: Mapping[str, bytes], gone: list[str]) -> None:
         if (kept := opening.work()) is not None:
-            kept.keep_documents(StoredPerformer.kind, documents, gone, opening.report)
+            kind = StoredPerformer.kind
+            put = [StoredDocument(kind, *named) for named in documents.items()]
+            kept.keep_documents([*(DocumentRemoval(kind, name) for name in gone), *put], opening.report)
 
     stored = opening.work()
     performers = PerformerList({} if stored is None else stored.documents(StoredPerformer.kind), keep)
@@ -181,7 +184,7 @@ def _open_bindings(opening: _Opening) -> tuple[BindingInput, BindingCommands]:
 
     def keep(document: bytes) -> None:
         if (kept := opening.work()) is not None:
-            kept.keep_documents(StoredBindings.kind, {StoredBindings.kind: document}, (), opening.report)
+            kept.keep_documents([StoredDocument(StoredBindings.kind, StoredBindings.kind, document)], opening.report)
 
     stored = opening.work()
     own, presets, wrong = decode_stored(

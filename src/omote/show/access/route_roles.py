@@ -17,6 +17,7 @@ ROUTES: Mapping[tuple[str, str], AccessRole] = MappingProxyType(
         ("POST", "/people"): "admin",
         ("DELETE", "/people/{id}"): "admin",
         ("GET", "/people/{id}/code"): "admin",
+        ("GET", "/cue_lists/{name}"): "view",
         ("GET", "/exports/{file}"): "operate",
         ("POST", "/imports/{file}"): "edit",
         ("POST", "/photographs"): "edit",

@@ -12,7 +12,7 @@ from omote.show.osc import PRESS, Osc, Value
 
 LeasePart = Literal[
     "face", "expression", "brows", "eyes", "mouth", "channels", "head", "gaze", "place", "light", "framing", "black",
-    "*",
+    "cues", "*",
 ]  # fmt: skip
 
 
@@ -23,7 +23,7 @@ def _addresses(path: str, tells: str, **fixed: object) -> tuple[Osc, Osc]:
     """The addresses of a part of a character, and of the scene. path: the one before the part; tells: what it does to a
     part {}; fixed: as of `Osc`."""
     of_it = tells.format("of it (face, head ..., or all)")
-    of_scene = tells.format("of the scene (light, framing, black, or all of all characters)")
+    of_scene = tells.format("of the scene (light, framing, black, cues, or all of all characters)")
     return (
         Osc(path + "/{part}", of_it, (PRESS,), fixed),
         Osc(path + "/{part}", of_scene, (SCENE_PART, PRESS), fixed, of_show=True),

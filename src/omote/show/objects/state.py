@@ -11,6 +11,7 @@ from omote.model.known_names import PlayRegion
 from omote.perform.frame import TargetKind
 from omote.perform.layers.layer_names import LayerName
 from omote.show.declaration import ServerMessage
+from omote.show.objects.cues import CueStatus
 
 
 class CallState(msgspec.Struct, frozen=True):
@@ -159,7 +160,7 @@ class State(ServerMessage, frozen=True):
     `gaze_points`: the named points that eyes may look at, metres as of `look_at`. `black`: how far stages fade their
     picture to black, 0..1; `black_goal`: where that goes. A record without them has the picture up. `memories`: the
     names of the looks that were kept, in the order in which they were kept first. `note`: the line of notes of the
-    crew; `began`: when the show began, of `time`.
+    crew; `began`: when the show began, of `time`. `cues`: how far its lists of cues are, `None` where it has no cue.
     """
 
     epoch: int
@@ -177,6 +178,7 @@ class State(ServerMessage, frozen=True):
     memories: list[str] = []
     note: str = ""
     began: float = 0.0
+    cues: CueStatus | None = None
 
 
 def named_most(mix: Mapping[str, float], call: CallState | None) -> str:

@@ -7,10 +7,12 @@ from typing import get_args
 
 from omote.perform.limits import check_known
 from omote.perform.scene.character_names import ALL, describe_character
-from omote.perform.scene.goals import SCENE_PARTS
+from omote.perform.scene.goals import SCENE_PARTS as PLAYED_PARTS
 from omote.show.declaration import ClientMessage
 from omote.show.objects.leases import LeasePart
 
+SCENE_PARTS = (*PLAYED_PARTS, "cues")
+"""The parts of the scene."""
 CHARACTER_PARTS = tuple(part for part in get_args(LeasePart) if part not in (*SCENE_PARTS, ALL))
 """The parts of a character."""
 WORD_FOR_ALL = "all"

@@ -1,0 +1,309 @@
+"""The cue lists of a session: what GO and its kin are let through to play, and what consoles are told of it."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, field, replace
+from typing import Any
+
+from omote.perform.cues.cue import Cue
+from omote.perform.cues.cue_player import CuePlayer, advance_lists
+from omote.perform.cues.cue_state import GAP_SECONDS, CueState, edited
+from omote.perform.limits import check_known
+from omote.perform.scene.scene import Scene
+from omote.perform.scene.scene_frame import SceneFrame
+from omote.show.cues import cue_edits
+from omote.show.cues.cue_book import CueBook, documents_between, find_cue, redo, undo
+from omote.show.declaration import Outgoing
+from omote.show.objects import cues as wire
+from omote.show.objects.documents import Document
+from omote.show.objects.link import Refused
+
+PAUSE_SECONDS = 0.2
+"""In which the time of cues comes to a stand, and goes on."""
+STEPS_KEPT = 20
+"""That Back still undoes after a restart: the journal is written thirty times a second."""
+
+
+@dataclass(frozen=True)
+class CuesSnapshot:
+    """What a restarted server needs of the cues beside the show file: how far each list is (by name), which is chosen,
+    the rate of their time and where it goes, the show mode, and how many GOs were ignored."""
+
+    states: dict[str, CueState] = field(default_factory=dict)
+    chosen: str = ""
+    rate: float = 1.0
+    paused: bool = False
+    locked: bool = False
+    ignored_count: int = 0
+
+
+class CueLists:
+    """The cue lists of a show, each with its player on one scene.
+
+    scene: that of the session, whichever it has now; name_of: what people call a client.
+    """
+
+    def __init__(self, scene: Callable[[], Scene], name_of: Callable[[str], str]) -> None:
+        self._scene = scene
+        self._name_of = name_of
+        self.book = CueBook()
+        self.chosen = next(iter(self.book.orders))
+        self.locked = False
+        self._players: dict[str, CuePlayer] = {}
+        self._states: dict[str, CueState] = {}
+        self._rate = 1.0
+        self._paused = False
+        self._last_go = -math.inf
+        self._pressed: dict[str, tuple[float, str]] = {}
+        self._ignored = ""
+        self._ignored_count = 0
+        self._rejected: tuple[str, ...] = ()
+        self._offers = ("", "")
+        self._kept = self.book
+        self._play(self.book)
+
+    # --- what is kept ---
+
+    def load(self, book: CueBook) -> None:
+        """Plays the lists of a show file, each as far as the snapshot had it. book: what the file keeps."""
+        self._kept = book
+        self._players = {}
+        self._play(book)
+        self._states = {}
+
+    def restore(self, snapshot: CuesSnapshot) -> None:
+        """Goes on from a snapshot; lists that are loaded later go on from it too."""
+        self._states = dict(snapshot.states)
+        self.chosen = snapshot.chosen or self.chosen
+        self._rate = snapshot.rate
+        self._paused = snapshot.paused
+        self.locked = snapshot.locked
+        self._ignored_count = snapshot.ignored_count
+        self._players = {}
+        self._play(self.book)
+
+    def snapshot(self) -> CuesSnapshot:
+        """How far each list is."""
+        states = {
+            name: replace(player.state, steps=player.state.steps[-STEPS_KEPT:], calls=())
+            for name, player in self._players.items()
+            if player.cues
+        }
+        return CuesSnapshot(states, self.chosen, self._rate, self._paused, self.locked, self._ignored_count)
+
+    def take_changes(self) -> dict[tuple[str, str], Document | None]:
+        """Returns what the show file does not have yet, by kind and name; None for what goes."""
+        if self._kept is self.book:
+            return {}
+        changes = documents_between(self._kept, self.book)
+        self._kept = self.book
+        return changes
+
+    def document(self, name: str) -> wire.CueListDocument | None:
+        """A list (name); None where there is none."""
+        if name not in self._players:
+            return None
+        return wire.CueListDocument(len(self.book.edits), list(self._players[name].cues))
+
+    # --- what plays ---
+
+    def advance(self, dt: float) -> SceneFrame:
+        """What is on air some time later, with all that was due called at its own time. dt: seconds."""
+        paused = self._paused
+        if self._rate != (0.0 if paused else 1.0):
+            change = dt / PAUSE_SECONDS
+            self._rate = max(0.0, self._rate - change) if paused else min(1.0, self._rate + change)
+        frame = advance_lists(self._scene(), [*self._players.values()], dt, self._rate)
+        self._note_rejected()
+        return frame
+
+    def go(self, message: wire.Go, who: str, now: float) -> Sequence[Outgoing]:
+        """Calls the cue that stands by, or that of a number. message: asks for it; who: the client; now: seconds."""
+        name = self._named(message.cue_list)
+        player = self._players[name]
+        wanted = find_cue(self.book, name, message.cue) if message.cue else None
+        if wanted is not None and player.state.current == wanted.identity:
+            return ()  # an OSC sender has no ids: the number is what executes once
+        standby = player.standby
+        if message.seen and (standby is None or standby.identity != message.seen):
+            seen = self.book.cues.get(message.seen)
+            stands = f"{standby.number} stands by" if standby else "no cue stands by"
+            return self._ignore(who, message.id, "" if seen is None else f" for {seen.number}", stands)
+        if self._comes_too_soon(now):
+            return self._ignore(who, message.id, "", f"another came less than {GAP_SECONDS:g} s before")
+        if self._paused and wanted is None:
+            self.pause(on=False)
+            return ()
+        if wanted is None:
+            player.go()
+        else:
+            player.go_to(wanted.number)
+        self._note_act(name, who, now)
+        return ()
+
+    def go_back(self, message: wire.GoBack, who: str, now: float) -> Sequence[Outgoing]:
+        """Brings back what stood before. message, who, now: as of `go`."""
+        name = self._named(message.cue_list)
+        if not self._players[name].state.steps:
+            raise ValueError("nothing has been called that could be brought back")
+        return self._act(name, message, who, now, self._players[name].go_back)
+
+    def go_to(self, message: wire.GoToCue, who: str, now: float) -> Sequence[Outgoing]:
+        """Calls a cue out of its order. message, who, now: as of `go`."""
+        name = self._named(message.cue_list)
+        cue = find_cue(self.book, name, message.cue)
+        player = self._players[name]
+        return self._act(name, message, who, now, lambda: player.go_to(cue.number, whole=message.whole))
+
+    def assert_look(self, message: wire.AssertLook, who: str, now: float) -> Sequence[Outgoing]:
+        """Calls what the cues have left standing. message, who, now: as of `go`."""
+        name = self._named(message.cue_list)
+        return self._act(name, message, who, now, self._players[name].assert_look)
+
+    def set_standby(self, message: wire.SetStandby) -> None:
+        """Has another cue stand by. message: names it."""
+        name = self._named(message.cue_list)
+        self._players[name].set_standby(find_cue(self.book, name, message.cue).number)
+
+    def pause(self, *, on: bool) -> None:
+        """Pauses the time of the cues, or lets it go on."""
+        self._paused = on
+
+    def choose(self, name: str) -> None:
+        """Chooses the list that is meant where none is named. name: of the list."""
+        self.chosen = check_known(name, self.book.orders, "list of cues")
+
+    # --- what edits ---
+
+    def edit(self, message: wire.CueCommand, who: str) -> None:
+        """Makes an edit; ValueError where it cannot be made, or the show mode is on. message: asks for it; who: the
+        client."""
+        if self.locked:
+            raise ValueError("the show mode is on, so no cue is edited; whoever runs the show switches it off")
+        by = self._name_of(who)
+        if isinstance(message, wire.UndoCues | wire.RedoCues):
+            self._check_seen(message.seen)
+            self._play((undo if isinstance(message, wire.UndoCues) else redo)(self.book, by))
+            return
+        chosen = self._named(getattr(message, "cue_list", ""), new=isinstance(message, wire.AddCueList))
+        state = self._players[chosen].state if chosen in self._players else CueState()
+        desk = cue_edits.Desk(self.book, self._scene(), chosen, state.current, by)
+        self._play(cue_edits.EDITS[type(message)](desk, message))
+
+    # --- what is told ---
+
+    def status(self, now: float) -> wire.CueStatus | None:
+        """What consoles are told; None in a show without cues. now: seconds, monotonic."""
+        if not self.book.cues:
+            return None
+        return wire.CueStatus(
+            chosen=self.chosen,
+            lists={name: self._status_of(name, player, now) for name, player in self._players.items()},
+            rate=self._rate,
+            edits=len(self.book.edits),
+            undo=self._offers[0],
+            redo=self._offers[1],
+            ignored=self._ignored,
+            ignored_count=self._ignored_count,
+            rejected=[*self._rejected],
+            locked=self.locked,
+        )
+
+    def _status_of(self, name: str, player: CuePlayer, now: float) -> wire.CueListStatus:
+        state = player.state
+        pressed = self._pressed.get(name)
+        following = state.following
+        scene = self._scene()
+        return wire.CueListStatus(
+            current=self._cue_name(state.current),
+            standby=self._cue_name(state.standby),
+            waits=[
+                wire.CueWait(self._number(one.cue), one.part, one.at - state.clock)
+                for one in sorted(state.waiting, key=lambda one: one.at)
+            ],
+            moving=[
+                wire.CueMotion(self._number(one.cue), one.part, one.until - state.clock)
+                for one in sorted(state.moving, key=lambda one: one.until)
+                if one.part.rpartition("/")[0] in (*scene, "*")
+            ],
+            follows=None if following is None else self._cue_name(following.cue),
+            follows_in=0.0 if following is None else following.at - state.clock,
+            since=None if pressed is None else max(0.0, now - pressed[0]),
+            by="" if pressed is None else pressed[1],
+        )
+
+    def _cue_name(self, identity: str | None) -> wire.CueName | None:
+        cue = None if identity is None else self.book.cues.get(identity)
+        return None if cue is None else wire.CueName(cue.identity, cue.number, cue.label, cue.note, cue.colour)
+
+    def _number(self, identity: str | None) -> str:
+        cue = None if identity is None else self.book.cues.get(identity)
+        return "" if cue is None else cue.number
+
+    # --- within ---
+
+    def _named(self, name: str, *, new: bool = False) -> str:
+        wanted = name or self.chosen
+        return wanted if new else check_known(wanted, self.book.orders, "list of cues")
+
+    def _act(self, name: str, message: Any, who: str, now: float, act: Callable[[], None]) -> Sequence[Outgoing]:
+        if self._comes_too_soon(now):
+            return self._ignore(who, message.id, "", f"another came less than {GAP_SECONDS:g} s before")
+        self._paused = False
+        act()
+        self._note_act(name, who, now)
+        return ()
+
+    def _comes_too_soon(self, now: float) -> bool:
+        return now - self._last_go < GAP_SECONDS
+
+    def _ignore(self, who: str, call: str, what: str, why: str) -> Sequence[Outgoing]:
+        """Tells all consoles that a GO was not obeyed; its id counts as executed, so no retry of it calls anything."""
+        self._ignored = f"GO{what} of {self._name_of(who)} ignored: {why}."
+        self._ignored_count += 1
+        return (Outgoing(who, Refused(f"ignored: {why}. Nothing was called.", call)),)
+
+    def _note_act(self, name: str, who: str, now: float) -> None:
+        self._last_go = now
+        self._pressed[name] = (now, self._name_of(who))
+        self._rejected = ()
+        self._note_rejected()
+
+    def _note_rejected(self) -> None:
+        rejected = tuple(said for player in self._players.values() for said in player.rejected)
+        if rejected:
+            self._rejected = rejected
+
+    def _check_seen(self, seen: int | None) -> None:
+        if seen is not None and seen != len(self.book.edits):
+            last = self.book.edits[-1] if self.book.edits else None
+            who = "" if last is None else f": {last.by} has done since: {last.what}"
+            raise ValueError(f"the cues have been edited since you pressed{who}")
+
+    def _play(self, book: CueBook) -> None:
+        """Plays the lists as they are in a book; what is on its way goes on."""
+        self.book = book
+        players: dict[str, CuePlayer] = {}
+        for name in book.orders:
+            cues = book.cues_of(name)
+            player = self._players.get(name) or self._renamed(name, cues)
+            if player.cues != cues:
+                player.edit(cues)
+            players[name] = player
+        self._players = players
+        if self.chosen not in players:
+            self.chosen = next(iter(players))
+        done, back = book.undone
+        self._offers = (book.edits[done[-1]].what if done else "", book.edits[back[-1]].what if back else "")
+
+    def _renamed(self, name: str, cues: tuple[Cue, ...]) -> CuePlayer:
+        """The player of a list that has come: it goes on as the one that had its cues before, or as a snapshot has
+        it."""
+        player = CuePlayer(self._scene(), cues)
+        before = next((other for other in self._players.values() if cues and other.cues == cues), None)
+        state = before.state if before is not None else self._states.get(name)
+        if state is not None:
+            player.state = edited(state, cues, cues)
+        return player
