@@ -231,7 +231,7 @@ def read_book(
     kept_orders = {
         name: tuple(identity for identity in dict.fromkeys(order) if identity in found) for _, name, order in orders
     }
-    listed = {identity for order in kept_orders.values() for identity in order}
+    listed = dict.fromkeys(identity for order in kept_orders.values() for identity in order)
     book = CueBook(
         {identity: found[identity] for identity in listed}, kept_orders or {FIRST_LIST: ()}, _read_log(edits, lost)
     )

@@ -53,6 +53,7 @@ class CueLists:
         self.locked = False
         self._players: dict[str, CuePlayer] = {}
         self._states: dict[str, CueState] = {}
+        self._chosen_before = ""
         self._rate = 1.0
         self._paused = False
         self._last_go = -math.inf
@@ -72,17 +73,17 @@ class CueLists:
         self._players = {}
         self._play(book)
         self._states = {}
+        if self._chosen_before in book.orders:
+            self.chosen = self._chosen_before
 
     def restore(self, snapshot: CuesSnapshot) -> None:
-        """Goes on from a snapshot; lists that are loaded later go on from it too."""
+        """Goes on from a snapshot; the lists, which are loaded later, go on as it has them."""
         self._states = dict(snapshot.states)
-        self.chosen = snapshot.chosen or self.chosen
+        self._chosen_before = snapshot.chosen
         self._rate = snapshot.rate
         self._paused = snapshot.paused
         self.locked = snapshot.locked
         self._ignored_count = snapshot.ignored_count
-        self._players = {}
-        self._play(self.book)
 
     def snapshot(self) -> CuesSnapshot:
         """How far each list is."""
@@ -137,6 +138,8 @@ class CueLists:
             self.pause(on=False)
             return ()
         if wanted is None:
+            if standby is None:
+                return self._ignore(who, message.id, "", "no cue stands by, for the list is at its end")
             player.go()
         else:
             player.go_to(wanted.number)

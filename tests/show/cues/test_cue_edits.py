@@ -1,0 +1,95 @@
+"""Edits of cues: what is recorded of what shows, and what is refused in words (random ones: `test_cue_lists.py`)."""
+
+from __future__ import annotations
+
+import pytest
+
+from omote.perform.cues.cue import Move
+from omote.show.messages import PROTOCOL_VERSION
+from omote.show.objects import cues as wire
+from omote.show.objects.link import Hello, Refused
+from omote.show.session import ShowSession
+from tests import synthetic
+
+CAST = synthetic.cast()
+FACE = tuple(CAST.faces)[1]
+
+
+@pytest.fixture
+def session() -> ShowSession:
+    session = ShowSession(CAST)
+    session.receive("ana", Hello(role="console", version=PROTOCOL_VERSION, name="Ana"), 0.0)
+    return session
+
+
+def reason(session: ShowSession, message: wire.CueCommand) -> str:
+    (answer,) = session.receive("ana", message, 0.0)
+    assert isinstance(answer.message, Refused)
+    return answer.message.reason
+
+
+def test_the_first_cue_records_everything_and_each_after_it_what_is_otherwise(session: ShowSession) -> None:
+    session.receive("ana", wire.RecordCue("a1", label="Curtain"), 0.0)
+    session.scene["one"].call_face(FACE, seconds=0)
+    session.receive("ana", wire.RecordCue("a2", seconds=3.0), 0.0)
+    first, second = session.cues.book.cues.values()
+    assert {"one/face", "one/head", "*/light", "*/black"} < first.moves.keys()
+    assert "one/brows" not in first.moves  # it goes with its face
+    assert {part: (dict(move.goal), move.seconds) for part, move in second.moves.items()} == {
+        "one/face": ({FACE: 1.0}, 3.0)
+    }
+    assert (first.number, second.number) == ("1", "2")
+
+
+def test_parts_that_are_named_are_recorded_alone(session: ShowSession) -> None:
+    session.receive("ana", wire.RecordCue("a1", parts=["*/light", "one"]), 0.0)
+    (cue,) = session.cues.book.cues.values()
+    assert {part.rpartition("/")[0] for part in cue.moves} == {"one", "*"}
+    assert [part for part in cue.moves if part.startswith("*")] == ["*/light"]
+    assert "there is no part 'one/nose'" in reason(session, wire.RecordCue("a2", parts=["one/nose"]))
+
+
+def test_an_update_writes_what_was_moved_by_hand_into_the_cue_that_was_called(session: ShowSession) -> None:
+    session.receive("ana", wire.RecordCue("a1"), 0.0)
+    assert "no cue has been called that could be updated" in reason(session, wire.UpdateCue("a2"))
+    session.receive("ana", wire.Go("a3"), 1.0)
+    session.scene["one"].set_head(yaw=0.3, pitch=0.0, roll=0.0)
+    session.receive("ana", wire.UpdateCue("a4"), 2.0)
+    (cue,) = session.cues.book.cues.values()
+    assert cue.moves["one/head"].goal["yaw"] == 0.3
+    session.receive("ana", wire.UndoCues("a5"), 2.0)
+    (cue,) = session.cues.book.cues.values()
+    assert cue.moves["one/head"].goal["yaw"] == 0.0
+
+
+def test_while_the_show_mode_is_on_nobody_edits(session: ShowSession) -> None:
+    session.receive("ana", wire.RecordCue("a1"), 0.0)
+    session.receive("ana", wire.SetShowMode("a2", on=True), 0.0)
+    assert "the show mode is on" in reason(session, wire.RecordCue("a3"))
+    assert "the show mode is on" in reason(session, wire.UndoCues("a4"))
+    assert session.receive("ana", wire.Go("a5"), 1.0) == []
+
+
+@pytest.mark.parametrize(
+    ("message", "said"),
+    [
+        (wire.PutMove("b", "0-0", "one/nose", {"nose": 1.0}), "there is no part 'one/nose'"),
+        (wire.PutMove("b", "0-0", "one/face", {FACE: 0.5}), "the weights of one/face sum to 0.5"),
+        (wire.PutMove("b", "gone", "one/face", {FACE: 1.0}), "somebody has deleted it"),
+        (wire.PutCue("b", number="1"), "two cues have the number 1"),
+        (wire.PutCue("b", number="1.2.3"), "a cue cannot be numbered '1.2.3'"),
+        (wire.PutCue("b", after="gone"), "there is no cue of this list 'gone'"),
+        (wire.DropMove("b", "0-0", "one/place"), "there is no part in cue 1 'one/place'"),
+        (wire.AddCueList("b", "MAIN"), "there is a list of cues 'MAIN' already"),
+        (wire.AddCueList("b", "  "), "a list of cues cannot be called"),
+        (wire.DropCueList("b", "main"), "a show has 1 to 16 lists of cues, not 0"),
+        (wire.RedoCues("b"), "no edit of cues to do again"),
+    ],
+)
+def test_an_edit_that_cannot_be_made_says_why_and_changes_nothing(
+    session: ShowSession, message: wire.CueCommand, said: str
+) -> None:
+    session.receive("ana", wire.PutCue("a", number="1"), 0.0)
+    book = session.cues.book
+    assert said in reason(session, message)
+    assert session.cues.book is book
