@@ -11,6 +11,7 @@ from omote.builtin import load_cast
 from omote.cli import app
 from omote.edit.store.import_items import make_document
 from omote.file_commands import format_time
+from omote.interchange.formats.cue_toml import read_cues
 from omote.interchange.formats.expression_json import encode
 from omote.model.cast import Cast
 from omote.showfile.backup import back_up
@@ -262,3 +263,32 @@ def test_nothing_of_a_show_that_is_not_right_comes_in(show: ShowFile, tmp_path: 
     )
     text = said("import", tmp_path / "other.omote", show.path, status=1).replace("\n", " ")
     assert "is not all right, so nothing of it was taken: revision 1 of odd" in text
+
+
+def test_cues_go_out_as_text_and_come_in_again_and_are_the_same(tmp_path: Path) -> None:
+    text, show = tmp_path / "evening.toml", tmp_path / "show.omote"
+    text.write_text('[[cue]]\nnumber = "1"\n[cue.moves]\n"*/light" = { to = "flat" }\n\n[[cue]]\nnumber = "2"\n')
+    assert "has the list main, cues: 2" in said("import", show, text)
+    said("export", show, "cues", "-o", tmp_path / "out.toml")
+    assert read_cues(tmp_path / "out.toml") == read_cues(text)
+    said("export", show, "cues", "-o", tmp_path / "order.csv")
+    assert len((tmp_path / "order.csv").read_text().splitlines()) == 3
+    before = json.loads(said("list", show, "--documents", "cue", "--json"))
+    said("import", show, tmp_path / "out.toml")
+    assert json.loads(said("list", show, "--documents", "cue", "--json")) == before
+    said("import", show, text, "--list", "matinee")
+    assert len(json.loads(said("list", show, "--documents", "cue", "--json"))) == 4
+
+
+def test_cues_that_are_wrong_are_said_line_by_line_and_change_nothing(tmp_path: Path) -> None:
+    text, show = tmp_path / "evening.toml", tmp_path / "show.omote"
+    text.write_text('[[cue]]\nnumber = "x"\n[cue.moves]\n"*/light" = { too = "flat" }\n')
+    lines = said("import", show, text, status=1).splitlines()
+    assert [line.partition("line ")[2][:2] for line in lines] == ["2:", "4:"]
+    assert not show.exists()
+    text.write_text('[[cue]]\nnumber = "1"\n')
+    said("import", show, text)
+    assert "there is no list of cues 'x' in this show" in said(
+        "export", show, "cues", "--list", "x", "-o", tmp_path / "o.toml", status=1
+    )
+    assert "holds a list of cues: write" in said("export", show, "smile", "-o", tmp_path / "o.toml", status=1)

@@ -15,7 +15,8 @@ from omote.terminal import complete_name, complete_show, escape_controls, exit_o
 if TYPE_CHECKING:
     from omote.edit.store.import_items import ImportedItem
     from omote.model.cast import Cast
-    from omote.showfile.changes import Stored
+    from omote.show.cues.cue_book import CueBook
+    from omote.showfile.changes import DocumentRemoval, Stored, StoredDocument
 
 WIDEST = 4000
 """Characters of a line of a table at most."""
@@ -25,6 +26,7 @@ JsonOption = Annotated[bool, typer.Option("--json", help="Print it for programs.
 file_app = typer.Typer(help="Looks into show files.", no_args_is_help=True)
 
 
+CueListOption = Annotated[str, typer.Option("--list", help="Of several lists of cues: its name.")]
 DocumentsOption = Annotated[str, typer.Option("--documents", help="Stored documents of a kind instead: layout.")]
 
 
@@ -117,7 +119,7 @@ def take_in(
         list[Path],
         typer.Argument(
             help="Expressions (.json), heads with morph targets (.glb, .gltf, .vrm), shapes (.obj, .ply), "
-            "shows (.omote)."
+            "shows (.omote), lists of cues (.toml)."
         ),
     ],
     face: Annotated[str, typer.Option(help="The face of the cast that shapes start from; else it is seen.")] = "",
@@ -131,15 +133,21 @@ def take_in(
     keep_both: Annotated[
         bool, typer.Option("--keep-both", help="Adds a copy of what is there already, exactly the same.")
     ] = False,
+    cue_list: CueListOption = "",
 ) -> None:
-    """Takes expressions or faces made elsewhere, or all of other show files, into a show file that no show plays; what
-    is there already is not added again."""
-    from omote.interchange.formats.file_names import SHOW, require_imports
+    """Takes expressions or faces made elsewhere, all of other show files, or lists of cues, into a show file that no
+    show plays; what is there already is not added again."""
+    from omote.interchange.formats.file_names import CUES, SHOW, require_imports
     from omote.stage_data.cast_names import read_names
 
     shows = [thing for thing in things if thing.suffix.lower() == SHOW]
-    things = [thing for thing in things if thing not in shows]
+    texts = [thing for thing in things if thing.suffix.lower() == CUES]
+    things = [thing for thing in things if thing not in (*shows, *texts)]
     with exit_on_refusal():
+        if texts:
+            take_in_cues(file, texts, cue_list)
+            if not things and not shows:
+                return
         own = read_own_work(file)
         require_imports(things, kind)
         if shows:
@@ -181,6 +189,78 @@ def take_in_shows(file: Path, shows: Sequence[Path]) -> None:
             count = len(merged.labels)
             named = f": {', '.join(merged.labels)}" if count else ""
             say(escape_controls(f"{file} has {count or 'nothing'} of {other.name} more{named}."))
+
+
+def take_in_cues(file: Path, texts: Sequence[Path], name: str) -> None:
+    """Takes lists of cues (TOML) into a show file that no show plays, each in the place of the list of its name.
+
+    file: the show file, made where there is none; texts: the lists; name: of the list that one text becomes, "" for the
+    one that the file begins with.
+    """
+    from omote.interchange.formats.cue_toml import CueFileError, read_cues
+    from omote.server.persistence.offline_show import open_offline_show
+    from omote.show.cues.cue_book import take_in_list
+
+    if len(texts) > 1:
+        raise ValueError("one list of cues is taken in at a time: the next would take its place")
+    try:
+        cues = read_cues(texts[0])
+    except CueFileError as error:
+        for line in str(error).splitlines():
+            say(line)
+        raise typer.Exit(1) from error
+    with open_offline_show(file, new=True) as show:
+        before = read_cue_book(show.stored())
+        chosen = name or next(iter(before.orders))
+        show.apply(cue_changes(before, take_in_list(before, chosen, cues, "omote file import")))
+    say(f"{file} has the list {chosen}, cues: {len(cues)}.")
+
+
+def read_cue_book(stored: Stored) -> CueBook:
+    """The cues of a show file; ValueError where one of them cannot be read. stored: what the file holds."""
+    from omote.show.cues.cue_book import read_book
+    from omote.show.objects.cues import CueEdit, StoredCue, StoredCueList
+
+    book, lost = read_book(*(stored.documents.get(kind.kind, {}) for kind in (StoredCue, StoredCueList, CueEdit)))
+    if lost:
+        raise ValueError(" ".join(lost))
+    return book
+
+
+def cue_changes(before: CueBook, after: CueBook) -> list[StoredDocument | DocumentRemoval]:
+    """What a show file has to keep to come from one book of cues to the next. before, after: the books."""
+    from omote.show.cues.cue_book import documents_between
+    from omote.showfile.changes import DocumentRemoval, StoredDocument
+
+    return [
+        DocumentRemoval(kind, name) if document is None else StoredDocument(kind, name, document.encode())
+        for (kind, name), document in documents_between(before, after).items()
+    ]
+
+
+def give_out_cues(file: Path, name: str, output: Path, *, force: bool) -> None:
+    """Writes a list of cues as text (TOML), or as a running order (CSV).
+
+    file: the show file; name: of the list, "" for its first; output: what to write; force: whether a file there is
+    replaced.
+    """
+    from omote.interchange.formats.atomic_file import check_writable, require_free, write_whole
+    from omote.interchange.formats.cue_toml import format_cues, format_running_order
+    from omote.interchange.formats.file_names import CUES
+    from omote.perform.limits import check_known
+    from omote.showfile.inspection import inspect_show
+
+    with exit_on_refusal():
+        check_writable(output)
+        require_free(output, force=force)
+        book = read_cue_book(inspect_show(file).stored)
+        chosen = check_known(name, book.orders, "list of cues") if name else next(iter(book.orders))
+        cues = book.cues_of(chosen)
+        if not cues:
+            fail(f"{file} has no cues in the list {chosen}.")
+        text = format_cues(cues) if output.suffix.lower() == CUES else format_running_order(cues)
+        write_whole(output, text.encode())
+    say(f"{output} holds the list {chosen}, cues: {len(cues)}.")
 
 
 @file_app.command()
@@ -282,16 +362,23 @@ def give_out(
     kind: Annotated[
         Literal["expression", "face"] | None, typer.Option(help="Which goes into a show file, where both are so named.")
     ] = None,
+    cue_list: CueListOption = "",
 ) -> None:
-    """Writes an expression as a document that any crew can take in, a stored document as it is (JSON), or an own face
-    or expression whole, with recipe, look and history, as a show file of its own (.omote)."""
+    """Writes an expression as a document that any crew can take in, a stored document as it is (JSON), an own face or
+    expression whole, with recipe, look and history, as a show file of its own (.omote), or `cues` as text (.toml) and
+    as a running order (.csv)."""
     from omote.interchange.formats.atomic_file import check_writable, require_free, write_whole
-    from omote.interchange.formats.file_names import SHOW, check_document_name
+    from omote.interchange.formats.file_names import CUES, RUNNING_ORDER, SHOW, check_document_name
     from omote.showfile.inspection import inspect_show
     from omote.stage_data.cast_names import find_exported, read_names
 
     if output.suffix.lower() == SHOW:
         give_out_whole(file, name, kind, output)
+        return
+    if output.suffix.lower() in (CUES, RUNNING_ORDER):
+        if name != "cues":
+            fail(f"{output.suffix} holds a list of cues: write omote file export {file} cues -o {output}.")
+        give_out_cues(file, cue_list, output, force=force)
         return
     output = complete_name(output, ".json")
     with exit_on_refusal():

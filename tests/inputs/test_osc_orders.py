@@ -23,6 +23,7 @@ from omote.show.objects.calls import (
     ReleaseFace,
 )
 from omote.show.objects.characters import EnterCharacter, LeaveCharacter, PlaceCharacter
+from omote.show.objects.cues import Go, SetStandby
 from omote.show.objects.faders import SetChannel, SetGaze, SetHead
 from omote.show.objects.layers import SetLayer
 from omote.show.objects.leases import Lease, ReleaseLease
@@ -196,6 +197,23 @@ OFF: tuple[Argument, ...] = (0, 0.0, False, "FALSE", "0", "0.0")
 )
 def test_a_switch_is_on_or_off(value: Argument, on: bool) -> None:
     assert orders("/omote/one/layer_on/tracker", value) == (SetLayer("one", "tracker", None, None, on),)
+
+
+@pytest.mark.parametrize(
+    ("argument", "cue"), [("42", "42"), (" 12.5 ", "12.5"), (43, "43"), (12.125, "12.125"), (3.0, "3")]
+)
+def test_a_cue_is_numbered_by_text_or_by_a_number(argument: Argument, cue: str) -> None:
+    assert orders("/omote/go", argument) == (Go("c1", cue),)
+    assert orders("/omote/standby", argument) == (SetStandby("c1", cue),)
+
+
+def test_a_button_plays_go_once_and_a_cue_whose_number_must_be_named_is_no_button() -> None:
+    assert orders("/omote/go") == orders("/omote/go", 1.0) == (Go("c1"),)
+    assert orders("/omote/go", 0.0) == ()
+    assert orders("/omote/standby", 1.0) == (SetStandby("c1", "1"),)
+    for argument in ("1.2.3", -1, True, b"1"):
+        with pytest.raises(OscError, match="a cue cannot be numbered"):
+            orders("/omote/go", argument)
 
 
 def test_a_reader_says_the_same_each_time() -> None:

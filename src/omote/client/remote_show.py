@@ -18,6 +18,7 @@ from omote.show.declaration import CharacterCommand, ClientMessage
 from omote.show.messages import CLIENT_MESSAGES
 from omote.show.objects.calls import Panic
 from omote.show.objects.characters import AddCharacter, PlaceCharacter
+from omote.show.objects.cues import CueStatus
 from omote.show.objects.leases import Lease, LeasePart, ReleaseLease
 from omote.show.objects.pictures import CallFraming
 from omote.show.objects.sources import CalibrateSource, CalibrationStep, Drive, RouteSource, Source
@@ -97,6 +98,12 @@ class RemoteShow(RemoteLeases[Sent], RemoteSources[Sent], Generic[Sent, Said]):
     def state(self) -> State:
         """The newest state: complete, as the stages get it."""
         return self._newest()
+
+    @property
+    def cues(self) -> CueStatus | None:
+        """How far the lists of cues are, None in a show without cues; `go`, `back`, `go_to_cue` and others play
+        them."""
+        return self.state.cues
 
     @property
     def characters(self) -> tuple[str, ...]:

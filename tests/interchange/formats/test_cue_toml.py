@@ -110,10 +110,10 @@ def test_every_error_is_said_with_its_line() -> None:
         parse_cues(WRONG)
     said = str(error.value).splitlines()
     assert [line.split(":")[0] for line in said] == [
-        "line 6", "line 7", "line 8", "line 9", "line 4", "line 16", "line 13", "line 14", "line 11",
+        "line 4", "line 6", "line 7", "line 8", "line 9", "line 11", "line 13", "line 14", "line 16",
     ]  # fmt: skip
-    assert "a move has no 'secs'" in said[0]
-    assert "black of */black is 2.0; give a number from 0 to 1" in said[2]
+    assert "a move has no 'secs'" in said[1]
+    assert "black of */black is 2.0; give a number from 0 to 1" in said[3]
 
 
 @pytest.mark.parametrize(

@@ -161,7 +161,7 @@ def test_an_edition_moves_nothing_and_is_played_from_then_on(cast: Cast) -> None
     assert player.advance(1.0).black == 0.0
     player.go(seen="7")
     assert player.advance(0.0).black == 1.0
-    with pytest.raises(ValueError, match="there is no cue '1'"):
+    with pytest.raises(ValueError, match="there is no cue of this list '1'"):
         player.set_standby("1")
     player.set_standby("8")
     with pytest.raises(ValueError, match="two cues have the number 8"):

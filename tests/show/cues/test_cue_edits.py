@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import pytest
 
-from omote.perform.cues.cue import Move
 from omote.show.messages import PROTOCOL_VERSION
 from omote.show.objects import cues as wire
 from omote.show.objects.link import Hello, Refused
@@ -79,7 +78,7 @@ def test_while_the_show_mode_is_on_nobody_edits(session: ShowSession) -> None:
         (wire.PutCue("b", number="1"), "two cues have the number 1"),
         (wire.PutCue("b", number="1.2.3"), "a cue cannot be numbered '1.2.3'"),
         (wire.PutCue("b", after="gone"), "there is no cue of this list 'gone'"),
-        (wire.DropMove("b", "0-0", "one/place"), "there is no part in cue 1 'one/place'"),
+        (wire.DropMove("b", "0-0", "one/place"), "there is no part of this cue 'one/place'"),
         (wire.AddCueList("b", "MAIN"), "there is a list of cues 'MAIN' already"),
         (wire.AddCueList("b", "  "), "a list of cues cannot be called"),
         (wire.DropCueList("b", "main"), "a show has 1 to 16 lists of cues, not 0"),

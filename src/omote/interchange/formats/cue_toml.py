@@ -129,7 +129,7 @@ def parse_cues(text: str, /) -> CueList:
         wrong += errors
         cues += found
     if wrong:
-        raise CueFileError("\n".join(wrong))
+        raise CueFileError("\n".join(sorted(wrong, key=_line_of)))
     try:
         return check_cues(cues)
     except ValueError as error:
@@ -150,6 +150,11 @@ def format_running_order(cues: Iterable[Cue]) -> str:
         if not cue.skip:
             table.writerow((*(getattr(cue, name) for name in RUNNING_ORDER), " ".join(cue.moves)))
     return text.getvalue()
+
+
+def _line_of(sentence: str) -> int:
+    """The line that a sentence about it begins with."""
+    return int(sentence.removeprefix("line ").partition(":")[0])
 
 
 class _Lines:

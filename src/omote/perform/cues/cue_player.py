@@ -325,7 +325,7 @@ class CuePlayer:
 
     def _place(self, number: str) -> int:
         numbers = [cue.number for cue in self.cues]
-        return numbers.index(check_known(number, numbers, "cue"))
+        return numbers.index(check_known(number, numbers, "cue of this list"))
 
 
 def advance_lists(scene: Scene, players: Sequence[CuePlayer], dt: float, rate: float = 1.0) -> SceneFrame:

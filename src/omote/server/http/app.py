@@ -22,6 +22,7 @@ from omote.server.access.phone_page import PHONE_PATH, PhonePage
 from omote.server.access.security import adding_headers, guard, silence_bad_requests
 from omote.server.http.cast_documents import CastDocuments
 from omote.server.http.cast_reload import CastReload
+from omote.server.http.cue_routes import CueRoutes
 from omote.server.http.document_routes import CACHE_FOREVER, NO_CACHE, DocumentRoutes
 from omote.server.http.downloads import Downloads
 from omote.server.http.editor_link import NO_FILE, EditorLinks
@@ -35,17 +36,14 @@ from omote.server.persistence.authored_work import AuthoredWork
 from omote.server.sounds.sound_routes import Sounds
 from omote.server.sounds.voice_routes import Voices
 from omote.server.workers.file_jobs import BuildTouchoscLayout, run_file_job
-from omote.show.cues.cue_book import read_book
 from omote.show.declaration import MESSAGE_LIMIT, SPEECH_LIMIT, KeepRequest, Outgoing, ServerMessage
 from omote.show.messages import LINK_PATH
-from omote.show.objects.cues import CUE_LIST_PATH, CueEdit, StoredCue, StoredCueList
 from omote.show.objects.devices import Devices
 from omote.show.objects.documents import NAMES_OF, address_of
 from omote.show.objects.link import Notice, Notices, Progress, Refused
 from omote.show.objects.state import State
 from omote.show.session import ShowSession
 from omote.show.wire import encode
-from omote.showfile.changes import DocumentRemoval, StoredDocument
 
 PAGE_CLOSED = (WSCloseCode.OK, WSCloseCode.GOING_AWAY)
 """How a browser ends the link of a page that is closed or loaded anew."""
@@ -95,6 +93,7 @@ class ShowServer:
         self.authority: bytes | None = None
         self.embedders: tuple[str, ...] = ()
         self._pages = pages
+        self._cues = CueRoutes(session)
         self.outside = ""
         self._state: State | None = None
 
@@ -125,13 +124,7 @@ class ShowServer:
         )
         for kind in NAMES_OF:
             self.session.list_documents(kind, sorted(self.editing.documents(kind)))
-        self._load_cues(self.editing, report)
-
-    def _load_cues(self, editing: EditorLinks, report: Callable[[str], None]) -> None:
-        book, lost = read_book(*(editing.documents(kind.kind) for kind in (StoredCue, StoredCueList, CueEdit)))
-        self.session.cues.load(book)
-        for sentence in lost:
-            report(sentence)
+        self._cues.load(self.editing.documents, report)
 
     def enable_files(self, show: Callable[[], Path], run_job: RunFileJob) -> None:
         """Adds imports and exports; show: where the show file lies; run_job: does a `FileJob`."""
@@ -183,7 +176,7 @@ class ShowServer:
             application.router.add_get(EDITING_PATH, self.editing.link)
         for kind in NAMES_OF:
             application.router.add_get(address_of(kind), partial(self.document, kind))
-        application.router.add_get(CUE_LIST_PATH, self.cue_list)
+        self._cues.add_routes(application)
         application.router.add_get("/exports/{file}", self.export)
         application.router.add_post("/imports/{file}", self.take_in)
         DocumentRoutes(self.documents).add_routes(application)
@@ -235,22 +228,9 @@ class ShowServer:
 
     def _keep_cues(self) -> None:
         """Writes what was edited of cues since the last tick into the show file, in one commit."""
-        changes = self.session.cues.take_changes()
+        changes = self._cues.changes()
         if changes and self.editing is not None:
-            self.editing.keep_documents(
-                [
-                    DocumentRemoval(kind, name) if document is None else StoredDocument(kind, name, document.encode())
-                    for (kind, name), document in changes.items()
-                ]
-            )
-
-    async def cue_list(self, request: web.Request) -> web.Response:
-        """Responds with a list of cues (JSON); 204 where there is none of the name."""
-        document = self.session.cues.document(request.match_info["name"])
-        if document is None:
-            return web.Response(status=204, headers={"Cache-Control": NO_CACHE})
-        body = msgspec.json.encode(document)
-        return web.Response(body=body, content_type="application/json", headers={"Cache-Control": NO_CACHE})
+            self.editing.keep_documents(changes)
 
     def broadcast_crew(self) -> None:
         """Broadcasts who is connected, once a second; those whose token has ended are not any more."""

@@ -18,6 +18,7 @@ ROUTES: Mapping[tuple[str, str], AccessRole] = MappingProxyType(
         ("DELETE", "/people/{id}"): "admin",
         ("GET", "/people/{id}/code"): "admin",
         ("GET", "/cue_lists/{name}"): "view",
+        ("POST", "/cue_lists/{name}"): "edit",
         ("GET", "/exports/{file}"): "operate",
         ("POST", "/imports/{file}"): "edit",
         ("POST", "/photographs"): "edit",

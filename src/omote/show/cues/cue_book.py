@@ -185,6 +185,19 @@ def renumbered(book: CueBook, name: str, first: str, step: str) -> dict[str, Cue
     }
 
 
+def take_in_list(book: CueBook, name: str, cues: Sequence[Cue], by: str) -> CueBook:
+    """The book with a list as it comes from a text, where a cue is known by its number: it is the same cue still.
+
+    name: of the list, which may be new; cues: in the order of GO; by: who brings them.
+    """
+    known = {cue.number: cue.identity for cue in book.cues_of(name)} if name in book.orders else {}
+    new = iter(new_identities(book, len(cues)))
+    placed = [replace(cue, identity=known.get(cue.number) or next(new)) for cue in check_cues(cues)]
+    gone = dict.fromkeys(book.orders.get(name, ()))
+    changed: dict[str, Cue | None] = {**gone, **{cue.identity: cue for cue in placed}}
+    return edit_cues(book, f"take in {name}", by, changed, {check_list_name(name): [cue.identity for cue in placed]})
+
+
 def check_list_name(name: str) -> str:
     """Returns the name of a list without spaces around it; ValueError for none and for one that is too long."""
     text = " ".join(name.split())
@@ -283,4 +296,4 @@ def _checked(book: CueBook) -> CueBook:
 def find_cue(book: CueBook, name: str, number: str) -> Cue:
     """The cue of a number in a list (name); ValueError where there is none, with those near it."""
     by_number: dict[str, Cue] = {cue.number: cue for cue in book.cues_of(name)}
-    return by_number[check_known(number, by_number, "cue")]
+    return by_number[check_known(number, by_number, "cue of this list")]

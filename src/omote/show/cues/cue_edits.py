@@ -85,7 +85,7 @@ def put_move(desk: Desk, message: wire.PutMove) -> CueBook:
 def drop_move(desk: Desk, message: wire.DropMove) -> CueBook:
     """A cue without the move of a part. message: says which."""
     cue = desk.cue(message.cue)
-    check_known(message.part, cue.moves, f"part in cue {cue.number}")
+    check_known(message.part, cue.moves, "part of this cue")
     return desk.edit(f"no {message.part} in cue {cue.number}", {cue.identity: with_move(cue, message.part, None)})
 
 

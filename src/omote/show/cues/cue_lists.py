@@ -14,7 +14,7 @@ from omote.perform.limits import check_known
 from omote.perform.scene.scene import Scene
 from omote.perform.scene.scene_frame import SceneFrame
 from omote.show.cues import cue_edits
-from omote.show.cues.cue_book import CueBook, documents_between, find_cue, redo, undo
+from omote.show.cues.cue_book import CueBook, documents_between, find_cue, redo, take_in_list, undo
 from omote.show.declaration import Outgoing
 from omote.show.objects import cues as wire
 from omote.show.objects.documents import Document
@@ -183,8 +183,7 @@ class CueLists:
     def edit(self, message: wire.CueCommand, who: str) -> None:
         """Makes an edit; ValueError where it cannot be made, or the show mode is on. message: asks for it; who: the
         client."""
-        if self.locked:
-            raise ValueError("the show mode is on, so no cue is edited; whoever runs the show switches it off")
+        self._check_open()
         by = self._name_of(who)
         if isinstance(message, wire.UndoCues | wire.RedoCues):
             self._check_seen(message.seen)
@@ -194,6 +193,14 @@ class CueLists:
         state = self._players[chosen].state if chosen in self._players else CueState()
         desk = cue_edits.Desk(self.book, self._scene(), chosen, state.current, by)
         self._play(cue_edits.EDITS[type(message)](desk, message))
+
+    def take_in(self, name: str, cues: Sequence[Cue], by: str) -> None:
+        """Takes in a list as it comes from a text; ValueError where it cannot be, or the show mode is on.
+
+        name: of the list, which may be new; cues: in the order of GO; by: who brings them.
+        """
+        self._check_open()
+        self._play(take_in_list(self.book, name, cues, by))
 
     # --- what is told ---
 
@@ -278,6 +285,10 @@ class CueLists:
         rejected = tuple(said for player in self._players.values() for said in player.rejected)
         if rejected:
             self._rejected = rejected
+
+    def _check_open(self) -> None:
+        if self.locked:
+            raise ValueError("the show mode is on, so no cue is edited; whoever runs the show switches it off")
 
     def _check_seen(self, seen: int | None) -> None:
         if seen is not None and seen != len(self.book.edits):
