@@ -26,6 +26,7 @@ from omote.perform.axis import (
     standing_mix,
     status,
     weights,
+    with_pace,
 )
 from omote.perform.easing import EASINGS
 from omote.perform.frame import Frame
@@ -40,7 +41,8 @@ easings = st.sampled_from(sorted(EASINGS))
 call_moves = st.tuples(st.just("call"), st.sampled_from(NAMES), times, easings, st.floats(0.0, 1.5))
 fade_moves = st.tuples(st.just("fade"), st.floats(0.0, 1.0), st.none(), st.none(), st.floats(0.0, 0.5))
 release_moves = st.tuples(st.just("release"), st.none(), st.none(), st.none(), st.floats(0.0, 0.5))
-histories = st.lists(st.one_of(call_moves, call_moves, fade_moves, release_moves), max_size=25)
+pace_moves = st.tuples(st.just("pace"), st.floats(0.0, 1.0), st.none(), st.none(), st.floats(0.0, 0.5))
+histories = st.lists(st.one_of(call_moves, call_moves, fade_moves, release_moves, pace_moves), max_size=25)
 Move = tuple[str, str | float | None, float | None, str | None, float]
 
 
@@ -49,6 +51,8 @@ def moved(axis: Axis, move: Move) -> Axis:
     kind, what, seconds, easing, _ = move
     if kind == "call":
         return called(axis, str(what), seconds, str(easing))
+    if kind == "pace":
+        return with_pace(axis, float(what or 0.0))
     return faded(axis, float(what or 0.0)) if kind == "fade" else released(axis)
 
 

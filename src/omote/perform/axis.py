@@ -38,7 +38,8 @@ class Call:
 
     `seconds` None: only the T-bar moves it. `way` is the way of the T-bar, or the rest of the way after its release;
     without it the easing decides. `held`: the T-bar has picked it up. `goal`: the mix to come to a stand at, where that
-    is not the target alone (`halted`).
+    is not the target alone (`halted`). `pace`: how fast its time goes, 0..1 of the show's, where cues have called it
+    (`with_pace`); None: with the show's, whatever pauses.
     """
 
     target: str
@@ -51,6 +52,7 @@ class Call:
     way: Glide | None = None
     held: bool = False
     goal: Mapping[str, float] | None = None
+    pace: float | None = None
 
 
 @dataclass(frozen=True)
@@ -109,7 +111,9 @@ def slot_rates(axis: Axis) -> Slots:
     if call is None:
         return Slots(0.0, 0.0, 0.0)
     _, rate = progress(call)
-    return Slots(-rate, rate, bump_rate(call.elapsed / call.decay) * _share(call) if call.decay else 0.0)
+    carried = bump_rate(call.elapsed / call.decay) * _share(call) if call.decay else 0.0
+    pace = 1.0 if call.pace is None else call.pace
+    return Slots(-rate * pace, rate * pace, carried * pace)
 
 
 def weights(axis: Axis) -> dict[str, float]:
@@ -168,6 +172,16 @@ def called_to_mix(axis: Axis, mix: Weights, seconds: float, easing: str) -> Axis
     return called(axis, _heaviest(mix), seconds, easing, mix if len(mix) > 1 else None)
 
 
+def with_pace(axis: Axis, pace: float | None) -> Axis:
+    """The axis with its call at a pace, 0..1 of the show's time; None: with the show, whatever pauses."""
+    return axis if axis.call is None else replace(axis, call=replace(axis.call, pace=pace))
+
+
+def repaced(axis: Axis, pace: float) -> Axis:
+    """The axis with its call at another pace, 0..1, where it has one."""
+    return axis if axis.call is None or axis.call.pace is None else with_pace(axis, pace)
+
+
 def goal_of(axis: Axis) -> Weights:
     """The mix that an axis comes to, by its call or its T-bar, or stands at."""
     return weights(axis) if axis.call is None else _goal(axis.call)
@@ -193,7 +207,8 @@ def faded(axis: Axis, hand: float) -> Axis:
     now = _along(axis, hand)
     if not call.held and (before - y) * (now - y) > 0.0:
         return moved
-    return replace(moved, call=replace(call, held=True, way=plan_glide(y, rate, now, HAND_SECONDS)))
+    rate *= 1.0 if call.pace is None else call.pace
+    return replace(moved, call=replace(call, held=True, way=plan_glide(y, rate, now, HAND_SECONDS), pace=None))
 
 
 def released(axis: Axis) -> Axis:
@@ -212,6 +227,8 @@ def advanced(axis: Axis, dt: float) -> Axis:
     """The axis `dt` seconds later; a call that has arrived leaves its target alone on air."""
     if axis.call is None:
         return axis
+    if axis.call.pace is not None:
+        dt *= axis.call.pace
     way = None if axis.call.way is None else glide_after(axis.call.way, dt)
     call = with_fields(axis.call, elapsed=axis.call.elapsed + dt, way=way)
     if not _has_arrived(call):

@@ -193,6 +193,8 @@ def _check_call(call: Call, names: Mapping[str, object], what: str) -> None:
         check_within(call.seconds, SHORTEST_CALL, LONGEST_CALL, "the time of a call (seconds)")
     if call.way is not None:
         _check_way(call.way)
+    if call.pace is not None:
+        check_within(call.pace, 0.0, 1.0, "the pace of a call")
 
 
 def _check_mix(mix: Weights, names: Mapping[str, object], what: str) -> None:

@@ -85,3 +85,57 @@ def test_a_part_that_is_called_on_its_way_goes_on_at_its_speed(cast: Cast) -> No
             places.append(scene.shown_goal(part)[name])
         speeds = np.diff(places)
         assert np.abs(np.diff(speeds)).max() < 0.25 * np.abs(speeds).max(), part
+
+
+PACED = [part for part in PARTS if part != "one/motion"]  # which follows by its own filters
+
+
+@pytest.mark.parametrize("part", PACED)
+def test_what_was_called_with_a_pace_is_held_and_goes_on_as_if_nothing_had_been(cast: Cast, part: str) -> None:
+    scene, other = Scene.begun(cast), Scene.begun(cast)
+    for each in (scene, other):
+        each.call_goal(part, GOALS[part], seconds=2.0, pace=1.0)
+        each.advance(0.75)
+    stands = scene.shown_goal(part)
+    scene.set_pace(0.0)
+    scene.advance(3.0)
+    assert scene.shown_goal(part) == stands
+    held = Scene.restored(cast, scene.snapshot())
+    for each in (scene, held):
+        each.set_pace(1.0)
+        each.advance(0.5)
+    other.advance(0.5)
+    assert scene.shown_goal(part) == held.shown_goal(part) == other.shown_goal(part)
+
+
+@pytest.mark.parametrize("part", PACED)
+def test_no_pace_holds_what_hands_call(cast: Cast, part: str) -> None:
+    scene, other = Scene.begun(cast), Scene.begun(cast)
+    scene.call_goal(part, GOALS[part], seconds=2.0, pace=1.0)
+    scene.set_pace(0.0)
+    for each in (scene, other):
+        each.call_goal(part, GOALS[part], seconds=2.0)
+        each.set_pace(0.0)
+        each.advance(1.0)
+    assert scene.shown_goal(part) == other.shown_goal(part) != Scene.begun(cast).shown_goal(part)
+
+
+@pytest.mark.parametrize("part", ["one/expression", "one/head", "one/place", "*/light", "*/black"])
+def test_a_call_of_what_goes_slowly_takes_over_the_speed_that_shows(cast: Cast, part: str) -> None:
+    """Whatever its pace, half a millisecond before a call and after it a part moves as fast."""
+    scene = Scene.begun(cast)
+    scene.call_goal(part, GOALS[part], seconds=2.0, pace=0.25)
+    scene.advance(3.0)
+    name = max(GOALS[part], key=lambda each: abs(GOALS[part][each]))
+    step, shown = 0.0005, []
+    for _ in range(2):
+        shown.append(scene.shown_goal(part)[name])
+        scene.advance(step)
+    shown.append(scene.shown_goal(part)[name])
+    scene.call_goal(part, Scene.begun(cast).shown_goal(part), seconds=4.0)
+    for _ in range(2):
+        scene.advance(step)
+        shown.append(scene.shown_goal(part)[name])
+    speeds = np.diff(shown) / step
+    assert abs(speeds[1]) > 0.01
+    assert speeds[2] == pytest.approx(speeds[1], rel=0.02)

@@ -380,3 +380,39 @@ def test_a_fault_is_caught(fault: str, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(owner, name, value)
     with pytest.raises((AssertionError, ValueError, LookupError)):
         play_nights()
+
+
+def test_a_pause_holds_waits_and_what_cues_have_called_and_nothing_else() -> None:
+    night = Night(0)
+    night.session = ShowSession(CAST)
+    night.meet()
+    session = night.session
+    session.receive("ana", wire.PutCue("a1", number="1", goes_on="follow"), 0.0)
+    session.receive("ana", wire.PutMove("a2", "0-0", "*/black", {"black": 1.0}, 4.0), 0.0)
+    session.receive(
+        "ana", wire.PutMove("a3", "0-0", "one/head", {"yaw": 0.2, "pitch": 0.0, "roll": 0.0}, 1.0, delay=3.0), 0.0
+    )
+    session.receive("ana", wire.PutCue("a4", number="2"), 0.0)
+    session.tick(0.0)
+    session.receive("ana", wire.Go("a5"), 0.0)
+    assert session.tick(2.0).black == 0.5
+    session.receive("ana", wire.PauseCues("a6"), 2.0)
+    session.tick(2.2)
+    held = session.tick(9.0)
+    assert held.cues is not None
+    assert (held.cues.rate, 0.5 <= held.black < 0.6) == (0.0, True)
+    session.receive("ana", CallFace(character="one", id="a7", name=FACES[1], seconds=1.0), 9.0)
+    later = session.tick(10.0)
+    assert (later.black, later.characters["one"].faces) == (held.black, {FACES[1]: 1.0})
+    assert later.cues is not None
+    waits = later.cues.lists["main"].waits
+    assert [wait.part for wait in waits] == ["one/head"]
+    assert waits[0].seconds <= 1.0
+    session.receive("ana", wire.Go("a8"), 11.0)  # lets it go on, and calls nothing
+    again = session.tick(11.2).cues
+    assert again is not None
+    assert (again.rate, again.lists["main"].current.number) == (1.0, "1")  # type: ignore[union-attr]
+    end = session.tick(16.0)
+    assert (end.black, end.characters["one"].head[0]) == (1.0, 0.2)
+    assert end.cues is not None
+    assert end.cues.lists["main"].current.number == "2"  # type: ignore[union-attr]

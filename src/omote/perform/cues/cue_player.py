@@ -53,6 +53,8 @@ class CuePlayer:
         self.state: CueState = of_list.begin(self.cues)
         self.rejected: tuple[str, ...] = ()
         """What could not be called by the last act, in sentences: one move that cannot costs that move."""
+        self.pace = 1.0
+        """At which it calls, 0 to 1 of the show's time (`Scene.set_pace`): what pauses is below 1."""
         self._panics: dict[str, int] = {name: scene[name].panics for name in scene}
 
     @property
@@ -297,7 +299,7 @@ class CuePlayer:
         """
         move = call.move
         try:
-            self.scene.call_goal(call.part, move.goal, seconds=move.seconds, easing=move.easing)
+            self.scene.call_goal(call.part, move.goal, seconds=move.seconds, easing=move.easing, pace=self.pace)
         except ValueError as error:
             self.rejected = (*self.rejected, f"{self._name(call.cue)}{error}")
 
@@ -328,17 +330,17 @@ class CuePlayer:
         return numbers.index(check_known(number, numbers, "cue of this list"))
 
 
-def advance_lists(scene: Scene, players: Sequence[CuePlayer], dt: float, rate: float = 1.0) -> SceneFrame:
-    """What is on air some time later, where several lists play on one scene: what moves a part owns it, so what waits
-    for it in another list is forgotten.
+def advance_lists(scene: Scene, players: Sequence[CuePlayer], dt: float) -> SceneFrame:
+    """What is on air some time later, where several lists play on one scene, each at its pace: what moves a part owns
+    it, so what waits for it in another list is forgotten.
 
-    scene: of all players; players: of the lists; dt: seconds; rate: of the lists' clocks, 0 (paused) to 1.
+    scene: of all players; players: of the lists; dt: seconds.
     """
     dt = check_within(dt, 0.0, FOREVER, "the time step (seconds)")
     due = []
     for place, player in enumerate(players):
-        before = player.state.clock
-        due += [((call.at - before) / rate if rate else 0.0, place, call) for call in player.begin_step(dt * rate)]
+        before, pace = player.state.clock, player.pace
+        due += [((call.at - before) / pace if pace else 0.0, place, call) for call in player.begin_step(dt * pace)]
     now = 0.0
     for at, place, call in sorted(due, key=lambda each: each[:2]):
         if at > now:

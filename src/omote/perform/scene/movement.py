@@ -20,7 +20,8 @@ Ranges = Mapping[str, tuple[float, float]]
 
 @dataclass(frozen=True)
 class Way:
-    """The way of some numbers from `start`, where they moved at `velocity` per second; `elapsed` of `seconds`."""
+    """The way of some numbers from `start`, where they moved at `velocity` per second; `elapsed` of `seconds`. pace: as
+    of `axis.Call`."""
 
     start: Numbers
     velocity: Numbers
@@ -28,6 +29,7 @@ class Way:
     seconds: float
     elapsed: float = 0.0
     easing: str = DEFAULT_EASING
+    pace: float | None = None
 
 
 @dataclass(frozen=True)
@@ -63,7 +65,8 @@ def rates(movement: Movement) -> dict[str, float]:
         return dict.fromkeys(movement.goal, 0.0)
     rate = find_easing(way.easing).rate(min(1.0, way.elapsed / way.seconds)) / way.seconds
     carried = bump_rate(way.elapsed / way.decay) if way.decay else 0.0
-    return {n: (goal - way.start[n]) * rate + way.velocity[n] * carried for n, goal in movement.goal.items()}
+    pace = 1.0 if way.pace is None else way.pace
+    return {n: ((goal - way.start[n]) * rate + way.velocity[n] * carried) * pace for n, goal in movement.goal.items()}
 
 
 def redirect(
@@ -83,11 +86,22 @@ def redirect(
     return Movement(goal, replace(way, decay=_decay(way, goal, ranges)))
 
 
+def with_pace(movement: Movement, pace: float | None) -> Movement:
+    """The movement with its way at a pace, as `axis.with_pace`."""
+    return movement if movement.way is None else Movement(movement.goal, replace(movement.way, pace=pace))
+
+
+def repaced(movement: Movement, pace: float) -> Movement:
+    """The movement with its way at another pace, where it has one."""
+    return movement if movement.way is None or movement.way.pace is None else with_pace(movement, pace)
+
+
 def proceed(movement: Movement, dt: float) -> Movement:
     """The movement `dt` seconds later; at its goal once its time is over."""
     if movement.way is None:
         return movement
-    way = replace(movement.way, elapsed=movement.way.elapsed + dt)
+    pace = 1.0 if movement.way.pace is None else movement.way.pace
+    way = replace(movement.way, elapsed=movement.way.elapsed + dt * pace)
     return Movement(movement.goal, None if is_over(way.elapsed, way.seconds) else way)
 
 
@@ -106,6 +120,8 @@ def check_movement(movement: Movement, ranges: Ranges, what: str) -> None:
     check_within(way.decay, 0.0, DECAY_SECONDS, f"{what}: the decay of its speed (seconds)")
     check_within(way.elapsed, 0.0, way.seconds, f"{what}: the elapsed time of its way (seconds)")
     find_easing(way.easing)
+    if way.pace is not None:
+        check_within(way.pace, 0.0, 1.0, f"{what}: the pace of its way")
 
 
 def _check_numbers(numbers: Numbers, ranges: Ranges, what: str) -> None:

@@ -7,13 +7,23 @@ from dataclasses import replace
 from typing import Protocol
 
 from omote.model.known_names import PLAY_REGIONS, check_play_region
-from omote.perform.axis import Axis, call_regions, called_to_mix, goal_of, standing_mix, weights
+from omote.perform.axis import (
+    Axis,
+    call_regions,
+    called_to_mix,
+    goal_of,
+    repaced,
+    standing_mix,
+    weights,
+    with_pace,
+)
 from omote.perform.easing import DEFAULT_EASING
 from omote.perform.frame import Frame, Gaze, GazeTarget, Head, Held, MotionSettings, with_fields
 from omote.perform.mix import Weights
 from omote.perform.motion.sight import NOTHING, Sight
 from omote.perform.panic import eased
 from omote.perform.performer import Performer
+from omote.perform.scene import movement
 from omote.perform.scene.goals import (
     MOTION_LIMITS,
     TURN_LIMITS,
@@ -133,16 +143,16 @@ class SceneCharacter(Performer):
         elif part.endswith("/expression") or expression_of(part):
             check_names(goal, self._cast.expressions, "expression")
 
-    def call_goal(self, name: str, goal: Goal, seconds: float, easing: str) -> None:
+    def call_goal(self, name: str, goal: Goal, seconds: float, easing: str, pace: float | None = None) -> None:
         """Brings a part to a goal from whatever shows. name: as of `goal_of`; goal: checked; seconds: 0 cuts; easing:
-        the curve of the way."""
+        the curve of the way; pace: as of `Scene.call_goal`."""
         now = self._now
 
         def call(on: Axis) -> Axis:
-            return called_to_mix(on, goal or goal_of(now.expression), seconds, easing)
+            return with_pace(called_to_mix(on, goal or goal_of(now.expression), seconds, easing), pace)
 
         if name in TURN_LIMITS:
-            self._turn_to(name, goal, seconds, easing)
+            self._turn_to(name, goal, seconds, easing, pace)
         elif name == "motion":
             self.set_motion(goal["liveliness"], blinks=goal["blinks"], gaze=goal["gaze"], breath=goal["breath"])
         elif name == "face":
@@ -188,14 +198,24 @@ class SceneCharacter(Performer):
             return {}
         return {part: way for part, way in turning.ways.items() if getattr(self._now, part) == turn_at(part, way)}
 
-    def _turn_to(self, part: str, goal: Goal, seconds: float, easing: str) -> None:
+    def set_pace(self, pace: float) -> None:
+        """Lets the time of all that was called with a pace go at another, 0 to 1 of the show's."""
+        now = self._now
+        regions = {region: repaced(on, pace) for region, on in now.regions.items()}
+        face = repaced(now.face, pace)
+        self._now = with_fields(now, face=face, expression=repaced(now.expression, pace), regions=regions)
+        if self.turning is not None:
+            ways = {part: movement.repaced(way, pace) for part, way in self.turning.ways.items()}
+            self.turning = replace(self.turning, ways=ways)
+
+    def _turn_to(self, part: str, goal: Goal, seconds: float, easing: str, pace: float | None) -> None:
         under_way = {} if self.turning is None else self._ways(self.turning)
         way = under_way.get(part, Movement(vars(getattr(self._turned_by_hands(), part))))
         rest = self._now.easing_to_rest
         if rest is not None:
             rest = replace(rest, head=Head()) if part == "head" else replace(rest, gaze=Gaze())
         self._play(easing_to_rest=rest)
-        ways = {**under_way, part: redirect(way, goal, seconds, TURN_LIMITS[part], easing)}
+        ways = {**under_way, part: movement.with_pace(redirect(way, goal, seconds, TURN_LIMITS[part], easing), pace)}
         self._set_turns(ways, self._now.panics)
 
     def _set_turns(self, ways: Mapping[str, Movement], panics: int) -> None:

@@ -10,7 +10,7 @@ from omote.perform import axis
 from omote.perform.axis import Axis
 from omote.perform.easing import DEFAULT_EASING, find_easing
 from omote.perform.lights import LIGHTS
-from omote.perform.limits import check_call_seconds, check_known
+from omote.perform.limits import check_call_seconds, check_known, check_within
 from omote.perform.scene import movement
 from omote.perform.scene.character_names import ALL, framing_of, names_in
 from omote.perform.scene.goals import (
@@ -125,7 +125,15 @@ class SceneGoals:
             self._characters[check_known(character, self._characters, "character")].check_call(part, checked)
         return checked
 
-    def call_goal(self, part: Part, goal: Goal, *, seconds: float = 1.0, easing: str = DEFAULT_EASING) -> None:
+    def call_goal(
+        self,
+        part: Part,
+        goal: Goal,
+        *,
+        seconds: float = 1.0,
+        easing: str = DEFAULT_EASING,
+        pace: float | None = None,
+    ) -> None:
         """Brings a part to a goal from whatever shows, as its own call would; other parts go on.
 
         Parameters
@@ -138,6 +146,8 @@ class SceneGoals:
             How long it takes, 0 to 3600; 0 cuts. Automatic motion takes what its own filters take.
         easing : {"smooth", "gentle", "sharp", "early", "late"}
             The curve of the way.
+        pace : float, optional
+            How fast its time goes, 0 to 1 of the show's, until `set_pace` changes that; without it nothing does.
 
         Raises
         ------
@@ -157,24 +167,63 @@ class SceneGoals:
         checked = self._check_call(part, goal)
         find_easing(easing)
         seconds = check_call_seconds(seconds)
+        pace = None if pace is None else check_within(pace, 0.0, 1.0, "the pace")
         character, name = split_part(part)
         if name == "black":
-            self._black = movement.redirect(self._black, checked, seconds, BLACK_LIMITS, easing)
+            way = movement.redirect(self._black, checked, seconds, BLACK_LIMITS, easing)
+            self._black = movement.with_pace(way, pace)
         elif name == "light":
-            self._light = axis.called_to_mix(self._light, checked, seconds, easing)
+            self._light = axis.with_pace(axis.called_to_mix(self._light, checked, seconds, easing), pace)
             for each in self._characters.values():
                 each.note_played()
         elif name == "framing":
-            self._framing = axis.called_to_mix(self._framing, checked, seconds, easing)
+            self._framing = axis.with_pace(axis.called_to_mix(self._framing, checked, seconds, easing), pace)
         elif name == "place":
             way = movement.redirect(self._standing(character).place, checked, seconds, PLACE_LIMITS, easing)
-            self._stand(character, place=way)
+            self._stand(character, place=movement.with_pace(way, pace))
         elif name == "presence":
             stays = checked["presence"] > 0.0
             leaves = self._standing(character).leaves and not stays
             self._move_presence(character, checked["presence"], seconds, leaves=leaves, easing=easing)
+            self._stand(character, presence=movement.with_pace(self._standing(character).presence, pace))
         else:
-            self._characters[character].call_goal(name, checked, seconds, easing)
+            self._characters[character].call_goal(name, checked, seconds, easing, pace)
+
+    def set_pace(self, pace: float) -> None:
+        """Lets the time of all that was called with a pace go faster or slower; what else moves goes on as it does.
+
+        What is called meanwhile takes over the speed that shows.
+
+        Parameters
+        ----------
+        pace : float
+            0 to 1 of the show's time; 0 holds it.
+
+        Raises
+        ------
+        ValueError
+            On a pace out of range.
+        TypeError
+            On what is no number.
+
+        Examples
+        --------
+        >>> scene = omote.Scene.begun(cast)
+        >>> scene.call_goal("*/black", {"black": 1.0}, seconds=2, pace=1.0)
+        >>> frame = scene.advance(1.0)
+        >>> scene.set_pace(0.0)
+        >>> scene.advance(5.0).black
+        0.5
+        """
+        pace = check_within(pace, 0.0, 1.0, "the pace")
+        self._black = movement.repaced(self._black, pace)
+        self._light = axis.repaced(self._light, pace)
+        self._framing = axis.repaced(self._framing, pace)
+        for name, standing in self._standings.items():
+            place = movement.repaced(standing.place, pace)
+            self._stand(name, place=place, presence=movement.repaced(standing.presence, pace))
+        for character in self._characters.values():
+            character.set_pace(pace)
 
     def _scene_axis(self, name: str) -> Axis:
         return self._light if name == "light" else self._framing

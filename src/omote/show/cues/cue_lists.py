@@ -112,11 +112,10 @@ class CueLists:
 
     def advance(self, dt: float) -> SceneFrame:
         """What is on air some time later, with all that was due called at its own time. dt: seconds."""
-        paused = self._paused
-        if self._rate != (0.0 if paused else 1.0):
+        if self._rate != (0.0 if self._paused else 1.0):
             change = dt / PAUSE_SECONDS
-            self._rate = max(0.0, self._rate - change) if paused else min(1.0, self._rate + change)
-        frame = advance_lists(self._scene(), [*self._players.values()], dt, self._rate)
+            self._set_rate(max(0.0, self._rate - change) if self._paused else min(1.0, self._rate + change))
+        frame = advance_lists(self._scene(), [*self._players.values()], dt)
         self._note_rejected()
         return frame
 
@@ -254,6 +253,13 @@ class CueLists:
 
     # --- within ---
 
+    def _set_rate(self, rate: float) -> None:
+        """Sets the rate of the time of all lists, and of what they have called. rate: 0 to 1."""
+        self._rate = rate
+        for player in self._players.values():
+            player.pace = rate
+        self._scene().set_pace(rate)
+
     def _named(self, name: str, *, new: bool = False) -> str:
         wanted = name or self.chosen
         return wanted if new else check_known(wanted, self.book.orders, "list of cues")
@@ -318,6 +324,7 @@ class CueLists:
         player = CuePlayer(self._scene(), cues)
         before = next((other for other in self._players.values() if cues and other.cues == cues), None)
         state = before.state if before is not None else self._states.get(name)
+        player.pace = self._rate
         if state is not None:
             player.state = edited(state, cues, cues)
         return player
