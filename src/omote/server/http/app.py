@@ -152,6 +152,7 @@ class ShowServer:
         control: who may play, None for everybody.
         """
         self.access = control
+        self.session.members.people = lambda: () if control is None else control.names()
         self.authority = authority
 
     def on_air(self, character: str = "") -> OnAir:
