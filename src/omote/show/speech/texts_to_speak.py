@@ -52,7 +52,7 @@ class TextsToSpeak:
         return wanted
 
     def refuse(self, text: TextToSpeak, reason: str) -> None:
-        """Notes why a text was not said, for who asked."""
+        """Notes why (reason) a text was not said, for who asked."""
         self._refused.append((text, reason))
 
     def take_refused(self, is_told: Callable[[str], bool]) -> list[tuple[TextToSpeak, str]]:
