@@ -21,7 +21,7 @@ def test_a_model_is_kept_and_listed(tmp_path: Path, monkeypatch: pytest.MonkeyPa
     assert "xx-tone.onnx speaks, and is kept in" in done.stderr
     assert "xx-tone\tEnglish, Nowhere, tone low\n" in runner.invoke(app, ["voice"]).stdout
     done = runner.invoke(app, ["voice", str(tmp_path / "none.onnx")])
-    assert (done.exit_code, done.stderr) == (1, f"omote: there is no model {tmp_path / 'none.onnx'}.\n")
+    assert (done.exit_code, done.stderr) == (1, f"omote: there is no model {tmp_path / 'none.onnx'}\n")
 
 
 def test_a_machine_without_a_voice_is_told_how_to_get_one(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
