@@ -21,6 +21,7 @@ from omote.show_command import show
 from omote.stimulus_commands import stimuli
 from omote.take_commands import play_take, record_take
 from omote.terminal import complete_show, fail, fail_with
+from omote.voice_commands import voice
 
 if TYPE_CHECKING:
     from omote.model.cast import Cast
@@ -97,6 +98,7 @@ app.command()(export)
 app.command("play-take")(play_take)
 app.command()(track)
 app.command("record-take")(record_take)
+app.command()(voice)
 
 
 @app.command("say", hidden=True, context_settings={"ignore_unknown_options": True, "allow_extra_args": True})

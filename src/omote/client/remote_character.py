@@ -14,7 +14,7 @@ from omote.client.derived_methods import add_methods, named
 from omote.client.message_check import pack_numbers
 from omote.client.remote_frame import frame_in
 from omote.client.sounds import split_sound
-from omote.inputs.voices.spoken_text import USUAL_VOICE, WantedSpeech, check_wanted
+from omote.inputs.voices.spoken_text import WantedSpeech, check_wanted
 from omote.model.known_names import check_play_region
 from omote.perform.easing import DEFAULT_EASING
 from omote.perform.frame import Frame, check_target_kind
@@ -29,7 +29,7 @@ from omote.show.objects.calls import CallExpression, CallFace
 from omote.show.objects.layers import SetLayer
 from omote.show.objects.motion import LookAt
 from omote.show.objects.sources import Drive, Source, StreamKind
-from omote.show.objects.speech import Say
+from omote.show.objects.speech import USUAL_VOICE, Say
 from omote.show.objects.state import CharacterState, Place, State
 
 STREAM_KINDS: tuple[StreamKind, ...] = get_args(StreamKind)

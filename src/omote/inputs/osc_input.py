@@ -93,14 +93,22 @@ class OscInput:
         for place, surface in list(self._surfaces.items()):
             if not surface.lasting and now - surface.heard > SURFACE_SECONDS:
                 del self._surfaces[place]
+        answers = self._tell_not_spoken(now)
         if not self._surfaces:
-            return []
+            return answers
         values = tell_state(state)
-        return [
+        return answers + [
             (place, encode_message(address, *arguments))
             for place, surface in self._surfaces.items()
             for address, arguments in surface.feedback.news(values, now).items()
         ]
+
+    def _tell_not_spoken(self, now: float) -> list[tuple[Endpoint, bytes]]:
+        """Rejects, a moment later, what senders asked a voice to say that it could not."""
+        mine = f"{self._kind} "
+        refused = self._session().texts.take_refused(lambda who: who.startswith(mine))
+        pairs = [(text.who.removeprefix(mine), reason) for text, reason in refused]
+        return [answer for host, reason in pairs for answer in self._reject((host, 0), reason, now)]
 
     def subscribe(self, place: Endpoint, now: float, *, lasting: bool = False) -> None:
         """Tells a surface from now on what is on air, beginning with all of it.

@@ -81,6 +81,7 @@ class Session(Protocol):
     members: Any
     sources: Any
     sounds: Any
+    texts: Any
     leasing: Any
     notes: Any
     cues: Any
@@ -92,6 +93,9 @@ class Session(Protocol):
 
     def clock(self, now: float) -> float:
         """The show's clock."""
+
+    def ask_to_speak(self, who: str, message: Any, characters: Sequence[str]) -> None:
+        """Has a voice speak a text for characters. who: the client; message: with the text; characters: their names."""
 
     def collect(self, who: str, message: Any) -> None:
         """Keeps what a page says of devices until the next tick. who: the client; message: what it says."""

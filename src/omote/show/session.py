@@ -30,6 +30,7 @@ from omote.show.objects.documents import NAMES_OF
 from omote.show.objects.faders import SetChannel
 from omote.show.objects.link import Hello, Notice, Notices, Refused, Welcome
 from omote.show.objects.show_notes import ShowNotes
+from omote.show.objects.speech import SayByVoice
 from omote.show.objects.stages import CastChanged, Crew
 from omote.show.objects.state import State
 from omote.show.ownership.hands import HandReports, Panics
@@ -38,6 +39,7 @@ from omote.show.session_snapshot import SessionSnapshot
 from omote.show.sources.open_sources import OpenSources
 from omote.show.speech.known_sounds import KnownSounds
 from omote.show.speech.sound_stage import SoundStage
+from omote.show.speech.texts_to_speak import TextsToSpeak, TextToSpeak
 from omote.show.state import EyeOffset, offset_between, state_of
 from omote.show.validation import Refusal
 from omote.show.wire import decode, id_in
@@ -73,6 +75,7 @@ class ShowSession:
         self.sources = OpenSources()
         self.sounds = KnownSounds()
         self.cues = CueLists(lambda: self.scene, lambda who: self.members[who].name)
+        self.texts = TextsToSpeak()
         self._sound_stage = SoundStage()
         self._own(None)
 
@@ -294,10 +297,17 @@ class ShowSession:
     def take_hands_off(self, who: str, characters: Sequence[str], now: float) -> None:
         """Takes characters out of all hands: a client (who) has pressed panic, at `now` (seconds, monotonic)."""
         self._panics.press(who, characters, now)
+        self.texts.drop(characters)
         self._hands.take_off(characters)
+
+    def ask_to_speak(self, who: str, message: SayByVoice, characters: Sequence[str]) -> None:
+        """Has a voice speak a text for characters. who: the client; message: with the text; characters: their
+        names."""
+        self.texts.ask(TextToSpeak(who, message, tuple(characters)))
 
     def forget_character(self, character: str) -> None:
         """Forgets what was of another character of the same name, which is gone."""
+        self.texts.drop([character])
         self._panics.forget(character)
         self._eye_offsets.pop(character, None)
 

@@ -21,6 +21,7 @@ from omote.edit.session.edit_session import EditorReply, EditSession, Outcome
 from omote.edit.store.on_air_recipes import OnAir
 from omote.model.cast import Cast
 from omote.model.recipes.recipe import KEY, FaceRecipe, Layer, Pull
+from omote.show.access.people_list import Visitor
 from omote.showfile.changes import Stored
 from omote.showfile.show_file import ShowFile, open_show
 from omote.stage_data.playing_cast import digest_of
@@ -99,6 +100,14 @@ def test_messages_before_greet_are_rejected(cast: Cast) -> None:
     )
     sentence = "nothing is heard before greet: send greet with editor, name and version first."
     assert outcome == Outcome(replies=(EditorReply("ann", wire.EditRefused(4, sentence)),))
+
+
+def test_who_has_a_token_of_a_name_edits_under_it(cast: Cast) -> None:
+    session = session_of(cast)
+    greet = encode(wire.Greet("ann", "Somebody", wire.EDITING_VERSION))
+    session.receive_bytes("a", greet, wall=WALL, on_air=unasked, visitor=Visitor("edit", "Ann", "id"))
+    session.receive_bytes("b", greet, wall=WALL, on_air=unasked, visitor=Visitor("edit", "", "shared"))
+    assert {who: member.name for who, member in session.crew.items()} == {"a": "Ann", "b": "Somebody"}
 
 
 @given(st.binary(max_size=200))

@@ -161,6 +161,18 @@ async def test_a_link_hears_what_its_role_may_not(access_harness: AccessHarness)
     assert '"edit"' in message.reason
 
 
+async def test_a_page_is_called_as_its_token(access_harness: AccessHarness) -> None:
+    ann = new_person("Ann", "operate", 0.0)
+    control = access_harness.control
+    control.people = add_person(control.people, ann)
+    for token, name in ((access_harness.tokens["operate"], "console 1"), (token_of(control.people, ann), "Ann")):
+        link = await access_harness.client.ws_connect(LINK_PATH, headers=bearer(token))
+        await link.send_bytes(encode(Hello("console", PROTOCOL_VERSION, "ann")))
+        welcome = await answer(link)
+        assert isinstance(welcome, Welcome)
+        assert welcome.name == name
+
+
 async def test_links_end_with_their_token(access_harness: AccessHarness) -> None:
     tokens = access_harness.tokens
     client = access_harness.client

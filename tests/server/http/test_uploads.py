@@ -169,6 +169,7 @@ def test_a_name_from_a_page_is_no_path() -> None:
         ("head.stl", "face", "a face is made of it: omote face head.stl"),
         ("anna.HEIC", "expression", "a photograph has no shape; drop it on the editor"),
         (".json", "expression", "cannot be taken in as an expression"),
+        ("other.omote", "face", "`omote file import` takes all of it into another show file, which no show plays"),
     ],
 )
 def test_what_nothing_can_be_made_of_is_refused_by_its_name(file: str, kind: str, why: str) -> None:

@@ -8,11 +8,14 @@ from pathlib import Path
 import msgspec
 import pytest
 
+from omote.inputs.osc_input import OscInput
+from omote.inputs.osc_packet import encode_message
 from omote.inputs.voices.spoken_text import SpokenAnswer, Voice, WantedSpeech
 from omote.server.sounds import voice_routes
 from omote.server.workers.file_jobs import run_file_job
 from omote.server.workers.job_server import Follow, JobError
 from omote.show.objects.speech import Say
+from omote.show.objects.state import State
 from tests.client.test_program_link import linked
 from tests.server.conftest import ShowHarness
 
@@ -74,6 +77,38 @@ async def test_what_cannot_be_spoken_is_answered_with_a_sentence(speaking: ShowH
     response = await speaking.client.post("/voices", data=body)
     assert response.status == 400
     assert why in await response.text()
+
+
+@pytest.mark.asyncio
+async def test_a_voice_speaks_by_osc_and_what_it_cannot_is_said_there(speaking: ShowHarness) -> None:
+    session = speaking.show.session
+    osc = OscInput(lambda: session)
+    assert osc.receive(("desk", 7), encode_message("/omote/one/say/voice", "Mama", "de"), 0.0) == []
+    while (speech := session.tick(speaking.clock.now).characters["one"].speech) is None:
+        speaking.tick()
+        await asyncio.sleep(0.01)
+    assert (speech.text, 0.4 < speech.seconds < 0.6) == ("Mama", True)
+    assert (await speaking.client.get(f"/sounds/{speech.sound}")).status == 200
+    osc.receive(("desk", 7), encode_message("/omote/one/say/voice", "Mama", "dee"), 0.0)
+    speaking.show.sources.append(OscSource(osc))
+    while osc.last_rejection is None:
+        speaking.tick()
+        await asyncio.sleep(0.01)
+    assert osc.last_rejection.reason.startswith("nothing was said: there is no voice 'dee' in this show; near are de")
+
+
+class OscSource:
+    """Tells senders of OSC what is on air, as a show does."""
+
+    def __init__(self, osc: OscInput) -> None:
+        self._osc = osc
+
+    def hear(self, now: float) -> None:
+        """Hears nothing."""
+
+    def tell(self, state: State, now: float) -> None:
+        """Tells them."""
+        self._osc.news(state, now)
 
 
 @pytest.mark.asyncio

@@ -2,6 +2,7 @@
 
 import pytest
 
+from omote.show.access.people_list import Visitor
 from omote.show.crew.members import LOST_SECONDS, Members
 from omote.show.messages import PROTOCOL_VERSION
 from omote.show.objects.link import Hello
@@ -27,6 +28,25 @@ def test_a_name_that_is_claimed_is_taken_from_who_was_given_it() -> None:
     claims = Hello("console", PROTOCOL_VERSION, given)
     assert members.admit("b", claims) == ["b", "a"]
     assert members.consoles()["b"] == given != members.consoles()["a"]
+
+
+def test_the_name_of_a_token_is_its_own() -> None:
+    members = Members()
+    members.people = lambda: ["Ann", "Ben"]
+    members.identify("guest", Visitor("operate"))
+    assert members.admit("guest", Hello("console", PROTOCOL_VERSION, "ann")) == ["guest"]
+    assert members["guest"].name == "console 1", "the name is kept for who is not here yet"
+    members.people = lambda: []
+    members.admit("guest", Hello("console", PROTOCOL_VERSION, "Ann"))
+    assert members["guest"].name == "Ann"
+    members.people = lambda: ["Ann", "Ben"]
+    members.identify("desk", Visitor("operate", "Ann", "ann's id"))
+    assert members.admit("desk", Hello("console", PROTOCOL_VERSION, "Somebody", "page")) == ["desk", "guest"]
+    assert members.consoles() == {"desk": "Ann", "guest": "console 1"}
+    members.identify("tablet", Visitor("operate", "Ann", "ann's id"))
+    members.admit("tablet", Hello("console", PROTOCOL_VERSION, "Ben"))
+    members.admit("guest", Hello("console", PROTOCOL_VERSION, "Ann 2"))
+    assert members.consoles() == {"desk": "Ann", "tablet": "Ann 2", "guest": "console 1"}
 
 
 def test_roles_are_told_apart() -> None:

@@ -5,6 +5,7 @@ import { customElement, property, query, state } from "lit/decorators.js";
 import { showAccess } from "../access/access_banner";
 import type { Library } from "../link/assets";
 import { onFileDrop } from "../ui/file_import";
+import { joinGltf } from "../ui/joined_gltf";
 import { listenToKeys } from "../ui/key_presses";
 import type { ShowNoticesView } from "../ui/show_notices_view";
 import { base, palette } from "../ui/theme";
@@ -77,7 +78,7 @@ export class ConsolePage extends ConsoleElement {
   constructor() {
     super();
     whileShown(this, () => listenToKeys({ everywhere: this.#keyEverywhere, page: this.#key }));
-    whileShown(this, () => onFileDrop((files) => void this.context.imports.add(files, "expression")));
+    whileShown(this, () => onFileDrop(async (files) => this.context.imports.add(await joinGltf(files), "expression")));
     hearWhileShown(this, IN_TURN, ["change"], () => this.requestUpdate());
   }
 

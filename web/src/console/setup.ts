@@ -1,7 +1,8 @@
 /** The set-up of a console: the face that a second panic brings, easings, its name, and layouts. */
 
 import { css, html, nothing } from "lit";
-import { customElement } from "lit/decorators.js";
+import { customElement, state } from "lit/decorators.js";
+import { readAccess } from "../access/page_access";
 import { EASING_NAMES } from "../link/constants";
 import { ACCEPTED, type ImportKind } from "../ui/file_import";
 import { base, entry } from "../ui/theme";
@@ -55,6 +56,16 @@ export class Setup extends ConsoleDialog {
 
   protected override readonly topics: readonly Topic[] = ["panic", "manifest", "timing", "welcome", "notice", "leases"];
 
+  /** The name is that of this console's token: nobody chooses another. */
+  @state() private ofToken = false;
+
+  override connectedCallback(): void {
+    super.connectedCallback();
+    void readAccess().then(({ name }) => {
+      this.ofToken = name !== "";
+    });
+  }
+
   override render() {
     return html`<section class="panel" role="dialog" aria-modal="true" aria-label="Set-up">
       ${this.#said()}
@@ -66,8 +77,9 @@ export class Setup extends ConsoleDialog {
       <h2>This console</h2>
       <p>What the others read on a control that your hand is on.</p>
       <div class="row">
-        <input aria-label="Name of this console" maxlength=${LONGEST_CONSOLE_NAME} .value=${this.store.name} @change=${this.#rename} />
+        <input aria-label="Name of this console" maxlength=${LONGEST_CONSOLE_NAME} .value=${this.store.name} ?disabled=${this.ofToken} @change=${this.#rename} />
       </div>
+      ${this.ofToken ? html`<p>It is that of your token; whoever lists the people below may change it.</p>` : nothing}
       <h2>Leases</h2>
       <p>With several operators: whoever touches a part first has it, another is told who and may take it over.</p>
       <div class="row">

@@ -138,7 +138,8 @@ export class EditorPage extends EditorElement {
 
   /** What else can be done with a head that is no expression. */
   #otherwise(files: readonly File[]): EditorNotice["actions"] {
-    const isHead = files.length === 1 && comingOf([(files[0] as File).name], null) === "either";
+    const names = files.map(({ name }) => name);
+    const isHead = comingOf(names, null) !== "import";
     return isHead ? [{ label: "Make a face of it", act: () => this.#openScan(files) }] : [];
   }
 

@@ -987,6 +987,13 @@ export type SourceValues = {
 };
 
 /**
+ * A character says a text by a voice of the show (`GET /voices`), which speaks it first: the sound begins a moment
+ * later, on the stage that plays sounds, with lips in time. What it says meanwhile, a stop and a panic end the
+ * waiting. An `id` executes once. A program speaks by `say(voice=...)`, which tells it when it is over.
+ */
+export type SayByVoice = { type: "say_by_voice"; character: string; id: string; text: string; voice?: string };
+
+/**
  * A character speaks: its lips move in time with a sound. `timing`: what `marks` are, each beginning at its place
  * of `times` (float32, little-endian, seconds from the beginning of the sound; one more is the end of the last):
  * words, characters, visemes (Oculus), azure (ids), rhubarb (letters); `text`: none, the text's letters are timed by
@@ -1546,6 +1553,7 @@ export type FromClient =
   | MeasureSource
   | TuneSource
   | WatchSource
+  | SayByVoice
   | Say
   | StopSpeaking
   | Drawing;

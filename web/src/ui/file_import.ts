@@ -1,6 +1,7 @@
 /** Files dropped on a page or chosen there, which the show takes in as expressions or faces. */
 
 import { suffixesOf } from "./file_contents";
+import { joinGltf } from "./joined_gltf";
 import { CancelledError, LongRequests } from "./long_requests";
 
 export type ImportKind = "expression" | "face";
@@ -43,7 +44,8 @@ export async function importFiles(
 ): Promise<{ done: string; failed: string[] }> {
   const [came, same, failed] = [[] as string[], [] as string[], [] as string[]];
   let ended = "";
-  for (const [place, file] of files.entries()) {
+  const sent = await joinGltf(files);
+  for (const [place, file] of sent.entries()) {
     if (ended !== "") break;
     await importFile(file, kind, requests).then(
       (imported) => {
@@ -52,7 +54,7 @@ export async function importFiles(
         else came.push(sayTakenIn(imported));
       },
       (error: Error) => {
-        if (error instanceof CancelledError) ended = error.message + notSent(files.length - place - 1);
+        if (error instanceof CancelledError) ended = error.message + notSent(sent.length - place - 1);
         else failed.push(error.message);
       },
     );

@@ -28,7 +28,7 @@ from omote.edit.store.on_air_recipes import OnAir
 from omote.edit.store.sources import SourceResolver
 from omote.model.cast import Cast
 from omote.model.recipes.recipe import KEY
-from omote.show.access.access_role import HIGHEST, AccessRole
+from omote.show.access.people_list import ANYBODY, Visitor
 from omote.show.declaration import Message
 from omote.show.objects.link import Cancel
 from omote.show.validation import Refusal
@@ -123,17 +123,18 @@ class EditSession:
         return self.authored.state.stored()
 
     def receive_bytes(
-        self, who: str, data: bytes, wall: float, on_air: Callable[[], OnAir], role: AccessRole = HIGHEST
+        self, who: str, data: bytes, wall: float, on_air: Callable[[], OnAir], visitor: Visitor = ANYBODY
     ) -> Outcome:
-        """Handles the bytes of an editor; wall: seconds since 1970, shown in histories; role: of who sends them.
+        """Handles the bytes of an editor; wall: seconds since 1970, shown in histories; visitor: who sends them, whose
+        token gives them their name.
 
         who: the link; data: a message; on_air: tells what shows now; asked for requests alone.
         """
         answer = _Answer()
         try:
-            message = decode(data, role)
+            message = decode(data, visitor.role)
             if isinstance(message, wire.Greet):
-                self._greet(answer, who, message)
+                self._greet(answer, who, message, visitor.name)
             elif isinstance(message, Cancel):
                 answer.cancelled.append(message.request)
             else:
@@ -178,11 +179,11 @@ class EditSession:
 
     # --- receiving ----------------------------------------------------------------------------------------------------
 
-    def _greet(self, answer: _Answer, who: str, greet: wire.Greet) -> None:
+    def _greet(self, answer: _Answer, who: str, greet: wire.Greet, name: str) -> None:
         if greet.version != wire.EDITING_VERSION:
             versions = f"version {greet.version}, the server {wire.EDITING_VERSION}"
             raise Refusal(f"the page speaks {versions}: reload the page.")
-        self.crew[who] = EditorMember(greet.editor, clean_label(greet.name, "your name"), {})
+        self.crew[who] = EditorMember(greet.editor, clean_label(name or greet.name, "your name"), {})
         answer.greeted = who
         answer.listed = True
 

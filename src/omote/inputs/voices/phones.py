@@ -38,7 +38,8 @@ _IPA = {phone: shape for table in (_CONSONANTS, _VOWELS) for shape, phones in ta
 MARKS = re.compile("[ːˑˈˌʰʲʷˤ̩̯̪̝̞̃ˠ'ˀ̥̬̟̠̤̰~.|\u200d͡0-9-]")
 """Signs of IPA that change a phone and not its mouth."""
 _PHONES = sorted(_IPA, key=len, reverse=True)
-_STOPS = ("PP", "DD", "kk", "CH")
+STOPS = ("PP", "DD", "kk", "CH")
+"""Shapes in which lips or tongue are shut for a moment."""
 _LONGEST_CLOSURE = 0.13
 _SILENT = 10.0 ** (-55 / 20)
 _STEP = 0.005
@@ -89,7 +90,7 @@ def claim_closures(segments: Sequence[Segment], sound: np.ndarray, rate: int) ->
     for index in range(1, len(claimed)):
         before = claimed[index - 1]
         stop = claimed[index]
-        if not stop.shapes or stop.shapes[0] not in _STOPS or before.shapes == ("sil",):
+        if not stop.shapes or stop.shapes[0] not in STOPS or before.shapes == ("sil",):
             continue
         start = _silence_start(sound, rate, before)
         if start < before.end - _STEP:

@@ -10,11 +10,11 @@ import msgspec
 import numpy as np
 from numpy.typing import NDArray
 
-from omote.inputs.voices.phones import Segment, claim_closures, visemes_of
+from omote.inputs.voices.phones import Segment, visemes_of
 from omote.perform.limits import check_within
 from omote.perform.speech.speech_timing import LONGEST_TEXT
+from omote.show.objects.speech import USUAL_VOICE
 
-USUAL_VOICE = "en-gb"
 SLOWEST = 0.5
 FASTEST = 2.0
 """How fast a voice may speak, as a share of its own speed."""
@@ -22,7 +22,8 @@ VOICES_PATH = "/voices"
 """Where the voices of a show are read (GET), and where one speaks (POST), over HTTP."""
 HOW_TO_GET_A_VOICE = "install one where the show runs: pip install 'omote[voice]'"
 NO_VOICE = f"this show has no voice; {HOW_TO_GET_A_VOICE}"
-_FULL = 32768.0
+FULL_SCALE = 32768.0
+"""What samples of 16 bits are shares of."""
 _LONG_RUN = re.compile(r"[^\s。、,.!?;:]{40}(?=\S)")
 """So many letters without a space: eSpeak NG leaves out what a word of more than some 60 has beyond them, as a sentence
 in Japanese or Thai is, so that it is parted."""
@@ -76,14 +77,12 @@ def check_wanted(wanted: WantedSpeech) -> WantedSpeech:
 
 
 def put_together(sound: NDArray[np.int16], rate: int, segments: list[Segment], *, most: int) -> SpokenText:
-    """What was spoken, with its closures where lips close; ValueError where nothing is heard in it, or more than `most`
-    visemes.
+    """What was spoken; ValueError where nothing is heard in it, or more than `most` visemes.
 
     sound: samples; rate: of them, Hz; segments: phones in time.
     """
     seconds = len(sound) / rate
-    claimed = claim_closures(segments, sound.astype(np.float32) / _FULL, rate)
-    marks, times = visemes_of(claimed, seconds)
+    marks, times = visemes_of(segments, seconds)
     if set(marks) <= {"sil"}:
         raise ValueError("this voice finds nothing to speak in this text; give words of its language")
     if len(marks) > most:

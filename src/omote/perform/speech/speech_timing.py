@@ -23,7 +23,7 @@ from omote.perform.speech.visemes import (
 TimingKind = Literal["text", "words", "characters", "visemes", "azure", "rhubarb"]
 TIMING_KINDS: tuple[TimingKind, ...] = get_args(TimingKind)
 LONGEST_TEXT = 2000
-_LENGTHS: Mapping[Viseme, float] = {
+VISEME_SECONDS: Mapping[Viseme, float] = {
     "sil": 0.15, "PP": 0.075, "FF": 0.085, "TH": 0.075, "DD": 0.06, "kk": 0.07, "CH": 0.1, "SS": 0.095, "nn": 0.065,
     "RR": 0.065, "aa": 0.1, "E": 0.085, "I": 0.08, "O": 0.1, "U": 0.09,
 }  # fmt: skip
@@ -106,7 +106,7 @@ _READERS: Mapping[str, Callable[[str], Shapes]] = {
 
 def word_seconds(word: str, language: Language) -> float:
     """How long a word takes in running speech, seconds. language: by whose rules it is spelled."""
-    return sum(_LENGTHS[sound.viseme] for sound in sounds_of(word, language))
+    return sum(VISEME_SECONDS[sound.viseme] for sound in sounds_of(word, language))
 
 
 def _check_length(seconds: float | None) -> float | None:
@@ -167,11 +167,11 @@ def _of_words(marks: Sequence[str], starts: Sequence[float], end: float, languag
 
 def _of_word(word: str, language: Language, start: float, end: float) -> list[Mark]:
     sounds = sounds_of(word, language)
-    total = sum(_LENGTHS[sound.viseme] for sound in sounds)
+    total = sum(VISEME_SECONDS[sound.viseme] for sound in sounds)
     visemes = list[Mark]()
     at = start
     for sound in sounds:
-        later = at + (end - start) * _LENGTHS[sound.viseme] / total
+        later = at + (end - start) * VISEME_SECONDS[sound.viseme] / total
         visemes.append(Mark(VISEMES.index(sound.viseme), at, later))
         at = later
     return visemes

@@ -104,6 +104,10 @@ class AccessControl:
         person = self.find_person(visitor.person or "")
         return person is not None and person.role == visitor.role and is_valid(person, self._wall())
 
+    def names(self) -> list[str]:
+        """The names of those whose token is their own."""
+        return [name for person in self.people.people if (name := visitor_of(person).name)]
+
     def find_person(self, wanted: str) -> Person | None:
         """The person of an id."""
         return next((person for person in self.people.people if person.id == wanted), None)

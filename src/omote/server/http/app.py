@@ -80,6 +80,7 @@ class ShowServer:
         self.downloads: Downloads | None = None
         self.uploads: Uploads | None = None
         self._run_job: RunFileJob | None = None
+        self.voices: Voices | None = None
         self.long_requests = LongRequests(self._send_progress)
         self.sources: list[TickSource] = []
         self.device_spoke: Callable[[], None] = lambda: None
@@ -154,6 +155,7 @@ class ShowServer:
         control: who may play, None for everybody.
         """
         self.access = control
+        self.session.members.people = lambda: () if control is None else control.names()
         self.authority = authority
 
     def on_air(self, character: str = "") -> OnAir:
@@ -196,7 +198,8 @@ class ShowServer:
         """Adds what surfaces read, where trackers and sounds are sent, and what others add."""
         sounds = Sounds(self.session.sounds.set)
         sounds.add_routes(application)
-        Voices(sounds, lambda: self._run_job).add_routes(application)
+        self.voices = Voices(sounds, lambda: self._run_job)
+        self.voices.add_routes(application)
         layout = TouchoscLayout(lambda: (self.session.cast, tuple(self.session.scene)), self._build_layout)
         application.router.add_get(TOUCHOSC_PATH, layout.respond)
         for path, respond in self._heard.items():
@@ -218,11 +221,15 @@ class ShowServer:
         now = self.clock()
         for source in self.sources:
             source.hear(now)
+        if self.voices is not None:
+            self.voices.begin(self.session, self.clock)
         state = self._state = self.session.tick(now)
         self._deliver(self.session.hands_now(now))  # before the state, for which programs wait
         self.links.broadcast(encode(state), now)
         for source in self.sources:
             source.tell(state, now)
+        refused = self.session.texts.take_refused(lambda _: True)  # sources have taken theirs
+        self._deliver([Outgoing(text.who, Refused(reason, text.message.id)) for text, reason in refused])
         self.documents.set_on_air(state)
         self._keep_cues()
 

@@ -189,7 +189,7 @@ class EditorLinks:
                 self._send(link.who, EditRefused(-1, NO_FILE))
             elif message.type is WSMsgType.BINARY and self.authored_work is not None:
                 now = partial(EditSession.receive_bytes, wall=_wall(), on_air=lambda: self._on_air(""))
-                self._take(self.authored_work, partial(now, who=link.who, data=message.data, role=link.visitor.role))
+                self._take(self.authored_work, partial(now, who=link.who, data=message.data, visitor=link.visitor))
 
     def _take(self, authored_work: AuthoredWork, happens: Callable[[EditSession], Outcome]) -> None:
         """Starts the orders of an outcome and queues its other consequences."""

@@ -1,4 +1,5 @@
-"""Synthetic voices of this machine: a child process with limits on time and memory speaks, and ends.
+"""Synthetic voices of this machine, of eSpeak NG and of Piper: a child process with limits on time and memory speaks,
+and ends.
 
 Nothing of the voice's library is in the show: see docs/decisions/microphone-and-speech.md, "A voice".
 """
@@ -10,8 +11,11 @@ import importlib.util
 import re
 from pathlib import Path
 
-from omote.inputs.voices.phones import Segment, shapes_of_ipa
+import numpy as np
+
+from omote.inputs.voices.phones import Segment, claim_closures, shapes_of_ipa
 from omote.inputs.voices.spoken_text import (
+    FULL_SCALE,
     NO_VOICE,
     SpokenText,
     Voice,
@@ -22,6 +26,7 @@ from omote.inputs.voices.spoken_text import (
 from omote.perform.limits import check_known
 from omote.server.sandbox.child_task import Limits, run_limited
 from omote.server.sandbox.espeak_ng import USUAL_RATE, Espeak, LibraryVoice, Sounded
+from omote.server.sandbox.piper_models import find_models, list_models, speak_by_model
 from omote.show.objects.speech import MOST_MARKS
 
 LIMITS = Limits(seconds=20, patience=60.0, memory=2**30)
@@ -34,13 +39,15 @@ _TOO_MUCH = "speaking this text needs more time or memory than any speech; say l
 
 
 def list_voices() -> list[Voice]:
-    """The voices of this machine by the names of their languages; none where no library of one is installed."""
+    """The voices of this machine: models of Piper, then those of eSpeak NG by the names of their languages."""
+    models = list_models()
     if not _is_installed():
-        return []
-    return run_limited(
+        return models
+    languages = run_limited(
         lambda _: [Voice(voice.language, voice.label) for _, voice in sorted(_by_language(_library()).items())],
         list[Voice], LIMITS, exhausted="the voices of this machine cannot be listed: its eSpeak NG does not answer",
     )  # fmt: skip
+    return models + languages
 
 
 def speak(text: str, *, voice: str = "en-gb", speed: float = 1.0) -> SpokenText:
@@ -51,7 +58,7 @@ def speak(text: str, *, voice: str = "en-gb", speed: float = 1.0) -> SpokenText:
     text : str
         What is said, to 2000 characters, in the voice's language.
     voice : str
-        The name of a voice, `de` or `en-us`, with a variant `de+f2`; `list_voices` has them.
+        The name of a voice, `de` or `en-us`, with a variant `de+f2`, or of a model of Piper that `omote voice` keeps.
     speed : float
         How fast, as a share of the voice's own speed, 0.5 to 2.
 
@@ -78,9 +85,13 @@ def speak(text: str, *, voice: str = "en-gb", speed: float = 1.0) -> SpokenText:
     docs/method.md, "Speech"; docs/decisions/microphone-and-speech.md, "A voice".
     """
     wanted = check_wanted(WantedSpeech(text, voice, speed))
+    models = find_models()
+    name, _, speaker = (voice, "", "") if voice in models else voice.rpartition("+")
+    if name in models:
+        return speak_by_model(models[name], wanted, speaker)
     if not _is_installed():
-        raise ValueError(NO_VOICE)
-    return run_limited(lambda _: _speak(wanted), SpokenText, LIMITS, exhausted=_TOO_MUCH)
+        raise ValueError(f"there is no voice {voice!r}; near are {', '.join(models)}" if models else NO_VOICE)
+    return run_limited(lambda _: _speak(wanted, list(models)), SpokenText, LIMITS, exhausted=_TOO_MUCH)
 
 
 def _is_installed() -> bool:
@@ -94,14 +105,16 @@ def _library() -> Espeak:
     return Espeak(espeakng_loader.get_library_path(), espeakng_loader.get_data_path())
 
 
-def _speak(wanted: WantedSpeech) -> SpokenText:
+def _speak(wanted: WantedSpeech, models: list[str]) -> SpokenText:
     library = _library()
     language, plus, variant = wanted.voice.partition("+")
-    found = _find_voice(_by_language(library), language)
+    found = _find_voice(_by_language(library), language, models)
     if plus:
         check_known(variant, _variants(), "variant of a voice")
     sounded = library.speak(found.identifier + plus + variant, wanted.text, rate=round(USUAL_RATE * wanted.speed))
-    return put_together(sounded.sound, sounded.rate, segments_of(sounded), most=MOST_MARKS)
+    levels = sounded.sound.astype(np.float32) / FULL_SCALE
+    segments = claim_closures(segments_of(sounded), levels, sounded.rate)
+    return put_together(sounded.sound, sounded.rate, segments, most=MOST_MARKS)
 
 
 def _variants() -> list[str]:
@@ -116,12 +129,13 @@ def _by_language(library: Espeak) -> dict[str, LibraryVoice]:
     return {voice.language: voice for voice in reversed(list(library.voices()))}
 
 
-def _find_voice(voices: dict[str, LibraryVoice], language: str) -> LibraryVoice:
-    """The voice of a language; of `en` the first of its regions."""
+def _find_voice(voices: dict[str, LibraryVoice], language: str, models: list[str]) -> LibraryVoice:
+    """The voice of a language; of `en` the first of its regions. models: names that are near too, where none has it."""
     wanted = language.strip().lower().replace("_", "-")
     by_name = {name.lower(): voice for name, voice in voices.items()}
     region = next((name for name in sorted(by_name) if wanted and name.startswith(f"{wanted}-")), wanted)
-    return by_name[check_known(wanted if wanted in by_name else region, list(by_name), "voice")]
+    found = wanted if wanted in by_name else region
+    return by_name[found] if found in by_name else by_name[check_known(language, [*models, *voices], "voice")]
 
 
 def segments_of(sounded: Sounded) -> list[Segment]:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 import re
-from collections.abc import Mapping
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, replace
 from typing import Literal
 
@@ -24,27 +24,32 @@ SILENCE = 3.0
 """Seconds without a heartbeat after which a stage counts as not drawing."""
 
 
+GIVEN, ASKED_FOR, OF_TOKEN = range(3)
+"""How good the claim of a console on its name is: who has a better one gets it."""
+
+
 @dataclass(frozen=True)
 class Member:
     """A connected client: its role, its last report with the time of it, and the name of a console or a source.
 
-    claims: it asked for that name, else it was given one; page: the page that the link belongs to; seat: the operator
-    at it, or the source itself; "" for a stage.
+    claim: on that name, `OF_TOKEN` where its token has it, `ASKED_FOR`, else `GIVEN`; page: the page that the link
+    belongs to; seat: the operator at it, or the source itself; "" for a stage.
     """
 
     role: Role | Literal["source"]
     report: StageReport | None = None
     heard: float = -math.inf
     name: str = ""
-    claims: bool = False
+    claim: int = GIVEN
     page: str = ""
     seat: str = ""
 
 
 class Members:
-    """Who is connected. present: each client's entry."""
+    """Who is connected. present: each client's entry; people: tells the names of tokens, which nobody else may have."""
 
     def __init__(self) -> None:
+        self.people: Callable[[], Iterable[str]] = lambda: ()
         self.present: dict[str, Member] = {}
         self._visitors: dict[str, Visitor] = {}
         self._lost_stages: list[float] = []  # when the links broke
@@ -92,17 +97,20 @@ class Members:
 
     def admit(self, who: str, hello: Hello) -> list[str]:
         """Adds a client that says hello, or changes it; returns whose names are new: another's too, where that was
-        given the name that a console claims. Links of the same page must have left. who: the client."""
+        given the name that a console claims. Links of the same page must have left. Whose token has a name is called so
+        whatever the hello says, and nobody else is, who came before or comes after. who: the client."""
         if hello.role == "stage" and who not in self.present:
             del self._lost_stages[:1]  # one of them is back, or another in its place
         if hello.role != "console":
             self.present[who] = Member(hello.role)
             return [who]
-        name = hello.name.strip() or self.visitor(who).name
+        own = self.visitor(who).name
+        name = own or hello.name.strip()
+        claim = OF_TOKEN if own else ASKED_FOR if name else GIVEN
         seat = f"seat {hello.seat or hello.page or who}"
-        self.present[who] = Member("console", name=name, claims=bool(name), page=hello.page, seat=seat)
-        consoles = {client: (self.present[client].name, self.present[client].claims) for client in self.consoles()}
-        names = name_apart(consoles, who)
+        self.present[who] = Member("console", name=name, claim=claim, page=hello.page, seat=seat)
+        consoles = {client: (self.present[client].name, self.present[client].claim) for client in self.consoles()}
+        names = name_apart(consoles, who, self.people())
         for client, name in names.items():
             self.present[client] = replace(self.present[client], name=name)
         return list(names)
@@ -127,24 +135,33 @@ class Members:
         return {who: member.name for who, member in self.present.items() if member.role == "source"}
 
 
-def name_apart(consoles: Mapping[str, tuple[str, bool]], who: str) -> dict[str, str]:
+def name_apart(consoles: Mapping[str, tuple[str, int]], who: str, people: Iterable[str] = ()) -> dict[str, str]:
     """The names of a console that comes, and of one that gives way to it; consoles: by client, what each is called or
-    wants to be, and whether it asked for that. A name that somebody asks for is taken from one that was given it. who:
-    the client that comes."""
-    wanted, asks = consoles[who]
+    wants to be, and its claim on that: the better one has it. who: the client that comes; people: names of tokens,
+    which only these have."""
+    wanted, claim = consoles[who]
     same = [other for other, (name, _) in consoles.items() if name.casefold() == wanted.casefold()]
-    yields = [other for other in same if other != who and asks and not consoles[other][1]]
+    yields = [other for other in same if other != who and claim > consoles[other][1]]
     names = {other: name for other, (name, _) in consoles.items() if other not in (who, *yields)}
+    kept = {name.casefold() for name in people}
     for client in (who, *yields):
         taken = {name.casefold() for name in names.values()}
-        names[client] = free_name(consoles[client][0] or NAMELESS, taken)
+        name, claim = consoles[client]
+        # with a number beside it, it would look like another page of theirs
+        is_kept = claim < OF_TOKEN and without_number(name).casefold() in kept
+        names[client] = free_name(NAMELESS if is_kept or not name else name, taken)
     return {client: names[client] for client in (who, *yields)}
+
+
+def without_number(name: str) -> str:
+    """A name without the number that sets it apart."""
+    return re.sub(r"(?<=\S) \d+$", "", name)
 
 
 def free_name(wanted: str, taken: set[str]) -> str:
     """The name of a console: the one wanted, else the lowest number beside its words that makes it its own. taken:
     names of others, in lower case."""
-    words = re.sub(r"(?<=\S) \d+$", "", wanted)
+    words = without_number(wanted)
     room = LONGEST_NAME - len(f" {len(taken) + 3}")
     numbered = (f"{words[:room]} {number}" for number in range(2, len(taken) + 4))
     return next(name for name in (wanted, *numbered) if name.casefold() not in taken)

@@ -12,7 +12,7 @@ from omote.perform.performer import Performer
 from omote.perform.speech.number_words import Language
 from omote.perform.speech.speaking import LONGEST_DELAY
 from omote.perform.speech.speech_timing import TimingKind
-from omote.show.declaration import SPEECH_LIMIT, CallId, CharacterCommand, Outgoing, RequestId, Session
+from omote.show.declaration import SPEECH_LIMIT, CallId, CharacterCommand, Outgoing, RequestId, Session, characters_of
 from omote.show.osc import PRESS, Value, osc
 from omote.show.validation import Refusal
 
@@ -21,8 +21,36 @@ SOUNDS_PATH = "/sounds"
 MOST_SOUNDS = 256
 MOST_BYTES = 2**26
 """Of all sounds that a show keeps; the oldest makes room."""
+USUAL_VOICE = "en-gb"
+"""Who speaks where no voice is named."""
 MOST_MARKS = 1500
 """Words, characters or mouth shapes of one message."""
+
+
+class SayByVoice(CharacterCommand, frozen=True):  # before `Say`, whose address with a language would take its own
+    """A character says a text by a voice of the show (`GET /voices`), which speaks it first: the sound begins a moment
+    later, on the stage that plays sounds, with lips in time. What it says meanwhile, a stop and a panic end the
+    waiting. An `id` executes once. A program speaks by `say(voice=...)`, which tells it when it is over."""
+
+    method = None
+    longest = SPEECH_LIMIT
+    osc = (
+        osc(
+            "say/voice",
+            "says a text by a voice of the show (de, en-us, de+f2, a model of Piper), which the stage plays",
+            "text",
+            "voice",
+        ),
+    )
+
+    id: CallId
+    text: Annotated[str, msgspec.Meta(max_length=2000), Value("speech")]
+    voice: Annotated[str, msgspec.Meta(max_length=120), Value("text", default=USUAL_VOICE)] = USUAL_VOICE
+
+    def act(self, session: Session, who: str, now: float) -> Sequence[Outgoing]:
+        """Asks for it. session: the show; who: the client; now: seconds, monotonic."""
+        session.ask_to_speak(who, self, characters_of(session.scene, self.character))
+        return ()
 
 
 class Say(CharacterCommand, frozen=True):
@@ -61,7 +89,9 @@ class Say(CharacterCommand, frozen=True):
     def act(self, session: Session, who: str, now: float) -> Sequence[Outgoing]:
         """Speaks, for the length of its sound where it gives none; ValueError for a sound that is not there. session:
         the show; who: the client; now: seconds, monotonic."""
-        return super(Say, session.sounds.complete(self)).act(session, who, now)
+        answers = super(Say, session.sounds.complete(self)).act(session, who, now)
+        session.texts.drop(characters_of(session.scene, self.character))
+        return answers
 
     def play(self, performer: Performer) -> None:
         """Plays it."""
@@ -88,6 +118,11 @@ class StopSpeaking(CharacterCommand, frozen=True):
     osc = (osc("stop_speaking", "ends what it says, and all that it would say after", PRESS),)
 
     id: RequestId = ""
+
+    def act(self, session: Session, who: str, now: float) -> Sequence[Outgoing]:
+        """Plays it, and ends the waiting for a voice. session: the show; who: the client; now: seconds, monotonic."""
+        session.texts.drop(characters_of(session.scene, self.character))
+        return super().act(session, who, now)
 
     def play(self, performer: Performer) -> None:
         """Plays it."""

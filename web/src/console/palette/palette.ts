@@ -4,6 +4,7 @@ import { html, nothing } from "lit";
 import { customElement, property, query, queryAll, state } from "lit/decorators.js";
 import { repeat } from "lit/directives/repeat.js";
 import { EDITOR, EDITOR_TAB } from "../../link/editor_address";
+import type { CharacterState } from "../../link/messages";
 import { onHold, onRoam } from "../../ui/gestures";
 import { base } from "../../ui/theme";
 import { THUMBNAIL_SIZE, type ThumbnailSubject } from "../../ui/thumbnails";
@@ -14,7 +15,7 @@ import { KINDS, type PaletteKind } from "../store/arrangement";
 import type { Axis } from "../store/axis";
 import { keyLabel } from "../store/keys";
 import type { Topic } from "../store/page_store";
-import { regionMark, type ShownWeight, shownOf, targetsOf } from "../store/region_calls";
+import { calledRegions, regionMark, type ShownWeight, shownOf, targetsOf } from "../store/region_calls";
 import { ModelFace } from "./model_face";
 import { style } from "./palette_style";
 import { expressionGroups, faceGroups, foundIn, isOwn, type PaletteTile, type TileGroup } from "./tile_groups";
@@ -275,9 +276,11 @@ export class Palette extends AnimatedElement {
 
   paint(now: number): void {
     const coming = targetsOf(this.store.callOf(this.axis), this.axis === "face" ? {} : this.store.air?.region_calls);
+    const { air } = this.store;
+    const regions = air === null ? {} : calledRegions(air);
     for (const tile of this.tiles) {
       const name = tile.dataset.name ?? "";
-      const shown = this.#shown(name);
+      const shown = this.#shown(name, regions);
       this.write.flag(tile, "coming", coming.has(name));
       this.write.flag(tile, "air", !coming.has(name) && shown.weight >= 0.001);
       const [where, bar] = [...tile.children].slice(-2) as [HTMLElement, HTMLElement];
@@ -288,9 +291,9 @@ export class Palette extends AnimatedElement {
       this.model = this.#model.follow(this.store.air?.faces ?? {}, this.store.callOf("face")?.target ?? null, now);
   }
 
-  #shown(name: string): ShownWeight {
+  #shown(name: string, regions: CharacterState["regions"]): ShownWeight {
     const { air } = this.store;
     if (this.axis === "face" || air === null) return { weight: air?.faces[name] ?? 0, regions: [] };
-    return shownOf(name, air);
+    return shownOf(name, { ...air, regions });
   }
 }

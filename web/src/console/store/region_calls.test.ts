@@ -1,6 +1,15 @@
 import { describe, expect, it } from "vitest";
 import type { CallState } from "../../link/messages";
-import { callMessage, nextPlace, PLACES, regionalMixes, regionMark, shownOf, targetsOf } from "./region_calls";
+import {
+  calledRegions,
+  callMessage,
+  nextPlace,
+  PLACES,
+  regionalMixes,
+  regionMark,
+  shownOf,
+  targetsOf,
+} from "./region_calls";
 
 const CALL = { character: "one", id: "1", name: "joy", seconds: 0.5, easing: "smooth" };
 const AIR = { expressions: { joy: 1 }, regions: { brows: { surprise: 0.75, joy: 0.25 }, eyes: { surprise: 1 } } };
@@ -52,13 +61,36 @@ describe("what is on air in regions", () => {
       ["brows", "joy", 0.25],
       ["eyes", "surprise", 1],
     ]);
-    expect(regionalMixes({ regions: {}, layers: {} })).toEqual([]);
+    expect(regionalMixes({ expressions: {}, regions: {}, layers: {} })).toEqual([]);
   });
 
   it("is not listed where a source has put a region to rest, and is where somebody has called that", () => {
     const tracker = { influence: [1], on: true, trust: 1, source: "phone", share: 1, strongest: {}, sources: [] };
     const regions = { brows: { neutral: 1 }, mouth: { neutral: 0.4, joy: 0.6 } };
-    expect(regionalMixes({ regions, layers: { tracker } }).map(([region]) => region)).toEqual(["mouth", "mouth"]);
-    expect(regionalMixes({ regions, layers: {} })[0]).toEqual(["brows", "neutral", 1]);
+    const expressions = { joy: 1 };
+    const listed = regionalMixes({ expressions, regions, layers: { tracker } });
+    expect(listed.map(([region]) => region)).toEqual(["mouth", "mouth"]);
+    expect(regionalMixes({ expressions, regions, layers: {} })[0]).toEqual(["brows", "neutral", 1]);
+  });
+
+  it("is nobody's call where speech has the mouth of the face step back", () => {
+    const lips = {
+      influence: [0, 0, 0.7, 0],
+      on: true,
+      trust: 1,
+      source: "speech",
+      share: 0.5,
+      strongest: {},
+      sources: [],
+    };
+    const expressions = { joy: 0.8, cry: 0.1, neutral: 0.1 };
+    const regions = { mouth: { joy: 0.4, cry: 0.05, neutral: 0.55 } };
+    expect(calledRegions({ expressions, regions, layers: { lips } })).toEqual({});
+    expect(calledRegions({ expressions, regions, layers: {} })).toEqual(regions);
+    expect(
+      calledRegions({ expressions: { neutral: 1 }, regions: { mouth: { neutral: 1 } }, layers: { lips } }),
+    ).toEqual({});
+    for (const mouth of [{ neutral: 1 }, { cry: 1 }, { joy: 0.4, cry: 0.2, neutral: 0.4 }])
+      expect(calledRegions({ expressions, regions: { mouth }, layers: { lips } })).toEqual({ mouth });
   });
 });

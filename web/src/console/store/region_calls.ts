@@ -54,18 +54,42 @@ export function regionMark({ regions }: ShownWeight): string {
 /** The expression of a face at rest. */
 const REST = "neutral";
 
-/** Whether a region is at rest because a source plays there, and nobody has called anything. */
-const isSourced = (mix: Readonly<Record<string, number>>, layers: CharacterState["layers"]): boolean =>
-  Object.entries(mix).every(([name, weight]) => name === REST || Math.abs(weight) < LEAST) &&
-  Object.values(layers).some(({ source, share }) => source !== "" && share >= LEAST);
+type Mix = Readonly<Record<string, number>>;
 
-/** What regions show that go their own way, heaviest first in each: region, name and weight; nothing of one that a source
- * has put to rest. */
-export function regionalMixes({
+/** The regions whose mix somebody has called. Speech, a tracker or a take has the face's own mix step back in a region,
+ * and neutral take the rest, as far as its layer goes: that looks as the mix of the face, less of it, and is nobody's call. */
+export function calledRegions({
+  expressions,
   regions,
   layers,
-}: Pick<CharacterState, "regions" | "layers">): [PlayRegion, string, number][] {
-  return PLAY_REGIONS.filter((region) => !isSourced(regions[region] ?? {}, layers)).flatMap((region) =>
+}: Pick<CharacterState, "expressions" | "regions" | "layers">): CharacterState["regions"] {
+  const sources = Object.values(layers).filter(({ source, share }) => source !== "" && share >= LEAST);
+  if (sources.length === 0) return regions;
+  const called = PLAY_REGIONS.flatMap((region, at): [PlayRegion, Mix][] => {
+    const mix = regions[region];
+    const kept = sources.reduce((left, { influence }) => left * (1 - (influence[at] ?? 0)), 1);
+    return mix === undefined || isLess(mix, expressions, kept) ? [] : [[region, mix]];
+  });
+  return Object.fromEntries(called);
+}
+
+/** Whether a mix is that of the face, of which at least a share `kept` is left, with neutral in the place of the rest. */
+function isLess(mix: Mix, whole: Mix, kept: number): boolean {
+  const names = Object.keys({ ...mix, ...whole }).filter((name) => name !== REST);
+  const most = names.reduce((largest, name) => Math.max(largest, Math.abs(whole[name] ?? 0)), 0);
+  if (most < LEAST) return names.every((name) => Math.abs(mix[name] ?? 0) < LEAST);
+  const loudest = names.find((name) => Math.abs(whole[name] ?? 0) === most) as string;
+  const share = (mix[loudest] ?? 0) / (whole[loudest] as number);
+  if (share < kept - LEAST || share > 1 + LEAST) return false;
+  return names.every((name) => Math.abs((mix[name] ?? 0) - share * (whole[name] ?? 0)) < LEAST);
+}
+
+/** What regions show that somebody has called there, heaviest first in each: region, name and weight. */
+export function regionalMixes(
+  state: Pick<CharacterState, "expressions" | "regions" | "layers">,
+): [PlayRegion, string, number][] {
+  const regions = calledRegions(state);
+  return PLAY_REGIONS.flatMap((region) =>
     Object.entries(regions[region] ?? {})
       .filter(([, weight]) => Math.abs(weight) >= LEAST)
       .sort(([, x], [, y]) => y - x)

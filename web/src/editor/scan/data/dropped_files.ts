@@ -23,9 +23,13 @@ export function comingOf(names: readonly string[], open: "expression" | "face" |
   if (arePhotographs(names)) return "scan";
   const scans = names.filter((name) => holds(name, "head"));
   if (scans.some((name) => contentsOf(name)[0] === "head")) return "scan";
+  if (open === "expression" && scans.length > 0 && names.every(isOfGltf)) return "import"; // its shapes, as of a GLB
   if (scans.length > 0 && scans.length < names.length) return "scan"; // with materials and pictures beside it
   return open !== "expression" && scans.length === 1 ? "either" : "import";
 }
+
+/** Whether a file is a .gltf, or may lie beside one. */
+const isOfGltf = (name: string): boolean => /\.gltf$/i.test(name) || holds(name, "companion");
 
 /** What a face made of files is called at first; of none: the camera takes them. */
 export function nameOf(names: readonly string[]): string {
