@@ -77,7 +77,12 @@ export class ConsolePage extends ConsoleElement {
   constructor() {
     super();
     whileShown(this, () => listenToKeys({ everywhere: this.#keyEverywhere, page: this.#key }));
-    whileShown(this, () => onFileDrop((files) => void this.context.imports.add(files, "expression")));
+    whileShown(this, () =>
+      onFileDrop(
+        (files) => void this.context.imports.add(files, "expression"),
+        (sentence) => this.store.say(sentence),
+      ),
+    );
     hearWhileShown(this, IN_TURN, ["change"], () => this.requestUpdate());
   }
 
@@ -172,6 +177,7 @@ export class ConsolePage extends ConsoleElement {
   /** Words that a phone's bar has no room for stand above the picture, which is as much lower. */
   readonly #makeRoom = ({ detail }: CustomEvent<number>): void => {
     this.style.setProperty("--said", `${detail}px`);
+    this.classList.toggle("says", detail > 0);
   };
 
   readonly #heads = (): Monitor["heads"] => this.monitor.heads;

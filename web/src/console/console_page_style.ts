@@ -266,7 +266,7 @@ export const style = css`
       display: none;
     }
   }
-  @media ${low} and (max-height: 379px) {
+  @media (min-width: 600px) and (max-height: 379px) {
     omote-show-notices {
       display: none; /* the picture is as low as they are: *Log* lights up and counts them */
     }
@@ -281,6 +281,9 @@ export const style = css`
   @media ${narrow} {
     .mixes omote-mix {
       margin-top: 0;
+    }
+    :host(.says) omote-show-notices {
+      display: none; /* they stand there again in seconds; *Log* counts them meanwhile */
     }
     :host {
       grid-template:
