@@ -18,7 +18,9 @@ from tests.browser.test_console import TWO_FRAMES
 from tests.browser.waiting import wait_until
 
 OpenPage = Callable[..., Page]
-PLAYED = "omote-palette, omote-tbar, omote-lights, omote-memories, omote-pad, omote-bank, omote-mix, .views, omote-monitor"
+PLAYED = (
+    "omote-palette, omote-tbar, omote-lights, omote-memories, omote-pad, omote-bank, omote-mix, .views, omote-monitor"
+)
 """What is played on, and the picture."""
 STORE = "document.querySelector('omote-console')?.context.store"
 
