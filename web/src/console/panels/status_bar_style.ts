@@ -93,7 +93,6 @@ export const style = css`
     flex: 0 1 auto;
   }
   :host([asks]) .mark,
-  :host([asks]) omote-show-clock,
   :host([asks]) .item {
     display: none;
   }
@@ -211,6 +210,9 @@ export const style = css`
     :host {
       gap: 8px;
       padding: 0 2px;
+    }
+    :host([asks]) omote-show-clock {
+      display: none;
     }
     .mark,
     .item.consoles,
