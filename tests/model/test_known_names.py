@@ -49,5 +49,5 @@ def test_where_a_name_is_not_depends_on_its_kind(name: str, names: list[str], wh
 def test_an_action_unit_is_told_which_expression_it_is(cast: Cast) -> None:
     with pytest.raises(KeyError, match="there is no expression 'AU26' in this cast; AU26 is jawOpen"):
         cast.expressions["AU26"]
-    with pytest.raises(KeyError, match="there is no face 'AU26' in this cast; (near|there) are "):
+    with pytest.raises(KeyError, match=r"there is no face 'AU26' in this cast; (near|there) are "):
         cast.faces["AU26"]
