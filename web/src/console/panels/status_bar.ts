@@ -203,7 +203,7 @@ export class StatusBar extends ConsoleElement {
     const { crew, latency } = this.store;
     const stages = crew?.stages ?? [];
     return html`
-      <div class="item link"><span class="lamp"></span><b>live</b> <span class="trip">${latency === null ? nothing : `${latency < 9.95 ? latency.toFixed(1) : latency.toFixed(0)} ms`}</span></div>
+      <div class="item link"><span class="lamp"></span><b>live</b> <span class="trip">${latency === null ? nothing : tripLabel(latency)}</span></div>
       <div class="item stages ${crew !== null && stages.length === 0 ? "slow" : ""}">
         <b title=${stages.length === 1 ? "stage" : "stages"}>${stages.length}</b> <span class="word">${stages.length === 1 ? "stage" : "stages"}</span>
         ${stages.slice(0, 9).map((stage) => html`<b class=${stage === null || stage.fps < SLOW ? "slow" : ""} title=${stageTitle(stage)}>${stageRate(stage)}</b>`)}
@@ -214,6 +214,12 @@ export class StatusBar extends ConsoleElement {
       <div class="item consoles"><b>${crew?.consoles ?? 0}</b> ${crew?.consoles === 1 ? "console" : "consoles"}</div>
     `;
   }
+}
+
+/** Milliseconds there and back, in as many letters on a machine that is late: PANIC beside it keeps its place. */
+function tripLabel(latency: number): string {
+  if (latency >= 999.5) return `${(latency / 1000).toFixed(1)} s`;
+  return `${latency < 9.95 ? latency.toFixed(1) : latency.toFixed(0)} ms`;
 }
 
 /** What a stage draws a second, in a few letters. */

@@ -24,7 +24,7 @@ export const style = css`
     color: var(--dim);
     font-size: 12px;
   }
-  .item.stages {
+  :is(.item.stages, .item.link) {
     min-width: 0;
     overflow: hidden; /* nine slow screens give way, buttons and panic do not */
   }
