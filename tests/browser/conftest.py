@@ -82,9 +82,9 @@ def show(tmp_path_factory: pytest.TempPathFactory) -> Iterator[str]:
     yield from playing(tmp_path_factory.mktemp("show") / "test.omote")
 
 
-def playing(file: Path) -> Iterator[str]:
-    """The address of a show that plays from a file, until it is closed."""
-    command = [sys.executable, "-c", PATIENT, "show", str(file), "--no-open", "--no-announce", "--port", "0"]
+def playing(file: Path, *options: str) -> Iterator[str]:
+    """The address of a show that plays from a file, until it is closed; options: more of `omote show`."""
+    command = [sys.executable, "-c", PATIENT, "show", str(file), "--no-open", "--no-announce", "--port", "0", *options]
     environment = {**os.environ, "OPENBLAS_NUM_THREADS": "1", "PYTHONUNBUFFERED": "1"}
     with subprocess.Popen(command, cwd=ROOT, env=environment, stdout=subprocess.PIPE, text=True) as process:
         try:

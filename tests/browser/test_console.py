@@ -869,15 +869,38 @@ def test_a_lost_link_is_seen_nothing_is_pretended_and_it_comes_back(open_page: O
     away[0] = True
     links[-1].close()
     expect(page.locator(".lost[role='alert']")).to_contain_text("LINK LOST")
+    panic = page.locator(".panic.unheard")
+    expect(panic).to_contain_text("NOT HEARD: no link")
     page.mouse.move(x, y - 0.25 * box["height"])  # in one step, as a busy browser hands several on
     expect(page.locator(".notice")).to_contain_text("Not sent")
     expect(fader(page, "jawOpen")).to_have_attribute("aria-valuenow", "0.00")
     page.evaluate(TWO_FRAMES)  # what the hand has done is offered once a frame: all of it while the link is lost
     away[0] = False
     expect(page.locator(".item.link")).to_contain_text("live")
+    expect(panic).to_have_count(0)
     page.mouse.move(x, y - 0.5 * box["height"], steps=4)  # the drag goes on from what the server says
     wait_for(page, "state.channels.jawOpen > 0.4 && state.channels.jawOpen < 0.6")
     page.mouse.up()
+
+
+ONE_DARK = f"""() => {{
+    const receive = {DESK}.receive.bind({DESK});
+    const stages = [{{ name: "left", fps: 0, level: "low", dark: 12.4, awake: "", sound: "", sound_here: false }}];
+    {DESK}.receive = (message) => receive(message.type === "crew" ? {{ ...message, stages }} : message);
+    receive({{ ...{DESK}.crew, stages }});
+}}"""
+
+
+def test_who_may_only_look_reads_that_panic_is_not_heard_and_which_stage_is_dark(open_page: OpenPage) -> None:
+    page = open_page("/console", pictures=False, disposable=True)
+    looking = msgspec.msgpack.encode({"role": "view", "name": "Ada", "asked": True})
+    page.route("**/access", lambda route: route.fulfill(body=looking))
+    page.reload()
+    wait_for(page, "desk.online && desk.crew !== null")
+    expect(page.locator(".panic.unheard")).to_contain_text("not by this role")
+    expect(page.locator("omote-note")).to_contain_text("Note")
+    page.evaluate(ONE_DARK)
+    expect(page.locator("omote-status .dark")).to_have_text("stage left is dark, 12 s")
 
 
 def test_a_server_with_another_built_in_cast_reloads_the_page(open_page: OpenPage, console: Console) -> None:

@@ -14,7 +14,8 @@ from playwright.sync_api import FilePayload, Locator, Page, expect
 
 from tests.browser.test_console import console
 from tests.browser.test_editor import editor
-from tests.browser.test_face_from_scan import views
+from tests.browser.test_face_from_scan import drop, views
+from tests.interchange.scans.scan_samples import HEIC
 from tools.photographs.photographer import photograph
 from tools.photographs.sculpted_people import model_of, random_sculpted
 from tools.photographs.views import camera_at
@@ -152,6 +153,9 @@ def test_one_photograph_says_what_it_cannot_know_and_none_with_a_face_is_said(ed
     dialog = page.get_by_role("dialog", name="A face from photographs")
     choose(page, payload("wall.jpg", wall()))
     expect(dialog.get_by_role("alert")).to_contain_text("No face was found in wall.jpg")
+    dialog.get_by_role("button", name="Close").click()
+    drop(page, "dusk.heic", HEIC)  # the picture of every telephone is read, and looked through
+    expect(dialog.get_by_role("alert")).to_contain_text("No face was found in dusk.heic")
     dialog.get_by_role("button", name="Close").click()
     choose(page, payload("words.jpg", b"words"))
     expect(dialog.get_by_role("alert")).to_contain_text("words.jpg: the file is no picture, but text")

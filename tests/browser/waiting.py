@@ -6,7 +6,7 @@ import base64
 
 import numpy as np
 from numpy.typing import NDArray
-from playwright.sync_api import Error, Page
+from playwright.sync_api import Error, Frame, Page
 
 PATIENCE = 360.0
 """Seconds after which a test has failed; nothing waits for them."""
@@ -36,7 +36,7 @@ ENCODE = """() => {
 NO_FRAMES = "() => { window.requestAnimationFrame = () => 0; }"
 
 
-def wait_until(page: Page, condition: str, given: str = "", told: str = "null") -> None:
+def wait_until(page: Page | Frame, condition: str, given: str = "", told: str = "null") -> None:
     """Waits until a JavaScript condition holds in the page; AssertionError after `PATIENCE`.
 
     given: statements before the condition, which name what it speaks of; told: an expression that the error shows.

@@ -41,5 +41,5 @@ def test_an_unknown_name_is_refused_with_the_nearest() -> None:
     assert check_known("kaori", ["generic", "kaori"], "face") == "kaori"
     with pytest.raises(ValueError, match="there is no face 'koari' in this cast; near are kaori"):
         check_known("koari", ["generic", "kaori"], "face")
-    with pytest.raises(ValueError, match="there is no face '7' in this cast; near are generic, kaori"):
+    with pytest.raises(ValueError, match="there is no face '7' in this cast; there are generic, kaori"):
         check_known(7, ["generic", "kaori"], "face")

@@ -8,7 +8,8 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from omote.show import validation
-from omote.show.validation import Quantity, Refusal, validate_number
+from omote.show.objects.link import Notice, Refused
+from omote.show.validation import Quantity, Refusal, name_escapes, validate_number
 
 QUANTITIES = [value for value in vars(validation).values() if isinstance(value, Quantity)]
 NO_NUMBERS: list[object] = [True, False, None, "0.5", b"0.5", [], {}, 1j, np.bool_(True)]
@@ -41,3 +42,17 @@ def test_everything_else_is_refused_with_what_was_expected(quantity: Quantity, v
 def test_both_ends_belong_to_the_range(quantity: Quantity) -> None:
     assert validate_number(quantity.low, quantity) == quantity.low
     assert validate_number(quantity.high, quantity) == quantity.high
+
+
+def test_what_nobody_sees_in_a_quoted_name_is_named_in_words_for_people() -> None:
+    said = f"there is no face {'dog' + chr(0x202E) + chr(0x200B)!r}."
+    named = "there is no face 'dog<right-to-left override><zero width space>'."
+    assert [name_escapes(said), Refused(said).reason, Notice("1", 0.0, said).text] == [named] * 3
+    assert name_escapes(f"{chr(0x1F)!r}") == "'<U+001F>'"
+
+
+@given(st.text(st.characters(exclude_categories=["C", "Z"])))
+def test_a_name_that_is_seen_stays_as_it_is_quoted(name: str) -> None:
+    quoted = repr(name)
+    assert name_escapes(quoted) == quoted
+    assert name_escapes(name_escapes(repr(name + chr(0x202E)))) == name_escapes(repr(name + chr(0x202E)))

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import difflib
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from typing import Literal, NoReturn, TypeVar, get_args
 
 from omote.model.action_units import explain_action_unit
@@ -27,6 +27,7 @@ PLACES: Mapping[str, str] = {
     **dict.fromkeys(_FIXED, ""),
 }
 """Where names of each kind are, as messages say it; "" for those that are the same everywhere; else in the cast."""
+_MOST_LISTED = 3
 Value = TypeVar("Value")
 
 
@@ -56,11 +57,22 @@ def explain_unknown(name: object, names: Iterable[str], what: str) -> str:
         return f"there is no {what} {str(name)[:80]!r}{where}; {known}"
     near = difflib.get_close_matches(str(name)[:80], choices, n=3, cutoff=0.4)
     if where:
-        near = near or sorted(choices)[:3]
-        there = f"near are {', '.join(near)}" if near else "there are none"
+        there = list_near(near, choices)
     else:
         there = f"did you mean {' or '.join(near)}?" if near else f"there are {', '.join(choices)}"
     return f"there is no {what} {str(name)[:80]!r}{where}; {there}"
+
+
+def list_near(near: Sequence[str], choices: Iterable[str]) -> str:
+    """A clause that lists the names that are near, or, where none is, the first that there are.
+
+    near: the nearest of `choices` first.
+    """
+    if near:
+        return f"near are {', '.join(near)}"
+    names = sorted(choices)
+    more = len(names) - _MOST_LISTED
+    return f"there are {', '.join(names[:_MOST_LISTED]) or 'none'}{f' and {more} more' if more > 0 else ''}"
 
 
 def check_play_region(name: str, /) -> PlayRegion:

@@ -8,7 +8,7 @@ from collections.abc import Iterable, Mapping
 from types import MappingProxyType
 
 from omote.model.action_units import explain_action_unit, find_units
-from omote.model.known_names import NEUTRAL, UNIT_NOUNS
+from omote.model.known_names import NEUTRAL, UNIT_NOUNS, list_near
 
 ALL = "all"
 OWN = "own"
@@ -59,8 +59,7 @@ def find_names(
     explanation = explain_action_unit(typed, choices) if what in UNIT_NOUNS else ""
     if units:
         raise ValueError(f"{explanation}; write one of them, or both as channels ({'+'.join(units)})")
-    near = nearest(typed, choices, labels) or sorted(choices)[:3]
-    there = explanation or (f"near are {', '.join(near)}" if near else "there are none")
+    there = explanation or list_near(nearest(typed, choices, labels), choices)
     raise ValueError(f"there is no {what} {typed[:80]!r}{where}; {there}")
 
 

@@ -2,9 +2,25 @@
 
 from __future__ import annotations
 
+import re
+import unicodedata
 from dataclasses import dataclass
 
 from omote.perform.limits import check_within
+
+_ESCAPED = re.compile(r"(?<!\\)((?:\\\\)*)\\(?:x[0-9a-f]{2}|u[0-9a-f]{4}|U[0-9a-f]{8})")
+
+
+def name_escapes(sentence: str) -> str:
+    """Names the characters of quoted names that Python writes by numbers, since nobody sees them: `\\u202e` becomes
+    <right-to-left override>. sentence: for people, on a page."""
+
+    def named(found: re.Match[str]) -> str:
+        character = chr(int(found[0][len(found[1]) + 2 :], 16))
+        name = unicodedata.name(character, "").lower() or f"U+{ord(character):04X}"
+        return f"{found[1]}<{name}>"
+
+    return _ESCAPED.sub(named, sentence)
 
 
 class Refusal(ValueError):  # noqa: N818  (what an operator reads, not a fault)

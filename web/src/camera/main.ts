@@ -3,6 +3,7 @@
 import { showAccess } from "../access/access_banner";
 import { missingRole, readAccess } from "../access/page_access";
 import { openLandmarkWorker, warmUpPicture } from "../face_mesh/landmark_client";
+import { onFileDrop } from "../ui/file_import";
 import { CameraPage } from "./camera_page";
 import { guestName } from "./guest_name";
 import { CameraSession } from "./session/camera_session";
@@ -21,4 +22,5 @@ async function start(): Promise<void> {
   await page.session.start(warmUpPicture(), guestName(Math.random));
 }
 
+onFileDrop(); // a file that slips from a hand must not take the page's place
 void start();

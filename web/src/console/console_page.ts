@@ -78,7 +78,12 @@ export class ConsolePage extends ConsoleElement {
   constructor() {
     super();
     whileShown(this, () => listenToKeys({ everywhere: this.#keyEverywhere, page: this.#key }));
-    whileShown(this, () => onFileDrop(async (files) => this.context.imports.add(await joinGltf(files), "expression")));
+    whileShown(this, () =>
+      onFileDrop(
+        async (files) => this.context.imports.add(await joinGltf(files), "expression"),
+        (sentence) => this.store.say(sentence),
+      ),
+    );
     hearWhileShown(this, IN_TURN, ["change"], () => this.requestUpdate());
   }
 
@@ -110,20 +115,21 @@ export class ConsolePage extends ConsoleElement {
         @setup=${() => this.show("setup")}
         @log=${() => this.show("log")}
         @learn=${this.#learn}
+        @said=${this.#makeRoom}
         ><omote-seat slot="seat" .context=${context} @leases=${this.#openLeases}></omote-seat></omote-status
       >
       <omote-palette class="panel faces live" .context=${context} .axis=${"face"} @menu=${this.#openMenu}></omote-palette>
       <omote-tbar class="panel facebar live" .context=${context} .axis=${"face"}></omote-tbar>
-      <section class="panel air live" aria-label="On air and coming">
-        <omote-monitor .context=${context}></omote-monitor>
-        <omote-head-frames .context=${context} .boxes=${this.#heads}></omote-head-frames>
-        <omote-characters .context=${context} @scene=${() => this.#toggle("scene")} @layers=${() => this.#toggle("layers")}></omote-characters>
+      <section class="panel air" aria-label="On air and coming">
+        <omote-monitor class="live picture" .context=${context}></omote-monitor>
+        <omote-head-frames class="live picture" .context=${context} .boxes=${this.#heads}></omote-head-frames>
+        <omote-characters class="live picture" .context=${context} @scene=${() => this.#toggle("scene")} @layers=${() => this.#toggle("layers")}></omote-characters>
+        ${this.notices}
         <div class="mixes">
-          <omote-mix .context=${context} .axis=${"face"}></omote-mix>
-          <omote-mix .context=${context} .axis=${"expression"}></omote-mix>
+          <omote-mix class="live picture" .context=${context} .axis=${"face"}></omote-mix>
+          <omote-mix class="live picture" .context=${context} .axis=${"expression"}></omote-mix>
         </div>
       </section>
-      ${this.notices}
       <div class="looks live">
         <omote-lights class="panel" .context=${context}></omote-lights>
         <omote-memories class="panel" .context=${context}></omote-memories>
@@ -168,6 +174,12 @@ export class ConsolePage extends ConsoleElement {
     const { view } = this.store.arrangement;
     return IN_TURN.matches || view !== "palettes" ? view : "faders";
   }
+
+  /** Words that a phone's bar has no room for stand above the picture, which is as much lower. */
+  readonly #makeRoom = ({ detail }: CustomEvent<number>): void => {
+    this.style.setProperty("--said", `${detail}px`);
+    this.classList.toggle("says", detail > 0);
+  };
 
   readonly #heads = (): Monitor["heads"] => this.monitor.heads;
 

@@ -1,5 +1,5 @@
 import { css } from "lit";
-import { low, narrow } from "./controls/screen_sizes";
+import { low, narrow, upright } from "./controls/screen_sizes";
 
 /**
  * The areas of the page. Wide: everything at once. A tablet held upright: faders or pads below. A phone: palettes, faders
@@ -37,7 +37,7 @@ export const style = css`
     grid-area: air;
     position: relative;
     display: grid;
-    grid-template-rows: minmax(0, 1fr) auto;
+    grid-template-rows: minmax(0, 1fr) auto auto;
     overflow: hidden;
   }
   .air omote-monitor,
@@ -57,12 +57,13 @@ export const style = css`
   :host(.alone) .air omote-characters {
     margin-left: 150px; /* which says who it is */
   }
-  /* on the picture, where words have room in every window; nothing that is played on is covered */
+  /* below the picture, which is as much lower: no face is covered, and nothing that is played on moves */
   omote-show-notices {
-    grid-area: air;
-    z-index: 5;
-    align-self: start;
-    margin: 84px 8px 0;
+    grid-area: 2 / 1;
+    margin: 4px 6px;
+  }
+  .mixes {
+    grid-row: 3;
   }
   .looks {
     grid-area: lights;
@@ -111,11 +112,11 @@ export const style = css`
     min-height: 44px;
     padding: 0 4px;
   }
-  :host(.view-only) .live:not(.air) {
+  :host(.view-only) .live:not(.picture) {
     opacity: 0.6;
     pointer-events: none;
   }
-  :host(.view-only) .air {
+  :host(.view-only) .picture {
     pointer-events: none;
   }
   :host(.lost) {
@@ -176,7 +177,7 @@ export const style = css`
         "below below below below" minmax(0, 25fr) / 88px minmax(0, 1fr) minmax(0, 1fr) 88px;
     }
     .air {
-      grid-template: minmax(0, 1fr) / minmax(0, 1fr) minmax(0, 1.8fr) minmax(0, 1fr);
+      grid-template: minmax(0, 1fr) auto / minmax(0, 1fr) minmax(0, 1.8fr) minmax(0, 1fr);
     }
     .air omote-monitor,
     .air omote-head-frames,
@@ -188,9 +189,7 @@ export const style = css`
       margin-left: 0;
     }
     omote-show-notices {
-      justify-self: center;
-      width: 44%; /* between the lists of what is on air */
-      margin: 36px 0 0;
+      grid-column: 1 / 4;
     }
     .mixes {
       display: contents;
@@ -223,7 +222,7 @@ export const style = css`
   /* palettes, faders or pads at a time */
   @media ${narrow} or ${low} {
     .air {
-      grid-template: minmax(0, 1fr) auto / repeat(2, minmax(0, 1fr));
+      grid-template: minmax(0, 1fr) auto auto / repeat(2, minmax(0, 1fr));
     }
     .air omote-monitor,
     .air omote-head-frames,
@@ -235,18 +234,16 @@ export const style = css`
       margin-left: 0;
     }
     omote-show-notices {
-      justify-self: stretch;
-      width: auto;
-      margin: 36px 4px 0;
+      grid-column: 1 / 3;
     }
     .mixes {
       display: contents;
     }
     .mixes omote-mix {
-      grid-area: 2 / 1;
+      grid-area: 3 / 1;
     }
     .mixes omote-mix + omote-mix {
-      grid-area: 2 / 2;
+      grid-area: 3 / 2;
     }
     .hands,
     omote-bank,
@@ -269,7 +266,25 @@ export const style = css`
       display: none;
     }
   }
+  @media (min-width: 600px) and (max-height: 379px) {
+    omote-show-notices {
+      display: none; /* the picture is as low as they are: *Log* lights up and counts them */
+    }
+  }
+  @media ${upright} {
+    .air omote-monitor,
+    .air omote-head-frames,
+    .mixes omote-mix {
+      margin-top: var(--said, 0); /* what the bar has no room to say stands there */
+    }
+  }
   @media ${narrow} {
+    .mixes omote-mix {
+      margin-top: 0;
+    }
+    :host(.says) omote-show-notices {
+      display: none; /* they stand there again in seconds; *Log* counts them meanwhile */
+    }
     :host {
       grid-template:
         "status status status status" 52px

@@ -61,7 +61,12 @@ export class EditorPage extends EditorElement {
   constructor() {
     super();
     whileShown(this, () => listenToKeys({ page: this.#key }));
-    whileShown(this, () => onFileDrop((files) => void this.#receive(files)));
+    whileShown(this, () =>
+      onFileDrop(
+        (files) => void this.#receive(files),
+        (sentence) => this.store.say(sentence),
+      ),
+    );
     whileShown(this, () => () => this.#view?.dispose());
   }
 

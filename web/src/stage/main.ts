@@ -2,6 +2,7 @@
 
 import { Library } from "../link/assets";
 import { now } from "../link/clock";
+import { onFileDrop } from "../ui/file_import";
 import { WakeLock } from "../ui/wake_lock";
 import { ParameterError, readParameters, type StageParameters } from "./parameters";
 import { Stage } from "./stage";
@@ -66,6 +67,7 @@ function showCounters(stage: Stage): void {
 }
 
 fillScreenOnDemand();
+onFileDrop(); // a file that slips from a hand must not take the picture's place
 try {
   await open(readParameters(location.search + location.hash));
 } catch (error) {

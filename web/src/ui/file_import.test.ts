@@ -1,5 +1,5 @@
 import { afterEach, describe, expect, it, vi } from "vitest";
-import { importFile, importFiles, sayTakenIn, type TakenIn } from "./file_import";
+import { importFile, importFiles, readableOf, sayTakenIn, type TakenIn } from "./file_import";
 
 afterEach(() => vi.unstubAllGlobals());
 
@@ -31,6 +31,24 @@ describe("a file", () => {
       done: "Taken in, under Own: Grin, from grin.json; Grin is there already.",
       failed: ["notes.txt was not taken in: it is no expression."],
     });
+  });
+
+  it("ends its sentence, for another may follow", async () => {
+    answering(() => new Response("export the scan as .ply", { status: 400 }));
+    await expect(importFile(file("a.ply"), "face")).rejects.toThrow("a.ply was not taken in: export the scan as .ply.");
+  });
+
+  it("is parted from folders, which a page cannot read, before anything is sent", async () => {
+    const folder = new File([], "scans");
+    vi.spyOn(folder, "slice").mockReturnValue({
+      arrayBuffer: () => Promise.reject(new DOMException("it is a folder", "NotReadableError")),
+    } as Blob);
+    const [empty, full] = [new File([], "empty.ply"), file("grin.json")];
+    expect(await readableOf([empty, full])).toEqual([[empty, full], ""]);
+    const [files, refused] = await readableOf([folder, full]);
+    expect(files).toEqual([full]);
+    expect(refused).toContain("scans cannot be read: a folder");
+    expect(await readableOf([])).toEqual([[], "Nothing that a page can read was dropped: drop files."]);
   });
 
   it("that brings what is called as something else is told under its new name", () => {

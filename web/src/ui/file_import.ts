@@ -31,7 +31,7 @@ export async function importFile(file: File, kind: ImportKind, requests = new Lo
   const address = `/imports/${encodeURIComponent(file.name)}?as=${kind}`;
   const answer = await requests.fetch(`Import of ${file.name}`, address, { method: "POST", body: file });
   if (answer === null) throw new Error(`${file.name} was not sent: the show's computer does not answer; try again.`);
-  if (!answer.ok) throw new Error(`${file.name} was not taken in: ${await answer.text()}`);
+  if (!answer.ok) throw new Error(`${file.name} was not taken in: ${asSentence(await answer.text())}`);
   return (await answer.json()) as Imported;
 }
 
@@ -90,8 +90,38 @@ function sentenceOf({ label, known }: TakenIn, said: string): string {
 const notSent = (files: number): string =>
   files === 0 ? "" : ` ${files} more ${files === 1 ? "file was" : "files were"} not sent.`;
 
-/** Without this the browser would leave the page for a file. Calls `dropped` with files that are dropped anywhere on the page, until what it gives is called. */
-export function onFileDrop(dropped: (files: readonly File[], event: DragEvent) => void): () => void {
+const asSentence = (text: string): string => (/[.!?]$/.test(text) ? text : `${text}.`);
+
+/** Parts what was dropped into files and what no page can read, with a sentence about the latter; "" where all are files. */
+export async function readableOf(dropped: readonly File[]): Promise<[files: readonly File[], refused: string]> {
+  if (dropped.length === 0) return [[], "Nothing that a page can read was dropped: drop files."];
+  const reads = await Promise.all(
+    dropped.map((file) =>
+      file
+        .slice(0, 1)
+        .arrayBuffer()
+        .then(
+          () => true,
+          () => false,
+        ),
+    ),
+  );
+  const lost = dropped.filter((_, place) => !reads[place]).map(({ name }) => name);
+  const refused =
+    lost.length === 0
+      ? ""
+      : `${lost.join(", ")} cannot be read: a folder, or a file that is there no more. Drop the files in it.`;
+  return [dropped.filter((_, place) => reads[place]), refused];
+}
+
+/**
+ * Without this the browser would leave the page for a file. Calls `dropped` with files that are dropped anywhere on the
+ * page, and `refused` with a sentence about what is none, until what it gives is called.
+ */
+export function onFileDrop(
+  dropped: (files: readonly File[]) => void = () => undefined,
+  refused: (sentence: string) => void = () => undefined,
+): () => void {
   const ending = new AbortController();
   const { signal } = ending;
   window.addEventListener("dragover", holdFiles, { signal });
@@ -99,7 +129,10 @@ export function onFileDrop(dropped: (files: readonly File[], event: DragEvent) =
     "drop",
     (event) => {
       if (!holdFiles(event)) return;
-      dropped([...(event.dataTransfer?.files ?? [])], event);
+      void readableOf([...(event.dataTransfer?.files ?? [])]).then(([files, sentence]) => {
+        if (sentence !== "") refused(sentence);
+        if (files.length > 0) dropped(files);
+      });
     },
     { signal },
   );

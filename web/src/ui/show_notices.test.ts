@@ -64,6 +64,19 @@ describe("notices of the show", () => {
     expect(ids(notices)).toEqual([]);
   });
 
+  it("tell of a change as they grow older, for their age is said", () => {
+    let [now, changes] = [100, 0];
+    const notices = new ShowNotices(
+      () => new Memory(),
+      () => {
+        changes += 1;
+      },
+      () => now,
+    );
+    for (now of [100, 150, 161, 170, 221]) notices.receive([{ ...notice("1"), time: 100 }]);
+    expect(changes).toBe(3);
+  });
+
   it("tell of a change once, however often they come", () => {
     const memory = new Memory();
     let changes = 0;

@@ -2,6 +2,7 @@
 
 import type { Notice } from "../link/messages";
 import { type BrowserStorage, keep, readJson, readKept } from "./browser_storage";
+import { ageOf } from "./show_times";
 
 const KEY = "omote-dismissed-notices";
 /** Dismissed notices that are remembered: more than a show has at a time. */
@@ -19,6 +20,8 @@ export class ShowNotices {
   #dismissed: readonly string[];
   /** What this page has shown, though no other will. */
   readonly #here = new Set<string>();
+  /** What is open and how old it is said to be, to hear of a change of either. */
+  #shown = "[]";
 
   /** `now`: seconds since 1970. */
   constructor(
@@ -66,8 +69,9 @@ export class ShowNotices {
       ({ id, time, solved }) =>
         (this.#here.has(id) || !this.#dismissed.includes(id)) && !(solved && this.now() - time > SOLVED),
     );
-    if (open.length === this.open.length && open.every(({ id }, index) => id === this.open[index]?.id)) return;
-    this.open = open;
+    const shown = JSON.stringify(open.map(({ id, time }) => [id, ageOf(this.now() - time)]));
+    if (shown === this.#shown) return;
+    [this.open, this.#shown] = [open, shown];
     this.changed();
   }
 }

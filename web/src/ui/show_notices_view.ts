@@ -34,19 +34,25 @@ const style = css`
     line-height: 1.35;
     pointer-events: auto;
   }
+  /* one row, for the picture gives up its height */
   :host(.in-place) [role] {
+    grid-template-columns: minmax(0, 1fr) auto;
+    align-items: center;
     max-height: none;
     overflow: visible;
-    gap: 0;
+    padding: 2px 2px 2px 10px;
   }
   :host(.in-place) span {
-    max-height: 5.4em; /* four lines: what is longer scrolls */
+    max-height: 4.05em; /* three lines: what is longer scrolls, and stands in the log */
     overflow: auto;
-    margin: 4px 0;
     cursor: pointer;
   }
   :host(.in-place) div > span:only-child {
     grid-column: 1 / -1;
+  }
+  :host(.in-place) .all {
+    grid-template-columns: auto auto;
+    gap: 2px;
   }
   div div {
     display: grid;
@@ -75,6 +81,14 @@ const style = css`
   }
   .all small {
     font-size: inherit;
+  }
+  @media (max-width: 599px) or (max-height: 539px) {
+    :host(.in-place) span {
+      max-height: 2.7em;
+    }
+    :host(.in-place) .all .dismiss {
+      display: none; /* words keep their width; the log, which opens, has all of them read */
+    }
   }
   .dismiss {
     width: 44px;
@@ -124,12 +138,11 @@ export class ShowNoticesView extends LitElement {
     return html`<button class="dismiss" title="I have read it" aria-label="Dismiss" @click=${() => this.#dismiss(id)}>✕</button>`;
   }
 
-  /** Under the words, so that these keep their width: what opens the others, and what puts all away. */
+  /** What opens the others, and what puts all of them away, or the newest where the log has them all. */
   #others(more: number, newest: Notice | undefined) {
     return html`<div class="all">
       <button class="more" aria-expanded=${this.all} @click=${this.#toggle}><small>${this.all ? "the newest" : `${more} more`}</small></button>
-      <button title="I have read all of them" @click=${this.#dismissAll}>All read</button>
-      ${this.openLog === null || newest === undefined ? nothing : this.#away(newest)}
+      ${this.openLog === null || newest === undefined ? html`<button title="I have read all of them" @click=${this.#dismissAll}>All read</button>` : this.#away(newest)}
     </div>`;
   }
 

@@ -14,7 +14,7 @@ export const palette = css`
     --edge: #3a4048;
     --text: #d9dce0;
     --dim: #929aa4;
-    --faint: #626973;
+    --faint: #7f8791;
     --air: #ff5a45;
     --air-deep: #6e1c13;
     --coming: #3fd480;

@@ -18,6 +18,7 @@ from omote.model.recipes.recipe import FaceRecipe, GainRow, Layer, Pull, Recipe,
 from omote.show.access.access_role import AccessRole
 from omote.show.declaration import Message, Name, kinds_below
 from omote.show.objects.link import Cancel, Notice, Notices, Progress  # noqa: F401  (the mirror has all)
+from omote.show.validation import name_escapes
 from omote.showfile.changes import Kind
 
 EDITING_VERSION = 7
@@ -363,6 +364,9 @@ class EditRefused(Message, frozen=True, tag="refused"):
 
     request: int
     reason: str
+
+    def __post_init__(self) -> None:
+        msgspec.structs.force_setattr(self, "reason", name_escapes(self.reason))
 
 
 FromEditor = EditorMessage | Cancel

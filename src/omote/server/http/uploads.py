@@ -23,6 +23,7 @@ from omote.interchange.formats.gltf_document import LARGEST
 from omote.server.http.long_requests import CancelledRequestError, LongRequests, request_id
 from omote.server.workers.file_jobs import Imported, ImportFile
 from omote.server.workers.job_server import Follow, JobError
+from omote.show.validation import name_escapes
 from omote.showfile.changes import Kind
 
 KINDS = tuple(IMPORTS)
@@ -55,7 +56,7 @@ class Uploads:
             read = partial(self._read, request, name, kind)
             imported = await self._long_requests.run(request_id(request), read)
         except (ValueError, JobError) as error:
-            raise web.HTTPBadRequest(text=str(error).removeprefix(f"{name}: ")) from error
+            raise web.HTTPBadRequest(text=name_escapes(str(error).removeprefix(f"{name}: "))) from error
         except CancelledRequestError:
             return web.Response(status=CANCELLED)
         except OSError as error:

@@ -8,7 +8,7 @@ from typing import Annotated, Literal
 import msgspec
 
 from omote.show.declaration import CallId, ClientMessage, Outgoing, ServerMessage, Session
-from omote.show.validation import SENT, validate_number
+from omote.show.validation import SENT, name_escapes, validate_number
 
 Role = Literal["stage", "console"]
 ConsoleName = Annotated[str, msgspec.Meta(max_length=24)]
@@ -88,6 +88,9 @@ class Refused(ServerMessage, frozen=True):
     id: str = ""
     held: list[str] = []
 
+    def __post_init__(self) -> None:
+        msgspec.structs.force_setattr(self, "reason", name_escapes(self.reason))
+
 
 class Notice(msgspec.Struct, frozen=True):
     """What the crew must know until each has dismissed it; `id` is its own for ever, `time` seconds since 1970.
@@ -97,6 +100,9 @@ class Notice(msgspec.Struct, frozen=True):
     time: float
     text: str
     solved: bool = False
+
+    def __post_init__(self) -> None:
+        msgspec.structs.force_setattr(self, "text", name_escapes(self.text))
 
 
 class Notices(ServerMessage, frozen=True):

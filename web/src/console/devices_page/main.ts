@@ -5,6 +5,7 @@ import { missingRole, readAccess } from "../../access/page_access";
 import { Library } from "../../link/assets";
 import { type LinkHandlers, ShowLink } from "../../link/show_link";
 import { randomId } from "../../ui/browser_storage";
+import { onFileDrop } from "../../ui/file_import";
 import { FramePainter } from "../../ui/frame_painter";
 import { ConsoleName } from "../console_name";
 import { ConsoleDevices } from "../devices/console_devices";
@@ -54,4 +55,5 @@ async function start(): Promise<void> {
   store.setManifest((await Library.open()).manifest);
 }
 
+onFileDrop(); // a file that slips from a hand must not take the page's place
 void start();

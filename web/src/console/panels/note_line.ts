@@ -46,7 +46,8 @@ const style = css`
 export class NoteLine extends ConsoleElement {
   @state() private editing = false;
   @query("input") private field!: HTMLInputElement | null;
-  #shown = "";
+  /** The note of the last state that was heard; null before there is one. */
+  #shown: string | null = null;
 
   static override styles = [base, style];
 
@@ -54,7 +55,7 @@ export class NoteLine extends ConsoleElement {
 
   /** States come sixty times a second. */
   protected override changed(): void {
-    const { note = "" } = this.store.state ?? {};
+    const note = this.store.state?.note ?? null;
     if (note !== this.#shown) this.requestUpdate();
     this.#shown = note;
   }

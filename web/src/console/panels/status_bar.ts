@@ -1,12 +1,13 @@
 /** The status bar: stages, link, notices and panic. */
 
 import { html, nothing } from "lit";
-import { customElement, property, state } from "lit/decorators.js";
+import { customElement, property, query, state } from "lit/decorators.js";
 import { levelsOf } from "../../face/quality/quality_levels";
 import type { StageReport } from "../../link/messages";
 import type { ShowNotices } from "../../ui/show_notices";
 import { base } from "../../ui/theme";
 import { ConsoleElement } from "../controls/console_element";
+import { UPRIGHT } from "../controls/screen_sizes";
 import type { Topic } from "../store/page_store";
 import { secondsLabel } from "../store/timing";
 import { HEARD_MS } from "../store/unheard_panic";
@@ -27,7 +28,10 @@ const OFFER = 15_000;
 /** Where what must be read of the show has its place beside what this console says, as the style has it. */
 const ROOMY = matchMedia("(min-width: 1101px)");
 
-/** The head of the page: the link, the crew, what must be read, the help and panic. */
+/** Where words have no room in the bar. */
+const CROWDED = matchMedia(UPRIGHT);
+
+/** The head of the page: the link, the crew, what must be read, the help and panic. Tells `said`. */
 @customElement("omote-status")
 export class StatusBar extends ConsoleElement {
   @property({ attribute: false }) notices!: ShowNotices;
@@ -40,6 +44,8 @@ export class StatusBar extends ConsoleElement {
     late?: ReturnType<typeof setTimeout>;
   } = {};
   #leave: (() => void)[] = [];
+  @query(".messages") private messages!: HTMLElement;
+  readonly #room = new ResizeObserver(() => this.#askRoom());
   #era = 0;
 
   static override styles = [base, style, offersStyle];
@@ -83,9 +89,20 @@ export class StatusBar extends ConsoleElement {
   override disconnectedCallback(): void {
     super.disconnectedCallback();
     for (const leave of this.#leave) leave();
+    this.#room.disconnect();
     clearTimeout(this.#timers.notice);
     clearTimeout(this.#timers.panic);
     clearTimeout(this.#timers.late);
+  }
+
+  protected override firstUpdated(): void {
+    this.#room.observe(this.messages);
+  }
+
+  /** Tells how many pixels of the picture the words need that the bar has no room for. */
+  #askRoom(): void {
+    const height = CROWDED.matches ? this.messages.offsetHeight : 0;
+    this.dispatchEvent(new CustomEvent("said", { detail: height === 0 ? 0 : height + 4 }));
   }
 
   /** What is to be answered has the room of what is to be watched. */
@@ -186,7 +203,7 @@ export class StatusBar extends ConsoleElement {
     const { crew, latency } = this.store;
     const stages = crew?.stages ?? [];
     return html`
-      <div class="item link"><span class="lamp"></span><b>live</b> <span class="trip">${latency === null ? nothing : `${latency < 9.95 ? latency.toFixed(1) : latency.toFixed(0)} ms`}</span></div>
+      <div class="item link"><span class="lamp"></span><b>live</b> <span class="trip">${latency === null ? nothing : tripLabel(latency)}</span></div>
       <div class="item stages ${crew !== null && stages.length === 0 ? "slow" : ""}">
         <b title=${stages.length === 1 ? "stage" : "stages"}>${stages.length}</b> <span class="word">${stages.length === 1 ? "stage" : "stages"}</span>
         ${stages.slice(0, 9).map((stage) => html`<b class=${stage === null || stage.fps < SLOW ? "slow" : ""} title=${stageTitle(stage)}>${stageRate(stage)}</b>`)}
@@ -197,6 +214,12 @@ export class StatusBar extends ConsoleElement {
       <div class="item consoles"><b>${crew?.consoles ?? 0}</b> ${crew?.consoles === 1 ? "console" : "consoles"}</div>
     `;
   }
+}
+
+/** Milliseconds there and back, in as many letters on a machine that is late: PANIC beside it keeps its place. */
+function tripLabel(latency: number): string {
+  if (latency >= 999.5) return `${(latency / 1000).toFixed(1)} s`;
+  return `${latency < 9.95 ? latency.toFixed(1) : latency.toFixed(0)} ms`;
 }
 
 /** What a stage draws a second, in a few letters. */

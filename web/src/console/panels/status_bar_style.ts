@@ -1,5 +1,6 @@
 import { css } from "lit";
 import { ellipsis } from "../../ui/theme";
+import { upright } from "../controls/screen_sizes";
 
 export const style = css`
   :host {
@@ -23,7 +24,7 @@ export const style = css`
     color: var(--dim);
     font-size: 12px;
   }
-  .item.stages {
+  :is(.item.stages, .item.link) {
     min-width: 0;
     overflow: hidden; /* nine slow screens give way, buttons and panic do not */
   }
@@ -92,7 +93,6 @@ export const style = css`
     flex: 0 1 auto;
   }
   :host([asks]) .mark,
-  :host([asks]) omote-show-clock,
   :host([asks]) .item {
     display: none;
   }
@@ -211,6 +211,9 @@ export const style = css`
       gap: 8px;
       padding: 0 2px;
     }
+    :host([asks]) omote-show-clock {
+      display: none;
+    }
     .mark,
     .item.consoles,
     .item .level {
@@ -227,13 +230,13 @@ export const style = css`
       width: 190px;
     }
   }
-  @media (max-width: 699px) {
+  @media ${upright} {
     omote-note {
-      display: none; /* messages lie over the picture there: words of the crew do not */
+      display: none; /* messages stand above the picture there: words of the crew do not */
     }
     .messages {
       position: fixed;
-      inset: 92px 88px auto; /* over the picture, between the T-bars, below the tally */
+      inset: 64px 104px auto; /* above the picture, which makes room, between the T-bars */
       display: grid;
       gap: 4px;
       max-height: none;
@@ -264,6 +267,9 @@ export const style = css`
     :host {
       gap: 6px;
     }
+    .messages {
+      inset: 64px 86px auto;
+    }
     .help,
     .item.link b,
     .item.stages .word,
@@ -285,6 +291,11 @@ export const style = css`
     .lost {
       font-size: 12px;
       padding: 4px 6px;
+    }
+  }
+  @media (max-width: 599px) and (max-height: 600px) {
+    .messages {
+      inset-block-start: 54px;
     }
   }
   @media (max-width: 429px) {

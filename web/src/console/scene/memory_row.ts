@@ -56,6 +56,9 @@ const style = css`
     button {
       min-width: 40px;
     }
+    .means {
+      order: -1; /* where the row scrolls they are in sight */
+    }
   }
 `;
 

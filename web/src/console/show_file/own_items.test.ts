@@ -140,6 +140,12 @@ describe("a name that the show refuses", () => {
   const refuse = (of: Asked, reason: string): void => store.receive({ type: "refused", reason, id: of.id, held: [] });
   const reason = "the name has the character 'right-to-left override' in it.";
 
+  it("is typed beside nothing whose Undo would be taken for its own", () => {
+    store.offerUndo("Kept as On air 1 under Own.", { what: "keep", undo: [], redo: [] });
+    items.beginNaming(SMILE);
+    expect([store.notice, store.offers]).toEqual([null, []]);
+  });
+
   it.each([false, true])("stands in the field again, with the reason; left: %s", (left) => {
     items.beginNaming(SMILE);
     items.endNaming(items.naming as Naming, "Sm\u202eile", left);

@@ -86,6 +86,7 @@ export class OwnItems {
 
   /** Asks for another name of an item. */
   beginNaming(item: OwnItem): void {
+    this.store.say(null); // its *Undo*, beside the field, would be taken for this one's
     this.#name({ kind: item.kind, item, fresh: false });
   }
 
@@ -113,6 +114,7 @@ export class OwnItems {
     const says = `Not renamed (${item.label}): ${refused.reason}`;
     if (this.#naming !== null) this.store.say(says);
     else {
+      this.store.say(null);
       this.store.log(says, "attention");
       this.#name({ kind: item.kind, item, fresh: false, refused });
     }
