@@ -187,10 +187,14 @@ def close_over_teeth(space: ParameterSpace, fitted: FittedFace, poses: dict[str,
         return poses
     rest = meshes_of(fitted)
     closed = poses[MOUTH_CLOSE]
-    both = {name: poses[JAW_OPEN][name] + closed[name] - rest[name] for name in (SKIN, *GUMS) if name in rest}
-    teeth = {name: both[name] for name in both if name != SKIN}
-    kept = keep_teeth_inside(space, fitted, both[SKIN], teeth, clearance=0.0)
-    return poses | {MOUTH_CLOSE: closed | {name: closed[name] + kept[name] - both[name] for name in teeth}}
+    both = {
+        name: (poses[JAW_OPEN][name] + closed[name] - rest[name]).astype(np.float32)
+        for name in (SKIN, *GUMS)
+        if name in rest
+    }
+    skin = both.pop(SKIN)
+    kept = keep_teeth_inside(space, fitted, skin, both, clearance=0.0)
+    return poses | {MOUTH_CLOSE: closed | {name: closed[name] + (kept[name] - both[name]) for name in both}}
 
 
 def _corners(cast: Cast, name: str) -> NDArray[np.int32]:

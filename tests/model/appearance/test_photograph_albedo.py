@@ -104,10 +104,12 @@ def test_teeth_of_a_laugh_never_land_on_lips() -> None:
     lips = head_zones(CAST.space).lips & CAST.space.on_sheet
     zone = CAST.atlas.spread(lips.astype(float), TEXELS) > 0.9
 
+    atlas = CAST.atlas
+
     def take(worn: list[np.ndarray], view: Photograph) -> tuple[int, float]:
         """How many texels are lighter than skin, and how much of the lips is seen."""
         taken = take_photograph_albedo(
-            CAST.space, CAST.atlas, CAST.faces["kaori"], [view], [camera], PAINTED, worn=worn, even=False
+            CAST.space, atlas, CAST.faces["kaori"], [view], [camera], PAINTED, worn=worn, even=False
         )
         over = (taken.albedo.pixels[..., :3].astype(int) - SKIN_COLOUR).max(axis=2)
         return int(((over > 20) & (taken.seen > 0)).sum()), float((taken.seen > 0)[zone].mean())
