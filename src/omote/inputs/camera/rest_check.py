@@ -16,7 +16,8 @@ the head before the camera: of heads of ours lips at rest are .03 apart at most,
 SMILES = 0.09
 """How far the corners of the mouth lie above the middle of its lips, of its width. Of heads of ours: at rest -.03 to
 .034, in a whole smile .10 to .19; two that were sculpted with a smile have .084 and .104 at rest."""
-FOREHEAD, CHIN = 10, 152
+FOREHEAD = 10
+CHIN = 152
 
 
 def advise_on_rest(calibration: PerformerCalibration, /) -> str:

@@ -19,9 +19,12 @@ DIFFERENT = 0.5
 """The weight of any unit with which a face is not at rest."""
 FAR = np.radians(12.0)
 """A turn of the head from which on the farther eye is not measured."""
-FOREHEAD, CHIN = 10, 152
-UPPER_LIP, LOWER_LIP = 13, 14
-RIGHT_EYE, LEFT_EYE = (33, 133, 159, 145), (263, 362, 386, 374)
+FOREHEAD = 10
+CHIN = 152
+UPPER_LIP = 13
+LOWER_LIP = 14
+RIGHT_EYE = (33, 133, 159, 145)
+LEFT_EYE = (263, 362, 386, 374)
 """Points of the face mesh: outer and inner corner, upper and lower lid."""
 
 
