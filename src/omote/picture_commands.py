@@ -85,7 +85,7 @@ def grid(
     output: OutputOption,
     faces: Annotated[str, typer.Option(help="The rows: faces, or mixes (kaori=0.5+dog=0.5), by commas.")] = "",
     morph: Annotated[
-        str, typer.Option(help="Steps from face to face as columns: kaori:old:11, or kaori:old:0.5mm.")
+        str, typer.Option(help="Steps from face to face as columns: kaori:old:11, 11lab, 0.5mm, 2dE or 0/30/100.")
     ] = "",
     expressions: Annotated[str, typer.Option(help="Expressions, mixes, or kinds (performed), by commas.")] = "neutral",
     turns: Annotated[str, typer.Option(help="Each expression at these yaws, degrees, by commas.")] = "0",

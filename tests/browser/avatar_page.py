@@ -14,7 +14,8 @@ from playwright.sync_api import Browser, Page, Route
 from omote.builtin import load_cast
 from omote.inputs.trackers.arkit_names import ARKIT_NAMES
 from omote.interchange.avatar.preset_expressions import EMOTIONS
-from omote.interchange.export_face import compound_meshes
+from omote.interchange.export_face import close_over_teeth, compound_meshes
+from omote.model.space.face_fit import fit
 from omote.perform.blending.evaluate import evaluate, evaluate_parts
 from omote.perform.frame import Frame
 
@@ -77,14 +78,15 @@ def on_air(face: str, weights: Mapping[str, float]) -> dict[str, Points]:
 
 
 def blended(face: str, weights: Mapping[str, float]) -> dict[str, Points]:
-    """Where compounds alone bring them, which is what targets can hold: on air before sums are corrected."""
+    """Where compounds alone bring them, which is what targets can hold: on air before sums are corrected, but for teeth
+    that would come out of closed lips."""
     cast = load_cast()
-    rest = compound_meshes(cast.space, cast.faces[face], cast.expressions["neutral"])
-    moved = [
-        (part, compound_meshes(cast.space, cast.faces[face], cast.expressions[name])) for name, part in weights.items()
-    ]
+    wearer = cast.faces[face]
+    rest = compound_meshes(cast.space, wearer, cast.expressions["neutral"])
+    posed = {name: compound_meshes(cast.space, wearer, cast.expressions[name]) for name in (*weights, "jawOpen")}
+    posed = close_over_teeth(cast.space, fit(cast.space, wearer), posed)
     return {
-        name: (points + sum(part * (each[name] - points) for part, each in moved)).astype(np.float32)
+        name: (points + sum(part * (posed[each][name] - points) for each, part in weights.items())).astype(np.float32)
         for name, points in rest.items()
     }
 

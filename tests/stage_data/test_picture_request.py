@@ -43,8 +43,18 @@ def test_steps_of_a_morph_weigh_one(count: int) -> None:
         assert sum(float(part.split("=")[1]) for part in mix.split("+")) == pytest.approx(1, abs=1e-6)
 
 
+def test_listed_percents_are_the_steps_of_a_morph() -> None:
+    steps = morph_steps("kaori:man:0/12.5/100")
+    assert [title for title, *_ in steps] == ["0 %", "12.5 %", "100 %"]
+    assert [mix for *_, mix in steps] == ["kaori", "kaori=0.875000+man=0.125000", "man"]
+
+
 @pytest.mark.parametrize(
-    "text", ["kaori", "kaori:man", "kaori:man:1", "kaori:man:x", ":man:3", "a:b:3:4", "a:b:99999", "a:b:0mm", "a:b:mm"]
+    "text",
+    [
+        *("kaori", "kaori:man", "kaori:man:1", "kaori:man:x", ":man:3", "a:b:3:4", "a:b:99999", "a:b:0mm", "a:b:mm"),
+        *("a:b:0dE", "a:b:1lab", "a:b:lab", "a:b:0/50", "a:b:10/100", "a:b:0/50/50/100", "a:b:0/-5/100", "a:b:0/x/100"),
+    ],
 )
 def test_a_morph_that_is_none_is_refused(text: str) -> None:
     with pytest.raises(ValueError, match="as in kaori:man:11"):

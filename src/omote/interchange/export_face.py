@@ -26,6 +26,8 @@ from omote.model.space.face import Face
 from omote.model.space.face_fit import FittedFace, fit
 from omote.model.space.parameter_space import ParameterSpace
 from omote.model.transfer.compound import apply_expression, compile_answer, move_parts, turn_eyes
+from omote.model.transfer.gum_line import GUMS
+from omote.model.transfer.teeth_clearance import keep_teeth_inside
 from omote.perform.limits import check_known
 
 Meshes = dict[str, Points]
@@ -36,6 +38,8 @@ STRANDS = 7
 SKIN = "skin"
 LASHES = "lashes"
 TONGUE = "tongue"
+JAW_OPEN = "jawOpen"
+MOUTH_CLOSE = "mouthClose"
 REST = 5e-7
 STRAIGHT = 1e-4
 """A target leaves out vertices that move less (metres) and whose normal changes less."""
@@ -157,7 +161,7 @@ def build_scene(
     corners = {name: _corners(cast, name) for name in rest}
     upright = {name: mesh.normals(rest[name], corners[name]) for name in rest}
     targets: dict[str, dict[str, MorphTarget]] = {name: {} for name in rest}
-    for expression, meshes in poses:
+    for expression, meshes in close_over_teeth(cast.space, fitted, dict(poses)).items():
         for name in rest:
             targets[name][expression] = _target(rest[name], meshes[name], corners[name], upright[name])
     surfaces = _materials(context, look)
@@ -170,6 +174,27 @@ def build_scene(
     if collar:
         shapes.append(collar_shape(cast.space, fitted.positions, targets[SKIN]))
     return ExportScene(face, shapes, {"notice": NOTICE, "cast": cast.digest, "units": "metres", "rows": "_VID"})
+
+
+def close_over_teeth(space: ParameterSpace, fitted: FittedFace, poses: dict[str, Meshes], /) -> dict[str, Meshes]:
+    """The poses, teeth of `mouthClose` drawn in by as much as they come out of lips that close over an open jaw.
+
+    ARKit means the one with the other alone, and programs that add targets up have nothing that keeps teeth inside.
+
+    space, fitted: the face at rest; poses: `named_compound_meshes` of each expression, by its name.
+    """
+    if not {JAW_OPEN, MOUTH_CLOSE} <= set(poses):
+        return poses
+    rest = meshes_of(fitted)
+    closed = poses[MOUTH_CLOSE]
+    both = {
+        name: (poses[JAW_OPEN][name] + closed[name] - rest[name]).astype(np.float32)
+        for name in (SKIN, *GUMS)
+        if name in rest
+    }
+    skin = both.pop(SKIN)
+    kept = keep_teeth_inside(space, fitted, skin, both, clearance=0.0)
+    return poses | {MOUTH_CLOSE: closed | {name: closed[name] + (kept[name] - both[name]) for name in both}}
 
 
 def _corners(cast: Cast, name: str) -> NDArray[np.int32]:

@@ -8,6 +8,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from omote.arrays import Values
 from omote.builtin.own_face import NoFaceError, fit_photographs, fit_scan
 from omote.interchange.skin_texture import Canvas, decode_srgb, load_canvas, paint_skin, zones_of
 from omote.model.appearance.hair_colour import find_hair_colour, find_scalp
@@ -22,6 +23,7 @@ from omote.model.fitting.photographs.photograph import Photograph, PhotographCam
 from omote.model.fitting.photographs.photograph_fit import PhotographFit
 from omote.model.fitting.scan import Scan
 from omote.model.space.face import Face
+from omote.model.transfer.compound import compound
 
 FIRST_HAIR = "short"
 """What a face wears until its editor chooses."""
@@ -173,14 +175,28 @@ def make_photograph_face(
     fitted = fit_photographs(cast.space, photographs, name=name, follow=tell_fit)
     follow(PHOTOGRAPHS_FITTED, "its colours")
     look, seen, doubts = suggest_photograph_look(
-        cast, load_canvas(cast.space), fitted.face, photographs, fitted.cameras
+        cast, load_canvas(cast.space), fitted.face, photographs, fitted.cameras, wear_units(cast, fitted)
     )
     return PhotographFace(replace(fitted, doubts=(*fitted.doubts, *doubts)), look, seen)
 
 
+def wear_units(cast: Cast, fitted: PhotographFit, /) -> list[Values]:
+    """The skin (V, 3) of a fitted face as it is in each photograph, metres: a sum of the compounds of its units.
+
+    cast: the built-in one; fitted: with what the face does in each.
+    """
+    rest = fitted.face.positions.astype(np.float64)
+    names = sorted({name for units in fitted.units for name in units})
+    moves = {
+        name: compound(cast.space, fitted.face, cast.expressions[name]).astype(np.float64) - rest for name in names
+    }
+    return [rest + sum((weight * moves[name] for name, weight in units.items()), np.zeros(3)) for units in fitted.units]
+
+
 def suggest_photograph_look(
-    cast: Cast, canvas: Canvas, face: Face, photographs: Sequence[Photograph], cameras: Sequence[PhotographCamera], /
-) -> tuple[Look, NDArray[np.uint8], tuple[str, ...]]:
+    cast: Cast, canvas: Canvas, face: Face, photographs: Sequence[Photograph], cameras: Sequence[PhotographCamera],
+    worn: Sequence[Values] = (), /,
+) -> tuple[Look, NDArray[np.uint8], tuple[str, ...]]:  # fmt: skip
     """The look of a face fitted to photographs before anybody has chosen, what of it was seen, and doubts.
 
     Parameters
@@ -195,6 +211,8 @@ def suggest_photograph_look(
         With their pictures.
     cameras : sequence of PhotographCamera
         Of each.
+    worn : sequence of ndarray, (V, 3)
+        The skin as it is in each, metres; without them at rest.
 
     Returns
     -------
@@ -211,7 +229,7 @@ def suggest_photograph_look(
         raise ValueError("this cast has no texture on which photographs could lie; expected the built-in one")
     first = Look(hair_style=FIRST_HAIR)
     painted = paint_skin(canvas, plain_look(first))
-    taken = take_photograph_albedo(cast.space, cast.atlas, face, photographs, cameras, painted)
+    taken = take_photograph_albedo(cast.space, cast.atlas, face, photographs, cameras, painted, worn=worn)
     look = suggest_look(first, taken, zones_of(canvas))
     hair = find_hair_colour(
         cast.space, find_scalp(cast.space, cast.hair), face, photographs, cameras, look.skin

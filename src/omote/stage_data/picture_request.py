@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Mapping
+from itertools import pairwise
 
 import msgspec
 
@@ -15,8 +16,10 @@ from omote.stage_data.pose_words import PoseWords, read_pose
 
 MOST_STEPS = 1000
 LONGEST_FILE_NAME = 80
-APART = re.compile(r"(\d{1,4}(?:\.\d{1,6})?)\s*mm")
-"""How far steps of a morph are apart, millimetres of mesh."""
+APART = re.compile(r"(\d{1,4}(?:\.\d{1,6})?)\s*(mm|dE)")
+"""How far steps of a morph are apart: millimetres of mesh, or CIELAB differences of the pictures."""
+LAB = "lab"
+"""After a number of steps: they are to be even in CIELAB."""
 TITLES = {"eyeBlinkLeft+eyeBlinkRight": "eyes shut"}
 """What mixes are called above a column that nobody would call by their names."""
 
@@ -149,30 +152,64 @@ def cell_of(grid: GridRequest, face: str, expression: str, turn: str) -> RenderR
 
 
 class Morph(msgspec.Struct, frozen=True):
-    """A morph as it is typed: the mixes at its ends, and the number of its steps or else how far apart they are."""
+    """A morph as it is typed: the mixes at its ends, and its steps.
+
+    first, last: mixes; count: of the steps; apart: how far these are to be apart instead, None where they are counted;
+    colour: whether they are to be even in CIELAB of the pictures, not in millimetres of mesh; percents: of the last
+    face at each step, where they were listed.
+    """
 
     first: str
     last: str
     count: int
-    millimetres: float | None = None
+    apart: float | None = None
+    colour: bool = False
+    percents: tuple[float, ...] = ()
+
+    @property
+    def measured(self) -> bool:
+        """Whether only who knows the faces, or draws them, can say what its steps are."""
+        return self.apart is not None or self.colour
+
+    @property
+    def shares(self) -> list[float]:
+        """Of the last face at each step, 0 to 1; what is to be measured first is even in mesh until then."""
+        if self.percents:
+            return [round(percent / 100.0, 6) for percent in self.percents]
+        return [round(step / (self.count - 1), 6) for step in range(self.count)]
 
 
 def read_morph(text: str) -> Morph:
-    """Parses a morph, `kaori:man:11` or `kaori:man:0.5mm`; ValueError for anything else.
+    """Parses a morph: `kaori:man:11`, `kaori:man:11lab`, `kaori:man:0.5mm`, `kaori:man:2dE` or `kaori:man:0/30/100`;
+    ValueError for anything else.
 
     Steps that are a distance apart count as the two ends: only who knows the faces can count them.
     """
     parts = [part.strip() for part in text.split(":")]
     if len(parts) == 3 and all(parts):
         first, last, steps = parts
-        if steps.isdecimal() and 2 <= int(steps[:6]) <= MOST_STEPS:
-            return Morph(first, last, int(steps))
+        counted = steps.removesuffix(LAB).strip()
+        if counted.isdecimal() and 2 <= int(counted[:6]) <= MOST_STEPS:
+            return Morph(first, last, int(counted), colour=steps != counted)
         if (apart := APART.fullmatch(steps)) and float(apart[1]) > 0.0:
-            return Morph(first, last, 2, float(apart[1]))
+            return Morph(first, last, 2, float(apart[1]), colour=apart[2] == "dE")
+        if "/" in steps and (percents := _read_percents(steps)):
+            return Morph(first, last, len(percents), percents=percents)
     raise ValueError(
         f"the morph {text!r} is not understood; give two faces and a number of steps from 2 to {MOST_STEPS}, "
-        "as in kaori:man:11, or how far apart they are, as in kaori:man:0.5mm"
+        "as in kaori:man:11 (even in millimetres of mesh) or kaori:man:11lab (even in CIELAB), how far apart they "
+        "are, as in kaori:man:0.5mm or kaori:man:2dE, or percents that rise from 0 to 100, as in kaori:man:0/30/100"
     )
+
+
+def _read_percents(steps: str) -> tuple[float, ...]:
+    """Percents that rise from 0 to 100, "0/12.5/100"; none where they are no such."""
+    words = [word.strip() for word in steps.split("/")]
+    if len(words) > MOST_STEPS or not all(re.fullmatch(r"\d{1,3}(\.\d{1,6})?", word) for word in words):
+        return ()
+    percents = tuple(float(word) for word in words)
+    rise = all(before < after for before, after in pairwise(percents))
+    return percents if rise and (percents[0], percents[-1]) == (0.0, 100.0) else ()
 
 
 def morph_steps(text: str) -> list[tuple[str, str, str]]:
@@ -180,11 +217,9 @@ def morph_steps(text: str) -> list[tuple[str, str, str]]:
     morph = read_morph(text)
     first = morph.first
     last = morph.last
-    count = morph.count
     steps = []
-    for step in range(count):
-        share = round(step / (count - 1), 6)
-        mix = first if step == 0 else last if step == count - 1 else f"{first}={1 - share:.6f}+{last}={share:.6f}"
+    for step, share in enumerate(morph.shares):
+        mix = first if share == 0.0 else last if share == 1.0 else f"{first}={1 - share:.6f}+{last}={share:.6f}"
         steps.append((f"{100 * share:.4g} %", f"{file_name(first)}-{file_name(last)}-{step:03d}", mix))
     return steps
 

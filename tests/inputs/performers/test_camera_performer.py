@@ -1,10 +1,14 @@
 """One performer before one page: at rest first, then frames of a tracker; what is wrong is said."""
 
+import numpy as np
 import pytest
 
 from omote.inputs.camera.landmark_frame import LandmarkError
+from omote.inputs.camera.landmark_groups import LIPS_APART
+from omote.inputs.camera.performer_calibration import FaceInStep, PerformerCalibration
 from omote.inputs.performers.calibration_steps import CALIBRATION_STEPS
 from omote.inputs.performers.camera_performer import MOST_WAITING, CameraPerformer
+from tests.inputs.camera.heads import mean_face
 from tests.inputs.performers.landmarks import packet
 
 FRAME = 1.0 / 30.0
@@ -150,3 +154,15 @@ def test_frames_that_nobody_reads_push_the_oldest_out(performer: CameraPerformer
         performer.receive(packet(count * FRAME))
     performer.read(0.0)
     assert performer.heard == 3 * MOST_WAITING
+
+
+def test_a_rest_that_is_none_is_said_until_another_is_taken() -> None:
+    performer = CameraPerformer("Ada")
+    agape = mean_face()
+    agape[[lower for _, lower in LIPS_APART], 1] -= 0.3
+    performer.use(PerformerCalibration(FaceInStep(agape, np.zeros(6))), "rest")
+    assert "the mouth open" in performer.unrest
+    performer.use(PerformerCalibration(FaceInStep(mean_face(), np.zeros(6))), "rest")
+    assert performer.unrest == ""
+    performer.use(None, "no")
+    assert performer.unrest == ""

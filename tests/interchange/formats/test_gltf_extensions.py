@@ -43,7 +43,7 @@ def test_packed_numbers_are_refused_where_the_file_does_not_say_that_it_needs_th
         read(arrays.written(**meshes), Companions())
     name = "EXT_meshopt_compression"
     buffers = [*arrays.document["buffers"], {"byteLength": 8, "extensions": {name: {"fallback": True}}}]
-    with pytest.raises(ValueError, match=name):
+    with pytest.raises(ValueError, match=f"{name}.*meshopt.*npx gltfpack -noq -i packed.glb -o plain.glb"):
         read(arrays.written(buffers=buffers), Companions())
 
 

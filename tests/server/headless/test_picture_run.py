@@ -3,10 +3,12 @@
 import itertools
 import os
 from pathlib import Path
+from typing import ClassVar
 
 import numpy as np
 import pytest
 
+from omote.interchange.formats.png import png_bytes, read_png
 from omote.model.cast import Cast
 from omote.server.headless.devtools import BrowserError
 from omote.server.headless.picture_run import (
@@ -17,8 +19,10 @@ from omote.server.headless.picture_run import (
     pictures_folder,
 )
 from omote.server.http.static_pages import Page
-from omote.stage_data.morph_distance import measure_distance
+from omote.stage_data.morph_distance import measure_difference, measure_distance
+from omote.stage_data.picture_grid import PictureGrid
 from omote.stage_data.picture_request import GridRequest, RenderRequest
+from omote.stage_data.picture_setting import Setting
 from omote.stage_data.picture_sidecar import is_drawn, sidecar_path
 from tests.server.false_browser import ANSWERS, false_browser
 from tests.server.synthetic_server import MASK, PAGES, meshes
@@ -120,3 +124,45 @@ def test_a_morph_by_millimetres_has_steps_that_are_so_far_apart(studio: PictureS
     assert steps == pytest.approx([away / 7] * 7, rel=1e-4)
     with pytest.raises(ValueError, match=r"mm apart, so steps of 1000 mm are 0; give a distance"):
         studio.plan(GridRequest(morph=f"{one}:{other}:1000mm"), tmp_path / "a.png")
+
+
+class GreyBrowser:
+    """Draws grey that grows with the cube of the last face's share, and counts how often."""
+
+    drawn: ClassVar[list[float]] = []
+    last = ""
+
+    def __init__(self, setting: Setting, playing: object = None) -> None:
+        assert (setting.width, setting.height) == (240, 270)
+        assert playing is None
+
+    def draw(self, sheet: PictureGrid) -> bytes:
+        """A picture of one pixel."""
+        share = sheet.poses[0][0]["faces"].get(self.last, 0.0)
+        self.drawn.append(share)
+        return png_bytes(np.full((1, 1, 3), 40 + round(200 * share**3), np.uint8))
+
+    def close(self) -> None:
+        """Nothing is open."""
+
+
+@pytest.mark.parametrize("steps", ["6lab", "12dE"])
+def test_a_morph_that_is_even_in_cielab_is_spelled_out_by_what_its_pictures_show(
+    studio: PictureStudio, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, steps: str
+) -> None:
+    monkeypatch.setattr("omote.server.headless.picture_run.PictureBrowser", GreyBrowser)
+    GreyBrowser.drawn.clear()
+    one, other = list(studio.cast.faces)[1:3]
+    GreyBrowser.last = other
+    run = studio.plan(GridRequest(morph=f"{one}:{other}:{steps}", expressions="neutral,smile"), tmp_path / "a.png")
+    assert len(GreyBrowser.drawn) == len(set(GreyBrowser.drawn)), "no step is drawn twice"
+    shares = np.array([file.sheet.poses[0][0]["faces"].get(other, 0.0) for file in run.pictures]).reshape(2, -1)
+    assert (shares[0] == shares[1]).all(), "all rows have the same faces"
+    light = [png_bytes(np.full((1, 1, 3), 40 + round(200 * share**3), np.uint8)) for share in shares[0]]
+    apart = [measure_difference(read_png(before), read_png(after)) for before, after in itertools.pairwise(light)]
+    assert max(apart) < 1.1 * min(apart)
+    assert np.diff(shares[0])[0] > 3 * np.diff(shares[0])[-1], "they are uneven in millimetres"
+    assert run.table is not None
+    again = studio.plan(run.table.sidecar.request, tmp_path / "a.png")
+    assert [file.sidecar for file in again.files] == [file.sidecar for file in run.files], "drawn again as it was"
+    assert len(GreyBrowser.drawn) == len(set(GreyBrowser.drawn)), "nor measured again"

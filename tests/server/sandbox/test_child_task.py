@@ -37,14 +37,19 @@ class Found:
     rows: NDArray[np.integer] | None
     moves: Mapping[str, NDArray[np.float64]]
     doubts: tuple[Doubt, ...] = ()
+    far: float = 0.0
+    sure: bool = False
 
 
 def test_arrays_and_doubts_come_back_as_they_were() -> None:
+    """Numbers out of an array too: a head of an anime was fitted, and its distance could not be sent."""
     points = np.arange(6.0).reshape(2, 3)
-    sent = Found(points[:, ::-1], None, MappingProxyType({"smile": points}), (Doubt("Shut?", EYES),))
+    moves = MappingProxyType({"smile": points})
+    sent = Found(points[:, ::-1], None, moves, (Doubt("Shut?", EYES),), points[0, 1], np.bool_(True))  # type: ignore[arg-type]
     found = run_limited(lambda _: sent, Found, Limits(), exhausted="too much")
     np.testing.assert_array_equal(found.points, sent.points)
     np.testing.assert_array_equal(found.moves["smile"], points)
+    assert (found.far, found.sure) == (1.0, True)
     assert (found.rows, [(str(doubt), doubt.kind) for doubt in found.doubts]) == (None, [("Shut?", EYES)])
 
 

@@ -17,11 +17,12 @@ const READ_BY = {
 
 /** How the face is read now, and how far a guided minute is. */
 function sayCalibration(status: CameraStatus): string {
-  const { fitting, calibrated, redoable, missing, unused, guide } = status;
+  const { fitting, calibrated, unrest, redoable, missing, unused, guide } = status;
   if (fitting) return "Reading what you showed …";
   const progress = `${redoable.length} of ${redoable.length + missing.length} faces made`;
   if (missing.length > 0 && guide !== null && guide.of > 1) return `${progress}.`;
   if (unused) return `${progress}, not used yet. ${READ_BY[calibrated]}`;
+  if (unrest !== "") return unrest;
   if (missing.length > 0 && calibrated === "guided") return `Read by your guided minute: ${progress}.`;
   return READ_BY[calibrated];
 }

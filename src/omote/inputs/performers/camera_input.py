@@ -177,6 +177,7 @@ class CameraInput:
             performer=performer.name,
             performers=self.performers.names,
             calibrated=performer.calibrated,
+            unrest=performer.unrest,
             characters=self._choices(performer),
             guide=performer.guide.step() if performer.guide else None,
             redoable=performer.redoable,

@@ -96,12 +96,14 @@ class GuideStep(msgspec.Struct, frozen=True):
 class CameraStatus(Message, frozen=True):
     """All that the page shows of the show: complete, ten times a second. `performers`: those that the show knows;
     `redoable`, `missing`: steps of the guided minute that were made and were not, both empty before the first;
-    `unused`: whether faces were made by which the performer is not read; `heard`: frames so far; `undo`: what an undo
-    takes back, "" for nothing; `weights`: what the face is read as."""
+    `unrest`: what the face that was taken as at rest does, in a sentence, "" where it rests; `unused`: whether faces
+    were made by which the performer is not read; `heard`: frames so far; `undo`: what an undo takes back, "" for
+    nothing; `weights`: what the face is read as."""
 
     performer: str
     performers: list[str]
     calibrated: Calibrated
+    unrest: str
     characters: list[CharacterChoice]
     guide: GuideStep | None
     redoable: list[str]

@@ -9,6 +9,7 @@ from dataclasses import dataclass, field, replace
 from omote.inputs.camera.landmark_frame import LandmarkFrame, read_landmark_frame
 from omote.inputs.camera.performer_calibration import PerformerCalibration, fit_calibration
 from omote.inputs.camera.performer_tracker import PerformerTracker
+from omote.inputs.camera.rest_check import advise_on_rest
 from omote.inputs.performers.camera_messages import Calibrated
 from omote.inputs.performers.guided_calibration import GuidedCalibration
 from omote.inputs.trackers.tracker_frame import TrackerFrame
@@ -33,12 +34,13 @@ class CalibrationFit:
 @dataclass(eq=False)
 class CameraPerformer:
     """name: whose face it is. calibrated: how it is read. chosen: the characters that a page wants it to play, until
-    they are routed. unused: whether faces were made that no calibration is fitted to. heard, rejected: counts of
-    packets."""
+    they are routed. unrest: what the face that was taken as at rest does, in a sentence, "" where it rests. unused:
+    whether faces were made that no calibration is fitted to. heard, rejected: counts of packets."""
 
     name: str
     tracker: PerformerTracker | None = None
     calibrated: Calibrated = "no"
+    unrest: str = ""
     guide: GuidedCalibration | None = None
     fitting: bool = False
     unused: bool = False
@@ -55,6 +57,7 @@ class CameraPerformer:
         calibrated: how that was made.
         """
         self.tracker = None if calibration is None else PerformerTracker(calibration)
+        self.unrest = "" if calibration is None else advise_on_rest(calibration)
         self.calibrated = calibrated
         self.fitting = False
         if calibration is None:

@@ -8,10 +8,14 @@ from typing import Any
 from omote.interchange.formats.gltf_document import Document, Primitive, entry
 
 DRACO = "KHR_draco_mesh_compression"
-COMPRESSED: Mapping[str, str] = {
-    DRACO: "Draco; in Blender, switch Compression off as you export it",
-    "EXT_meshopt_compression": "meshopt; with gltfpack, leave -c and -cc out",
-    "KHR_meshopt_compression": "meshopt; with gltfpack, leave -c and -cc out",
+MESHOPT = (
+    "meshopt",
+    "unpack it with Node.js, `npx gltfpack -noq -i packed.glb -o plain.glb`, or export it without compression",
+)
+COMPRESSED: Mapping[str, tuple[str, str]] = {
+    DRACO: ("Draco", "export it without compression: in Blender, switch Compression off as you export it"),
+    "EXT_meshopt_compression": MESHOPT,
+    "KHR_meshopt_compression": MESHOPT,
 }
 """What packs the numbers of a shape, by its extension: its name, and how people come to a file without it."""
 READ = frozenset(
@@ -37,10 +41,8 @@ def judge_extensions(document: Document, note: Callable[[str], None], /) -> None
 
 def refusal_of(name: str, /) -> ValueError:
     """The error of a file whose numbers this extension packs."""
-    return ValueError(
-        f"the file needs {name}: its numbers are compressed ({COMPRESSED[name].partition(';')[0]}), which is not read "
-        f"here; export it without compression:{COMPRESSED[name].partition(';')[2]}"
-    )
+    packed, advice = COMPRESSED[name]
+    return ValueError(f"the file needs {name}: its numbers are compressed ({packed}), which is not read here; {advice}")
 
 
 def refuse_packed(document: Document, primitives: Sequence[Primitive], /) -> None:

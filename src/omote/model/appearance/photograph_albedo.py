@@ -8,6 +8,7 @@ that was fitted a little too wide lies over it.
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import replace
 
 import numpy as np
 from numpy.typing import NDArray
@@ -43,6 +44,12 @@ SLACK = 0.003
 GRAZING = 0.2
 FACING = 0.7
 """Cosines towards the camera from which on a texel is seen, and from which on it is seen as well as can be."""
+INNER_LIPS = np.array("78 191 80 81 82 13 312 311 310 415 308 324 318 402 317 14 87 178 88 95".split(), np.intp)
+"""Points of the face mesh around the opening of the mouth, one after another."""
+OPENED = 0.06
+"""Of the width of the mouth: lips that are farther apart show what is between them."""
+LIP_EDGE = 0.1
+"""Of the opening, by which landmarks of the lips' edge may lie inside of it."""
 BORDER = 12 / 1024
 """Of a side, over which a photograph fades out where its part of the skin ends."""
 COARSE = 16 / 1024
@@ -116,6 +123,26 @@ def find_background(picture: Light, depth: NDArray[np.floating], at: Values, met
     return behind_head
 
 
+def find_between_lips(landmarks: Values, at: Values, /) -> Mask:
+    """Which places of a picture show what is between the lips: teeth, tongue and the dark of a mouth are no skin.
+
+    landmarks (478, 2): of the face mesh, pixels; at (n, 2): places, pixels.
+    """
+    outline = landmarks[INNER_LIPS]
+    tall = float(np.ptp(outline[:, 1]))
+    if tall < OPENED * float(np.ptp(outline[:, 0])):  # lips that meet hide nothing
+        return np.zeros(len(at), np.bool_)
+    middle = outline.mean(axis=0)
+    wider = middle + (outline - middle) * (1.0 + LIP_EDGE)
+    inside = np.zeros(len(at), np.bool_)
+    x, y = at.T
+    for (left, top), (right, low) in zip(wider, np.roll(wider, -1, axis=0), strict=True):
+        crossed = (top > y) != (low > y)
+        if crossed.any():
+            inside[crossed] ^= x[crossed] < left + (y[crossed] - top) * (right - left) / (low - top)
+    return inside
+
+
 def _look_across(head: Mask, end: Rows, inward: Values, metre: float) -> tuple[Rows, Rows, Rows]:
     """Which ends (n, 2) of the head have both sides in the picture, and the pixels (k, 2) beside and well inside it."""
     outer = np.rint(end - OUTSIDE * metre * inward).astype(np.intp)
@@ -135,7 +162,7 @@ def _frame(head: Mask, margin: int) -> tuple[int, int, int, int]:
 def take_photograph_albedo(
     space: ParameterSpace, atlas: SkinAtlas, face: Face, photographs: Sequence[Photograph],
     cameras: Sequence[PhotographCamera], painted: NDArray[np.uint8], /, *,
-    even: bool = True,
+    worn: Sequence[Values] = (), even: bool = True,
 ) -> TakenAlbedo:  # fmt: skip
     """Takes the colours of photographs over to the skin of the face that was fitted to them.
 
@@ -154,6 +181,9 @@ def take_photograph_albedo(
     painted : array of uint8, (k, k, 3)
         The face's painted skin in sRGB, without brows and the like: what is filled where nothing was seen. k is 1024
         or 2048.
+    worn : sequence of ndarray, (V, 3)
+        The skin as it is in each photograph, metres: a mouth that is open there, or smiles, lies elsewhere than at
+        rest. Without them the face is taken to be at rest in all.
     even : bool
         Whether soft light from one side is divided out, as far as skin of one colour shows it.
 
@@ -171,16 +201,23 @@ def take_photograph_albedo(
     ----------
     Two bands after Burt and Adelson (1983), "A multiresolution spline with application to image mosaics".
     """
-    shown = [(view, camera) for view, camera in zip(photographs, cameras, strict=True) if view.picture is not None]
+    skins = worn or [face.positions.astype(np.float64)] * len(photographs)
+    shown = [
+        (view, camera, skin)
+        for view, camera, skin in zip(photographs, cameras, skins, strict=True)
+        if view.picture is not None
+    ]
     if not shown:
         raise ValueError("no photograph comes with its picture; expected at least one")
     side = len(painted)
     texels = place_texels(space, atlas, face, len(painted))
     lights = []
     weights = []
-    for photograph, camera in shown:
-        light, weight = _sample(space, face, texels, photograph, camera)
-        lights.append(remove_light(light, weight, texels.normals, decode_light(painted)) if even else light)
+    for photograph, camera, skin in shown:
+        at = replace(face, positions=skin)
+        there = place_texels(space, atlas, at, side) if worn else texels
+        light, weight = _sample(space, at, there, photograph, camera)
+        lights.append(remove_light(light, weight, there.normals, decode_light(painted)) if even else light)
         weights.append(weight)
     seen = np.max(weights, axis=0) > 0.0
     if not seen.any():
@@ -204,6 +241,7 @@ def _sample(
     places = [at[:, 1] - 0.5, at[:, 0] - 0.5]
     metre = camera.focal / float(np.median(at[:, 2])) if len(at) else 1.0
     good *= ~find_background(picture, depth, at[:, :2], metre)
+    good *= ~find_between_lips(photograph.landmarks[:, :2], at[:, :2])
     light[rows, columns] = np.stack(
         [map_coordinates(picture[..., c], places, order=1, mode="nearest") for c in range(3)], axis=1
     )

@@ -51,12 +51,14 @@ class _Teeth:
 
 
 def keep_teeth_inside(
-    space: ParameterSpace, fitted: FittedFace, skin: Floats, parts: Mapping[str, Floats], /
-) -> dict[str, Floats]:
+    space: ParameterSpace, fitted: FittedFace, skin: Floats, parts: Mapping[str, Floats], /,
+    clearance: float = CLEAR_METRES,
+) -> dict[str, Floats]:  # fmt: skip
     """The parts of a face whose skin has moved to (V, 3), teeth and gums behind it; the generic face's own are the
     source and stay.
 
-    space: the space of the generic head; fitted: the face, fitted.
+    space: the space of the generic head; fitted: the face, fitted; clearance: how far behind, metres, or as far as they
+    are at rest where that is less.
     """
     rows = _find_rows(space)
     result = dict(parts)
@@ -66,7 +68,7 @@ def keep_teeth_inside(
     if inside and np.abs(skin[rows.region] - fitted.positions[rows.region]).max() < STILL_METRES:
         return result
     teeth = np.concatenate([parts[name] for name in GUMS]).astype(np.float64)
-    placed = push_teeth(space, rows, wanted, skin.astype(np.float64), teeth)
+    placed = push_teeth(space, rows, np.minimum(wanted, clearance), skin.astype(np.float64), teeth)
     if placed is not teeth:
         starts = np.cumsum([len(parts[name]) for name in GUMS])[:-1]
         result |= dict(zip(GUMS, (part.astype(np.float32) for part in np.split(placed, starts)), strict=True))

@@ -36,6 +36,7 @@ from omote.show.session import ShowSession
 from omote.stage_data.picture_finish import face_triangles, finish_picture
 from omote.stage_data.picture_grid import PictureGrid
 from omote.stage_data.picture_setting import Setting
+from omote.stage_data.playing_cast import PlayingCast
 from omote.stage_data.pose_parser import Pose, pose_of
 
 OPENED = """new Promise((open, refuse) => {
@@ -111,14 +112,17 @@ class PictureBrowser:
     It ends when it is closed, and with the interpreter.
     """
 
-    def __init__(self, setting: Setting, cast: Cast | None = None) -> None:
+    def __init__(
+        self, setting: Setting, cast: Cast | None = None, playing: tuple[CastDocuments, PlayingCast] | None = None
+    ) -> None:
         """Starts a browser and opens the page in it.
 
-        setting: size and quality of what it draws; cast: what the poses name, None for the built-in one.
+        setting: size and quality of what it draws; cast: what the poses name, None for the built-in one; playing: in
+        its place, one with a show file's own work, whose documents end with the browser.
         FileNotFoundError where there is no browser, cast or page; BrowserError where the browser does not open it.
         """
         opened: Future[tuple[asyncio.AbstractEventLoop, PicturePage, asyncio.Event]] = Future()
-        work = _keep_open(find_chromium(), setting, cast, opened)
+        work = _keep_open(find_chromium(), setting, cast, playing, opened)
         thread = Thread(target=lambda: asyncio.run(work), name="pictures", daemon=True)
         thread.start()
         self._loop, self._page, closed = opened.result()
@@ -143,11 +147,17 @@ async def _keep_open(
     browser: Path,
     setting: Setting,
     cast: Cast | None,
+    playing: tuple[CastDocuments, PlayingCast] | None,
     opened: Future[tuple[asyncio.AbstractEventLoop, PicturePage, asyncio.Event]],
 ) -> None:
     """Keeps a page open until what it gives with it is set."""
     try:
-        documents = built_in_documents() if cast is None else CastDocuments(cast, load_meshes(), load_mask())
+        if playing is not None:
+            documents, full = playing
+            await documents.prepare(full)
+            documents.play(full)
+        else:
+            documents = built_in_documents() if cast is None else CastDocuments(cast, load_meshes(), load_mask())
         async with serve_pages(documents, read_pages()) as address, open_chromium(browser) as tools:
             page = await open_picture_page(tools, address, setting)
             closed = asyncio.Event()

@@ -7,8 +7,9 @@ import hashlib
 import time
 import warnings
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from contextlib import AsyncExitStack
+from contextlib import AsyncExitStack, closing
 from dataclasses import dataclass, field
+from itertools import pairwise
 from pathlib import Path
 from typing import Any
 
@@ -16,21 +17,31 @@ import msgspec
 import numpy as np
 
 from omote import __version__
-from omote.arrays import Values
+from omote.arrays import Picture, Values
 from omote.builtin import load_cast, load_mask, load_meshes
 from omote.interchange.formats.atomic_file import write_whole
 from omote.interchange.formats.file_names import KINDS, picture_kind
+from omote.interchange.formats.png import read_png
 from omote.server.headless.chromium import find_chromium, open_chromium
-from omote.server.headless.picture_renderer import PicturePage, open_picture_page, serve_pages
+from omote.server.headless.picture_renderer import PictureBrowser, PicturePage, open_picture_page, serve_pages
 from omote.server.http.cast_documents import CastDocuments
 from omote.server.http.cast_reload import gather_cast
 from omote.server.http.static_pages import Page, read_pages
 from omote.showfile.contents import unpack_face
 from omote.showfile.inspection import Inspection
 from omote.stage_data.full_cast import own_items
-from omote.stage_data.morph_distance import measure_distance
+from omote.stage_data.morph_distance import SHARE_PLACES, find_even_steps, measure_difference, measure_distance
 from omote.stage_data.picture_grid import PictureGrid, lay_out, spell_out
-from omote.stage_data.picture_request import MOST_STEPS, GridRequest, RenderRequest, Request, plan_cells, read_morph
+from omote.stage_data.picture_request import (
+    MOST_STEPS,
+    GridRequest,
+    Morph,
+    RenderRequest,
+    Request,
+    plan_cells,
+    read_morph,
+    spell_kinds,
+)
 from omote.stage_data.picture_setting import Setting
 from omote.stage_data.picture_sidecar import (
     PictureState,
@@ -42,7 +53,7 @@ from omote.stage_data.picture_sidecar import (
     picture_state,
     sidecar_path,
 )
-from omote.stage_data.playing_cast import Own, PlayingCast
+from omote.stage_data.playing_cast import Own, PlayingCast, kinds_of
 from omote.stage_data.pose_parser import find_pose
 
 
@@ -121,6 +132,7 @@ class PictureStudio:
         self.documents = CastDocuments(load_cast(), load_meshes(), load_mask())
         self.pages = read_pages()
         self._report = report
+        self._show = show
         own: tuple[Own, ...] = ()
         if show is not None:
             own = own_items(show.stored)
@@ -142,25 +154,51 @@ class PictureStudio:
         return PictureRun(request.setting, list(self._cells(request, path)), whole, fresh)
 
     def _count_steps(self, request: Request) -> Request:
-        """The request with the number of a morph's steps where it says how far they are to be apart."""
+        """The request with its morph's steps spelled out, where they are to be measured."""
         if isinstance(request, RenderRequest) or not request.morph.strip():
             return request
         morph = read_morph(request.morph)
-        if morph.millimetres is None:
+        if not morph.measured:
             return request
+        steps = self._even_in_colour(request, morph) if morph.colour else self._even_in_mesh(morph)
+        return msgspec.structs.replace(request, morph=f"{morph.first}:{morph.last}:{steps}")
+
+    def _even_in_mesh(self, morph: Morph) -> str:
+        """How many steps of a morph are as many millimetres apart as it says."""
+        millimetres = morph.apart or 0.0
         away = measure_distance(self.cast.base.space, self._mix_shape(morph.first), self._mix_shape(morph.last))
-        count = round(away / morph.millimetres) + 1
+        count = round(away / millimetres) + 1
         if not 2 <= count <= MOST_STEPS:
             raise ValueError(
-                f"{morph.first} and {morph.last} are {away:.2f} mm apart, so steps of {morph.millimetres:g} mm are "
+                f"{morph.first} and {morph.last} are {away:.2f} mm apart, so steps of {millimetres:g} mm are "
                 f"{count - 1}; give a distance of which there are 1 to {MOST_STEPS - 1}"
             )
+        self._say(
+            f"{morph.first} and {morph.last} are {away:.2f} mm apart (root mean square of the skin): {count} "
+            f"pictures, {away / (count - 1):.3f} mm from each to the next."
+        )
+        return str(count)
+
+    def _even_in_colour(self, grid: GridRequest, morph: Morph) -> str:
+        """The percents of steps whose pictures are even in CIELAB, found by drawing them.
+
+        Drawn with the table's first expression and turn: its other rows have the same faces.
+        """
+        self._say(f"{morph.first} to {morph.last}: pictures are drawn to find steps that are even in CIELAB")
+        fresh = None if self._show is None else PictureStudio(self._show)
+        playing = None if fresh is None else (fresh.documents, fresh.cast)
+        with closing(PictureBrowser(grid.setting, playing=playing)) as browser:
+            probe = MorphProbe(self.cast, grid, morph, browser)
+            found = find_even_steps(morph.count, probe.measure, morph.apart, MOST_STEPS)
+        self._say(
+            f"{len(found.shares)} pictures, {found.apart.mean():.3f} from each to the next (mean CIE 1976 difference "
+            f"of their pixels; the least {found.apart.min():.3f}, the most {found.apart.max():.3f})."
+        )
+        return _spell([100.0 * share for share in found.shares])
+
+    def _say(self, text: str) -> None:
         if self._report is not None:
-            self._report(
-                f"{morph.first} and {morph.last} are {away:.2f} mm apart (root mean square of the skin): {count} "
-                f"pictures, {away / (count - 1):.3f} mm from each to the next."
-            )
-        return msgspec.structs.replace(request, morph=f"{morph.first}:{morph.last}:{count}")
+            self._report(text)
 
     def _mix_shape(self, mix: str) -> Values:
         """The skin (V, 3) of a mix of faces as it is typed, metres."""
@@ -189,6 +227,39 @@ class PictureStudio:
         folder = pictures_folder(path)
         for row in plan_cells(request).cells:
             yield from (self.file_of(cell, folder / f"{name}.png") for name, cell in row)
+
+
+@dataclass(frozen=True, eq=False)
+class MorphProbe:
+    """How far the pictures of a morph's steps are apart in CIELAB; no step is drawn twice.
+
+    cast: that knows the names; grid: what the pictures are like; morph: its ends; browser: that draws.
+    """
+
+    cast: PlayingCast
+    grid: GridRequest
+    morph: Morph
+    browser: PictureBrowser
+    _drawn: dict[str, Picture] = field(default_factory=dict, init=False)
+
+    def measure(self, shares: Sequence[float]) -> list[float]:
+        """How far each of these shares of the last face is from the next."""
+        morph = f"{self.morph.first}:{self.morph.last}:{_spell([100.0 * share for share in shares])}"
+        cells = plan_cells(spell_kinds(msgspec.structs.replace(self.grid, morph=morph), kinds_of(self.cast))).cells[0]
+        pictures = [self._draw(cell) for _, cell in cells]
+        return [measure_difference(one, other) for one, other in pairwise(pictures)]
+
+    def _draw(self, cell: RenderRequest) -> Picture:
+        name = cell.face[0]
+        if name not in self._drawn:
+            sheet = lay_out(cell, self.cast).on_paper(cell.setting, "image/png")
+            self._drawn[name] = read_png(self.browser.draw(sheet))
+        return self._drawn[name]
+
+
+def _spell(percents: Sequence[float]) -> str:
+    """Percents as a morph lists them."""
+    return "/".join(f"{percent:.{SHARE_PLACES - 2}f}".rstrip("0").rstrip(".") for percent in percents)
 
 
 def pictures_folder(path: Path) -> Path:

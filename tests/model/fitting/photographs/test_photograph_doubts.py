@@ -10,6 +10,7 @@ import pytest
 from omote.model.fitting.photographs.bundle_problem import Bundle
 from omote.model.fitting.photographs.photograph import Photograph, PhotographCamera
 from omote.model.fitting.photographs.photograph_fit import FOLDS, find_photograph_doubts
+from tests.model.fitting.photographs.test_face_at_rest import landmarks
 from tools.tracking.picture import turn
 
 
@@ -23,8 +24,11 @@ def bundle(*yaws: float) -> Bundle:
 
 
 def doubts(found: Bundle, *sides: str | None, residual: float = 2.0, folds: int = 0) -> tuple[str, ...]:
-    views = [Photograph(np.full((478, 2), 9.0), 500, 500, side=side) for side in sides or [None] * len(found.cameras)]
-    return find_photograph_doubts(views, found, [residual] * len(views), 2.5, folds)
+    views = [Photograph(landmarks(), 500, 500, side=side) for side in sides or [None] * len(found.cameras)]
+    worn = [
+        dict(zip(("mouthSmileLeft", "mouthSmileRight", "browInnerUp"), units, strict=True)) for units in found.units
+    ]
+    return find_photograph_doubts(views, found, worn, [residual] * len(views), 2.5, folds)
 
 
 def test_all_sides_leave_no_doubt_and_one_photograph_tells_its_millimetres() -> None:
@@ -49,3 +53,11 @@ def test_odd_photographs_and_heads_are_told() -> None:
     right = doubts(found, "front", "right", "left")
     wrong = doubts(found, "front", "left", "right")
     assert (len(right), len(wrong)) == (0, 2)
+
+
+def test_a_photograph_of_a_smile_is_said_to_be_one_with_what_can_be_done() -> None:
+    view = Photograph(landmarks(mouth=0.06), 500, 500)
+    units = {"mouthSmileLeft": 0.5, "mouthSmileRight": 0.5}
+    _, sentence = find_photograph_doubts([view], bundle(0.0), [units], [2.0], 2.5, 0)
+    assert "Photograph 1 shows its mouth open and a smile." in sentence
+    assert "lips together, eyes open" in sentence

@@ -10,7 +10,7 @@ import { LayerCommands } from "./layer_commands";
 import "./source_tuning";
 import type { Topic } from "../store/page_store";
 import { sourceLabel } from "../store/source_label";
-import { type CalibrationStep, channelsOf, stepsFor } from "./calibration_steps";
+import { adviceOnRest, type CalibrationStep, channelsOf, stepsFor } from "./calibration_steps";
 import { calibrationStyle } from "./calibration_style";
 import "./value_bars";
 
@@ -76,6 +76,7 @@ export class CalibrationDialog extends ConsoleDialog {
       <div class="row now"><p class="asks" role="status">${step.asks}</p>
         <button class="main" @click=${() => this.#press(source, step)}>${words(source, step)}</button>
         <button @click=${() => this.#go(this.at + 1)} ?disabled=${this.at + 1 >= steps.length}>Next</button></div>
+      <p class="unrest" role="status">${adviceOnRest(source.neutral)}</p>
       <div class="bars"><omote-value-bars .context=${this.context} .names=${sorted(this.names, measured)} .wanted=${measured}></omote-value-bars></div>
       <p class="key">Upper bar: as it comes. Lower, red: as it is read.</p>
       <div class="tuning"><omote-source-tuning .context=${this.context} .source=${source}></omote-source-tuning>

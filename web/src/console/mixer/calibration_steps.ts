@@ -36,3 +36,21 @@ export const channelsOf = ({ of }: CalibrationStep, names: readonly string[]): s
 /** The steps for which a source has any channel, and that of rest. */
 export const stepsFor = (names: readonly string[]): readonly CalibrationStep[] =>
   CALIBRATION_STEPS.filter((step) => step.of.length === 0 || channelsOf(step, names).length > 0);
+
+/** What a face at rest does not do: how it is called, its channels by how their names begin, and from which value of the larger side on it does. */
+const UNREST = [
+  ["a smile", "mouthSmile", 0.35],
+  ["the mouth open", "jawOpen", 0.25],
+  ["the eyes shut", "eyeBlink", 0.5],
+  ["pursed lips", "mouthPucker", 0.6],
+] as const;
+
+/** Of a face that was measured as one at rest and is none, a sentence with what to do; "" of one that is. */
+export function adviceOnRest(neutral: Readonly<Record<string, number>>): string {
+  const most = (start: string): number =>
+    Math.max(0, ...Object.entries(neutral).flatMap(([name, value]) => (name.startsWith(start) ? [value] : [])));
+  const does = UNREST.filter(([, start, from]) => most(start) > from).map(([called]) => called);
+  return does.length === 0
+    ? ""
+    : `The face that was taken as at rest has ${does.join(" and ")}; only more than that counts now. Take At rest again: lips together, eyes open, no smile. Who always looks so leaves it.`;
+}

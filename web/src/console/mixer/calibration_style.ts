@@ -4,7 +4,7 @@ import { css } from "lit";
 export const calibrationStyle = css`
   section {
     width: min(860px, 100%);
-    grid-template-rows: auto auto auto minmax(80px, 1fr) auto auto auto;
+    grid-template-rows: auto auto auto auto minmax(80px, 1fr) auto auto auto;
     overflow: hidden;
   }
   h2 {
@@ -17,6 +17,9 @@ export const calibrationStyle = css`
     font-size: 18px;
     min-height: 44px;
     flex: 1 1 260px;
+  }
+  .unrest {
+    color: var(--hand);
   }
   .now {
     border: 1px solid var(--line);

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -11,6 +11,7 @@ from omote.model.fitting.fit_face import Follow, close_face, say_nothing
 from omote.model.fitting.identity_modes import IdentityModes, refuse_other_topology
 from omote.model.fitting.photographs.bundle import adjust
 from omote.model.fitting.photographs.bundle_problem import Bundle
+from omote.model.fitting.photographs.face_at_rest import describe_unrest
 from omote.model.fitting.photographs.landmark_table import LandmarkTable, refuse_other_space
 from omote.model.fitting.photographs.photograph import Photograph, PhotographCamera
 from omote.model.fitting.photographs.skin_evidence import SkinSamples
@@ -22,23 +23,27 @@ TURNED = np.radians(25.0)
 """From so far on a head shows its profile, and its other cheek no more."""
 STRANGE = 2.0
 LARGE = 0.015
-DIFFERENT = 0.5
 FOLDS = 5
 SIDES = {"front": 0.0, "left": -1.0, "right": 1.0}
 """Of a photograph that was said to show a side of the head, the sign of the turn that shows it."""
 
 
 def find_photograph_doubts(
-    photographs: Sequence[Photograph], bundle: Bundle, residual: Sequence[float], spread: float, folds: int, /
-) -> tuple[str, ...]:
+    photographs: Sequence[Photograph], bundle: Bundle, units: Sequence[Mapping[str, float]],
+    residual: Sequence[float], spread: float, folds: int, /,
+) -> tuple[str, ...]:  # fmt: skip
     """Sentences on a fit, none where it is sure.
 
-    residual: pixels of each photograph; spread: millimetres; folds: how many triangles are folded.
-
-    photographs, bundle: what was fitted, and how.
+    photographs, bundle: what was fitted, and how; units: what the face does in each photograph, weights by the name of
+    an expression; residual: pixels of each photograph; spread: millimetres; folds: how many triangles are folded.
     """
     yaws = [camera.yaw for camera in bundle.cameras]
-    return (*_of_views(yaws, spread), *_of_each(photographs, bundle, residual), *_of_shape(bundle, folds))
+    return (
+        *_of_views(yaws, spread),
+        *_of_each(photographs, bundle, residual),
+        *_of_rest(photographs, yaws, units),
+        *_of_shape(bundle, folds),
+    )
 
 
 def _of_views(yaws: Sequence[float], spread: float) -> list[str]:
@@ -68,10 +73,22 @@ def _of_each(photographs: Sequence[Photograph], bundle: Bundle, residual: Sequen
         said = SIDES.get(photograph.side or "")
         if said and said * camera.yaw < 0.0 and abs(camera.yaw) > TURNED:
             doubts.append(f"Photograph {number} was said to show the {photograph.side}, and shows the other side.")
-        worn = max(bundle.units[number - 1], default=0.0)
-        if worn > DIFFERENT:
-            doubts.append(f"The face of photograph {number} is not at rest; that was taken out as far as it is known.")
     return doubts
+
+
+def _of_rest(
+    photographs: Sequence[Photograph], yaws: Sequence[float], units: Sequence[Mapping[str, float]]
+) -> list[str]:
+    """What faces do that are not at rest, and what can be done."""
+    said = []
+    for number, (photograph, yaw, worn) in enumerate(zip(photographs, yaws, units, strict=True), 1):
+        if words := describe_unrest(photograph, yaw, worn):
+            said.append(
+                f"Photograph {number} shows {' and '.join(words)}. That was taken out as far as it is known, and what "
+                "is between lips is left out of the colours; lips and cheeks may stay off. Better is one with the "
+                "face at rest: lips together, eyes open."
+            )
+    return said
 
 
 def _of_shape(bundle: Bundle, folds: int) -> list[str]:
@@ -179,8 +196,9 @@ def fit_photograph_views(
     spread = _measure_spread(modes, bundle)
     tell(1.0, "done")
     folds = len(find_folds(space, space.points, face.positions.astype(np.float64)))
-    doubts = find_photograph_doubts(photographs, bundle, residual, spread, folds)
-    return PhotographFit(face, bundle.cameras, _worn(table, bundle), residual, spread, doubts)
+    units = _worn(table, bundle)
+    doubts = find_photograph_doubts(photographs, bundle, units, residual, spread, folds)
+    return PhotographFit(face, bundle.cameras, units, residual, spread, doubts)
 
 
 def _worn(table: LandmarkTable, bundle: Bundle) -> tuple[dict[str, float], ...]:
