@@ -176,6 +176,8 @@ def wrong_calls(cast: omote.Cast) -> dict[tuple[str, type[Exception]], Callable[
         ("Scene.delete_gaze_point", ValueError): lambda: scene.delete_gaze_point("nowhere"),
         ("Scene.note_camera", ValueError): lambda: scene.note_camera("", (0.0, 0.0, 999.0)),
         ("Scene.note_camera", TypeError): lambda: scene.note_camera("", (0.0, 0.0, words)),
+        ("Scene.set_pace", ValueError): lambda: scene.set_pace(2.0),
+        ("Scene.set_pace", TypeError): lambda: scene.set_pace(words),
         ("Scene.set_gaze_point", ValueError): lambda: scene.set_gaze_point("", x=0.0, y=0.0, z=1.0),
         ("Scene.set_gaze_point", TypeError): lambda: scene.set_gaze_point("seat", x=words, y=0.0, z=1.0),
         ("Scene.call_black", ValueError): lambda: scene.call_black(1.5),

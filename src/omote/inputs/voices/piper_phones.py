@@ -93,7 +93,8 @@ def lay_stops_on_silence(segments: Sequence[Segment], sound: np.ndarray, rate: i
             continue
         found = _silence_near(silences, stop.start, before.start, after.end)
         if found is not None:
-            start, end = max(found[0], before.start + _STEP), found[1]
+            start = max(found[0], before.start + _STEP)
+            end = found[1]
             laid[index - 1] = replace(before, end=start)
             laid[index] = replace(stop, start=start, end=end)
             laid[index + 1] = replace(after, start=end)

@@ -339,7 +339,8 @@ def advance_lists(scene: Scene, players: Sequence[CuePlayer], dt: float) -> Scen
     dt = check_within(dt, 0.0, FOREVER, "the time step (seconds)")
     due = []
     for place, player in enumerate(players):
-        before, pace = player.state.clock, player.pace
+        before = player.state.clock
+        pace = player.pace
         due += [((call.at - before) / pace if pace else 0.0, place, call) for call in player.begin_step(dt * pace)]
     now = 0.0
     for at, place, call in sorted(due, key=lambda each: each[:2]):

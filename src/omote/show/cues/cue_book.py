@@ -61,7 +61,8 @@ class CueBook:
                 done.append(place)
                 back = []
             else:
-                done, back = [], []
+                done = []
+                back = []
         return done, back
 
 
@@ -134,7 +135,8 @@ def new_identities(book: CueBook, count: int) -> list[str]:
 
 
 def place_number(book: CueBook, name: str, number: str) -> int:
-    """Where a cue of a number belongs in a list (name): behind the last one whose number is not higher, from 0."""
+    """Where a cue of a number belongs in a list of the book (name): behind the last one whose number is not higher,
+    from 0."""
     order = [sort_key(cue.number) for cue in book.cues_of(name)]
     return max((place + 1 for place, key in enumerate(order) if key <= sort_key(number)), default=0)
 
@@ -148,8 +150,8 @@ def sort_key(number: str) -> tuple[int, int]:
 def next_number(book: CueBook, name: str, after: str | None) -> str:
     """A free number for a new cue of a list.
 
-    name: of the list; after: the cue that it comes behind, by identity, None for the end of the list. The next whole
-    number where that is free, else the number between two with the fewest decimals.
+    book: with the list; name: of the list; after: the cue that it comes behind, by identity, None for the end of the
+    list. The next whole number where that is free, else the number between two with the fewest decimals.
     """
     order = book.orders[name]
     place = len(order) if after is None else order.index(after) + 1
@@ -173,8 +175,8 @@ def _number(thousandths: int) -> str:
 
 
 def renumbered(book: CueBook, name: str, first: str, step: str) -> dict[str, Cue]:
-    """The cues of a list with new numbers, by identity. name: of the list; first: the first number; step: from each to
-    the next."""
+    """The cues of a list of the book with new numbers, by identity. name: of the list; first: the first number; step:
+    from each to the next."""
     begin, apart = (whole * 1000 + decimals for whole, decimals in (sort_key(first), sort_key(step)))
     if apart == 0:
         raise ValueError("the step between two numbers is 0; give one above it, such as 1")
@@ -294,6 +296,6 @@ def _checked(book: CueBook) -> CueBook:
 
 
 def find_cue(book: CueBook, name: str, number: str) -> Cue:
-    """The cue of a number in a list (name); ValueError where there is none, with those near it."""
+    """The cue of a number in a list of the book (name); ValueError where there is none, with those near it."""
     by_number: dict[str, Cue] = {cue.number: cue for cue in book.cues_of(name)}
     return by_number[check_known(number, by_number, "cue of this list")]

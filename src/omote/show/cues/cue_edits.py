@@ -33,7 +33,7 @@ from omote.show.objects import cues as wire
 
 
 @dataclass(frozen=True)
-class Desk:
+class EditContext:
     """What an edit begins from: the book, what shows, the list that is meant, the cue of it that was called last (by
     identity), and who edits."""
 
@@ -58,117 +58,122 @@ class Desk:
         return self.book.cues[identity]
 
 
-def put_cue(desk: Desk, message: wire.PutCue) -> CueBook:
-    """A new cue, or one with other fields. message: says which, and what is given of it."""
+def put_cue(context: EditContext, message: wire.PutCue) -> CueBook:
+    """A new cue, or one with other fields. context: what it begins from; message: says which, and what is given of
+    it."""
     names = ("number", "label", "note", "colour", "pre_wait", "post_wait", "goes_on", "skip")
     given = {name: value for name in names if (value := getattr(message, name)) is not None}
     if message.cue:
-        cue = desk.cue(message.cue)
+        cue = context.cue(message.cue)
         changed = replace(cue, **given)
-        return desk.edit(f"change cue {changed.number}", {cue.identity: changed})
+        return context.edit(f"change cue {changed.number}", {cue.identity: changed})
     after = message.after or None
     if after is not None:
-        check_known(after, desk.book.orders[desk.chosen], "cue of this list")
-    number = given.pop("number", "") or next_number(desk.book, desk.chosen, after)
-    cue = Cue(new_identities(desk.book, 1)[0], number, **given)
-    return desk.edit(f"new cue {number}", {cue.identity: cue}, _inserted(desk, cue, after))
+        check_known(after, context.book.orders[context.chosen], "cue of this list")
+    number = given.pop("number", "") or next_number(context.book, context.chosen, after)
+    cue = Cue(new_identities(context.book, 1)[0], number, **given)
+    return context.edit(f"new cue {number}", {cue.identity: cue}, _inserted(context, cue, after))
 
 
-def put_move(desk: Desk, message: wire.PutMove) -> CueBook:
-    """A cue with a move of a part. message: says which."""
-    cue = desk.cue(message.cue)
+def put_move(context: EditContext, message: wire.PutMove) -> CueBook:
+    """A cue with a move of a part. context: what it begins from; message: says which."""
+    cue = context.cue(message.cue)
     split_part(message.part)
     move = Move(message.goal, message.seconds, message.easing, message.delay)
-    return desk.edit(f"{message.part} in cue {cue.number}", {cue.identity: with_move(cue, message.part, move)})
+    return context.edit(f"{message.part} in cue {cue.number}", {cue.identity: with_move(cue, message.part, move)})
 
 
-def drop_move(desk: Desk, message: wire.DropMove) -> CueBook:
-    """A cue without the move of a part. message: says which."""
-    cue = desk.cue(message.cue)
+def drop_move(context: EditContext, message: wire.DropMove) -> CueBook:
+    """A cue without the move of a part. context: what it begins from; message: says which."""
+    cue = context.cue(message.cue)
     check_known(message.part, cue.moves, "part of this cue")
-    return desk.edit(f"no {message.part} in cue {cue.number}", {cue.identity: with_move(cue, message.part, None)})
+    return context.edit(f"no {message.part} in cue {cue.number}", {cue.identity: with_move(cue, message.part, None)})
 
 
-def record_cue(desk: Desk, message: wire.RecordCue) -> CueBook:
-    """A new cue of what shows. message: says its number, and which parts."""
-    order = desk.book.orders[desk.chosen]
-    after = desk.current if desk.current in order else None
-    number = message.cue or next_number(desk.book, desk.chosen, after)
-    cues = desk.book.cues_of(desk.chosen)
-    place = place_number(desk.book, desk.chosen, check_cue_number(number))
+def record_cue(context: EditContext, message: wire.RecordCue) -> CueBook:
+    """A new cue of what shows. context: what it begins from; message: says its number, and which parts."""
+    order = context.book.orders[context.chosen]
+    after = context.current if context.current in order else None
+    number = message.cue or next_number(context.book, context.chosen, after)
+    cues = context.book.cues_of(context.chosen)
+    place = place_number(context.book, context.chosen, check_cue_number(number))
     tracked = tracked_at(cues, place - 1) if place else NOTHING_TRACKED
-    goals = _chosen(desk.scene, message.parts) if message.parts else differing(desk.scene, tracked)
+    goals = _chosen(context.scene, message.parts) if message.parts else differing(context.scene, tracked)
     moves = {part: Move(goal, message.seconds) for part, goal in goals.items()}
-    cue = Cue(new_identities(desk.book, 1)[0], number, moves, label=message.label)
-    return desk.edit(f"record cue {number}", {cue.identity: cue}, _inserted(desk, cue, None))
+    cue = Cue(new_identities(context.book, 1)[0], number, moves, label=message.label)
+    return context.edit(f"record cue {number}", {cue.identity: cue}, _inserted(context, cue, None))
 
 
-def update_cue(desk: Desk, message: wire.UpdateCue) -> CueBook:
-    """A cue with what shows. message: says which, the one that was called last where it names none."""
-    if not message.cue and desk.current is None:
+def update_cue(context: EditContext, message: wire.UpdateCue) -> CueBook:
+    """A cue with what shows. context: what it begins from; message: says which, the one that was called last where it
+    names none."""
+    if not message.cue and context.current is None:
         raise ValueError("no cue has been called that could be updated; name one, or record a new one")
-    cue = desk.cue(message.cue or desk.current or "")
-    cues = desk.book.cues_of(desk.book.list_of(cue.identity))
+    cue = context.cue(message.cue or context.current or "")
+    cues = context.book.cues_of(context.book.list_of(cue.identity))
     tracked = tracked_at(cues, [each.identity for each in cues].index(cue.identity))
     changed = cue
-    for part, goal in differing(desk.scene, tracked).items():
+    for part, goal in differing(context.scene, tracked).items():
         before = cue.moves.get(part, Move(goal))
         changed = with_move(changed, part, replace(before, goal=goal))
-    return desk.edit(f"update cue {cue.number}", {cue.identity: changed})
+    return context.edit(f"update cue {cue.number}", {cue.identity: changed})
 
 
-def copy_cue(desk: Desk, message: wire.CopyCue) -> CueBook:
-    """A copy of a cue. message: says which, and behind which it comes."""
-    cue = desk.cue(message.cue)
+def copy_cue(context: EditContext, message: wire.CopyCue) -> CueBook:
+    """A copy of a cue. context: what it begins from; message: says which, and behind which it comes."""
+    cue = context.cue(message.cue)
     after = message.after or cue.identity
-    name = desk.book.list_of(after)
-    copy = replace(cue, identity=new_identities(desk.book, 1)[0], number=next_number(desk.book, name, after))
-    return desk.edit(f"copy cue {cue.number}", {copy.identity: copy}, {name: _behind(desk.book, name, copy, after)})
+    name = context.book.list_of(after)
+    copy = replace(cue, identity=new_identities(context.book, 1)[0], number=next_number(context.book, name, after))
+    return context.edit(
+        f"copy cue {cue.number}", {copy.identity: copy}, {name: _behind(context.book, name, copy, after)}
+    )
 
 
-def move_cue(desk: Desk, message: wire.MoveCue) -> CueBook:
-    """The list of a cue with it at another place. message: says which, and behind which it comes."""
-    cue = desk.cue(message.cue)
-    name = desk.book.list_of(cue.identity)
-    others = [identity for identity in desk.book.orders[name] if identity != cue.identity]
+def move_cue(context: EditContext, message: wire.MoveCue) -> CueBook:
+    """The list of a cue with it at another place. context: what it begins from; message: says which, and behind which
+    it comes."""
+    cue = context.cue(message.cue)
+    name = context.book.list_of(cue.identity)
+    others = [identity for identity in context.book.orders[name] if identity != cue.identity]
     place = 0 if not message.after else others.index(check_known(message.after, others, "cue of this list")) + 1
     order = [*others[:place], cue.identity, *others[place:]]
-    return desk.edit(f"move cue {cue.number}", {}, {name: order})
+    return context.edit(f"move cue {cue.number}", {}, {name: order})
 
 
-def drop_cue(desk: Desk, message: wire.DropCue) -> CueBook:
-    """The list of a cue without it. message: says which."""
-    cue = desk.cue(message.cue)
-    name = desk.book.list_of(cue.identity)
-    order = [identity for identity in desk.book.orders[name] if identity != cue.identity]
-    return desk.edit(f"delete cue {cue.number}", {cue.identity: None}, {name: order})
+def drop_cue(context: EditContext, message: wire.DropCue) -> CueBook:
+    """The list of a cue without it. context: what it begins from; message: says which."""
+    cue = context.cue(message.cue)
+    name = context.book.list_of(cue.identity)
+    order = [identity for identity in context.book.orders[name] if identity != cue.identity]
+    return context.edit(f"delete cue {cue.number}", {cue.identity: None}, {name: order})
 
 
-def renumber_cues(desk: Desk, message: wire.RenumberCues) -> CueBook:
-    """A list with new numbers. message: says the first, and the step."""
-    return desk.edit("renumber cues", renumbered(desk.book, desk.chosen, message.first, message.step))
+def renumber_cues(context: EditContext, message: wire.RenumberCues) -> CueBook:
+    """A list with new numbers. context: what it begins from; message: says the first, and the step."""
+    return context.edit("renumber cues", renumbered(context.book, context.chosen, message.first, message.step))
 
 
-def add_cue_list(desk: Desk, message: wire.AddCueList) -> CueBook:
-    """One list more. message: says its name."""
-    name = _free_name(desk, message.cue_list)
-    return desk.edit(f"new list {name}", {}, {name: []})
+def add_cue_list(context: EditContext, message: wire.AddCueList) -> CueBook:
+    """One list more. context: what it begins from; message: says its name."""
+    name = _free_name(context, message.cue_list)
+    return context.edit(f"new list {name}", {}, {name: []})
 
 
-def rename_cue_list(desk: Desk, message: wire.RenameCueList) -> CueBook:
-    """A list under another name. message: says which."""
-    name = _free_name(desk, message.to)
-    order = desk.book.orders[desk.chosen]
-    return desk.edit(f"rename list {desk.chosen} to {name}", {}, {desk.chosen: None, name: order})
+def rename_cue_list(context: EditContext, message: wire.RenameCueList) -> CueBook:
+    """A list under another name. context: what it begins from; message: says which."""
+    name = _free_name(context, message.to)
+    order = context.book.orders[context.chosen]
+    return context.edit(f"rename list {context.chosen} to {name}", {}, {context.chosen: None, name: order})
 
 
-def drop_cue_list(desk: Desk, message: wire.DropCueList) -> CueBook:  # noqa: ARG001  (as all edits)
-    """No list of a name. message: says which."""
-    gone = dict.fromkeys(desk.book.orders[desk.chosen])
-    return desk.edit(f"delete list {desk.chosen}", gone, {desk.chosen: None})
+def drop_cue_list(context: EditContext, message: wire.DropCueList) -> CueBook:  # noqa: ARG001  (as all edits)
+    """No list of a name. context: what it begins from; message: says which."""
+    gone = dict.fromkeys(context.book.orders[context.chosen])
+    return context.edit(f"delete list {context.chosen}", gone, {context.chosen: None})
 
 
-EDITS: Mapping[type[wire.CueCommand], Callable[[Desk, Any], CueBook]] = {
+EDITS: Mapping[type[wire.CueCommand], Callable[[EditContext, Any], CueBook]] = {
     wire.PutCue: put_cue,
     wire.PutMove: put_move,
     wire.DropMove: drop_move,
@@ -193,7 +198,7 @@ def shown_goals(scene: Scene) -> dict[Part, Goal]:
 
 def differing(scene: Scene, tracked: Tracked) -> dict[Part, Goal]:
     """The parts that stand otherwise than cues leave them; a region that goes with its face, and was left so, does
-    not. tracked: what the cues leave."""
+    not. scene: what shows; tracked: what the cues leave."""
     shown = shown_goals(scene)
     return {part: goal for part, goal in shown.items() if goal != tracked.get(part, _untracked(part))}
 
@@ -212,13 +217,13 @@ def _chosen(scene: Scene, wanted: Sequence[str]) -> dict[Part, Goal]:
     return {part: goal for part, goal in kept.items() if goal != WITH_FACE or part in wanted}
 
 
-def _inserted(desk: Desk, cue: Cue, after: str | None) -> dict[str, Sequence[str]]:
+def _inserted(context: EditContext, cue: Cue, after: str | None) -> dict[str, Sequence[str]]:
     """The order of the chosen list with a new cue: behind another, or where its number belongs."""
     if after is not None:
-        return {desk.chosen: _behind(desk.book, desk.chosen, cue, after)}
-    order = desk.book.orders[desk.chosen]
-    place = place_number(desk.book, desk.chosen, cue.number)
-    return {desk.chosen: [*order[:place], cue.identity, *order[place:]]}
+        return {context.chosen: _behind(context.book, context.chosen, cue, after)}
+    order = context.book.orders[context.chosen]
+    place = place_number(context.book, context.chosen, cue.number)
+    return {context.chosen: [*order[:place], cue.identity, *order[place:]]}
 
 
 def _behind(book: CueBook, name: str, cue: Cue, after: str) -> list[str]:
@@ -227,8 +232,8 @@ def _behind(book: CueBook, name: str, cue: Cue, after: str) -> list[str]:
     return [*order[:place], cue.identity, *order[place:]]
 
 
-def _free_name(desk: Desk, wanted: str) -> str:
+def _free_name(context: EditContext, wanted: str) -> str:
     name = check_list_name(wanted)
-    if name.casefold() in (other.casefold() for other in desk.book.orders):
+    if name.casefold() in (other.casefold() for other in context.book.orders):
         raise ValueError(f"there is a list of cues {name!r} already; give another name")
     return name

@@ -190,8 +190,8 @@ class CueLists:
             return
         chosen = self._named(getattr(message, "cue_list", ""), new=isinstance(message, wire.AddCueList))
         state = self._players[chosen].state if chosen in self._players else CueState()
-        desk = cue_edits.Desk(self.book, self._scene(), chosen, state.current, by)
-        self._play(cue_edits.EDITS[type(message)](desk, message))
+        context = cue_edits.EditContext(self.book, self._scene(), chosen, state.current, by)
+        self._play(cue_edits.EDITS[type(message)](context, message))
 
     def take_in(self, name: str, cues: Sequence[Cue], by: str) -> None:
         """Takes in a list as it comes from a text; ValueError where it cannot be, or the show mode is on.
