@@ -48,6 +48,23 @@ def test_arrays_and_doubts_come_back_as_they_were() -> None:
     assert (found.rows, [(str(doubt), doubt.kind) for doubt in found.doubts]) == (None, [("Shut?", EYES)])
 
 
+@dataclass(frozen=True)
+class Counted:
+    """Plain numbers that a child may have as numpy's."""
+
+    scale: float
+    count: int
+    sure: bool
+
+
+def test_numpy_s_numbers_come_back_as_plain_ones() -> None:
+    for whole, part in ((np.int64, np.float64), (np.uint8, np.float32)):
+        sent = Counted(part(0.5), whole(7), np.bool_(True))  # type: ignore[arg-type]
+        found = run_limited(lambda _, sent=sent: sent, Counted, Limits(), exhausted="too much")
+        assert found == Counted(0.5, 7, True)
+        assert [type(each) for each in (found.scale, found.count, found.sure)] == [float, int, bool]
+
+
 @pytest.mark.parametrize(
     "sent",
     [

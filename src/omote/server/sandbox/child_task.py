@@ -81,8 +81,11 @@ def run_limited(
 
 
 def _encode_special(value: object) -> object:
-    """What MessagePack has no type for: arrays, mappings that cannot be changed, doubts with their kinds."""
+    """What MessagePack has no type for: arrays, numpy's numbers, mappings that cannot be changed, doubts with their
+    kinds."""
     match value:
+        case np.floating() | np.integer() | np.bool_():
+            return value.item()
         case np.ndarray():
             return value.dtype.str, value.shape, value.tobytes()
         case Doubt():
