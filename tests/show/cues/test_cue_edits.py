@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import pytest
 
-from omote.perform.cues.cue import Move
 from omote.show.messages import PROTOCOL_VERSION
 from omote.show.objects import cues as wire
 from omote.show.objects.link import Hello, Refused
