@@ -91,6 +91,23 @@ def test_a_character_that_there_is_not_is_said(osc: OscInput, send: Send) -> Non
     assert osc.last_rejection.reason == "there is no character 'bob' in this scene, which has one, and * for all"
 
 
+@pytest.mark.parametrize(
+    ("packet", "name"),
+    [
+        (encode_message("/VMC/Ext/Blend/Val", "JawOpen", 0.5), "vmc"),
+        (encode_bundle([encode_message("/VMC/Ext/Blend/Apply")]), "vmc"),
+        (b"jawOpen&50|smile&20|=head#0,5,0|", "ifacialmocap"),
+    ],
+)
+def test_what_is_of_a_tracker_is_told_the_port_where_that_is_heard(osc: OscInput, packet: bytes, name: str) -> None:
+    osc.receive(DESK, packet, 0.0)
+    assert osc.last_rejection is not None
+    assert f"--listen {name}" in osc.last_rejection.reason
+    osc.port_of = {name: 8371}.get
+    osc.receive(DESK, packet, 0.0)
+    assert osc.last_rejection.reason.endswith("is heard at port 8371: send it there")
+
+
 def test_a_surface_hears_everything_once_then_what_is_new(session: ShowSession, osc: OscInput, send: Send) -> None:
     send("/omote/subscribe", 9001)
     first = told(osc.news(session.tick(0.0), 0.0))

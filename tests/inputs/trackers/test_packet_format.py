@@ -28,8 +28,14 @@ def test_other_beginnings_are_recognized_and_what_is_none_is_not() -> None:
 
 @pytest.mark.parametrize("protocol", ["vmc", "livelink", "ifacialmocap", "openseeface", "vtubestudio", "mediapipe"])
 @pytest.mark.parametrize("sent", ["vmc", "livelink", "ifacialmocap", "openseeface", "vtubestudio", "mediapipe"])
-def test_what_comes_to_a_wrong_port_is_named_with_where_it_goes(cast: Cast, protocol: str, sent: str) -> None:
+@pytest.mark.parametrize("before", [False, True])
+def test_what_comes_to_a_wrong_port_is_named_with_where_it_goes(
+    cast: Cast, protocol: str, sent: str, before: bool
+) -> None:
+    """Also where its own packets have come before."""
     stage = Stage(cast, protocol)
+    if before:
+        stage.play(0.0, FACES[protocol]())
     stage.play(0.0, FACES[sent]())
     reason = "" if stage.trackers.last_rejection is None else stage.trackers.last_rejection.reason
     assert (reason == "") == (sent == protocol)
