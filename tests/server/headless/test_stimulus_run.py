@@ -37,6 +37,7 @@ def test_a_table_is_drawn_once_gone_on_with_and_listed(tmp_path: Path) -> None:
         ("c", "c/0002.png", "0.2", "y"),
     ]
     assert [row["sha256"] for row in rows] == [read_sidecar(sidecar_path(path)).picture for path in pictures]
+    assert {(row["cut_black"], row["cut_white"]) for row in rows} == {("", "")}
     assert plan_stimuli(PictureStudio(), TABLE.encode(), out).waiting == 0
     pictures[1].unlink()
     (out / "c" / "0001.png").unlink()
