@@ -10,7 +10,7 @@ import msgspec
 import numpy as np
 import pytest
 
-from omote.perform.cues import cue_player, cue_state
+from omote.perform.cues import cue_state
 from omote.perform.cues.cue_state import GAP_SECONDS
 from omote.perform.cues.tracking import tracked_after, tracked_at
 from omote.perform.scene.goals import Goal, Part, regions_of
@@ -328,7 +328,7 @@ FAULTS: dict[str, tuple[object, str, object]] = {
     ),
     "Back leaves what waits": (cue_state, "go_back", lambda state: replace(GO_BACK(state), waiting=state.waiting)),
     "an edit forgets what waits": (
-        cue_player.of_list,
+        cue_state,
         "edited",
         lambda state, before, after: replace(EDITED(state, before, after), waiting=()),
     ),
