@@ -314,10 +314,15 @@ def shown_progress(
         if sys.stderr.isatty():
             yield from _bar(total, path, there)
         else:
-            yield _lines(there)
+            yield _lines(path, there)
     except KeyboardInterrupt:
         say(stopped)
         raise typer.Exit(INTERRUPTED) from None
+
+
+def _name_below(path: Path, picture: Path) -> str:
+    """What a picture is called: in a folder of stimuli with that of its clip."""
+    return str(picture.relative_to(path)) if picture.is_relative_to(path) else picture.name
 
 
 def _bar(total: int, path: Path, there: int) -> Iterator[Callable[[PictureProgress], None]]:
@@ -328,16 +333,18 @@ def _bar(total: int, path: Path, there: int) -> Iterator[Callable[[PictureProgre
     columns = (TextColumn("{task.description}"), BarColumn(), MofNCompleteColumn(), TimeRemainingColumn(compact=True))
     with Bar(*columns, TextColumn("left"), console=Console(stderr=True), transient=True) as bar:
         task = bar.add_task(path.name, total=total, completed=there)
-        yield lambda progress: bar.update(task, completed=progress.number, description=progress.path.name)
+        yield lambda progress: bar.update(task, completed=progress.number, description=_name_below(path, progress.path))
 
 
-def _lines(first: int) -> Callable[[PictureProgress], None]:
+def _lines(path: Path, first: int) -> Callable[[PictureProgress], None]:
     began = time.monotonic()
 
     def report(progress: PictureProgress) -> None:
         left = progress.total - progress.number
         share = (time.monotonic() - began) / (progress.number - first)
         rest = f"; about {left * share:.0f} s left" if left else ""
-        say(f"{progress.number} of {progress.total}: {progress.path.name}, {progress.seconds:.1f} s{rest}")
+        say(
+            f"{progress.number} of {progress.total}: {_name_below(path, progress.path)}, {progress.seconds:.1f} s{rest}"
+        )
 
     return report
