@@ -52,3 +52,8 @@ def test_a_table_is_drawn_once_gone_on_with_and_listed(tmp_path: Path) -> None:
     pictures[0].write_bytes(b"retouched")
     with pytest.raises(FileExistsError, match="is not as Omote drew it"):
         draw_stimuli(design, out)
+
+
+def test_a_table_that_is_not_there_is_said(tmp_path: Path) -> None:
+    with pytest.raises(FileNotFoundError, match=r"^there is no table .*nope\.csv; name one that is there$"):
+        draw_stimuli(tmp_path / "nope.csv", tmp_path / "out")

@@ -131,6 +131,8 @@ def draw_stimuli(
     docs/conventions.md
     """
     refuse_own_table(Path(table), Path(folder))
+    if not Path(table).exists():
+        raise FileNotFoundError(f"there is no table {table}; name one that is there")
     data = Path(table).read_bytes()
     studio = PictureStudio(None if show is None else inspect_show(Path(show)))
     planned = plan_stimuli(studio, data, Path(folder), show="" if show is None else str(show), fresh=fresh)
