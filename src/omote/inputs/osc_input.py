@@ -192,7 +192,9 @@ class OscInput:
         reasons = [answer.reason for answer in answers if isinstance(answer, Refused)] if answers else []
         if not reasons:
             self._note_heard(place, [message], now)
-        return [answer for reason in reasons for answer in self._reject(place, reason, now)]
+        return [
+            answer for reason in reasons for answer in self._reject(place, f"{message.address[:80]}: {reason}", now)
+        ]
 
     def _explain_tracker(self, name: str) -> str:
         return explain_format(name, self.port_of(name))

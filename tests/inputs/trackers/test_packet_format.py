@@ -59,6 +59,14 @@ def test_a_wrong_value_of_its_own_protocol_keeps_its_reason(cast: Cast) -> None:
     assert "JawOpen" in stage.trackers.last_rejection.reason
 
 
+def test_a_long_text_in_place_of_a_name_is_cut_with_its_quotes_shut(cast: Cast) -> None:
+    stage = Stage(cast, "vmc")
+    stage.play(0.0, encode_message("/VMC/Ext/Blend/Val", "x" * 200, 0.5))
+    stage.play(0.0, encode_message("/VMC/Ext/Blend/Val", b"y" * 200, 0.5))
+    assert stage.trackers.last_rejection is not None
+    assert stage.trackers.last_rejection.reason.endswith(f"has {b'y' * 36!r} where a name is expected")
+
+
 def test_no_bytes_break_it() -> None:
     generator = np.random.default_rng(7)
     for size in generator.integers(0, 4000, 500):
