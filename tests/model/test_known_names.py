@@ -34,7 +34,7 @@ def test_a_cast_is_asked_by_names(cast: Cast) -> None:
 @pytest.mark.parametrize(
     ("name", "names", "what", "said"),
     [
-        ("livlink", ["vmc", "livelink"], "tracker", "there is no tracker 'livlink'; did you mean livelink?"),
+        ("livlink", ["vmc", "livelink"], "tracker", "there is no tracker 'livlink'; near are livelink"),
         ("xyz", ["vmc", "osc"], "way to send a face", "there is no way to send a face 'xyz'; there are vmc, osc"),
         ("tow", ["one", "two"], "character", "there is no character 'tow' in this scene; near are two"),
         ("Mria", ["Mira"], "performer", "there is no performer 'Mria' in this show; near are Mira"),

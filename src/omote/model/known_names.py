@@ -58,7 +58,7 @@ def explain_unknown(name: object, names: Iterable[str], what: str) -> str:
         near = near or sorted(choices)[:3]
         there = f"near are {', '.join(near)}" if near else "there are none"
     else:
-        there = f"did you mean {' or '.join(near)}?" if near else f"there are {', '.join(choices)}"
+        there = f"near are {', '.join(near)}" if near else f"there are {', '.join(choices)}"
     return f"there is no {what} {str(name)[:80]!r}{where}; {there}"
 
 
