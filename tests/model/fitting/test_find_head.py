@@ -73,6 +73,7 @@ def test_a_unit_that_nobody_uses_is_a_plain_number_of_metres() -> None:
     assert abs(np.log(found.similarity.scale / 0.033)) < 0.1
 
 
+@pytest.mark.slow
 def test_triangles_that_face_inward_and_mirrored_axes_are_no_matter() -> None:
     scan = head_scan(KAORI)
     assert scan.triangles is not None
