@@ -27,6 +27,7 @@ from rich.console import Console
 
 import omote
 from benchmarks.pace import Pace
+from omote.perform.cues.cue import GoesOn
 from omote.perform.scene.goals import rank_of
 from omote.server.persistence.restore import journal_entry
 from omote.show.cues.cue_book import FIRST_LIST, CueBook, edit_cues
@@ -61,7 +62,7 @@ def make_cues(cast: omote.Cast, characters: list[str]) -> list[omote.Cue]:
             part: omote.Move(goal, float(rng.uniform(0.5, 4.0)), delay=float(rng.choice([0.0, 0.0, 0.7])))
             for part, goal in list(goals.items())[:12]
         }
-        follows = "follow" if number % 2 else ""
+        follows: GoesOn = "follow" if number % 2 else ""
         cues.append(omote.Cue(f"c{number}", str(number + 1), moves, goes_on=follows, post_wait=1.0))
     return cues
 

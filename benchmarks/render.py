@@ -64,7 +64,8 @@ def draw_before(pages: dict[str, Page], request: GridRequest, path: Path) -> Non
 
     async def run() -> bytes:
         async with serve_pages(documents, pages) as address, open_chromium(find_chromium()) as tools:
-            return await (await open_picture_page(tools, address, setting, ready=OPENED)).draw(sheet)
+            page = await open_picture_page(tools, address, setting, ready=OPENED)
+            return (await page.draw(sheet)).data
 
     write_whole(path, asyncio.run(run()))
 

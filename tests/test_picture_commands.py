@@ -16,6 +16,7 @@ from omote.server.headless.picture_run import PictureProgress, PictureRun, Pictu
 from omote.showfile.changes import Content, content_key
 from omote.showfile.contents import pack_expression
 from omote.showfile.show_file import open_show
+from omote.stage_data.picture_setting import Clipped
 from omote.stage_data.picture_sidecar import checksum_of, encode_sidecar, read_sidecar
 from tests.server.synthetic_server import MASK, PAGES, meshes
 from tests.showfile.authored_work import item, revision
@@ -46,12 +47,22 @@ def runs(small_cast: Cast, monkeypatch: pytest.MonkeyPatch) -> list[PictureRun]:
         done = len(run.pictures) - len(run.waiting)
         for number, file in enumerate([*run.waiting, *([run.table] if run.table else [])], done + 1):
             file.path.parent.mkdir(exist_ok=True)
-            write_picture(file, PICTURES[file.path.suffix])
+            wanted = run.whole.sidecar.setting["contrast"]
+            cut = None if wanted is None else Clipped(0.1 * wanted, 0.0)
+            write_picture(file, PICTURES[file.path.suffix], cut)
             if file is not run.table:
                 report(PictureProgress(file.path, 0.5, number, len(run.pictures)))
 
     monkeypatch.setattr("omote.server.headless.picture_run.draw_run", draw)
     return asked
+
+
+def test_what_was_cut_off_for_a_contrast_is_said(runs: list[PictureRun], tmp_path: Path) -> None:
+    path = str(tmp_path / "a.png")
+    said = typed("render", "--contrast", "0.5", "-o", path).output
+    assert "in 1 of 1 the contrast is more than the face has room for: of a.png 5.0 % is cut off to black" in said
+    assert "cut off" not in typed("render", "--contrast", "0.04", "-o", path).output
+    assert "cut off" not in typed("render", "-o", path).output
 
 
 def typed(*words: str, status: int = 0) -> Result:

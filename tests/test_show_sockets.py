@@ -53,7 +53,7 @@ def test_a_tracker_whose_port_is_taken_is_off_and_the_show_opens(capsys: pytest.
 
 @pytest.mark.parametrize(
     ("text", "why"),
-    [("livlink", "there is no tracker 'livlink'; did you mean livelink"), ("mediapipe@10.0.0.7", "names nobody")],
+    [("livlink", "there is no tracker 'livlink'; near are livelink"), ("mediapipe@10.0.0.7", "names nobody")],
 )
 def test_what_is_no_tracker_ends_the_command(text: str, why: str, capsys: pytest.CaptureFixture[str]) -> None:
     with pytest.raises(typer.Exit):

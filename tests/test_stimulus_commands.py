@@ -34,6 +34,12 @@ def test_a_table_is_drawn_and_what_is_the_experiments_own_is_said(tmp_path: Path
     assert "1 of 2 pictures are there already; going on." in said(tmp_path, "name,block\na,1\nb,2\n")
 
 
+def test_progress_names_the_row_of_a_clip(tmp_path: Path) -> None:
+    text = said(tmp_path, "name,seconds,fps\nopens,0.2,5\n")
+    assert "1 of 2: opens/0001.png, " in text
+    assert "2 of 2: opens/0002.png, " in text
+
+
 def test_what_is_wrong_is_told_and_nothing_is_drawn(tmp_path: Path) -> None:
     text = said(tmp_path, "name,face\n" + "".join(f"a{number},nobody{number}\n" for number in range(30)), status=1)
     assert "design.csv, row 2, face: there is no face 'nobody0' in this cast" in text

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import sys
 import time
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
 from pathlib import Path
 from tempfile import TemporaryDirectory
@@ -36,7 +36,7 @@ LuminanceOption = Annotated[
     float | None, typer.Option(help="The mean of relative luminance, linear light, that each picture gets: 0.2.")
 ]
 ContrastOption = Annotated[
-    float | None, typer.Option(help="The standard deviation of luminance over its mean (RMS): 0.5.")
+    float | None, typer.Option(help="The standard deviation of luminance over its mean (RMS): 0.2.")
 ]
 ShowOption = Annotated[
     Path | None, typer.Option(callback=complete_show, help="A show file (.omote) whose own work can be named too.")
@@ -46,6 +46,8 @@ JobsOption = Annotated[
 ]
 FreshOption = Annotated[bool, typer.Option("--fresh", help="Draw again what is there already.")]
 ForceOption = Annotated[bool, typer.Option("--force", help="Replace a picture that Omote did not draw as it is.")]
+OVERLOOKED = 0.005
+"""Of what counts in a picture: so much may be cut off to match its luminance without a word."""
 STOPPED = "stopped; what is drawn stays, and the same command goes on from there."
 UNCHANGED = "stopped; nothing was changed."
 
@@ -170,6 +172,27 @@ def draw(
         draw_shown(studio, run, path, jobs=jobs, stopped=STOPPED)
         clear_former(run, path)
     say(f"{path}: {len(run.pictures)} {'picture' if len(run.pictures) == 1 else 'pictures'}.")
+    tell_clipped([file.path for file in run.pictures])
+
+
+def tell_clipped(pictures: Sequence[Path]) -> None:
+    """Says of how many pictures more was cut off to match luminance and contrast than anybody overlooks.
+
+    pictures: those that were drawn, with their sidecars.
+    """
+    from omote.stage_data.picture_sidecar import read_sidecar, sidecar_path
+
+    cut = {path: read_sidecar(sidecar_path(path)).clipped for path in pictures}
+    shares = {path: (each.black, each.white) for path, each in cut.items() if each is not None}
+    far = [path for path, share in shares.items() if max(share) > OVERLOOKED]
+    if not far:
+        return
+    worst = max(far, key=lambda path: max(shares[path]))
+    black, white = shares[worst]
+    say(
+        f"in {len(far)} of {len(pictures)} the contrast is more than the face has room for: of {worst.name} "
+        f"{100.0 * black:.1f} % is cut off to black and {100.0 * white:.1f} % to white. Ask for less contrast."
+    )
 
 
 def prove(path: Path, request: Request, written: Sidecar, *, jobs: int) -> None:
@@ -291,10 +314,15 @@ def shown_progress(
         if sys.stderr.isatty():
             yield from _bar(total, path, there)
         else:
-            yield _lines(there)
+            yield _lines(path, there)
     except KeyboardInterrupt:
         say(stopped)
         raise typer.Exit(INTERRUPTED) from None
+
+
+def _name_below(path: Path, picture: Path) -> str:
+    """What a picture is called: in a folder of stimuli with that of its clip."""
+    return str(picture.relative_to(path)) if picture.is_relative_to(path) else picture.name
 
 
 def _bar(total: int, path: Path, there: int) -> Iterator[Callable[[PictureProgress], None]]:
@@ -305,16 +333,18 @@ def _bar(total: int, path: Path, there: int) -> Iterator[Callable[[PictureProgre
     columns = (TextColumn("{task.description}"), BarColumn(), MofNCompleteColumn(), TimeRemainingColumn(compact=True))
     with Bar(*columns, TextColumn("left"), console=Console(stderr=True), transient=True) as bar:
         task = bar.add_task(path.name, total=total, completed=there)
-        yield lambda progress: bar.update(task, completed=progress.number, description=progress.path.name)
+        yield lambda progress: bar.update(task, completed=progress.number, description=_name_below(path, progress.path))
 
 
-def _lines(first: int) -> Callable[[PictureProgress], None]:
+def _lines(path: Path, first: int) -> Callable[[PictureProgress], None]:
     began = time.monotonic()
 
     def report(progress: PictureProgress) -> None:
         left = progress.total - progress.number
         share = (time.monotonic() - began) / (progress.number - first)
         rest = f"; about {left * share:.0f} s left" if left else ""
-        say(f"{progress.number} of {progress.total}: {progress.path.name}, {progress.seconds:.1f} s{rest}")
+        say(
+            f"{progress.number} of {progress.total}: {_name_below(path, progress.path)}, {progress.seconds:.1f} s{rest}"
+        )
 
     return report

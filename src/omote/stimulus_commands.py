@@ -7,7 +7,15 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from omote.picture_commands import STOPPED, ForceOption, FreshOption, JobsOption, ShowOption, shown_progress
+from omote.picture_commands import (
+    STOPPED,
+    ForceOption,
+    FreshOption,
+    JobsOption,
+    ShowOption,
+    shown_progress,
+    tell_clipped,
+)
 from omote.terminal import exit_on_refusal, fail, say
 
 if TYPE_CHECKING:
@@ -36,6 +44,7 @@ def stimuli(
                 run.refuse_foreign()
         draw_shown(studio, planned, jobs=jobs)
     say(f"{output} has {planned.count} pictures of {len(planned.stimuli)} rows, and drawn.csv, which lists them.")
+    tell_clipped([planned.folder / name for stimulus in planned.stimuli for name in stimulus.files])
 
 
 def plan(

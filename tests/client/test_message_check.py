@@ -55,6 +55,7 @@ def test_what_is_right_stays_the_same_object() -> None:
         (TypeError, "^head is 3; give 3 numbers or None$", Drive(0, b"", 3, None)),  # type: ignore[arg-type]
         (TypeError, "^marks is ", Say("one", "1", marks=[1, 2])),  # type: ignore[list-item]
         (ValueError, "^text is 'aaaa.*at most 2000 characters: say it in several", Say("one", "1", "a" * 2001)),
+        (ValueError, r"^text is 'a{39}\.\.\. \(2001 characters\)", Say("one", "1", "a" * 2001)),
         (ValueError, "^kind is 'nose'; give one of ahead, ", LookAt("one", "nose")),  # type: ignore[arg-type]
         (ValueError, "^head is .* give 3 numbers or None$", Drive(0, b"", (1.0, 2.0), None)),  # type: ignore[arg-type]
     ],

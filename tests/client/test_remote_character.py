@@ -87,6 +87,16 @@ def test_a_voice_of_the_show_is_asked_for_the_text() -> None:
     assert sent == [(Say("one", "id", "Mama\n", queue=True, key="id"), WantedSpeech("Mama", "de+f2"))]
 
 
+def test_nothing_to_say_is_refused_with_and_without_a_voice() -> None:
+    sent = Sent()
+    for voice in ("", "de"):
+        with pytest.raises(ValueError, match=r"there is no(thing to say| text to speak)"):
+            sent.character().say("", voice=voice)
+    with pytest.raises(ValueError, match="nothing to say; give a text, marks or a sound"):
+        sent.character().say()
+    assert sent == []
+
+
 def test_gestures_and_stops_are_messages() -> None:
     sent = Sent()
     sent.character().gesture("tilt", amplitude=-1.0)

@@ -292,6 +292,24 @@ def told(wired: Wired) -> SourceState:
     return source
 
 
+def test_every_call_takes_a_character_by_its_label(wired: Wired) -> None:
+    show = wired.show
+    show.enter("REX", seconds=0)
+    show.place("rex", x=0.2, seconds=0)
+    show.call_framing(["one", "Rex"], seconds=0)
+    wired.later(0.1)
+    assert (show.state.characters["two"].place.x, show.state.framing) == (0.2, {"one+two": 1.0})
+    with pytest.raises(ValueError, match="there is no character 'max'"):
+        show.lease("max", "face")
+    show.leave("Rex", seconds=0)
+    show.rename("rex", "Ann")
+    show.remove("ann", seconds=0)
+    wired.later(5.0)
+    assert show.characters == ("one",)
+    with pytest.raises(ValueError, match="there is no character 'ann' in this scene, which has one"):
+        show.remove("ann")
+
+
 def test_a_source_is_routed_by_label_to_regions_of_several(wired: Wired) -> None:
     wired.show.route_source("phone", ["one", "rex"], layer="playback", regions=["mouth", "brows"])
     source = told(wired)

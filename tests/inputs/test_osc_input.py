@@ -76,7 +76,7 @@ def test_a_value_out_of_range_is_rejected_and_counted(
     assert session.tick(0.0).characters["one"].channels == {}
     assert (osc.heard, osc.rejected) == (1, 1)
     assert osc.last_rejection is not None
-    assert "jawOpen" in osc.last_rejection.reason
+    assert osc.last_rejection.reason.startswith("/omote/one/channel/jawOpen: ")
 
 
 def test_of_a_bundle_each_message_stands_for_itself(session: ShowSession, osc: OscInput) -> None:
@@ -89,6 +89,23 @@ def test_a_character_that_there_is_not_is_said(osc: OscInput, send: Send) -> Non
     send("/omote/bob/face", "broad")
     assert osc.last_rejection is not None
     assert osc.last_rejection.reason == "there is no character 'bob' in this scene, which has one, and * for all"
+
+
+@pytest.mark.parametrize(
+    ("packet", "name"),
+    [
+        (encode_message("/VMC/Ext/Blend/Val", "JawOpen", 0.5), "vmc"),
+        (encode_bundle([encode_message("/VMC/Ext/Blend/Apply")]), "vmc"),
+        (b"jawOpen&50|smile&20|=head#0,5,0|", "ifacialmocap"),
+    ],
+)
+def test_what_is_of_a_tracker_is_told_the_port_where_that_is_heard(osc: OscInput, packet: bytes, name: str) -> None:
+    osc.receive(DESK, packet, 0.0)
+    assert osc.last_rejection is not None
+    assert f"--listen {name}" in osc.last_rejection.reason
+    osc.port_of = {name: 8371}.get
+    osc.receive(DESK, packet, 0.0)
+    assert osc.last_rejection.reason.endswith("is heard at port 8371: send it there")
 
 
 def test_a_surface_hears_everything_once_then_what_is_new(session: ShowSession, osc: OscInput, send: Send) -> None:
@@ -257,7 +274,7 @@ def test_a_sender_holds_takes_over_and_releases_as_an_operator_does(
     session.receive("a", Lease("l", "one", "face"), 0.0)
     send("/omote/one/lease/face")
     assert osc.last_rejection is not None
-    assert osc.last_rejection.reason.startswith("Ana holds the face of one: take it over")
+    assert ": Ana holds the face of one: take it over" in osc.last_rejection.reason
     send("/omote/one/take_over/face", 1.0)
     send("/omote/lease/light")
     held = {key: session.leasing.seats[seat].name for key, seat in session.leasing.table.held.items()}

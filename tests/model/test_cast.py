@@ -92,3 +92,7 @@ def test_traits_are_refused(trait: dict[str, float]) -> None:
 def test_looks_are_refused(colour: object) -> None:
     with pytest.raises(ValueError, match=r"lip of a look is .*expected a colour"):
         Look(lip=colour)  # type: ignore[arg-type]
+
+
+def test_it_says_how_much_is_in_it(cast: Cast) -> None:
+    assert repr(cast) == f"<cast of {len(cast.faces)} faces and {len(cast.expressions)} expressions>"

@@ -34,7 +34,7 @@ def test_a_cast_is_asked_by_names(cast: Cast) -> None:
 @pytest.mark.parametrize(
     ("name", "names", "what", "said"),
     [
-        ("livlink", ["vmc", "livelink"], "tracker", "there is no tracker 'livlink'; did you mean livelink?"),
+        ("livlink", ["vmc", "livelink"], "tracker", "there is no tracker 'livlink'; near are livelink"),
         ("xyz", ["vmc", "osc"], "way to send a face", "there is no way to send a face 'xyz'; there are vmc, osc"),
         ("zzqqx", list("abcde"), "face", "there is no face 'zzqqx' in this cast; there are a, b, c and 2 more"),
         ("zzqqx", ["one", "two"], "character", "there is no character 'zzqqx' in this scene; there are one, two"),

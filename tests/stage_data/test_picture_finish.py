@@ -11,10 +11,15 @@ import omote
 from omote.arrays import Picture, Values
 from omote.model.albedo import decode_light
 from omote.stage_data.picture_finish import face_triangles, finish_picture, measure_luminance
-from omote.stage_data.picture_setting import Setting
+from omote.stage_data.picture_setting import Clipped, Setting
 
 SIDE = 48
 SPACE = omote.load_cast().space
+
+
+def finish(*given: Any) -> Picture:
+    """The picture that `finish_picture` makes."""
+    return finish_picture(*given).picture
 
 
 def random_picture(seed: int) -> Picture:
@@ -31,7 +36,7 @@ def test_means_and_contrasts_match_whatever_was_drawn(
     seed: int, luminance: float | None, contrast: float | None
 ) -> None:
     before = random_picture(seed)
-    after = finish_picture(before, Setting(SIDE, SIDE, transparent=True, luminance=luminance, contrast=contrast))
+    after = finish(before, Setting(SIDE, SIDE, transparent=True, luminance=luminance, contrast=contrast))
     first, last = measure_luminance(before), measure_luminance(after)
     wanted = first.mean if luminance is None else luminance
     assert abs(last.mean - wanted) < 1 / 255
@@ -43,12 +48,25 @@ def test_means_and_contrasts_match_whatever_was_drawn(
 def test_a_colour_keeps_its_hue_and_what_it_cannot_have_is_refused() -> None:
     picture = np.full((SIDE, SIDE, 4), (120, 60, 30, 255), np.uint8)
     picture[: SIDE // 2, :, :3] //= 2
-    darker = decode_light(finish_picture(picture, Setting(SIDE, SIDE, luminance=0.02))[..., :3])
+    darker = decode_light(finish(picture, Setting(SIDE, SIDE, luminance=0.02))[..., :3])
     shares = darker / darker.sum(axis=-1, keepdims=True)
     wanted = decode_light(picture[..., :3]) / decode_light(picture[..., :3]).sum(axis=-1, keepdims=True)
     np.testing.assert_allclose(shares, wanted, atol=0.02)
     with pytest.raises(ValueError, match=r"cannot have a mean luminance of 0\.9 and a contrast of 2: the nearest is"):
-        finish_picture(picture, Setting(SIDE, SIDE, luminance=0.9, contrast=2.0))
+        finish(picture, Setting(SIDE, SIDE, luminance=0.9, contrast=2.0))
+
+
+def test_what_is_cut_off_to_match_is_told_as_black_and_white() -> None:
+    picture = np.full((20, 20, 4), 255, np.uint8)
+    picture[..., :3] = np.linspace(40, 230, 400).astype(np.uint8).reshape(20, 20, 1)
+    assert finish_picture(picture, Setting(20, 20)).clipped is None
+    assert finish_picture(picture, Setting(20, 20, luminance=0.2)).clipped == Clipped(0.0, 0.0)
+    much, clipped = finish_picture(picture, Setting(20, 20, luminance=0.4, contrast=0.95))
+    assert clipped is not None
+    assert min(clipped.black, clipped.white) > 0.1
+    assert (clipped.black, clipped.white) == pytest.approx(
+        ((much[..., :3] == 0).mean(), (much[..., :3] == 255).mean()), abs=0.02
+    )
 
 
 def places() -> Values:
@@ -62,7 +80,7 @@ def test_a_mask_leaves_the_face_and_nothing_around_it(mask: str) -> None:
     triangles = face_triangles(SPACE)
     white = np.full((4 * SIDE, 4 * SIDE, 4), 255, np.uint8)
     setting = Setting(4 * SIDE, 4 * SIDE, mask=mask, transparent=True)
-    alpha = finish_picture(white, setting, places(), triangles)[..., 3]
+    alpha = finish(white, setting, places(), triangles)[..., 3]
     x, y = (4 * SIDE * places()[:, :2]).astype(int).T
     eyes, lips = (
         np.unique(np.concatenate([line.loop for line in SPACE.lines if line.kind == kind])) for kind in ("lids", "lips")
@@ -76,7 +94,7 @@ def test_a_mask_leaves_the_face_and_nothing_around_it(mask: str) -> None:
     assert alpha[y[crown], x[crown]] == 0
     assert (alpha[:, [0, -1]] == 0).all()
     assert 0.15 < alpha.mean() / 255 < 0.35
-    grey = finish_picture(white, Setting(4 * SIDE, 4 * SIDE, mask=mask, background="#808080"), places(), triangles)
+    grey = finish(white, Setting(4 * SIDE, 4 * SIDE, mask=mask, background="#808080"), places(), triangles)
     assert (grey[alpha == 0] == (128, 128, 128, 255)).all()
     assert (grey[alpha == 255] == 255).all()
 
@@ -84,7 +102,7 @@ def test_a_mask_leaves_the_face_and_nothing_around_it(mask: str) -> None:
 def test_a_background_comes_behind_what_was_matched_and_does_not_count() -> None:
     picture = random_picture(0)
     wish: dict[str, Any] = {"luminance": 0.3, "contrast": 0.4}
-    clear = finish_picture(picture, Setting(SIDE, SIDE, transparent=True, **wish))
-    on_green = finish_picture(picture, Setting(SIDE, SIDE, background="#00b140", **wish))
+    clear = finish(picture, Setting(SIDE, SIDE, transparent=True, **wish))
+    on_green = finish(picture, Setting(SIDE, SIDE, background="#00b140", **wish))
     assert np.array_equal(on_green[picture[..., 3] == 255], clear[picture[..., 3] == 255])
     assert (on_green[picture[..., 3] == 0] == (0, 0xB1, 0x40, 255)).all()

@@ -10,6 +10,7 @@ import pytest
 from omote.model.cast import Cast
 from omote.stage_data.picture_grid import lay_out
 from omote.stage_data.picture_request import RenderRequest
+from omote.stage_data.picture_setting import Clipped
 from omote.stage_data.picture_sidecar import (
     LARGEST_SIDECAR,
     Sidecar,
@@ -32,6 +33,10 @@ def test_it_comes_back_as_it_was_written(sidecar: Sidecar, tmp_path: Path) -> No
     path = tmp_path / "a.png"
     sidecar_path(path).write_bytes(encode_sidecar(sidecar, b"picture"))
     found = read_sidecar(sidecar_path(path))
+    assert found.clipped is None
+    cut = msgspec.structs.replace(sidecar, clipped=Clipped(0.05, 0.0))
+    sidecar_path(path).write_bytes(encode_sidecar(cut, b"picture"))
+    assert (read_sidecar(sidecar_path(path)).clipped, cut.record) == (Clipped(0.05, 0.0), sidecar.record)
     assert found.request == REQUEST
     assert found.pictures["poses"][0][0]["expressions"] == {"smile": 0.3, "neutral": 0.7}
     drawn = {"width": 64, "height": 48, "background": None, "transparent": False, "quality": "high", "hair": True}

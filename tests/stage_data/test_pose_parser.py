@@ -20,7 +20,7 @@ from omote.stage_data.pose_parser import parse_pose, pose_of
         ({"face": "generic+generic"}, "comes twice"),
         ({"expression": "grin"}, "no expression 'grin'"),
         ({"expression": "smile=0.8+jawOpen=0.8"}, "weigh 1.6 together"),
-        ({"channels": "jawOpen=9"}, "weight in 'jawOpen=9'"),
+        ({"channel": "jawOpen=9"}, "weight in 'jawOpen=9'"),
         ({"light": "noon"}, "no light 'noon'"),
         ({"turn": "1,2,3,4"}, "has 4 angles"),
         ({"turn": "left"}, "the turn's yaw is 'left', which is no number"),
@@ -47,7 +47,7 @@ def test_what_is_left_of_the_expressions_is_neutral(cast: Cast, weight: float) -
 
 def test_a_pose_is_what_a_stage_would_be_told(cast: Cast) -> None:
     pose = pose_of(
-        cast, parse_pose(cast, expression="smile=0.5", channels="jawOpen=0.5", turn="30,0,5", gaze="10", light="flat")
+        cast, parse_pose(cast, expression="smile=0.5", channel="jawOpen=0.5", turn="30,0,5", gaze="10", light="flat")
     )
     assert pose["light"] == {"flat": 1.0}
     assert pose["faces"] == {"generic": 1.0}
@@ -57,7 +57,7 @@ def test_a_pose_is_what_a_stage_would_be_told(cast: Cast) -> None:
     assert pose["gaze"] == pytest.approx([math.radians(10), 0.0])
 
 
-@pytest.mark.parametrize("name", ["face", "expression", "channels", "turn", "gaze", "light"])
+@pytest.mark.parametrize("name", ["face", "expression", "channel", "turn", "gaze", "light"])
 @pytest.mark.parametrize("value", [(30, -5), 30.0, None, {"smile": 0.5}, b"old"])
 def test_what_is_no_text_is_refused_with_how_it_is_written(cast: Cast, name: str, value: object) -> None:
     with pytest.raises(TypeError, match=f"{name} must be text, not .*; write {name}='"):

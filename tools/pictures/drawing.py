@@ -63,6 +63,6 @@ async def _draw(pictures: Sequence[Picture], browser: Path) -> None:
         for picture in pictures:
             page = await open_picture_page(tools, address, picture.setting)
             target = picture.folder / f"{picture.name}.jpg"
-            write_whole(target, await page.draw(picture.sheet))
+            write_whole(target, (await page.draw(picture.sheet)).data)
             await page.close()
             print(f"{target.name}: {target.stat().st_size // 1000} kB", file=sys.stderr, flush=True)

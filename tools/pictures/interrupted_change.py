@@ -78,7 +78,7 @@ async def drawn(poses: list[Pose]) -> list[Image.Image]:
     async with serve_pages(built_in_documents(), read_pages()) as address, open_chromium(browser) as tools:
         page = await open_picture_page(tools, address, SETTING)
         for pose in poses:
-            data = await page.draw(PictureGrid([[pose]]).on_paper(SETTING, "image/png"))
+            data = (await page.draw(PictureGrid([[pose]]).on_paper(SETTING, "image/png"))).data
             pictures.append(Image.open(io.BytesIO(data)).convert("RGB"))
             print(f"{len(pictures)} of {len(poses)}", file=sys.stderr, flush=True)
     return pictures

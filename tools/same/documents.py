@@ -97,7 +97,7 @@ def _record_words(recording: Recording) -> None:
     }
     for key, (face, expression, channels, turn, gaze) in words.items():
         with recording.refusal("poses: refused", key):
-            frame = parse_pose(cast, face=face, expression=expression, channels=channels, turn=turn, gaze=gaze)
+            frame = parse_pose(cast, face=face, expression=expression, channel=channels, turn=turn, gaze=gaze)
             recording.data("poses", key, msgspec.json.encode(pose_of(cast, frame)))
     recipes = {"two points": Recipe((1, 2), rest[:2]), "no ground": Recipe(default_net(cast.space)[:3], rest, "#x")}
     for key, recipe in recipes.items():

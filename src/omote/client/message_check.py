@@ -120,7 +120,7 @@ def _advice(message: ClientMessage, kind: type[Exception]) -> str:
 
 def _shown(value: object) -> str:
     text = repr(value)
-    return text if len(text) <= 80 else f"{text[:40]}... ({len(text)} characters)"
+    return text if len(text) <= 80 else f"{text[:40]}... ({len(value if isinstance(value, str) else text)} characters)"
 
 
 def _unit(hint: Any) -> str:

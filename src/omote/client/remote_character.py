@@ -177,6 +177,8 @@ class RemoteCharacter(Generic[Sent, Said]):
         after = check_switch(queue, "the switch queue")
         sent, data = split_sound(sound)
         wanted = _wanted_of(voice, text, marks, sound)
+        if text == "" and not marks and not sound:
+            raise ValueError("there is nothing to say; give a text, marks or a sound")
         message = Say(self.name, name := self._show.next_id(), text, kind, _listed(marks), packed)
         rest = {"seconds": seconds, "sound": sent, "delay": delay, "offset": offset, "queue": after}
         spoken = structs.replace(message, language=check_language(language), key=key or name, **rest)

@@ -26,7 +26,15 @@ from omote.show.objects.speech import Say
 from omote.show.objects.state import State
 
 
-class RemoteLeases(Generic[Sent]):
+class CharacterNames:
+    """Who is meant by a name or a label."""
+
+    @abstractmethod
+    def find_character(self, name: str) -> str:
+        """The name of the character that a name or a label means."""
+
+
+class RemoteLeases(CharacterNames, Generic[Sent]):
     """Who may command what. Parts: `face`, `expression`, `brows`, `eyes`, `mouth`, `channels`, `head`, `gaze`, `place`
     of a character, `light`, `framing` and `black` of the character `*`, which is the scene; `*` is all parts."""
 
@@ -37,11 +45,11 @@ class RemoteLeases(Generic[Sent]):
     def lease(self, character: str, part: LeasePart = "*", *, take_over: bool = False) -> Sent:
         """Holds a part of a character, so that nobody else plays it. ValueError where another holds it, with its name,
         but for `take_over`; where leases are off; and for a part that there is not."""
-        return self.send(Lease(self.next_id(), character, _checked(part), take_over))
+        return self.send(Lease(self.next_id(), self.find_character(character), _checked(part), take_over))
 
     def release_lease(self, character: str, part: LeasePart = "*") -> Sent:
         """Releases a part of a character; `*`: all that this program holds. ValueError where another holds it."""
-        return self.send(ReleaseLease(self.next_id(), character, _checked(part)))
+        return self.send(ReleaseLease(self.next_id(), self.find_character(character), _checked(part)))
 
 
 def _checked(part: LeasePart) -> LeasePart:
@@ -49,15 +57,11 @@ def _checked(part: LeasePart) -> LeasePart:
     return part
 
 
-class RemoteSources(Generic[Sent]):
+class RemoteSources(CharacterNames, Generic[Sent]):
     """Whom sources play and by what measure; by the names that the mixer shows."""
 
     send: Callable[[ClientMessage], Sent]
     next_id: Callable[[], str]
-
-    @abstractmethod
-    def find_character(self, name: str) -> str:
-        """The name of the character that a name or a label means."""
 
     def route_source(
         self, source: str, characters: Iterable[str], *, layer: str = "tracker", regions: Iterable[str] = ()
@@ -67,7 +71,7 @@ class RemoteSources(Generic[Sent]):
         for a text instead of a list, ValueError for a character, a layer or a region that there is not."""
         if isinstance(characters, str) or isinstance(regions, str):
             raise TypeError("characters and regions are lists of names; give ['one'] for one")
-        targets = [character if character == ALL else self.find_character(character) for character in characters]
+        targets = [self.find_character(character) for character in characters]
         parts = [check_part(region) for region in regions]
         return self.send(RouteSource(self.next_id(), source, targets, check_driven(layer), parts))
 
@@ -169,7 +173,8 @@ class RemoteShow(RemoteLeases[Sent], RemoteSources[Sent], Generic[Sent, Said]):
     ) -> Sent:
         """Brings a shot of these characters on air; nobody: of all that are on the stage. TypeError for a text instead
         of a list, ValueError for a character that there is not. seconds: of the move; easing: the name of the curve."""
-        framing = framing_of(characters, self.characters)
+        names = characters if isinstance(characters, str) else [self.find_character(name) for name in characters]
+        framing = framing_of(names, self.characters)
         return self.send(CallFraming(self.next_id(), sorted(names_in(framing)), seconds, easing))
 
     def panic(self) -> Sent:
@@ -177,8 +182,10 @@ class RemoteShow(RemoteLeases[Sent], RemoteSources[Sent], Generic[Sent, Said]):
         return self.send(Panic(ALL))
 
     def build(self, command: type[ClientMessage], fields: Mapping[str, Any]) -> Sent:
-        """Sends a command. command: its kind; fields: their values by name, without the id."""
-        return self.send(command(**named(command, self.next_id), **fields))
+        """Sends a command to the character that a name or a label means; a new one has its own name. command: its
+        kind; fields: their values by name, without the id."""
+        meant = {key: self.find_character(value) for key, value in fields.items() if key == "character"}
+        return self.send(command(**named(command, self.next_id), **{**fields, **meant}))
 
     if TYPE_CHECKING:
 

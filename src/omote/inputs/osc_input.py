@@ -6,6 +6,7 @@ import itertools
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass, field
 
+from omote.inputs.osc_addresses import VMC_ROOT
 from omote.inputs.osc_feedback import Feedback, tell_state
 from omote.inputs.osc_orders import OrderReader
 from omote.inputs.osc_packet import Argument, OscError, OscMessage, decode_packet, encode_message
@@ -45,7 +46,7 @@ class OscInput:
 
     heard, rejected: counts of messages; last_rejection: the newest of these; newest: the last message. kind: sets its
     senders apart from others in the session; title: stands before a sender's host where consoles show it; seat_of: the
-    seat for which a host plays, "" for its own.
+    seat for which a host plays, "" for its own; port_of: where a tracker's protocol is heard, None where it is not.
     """
 
     def __init__(self, session: Callable[[], ShowSession], *, kind: str = "osc", title: str = "OSC ") -> None:
@@ -56,6 +57,7 @@ class OscInput:
         self._surfaces: dict[Endpoint, Surface] = {}
         self._numbers = itertools.count(1)
         self.seat_of: Callable[[str], str] = lambda _: ""
+        self.port_of: Callable[[str], int | None] = lambda _: None
         self._reader: OrderReader | None = None
         self.heard = self.rejected = 0
         self.last_rejection: Rejection | None = None
@@ -86,7 +88,7 @@ class OscInput:
             return messages, []
         name = "" if messages else recognize_format(packet)
         more = f"; {len(faults) - 1} more of its elements are left out too" if len(faults) > 1 else ""
-        return messages, self._reject(place, explain_format(name) if name else f"{faults[0]}{more}", now)
+        return messages, self._reject(place, self._explain_tracker(name) if name else f"{faults[0]}{more}", now)
 
     def news(self, state: State, now: float) -> list[tuple[Endpoint, bytes]]:
         """What surfaces are to be told of a state, each what is new to it. now: seconds of the show's clock."""
@@ -186,6 +188,8 @@ class OscInput:
                 self._surfaces[other].feedback.note(message.address, now)
 
     def _order(self, place: Endpoint, message: OscMessage, now: float) -> list[tuple[Endpoint, bytes]]:
+        if message.address.startswith(VMC_ROOT):
+            raise OscError(self._explain_tracker("vmc"))
         session = self._session()
         call = f"{self._kind} {session.epoch} {next(self._numbers)}"
         orders = self._reader_of(session).read(message, call)
@@ -196,7 +200,12 @@ class OscInput:
         reasons = [answer.reason for answer in answers if isinstance(answer, Refused)] if answers else []
         if not reasons:
             self._note_heard(place, [message], now)
-        return [answer for reason in reasons for answer in self._reject(place, reason, now)]
+        return [
+            answer for reason in reasons for answer in self._reject(place, f"{message.address[:80]}: {reason}", now)
+        ]
+
+    def _explain_tracker(self, name: str) -> str:
+        return explain_format(name, self.port_of(name))
 
     def _reader_of(self, session: ShowSession) -> OrderReader:
         characters = session.scene.labels

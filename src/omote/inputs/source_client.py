@@ -33,13 +33,17 @@ class SourceClient:
         self, session: ShowSession, kind: StreamKind, names: Iterable[str], now: float, *, direct: bool = False
     ) -> list[str]:
         """Opens its source; returns why that is refused. One that comes for the first time drives the character of a
-        show that has one, if no other source does.
+        show that has one, if no other source does; else it waits until that is silent for long.
 
         session: the show; kind, names, direct: of the source; now: seconds of the show's clock.
         """
-        alone = session.sources.find_alone(self.name, session.scene, LAYER_OF[kind], now)
+        sources = session.sources
+        alone = sources.find_alone(self.name, session.scene, LAYER_OF[kind], now)
+        first = not alone and not sources.remembers(self.name)
         answers = session.receive(self.who, Source(self.name, kind, list(names), alone, direct=direct), now)
         self.index = next((answer.message.index for answer in answers if isinstance(answer.message, SourceIs)), None)
+        if first and self.index is not None:
+            sources.let_wait(self.name)
         return refusals(answers)
 
 

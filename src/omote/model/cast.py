@@ -192,6 +192,10 @@ class Cast:
         ):
             object.__setattr__(self, attribute, MappingProxyType(KnownNames(what, values)))
 
+    def __repr__(self) -> str:
+        """How much is in it."""
+        return f"<cast of {len(self.faces)} faces and {len(self.expressions)} expressions>"
+
     def with_faces(self, *faces: Face, looks: Mapping[str, Look] | None = None) -> Cast:
         """A new cast with these faces added (or, by name, replaced).
 

@@ -59,7 +59,7 @@ def explain_unknown(name: object, names: Iterable[str], what: str) -> str:
     if where:
         there = list_near(near, choices)
     else:
-        there = f"did you mean {' or '.join(near)}?" if near else f"there are {', '.join(choices)}"
+        there = f"near are {', '.join(near)}" if near else f"there are {', '.join(choices)}"
     return f"there is no {what} {str(name)[:80]!r}{where}; {there}"
 
 

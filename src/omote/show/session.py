@@ -281,7 +281,7 @@ class ShowSession:
         sources = self.members.sources()
         hands = self._hands.tell(consoles, now, sources)
         leases = self.leasing.tell(now)
-        news = self.sources.news(consoles, now)
+        news = self.sources.news(consoles, self.scene, now)
         outgoing = self._sound_stage.tell(self.crew, now)
         outgoing += [Outgoing(*pair) for by_client in (hands, leases) for pair in by_client.items()]
         outgoing += [Outgoing(who, values) for who, values in self.sources.tell_watchers(now)]

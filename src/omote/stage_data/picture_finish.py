@@ -19,7 +19,7 @@ from omote.model.albedo import decode_light, encode_light
 from omote.model.fitting.head_zones import head_zones
 from omote.model.space.parameter_space import ParameterSpace
 from omote.model.weak_cache import weakly_cached
-from omote.stage_data.picture_setting import Setting
+from omote.stage_data.picture_setting import Clipped, Setting
 
 LUMINANCE = np.array([0.2126, 0.7152, 0.0722])
 # Samples a side of a pixel at a mask's edge.
@@ -39,6 +39,13 @@ class Luminance(NamedTuple):
 
     mean: float
     contrast: float
+
+
+class Finished(NamedTuple):
+    """A picture (height, width, 4), and what of it was cut off to match; None where nothing was to be matched."""
+
+    picture: Picture
+    clipped: Clipped | None
 
 
 @weakly_cached
@@ -62,9 +69,9 @@ def face_triangles(space: ParameterSpace, /) -> Indices:
 
 def finish_picture(
     picture: Picture, setting: Setting, places: Values | None = None, triangles: Indices | None = None, /
-) -> Picture:
-    """The picture (height, width, 4) with the setting's mask, mean luminance and contrast; ValueError where it cannot
-    have them.
+) -> Finished:
+    """The picture (height, width, 4) with the setting's mask, mean luminance and contrast, and what is cut off for
+    them; ValueError where it cannot have them.
 
     setting: of the picture; places (n, 3), triangles (t, 3): of the face, for a mask: right and down as shares of the
     picture, depth.
@@ -75,13 +82,13 @@ def finish_picture(
         assert places is not None
         assert triangles is not None
         share = share * draw_mask(setting, places, triangles)
-    colours = match_luminance(colours, share, setting.luminance, setting.contrast)
+    colours, clipped = match_luminance(colours, share, setting.luminance, setting.contrast)
     if setting.background is not None:
         code = np.array([int(setting.background[at : at + 2], 16) for at in (1, 3, 5)], np.uint8)
         colours = share[..., None] * colours + (1.0 - share[..., None]) * decode_light(code)
         share = np.ones(share.shape)
     alpha = np.rint(255.0 * share).astype(np.uint8)
-    return np.concatenate([encode_light(colours), alpha[..., None]], axis=-1)
+    return Finished(np.concatenate([encode_light(colours), alpha[..., None]], axis=-1), clipped)
 
 
 def draw_mask(setting: Setting, places: Values, triangles: Indices, /) -> Values:
@@ -118,15 +125,18 @@ def _round_off(inside: Mask) -> Mask:
     return rounded
 
 
-def match_luminance(colours: Values, share: Values, luminance: float | None, contrast: float | None, /) -> Values:
-    """Linear colours (height, width, 3) whose luminance has this mean and this deviation over the mean; None keeps the
-    one that there is. Every pixel keeps its hue; where a colour would leave the cube it turns greyer, at its luminance.
+def match_luminance(
+    colours: Values, share: Values, luminance: float | None, contrast: float | None, /
+) -> tuple[Values, Clipped | None]:
+    """Linear colours (height, width, 3) whose luminance has this mean and this deviation over the mean, None keeps the
+    one that there is; and what was cut off, None where nothing was to be matched. Every pixel keeps its hue; where a
+    colour would leave the cube it turns greyer, at its luminance.
 
     colours: 0 to 1; share (height, width): how much each pixel counts; luminance: 0 to 1; contrast: of it.
     ValueError where no such picture is.
     """
     if luminance is None and contrast is None:
-        return colours
+        return colours, None
     counted = share > 0.0
     if not counted.any():
         raise ValueError("there is nothing in the picture whose luminance could be matched")
@@ -135,10 +145,16 @@ def match_luminance(colours: Values, share: Values, luminance: float | None, con
     mean, deviation = _measure(before, weights)
     wanted = mean if luminance is None else luminance
     spread = wanted * (deviation / max(mean, DARK) if contrast is None else contrast)
-    after = _fit_luminance(before, weights, wanted, spread)
+    line = _fit_luminance(before, weights, wanted, spread)
     result = colours.copy()
-    result[counted] = _relight(colours[counted], before, after)
-    return result
+    result[counted] = _relight(colours[counted], before, _clip(line))
+    beyond = (float(weights[line < -EXACT].sum()), float(weights[line > 1.0 + EXACT].sum()))
+    return result, Clipped(*beyond)
+
+
+def _clip(luminances: Values) -> Values:
+    clipped: Values = np.minimum(np.maximum(luminances, 0.0), 1.0)
+    return clipped
 
 
 def _measure(luminance: Values, weights: Values) -> tuple[float, float]:
@@ -147,19 +163,20 @@ def _measure(luminance: Values, weights: Values) -> tuple[float, float]:
 
 
 def _fit_luminance(before: Values, weights: Values, mean: float, deviation: float) -> Values:
-    """Luminances (n,), 0 to 1, on one straight line over those before, with this mean and deviation after clipping."""
+    """Luminances (n,) on one straight line over those before, with this mean and deviation once they are clipped to 0
+    and 1."""
     centre, width = _measure(before, weights)
     slope = deviation / max(width, DARK)
     middle = mean
     for _ in range(ROUNDS):
-        after = np.minimum(np.maximum(middle + slope * (before - centre), 0.0), 1.0)
-        found, spread = _measure(after, weights)
+        line: Values = middle + slope * (before - centre)
+        found, spread = _measure(_clip(line), weights)
         if abs(found - mean) < 0.1 * EXACT and abs(spread - deviation) < 0.1 * EXACT:
-            return after
+            return line
         middle += mean - found
         slope *= (deviation + DARK) / (spread + DARK)
     if abs(found - mean) < EXACT and abs(spread - deviation) < EXACT:
-        return after
+        return line
     raise ValueError(
         f"the picture cannot have a mean luminance of {mean:.4g} and a contrast of {deviation / mean:.3g}: the nearest "
         f"is {found:.4g} and {spread / max(found, DARK):.3g}; ask for less of one"

@@ -15,6 +15,10 @@ from omote.stage_data.picture_setting import Setting, read_size, refuse_count, s
 from omote.stage_data.pose_words import PoseWords, read_pose
 
 MOST_STEPS = 1000
+RESERVED = frozenset(
+    {"CON", "PRN", "AUX", "NUL", *(f"{port}{number}" for port in ("COM", "LPT") for number in range(10))}
+)
+"""Names of devices, which Windows takes for no file, whatever its ending."""
 LONGEST_FILE_NAME = 80
 APART = re.compile(r"(\d{1,4}(?:\.\d{1,6})?)\s*(mm|dE)")
 """How far steps of a morph are apart: millimetres of mesh, or CIELAB differences of the pictures."""
@@ -59,9 +63,9 @@ class RenderRequest(PictureOptions, frozen=True, kw_only=True, tag_field="comman
     @property
     def words(self) -> PoseWords:
         """The pose; ValueError for what is not understood or out of range."""
-        face, expression, channels = ("+".join(parts) for parts in (self.face, self.expression, self.channel))
+        face, expression, channel = ("+".join(parts) for parts in (self.face, self.expression, self.channel))
         angles = {"turn": self.turn, "gaze": self.gaze}
-        return read_pose(face=face, expression=expression, channels=channels, light=self.light, **angles)
+        return read_pose(face=face, expression=expression, channel=channel, light=self.light, **angles)
 
 
 class GridRequest(PictureOptions, frozen=True, kw_only=True, tag_field="command", tag="grid"):
@@ -226,7 +230,8 @@ def morph_steps(text: str) -> list[tuple[str, str, str]]:
 
 def file_name(text: str) -> str:
     """A text as a part of a file name that every system takes."""
-    return re.sub(r"[^\w.+=-]+", "_", text)[:LONGEST_FILE_NAME]
+    name = re.sub(r"[^\w.+=-]+", "_", text)[:LONGEST_FILE_NAME]
+    return f"_{name}"[:LONGEST_FILE_NAME] if name.partition(".")[0].upper() in RESERVED else name
 
 
 def _unique(cells: list[list[tuple[str, RenderRequest]]]) -> list[list[tuple[str, RenderRequest]]]:

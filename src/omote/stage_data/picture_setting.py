@@ -23,6 +23,15 @@ CONTRASTS = (0.01, 2.0)
 
 
 @dataclass(frozen=True)
+class Clipped:
+    """The shares of what counts of a picture, 0 to 1, that were to be darker than black and lighter than white to match
+    its luminance and contrast, and are black and white."""
+
+    black: float
+    white: float
+
+
+@dataclass(frozen=True)
 class Setting:
     """What all pictures of a grid share: size in pixels, background, quality, whether heads wear hair.
 

@@ -18,7 +18,7 @@ from omote.interchange.formats.atomic_file import write_whole
 from omote.interchange.formats.error_reasons import explain_error
 from omote.interchange.formats.file_names import KINDS
 from omote.stage_data.picture_request import Request
-from omote.stage_data.picture_setting import Setting
+from omote.stage_data.picture_setting import Clipped, Setting
 
 if TYPE_CHECKING:
     from omote.stage_data.picture_grid import PictureGrid
@@ -31,7 +31,8 @@ class Sidecar(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=T
 
     request: what was asked for, as it is typed (a show file by its path from the sidecar's folder); pictures: the table
     that was drawn, with every weight and angle (radians); cast and pages: digests of the faces and of what draws them;
-    checksum: of all these but the request; picture: the hash of the file itself.
+    checksum: of all these but the request; picture: the hash of the file itself; clipped: what of it was cut off to
+    match its luminance and contrast, None where neither was asked for.
     """
 
     format: Literal["omote-picture"] = "omote-picture"
@@ -44,6 +45,7 @@ class Sidecar(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=T
     pictures: dict[str, Any]
     checksum: str
     picture: str = ""
+    clipped: Clipped | None = None
 
     @property
     def record(self) -> bytes:

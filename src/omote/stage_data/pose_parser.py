@@ -27,7 +27,7 @@ def parse_pose(
     *,
     face: str = "generic",
     expression: str = "neutral",
-    channels: str = "",
+    channel: str = "",
     turn: str = "",
     gaze: str = "",
     light: str = FIRST_LIGHT,
@@ -42,7 +42,7 @@ def parse_pose(
         A face or a mix, "kaori=0.5+dog"; names without a weight share what is left of one.
     expression : str
         An expression or a mix, "smile=0.7"; what is left of one is neutral.
-    channels : str
+    channel : str
         What is added, "jawOpen=0.5+eyeBlinkLeft"; a channel without a weight is full.
     turn : str
         The head's yaw, pitch and roll, degrees, "30,-5"; what is left out is 0.
@@ -73,7 +73,7 @@ def parse_pose(
     docs/conventions.md for weights and angles.
     """
     refuse_no_cast(cast)
-    words = {"face": face, "expression": expression, "channels": channels, "turn": turn, "gaze": gaze}
+    words = {"face": face, "expression": expression, "channel": channel, "turn": turn, "gaze": gaze}
     return find_pose(cast, read_pose(**words, light=light))
 
 

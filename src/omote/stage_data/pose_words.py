@@ -35,21 +35,21 @@ class PoseWords:
     light: Mapping[str, float]
 
 
-def read_pose(*, face: str, expression: str, channels: str, turn: str, gaze: str, light: str) -> PoseWords:
+def read_pose(*, face: str, expression: str, channel: str, turn: str, gaze: str, light: str) -> PoseWords:
     """Reads the words of a pose; ValueError for what is not understood or out of range, TypeError for what is no
     text.
 
-    face, expression, light: mixes as they are typed; channels: blendshape weights as they are typed; turn, gaze: angles
+    face, expression, light: mixes as they are typed; channel: blendshape weights as they are typed; turn, gaze: angles
     in degrees as they are typed.
     """
-    texts = {"face": face, "expression": expression, "channels": channels, "turn": turn, "gaze": gaze, "light": light}
+    texts = {"face": face, "expression": expression, "channel": channel, "turn": turn, "gaze": gaze, "light": light}
     for name, text in texts.items():
         if not isinstance(text, str):
             raise TypeError(f"{name} must be text, not {text!r}; write {EXAMPLES[name]}")
     return PoseWords(
         faces=read_mix(face, "face"),
         expressions=read_expression_mix(expression),
-        channels=read_channels(channels),
+        channels=read_channels(channel),
         head=Head(*read_angles(turn, "turn", HEAD_LIMITS)),
         gaze=Gaze(*read_angles(gaze, "gaze", GAZE_LIMITS)),
         light=merge_names(read_mix(light, "light"), LIGHTS, "light"),
@@ -57,7 +57,7 @@ def read_pose(*, face: str, expression: str, channels: str, turn: str, gaze: str
 
 
 EXAMPLES: Mapping[str, str] = {
-    "face": "face='kaori=0.5+dog'", "expression": "expression='smile=0.7'", "channels": "channels='jawOpen=0.5'",
+    "face": "face='kaori=0.5+dog'", "expression": "expression='smile=0.7'", "channel": "channel='jawOpen=0.5'",
     "turn": "turn='30,-5'", "gaze": "gaze='10,-5'", "light": "light='theatre=0.5+flat'",
 }  # fmt: skip
 """How each of them is written, for messages."""

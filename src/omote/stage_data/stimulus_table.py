@@ -6,6 +6,7 @@ from __future__ import annotations
 import csv
 import difflib
 import io
+import math
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
@@ -198,7 +199,8 @@ def _read_number(text: str, least: float, most: float) -> float:
     except ValueError:
         number = float("nan")
     if not least <= number <= most:
-        raise ValueError(f"{text!r} is no number from {least:g} to {most:g}; write for instance 2 or 0.5")
+        example = float(f"{math.sqrt(least * most):.1g}")
+        raise ValueError(f"{text!r} is no number from {least:g} to {most:g}; write for instance {example:g}")
     return number
 
 

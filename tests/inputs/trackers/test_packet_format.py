@@ -28,8 +28,14 @@ def test_other_beginnings_are_recognized_and_what_is_none_is_not() -> None:
 
 @pytest.mark.parametrize("protocol", ["vmc", "livelink", "ifacialmocap", "openseeface", "vtubestudio", "mediapipe"])
 @pytest.mark.parametrize("sent", ["vmc", "livelink", "ifacialmocap", "openseeface", "vtubestudio", "mediapipe"])
-def test_what_comes_to_a_wrong_port_is_named_with_where_it_goes(cast: Cast, protocol: str, sent: str) -> None:
+@pytest.mark.parametrize("before", [False, True])
+def test_what_comes_to_a_wrong_port_is_named_with_where_it_goes(
+    cast: Cast, protocol: str, sent: str, before: bool
+) -> None:
+    """Also where its own packets have come before."""
     stage = Stage(cast, protocol)
+    if before:
+        stage.play(0.0, FACES[protocol]())
     stage.play(0.0, FACES[sent]())
     reason = "" if stage.trackers.last_rejection is None else stage.trackers.last_rejection.reason
     assert (reason == "") == (sent == protocol)
@@ -51,6 +57,14 @@ def test_a_wrong_value_of_its_own_protocol_keeps_its_reason(cast: Cast) -> None:
     stage.play(0.0, encode_message("/VMC/Ext/Blend/Val", "JawOpen", "wide"))
     assert stage.trackers.last_rejection is not None
     assert "JawOpen" in stage.trackers.last_rejection.reason
+
+
+def test_a_long_text_in_place_of_a_name_is_cut_with_its_quotes_shut(cast: Cast) -> None:
+    stage = Stage(cast, "vmc")
+    stage.play(0.0, encode_message("/VMC/Ext/Blend/Val", "x" * 200, 0.5))
+    stage.play(0.0, encode_message("/VMC/Ext/Blend/Val", b"y" * 200, 0.5))
+    assert stage.trackers.last_rejection is not None
+    assert stage.trackers.last_rejection.reason.endswith(f"has {b'y' * 36!r} where a name is expected")
 
 
 def test_no_bytes_break_it() -> None:

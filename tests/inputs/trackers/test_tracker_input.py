@@ -191,6 +191,50 @@ def test_a_new_tracker_plays_where_the_first_has_been_silent_for_long(cast: Cast
     assert [each.characters for each in stage.sources()] == [["one"], [], ["one"]]
 
 
+@pytest.mark.parametrize("told", [False, True])
+def test_one_that_waits_takes_over_where_the_first_has_been_silent_for_long(cast: Cast, told: bool) -> None:
+    """But not one that somebody has told to play nobody."""
+    stage = Stage(cast, "livelink")
+    packet = FACES["livelink"]()
+
+    def play(seconds: float, *hosts: str) -> list[list[str]]:
+        for _ in range(round(seconds)):
+            for host in hosts:
+                stage.play(0.0, packet, host=host)
+            stage.now += 1.0
+            stage.session.hands_now(stage.now)
+        return [each.characters for each in stage.sources()]
+
+    assert play(2.0, HOST, "10.0.0.8", "10.0.0.9") == [["one"], [], []]
+    if told:
+        second = stage.sources()[1].name
+        stage.session.receive("console", RouteSource("r", second, [], "tracker"), stage.now)
+    assert play(QUIET_SECONDS - 2.0, "10.0.0.8") == [["one"], [], []], "it may come back"
+    assert play(4.0, "10.0.0.8") == ([["one"], [], []] if told else [["one"], ["one"], []])
+    state = stage.play(0.5, packet, host="10.0.0.8").characters["one"]
+    assert (state.channels.get("jawOpen", 0.0) > 0.1) is not told
+    assert play(2.0, HOST, "10.0.0.8", "10.0.0.9")[2] == [], "one plays"
+
+
+@pytest.mark.parametrize("back", [False, True])
+def test_after_a_restart_one_that_waited_leaves_the_first_its_time_to_come_back(cast: Cast, back: bool) -> None:
+    stage = Stage(cast, "livelink")
+    packet = FACES["livelink"]()
+    stage.play(0.0, packet)
+    stage.play(0.0, packet, host="10.0.0.8")
+    stage.session = ShowSession.restored(cast, stage.session.snapshot(), epoch=2)
+    stage.trackers = TrackerInput(stage.trackers.protocol, lambda: stage.session)
+    for second in range(round(QUIET_SECONDS) + 3):
+        stage.play(0.0, packet, host="10.0.0.8")
+        if back and second > 2:
+            stage.play(0.0, packet)
+        stage.now += 1.0
+        stage.session.hands_now(stage.now)
+        played = {each.name[-8:]: each.characters for each in stage.sources()}
+        assert second > QUIET_SECONDS - 2.0 or played["10.0.0.8"] == []
+    assert played == ({"10.0.0.8": [], "10.0.0.7": ["one"]} if back else {"10.0.0.8": ["one"]})
+
+
 def test_two_trackers_share_a_character_by_region_on_two_layers(cast: Cast) -> None:
     stage = Stage(cast, "ifacialmocap")
     lips = b"jawOpen&80|=head#0,5,0|"

@@ -66,6 +66,14 @@ def test_turn_shift_unit_and_order_of_points_change_nothing(seed: int, unit: str
 
 
 @pytest.mark.slow
+def test_a_unit_that_nobody_uses_is_a_plain_number_of_metres() -> None:
+    found = _find(head_scan(KAORI / 0.033))
+    assert found.unit.startswith("units of 3")
+    assert type(found.similarity.scale) is float
+    assert abs(np.log(found.similarity.scale / 0.033)) < 0.1
+
+
+@pytest.mark.slow
 def test_triangles_that_face_inward_and_mirrored_axes_are_no_matter() -> None:
     scan = head_scan(KAORI)
     assert scan.triangles is not None

@@ -23,6 +23,7 @@ def test_one_of_the_first_guesses_is_near_the_truth(seed: int, size: float) -> N
     near = [each for each in guesses if degrees_between(each.pose.rotation @ turn, np.eye(3)) < 20.0]
     assert near
     assert any(abs(np.log(each.pose.scale * size)) < 0.25 for each in near)
+    assert {type(each.pose.scale) for each in guesses} == {float}
 
 
 def test_guesses_are_unlike_each_other_and_come_in_order() -> None:
@@ -64,6 +65,7 @@ def test_of_a_known_size_either_way_up_is_guessed() -> None:
     assert min(turned) < 20.0
     assert max(turned) > 140.0
     assert all(0.6e-3 < each.pose.scale < 1.3e-3 for each in guesses)
+    assert {type(each.pose.scale) for each in guesses} == {float}
     assert guess_faces_beside(TEMPLATE, np.zeros((0, 3)), 0.001, 40) == []
 
 

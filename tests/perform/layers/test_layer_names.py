@@ -31,7 +31,7 @@ def test_an_influence_is_set_of_a_part_or_of_all() -> None:
 
 
 def test_what_there_is_not_is_refused_with_what_there_is() -> None:
-    with pytest.raises(ValueError, match="there is no layer 'trackr'; did you mean tracker"):
+    with pytest.raises(ValueError, match="there is no layer 'trackr'; near are tracker"):
         check_layer("trackr")
     with pytest.raises(
         ValueError, match="there is no layer for a source 'hands'; expected one of breath, gaze, blink, tracker"

@@ -116,5 +116,30 @@ async def test_stages_alone_stand_in_frames_of_the_pages_that_are_named() -> Non
     assert ancestors == {"/stage": framed, "/stage?transparent": framed, "/console": "'self'", "/": "'self'"}
 
 
+@pytest.mark.asyncio
+async def test_a_page_that_gets_no_frame_is_told_once() -> None:
+    told: list[str] = []
+    application = web.Application()
+    application.on_response_prepare.append(adding_headers(("http://127.0.0.1:3000",), told.append))
+    for path in ("/stage", "/console"):
+        application.router.add_get(path, respond)
+    framed = {"Sec-Fetch-Dest": "iframe", "Sec-Fetch-Site": "same-site"}
+    async with TestClient(TestServer(application)) as client:
+        for origin in (
+            "http://127.0.0.1:3000",
+            "http://localhost:3000",
+            "http://localhost:3000",
+            "about:blank",
+            "x; y",
+        ):
+            for path in ("/stage", "/console"):
+                await client.get(path, headers={**framed, "Referer": f"{origin}/page.html"})
+        await client.get("/stage", headers={"Referer": "http://other.example/"})
+        await client.get("/stage", headers=framed)
+    assert told == [
+        "a page of http://localhost:3000 shows no stage in its frame: --embed http://localhost:3000 allows it"
+    ]
+
+
 async def respond(_: web.Request) -> web.Response:
     return web.Response()

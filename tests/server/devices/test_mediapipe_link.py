@@ -60,6 +60,7 @@ async def test_results_play_as_text_and_as_bytes_and_damage_is_told(
         await socket.send_bytes(result())
         await socket.send_str("hello")
         await tick_until_heard(show_harness, link, 3)
+        assert (await socket.receive_bytes()).startswith(b"this is no result of MediaPipe")
     assert show_harness.show.session.tick(9.0).characters["one"].layers["tracker"].source == "MediaPipe 127.0.0.1"
     (counts,) = [probe() for probe in link.probes]
     assert (counts.heard, counts.rejected, counts.values) == (3, 1, {"jawOpen": 0.5})

@@ -60,8 +60,8 @@ async def test_pages_are_served_on_loopback_until_the_end(cast: Cast) -> None:
 async def test_a_picture_page_returns_what_the_page_draws(tmp_path: Path) -> None:
     async with open_chromium(false_browser(tmp_path)) as tools:
         page = await open_picture_page(tools, "http://127.0.0.1:1", Setting(100, 200))
-        assert await page.draw(SHEET) == b"picture"
-        assert await page.draw(SHEET, SHEET.poses[0][0]) == b"picture"
+        assert (await page.draw(SHEET)).data == b"picture"
+        assert await page.draw(SHEET, SHEET.poses[0][0]) == (b"picture", None)
         (tmp_path / "a.png").write_bytes(b"picture")
         assert await page.compose(SHEET, [[tmp_path / "a.png"]]) == b"picture"
         await page.close()

@@ -37,6 +37,7 @@ def test_a_table_is_drawn_once_gone_on_with_and_listed(tmp_path: Path) -> None:
         ("c", "c/0002.png", "0.2", "y"),
     ]
     assert [row["sha256"] for row in rows] == [read_sidecar(sidecar_path(path)).picture for path in pictures]
+    assert {(row["cut_black"], row["cut_white"]) for row in rows} == {("", "")}
     assert plan_stimuli(PictureStudio(), TABLE.encode(), out).waiting == 0
     pictures[1].unlink()
     (out / "c" / "0001.png").unlink()
@@ -51,3 +52,8 @@ def test_a_table_is_drawn_once_gone_on_with_and_listed(tmp_path: Path) -> None:
     pictures[0].write_bytes(b"retouched")
     with pytest.raises(FileExistsError, match="is not as Omote drew it"):
         draw_stimuli(design, out)
+
+
+def test_a_table_that_is_not_there_is_said(tmp_path: Path) -> None:
+    with pytest.raises(FileNotFoundError, match=r"^there is no table .*nope\.csv; name one that is there$"):
+        draw_stimuli(tmp_path / "nope.csv", tmp_path / "out")

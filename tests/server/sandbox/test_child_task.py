@@ -5,6 +5,7 @@ import os
 import time
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
+from functools import partial
 from pathlib import Path
 from types import MappingProxyType
 
@@ -51,6 +52,27 @@ def test_arrays_and_doubts_come_back_as_they_were() -> None:
     np.testing.assert_array_equal(found.moves["smile"], points)
     assert (found.far, found.sure) == (1.0, True)
     assert (found.rows, [(str(doubt), doubt.kind) for doubt in found.doubts]) == (None, [("Shut?", EYES)])
+
+
+@dataclass(frozen=True)
+class Counted:
+    """Plain numbers that a child may have as numpy's."""
+
+    scale: float
+    count: int
+    sure: bool
+
+
+def _give(value: Counted, _: Tell) -> Counted:
+    return value
+
+
+def test_numpy_s_numbers_come_back_as_plain_ones() -> None:
+    for whole, part in ((np.int64, np.float64), (np.uint8, np.float32)):
+        sent = Counted(part(0.5), whole(7), np.bool_(True))  # type: ignore[arg-type]
+        found = run_limited(partial(_give, sent), Counted, Limits(), exhausted="too much")
+        assert found == Counted(0.5, 7, True)
+        assert [type(each) for each in (found.scale, found.count, found.sure)] == [float, int, bool]
 
 
 @pytest.mark.parametrize(
@@ -107,12 +129,17 @@ def open_many(_: Tell) -> bytes:
     return bytes(len([Path("/dev/null").open("rb") for _ in range(100)]))
 
 
-@pytest.mark.parametrize("work", [die, spin, sleep, hoard, open_many])
+@pytest.mark.parametrize("work", [die, spin, hoard, open_many])
 def test_what_takes_too_much_or_dies_is_refused_in_time(work: Callable[[Tell], bytes]) -> None:
     begun = time.monotonic()
     with pytest.raises(ValueError, match=r"^too much$"):
-        run_limited(work, bytes, Limits(seconds=1, patience=3.0, memory=2**28), exhausted="too much")
-    assert time.monotonic() - begun < 20.0
+        run_limited(work, bytes, Limits(seconds=1, memory=2**28), exhausted="too much")
+    assert time.monotonic() - begun < 60.0
+
+
+def test_what_a_busy_machine_leaves_no_time_for_is_not_called_too_much() -> None:
+    with pytest.raises(ValueError, match=r"not done after 1 s: this machine is busy with other work.*try again"):
+        run_limited(sleep, bytes, Limits(patience=1.0), exhausted="too much")
 
 
 def test_the_child_is_gone_when_following_it_fails() -> None:

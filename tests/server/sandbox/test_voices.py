@@ -104,9 +104,14 @@ def test_what_cannot_be_spoken_is_said(text: str, voice: str, why: str) -> None:
         speak(text, voice=voice)
 
 
+def test_what_is_no_text_is_said_in_words() -> None:
+    with pytest.raises(TypeError, match="the text is 5; give what is said, as text"):
+        speak(5)  # type: ignore[arg-type]
+
+
 def test_speaking_is_limited_in_time(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(voices, "LIMITS", Limits(seconds=5, patience=0.0, memory=2**30))
-    with pytest.raises(ValueError, match="say less at once"):
+    with pytest.raises(ValueError, match="this machine is busy"):
         speak("Hello")
 
 

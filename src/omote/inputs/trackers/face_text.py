@@ -53,7 +53,7 @@ def decode_face_text(data: bytes, *, cut: bool = False) -> list[TrackerFrame]:
         del fields[MOST_SHAPES:]
     weights = dict(shape for field in fields if (shape := _read_shape(field, left_out)) is not None)
     angles = _read_turns(turns, "," in shapes and "." not in text, left_out)
-    if not weights and not angles and not left_out:
+    if not weights and not angles and len(left_out) == int(cut):  # only a field that is cut off: of another protocol
         raise TrackerError(_explain(data))
     status = next((name for name in weights if name.lower() == STATUS), "")
     found = not status or weights.pop(status) != 0.0

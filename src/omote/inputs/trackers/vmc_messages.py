@@ -230,13 +230,13 @@ def _read(message: OscMessage, count: int) -> tuple[Argument, ...]:
 
 def _number(value: Argument, message: OscMessage) -> float:
     if isinstance(value, bool) or not isinstance(value, int | float) or not -1e12 < value < 1e12:
-        raise TrackerError(f"{message.address} has {value!r:.40} where a number is expected")
+        raise TrackerError(f"{message.address} has {_shown(value)} where a number is expected")
     return float(value)
 
 
 def _name(value: Argument, message: OscMessage) -> str:
     if not isinstance(value, str) or not 0 < len(value) <= LONGEST_NAME:
-        raise TrackerError(f"{message.address} has {value!r:.40} where a name is expected")
+        raise TrackerError(f"{message.address} has {_shown(value)} where a name is expected")
     return value
 
 
@@ -249,3 +249,8 @@ def _is_found(message: OscMessage) -> bool:
 def open_vmc() -> Callable[[bytes], list[TrackerFrame]]:
     """A decoder for another sender."""
     return VmcDecoder().decode
+
+
+def _shown(value: Argument) -> str:
+    """A value as it is quoted; of a long text its beginning."""
+    return repr(value[:36] if isinstance(value, str | bytes) else value)

@@ -67,6 +67,8 @@ class SpokenAnswer(msgspec.Struct, frozen=True):
 def check_wanted(wanted: WantedSpeech) -> WantedSpeech:
     """The same with a text that a voice can read; ValueError with a sentence for one that is empty, too long or too
     fast."""
+    if not isinstance(wanted.text, str):
+        raise TypeError(f"the text is {wanted.text!r:.80}; give what is said, as text")
     check_within(wanted.speed, SLOWEST, FASTEST, "the speed of a voice")
     if len(wanted.text) > LONGEST_TEXT:
         raise ValueError(f"the text has {len(wanted.text)} characters; say at most {LONGEST_TEXT} at once")

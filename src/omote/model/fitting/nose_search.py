@@ -17,9 +17,9 @@ from omote.model.space.similarity import Similarity
 HEAD = 0.25
 """Metres: about a head's height with its neck."""
 # From a head that is larger than what was scanned of it to one in a whole body, in extents of the scan.
-SIZES = 1.45 / 1.18 ** np.arange(16)
+SIZES = tuple(1.45 / 1.18**step for step in range(16))
 # The sizes of another person's head beside somebody's: of a child's to a giant's.
-BESIDE = 1.2 ** np.arange(-2, 2)
+BESIDE = tuple(1.2**step for step in range(-2, 2))
 # What is farther than so many extents from nearly all of a scan is left out.
 FAR = 0.5
 # Places are tried so far apart, metres; so many of each size are kept.

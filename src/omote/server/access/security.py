@@ -16,6 +16,8 @@ from aiohttp.typedefs import Handler, Middleware
 POLICY = "Content-Security-Policy"
 ANCESTORS = "frame-ancestors 'self'"
 STAGE_PAGE = "/stage"
+MOST_TOLD = 16
+"""Sites of which it is told that no stage stands in their frames."""
 HEADERS = {
     POLICY: "default-src 'self'; img-src 'self' data: blob:; style-src 'self' 'unsafe-inline'; "
     "worker-src 'self' blob:; connect-src 'self'; object-src 'none'; base-uri 'none'; form-action 'none'; " + ANCESTORS,
@@ -112,20 +114,42 @@ def check_embedder(origin: str) -> str:
     return f"{parts.scheme.lower()}://{f'[{host}]' if ':' in host else host}{port}"
 
 
-def adding_headers(embedders: Sequence[str] = ()) -> Callable[[web.Request, web.StreamResponse], Awaitable[None]]:
+def adding_headers(
+    embedders: Sequence[str] = (), tell: Callable[[str], None] = lambda _: None
+) -> Callable[[web.Request, web.StreamResponse], Awaitable[None]]:
     """Builds what adds `HEADERS` to responses (an `on_response_prepare` signal). embedders: origins of pages that may
-    show a stage in a frame, as `check_embedder` gives them; no other page of the show may stand in one."""
+    show a stage in a frame, as `check_embedder` gives them; no other page of the show may stand in one. tell: takes a
+    sentence about a page whose browser shows no stage in its frame, once for each site."""
     framed = HEADERS[POLICY].replace(ANCESTORS, " ".join((ANCESTORS, *embedders)))
+    told = set[str]()
+
+    def tell_once(origin: str) -> None:
+        if origin and origin not in (*embedders, *told) and len(told) < MOST_TOLD:
+            told.add(origin)
+            tell(f"a page of {origin} shows no stage in its frame: --embed {origin} allows it")
 
     async def add_headers(request: web.Request, response: web.StreamResponse) -> None:
         if request.path.startswith(WASM_FOLDER):
             response.headers.setdefault(POLICY, f"{HEADERS[POLICY]}; script-src 'self' 'wasm-unsafe-eval'")
         elif request.path == STAGE_PAGE:
             response.headers.setdefault(POLICY, framed)
+            tell_once(_find_embedder(request))
         for name, value in HEADERS.items():
             response.headers.setdefault(name, value)
 
     return add_headers
+
+
+def _find_embedder(request: web.Request) -> str:
+    """The origin of another site's page that opens this one in a frame, as far as its browser says so; else ""."""
+    fetched = request.headers.get("Sec-Fetch-Dest"), request.headers.get("Sec-Fetch-Site")
+    parts = request.headers.get("Referer", "").split("/")
+    if fetched[0] not in ("iframe", "frame") or fetched[1] == "same-origin" or len(parts) < 3:
+        return ""
+    try:
+        return check_embedder("/".join(parts[:3]))
+    except ValueError:
+        return ""
 
 
 def _is_address(name: str) -> bool:

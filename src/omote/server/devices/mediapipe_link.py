@@ -21,6 +21,8 @@ LONGEST_RESULT = 262_144
 """Bytes; the 478 points of a face as Python writes them, with all their fields, are some 70,000."""
 MOST_WAITING = 64
 """Results that wait for the next tick; the newest push the oldest out."""
+MOST_UNSENT = 16_384
+"""Bytes of reasons that a sender has not read; beyond, it is told no more of them."""
 HEAR_SECONDS = 0.002
 
 
@@ -38,7 +40,7 @@ class MediapipeLink(DeviceSource):
         self.trackers = TrackerInput(TRACKER_PROTOCOLS["mediapipe"], session)
         self._log = log
         self.on = False
-        self._waiting: deque[tuple[str, bytes]] = deque(maxlen=MOST_WAITING)
+        self._waiting: deque[tuple[Link, str, bytes]] = deque(maxlen=MOST_WAITING)
 
     async def respond(self, request: web.Request) -> web.WebSocketResponse:
         """Takes the results of one sender until it closes."""
@@ -61,9 +63,9 @@ class MediapipeLink(DeviceSource):
                 break
             await link.wait_turn(self._clock)
             if message.type is WSMsgType.TEXT:
-                self._waiting.append((host, message.data.encode()))
+                self._waiting.append((link, host, message.data.encode()))
             elif message.type is WSMsgType.BINARY:
-                self._waiting.append((host, message.data))
+                self._waiting.append((link, host, message.data))
 
     async def close(self) -> None:
         """Closes all links."""
@@ -77,10 +79,17 @@ class MediapipeLink(DeviceSource):
         """Takes what has come since the last tick, for a bounded time, and drives by the newest of it."""
         until = time.perf_counter() + HEAR_SECONDS
         while self._waiting and time.perf_counter() < until:
-            self.trackers.receive(*self._waiting.popleft(), now)
+            self._hear_one(*self._waiting.popleft(), now)
         self.trackers.play(now)
         self._log.note_new(self.trackers)
         self._log.tell(now)
+
+    def _hear_one(self, link: Link, host: str, data: bytes, now: float) -> None:
+        """Reads a result; whoever sent what is none is told why."""
+        rejected = self.trackers.rejected
+        self.trackers.receive(host, data, now)
+        if self.trackers.rejected > rejected and self.trackers.last_rejection is not None:
+            link.send(self.trackers.last_rejection.reason.encode(), MOST_UNSENT)
 
     @property
     def probes(self) -> list[Callable[[], SourceCounts]]:

@@ -11,7 +11,7 @@ from contextlib import asynccontextmanager, closing
 from dataclasses import replace
 from pathlib import Path
 from threading import Thread
-from typing import Self
+from typing import NamedTuple, Self
 from urllib.parse import urlencode
 
 import msgspec
@@ -33,9 +33,9 @@ from omote.server.http.app import ShowServer
 from omote.server.http.cast_documents import CastDocuments, built_in_documents
 from omote.server.http.static_pages import Page, read_pages
 from omote.show.session import ShowSession
-from omote.stage_data.picture_finish import face_triangles, finish_picture
+from omote.stage_data.picture_finish import Finished, face_triangles, finish_picture
 from omote.stage_data.picture_grid import PictureGrid
-from omote.stage_data.picture_setting import Setting
+from omote.stage_data.picture_setting import Clipped, Setting
 from omote.stage_data.playing_cast import PlayingCast
 from omote.stage_data.pose_parser import Pose, pose_of
 
@@ -53,6 +53,13 @@ OPENING = 60.0
 """Seconds a page may take to open on a slow machine."""
 
 
+class DrawnPicture(NamedTuple):
+    """The bytes of an image file, and what of it was cut off to match its luminance; None where that was not asked."""
+
+    data: bytes
+    clipped: Clipped | None = None
+
+
 class PicturePage:
     """A stage page in the headless browser that renders picture grids in one setting."""
 
@@ -62,8 +69,8 @@ class PicturePage:
         self._session = session
         self._setting = setting
 
-    async def draw(self, sheet: PictureGrid, following: Pose | None = None) -> bytes:
-        """Renders a grid and returns the image file's bytes; BrowserError where the browser cannot.
+    async def draw(self, sheet: PictureGrid, following: Pose | None = None) -> DrawnPicture:
+        """Renders a grid as an image file; BrowserError where the browser cannot.
 
         ValueError where the picture cannot have the setting's luminance and contrast. Of a mask, a grid is one picture.
         following: a pose that will be drawn next; what it needs is fetched meanwhile. sheet: the grid.
@@ -71,20 +78,20 @@ class PicturePage:
         drawn = replace(sheet, paper=None) if self._setting.clear else sheet
         words = [msgspec.json.encode(part).decode() for part in (drawn, following) if part is not None]
         data = base64.b64decode(await self._run(f"sheet({', '.join(words)})"))
-        return await self._finish(data) if self._setting.finished else data
+        if not self._setting.finished:
+            return DrawnPicture(data)
+        finished = await self._finish(read_png(data))
+        return DrawnPicture(png_bytes(finished.picture), finished.clipped)
 
-    async def _finish(self, data: bytes) -> bytes:
+    async def _finish(self, picture: NDArray[np.uint8]) -> Finished:
         """The picture masked and matched."""
-        picture = read_png(data)
         if not self._setting.mask:
-            return png_bytes(finish_picture(picture, self._setting))
+            return finish_picture(picture, self._setting)
         triangles = face_triangles(load_cast().space)
         rows, corners = np.unique(triangles, return_inverse=True)
         answer = await self._tools.evaluate(self._session, f"window.omoteStage.places({rows.tolist()})")
-        return png_bytes(
-            finish_picture(picture, self._setting, np.array(answer, np.float64),
-                           corners.reshape(-1, 3).astype(np.int32))
-        )  # fmt: skip
+        places = np.array(answer, np.float64)
+        return finish_picture(picture, self._setting, places, corners.reshape(-1, 3).astype(np.int32))
 
     async def compose(self, sheet: PictureGrid, pictures: Sequence[Sequence[Path]]) -> bytes:
         """Composes a grid from image files, row by row, and returns the image file's bytes.
@@ -136,7 +143,7 @@ class PictureBrowser:
         """
         if not self._end.alive:
             raise RuntimeError("this renderer is closed; open another one")
-        return asyncio.run_coroutine_threadsafe(self._page.draw(sheet), self._loop).result()
+        return asyncio.run_coroutine_threadsafe(self._page.draw(sheet), self._loop).result().data
 
     def close(self) -> None:
         """Ends the browser; nothing where it has ended."""
@@ -346,7 +353,8 @@ def render(
         background, or nothing.
     luminance, contrast : float, optional
         The mean of relative luminance (linear light, 0 to 1) that the picture gets, and its standard deviation over the
-        mean; of what the mask leaves and what is not transparent.
+        mean; of what the mask leaves and what is not transparent. Of more contrast than a face is drawn with (0.2 to
+        0.6) the dark parts are cut off to black.
     path : str or Path, optional
         A PNG to be written too, over what is there; the picture of `omote render` has the same bytes. No sidecar.
 

@@ -42,7 +42,7 @@ from omote.stage_data.picture_request import (
     read_morph,
     spell_kinds,
 )
-from omote.stage_data.picture_setting import Setting
+from omote.stage_data.picture_setting import Clipped, Setting
 from omote.stage_data.picture_sidecar import (
     PictureState,
     Sidecar,
@@ -351,7 +351,7 @@ class _Drawing:
             file = self._left.pop(0)
             began = time.monotonic()
             following: Any = self._left[0].sheet.poses[0][0] if self._left else None
-            write_picture(file, await page.draw(file.sheet, following))
+            write_picture(file, *await page.draw(file.sheet, following))
             self._done += 1
             self._report(PictureProgress(file.path, time.monotonic() - began, self._done, self._total))
 
@@ -361,10 +361,10 @@ class _Drawing:
         write_picture(table, await page.compose(table.sheet, pictures))
 
 
-def write_picture(file: PictureFile, data: bytes) -> None:
+def write_picture(file: PictureFile, data: bytes, clipped: Clipped | None = None) -> None:
     """Writes a picture, then its sidecar, whose hash tells whether it is that of the picture beside it.
 
-    file: where it belongs; data: the image file.
+    file: where it belongs; data: the image file; clipped: what of it was cut off to match, None for nothing asked.
     """
     write_whole(file.path, data)
-    write_whole(sidecar_path(file.path), encode_sidecar(file.sidecar, data))
+    write_whole(sidecar_path(file.path), encode_sidecar(msgspec.structs.replace(file.sidecar, clipped=clipped), data))

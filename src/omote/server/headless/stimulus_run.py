@@ -91,7 +91,7 @@ def draw_stimuli(
     """Draws the pictures and clips of a table, a row each, with a sidecar beside each picture.
 
     What is there already and is the same is not drawn again. Beside the pictures lies `drawn.csv`: each picture with
-    its row and its SHA-256.
+    its row, its SHA-256, and which share of it was cut off to match its luminance, as black and as white.
 
     Parameters
     ----------
@@ -131,6 +131,8 @@ def draw_stimuli(
     docs/conventions.md
     """
     refuse_own_table(Path(table), Path(folder))
+    if not Path(table).exists():
+        raise FileNotFoundError(f"there is no table {table}; name one that is there")
     data = Path(table).read_bytes()
     studio = PictureStudio(None if show is None else inspect_show(Path(show)))
     planned = plan_stimuli(studio, data, Path(folder), show="" if show is None else str(show), fresh=fresh)
@@ -145,12 +147,14 @@ def _list_drawn(planned: StimulusRun) -> bytes:
     text = io.StringIO(newline="")
     writer = csv.writer(text)
     headings = [heading for heading in planned.stimuli[0].cells if heading and heading != "name"]
-    writer.writerow(["name", "file", "second", "sha256", *headings])
+    writer.writerow(["name", "file", "second", "sha256", "cut_black", "cut_white", *headings])
     for stimulus in planned.stimuli:
         for name, second in _frames_of(stimulus):
-            digest = read_sidecar(sidecar_path(planned.folder / name)).picture
+            sidecar = read_sidecar(sidecar_path(planned.folder / name))
+            cut = sidecar.clipped
+            shares = ("", "") if cut is None else (f"{cut.black:.4f}", f"{cut.white:.4f}")
             cells = [stimulus.cells[heading] for heading in headings]
-            writer.writerow([stimulus.name, name, second, digest, *cells])
+            writer.writerow([stimulus.name, name, second, sidecar.picture, *shares, *cells])
     return text.getvalue().encode()
 
 

@@ -93,6 +93,7 @@ class ShowServer:
         self.access: AccessControl | None = None
         self.authority: bytes | None = None
         self.embedders: tuple[str, ...] = ()
+        self.tell_frame: Callable[[str], None] = lambda _: None
         self._pages = pages
         self._cues = CueRoutes(session)
         self.outside = ""
@@ -172,7 +173,7 @@ class ShowServer:
             guard_access(lambda: self.access, frozenset((*PAGES, PHONE_PATH)), self._surface_allowed),
         ]
         application = web.Application(middlewares=guards, client_max_size=MESSAGE_LIMIT)
-        application.on_response_prepare.append(adding_headers(self.embedders))
+        application.on_response_prepare.append(adding_headers(self.embedders, self.tell_frame))
         application.router.add_get(LINK_PATH, self.link)
         if self.editing is not None:
             application.router.add_get(EDITING_PATH, self.editing.link)

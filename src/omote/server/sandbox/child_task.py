@@ -57,8 +57,9 @@ def run_limited(
     """Does `work` in a child process and returns what it returns, decoded and validated as `kind`.
 
     limits: of that process; follow: told its progress. ValueError with the sentence of one that `work` raises, and with
-    `exhausted` where it died, took more than the limits, longer than anyone waits, or sent what is no `kind`. On any
-    error here, Ctrl-C too, the child is killed.
+    `exhausted` where it died, took more than the limits, or sent what is no `kind`; another one where it took longer
+    than anyone waits, which says nothing of the work: the machine was busy. On any error here, Ctrl-C too, the child is
+    killed.
     """
     come, go = os.pipe()
     child = os.fork()
@@ -143,6 +144,11 @@ def _follow_child(come: int, limits: Limits, exhausted: str, follow: Tell) -> by
         head = _read(come, _HEAD.size, end)
         kind, size = _HEAD.unpack(head) if len(head) == _HEAD.size else (b"", 0)
         body = _read(come, min(size, limits.memory), end)
+        if time.monotonic() >= end:
+            raise ValueError(
+                f"it was not done after {limits.patience:.0f} s: this machine is busy with other work; end some of it "
+                "and try again"
+            )
         if len(body) < size or kind not in (_PROGRESS, _ANSWER, _REFUSED):
             raise ValueError(exhausted)
         if kind == _REFUSED:

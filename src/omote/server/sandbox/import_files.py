@@ -35,7 +35,7 @@ from omote.server.sandbox.child_task import Limits, Tell, run_limited
 from omote.server.sandbox.scan_faces import take_in_child
 from omote.server.sandbox.scan_files import find_beside, read_scan_in_sandbox
 
-LIMITS = Limits(seconds=60, memory=2 * 2**30)
+LIMITS = Limits(seconds=60, patience=900.0, memory=2 * 2**30)
 _TOO_MUCH = "reading it needs more time or memory than any face; export a smaller one"
 POINTS_HELP = (
     "Say where the head is, with --landmarks as of omote face; or export the head alone, without body and hair, or "

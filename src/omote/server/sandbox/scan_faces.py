@@ -18,7 +18,7 @@ from omote.model.space.face_fit import fit
 from omote.model.transfer.paper_map import refuse_foreign
 from omote.server.sandbox.child_task import Limits, Tell, ignore_progress, run_limited
 
-LIMITS = Limits(seconds=900, patience=1800.0, memory=6 * 2**30, files=64, writes=True)
+LIMITS = Limits(seconds=900, patience=7200.0, memory=6 * 2**30, files=64, writes=True)
 _TOO_MUCH = "fitting a face to it needs more time or memory than any head; export the head alone, with fewer points"
 
 Landmarks = Mapping[str, ArrayLike]

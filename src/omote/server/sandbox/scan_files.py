@@ -17,7 +17,7 @@ from omote.interchange.scans.scan_parts import LARGEST
 from omote.interchange.scans.scan_reader import ScanFile, read_scan
 from omote.server.sandbox.child_task import Limits, Tell, ignore_progress, run_limited
 
-LIMITS = Limits(seconds=120, patience=300.0, memory=6 * 2**30)
+LIMITS = Limits(seconds=120, patience=1800.0, memory=6 * 2**30)
 _TOO_LARGE = "decoding it needs more time or memory than any photograph"
 _TOO_MUCH = "reading it needs more time or memory than any scan of a head; export one with fewer points"
 

@@ -94,13 +94,16 @@ async def start_devices(
     opening = _Opening(server, options, report, early or EarlyTicks(), RejectionLog(report), allowed)
     bindings, commands = _open_bindings(opening)
     started: list[DeviceSource] = []
-    if options.osc is not None:
-        started.append(await _hear_osc(opening, _copy(options.osc)))
+    osc = None if options.osc is None else await _hear_osc(opening, _copy(options.osc))
+    if osc is not None:
+        started.append(osc)
     if options.sacn is not None or options.artnet is not None:
         started.append(_hear_dmx(opening, bindings))
     notes = DeviceFile(None if show is None else device_path(show), report)
     notes.load()
     switched = _open_switched(opening, notes)
+    if osc is not None:
+        osc.osc.port_of = switched.trackers.port
     started += [switched.trackers, switched.mediapipe, switched.programs, switched.faces]
     wanted = read_trackers(options.listen), read_targets(options.send)
     switches = DeviceSwitches(switched, *wanted, notes, report, lambda: server.outside)

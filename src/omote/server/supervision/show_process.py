@@ -231,6 +231,7 @@ async def serving(server: ShowServer, listen: int, access: AccessSetup = OPEN_TO
     """
     server.enable_access(access.open_control(report), access.authority)
     server.embedders = access.embedders
+    server.tell_frame = report
     listening = socket.socket(fileno=listen)
     host, port = listening.getsockname()[:2]
     server.outside = outside_address(host, port, "http" if access.tls is None else "https")

@@ -33,7 +33,8 @@ class OpenSource:
     """A source that is open. who: the client whose link it comes by; sent: its newest values as it sent them; rest:
     their running mean; ranging: the largest of each since it has been listened to, of the channels ranged (none: all);
     frames: since the consoles were last told; smoothing: what it asks for itself, seconds; direct: it is smooth
-    already; share: how much of its layer it takes; seen: when it was last known to see somebody."""
+    already; share: how much of its layer it takes; seen: when it was last known to see somebody; known: since
+    when consoles know it."""
 
     name: str
     kind: StreamKind
@@ -51,6 +52,7 @@ class OpenSource:
     direct: bool = False
     share: float = 1.0
     seen: float = float("inf")
+    known: float = float("inf")
 
 
 def read_values(source: OpenSource, frame: Drive) -> Values | None:

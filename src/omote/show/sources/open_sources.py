@@ -132,12 +132,35 @@ class OpenSources:
         """Whom a source drives that comes for the first time: the character of a show that has one, where no other
         source plays it on this layer or did until a moment ago. name: of the source; characters: of the show; now:
         seconds."""
+        alone = self._free(characters, layer, now)
+        return alone if name not in self._routes else []
+
+    def remembers(self, name: str) -> bool:
+        """Whether there is a route of a source of this name."""
+        return name in self._routes
+
+    def let_wait(self, name: str) -> None:
+        """Lets a source that plays nobody, and of which nobody has said so, take over where the one that plays is
+        silent for long. name: the source's."""
+        self._routes[name] = replace(self.route(name), waits=True)
+
+    def _free(self, characters: Iterable[str], layer: LayerName, now: float) -> list[str]:
+        """The character of a show that has one, where no source plays it on a layer or did until a moment ago."""
         routes = ((source, self.route(source.name)) for source in self._open.values())
         driven = any(
             route.characters and route.layer == layer and now - source.seen < QUIET_SECONDS for source, route in routes
         )
         alone = list(characters)
-        return alone if len(alone) == 1 and name not in self._routes and not driven else []
+        return alone if len(alone) == 1 and not driven else []
+
+    def _take_over(self, scene: Scene, now: float) -> None:
+        """What waits and sees somebody plays the character that is free. After a restart the one that played has its
+        time to come back."""
+        for source in self._open.values():
+            route = self.route(source.name)
+            waited = route.waits and source.found and source.seen == now and now - source.known >= QUIET_SECONDS
+            if waited and (alone := self._free(scene, route.layer, now)):
+                self._set_route(scene, source.name, Route(tuple(alone), route.layer, route.parts))
 
     def reroute(self, asked: RouteSource, scene: Scene) -> None:
         """Routes a source; ValueError for a layer or a character that there is not. asked: the source and its new
@@ -189,18 +212,22 @@ class OpenSources:
         }
         return [(who, message) for who, name in self._watchers.items() if (message := values.get(name)) is not None]
 
-    def news(self, consoles: Mapping[str, str], now: float) -> Sources | None:
-        """What consoles are told: with each change, and once a second while there are any; None for nothing new.
-        consoles: their names by client; now: seconds."""
+    def news(self, consoles: Mapping[str, str], scene: Scene, now: float) -> Sources | None:
+        """What consoles are told: with each change, and once a second while there are any; None for nothing new. What
+        waits takes over then. consoles: their names by client; scene: what is played; now: seconds."""
         if not self._changed and (not self._open or now - self._told < TOLD_SECONDS):
             return None
         states = self.states(consoles)
         self._told = now
         self._changed = False
         self._open = {
-            index: replace(source, frames=0, seen=now if source.found and source.frames else min(source.seen, now))
+            index: replace(
+                source, frames=0, known=min(source.known, now),
+                seen=now if source.found and source.frames else min(source.seen, now),
+            )
             for index, source in self._open.items()
-        }
+        }  # fmt: skip
+        self._take_over(scene, now)
         return Sources(states)
 
     def watch(self, who: str, name: str) -> None:

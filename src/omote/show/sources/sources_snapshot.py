@@ -15,12 +15,14 @@ MOST_REMEMBERED = 64
 @dataclass(frozen=True)
 class Route:
     """Which characters a source drives, on which layer, in which parts of the face. number: of two that play the same,
-    the one with the higher number has it; it was routed later."""
+    the one with the higher number has it; it was routed later. waits: it plays nobody because another did when it came;
+    nobody has said so."""
 
     characters: tuple[str, ...] = ()
     layer: LayerName = "tracker"
     parts: tuple[LayerPart, ...] = LAYER_PARTS
     number: int = 0
+    waits: bool = False
 
 
 @dataclass(frozen=True)

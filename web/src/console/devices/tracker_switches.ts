@@ -133,7 +133,7 @@ export class TrackerSwitches extends DevicesElement {
     const { phonePage: page, machine } = this.devices;
     if (page === "")
       return html`<p class="alone"><b>This show listens on this machine alone:</b> no phone opens its pages. An app sends to it
-        all the same: type ${machine === "" ? "this machine's address" : html`<b>${machine}</b>`} and the port above into it, then
+        all the same: type ${machine === "" ? "this machine's address" : html`<b>${machine}</b>`} and the port of its line above into it, then
         press <i>Let it play</i> here. To have a phone read both from a picture (QR code), start the show with
         <code>--host 0.0.0.0</code>.</p>`;
     return html`<div class="phone"><img src="${page}/phone.svg" alt="QR code">

@@ -27,6 +27,16 @@ describe("lost sources", () => {
     expect([...sentences, ...recording].join("")).toBe("");
   });
 
+  it("are not told while their layer is off, as after a panic", () => {
+    const sources = new LostSources();
+    const off = (trust: number): State["characters"] =>
+      ({ rex: { label: "Rex", layers: { tracker: { source: "Mira 10.0.0.7", trust, on: false } } } }) as never;
+    const sentences = [rex(1), rex(0), off(0), off(1), rex(1), off(1), off(0), rex(0), rex(1)].map((characters) =>
+      sources.receive(characters),
+    );
+    expect(sentences.filter((sentence) => sentence !== "")).toEqual(["Mira (tracker of Rex) is lost."]);
+  });
+
   it("are not told while their source sends, as with another measure", () => {
     const sources = new LostSources();
     const sending = sendingOf([{ name: "Mira 10.0.0.7", found: true, rate: 30 }] as never);

@@ -14,13 +14,15 @@ export class LostSources {
   readonly #lost = new Map<string, boolean>();
 
   /** What changed with a newer state, in words; "" for nothing. One that was never trusted is not told, nor one that is
-   * `sending`: its layer lets go for another reason, such as another measure. */
+   * `sending`: its layer lets go for another reason, such as another measure. Nor one whose layer is off, as after a
+   * panic: it shows nothing on air. */
   receive(characters: Characters, sending: ReadonlySet<string> = new Set()): string {
     const sentences: string[] = [];
     const there = new Set<string>();
     for (const [name, character] of Object.entries(characters))
       for (const layer of WATCHED) {
-        const { source: only = "", trust: its = 0, sources = [] } = character.layers[layer] ?? {};
+        const { source: only = "", trust: its = 0, sources = [], on = true } = character.layers[layer] ?? {};
+        if (!on) continue;
         for (const { source, trust } of sources.length > 0 ? sources : [{ source: only, trust: its }]) {
           const key = `${name}/${layer}/${source}`;
           if (source === "") continue;
