@@ -34,6 +34,7 @@ from omote.show.objects.faders import Hands, SetChannel, SetGaze, SetHead
 from omote.show.objects.items import DeleteItem, KeepExpression, KeepFace
 from omote.show.objects.layouts import DropLayout, Layouts, RenameLayout, SetLayout
 from omote.show.objects.link import Hello, Notice, Notices, Ping, Pong, Refused, Welcome
+from omote.show.objects.motion import SetMotion
 from omote.show.objects.pictures import CallBlack, CallFraming, CallLight
 from omote.show.objects.stages import CastChanged, Crew, Drawing, StageReport
 from omote.show.objects.state import Place
@@ -588,6 +589,25 @@ def two_characters(cast: Cast) -> ShowSession:
     session.receive("a", AddCharacter("add", "two", "Two", "long"), 0.0)
     session.receive("a", EnterCharacter("enter", "two", 0.0), 0.0)
     return session
+
+
+@pytest.mark.parametrize(("first", "third"), [(0.0, 0.0), (0.5, 0.5), (0.2, 0.9)])
+def test_a_character_that_is_added_begins_as_lively_as_the_liveliest_and_moves_its_own_way(
+    cast: Cast, first: float, third: float
+) -> None:
+    session = opened(cast, "a")
+    session.receive("a", SetMotion("one", liveliness=first), 0.0)
+    session.receive("a", AddCharacter("2", "two", "Two", "long"), 0.0)
+    assert session.scene["two"].motion.liveliness == first
+    session.receive("a", SetMotion("one", liveliness=third), 0.0)
+    session.receive("a", SetMotion("two", liveliness=0.0), 0.0)
+    session.receive("a", AddCharacter("3", "three", "Three", "long"), 0.0)
+    session.receive("a", RemoveCharacter("away", "two", 0.0), 0.0)
+    session.receive("a", AddCharacter("4", "four", "Four", "long"), 0.0)
+    motions = {name: session.scene[name].motion for name in session.scene}
+    assert motions["three"].liveliness == third
+    assert motions["four"].liveliness == third
+    assert len({motion.seed for motion in motions.values()}) == len(motions)
 
 
 def test_a_character_is_added_placed_shot_played_and_removed(cast: Cast) -> None:

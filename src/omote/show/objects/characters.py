@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import itertools
 from collections.abc import Sequence
 from typing import Annotated
 
@@ -26,9 +27,9 @@ from omote.show.validation import Refusal
 
 
 class AddCharacter(SceneCommand, frozen=True):
-    """Adds a character, which waits off stage at a free place until it enters. `character`: its name for ever, lower
-    case letters, digits, `_` and `-`; `label`: what people call it. `face` is its home face too. An `id` executes once,
-    as of the messages below."""
+    """Adds a character, which waits off stage at a free place until it enters; it is as lively as the liveliest there.
+    `character`: its name for ever, lower case letters, digits, `_` and `-`; `label`: what people call it. `face` is its
+    home face too. An `id` executes once, as of the messages below."""
 
     method = "add"
 
@@ -49,7 +50,11 @@ class AddCharacter(SceneCommand, frozen=True):
         for."""
         there = scene.snapshot().characters.get(self.character)
         if there is None or not there.standing.leaves:
-            scene.add(self.character, face=self.face, label=self.label)
+            motions = [scene[name].motion for name in scene]
+            liveliness = max(motion.liveliness for motion in motions)
+            seeds = {motion.seed for motion in motions}
+            own = next(seed for seed in itertools.count() if seed not in seeds)  # two of one seed may blink together
+            scene.add(self.character, face=self.face, label=self.label).set_motion(liveliness, seed=own)
             return
         scene[self.character].call_face(self.face)
         scene.rename(self.character, self.label)
