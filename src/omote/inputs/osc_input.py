@@ -15,6 +15,7 @@ from omote.show.objects.link import Refused
 from omote.show.objects.state import State
 from omote.show.osc import ROOT
 from omote.show.session import ShowSession
+from omote.show.sources.sources_snapshot import SurfaceSubscription
 
 MOST_SENDERS = 64
 """Senders that are known at a time; the one that was silent longest makes room."""
@@ -74,8 +75,11 @@ class OscInput:
 
         place: where it came from; now: seconds of the show's clock.
         """
-        for other in self._heard_by(place):
+        hearing = self._heard_by(place)
+        for other in hearing:
             self._surfaces[other].heard = now
+        if hearing:
+            self._keep()
         faults: list[OscError] = []
         try:
             messages = decode_packet(packet, faults)
@@ -93,6 +97,7 @@ class OscInput:
         for place, surface in list(self._surfaces.items()):
             if not surface.lasting and now - surface.heard > SURFACE_SECONDS:
                 del self._surfaces[place]
+                self._keep()
         if not self._surfaces:
             return []
         values = tell_state(state)
@@ -111,10 +116,31 @@ class OscInput:
         while len(others) >= MOST_SURFACES:
             del others[min(others, key=lambda other: (others[other].lasting, others[other].heard))]
         self._surfaces = {**others, place: Surface(heard=now, lasting=lasting)}
+        self._keep()
+
+    def resume(self, now: float, allows: Callable[[str], bool] = lambda _: True) -> None:
+        """Tells the surfaces on that subscribed before a restart and were not silent too long, from all that is on air.
+
+        now: seconds of the show's clock; allows: whether a host may send.
+        """
+        for kept in self._session().surfaces:
+            if 0.0 <= now - kept.heard <= SURFACE_SECONDS and allows(kept.host):
+                self._surfaces[kept.host, kept.port] = Surface(heard=kept.heard)
+        self._keep()
+
+    def _keep(self) -> None:
+        """Notes with the show which surfaces subscribed themselves: those of connections end with the process, and the
+        lasting ones are the operator's."""
+        self._session().surfaces = tuple(
+            SurfaceSubscription(host, port, surface.heard)
+            for (host, port), surface in self._surfaces.items()
+            if port and not surface.lasting
+        )
 
     def leave(self, place: Endpoint) -> None:
         """Forgets a surface, and a sender: its connection is gone."""
-        self._surfaces.pop(place, None)
+        if self._surfaces.pop(place, None) is not None:
+            self._keep()
         if place[1] == 0:
             self._forget_sender(place[0])
 
@@ -205,8 +231,8 @@ class OscInput:
             raise OscError(f"{message.address} {named!r}: expected a port from 1 to {HIGHEST_PORT}, or nothing")
         if message.address == SUBSCRIBE:
             self.subscribe((host, number), now)
-        else:
-            self._surfaces.pop((host, number), None)
+        elif self._surfaces.pop((host, number), None) is not None:
+            self._keep()
 
     def _heard_by(self, place: Endpoint) -> list[Endpoint]:
         """Where the surface hears that sends from a place: over UDP mostly at another port of its host."""

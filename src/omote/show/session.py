@@ -36,6 +36,7 @@ from omote.show.ownership.hands import HandReports, Panics
 from omote.show.ownership.leasing import HeldByOthersRefusal, LeaseSnapshot, Leasing
 from omote.show.session_snapshot import SessionSnapshot
 from omote.show.sources.open_sources import OpenSources
+from omote.show.sources.sources_snapshot import SurfaceSubscription
 from omote.show.speech.known_sounds import KnownSounds
 from omote.show.speech.sound_stage import SoundStage
 from omote.show.state import EyeOffset, offset_between, state_of
@@ -71,6 +72,7 @@ class ShowSession:
         self._eye_offsets: dict[str, EyeOffset] = {}
         self._panics = Panics()
         self.sources = OpenSources()
+        self.surfaces: tuple[SurfaceSubscription, ...] = ()
         self.sounds = KnownSounds()
         self.cues = CueLists(lambda: self.scene, lambda who: self.members[who].name)
         self._sound_stage = SoundStage()
@@ -87,6 +89,7 @@ class ShowSession:
         session.sources = OpenSources(snapshot.sources)
         session.notes = snapshot.notes
         session.cues.restore(snapshot.cues)
+        session.surfaces = snapshot.surfaces
         session._own(snapshot.leases)
         return session
 
@@ -104,6 +107,7 @@ class ShowSession:
             self.sources.snapshot(),
             self.notes,
             self.cues.snapshot(),
+            self.surfaces,
         )
 
     def receive_bytes(self, who: str, data: bytes, now: float) -> list[Outgoing]:
