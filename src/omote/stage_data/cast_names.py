@@ -84,9 +84,13 @@ def find_exported(cast: NamedExpressions, stored: Stored, name: str, /) -> str:
     """
     own = {item.name: item.label for item in stored.items if item.kind == "expression" and item.head}
     labels = {name: title.label for name, title in cast.titles.items()} | own
-    faces = {word for item in stored.items if item.kind == "face" and item.head for word in (item.name, item.label)}
-    if name in faces.difference(own, labels.values(), cast.expressions):
-        raise ValueError(f"{name!r} is a face; only expressions become documents")
+    own_faces = [item for item in stored.items if item.kind == "face" and item.head]
+    faces = {word: item.name for item in own_faces for word in (item.name, item.label)}
+    if name in faces.keys() - {*own, *labels.values(), *cast.expressions}:
+        raise ValueError(
+            f"{name!r} is a face, and only expressions become documents; a face goes out whole, as a show file of its "
+            f"own: -o {faces[name]}.omote"
+        )
     others = (expression for expression in cast.expressions if expression not in own)
     return find_name(name, [*own, *others], "expression", labels)
 
