@@ -171,7 +171,7 @@ def test_surfaces_are_told_on_after_a_restart_until_they_were_silent_for_as_long
         resumed = OscInput(lambda: after)
         resumed.resume(now, allows)
         errors = resumed.receive(DESK, encode_message("/omote/one/face", "nobody"), now)
-        assert list(told(errors)) == ([ERROR] if allows(DESK[0]) and 0.0 < now else [])
+        assert list(told(errors)) == ([ERROR] if allows(DESK[0]) and now > 0.0 else [])
         return {place for place, _ in resumed.news(after.tick(now), now)}
 
     assert told_at(last + 0.5) == {DESK, silent}

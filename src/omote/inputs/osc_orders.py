@@ -11,6 +11,7 @@ from omote.inputs.character_patterns import characters_meant
 from omote.inputs.osc_addresses import BY_HAND, find_address
 from omote.inputs.osc_packet import Argument, OscError, OscMessage
 from omote.model.known_names import check_play_region
+from omote.perform.called_names import find_called
 from omote.perform.cues.cue import check_cue_number
 from omote.perform.gestures import check_gesture
 from omote.perform.layers.layer_names import check_layer, check_part
@@ -190,9 +191,8 @@ def _is_float(value: Argument) -> bool:
 
 
 def _look_up(text: str, kind: str, cast: Playable) -> str | ValueError:
-    names: Mapping[str, Any] = {"face": cast.faces, "light": LIGHTS}.get(kind, cast.expressions)
     try:
-        return find_name(text, names, kind)
+        return find_name(text, LIGHTS, kind) if kind == "light" else find_called(text, kind, cast)
     except ValueError as error:
         return error
 

@@ -192,6 +192,17 @@ class Cast:
         ):
             object.__setattr__(self, attribute, MappingProxyType(KnownNames(what, values)))
 
+    @property
+    def face_labels(self) -> Mapping[str, str]:
+        """What faces are called that have another label than their name: none of these.
+
+        Examples
+        --------
+        >>> dict(cast.face_labels)
+        {}
+        """
+        return {}
+
     def with_faces(self, *faces: Face, looks: Mapping[str, Look] | None = None) -> Cast:
         """A new cast with these faces added (or, by name, replaced).
 

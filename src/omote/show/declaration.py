@@ -10,6 +10,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable, Sequence
+from contextlib import suppress
 from dataclasses import dataclass, replace
 from functools import cache
 from types import ModuleType
@@ -17,6 +18,7 @@ from typing import Annotated, Any, ClassVar, Literal, Protocol, TypeVar, get_arg
 
 import msgspec
 
+from omote.perform.called_names import find_called
 from omote.perform.limits import LONGEST_CALL, check_known, check_within
 from omote.perform.performer import Performer
 from omote.perform.scene.character_names import ALL
@@ -244,6 +246,20 @@ def check_ranges(message: ClientMessage) -> None:
         number = getattr(message, name)
         if number is not None and value.kind in ("number", "seconds", "time") and value.unit != "degrees":
             check_within(number, value.low, value.high, channel or value.name)
+
+
+def call_by_name(message: Declared, cast: Playable) -> Declared:
+    """The command with the names of faces, expressions and channels that it calls by their labels; one that names none
+    is as it was, and what plays it says so. cast: what can be called."""
+    meant = {}
+    for name, value in values_of(type(message)).items():
+        typed = getattr(message, name)
+        names = {"face": cast.faces, "expression": cast.expressions, "channel": cast.expressions}.get(value.kind)
+        if names is None or not isinstance(typed, str) or typed in names:
+            continue
+        with suppress(ValueError):
+            meant[name] = find_called(typed, value.kind, cast)
+    return msgspec.structs.replace(message, **meant) if meant else message
 
 
 def characters_of(scene: Scene, character: str) -> tuple[str, ...]:

@@ -21,6 +21,7 @@ from omote.show.declaration import (
     KeepRequest,
     Outgoing,
     ServerMessage,
+    call_by_name,
     characters_of,
     check_ranges,
 )
@@ -134,6 +135,7 @@ class ShowSession:
         self._pass_role(who, message)
         if self._is_executed(who, message):
             return []  # a retry or a bouncing key
+        message = call_by_name(message, self.cast)
         self._pass_hands(who, message, find_addressed(self.scene, message), now)
         with refuse_errors(message):
             check_ranges(message)

@@ -7,6 +7,7 @@ from collections.abc import Sequence
 from typing import Annotated
 
 from omote.perform.limits import check_known
+from omote.perform.motion.automatic_motion import AutomaticMotion
 from omote.perform.scene.character_names import ALL
 from omote.perform.scene.scene import Scene
 from omote.perform.scene.scene_frame import PLACE_LIMITS
@@ -48,9 +49,10 @@ class AddCharacter(SceneCommand, frozen=True):
     def change(self, scene: Scene) -> None:
         """Adds it; one of the same name that is still on its way out stays, with the label and the face that are asked
         for."""
-        there = scene.snapshot().characters.get(self.character)
+        characters = scene.snapshot().characters
+        there = characters.get(self.character)
         if there is None or not there.standing.leaves:
-            motions = [scene[name].motion for name in scene]
+            motions = [(each.performer.motion or AutomaticMotion()).settings for each in characters.values()]
             liveliness = max(motion.liveliness for motion in motions)
             seeds = {motion.seed for motion in motions}
             own = next(seed for seed in itertools.count() if seed not in seeds)  # two of one seed may blink together
