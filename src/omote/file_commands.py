@@ -414,7 +414,9 @@ def give_out_whole(file: Path, name: str, kind: Literal["expression", "face"] | 
     from omote.showfile.show_file import write_new_show
 
     if output.is_file():
-        fail(f"{output} is there already, and a show file is never written over: give another name, or delete it first.")
+        fail(
+            f"{output} is there already, and a show file is never written over: give another name, or delete it first."
+        )
     with exit_on_refusal():
         check_writable(output)
         inspection = inspect_show(file)

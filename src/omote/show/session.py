@@ -155,7 +155,12 @@ class ShowSession:
     def _pass_hands(self, who: str, message: ClientMessage, characters: Sequence[str], now: float) -> None:
         """The last gates: what a panic or a lease keeps from the hands of others. Refusal where one is shut."""
         self._panics.refuse_late(who, message, characters, now)
-        self.leasing.check(who, message, characters)
+        try:
+            self.leasing.check(who, message, characters)
+        except HeldByOthersRefusal:
+            with refuse_errors(message):
+                message.check_names(self)  # nobody is asked for parts for the sake of what there is not
+            raise
 
     def _echo(self, who: str, message: ClientMessage, now: float) -> None:
         """What follows from a message that was obeyed: others see the hand, its part is held, its id is executed."""
