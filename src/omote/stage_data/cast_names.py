@@ -5,7 +5,7 @@ from __future__ import annotations
 
 import json
 import zipfile
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, NamedTuple
@@ -49,9 +49,18 @@ class CastNames:
         """The face that a person means by a name or a label; ValueError for none."""
         return find_name(typed, self.faces, "face", self.faces)
 
+    def check_names(self, typed: Iterable[str], what: str) -> None:
+        """Rejects, by ValueError, names of faces, expressions or channels (what) that there are not."""
+        names, labels = (self.faces, self.faces) if what == "face" else (self.titles, self._labels)
+        merge_names([(name, 0.0) for name in dict.fromkeys(typed)], names, what, labels)
+
+    @property
+    def _labels(self) -> dict[str, str]:
+        return {name: title.label for name, title in self.titles.items()}
+
     def check_words(self, words: PoseWords) -> None:
         """Rejects, by ValueError, words of a pose that name what is not there, or one thing twice."""
-        labels = {name: title.label for name, title in self.titles.items()}
+        labels = self._labels
         merge_names(words.expressions, self.titles, "expression", labels)
         merge_names(words.faces, self.faces, "face", self.faces)
         merge_names(words.channels, self.titles, "channel", labels)
