@@ -2,6 +2,7 @@
 
 import type { Notice } from "../link/messages";
 import { type BrowserStorage, keep, readJson, readKept } from "./browser_storage";
+import { ageOf } from "./show_times";
 
 const KEY = "omote-dismissed-notices";
 /** Dismissed notices that are remembered: more than a show has at a time. */
@@ -11,7 +12,8 @@ const OLD = 60;
 /** Seconds for which what says that something is well again stands. */
 const SOLVED = 20;
 
-/** The notices that nobody has dismissed in this browser; `changed` is called when there are others. */
+/** The notices that nobody has dismissed in this browser; `changed` is called when there are others, or when
+ * one reads older. */
 export class ShowNotices {
   open: readonly Notice[] = [];
   /** All of the show, read or not, oldest first. */
@@ -19,6 +21,8 @@ export class ShowNotices {
   #dismissed: readonly string[];
   /** What this page has shown, though no other will. */
   readonly #here = new Set<string>();
+  /** Which ones are open, and how old they are in words. */
+  #read = "";
 
   /** `now`: seconds since 1970. */
   constructor(
@@ -66,7 +70,9 @@ export class ShowNotices {
       ({ id, time, solved }) =>
         (this.#here.has(id) || !this.#dismissed.includes(id)) && !(solved && this.now() - time > SOLVED),
     );
-    if (open.length === this.open.length && open.every(({ id }, index) => id === this.open[index]?.id)) return;
+    const read = open.map(({ id, time }) => `${id} ${ageOf(this.now() - time)}`).join();
+    if (read === this.#read) return;
+    this.#read = read;
     this.open = open;
     this.changed();
   }
