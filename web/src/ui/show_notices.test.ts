@@ -36,7 +36,11 @@ describe("notices of the show", () => {
     const counted = () => {
       changes += 1;
     };
-    const notices = new ShowNotices(() => new Memory(), counted, () => now);
+    const notices = new ShowNotices(
+      () => new Memory(),
+      counted,
+      () => now,
+    );
     const crash = { ...notice("1"), time: 1000 };
     const seen = [0, 1, 59, 61, 62, 119, 121].map((passed) => {
       now = 1000 + passed;

@@ -146,7 +146,10 @@ describe("leases at a console", () => {
       store.receive({ type: "lease_claim", parts: [part], by, ...how });
     tell({ "one/face": ME, "one/expression": ME, "one/head": ME });
     for (const part of parts) claim(part);
-    expect(notice()).toEqual(["Ana has taken over the face of One, the expression of One and the head of One.", ["Take back"]]);
+    expect(notice()).toEqual([
+      "Ana has taken over the face of One, the expression of One and the head of One.",
+      ["Take back"],
+    ]);
     press("Take back");
     expect(said().map((message) => message.type === "lease" && [message.part, message.take_over])).toEqual([
       ["face", true],

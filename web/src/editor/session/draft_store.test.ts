@@ -1,9 +1,20 @@
-import { beforeEach, describe, expect, it } from "vitest";
+import { beforeEach, describe, expect, it, vi } from "vitest";
 import type { DraftState, Greeted, ItemDocument, NetDocument, Recipe } from "../../link/editing_messages";
 import type { EditorAnswer, Request } from "../link/requests";
 import { flat, REST, split, type Vector } from "./control_net";
 import { DraftStore } from "./draft_store";
-import { create, matches, normalised, placeAt, redo, remove, describe as rename, save, undo } from "./item_commands";
+import {
+  create,
+  matches,
+  nextUndo,
+  normalised,
+  placeAt,
+  redo,
+  remove,
+  describe as rename,
+  save,
+  undo,
+} from "./item_commands";
 
 const bytes = (array: Uint16Array | Float32Array): Uint8Array => new Uint8Array(array.buffer);
 
@@ -304,6 +315,37 @@ describe("items", () => {
       { type: "set_eyes", item: 2 },
       { type: "undo", item: 2 },
     ]);
+  });
+
+  it("have their names, tags and places back by Undo, the newest first, before a step that was done earlier", async () => {
+    const said = (at: number) => script.asked[at]?.request;
+    store.receive(draftOf(moved, { undo: 1, what: "drag" }));
+    void rename(store, item(1), { label: "Ann" });
+    void rename(store, item(1), { tags: ["old"] });
+    await script.answer(0, { type: "done", request: 0 });
+    await script.answer(1, { type: "done", request: 1 });
+    expect(nextUndo(store)).toBe("tags of Ann");
+    undo(store);
+    expect(said(2)).toEqual({ type: "describe", item: 1, label: "Ann", tags: [], place: 1 });
+    await script.answer(2, { type: "done", request: 2 });
+    expect(nextUndo(store)).toBe("name Ann");
+    undo(store);
+    expect(said(3)).toEqual({ type: "describe", item: 1, label: "Item 1", tags: [], place: 1 });
+    await script.answer(3, { type: "done", request: 3 });
+    await vi.waitFor(() => expect(store.notices.map(({ text }) => text)).toContain("Undone: name Ann."));
+    store.notices.find(({ text }) => text === "Undone: name Ann.")?.actions[0]?.act();
+    expect(said(4)).toMatchObject({ type: "describe", label: "Ann" });
+    await script.answer(4, { type: "done", request: 4 });
+    undo(store);
+    await script.answer(5, { type: "done", request: 5 });
+    expect(nextUndo(store)).toBe("drag");
+    undo(store);
+    expect(said(6)).toEqual({ type: "undo", item: 1 });
+
+    void rename(store, item(1), { label: "Bo" });
+    store.edit({ type: "set_eyes", eyes: [0, 0, 0, 0], pupil: 0 }); // what is done later is taken back first
+    await script.answer(7, { type: "done", request: 7 });
+    expect(nextUndo(store)).toBe("drag");
   });
 
   it("are not taken from under the hands by an answer that comes late", async () => {

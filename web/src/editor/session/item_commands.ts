@@ -4,6 +4,7 @@ import type { FaceRecipe, ItemDocument, RevisionDocument, Saved } from "../../li
 import { importFiles } from "../../ui/file_import";
 import type { Request } from "../link/requests";
 import type { DraftStore } from "./draft_store";
+import type { Described, Description } from "./editor_store";
 import type { EditorNotice } from "./notices";
 
 /** Where something new begins: sources by weight, or what is on air now. */
@@ -123,11 +124,22 @@ async function lookAt(store: DraftStore, item: number, number: number): Promise<
   if (theirs !== undefined && store.draft?.item === item) store.setLook(theirs.content);
 }
 
-/** The last step of the open item, or the delete where that came after it. */
+/** What Undo takes back, in words; "" for nothing. */
+export function nextUndo({ draft, deleted, described }: DraftStore): string {
+  if (deleted !== null) return `delete of ${deleted.item.label}`;
+  return described.at(-1)?.what ?? (draft === null || draft.undo === 0 ? "" : draft.what);
+}
+
+/** The last step of the open item, or the delete, the name, tags or place that came after it. */
 export function undo(store: DraftStore): void {
-  const { draft, deleted } = store;
+  const { draft, deleted, described } = store;
+  const last = described.at(-1);
   if (deleted !== null) {
     void bringItemBack(store, deleted);
+    return;
+  }
+  if (last !== undefined) {
+    void takeBack(store, last);
     return;
   }
   if (draft === null || draft.undo === 0) return;
@@ -186,19 +198,47 @@ export function weighed(mix: FaceRecipe["base"], source: string, weight: number)
 
 // --- any item ---------------------------------------------------------------------------------------------------------
 
-type Description = Partial<Pick<ItemDocument, "label" | "tags" | "place">>;
-
-/** Shown at once, so that what is typed next is not built on what was before; a refusal takes it back. */
-export async function describe(store: DraftStore, { id }: ItemDocument, change: Description): Promise<void> {
-  const before = store.items.find((item) => item.id === id);
+/** Shown at once, so that what is typed next is not built on what was before; a refusal takes it back, and so does
+ * Undo. */
+export async function describe(store: DraftStore, item: ItemDocument, change: Description): Promise<void> {
+  const before = store.items.find(({ id }) => id === item.id);
   if (before === undefined) return;
-  const put = (now: Description): void =>
+  const { label, tags, place } = before;
+  const kept = { label, tags, place };
+  const changed = Object.fromEntries(Object.keys(change).map((key) => [key, kept[key as keyof Description]]));
+  const other = change.tags === undefined ? "order" : "tags";
+  const what = change.label === undefined ? `${other} of ${label}` : `name ${change.label}`;
+  const step = { item: item.id, before: changed, what };
+  store.described = [...store.described, step];
+  if (!(await put(store, item.id, change))) store.described = store.described.filter((each) => each !== step);
+  store.tell("options");
+}
+
+/** Undoes a change of a name, tags or a place, and offers to do it again. */
+async function takeBack(store: DraftStore, step: Described): Promise<void> {
+  const item = store.items.find(({ id }) => id === step.item);
+  store.described = store.described.slice(0, -1);
+  store.tell("options");
+  if (item === undefined) return;
+  const { label, tags, place } = item;
+  const now = { label, tags, place };
+  const again = Object.fromEntries(Object.keys(step.before).map((key) => [key, now[key as keyof Description]]));
+  if (!(await put(store, step.item, step.before))) return;
+  store.say(`Undone: ${step.what}.`, "done", [{ label: "Redo", act: () => void describe(store, item, again) }]);
+}
+
+/** Whether the show has taken it. */
+async function put(store: DraftStore, id: number, change: Description): Promise<boolean> {
+  const before = store.items.find((item) => item.id === id);
+  if (before === undefined) return false;
+  const show = (now: Description): void =>
     store.setItems(store.items.map((item) => (item.id === id ? { ...item, ...now } : item)));
   const { label, tags, place } = { ...before, ...change };
   if (label !== before.label) store.clear("done"); // good news that calls it by its old name
-  put(change);
+  show(change);
   const answer = await store.ask({ type: "describe", item: id, label, tags, place });
-  if (answer === null) put({ label: before.label, tags: before.tags, place: before.place });
+  if (answer === null) show({ label: before.label, tags: before.tags, place: before.place });
+  return answer !== null;
 }
 
 export const duplicate = (store: DraftStore, { id, kind, label }: ItemDocument): void =>
