@@ -44,9 +44,9 @@ class Surface:
 class OscInput:
     """Carries out on a session what packets ask for, and tells surfaces that subscribed what is on air.
 
-    heard, rejected: counts of messages; last_rejection: the newest of these; newest: the last message. kind: sets its
-    senders apart from others in the session; title: stands before a sender's host where consoles show it; seat_of: the
-    seat for which a host plays, "" for its own.
+    heard, rejected: counts of messages; last_rejection: the newest of these; newest: the last message; alike: how many
+    in a row had its address. kind: sets its senders apart from others in the session; title: stands before a sender's
+    host where consoles show it; seat_of: the seat for which a host plays, "" for its own.
     """
 
     def __init__(self, session: Callable[[], ShowSession], *, kind: str = "osc", title: str = "OSC ") -> None:
@@ -61,6 +61,7 @@ class OscInput:
         self.heard = self.rejected = 0
         self.last_rejection: Rejection | None = None
         self.newest: tuple[Endpoint, OscMessage] | None = None
+        self.alike = 0
 
     def receive(self, place: Endpoint, packet: bytes, now: float) -> list[tuple[Endpoint, bytes]]:
         """Obeys the messages of a packet; returns what is answered: the reasons of rejections, to surfaces alone.
@@ -150,7 +151,7 @@ class OscInput:
         place: where it came from; now: seconds of the show's clock.
         """
         self.heard += 1
-        self.newest = place, message
+        self._note_newest(place, message)
         try:
             if message.address in (SUBSCRIBE, UNSUBSCRIBE):
                 self._follow(place, message, now)
@@ -193,9 +194,15 @@ class OscInput:
         if not all(self._session().set_channels(who, name, values, now) for name, values in levels.items()):
             return [answer for message in messages for answer in self.obey(place, message, now)]
         self.heard += len(messages)
-        self.newest = place, messages[-1]
+        for message in messages:
+            self._note_newest(place, message)
         self._note_heard(place, messages, now)
         return []
+
+    def _note_newest(self, place: Endpoint, message: OscMessage) -> None:
+        before = self.newest
+        self.alike = self.alike + 1 if before is not None and before[1].address == message.address else 1
+        self.newest = place, message
 
     def _note_heard(self, place: Endpoint, messages: Iterable[OscMessage], now: float) -> None:
         """A surface is not told for a moment what it has just sent itself."""
