@@ -52,7 +52,7 @@ class CastNames:
     def check_names(self, typed: Iterable[str], what: str) -> None:
         """Rejects, by ValueError, names of faces, expressions or channels (what) that there are not."""
         names, labels = (self.faces, self.faces) if what == "face" else (self.titles, self._labels)
-        merge_names([(name, 0.0) for name in dict.fromkeys(typed)], names, what, labels)
+        merge_names(tuple((name, 0.0) for name in dict.fromkeys(typed)), names, what, labels)
 
     @property
     def _labels(self) -> dict[str, str]:
