@@ -256,6 +256,22 @@ describe("save", () => {
     expect(store.notices[0]?.text).toContain("On the console");
   });
 
+  it("says of an expression that moves nothing that it does so", async () => {
+    const saying = async (recipe: Partial<Recipe>, vectors: Vector[] = still): Promise<string> => {
+      store.receive(draftOf(vectors, { dirty: true, recipe: recipeOf(vectors, recipe) }));
+      const done = save(store, "");
+      const at = script.asked.findLastIndex(({ request }) => request.type === "save");
+      await script.answer(at, saved);
+      await done;
+      return store.notices[0]?.text ?? "";
+    };
+    expect(await saying({})).toContain("It moves nothing yet");
+    expect(await saying({ pulls: [{ muscle: "zygomaticus", contraction: 0 }] })).toContain("It moves nothing yet");
+    expect(await saying({}, moved)).not.toContain("moves nothing");
+    expect(await saying({ eyes: [0.1, 0, 0, 0] })).not.toContain("moves nothing");
+    expect(await saying({ pupil: 0.5 })).not.toContain("moves nothing");
+  });
+
   it("over another's offers both ways out", async () => {
     store.receive(draftOf(moved, { dirty: true }));
     const done = save(store, "");

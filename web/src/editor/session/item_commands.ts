@@ -1,8 +1,9 @@
 /** What people do with items: make, open, save, undo, bring back, name, order, delete. */
 
-import type { FaceRecipe, ItemDocument, RevisionDocument, Saved } from "../../link/editing_messages";
+import type { FaceRecipe, ItemDocument, Recipe, RevisionDocument, Saved } from "../../link/editing_messages";
 import { importFiles } from "../../ui/file_import";
 import type { Request } from "../link/requests";
+import { REST } from "./control_net";
 import type { DraftStore } from "./draft_store";
 import type { Described, Description } from "./editor_store";
 import type { EditorNotice } from "./notices";
@@ -92,8 +93,20 @@ export async function save(store: DraftStore, note: string): Promise<void> {
 function tellSaved(store: DraftStore, { item }: Saved): void {
   const saved = store.items.find(({ id }) => id === item);
   const place = saved?.kind === "face" ? "among the faces" : "under Own";
-  const sentence = `Saved. On the console "${saved?.label ?? ""}" is now ${place}: call it there.${leftOut(store)}`;
+  const sentence = `Saved. On the console "${saved?.label ?? ""}" is now ${place}: call it there.${leftOut(store)}${atRest(store.recipe) ? AT_REST : ""}`;
   store.say(sentence, "done", [{ label: "Open the console", act: () => void window.open("/console", "_blank") }]);
+}
+
+const AT_REST = " It moves nothing yet: all points, layers, muscles and eyes are at rest.";
+
+/** Whether an expression moves nothing: it has no ground, and nobody has touched it. */
+function atRest(recipe: Recipe | null): boolean {
+  if (recipe === null || recipe.ground !== null || recipe.pupil !== 0) return false;
+  const still = recipe.vectors.every((vector) => vector.every((part, at) => part === REST[at]));
+  const silent = recipe.layers.every(({ muted, weight }) => muted || weight === 0);
+  return (
+    still && silent && recipe.eyes.every((turn) => turn === 0) && recipe.pulls.every((pull) => pull.contraction === 0)
+  );
 }
 
 /** What a save has not in what plays, though it is on the page; and what it has, though the page shows less. */
