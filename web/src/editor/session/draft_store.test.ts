@@ -364,6 +364,21 @@ describe("items", () => {
     expect(nextUndo(store)).toBe("drag");
   });
 
+  it("may be called as another of their kind, which is said", async () => {
+    store.setItems([item(1), item(2, { label: "Grin" }), item(3, { label: "Gone", deleted: true })]);
+    const named = async (at: number, label: string): Promise<string[]> => {
+      const done = rename(store, item(1), { label });
+      await script.answer(at, { type: "done", request: at });
+      await done;
+      return store.notices.map(({ text }) => text);
+    };
+    expect(await named(0, "Ann")).toEqual([]);
+    expect(await named(1, "Gone")).toEqual([]);
+    expect(await named(2, "GRIN")).toEqual([
+      'Another expression is called "GRIN" too: on the console both read the same.',
+    ]);
+  });
+
   it("are not taken from under the hands by an answer that comes late", async () => {
     void store.ask({ type: "open_item", item: 2 });
     void store.ask({ type: "create_expression", label: "Grin", start: {}, on_air: false });

@@ -224,7 +224,21 @@ export async function describe(store: DraftStore, item: ItemDocument, change: De
   const step = { item: item.id, before: changed, what };
   store.described = [...store.described, step];
   if (!(await put(store, item.id, change))) store.described = store.described.filter((each) => each !== step);
+  else if (change.label !== undefined && isTaken(store, item, change.label))
+    store.say(`Another ${item.kind} is called "${change.label}" too: on the console both read the same.`, "refusal");
   store.tell("options");
+}
+
+/** Whether another of its kind, built in or own, is called so. */
+function isTaken({ items, manifest }: DraftStore, { id, kind }: ItemDocument, label: string): boolean {
+  const own = items.filter((item) => item.kind === kind);
+  const names = new Set(own.map(({ name }) => name));
+  const builtIn = (kind === "face" ? manifest?.faces : manifest?.expressions) ?? [];
+  const others = [
+    ...own.filter((item) => item.id !== id && !item.deleted),
+    ...builtIn.filter(({ name }) => !names.has(name)),
+  ];
+  return others.some((other) => other.label.toLowerCase() === label.toLowerCase());
 }
 
 /** Undoes a change of a name, tags or a place, and offers to do it again. */
