@@ -264,7 +264,7 @@ def called_names(cast: Playable) -> dict[str, Mapping[str, object]]:
 
 def call_by_name(message: Declared, cast: Playable) -> Declared:
     """The command with the names of faces, expressions and channels that it calls by their labels; one that names none
-    is as it was, and what plays it says so. cast: what can be called."""
+    is as it was, and what plays it says so. message: as it was sent; cast: what can be called."""
     meant = {}
     for name, value in values_of(type(message)).items():
         typed = getattr(message, name)

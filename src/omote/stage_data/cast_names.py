@@ -50,7 +50,8 @@ class CastNames:
         return find_name(typed, self.faces, "face", self.faces)
 
     def check_names(self, typed: Iterable[str], what: str) -> None:
-        """Rejects, by ValueError, names of faces, expressions or channels (what) that there are not."""
+        """Rejects, by ValueError, names of faces, expressions or channels (what) that there are not. typed: as a person
+        wrote them."""
         names, labels = (self.faces, self.faces) if what == "face" else (self.titles, self._labels)
         merge_names(tuple((name, 0.0) for name in dict.fromkeys(typed)), names, what, labels)
 
