@@ -247,7 +247,8 @@ def test_an_item_goes_out_whole_and_a_show_comes_in_whole(show: ShowFile, tmp_pa
     alone = tmp_path / "smirk.omote"
     other = tmp_path / "other.omote"
     assert "holds the expression smirk whole, revisions: 3." in said("export", show.path, "smirk", "-o", alone)
-    assert "is there already" in said("export", show.path, "smirk", "-o", alone, "--force", status=1)
+    again = said("export", show.path, "smirk", "-o", alone, "--force", status=1)
+    assert f"{alone} is there already, and a show file is never written over: give another name" in again
     assert f"{other} has 1 of smirk.omote more: Smirk [left]." in said("import", other, alone).replace("\n", " ")
     assert said("history", other, "smirk", "--json") == said("history", show.path, "smirk", "--json")
     again = said("import", other, alone)

@@ -69,6 +69,15 @@ def test_on_windows_it_says_where_it_runs(monkeypatch: pytest.MonkeyPatch) -> No
     assert "WSL" in done.stderr
 
 
+@pytest.mark.usefixtures("no_show")
+def test_at_its_end_it_says_so_and_where_the_show_is_kept(tmp_path: Path) -> None:
+    path = tmp_path / "a.omote"
+    opened = ["show", str(path), "--port", "0", "--no-open", "--osc", "off"]
+    assert runner.invoke(app, opened).stderr.splitlines()[-1] == (
+        f"omote: the show has ended; all that was authored and was on air is kept in {path}: omote show {path} goes on."
+    )
+
+
 ADDRESSES = re.compile(r"^  (\w+) +http://[\w.:]+(/\w+)\?token=([\w-]{30})$", re.MULTILINE)
 
 

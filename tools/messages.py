@@ -36,6 +36,7 @@ from omote.model.space.lid_lip_lines import RUNGS
 from omote.perform.cues.cue import Cue, Move
 from omote.perform.easing import DEFAULT_EASING, EASINGS
 from omote.perform.layers.layer_names import DEFAULT_SETTINGS, DRIVEN, LAYER_PARTS, LAYERS
+from omote.perform.layers.source_frame import SPEECH
 from omote.perform.lights import BACKGROUNDS, FIRST_LIGHT, LIGHTS
 from omote.perform.limits import CHANNEL_HIGHEST, CHANNEL_LOWEST
 from omote.perform.scene.character_names import ALL, FIRST_CHARACTER, JOINT, MOST_CHARACTERS
@@ -158,6 +159,7 @@ CONSTANTS: Mapping[str, tuple[str, object]] = {
     "LAYERS": ("The layers of a character, lowest first.", LAYERS),
     "LAYER_PARTS": ("What an influence of a layer is of.", LAYER_PARTS),
     "DRIVEN_LAYERS": ("The layers that sources drive.", DRIVEN),
+    "SPEECH": ("The source of what a character says, which ends by itself.", SPEECH),
     "LIPS_INFLUENCE": (
         "The influence of lips at first, by part; all others have 1 on all.",
         tuple(DEFAULT_SETTINGS["lips"].influence.values()),

@@ -409,13 +409,16 @@ def give_out_whole(file: Path, name: str, kind: Literal["expression", "face"] | 
     file: the show file that has it; name: as a person types it; kind: where both are so named; output: a new file.
     """
     from omote.edit.store.whole_items import whole_item
-    from omote.interchange.formats.atomic_file import check_writable, require_free
+    from omote.interchange.formats.atomic_file import check_writable
     from omote.showfile.inspection import inspect_show, item_named, revisions_of
     from omote.showfile.show_file import write_new_show
 
+    if output.is_file():
+        fail(
+            f"{output} is there already, and a show file is never written over: give another name, or delete it first."
+        )
     with exit_on_refusal():
         check_writable(output)
-        require_free(output, force=False)  # a show file is never written over
         inspection = inspect_show(file)
         item = item_named(inspection.stored, name, kind)
         write_new_show(output, whole_item(inspection.stored, inspection.contents, item))

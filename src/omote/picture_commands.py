@@ -238,11 +238,13 @@ def plan(path: Path, request: Request, *, fresh: bool) -> tuple[PictureStudio, P
     from omote.stage_data.cast_names import read_names
     from omote.stage_data.picture_request import check_names, check_request
 
-    check_request(request, picture_kind(path))
-    check_writable(path)
+    kind = picture_kind(path)
+    request.setting.paper(kind)
     show = inspect_show(Path(request.show)) if request.show else None
     if names := read_names(None if show is None else show.stored):
-        check_names(request, names)
+        check_names(request, names)  # of a name that is mistyped and a weight beside it the name is told
+    check_request(request, kind)
+    check_writable(path)
     find_chromium()
     from omote.server.headless.picture_run import PictureStudio
 

@@ -146,7 +146,16 @@ def show(
     with relay_terminal():
         say("the faces are getting ready ...")
         status = supervisor.run()
+    if status == 0:
+        say(tell_end(path))
     raise typer.Exit(status)
+
+
+def tell_end(path: Path) -> str:
+    """That a show has ended, and where it is kept. path: of its file, which may have gone."""
+    if not path.is_file():
+        return "the show has ended."
+    return f"the show has ended; all that was authored and was on air is kept in {path}: omote show {path} goes on."
 
 
 def refuse_windows() -> None:

@@ -3,6 +3,7 @@
 import math
 from collections.abc import Callable
 
+import msgspec
 import numpy as np
 import pytest
 from hypothesis import given, settings
@@ -25,6 +26,7 @@ from omote.show.objects.leases import Lease, SetLeases
 from omote.show.objects.link import Hello
 from omote.show.objects.stages import Crew
 from omote.show.session import ShowSession
+from omote.show.session_snapshot import read_session_snapshot
 from tests import synthetic
 
 DESK: Endpoint = ("10.0.0.5", 9001)
@@ -166,6 +168,33 @@ def test_a_silent_surface_is_told_no_more_but_for_a_lasting_one(session: ShowSes
     osc.subscribe(lasting, 0.0, lasting=True)
     later = SURFACE_SECONDS + 1.0
     assert {place for place, _ in osc.news(session.tick(later), later)} == {lasting}
+
+
+def test_surfaces_are_told_on_after_a_restart_until_they_were_silent_for_as_long_as_before(
+    session: ShowSession, osc: OscInput, send: Send
+) -> None:
+    silent, gone, connection = ("10.0.0.6", 9001), ("10.0.0.7", 9001), ("10.0.0.8#1", 0)
+    for place in (DESK, silent, gone, connection):
+        send("/omote/subscribe", place=place)
+    osc.subscribe(("10.0.0.9", 9), 0.0, lasting=True)  # the next process is told by its options
+    last = SURFACE_SECONDS - 1.0
+    send("/omote/one/channel/jawOpen", 0.5, now=last)
+    send("/omote/unsubscribe", place=gone)
+    written = msgspec.msgpack.encode(session.snapshot())
+    snapshot, _ = read_session_snapshot(msgspec.msgpack.decode(written))
+
+    def told_at(now: float, *, allows: Callable[[str], bool] = lambda _: True) -> set[Endpoint]:
+        after = ShowSession.restored(session.cast, snapshot, epoch=2)
+        resumed = OscInput(lambda: after)
+        resumed.resume(now, allows)
+        errors = resumed.receive(DESK, encode_message("/omote/one/face", "nobody"), now)
+        assert list(told(errors)) == ([ERROR] if allows(DESK[0]) and now > 0.0 else [])
+        return {place for place, _ in resumed.news(after.tick(now), now)}
+
+    assert told_at(last + 0.5) == {DESK, silent}
+    assert told_at(last + 3.0) == {DESK}
+    assert told_at(last + 0.5, allows=lambda host: host == silent[0]) == {silent}
+    assert told_at(-1.0) == set(), "the machine was started anew, and its clock with it"
 
 
 @pytest.mark.parametrize("port", [0, -1, 65536, 1.5, "9001", math.nan, math.inf])

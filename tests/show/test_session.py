@@ -12,6 +12,7 @@ from hypothesis import strategies as st
 
 from omote.model.cast import Cast
 from omote.model.known_names import PLAY_REGIONS
+from omote.perform.frame import MotionSettings
 from omote.perform.lights import LIGHTS
 from omote.perform.limits import GAZE_LIMITS
 from omote.perform.panic import PANIC_SECONDS
@@ -34,6 +35,7 @@ from omote.show.objects.faders import Hands, SetChannel, SetGaze, SetHead
 from omote.show.objects.items import DeleteItem, KeepExpression, KeepFace
 from omote.show.objects.layouts import DropLayout, Layouts, RenameLayout, SetLayout
 from omote.show.objects.link import Hello, Notice, Notices, Ping, Pong, Refused, Welcome
+from omote.show.objects.motion import SetMotion
 from omote.show.objects.pictures import CallBlack, CallFraming, CallLight
 from omote.show.objects.stages import CastChanged, Crew, Drawing, StageReport
 from omote.show.objects.state import Place
@@ -412,6 +414,7 @@ class Recast:
         self.faces = {name: name for name in faces}
         self.expressions = {name: cast.expressions.get(name, cast.expressions["smile"]) for name in expressions}
         self.titles = cast.titles
+        self.face_labels = cast.face_labels
         self.digest = digest
 
 
@@ -588,6 +591,30 @@ def two_characters(cast: Cast) -> ShowSession:
     session.receive("a", AddCharacter("add", "two", "Two", "long"), 0.0)
     session.receive("a", EnterCharacter("enter", "two", 0.0), 0.0)
     return session
+
+
+def motions_of(session: ShowSession) -> dict[str, MotionSettings]:
+    characters = session.snapshot().scene.characters.items()
+    return {name: character.performer.motion.settings for name, character in characters if character.performer.motion}
+
+
+@pytest.mark.parametrize(("first", "third"), [(0.0, 0.0), (0.5, 0.5), (0.2, 0.9)])
+def test_a_character_that_is_added_begins_as_lively_as_the_liveliest_and_moves_its_own_way(
+    cast: Cast, first: float, third: float
+) -> None:
+    session = opened(cast, "a")
+    session.receive("a", SetMotion("one", liveliness=first), 0.0)
+    session.receive("a", AddCharacter("2", "two", "Two", "long"), 0.0)
+    assert motions_of(session)["two"].liveliness == first
+    session.receive("a", SetMotion("one", liveliness=third), 0.0)
+    session.receive("a", SetMotion("two", liveliness=0.0), 0.0)
+    session.receive("a", AddCharacter("3", "three", "Three", "long"), 0.0)
+    session.receive("a", RemoveCharacter("away", "two", 0.0), 0.0)
+    session.receive("a", AddCharacter("4", "four", "Four", "long"), 0.0)
+    motions = motions_of(session)
+    assert motions["three"].liveliness == third
+    assert motions["four"].liveliness == third
+    assert len({motion.seed for motion in motions.values()}) == len(motions)
 
 
 def test_a_character_is_added_placed_shot_played_and_removed(cast: Cast) -> None:

@@ -8,6 +8,7 @@ from omote.builtin import load_cast
 from omote.perform.name_lookup import OWN
 from omote.showfile.changes import Stored
 from omote.stage_data.cast_names import CAST, CastNames, find_exported, read_names
+from omote.stage_data.picture_request import GridRequest, RenderRequest, check_names
 from omote.stage_data.pose_words import read_pose
 from tests.showfile.authored_work import item, revision
 
@@ -66,7 +67,7 @@ def test_what_is_none_is_rejected(typed: dict[str, str], said: str) -> None:
 
 
 def test_a_face_is_no_document() -> None:
-    with pytest.raises(ValueError, match="is a face"):
+    with pytest.raises(ValueError, match=r"is a face, .* -o aunt\.omote$"):
         find_exported(names(), OWN_WORK, "Frau Aunt")
 
 
@@ -76,3 +77,19 @@ def test_a_cast_that_cannot_be_read_has_no_names(tmp_path: Path, data: bytes | N
     if data is not None:
         path.write_bytes(data)
     assert read_names(path=path) is None
+
+
+@pytest.mark.parametrize(
+    ("request_", "said"),
+    [
+        (RenderRequest(face=("kaorii=0.5",)), "there is no face 'kaorii'"),
+        (RenderRequest(face=("kaori=0.5",), expression=("smil=3",)), "there is no expression 'smil'"),
+        (RenderRequest(face=("kaori=0.5",), channel=("jawOpened=9",)), "there is no channel 'jawOpened'"),
+        (GridRequest(faces="kaori=0.5,kaorii=0.5"), "weigh 0.5 together"),  # the first picture that cannot be drawn
+    ],
+)
+def test_a_name_that_is_mistyped_is_told_before_the_weight_beside_it(
+    request_: RenderRequest | GridRequest, said: str
+) -> None:
+    with pytest.raises(ValueError, match=said):
+        check_names(request_, names())

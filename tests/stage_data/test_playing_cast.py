@@ -6,12 +6,19 @@ import msgspec
 import numpy as np
 import pytest
 
+from omote.inputs.osc_orders import OrderReader
+from omote.inputs.osc_packet import OscMessage
 from omote.model.cast import Cast, Look
 from omote.model.space.expression import Expression, Title
 from omote.model.space.face import Face
+from omote.perform.called_names import find_called
 from omote.perform.layers.columns import columns_of
 from omote.perform.layers.layer_names import LAYER_PARTS, WHOLE
 from omote.show.cast_documents import Manifest
+from omote.show.messages import PROTOCOL_VERSION
+from omote.show.objects.calls import CallExpression, CallFace
+from omote.show.objects.link import Hello
+from omote.show.session import ShowSession
 from omote.showfile.changes import content_key
 from omote.showfile.contents import ContentError, pack_expression, pack_face
 from omote.stage_data.assets import content_asset, documents
@@ -50,6 +57,29 @@ def test_own_things_stand_behind_the_built_in_cast(cast: Cast) -> None:
     assert playing.expression_sources["grin"] == own[0].source
     assert all(playing.expression_sources[name] == name for name in cast.expressions)
     assert np.array_equal(playing.expressions["grin"].dh, cast.expressions["smile"].dh)
+
+
+def test_own_things_are_called_by_their_labels_too_over_osc_and_by_programs(cast: Cast) -> None:
+    contents: Contents = {}
+    own = grin(cast, contents, name="on_air_1"), msgspec.structs.replace(cousin(cast, contents)[0], label="My Cousin")
+    playing = build_playing_cast(cast, own, contents)
+    assert find_called("GRIN", "expression", playing) == find_called("Grin", "channel", playing) == "on_air_1"
+    assert find_called("my-cousin", "face", playing) == "cousin"
+    assert find_called("smile", "expression", playing) == "smile"
+    calls = OscMessage("/omote/one/expression", ("Grin",)), OscMessage("/omote/one/face", ("My Cousin",))
+    reader = OrderReader(playing, {"one": "One"})
+    session = ShowSession(playing)
+    session.receive("a", Hello("console", PROTOCOL_VERSION, "Ana"), 0.0)
+    for call, message in zip(
+        calls,
+        (CallExpression("one", "1", "Grin", 0.0, "smooth"), CallFace("one", "2", "My Cousin", 0.0, "smooth")),
+        strict=True,
+    ):
+        (order,) = reader.read(call, "o")
+        assert getattr(order, "name", "") in ("on_air_1", "cousin")
+        assert session.receive("a", message, 0.0) == []
+    state = session.tick(0.0).characters["one"]
+    assert (state.expressions, state.faces) == ({"on_air_1": 1.0}, {"cousin": 1.0})
 
 
 def test_layers_take_each_channel_for_the_part_of_the_face_where_it_acts(cast: Cast) -> None:

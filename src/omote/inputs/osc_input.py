@@ -16,6 +16,7 @@ from omote.show.objects.link import Refused
 from omote.show.objects.state import State
 from omote.show.osc import ROOT
 from omote.show.session import ShowSession
+from omote.show.sources.sources_snapshot import SurfaceSubscription
 
 MOST_SENDERS = 64
 """Senders that are known at a time; the one that was silent longest makes room."""
@@ -44,9 +45,10 @@ class Surface:
 class OscInput:
     """Carries out on a session what packets ask for, and tells surfaces that subscribed what is on air.
 
-    heard, rejected: counts of messages; last_rejection: the newest of these; newest: the last message. kind: sets its
-    senders apart from others in the session; title: stands before a sender's host where consoles show it; seat_of: the
-    seat for which a host plays, "" for its own; port_of: where a tracker's protocol is heard, None where it is not.
+    heard, rejected: counts of messages; last_rejection: the newest of these; newest: the last message; alike: how many
+    in a row had its address. kind: sets its senders apart from others in the session; title: stands before a sender's
+    host where consoles show it; seat_of: the seat for which a host plays, "" for its own; port_of: where a tracker's
+    protocol is heard, None where it is not.
     """
 
     def __init__(self, session: Callable[[], ShowSession], *, kind: str = "osc", title: str = "OSC ") -> None:
@@ -62,6 +64,7 @@ class OscInput:
         self.heard = self.rejected = 0
         self.last_rejection: Rejection | None = None
         self.newest: tuple[Endpoint, OscMessage] | None = None
+        self.alike = 0
 
     def receive(self, place: Endpoint, packet: bytes, now: float) -> list[tuple[Endpoint, bytes]]:
         """Obeys the messages of a packet; returns what is answered: the reasons of rejections, to surfaces alone.
@@ -76,8 +79,11 @@ class OscInput:
 
         place: where it came from; now: seconds of the show's clock.
         """
-        for other in self._heard_by(place):
+        hearing = self._heard_by(place)
+        for other in hearing:
             self._surfaces[other].heard = now
+        if hearing:
+            self._keep()
         faults: list[OscError] = []
         try:
             messages = decode_packet(packet, faults)
@@ -95,6 +101,7 @@ class OscInput:
         for place, surface in list(self._surfaces.items()):
             if not surface.lasting and now - surface.heard > SURFACE_SECONDS:
                 del self._surfaces[place]
+                self._keep()
         answers = self._tell_not_spoken(now)
         if not self._surfaces:
             return answers
@@ -121,10 +128,31 @@ class OscInput:
         while len(others) >= MOST_SURFACES:
             del others[min(others, key=lambda other: (others[other].lasting, others[other].heard))]
         self._surfaces = {**others, place: Surface(heard=now, lasting=lasting)}
+        self._keep()
+
+    def resume(self, now: float, allows: Callable[[str], bool] = lambda _: True) -> None:
+        """Tells the surfaces on that subscribed before a restart and were not silent too long, from all that is on air.
+
+        now: seconds of the show's clock; allows: whether a host may send.
+        """
+        for kept in self._session().surfaces:
+            if 0.0 <= now - kept.heard <= SURFACE_SECONDS and allows(kept.host):
+                self._surfaces[kept.host, kept.port] = Surface(heard=kept.heard)
+        self._keep()
+
+    def _keep(self) -> None:
+        """Notes with the show which surfaces subscribed themselves: those of connections end with the process, and the
+        lasting ones are the operator's."""
+        self._session().surfaces = tuple(
+            SurfaceSubscription(host, port, surface.heard)
+            for (host, port), surface in self._surfaces.items()
+            if port and not surface.lasting
+        )
 
     def leave(self, place: Endpoint) -> None:
         """Forgets a surface, and a sender: its connection is gone."""
-        self._surfaces.pop(place, None)
+        if self._surfaces.pop(place, None) is not None:
+            self._keep()
         if place[1] == 0:
             self._forget_sender(place[0])
 
@@ -134,7 +162,7 @@ class OscInput:
         place: where it came from; now: seconds of the show's clock.
         """
         self.heard += 1
-        self.newest = place, message
+        self._note_newest(place, message)
         try:
             if message.address in (SUBSCRIBE, UNSUBSCRIBE):
                 self._follow(place, message, now)
@@ -177,9 +205,15 @@ class OscInput:
         if not all(self._session().set_channels(who, name, values, now) for name, values in levels.items()):
             return [answer for message in messages for answer in self.obey(place, message, now)]
         self.heard += len(messages)
-        self.newest = place, messages[-1]
+        for message in messages:
+            self._note_newest(place, message)
         self._note_heard(place, messages, now)
         return []
+
+    def _note_newest(self, place: Endpoint, message: OscMessage) -> None:
+        before = self.newest
+        self.alike = self.alike + 1 if before is not None and before[1].address == message.address else 1
+        self.newest = place, message
 
     def _note_heard(self, place: Endpoint, messages: Iterable[OscMessage], now: float) -> None:
         """A surface is not told for a moment what it has just sent itself."""
@@ -222,8 +256,8 @@ class OscInput:
             raise OscError(f"{message.address} {named!r}: expected a port from 1 to {HIGHEST_PORT}, or nothing")
         if message.address == SUBSCRIBE:
             self.subscribe((host, number), now)
-        else:
-            self._surfaces.pop((host, number), None)
+        elif self._surfaces.pop((host, number), None) is not None:
+            self._keep()
 
     def _heard_by(self, place: Endpoint) -> list[Endpoint]:
         """Where the surface hears that sends from a place: over UDP mostly at another port of its host."""

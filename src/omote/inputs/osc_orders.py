@@ -8,9 +8,10 @@ from functools import partial
 from typing import Any, NamedTuple
 
 from omote.inputs.character_patterns import characters_meant
-from omote.inputs.osc_addresses import BY_HAND, find_address
+from omote.inputs.osc_addresses import ADDRESSES, BY_HAND, find_address
 from omote.inputs.osc_packet import Argument, OscError, OscMessage
 from omote.model.known_names import check_play_region
+from omote.perform.called_names import find_called
 from omote.perform.cues.cue import check_cue_number
 from omote.perform.gestures import check_gesture
 from omote.perform.layers.layer_names import check_layer, check_part
@@ -21,7 +22,7 @@ from omote.perform.scene.character_names import ALL, find_character
 from omote.perform.snapshot import Playable
 from omote.perform.speech.spelling import check_language
 from omote.show.declaration import ClientMessage
-from omote.show.osc import CALL_SECONDS, Value
+from omote.show.osc import CALL_SECONDS, ROOT, Value
 from omote.show.ownership.parts import find_part
 
 NUMBER = re.compile(r"[+-]?(\d+\.?\d*|\.\d+)([eE][+-]?\d+)?")
@@ -31,6 +32,8 @@ CHECKS: Mapping[str, Callable[[str], str]] = {
     "lease": partial(find_part, of_scene=False), "scene_lease": partial(find_part, of_scene=True),
 }  # fmt: skip
 """What finds the names that every show has."""
+NAMED = ("face", "expression", "channel", "light", "gesture", "layer", "region", "character")
+"""What is called by a name."""
 BUTTON = (0.0, 1.0)
 """What a button sends, as decimals: where the number of a cue may be left out it is let go or pressed."""
 MOST_REMEMBERED = 1024
@@ -97,6 +100,8 @@ class OrderReader:
 
     def _read(self, message: OscMessage, call: str) -> tuple[ClientMessage, ...]:
         address, character, named = find_address(message.address, self._is_character)
+        if not address.of_show and not self._is_character(character):
+            self._refuse_nobody(character, message.address)
         values = self._read_values(address.values, [*named, *message.arguments])
         if values is None:
             return ()
@@ -123,6 +128,14 @@ class OrderReader:
             if len(self._meant) < MOST_REMEMBERED and len(pattern) <= LONGEST_REMEMBERED:
                 self._meant[pattern] = characters
         return characters
+
+    def _refuse_nobody(self, character: str, written: str) -> None:
+        """Says that nobody is so called; where a word of an address stands in the place of who, also what is meant."""
+        if any(address.path.split("/")[0] == character for address in ADDRESSES if not address.of_show):
+            behind = written.strip("/").partition("/")[2]
+            first = next(iter(self._names.characters), "CHARACTER")
+            raise OscError(f"{written[:80]} names no character; write whose it is: /{ROOT}/{first}/{behind[:80]}")
+        self.characters_meant(character)
 
     def _is_character(self, pattern: str) -> bool:
         try:
@@ -153,7 +166,8 @@ class OrderReader:
         if argument is None and value.default is not None:
             return value.default
         if argument is None and not value.may_be_left_out:
-            raise ValueError(f"the {value.name} is missing; expected {_listed([value])}")
+            expected = f"the name of a {value.kind}, as text" if value.kind in NAMED else _listed([value])
+            raise ValueError(f"the {value.name} is missing; expected {expected}")
         if value.kind == "seconds":
             return _seconds(value, argument)
         if value.kind == "time":
@@ -190,9 +204,8 @@ def _is_float(value: Argument) -> bool:
 
 
 def _look_up(text: str, kind: str, cast: Playable) -> str | ValueError:
-    names: Mapping[str, Any] = {"face": cast.faces, "light": LIGHTS}.get(kind, cast.expressions)
     try:
-        return find_name(text, names, kind)
+        return find_name(text, LIGHTS, kind) if kind == "light" else find_called(text, kind, cast)
     except ValueError as error:
         return error
 

@@ -196,6 +196,17 @@ class Cast:
         """How much is in it."""
         return f"<cast of {len(self.faces)} faces and {len(self.expressions)} expressions>"
 
+    @property
+    def face_labels(self) -> Mapping[str, str]:
+        """What faces are called that have another label than their name: none of these.
+
+        Examples
+        --------
+        >>> dict(cast.face_labels)
+        {}
+        """
+        return {}
+
     def with_faces(self, *faces: Face, looks: Mapping[str, Look] | None = None) -> Cast:
         """A new cast with these faces added (or, by name, replaced).
 

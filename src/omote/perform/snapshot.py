@@ -47,6 +47,10 @@ class Playable(Protocol):
         """What expressions are called and where they act."""
 
     @property
+    def face_labels(self) -> Mapping[str, str]:
+        """What faces are called that have another label than their name."""
+
+    @property
     def digest(self) -> str:
         """The digest of exactly these."""
 

@@ -9,7 +9,8 @@ OSC, bindings, the methods of `omote.connect`, TypeScript and the pages of the w
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
+from contextlib import suppress
 from dataclasses import dataclass, replace
 from functools import cache
 from types import ModuleType
@@ -17,6 +18,8 @@ from typing import Annotated, Any, ClassVar, Literal, Protocol, TypeVar, get_arg
 
 import msgspec
 
+from omote.perform.called_names import find_called
+from omote.perform.lights import LIGHTS
 from omote.perform.limits import LONGEST_CALL, check_known, check_within
 from omote.perform.performer import Performer
 from omote.perform.scene.character_names import ALL
@@ -133,6 +136,14 @@ class ClientMessage(Message, frozen=True):
         nothing has changed. session: the show; who: the client; now: seconds, monotonic."""
         raise NotImplementedError(f"{type(self).__name__} declares no act")
 
+    def check_names(self, session: Session) -> None:
+        """Raises ValueError where it calls something that there is not: whoever holds what, that is told first."""
+        for name, value in values_of(type(self)).items():
+            typed = getattr(self, name)
+            names = called_names(session.cast).get(value.kind)
+            if names is not None and isinstance(typed, str):
+                check_known(typed, names, value.kind)
+
     def control(self, character: str) -> str:
         """The control of a character that a hand moves by it: the message's tag, and more where one tag has several."""
         return f"{character}/{tag_of(type(self))}"
@@ -248,6 +259,25 @@ def check_ranges(message: ClientMessage) -> None:
         number = getattr(message, name)
         if number is not None and value.kind in ("number", "seconds", "time") and value.unit != "degrees":
             check_within(number, value.low, value.high, channel or value.name)
+
+
+def called_names(cast: Playable) -> dict[str, Mapping[str, object]]:
+    """The names that commands call, by the kind of their values."""
+    return {"face": cast.faces, "expression": cast.expressions, "channel": cast.expressions, "light": LIGHTS}
+
+
+def call_by_name(message: Declared, cast: Playable) -> Declared:
+    """The command with the names of faces, expressions and channels that it calls by their labels; one that names none
+    is as it was, and what plays it says so. message: as it was sent; cast: what can be called."""
+    meant = {}
+    for name, value in values_of(type(message)).items():
+        typed = getattr(message, name)
+        names = called_names(cast).get(value.kind)
+        if names is None or names is LIGHTS or not isinstance(typed, str) or typed in names:
+            continue
+        with suppress(ValueError):
+            meant[name] = find_called(typed, value.kind, cast)
+    return msgspec.structs.replace(message, **meant) if meant else message
 
 
 def characters_of(scene: Scene, character: str) -> tuple[str, ...]:

@@ -21,6 +21,7 @@ from omote.show.declaration import (
     KeepRequest,
     Outgoing,
     ServerMessage,
+    call_by_name,
     characters_of,
     check_ranges,
 )
@@ -37,6 +38,7 @@ from omote.show.ownership.hands import HandReports, Panics
 from omote.show.ownership.leasing import HeldByOthersRefusal, LeaseSnapshot, Leasing
 from omote.show.session_snapshot import SessionSnapshot
 from omote.show.sources.open_sources import OpenSources
+from omote.show.sources.sources_snapshot import SurfaceSubscription
 from omote.show.speech.known_sounds import KnownSounds
 from omote.show.speech.sound_stage import SoundStage
 from omote.show.speech.texts_to_speak import TextsToSpeak, TextToSpeak
@@ -73,6 +75,7 @@ class ShowSession:
         self._eye_offsets: dict[str, EyeOffset] = {}
         self._panics = Panics()
         self.sources = OpenSources()
+        self.surfaces: tuple[SurfaceSubscription, ...] = ()
         self.sounds = KnownSounds()
         self.cues = CueLists(lambda: self.scene, lambda who: self.members[who].name)
         self.texts = TextsToSpeak()
@@ -90,6 +93,7 @@ class ShowSession:
         session.sources = OpenSources(snapshot.sources)
         session.notes = snapshot.notes
         session.cues.restore(snapshot.cues)
+        session.surfaces = snapshot.surfaces
         session._own(snapshot.leases)
         return session
 
@@ -107,6 +111,7 @@ class ShowSession:
             self.sources.snapshot(),
             self.notes,
             self.cues.snapshot(),
+            self.surfaces,
         )
 
     def receive_bytes(self, who: str, data: bytes, now: float) -> list[Outgoing]:
@@ -133,6 +138,7 @@ class ShowSession:
         self._pass_role(who, message)
         if self._is_executed(who, message):
             return []  # a retry or a bouncing key
+        message = call_by_name(message, self.cast)
         self._pass_hands(who, message, find_addressed(self.scene, message), now)
         with refuse_errors(message):
             check_ranges(message)
@@ -152,7 +158,12 @@ class ShowSession:
     def _pass_hands(self, who: str, message: ClientMessage, characters: Sequence[str], now: float) -> None:
         """The last gates: what a panic or a lease keeps from the hands of others. Refusal where one is shut."""
         self._panics.refuse_late(who, message, characters, now)
-        self.leasing.check(who, message, characters)
+        try:
+            self.leasing.check(who, message, characters)
+        except HeldByOthersRefusal:
+            with refuse_errors(message):
+                message.check_names(self)  # nobody is asked for parts for the sake of what there is not
+            raise
 
     def _echo(self, who: str, message: ClientMessage, now: float) -> None:
         """What follows from a message that was obeyed: others see the hand, its part is held, its id is executed."""

@@ -14,12 +14,12 @@ from omote.show.cues.cue_lists import CuesSnapshot
 from omote.show.executed_calls import Executed
 from omote.show.objects.show_notes import ShowNotes
 from omote.show.ownership.leasing import LeaseSnapshot
-from omote.show.sources.sources_snapshot import SourcesSnapshot
+from omote.show.sources.sources_snapshot import SourcesSnapshot, SurfaceSubscription
 
 
 class SessionSnapshot(msgspec.Struct, frozen=True):
     """The scene, the ids of messages already executed, who holds what, the routes and measures of sources, the notes of
-    the crew, and how far its lists of cues are."""
+    the crew, how far its lists of cues are, and which surfaces are told what is on air."""
 
     scene: SceneSnapshot
     executed: Executed
@@ -27,6 +27,7 @@ class SessionSnapshot(msgspec.Struct, frozen=True):
     sources: SourcesSnapshot = SourcesSnapshot()
     notes: ShowNotes = ShowNotes()
     cues: CuesSnapshot = CuesSnapshot()
+    surfaces: tuple[SurfaceSubscription, ...] = ()
 
 
 def read_session_snapshot(saved: object) -> tuple[SessionSnapshot, bool]:

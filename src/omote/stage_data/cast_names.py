@@ -5,7 +5,7 @@ from __future__ import annotations
 
 import json
 import zipfile
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, NamedTuple
@@ -49,9 +49,19 @@ class CastNames:
         """The face that a person means by a name or a label; ValueError for none."""
         return find_name(typed, self.faces, "face", self.faces)
 
+    def check_names(self, typed: Iterable[str], what: str) -> None:
+        """Rejects, by ValueError, names of faces, expressions or channels (what) that there are not. typed: as a person
+        wrote them."""
+        names, labels = (self.faces, self.faces) if what == "face" else (self.titles, self._labels)
+        merge_names(tuple((name, 0.0) for name in dict.fromkeys(typed)), names, what, labels)
+
+    @property
+    def _labels(self) -> dict[str, str]:
+        return {name: title.label for name, title in self.titles.items()}
+
     def check_words(self, words: PoseWords) -> None:
         """Rejects, by ValueError, words of a pose that name what is not there, or one thing twice."""
-        labels = {name: title.label for name, title in self.titles.items()}
+        labels = self._labels
         merge_names(words.expressions, self.titles, "expression", labels)
         merge_names(words.faces, self.faces, "face", self.faces)
         merge_names(words.channels, self.titles, "channel", labels)
@@ -84,9 +94,13 @@ def find_exported(cast: NamedExpressions, stored: Stored, name: str, /) -> str:
     """
     own = {item.name: item.label for item in stored.items if item.kind == "expression" and item.head}
     labels = {name: title.label for name, title in cast.titles.items()} | own
-    faces = {word for item in stored.items if item.kind == "face" and item.head for word in (item.name, item.label)}
-    if name in faces.difference(own, labels.values(), cast.expressions):
-        raise ValueError(f"{name!r} is a face; only expressions become documents")
+    own_faces = [item for item in stored.items if item.kind == "face" and item.head]
+    faces = {word: item.name for item in own_faces for word in (item.name, item.label)}
+    if name in faces.keys() - {*own, *labels.values(), *cast.expressions}:
+        raise ValueError(
+            f"{name!r} is a face, and only expressions become documents; a face goes out whole, as a show file of its "
+            f"own: -o {faces[name]}.omote"
+        )
     others = (expression for expression in cast.expressions if expression not in own)
     return find_name(name, [*own, *others], "expression", labels)
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import re
 from collections.abc import Mapping
 from itertools import pairwise
@@ -12,7 +13,7 @@ from omote.interchange.formats.file_names import Kind
 from omote.perform.name_lookup import find_kind
 from omote.stage_data.cast_names import CastNames
 from omote.stage_data.picture_setting import Setting, read_size, refuse_count, split_list
-from omote.stage_data.pose_words import PoseWords, read_pose
+from omote.stage_data.pose_words import PoseWords, read_pose, read_weights
 
 MOST_STEPS = 1000
 RESERVED = frozenset(
@@ -90,10 +91,15 @@ def check_request(request: Request, kind: Kind) -> None:
         _ = cell.words
 
 
+ANY_WEIGHT = (-math.inf, math.inf)
+
+
 def check_names(request: Request, names: CastNames) -> None:
     """Raises ValueError where a request names a face, an expression or a channel that is none. names: of the cast."""
     spelled = request if isinstance(request, RenderRequest) else spell_kinds(request, names.kinds)
     for cell in [spelled] if isinstance(spelled, RenderRequest) else plan_cells(spelled).all:
+        for what, parts in {"face": cell.face, "expression": cell.expression, "channel": cell.channel}.items():
+            names.check_names([name for name, _ in read_weights("+".join(parts), what, ANY_WEIGHT)], what)
         names.check_words(cell.words)
 
 

@@ -103,6 +103,11 @@ class PlayingCast:
         return MappingProxyType({**self.base.titles, **own})
 
     @cached_property
+    def face_labels(self) -> Mapping[str, str]:
+        """What the own faces are called."""
+        return MappingProxyType({item.name: item.label for item in self.own if item.kind == "face"})
+
+    @cached_property
     def digest(self) -> str:
         """The digest of this cast: the built-in cast's where there are no own items."""
         return digest_of(self.base.digest, self.own)

@@ -1,5 +1,7 @@
 """Health of devices and sources: rates, newest values, and looks that cost the same however much came."""
 
+from dataclasses import replace
+
 import pytest
 
 from omote.inputs.page_devices.device_health import MOST_VALUES, DeviceHealth, SourceCounts, SourceHealth
@@ -34,6 +36,22 @@ def test_a_look_at_a_source_logs_what_is_new_once() -> None:
     assert [(line.text, line.count) for line in log.lines] == [("/omote/panic", 40), ("10.0.0.5: no", 2)]
     source.look(2.1, log)
     assert len(log.lines) == 2
+
+
+def test_what_came_of_several_controls_is_not_counted_as_one() -> None:
+    log = LineLog()
+    counts = SourceCounts("OSC", "osc", "10.0.0.5", 1, 0, "/a 1", alike=1)
+    source = SourceHealth(lambda: counts)
+    source.look(0.0, log)
+    counts = replace(counts, heard=4, newest="/d 1", alike=1)
+    source.look(1.0, log)
+    counts = replace(counts, heard=7, newest="/d 4", alike=4)
+    source.look(2.0, log)
+    assert [(line.text, line.count) for line in log.lines] == [
+        ("/a 1", 1),
+        ("/d 1 (and 2 of others before it)", 1),
+        ("/d 4", 3),
+    ]
 
 
 def test_a_remark_is_logged_once_and_is_no_rejection() -> None:

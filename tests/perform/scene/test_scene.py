@@ -207,6 +207,8 @@ WRONG: dict[str, Any] = {
     "there is no face 'brood'": lambda scene: scene.add("four", face="brood"),
     "the label of a character is ' '": lambda scene: scene.rename("two", " "),
     "the label of a character is 'xxx": lambda scene: scene.rename("two", "x" * 81),
+    "a character cannot be labelled 'one/face', for / has": lambda scene: scene.rename("two", "one/face"),
+    r"a character cannot be labelled '\*', for \* has": lambda scene: scene.add("four", label="*"),
     "there is no character 'four'": lambda scene: scene.place("four", x=0.0),
     "the size of a place is 9": lambda scene: scene.place("two", size=9.0),
     r"the time of a call \(seconds\) is -1": lambda scene: scene.enter("two", seconds=-1.0),

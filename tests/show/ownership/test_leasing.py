@@ -7,11 +7,13 @@ from omote.model.cast import Cast
 from omote.perform.scene.scene_snapshot import without_time
 from omote.show.declaration import ClientMessage, Outgoing
 from omote.show.messages import PROTOCOL_VERSION
-from omote.show.objects.calls import CallFace, FadeExpression, FadeFace, Panic
+from omote.show.objects.calls import CallExpression, CallFace, FadeExpression, FadeFace, Panic
 from omote.show.objects.characters import AddCharacter, RemoveCharacter, RenameCharacter
 from omote.show.objects.faders import SetChannel, SetHead
 from omote.show.objects.leases import AppointManager, Lease, LeaseClaim, LeasePart, Leases, ReleaseLease, SetLeases
 from omote.show.objects.link import Hello, Refused
+from omote.show.objects.memories import CallMemory
+from omote.show.objects.pictures import CallFraming, CallLight
 from omote.show.ownership.leasing import AGAIN_SECONDS, LOOK_SECONDS, OFF, LeaseSnapshot
 from omote.show.ownership.ownership_table import AWAY_SECONDS
 from omote.show.session import ShowSession
@@ -331,3 +333,24 @@ def test_a_lighting_desk_that_wants_a_part_is_named(show: ShowSession) -> None:
     show.receive("a", FACE, 0.0)
     show.receive("osc 10.0.0.5", FadeFace("one", 0.5), 0.0)
     assert wishes(told(show, "a", 0.0)) == [("one/face", "OSC 10.0.0.5", 0)]
+
+
+@pytest.mark.parametrize(
+    ("message", "unknown"),
+    [
+        (CallFace("one", "c1", "nobody", 1.0, "smooth"), "face 'nobody'"),
+        (CallExpression("one", "c1", "nothing", 1.0, "smooth"), "expression 'nothing'"),
+        (CallMemory("c1", "nope"), "memory 'nope'"),
+        (SetChannel("one", "nothing", 0.5), "channel 'nothing'"),
+        (CallLight("c1", "dark"), "light 'dark'"),
+        (CallFraming("c1", ["nobody"]), "character 'nobody'"),
+    ],
+)
+def test_what_there_is_not_is_told_before_who_holds_it_and_nobody_is_asked_for_it(
+    show: ShowSession, message: ClientMessage, unknown: str
+) -> None:
+    show.receive("a", Lease("all", "*", "*", take_over=True), 0.0)
+    outgoing = show.receive("b", message, 0.0)
+    assert f"there is no {unknown}" in refused(outgoing).reason
+    assert refused(outgoing).held == []
+    assert len(outgoing) == 1

@@ -42,7 +42,7 @@ export class Help extends ConsoleDialog {
       <p>A T-bar takes a call over when its handle meets the call's value (pick-up). Drag with Shift for fine moves; twice on a control puts it to rest; the wheel steps.</p>
       <p>A name on a control is that of another console whose hand is on it, yellow where yours is too: who moved last has it. <i>Set-up</i> gives this console its name.</p>
       <p>With leases (<i>Set-up</i>) whoever touches a part first has it: its frame has the holder's colour and name. What another holds says so when you touch it; <i>Take over</i> beside those words makes it yours, and both read it.</p>
-      <p>Beside the picture: <b>+</b> adds a character; a key for each says whom this console plays, with Shift several, <i>All</i> all of them. ⋯ has places, entering and leaving, names, and what the picture holds. Panic is of those played here, <i>ALL</i> beside it of every character.</p>
+      <p>Beside the picture: <b>+</b> adds a character; a key for each says whom this console plays, with Shift several, <i>All</i> all of them. <i>Scene</i> (P) has places, entering and leaving, names, and what the picture holds. Panic is of those played here, <i>ALL</i> beside it of every character.</p>
       <p>A face or an expression of your own is edited, renamed and deleted by the menu of its tile: point at it and press ⋯, or hold a finger on it. <i>Log</i> shows what was said and what can be taken back.</p>
       <button @click=${this.close}>Close</button>
     </section>`;

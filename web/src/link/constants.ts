@@ -26,6 +26,8 @@ export const LAYERS = ["breath", "gaze", "emotion", "blink", "tracker", "lips", 
 export const LAYER_PARTS = ["brows", "eyes", "mouth", "rest", "head", "gaze"] as const;
 /** The layers that sources drive. */
 export const DRIVEN_LAYERS = ["breath", "gaze", "blink", "tracker", "lips", "playback"] as const;
+/** The source of what a character says, which ends by itself. */
+export const SPEECH = "speech";
 /** The influence of lips at first, by part; all others have 1 on all. */
 export const LIPS_INFLUENCE = [0.0, 0.0, 0.7, 0.0, 0.0, 0.0] as const;
 /** What files can hold, by their suffix; the first is what they are taken for. */

@@ -150,9 +150,9 @@ export type Panic = { type: "panic"; character: string; id?: string };
 export type SetHome = { type: "set_home"; character: string; face: string; seconds?: number };
 
 /**
- * Adds a character, which waits off stage at a free place until it enters. `character`: its name for ever, lower
- * case letters, digits, `_` and `-`; `label`: what people call it. `face` is its home face too. An `id` executes once,
- * as of the messages below.
+ * Adds a character, which waits off stage at a free place until it enters; it is as lively as the liveliest there.
+ * `character`: its name for ever, lower case letters, digits, `_` and `-`; `label`: what people call it. `face` is its
+ * home face too. An `id` executes once, as of the messages below.
  */
 export type AddCharacter = { type: "add_character"; id: string; character: string; label: string; face: string };
 

@@ -31,6 +31,25 @@ describe("notices of the show", () => {
     expect(ids(reloaded)).toEqual(["2", "3"]);
   });
 
+  it("grow older on the page: each minute it is told that there is something else to read", () => {
+    let [now, changes] = [1000, 0];
+    const counted = () => {
+      changes += 1;
+    };
+    const notices = new ShowNotices(
+      () => new Memory(),
+      counted,
+      () => now,
+    );
+    const crash = { ...notice("1"), time: 1000 };
+    const seen = [0, 1, 59, 61, 62, 119, 121].map((passed) => {
+      now = 1000 + passed;
+      notices.receive([crash]);
+      return changes;
+    });
+    expect(seen).toEqual([1, 1, 1, 2, 2, 2, 3]);
+  });
+
   it("come to a new page once where they are old, and stay there until they are dismissed", () => {
     const [memory, old] = [new Memory(), { ...notice("1"), time: 100 }];
     const opened = () =>

@@ -12,7 +12,8 @@ const OLD = 60;
 /** Seconds for which what says that something is well again stands. */
 const SOLVED = 20;
 
-/** The notices that nobody has dismissed in this browser; `changed` is called when there are others. */
+/** The notices that nobody has dismissed in this browser; `changed` is called when there are others, or when
+ * one reads older. */
 export class ShowNotices {
   open: readonly Notice[] = [];
   /** All of the show, read or not, oldest first. */

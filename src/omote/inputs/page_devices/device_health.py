@@ -51,7 +51,8 @@ class DeviceHealth:
 class SourceCounts:
     """A source beside the pages, such as OSC: its counts, the newest that came, the last rejection, and what to do at
     whoever sends it. senders: those of a tracker's protocol, each with its channels, instead of the newest. remark:
-    what was said last of what is left out without being wrong, remarks: how often."""
+    what was said last of what is left out without being wrong, remarks: how often. alike: how many of the last were of
+    the newest's control; None where it is not known."""
 
     name: str
     kind: SourceKind
@@ -65,6 +66,7 @@ class SourceCounts:
     senders: tuple[SenderCounts, ...] = ()
     remarks: int = 0
     remark: Rejection | None = None
+    alike: int | None = None
 
 
 def count_tracker(trackers: TrackerInput, advice: str) -> SourceCounts:
@@ -101,7 +103,9 @@ class SourceHealth:
         rejected = counts.rejected - health.rejected
         health.note(came, rejected)
         if came and counts.newest:
-            log.note(counts.name, counts.newest, now, count=came)
+            alike = came if counts.alike is None else min(came, counts.alike)
+            others = f" (and {came - alike} of others before it)" if came > alike else ""
+            log.note(counts.name, counts.newest + others, now, count=alike)
         self._look_at_senders(counts, now, log)
         if counts.remarks > self._remarks and counts.remark is not None:
             log.note(counts.name, f"{counts.remark.sender}: {counts.remark.reason}", now)

@@ -14,6 +14,8 @@ AGAIN_SECONDS = 1.0
 """Seconds in which the same counts as one line."""
 LINES_A_SECOND = 4
 """New lines of one source within a second; more are counted in its newest line of the same kind."""
+OTHERS = ", among others"
+"""Behind the newest in a line that counts other things too."""
 MOST_SOURCES = 64
 LONGEST_LINE = 300
 
@@ -49,7 +51,7 @@ class LineLog:
                     line.number,
                     line.time,
                     source,
-                    line.text if made < LINES_A_SECOND else text,
+                    text if line.text == text else f"{text}{OTHERS}",
                     rejected,
                     line.count + count,
                 )

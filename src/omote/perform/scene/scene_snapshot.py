@@ -10,7 +10,6 @@ from omote.perform.axis import Axis
 from omote.perform.lights import FIRST_LIGHT, LIGHTS
 from omote.perform.limits import FOREVER, check_within
 from omote.perform.motion.sight import Point
-from omote.perform.name_lookup import NO_LABELS
 from omote.perform.scene.character_names import ALL, MOST_CHARACTERS, check_character_name, framing_of, names_in
 from omote.perform.scene.gaze_targets import MOST_POINTS, check_point
 from omote.perform.scene.goals import BLACK_LIMITS, PRESENCE_LIMITS
@@ -143,13 +142,23 @@ def check_standing(standing: Standing, name: str) -> None:
     check_movement(standing.presence, PRESENCE_LIMITS, f"the presence of {name}:")
 
 
-def check_label(label: object, others: Mapping[str, str] = NO_LABELS) -> str:
-    """Returns the label of a character without spaces around it; ValueError for none, for one that is too long, and for
-    one that another has, in any case. others: the labels of the other characters, by name."""
+IN_ADDRESSES = "/*?[]{}"
+"""What parts and patterns of OSC addresses are made of."""
+
+
+def check_label(label: object, others: Mapping[str, str] | None = None) -> str:
+    """Returns the label of a character without spaces around it; ValueError for none, for one that is too long, for one
+    that another has, in any case, and for one that no address can call. others: the labels of the other characters, by
+    name; None for one that was kept: it was given when all letters were allowed."""
     text = label.strip() if isinstance(label, str) else ""
     if not 0 < len(text) <= LONGEST_LABEL:
         raise ValueError(f"the label of a character is {label!r:.100}; give 1 to {LONGEST_LABEL} letters")
-    for name, other in others.items():
+    if others is not None and (wrong := [letter for letter in text if letter in IN_ADDRESSES]):
+        raise ValueError(
+            f"a character cannot be labelled {text[:80]!r}, for {wrong[0]} has a meaning in addresses, which call "
+            "characters by their labels too; leave it out"
+        )
+    for name, other in (others or {}).items():
         if other.casefold() == text.casefold():
             raise ValueError(f"the character {name} is called {other!r} already; give another label")
     return text

@@ -92,7 +92,9 @@ class OscListener(DeviceSource):
             where = place[0]
             newest = f"{message.address} {' '.join(map(str, message.arguments))}".strip()
             values = {message.address[:80]: argument for argument in message.arguments[-1:] if _is_position(argument)}
-        return SourceCounts("OSC", "osc", where, osc.heard, osc.rejected, newest, osc.last_rejection, values)
+        return SourceCounts(
+            "OSC", "osc", where, osc.heard, osc.rejected, newest, osc.last_rejection, values, alike=osc.alike
+        )
 
     async def start(self) -> None:
         """Accepts connections from now on."""

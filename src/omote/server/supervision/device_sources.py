@@ -130,6 +130,7 @@ async def _hear_osc(opening: _Opening, datagrams: socket.socket) -> OscListener:
     osc = OscListener(OscInput(opening.session), sockets, opening.log, opening.allowed, spoke=opening.early.note)
     opening.early.watch(datagrams)
     await osc.start()
+    osc.osc.resume(server.clock(), opening.allowed.allows)
     for target in read_targets(options.send):
         if target.protocol == SURFACE:
             osc.osc.subscribe((target.host, target.port), server.clock(), lasting=True)

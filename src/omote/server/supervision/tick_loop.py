@@ -93,7 +93,7 @@ class ShowTick:
         self._journals = journals
         self._pulse = pulse
         self._board = board
-        self._kept: tuple[SceneSnapshot, LeaseSnapshot] | None = None
+        self._kept: tuple[SceneSnapshot, LeaseSnapshot, set[tuple[str, int]]] | None = None
 
     def tick(self, beat: int | None) -> None:
         """Broadcasts the state and notices; on a beat sends the heartbeat, writes the journal, broadcasts who is
@@ -114,7 +114,8 @@ class ShowTick:
 
     def _keep(self, *, even_resting: bool) -> None:
         session = self._server.session
-        still = without_time(session.scene.snapshot()), session.leasing.snapshot()
+        surfaces = {(surface.host, surface.port) for surface in session.surfaces}
+        still = without_time(session.scene.snapshot()), session.leasing.snapshot(), surfaces
         if still != self._kept or even_resting:
             self._kept = still
             entry = journal_entry(session)

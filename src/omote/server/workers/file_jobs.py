@@ -94,6 +94,7 @@ class NamedCast:
     faces: Mapping[str, Any]
     expressions: Mapping[str, Any]
     titles: Mapping[str, Any] = field(default_factory=dict)
+    face_labels: Mapping[str, str] = field(default_factory=dict)
     digest: str = ""
 
 

@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+import itertools
 from collections.abc import Sequence
 from typing import Annotated
 
 from omote.perform.limits import check_known
+from omote.perform.motion.automatic_motion import AutomaticMotion
 from omote.perform.scene.character_names import ALL
 from omote.perform.scene.scene import Scene
 from omote.perform.scene.scene_frame import PLACE_LIMITS
@@ -26,9 +28,9 @@ from omote.show.validation import Refusal
 
 
 class AddCharacter(SceneCommand, frozen=True):
-    """Adds a character, which waits off stage at a free place until it enters. `character`: its name for ever, lower
-    case letters, digits, `_` and `-`; `label`: what people call it. `face` is its home face too. An `id` executes once,
-    as of the messages below."""
+    """Adds a character, which waits off stage at a free place until it enters; it is as lively as the liveliest there.
+    `character`: its name for ever, lower case letters, digits, `_` and `-`; `label`: what people call it. `face` is its
+    home face too. An `id` executes once, as of the messages below."""
 
     method = "add"
 
@@ -47,9 +49,14 @@ class AddCharacter(SceneCommand, frozen=True):
     def change(self, scene: Scene) -> None:
         """Adds it; one of the same name that is still on its way out stays, with the label and the face that are asked
         for."""
-        there = scene.snapshot().characters.get(self.character)
+        characters = scene.snapshot().characters
+        there = characters.get(self.character)
         if there is None or not there.standing.leaves:
-            scene.add(self.character, face=self.face, label=self.label)
+            motions = [(each.performer.motion or AutomaticMotion()).settings for each in characters.values()]
+            liveliness = max(motion.liveliness for motion in motions)
+            seeds = {motion.seed for motion in motions}
+            own = next(seed for seed in itertools.count() if seed not in seeds)  # two of one seed may blink together
+            scene.add(self.character, face=self.face, label=self.label).set_motion(liveliness, seed=own)
             return
         scene[self.character].call_face(self.face)
         scene.rename(self.character, self.label)

@@ -7,10 +7,11 @@ from typing import Annotated, ClassVar
 import msgspec
 
 from omote.perform.easing import DEFAULT_EASING
+from omote.perform.limits import check_known
 from omote.perform.scene.character_names import ALL
 from omote.perform.scene.memories import LONGEST_MEMORY_NAME
 from omote.perform.scene.scene import Scene
-from omote.show.declaration import CallId, Name, OptionalCallId, SceneCommand, Seconds
+from omote.show.declaration import CallId, Name, OptionalCallId, SceneCommand, Seconds, Session
 from omote.show.osc import PRESS, Value, osc
 
 MemoryName = Annotated[str, msgspec.Meta(min_length=1, max_length=LONGEST_MEMORY_NAME), Value("text")]
@@ -49,6 +50,10 @@ class CallMemory(SceneCommand, frozen=True):
     name: MemoryName
     seconds: Seconds = 1.0
     easing: Name = DEFAULT_EASING
+
+    def check_names(self, session: Session) -> None:
+        """Raises ValueError for a memory that there is not. session: the show."""
+        check_known(self.name, session.scene.snapshot().memories.kept, "memory")
 
     def change(self, scene: Scene) -> None:
         """Changes the scene."""

@@ -8,9 +8,9 @@ import msgspec
 
 from omote.perform.easing import DEFAULT_EASING, HAND_SECONDS
 from omote.perform.limits import LONGEST_CALL
-from omote.perform.scene.character_names import MOST_CHARACTERS
+from omote.perform.scene.character_names import MOST_CHARACTERS, framing_of
 from omote.perform.scene.scene import Scene
-from omote.show.declaration import CallId, CharacterName, Name, RequestId, SceneCommand, Seconds
+from omote.show.declaration import CallId, CharacterName, Name, RequestId, SceneCommand, Seconds, Session
 from omote.show.objects.calls import seconds_of
 from omote.show.objects.state import named_most
 from omote.show.osc import Osc, Value, osc
@@ -59,6 +59,10 @@ class CallFraming(SceneCommand, frozen=True):
     characters: Annotated[list[CharacterName], msgspec.Meta(max_length=MOST_CHARACTERS)]
     seconds: Seconds = 1.0
     easing: Name = DEFAULT_EASING
+
+    def check_names(self, session: Session) -> None:
+        """Raises ValueError for a character that there is not. session: the show."""
+        framing_of(self.characters, session.scene)
 
     def change(self, scene: Scene) -> None:
         """Changes the scene."""

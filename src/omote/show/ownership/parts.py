@@ -24,6 +24,14 @@ REGION_PARTS = ("brows", "eyes", "mouth")
 def find_part(name: str, *, of_scene: bool) -> str:
     """The part of a name as people write it, of the scene (of_scene) or of a character; ValueError for one that there
     is not."""
+    if not of_scene and name in SCENE_PARTS:
+        raise ValueError(
+            f"the {name} is a part of the scene, not of a character: leave the character out of the address"
+        )
+    if of_scene and name in CHARACTER_PARTS:
+        raise ValueError(
+            f"there is no part of the scene to hold {name!r}, for it is a character's: name that in the address"
+        )
     parts = (*(SCENE_PARTS if of_scene else CHARACTER_PARTS), WORD_FOR_ALL)
     part = check_known(name, parts, "part of the scene to hold" if of_scene else "part of a character to hold")
     return ALL if part == WORD_FOR_ALL else part

@@ -1,9 +1,13 @@
-"""What stays with the show when its sources have gone: whom they drive, and their performers' measures."""
+"""What stays with the show when its sources have gone: whom they drive, and their performers' measures; who was told
+what is on air."""
 
 from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field
+from typing import Annotated
+
+import msgspec
 
 from omote.perform.layers.layer_names import LAYER_PARTS, LayerName, LayerPart
 from omote.show.sources.calibration import Calibration
@@ -31,3 +35,13 @@ class SourcesSnapshot:
 
     routes: Mapping[str, Route] = field(default_factory=dict)
     calibrations: Mapping[str, Calibration] = field(default_factory=dict)
+
+
+@dataclass(frozen=True)
+class SurfaceSubscription:
+    """A surface that asked to be told what is on air: where it hears, and when it was heard last, by the clock of this
+    start of the machine (seconds)."""
+
+    host: str
+    port: Annotated[int, msgspec.Meta(ge=1, le=65535)]
+    heard: float

@@ -49,7 +49,7 @@ beforeEach(() => {
     () => now,
     "me",
   );
-  leases = new ConsoleLeases(store);
+  leases = new ConsoleLeases(store, () => now);
   store.setOnline(true);
   store.receive({ type: "state", characters: { one: character } } as unknown as State);
 });
@@ -138,6 +138,31 @@ describe("leases at a console", () => {
     expect(notice()).toEqual(["Ana has taken over the face of One.", ["Take back"]]);
     press("Take back");
     expect(said()).toMatchObject([{ type: "lease", part: "face", take_over: true }]);
+  });
+
+  it("tell of claims that come together once, with all their parts, and take back all", () => {
+    const parts = ["one/face", "one/expression", "one/head"] as const;
+    const claim = (part: string, by = ANA, how = { taken: true, kept: false }): void =>
+      store.receive({ type: "lease_claim", parts: [part], by, ...how });
+    tell({ "one/face": ME, "one/expression": ME, "one/head": ME });
+    for (const part of parts) claim(part);
+    expect(notice()).toEqual([
+      "Ana has taken over the face of One, the expression of One and the head of One.",
+      ["Take back"],
+    ]);
+    press("Take back");
+    expect(said().map((message) => message.type === "lease" && [message.part, message.take_over])).toEqual([
+      ["face", true],
+      ["expression", true],
+      ["head", true],
+    ]);
+    for (const part of parts.slice(0, 2)) claim(part, ANA, { taken: false, kept: true });
+    expect(notice()).toEqual(["Ana keeps the face of One and the expression of One.", ["Take over"]]);
+    now = 60_000;
+    claim("one/head");
+    expect(notice()[0]).toBe("Ana has taken over the head of One.");
+    claim("one/face", seat(3, "Ben"));
+    expect(notice()[0]).toBe("Ben has taken over the face of One.");
   });
 
   it("ask the holder until it answers: it releases or keeps what is wanted, and a region goes with its expression", () => {

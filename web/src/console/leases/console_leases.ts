@@ -24,6 +24,9 @@ declare module "../controls/console_element" {
   }
 }
 
+/** Milliseconds within which claims of one seat are one: its console sends a message for each part. */
+const ONE_CLAIM = 2000;
+
 export class ConsoleLeases {
   /** Who holds what, as the show told last. */
   report: Leases = NOBODY;
@@ -33,8 +36,14 @@ export class ConsoleLeases {
   #again: (() => void) | null = null;
   /** What was touched in vain last, until it is taken over or anything else is told. */
   #wanted: readonly string[] = [];
+  /** The last claim that was heard, with those before it that came together with it, and when. */
+  #claim: (LeaseClaim & { readonly at: number }) | null = null;
 
-  constructor(private readonly store: ConsoleStore) {
+  /** `now`: milliseconds. */
+  constructor(
+    private readonly store: ConsoleStore,
+    private readonly now: () => number = () => performance.now(),
+  ) {
     store.mayPlay = (control) => this.#mayPlay(control);
     store.sayRefused = ({ reason, held }, again) => this.#sayRefused(reason, held, again);
     store.hear("lease_claim", (claim) => this.#hearClaim(claim));
@@ -207,7 +216,8 @@ export class ConsoleLeases {
     return keys.every((key) => this.store.ask({ type: "lease", ...split(key), take_over: takes }));
   }
 
-  #hearClaim({ parts, by, taken, kept }: LeaseClaim): void {
+  #hearClaim(claim: LeaseClaim): void {
+    const { parts, by, taken, kept } = this.#joined(claim);
     const what = this.#list(parts);
     const back = { label: "Take back", act: () => this.takeOver(parts) };
     if (kept) {
@@ -216,6 +226,17 @@ export class ConsoleLeases {
       this.store.say(`${by.name} keeps ${what}.`, "attention", [over]);
     } else if (taken) this.store.say(`${by.name} has taken over ${what}.`, "attention", [back]);
     else this.store.say(`${by.name} wants ${what}, which you hold.`, "attention", this.#answers(parts));
+  }
+
+  /** A claim with all parts of those that came together with it: a notice covers the one before it. */
+  #joined(claim: LeaseClaim): LeaseClaim {
+    const before = this.#claim;
+    const { by, taken, kept } = claim;
+    const same = before?.by.number === by.number && before.taken === taken && before.kept === kept;
+    const together = before !== null && same && this.now() - before.at < ONE_CLAIM;
+    const parts = [...new Set([...(together ? before.parts : []), ...claim.parts])];
+    this.#claim = { ...claim, parts, at: this.now() };
+    return this.#claim;
   }
 
   #answers(keys: readonly string[]): Offer[] {

@@ -24,7 +24,21 @@ describe("lost sources", () => {
     const recording = [rex(1, "take", "playback"), rex(0, "take", "playback")].map((characters) =>
       sources.receive(characters),
     );
-    expect([...sentences, ...recording].join("")).toBe("");
+    const speech = [1, 0.5, 0, 0, 1, 0].map((trust) => sources.receive(rex(trust, "speech", "lips")));
+    expect([...sentences, ...recording, ...speech].join("")).toBe("");
+  });
+
+  it("are told of lips that a microphone moves, though a speech beside them ends", () => {
+    const sources = new LostSources();
+    const lips = (microphone: number, speech: number): State["characters"] => {
+      const both = [
+        { source: "Desk", trust: microphone },
+        { source: "speech", trust: speech },
+      ];
+      return { rex: { label: "Rex", layers: { lips: { sources: both } } } } as never;
+    };
+    const sentences = [lips(1, 1), lips(1, 0), lips(0, 0)].map((characters) => sources.receive(characters));
+    expect(sentences).toEqual(["", "", "Desk (lips of Rex) is lost."]);
   });
 
   it("are not told while their layer is off, as after a panic", () => {

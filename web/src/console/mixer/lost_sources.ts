@@ -1,10 +1,11 @@
 /** Sources that a performer feeds, trackers and lips: which were lost and which came back from one state to the next. */
 
+import { SPEECH } from "../../link/constants";
 import type { CharacterState, SourceState, State } from "../../link/messages";
 import { isLost, isTrusted } from "../store/layer_state";
 import { sourceLabel } from "../store/source_label";
 
-/** Layers whose source goes on until somebody ends it; a recording ends by itself. */
+/** Layers whose sources go on until somebody ends them, but for a speech; a recording ends by itself too. */
 const WATCHED = ["tracker", "lips"] as const;
 
 type Characters = State["characters"];
@@ -25,7 +26,7 @@ export class LostSources {
         if (!on) continue;
         for (const { source, trust } of sources.length > 0 ? sources : [{ source: only, trust: its }]) {
           const key = `${name}/${layer}/${source}`;
-          if (source === "") continue;
+          if (source === "" || source === SPEECH) continue;
           there.add(key);
           const turned = this.#turn(key, trust, sending.has(source));
           if (turned !== null)

@@ -34,14 +34,14 @@ const style = css`
   }
   input {
     ${entry}
-    flex: 1 1 120px;
+    flex: 1 1 100%; /* a row of its own: a sentence is to be read while it is typed */
     min-width: 0;
     min-height: 28px;
   }
   select {
     ${entry}
     min-height: 28px;
-    flex: 0 1 96px;
+    flex: 1 1 96px;
   }
   @media (pointer: coarse) {
     input,

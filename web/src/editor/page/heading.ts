@@ -9,7 +9,7 @@ import { textOf } from "../../ui/topic_element";
 import { controls } from "../controls/controls_style";
 import { EditorElement } from "../controls/editor_element";
 import type { Topic } from "../session/draft_store";
-import { describe, othersOf, redo, save, undo } from "../session/item_commands";
+import { describe, nextUndo, othersOf, redo, save, undo } from "../session/item_commands";
 import { style } from "./heading_style";
 
 /** The head of the page: what is open, whether it is saved, who else is at it. */
@@ -27,7 +27,7 @@ export class Heading extends EditorElement {
     return html`
       <div class="mark ${draft === null ? "" : "beside"}">OMOTE <small>EDITOR</small></div>
       ${store.online ? nothing : html`<div class="lost" role="alert">LINK LOST – what you do waits here</div>`}
-      ${item === null || draft === null ? html`<span class="grow"></span>${store.deleted === null ? nothing : this.#steps(0, 0, "")}` : this.#open(item, draft)}
+      ${item === null || draft === null ? html`<span class="grow"></span>${nextUndo(store) === "" ? nothing : this.#steps(0)}` : this.#open(item, draft)}
       <label class="you" title="Other editors read this name">You:
         <input aria-label="Your name" maxlength="64" .value=${this.context.name()} @change=${this.#rename} /></label>
       <a class="console" href="/console" target="_blank" title="Play what is saved">Console</a>
@@ -48,7 +48,7 @@ export class Heading extends EditorElement {
         @change=${(event: Event) => void describe(store, item, { tags: tagsOf(textOf(event)) })} />
       ${others.length === 0 ? nothing : html`<span class="others" role="status">${others.join(", ")} ${others.length === 1 ? "is" : "are"} at it too</span>`}
       <span class="grow"></span>
-      ${this.#steps(draft.undo, draft.redo, draft.what)}
+      ${this.#steps(draft.redo)}
       <input class="remark" aria-label="Note" title="What you say of this save, if you like" placeholder="note" maxlength="200" .value=${this.note}
         @input=${(event: Event) => (this.note = textOf(event))}
         @keydown=${(event: KeyboardEvent) => (event.key === "Enter" ? this.save() : nothing)} />
@@ -57,13 +57,12 @@ export class Heading extends EditorElement {
     `;
   }
 
-  #steps(steps: number, forward: number, step: string) {
-    const { deleted } = this.store;
-    const [back, what] = deleted === null ? [steps, step] : [1, `delete of ${deleted.item.label}`];
+  #steps(forward: number) {
+    const what = nextUndo(this.store);
     const next = this.store.undone.at(-1) ?? "";
     return html`<div class="steps">
-      <button data-step="undo" ?disabled=${back === 0} title=${back === 0 ? "Nothing to undo" : `Undo: ${what} (Ctrl Z)`} aria-label=${back === 0 ? "Undo" : `Undo: ${what}`}
-        @click=${() => undo(this.store)}>↶ <span>${back === 0 ? "Undo" : what}</span></button>
+      <button data-step="undo" ?disabled=${what === ""} title=${what === "" ? "Nothing to undo" : `Undo: ${what} (Ctrl Z)`} aria-label=${what === "" ? "Undo" : `Undo: ${what}`}
+        @click=${() => undo(this.store)}>↶ <span>${what === "" ? "Undo" : what}</span></button>
       <button data-step="redo" ?disabled=${forward === 0} title=${forward === 0 ? "Nothing to redo" : `Redo: ${next} (Ctrl Shift Z)`} aria-label=${forward === 0 ? "Redo" : `Redo: ${next}`}
         @click=${() => redo(this.store)}>↷ <span>${forward === 0 ? "Redo" : next || "Redo"}</span></button>
     </div>`;

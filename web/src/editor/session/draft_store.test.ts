@@ -1,9 +1,20 @@
-import { beforeEach, describe, expect, it } from "vitest";
+import { beforeEach, describe, expect, it, vi } from "vitest";
 import type { DraftState, Greeted, ItemDocument, NetDocument, Recipe } from "../../link/editing_messages";
 import type { EditorAnswer, Request } from "../link/requests";
 import { flat, REST, split, type Vector } from "./control_net";
 import { DraftStore } from "./draft_store";
-import { create, matches, normalised, placeAt, redo, remove, describe as rename, save, undo } from "./item_commands";
+import {
+  create,
+  matches,
+  nextUndo,
+  normalised,
+  placeAt,
+  redo,
+  remove,
+  describe as rename,
+  save,
+  undo,
+} from "./item_commands";
 
 const bytes = (array: Uint16Array | Float32Array): Uint8Array => new Uint8Array(array.buffer);
 
@@ -245,6 +256,22 @@ describe("save", () => {
     expect(store.notices[0]?.text).toContain("On the console");
   });
 
+  it("says of an expression that moves nothing that it does so", async () => {
+    const saying = async (recipe: Partial<Recipe>, vectors: Vector[] = still): Promise<string> => {
+      store.receive(draftOf(vectors, { dirty: true, recipe: recipeOf(vectors, recipe) }));
+      const done = save(store, "");
+      const at = script.asked.findLastIndex(({ request }) => request.type === "save");
+      await script.answer(at, saved);
+      await done;
+      return store.notices[0]?.text ?? "";
+    };
+    expect(await saying({})).toContain("It moves nothing yet");
+    expect(await saying({ pulls: [{ muscle: "zygomaticus", contraction: 0 }] })).toContain("It moves nothing yet");
+    expect(await saying({}, moved)).not.toContain("moves nothing");
+    expect(await saying({ eyes: [0.1, 0, 0, 0] })).not.toContain("moves nothing");
+    expect(await saying({ pupil: 0.5 })).not.toContain("moves nothing");
+  });
+
   it("over another's offers both ways out", async () => {
     store.receive(draftOf(moved, { dirty: true }));
     const done = save(store, "");
@@ -303,6 +330,52 @@ describe("items", () => {
     expect(script.asked.slice(7).map(({ request }) => request)).toMatchObject([
       { type: "set_eyes", item: 2 },
       { type: "undo", item: 2 },
+    ]);
+  });
+
+  it("have their names, tags and places back by Undo, the newest first, before a step that was done earlier", async () => {
+    const said = (at: number) => script.asked[at]?.request;
+    store.receive(draftOf(moved, { undo: 1, what: "drag" }));
+    void rename(store, item(1), { label: "Ann" });
+    void rename(store, item(1), { tags: ["old"] });
+    await script.answer(0, { type: "done", request: 0 });
+    await script.answer(1, { type: "done", request: 1 });
+    expect(nextUndo(store)).toBe("tags of Ann");
+    undo(store);
+    expect(said(2)).toEqual({ type: "describe", item: 1, label: "Ann", tags: [], place: 1 });
+    await script.answer(2, { type: "done", request: 2 });
+    expect(nextUndo(store)).toBe("name Ann");
+    undo(store);
+    expect(said(3)).toEqual({ type: "describe", item: 1, label: "Item 1", tags: [], place: 1 });
+    await script.answer(3, { type: "done", request: 3 });
+    await vi.waitFor(() => expect(store.notices.map(({ text }) => text)).toContain("Undone: name Ann."));
+    store.notices.find(({ text }) => text === "Undone: name Ann.")?.actions[0]?.act();
+    expect(said(4)).toMatchObject({ type: "describe", label: "Ann" });
+    await script.answer(4, { type: "done", request: 4 });
+    undo(store);
+    await script.answer(5, { type: "done", request: 5 });
+    expect(nextUndo(store)).toBe("drag");
+    undo(store);
+    expect(said(6)).toEqual({ type: "undo", item: 1 });
+
+    void rename(store, item(1), { label: "Bo" });
+    store.edit({ type: "set_eyes", eyes: [0, 0, 0, 0], pupil: 0 }); // what is done later is taken back first
+    await script.answer(7, { type: "done", request: 7 });
+    expect(nextUndo(store)).toBe("drag");
+  });
+
+  it("may be called as another of their kind, which is said", async () => {
+    store.setItems([item(1), item(2, { label: "Grin" }), item(3, { label: "Gone", deleted: true })]);
+    const named = async (at: number, label: string): Promise<string[]> => {
+      const done = rename(store, item(1), { label });
+      await script.answer(at, { type: "done", request: at });
+      await done;
+      return store.notices.map(({ text }) => text);
+    };
+    expect(await named(0, "Ann")).toEqual([]);
+    expect(await named(1, "Gone")).toEqual([]);
+    expect(await named(2, "GRIN")).toEqual([
+      'Another expression is called "GRIN" too: on the console both read the same.',
     ]);
   });
 

@@ -49,6 +49,16 @@ export const MOST_NEIGHBOURS = 10;
 const FIRST = "kaori";
 const NEIGHBOURS = ["dog", "child", "old"];
 
+/** How an item is named, found and ordered. */
+export type Description = Partial<Pick<ItemDocument, "label" | "tags" | "place">>;
+
+/** A change of that: what it was before, and the change in words. */
+export interface Described {
+  readonly item: number;
+  readonly before: Description;
+  readonly what: string;
+}
+
 /** Everything that belongs to no item; whoever listens to a topic hears of its changes. */
 export class EditorStore extends TopicStore<EditorTopic> {
   library: Library | null = null;
@@ -76,6 +86,9 @@ export class EditorStore extends TopicStore<EditorTopic> {
   };
   /** The item that was deleted last, and whether it was open, while nothing was done since: Undo brings it back. */
   deleted: { readonly item: ItemDocument; readonly open: boolean } | null = null;
+  /** Names, tags and places that were changed last, the newest last, while nothing else was done since: Undo takes them
+   * back one by one. */
+  described: readonly Described[] = [];
   online = false;
   /** What is being opened, as people call it; "": nothing. */
   opening = "";
@@ -141,7 +154,7 @@ export class EditorStore extends TopicStore<EditorTopic> {
 
   /** Another show is served than before: what is open, and what was deleted last, belong to the former. */
   #leaveShow(): void {
-    this.deleted = null;
+    [this.deleted, this.described] = [null, []];
     this.leave();
     this.say("Another show is served here now: what you see are its faces and expressions.");
   }
@@ -150,6 +163,7 @@ export class EditorStore extends TopicStore<EditorTopic> {
    * those that open an item; NaN where it opens none. */
   protected noteAsked(type: Request["type"]): number {
     if (!LOOKS.has(type)) this.deleted = null;
+    if (!LOOKS.has(type) && type !== "describe") this.described = [];
     if (!OPENS.has(type)) return Number.NaN;
     this.openings += 1;
     return this.openings;

@@ -1,9 +1,11 @@
 /** What people do with items: make, open, save, undo, bring back, name, order, delete. */
 
-import type { FaceRecipe, ItemDocument, RevisionDocument, Saved } from "../../link/editing_messages";
+import type { FaceRecipe, ItemDocument, Recipe, RevisionDocument, Saved } from "../../link/editing_messages";
 import { importFiles } from "../../ui/file_import";
 import type { Request } from "../link/requests";
+import { REST } from "./control_net";
 import type { DraftStore } from "./draft_store";
+import type { Described, Description } from "./editor_store";
 import type { EditorNotice } from "./notices";
 
 /** Where something new begins: sources by weight, or what is on air now. */
@@ -91,8 +93,20 @@ export async function save(store: DraftStore, note: string): Promise<void> {
 function tellSaved(store: DraftStore, { item }: Saved): void {
   const saved = store.items.find(({ id }) => id === item);
   const place = saved?.kind === "face" ? "among the faces" : "under Own";
-  const sentence = `Saved. On the console "${saved?.label ?? ""}" is now ${place}: call it there.${leftOut(store)}`;
+  const sentence = `Saved. On the console "${saved?.label ?? ""}" is now ${place}: call it there.${leftOut(store)}${atRest(store.recipe) ? AT_REST : ""}`;
   store.say(sentence, "done", [{ label: "Open the console", act: () => void window.open("/console", "_blank") }]);
+}
+
+const AT_REST = " It moves nothing yet: all points, layers, muscles and eyes are at rest.";
+
+/** Whether an expression moves nothing: it has no ground, and nobody has touched it. */
+function atRest(recipe: Recipe | null): boolean {
+  if (recipe === null || recipe.ground !== null || recipe.pupil !== 0) return false;
+  const still = recipe.vectors.every((vector) => vector.every((part, at) => part === REST[at]));
+  const silent = recipe.layers.every(({ muted, weight }) => muted || weight === 0);
+  return (
+    still && silent && recipe.eyes.every((turn) => turn === 0) && recipe.pulls.every((pull) => pull.contraction === 0)
+  );
 }
 
 /** What a save has not in what plays, though it is on the page; and what it has, though the page shows less. */
@@ -123,11 +137,22 @@ async function lookAt(store: DraftStore, item: number, number: number): Promise<
   if (theirs !== undefined && store.draft?.item === item) store.setLook(theirs.content);
 }
 
-/** The last step of the open item, or the delete where that came after it. */
+/** What Undo takes back, in words; "" for nothing. */
+export function nextUndo({ draft, deleted, described }: DraftStore): string {
+  if (deleted !== null) return `delete of ${deleted.item.label}`;
+  return described.at(-1)?.what ?? (draft === null || draft.undo === 0 ? "" : draft.what);
+}
+
+/** The last step of the open item, or the delete, the name, tags or place that came after it. */
 export function undo(store: DraftStore): void {
-  const { draft, deleted } = store;
+  const { draft, deleted, described } = store;
+  const last = described.at(-1);
   if (deleted !== null) {
     void bringItemBack(store, deleted);
+    return;
+  }
+  if (last !== undefined) {
+    void takeBack(store, last);
     return;
   }
   if (draft === null || draft.undo === 0) return;
@@ -186,19 +211,61 @@ export function weighed(mix: FaceRecipe["base"], source: string, weight: number)
 
 // --- any item ---------------------------------------------------------------------------------------------------------
 
-type Description = Partial<Pick<ItemDocument, "label" | "tags" | "place">>;
-
-/** Shown at once, so that what is typed next is not built on what was before; a refusal takes it back. */
-export async function describe(store: DraftStore, { id }: ItemDocument, change: Description): Promise<void> {
-  const before = store.items.find((item) => item.id === id);
+/** Shown at once, so that what is typed next is not built on what was before; a refusal takes it back, and so does
+ * Undo. */
+export async function describe(store: DraftStore, item: ItemDocument, change: Description): Promise<void> {
+  const before = store.items.find(({ id }) => id === item.id);
   if (before === undefined) return;
-  const put = (now: Description): void =>
+  const { label, tags, place } = before;
+  const kept = { label, tags, place };
+  const changed = Object.fromEntries(Object.keys(change).map((key) => [key, kept[key as keyof Description]]));
+  const other = change.tags === undefined ? "order" : "tags";
+  const what = change.label === undefined ? `${other} of ${label}` : `name ${change.label}`;
+  const step = { item: item.id, before: changed, what };
+  store.described = [...store.described, step];
+  if (!(await put(store, item.id, change))) store.described = store.described.filter((each) => each !== step);
+  else if (change.label !== undefined && isTaken(store, item, change.label))
+    store.say(`Another ${item.kind} is called "${change.label}" too: on the console both read the same.`, "refusal");
+  store.tell("options");
+}
+
+/** Whether another of its kind, built in or own, is called so. */
+function isTaken({ items, manifest }: DraftStore, { id, kind }: ItemDocument, label: string): boolean {
+  const own = items.filter((item) => item.kind === kind);
+  const names = new Set(own.map(({ name }) => name));
+  const builtIn = (kind === "face" ? manifest?.faces : manifest?.expressions) ?? [];
+  const others = [
+    ...own.filter((item) => item.id !== id && !item.deleted),
+    ...builtIn.filter(({ name }) => !names.has(name)),
+  ];
+  return others.some((other) => other.label.toLowerCase() === label.toLowerCase());
+}
+
+/** Undoes a change of a name, tags or a place, and offers to do it again. */
+async function takeBack(store: DraftStore, step: Described): Promise<void> {
+  const item = store.items.find(({ id }) => id === step.item);
+  store.described = store.described.slice(0, -1);
+  store.tell("options");
+  if (item === undefined) return;
+  const { label, tags, place } = item;
+  const now = { label, tags, place };
+  const again = Object.fromEntries(Object.keys(step.before).map((key) => [key, now[key as keyof Description]]));
+  if (!(await put(store, step.item, step.before))) return;
+  store.say(`Undone: ${step.what}.`, "done", [{ label: "Redo", act: () => void describe(store, item, again) }]);
+}
+
+/** Whether the show has taken it. */
+async function put(store: DraftStore, id: number, change: Description): Promise<boolean> {
+  const before = store.items.find((item) => item.id === id);
+  if (before === undefined) return false;
+  const show = (now: Description): void =>
     store.setItems(store.items.map((item) => (item.id === id ? { ...item, ...now } : item)));
   const { label, tags, place } = { ...before, ...change };
   if (label !== before.label) store.clear("done"); // good news that calls it by its old name
-  put(change);
+  show(change);
   const answer = await store.ask({ type: "describe", item: id, label, tags, place });
-  if (answer === null) put({ label: before.label, tags: before.tags, place: before.place });
+  if (answer === null) show({ label: before.label, tags: before.tags, place: before.place });
+  return answer !== null;
 }
 
 export const duplicate = (store: DraftStore, { id, kind, label }: ItemDocument): void =>

@@ -1,0 +1,17 @@
+"""Finds the faces and expressions that people call by what they read: by name, else by label."""
+
+from __future__ import annotations
+
+from omote.perform.name_lookup import find_name
+from omote.perform.snapshot import Playable
+
+
+def find_called(typed: str, kind: str, cast: Playable) -> str:
+    """The name of the face, expression or channel that a person means, as `find_name`: the labels of own ones count.
+
+    typed: what was written; kind: "face", "expression" or "channel"; cast: what can be called. ValueError where there
+    is none, and where several could be meant.
+    """
+    if kind == "face":
+        return find_name(typed, cast.faces, kind, cast.face_labels)
+    return find_name(typed, cast.expressions, kind, {name: title.label for name, title in cast.titles.items()})
