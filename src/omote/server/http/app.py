@@ -332,7 +332,7 @@ class ShowServer:
         page = self._pages.get(request.path)
         if page is None:
             raise web.HTTPNotFound(
-                text="there is no such page; there are /stage, /console, /devices, /camera, /microphone and /editor."
+                text="there is no such page; there are /stage, /console, /cues, /devices, /camera, /microphone, /editor."
             )
         keep = CACHE_FOREVER if page.immutable else NO_CACHE
         return web.Response(body=page.body, content_type=page.content_type, headers={"Cache-Control": keep})

@@ -49,7 +49,7 @@ const REST: State = {
   memories: [],
   note: "",
   began: 0,
-      cues: null,
+  cues: null,
 };
 /** A state in which the first character has something else on air. */
 const withOne = (change: Partial<CharacterState>): State => ({ ...REST, characters: { one: { ...CALM, ...change } } });
