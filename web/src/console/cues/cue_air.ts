@@ -66,7 +66,10 @@ const style = css`
     border-radius: 4px;
   }
   .warning {
-    margin-top: 8px;
+    margin: 0 0 8px;
+  }
+  ul ~ .warning {
+    margin: 8px 0 0;
   }
   .quiet {
     color: var(--dim);
@@ -99,7 +102,7 @@ export class CueAir extends CueElement {
     const left = timeLeft(this.cues.way, this.cues.current);
     const ago = since === null ? "" : `${countOf(since)} s ago${by === "" ? ", by itself" : ` by ${by}`}`;
     return html`<div class="called" style=${styleMap({ borderColor: colourOf(current.colour) })}>
-      <span class="number">${current.number}</span><span class="label">${current.label}</span>
+      <span class="number">${current.number}</span><span class="label">${this.cues.titleOf(current)}</span>
       <span class="left" title="Seconds until it has ended">${left > 0 ? countOf(left) : ""}</span>
       <span class="since">${ago}</span>
     </div>`;

@@ -52,6 +52,7 @@ const style = css`
     grid-column: span 3;
     align-self: end;
     min-height: 34px;
+    flex-wrap: nowrap;
     color: var(--text);
   }
   .check input {
@@ -60,23 +61,25 @@ const style = css`
   }
   .tools button,
   .add button {
-    min-height: 34px;
+    min-height: var(--finger, 34px);
     color: var(--text);
   }
   .move {
     display: grid;
-    grid-template-columns: minmax(0, 1fr) 62px 62px 90px 34px;
+    grid-template-columns: minmax(0, 1fr) 58px 58px 84px;
     gap: 4px 6px;
     align-items: end;
     padding: 8px 0;
     border-top: 1px solid var(--line);
   }
   .move b {
-    grid-column: 1 / -1;
+    grid-column: 1 / -2;
+    align-self: center;
     font-weight: 600;
   }
   .away {
-    min-height: 32px;
+    justify-self: end;
+    width: 34px;
     padding: 0;
   }
   .add {
@@ -93,12 +96,21 @@ const style = css`
   p {
     color: var(--dim);
   }
+  .to-list,
+  .closer {
+    color: var(--text);
+  }
+  @media (min-width: 721px) {
+    .to-list {
+      display: none; /* the list is beside it */
+    }
+  }
   @media (pointer: coarse) {
     :host {
       --finger: 44px;
     }
     .move {
-      grid-template-columns: repeat(3, minmax(0, 1fr)) 44px;
+      grid-template-columns: repeat(3, minmax(0, 1fr));
     }
     .move .goal {
       grid-column: 1 / -1;
@@ -108,8 +120,8 @@ const style = css`
 
 const GOES_ON = [
   ["", "on GO"],
-  ["continue", "with its begin + wait"],
-  ["follow", "after its end + wait"],
+  ["continue", "with it"],
+  ["follow", "after it"],
 ] as const;
 const EASINGS = EASING_NAMES.map((name) => [name, name] as const);
 
@@ -131,7 +143,8 @@ export class CueEditor extends CueElement {
   }
 
   #closer() {
-    return html`<button class="closer" @click=${() => this.cues.setEditing(false)}>Done</button>`;
+    return html`${this.cues.edited === null ? nothing : html`<button class="to-list" @click=${() => this.cues.edit(null)}>List</button>`}
+      <button class="closer" @click=${() => this.cues.setEditing(false)}>Done</button>`;
   }
 
   #cue(cue: Cue) {
@@ -187,13 +200,13 @@ export class CueEditor extends CueElement {
         .save=${(text: string, failed: (reason: string) => void) => put({ [name]: secondsIn(text) }, failed)}></omote-cue-field>`;
     return html`<div class="move" data-part=${part}>
       <b title=${part}>${partWords(part, this.cues.labels)}</b>
+      <button class="away" aria-label="Delete the move of ${part}" title="Delete this move"
+        @click=${() => this.cues.change({ type: "drop_move", cue: cue.identity, part })}>✕</button>
       <omote-cue-field class="goal" label="Goes to" .value=${goalText(part, move.goal)} .offered=${this.#offered(part)}
         .save=${(text: string, failed: (reason: string) => void) => put({ goal: parseGoal(part, text) }, failed)}></omote-cue-field>
       ${time("seconds", "Seconds")}${time("delay", "Delay")}
       <omote-cue-field label="Easing" .choices=${EASINGS} .value=${move.easing}
         .save=${(text: string, failed: (reason: string) => void) => put({ easing: text }, failed)}></omote-cue-field>
-      <button class="away" aria-label="Delete the move of ${part}" title="Delete this move"
-        @click=${() => this.cues.change({ type: "drop_move", cue: cue.identity, part })}>✕</button>
     </div>`;
   }
 

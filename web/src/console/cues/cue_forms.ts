@@ -26,7 +26,7 @@ const style = css`
   input:not([type="checkbox"]) {
     ${entry}
     width: 76px;
-    min-height: 34px;
+    min-height: var(--finger, 34px);
     font-size: 14px;
   }
   input.wide {
@@ -45,7 +45,7 @@ const style = css`
     border: 0;
   }
   button {
-    min-height: 34px;
+    min-height: var(--finger, 34px);
     color: var(--text);
   }
   [role="alert"] {

@@ -45,8 +45,10 @@ const style = css`
     padding: 0 4px;
     font-size: 15px;
     font-weight: 600;
-    color: var(--text);
     touch-action: manipulation;
+  }
+  .keys button:not([aria-pressed="true"]) {
+    color: var(--text);
   }
   .go {
     display: grid;
@@ -74,9 +76,9 @@ const style = css`
   .go.end {
     color: var(--text);
     background: #2a2d31;
-    text-decoration: line-through;
   }
   .go.deaf {
+    text-decoration: line-through;
     outline: 3px solid #c3170a;
     outline-offset: -3px;
   }
@@ -87,7 +89,37 @@ const style = css`
     font-weight: 700;
     letter-spacing: 0.1em;
   }
-  @media (max-width: 640px) {
+  .go.paused small {
+    font-size: 0.7em;
+    letter-spacing: 0;
+  }
+  :host([compact]) {
+    grid-template-columns: minmax(0, 5fr) minmax(0, 4fr);
+  }
+  :host([compact]) .next {
+    grid-column: 1 / -1;
+    min-height: 0;
+    max-height: 52px;
+  }
+  :host([compact]) .warning {
+    grid-column: 1 / -1;
+  }
+  :host([compact]) .next b {
+    font-size: 17px;
+  }
+  :host([compact]) .go {
+    min-height: 84px;
+    font-size: 40px;
+  }
+  :host([compact]) .go:not(.paused) small {
+    font-size: 18px;
+  }
+  :host([compact]) .keys button {
+    min-height: 84px;
+    padding: 0;
+    font-size: 13px;
+  }
+  @media (max-width: 720px) {
     :host {
       gap: 5px;
       padding: 6px 8px calc(6px + env(safe-area-inset-bottom));
@@ -112,7 +144,8 @@ export class CueGo extends CueElement {
   protected override readonly topics: readonly CueTopic[] = ["cues", "list", "view", "link"];
 
   override render() {
-    const { ignored, unheard } = this.cues;
+    const { ignored, unheard, editing } = this.cues;
+    this.toggleAttribute("compact", editing);
     return html`${this.#next()}
       ${ignored === "" ? nothing : html`<div class="warning ignored" role="alert">${ignored}</div>`}
       ${unheard === "" ? nothing : html`<div class="warning deaf" role="alert">${unheard}</div>`}
@@ -124,7 +157,7 @@ export class CueGo extends CueElement {
     if (standby === null)
       return html`<div class="next">${this.cues.list.length === 0 ? "No cue stands by." : "The end of the list: no cue stands by."}</div>`;
     const after = goesOnWords(this.cues.find(standby.identity) ?? { goes_on: "", post_wait: 0 });
-    return html`<div class="next" style=${styleMap({ borderColor: colourOf(standby.colour) })}><b>${standby.number} ${standby.label}</b>
+    return html`<div class="next" style=${styleMap({ borderColor: colourOf(standby.colour) })}><b>${standby.number} ${this.cues.titleOf(standby)}</b>
       ${after === "" ? nothing : html`<div class="by-itself">${after}</div>`}<div class="note">${standby.note}</div></div>`;
   }
 

@@ -12,7 +12,7 @@ import { CueElement, colourOf } from "./cue_element";
 import { cueListStyle } from "./cue_list_style";
 import { isFound, movedBehind } from "./cue_order";
 import type { CueTopic } from "./cue_store";
-import { goesOnWords, movesWords, partWords } from "./cue_words";
+import { goesOnWords, movesWords, titleWords } from "./cue_words";
 import { lookOf, shownCharacter, trackedLooks } from "./tracked_looks";
 
 /** Where a cue that is dragged would come to lie. */
@@ -79,7 +79,7 @@ export class CueListView extends CueElement {
       <span class="mark" aria-label=${isStandby ? "stands by" : isCurrent ? "was called last" : ""}>${mark}</span>
       <span class="number">${number}</span>
       <canvas width=${THUMBNAIL_SIZE.width} height=${THUMBNAIL_SIZE.height} aria-hidden="true" data-cue=${identity}></canvas>
-      <span class="words"><span class="label">${label || html`<i>${shortMoves(cue, labels)}</i>`}</span>
+      <span class="words"><span class="label">${label || html`<i>${titleWords(cue, labels)}</i>`}</span>
         ${note === "" ? nothing : html`<span class="note">${note}</span>`}<span class="moves">${movesWords(cue, labels)}</span></span>
       <span class="times">${timesOf(cue)}</span>
       ${editing ? this.#tools(cue) : nothing}
@@ -179,16 +179,4 @@ function timesOf(cue: Cue) {
   return html`<span>${pre_wait > 0 ? `after ${pre_wait} s, ` : ""}${seconds} s</span>${
     cue.goes_on === "" ? nothing : html`<b>↓ ${goesOnWords(cue)}</b>`
   }`;
-}
-
-/** What a cue without a label is read by: the parts that it moves. */
-function shortMoves({ moves }: Cue, labels: Readonly<Record<string, string>>): string {
-  const parts = Object.keys(moves);
-  const more = parts.length > 3 ? ` and ${parts.length - 3} more` : "";
-  return parts.length === 0
-    ? "moves nothing"
-    : `${parts
-        .slice(0, 3)
-        .map((part) => partWords(part, labels))
-        .join(", ")}${more}`;
 }

@@ -18,7 +18,7 @@ export const cueListStyle = css`
   .head input {
     ${entry}
     flex: 1 1 120px;
-    min-height: 32px;
+    min-height: var(--finger, 32px);
     font-size: 14px;
   }
   ol {
@@ -132,8 +132,10 @@ export const cueListStyle = css`
   .moves {
     display: none;
   }
-  .empty {
+  li.empty {
+    display: block;
     padding: 20px;
+    cursor: default;
     font-size: 15px;
     color: var(--dim);
   }

@@ -14,6 +14,7 @@ import { TopicStore } from "../../link/topics";
 import type { ConsoleStore } from "../store/console_store";
 import type { Asked } from "../store/requests";
 import { standbyBeside } from "./cue_order";
+import { titleWords } from "./cue_words";
 
 /** `cues`: who stands where; `time`: what counts, ten times a second; `list`: the cues; `view`: what this page shows. */
 export type CueTopic = "cues" | "time" | "list" | "view" | "link" | "notice" | "manifest" | "characters";
@@ -121,6 +122,11 @@ export class CueStore extends TopicStore<CueTopic> {
 
   find(identity: string | null): Cue | null {
     return this.list.find((cue) => cue.identity === identity) ?? null;
+  }
+
+  /** What a cue is called, also one without a label. */
+  titleOf({ identity, label }: CueName): string {
+    return titleWords(this.find(identity) ?? { label, moves: {} }, this.labels);
   }
 
   /** What people call each character. */

@@ -13,11 +13,13 @@ const style = css`
     min-width: 0;
   }
   button {
-    min-height: 32px;
+    min-height: var(--finger, 32px);
     max-width: 180px;
     overflow: hidden;
     text-overflow: ellipsis;
     white-space: nowrap;
+  }
+  button:not([aria-pressed="true"]) {
     color: var(--text);
   }
   small {

@@ -1,6 +1,6 @@
 import { expect, it } from "vitest";
 import type { Cue, CueListStatus } from "../../link/messages";
-import { countOf, goesOnWords, movesWords, timeLeft } from "./cue_words";
+import { countOf, goesOnWords, movesWords, timeLeft, titleWords } from "./cue_words";
 
 it("counts in tenths, and from a minute on in seconds", () => {
   expect([0, 1.26, 59.9, 59.96, 61.2, 600, -1].map(countOf)).toEqual([
@@ -18,6 +18,16 @@ it("says what goes on by itself", () => {
   expect(goesOnWords({ goes_on: "", post_wait: 2 })).toBe("");
   expect(goesOnWords({ goes_on: "continue", post_wait: 2 })).toBe("next with it + 2 s");
   expect(goesOnWords({ goes_on: "follow", post_wait: 0 })).toBe("next after it");
+});
+
+it("calls a cue without a label by what it moves", () => {
+  const move = { goal: {}, seconds: 1, easing: "smooth", delay: 0 };
+  const moves = Object.fromEntries(
+    ["*/light", "one/face", "one/head", "one/gaze", "*/black"].map((part) => [part, move]),
+  );
+  expect(titleWords({ label: "Night", moves }, {})).toBe("Night");
+  expect(titleWords({ label: "", moves }, { one: "Kaori" })).toBe("light, Kaori face, Kaori head and 2 more");
+  expect(titleWords({ label: "", moves: {} }, {})).toBe("moves nothing");
 });
 
 it("says the moves of a running order", () => {

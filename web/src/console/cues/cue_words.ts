@@ -25,6 +25,18 @@ export function partWords(part: string, labels: Readonly<Record<string, string>>
   return owner === ALL ? kindOf(part) : `${labels[owner] || owner} ${kindOf(part)}`;
 }
 
+/** What a cue is called; one without a label by the parts that it moves. */
+export function titleWords(
+  { label, moves }: Pick<Cue, "label" | "moves">,
+  labels: Readonly<Record<string, string>>,
+): string {
+  const parts = Object.keys(moves);
+  if (label !== "") return label;
+  const more = parts.length > 3 ? ` and ${parts.length - 3} more` : "";
+  const named = parts.slice(0, 3).map((part) => partWords(part, labels));
+  return parts.length === 0 ? "moves nothing" : `${named.join(", ")}${more}`;
+}
+
 /** All moves of a cue in a line, for a running order. */
 export function movesWords({ moves }: Pick<Cue, "moves">, labels: Readonly<Record<string, string>>): string {
   return Object.entries(moves)

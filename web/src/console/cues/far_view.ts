@@ -12,10 +12,9 @@ import { countOf, goesOnWords, partWords, timeLeft } from "./cue_words";
 const style = css`
   :host {
     --px: min(100vw / 1280, 100dvh / 800);
-    display: grid;
-    grid-template-rows: auto auto auto minmax(0, 1fr);
-    align-content: start;
-    gap: calc(10 * var(--px));
+    display: flex;
+    flex-direction: column;
+    gap: calc(8 * var(--px));
     height: 100dvh;
     padding: calc(14 * var(--px)) calc(24 * var(--px));
     overflow: hidden;
@@ -30,6 +29,9 @@ const style = css`
     gap: calc(30 * var(--px));
     min-width: 0;
   }
+  .bar > slot {
+    flex: none;
+  }
   .bar > * {
     ${ellipsis}
   }
@@ -40,6 +42,20 @@ const style = css`
   }
   .air {
     color: var(--air);
+  }
+  .air b {
+    flex: none;
+  }
+  .air i {
+    font-style: normal;
+    color: var(--coming);
+  }
+  .moving {
+    ${ellipsis}
+    color: #c98a80;
+  }
+  .moving ~ .note {
+    max-height: 1.08em;
   }
   .next {
     display: grid;
@@ -72,6 +88,7 @@ const style = css`
   }
   .rest {
     display: grid;
+    flex: 1;
     align-content: end;
     min-height: 0;
     overflow: hidden;
@@ -110,26 +127,30 @@ export class FarView extends CueElement {
 
   override render() {
     const { since, by } = this.cues.way;
-    return html`<div class="bar"><span class="clock" aria-label="Time of day">${clockOf(new Date())}</span>
-        <span class="since">${since === null ? "" : `${countOf(since)} ${by}`}</span></div>
+    return html`<div class="bar"><span class="clock" aria-label="Time of day">${clockOf(new Date())}</span><slot></slot>
+        <span class="since">${since === null ? "" : `${countOf(since)} s ${by}`}</span></div>
       ${this.#air()}${this.#next()}
       <div class="rest">${this.#words() ?? this.#rows()}</div>`;
   }
 
   #air() {
     const { way } = this.cues;
-    const { current, follows, follows_in, moving } = way;
+    const { current, follows, follows_in } = way;
     if (current === null) return html`<div class="bar air"><span>–</span></div>`;
     const left = timeLeft(way, this.cues.current);
-    const others = moving.filter(({ number }) => number !== current.number);
-    const last = others.at(-1);
-    const also =
-      last === undefined
-        ? ""
-        : `${last.number || "Back"} ${partWords(last.part, this.cues.labels)} ${countOf(last.seconds)}`;
-    const comes = follows === null ? also : `${follows.number} in ${countOf(follows_in)}`;
-    return html`<div class="bar air"><span>${current.number} ${current.label} ${left > 0 ? countOf(left) : ""}</span>
-      <span class=${follows === null ? "also" : "follows"}>${comes}</span></div>`;
+    return html`<div class="bar air"><span>${current.number} ${this.cues.titleOf(current)}</span>
+      <b>${left > 0 ? countOf(left) : ""}${follows === null ? nothing : html`<i> ▶ ${follows.number} in ${countOf(follows_in)}</i>`}</b></div>
+      ${this.#moving()}`;
+  }
+
+  /** Each thing that still moves, with whose cue. */
+  #moving() {
+    const { moving, waits } = this.cues.way;
+    if (moving.length + waits.length === 0) return nothing;
+    const words = [...moving, ...waits].map(
+      ({ number, part, seconds }) => `${number || "Back"} ${partWords(part, this.cues.labels)} ${countOf(seconds)}`,
+    );
+    return html`<div class="moving">${words.join(" · ")}</div>`;
   }
 
   #next() {
@@ -139,7 +160,7 @@ export class FarView extends CueElement {
     const after = goesOnWords(this.cues.find(standby.identity) ?? { goes_on: "", post_wait: 0 });
     const note = [after, standby.note].filter((words) => words !== "").join(" · ");
     return html`<div class="next"><span class="number ${standby.number.length > 4 ? "long" : ""}">${standby.number}</span>
-        <span><div class="label">${standby.label}</div></span></div>
+        <span><div class="label">${this.cues.titleOf(standby)}</div></span></div>
       ${note === "" ? nothing : html`<div class="note">${note}</div>`}`;
   }
 
@@ -162,6 +183,6 @@ export class FarView extends CueElement {
             .slice(at + 1)
             .filter(({ skip }) => !skip)
             .slice(0, ROWS);
-    return html`<ol>${rows.map((cue) => html`<li>${cue.number} ${cue.label || cue.note}</li>`)}</ol>`;
+    return html`<ol>${rows.map((cue) => html`<li>${cue.number} ${this.cues.titleOf(cue)}</li>`)}</ol>`;
   }
 }

@@ -2,6 +2,7 @@
 
 import { html, nothing } from "lit";
 import { customElement, property, query, state } from "lit/decorators.js";
+import { keyed } from "lit/directives/keyed.js";
 import { listenToKeys } from "../../ui/key_presses";
 import { base, palette, toolPage } from "../../ui/theme";
 import type { Thumbnails } from "../../ui/thumbnails";
@@ -35,7 +36,7 @@ export class CuesPage extends CueElement {
 
   static override styles = [palette, base, toolPage, warning, offersStyle, cuesPageStyle];
 
-  protected override readonly topics: readonly CueTopic[] = ["cues", "view", "link", "notice"];
+  protected override readonly topics: readonly CueTopic[] = ["cues", "list", "view", "link", "notice"];
 
   constructor() {
     super();
@@ -45,11 +46,12 @@ export class CuesPage extends CueElement {
   }
 
   override render() {
-    if (this.far) return html`<omote-cues-far .cues=${this.cues}></omote-cues-far>${this.#help()}`;
+    if (this.far) return html`<omote-cues-far .cues=${this.cues}>${this.#panicKey()}</omote-cues-far>${this.#help()}`;
     const { editing } = this.cues;
     this.toggleAttribute("editing", editing);
+    this.toggleAttribute("opened", this.cues.find(this.cues.edited) !== null);
     return html`${this.#header()}
-      ${this.form === null ? nothing : html`<omote-cue-form class="panel form" .cues=${this.cues} .kind=${this.form} @close=${this.#closeForm}></omote-cue-form>`}
+      ${this.form === null ? nothing : keyed(this.form, html`<omote-cue-form class="panel form" .cues=${this.cues} .kind=${this.form} @close=${this.#closeForm}></omote-cue-form>`)}
       <omote-cue-list class="panel" .cues=${this.cues} .thumbnails=${this.thumbnails}>
         ${editing ? html`<button @click=${() => this.#open("record")}>Record</button><button title="An empty cue behind the one that is edited" @click=${this.#new}>New</button><button @click=${() => this.#open("renumber")}>Renumber</button>` : nothing}
         <button @click=${() => this.#open("go_to")}>Go to…</button>
@@ -61,17 +63,20 @@ export class CuesPage extends CueElement {
   #header() {
     const { cues } = this;
     const { notice, tone } = cues.show;
-    const panic = pressed(() => this.#panic());
-    return html`<header>
-      <h1>CUES</h1><nav><a href="/console" target="omote-console">Console</a><a href="?far${cues.names.length > 1 ? `&list=${encodeURIComponent(cues.name)}` : ""}" target="_blank">Far</a></nav>
+    return html`<header><div class="bar">
+      <h1>CUES <span>${cues.name}</span></h1><nav><a href="/console" target="omote-console">Console</a><a href="?far${cues.names.length > 1 ? `&list=${encodeURIComponent(cues.name)}` : ""}" target="_blank">Far</a></nav>
       <omote-cue-tabs .cues=${cues} @add_list=${() => this.#open("add_list")} @rename_list=${() => this.#open("rename_list")}></omote-cue-tabs>
       <span class="notice ${tone}" role="status">${notice ?? ""} ${offersOf(cues.show)}</span>
       ${cues.editing ? html`${this.#step("undo", "↶", "Ctrl Z")}${this.#step("redo", "↷", "Ctrl Y")}` : nothing}
       ${this.#modes()}
       <button class="help" aria-label="Keys" title="Keys (?)" @click=${() => this.#showHelp(true)}>?</button>
       <button class="print" title="Print the running order" @click=${() => print()}>Print</button>
-      <button class="panic" title="Panic of all characters (Shift Backspace)" @pointerdown=${panic.down} @click=${panic.click}>PANIC</button>
-    </header>`;
+      </div>${this.#panicKey()}</header>`;
+  }
+
+  #panicKey() {
+    const panic = pressed(() => this.#panic());
+    return html`<button class="panic" title="Panic of all characters (Shift Backspace)" @pointerdown=${panic.down} @click=${panic.click}>PANIC</button>`;
   }
 
   #step(way: "undo" | "redo", sign: string, keys: string) {

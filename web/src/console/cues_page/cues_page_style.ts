@@ -1,7 +1,7 @@
 /** How the cue page is laid out: on a desk beside each other, on a phone below each other, on paper the list alone. */
 
 import { css } from "lit";
-import { ellipsis } from "../../ui/theme";
+import { ellipsis, flow } from "../../ui/theme";
 
 export const cuesPageStyle = css`
   :host {
@@ -20,16 +20,28 @@ export const cuesPageStyle = css`
   }
   header {
     grid-area: head;
-    gap: 4px 8px;
-    min-width: 0;
+    display: grid;
+    grid-template-columns: minmax(0, 1fr) auto;
+    align-items: start;
+    gap: 8px;
     padding: 0 4px;
+  }
+  .bar {
+    ${flow}
+    gap: 4px 8px;
+    min-height: 46px;
+  }
+  h1 span {
+    font-weight: 400;
   }
   nav {
     display: flex;
     gap: 12px;
   }
-  header button {
-    min-height: 36px;
+  .bar button {
+    min-height: var(--finger, 36px);
+  }
+  .bar button:not([aria-pressed="true"]) {
     color: var(--text);
   }
   .step span {
@@ -54,7 +66,7 @@ export const cuesPageStyle = css`
     grid-area: list;
   }
   omote-cue-list > button {
-    min-height: 32px;
+    min-height: var(--finger, 32px);
     color: var(--text);
   }
   omote-cue-air,
@@ -76,7 +88,7 @@ export const cuesPageStyle = css`
   .notice.done {
     color: var(--text);
   }
-  header .panic {
+  .panic {
     min-width: 110px;
     min-height: 44px;
     font-size: 16px;
@@ -98,9 +110,6 @@ export const cuesPageStyle = css`
       min-width: 44px;
       min-height: 44px;
     }
-    omote-cue-list > button {
-      min-height: 44px;
-    }
   }
   @media (max-width: 1100px) {
     :host,
@@ -115,7 +124,17 @@ export const cuesPageStyle = css`
       padding: 4px;
     }
     :host([editing]) {
-      grid-template: "head" auto "form" auto "list" minmax(0, 2fr) "side" minmax(0, 3fr) "go" auto / minmax(0, 1fr);
+      grid-template: "head" auto "form" auto "side" minmax(0, 1fr) "go" auto / minmax(0, 1fr);
+    }
+    :host([editing]) omote-cue-list {
+      grid-area: side;
+    }
+    :host([editing]) omote-cue-editor,
+    :host([editing][opened]) omote-cue-list {
+      display: none;
+    }
+    :host([editing][opened]) omote-cue-editor {
+      display: block;
     }
     omote-cue-air {
       max-height: 24dvh;
@@ -138,7 +157,8 @@ export const cuesPageStyle = css`
       overflow: visible;
       background: #fff;
     }
-    header > :not(h1),
+    .bar > :not(h1),
+    .panic,
     omote-cue-air,
     omote-cue-editor,
     omote-cue-go,
@@ -147,6 +167,10 @@ export const cuesPageStyle = css`
     }
     h1 {
       color: #000;
+    }
+    omote-cue-list {
+      background: none;
+      border: 0;
     }
   }
 `;
