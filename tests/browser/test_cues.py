@@ -29,7 +29,8 @@ CUT = """() => {
             const box = one.getBoundingClientRect();
             if (!one.matches("button, input, a, .number, .clock, .next .label") || box.width === 0) continue;
             if (one.closest("ol")) continue; // a list scrolls
-            if (box.left < 0 || box.right > innerWidth || box.top < 0 || box.bottom > innerHeight ||
+            const scrolls = root.host.localName === "omote-cue-editor" || root.host.localName === "omote-cue-field";
+            if (box.left < 0 || box.right > innerWidth || (!scrolls && (box.top < 0 || box.bottom > innerHeight)) ||
                 (one.matches("button") && one.scrollWidth > one.clientWidth + 1))
                 found.push(`${one.className || one.localName} ${one.textContent.trim()}`);
         }
@@ -93,22 +94,22 @@ def test_two_people_record_play_and_change_a_list(open_page: OpenPage) -> None:
     expect(form).to_have_count(0)
 
     # A field keeps what is wrong, with the reason; what is right is everybody's.
-    number = editor.get_by_label("Number")
-    number.fill("two")
-    number.press("Enter")
+    numbered = editor.get_by_label("Number")
+    numbered.fill("two")
+    numbered.press("Enter")
     expect(editor.get_by_role("alert")).to_contain_text("cannot be numbered 'two'")
-    expect(number).to_have_value("two")
-    number.fill("2.5")
-    number.press("Enter")
+    expect(numbered).to_have_value("two")
+    numbered.fill("2.5")
+    numbered.press("Enter")
     expect(editor.get_by_role("alert")).to_have_count(0)
     goal = editor.locator("[data-part='one/face']").get_by_label("Goes to")
     expect(goal).to_have_value("cat")
     goal.fill("cat = 0.5")
     goal.press("Enter")
     expect(editor.get_by_role("alert")).to_contain_text("must sum to 1")
-    goal.fill("fox")
+    goal.fill("doll")
     goal.press("Enter")
-    wait_until(page, f"{CUES}.list[1].moves['one/face'].goal.fox === 1")
+    wait_until(page, f"{CUES}.list[1].moves['one/face'].goal.doll === 1")
     goal.press("Space")  # in a field it is a letter
     goal.press("Escape")
     page.keyboard.press("e")
@@ -131,7 +132,7 @@ def test_two_people_record_play_and_change_a_list(open_page: OpenPage) -> None:
     for each in (page, other):
         expect(each.locator("omote-cue-go .ignored")).to_contain_text("GO for 2.5 of")
         expect(each.locator("omote-cue-go .ignored")).to_contain_text("no cue stands by")
-        wait_until(each, f"{CUES}.way.current.number === '2.5' && {ONE}.faces.fox === 1")
+        wait_until(each, f"{CUES}.way.current.number === '2.5' && {ONE}.faces.doll === 1")
     expect(page.locator("omote-cue-go .go")).to_contain_text("END")
 
     # Back, arrows, and an edit that is taken back by the other.
@@ -180,5 +181,5 @@ def test_nothing_is_cut_on_any_screen(open_page: OpenPage, view: str, width: int
         assert go is not None
         assert min(go["width"], go["height"]) >= 110
         page.keyboard.press("e")
-        expect(page.get_by_role("button", name="Record")).to_be_visible()
+        expect(page.locator("omote-cue-editor .closer")).to_be_visible()
         assert page.evaluate(CUT) == []

@@ -1,6 +1,6 @@
 import { expect, it } from "vitest";
 import type { Cue, CueListStatus } from "../../link/messages";
-import { countOf, goesOnWords, movesWords, timeLeft, titleWords } from "./cue_words";
+import { agoOf, countOf, goesOnWords, movesWords, timeLeft, titleWords } from "./cue_words";
 
 it("counts in tenths, and from a minute on in seconds", () => {
   expect([0, 1.26, 59.9, 59.96, 61.2, 600, -1].map(countOf)).toEqual([
@@ -12,6 +12,7 @@ it("counts in tenths, and from a minute on in seconds", () => {
     "10:00",
     "0.0",
   ]);
+  expect([agoOf(1.26), agoOf(149)]).toEqual(["1.3 s", "2:29"]);
 });
 
 it("says what goes on by itself", () => {

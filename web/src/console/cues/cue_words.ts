@@ -12,6 +12,9 @@ export function countOf(seconds: number): string {
   return `${Math.floor(whole / 60)}:${String(whole % 60).padStart(2, "0")}`;
 }
 
+/** How long something takes already: with its unit below a minute. */
+export const agoOf = (seconds: number): string => `${countOf(seconds)}${seconds < 59.95 ? " s" : ""}`;
+
 /** What comes after a cue by itself; "" where nothing does. */
 export function goesOnWords({ goes_on, post_wait }: Pick<Cue, "goes_on" | "post_wait">): string {
   if (goes_on === "") return "";

@@ -6,7 +6,7 @@ import { clockOf } from "../../ui/show_times";
 import { base, ellipsis, palette } from "../../ui/theme";
 import { CueElement, warning } from "./cue_element";
 import type { CueTopic } from "./cue_store";
-import { countOf, goesOnWords, partWords, timeLeft } from "./cue_words";
+import { agoOf, countOf, goesOnWords, partWords, timeLeft } from "./cue_words";
 
 /** Sizes are those of a screen of 1280 by 800, whatever the screen is: 57 of its pixels are 16' of arc at two metres. */
 const style = css`
@@ -14,9 +14,9 @@ const style = css`
     --px: min(100vw / 1280, 100dvh / 800);
     display: flex;
     flex-direction: column;
-    gap: calc(8 * var(--px));
+    gap: calc(4 * var(--px));
     height: 100dvh;
-    padding: calc(14 * var(--px)) calc(24 * var(--px));
+    padding: calc(8 * var(--px)) calc(24 * var(--px));
     overflow: hidden;
     font-size: calc(60 * var(--px));
     line-height: 1.08;
@@ -51,7 +51,9 @@ const style = css`
     color: var(--coming);
   }
   .moving {
-    ${ellipsis}
+    max-height: 2.16em;
+    overflow: hidden;
+    overflow-wrap: anywhere;
     color: #c98a80;
   }
   .moving ~ .note {
@@ -128,7 +130,7 @@ export class FarView extends CueElement {
   override render() {
     const { since, by } = this.cues.way;
     return html`<div class="bar"><span class="clock" aria-label="Time of day">${clockOf(new Date())}</span><slot></slot>
-        <span class="since">${since === null ? "" : `${countOf(since)} s ${by}`}</span></div>
+        <span class="since">${since === null ? "" : `${agoOf(since)} ${by}`}</span></div>
       ${this.#air()}${this.#next()}
       <div class="rest">${this.#words() ?? this.#rows()}</div>`;
   }

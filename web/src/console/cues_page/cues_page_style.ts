@@ -140,6 +140,7 @@ export const cuesPageStyle = css`
       max-height: 24dvh;
     }
     h1,
+    a[target="_blank"],
     .print,
     .help,
     .step span {
@@ -168,7 +169,7 @@ export const cuesPageStyle = css`
     h1 {
       color: #000;
     }
-    omote-cue-list {
+    omote-cue-list.panel {
       background: none;
       border: 0;
     }
