@@ -49,7 +49,7 @@ export class CueTabs extends CueElement {
       ${
         name === status.chosen
           ? nothing
-          : html`<button class="elsewhere" title="GO by OSC, MIDI and programs plays ${status.chosen} now" @click=${() => this.cues.play({ type: "choose_cue_list", cue_list: name })}><small>GO elsewhere plays ${status.chosen}: play this</small></button>`
+          : html`<button class="elsewhere" title="GO by OSC, MIDI and programs plays ${status.chosen}. Press: it plays this list" @click=${() => this.cues.play({ type: "choose_cue_list", cue_list: name })}><small>GO elsewhere: ${status.chosen}</small></button>`
       }
       ${
         editing
