@@ -13,7 +13,7 @@ import { cueListStyle } from "./cue_list_style";
 import { isFound, movedBehind } from "./cue_order";
 import type { CueTopic } from "./cue_store";
 import { goesOnWords, movesWords, titleWords } from "./cue_words";
-import { lookOf, shownCharacter, trackedLooks } from "./tracked_looks";
+import { lookOf, shownCharacter, type Tracked, trackedLooks } from "./tracked_looks";
 
 /** Where a cue that is dragged would come to lie. */
 interface Drop {
@@ -33,6 +33,8 @@ export class CueListView extends CueElement {
   @query("input") private field!: HTMLInputElement;
   @query("ol") private rows!: HTMLElement;
   #standby: string | undefined;
+  /** What each cue leaves standing, of the list that it was folded from. */
+  #looks: { readonly of: readonly Cue[]; readonly each: readonly Tracked[] } = { of: [], each: [] };
 
   static override styles = [base, cueListStyle];
 
@@ -150,7 +152,8 @@ export class CueListView extends CueElement {
 
   #showPictures(): void {
     const { list, show } = this.cues;
-    const looks = trackedLooks(list);
+    if (list !== this.#looks.of) this.#looks = { of: list, each: trackedLooks(list) };
+    const looks = this.#looks.each;
     const canvases = new Map(
       [...this.renderRoot.querySelectorAll("canvas")].map((canvas) => [canvas.dataset.cue, canvas] as const),
     );
