@@ -150,6 +150,14 @@ def test_two_people_record_play_and_change_a_list(open_page: OpenPage) -> None:
     other.get_by_role("button", name="Undo: move cue 2.5").click()
     wait_until(page, f"{NUMBERS} === '1,2.5'", told=NUMBERS)
 
+    # Also the last cue that is deleted comes back.
+    for each in page.evaluate(f"{CUES}.list.map((cue) => cue.identity)"):
+        call(page, {"type": "drop_cue", "cue": each})
+    wait_until(other, f"{CUES}.list.length === 0")
+    for taken_back in ("2.5", "1"):
+        other.get_by_role("button", name=f"Undo: delete cue {taken_back}").click()
+    wait_until(page, f"{NUMBERS} === '1,2.5'", told=NUMBERS)
+
     # In show mode nobody edits, and everybody reads so.
     other.get_by_role("button", name="Show mode").click()
     expect(page.locator("omote-cue-editor")).to_have_count(0)
