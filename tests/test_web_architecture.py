@@ -46,6 +46,7 @@ USED: dict[str, str] = {
     "console/panels": "link ui face/pose face/quality face console/store console/controls console/show_file",
     "console/scene": "link ui console/store console/controls",
     "console/learn": "link ui console/store console/controls console/devices console/mixer console/palette",
+    "console/cues": "link ui access console/store",
     "console": (
         "link ui access face/pose face console/store console/controls console/show_file console/devices "
         "console/leases console/mixer console/palette console/panels console/scene console/learn"
@@ -53,6 +54,7 @@ USED: dict[str, str] = {
     "console/devices_page": (
         "link ui access console/store console/show_file console/devices console/leases console/panels console"
     ),
+    "console/cues_page": "link ui access console/store console/leases console/panels console console/cues",
     "microphone": "link ui access",
     "camera/session": "link face_mesh webcam",
     "camera": "ui access face_mesh camera/session",

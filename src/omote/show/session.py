@@ -201,7 +201,7 @@ class ShowSession:
         self.number += 1
         self.leasing.expire(tuple(self.scene), now)
         state = self._state(elapsed)
-        return msgspec.structs.replace(state, cues=self.cues.status(now)) if self.cues.book.cues else state
+        return msgspec.structs.replace(state, cues=self.cues.status(now))
 
     def _state(self, elapsed: float) -> State:
         frame = self.cues.advance(elapsed)

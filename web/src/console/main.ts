@@ -1,10 +1,6 @@
 /** The console page: connects the show to the store, and the store to the page. */
 
 import { missingRole, readAccess } from "../access/page_access";
-import { capture } from "../face/capture";
-import { FaceView } from "../face/face_view";
-import { THUMBNAIL } from "../face/framing";
-import { restPose } from "../face/pose/pose";
 import { Library } from "../link/assets";
 import { type LinkHandlers, ShowLink } from "../link/show_link";
 import { randomId } from "../ui/browser_storage";
@@ -12,7 +8,7 @@ import { FramePainter } from "../ui/frame_painter";
 import { LongRequests } from "../ui/long_requests";
 import { loadPortraits } from "../ui/portraits";
 import { ShowNoticesView } from "../ui/show_notices_view";
-import { type DrawThumbnail, THUMBNAIL_SIZE, Thumbnails } from "../ui/thumbnails";
+import { Thumbnails } from "../ui/thumbnails";
 import { WakeLock } from "../ui/wake_lock";
 import { ConsoleName } from "./console_name";
 import { ConsolePage } from "./console_page";
@@ -28,6 +24,7 @@ import { OwnItems } from "./show_file/own_items";
 import { keepUndo } from "./show_file/undo_storage";
 import { ConsoleStore } from "./store/console_store";
 import { PanicReturn } from "./store/panic_return";
+import { openThumbnails } from "./thumbnail_drawing";
 
 /** A name for this console, so that its calls have their own ids. */
 const PAGE = randomId();
@@ -67,16 +64,6 @@ function connect({ store }: ConsoleContext): ShowLink {
     trip: (seconds) => store.receiveTrip(seconds * 1000),
   };
   return new ShowLink("console", handlers, ownName.read, PAGE, SEAT);
-}
-
-/** Thumbnails by one view on a canvas of its own: one graphics context for all of them. */
-async function openThumbnails(library: Library): Promise<DrawThumbnail> {
-  const view = await FaceView.load(document.createElement("canvas"), library, { shot: THUMBNAIL, pixelRatio: 1 });
-  view.resize(THUMBNAIL_SIZE.width, THUMBNAIL_SIZE.height);
-  return async ({ face, expression }) => {
-    await view.present(restPose(face, expression));
-    return capture(view);
-  };
 }
 
 /** All that the page's elements play with; `link` is there before any of it is used. */

@@ -94,6 +94,9 @@ export class Setup extends ConsoleDialog {
         <button data-open="devices" @click=${() => this.tell("devices")}>Devices and bindings</button>
         <a href="/microphone" target="omote-microphone">Speak through a character by a microphone</a>
       </div>
+      <h2>Cues</h2>
+      <p>Whole looks in the order of a show, recorded here and called by GO.</p>
+      <div class="row"><a href="/cues" target="omote-cues">Record and play cues</a></div>
       <h2>Bring in files</h2>
       <p>Expressions (.json, .glb, .vrm, .obj) and heads of our topology (.glb, .obj) come under Own; the show goes on meanwhile.</p>
       <div class="row">${(["expression", "face"] as const).map((kind) => this.#files(kind))}</div>

@@ -1196,7 +1196,7 @@ export type CharacterState = {
  * `gaze_points`: the named points that eyes may look at, metres as of `look_at`. `black`: how far stages fade their
  * picture to black, 0..1; `black_goal`: where that goes. A record without them has the picture up. `memories`: the
  * names of the looks that were kept, in the order in which they were kept first. `note`: the line of notes of the
- * crew; `began`: when the show began, of `time`. `cues`: how far its lists of cues are, `None` where it has no cue.
+ * crew; `began`: when the show began, of `time`. `cues`: how far its lists of cues are, `None` where it has had none.
  */
 export type State = {
   type: "state";

@@ -319,9 +319,7 @@ class ShowServer:
         """Responds with a built page or one of its files."""
         page = self._pages.get(request.path)
         if page is None:
-            raise web.HTTPNotFound(
-                text="there is no such page; there are /stage, /console, /devices, /camera, /microphone and /editor."
-            )
+            raise web.HTTPNotFound(text=f"there is no such page; there are {', '.join(sorted(PAGES)[1:])}.")
         keep = CACHE_FOREVER if page.immutable else NO_CACHE
         return web.Response(body=page.body, content_type=page.content_type, headers={"Cache-Control": keep})
 

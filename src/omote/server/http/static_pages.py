@@ -11,6 +11,7 @@ PAGES = {
     "/": "index.html",
     "/stage": "stage.html",
     "/console": "console.html",
+    "/cues": "cues.html",
     "/devices": "devices.html",
     "/camera": "camera.html",
     "/editor": "editor.html",

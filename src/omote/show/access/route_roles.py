@@ -51,6 +51,7 @@ ROUTES: Mapping[tuple[str, str], AccessRole] = MappingProxyType(
         ("GET", "/stage"): "view",
         ("GET", "/console"): "view",
         ("GET", "/editor"): "view",
+        ("GET", "/cues"): "view",
         ("GET", "/devices"): "view",
         ("GET", "/camera"): "view",
         ("GET", "/microphone"): "view",

@@ -204,8 +204,8 @@ class CueLists:
     # --- what is told ---
 
     def status(self, now: float) -> wire.CueStatus | None:
-        """What consoles are told; None in a show without cues. now: seconds, monotonic."""
-        if not self.book.cues:
+        """What consoles are told; None in a show that never had a cue. now: seconds, monotonic."""
+        if not self.book.edits and not self.book.cues:
             return None
         return wire.CueStatus(
             chosen=self.chosen,

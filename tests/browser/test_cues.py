@@ -1,0 +1,193 @@
+"""The cue page, in real browsers: a list is recorded, played by two people, taken back and changed; nothing is cut."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Callable, Iterator
+from typing import Any
+
+import numpy as np
+import pytest
+from playwright.sync_api import Page, expect
+
+from tests.browser.conftest import playing
+from tests.browser.pictures import picture
+from tests.browser.waiting import wait_until
+
+OpenPage = Callable[..., Page]
+
+CUES = "document.querySelector('omote-cues-page').cues"
+ONE = f"{CUES}.show.state.characters.one"
+NUMBERS = f"{CUES}.list.map(({{ number }}) => number).join()"
+STANDBY = f"{CUES}.way.standby?.number"
+SIZES = [("near", 1440, 900, ""), ("tablet", 1024, 768, ""), ("phone", 390, 844, ""), ("far", 1280, 800, "?far")]
+CUT = """() => {
+    const found = [];
+    const walk = (root) => {
+        for (const one of root.querySelectorAll("*")) {
+            if (one.shadowRoot) walk(one.shadowRoot);
+            const box = one.getBoundingClientRect();
+            if (!one.matches("button, input, a, .number, .clock, .next .label") || box.width === 0) continue;
+            if (one.closest("ol")) continue; // a list scrolls
+            const scrolls = root.host.localName === "omote-cue-editor" || root.host.localName === "omote-cue-field";
+            if (box.left < 0 || box.right > innerWidth || (!scrolls && (box.top < 0 || box.bottom > innerHeight)) ||
+                (one.matches("button") && one.scrollWidth > one.clientWidth + 1))
+                found.push(`${one.className || one.localName} ${one.textContent.trim()}`);
+        }
+    };
+    walk(document.querySelector("omote-cues-page").shadowRoot);
+    if (document.documentElement.scrollWidth > innerWidth) found.push("the page");
+    return found;
+}"""
+
+
+@pytest.fixture(scope="module")
+def show(tmp_path_factory: pytest.TempPathFactory) -> Iterator[str]:
+    """A show of its own: others know no cue."""
+    yield from playing(tmp_path_factory.mktemp("cues") / "cues.omote")
+
+
+def cue_page(open_page: OpenPage, query: str = "", **options: Any) -> Page:
+    """The cue page, once it has heard the show and read the list."""
+    page = open_page(f"/cues{query}", pictures=False, **options)
+    wait_until(page, f"document.querySelector('omote-cues-page')?.cues.show.online && {CUES}.show.state")
+    wait_until(page, f"({CUES}.show.state.cues?.edits ?? 0) === 0 || {CUES}.list.length > 0")
+    return page
+
+
+def call(page: Page, message: dict[str, Any]) -> None:
+    """Asks the show for something, as the console of this page."""
+    page.evaluate(f"{CUES}.show.ask({json.dumps(message)})")
+
+
+def linear_light(page: Page) -> float:
+    """The mean light of a page, of that of a white one."""
+    colours = picture(page)[..., :3] / 255
+    linear = np.where(colours <= 0.04045, colours / 12.92, ((colours + 0.055) / 1.055) ** 2.4)
+    return float((linear @ [0.2126, 0.7152, 0.0722]).mean())
+
+
+def stands_by(page: Page, number: str) -> None:
+    """Waits until the cue of a number stands by, and longer than a second GO in a row is ignored for."""
+    wait_until(page, f"{STANDBY} === {number!r}", told=STANDBY)
+    page.evaluate("new Promise((done) => setTimeout(done, 300))")
+
+
+def test_two_people_record_play_and_change_a_list(open_page: OpenPage) -> None:
+    page = cue_page(open_page)
+    expect(page.locator("omote-cue-list")).to_contain_text("No cue yet")
+
+    # Two cues are recorded from what shows.
+    page.keyboard.press("e")
+    form = page.locator("omote-cue-form")
+    page.get_by_role("button", name="Record").click()
+    for number, face, label in (("1", "dog", "The dog"), ("2", "cat", "The cat")):
+        call(page, {"type": "call_face", "character": "one", "name": face, "seconds": 0, "easing": "smooth"})
+        wait_until(page, f"{ONE}.faces.{face} === 1")
+        form.get_by_label("Label").fill(label)
+        form.get_by_label("Seconds").fill("0.2")
+        form.get_by_role("button", name="Record").click()
+        wait_until(page, f"{NUMBERS}.split(',').includes({number!r})", told=NUMBERS)
+    editor = page.locator("omote-cue-editor")
+    expect(editor).to_contain_text("Cue 2")
+    page.keyboard.press("Escape")
+    expect(form).to_have_count(0)
+
+    # A field keeps what is wrong, with the reason; what is right is everybody's.
+    numbered = editor.get_by_label("Number")
+    numbered.fill("two")
+    numbered.press("Enter")
+    expect(editor.get_by_role("alert")).to_contain_text("cannot be numbered 'two'")
+    expect(numbered).to_have_value("two")
+    numbered.fill("2.5")
+    numbered.press("Enter")
+    expect(editor.get_by_role("alert")).to_have_count(0)
+    goal = editor.locator("[data-part='one/face']").get_by_label("Goes to")
+    expect(goal).to_have_value("cat")
+    goal.fill("cat = 0.5")
+    goal.press("Enter")
+    expect(editor.get_by_role("alert")).to_contain_text("must sum to 1")
+    goal.fill("doll")
+    goal.press("Enter")
+    wait_until(page, f"{CUES}.list[1].moves['one/face'].goal.doll === 1")
+    goal.press("Space")  # in a field it is a letter
+    goal.press("Escape")
+    page.keyboard.press("e")
+
+    # GO by the space bar calls what stands by; the other page sees it, and the picture is that.
+    other = cue_page(open_page)
+    call(page, {"type": "set_standby", "cue": "1"})
+    stands_by(page, "1")
+    assert page.evaluate(f"{CUES}.way.current") is None, "Space in a field was no GO"
+    page.keyboard.press("Space")
+    wait_until(page, f"{ONE}.faces.dog === 1 && {STANDBY} === '2.5'", told=f"{ONE}.faces")
+    stands_by(other, "2.5")
+    expect(other.locator("omote-cue-go .go")).to_contain_text("2.5")
+    expect(other.locator("omote-cue-air")).to_contain_text("The dog")
+
+    # Two press at once: one call, and both read why the other was none.
+    identity = page.evaluate(f"{CUES}.way.standby.identity")
+    page.keyboard.press("Space")
+    call(other, {"type": "go", "seen": identity})
+    for each in (page, other):
+        expect(each.locator("omote-cue-go .ignored")).to_contain_text("GO for 2.5 of")
+        expect(each.locator("omote-cue-go .ignored")).to_contain_text("no cue stands by")
+        wait_until(each, f"{CUES}.way.current.number === '2.5' && {ONE}.faces.doll === 1")
+    expect(page.locator("omote-cue-go .go")).to_contain_text("END")
+
+    # Back, arrows, and an edit that is taken back by the other.
+    page.evaluate("new Promise((done) => setTimeout(done, 300))")
+    page.keyboard.press("Shift+Space")
+    wait_until(page, f"{ONE}.faces.dog === 1 && {STANDBY} === '2.5'", told=f"{ONE}.faces")
+    page.keyboard.press("ArrowUp")
+    stands_by(other, "1")
+    assert page.evaluate(f"{ONE}.faces.dog") == 1
+    page.keyboard.press("e")
+    page.locator("omote-cue-list li", has_text="The cat").click()
+    page.keyboard.press("Alt+ArrowUp")
+    wait_until(other, f"{NUMBERS} === '2.5,1'", told=NUMBERS)
+    other.keyboard.press("e")
+    other.get_by_role("button", name="Undo: move cue 2.5").click()
+    wait_until(page, f"{NUMBERS} === '1,2.5'", told=NUMBERS)
+
+    # Also the last cue that is deleted comes back.
+    for each in page.evaluate(f"{CUES}.list.map((cue) => cue.identity)"):
+        call(page, {"type": "drop_cue", "cue": each})
+    wait_until(other, f"{CUES}.list.length === 0")
+    for taken_back in ("2.5", "1"):
+        other.get_by_role("button", name=f"Undo: delete cue {taken_back}").click()
+    wait_until(page, f"{NUMBERS} === '1,2.5'", told=NUMBERS)
+
+    # In show mode nobody edits, and everybody reads so.
+    other.get_by_role("button", name="Show mode").click()
+    expect(page.locator("omote-cue-editor")).to_have_count(0)
+    expect(page.get_by_role("button", name="Locked")).to_be_disabled()
+    other.get_by_role("button", name="Show mode").click()
+    expect(page.get_by_role("button", name="Edit")).to_be_enabled()
+
+    # A page that is not heard says so before anybody presses.
+    page.evaluate(f"{CUES}.show.setOnline(false)")
+    expect(page.locator("omote-cue-go .deaf").first).to_contain_text("Link lost")
+
+
+@pytest.mark.parametrize(("view", "width", "height", "query"), SIZES, ids=[view for view, *_ in SIZES])
+def test_nothing_is_cut_on_any_screen(open_page: OpenPage, view: str, width: int, height: int, query: str) -> None:
+    touch = {"has_touch": True} if view in ("tablet", "phone") else {}
+    page = cue_page(open_page, query, width=width, height=height, **touch)
+    if not page.evaluate(f"{CUES}.list.length"):
+        call(page, {"type": "put_cue", "number": "12.5", "label": "Everybody leaves but the dog", "note": "Slowly"})
+    wait_until(page, f"{STANDBY} !== undefined && {CUES}.list.length > 0")
+    assert page.evaluate(CUT) == []
+    if view == "far":
+        sizes = [("number", 210), ("label", 80)]
+        for name, size in sizes:
+            shown = page.locator(f"omote-cues-far .next .{name}").evaluate("(each) => getComputedStyle(each).fontSize")
+            assert shown == f"{size}px"
+        assert linear_light(page) < 0.1
+    else:
+        go = page.locator("omote-cue-go .go").bounding_box()
+        assert go is not None
+        assert min(go["width"], go["height"]) >= 110
+        page.keyboard.press("e")
+        expect(page.locator("omote-cue-editor .closer")).to_be_visible()
+        assert page.evaluate(CUT) == []

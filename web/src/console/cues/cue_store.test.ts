@@ -1,0 +1,202 @@
+import { beforeEach, describe, expect, it } from "vitest";
+import type { Cue, CueListStatus, CueName, CueStatus, FromClient, State } from "../../link/messages";
+import { ConsoleStore } from "../store/console_store";
+import { CueStore } from "./cue_store";
+
+const cue = (number: string, more: Partial<Cue> = {}): Cue => ({
+  identity: `id${number}`,
+  number,
+  moves: {},
+  label: `Cue ${number}`,
+  note: "",
+  colour: "",
+  pre_wait: 0,
+  post_wait: 0,
+  goes_on: "",
+  skip: false,
+  ...more,
+});
+const named = ({ identity, number, label, note, colour }: Cue): CueName => ({ identity, number, label, note, colour });
+
+const FIRST = named(cue("1"));
+const MAIN: CueListStatus = {
+  current: null,
+  standby: FIRST,
+  waits: [],
+  moving: [],
+  follows: null,
+  follows_in: 0,
+  since: null,
+  by: "",
+};
+const STATUS: CueStatus = {
+  chosen: "main",
+  lists: { main: MAIN },
+  rate: 1,
+  edits: 3,
+  undo: "new cue 3",
+  redo: "",
+  ignored: "",
+  ignored_count: 2,
+  rejected: [],
+  locked: false,
+};
+const CHARACTER = { panics: 0, label: "One", face_call: null, expression_call: null, home_face: "generic" };
+
+let [sent, number, now]: [FromClient[], number, number] = [[], 0, 0];
+let documents: Record<string, Cue[]>;
+let edits: number;
+let fetched: string[];
+let show: ConsoleStore;
+let cues: CueStore;
+
+const heard = (change: Partial<CueStatus> = {}): void => {
+  number += 1;
+  const state = {
+    type: "state",
+    epoch: 1,
+    number,
+    time: 0,
+    characters: { one: CHARACTER },
+    cues: { ...STATUS, ...change },
+  };
+  show.receive(state as unknown as State);
+};
+const way = (change: Partial<CueListStatus>) => ({ lists: { main: { ...MAIN, ...change } } });
+const settled = (): Promise<void> => new Promise((done) => setTimeout(done));
+const last = (): FromClient | undefined => sent.at(-1);
+
+beforeEach(async () => {
+  [sent, number, now, fetched, edits] = [[], 0, 0, [], 3];
+  documents = { main: [cue("1"), cue("2", { skip: true }), cue("3")] };
+  const request = async (address: string | URL | Request) => {
+    const name = decodeURIComponent(String(address).split("/").at(-1) ?? "");
+    fetched.push(name);
+    const found = documents[name];
+    return found ? new Response(JSON.stringify({ edits, cues: found })) : new Response(null, { status: 204 });
+  };
+  show = new ConsoleStore(
+    (message) => sent.push(message),
+    () => now,
+    "page",
+  );
+  cues = new CueStore(show, "", () => now, request as typeof fetch);
+  show.setOnline(true);
+  heard();
+  await settled();
+});
+
+describe("what a page of cues plays", () => {
+  it("names the cue that its presser sees", () => {
+    cues.go();
+    expect(last()).toMatchObject({ type: "go", seen: "id1", cue_list: "main" });
+    heard(way({ standby: named(cue("3")) }));
+    cues.go();
+    expect(last()).toMatchObject({ type: "go", seen: "id3" });
+    expect(new Set(sent.map((message) => "id" in message && message.id)).size).toBe(sent.length);
+  });
+
+  it("calls a cue that it has just had stand by, though no state has said so yet", () => {
+    cues.stepStandby(1);
+    expect(last()).toMatchObject({ type: "set_standby", cue: "3" });
+    heard(); // a state that was on its way
+    cues.go();
+    expect(last()).toMatchObject({ type: "go", seen: "id3" });
+  });
+
+  it("shows what the show has where nobody answers a standby", () => {
+    cues.stepStandby(1);
+    now = 1500;
+    heard();
+    expect(cues.standby?.number).toBe("1");
+  });
+
+  it("sends nothing that is not heard, and says so", () => {
+    show.setOnline(false);
+    expect(cues.unheard).toContain("Link lost");
+    cues.go();
+    show.setOnline(true);
+    cues.setAccess({ role: "view", name: "", asked: true });
+    cues.go();
+    expect(show.notice).toContain('needs "operate"');
+    expect(sent).toEqual([]);
+  });
+
+  it("says at the end of a list that nothing stands by, but lets paused cues go on", () => {
+    heard(way({ standby: null }));
+    cues.go();
+    expect(show.notice).toContain("No cue stands by");
+    heard({ ...way({ standby: null }), rate: 0 });
+    cues.go();
+    expect(last()).toMatchObject({ type: "go", seen: "" });
+  });
+
+  it("shows an ignored GO to everybody for a while, and none of before", () => {
+    expect(cues.ignored).toBe("");
+    heard({ ignored: "GO for 1 of Ada ignored.", ignored_count: 3 });
+    expect(cues.ignored).toBe("GO for 1 of Ada ignored.");
+    now = 20_000;
+    heard({ ignored: "GO for 1 of Ada ignored.", ignored_count: 3 });
+    expect(cues.ignored).toBe("");
+  });
+});
+
+describe("what a page of cues edits", () => {
+  it("reads the list again whenever it was edited", async () => {
+    heard();
+    await settled();
+    expect(fetched).toEqual(["main"]);
+    documents.main = [cue("1")];
+    edits = 4;
+    heard({ edits: 4 });
+    await settled();
+    expect(cues.list.map((each) => each.number)).toEqual(["1"]);
+  });
+
+  it("opens what it has recorded once that is there", async () => {
+    cues.setEditing(true);
+    cues.add({ type: "record_cue" });
+    documents.main = [cue("1"), cue("2"), cue("3"), cue("4")];
+    heard({ edits: 4 });
+    await settled();
+    expect(cues.edited).toBe("id4");
+  });
+
+  it("tells the field alone why the show rejects what was typed there", () => {
+    const reasons: string[] = [];
+    cues.change({ type: "put_cue", cue: "id1", number: "x" }, (reason) => reasons.push(reason));
+    const id = (last() as { id: string }).id;
+    show.receive({ type: "refused", reason: "a cue cannot be numbered 'x'", id, held: [] });
+    expect(reasons).toEqual(["a cue cannot be numbered 'x'"]);
+    expect(show.notice).toBeNull();
+  });
+
+  it("stops editing while the show mode is on", () => {
+    cues.setEditing(true);
+    heard({ locked: true });
+    expect(cues.editing).toBe(false);
+    const reasons: string[] = [];
+    cues.change({ type: "drop_cue", cue: "id1" }, (reason) => reasons.push(reason));
+    expect(reasons[0]).toContain("Show mode");
+    expect(sent).toEqual([]);
+  });
+
+  it("takes back the edit that its presser saw", () => {
+    cues.undo("undo");
+    expect(last()).toMatchObject({ type: "undo_cues", seen: 3 });
+    cues.undo("redo");
+    expect(show.notice).toContain("No edit of cues");
+  });
+
+  it("follows a list that it renames, and falls to the chosen one when its own has gone", async () => {
+    cues.renameList("Act 1", () => undefined);
+    documents = { "Act 1": [cue("7")] };
+    heard({ chosen: "Act 1", lists: { "Act 1": MAIN }, edits: 4 });
+    await settled();
+    expect([cues.name, cues.list[0]?.number]).toEqual(["Act 1", "7"]);
+    documents = { main: [cue("1")] };
+    heard({ edits: 5 });
+    await settled();
+    expect([cues.name, cues.list[0]?.number]).toEqual(["main", "1"]);
+  });
+});

@@ -1,0 +1,361 @@
+/** What a page of cues knows of their lists, and what it may do with them. Nothing here touches the page. */
+
+import { missingRole } from "../../access/page_access";
+import type {
+  AccessDocument,
+  Cue,
+  CueListDocument,
+  CueListStatus,
+  CueName,
+  CueStatus,
+  State,
+} from "../../link/messages";
+import { TopicStore } from "../../link/topics";
+import type { ConsoleStore } from "../store/console_store";
+import type { Asked } from "../store/requests";
+import { standbyBeside } from "./cue_order";
+import { titleWords } from "./cue_words";
+
+/** `cues`: who stands where; `time`: what counts, ten times a second; `list`: the cues; `view`: what this page shows. */
+export type CueTopic = "cues" | "time" | "list" | "view" | "link" | "notice" | "manifest" | "characters";
+
+const NOT_PLAYED: CueListStatus = {
+  current: null,
+  standby: null,
+  waits: [],
+  moving: [],
+  follows: null,
+  follows_in: 0,
+  since: null,
+  by: "",
+};
+const NO_CUES: CueStatus = {
+  chosen: "main",
+  lists: { main: NOT_PLAYED },
+  rate: 1,
+  edits: 0,
+  undo: "",
+  redo: "",
+  ignored: "",
+  ignored_count: 0,
+  rejected: [],
+  locked: false,
+};
+/** Milliseconds for which a standby that was chosen here is shown before the show has answered. */
+const WANTED_MS = 1000;
+/** Milliseconds for which an ignored GO stays in sight. */
+const IGNORED_MS = 12_000;
+/** Milliseconds until a list is asked for again that could not be read. */
+const AGAIN_MS = 500;
+
+const TIMES: ReadonlySet<string> = new Set(["seconds", "since", "follows_in"]);
+
+/** What of a status is shown: all but what counts, or with `times` that too, in tenths of seconds. */
+const keyOf = (status: CueStatus, times: boolean): string =>
+  JSON.stringify(status, (name, value) => {
+    if (name === "rate") return value === 1;
+    if (!TIMES.has(name)) return value;
+    return times ? value && Math.round(value * 10) : value === null;
+  });
+
+export class CueStore extends TopicStore<CueTopic> {
+  status: CueStatus = NO_CUES;
+  /** The list that this page shows, and plays. */
+  name = NO_CUES.chosen;
+  /** Its cues, in the order of GO. */
+  list: readonly Cue[] = [];
+  /** Cues are edited here, where that is allowed. */
+  editing = false;
+  /** The cue that is edited, by identity. */
+  edited: string | null = null;
+  search = "";
+  /** An ignored GO that is still in sight; "" for none. */
+  ignored = "";
+  access: AccessDocument = { role: "admin", name: "", asked: false };
+  #shown = { cues: "", time: "" };
+  /** What `list` is. */
+  #read = "";
+  #reading = false;
+  #wanted: { readonly identity: string; readonly until: number } | null = null;
+  #ignoredCount: number | null = null;
+  #ignoredUntil = 0;
+  /** What is recorded, copied or begun here is edited once it is there. */
+  #expects = false;
+
+  /** `asked`: the list that is to be shown, "" for the chosen one; `now`: milliseconds. */
+  constructor(
+    readonly show: ConsoleStore,
+    private asked = "",
+    private readonly now: () => number = () => performance.now(),
+    private readonly request: typeof fetch = (...of) => fetch(...of),
+    private readonly later: (act: () => void) => unknown = (act) => setTimeout(act, AGAIN_MS),
+  ) {
+    super();
+    show.hear("state", (state) => this.#receive(state));
+    for (const topic of ["link", "notice", "manifest", "characters"] as const)
+      show.listen(topic, () => this.tell(topic));
+  }
+
+  // --- what shows ---
+
+  get names(): readonly string[] {
+    return Object.keys(this.status.lists);
+  }
+
+  /** How far the shown list is. */
+  get way(): CueListStatus {
+    return this.status.lists[this.name] ?? NOT_PLAYED;
+  }
+
+  get current(): Cue | null {
+    return this.find(this.way.current?.identity ?? null);
+  }
+
+  /** The cue that GO calls: as the show has it, or as was chosen here a moment ago. */
+  get standby(): CueName | null {
+    return this.#wanted === null ? this.way.standby : this.find(this.#wanted.identity);
+  }
+
+  get paused(): boolean {
+    return this.status.rate !== 1;
+  }
+
+  find(identity: string | null): Cue | null {
+    return this.list.find((cue) => cue.identity === identity) ?? null;
+  }
+
+  /** What a cue is called, also one without a label. */
+  titleOf({ identity, label }: CueName): string {
+    return titleWords(this.find(identity) ?? { label, moves: {} }, this.labels);
+  }
+
+  /** What people call each character. */
+  get labels(): Readonly<Record<string, string>> {
+    const characters = Object.entries(this.show.state?.characters ?? {});
+    return Object.fromEntries(characters.map(([name, { label }]) => [name, label]));
+  }
+
+  /** Why nobody would hear a GO of this page; "" where the show hears it. */
+  get unheard(): string {
+    if (!this.show.online) return "Link lost: the show does not hear this page.";
+    return missingRole(this.access, "operate", "playing cues") ?? "";
+  }
+
+  /** Why this page edits no cue; "" where it may. */
+  get locked(): string {
+    if (this.status.locked) return "Show mode: cues are locked, and nobody edits them.";
+    return missingRole(this.access, "edit", "editing cues") ?? "";
+  }
+
+  get mayLock(): boolean {
+    return missingRole(this.access, "admin", "the show mode") === null;
+  }
+
+  setAccess(access: AccessDocument): void {
+    this.access = access;
+    this.tell("view");
+  }
+
+  /** Shows another list. */
+  choose(name: string): void {
+    this.name = name;
+    [this.edited, this.#wanted, this.#expects] = [null, null, false];
+    this.list = [];
+    this.tell("view");
+    void this.#readList();
+  }
+
+  /** Edits, or plays. */
+  setEditing(on: boolean): void {
+    if (on && this.locked !== "") this.show.say(this.locked);
+    this.editing = on && this.locked === "";
+    if (this.editing) this.edited ??= this.standby?.identity ?? this.way.current?.identity ?? null;
+    this.tell("view");
+  }
+
+  edit(identity: string | null): void {
+    this.edited = identity;
+    this.tell("view");
+  }
+
+  searchFor(text: string): void {
+    this.search = text;
+    this.tell("view");
+  }
+
+  // --- what plays ---
+
+  /** GO: the cue that stands by here; where another one does by now, nothing is called. */
+  go(): void {
+    const seen = this.standby?.identity ?? "";
+    if (seen === "" && !this.paused) this.show.say("No cue stands by: choose one, or press Back.");
+    else this.play({ type: "go", seen, cue_list: this.name });
+  }
+
+  back(): void {
+    this.play({ type: "go_back", cue_list: this.name });
+  }
+
+  pause(): void {
+    this.play({ type: "pause_cues", on: !this.paused });
+  }
+
+  assertLook(): void {
+    this.play({ type: "assert_look", cue_list: this.name });
+  }
+
+  /** Has a cue stand by; nothing moves. */
+  setStandby({ identity, number }: Pick<Cue, "identity" | "number">): void {
+    if (!this.play({ type: "set_standby", cue: number, cue_list: this.name })) return;
+    this.#wanted = { identity, until: this.now() + WANTED_MS };
+    this.tell("cues");
+  }
+
+  /** Has the cue before or behind stand by. */
+  stepStandby(way: -1 | 1): void {
+    const cue = standbyBeside(this.list, this.standby?.identity ?? null, way);
+    if (cue !== null) this.setStandby(cue);
+  }
+
+  /** Asks for something of who plays; whether it was sent. `failed`: is told why it was not done. */
+  play(asked: Asked, failed?: (reason: string) => void): boolean {
+    return this.#ask(this.unheard, asked, failed);
+  }
+
+  // --- what edits ---
+
+  /** Asks for an edit; `failed` is told why it was not made, without it the page is. */
+  change(asked: Asked, failed?: (reason: string) => void): boolean {
+    return this.#ask(this.locked, asked, failed);
+  }
+
+  /** The same, and what is new by it is edited next. */
+  add(asked: Asked, failed?: (reason: string) => void): void {
+    this.#expects = this.change(asked, (reason) => {
+      this.#expects = false;
+      if (failed === undefined) this.show.say(reason);
+      else failed(reason);
+    });
+  }
+
+  undo(way: "undo" | "redo"): void {
+    if (this.status[way] === "")
+      this.show.say(way === "undo" ? "No edit of cues to undo." : "No edit of cues to do again.");
+    else this.change({ type: `${way}_cues`, seen: this.status.edits });
+  }
+
+  renameList(to: string, failed: (reason: string) => void): void {
+    if (this.change({ type: "rename_cue_list", cue_list: this.name, to }, failed)) this.asked = to;
+  }
+
+  addList(name: string, failed: (reason: string) => void): void {
+    if (this.change({ type: "add_cue_list", cue_list: name }, failed)) this.asked = name;
+  }
+
+  #ask(barred: string, asked: Asked, failed?: (reason: string) => void): boolean {
+    const refused = failed && {
+      refused: ({ reason }: { reason: string }): true => {
+        failed(reason);
+        return true;
+      },
+    };
+    const sent = barred === "" && this.show.ask(asked, refused ?? {});
+    if (sent) return true;
+    const why = barred || "Not sent: the link to the show is lost.";
+    if (failed === undefined) this.show.say(why);
+    else failed(why);
+    return false;
+  }
+
+  // --- what comes ---
+
+  #receive(state: State): void {
+    this.status = state.cues ?? NO_CUES;
+    this.#follow();
+    this.#noteIgnored();
+    const [cues, time] = [keyOf(this.status, false), keyOf(this.status, true)];
+    const before = this.#shown;
+    this.#shown = { cues, time };
+    if (before.cues !== cues) {
+      if (this.editing && this.locked !== "") this.setEditing(false);
+      this.tell("cues");
+    }
+    if (before.time !== time) this.tell("time");
+    void this.#readList();
+  }
+
+  /** Shows the list that was asked for once it is there, and the chosen one where the shown one has gone. */
+  #follow(): void {
+    const { lists, chosen } = this.status;
+    if (this.asked in lists) {
+      const name = this.asked;
+      this.asked = "";
+      if (name !== this.name) this.choose(name);
+    } else if (!(this.name in lists)) this.choose(chosen);
+    const wanted = this.#wanted;
+    if (wanted === null) return;
+    if (
+      this.way.standby?.identity === wanted.identity ||
+      this.now() > wanted.until ||
+      this.find(wanted.identity) === null
+    ) {
+      this.#wanted = null;
+      this.tell("cues");
+    }
+  }
+
+  /** One that was ignored before this page came is no news. */
+  #noteIgnored(): void {
+    const { ignored, ignored_count: count } = this.status;
+    const news = this.#ignoredCount !== null && count > this.#ignoredCount;
+    this.#ignoredCount = count;
+    if (news) this.#ignoredUntil = this.now() + IGNORED_MS;
+    const shown = this.now() < this.#ignoredUntil ? ignored : "";
+    if (news) this.show.log(ignored, "attention");
+    if (shown === this.ignored) return;
+    this.ignored = shown;
+    this.tell("cues");
+  }
+
+  /** Reads the cues of the shown list where they have been edited since. */
+  async #readList(): Promise<void> {
+    const [wanted, { name }] = [this.#wantedKey, this];
+    if (this.#reading || wanted === this.#read || this.show.state === null) return;
+    this.#reading = true;
+    const document = await this.#fetch(name);
+    this.#reading = false;
+    if (document === null) this.later(() => void this.#readList());
+    else {
+      if (name === this.name) this.#take(document, wanted);
+      void this.#readList(); // another list is shown by now, or it was edited again
+    }
+  }
+
+  get #wantedKey(): string {
+    return `${this.show.state?.epoch} ${this.status.edits} ${this.name}`;
+  }
+
+  /** Null where it cannot be read; a list that has gone has no cue. */
+  async #fetch(name: string): Promise<CueListDocument | null> {
+    try {
+      const answer = await this.request(`/cue_lists/${encodeURIComponent(name)}`, { cache: "no-store" });
+      if (answer.status === 204) return { edits: this.status.edits, cues: [] };
+      return answer.ok ? ((await answer.json()) as CueListDocument) : null;
+    } catch {
+      return null;
+    }
+  }
+
+  #take({ cues }: CueListDocument, wanted: string): void {
+    const known = new Set(this.list.map(({ identity }) => identity));
+    const fresh = cues.find(({ identity }) => !known.has(identity));
+    this.list = cues;
+    this.#read = wanted;
+    if (this.#expects && fresh !== undefined) {
+      this.#expects = false;
+      if (this.editing) this.edited = fresh.identity;
+    }
+    if (this.find(this.edited) === null) this.edited = null;
+    this.tell("list");
+  }
+}

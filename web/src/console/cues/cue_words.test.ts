@@ -1,0 +1,60 @@
+import { expect, it } from "vitest";
+import type { Cue, CueListStatus } from "../../link/messages";
+import { agoOf, countOf, goesOnWords, movesWords, timeLeft, titleWords } from "./cue_words";
+
+it("counts in tenths, and from a minute on in seconds", () => {
+  expect([0, 1.26, 59.9, 59.96, 61.2, 600, -1].map(countOf)).toEqual([
+    "0.0",
+    "1.3",
+    "59.9",
+    "1:00",
+    "1:01",
+    "10:00",
+    "0.0",
+  ]);
+  expect([agoOf(1.26), agoOf(149)]).toEqual(["1.3 s", "2:29"]);
+});
+
+it("says what goes on by itself", () => {
+  expect(goesOnWords({ goes_on: "", post_wait: 2 })).toBe("");
+  expect(goesOnWords({ goes_on: "continue", post_wait: 2 })).toBe("next with it + 2 s");
+  expect(goesOnWords({ goes_on: "follow", post_wait: 0 })).toBe("next after it");
+});
+
+it("calls a cue without a label by what it moves", () => {
+  const move = { goal: {}, seconds: 1, easing: "smooth", delay: 0 };
+  const moves = Object.fromEntries(
+    ["*/light", "one/face", "one/head", "one/gaze", "*/black"].map((part) => [part, move]),
+  );
+  expect(titleWords({ label: "Night", moves }, {})).toBe("Night");
+  expect(titleWords({ label: "", moves }, { one: "Kaori" })).toBe("light, Kaori face, Kaori head and 2 more");
+  expect(titleWords({ label: "", moves: {} }, {})).toBe("moves nothing");
+});
+
+it("says the moves of a running order", () => {
+  const moves = {
+    "kaori/face": { goal: { dog: 1 }, seconds: 2, easing: "smooth", delay: 0.5 },
+    "*/light": { goal: { flat: 1 }, seconds: 0, easing: "smooth", delay: 0 },
+  };
+  expect(movesWords({ moves }, { kaori: "Kaori" })).toBe("Kaori face → dog (2 s after 0.5 s); light → flat (0 s)");
+});
+
+it("has a cue end with its last move, also one that waits", () => {
+  const name = { identity: "a", number: "2", label: "", note: "", colour: "" };
+  const way: CueListStatus = {
+    current: name,
+    standby: null,
+    waits: [{ number: "2", part: "one/face", seconds: 0.5 }],
+    moving: [
+      { number: "2", part: "one/head", seconds: 1 },
+      { number: "1", part: "*/light", seconds: 9 },
+    ],
+    follows: null,
+    follows_in: 0,
+    since: 1,
+    by: "",
+  };
+  const move = { goal: { dog: 1 }, seconds: 3, easing: "smooth", delay: 1 };
+  expect(timeLeft(way, { moves: { "one/face": move } } as unknown as Cue)).toBe(3.5);
+  expect(timeLeft({ ...way, waits: [], moving: [] }, null)).toBe(0);
+});

@@ -1,0 +1,101 @@
+/** Goals of cues as people write them: as in the text files of docs/howto/cues.md, without their outer brackets. */
+
+import { PLAY_REGIONS } from "../../link/constants";
+
+export type Goal = Readonly<Record<string, number>>;
+
+/** The parts of a character, and of the scene, that a cue can move, in the order of the form. */
+export const CHARACTER_PARTS = [
+  "face",
+  "expression",
+  ...PLAY_REGIONS,
+  "head",
+  "gaze",
+  "place",
+  "presence",
+  "motion",
+] as const;
+export const SCENE_PARTS = ["light", "framing", "black"] as const;
+
+/** How the text says that a region goes with the whole face. */
+const WITH_FACE = "face";
+
+/** What a goal of each part that is numbers looks like. */
+const NUMBERS: Readonly<Record<string, Goal>> = {
+  head: { yaw: 0, pitch: 0, roll: 0 },
+  gaze: { yaw: 0, pitch: 0 },
+  place: { x: 0, depth: 0, size: 1, turn: 0 },
+  presence: { presence: 1 },
+  motion: { liveliness: 1, blinks: 1, gaze: 1, breath: 1 },
+  black: { black: 1 },
+};
+
+/** The name of a part without whose it is. */
+export const kindOf = (part: string): string => part.slice(part.lastIndexOf("/") + 1);
+
+const isRegion = (part: string): boolean => (PLAY_REGIONS as readonly string[]).includes(kindOf(part));
+
+/** A goal to begin with, as text; "" where a name has to be given. */
+export function firstGoal(part: string): string {
+  const numbers = NUMBERS[kindOf(part)];
+  return numbers === undefined ? "" : goalText(part, numbers);
+}
+
+/** A goal as text: a name, a number, or all weights or numbers by name. */
+export function goalText(part: string, goal: Goal): string {
+  const entries = Object.entries(goal);
+  const [first] = entries;
+  if (first === undefined) return WITH_FACE;
+  const numbers = kindOf(part) in NUMBERS;
+  if (entries.length === 1 && numbers) return String(first[1]);
+  const plain = first[1] === 1 && !numbers && !/[=,{}"]/.test(first[0]) && first[0].trim() === first[0];
+  if (entries.length === 1 && plain && !(first[0] === WITH_FACE && isRegion(part))) return first[0];
+  return entries.map(([name, value]) => `${keyText(name)} = ${value}`).join(", ");
+}
+
+const keyText = (name: string): string => (/^[\w-]+$/.test(name) ? name : JSON.stringify(name));
+
+const NUMBER = /^[-+]?(\d+\.?\d*|\.\d+)(e[-+]?\d+)?$/i;
+const ENTRY = /^\s*(?:"((?:[^"\\]|\\.)*)"|([^=,"]+?))\s*=\s*([^,]*?)\s*(?:,|$)/;
+
+/** The goal that a text says; an Error with a sentence where it says none. Brackets and quotes may be left out. */
+export function parseGoal(part: string, text: string): Record<string, number> {
+  const bare = text
+    .trim()
+    .replace(/^\{(.*)\}$/s, "$1")
+    .trim();
+  if (bare === "") throw new Error(`Give where ${part} goes: ${exampleOf(part)}.`);
+  if (bare.replace(/"(?:[^"\\]|\\.)*"/g, "").includes("=")) return parseEntries(part, bare);
+  const numbers = NUMBERS[kindOf(part)];
+  const name = unquoted(bare);
+  if (numbers === undefined) return isRegion(part) && name === WITH_FACE ? {} : { [name]: 1 };
+  const [only, ...others] = Object.keys(numbers);
+  if (only === undefined || others.length > 0 || !NUMBER.test(bare))
+    throw new Error(`${part} goes to numbers: ${exampleOf(part)}.`);
+  return { [only]: Number(bare) };
+}
+
+function parseEntries(part: string, text: string): Record<string, number> {
+  const goal: Record<string, number> = {};
+  for (let rest = text; rest.trim() !== ""; ) {
+    const found = ENTRY.exec(rest);
+    if (found === null) throw new Error(`"${rest.trim()}" is no goal: ${exampleOf(part)}.`);
+    const [whole, quoted, plain = "", value = ""] = found;
+    const name = quoted === undefined ? plain.trim() : unquoted(`"${quoted}"`);
+    if (!NUMBER.test(value)) throw new Error(`"${value}" is no number for ${name}; write it with a point: 0.5.`);
+    goal[name] = Number(value);
+    rest = rest.slice(whole.length);
+  }
+  return goal;
+}
+
+function unquoted(text: string): string {
+  if (!/^".*"$/s.test(text)) return text;
+  try {
+    return String(JSON.parse(text));
+  } catch {
+    return text.slice(1, -1);
+  }
+}
+
+const exampleOf = (part: string): string => firstGoal(part) || "a name, or weights such as joy = 0.7, neutral = 0.3";
