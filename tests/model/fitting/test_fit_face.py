@@ -108,3 +108,16 @@ def test_only_who_was_said_to_be_a_head_is_moved_back_to_stand_around_the_axis(m
     monkeypatch.setattr(module, "find_way_back", lambda *_: None)
     with pytest.raises(ValueError, match="points on eyes, nose and mouth help"):
         fit_face(SPACE, MODES, scan, HERE, landmarks=marks)
+
+
+def test_folds_of_the_head_that_the_modes_give_are_told_where_they_cannot_be_eased(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    """Folds were sought against that head alone, so what it has itself was found nowhere."""
+    person = MODES.shape_skin(1.5 * np.random.default_rng(8).standard_normal(len(MODES.moves)))
+    scan = Scan(person, SPACE.triangles)
+    eased = fit_face(SPACE, MODES, scan, HERE)
+    assert not [doubt for doubt in eased.doubts if "folded" in doubt]
+    monkeypatch.setattr(module, "ease_creases", lambda space, plain, head: head)
+    told = fit_face(SPACE, MODES, scan, HERE)
+    assert [doubt for doubt in told.doubts if "folded" in doubt]

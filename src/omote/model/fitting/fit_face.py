@@ -22,7 +22,15 @@ from omote.model.fitting.plate_fit import Hold, bend, find_lengths, match
 from omote.model.fitting.scan import Scan
 from omote.model.fitting.scan_skin import keep_skin, may_be_shut
 from omote.model.fitting.scan_surface import ScanSurface, face_outward, is_inside_out, sample_cloud, sample_mesh
-from omote.model.fitting.skin_repair import find_folds, relax_corners, repair_corners, repair_folds, repair_slight_folds
+from omote.model.fitting.skin_repair import (
+    ease_creases,
+    find_creases,
+    find_folds,
+    relax_corners,
+    repair_corners,
+    repair_folds,
+    repair_slight_folds,
+)
 from omote.model.sculpting.caricature import find_way_back
 from omote.model.sculpting.socket_depth import fit_lining_at_rest
 from omote.model.space.face import Face
@@ -189,7 +197,8 @@ def fit_face(
     tell(0.1, "what heads differ by")
     blind = np.where(zones.lids | zones.lips, OPENINGS, 1.0) * zones.weights
     modes_fit = fit_modes(space, modes, surface, marks, blind)
-    head = modes_fit.pose(modes.shape_skin(modes_fit.weights))
+    plain = modes_fit.pose(modes.skin)
+    head = ease_creases(space, plain, modes_fit.pose(modes.shape_skin(modes_fit.weights)))
     skin = keep_skin(surface, zones, head)
     expected = {name: modes_fit.pose(points) for name, points in modes.shape_parts(modes_fit.weights).items()}
     balls = find_balls(surface, {name: expected[name] for name in space.eyes})
@@ -203,11 +212,19 @@ def fit_face(
     upright = set_upright(space, modes_fit.pose, parts, bent, bool(landmarks))
     guide = upright(head)
     face = close_face(space, name, guide, upright(bent), {part: upright(points) for part, points in parts.items()})
-    folds = find_folds(space, guide, face.positions.astype(np.float64))
+    folds = _find_all_folds(space, (guide, upright(plain)), face)
     residual, seen = _compare(space, skin, upright.back(face.positions))
     doubts = find_doubts(zones, modes_fit, residual, len(folds), filled and shut is None, turned, bool(landmarks))
     tell(1.0, "done")
     return Fit(face, residual, seen, _after(upright, placement), doubts)
+
+
+def _find_all_folds(space: ParameterSpace, guides: tuple[Values, Values], face: Face) -> Rows:
+    """The triangles of a face that are folded against the guide (V, 3) of its fit, or lie on a neighbour as they do not
+    on the plain head (V, 3), where that guide may be folded itself."""
+    guide, plain = guides
+    skin = face.positions.astype(np.float64)
+    return np.union1d(find_folds(space, guide, skin), find_creases(space, plain, skin))
 
 
 def say_nothing(done: float, what: str, /) -> None:

@@ -31,6 +31,11 @@ PASSES = 3
 SLIGHT = 2e-4
 # Each round takes them so far to the means of their rings, so that they stop where nothing folds any more.
 EASING = 0.02
+# Of creases, which may be centimetres wide: so far in each round, and one ring more after so many.
+CREASE_EASING = 0.5
+# Until they bend by less than 135 degrees: what is smoothed towards a head that nearly lies on itself folds again.
+ROOMY = -0.7
+SLOWLY_WIDER = 20
 # So near to a corner skin slides freely, so far from it not at all; the generic head is laid on what is around, metres.
 FREE_WITHIN = 0.010
 HELD_BEYOND = 0.024
@@ -50,11 +55,20 @@ def find_folds(space: ParameterSpace, guide: Values, skin: Values, /) -> Rows:
     space: of both; guide (V, 3), skin (V, 3): metres.
     """
     sheet = space.sheet_triangles
-    before = mesh.unit_normals(guide[sheet])
-    now = mesh.unit_normals(skin[sheet])
+    turned = (mesh.unit_normals(guide[sheet]) * mesh.unit_normals(skin[sheet])).sum(axis=1) <= 0.0
+    return np.union1d(np.flatnonzero(turned), find_creases(space, guide, skin))
+
+
+def find_creases(space: ParameterSpace, guide: Values, skin: Values, most: float = CREASED, /) -> Rows:
+    """The sheet's triangles that lie on a neighbour on a skin (V, 3) as they do not on a guide (V, 3), wherever they
+    face: an ear of another person may be turned by more than a right angle, and fold nothing.
+
+    space: of both; guide (V, 3), skin (V, 3): metres; most: the cosine of the bend beyond which they lie on it.
+    """
+    sheet = space.sheet_triangles
     beside = mesh.neighbours(sheet)
-    lying = (_bend(now, beside) < CREASED) & (_bend(before, beside) >= CREASED)
-    return np.flatnonzero(((before * now).sum(axis=1) <= 0.0) | lying.any(axis=1))
+    before, now = (_bend(mesh.unit_normals(points[sheet]), beside) for points in (guide, skin))
+    return np.flatnonzero(((now < most) & (before >= most)).any(axis=1))
 
 
 def _bend(normals: Values, beside: NDArray[np.integer]) -> Values:
@@ -81,6 +95,29 @@ def repair_folds(space: ParameterSpace, guide: Values, skin: Values, /) -> Value
         for _ in range(PASSES + number):
             moves = moves + share[:, None] * (average @ moves - moves)
     return guide + moves
+
+
+def ease_creases(space: ParameterSpace, guide: Values, skin: Values, /) -> Values:
+    """A skin (V, 3) whose triangles lie on each other nowhere that a guide's (V, 3) do not, as far as the means of
+    their rings can ease it, the rings a little wider with time; what is only turned stays. What lay there is
+    eased on towards ROOMY, so that a fit which begins from that skin has room.
+
+    space: of both; guide (V, 3), skin (V, 3): metres.
+    """
+    average = smoothing_matrix(space.triangles, len(skin))
+    eased = skin
+    lying: Rows = np.zeros(0, np.intp)
+    for number in range(REPAIR_ROUNDS):
+        still = np.intersect1d(lying, find_creases(space, guide, eased, ROOMY))
+        lying = np.union1d(still, find_creases(space, guide, eased))
+        if not len(lying):
+            break
+        share = np.zeros(len(skin))
+        share[space.sheet_triangles[lying]] = 1.0
+        for _ in range(number // SLOWLY_WIDER):
+            share = np.minimum(2.0 * (average @ share), 1.0)
+        eased = eased + CREASE_EASING * share[:, None] * (average @ eased - eased)
+    return eased
 
 
 def repair_slight_folds(space: ParameterSpace, guide: Values, skin: Values, /) -> Values:
