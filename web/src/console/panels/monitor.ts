@@ -8,6 +8,7 @@ import { closeUp, type ScenePose, sceneIn, sceneKey } from "../../face/pose/scen
 import type { Library } from "../../link/assets";
 import { base, ellipsis } from "../../ui/theme";
 import { AnimatedElement } from "../controls/console_element";
+import { low, narrow } from "../controls/screen_sizes";
 import type { Topic } from "../store/page_store";
 
 /** Milliseconds between two pictures: the monitor shows what is on air, the stage is what must be smooth. */
@@ -48,6 +49,11 @@ const style = css`
     font-size: 10px;
     letter-spacing: 0.06em;
     padding: 1px 5px;
+  }
+  @media ${narrow} or ${low} {
+    .tally.small:not(.black) {
+      display: none; /* it would cover a face; the keys below say who is played, and which is a close-up */
+    }
   }
   .tally.black {
     background: #000;

@@ -127,7 +127,7 @@ const style = css`
       gap: 2px;
     }
     .tools button {
-      padding: 0 4px;
+      padding: 0 2px;
     }
   }
   @media ${narrow} {
