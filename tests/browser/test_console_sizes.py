@@ -277,3 +277,48 @@ def test_by_mouse_nothing_is_cut_off_and_nothing_scrolls(console: Console) -> No
         assert [one["name"] for one in controls(page) if one["cut"]] == []
         for control in (page.locator(".panic"), bar(page, "Face"), bar(page, "Expression"), page.locator("omote-bank")):
             expect(control).to_be_in_viewport(ratio=1)
+
+
+NOTICE = f"""() => {DESK}.receive({{ type: "notices",
+    notices: [{{ id: "disk", time: Date.now() / 1000, text: "No space left. ".repeat(20), solved: false }}] }})"""
+BOXES = """(names) => Object.fromEntries(names.map((name) => {
+    const box = document.querySelector("omote-console").shadowRoot.querySelector(name).getBoundingClientRect();
+    return [name, { left: box.left, top: box.top, right: box.right, bottom: box.bottom }];
+}))"""
+PLAYED = ["omote-characters", "omote-tbar", "omote-palette", "omote-lights", "omote-bank"]
+"""Parts that are played on, which stay where they are when something is said."""
+
+
+@pytest.mark.parametrize("touch", [True, False])
+def test_the_keys_of_eight_characters_lie_beside_the_picture_and_no_notice_moves_them(
+    console: Console, show: str, touch: bool
+) -> None:
+    page = console(**({"has_touch": True} if touch else {}))
+    others = [f"person-{number}" for number in range(2, 9)]
+    sizes = [(1280, 800), (1100, 700), (1440, 900), (1024, 768), (768, 1024), (390, 844), (667, 375), (320, 568)]
+    with omote.connect(show, name="crowd") as program:
+        for name in others:
+            program.add(name)
+        try:
+            expect(page.locator("omote-characters [data-character]")).to_have_count(8)
+            for width, height in sizes:
+                page.evaluate(f"{DESK}.receive({{ type: 'notices', notices: [] }})")
+                resize(page, width, height)
+                before = page.evaluate(BOXES, PLAYED)
+                page.evaluate(NOTICE)
+                page.evaluate(TWO_FRAMES)
+                boxes = page.evaluate(BOXES, [*PLAYED, "omote-monitor", "omote-show-notices"])
+                assert {name: boxes[name] for name in PLAYED} == before, (width, height)
+                row, picture, notice = (boxes[name] for name in ("omote-characters", *list(boxes)[-2:]))
+                assert not overlap(row, picture), (width, height)
+                assert not overlap(row, notice), (width, height)
+                assert not overlap(picture, notice), (width, height)
+                assert picture["bottom"] - picture["top"] >= FINGER, (width, height)
+                assert [fault for fault in faults(page) if touch or fault[0] == "cut"] == [], (width, height)
+                if not touch and width >= 900:
+                    for key in page.locator("omote-characters button").all():
+                        expect(key).to_be_in_viewport(ratio=1)
+        finally:
+            for name in others:
+                program.remove(name)
+            page.evaluate(f"{DESK}.receive({{ type: 'notices', notices: [] }})")

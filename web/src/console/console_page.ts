@@ -73,7 +73,7 @@ export class ConsolePage extends ConsoleElement {
 
   static override styles = [palette, base, style];
 
-  protected override readonly topics: readonly Topic[] = ["link", "call", "arrangement"];
+  protected override readonly topics: readonly Topic[] = ["link", "call", "arrangement", "characters"];
 
   constructor() {
     super();
@@ -103,6 +103,7 @@ export class ConsolePage extends ConsoleElement {
   override render() {
     this.classList.toggle("lost", !this.store.online);
     this.classList.toggle("alone", this.store.arrangement.alone);
+    this.classList.toggle("several", Object.keys(this.store.state?.characters ?? {}).length > 1);
     const context = this.context;
     const shown = this.#view;
     this.dataset.view = shown;

@@ -37,7 +37,7 @@ export const style = css`
     grid-area: air;
     position: relative;
     display: grid;
-    grid-template-rows: minmax(0, 1fr) auto auto;
+    grid-template-rows: minmax(0, 1fr) auto auto auto;
     overflow: hidden;
   }
   .air omote-monitor,
@@ -49,13 +49,16 @@ export const style = css`
     align-self: start;
     margin-left: 84px; /* beside the tally */
   }
-  @media (pointer: coarse) and (min-width: 900px) {
-    .air omote-characters {
-      align-self: stretch;
-    }
+  /* keys for several have lines of their own: they cover no face, and no notice moves them */
+  :host(.several) .air omote-characters {
+    grid-row: 3;
+    grid-column: 1 / -1;
+    margin-left: 0;
   }
-  :host(.alone) .air omote-characters {
-    margin-left: 150px; /* which says who it is */
+  @media (pointer: coarse) and (min-width: 900px) and (max-height: 820px) {
+    :host(.several) .mixes {
+      --lists: none; /* their room is the picture's; the T-bars name both ends */
+    }
   }
   /* below the picture, which is as much lower: no face is covered, and nothing that is played on moves */
   omote-show-notices {
@@ -63,7 +66,7 @@ export const style = css`
     margin: 4px 6px;
   }
   .mixes {
-    grid-row: 3;
+    grid-row: 4;
   }
   .looks {
     grid-area: lights;
@@ -177,7 +180,7 @@ export const style = css`
         "below below below below" minmax(0, 25fr) / 88px minmax(0, 1fr) minmax(0, 1fr) 88px;
     }
     .air {
-      grid-template: minmax(0, 1fr) auto / minmax(0, 1fr) minmax(0, 1.8fr) minmax(0, 1fr);
+      grid-template: minmax(0, 1fr) auto auto / minmax(0, 1fr) minmax(0, 1.8fr) minmax(0, 1fr);
     }
     .air omote-monitor,
     .air omote-head-frames,
@@ -222,7 +225,7 @@ export const style = css`
   /* palettes, faders or pads at a time */
   @media ${narrow} or ${low} {
     .air {
-      grid-template: minmax(0, 1fr) auto auto / repeat(2, minmax(0, 1fr));
+      grid-template: minmax(0, 1fr) auto auto auto / repeat(2, minmax(0, 1fr));
     }
     .air omote-monitor,
     .air omote-head-frames,
@@ -240,10 +243,10 @@ export const style = css`
       display: contents;
     }
     .mixes omote-mix {
-      grid-area: 3 / 1;
+      grid-area: 4 / 1;
     }
     .mixes omote-mix + omote-mix {
-      grid-area: 3 / 2;
+      grid-area: 4 / 2;
     }
     .hands,
     omote-bank,
@@ -269,6 +272,9 @@ export const style = css`
   @media (min-width: 600px) and (max-height: 379px) {
     omote-show-notices {
       display: none; /* the picture is as low as they are: *Log* lights up and counts them */
+    }
+    :host(.several) .mixes omote-mix {
+      display: none; /* the keys of the characters have their room */
     }
   }
   @media ${upright} {
@@ -349,6 +355,7 @@ export const style = css`
       min-height: 40px;
     }
     :host(:not([data-view="pads"])) .looks,
+    :host(.several) omote-show-notices,
     omote-memories {
       display: none;
     }

@@ -8,7 +8,7 @@ import { closeUp, type ScenePose, sceneIn, sceneKey } from "../../face/pose/scen
 import type { Library } from "../../link/assets";
 import { base, ellipsis } from "../../ui/theme";
 import { AnimatedElement } from "../controls/console_element";
-import { low } from "../controls/screen_sizes";
+import { low, narrow } from "../controls/screen_sizes";
 import type { Topic } from "../store/page_store";
 
 /** Milliseconds between two pictures: the monitor shows what is on air, the stage is what must be smooth. */
@@ -29,24 +29,6 @@ const style = css`
     width: 100%;
     height: 100%;
   }
-  .alone {
-    position: absolute;
-    z-index: 1;
-    left: 10px;
-    bottom: 10px;
-  }
-  @media (max-width: 899px) or (pointer: coarse) or ${low} {
-    .alone {
-      left: 6px;
-      top: 36px;
-      bottom: auto;
-    }
-  }
-  @media (pointer: coarse) and (min-width: 600px) and ((max-width: 740px) or (max-height: 560px)) {
-    .alone {
-      display: none; /* the keys of the characters have the room */
-    }
-  }
   .tally {
     position: absolute;
     left: 10px;
@@ -60,6 +42,18 @@ const style = css`
     background: #b3261a;
     max-width: calc(100% - 20px);
     ${ellipsis}
+  }
+  .tally.small {
+    left: 4px;
+    top: 4px;
+    font-size: 10px;
+    letter-spacing: 0.06em;
+    padding: 1px 5px;
+  }
+  @media ${narrow} or ${low} {
+    .tally.small:not(.black) {
+      display: none; /* it would cover a face; the keys below say who is played, and which is a close-up */
+    }
   }
   .tally.black {
     background: #000;
@@ -108,23 +102,16 @@ export class Monitor extends AnimatedElement {
     return html`
       <canvas aria-label="What is on air"></canvas>
       ${this.drawn || this.wrong !== null ? this.#badge() : html`<div class="loading" role="status">The face on air is loading …</div>`}
-      ${this.#several ? this.#choice() : ""}
       ${this.wrong === null ? "" : html`<div class="wrong">${this.wrong}</div>`}
     `;
   }
 
   #badge() {
-    return html`<div class="tally ${this.black === "" ? "" : "black"}">${this.black || this.tally}</div>`;
+    return html`<div class="tally ${this.black === "" ? "" : "black"} ${this.#several ? "small" : ""}">${this.black || this.tally}</div>`;
   }
 
   get #several(): boolean {
     return Object.keys(this.store.state?.characters ?? {}).length > 1;
-  }
-
-  #choice() {
-    const { alone } = this.store.arrangement;
-    return html`<button class="alone" aria-pressed=${alone} title="The picture shows the character played here alone"
-      @click=${() => this.store.arrange({ alone: !alone })}>Close-up</button>`;
   }
 
   /** Starts to draw the cast; without WebGL2 the console goes on without a picture. */

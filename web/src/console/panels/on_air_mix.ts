@@ -37,7 +37,7 @@ const style = css`
     display: none;
   }
   .rows {
-    display: grid;
+    display: var(--lists, grid);
     align-content: start;
     gap: 3px;
     min-height: 76px;
@@ -77,7 +77,7 @@ const style = css`
   }
   .coming {
     position: relative;
-    display: flex;
+    display: var(--lists, flex);
     gap: 6px;
     align-items: center;
     height: 24px;

@@ -18,11 +18,30 @@ const style = css`
     padding: 6px;
     pointer-events: none;
   }
-  .row {
+  .row,
+  .names,
+  .tools {
     display: flex;
-    flex-wrap: wrap;
     justify-content: flex-end;
     gap: 4px;
+    min-width: 0;
+  }
+  .row {
+    flex-wrap: wrap; /* where all does not fit beside each other, names have a line of their own */
+  }
+  .names,
+  .tools {
+    justify-content: safe flex-end;
+    max-width: 100%;
+    overflow-x: auto;
+    scrollbar-width: none;
+    pointer-events: auto;
+  }
+  .names {
+    flex: 1 1 auto;
+  }
+  .tools button {
+    padding: 0 6px;
   }
   button {
     pointer-events: auto;
@@ -32,19 +51,30 @@ const style = css`
     ${ellipsis}
     flex: none;
   }
+  .names button {
+    flex: 1 1 38px;
+    width: 38px; /* whatever its label is: nothing moves when one is renamed, enters or leaves */
+    min-width: 26px;
+    max-width: none;
+    padding: 0 2px;
+    font-size: 11px;
+    line-height: 12px;
+  }
+  .names span {
+    display: -webkit-box;
+    -webkit-box-orient: vertical;
+    -webkit-line-clamp: 2;
+    overflow: hidden;
+    overflow-wrap: anywhere;
+    white-space: normal;
+  }
   button.off {
     border: 1px dashed var(--edge);
     color: var(--dim);
-    line-height: 13px;
   }
   button.off[aria-pressed="true"] {
     color: #000;
     background: #9aa0a7;
-  }
-  small {
-    display: block;
-    font-size: 10px;
-    line-height: 10px;
   }
   @media (max-width: 899px) {
     .view {
@@ -66,28 +96,38 @@ const style = css`
       display: none; /* with keys for fingers it would be a third row */
     }
   }
+  @media ${narrow} or ${low} {
+    .row {
+      flex-wrap: nowrap; /* one line, which scrolls */
+      gap: 2px;
+      justify-content: safe center;
+      overflow-x: auto;
+      scrollbar-width: none;
+      pointer-events: auto;
+    }
+    .names,
+    .tools {
+      flex: 1 0 auto;
+      max-width: none;
+      overflow: visible;
+    }
+  }
   @media ${narrow} {
     :host {
       padding: 4px;
     }
-    .row {
-      flex-wrap: nowrap;
-      gap: 2px;
-      justify-content: safe center;
-      overflow-x: auto;
-      pointer-events: auto;
-    }
   }
   @media (pointer: coarse) {
-    button {
+    button,
+    .names button {
       min-height: 44px;
       min-width: 44px;
     }
-  }
-  @media (pointer: coarse) and (min-width: 900px) {
-    .row {
-      height: 100%;
-      align-content: space-between; /* a second line stands below the heads, not on them */
+    .tools {
+      gap: 2px;
+    }
+    .tools button {
+      padding: 0 2px;
     }
   }
   @media ${narrow} {
@@ -99,7 +139,7 @@ const style = css`
   }
 `;
 
-/** A key for each character, one for all, one for places and framing, one that holds still, one for layers, one to add another (a double click is one). Tells `scene`, `layers`. */
+/** A key for each character, one for all, one for places and framing, one for a close-up, one that holds still, one for layers, one to add another (a double click is one). Tells `scene`, `layers`. */
 @customElement("omote-characters")
 export class CharacterRow extends AnimatedElement {
   static override styles = [base, style];
@@ -113,16 +153,18 @@ export class CharacterRow extends AnimatedElement {
 
   override render() {
     const characters = Object.entries(this.store.state?.characters ?? {});
+    const several = characters.length > 1;
     const commands = new SceneCommands(this.store);
     const why = commands.whyFull;
     return html`<div class="row" role="group" aria-label="Characters">
-      ${characters.length > 1 ? this.#choice(characters) : nothing}
+      ${several ? html`<div class="names">${characters.map(([name, character]) => this.#key(name, character))}</div>` : nothing}
+      <div class="tools">${several ? this.#choice(characters) : nothing}
       <button class="still" aria-pressed="false" title="Holds still; else it blinks, breathes and looks about as people do (')"
         @click=${() => toggleStill(this.store)}>Still</button>
       <button class="view layers" title="Layers as a mixer (;)" aria-pressed=${this.store.arrangement.view === "layers"}
         @click=${() => this.tell("layers")}>Layers<omote-unrouted-mark .context=${this.context}></omote-unrouted-mark></button>
       <button class="add" aria-label="Add a character" title=${why ?? "Add a character"} ?disabled=${why !== null}
-        @click=${(event: MouseEvent) => event.detail < 2 && commands.add()}>+</button>
+        @click=${(event: MouseEvent) => event.detail < 2 && commands.add()}>+</button></div>
     </div>`;
   }
 
@@ -132,12 +174,14 @@ export class CharacterRow extends AnimatedElement {
   }
 
   #choice(characters: readonly (readonly [string, CharacterState])[]) {
-    const played = this.store.played.names;
+    const { arrangement, played } = this.store;
+    const { alone } = arrangement;
     const all = characters.map(([name]) => name);
-    return html`${characters.map(([name, character]) => this.#key(name, character))}
-      <button class="all" aria-pressed=${played.length === all.length} title="Play all characters" @click=${() => this.store.play(all)}>All</button>
+    return html`<button class="all" aria-pressed=${played.names.length === all.length} title="Play all characters" @click=${() => this.store.play(all)}>All</button>
       <button class="view" aria-label="Scene: places, framing, names" title="Places, framing, names (P)"
-        aria-pressed=${this.store.arrangement.view === "scene"} @click=${() => this.tell("scene")}>Scene</button>`;
+        aria-pressed=${arrangement.view === "scene"} @click=${() => this.tell("scene")}>Scene</button>
+      <button class="alone" aria-pressed=${alone} title="The picture shows the character played here alone"
+        @click=${() => this.store.arrange({ alone: !alone })}>Close-up</button>`;
   }
 
   #key(name: string, character: CharacterState) {
@@ -145,6 +189,6 @@ export class CharacterRow extends AnimatedElement {
     return html`<button data-character=${name} class=${stands === "" ? "" : "off"} aria-pressed=${this.store.played.names.includes(name)}
       title="Play ${label}${stands === "" ? "" : ` (${stands})`}; with Shift beside the others"
       @click=${(event: MouseEvent) => this.store.play(this.store.played.pressed(name, event.shiftKey))}
-      >${label}${stands === "" ? nothing : html`<small>${stands}</small>`}</button>`;
+      ><span>${label}</span></button>`;
   }
 }
