@@ -31,7 +31,7 @@ from tests.server.conftest import ShowHarness
 
 NO_CALLS = {
     "set_channels",  # of a session's own devices; a program sends a frame of many by `drive`
-    *("goal_of", "shown_goal", "call_goal"),  # of cues and memories; a program has the call of each part
+    *("goal_of", "shown_goal", "call_goal", "set_pace"),  # of cues and memories; a program has the call of each part
     "advance",
     "recast",
     "restored",

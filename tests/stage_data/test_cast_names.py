@@ -29,7 +29,7 @@ def names(stored: Stored | None = None) -> CastNames:
 
 
 def words(**typed: str) -> dict[str, str]:
-    return {"face": "generic", "expression": "", "channels": "", "turn": "", "gaze": "", "light": "flat", **typed}
+    return {"face": "generic", "expression": "", "channel": "", "turn": "", "gaze": "", "light": "flat", **typed}
 
 
 def test_they_are_those_of_the_cast() -> None:
@@ -48,7 +48,7 @@ def test_own_work_that_plays_is_found_by_names_and_labels() -> None:
     assert found.find_face("frau aunt") == "aunt"
     assert found.kinds["grin"] == OWN
     assert "gone" not in found.titles
-    found.check_words(read_pose(**words(face="Aunt=0.5+kaori", expression="crooked GRIN", channels="AU45")))
+    found.check_words(read_pose(**words(face="Aunt=0.5+kaori", expression="crooked GRIN", channel="AU45")))
     assert find_exported(found, OWN_WORK, "Crooked Grin") == "grin"
 
 
@@ -57,7 +57,7 @@ def test_own_work_that_plays_is_found_by_names_and_labels() -> None:
     [
         ({"face": "nobody"}, "there is no face 'nobody'"),
         ({"expression": "grin"}, "there is no expression 'grin'"),
-        ({"channels": "noon=0.5"}, "there is no channel 'noon'"),
+        ({"channel": "noon=0.5"}, "there is no channel 'noon'"),
         ({"face": "dog=0.5+Dog=0.5"}, "comes twice"),
     ],
 )

@@ -123,7 +123,7 @@ def test_what_is_kept_can_be_mailed(cast: Cast) -> None:
     with pytest.raises(ValueError, match="there is no expression 'frown' in this cast"):
         export_document(cast, stored, contents, "frown")
     with_face = replace(stored, items=(*stored.items, Item(9, "face", "on_air_1", "On air 1", (), 1.0, head=1)))
-    with pytest.raises(ValueError, match="'on_air_1' is a face; only expressions become documents"):
+    with pytest.raises(ValueError, match="'on_air_1' is a face, and only expressions become documents"):
         export_document(cast, with_face, contents, "on_air_1")
     both = replace(stored, items=(*with_face.items, Item(10, "face", "grin", "Grin", (), 2.0, head=1)))
     assert export_document(cast, both, contents, "grin") == letter
