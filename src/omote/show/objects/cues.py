@@ -84,14 +84,20 @@ def _named_by(cue: Cue) -> Iterable[str]:
 # --- what plays them ---
 
 
-class Go(ClientMessage, frozen=True):
+class CuePlay(ClientMessage, frozen=True):
+    """What plays cues: who does holds `cues`, where leases are on."""
+
+    access = "operate"
+    plays = "cues"
+    method: ClassVar[str | None] = ""
+
+
+class Go(CuePlay, frozen=True):
     """Calls the cue that stands by, or the one of a number (`cue`), each once however often the message comes. `seen`:
     the identity of the cue that its presser saw standing by; where another does, nothing is called, and every console
     reads so. While cues are paused it lets them go on instead. An `id` executes once, as of all that follow.
     `cue_list`: of several lists; "" for the one that is chosen."""
 
-    access = "operate"
-    plays = "cues"
     method = "go"
     osc = (osc("go", "calls the cue that stands by, or that of a number", "cue", of_show=True),)
 
@@ -105,11 +111,9 @@ class Go(ClientMessage, frozen=True):
         return session.cues.go(self, who, now)  # type: ignore[no-any-return]
 
 
-class GoBack(ClientMessage, frozen=True):
+class GoBack(CuePlay, frozen=True):
     """Brings back what stood before the last cue was called, in a second; that cue stands by again."""
 
-    access = "operate"
-    plays = "cues"
     method = "back"
     osc = (osc("back", "brings back what stood before the last cue", PRESS, of_show=True),)
 
@@ -121,13 +125,10 @@ class GoBack(ClientMessage, frozen=True):
         return session.cues.go_back(self, who, now)  # type: ignore[no-any-return]
 
 
-class GoToCue(ClientMessage, frozen=True):
+class GoToCue(CuePlay, frozen=True):
     """Calls a cue out of its order; what waits is forgotten. `whole`: with all that the cues before it leave
     standing."""
 
-    access = "operate"
-    plays = "cues"
-    method = ""
     osc = (
         osc("go_to", "calls a cue out of its order", "cue", of_show=True),
         osc("load", "the same with all that the cues before it leave standing", "cue", of_show=True, whole=True),
@@ -143,12 +144,9 @@ class GoToCue(ClientMessage, frozen=True):
         return session.cues.go_to(self, who, now)  # type: ignore[no-any-return]
 
 
-class AssertLook(ClientMessage, frozen=True):
+class AssertLook(CuePlay, frozen=True):
     """Calls all that the cues have left standing again, whoever has moved it since, in a second."""
 
-    access = "operate"
-    plays = "cues"
-    method = ""
     osc = (osc("assert", "calls all that the cues have left standing again", PRESS, of_show=True),)
 
     id: CallId
@@ -159,12 +157,9 @@ class AssertLook(ClientMessage, frozen=True):
         return session.cues.assert_look(self, who, now)  # type: ignore[no-any-return]
 
 
-class SetStandby(ClientMessage, frozen=True):
+class SetStandby(CuePlay, frozen=True):
     """Has another cue stand by; nothing moves."""
 
-    access = "operate"
-    plays = "cues"
-    method = ""
     osc = (osc("standby", "has another cue stand by; nothing moves", "cue", of_show=True),)
 
     id: CallId
@@ -177,13 +172,10 @@ class SetStandby(ClientMessage, frozen=True):
         return ()
 
 
-class PauseCues(ClientMessage, frozen=True):
+class PauseCues(CuePlay, frozen=True):
     """Pauses the cues of all lists, or lets them go on: their waits, what follows, and what they have called comes to a
     stand in .2 s. Hands, trackers and what moves by itself go on."""
 
-    access = "operate"
-    plays = "cues"
-    method = ""
     osc = (osc("pause", "pauses the cues (1), or lets them go on (0)", "on", of_show=True),)
 
     id: CallId
@@ -195,12 +187,9 @@ class PauseCues(ClientMessage, frozen=True):
         return ()
 
 
-class ChooseCueList(ClientMessage, frozen=True):
+class ChooseCueList(CuePlay, frozen=True):
     """Chooses the list that is meant where a message names none."""
 
-    access = "operate"
-    plays = "cues"
-    method = ""
     osc = (osc("cue_list", "chooses the list of cues that GO plays", "cue_list", of_show=True),)
 
     id: CallId
