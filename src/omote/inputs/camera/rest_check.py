@@ -8,23 +8,18 @@ from omote.arrays import Values
 from omote.inputs.camera.face_features import lid_openings
 from omote.inputs.camera.landmark_groups import LIPS_APART, MOUTH_CORNERS
 from omote.inputs.camera.performer_calibration import PerformerCalibration
+from omote.model.fitting.photographs.face_at_rest import EYES_SHUT, MOUTH_OPEN, measure_mouth
 
-MOUTH_OPEN = 0.045
-EYES_SHUT = 0.14
-"""The gap of the lips, of the height of the face; of the lids at their middle, of the width of the eye. As of a turn of
-the head before the camera: of heads of ours lips at rest are .03 apart at most, lids .23 at least."""
 SMILES = 0.09
 """How far the corners of the mouth lie above the middle of its lips, of its width. Of heads of ours: at rest -.03 to
 .034, in a whole smile .10 to .19; two that were sculpted with a smile have .084 and .104 at rest."""
-FOREHEAD = 10
-CHIN = 152
 
 
 def advise_on_rest(calibration: PerformerCalibration, /) -> str:
     """What a performer's face at rest does that it should not; "" where it rests."""
     face = calibration.rest.face
     does = []
-    if _gap_of_lips(face) > MOUTH_OPEN:
+    if measure_mouth(face) > MOUTH_OPEN:
         does.append("the mouth open")
     if max(float(lid_openings(face, side)[2:5].mean()) for side in ("Left", "Right")) < EYES_SHUT:
         does.append("the eyes shut")
@@ -38,17 +33,8 @@ def advise_on_rest(calibration: PerformerCalibration, /) -> str:
     )
 
 
-def _gap_of_lips(face: Values) -> float:
-    upper, lower = LIPS_APART[0]
-    return _between(face, upper, lower) / max(_between(face, FOREHEAD, CHIN), 1e-6)
-
-
 def _lift_of_corners(face: Values) -> float:
     left, right = MOUTH_CORNERS
     corners = 0.5 * (face[left] + face[right])
     middle = face[list(LIPS_APART[0])].mean(axis=0)
-    return float((corners - middle)[1]) / max(_between(face, left, right), 1e-6)
-
-
-def _between(face: Values, one: int, other: int) -> float:
-    return float(np.linalg.norm(face[one] - face[other]))
+    return float((corners - middle)[1]) / max(float(np.linalg.norm(face[left] - face[right])), 1e-6)

@@ -48,7 +48,7 @@ def describe_unrest(photograph: Photograph, yaw: float, units: Mapping[str, floa
 
 
 def measure_mouth(points: Values, /) -> float:
-    """The gap of the lips, of the height of the face. points (478, 2): of the face mesh, pixels."""
+    """The gap of the lips, of the height of the face. points (478, 2 or 3): of the face mesh, in any unit."""
     return _between(points, UPPER_LIP, LOWER_LIP) / max(_between(points, FOREHEAD, CHIN), 1e-9)
 
 
