@@ -79,11 +79,8 @@ class OscInput:
 
         place: where it came from; now: seconds of the show's clock.
         """
-        hearing = self._heard_by(place)
-        for other in hearing:
+        for other in self._heard_by(place):
             self._surfaces[other].heard = now
-        if hearing:
-            self._keep()
         faults: list[OscError] = []
         try:
             messages = decode_packet(packet, faults)
@@ -101,7 +98,7 @@ class OscInput:
         for place, surface in list(self._surfaces.items()):
             if not surface.lasting and now - surface.heard > SURFACE_SECONDS:
                 del self._surfaces[place]
-                self._keep()
+        self._keep()  # once a tick: senders are heard a thousand times a second
         answers = self._tell_not_spoken(now)
         if not self._surfaces:
             return answers
