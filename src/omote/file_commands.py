@@ -16,7 +16,7 @@ if TYPE_CHECKING:
     from omote.edit.store.import_items import ImportedItem
     from omote.model.cast import Cast
     from omote.show.cues.cue_book import CueBook
-    from omote.showfile.changes import DocumentRemoval, Stored, StoredDocument
+    from omote.showfile.changes import Stored
 
 WIDEST = 4000
 """Characters of a line of a table at most."""
@@ -199,7 +199,7 @@ def take_in_cues(file: Path, texts: Sequence[Path], name: str) -> None:
     """
     from omote.interchange.formats.cue_toml import CueFileError, read_cues
     from omote.server.persistence.offline_show import open_offline_show
-    from omote.show.cues.cue_book import take_in_list
+    from omote.show.cues.cue_book import changes_between, take_in_list
 
     if len(texts) > 1:
         raise ValueError("one list of cues is taken in at a time: the next would take its place")
@@ -212,30 +212,18 @@ def take_in_cues(file: Path, texts: Sequence[Path], name: str) -> None:
     with open_offline_show(file, new=True) as show:
         before = read_cue_book(show.stored())
         chosen = name or next(iter(before.orders))
-        show.apply(cue_changes(before, take_in_list(before, chosen, cues, "omote file import")))
+        show.apply(changes_between(before, take_in_list(before, chosen, cues, "omote file import")))
     say(f"{file} has the list {chosen}, cues: {len(cues)}.")
 
 
 def read_cue_book(stored: Stored) -> CueBook:
     """The cues of a show file; ValueError where one of them cannot be read. stored: what the file holds."""
     from omote.show.cues.cue_book import read_book
-    from omote.show.objects.cues import CueEdit, StoredCue, StoredCueList
 
-    book, lost = read_book(*(stored.documents.get(kind.kind, {}) for kind in (StoredCue, StoredCueList, CueEdit)))
+    book, lost = read_book(lambda kind: stored.documents.get(kind, {}))
     if lost:
         raise ValueError(" ".join(lost))
     return book
-
-
-def cue_changes(before: CueBook, after: CueBook) -> list[StoredDocument | DocumentRemoval]:
-    """What a show file has to keep to come from one book of cues to the next. before, after: the books."""
-    from omote.show.cues.cue_book import documents_between
-    from omote.showfile.changes import DocumentRemoval, StoredDocument
-
-    return [
-        DocumentRemoval(kind, name) if document is None else StoredDocument(kind, name, document.encode())
-        for (kind, name), document in documents_between(before, after).items()
-    ]
 
 
 def give_out_cues(file: Path, name: str, output: Path, *, force: bool) -> None:

@@ -200,14 +200,14 @@ class ShowSession:
         self._now = now
         self.number += 1
         self.leasing.expire(tuple(self.scene), now)
-        state = self._state(elapsed)
-        return msgspec.structs.replace(state, cues=self.cues.status(now))
+        return self._state(elapsed)
 
     def _state(self, elapsed: float) -> State:
         frame = self.cues.advance(elapsed)
         self._time = frame.time
         numbers = {"epoch": self.epoch, "number": self.number, "revision": self.revision}
-        return state_of(self.cast, frame, self._eye_offsets, notes=self.notes, **numbers)
+        cues = self.cues.status(self._now or 0.0)
+        return state_of(self.cast, frame, self._eye_offsets, notes=self.notes, cues=cues, **numbers)
 
     def recast(self, cast: Playable) -> CastChanged:
         """Plays another cast from now on; returns the message for all pages. ValueError where it lacks what is on

@@ -13,6 +13,7 @@ from omote.perform.easing import DEFAULT_EASING, EASINGS
 from omote.perform.frame import CallStatus, Frame, Gaze, Held, LayerStatus, MotionSettings
 from omote.perform.mix import mix_in
 from omote.perform.scene.scene_frame import CharacterFrame, SceneFrame
+from omote.show.objects.cues import CueStatus
 from omote.show.objects.show_notes import ShowNotes
 from omote.show.objects.state import (
     CallState,
@@ -77,9 +78,10 @@ def state_of(
     number: int,
     revision: int,
     notes: ShowNotes = NO_NOTES,
+    cues: CueStatus | None = None,
 ) -> State:
     """The complete state of a frame; eye_offsets: by character, what is added to the eyes that its frame has. cast:
-    what plays; epoch, number and revision: those of the state; notes: of the crew."""
+    what plays; epoch, number and revision: those of the state; notes: of the crew; cues: how far they are."""
     return State(
         epoch=epoch,
         number=number,
@@ -99,6 +101,7 @@ def state_of(
         memories=list(frame.memories),
         note=notes.note,
         began=notes.began,
+        cues=cues,
     )
 
 

@@ -67,10 +67,10 @@ async def test_an_edit_is_for_the_show_file_once_and_another_server_plays_on_fro
     session.join("osc", "OSC")
     assert session.receive("osc", Go("g1"), 1.0) == []
     stored: dict[str, dict[str, bytes]] = {}
-    for change in routes.changes():
+    for change in session.cues.take_changes():
         assert not isinstance(change, DocumentRemoval)
         stored.setdefault(change.kind, {})[change.name] = change.body
-    assert routes.changes() == []
+    assert session.cues.take_changes() == []
     book = session.cues.book
     stored["cue"]["broken"] = b"{"
     said: list[str] = []

@@ -10,7 +10,7 @@ from omote.perform.cues.cue import Cue, Move
 from omote.show.cues.cue_book import (
     FIRST_LIST,
     CueBook,
-    documents_between,
+    changes_between,
     edit_cues,
     find_cue,
     next_number,
@@ -21,6 +21,7 @@ from omote.show.cues.cue_book import (
     undo,
 )
 from omote.show.objects.cues import CueEdit, StoredCue, StoredCueList
+from omote.showfile.changes import StoredDocument
 
 NUMBERS = st.builds(
     lambda whole, decimals: f"{whole}.{decimals:03d}".rstrip("0").rstrip("."), st.integers(0, 99), st.integers(0, 999)
@@ -84,12 +85,12 @@ def test_a_damaged_document_costs_what_it_had() -> None:
     """A cue that cannot be read is left out and said; nothing is taken back across an edit that cannot be read."""
     book = edit_cues(book_of("1", "2"), "label", "Bo", {"c1": Cue("c1", "2", label="Night")}, {})
     stored: dict[str, dict[str, bytes]] = {StoredCue.kind: {}, StoredCueList.kind: {}, CueEdit.kind: {}}
-    for (kind, name), document in documents_between(CueBook(), book).items():
-        assert document is not None
-        stored[kind][name] = document.encode()
+    for change in changes_between(CueBook(), book):
+        assert isinstance(change, StoredDocument)
+        stored[change.kind][change.name] = change.body
     stored[StoredCue.kind]["c0"] = b'{"cue": {"identity": "c0", "number": "x"}}'
     stored[CueEdit.kind]["00000001"] = b"{"
-    read, lost = read_book(*stored.values())
+    read, lost = read_book(stored.__getitem__)
     assert read.cues_of(FIRST_LIST) == (book.cues["c1"],)
     assert [sentence.split(" cannot be read")[0] for sentence in lost] == ["the cue c0", "the edit of cues 00000001"]
     assert read.undone == ([], [])

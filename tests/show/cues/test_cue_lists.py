@@ -22,10 +22,10 @@ from omote.show.executed_calls import ExecutedCalls
 from omote.show.messages import PROTOCOL_VERSION
 from omote.show.objects import cues as wire
 from omote.show.objects.calls import CallExpression, CallFace, Panic
-from omote.show.objects.documents import Document
 from omote.show.objects.link import Hello, Refused
 from omote.show.session import ShowSession
 from omote.show.session_snapshot import read_session_snapshot
+from omote.showfile.changes import DocumentRemoval, StoredDocument
 from tests import synthetic
 
 CAST = synthetic.cast()
@@ -256,16 +256,16 @@ class Night:
 
     def store(self) -> None:
         """The show file has the book, however it came about."""
-        for (kind, name), document in self.lists.take_changes().items():
-            self.keep(kind, name, document)
-        book, lost = read_book(*(self.stored[kind] for kind in KINDS))
+        for change in self.lists.take_changes():
+            self.keep(change)
+        book, lost = read_book(self.stored.__getitem__)
         assert (book, lost) == (self.book, [])
 
-    def keep(self, kind: str, name: str, document: Document | None) -> None:
-        if document is None:
-            self.stored[kind].pop(name, None)
+    def keep(self, change: StoredDocument | DocumentRemoval) -> None:
+        if isinstance(change, DocumentRemoval):
+            self.stored[change.kind].pop(change.name, None)
         else:
-            self.stored[kind][name] = document.encode()
+            self.stored[change.kind][change.name] = change.body
 
     def kill(self) -> None:
         """Another process goes on from the journal and the show file, with what waits and follows."""
@@ -275,7 +275,7 @@ class Night:
         self.store()
         saved = msgspec.msgpack.decode(msgspec.msgpack.encode(self.session.snapshot()))
         snapshot, _ = read_session_snapshot(saved)
-        book, _ = read_book(*(self.stored[kind] for kind in KINDS))
+        book, _ = read_book(self.stored.__getitem__)
         told = self.lists.status(self.now)
         states = self.lists.snapshot()
         self.session = ShowSession.restored(CAST, snapshot, epoch=2)
@@ -314,7 +314,7 @@ STEP = cue_state._step
 GO_BACK = cue_state.go_back
 EDITED = cue_state.edited
 SNAPSHOT = cue_lists.CueLists.snapshot
-BETWEEN = cue_book.documents_between
+BETWEEN = cue_book.changes_between
 FAULTS: dict[str, tuple[object, str, object]] = {
     "a retry executes again": (ExecutedCalls, "has", lambda self, seat, call: False),
     "a key that bounces calls twice": (cue_lists, "GAP_SECONDS", 0.0),
@@ -335,13 +335,13 @@ FAULTS: dict[str, tuple[object, str, object]] = {
     "identities are used again": (cue_edits, "new_identities", lambda book, count: [str(len(book.cues))] * count),
     "the file misses what goes": (
         cue_lists,
-        "documents_between",
-        lambda before, after: {key: kept for key, kept in BETWEEN(before, after).items() if kept is not None},
+        "changes_between",
+        lambda before, after: [kept for kept in BETWEEN(before, after) if isinstance(kept, StoredDocument)],
     ),
     "the file misses who moved": (
         cue_lists,
-        "documents_between",
-        lambda before, after: {key: kept for key, kept in BETWEEN(before, after).items() if key[0] != "cue_list"},
+        "changes_between",
+        lambda before, after: [kept for kept in BETWEEN(before, after) if kept.kind != "cue_list"],
     ),
     "undo does it again": (
         cue_lists,

@@ -236,7 +236,7 @@ class ShowServer:
 
     def _keep_cues(self) -> None:
         """Writes what was edited of cues since the last tick into the show file, in one commit."""
-        changes = self._cues.changes()
+        changes = self.session.cues.take_changes()
         if changes and self.editing is not None:
             self.editing.keep_documents(changes)
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import asyncio
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Mapping
 from functools import partial
 
 import msgspec
@@ -13,9 +13,8 @@ from omote.interchange.formats.cue_toml import format_cues, format_running_order
 from omote.server.access.access_guard import visitor_in
 from omote.server.http.document_routes import NO_CACHE
 from omote.show.cues.cue_book import read_book
-from omote.show.objects.cues import CUE_LIST_PATH, CueEdit, StoredCue, StoredCueList
+from omote.show.objects.cues import CUE_LIST_PATH
 from omote.show.session import ShowSession
-from omote.showfile.changes import DocumentRemoval, StoredDocument
 
 LONGEST_TEXT = 2**22
 """Bytes of a list as text: 2,000 cues of twelve moves have a quarter of it."""
@@ -40,17 +39,10 @@ class CueRoutes:
     def load(self, documents: Callable[[str], Mapping[str, bytes]], report: Callable[[str], None]) -> None:
         """Plays what the show file keeps. documents: of a kind, by name; report: tells the operator what of it cannot
         be read."""
-        book, lost = read_book(*(documents(kind.kind) for kind in (StoredCue, StoredCueList, CueEdit)))
+        book, lost = read_book(documents)
         self.session.cues.load(book)
         for sentence in lost:
             report(sentence)
-
-    def changes(self) -> Sequence[StoredDocument | DocumentRemoval]:
-        """What was edited since this was asked last, for the show file."""
-        return [
-            DocumentRemoval(kind, name) if document is None else StoredDocument(kind, name, document.encode())
-            for (kind, name), document in self.session.cues.take_changes().items()
-        ]
 
     async def respond(self, request: web.Request) -> web.Response:
         """Responds with a list: JSON, or text to keep with `?as=toml` or `?as=csv`; 204 where there is none."""

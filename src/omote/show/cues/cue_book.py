@@ -7,7 +7,7 @@ taken back next follows from it.
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from typing import TypeVar
 
@@ -17,6 +17,7 @@ from omote.perform.cues.cue import Cue, CueList, check_cue_number, check_cues
 from omote.perform.limits import check_known
 from omote.show.objects.cues import CueEdit, StoredCue, StoredCueList
 from omote.show.objects.documents import Document
+from omote.showfile.changes import DocumentRemoval, StoredDocument
 
 MOST_LISTS = 16
 LONGEST_LIST_NAME = 40
@@ -208,11 +209,8 @@ def check_list_name(name: str) -> str:
     return text
 
 
-def documents_between(before: CueBook, after: CueBook) -> dict[tuple[str, str], Document | None]:
-    """What the show file has to keep to come from one book to the next, by kind and name; None for what goes.
-
-    before, after: the books.
-    """
+def changes_between(before: CueBook, after: CueBook) -> list[StoredDocument | DocumentRemoval]:
+    """What the show file has to keep to come from one book to the next. before, after: the books."""
     changes: dict[tuple[str, str], Document | None] = {}
     for identity in {**before.cues, **after.cues}:
         cue = after.cues.get(identity)
@@ -225,16 +223,18 @@ def documents_between(before: CueBook, after: CueBook) -> dict[tuple[str, str], 
         changes |= {(StoredCueList.kind, name): None for name in gone}
     for number in range(len(before.edits), len(after.edits)):
         changes[CueEdit.kind, f"{number:08d}"] = after.edits[number]
-    return changes
+    return [
+        DocumentRemoval(kind, name) if document is None else StoredDocument(kind, name, document.encode())
+        for (kind, name), document in changes.items()
+    ]
 
 
-def read_book(
-    cues: Mapping[str, bytes], lists: Mapping[str, bytes], edits: Mapping[str, bytes]
-) -> tuple[CueBook, list[str]]:
+def read_book(documents: Callable[[str], Mapping[str, bytes]]) -> tuple[CueBook, list[str]]:
     """The book that a show file keeps, and what of it cannot be read, in sentences: one cue costs that cue.
 
-    cues, lists, edits: the documents (JSON) of these kinds by name.
+    documents: those (JSON) of a kind, by name.
     """
+    cues, lists, edits = (documents(kind.kind) for kind in (StoredCue, StoredCueList, CueEdit))
     lost: list[str] = []
     read_cues = {name: _read(body, StoredCue, f"the cue {name}", lost) for name, body in cues.items()}
     found = {name: kept.cue for name, kept in read_cues.items() if kept is not None}

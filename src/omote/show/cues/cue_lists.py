@@ -14,11 +14,11 @@ from omote.perform.limits import check_known
 from omote.perform.scene.scene import Scene
 from omote.perform.scene.scene_frame import SceneFrame
 from omote.show.cues import cue_edits
-from omote.show.cues.cue_book import CueBook, documents_between, find_cue, redo, take_in_list, undo
+from omote.show.cues.cue_book import CueBook, changes_between, find_cue, redo, take_in_list, undo
 from omote.show.declaration import Outgoing
 from omote.show.objects import cues as wire
-from omote.show.objects.documents import Document
 from omote.show.objects.link import Refused
+from omote.showfile.changes import DocumentRemoval, StoredDocument
 
 PAUSE_SECONDS = 0.2
 """In which the time of cues comes to a stand, and goes on."""
@@ -94,11 +94,11 @@ class CueLists:
         }
         return CuesSnapshot(states, self.chosen, self._rate, self._paused, self.locked, self._ignored_count)
 
-    def take_changes(self) -> dict[tuple[str, str], Document | None]:
-        """Returns what the show file does not have yet, by kind and name; None for what goes."""
+    def take_changes(self) -> list[StoredDocument | DocumentRemoval]:
+        """Returns what the show file does not have yet."""
         if self._kept is self.book:
-            return {}
-        changes = documents_between(self._kept, self.book)
+            return []
+        changes = changes_between(self._kept, self.book)
         self._kept = self.book
         return changes
 
