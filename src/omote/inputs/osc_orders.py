@@ -12,7 +12,7 @@ from omote.inputs.osc_addresses import ADDRESSES, BY_HAND, find_address
 from omote.inputs.osc_packet import Argument, OscError, OscMessage
 from omote.model.known_names import check_play_region
 from omote.perform.called_names import find_called
-from omote.perform.cues.cue import check_cue_number
+from omote.perform.cues.cue import check_cue_number, write_cue_number
 from omote.perform.gestures import check_gesture
 from omote.perform.layers.layer_names import check_layer, check_part
 from omote.perform.lights import LIGHTS
@@ -230,7 +230,7 @@ def _cue_number(argument: Argument) -> str:
     if isinstance(argument, str):
         return check_cue_number(argument.strip())
     if isinstance(argument, int | float) and not isinstance(argument, bool):
-        return check_cue_number(f"{argument:.3f}".rstrip("0").rstrip("."))
+        return write_cue_number(argument)
     raise ValueError(f"a cue cannot be numbered {str(argument)[:80]!r}; give its number, such as 12.5")
 
 

@@ -17,7 +17,7 @@ from omote.show.cues.cue_book import (
     read_book,
     redo,
     renumbered,
-    sort_key,
+    thousandths,
     undo,
 )
 from omote.show.objects.cues import CueEdit, StoredCue, StoredCueList
@@ -35,18 +35,18 @@ def book_of(*numbers: str) -> CueBook:
 
 @given(st.lists(NUMBERS, unique=True, max_size=8), st.data())
 def test_the_next_number_is_free_and_lies_between_its_neighbours(numbers: list[str], data: st.DataObject) -> None:
-    ordered = sorted(numbers, key=sort_key)
+    ordered = sorted(numbers, key=thousandths)
     book = book_of(*ordered)
     place = data.draw(st.integers(-1, len(ordered) - 1))
     after = None if place < 0 else f"c{place}"
-    low = sort_key(ordered[-1] if after is None else ordered[place]) if ordered else (0, 0)
-    high = sort_key(ordered[place + 1]) if after is not None and place + 1 < len(ordered) else (99_999, 0)
+    low = thousandths(ordered[-1] if after is None else ordered[place]) if ordered else 0
+    high = thousandths(ordered[place + 1]) if after is not None and place + 1 < len(ordered) else 99_999_000
     try:
         number = next_number(book, FIRST_LIST, after)
     except ValueError:
-        assert high <= (low[0] + (low[1] + 1) // 1000, (low[1] + 1) % 1000)  # nothing is between a thousandth
+        assert high <= low + 1  # nothing is between a thousandth
         return
-    assert low < sort_key(number) < high
+    assert low < thousandths(number) < high
 
 
 def test_new_numbers_are_in_the_order_of_the_list() -> None:

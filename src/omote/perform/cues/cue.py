@@ -164,6 +164,11 @@ def check_cue_number(number: object) -> str:
     raise ValueError(f"a cue cannot be numbered {number!r}; give 0 to 99999 and at most three decimals, such as 12.5")
 
 
+def write_cue_number(number: float) -> str:
+    """The number of a cue as text, as 12.5 is "12.5"; ValueError where none can have it. number: to thousandths."""
+    return check_cue_number(f"{number:.3f}".rstrip("0").rstrip("."))
+
+
 def check_cues(cues: Sequence[Cue]) -> CueList:
     """Returns the cues of a list; ValueError where two have one number, or there are too many."""
     if len(cues) > MOST_CUES:

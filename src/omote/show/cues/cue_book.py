@@ -13,7 +13,7 @@ from typing import TypeVar
 
 import msgspec
 
-from omote.perform.cues.cue import Cue, CueList, check_cue_number, check_cues
+from omote.perform.cues.cue import Cue, CueList, check_cue_number, check_cues, write_cue_number
 from omote.perform.limits import check_known
 from omote.show.objects.cues import CueEdit, StoredCue, StoredCueList
 from omote.show.objects.documents import Document
@@ -138,14 +138,14 @@ def new_identities(book: CueBook, count: int) -> list[str]:
 def place_number(book: CueBook, name: str, number: str) -> int:
     """Where a cue of a number belongs in a list of the book (name): behind the last one whose number is not higher,
     from 0."""
-    order = [sort_key(cue.number) for cue in book.cues_of(name)]
-    return max((place + 1 for place, key in enumerate(order) if key <= sort_key(number)), default=0)
+    order = [thousandths(cue.number) for cue in book.cues_of(name)]
+    return max((place + 1 for place, other in enumerate(order) if other <= thousandths(number)), default=0)
 
 
-def sort_key(number: str) -> tuple[int, int]:
-    """What orders the numbers of cues: the whole number, then the thousandths."""
+def thousandths(number: str) -> int:
+    """The number of a cue in whole thousandths, which orders cues as their numbers do."""
     whole, _, decimals = check_cue_number(number).partition(".")
-    return int(whole), int(decimals.ljust(3, "0") or 0)
+    return int(whole) * 1000 + int(decimals.ljust(3, "0"))
 
 
 def next_number(book: CueBook, name: str, after: str | None) -> str:
@@ -156,32 +156,24 @@ def next_number(book: CueBook, name: str, after: str | None) -> str:
     """
     order = book.orders[name]
     place = len(order) if after is None else order.index(after) + 1
-    before = _thousandths(book, order[place - 1]) if place else 0
-    behind = _thousandths(book, order[place]) if place < len(order) else 99_999_000
-    taken = {_thousandths(book, identity) for identity in order}
+    taken = [thousandths(book.cues[identity].number) for identity in order]
+    before = taken[place - 1] if place else 0
+    behind = taken[place] if place < len(order) else 99_999_000
     for step in (1000, 500, 100, 10, 1):
         tried = before - before % step + step
         if before < tried < behind and tried not in taken:
-            return _number(tried)
+            return write_cue_number(tried / 1000)
     raise ValueError("there is no free number between these two cues: renumber the list first")
-
-
-def _thousandths(book: CueBook, identity: str) -> int:
-    whole, decimals = sort_key(book.cues[identity].number)
-    return whole * 1000 + decimals
-
-
-def _number(thousandths: int) -> str:
-    return f"{thousandths / 1000:.3f}".rstrip("0").rstrip(".")
 
 
 def renumbered(book: CueBook, name: str, first: str, step: str) -> dict[str, Cue]:
     """The cues of a list of the book with new numbers, by identity. name: of the list; first: the first number; step:
     from each to the next."""
-    begin, apart = (whole * 1000 + decimals for whole, decimals in (sort_key(first), sort_key(step)))
+    apart = thousandths(step)
     if apart == 0:
         raise ValueError("the step between two numbers is 0; give one above it, such as 1")
-    numbers = (_number(begin + place * apart) for place in range(len(book.orders[name])))
+    begin = thousandths(first)
+    numbers = (write_cue_number((begin + place * apart) / 1000) for place in range(len(book.orders[name])))
     return {
         identity: replace(book.cues[identity], number=number)
         for identity, number in zip(book.orders[name], numbers, strict=True)
