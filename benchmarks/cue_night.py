@@ -89,6 +89,7 @@ class Night:
         self.due = list[tuple[float, str, omote.Move]]()
         self.processor = list[float]()
         self.sizes = (0, 0)
+        self.state = b""
 
     def go(self, number: int, frame: int) -> None:
         """Plays a cue (number, from 0): by GO, or by its moves as calls."""
@@ -110,10 +111,10 @@ class Night:
         self.due = self.due[len(ready) :]
         for _, part, move in sorted(ready, key=lambda one: rank_of(one[1])):
             self.session.scene.call_goal(part, move.goal, seconds=move.seconds, easing=move.easing)
-        state = encode(self.session.tick(now))
+        self.state = encode(self.session.tick(now))
         entry = journal_entry(self.session) if frame % 2 else None
         self.processor.append(time.thread_time() - begun)
-        self.sizes = (len(state), self.sizes[1] if entry is None else len(entry.snapshot or b""))
+        self.sizes = (len(self.state), self.sizes[1] if entry is None else len(entry.snapshot or b""))
 
 
 def main() -> int:

@@ -56,6 +56,7 @@ USED: dict[str, str] = {
     ),
     "console/cues_page": "link ui access console/store console/leases console/panels console console/cues",
     "microphone": "link ui access",
+    "replay": "ui",
     "camera/session": "link face_mesh webcam",
     "camera": "ui access face_mesh camera/session",
     "editor/link": "link",

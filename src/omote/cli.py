@@ -17,6 +17,7 @@ from omote.export_commands import export
 from omote.face_commands import draw_random, face
 from omote.file_commands import file_app
 from omote.picture_commands import grid, redraw, render
+from omote.recording_commands import recording_app, replay
 from omote.show_command import show
 from omote.stimulus_commands import stimuli
 from omote.take_commands import play_take, record_take
@@ -33,6 +34,7 @@ app = typer.Typer(
 )
 app.add_typer(file_app, name="file")
 app.add_typer(access_app, name="access")
+app.add_typer(recording_app, name="recording")
 
 
 def print_version(wanted: bool) -> None:
@@ -98,6 +100,7 @@ app.command()(export)
 app.command("play-take")(play_take)
 app.command()(track)
 app.command("record-take")(record_take)
+app.command()(replay)
 app.command()(voice)
 
 

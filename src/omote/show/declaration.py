@@ -89,6 +89,8 @@ class Session(Protocol):
     notes: Any
     cues: Any
     wishes: list[Any]
+    recorder: Any
+    recording_requests: list[Any]
     cancelled: list[str]
 
     def welcome(self, who: str, hello: Any) -> list[Outgoing]:
@@ -117,8 +119,9 @@ class ClientMessage(Message, frozen=True):
     access: the role that it needs, the highest where nobody has thought of it. open_to: who may send it. plays: the
     part of a character or of the scene that it plays, or several, `*` for all of its character; None where it passes
     whoever holds what. holds: whether who plays its part holds it from then on. hand: how a hand sends it. once:
-    whether one that has an id executes once for it. longest: bytes. osc: its addresses of OSC. method: what
-    `omote.connect` calls it, "" for its tag, None where a program has no method for it.
+    whether one that has an id executes once for it. recorded: whether a recording of the show keeps it: one that only
+    concerns its sender's link, who may play, devices or the show file is not kept. longest: bytes. osc: its addresses
+    of OSC. method: what `omote.connect` calls it, "" for its tag, None where a program has no method for it.
     """
 
     access: ClassVar[AccessRole] = HIGHEST
@@ -127,6 +130,7 @@ class ClientMessage(Message, frozen=True):
     holds: ClassVar[bool] = True
     hand: ClassVar[Hand | None] = None
     once: ClassVar[bool] = True
+    recorded: ClassVar[bool] = True
     longest: ClassVar[int] = MESSAGE_LIMIT
     osc: ClassVar[tuple[Osc, ...]] = ()
     method: ClassVar[str | None] = None
@@ -188,6 +192,8 @@ class SceneCommand(ClientMessage, frozen=True):
 class FileRequest(ClientMessage, frozen=True):
     """What a console asks of the show file, which the server carries out."""
 
+    recorded = False
+
     def act(self, session: Session, who: str, now: float) -> Sequence[Outgoing]:
         """Keeps the request for the server. session: the show; who: the client; now: seconds, monotonic."""
         session.wishes.append(KeepRequest(who, self))
@@ -199,13 +205,14 @@ class KeepRequest:
     """A console's request to change the show file; the server carries it out."""
 
     who: str
-    message: FileRequest
+    message: ClientMessage
 
 
 class DeviceMessage(ClientMessage, frozen=True):
     """What a page says of devices; `inputs/` plays it at the next tick."""
 
     access = "operate"
+    recorded = False
 
     def act(self, session: Session, who: str, now: float) -> Sequence[Outgoing]:
         """Keeps it for the next tick. session: the show; who: the client; now: seconds, monotonic."""

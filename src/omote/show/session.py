@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager
+from typing import Protocol
 
 import msgspec
 
@@ -38,7 +39,7 @@ from omote.show.ownership.hands import HandReports, Panics
 from omote.show.ownership.leasing import HeldByOthersRefusal, LeaseSnapshot, Leasing
 from omote.show.session_snapshot import SessionSnapshot
 from omote.show.sources.open_sources import OpenSources
-from omote.show.sources.sources_snapshot import SurfaceSubscription
+from omote.show.sources.sources_snapshot import Route, SurfaceSubscription
 from omote.show.speech.known_sounds import KnownSounds
 from omote.show.speech.sound_stage import SoundStage
 from omote.show.speech.texts_to_speak import TextsToSpeak, TextToSpeak
@@ -48,6 +49,35 @@ from omote.show.wire import decode, id_in
 
 MOST_DEVICE_MESSAGES = 4096
 """Of devices, between two ticks."""
+
+
+class Recorder(Protocol):
+    """Notes what a session does (`recording/recorder.py`)."""
+
+    def note_message(self, who: str, message: ClientMessage, now: float) -> None:
+        """Notes a message of a client (who) that was obeyed. now: seconds, monotonic."""
+
+    def note_channels(self, who: str, character: str, values: Mapping[str, float], now: float) -> None:
+        """Notes channels of a character that a client (who) has set. values: weights by channel; now: seconds,
+        monotonic."""
+
+    def note_left(self, who: str) -> None:
+        """Notes that a client (who) has left."""
+
+    def note_routed(self, source: str, route: Route) -> None:
+        """Notes that a source has taken over. route: what it plays."""
+
+    def note_sounds(self, seconds: Mapping[str, float]) -> None:
+        """Notes the sounds that there are, by their seconds."""
+
+    def note_recast(self, digest: str) -> None:
+        """Notes that another cast plays. digest: of the cast."""
+
+    def note_edit(self) -> None:
+        """Notes the cues as an edit has left them."""
+
+    def note_tick(self, now: float) -> None:
+        """Notes a tick. now: seconds, monotonic."""
 
 
 class ShowSession:
@@ -77,9 +107,11 @@ class ShowSession:
         self.sources = OpenSources()
         self.surfaces: tuple[SurfaceSubscription, ...] = ()
         self.sounds = KnownSounds()
-        self.cues = CueLists(lambda: self.scene, lambda who: self.members[who].name)
+        self.recorder: Recorder | None = None
+        self.cues = CueLists(lambda: self.scene, lambda who: self.members[who].name, self._note_edit)
         self.texts = TextsToSpeak()
         self._sound_stage = SoundStage()
+        self.recording_requests: list[KeepRequest] = []
         self._own(None)
 
     @classmethod
@@ -140,12 +172,20 @@ class ShowSession:
             return []  # a retry or a bouncing key
         message = call_by_name(message, self.cast)
         self._pass_hands(who, message, find_addressed(self.scene, message), now)
-        with refuse_errors(message):
-            check_ranges(message)
-            answers = message.act(self, who, now)
+        answers = self.act(who, message, now)
         self.commands += message.open_to == "consoles"
         self._echo(who, message, now)
         return list(answers)
+
+    def act(self, who: str, message: ClientMessage, now: float) -> Sequence[Outgoing]:
+        """Does what a message asks for that the gates have let through, and notes it; Refusal where it cannot be done.
+        who: the client; message: with the names of what it calls; now: seconds, monotonic."""
+        with refuse_errors(message):
+            check_ranges(message)
+            answers = message.act(self, who, now)
+        if self.recorder is not None and message.recorded:
+            self.recorder.note_message(who, message, now)
+        return answers
 
     def _pass_role(self, who: str, message: ClientMessage) -> None:
         """The first gates: who may send it at all. Refusal where one is shut."""
@@ -190,6 +230,8 @@ class ShowSession:
         except (KeyError, ValueError, TypeError):  # a Refusal is a ValueError
             return False
         self.commands += len(values)
+        if self.recorder is not None:
+            self.recorder.note_channels(who, character, values, now)
         self._hands.note_channels(who, character, values, now)
         self.leasing.note(who, message, (character,))
         return True
@@ -200,7 +242,31 @@ class ShowSession:
         self._now = now
         self.number += 1
         self.leasing.expire(tuple(self.scene), now)
-        return self._state(elapsed)
+        state = self._state(elapsed)
+        if self.recorder is not None:
+            self.recorder.note_tick(now)
+        return state
+
+    def resume(self, now: float | None, number: int, eye_offsets: Mapping[str, EyeOffset]) -> None:
+        """Goes on after a tick of a recording. now: of that tick, seconds, monotonic, None before the first; number: of
+        its state; eye_offsets: by character."""
+        self._now = now
+        self.number = number
+        self._eye_offsets = dict(eye_offsets)
+
+    def _note_edit(self) -> None:
+        if self.recorder is not None:
+            self.recorder.note_edit()
+
+    @property
+    def now(self) -> float | None:
+        """When the last tick was, seconds, monotonic; None before the first."""
+        return self._now
+
+    @property
+    def eye_offsets(self) -> dict[str, EyeOffset]:
+        """What is added to the eyes since the cast changed, by character."""
+        return dict(self._eye_offsets)
 
     def _state(self, elapsed: float) -> State:
         frame = self.cues.advance(elapsed)
@@ -222,6 +288,8 @@ class ShowSession:
         for name, wanted in self._state(0.0).characters.items():
             self._eye_offsets[name] = offset_between(shown.characters[name].eyes, wanted.eyes, shown.time)
         self.revision += 1
+        if self.recorder is not None:
+            self.recorder.note_recast(cast.digest)
         return CastChanged(self.revision, cast.digest)
 
     def names_held(self) -> tuple[frozenset[str], frozenset[str]]:
@@ -232,6 +300,12 @@ class ShowSession:
         """Returns and clears the consoles' requests to keep something."""
         requests = self.wishes
         self.wishes = []
+        return requests
+
+    def take_recording_requests(self) -> list[KeepRequest]:
+        """Returns and clears what consoles ask of the recording."""
+        requests = self.recording_requests
+        self.recording_requests = []
         return requests
 
     def take_cancelled(self) -> list[str]:
@@ -267,6 +341,14 @@ class ShowSession:
         self.members.leave(who, lost=lost)
         self._hands.leave(who)
         self.sources.leave(who, self.scene)
+        if self.recorder is not None:
+            self.recorder.note_left(who)
+
+    def set_sounds(self, seconds: dict[str, float]) -> None:
+        """Notes the sounds that there are now, and no others, with their seconds."""
+        self.sounds.set(seconds)
+        if self.recorder is not None:
+            self.recorder.note_sounds(seconds)
 
     def crew_now(self, now: float) -> Crew:
         """Who is connected, and what each stage draws."""
@@ -292,7 +374,11 @@ class ShowSession:
         sources = self.members.sources()
         hands = self._hands.tell(consoles, now, sources)
         leases = self.leasing.tell(now)
-        news = self.sources.news(consoles, self.scene, now)
+        news = self.sources.news(consoles, now)
+        taken = {} if news is None else self.sources.take_over(self.scene, now)
+        if self.recorder is not None:
+            for source, route in taken.items():
+                self.recorder.note_routed(source, route)
         outgoing = self._sound_stage.tell(self.crew, now)
         outgoing += [Outgoing(*pair) for by_client in (hands, leases) for pair in by_client.items()]
         outgoing += [Outgoing(who, values) for who, values in self.sources.tell_watchers(now)]

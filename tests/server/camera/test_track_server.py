@@ -7,9 +7,10 @@ import pytest
 from aiohttp import web
 from aiohttp.test_utils import TestClient, TestServer
 
+from omote.server.access.listening import listen
 from omote.server.camera import track_server
 from omote.server.camera.show_relay import ShowTarget
-from omote.server.camera.track_server import application, find_target, listen
+from omote.server.camera.track_server import application, find_target
 from omote.server.http.static_pages import Page
 
 PAGES = {

@@ -416,3 +416,19 @@ def test_a_pause_holds_waits_and_what_cues_have_called_and_nothing_else() -> Non
     assert (end.black, end.characters["one"].head[0]) == (1.0, 0.2)
     assert end.cues is not None
     assert end.cues.lists["main"].current.number == "2"  # type: ignore[union-attr]
+
+
+def test_after_a_restart_at_the_end_of_a_list_no_cue_stands_by() -> None:
+    session = ShowSession(CAST)
+    session.receive("ana", Hello(role="console", version=PROTOCOL_VERSION, name="ana"), 0.0)
+    for number in ("1", "2"):
+        session.receive("ana", wire.PutCue(f"put-{number}", number=number), 0.0)
+    session.receive("ana", wire.GoToCue("go-1", "2"), 1.0)
+    session.receive("ana", wire.DropCue("drop-1", session.cues.book.orders["main"][1]), 2.0)
+    told = session.cues.status(2.0)
+    again = ShowSession.restored(CAST, session.snapshot(), epoch=2)
+    again.cues.load(session.cues.book)
+    after = again.cues.status(2.0)
+    assert told is not None
+    assert after is not None
+    assert (told.lists["main"].standby, after.lists["main"].standby) == (None, None)

@@ -830,6 +830,39 @@ export type CallFraming = {
  */
 export type CallBlack = { type: "call_black"; black: number; seconds?: number; easing?: string; id?: string };
 
+/**
+ * Marks this moment of the recording by a name, for whoever looks at it later. An `id` executes once, as of all
+ * that follow.
+ */
+export type MarkMoment = { type: "mark_moment"; id: string; text: string };
+
+/**
+ * Keeps what was played in the last `minutes` under a name, which the ring of 100 minutes would lose. Answered with
+ * `recording_kept`.
+ */
+export type KeepRecording = { type: "keep_recording"; id: string; name: string; minutes?: number };
+
+/** Keeps a recording no longer. Answered with `recording_kept`. */
+export type DeleteRecording = { type: "delete_recording"; id: string; name: string };
+
+/** Answers keep_recording and delete_recording: it is done. `name`: of the recording. */
+export type RecordingKept = { type: "recording_kept"; id: string; name: string };
+
+/**
+ * What was recorded without a break: from when, seconds since 1970, and how long, seconds. `start`: which start of
+ * the show; `first`: seconds of its clock; `name`: of one that is kept.
+ */
+export type RecordedSpan = { start: number; first: number; written: number; seconds: number; name: string };
+
+/** A moment that somebody marked: when, seconds since 1970, and seconds of the clock of a start of the show. */
+export type MarkedMoment = { start: number; at: number; written: number; name: string; who: string };
+
+/**
+ * What is recorded, as `/recordings` returns it (JSON): the ring, what is kept of it, and markers; the oldest
+ * first.
+ */
+export type RecordingsDocument = { spans: RecordedSpan[]; kept: RecordedSpan[]; markers: MarkedMoment[] };
+
 /** The line of notes, and when the show began: seconds of its clock (`State.time`). */
 export type ShowNotes = { note: string; began: number };
 
@@ -1543,6 +1576,9 @@ export type FromClient =
   | CallLight
   | CallFraming
   | CallBlack
+  | MarkMoment
+  | KeepRecording
+  | DeleteRecording
   | SetNote
   | BeginShow
   | Source
@@ -1575,6 +1611,7 @@ export type FromServer =
   | Refused
   | Notices
   | Progress
+  | RecordingKept
   | SourceIs
   | Sources
   | SourceValues

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import asyncio
-import errno
 import socket
 from collections.abc import Callable, Mapping
 from pathlib import Path
@@ -13,12 +12,11 @@ from aiohttp import web
 from omote.client.show_address import base_address, check_token
 from omote.client.trust import trusted_context
 from omote.inputs.performers.camera_messages import CAMERA_PATH
-from omote.interchange.formats.error_reasons import explain_error
+from omote.server.access.listening import listen
 from omote.server.access.security import adding_headers, guard, silence_bad_requests
 from omote.server.camera.show_relay import ShowRelay, ShowTarget
 from omote.server.http.static_pages import Page, read_pages
 
-LOCALHOST = "127.0.0.1"
 SHOW_PORT = 8090
 PAGE = "/camera"
 """What is served at the root too."""
@@ -62,19 +60,6 @@ def application(target: ShowTarget, pages: Mapping[str, Page]) -> web.Applicatio
 
     app.router.add_get("/{page:.*}", respond)
     return app
-
-
-def listen(port: int) -> socket.socket:
-    """A socket for this machine alone; OSError with a message where the port cannot be had. port: 0 for any."""
-    opened = socket.socket(socket.AF_INET, socket.SOCK_STREAM)
-    try:
-        opened.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
-        opened.bind((LOCALHOST, port))
-    except OSError as error:
-        opened.close()
-        taken = "another program has it" if error.errno == errno.EADDRINUSE else explain_error(error)
-        raise OSError(f"port {port} cannot be opened ({taken}): name another, --port {port + 1}") from error
-    return opened
 
 
 def track(target: ShowTarget, port: int, announce: Callable[[str, str], None]) -> None:

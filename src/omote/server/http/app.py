@@ -28,6 +28,7 @@ from omote.server.http.downloads import Downloads
 from omote.server.http.editor_link import NO_FILE, EditorLinks
 from omote.server.http.long_requests import LongRequests
 from omote.server.http.oscquery import OscQuery
+from omote.server.http.recording_routes import RecordingRoutes
 from omote.server.http.static_pages import PAGES, Page
 from omote.server.http.touchosc import TOUCHOSC_PATH, TouchoscLayout
 from omote.server.http.uploads import RunFileJob, Uploads
@@ -96,6 +97,7 @@ class ShowServer:
         self.tell_frame: Callable[[str], None] = lambda _: None
         self._pages = pages
         self._cues = CueRoutes(session)
+        self.recording = RecordingRoutes(session, documents, lambda: self.clock(), self._deliver)
         self.outside = ""
         self._state: State | None = None
 
@@ -180,6 +182,7 @@ class ShowServer:
         for kind in NAMES_OF:
             application.router.add_get(address_of(kind), partial(self.document, kind))
         self._cues.add_routes(application)
+        self.recording.add_routes(application)
         application.router.add_get("/exports/{file}", self.export)
         application.router.add_post("/imports/{file}", self.take_in)
         DocumentRoutes(self.documents).add_routes(application)
@@ -197,7 +200,7 @@ class ShowServer:
 
     def _add_device_routes(self, application: web.Application) -> None:
         """Adds what surfaces read, where trackers and sounds are sent, and what others add."""
-        sounds = Sounds(self.session.sounds.set)
+        sounds = Sounds(self.session.set_sounds)
         sounds.add_routes(application)
         self.voices = Voices(sounds, lambda: self._run_job)
         self.voices.add_routes(application)
@@ -225,8 +228,10 @@ class ShowServer:
         if self.voices is not None:
             self.voices.begin(self.session, self.clock)
         state = self._state = self.session.tick(now)
+        data = encode(state)
+        self.recording.record(data)
         self._deliver(self.session.hands_now(now))  # before the state, for which programs wait
-        self.links.broadcast(encode(state), now)
+        self.links.broadcast(data, now)
         for source in self.sources:
             source.tell(state, now)
         refused = self.session.texts.take_refused(lambda _: True)  # sources have taken theirs

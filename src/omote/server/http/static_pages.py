@@ -16,6 +16,7 @@ PAGES = {
     "/camera": "camera.html",
     "/editor": "editor.html",
     "/microphone": "microphone.html",
+    "/replay": "replay.html",
 }
 TYPES = {".js": "text/javascript", ".mjs": "text/javascript", ".css": "text/css", ".html": "text/html"}
 

@@ -13,6 +13,7 @@ from concurrent.futures import Future
 from contextlib import asynccontextmanager, closing, suppress
 from dataclasses import dataclass
 from functools import partial
+from importlib.metadata import version
 from pathlib import Path
 
 from aiohttp import web
@@ -37,6 +38,7 @@ from omote.server.persistence.memory_copy import MemoryCopy, find_copy
 from omote.server.persistence.restore import journal_entry, restore
 from omote.server.process.notice_board import NoticeBoard
 from omote.server.process.process_messages import Order, ShowMoved, write_notice
+from omote.server.recording.recording_thread import RecordingThread
 from omote.server.scans.scan_previews import ScanPreviews
 from omote.server.scans.scan_routes import FileWork, ScanRoutes
 from omote.server.supervision.device_sockets import NO_DEVICES, DeviceOptions
@@ -46,6 +48,7 @@ from omote.server.supervision.tick_loop import ShowTick, Tick, run_ticks, send_p
 from omote.server.workers.file_jobs import run_file_job
 from omote.server.workers.job_server import JobServer, open_job_server
 from omote.server.workers.workshop import open_workshop
+from omote.showfile.recording_file import recording_path
 from omote.showfile.show_file import ShowFile
 
 TELL_SECONDS = 0.3
@@ -141,6 +144,9 @@ async def play(
     server.enable_editing(authored_work, reopen, tell)
     scans = ScanPreviews()
     enable_files(server, (lambda: kept.path, jobs.run) if kept and jobs else None, scans)
+    recording = RecordingThread(recording_path(kept.path), tell, version("omote")) if kept else None
+    if recording:
+        server.recording.enable(recording)
     journal = JournalWriter(kept, tell, gate, solved=tell) if kept else None
     watch = FileWatch(kept, gate, tell, partial(tell_moved, pipes.pulse)) if kept else None
     journals = [each for each in (journal, memory) if each]
@@ -154,7 +160,7 @@ async def play(
         scans.close()
         for each in journals:
             each.offer(journal_entry(server.session))
-        for resource in (jobs, watch, authored_work and authored_work.committer, *journals, backup):
+        for resource in (jobs, watch, authored_work and authored_work.committer, *journals, recording, backup):
             if resource:
                 resource.close()
 

@@ -19,6 +19,7 @@ ROUTES: Mapping[tuple[str, str], AccessRole] = MappingProxyType(
         ("GET", "/people/{id}/code"): "admin",
         ("GET", "/cue_lists/{name}"): "view",
         ("POST", "/cue_lists/{name}"): "edit",
+        ("GET", "/recordings"): "operate",
         ("GET", "/exports/{file}"): "operate",
         ("POST", "/imports/{file}"): "edit",
         ("POST", "/photographs"): "edit",
@@ -55,6 +56,10 @@ ROUTES: Mapping[tuple[str, str], AccessRole] = MappingProxyType(
         ("GET", "/devices"): "view",
         ("GET", "/camera"): "view",
         ("GET", "/microphone"): "view",
+        ("GET", "/replay"): "view",
+        ("GET", "/replay/transport"): "view",
+        ("POST", "/replay/transport"): "view",  # only served by `omote replay`, to this machine
+        ("GET", "/replay/moments"): "view",
         ("GET", "/{page}"): "view",
     }
 )

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from typing import Any
 
@@ -39,15 +39,44 @@ class CuesSnapshot:
     ignored_count: int = 0
 
 
+@dataclass(frozen=True)
+class CuesPlaying:
+    """What cue lists are beside their cues. states: how far each list is, by name; last_go: when, seconds, monotonic;
+    pressed: by list, when its last GO came and of whom; ignored: the last GO that was not obeyed; rejected: what of the
+    last cue was not called."""
+
+    states: Mapping[str, CueState]
+    last_go: float
+    pressed: Mapping[str, tuple[float, str]]
+    ignored: str
+    rejected: tuple[str, ...]
+
+
+@dataclass(frozen=True)
+class CuesShown:
+    """Cues without the log of their edits. cues: of all lists; orders: by list, the identities of its cues; edits: how
+    many there were so far; undo, redo: what would be taken back or done again."""
+
+    cues: tuple[Cue, ...]
+    orders: Mapping[str, tuple[str, ...]]
+    edits: int
+    undo: str
+    redo: str
+
+
 class CueLists:
     """The cue lists of a show, each with its player on one scene.
 
-    scene: that of the session, whichever it has now; name_of: what people call a client.
+    scene: that of the session, whichever it has now; name_of: what people call a client; edited: called after each
+    edit.
     """
 
-    def __init__(self, scene: Callable[[], Scene], name_of: Callable[[str], str]) -> None:
+    def __init__(
+        self, scene: Callable[[], Scene], name_of: Callable[[str], str], edited: Callable[[], None] = lambda: None
+    ) -> None:
         self._scene = scene
         self._name_of = name_of
+        self._edited = edited
         self.book = CueBook()
         self.chosen = next(iter(self.book.orders))
         self.locked = False
@@ -62,6 +91,7 @@ class CueLists:
         self._ignored_count = 0
         self._rejected: tuple[str, ...] = ()
         self._offers = ("", "")
+        self._edits_before = 0
         self._kept = self.book
         self._play(self.book)
 
@@ -94,6 +124,38 @@ class CueLists:
         }
         return CuesSnapshot(states, self.chosen, self._rate, self._paused, self.locked, self._ignored_count)
 
+    def playing(self) -> CuesPlaying:
+        """What the lists are beside their cues, for a recording."""
+        states = {name: replace(player.state, calls=()) for name, player in self._players.items()}
+        return CuesPlaying(states, self._last_go, dict(self._pressed), self._ignored, self._rejected)
+
+    def shown(self) -> CuesShown:
+        """The cues as they are, for a recording."""
+        orders = {name: tuple(order) for name, order in self.book.orders.items()}
+        return CuesShown(tuple(self.book.cues.values()), orders, self.edit_count, *self._offers)
+
+    def replay(self, shown: CuesShown, playing: CuesPlaying | None = None) -> None:
+        """Plays cues as they were recorded. shown: the cues; playing: what the lists were beside them, None where they
+        go on as they are."""
+        if playing is not None:
+            self._players = {}
+        self._edits_before = shown.edits
+        self._play(CueBook({cue.identity: cue for cue in shown.cues}, dict(shown.orders)))
+        self._offers = (shown.undo, shown.redo)
+        if playing is not None:
+            self.chosen = self._chosen_before
+            for name, state in playing.states.items():
+                self._players[name].state = state
+            self._last_go = playing.last_go
+            self._pressed = dict(playing.pressed)
+            self._ignored = playing.ignored
+            self._rejected = playing.rejected
+
+    @property
+    def edit_count(self) -> int:
+        """How many edits there were."""
+        return self._edits_before + len(self.book.edits)
+
     def take_changes(self) -> list[StoredDocument | DocumentRemoval]:
         """Returns what the show file does not have yet."""
         if self._kept is self.book:
@@ -106,7 +168,7 @@ class CueLists:
         """A list (name); None where there is none."""
         if name not in self._players:
             return None
-        return wire.CueListDocument(len(self.book.edits), list(self._players[name].cues))
+        return wire.CueListDocument(self.edit_count, list(self._players[name].cues))
 
     # --- what plays ---
 
@@ -205,13 +267,13 @@ class CueLists:
 
     def status(self, now: float) -> wire.CueStatus | None:
         """What consoles are told; None in a show that never had a cue. now: seconds, monotonic."""
-        if not self.book.edits and not self.book.cues:
+        if not self.edit_count and not self.book.cues:
             return None
         return wire.CueStatus(
             chosen=self.chosen,
             lists={name: self._status_of(name, player, now) for name, player in self._players.items()},
             rate=self._rate,
-            edits=len(self.book.edits),
+            edits=self.edit_count,
             undo=self._offers[0],
             redo=self._offers[1],
             ignored=self._ignored,
@@ -317,6 +379,7 @@ class CueLists:
             self.chosen = next(iter(players))
         done, back = book.undone
         self._offers = (book.edits[done[-1]].what if done else "", book.edits[back[-1]].what if back else "")
+        self._edited()
 
     def _renamed(self, name: str, cues: tuple[Cue, ...]) -> CuePlayer:
         """The player of a list that has come: it goes on as the one that had its cues before, or as a snapshot has
@@ -326,5 +389,7 @@ class CueLists:
         state = before.state if before is not None else self._states.get(name)
         player.pace = self._rate
         if state is not None:
-            player.state = edited(state, cues, cues)
+            standing = edited(state, cues, cues)
+            ended = before is None and state.standby is None  # what a snapshot has at its end stays there
+            player.state = replace(standing, standby=None) if ended else standing
         return player

@@ -208,6 +208,7 @@ class CueCommand(ClientMessage, frozen=True):
     """An edit of cues: nothing moves on air by it. `cue_list`: as of `go`."""
 
     access = "edit"
+    recorded = False
     method: ClassVar[str | None] = ""
 
     def act(self, session: Session, who: str, now: float) -> Sequence[Outgoing]:

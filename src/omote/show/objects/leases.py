@@ -36,6 +36,7 @@ class Lease(ClientMessage, frozen=True):
     others are the stage manager's to take over. An `id` executes once, as of the messages below."""
 
     access = "operate"
+    recorded = False
     osc = (
         *_addresses("lease", "holds a part {}: nobody else plays it, while leases are on"),
         *_addresses("take_over", "takes over a part {} that another holds", take_over=True),
@@ -56,6 +57,7 @@ class ReleaseLease(ClientMessage, frozen=True):
     """Releases a part, or takes back the wish for one that another holds; "*": all of a character, or of all."""
 
     access = "operate"
+    recorded = False
     osc = _addresses("release_lease", "releases a part {}, or wants no more what another holds")
 
     id: CallId
@@ -74,6 +76,7 @@ class SetLeases(ClientMessage, frozen=True):
 
     method = ""
     access = "admin"
+    recorded = False
 
     id: CallId
     on: bool
@@ -89,6 +92,7 @@ class AppointManager(ClientMessage, frozen=True):
 
     method = ""
     access = "admin"
+    recorded = False
 
     id: CallId
     seat: int

@@ -21,6 +21,7 @@ class Hello(ClientMessage, frozen=True):
     """
 
     access = "view"
+    recorded = False
     open_to = "everybody"
 
     role: Role
@@ -39,6 +40,7 @@ class Cancel(ClientMessage, frozen=True):
     the page's own. One that has ended is left as it is."""
 
     access = "operate"
+    recorded = False
 
     request: CallId
 
@@ -52,6 +54,7 @@ class Ping(ClientMessage, frozen=True):
     """Asks for a pong; `sent` is the client's own clock and comes back unchanged."""
 
     access = "view"
+    recorded = False
     open_to = "everybody"
 
     sent: float

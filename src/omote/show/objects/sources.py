@@ -159,6 +159,7 @@ class WatchSource(ClientMessage, frozen=True):
     """Asks for what a source sends, as it comes (`SourceValues`): for a page that shows it; "" ends it."""
 
     access = "operate"
+    recorded = False
 
     source: Annotated[str, msgspec.Meta(max_length=80)]
 

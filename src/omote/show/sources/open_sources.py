@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from typing import Any, TypeVar
+
+import numpy as np
 
 from omote.arrays import Values
 from omote.perform.frame import Gaze, Head
@@ -24,6 +26,7 @@ from omote.show.objects.sources import (
     Sources,
     SourceState,
     SourceValues,
+    StreamKind,
     TuneSource,
 )
 from omote.show.sources.calibration import AS_IT_IS, Calibration, measure_of
@@ -52,6 +55,35 @@ WATCH_SECONDS = 0.05
 Kept = TypeVar("Kept")
 
 
+@dataclass(frozen=True)
+class OpenedSource:
+    """A source that is open, as a recording keeps it: `OpenSource` without what follows from its performer's measure
+    and what only consoles are told."""
+
+    index: int
+    name: str
+    kind: StreamKind
+    who: str
+    names: tuple[str, ...]
+    performer: str
+    sent: list[float] | None
+    rest: list[float] | None
+    ranging: list[float] | None
+    ranged: tuple[str, ...]
+    found: bool
+    smoothing: float
+    direct: bool
+    share: float
+
+
+@dataclass(frozen=True)
+class SourcesPlaying:
+    """All sources that are open, as a recording keeps them. count: how many there were so far."""
+
+    opened: tuple[OpenedSource, ...] = ()
+    count: int = 0
+
+
 class OpenSources:
     """All sources of a session, by index."""
 
@@ -69,6 +101,29 @@ class OpenSources:
     def snapshot(self) -> SourcesSnapshot:
         """What stays with the show."""
         return SourcesSnapshot(dict(self._routes), dict(self._calibrations))
+
+    def playing(self) -> SourcesPlaying:
+        """The sources that are open, for a recording."""
+        return SourcesPlaying(tuple(
+            OpenedSource(
+                index, source.name, source.kind, source.who, source.names, source.performer,
+                sent=_listed(source.sent), rest=_listed(source.rest), ranging=_listed(source.ranging),
+                ranged=source.ranged, found=source.found, smoothing=source.smoothing, direct=source.direct,
+                share=source.share,
+            )
+            for index, source in self._open.items()
+        ), self._count)  # fmt: skip
+
+    def replay(self, playing: SourcesPlaying) -> None:
+        """Opens the sources as they were recorded. playing: those that were open."""
+        self._count = playing.count
+        for each in playing.opened:
+            measure = measure_of(self._calibrations.get(each.performer, AS_IT_IS), each.names)
+            self._open[each.index] = OpenSource(
+                each.name, each.kind, each.who, each.names, each.performer, measure,
+                sent=_array(each.sent), rest=_array(each.rest), ranging=_array(each.ranging), ranged=each.ranged,
+                found=each.found, smoothing=each.smoothing, direct=each.direct, share=each.share,
+            )  # fmt: skip
 
     def begin(self, who: str, asked: Source, scene: Scene, cast: Playable) -> SourceIs:
         """Opens a source; one of the same link and name gives way to it. Refusal where it cannot be. who: the client;
@@ -94,7 +149,7 @@ class OpenSources:
         self._changed = True
         if asked.characters or asked.name not in self._routes:
             layer = self._routes[asked.name].layer if asked.name in self._routes else LAYER_OF[asked.kind]
-            self._set_route(scene, asked.name, Route(tuple(asked.characters), layer))
+            self.set_route(scene, asked.name, Route(tuple(asked.characters), layer))
         return SourceIs(index, asked.name)
 
     def drive(self, who: str, frame: Drive, scene: Scene) -> None:
@@ -153,14 +208,17 @@ class OpenSources:
         alone = list(characters)
         return alone if len(alone) == 1 and not driven else []
 
-    def _take_over(self, scene: Scene, now: float) -> None:
-        """What waits and sees somebody plays the character that is free. After a restart the one that played has its
-        time to come back."""
+    def take_over(self, scene: Scene, now: float) -> dict[str, Route]:
+        """What waits and sees somebody plays the character that is free; returns the new routes by source. After a
+        restart the one that played has its time to come back. scene: what is played; now: seconds, as of `news`."""
+        taken: dict[str, Route] = {}
         for source in self._open.values():
             route = self.route(source.name)
             waited = route.waits and source.found and source.seen == now and now - source.known >= QUIET_SECONDS
             if waited and (alone := self._free(scene, route.layer, now)):
-                self._set_route(scene, source.name, Route(tuple(alone), route.layer, route.parts))
+                taken[source.name] = Route(tuple(alone), route.layer, route.parts)
+                self.set_route(scene, source.name, taken[source.name])
+        return taken
 
     def reroute(self, asked: RouteSource, scene: Scene) -> None:
         """Routes a source; ValueError for a layer or a character that there is not. asked: the source and its new
@@ -170,7 +228,7 @@ class OpenSources:
             if character != ALL:
                 check_known(character, scene, "character")
         parts = tuple(part for part in LAYER_PARTS if part in asked.regions) if asked.regions else LAYER_PARTS
-        self._set_route(scene, asked.source, Route(tuple(asked.characters), layer, parts))
+        self.set_route(scene, asked.source, Route(tuple(asked.characters), layer, parts))
 
     def tune(self, asked: TuneSource, scene: Scene) -> None:
         """Sets how a source is read; ValueError where there is none, or for a number out of its range. asked: the
@@ -212,9 +270,9 @@ class OpenSources:
         }
         return [(who, message) for who, name in self._watchers.items() if (message := values.get(name)) is not None]
 
-    def news(self, consoles: Mapping[str, str], scene: Scene, now: float) -> Sources | None:
-        """What consoles are told: with each change, and once a second while there are any; None for nothing new. What
-        waits takes over then. consoles: their names by client; scene: what is played; now: seconds."""
+    def news(self, consoles: Mapping[str, str], now: float) -> Sources | None:
+        """What consoles are told: with each change, and once a second while there are any; None for nothing new.
+        consoles: their names by client; now: seconds."""
         if not self._changed and (not self._open or now - self._told < TOLD_SECONDS):
             return None
         states = self.states(consoles)
@@ -227,7 +285,6 @@ class OpenSources:
             )
             for index, source in self._open.items()
         }  # fmt: skip
-        self._take_over(scene, now)
         return Sources(states)
 
     def watch(self, who: str, name: str) -> None:
@@ -275,9 +332,9 @@ class OpenSources:
         for character in self._driven(scene, name):
             scene[character].leave_layer(self.route(name).layer, name)
 
-    def _set_route(self, scene: Scene, name: str, route: Route) -> None:
-        """Characters that the source no longer drives, or drives on another layer, are let go; of sources that play the
-        same, it is the one that was told to."""
+    def set_route(self, scene: Scene, name: str, route: Route) -> None:
+        """Routes a source of a name. Characters that the source no longer drives, or drives on another layer, are let
+        go; of sources that play the same, it is the one that was told to."""
         before = self.route(name)
         gone = set(self._driven(scene, name))
         route = replace(route, number=1 + max((other.number for other in self._routes.values()), default=0))
@@ -317,3 +374,11 @@ def _with(kept: Mapping[str, Kept], name: str, value: Kept) -> dict[str, Kept]:
     """The same with one more, the newest last; the oldest goes where there are too many."""
     others = [(key, old) for key, old in kept.items() if key != name]
     return dict([*others, (name, value)][-MOST_REMEMBERED:])
+
+
+def _listed(values: Values | None) -> list[float] | None:
+    return None if values is None else values.tolist()
+
+
+def _array(values: list[float] | None) -> Values | None:
+    return None if values is None else np.array(values, np.float64)

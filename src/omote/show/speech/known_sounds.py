@@ -20,6 +20,10 @@ class KnownSounds:
         """Notes the sounds that are there now, and no others, with their seconds."""
         self._seconds = dict(seconds)
 
+    def seconds(self) -> dict[str, float]:
+        """The sounds that there are, with their seconds."""
+        return dict(self._seconds)
+
     def complete(self, message: Say) -> Say:
         """A speech with the length of its sound, where it gives none; ValueError where that is not there."""
         if not message.sound:

@@ -1,0 +1,200 @@
+"""The commands `omote recording ...` and `omote replay`: what a show has recorded, also while it plays."""
+
+from __future__ import annotations
+
+import re
+import time
+import webbrowser
+from collections.abc import Iterator
+from contextlib import contextmanager
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated
+
+import typer
+
+from omote.file_commands import JsonOption, ShowFileArgument, print_rows
+from omote.terminal import exit_on_refusal, fail, say
+
+if TYPE_CHECKING:
+    from omote.server.recording.recorded_show import RecordedShow, Span
+    from omote.showfile.recording_file import RecordingFile
+
+NameArgument = Annotated[str, typer.Argument(help="A recording that was kept; else what the last start has played.")]
+_CLOCK = re.compile(r"(?:(\d+):)?(?:(\d{1,2}):)?(\d{1,2}(?:\.\d+)?)")
+
+recording_app = typer.Typer(help="Looks into the recording of a show.", no_args_is_help=True)
+
+
+def read_clock(text: str | float) -> float:
+    """Seconds, from `12.5`, `1:30` or `1:02:30`."""
+    matched = _CLOCK.fullmatch(str(text).strip())
+    if matched is None:
+        raise typer.BadParameter(f"{str(text)[:20]!r} is no time; give 1:30 or 1:02:30.5, from the beginning")
+    hours, minutes, seconds = matched.groups()
+    if minutes is None:
+        hours, minutes = None, hours
+    return 3600.0 * float(hours or 0) + 60.0 * float(minutes or 0) + float(seconds)
+
+
+FromOption = Annotated[
+    float, typer.Option("--from", parser=read_clock, metavar="TIME", help="Where it begins: 1:30 after the beginning.")
+]
+ToOption = Annotated[
+    float | None, typer.Option("--to", parser=read_clock, metavar="TIME", help="Where it ends: 1:02:30; else the end.")
+]
+
+
+@recording_app.command("list")
+def list_recordings(file: ShowFileArgument, json: JsonOption = False) -> None:
+    """Lists what is recorded: the last 100 minutes, what is kept under a name, and markers."""
+    from omote.server.recording.recording_thread import describe_recordings
+
+    with opened(file) as (_, recorded):
+        document = describe_recordings(recorded)
+    begins = {span.start: span.written - span.first for span in document.spans}
+    rows = [
+        {"what": "kept" if span.name else "ring", "name": span.name, "at": told_time(span.written),
+         "length": told_length(span.seconds)}
+        for span in (*document.spans, *document.kept)
+    ] + [
+        {"what": "marker", "name": mark.name, "at": told_time(begins[mark.start] + mark.at), "length": ""}
+        for mark in document.markers
+    ]  # fmt: skip
+    print_rows(rows, json=json, none=f"nothing of {file} is recorded yet.")
+
+
+@recording_app.command()
+def keep(
+    file: ShowFileArgument,
+    name: Annotated[str, typer.Argument(help="What it is called.")],
+    begin: FromOption = 0.0,
+    end: ToOption = None,
+) -> None:
+    """Keeps what the last start of the show has played under a name, also while it plays; the ring loses it else."""
+    from omote.showfile.recording_file import KeptRecording
+
+    with opened(file) as (show, recorded):
+        span = cut(show, "", begin, end)
+        recorded.keep(KeptRecording(name, span.start, span.first, span.last))
+    say(f"{name} is kept: {told_length(span.seconds)} long.")
+
+
+@recording_app.command()
+def delete(file: ShowFileArgument, name: Annotated[str, typer.Argument(help="The recording.")]) -> None:
+    """Keeps a recording no longer."""
+    with opened(file) as (_, recorded):
+        recorded.delete(name)
+    say(f"{name} is kept no longer; it goes when the ring needs its place.")
+
+
+@recording_app.command()
+def check(file: ShowFileArgument, name: NameArgument = "", begin: FromOption = 0.0, end: ToOption = None) -> None:
+    """Replays a recording and says whether every state is the one that was sent."""
+    from rich.console import Console
+    from rich.progress import Progress
+
+    with opened(file) as (show, _):
+        span = cut(show, name, begin, end)
+        ticks = 0
+        with Progress(console=Console(stderr=True), transient=True) as progress:
+            task = progress.add_task("replaying", total=span.seconds)
+            for tick in show.replay(span):
+                ticks += 1
+                progress.update(task, completed=tick.now - span.first)
+                if tick.same is False:
+                    at = told_length(tick.now - span.first)
+                    fail(f"the state {tick.state.number}, {at} after the beginning, is not the one that was sent.")
+    say(f"all {ticks} states are those that were sent: {told_length(span.seconds)}.")
+
+
+@recording_app.command()
+def log(
+    file: ShowFileArgument,
+    name: NameArgument = "",
+    begin: FromOption = 0.0,
+    end: ToOption = None,
+    json: JsonOption = False,
+) -> None:
+    """Lists who did what; what a hand sends again and again is one line."""
+    with opened(file) as (show, _):
+        span = cut(show, name, begin, end)
+        rows = [
+            {"at": told_length(line.at - span.first), "who": line.who, "what": line.what, "of": line.of[:120],
+             "times": line.times}
+            for line in show.log(span)
+        ]  # fmt: skip
+    print_rows(rows, json=json, none="nobody has done anything in this time.")
+
+
+@recording_app.command()
+def archive(
+    file: ShowFileArgument,
+    output: Annotated[Path, typer.Option("-o", "--output", help="The archive (.zip), which is not there yet.")],
+) -> None:
+    """Puts the show file, its recording, the cues as text and who did what into one archive, also while it plays."""
+    from omote.server.recording.archive import write_archive
+
+    with opened(file) as (show, recorded), exit_on_refusal():
+        names = write_archive(file, recorded, show, output)
+    say(f"{output} has {', '.join(names)}.")
+
+
+def replay(
+    file: ShowFileArgument,
+    name: NameArgument = "",
+    begin: FromOption = 0.0,
+    end: ToOption = None,
+    port: Annotated[int, typer.Option(min=0, max=65535, help="The port to listen on; 0 for any.")] = 8096,
+    open_page: Annotated[bool, typer.Option("--open/--no-open", help="Opens the page in the browser.")] = True,
+) -> None:
+    """Shows a recording again in the browser, with pause, seek, loop and markers, beside a show that plays."""
+    from omote.server.recording import replay_server
+
+    def announce(address: str) -> None:
+        say(f"the replay: {address} (Ctrl-C ends)")
+        if open_page:
+            webbrowser.open(address)
+
+    with opened(file) as (show, recorded), exit_on_refusal():
+        replay_server.serve(show, recorded, cut(show, name, begin, end), port, announce)
+
+
+@contextmanager
+def opened(file: Path) -> Iterator[tuple[RecordedShow, RecordingFile]]:
+    """The recording of a show file; ends the command, with the reason, where there is none. file: the show file."""
+    import omote
+    from omote.server.recording.recorded_show import RecordedShow
+    from omote.showfile.recording_file import open_recording, recording_path
+
+    with exit_on_refusal():
+        recorded = open_recording(recording_path(file))
+        show = RecordedShow(recorded, omote.load_cast())
+        try:
+            yield show, recorded
+        finally:
+            show.close()
+            recorded.close()
+
+
+def cut(show: RecordedShow, name: str, begin: float, end: float | None) -> Span:
+    """A part of what was recorded. show: the recording; name: of one that is kept; begin, end: seconds from there."""
+    from omote.server.recording.recorded_show import Span
+
+    whole = show.find_span(name)
+    last = whole.last if end is None else min(whole.last, whole.first + end)
+    if whole.first + begin >= last:
+        fail(f"there is nothing between {told_length(begin)} and the end: it is {told_length(whole.seconds)} long.")
+    return Span(whole.start, whole.first + begin, last)
+
+
+def told_length(seconds: float) -> str:
+    """A length as people write it: 1:02:30.5."""
+    whole, tenths = divmod(round(10.0 * seconds), 10)
+    minutes, rest = divmod(whole, 60)
+    hours, minutes = divmod(minutes, 60)
+    return f"{hours}:{minutes:02d}:{rest:02d}.{tenths}"
+
+
+def told_time(written: float) -> str:
+    """A time of day with its date, here. written: seconds since 1970."""
+    return time.strftime("%Y-%m-%d %H:%M:%S", time.localtime(written))

@@ -1,0 +1,122 @@
+"""The recording of a playing show: what its session did goes to the disk, and pages are told what there is."""
+
+from __future__ import annotations
+
+import asyncio
+import sqlite3
+import zlib
+from collections.abc import Callable, Mapping, Sequence
+from contextlib import suppress
+from typing import Protocol
+
+import msgspec
+from aiohttp import web
+
+from omote.model.cast import Cast
+from omote.server.http.cast_documents import CastDocuments
+from omote.server.http.document_routes import NO_CACHE
+from omote.show.declaration import KeepRequest, Outgoing
+from omote.show.objects.link import Refused
+from omote.show.objects.recordings import (
+    RECORDINGS_PATH,
+    DeleteRecording,
+    KeepRecording,
+    RecordingKept,
+    RecordingsDocument,
+)
+from omote.show.recording.entries import AnyEntry
+from omote.show.recording.recorder import Recorder
+from omote.show.session import ShowSession
+from omote.showfile.schema import ShowFileError
+from omote.stage_data.playing_cast import PlayingCast
+
+Deliver = Callable[[list[Outgoing]], None]
+
+
+class Recording(Protocol):
+    """Keeps what a show does (`recording/recording_thread.py`)."""
+
+    def note(self, entries: Sequence[AnyEntry]) -> None:
+        """Queues what happened up to a tick (entries); returns at once."""
+
+    def note_cast(self, cast: Cast | PlayingCast, contents: Mapping[str, bytes]) -> None:
+        """Queues a cast that is played. contents: of own items, by key."""
+
+    def keep(self, name: str, seconds: float, now: float, answer: Callable[[str], None]) -> None:
+        """Keeps the last seconds under a name. now: seconds, monotonic; answer: told why it was refused, "" for done,
+        on another thread."""
+
+    def delete(self, name: str, answer: Callable[[str], None]) -> None:
+        """Keeps a recording no longer. name: of it; answer: as of `keep`."""
+
+    def describe(self) -> RecordingsDocument:
+        """What is recorded; sqlite3.Error or ShowFileError where it cannot be read."""
+
+
+class RecordingRoutes:
+    """Records a session, once it is enabled. documents: of the cast that it plays; clock: seconds, monotonic; deliver:
+    answers."""
+
+    def __init__(
+        self, session: ShowSession, documents: CastDocuments, clock: Callable[[], float], deliver: Deliver
+    ) -> None:
+        self._session = session
+        self._documents = documents
+        self._clock = clock
+        self._deliver = deliver
+        self._recording: Recording | None = None
+        self._recorder: Recorder | None = None
+        self._cast: Cast | PlayingCast | None = None
+
+    def enable(self, recording: Recording) -> None:
+        """Records what the session does from now on. recording: keeps it."""
+        self._recording = recording
+        self._recorder = Recorder(self._session)
+
+    def add_routes(self, application: web.Application) -> None:
+        """Adds the address that says what is recorded."""
+        application.router.add_get(RECORDINGS_PATH, self.respond)
+
+    def record(self, data: bytes) -> None:
+        """Hands over what happened up to a tick, and what is asked of the recording. data: the state as it is sent."""
+        if self._recording is None or self._recorder is None:
+            return
+        playing = self._documents.playing
+        if playing is not self._cast and playing.digest == self._session.cast.digest:
+            self._cast = playing
+            self._recording.note_cast(playing, self._documents.contents)
+        self._recording.note(self._recorder.take(zlib.crc32(data)))
+        for request in self._session.take_recording_requests():
+            self._ask(self._recording, request)
+
+    async def respond(self, _: web.Request) -> web.Response:
+        """Responds with what is recorded (JSON); 204 where the show is not recorded."""
+        if self._recording is None:
+            return web.Response(status=204, headers={"Cache-Control": NO_CACHE})
+        loop = asyncio.get_running_loop()
+        try:
+            document = await loop.run_in_executor(None, self._recording.describe)
+        except (sqlite3.Error, ShowFileError) as error:
+            raise web.HTTPServiceUnavailable(text="the recording cannot be read now; try again.") from error
+        body = msgspec.json.encode(document)
+        return web.Response(body=body, content_type="application/json", headers={"Cache-Control": NO_CACHE})
+
+    def _ask(self, recording: Recording, request: KeepRequest) -> None:
+        message = request.message
+        if isinstance(message, KeepRecording):
+            answer = self._answering(request.who, message)
+            recording.keep(message.name, 60.0 * message.minutes, self._clock(), answer)
+        elif isinstance(message, DeleteRecording):
+            recording.delete(message.name, self._answering(request.who, message))
+
+    def _answering(self, who: str, message: KeepRecording | DeleteRecording) -> Callable[[str], None]:
+        """What tells a client (who), from any thread, what became of its message."""
+        loop = asyncio.get_running_loop()
+
+        def answer(refusal: str) -> None:
+            done = RecordingKept(message.id, message.name)
+            reply = Refused(f"{refusal}. Nothing was changed.", message.id) if refusal else done
+            with suppress(RuntimeError):  # a loop that has ended sends nothing any more
+                loop.call_soon_threadsafe(self._deliver, [Outgoing(who, reply)])
+
+        return answer

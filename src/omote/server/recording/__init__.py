@@ -1,0 +1,1 @@
+"""The recording of a show on the disk, and its replay."""

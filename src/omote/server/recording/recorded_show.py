@@ -1,0 +1,170 @@
+"""A recording that is read: replayed from any moment, and told as who did what."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from concurrent.futures import ThreadPoolExecutor
+from dataclasses import dataclass
+
+import msgspec
+
+from omote.model.cast import Cast
+from omote.server.recording.recording_thread import read_entries
+from omote.show.declaration import ClientMessage, tag_of
+from omote.show.recording.entries import AnyEntry, ChannelsSet, Joined, Kept, Sent
+from omote.show.recording.replay import ReplayedTick, ReplayError, replay
+from omote.showfile.recording_file import Piece, RecordingFile
+from omote.stage_data.playing_cast import Own, PlayingCast, build_playing_cast
+
+SILENT = ("drive", "drawing", "joined")
+"""What comes many times a second by itself, and who is there: a log of who did what leaves it out."""
+
+
+@dataclass(frozen=True)
+class Span:
+    """What is played: of one start of the show, from `first` to `last`, seconds of the machine's clock then."""
+
+    start: int
+    first: float
+    last: float
+
+    @property
+    def seconds(self) -> float:
+        """How long it is."""
+        return self.last - self.first
+
+
+@dataclass(frozen=True)
+class LogLine:
+    """Something that somebody did. at: seconds of the machine's clock then; who: by name; what: the tag of the message;
+    of: whom or what it names; times: how often it came one after the other, as a hand sends it."""
+
+    at: float
+    who: str
+    what: str
+    of: str
+    times: int = 1
+
+
+class RecordedShow:
+    """Reads a recording. file: the open recording; base: the built-in cast, which recordings do not hold."""
+
+    def __init__(self, file: RecordingFile, base: Cast) -> None:
+        self._file = file
+        self._base = base
+        self._casts: dict[str, Cast | PlayingCast] = {base.digest: base}
+        self._reader = ThreadPoolExecutor(max_workers=1, thread_name_prefix="recording")
+
+    def find_span(self, name: str = "") -> Span:
+        """What was recorded since the last start of the show, or what is kept under a name; ValueError where there is
+        none."""
+        if name:
+            kept = self._file.kept_named(name)
+            return Span(kept.start, kept.first, kept.last)
+        pieces = self._file.pieces()
+        if not pieces:
+            raise ValueError("nothing is recorded yet")
+        start = pieces[-1].start
+        return Span(start, next(piece.first for piece in pieces if piece.start == start), pieces[-1].last)
+
+    def find_cast(self, digest: str) -> Cast | PlayingCast:
+        """The cast of a digest with its own items; LookupError, with the reason, where it cannot be played any more."""
+        if digest not in self._casts:
+            stored = self._file.casts().get(digest)
+            if stored is None:
+                raise LookupError("it was not recorded")
+            if stored.base != self._base.digest:
+                raise LookupError("its built-in cast is of another version of Omote")
+            contents = self._file.contents(stored.contents)
+            if missing := [key for key in stored.contents if key not in contents]:
+                raise LookupError(f"{len(missing)} of its own faces or expressions were forgotten")
+            own = msgspec.msgpack.decode(stored.own, type=tuple[Own, ...])
+            self._casts[digest] = build_playing_cast(self._base, own, contents, check=False)
+        return self._casts[digest]
+
+    def contents_of(self, digest: str) -> dict[str, bytes]:
+        """The contents of a cast's own items, by key. digest: of the cast."""
+        stored = self._file.casts().get(digest)
+        return {} if stored is None else self._file.contents(stored.contents)
+
+    def replay(self, span: Span, *, after: float | None = None) -> Iterator[ReplayedTick]:
+        """Replays a span; ReplayError where it cannot be. after: seconds of the machine's clock then: only the ticks
+        behind it, of which the first is there at once; None for all of the span."""
+        since = span.first if after is None else max(after, span.first)
+        begin = since if after is not None else since - 1e-6
+        for tick in replay(self._entries(self._pieces(span, since)), self.find_cast, after=begin):
+            if tick.now > span.last:
+                return
+            yield tick
+
+    def log(self, span: Span) -> Iterator[LogLine]:
+        """Who did what in a span, in its order; what a hand sends again and again is one line."""
+        names: dict[str, str] = {}
+        line: LogLine | None = None
+        for entry in (entry for piece in self._entries(self._pieces(span, span.first)) for entry in piece):
+            if isinstance(entry, Kept):
+                names |= {who: name for who, (name, _) in entry.members.items()}
+            if isinstance(entry, Joined):
+                names[entry.who] = entry.name
+            following = _line_of(entry, names)
+            if following is None or not span.first <= following.at <= span.last:
+                continue
+            if line is not None and (line.who, line.what, line.of) == (following.who, following.what, following.of):
+                line = LogLine(line.at, line.who, line.what, line.of, line.times + 1)
+            else:
+                if line is not None:
+                    yield line
+                line = following
+        if line is not None:
+            yield line
+
+    def close(self) -> None:
+        """Stops reading; the file stays open."""
+        self._reader.shutdown(wait=True, cancel_futures=True)
+
+    def _pieces(self, span: Span, since: float) -> list[Piece]:
+        """The pieces that are read for a span from a moment on: the last that begins before it is the first."""
+        pieces = self._file.pieces_between(span.start, span.first, span.last)
+        before = [place for place, piece in enumerate(pieces) if piece.first <= since]
+        return pieces[before[-1] :] if before else pieces
+
+    def _entries(self, pieces: list[Piece]) -> Iterator[list[AnyEntry]]:
+        """The entries of pieces; each is unpacked while the one before is played."""
+        coming = [self._reader.submit(self._read, piece) for piece in pieces[:1]]
+        for number in range(len(pieces)):
+            entries = coming.pop().result()
+            coming += [self._reader.submit(self._read, piece) for piece in pieces[number + 1 : number + 2]]
+            yield entries
+
+    def _read(self, piece: Piece) -> list[AnyEntry]:
+        try:
+            return read_entries(self._file, piece.id)
+        except msgspec.DecodeError as error:
+            program = piece.program
+            raise ReplayError(f"a minute that Omote {program} recorded cannot be read by this one: {error}") from error
+        except (KeyError, ValueError) as error:
+            raise ReplayError(f"a minute of the recording cannot be read: {error}") from error
+
+
+def _line_of(entry: AnyEntry, names: dict[str, str]) -> LogLine | None:
+    """What an entry is in a log; None where it is not told there. names: of clients."""
+    match entry:
+        case Sent(who, now, message) if tag_of(type(message)) not in SILENT:
+            return LogLine(now, names.get(who, who), tag_of(type(message)), _subject_of(message))
+        case ChannelsSet(who, now, character, values):
+            return LogLine(now, names.get(who, who), "set_channel", f"{character} {' '.join(values)}")
+        case _:
+            return None
+
+
+def _subject_of(message: ClientMessage) -> str:
+    """Whom or what a message names, in its own words: what a hand changes is left out."""
+    fields = msgspec.structs.asdict(message)
+    moved = message.hand is not None
+    named = [
+        str(value)
+        for name, value in fields.items()
+        if name not in ("id", "seen", "times", "marks", "easing") and value not in ("", None)
+        if not (moved and isinstance(value, float))
+    ]
+    return " ".join(named)

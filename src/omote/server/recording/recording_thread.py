@@ -1,0 +1,238 @@
+"""Writes what a show does beside the show file, in a thread: a slow or broken disk never delays a tick."""
+
+from __future__ import annotations
+
+import sqlite3
+import threading
+import time
+from collections.abc import Callable, Mapping, Sequence
+from pathlib import Path
+from queue import Empty, SimpleQueue
+
+import msgspec
+
+from omote.model.cast import Cast
+from omote.show.objects.recordings import MarkedMoment, MarkMoment, RecordedSpan, RecordingsDocument
+from omote.show.recording.entries import AnyEntry, Joined, Kept, Recast, Sent, Ticked, decode_entries, encode_entries
+from omote.show.recording.packing import pack_entries, unpack_entries
+from omote.showfile.database_errors import explain_database_error
+from omote.showfile.recording_file import KeptRecording, RecordingFile, StoredCast, open_recording
+from omote.showfile.schema import ShowFileError
+from omote.stage_data.playing_cast import PlayingCast
+
+ADD_SECONDS = 1.0
+"""Between two commits: what a process that dies has not written of its recording."""
+MOST_WAITING = 3600
+"""Ticks that wait for a disk: a minute. After that the recording has a gap."""
+CLOSE_SECONDS = 5.0
+APART = 1.0
+"""Seconds between two pieces of one span; more is a gap."""
+
+Answer = Callable[[str], None]
+"""Told of a request: why it was refused, "" where it was done."""
+
+
+class RecordingThread:
+    """The recording of a show from now on.
+
+    path: of the recording; report: tells the operator; program: the version that records. Nothing raises; where the
+    disk fails, that is told once, and the recording goes on when the disk does.
+    """
+
+    def __init__(self, path: Path, report: Callable[[str], None], program: str) -> None:
+        self._path = path
+        self._program = program
+        self._report = report
+        self._work: SimpleQueue[Callable[[], None] | None] = SimpleQueue()
+        self._ticks: SimpleQueue[Sequence[AnyEntry]] = SimpleQueue()
+        self._file: RecordingFile | None = None
+        self._failing = False
+        self._start = 0
+        self._piece: int | None = None
+        self._begins = False
+        self._casts: list[str] = []
+        self._members: dict[str, str] = {}
+        self._pending: list[AnyEntry] = []
+        self._full = False
+        self._thread = threading.Thread(target=self._run, name="recording", daemon=True)
+        self._thread.start()
+
+    def note(self, entries: Sequence[AnyEntry]) -> None:
+        """Queues what happened up to a tick; returns at once."""
+        if self._ticks.qsize() > MOST_WAITING:
+            self._full = True
+            return
+        if not self._full or any(isinstance(entry, Kept) and entry.book is not None for entry in entries):
+            self._full = False  # after a gap it begins with a piece of its own
+            self._ticks.put(entries)
+
+    def note_cast(self, cast: Cast | PlayingCast, contents: Mapping[str, bytes]) -> None:
+        """Queues a cast that is played, before what is played with it. contents: of own items, by key."""
+        own = cast.own if isinstance(cast, PlayingCast) else ()
+        base = cast.base.digest if isinstance(cast, PlayingCast) else cast.digest
+        keys = tuple(sorted({item.content for item in own}))
+        stored = StoredCast(cast.digest, base, msgspec.msgpack.encode(own), keys)
+        found = [(key, contents[key]) for key in keys if key in contents]
+        self._work.put(lambda: self._opened().keep_cast(stored, found))
+
+    def keep(self, name: str, seconds: float, now: float, answer: Answer) -> None:
+        """Keeps the last seconds under a name. now: seconds, monotonic; answer: told of it, on this thread."""
+        self._work.put(lambda: self._carry_out(lambda file: self._keep(file, name, seconds, now), answer))
+
+    def delete(self, name: str, answer: Answer) -> None:
+        """Keeps a recording no longer. name: of it; answer: told of it, on this thread."""
+        self._work.put(lambda: self._carry_out(lambda file: file.delete(name), answer))
+
+    def describe(self) -> RecordingsDocument:
+        """What is recorded; sqlite3.Error or ShowFileError where it cannot be read. From any thread."""
+        file = open_recording(self._path)
+        try:
+            return describe_recordings(file)
+        finally:
+            file.close()
+
+    def close(self) -> None:
+        """Writes what is left and closes the file; waits five seconds at most."""
+        self._work.put(None)
+        self._thread.join(timeout=CLOSE_SECONDS)
+
+    # --- on the thread ---
+
+    def _run(self) -> None:
+        ended = False
+        while not ended:
+            ended = self._wait()
+            self._try(self._add)
+        self._try(self._pack)
+        if self._file is not None:
+            self._file.close()
+
+    def _wait(self) -> bool:
+        """Does what is asked for until it is time to write; whether the end has come."""
+        until = time.monotonic() + ADD_SECONDS
+        while (left := until - time.monotonic()) > 0.0:
+            try:
+                work = self._work.get(timeout=left)
+            except Empty:
+                return False
+            if work is None:
+                return True
+            self._try(self._add)  # what was played before is written before
+            self._try(work)
+        return False
+
+    def _try(self, work: Callable[[], None]) -> None:
+        try:
+            work()
+        except (sqlite3.Error, OSError, ShowFileError, ValueError) as error:
+            self._piece = None
+            if not self._failing:
+                reason = str(error) if isinstance(error, ShowFileError) else explain_database_error(error)
+                self._report(f"the recording {self._path} cannot be written ({reason}): the show goes on without it.")
+            self._failing = True
+        else:
+            if self._failing and self._piece is not None:
+                self._report(f"the recording {self._path} is written again.")
+                self._failing = False
+
+    def _opened(self) -> RecordingFile:
+        """The file, which is opened now where it is not yet: pieces that a process left behind are packed."""
+        if self._file is None:
+            file = open_recording(self._path, new=True)
+            wall = time.time_ns() / 1e9
+            for piece in file.unpacked():
+                file.pack(piece, pack_entries(read_entries(file, piece)))
+            self._start = file.begin_start(wall, time.monotonic(), self._program)
+            self._file = file
+        return self._file
+
+    def _add(self) -> None:
+        """Writes what has been queued; a piece ends where another begins."""
+        entries = self._pending
+        self._pending = []
+        while not self._ticks.empty():
+            for entry in self._ticks.get():
+                if isinstance(entry, Kept) and entry.book is not None:
+                    self._write(entries)
+                    entries = []
+                    self._pack()
+                    self._begins = True
+                    self._casts = [entry.digest]
+                entries.append(entry)
+        self._write(entries)
+
+    def _write(self, entries: list[AnyEntry]) -> None:
+        ticks = [entry.now for entry in entries if isinstance(entry, Ticked)]
+        if not ticks:
+            self._pending = entries
+            return
+        if self._begins:
+            self._piece = self._opened().begin_piece(self._start, ticks[0])
+            self._begins = False
+        if self._piece is None:
+            return  # the disk has failed: it goes on with the next piece
+        self._members |= {entry.who: entry.name for entry in entries if isinstance(entry, Joined)}
+        self._casts += [entry.digest for entry in entries if isinstance(entry, Recast)]
+        marks = [
+            (entry.now, entry.message.text, self._members.get(entry.who, ""))
+            for entry in entries
+            if isinstance(entry, Sent) and isinstance(entry.message, MarkMoment)
+        ]
+        data = encode_entries(entries)
+        casts = dict.fromkeys(self._casts)
+        self._opened().add(self._piece, data, last=ticks[-1], ticks=len(ticks), casts=casts, markers=marks)
+
+    def _pack(self) -> None:
+        """Packs the piece that has ended, and makes room."""
+        if self._piece is not None:
+            file = self._opened()
+            file.pack(self._piece, pack_entries(read_entries(file, self._piece)))
+            file.trim()
+            self._piece = None
+
+    def _carry_out(self, work: Callable[[RecordingFile], None], answer: Answer) -> None:
+        try:
+            work(self._opened())
+        except ValueError as error:
+            answer(str(error))
+        except (sqlite3.Error, OSError) as error:
+            answer(f"the recording cannot be written ({explain_database_error(error)})")
+            raise
+        else:
+            answer("")
+
+    def _keep(self, file: RecordingFile, name: str, seconds: float, now: float) -> None:
+        first = next((piece.first for piece in file.pieces() if piece.start == self._start), now)
+        file.keep(KeptRecording(name, self._start, max(first, now - seconds), now))
+
+
+def read_entries(file: RecordingFile, piece: int) -> list[AnyEntry]:
+    """The entries of a piece; ValueError where they are damaged, KeyError where it is not there any more. file: the
+    open recording; piece: its id."""
+    data = file.read(piece)
+    if isinstance(data, bytes):
+        return unpack_entries(data)
+    return [entry for second in data for entry in decode_entries(second)]
+
+
+def describe_recordings(file: RecordingFile) -> RecordingsDocument:
+    """What a recording holds, for people; sqlite3.Error where it cannot be read. file: the open recording."""
+    pieces = file.pieces()
+    offsets = {piece.start: piece.written - piece.first for piece in pieces}
+    spans: list[RecordedSpan] = []
+    for piece in pieces:
+        before = spans[-1] if spans else None
+        if before is not None and before.start == piece.start and piece.first - before.first - before.seconds < APART:
+            spans[-1] = msgspec.structs.replace(before, seconds=piece.last - before.first)
+        else:
+            spans.append(RecordedSpan(piece.start, piece.first, piece.written, piece.last - piece.first))
+    kept = [
+        RecordedSpan(
+            each.start, each.first, offsets.get(each.start, 0.0) + each.first, each.last - each.first, each.name
+        )
+        for each in file.kept()
+    ]
+    markers = [
+        MarkedMoment(each.start, each.at, offsets[each.start] + each.at, each.name, each.who) for each in file.markers()
+    ]
+    return RecordingsDocument(spans, kept, markers)

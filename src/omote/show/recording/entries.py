@@ -1,0 +1,164 @@
+"""What a recording is made of: what a session did, in order, and snapshots from which a replay can begin.
+
+A message is noted after the session has let it through, so a replay needs neither roles nor leases, hands nor ids: what
+was refused changed nothing. What is sent is noted, not what came by the network: what reads a camera or a MIDI cable
+is not the same on two machines.
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Union
+
+import msgspec
+
+from omote.show.cues.cue_lists import CuesPlaying, CuesShown
+from omote.show.messages import CLIENT_MESSAGES
+from omote.show.objects.recordings import MarkMoment
+from omote.show.session import ShowSession
+from omote.show.session_snapshot import SessionSnapshot
+from omote.show.sources.open_sources import SourcesPlaying
+from omote.show.sources.sources_snapshot import Route
+from omote.show.state import EyeOffset
+
+if TYPE_CHECKING:
+    from omote.show.declaration import ClientMessage as AnyMessage
+else:
+    AnyMessage = Union[CLIENT_MESSAGES]  # noqa: UP007  (of a tuple)
+
+
+class Entry(msgspec.Struct, frozen=True, array_like=True, tag=True):
+    """Something that a session did."""
+
+    def redo(self, session: ShowSession) -> None:
+        """Does it again; ValueError or LookupError where it cannot be done. session: the show."""
+
+
+class Joined(Entry, frozen=True):
+    """A client (who) is known from now on, or called otherwise. name: for people; seat: for whom it plays."""
+
+    who: str
+    name: str
+    seat: str
+
+    def redo(self, session: ShowSession) -> None:
+        """Adds the client. session: the show."""
+        session.join(self.who, self.name, self.seat)
+
+
+class Left(Entry, frozen=True):
+    """A client (who) has left, and the sources of its link with it."""
+
+    who: str
+
+    def redo(self, session: ShowSession) -> None:
+        """Removes the client. session: the show."""
+        session.leave(self.who)
+
+
+class Sent(Entry, frozen=True):
+    """A message of a client that was obeyed. who: the client; now: seconds, monotonic."""
+
+    who: str
+    now: float
+    message: AnyMessage
+
+    def redo(self, session: ShowSession) -> None:
+        """Does what the message asks for. session: the show."""
+        if not isinstance(self.message, MarkMoment):  # which needs a recorder, and changes nothing
+            session.act(self.who, self.message, self.now)
+
+
+class ChannelsSet(Entry, frozen=True):
+    """Channels of a character that were set at once. who: the client; now: seconds, monotonic."""
+
+    who: str
+    now: float
+    character: str
+    values: dict[str, float]
+
+    def redo(self, session: ShowSession) -> None:
+        """Sets the channels. session: the show."""
+        session.scene[self.character].set_channels(self.values)
+
+
+class Routed(Entry, frozen=True):
+    """A source that waited has taken over. source: its name; route: whom it plays from now on."""
+
+    source: str
+    route: Route
+
+    def redo(self, session: ShowSession) -> None:
+        """Routes the source. session: the show."""
+        session.sources.set_route(session.scene, self.source, self.route)
+
+
+class SoundsKnown(Entry, frozen=True):
+    """The sounds that there are from now on, with their seconds."""
+
+    seconds: dict[str, float]
+
+    def redo(self, session: ShowSession) -> None:
+        """Notes the sounds. session: the show."""
+        session.sounds.set(self.seconds)
+
+
+class Recast(Entry, frozen=True):
+    """Another cast plays from now on; `Replay` finds it. digest: of that cast."""
+
+    digest: str
+
+
+class CuesEdited(Entry, frozen=True):
+    """The cues as an edit has left them."""
+
+    shown: CuesShown
+
+    def redo(self, session: ShowSession) -> None:
+        """Plays the cues from now on. session: the show."""
+        session.cues.replay(self.shown)
+
+
+class Ticked(Entry, frozen=True):
+    """A tick. now: seconds, monotonic; check: CRC-32 of the bytes of the state that was sent, None where none was."""
+
+    now: float
+    check: int | None = None
+
+
+class Kept(Entry, frozen=True):
+    """The session as it is after a tick: a replay can begin here.
+
+    session: what a restarted server needs too, without ids and leases; now: seconds, monotonic, None before the first
+    tick; number, epoch, revision: of the last state; digest: of the cast; members: name and seat by client; sources:
+    those that are open; sounds: seconds by key; eyes: offsets by character; playing: of the cues. book: the cues
+    themselves, where a piece of the recording begins here; else as the last entry has them.
+    """
+
+    session: SessionSnapshot
+    now: float | None
+    number: int
+    epoch: int
+    revision: int
+    digest: str
+    members: dict[str, tuple[str, str]]
+    sources: SourcesPlaying
+    sounds: dict[str, float]
+    eyes: dict[str, EyeOffset]
+    playing: CuesPlaying
+    book: CuesShown | None = None
+
+
+AnyEntry = Joined | Left | Sent | ChannelsSet | Routed | SoundsKnown | Recast | CuesEdited | Ticked | Kept
+
+_encoder = msgspec.msgpack.Encoder()
+_decoder = msgspec.msgpack.Decoder(list[AnyEntry])
+
+
+def encode_entries(entries: list[AnyEntry]) -> bytes:
+    """The bytes of some entries."""
+    return _encoder.encode(entries)
+
+
+def decode_entries(data: bytes) -> list[AnyEntry]:
+    """The entries of some bytes; msgspec.DecodeError where they are none."""
+    return _decoder.decode(data)

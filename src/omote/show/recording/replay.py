@@ -1,0 +1,140 @@
+"""Replays what was recorded: the same session does the same again, to the last bit."""
+
+from __future__ import annotations
+
+import zlib
+from collections.abc import Callable, Iterable, Iterator
+from dataclasses import dataclass
+
+from omote.perform.snapshot import Playable
+from omote.show.cues.cue_lists import CuesShown
+from omote.show.objects.state import State
+from omote.show.recording.entries import AnyEntry, CuesEdited, Kept, Recast, Ticked
+from omote.show.session import ShowSession
+from omote.show.wire import encode
+
+FindCast = Callable[[str], Playable]
+"""The cast of a digest; LookupError where it is not there any more."""
+
+
+class ReplayError(ValueError):
+    """What was recorded cannot be replayed; the message says why."""
+
+
+@dataclass(frozen=True)
+class ReplayedTick:
+    """A tick that was replayed. now: seconds, monotonic, as it was recorded; digest: of the cast that played; same:
+    whether the bytes of the state are those that were sent, None where none were."""
+
+    now: float
+    state: State
+    digest: str
+    same: bool | None
+
+
+class Replay:
+    """A session that does again what was recorded. kept: where it begins; book: the cues as they were then; find_cast:
+    finds casts. ReplayError where it cannot begin."""
+
+    def __init__(self, kept: Kept, book: CuesShown, find_cast: FindCast) -> None:
+        self._find_cast = find_cast
+        cast = self._cast(kept.digest)
+        try:
+            self.session = ShowSession.restored(cast, kept.session, epoch=kept.epoch, revision=kept.revision)
+        except ValueError as error:
+            raise ReplayError(f"the snapshot cannot be played: {error}") from error
+        self.session.resume(kept.now, kept.number, kept.eyes)
+        self.session.sources.replay(kept.sources)
+        self.session.sounds.set(kept.sounds)
+        self.session.cues.replay(book, kept.playing)
+        for who, (name, seat) in kept.members.items():
+            self.session.join(who, name, seat)
+
+    def play(self, entries: Iterable[AnyEntry]) -> Iterator[ReplayedTick]:
+        """Does what was recorded, tick by tick; ReplayError where an entry cannot be done again. entries: those behind
+        the snapshot."""
+        for entry in entries:
+            if isinstance(entry, Ticked):
+                yield self._tick(entry)
+            else:
+                self._do(entry)
+
+    def _tick(self, entry: Ticked) -> ReplayedTick:
+        state = self.session.tick(entry.now)
+        self.session.texts.take()
+        same = None if entry.check is None else zlib.crc32(encode(state)) == entry.check
+        return ReplayedTick(entry.now, state, self.session.cast.digest, same)
+
+    def _do(self, entry: AnyEntry) -> None:
+        try:
+            if isinstance(entry, Recast):
+                self.session.recast(self._cast(entry.digest))
+            else:
+                entry.redo(self.session)
+        except ReplayError:
+            raise
+        except (ValueError, LookupError) as error:
+            raise ReplayError(f"{type(entry).__name__} cannot be done again: {error}") from error
+
+    def _cast(self, digest: str) -> Playable:
+        try:
+            return self._find_cast(digest)
+        except LookupError as error:
+            raise ReplayError(f"the cast that played ({digest[:12]}) is not there: {error}") from error
+
+
+def replay(
+    pieces: Iterable[Iterable[AnyEntry]], find_cast: FindCast, *, after: float | None = None
+) -> Iterator[ReplayedTick]:
+    """Replays pieces of a recording, one after the other, from the last snapshot of the first piece
+    that is not behind a time.
+
+    Parameters
+    ----------
+    pieces : iterable of iterable of entry
+        Of one start of the show; each begins with a snapshot that has the cues. Where ticks are missing between two,
+        the replay goes on from the snapshot of the next.
+    find_cast : callable
+        Finds a cast by its digest.
+    after : float, optional
+        Seconds, monotonic: ticks up to it are replayed, but not given; the replay begins near it.
+
+    Yields
+    ------
+    ReplayedTick
+        Each tick behind `after`.
+
+    Raises
+    ------
+    ReplayError
+        Where an entry cannot be done again.
+    """
+    playing: Replay | None = None
+    for piece in pieces:
+        begun, rest = _begin(list(piece), find_cast, playing, after)
+        playing = begun
+        for tick in playing.play(rest):
+            if after is None or tick.now > after:
+                yield tick
+
+
+def _begin(
+    entries: list[AnyEntry], find_cast: FindCast, playing: Replay | None, after: float | None
+) -> tuple[Replay, list[AnyEntry]]:
+    """What replays a piece, and what of it is left to replay: where nothing is missing, what replayed the one before.
+
+    entries: of the piece; the others: as of `replay`.
+    """
+    first = entries[0] if entries else None
+    if not isinstance(first, Kept) or first.book is None:
+        raise ReplayError("a replay begins with a snapshot that has the cues; there is none")
+    if playing is not None and playing.session.number == first.number and playing.session.epoch == first.epoch:
+        return playing, entries[1:]
+    kept, book, place = first, first.book, 0
+    shown = book
+    for number, entry in enumerate(entries):
+        if isinstance(entry, CuesEdited):
+            shown = entry.shown
+        elif isinstance(entry, Kept) and after is not None and entry.now is not None and entry.now <= after:
+            kept, book, place = entry, shown, number
+    return Replay(kept, book, find_cast), entries[place + 1 :]

@@ -1,0 +1,108 @@
+"""A replay does again what a session did, to the last bit, from the beginning and from anywhere."""
+
+from __future__ import annotations
+
+import zlib
+
+import msgspec
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from omote.perform.snapshot import Playable
+from omote.show.recording import recorder
+from omote.show.recording.entries import AnyEntry, Kept, Ticked, decode_entries, encode_entries
+from omote.show.recording.replay import ReplayError, replay
+from omote.show.wire import encode
+from tests import synthetic
+from tests.show.recording.random_show import RandomShow
+from tests.show.test_session import Recast
+
+CAST = synthetic.cast()
+OTHER = Recast(CAST, [*CAST.faces, "cousin"], [*CAST.expressions, "grin"])
+NO_CASTS: dict[str, Playable] = {}
+CASTS: dict[str, Playable] = {CAST.digest: CAST, OTHER.digest: OTHER}
+
+
+@pytest.fixture(autouse=True)
+def short_pieces(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(recorder, "SNAPSHOT_SECONDS", 0.5)
+    monkeypatch.setattr(recorder, "PIECE_SNAPSHOTS", 4)
+
+
+@pytest.mark.parametrize("seed", range(6))
+def test_every_state_of_a_random_show_comes_again_to_the_last_bit(seed: int) -> None:
+    show = RandomShow(seed, CASTS)
+    show.play(20.0)
+    entries = decode_entries(encode_entries(show.entries))
+    ticks = list(replay([entries], CASTS.__getitem__))
+    different = [number for number, tick in enumerate(ticks) if encode(tick.state) != show.states[number]]
+    assert (different[:1], len(ticks)) == ([], len(show.states))
+    assert all(tick.same for tick in ticks)
+
+
+@pytest.mark.parametrize("seed", range(3))
+def test_a_seek_ends_at_the_same_states_from_any_tick_on(seed: int) -> None:
+    show = RandomShow(100 + seed, CASTS)
+    show.play(10.0)
+    times = [entry.now for entry in show.entries if isinstance(entry, Ticked)]
+    for number in show.rng.integers(0, len(times) - 1, 8).tolist():
+        ticks = list(replay([show.entries], CASTS.__getitem__, after=times[number]))
+        assert [encode(tick.state) for tick in ticks] == show.states[number + 1 :]
+
+
+def test_a_piece_needs_no_entry_before_it() -> None:
+    show = RandomShow(7, CASTS)
+    show.play(10.0)
+    begins = [place for place, entry in enumerate(show.entries) if isinstance(entry, Kept) and entry.book is not None]
+    assert len(begins) > 3
+    for place in begins:
+        ticks = list(replay([show.entries[place:]], CASTS.__getitem__))
+        assert [encode(tick.state) for tick in ticks] == show.states[len(show.states) - len(ticks) :]
+
+
+def pieces_of(entries: list[AnyEntry]) -> list[list[AnyEntry]]:
+    begins = [place for place, entry in enumerate(entries) if isinstance(entry, Kept) and entry.book is not None]
+    return [entries[begin:end] for begin, end in zip(begins, [*begins[1:], len(entries)], strict=True)]
+
+
+@settings(max_examples=5)
+@given(missing=st.integers(0, 4))
+def test_after_a_gap_a_replay_goes_on_from_the_next_piece(missing: int) -> None:
+    show = RandomShow(11, CASTS)
+    show.play(10.0)
+    pieces = pieces_of(show.entries)
+    assert len(pieces) > 5
+    left = [piece for number, piece in enumerate(pieces) if number != missing]
+    lost = sum(isinstance(entry, Ticked) for entry in pieces[missing])
+    begin = sum(isinstance(entry, Ticked) for piece in pieces[:missing] for entry in piece)
+    states = [encode(tick.state) for tick in replay(left, CASTS.__getitem__)]
+    assert states == [*show.states[:begin], *show.states[begin + lost :]]
+
+
+def test_a_replay_says_at_the_first_tick_that_it_is_not_the_same() -> None:
+    show = RandomShow(8, CASTS)
+    show.play(3.0)
+    places = [place for place, entry in enumerate(show.entries) if isinstance(entry, Ticked)]
+    entries = list(show.entries)
+    wrong = places[70]
+    entries[wrong] = msgspec.structs.replace(entries[wrong], check=zlib.crc32(b"another"))
+    assert [number for number, tick in enumerate(replay([entries], CASTS.__getitem__)) if not tick.same] == [70]
+
+
+def test_what_cannot_be_replayed_is_said() -> None:
+    show = RandomShow(9, CASTS)
+    show.play(1.0)
+    with pytest.raises(ReplayError, match="begins with a snapshot"):
+        list(replay([show.entries[1:]], CASTS.__getitem__))
+    with pytest.raises(ReplayError, match="cast that played"):
+        list(replay([show.entries], NO_CASTS.__getitem__))
+
+
+def test_a_recorder_changes_nothing() -> None:
+    show = RandomShow(10, CASTS)
+    show.play(5.0)
+    plain = RandomShow(10, CASTS)
+    plain.session.recorder = None
+    plain.play(5.0)
+    assert plain.states == show.states
