@@ -155,8 +155,8 @@ def replay(
         if open_page:
             webbrowser.open(address)
 
-    with opened(file) as (show, recorded), exit_on_refusal():
-        replay_server.serve(show, recorded, cut(show, name, begin, end), port, announce)
+    with opened(file) as (show, _), exit_on_refusal():
+        replay_server.serve(show, cut(show, name, begin, end), port, announce)
 
 
 @contextmanager

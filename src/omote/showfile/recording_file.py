@@ -256,13 +256,23 @@ class RecordingFile:
             if self._connection.execute("DELETE FROM kept WHERE name = ?", (name,)).rowcount == 0:
                 raise ValueError(f"there is no recording {name!r}; there are {self._names()}")
 
-    def forget_contents(self, keys: Iterable[str]) -> None:
-        """Removes contents of own faces for good: what played them cannot be replayed any more."""
+    def forget(self, keys: Iterable[str]) -> float:
+        """Removes contents of own faces for good, with all that was recorded while the cast had them; returns the
+        seconds of that. keys: of the contents."""
+        forgotten = set(keys)
+        casts = {digest for digest, cast in self.casts().items() if forgotten.intersection(cast.contents)}
+        rows = self._connection.execute("SELECT id, last - first, casts FROM piece").fetchall()
+        gone = [(number, seconds) for number, seconds, played in rows if casts.intersection(played.split())]
         self._connection.execute("PRAGMA secure_delete = ON").fetchone()
         with self._connection:
-            self._connection.executemany("DELETE FROM content WHERE key = ?", [(key,) for key in keys])
+            self._connection.executemany("DELETE FROM piece WHERE id = ?", [(number,) for number, _ in gone])
+            self._forget_unplayed()
+        for each in self.kept():
+            if not self.pieces_between(each.start, each.first, each.last):
+                self.delete(each.name)
         self._connection.execute("VACUUM")
         self._connection.execute("PRAGMA wal_checkpoint(TRUNCATE)").fetchone()
+        return float(sum(seconds for _, seconds in gone))
 
     def kept(self) -> list[KeptRecording]:
         """The recordings that are kept, by name."""

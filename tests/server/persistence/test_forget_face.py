@@ -19,6 +19,7 @@ from omote.showfile.backup import back_up, backup_paths
 from omote.showfile.changes import Content, Draft, Edit, Stored, StoredDocument, content_key
 from omote.showfile.contents import pack_face
 from omote.showfile.inspection import inspect_show, verdicts
+from omote.showfile.recording_file import KeptRecording, StoredCast, open_recording, recording_path
 from omote.showfile.schema import ShowFileError
 from omote.showfile.show_file import JournalEntry, open_show
 from tests.showfile.authored_work import item, revision
@@ -140,3 +141,27 @@ def test_the_command_says_what_went(tmp_path: Path) -> None:
     assert result.exit_code == 0, result.output
     assert "has nothing of Anneliese any more" in result.output
     assert holding(tmp_path, content) == set()
+
+
+def test_what_was_recorded_with_it_is_gone_and_the_rest_stays(tmp_path: Path) -> None:
+    path, content = make_show(tmp_path)
+    key = content_key(content)
+    recorded = open_recording(recording_path(path), new=True)
+    start = recorded.begin_start(1e9, 0.0, "test")
+    recorded.keep_cast(StoredCast("with", "base", b"anneliese", (key,)), [(key, content)])
+    recorded.keep_cast(StoredCast("without", "base", b"", ()), [])
+    for first, casts in ((0.0, ["without"]), (60.0, ["without", "with"]), (120.0, ["without"])):
+        piece = recorded.begin_piece(start, first)
+        recorded.add(piece, b"anneliese" if "with" in casts else b"nobody", last=first + 60.0, ticks=1, casts=casts)
+    recorded.keep(KeptRecording("her", start, 70.0, 80.0))
+    recorded.close()
+    forgotten = forget_faces(path, ["anneliese"])
+    assert "1.0 minutes" in forgotten.notes[0]
+    for file in tmp_path.glob("a.omote-recording*"):
+        data = file.read_bytes()
+        assert b"anneliese" not in data
+        assert not any(piece in data for piece in pieces(content))
+    left = open_recording(recording_path(path))
+    assert [piece.first for piece in left.pieces()] == [0.0, 120.0]
+    assert (left.kept(), list(left.casts())) == ([], ["without"])
+    left.close()

@@ -3,7 +3,8 @@ copies beside it."""
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Collection, Iterator, Sequence
+from contextlib import closing
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -14,6 +15,7 @@ from omote.show.objects.documents import names_in
 from omote.showfile.backup import back_up, backup_paths, refuse_foreign, remove
 from omote.showfile.changes import Item, Stored
 from omote.showfile.inspection import item_named
+from omote.showfile.recording_file import open_recording, recording_path
 from omote.showfile.schema import ShowFileError
 from omote.showfile.show_file import ShowFile
 
@@ -75,10 +77,21 @@ def forget_faces(path: Path, names: Sequence[str], /, *, copies: bool = False) -
             if backup not in damaged:
                 refuse_foreign(backup, show.path)
             remove(backup)
-        notes = tuple(_notes(show, stored, items))
+        notes = (*_forget_recorded(show.path, keys), *_notes(show, stored, items))
         show.erase(_removals(items, sorted(keys), clear_state=_is_played(show, items)))
         back_up(show)
     return Forgotten(tuple(item.label for item in items), notes)
+
+
+def _forget_recorded(path: Path, keys: Collection[str]) -> Iterator[str]:
+    """Removes what was recorded while the cast had these contents (keys). path: of the show file."""
+    recording = recording_path(path)
+    if not recording.exists():
+        return
+    with closing(open_recording(recording)) as recorded:
+        seconds = recorded.forget(keys)
+    if seconds:
+        yield f"{seconds / 60.0:.1f} minutes of the show's recording, in which the cast had it, went with it."
 
 
 def _refuse_dependents(stored: Stored, items: Sequence[Item]) -> None:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import asyncio
 import sqlite3
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from contextlib import suppress
 
 import msgspec
@@ -18,7 +18,7 @@ from omote.server.access.security import own_names
 from omote.server.http.app import ShowServer
 from omote.server.http.cast_documents import CastDocuments, built_in_documents
 from omote.server.http.document_routes import NO_CACHE
-from omote.server.http.static_pages import read_pages
+from omote.server.http.static_pages import Page, read_pages
 from omote.server.recording.recorded_show import LogLine, RecordedShow, Span
 from omote.server.recording.replay_player import ReplayPlayer, TransportRequest
 from omote.show.declaration import ClientMessage, Outgoing
@@ -27,7 +27,6 @@ from omote.show.objects.stages import CastChanged
 from omote.show.objects.state import State
 from omote.show.session import ShowSession
 from omote.show.validation import Refusal
-from omote.showfile.recording_file import RecordingFile
 from omote.stage_data.playing_cast import PlayingCast, build_playing_cast
 
 TRANSPORT_PATH = "/replay/transport"
@@ -66,16 +65,16 @@ class ReplaySession(ShowSession):
 
 
 class ReplayServer:
-    """The pages and the transport of a replay. documents: of the built-in cast."""
+    """The pages and the transport of a replay. show: the recording; span: what of it is played; documents: of the
+    built-in cast; pages: the built files."""
 
-    def __init__(self, show: RecordedShow, recorded: RecordingFile, span: Span, documents: CastDocuments) -> None:
+    def __init__(self, show: RecordedShow, span: Span, documents: CastDocuments, pages: Mapping[str, Page]) -> None:
         self._show = show
-        self._recorded = recorded
         self._span = span
         self._documents = documents
         self.player = ReplayPlayer(show, span)
         self._moments: list[dict[str, object]] | None = None
-        self.server = ShowServer(ReplaySession(documents.playing, self.player), documents, read_pages())
+        self.server = ShowServer(ReplaySession(documents.playing, self.player), documents, pages)
         self.server.more_routes.append(self.add_routes)
 
     def add_routes(self, application: web.Application) -> None:
@@ -138,13 +137,13 @@ def _name_of(line: LogLine) -> str:
     return line.of if line.what in ("mark_moment", "go", "go_to_cue") else ""
 
 
-def serve(show: RecordedShow, recorded: RecordingFile, span: Span, port: int, announce: Callable[[str], None]) -> None:
+def serve(show: RecordedShow, span: Span, port: int, announce: Callable[[str], None]) -> None:
     """Serves a replay until Ctrl-C.
 
     Parameters
     ----------
-    show, recorded : RecordedShow, RecordingFile
-        The recording, opened.
+    show : RecordedShow
+        The recording.
     span : Span
         What of it is played.
     port : int
@@ -160,14 +159,12 @@ def serve(show: RecordedShow, recorded: RecordingFile, span: Span, port: int, an
         Where nothing of it can be replayed.
     """
     with suppress(KeyboardInterrupt):
-        asyncio.run(_serve(show, recorded, span, port, announce))
+        asyncio.run(_serve(show, span, port, announce))
 
 
-async def _serve(
-    show: RecordedShow, recorded: RecordingFile, span: Span, port: int, announce: Callable[[str], None]
-) -> None:
+async def _serve(show: RecordedShow, span: Span, port: int, announce: Callable[[str], None]) -> None:
     documents = built_in_documents()
-    replay = ReplayServer(show, recorded, span, documents)
+    replay = ReplayServer(show, span, documents, read_pages())
     opened = listen(port)
     runner = web.AppRunner(replay.server.application(own_names()), access_log=None, shutdown_timeout=1.0)
     await runner.setup()
