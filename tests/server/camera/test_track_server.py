@@ -7,7 +7,6 @@ import pytest
 from aiohttp import web
 from aiohttp.test_utils import TestClient, TestServer
 
-from omote.server.access.listening import listen
 from omote.server.camera import track_server
 from omote.server.camera.show_relay import ShowTarget
 from omote.server.camera.track_server import application, find_target
@@ -63,15 +62,6 @@ async def test_only_this_machine_s_own_pages_get_the_page() -> None:
         assert foreign.status == 403
         other = await client.get("/camera/link", headers={"Origin": "http://evil.example"})
         assert other.status == 403
-
-
-def test_a_port_that_is_taken_is_said() -> None:
-    with socket.socket() as taken:
-        taken.bind(("127.0.0.1", 0))
-        taken.listen()
-        port = taken.getsockname()[1]
-        with pytest.raises(OSError, match=f"port {port} cannot be opened .another program has it.* --port {port + 1}"):
-            listen(port)
 
 
 def test_a_show_that_is_away_is_said_and_the_page_is_served_all_the_same(monkeypatch: pytest.MonkeyPatch) -> None:

@@ -13,7 +13,7 @@ from omote.server.recording.replay_player import ReplayPlayer, TransportRequest
 from omote.show.wire import encode
 from omote.showfile.recording_file import open_recording, recording_path
 from tests import synthetic
-from tests.server.recording.test_recording import record
+from tests.server.recording.test_recorded_show import record
 
 CAST = synthetic.cast()
 SECONDS = 6.0

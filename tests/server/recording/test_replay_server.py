@@ -24,7 +24,7 @@ from omote.show.objects.state import State
 from omote.show.wire import decode_answer, encode
 from omote.showfile.recording_file import open_recording, recording_path
 from tests.server.conftest import answer
-from tests.server.recording.test_recording import record
+from tests.server.recording.test_recorded_show import record
 from tests.server.synthetic_server import MASK, PAGES, meshes
 
 pytestmark = pytest.mark.asyncio

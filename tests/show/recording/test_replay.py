@@ -97,12 +97,3 @@ def test_what_cannot_be_replayed_is_said() -> None:
         list(replay([show.entries[1:]], CASTS.__getitem__))
     with pytest.raises(ReplayError, match="cast that played"):
         list(replay([show.entries], NO_CASTS.__getitem__))
-
-
-def test_a_recorder_changes_nothing() -> None:
-    show = RandomShow(10, CASTS)
-    show.play(5.0)
-    plain = RandomShow(10, CASTS)
-    plain.session.recorder = None
-    plain.play(5.0)
-    assert plain.states == show.states

@@ -59,7 +59,8 @@ def write_archive(show: Path, recorded: RecordingFile, recording: RecordedShow, 
 
 
 def write_log(recorded: RecordingFile, recording: RecordedShow, start: int) -> str:
-    """Who did what in a start of the show, as CSV: seconds from its beginning, who, what, of whom, how often."""
+    """Who did what in a start of the show, as CSV: seconds from its beginning, who, what, of whom, how often. recorded,
+    recording: as of `write_archive`."""
     pieces = [piece for piece in recorded.pieces() if piece.start == start]
     first = pieces[0].first
     written = io.StringIO()

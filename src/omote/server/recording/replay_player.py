@@ -12,7 +12,8 @@ from omote.server.recording.recorded_show import RecordedShow, Span
 from omote.show.objects.state import State
 from omote.show.recording.replay import ReplayedTick, ReplayError
 
-LOWEST_RATE, HIGHEST_RATE = 0.1, 2.0
+LOWEST_RATE = 0.1
+HIGHEST_RATE = 2.0
 SHORTEST_LOOP = 0.5
 """Seconds."""
 CATCH_UP = 0.5

@@ -130,11 +130,14 @@ def _begin(
         raise ReplayError("a replay begins with a snapshot that has the cues; there is none")
     if playing is not None and playing.session.number == first.number and playing.session.epoch == first.epoch:
         return playing, entries[1:]
-    kept, book, place = first, first.book, 0
-    shown = book
+    kept = first
+    book = shown = first.book
+    place = 0
     for number, entry in enumerate(entries):
         if isinstance(entry, CuesEdited):
             shown = entry.shown
         elif isinstance(entry, Kept) and after is not None and entry.now is not None and entry.now <= after:
-            kept, book, place = entry, shown, number
+            kept = entry
+            book = shown
+            place = number
     return Replay(kept, book, find_cast), entries[place + 1 :]

@@ -1,0 +1,58 @@
+"""The file of a recording: a ring of minutes, and what is kept of it."""
+
+from __future__ import annotations
+
+import sqlite3
+from pathlib import Path
+
+import pytest
+
+from omote.show.recording import recorder
+from omote.showfile.recording_file import KeptRecording, open_recording, recording_path
+from omote.showfile.schema import ShowFileError
+from tests import synthetic
+from tests.server.recording.test_recorded_show import record
+
+CAST = synthetic.cast()
+
+
+@pytest.fixture(autouse=True)
+def short_pieces(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(recorder, "SNAPSHOT_SECONDS", 0.5)
+    monkeypatch.setattr(recorder, "PIECE_SNAPSHOTS", 4)
+
+
+def test_the_ring_keeps_what_has_a_name(tmp_path: Path) -> None:
+    path = recording_path(tmp_path / "show.omote")
+    record(path, 3, 20.0)
+    file = open_recording(path)
+    pieces = file.pieces()
+    first = pieces[0]
+    file.keep(KeptRecording("opening", first.start, first.first, first.last))
+    with pytest.raises(ValueError, match="already"):
+        file.keep(KeptRecording("opening", first.start, first.first, first.last))
+    file.trim(4.0)
+    left = [piece.id for piece in file.pieces()]
+    assert left[0] == first.id
+    assert 2 < len(left) < len(pieces)
+    file.delete("opening")
+    file.trim(4.0)
+    assert [piece.id for piece in file.pieces()] == left[1:]
+    file.trim(0.0)
+    assert file.casts() == {}
+    with pytest.raises(ValueError, match="no recording 'opening'"):
+        file.delete("opening")
+    file.close()
+
+
+def test_what_is_no_recording_is_refused_and_left_alone(tmp_path: Path) -> None:
+    path = tmp_path / "other"
+    with pytest.raises(ShowFileError, match="no recording"):
+        open_recording(path)
+    connection = sqlite3.connect(path)
+    connection.execute("CREATE TABLE anything (x)")
+    connection.close()
+    before = path.read_bytes()
+    with pytest.raises(ShowFileError, match="no recording of a show"):
+        open_recording(path, new=True)
+    assert path.read_bytes()[100:] == before[100:]
