@@ -90,6 +90,14 @@ class Session(Protocol):
     cues: Any
     wishes: list[Any]
     cancelled: list[str]
+    epoch: int
+    number: int
+
+    def join(self, who: str, name: str) -> None:
+        """Adds a source. who: the client; name: what it is called."""
+
+    def receive(self, who: str, message: Any, now: float) -> list[Outgoing]:
+        """Handles a message. who: the client; message: what it asks for; now: seconds, monotonic."""
 
     def welcome(self, who: str, hello: Any) -> list[Outgoing]:
         """Admits a client that says hello. who: the client."""

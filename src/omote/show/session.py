@@ -14,6 +14,7 @@ from omote.perform.scene.scene_snapshot import names_held_by
 from omote.perform.snapshot import Playable
 from omote.show.access.access_role import explain_missing_role, role_allows
 from omote.show.crew.members import Member, Members
+from omote.show.cues.cue_lines import speak_lines
 from omote.show.cues.cue_lists import CueLists
 from omote.show.declaration import (
     ClientMessage,
@@ -200,6 +201,7 @@ class ShowSession:
         self._now = now
         self.number += 1
         self.leasing.expire(tuple(self.scene), now)
+        speak_lines(self, now)
         return self._state(elapsed)
 
     def _state(self, elapsed: float) -> State:

@@ -184,6 +184,11 @@ class PageDevices:
                 return [Outgoing(who, changed)]
         return []
 
+    def find_midi(self, name: str) -> PluggedDevice | None:
+        """The MIDI device of a name, in any case, that is at a page now; None where there is none."""
+        here = (device for device in self.devices.values() if device.who and device.kind == "midi")
+        return next((device for device in here if device.name.casefold() == name.casefold()), None)
+
     def _plug(self, who: str, message: Plug, now: float) -> None:
         name = message.device
         plugged = self.devices.get(message.device)

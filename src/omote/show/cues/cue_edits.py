@@ -61,7 +61,7 @@ class EditContext:
 def put_cue(context: EditContext, message: wire.PutCue) -> CueBook:
     """A new cue, or one with other fields. context: what it begins from; message: says which, and what is given of
     it."""
-    names = ("number", "label", "note", "colour", "pre_wait", "post_wait", "goes_on", "skip")
+    names = ("number", "label", "note", "colour", "pre_wait", "post_wait", "goes_on", "skip", "actions")
     given = {name: value for name in names if (value := getattr(message, name)) is not None}
     if message.cue:
         cue = context.cue(message.cue)

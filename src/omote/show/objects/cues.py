@@ -8,10 +8,11 @@ from typing import Annotated, ClassVar, Literal
 import msgspec
 
 from omote.perform.cues.cue import LONGEST_TEXT, Cue, GoesOn
+from omote.perform.cues.cue_action import CueAction, SpokenLine
 from omote.perform.easing import DEFAULT_EASING
 from omote.perform.scene.character_names import ALL, names_in
 from omote.perform.scene.goals import Part, ranges_of, split_part
-from omote.show.declaration import CallId, ClientMessage, Name, Outgoing, Session
+from omote.show.declaration import SPEECH_LIMIT, CallId, ClientMessage, Name, Outgoing, Session
 from omote.show.objects.documents import Document
 from omote.show.osc import PRESS, Value, osc
 
@@ -71,6 +72,8 @@ class CueEdit(Document, frozen=True, omit_defaults=True):
 
 
 def _named_by(cue: Cue) -> Iterable[str]:
+    lines = [action.to for action in cue.actions if isinstance(action.meant, SpokenLine)]
+    yield from (character for character in lines if character != ALL)
     for part, move in cue.moves.items():
         character, name = split_part(part)
         if character != ALL:
@@ -218,7 +221,10 @@ class CueCommand(ClientMessage, frozen=True):
 
 class PutCue(CueCommand, frozen=True):
     """Writes a new cue, or changes what is given of the one of an identity (`cue`). `number`: "" for the next free one;
-    `after`: the identity of the cue that a new one comes behind, "" for where its number belongs."""
+    `actions`: all that it sends and has said; `after`: the identity of the cue that a new one comes behind, "" for
+    where its number belongs."""
+
+    longest = SPEECH_LIMIT
 
     id: CallId
     cue: OptionalIdentity = ""
@@ -230,6 +236,7 @@ class PutCue(CueCommand, frozen=True):
     post_wait: float | None = None
     goes_on: GoesOn | None = None
     skip: bool | None = None
+    actions: list[CueAction] | None = None
     after: OptionalIdentity = ""
     cue_list: ListName = ""
 
