@@ -110,6 +110,20 @@ def test_two_people_record_play_and_change_a_list(open_page: OpenPage) -> None:
     goal.fill("doll")
     goal.press("Enter")
     wait_until(page, f"{CUES}.list[1].moves['one/face'].goal.doll === 1")
+
+    # What it sends is checked where it is typed, and stands in the list.
+    adder = editor.locator("omote-cue-actions .add")
+    adder.get_by_label("Host:port").fill("10.0.0.2")
+    adder.get_by_label("Address and arguments").fill("/cue/12/start 1")
+    adder.get_by_label("Address and arguments").press("Enter")
+    expect(adder.get_by_role("alert")).to_contain_text("give a host and a port")
+    adder.get_by_label("Host:port").fill("127.0.0.1:9")
+    adder.get_by_label("Host:port").press("Enter")
+    wait_until(page, f"{CUES}.list[1].actions[0]?.what === '/cue/12/start 1'")
+    expect(adder.get_by_label("Address and arguments")).to_have_value("")
+    expect(page.locator("omote-cue-list")).to_contain_text("osc 127.0.0.1:9 /cue/12/start 1")
+    editor.get_by_label("Delete action 1").click()
+    wait_until(page, f"{CUES}.list[1].actions.length === 0")
     goal.press("Space")  # in a field it is a letter
     goal.press("Escape")
     page.keyboard.press("e")

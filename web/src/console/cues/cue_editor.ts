@@ -8,6 +8,7 @@ import type { Cue, Move } from "../../link/messages";
 import { base, flow } from "../../ui/theme";
 import { COLOURS, CueElement } from "./cue_element";
 import { secondsIn } from "./cue_field";
+import "./cue_actions";
 import "./cue_field";
 import { movedBehind } from "./cue_order";
 import type { CueTopic } from "./cue_store";
@@ -152,7 +153,9 @@ export class CueEditor extends CueElement {
       <h2>Moves</h2>
       ${Object.keys(cue.moves).length === 0 ? html`<p>It moves nothing yet.</p>` : nothing}
       ${Object.entries(cue.moves).map(([part, move]) => keyed(part, this.#move(cue, part, move)))}
-      ${this.#adder(cue)}`;
+      ${this.#adder(cue)}
+      <h2>Also does</h2>
+      <omote-cue-actions .cues=${this.cues} .cue=${cue}></omote-cue-actions>`;
   }
 
   #tools({ identity, number }: Cue) {

@@ -126,7 +126,7 @@ export class CueStore extends TopicStore<CueTopic> {
 
   /** What a cue is called, also one without a label. */
   titleOf({ identity, label }: CueName): string {
-    return titleWords(this.find(identity) ?? { label, moves: {} }, this.labels);
+    return titleWords(this.find(identity) ?? { label, moves: {}, actions: [] }, this.labels);
   }
 
   /** What people call each character. */
