@@ -107,8 +107,13 @@ def test_two_people_record_play_and_change_a_list(open_page: OpenPage) -> None:
     goal.fill("cat = 0.5")
     goal.press("Enter")
     expect(editor.get_by_role("alert")).to_contain_text("must sum to 1")
+    goal.fill("dgo")  # may come with another show file: it is marked, in the list too
+    goal.press("Enter")
+    expect(editor.locator("[data-part='one/face']")).to_contain_text("no face dgo")
+    expect(page.locator("omote-cue-list .missing")).to_have_text("⚠ no face dgo")
     goal.fill("doll")
     goal.press("Enter")
+    expect(page.locator("omote-cue-list .missing")).to_have_count(0)
     wait_until(page, f"{CUES}.list[1].moves['one/face'].goal.doll === 1")
 
     # What it sends is checked where it is typed, and stands in the list.

@@ -20,7 +20,16 @@ from omote.interchange.formats.cue_toml import (
 from omote.perform.cues.cue import Cue, CueList, Move
 from omote.perform.cues.cue_action import CueAction
 from omote.perform.easing import EASINGS
-from omote.perform.scene.goals import CHARACTER_PARTS, SCENE_PARTS, WITH_FACE, Goal, Part, expression_of, ranges_of
+from omote.perform.scene.goals import (
+    CHARACTER_PARTS,
+    SCENE_PARTS,
+    WITH_FACE,
+    Goal,
+    Part,
+    expression_of,
+    ranges_of,
+    takes_one_number,
+)
 
 times = st.floats(0.0, 3600.0)
 words = st.text(st.characters(exclude_categories=["Cs"]), max_size=20)
@@ -30,9 +39,16 @@ parts = st.one_of(
 )
 
 
+LOOKS: tuple[Goal, ...] = ({"character two": 1.0}, {"stage": 1.0}, {"x": 1.0, "y": 0.0, "z": 2.0})
+
+
 @st.composite
 def goals(draw: st.DrawFn, part: Part) -> Goal:
     ranges = ranges_of(part)
+    if part.endswith("/look"):
+        return draw(st.sampled_from(LOOKS))
+    if ranges is not None and takes_one_number(part) and draw(st.booleans()):
+        return dict.fromkeys(ranges, draw(st.floats(0.0, 1.0)))
     if ranges is not None:
         return {name: draw(st.floats(low, high)) for name, (low, high) in ranges.items()}
     if expression_of(part) and draw(st.booleans()):

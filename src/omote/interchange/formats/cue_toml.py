@@ -21,7 +21,7 @@ from omote.interchange.formats.atomic_file import write_whole
 from omote.interchange.formats.error_reasons import explain_error
 from omote.perform.cues.cue import Cue, CueList, Move, check_cues
 from omote.perform.cues.cue_action import CueAction, check_actions
-from omote.perform.scene.goals import WITH_FACE, Goal, Part, expression_of, ranges_of
+from omote.perform.scene.goals import WITH_FACE, Goal, Part, expression_of, ranges_of, takes_one_number
 
 CUE_FIELDS: Mapping[str, Field[Any]] = {
     each.name: each for each in fields(Cue) if each.name not in ("identity", "moves", "actions")
@@ -260,7 +260,7 @@ def _goal(part: Part, to: Any) -> Goal:
     ranges = ranges_of(part)
     if isinstance(to, str) and ranges is None:
         return WITH_FACE if to == FACE and expression_of(part) else {to: 1.0}
-    if isinstance(to, int | float) and ranges is not None and len(ranges) == 1:
+    if isinstance(to, int | float) and ranges is not None and takes_one_number(part):
         return dict.fromkeys(ranges, to)
     if isinstance(to, dict):
         return to
@@ -295,7 +295,7 @@ def _format_goal(part: Part, goal: Goal) -> str:
     if not goal:
         return _value(FACE)
     name, value = next(iter(goal.items()))
-    if len(goal) == 1 and ranges_of(part) is not None:
+    if takes_one_number(part) and set(goal.values()) == {value}:
         return _value(value)
     if goal == {name: 1.0} and ranges_of(part) is None and not (name == FACE and expression_of(part)):
         return _value(name)

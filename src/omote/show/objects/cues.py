@@ -12,6 +12,7 @@ from omote.perform.cues.cue_action import CueAction, SpokenLine
 from omote.perform.easing import DEFAULT_EASING
 from omote.perform.scene.character_names import ALL, names_in
 from omote.perform.scene.goals import Part, ranges_of, split_part
+from omote.perform.scene.look_goals import name_in
 from omote.show.declaration import SPEECH_LIMIT, CallId, ClientMessage, Name, Outgoing, Session
 from omote.show.objects.documents import Document
 from omote.show.osc import PRESS, Value, osc
@@ -80,6 +81,8 @@ def _named_by(cue: Cue) -> Iterable[str]:
             yield character
         if name == "framing":
             yield from (each for framing in move.goal for each in names_in(framing))
+        elif name == "look":
+            yield from [looked] if (looked := name_in(dict(move.goal))) else []
         elif ranges_of(part) is None and name != "light":
             yield from move.goal
 
