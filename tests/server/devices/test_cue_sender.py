@@ -103,6 +103,6 @@ async def test_midi_goes_to_the_page_that_has_the_device(show_harness: ShowHarne
     sender.go("g3")
     bytes_sent = [(who, decode_answer(data)) for who, data in sender.sent]
     assert [pair for pair in bytes_sent if isinstance(pair[1], DeviceBytes)] == [
-        ("ana", DeviceBytes("Pad", b"\x90\x3c\x7f"))
+        ("ana", DeviceBytes("Pad", b"\x90\x3c\x7f", cue=True))
     ]
     await sender.sender.close()

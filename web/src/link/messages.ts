@@ -509,8 +509,11 @@ export type InputLine = {
 /** What came in last, the oldest first, at most two hundred lines: complete, to pages that watch devices. */
 export type InputLog = { type: "input_log"; lines: InputLine[] };
 
-/** What a device is to be sent (MIDI): to the page that has it. */
-export type DeviceBytes = { type: "device_bytes"; device: string; data: Uint8Array };
+/**
+ * What a device is to be sent (MIDI): to the page that has it. `cue`: a cue sends it, so the page says where it
+ * does not arrive.
+ */
+export type DeviceBytes = { type: "device_bytes"; device: string; data: Uint8Array; cue: boolean };
 
 /** The weight of one channel (a blendshape weight; any expression's name), -0.5..1.5. */
 export type SetChannel = { type: "set_channel"; character: string; name: string; value: number };

@@ -97,7 +97,8 @@ def first_goal(part: Part) -> Goal | None:
     if name == "look":
         return AHEAD
     if name.startswith(LAYER):
-        return dict(DEFAULT_SETTINGS[check_layer(name.removeprefix(LAYER))].influence)
+        influence = DEFAULT_SETTINGS[check_layer(name.removeprefix(LAYER))].influence
+        return {str(region): value for region, value in influence.items()}
     return None
 
 

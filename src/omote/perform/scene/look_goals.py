@@ -19,9 +19,9 @@ def goal_of_target(target: GazeTarget) -> dict[str, float]:
 
 def target_of_goal(goal: dict[str, float]) -> GazeTarget:
     """The target of a goal; ValueError, TypeError where eyes cannot look there."""
-    for kind, numbers in NUMBERED.items():
+    for numbered, numbers in NUMBERED.items():
         if goal.keys() == {*numbers}:
-            return GazeTarget(kind, **goal)  # type: ignore[arg-type]
+            return GazeTarget(numbered, **goal)  # type: ignore[arg-type]
     written = next(iter(goal), "")
     kind, _, name = written.partition(" ")
     kinds = {"stage": True, "character": name != "", "gaze_point": name != "", "ahead": name == ""}

@@ -198,7 +198,8 @@ class SceneCharacter(Performer):
             return {each: getattr(self.motion, each) for each in MOTION_LIMITS}
         if name == "look":
             return goal_of_target(self.motion.target)
-        return dict(self._begun_layers().settings[check_layer(name.removeprefix(LAYER))].influence)
+        influence = self._begun_layers().settings[check_layer(name.removeprefix(LAYER))].influence
+        return {str(region): value for region, value in influence.items()}
 
     def _way_of(self, part: str) -> Mapping[str, float]:
         """Where head or gaze go."""

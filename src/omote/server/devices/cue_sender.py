@@ -135,7 +135,7 @@ class CueSender(DeviceSource):
             self._absent.add(send.device)
             return
         self._absent.discard(send.device)
-        self._send(device.who, encode(DeviceBytes(device.name, send.data)))
+        self._send(device.who, encode(DeviceBytes(device.name, send.data, cue=True)))
 
     async def close(self) -> None:
         """Closes all sockets."""

@@ -114,7 +114,7 @@ async def start_devices(
     sources = tuple(started)
     devices = PageDevices(
         opening.session, bindings, commands, LineLog(_wall() - server.clock()),
-        lambda: [probe for source in sources for probe in source.probes], switches,
+        lambda: [probe for source in sources for probe in source.probes], switches, options.show_control,
     )  # fmt: skip
     answer = server.links.answer
     started.append(CueSender(opening.session, devices, answer, server.tell_crew))
