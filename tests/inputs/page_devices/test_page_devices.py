@@ -320,6 +320,23 @@ def test_a_stage_has_no_devices(room: Room) -> None:
     assert room.session.take_device_messages() == []
 
 
+def test_a_button_of_a_gamepad_presses_go_and_another_calls_a_cue(room: Room) -> None:
+    for number in ("1", "2", "7"):
+        room.session.receive("a", PutCue(f"p{number}", number=number), room.now)
+    room.say("a", Plug("Xbox pad", "gamepad"))
+    room.say("a", Bind("b1", BindingDocument("Xbox pad", "button0", "/omote/go")))
+    room.say("a", Bind("b2", BindingDocument("Xbox pad", "button1", "/omote/go", arguments=["7"])))
+    called = []
+    for values in ({"button0": 1.0}, {"button0": 0.0}, {"button0": 1.0}, {"button1": 1.0}):
+        room.now += 1.0
+        room.say("a", Controls("Xbox pad", values))
+        room.tick()
+        status = room.session.cues.status(room.now)
+        assert status is not None
+        called.append(status.lists["main"].current.number)  # type: ignore[union-attr]
+    assert called == ["1", "1", "2", "7"]
+
+
 CONTROLS = st.binary(max_size=9).map(lambda data: b"\xf0\x7f\x7f\x02" + bytes(byte & 0x7F for byte in data) + b"\xf7")
 
 
