@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
-from typing import Annotated, ClassVar, Literal
+from collections.abc import Callable, Iterable, Sequence
+from typing import Annotated, Any, ClassVar, Literal
 
 import msgspec
 
@@ -15,7 +15,7 @@ from omote.perform.scene.goals import Part, ranges_of, split_part
 from omote.perform.scene.look_goals import name_in
 from omote.show.declaration import SPEECH_LIMIT, CallId, ClientMessage, Name, Outgoing, Session
 from omote.show.objects.documents import Document
-from omote.show.osc import PRESS, Value, osc
+from omote.show.osc import PRESS, Argument, Osc, Value, osc
 
 CueNumber = Annotated[str, msgspec.Meta(max_length=9), Value("cue", name="cue")]
 StandbyNumber = Annotated[str, msgspec.Meta(max_length=9), Value("cue", default="", name="cue")]
@@ -90,6 +90,18 @@ def _named_by(cue: Cue) -> Iterable[str]:
 # --- what plays them ---
 
 
+def _of_cues(read: Callable[[CueStatus], Argument]) -> dict[str, Any]:
+    """What surfaces are told of the cues, once there is a list. read: the value of it."""
+    return {
+        "on_air": lambda state: () if state.cues is None else (read(state.cues),),
+        "reported": lambda state: () if state.cues is None else ((),),
+    }
+
+
+def _number_of(cue: CueName | None) -> str:
+    return "" if cue is None else cue.number
+
+
 class CuePlay(ClientMessage, frozen=True):
     """What plays cues: who does holds `cues`, where leases are on."""
 
@@ -105,7 +117,15 @@ class Go(CuePlay, frozen=True):
     `cue_list`: of several lists; "" for the one that is chosen."""
 
     method = "go"
-    osc = (osc("go", "calls the cue that stands by, or that of a number", "cue", of_show=True),)
+    osc = (
+        Osc(
+            "go",
+            "calls the cue that stands by, or that of a number; told: the number of the one that was called last",
+            ("cue",),
+            of_show=True,
+            **_of_cues(lambda cues: _number_of(cues.lists[cues.chosen].current)),
+        ),
+    )
 
     id: CallId
     cue: StandbyNumber = ""
@@ -166,7 +186,15 @@ class AssertLook(CuePlay, frozen=True):
 class SetStandby(CuePlay, frozen=True):
     """Has another cue stand by; nothing moves."""
 
-    osc = (osc("standby", "has another cue stand by; nothing moves", "cue", of_show=True),)
+    osc = (
+        Osc(
+            "standby",
+            "has another cue stand by; nothing moves",
+            ("cue",),
+            of_show=True,
+            **_of_cues(lambda cues: _number_of(cues.lists[cues.chosen].standby)),
+        ),
+    )
 
     id: CallId
     cue: CueNumber
@@ -182,7 +210,15 @@ class PauseCues(CuePlay, frozen=True):
     """Pauses the cues of all lists, or lets them go on: their waits, what follows, and what they have called comes to a
     stand in .2 s. Hands, trackers and what moves by itself go on."""
 
-    osc = (osc("pause", "pauses the cues (1), or lets them go on (0)", "on", of_show=True),)
+    osc = (
+        Osc(
+            "pause",
+            "pauses the cues (1), or lets them go on (0)",
+            ("on",),
+            of_show=True,
+            **_of_cues(lambda cues: float(cues.rate < 1.0)),
+        ),
+    )
 
     id: CallId
     on: Annotated[bool, Value("switch", default=1.0)] = True
@@ -196,7 +232,15 @@ class PauseCues(CuePlay, frozen=True):
 class ChooseCueList(CuePlay, frozen=True):
     """Chooses the list that is meant where a message names none."""
 
-    osc = (osc("cue_list", "chooses the list of cues that GO plays", "cue_list", of_show=True),)
+    osc = (
+        Osc(
+            "cue_list",
+            "chooses the list of cues that GO plays",
+            ("cue_list",),
+            of_show=True,
+            **_of_cues(lambda cues: cues.chosen),
+        ),
+    )
 
     id: CallId
     cue_list: Annotated[Name, Value("text")]
