@@ -179,8 +179,9 @@ interface Marks {
 
 /** Waits, and what goes on by itself. */
 function timesOf(cue: Cue) {
-  const { pre_wait, moves } = cue;
-  const seconds = Math.max(0, ...Object.values(moves).map((move) => move.seconds + move.delay));
+  const { pre_wait, moves, actions } = cue;
+  const ends = Object.values(moves).map((move) => move.seconds + move.delay);
+  const seconds = Math.max(0, ...ends, ...actions.map(({ delay }) => delay));
   return html`<span>${pre_wait > 0 ? `after ${pre_wait} s, ` : ""}${seconds} s</span>${
     cue.goes_on === "" ? nothing : html`<b>↓ ${goesOnWords(cue)}</b>`
   }`;

@@ -149,7 +149,8 @@ export class CuesPage extends CueElement {
   }
 
   #obeyEditing(command: CueCommand, edited: string): void {
-    if (command === "move_up" || command === "move_down") this.rows?.move(edited, command === "move_up" ? -1 : 1);
+    if (command === "update") this.cues.change({ type: "update_cue", cue: edited, cue_list: this.cues.name });
+    else if (command === "move_up" || command === "move_down") this.rows?.move(edited, command === "move_up" ? -1 : 1);
     else if (command === "edit_before" || command === "edit_behind") {
       const beside = cueBeside(this.cues.list, edited, command === "edit_before" ? -1 : 1);
       if (beside !== null) this.cues.edit(beside.identity);
