@@ -127,6 +127,7 @@ def test_two_people_record_play_and_change_a_list(open_page: OpenPage) -> None:
     wait_until(page, f"{CUES}.list[1].actions[0]?.what === '/cue/12/start 1'")
     expect(adder.get_by_label("Address and arguments")).to_have_value("")
     expect(page.locator("omote-cue-list")).to_contain_text("osc 127.0.0.1:9 /cue/12/start 1")
+    expect(page.locator("omote-cue-list .does")).to_have_text("⇢ osc")
     editor.get_by_label("Delete action 1").click()
     wait_until(page, f"{CUES}.list[1].actions.length === 0")
     goal.press("Space")  # in a field it is a letter

@@ -57,7 +57,8 @@ const style = css`
     min-height: var(--finger, 34px);
     color: var(--text);
   }
-  .wide {
+  .wide,
+  .delay {
     grid-column: span 2;
   }
 `;
@@ -100,7 +101,7 @@ export class CueActions extends CueElement {
       <button class="away" aria-label="Delete action ${place + 1}" title="Delete this action"
         @click=${() => this.#put(this.#actions.filter((_, at) => at !== place))}>✕</button>
       ${field("to", to)}${field("what", what)}
-      <omote-cue-field label="Delay" kind="number" .value=${String(action.delay)}
+      <omote-cue-field class="delay" label="Delay" kind="number" .value=${String(action.delay)}
         .save=${(text: string, failed: Failed) => put({ delay: secondsIn(text) }, failed)}></omote-cue-field>
       ${action.does === "say" ? field("voice", "Voice; none: lips alone", "wide") : nothing}
     </div>`;

@@ -183,6 +183,8 @@ function timesOf(cue: Cue) {
   const ends = Object.values(moves).map((move) => move.seconds + move.delay);
   const seconds = Math.max(0, ...ends, ...actions.map(({ delay }) => delay));
   return html`<span>${pre_wait > 0 ? `after ${pre_wait} s, ` : ""}${seconds} s</span>${
-    cue.goes_on === "" ? nothing : html`<b>↓ ${goesOnWords(cue)}</b>`
-  }`;
+    actions.length === 0
+      ? nothing
+      : html`<span class="does">⇢ ${[...new Set(actions.map(({ does }) => does))].join(", ")}</span>`
+  }${cue.goes_on === "" ? nothing : html`<b>↓ ${goesOnWords(cue)}</b>`}`;
 }
