@@ -13,7 +13,7 @@ FORMS = (0x01, 0x30, 0x40, ALL_TYPES)
 
 
 def is_meant(control: ShowControl, device: int) -> bool:
-    """Whether a message is for the show of a device's number, or for all."""
+    """Whether a message is for the show or for all. control: the message; device: the number of the show."""
     return control.device in (device, ALL_DEVICES) and control.form in FORMS
 
 

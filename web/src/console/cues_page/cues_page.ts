@@ -3,11 +3,12 @@
 import { html, nothing } from "lit";
 import { customElement, property, query, state } from "lit/decorators.js";
 import { keyed } from "lit/directives/keyed.js";
+import { pressed } from "../../ui/gestures";
 import { listenToKeys } from "../../ui/key_presses";
 import { base, palette, toolPage } from "../../ui/theme";
 import type { Thumbnails } from "../../ui/thumbnails";
 import { hearWhileShown, whileShown } from "../../ui/topic_element";
-import { CueElement, pressed, warning } from "../cues/cue_element";
+import { CueElement, warning } from "../cues/cue_element";
 import type { CueFormKind } from "../cues/cue_forms";
 import { type CueCommand, cueCommandOf } from "../cues/cue_keys";
 import type { CueListView } from "../cues/cue_list";

@@ -3,9 +3,9 @@
 import { css, html, nothing } from "lit";
 import { customElement, property } from "lit/decorators.js";
 import type { CueListStatus, CueName } from "../../link/messages";
+import { pressed } from "../../ui/gestures";
 import { base, ellipsis } from "../../ui/theme";
 import { ConsoleElement } from "../controls/console_element";
-import { pressed } from "../cues/cue_element";
 import type { Topic } from "../store/page_store";
 
 const style = css`
