@@ -90,6 +90,8 @@ def wrong_calls(cast: omote.Cast) -> dict[tuple[str, type[Exception]], Callable[
         ("Move", TypeError): lambda: omote.Move({}, seconds=words),
         ("Cue", ValueError): lambda: omote.Cue("a", "1.10"),
         ("Cue", TypeError): lambda: omote.Cue("a", "1", pre_wait=words),
+        ("CueAction", ValueError): lambda: omote.CueAction("osc", "nowhere", "/go"),
+        ("CueAction", TypeError): lambda: omote.CueAction("say", "one", "Ho", delay=words),
         ("CuePlayer", ValueError): lambda: omote.CuePlayer(scene, [omote.Cue("a", "1"), omote.Cue("b", "1")]),
         ("CuePlayer.go", ValueError): player.go,
         ("CuePlayer.go_to", ValueError): lambda: player.go_to("7"),

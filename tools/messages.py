@@ -34,6 +34,7 @@ from omote.model.space.eye_socket import FAR, NEAR
 from omote.model.space.gain import LEAST_GAIN, MOST_GAIN, NEUTRAL_GAINS
 from omote.model.space.lid_lip_lines import RUNGS
 from omote.perform.cues.cue import Cue, Move
+from omote.perform.cues.cue_action import CueAction
 from omote.perform.easing import DEFAULT_EASING, EASINGS
 from omote.perform.layers.layer_names import DEFAULT_SETTINGS, DRIVEN, LAYER_PARTS, LAYERS
 from omote.perform.layers.source_frame import SPEECH
@@ -51,7 +52,7 @@ FOLDER = Path(__file__).parent.parent / "web" / "src" / "link"
 HEAD = "// Written by tools/messages.py from {}. Do not edit: run `python tools/messages.py`.\n"
 WIDTH = 120
 """Characters of a line, as the web's formatter has it."""
-VALUES = (Move, Cue)
+VALUES = (Move, CueAction, Cue)
 """Values of the engine that travel as they are."""
 PLAIN = {float: "number", int: "number", str: "string", bool: "boolean", bytes: "Uint8Array", type(None): "null"}
 
@@ -65,7 +66,7 @@ def type_script(annotation: object) -> str:
     return _generic(typing.get_origin(annotation), typing.get_args(annotation), annotation)
 
 
-def value_type(value: type[Move | Cue]) -> str:
+def value_type(value: type[Move | CueAction | Cue]) -> str:
     """One exported type of a value of the engine, with the first line of its docstring as its comment."""
     hints = typing.get_type_hints(value)
     fields = "".join(f"  {each.name}: {type_script(hints[each.name])};\n" for each in dataclasses.fields(value))

@@ -37,6 +37,7 @@ if TYPE_CHECKING:
     from omote.perform.blending.evaluate import evaluate_parts as evaluate_parts
     from omote.perform.cues.cue import Cue as Cue
     from omote.perform.cues.cue import Move as Move
+    from omote.perform.cues.cue_action import CueAction as CueAction
     from omote.perform.cues.cue_player import CuePlayer as CuePlayer
     from omote.perform.performer import Performer as Performer
     from omote.perform.scene.scene import Scene as Scene
@@ -55,6 +56,7 @@ _HOMES = {
     "Cast": "omote.model.cast",
     "ControlNet": "omote.model.controls.control_net",
     "Cue": "omote.perform.cues.cue",
+    "CueAction": "omote.perform.cues.cue_action",
     "CuePlayer": "omote.perform.cues.cue_player",
     "Expression": "omote.model.space.expression",
     "ExtractedExpression": "omote.model.extraction.extracted_expression",

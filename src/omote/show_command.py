@@ -94,6 +94,12 @@ def show(
         str,
         typer.Option(metavar="RECEIVERS", help="Where the face on air is sent: vmc:HOST:PORT,livelink:HOST,osc:HOST."),
     ] = "",
+    show_control: Annotated[
+        int,
+        typer.Option(
+            metavar="DEVICE", min=0, max=111, help="The device that this show is for MIDI Show Control; 127 means all."
+        ),
+    ] = 0,
     allow: Annotated[
         str,
         typer.Option(metavar="NETWORKS", help="Who may send beside this machine: 192.168.1.0/24,10.0.0.7 or any."),
@@ -119,7 +125,7 @@ def show(
     from omote.server.process.terminal_relay import relay_terminal
     from omote.server.supervision.supervisor import PROGRAM, Supervisor
 
-    options = read_options(sacn, bindings, allow, listen, send)
+    options = replace(read_options(sacn, bindings, allow, listen, send), show_control=show_control)
     embedders = read_embedders(embed or [])
     tls = open_certificate(host, certificate, key, made=https)
     devices = open_devices(host, osc, options, OFF if artnet is None else artnet)

@@ -107,9 +107,29 @@ def test_two_people_record_play_and_change_a_list(open_page: OpenPage) -> None:
     goal.fill("cat = 0.5")
     goal.press("Enter")
     expect(editor.get_by_role("alert")).to_contain_text("must sum to 1")
+    goal.fill("dgo")  # may come with another show file: it is marked, in the list too
+    goal.press("Enter")
+    expect(editor.locator("[data-part='one/face']")).to_contain_text("no face dgo")
+    expect(page.locator("omote-cue-list .missing")).to_have_text("⚠ no face dgo")
     goal.fill("doll")
     goal.press("Enter")
+    expect(page.locator("omote-cue-list .missing")).to_have_count(0)
     wait_until(page, f"{CUES}.list[1].moves['one/face'].goal.doll === 1")
+
+    # What it sends is checked where it is typed, and stands in the list.
+    adder = editor.locator("omote-cue-actions .add")
+    adder.get_by_label("Host:port").fill("10.0.0.2")
+    adder.get_by_label("Address and arguments").fill("/cue/12/start 1")
+    adder.get_by_label("Address and arguments").press("Enter")
+    expect(adder.get_by_role("alert")).to_contain_text("give a host and a port")
+    adder.get_by_label("Host:port").fill("127.0.0.1:9")
+    adder.get_by_label("Host:port").press("Enter")
+    wait_until(page, f"{CUES}.list[1].actions[0]?.what === '/cue/12/start 1'")
+    expect(adder.get_by_label("Address and arguments")).to_have_value("")
+    expect(page.locator("omote-cue-list")).to_contain_text("osc 127.0.0.1:9 /cue/12/start 1")
+    expect(page.locator("omote-cue-list .does")).to_have_text("⇢ osc")
+    editor.get_by_label("Delete action 1").click()
+    wait_until(page, f"{CUES}.list[1].actions.length === 0")
     goal.press("Space")  # in a field it is a letter
     goal.press("Escape")
     page.keyboard.press("e")
@@ -149,6 +169,33 @@ def test_two_people_record_play_and_change_a_list(open_page: OpenPage) -> None:
     other.keyboard.press("e")
     other.get_by_role("button", name="Undo: move cue 2.5").click()
     wait_until(page, f"{NUMBERS} === '1,2.5'", told=NUMBERS)
+
+    # A cue is dragged by its handle; Update and Assert have keys.
+    page.locator("omote-cue-list li", has_text="The dog").get_by_label("Drag cue 1").hover()
+    page.mouse.down()
+    below = page.locator("omote-cue-list li", has_text="The cat").bounding_box()
+    assert below is not None
+    page.mouse.move(below["x"] + 20, below["y"] + below["height"] - 2, steps=4)
+    page.mouse.up()
+    wait_until(other, f"{NUMBERS} === '2.5,1'", told=NUMBERS)
+    other.get_by_role("button", name="Undo: move cue 1").click()
+    wait_until(page, f"{NUMBERS} === '1,2.5'", told=NUMBERS)
+    page.locator("omote-cue-list li", has_text="The dog").click()
+    call(page, {"type": "call_face", "character": "one", "name": "old", "seconds": 0, "easing": "smooth"})
+    wait_until(page, f"{ONE}.faces.old === 1")
+    page.keyboard.press("u")
+    wait_until(page, f"{CUES}.list[0].moves['one/face'].goal.old === 1")
+    other.get_by_role("button", name="Undo: update cue 1").click()
+    wait_until(page, f"{CUES}.list[0].moves['one/face'].goal.dog === 1")
+    page.keyboard.press("a")
+    wait_until(page, f"{ONE}.faces.dog === 1", told=f"{ONE}.faces")
+
+    # A list is renamed, and goes on as it was.
+    page.get_by_role("button", name="Rename").click()
+    form.get_by_role("textbox", name="Name").fill("evening")
+    form.get_by_role("button", name="Rename").click()
+    wait_until(other, f"{CUES}.name === 'evening' && {STANDBY} === '1'", told=f"{CUES}.name")
+    page.keyboard.press("Escape")
 
     # Also the last cue that is deleted comes back.
     for each in page.evaluate(f"{CUES}.list.map((cue) => cue.identity)"):
@@ -191,3 +238,34 @@ def test_nothing_is_cut_on_any_screen(open_page: OpenPage, view: str, width: int
         page.keyboard.press("e")
         expect(page.locator("omote-cue-editor .closer")).to_be_visible()
         assert page.evaluate(CUT) == []
+
+
+@pytest.mark.parametrize(("width", "height"), [(1440, 900), (1024, 768)])
+def test_the_console_shows_the_cues_and_presses_go(open_page: OpenPage, width: int, height: int) -> None:
+    """GO of the console's bar bears the number that it plays; its key is beside the digits; PANIC keeps its place."""
+    cues = cue_page(open_page)
+    for number, label in (("801", "Everybody leaves but the dog"), ("802", "Night")):
+        if number not in cues.evaluate(NUMBERS).split(","):
+            call(cues, {"type": "put_cue", "number": number, "label": label})
+            wait_until(cues, f"{NUMBERS}.split(',').includes({number!r})")
+    call(cues, {"type": "set_standby", "cue": "801"})
+    stands_by(cues, "801")
+    touch = {"has_touch": True} if width < 1100 else {}
+    page = open_page("/console", pictures=False, width=width, height=height, **touch)
+    bar = page.locator("omote-status")
+    go = bar.locator("omote-cue-line button")
+    expect(go).to_have_text("GO 801")
+    panic = bar.locator(".panic").last.bounding_box()
+    box = go.bounding_box()
+    assert panic is not None
+    assert box is not None
+    assert panic["x"] + panic["width"] <= width
+    assert box["x"] + box["width"] <= panic["x"]
+    assert bar.evaluate("(each) => each.scrollWidth <= each.clientWidth")
+    page.keyboard.press("Backquote")
+    wait_until(cues, f"{CUES}.way.current?.number === '801'")
+    expect(go).to_have_text("GO 802")
+    stands_by(cues, "802")
+    go.click()
+    wait_until(cues, f"{CUES}.way.current?.number === '802'")
+    expect(go).to_have_text("GO ")

@@ -5,6 +5,7 @@ import pytest
 
 from omote.inputs.midi_stream import MidiDecoder
 from omote.inputs.reading import Reading
+from omote.perform.cues.show_control import ShowControl
 
 
 def read(data: bytes) -> list[tuple[str, float, bool]]:
@@ -33,6 +34,23 @@ def read(data: bytes) -> list[tuple[str, float, bool]]:
 )
 def test_messages_become_readings(data: str, expected: list[tuple[str, float, bool]]) -> None:
     assert read(bytes.fromhex(data)) == expected
+
+
+def test_show_control_is_heard_however_it_is_cut_and_no_other_system_message() -> None:
+    go = bytes.fromhex("F0 7F 7F 02 01 01 31 32 2E 35 F7")
+    for cut in range(len(go)):
+        decoder = MidiDecoder("desk")
+        assert decoder.feed(b"\x90\x3c" + go[:cut]) + decoder.feed(b"\xf8" + go[cut:] + b"\xf0\x41\x10\xf7") == []
+        assert [*decoder.show_control] == [ShowControl("go", number="12.5")]
+        assert decoder.rejected == 1  # the note that was cut short
+    for other in (go[:-1] + b"\x90\x3c\x7f", go[:3] + bytes(300) + b"\xf7", b"\xf0\xf7"):
+        decoder = MidiDecoder("desk")
+        decoder.feed(other)
+        assert not decoder.show_control
+    decoder = MidiDecoder("desk")
+    decoder.feed(bytes.fromhex("F0 7F 7F 02 01 01 41 F7"))
+    (said,) = decoder.show_control
+    assert str(said) == "the cue of a MIDI Show Control go is b'A'; expected digits and points"
 
 
 def wholes(data: bytes, decoder: MidiDecoder | None = None) -> list[float]:

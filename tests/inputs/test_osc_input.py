@@ -21,6 +21,7 @@ from omote.inputs.osc_packet import Argument, OscMessage, decode_packet, encode_
 from omote.show.messages import PROTOCOL_VERSION
 from omote.show.objects.calls import Panic
 from omote.show.objects.characters import AddCharacter
+from omote.show.objects.cues import Go, PauseCues, PutCue
 from omote.show.objects.faders import Hands, SetChannel
 from omote.show.objects.leases import Lease, SetLeases
 from omote.show.objects.link import Hello
@@ -51,6 +52,24 @@ def send(osc: OscInput) -> Send:
 def told(news: list[tuple[Endpoint, bytes]], place: Endpoint = DESK) -> dict[str, tuple[Argument, ...]]:
     messages = [message for to, packet in news if to == place for message in decode_packet(packet)]
     return {message.address: message.arguments for message in messages}
+
+
+def test_a_surface_is_told_which_cue_was_called_which_stands_by_and_that_cues_are_paused(
+    session: ShowSession, osc: OscInput, send: Send
+) -> None:
+    """What colours the buttons of a Stream Deck; a show without cues tells nothing of them."""
+    session.receive("a", Hello("console", PROTOCOL_VERSION, "Ana"), 0.0)
+    send("/omote/subscribe")
+    assert not {"/omote/go", "/omote/standby", "/omote/pause"} & told(osc.news(session.tick(0.1), 0.1)).keys()
+    for number in ("1", "12.5"):
+        session.receive("a", PutCue(f"p{number}", number=number), 0.2)
+    news = told(osc.news(session.tick(0.2), 0.2))
+    cues = {"/omote/go": ("",), "/omote/standby": ("1",), "/omote/pause": (0.0,), "/omote/cue_list": ("main",)}
+    assert cues.items() <= news.items()
+    session.receive("a", Go("g1"), 0.3)
+    assert told(osc.news(session.tick(0.4), 0.4)) == {"/omote/go": ("1",), "/omote/standby": ("12.5",)}
+    session.receive("a", PauseCues("g2"), 0.5)
+    assert told(osc.news(session.tick(0.6), 0.6)) == {"/omote/pause": (1.0,)}
 
 
 def test_a_sender_plays_and_consoles_see_whose_hand_it_is(session: ShowSession, send: Send) -> None:

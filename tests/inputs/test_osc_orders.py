@@ -215,12 +215,14 @@ def test_a_cue_is_numbered_by_text_or_by_a_number(argument: Argument, cue: str) 
 
 
 def test_a_button_plays_go_once_and_a_cue_whose_number_must_be_named_is_no_button() -> None:
-    assert orders("/omote/go") == orders("/omote/go", 1.0) == (Go("c1"),)
-    assert orders("/omote/go", 0.0) == ()
+    assert orders("/omote/go") == orders("/omote/go", 1.0) == orders("/omote/go", True) == (Go("c1"),)
+    assert orders("/omote/go", 0.0) == orders("/omote/go", False) == ()
     assert orders("/omote/standby", 1.0) == (SetStandby("c1", "1"),)
-    for argument in ("1.2.3", -1, True, b"1"):
+    for argument in ("1.2.3", -1, b"1"):
         with pytest.raises(OscError, match="a cue cannot be numbered"):
             orders("/omote/go", argument)
+    with pytest.raises(OscError, match="a cue cannot be numbered 'True'"):
+        orders("/omote/standby", True)
 
 
 def test_a_reader_says_the_same_each_time() -> None:

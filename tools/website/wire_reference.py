@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import dataclasses
 import inspect
 import re
 import types
@@ -27,7 +28,7 @@ Messages are [MessagePack](https://msgpack.org) maps in binary WebSocket frames;
 | `{show.LINK_PATH}` | stages and consoles | `hello` with version {show.PROTOCOL_VERSION} | {MESSAGE_LIMIT} bytes |
 | `{editing.EDITING_PATH}` | editors | `greet` with version {editing.EDITING_VERSION} | {editing.EDITING_LIMIT} bytes |
 
-A `say` may have {SPEECH_LIMIT} bytes.
+A `say` and a `put_cue` may have {SPEECH_LIMIT} bytes.
 
 A state comes {show.STATE_RATE:g} times a second, complete and absolute: any may be lost. A message that cannot be
 obeyed is answered with `refused` and the reason, and changes nothing. Numbers are checked where they are used: a value
@@ -94,10 +95,17 @@ def _described(annotation: object) -> str:
         return f"{len(arguments)} of {_described(arguments[0])}"
     if origin is dict:
         return f"{_described(arguments[1])} by name"
+    return PLAIN.get(typing.cast(type, annotation)) or _named(annotation)
+
+
+def _named(annotation: object) -> str:
+    """A struct by a link to it, a value of the engine by its fields."""
     if isinstance(annotation, type) and issubclass(annotation, msgspec.Struct):
         tag = annotation.__struct_config__.tag
         return f"[{annotation.__name__}](#{_anchor(str(tag or annotation.__name__))})"
-    return PLAIN.get(typing.cast(type, annotation)) or _unknown(annotation)
+    if dataclasses.is_dataclass(annotation):
+        return "map of " + ", ".join(f"`{each.name}`" for each in dataclasses.fields(annotation))
+    return _unknown(annotation)
 
 
 def _unknown(annotation: object) -> typing.NoReturn:

@@ -1,14 +1,16 @@
 """Decodes a stream of MIDI 1.0 into readings: controllers of 7 and 14 bits, notes, pitch bend, pressure, programs.
 
-Real-time bytes may stand within any message; system messages are passed over. NRPN is not read: its four controllers
-in a row are told from plain ones by their order alone, and a control surface sends plain ones.
+Real-time bytes may stand within any message; of system messages MIDI Show Control alone is read. NRPN is not read: its
+four controllers in a row are told from plain ones by their order alone, and a control surface sends plain ones.
 """
 
 from __future__ import annotations
 
+from collections import deque
 from collections.abc import Callable
 
 from omote.inputs.reading import Reading
+from omote.perform.cues.show_control import END, LONGEST, ShowControl, decode_show_control
 
 STATUS = 0x80
 REAL_TIME = 0xF8
@@ -23,20 +25,24 @@ FINE = 32
 PAIRED = 3
 """Times in a row that a fine part must come right behind its controller until the two are taken for one control of
 14 bits: most desks have plain keys and dials at both numbers."""
+MOST_CONTROLS = 16
+"""Messages of MIDI Show Control of one time."""
 HIGHEST_7 = 127.0
 HIGHEST_14 = 16383.0
 
 
 class MidiDecoder:
     """Bytes of one device as they come, cut anywhere. is_bound: whether somebody has bound a control of 14 bits, which
-    is then known to be one. rejected: bytes that belong to no message."""
+    is then known to be one. rejected: bytes that belong to no message. show_control: what has come of MIDI Show Control
+    and was not taken, the newest; what of it has no cue's number is a sentence."""
 
     def __init__(self, device: str, is_bound: Callable[[str], bool] = lambda _: False) -> None:
         self._device = device
         self._is_bound = is_bound
         self._status = 0
         self._data: list[int] = []
-        self._in_system = False
+        self._system: bytearray | None = None
+        self.show_control: deque[ShowControl | str] = deque(maxlen=MOST_CONTROLS)
         self._coarse: dict[tuple[int, int], int] = {}
         self._paired: dict[tuple[int, int], int] = {}
         self._before: tuple[int, int] | None = None  # the controller of the last message
@@ -58,11 +64,15 @@ class MidiDecoder:
     def _begin(self, status: int) -> None:
         self.rejected += len(self._data)  # of a message that is cut short
         self._data = []
-        self._in_system = status == SYSTEM
+        if status == END_OF_SYSTEM and self._system is not None:
+            self._read_system(bytes(self._system) + END)
+        self._system = bytearray([SYSTEM]) if status == SYSTEM else None
         self._status = 0 if status in (SYSTEM, END_OF_SYSTEM) else status
 
     def _add(self, byte: int) -> list[Reading]:
-        if self._in_system:
+        if self._system is not None:
+            if len(self._system) < LONGEST:
+                self._system.append(byte)
             return []
         kind = self._status & 0xF0 if self._status < SYSTEM else self._status
         length = LENGTHS.get(kind) or SYSTEM_LENGTHS.get(kind, 0)
@@ -80,6 +90,17 @@ class MidiDecoder:
             self._status = 0
             return []
         return self._read(kind, (self._status & 0xF) + 1, message)
+
+    def _read_system(self, data: bytes) -> None:
+        """Notes a message of MIDI Show Control; every other system message is passed over."""
+        try:
+            control = decode_show_control(data)
+        except ValueError as error:
+            self.rejected += 1
+            self.show_control.append(str(error))
+            return
+        if control is not None:
+            self.show_control.append(control)
 
     def _read(self, kind: int, channel: int, message: list[int]) -> list[Reading]:
         first = message[0]

@@ -12,6 +12,7 @@ from omote.inputs.osc_orders import OrderReader
 from omote.inputs.osc_packet import Argument, OscError, OscMessage, decode_packet, encode_message
 from omote.inputs.rejection import Rejection
 from omote.inputs.trackers.packet_format import explain_format, recognize_format
+from omote.show.declaration import ClientMessage
 from omote.show.objects.link import Refused
 from omote.show.objects.state import State
 from omote.show.osc import ROOT
@@ -168,6 +169,20 @@ class OscInput:
         except OscError as error:
             return self._reject(place, str(error), now)
 
+    def next_call(self) -> str:
+        """An id of its own for a message of the show."""
+        return f"{self._kind} {self._session().epoch} {next(self._numbers)}"
+
+    def play(self, place: Endpoint, order: ClientMessage, now: float) -> None:
+        """Has a message of the show obeyed that came by another language than OSC; what is rejected is counted.
+
+        place: where it came from; order: the message; now: seconds of the show's clock.
+        """
+        self.heard += 1
+        for answer in self._session().receive(self._sender(place[0]), order, now):
+            if isinstance(answer.message, Refused):
+                self._reject(place, answer.message.reason, now)
+
     def obey_all(self, place: Endpoint, messages: Iterable[OscMessage], now: float) -> list[tuple[Endpoint, bytes]]:
         """Obeys messages of one place in their order, as `obey` each. Of channels that are set between two others the
         newest weight of each is set alone, and all at once: what no tick would show is not played.
@@ -221,11 +236,10 @@ class OscInput:
     def _order(self, place: Endpoint, message: OscMessage, now: float) -> list[tuple[Endpoint, bytes]]:
         if message.address.startswith(VMC_ROOT):
             raise OscError(self._explain_tracker("vmc"))
-        session = self._session()
-        call = f"{self._kind} {session.epoch} {next(self._numbers)}"
-        orders = self._reader_of(session).read(message, call)
+        orders = self._reader_of(self._session()).read(message, self.next_call())
         if not orders:
             return []
+        session = self._session()
         who = self._sender(place[0])
         answers = [answer.message for order in orders for answer in session.receive(who, order, now)]
         reasons = [answer.reason for answer in answers if isinstance(answer, Refused)] if answers else []

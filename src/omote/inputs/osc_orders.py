@@ -35,7 +35,8 @@ CHECKS: Mapping[str, Callable[[str], str]] = {
 NAMED = ("face", "expression", "channel", "light", "gesture", "layer", "region", "character")
 """What is called by a name."""
 BUTTON = (0.0, 1.0)
-"""What a button sends, as decimals: where the number of a cue may be left out it is let go or pressed."""
+"""What a button sends, as decimals or true and false: where the number of a cue may be left out it is let go or
+pressed."""
 MOST_REMEMBERED = 1024
 """Names and addresses that are remembered when they were found, or were not: what sends one sends it again."""
 LONGEST_REMEMBERED = 120
@@ -152,8 +153,8 @@ class OrderReader:
             if value.kind == "press":
                 if argument is not None and not _number(value, argument) > 0.0:
                     return None
-            elif value.kind == "cue" and value.default is not None and type(argument) is float and argument in BUTTON:
-                if argument == 0.0:
+            elif value.kind == "cue" and value.default is not None and _is_button(argument):
+                if not argument:
                     return None
                 read_values.append(value.default)
             else:
@@ -197,6 +198,10 @@ class OrderReader:
         if isinstance(name, ValueError):
             raise ValueError(str(name))
         return name
+
+
+def _is_button(argument: Argument) -> bool:
+    return type(argument) is bool or (type(argument) is float and argument in BUTTON)
 
 
 def _is_float(value: Argument) -> bool:

@@ -92,6 +92,14 @@ class Session(Protocol):
     recorder: Any
     recording_requests: list[Any]
     cancelled: list[str]
+    epoch: int
+    number: int
+
+    def join(self, who: str, name: str) -> None:
+        """Adds a source. who: the client; name: what it is called."""
+
+    def receive(self, who: str, message: Any, now: float) -> list[Outgoing]:
+        """Handles a message. who: the client; message: what it asks for; now: seconds, monotonic."""
 
     def welcome(self, who: str, hello: Any) -> list[Outgoing]:
         """Admits a client that says hello. who: the client."""
@@ -108,6 +116,9 @@ class Session(Protocol):
     def take_hands_off(self, who: str, characters: Sequence[str], now: float) -> None:
         """Takes characters out of all hands: somebody pressed panic. who: the client that pressed; characters: their
         names; now: seconds, monotonic."""
+
+    def reject_line(self, said: str) -> None:
+        """Tells consoles why (said) a line of a cue was not said."""
 
     def forget_character(self, character: str) -> None:
         """Forgets what was of another character of the same name."""

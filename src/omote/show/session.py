@@ -15,6 +15,7 @@ from omote.perform.scene.scene_snapshot import names_held_by
 from omote.perform.snapshot import Playable
 from omote.show.access.access_role import explain_missing_role, role_allows
 from omote.show.crew.members import Member, Members
+from omote.show.cues.cue_lines import speak_lines
 from omote.show.cues.cue_lists import CueLists
 from omote.show.declaration import (
     ClientMessage,
@@ -72,6 +73,9 @@ class Recorder(Protocol):
 
     def note_recast(self, digest: str) -> None:
         """Notes that another cast plays. digest: of the cast."""
+
+    def note_rejected(self, said: str) -> None:
+        """Notes why (said) a line of a cue was not said."""
 
     def note_edit(self) -> None:
         """Notes the cues as an edit has left them."""
@@ -242,6 +246,7 @@ class ShowSession:
         self._now = now
         self.number += 1
         self.leasing.expire(tuple(self.scene), now)
+        speak_lines(self, now)
         state = self._state(elapsed)
         if self.recorder is not None:
             self.recorder.note_tick(now)
@@ -401,6 +406,12 @@ class ShowSession:
         """Has a voice speak a text for characters. who: the client; message: with the text; characters: their
         names."""
         self.texts.ask(TextToSpeak(who, message, tuple(characters)))
+
+    def reject_line(self, said: str) -> None:
+        """Tells consoles why (said) a line of a cue was not said."""
+        self.cues.reject(said)
+        if self.recorder is not None:
+            self.recorder.note_rejected(said)
 
     def forget_character(self, character: str) -> None:
         """Forgets what was of another character of the same name, which is gone."""

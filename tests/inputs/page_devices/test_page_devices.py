@@ -27,6 +27,7 @@ from omote.show.objects.bindings import (
     Unbind,
 )
 from omote.show.objects.characters import AddCharacter
+from omote.show.objects.cues import PutCue
 from omote.show.objects.devices import Controls, DeviceBytes, Devices, InputLog, MidiBytes, Plug, Unplug, WatchDevices
 from omote.show.objects.faders import SetChannel
 from omote.show.objects.leases import ReleaseLease, SetLeases
@@ -319,12 +320,64 @@ def test_a_stage_has_no_devices(room: Room) -> None:
     assert room.session.take_device_messages() == []
 
 
+def test_a_button_of_a_gamepad_presses_go_and_another_calls_a_cue(room: Room) -> None:
+    for number in ("1", "2", "7"):
+        room.session.receive("a", PutCue(f"p{number}", number=number), room.now)
+    room.say("a", Plug("Xbox pad", "gamepad"))
+    room.say("a", Bind("b1", BindingDocument("Xbox pad", "button0", "/omote/go")))
+    room.say("a", Bind("b2", BindingDocument("Xbox pad", "button1", "/omote/go", arguments=["7"])))
+    called = []
+    for values in ({"button0": 1.0}, {"button0": 0.0}, {"button0": 1.0}, {"button1": 1.0}):
+        room.now += 1.0
+        room.say("a", Controls("Xbox pad", values))
+        room.tick()
+        status = room.session.cues.status(room.now)
+        assert status is not None
+        called.append(status.lists["main"].current.number)  # type: ignore[union-attr]
+    assert called == ["1", "1", "2", "7"]
+
+
+CONTROLS = st.binary(max_size=9).map(lambda data: b"\xf0\x7f\x7f\x02" + bytes(byte & 0x7F for byte in data) + b"\xf7")
+
+
+def test_a_desk_plays_the_list_by_midi_show_control(room: Room) -> None:
+    """Real bytes of GO with and without a number, STOP, RESUME, LOAD; of what is for others nothing is played."""
+    for number in ("1", "2", "12.5"):
+        room.session.receive("a", PutCue(f"p{number}", number=number), room.now)
+    room.say("a", Plug("Desk", "midi"))
+
+    def sends(text: str) -> tuple[str | None, str | None, float]:
+        room.now += 1.0
+        room.say("a", MidiBytes("Desk", bytes.fromhex(text)))
+        room.tick()
+        status = room.session.cues.status(room.now)
+        assert status is not None
+        way = status.lists["main"]
+        numbers = [None if cue is None else cue.number for cue in (way.current, way.standby)]
+        return numbers[0], numbers[1], status.rate
+
+    assert sends("F0 7F 7F 02 01 01 F7")[:2] == ("1", "2")
+    assert sends("F0 7F 05 02 01 01 F7")[:2] == ("1", "2")  # for the device 5
+    assert sends("F0 7F 7F 02 60 01 F7")[:2] == ("1", "2")  # fireworks
+    assert sends("F0 7F 00 02 01 01 31 32 2E 35 00 31 F7")[:2] == ("12.5", None)  # of the first list
+    assert sends("F0 7F 7F 02 01 01 31 32 2E 35 F7")[:2] == ("12.5", None)  # it is current: nothing is called twice
+    assert sends("F0 7F 7F 02 01 05 32 F7")[:2] == ("12.5", "2")
+    assert sends("F0 7F 7F 02 01 02 F7")[2] < 1.0
+    assert sends("F0 7F 7F 02 01 03 F7")[2] == 1.0
+    assert room.session.cues.status(room.now).lists["main"].by == "Desk"  # type: ignore[union-attr]
+    rejected = room.devices.devices["Desk"].health.rejected
+    assert sends("F0 7F 7F 02 01 01 39 39 F7")[0] == "12.5"  # there is no cue 99
+    assert room.devices.devices["Desk"].health.rejected == rejected + 1
+    assert "there is no cue of this list '99'" in room.devices.log.lines[-1].text
+
+
 @settings(max_examples=60, deadline=None)
-@given(st.lists(st.one_of(st.binary(max_size=12), st.lists(st.floats(), max_size=3)), max_size=8))
+@given(st.lists(st.one_of(CONTROLS, st.binary(max_size=12), st.lists(st.floats(), max_size=3)), max_size=8))
 def test_whatever_comes_no_state_is_spoiled(sent: list[bytes | list[float]]) -> None:
     room = Room()
     room.say("a", Plug("nanoKONTROL2", "midi"))
     room.say("a", Plug("Xbox pad", "gamepad"))
+    room.session.receive("a", PutCue("p1"), 0.0)
     room.say("a", Learn("l1", JAW))
     for n, each in enumerate(sent):
         if isinstance(each, bytes):

@@ -18,8 +18,18 @@ from omote.interchange.formats.cue_toml import (
     write_cues,
 )
 from omote.perform.cues.cue import Cue, CueList, Move
+from omote.perform.cues.cue_action import CueAction
 from omote.perform.easing import EASINGS
-from omote.perform.scene.goals import CHARACTER_PARTS, SCENE_PARTS, WITH_FACE, Goal, Part, expression_of, ranges_of
+from omote.perform.scene.goals import (
+    CHARACTER_PARTS,
+    SCENE_PARTS,
+    WITH_FACE,
+    Goal,
+    Part,
+    expression_of,
+    ranges_of,
+    takes_one_number,
+)
 
 times = st.floats(0.0, 3600.0)
 words = st.text(st.characters(exclude_categories=["Cs"]), max_size=20)
@@ -29,9 +39,16 @@ parts = st.one_of(
 )
 
 
+LOOKS: tuple[Goal, ...] = ({"character two": 1.0}, {"stage": 1.0}, {"x": 1.0, "y": 0.0, "z": 2.0})
+
+
 @st.composite
 def goals(draw: st.DrawFn, part: Part) -> Goal:
     ranges = ranges_of(part)
+    if part.endswith("/look"):
+        return draw(st.sampled_from(LOOKS))
+    if ranges is not None and takes_one_number(part) and draw(st.booleans()):
+        return dict.fromkeys(ranges, draw(st.floats(0.0, 1.0)))
     if ranges is not None:
         return {name: draw(st.floats(low, high)) for name, (low, high) in ranges.items()}
     if expression_of(part) and draw(st.booleans()):
@@ -39,6 +56,19 @@ def goals(draw: st.DrawFn, part: Part) -> Goal:
     share = draw(st.sampled_from([1.0, 0.75, 1.05]))
     first, second = draw(st.lists(words, min_size=2, max_size=2, unique=True))
     return {first: 1.0} if share == 1.0 else {first: share, second: 1.0 - share}
+
+
+actions = st.one_of(
+    st.builds(
+        CueAction,
+        st.just("osc"),
+        st.sampled_from(["10.0.0.2:53000", "desk.local:1", "[::1]:65535"]),
+        st.sampled_from(["/go", '/cue/12 1 1.0 "a \\"b\\" c" true word']),
+        times,
+    ),
+    st.builds(CueAction, st.just("midi"), st.just("Pad"), st.sampled_from(["90 3C 7F", "msc 3 go 12.5"]), times),
+    st.builds(CueAction, st.just("say"), words.filter(str.strip), words.filter(str.strip), times, words),
+)
 
 
 @st.composite
@@ -61,6 +91,7 @@ def cue_lists(draw: st.DrawFn) -> CueList:
             draw(times),
             draw(st.sampled_from(["", "continue", "follow"])),
             draw(st.booleans()),
+            tuple(draw(st.lists(actions, max_size=3))),
         )
         for number in numbers
     )
@@ -116,6 +147,32 @@ def test_every_error_is_said_with_its_line() -> None:
     assert "black of */black is 2.0; give a number from 0 to 1" in said[3]
 
 
+WRONG_ACTIONS = """[[cue]]
+number = "1"
+actions = [
+  { does = "osc", to = "10.0.0.2", what = "/go" },
+  { does = "osc", to = "10.0.0.2:53000", what = "/go" },
+  { does = "midi", to = "Pad", what = "90 3C" , loud = 1 },
+  { does = "shout", to = "one", what = "Ho" },
+  { does = "say", to = "one", what = 3 },
+  3,
+]
+
+[[cue]]
+number = "2"
+actions = "none"
+"""
+
+
+def test_an_action_is_a_line_and_what_is_wrong_with_it_is_said_there() -> None:
+    with pytest.raises(CueFileError) as error:
+        parse_cues(WRONG_ACTIONS)
+    said = str(error.value).splitlines()
+    assert [line.split(":")[0] for line in said] == ["line 3", "line 4", "line 6", "line 7", "line 8", "line 14"]
+    assert "give a host and a port, such as 10.0.0.2:53000" in said[1]
+    assert "an action has no 'loud'" in said[2]
+
+
 @pytest.mark.parametrize(
     ("text", "reason"),
     [
@@ -147,9 +204,14 @@ def test_a_file_is_written_and_read_and_named_where_it_is_wrong(tmp_path: Path) 
 
 
 def test_a_running_order_has_a_line_for_each_cue_that_plays() -> None:
-    cues = [Cue("1", "1", label="Dog, then cat", goes_on="follow"), Cue("2", "2", skip=True), Cue("3.5", "3.5")]
+    done = (CueAction("midi", "Pad", "90 3C 7F"), CueAction("say", "one", "Ho"))
+    cues = [
+        Cue("1", "1", label="Dog, then cat", goes_on="follow"),
+        Cue("2", "2", skip=True),
+        Cue("3.5", "3.5", actions=done),
+    ]
     assert format_running_order(cues).splitlines() == [
-        "number,label,pre_wait,goes_on,post_wait,note,moves",
-        '1,"Dog, then cat",0.0,follow,0.0,,',
-        "3.5,,0.0,,0.0,,",
+        "number,label,pre_wait,goes_on,post_wait,note,moves,actions",
+        '1,"Dog, then cat",0.0,follow,0.0,,,',
+        "3.5,,0.0,,0.0,,,midi Pad 90 3C 7F; say one Ho",
     ]

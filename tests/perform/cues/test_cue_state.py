@@ -4,12 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import replace
+from typing import Any
 
 import numpy as np
 import pytest
 
 from omote.perform.cues import cue_state as cue_states
 from omote.perform.cues.cue import Cue, CueList, Move
+from omote.perform.cues.cue_action import CueAction
 from omote.perform.cues.cue_state import (
     Call,
     CueState,
@@ -292,3 +294,47 @@ def test_a_cue_that_is_called_out_of_order_brings_what_all_before_it_have_left()
 def test_a_cue_that_stands_by_is_chosen_and_nothing_moves() -> None:
     cues = (cue("1"), cue("2"))
     assert set_standby(begin(cues), "cue 2") == replace(begin(cues), standby="cue 2")
+
+
+def sends(number: str, *delays: float, **options: Any) -> Cue:
+    actions = tuple(CueAction("osc", "desk:9000", f"/{number}/{place}", delay) for place, delay in enumerate(delays))
+    return cue(number, actions=actions, **options)
+
+
+def done(at: CueState) -> list[tuple[str, float]]:
+    return [(one.action.what, one.at) for one in at.done]
+
+
+def test_what_a_cue_does_is_done_once_at_its_time_however_long_the_tick() -> None:
+    cues = (sends("1", 0.5, 0.0, pre_wait=1.0, goes_on="follow", post_wait=2.0), sends("2", 0.25))
+    goals = Goals()
+    long = advance(go(begin(cues), cues, goals.read), cues, 10.0, goals.read)
+    assert done(long) == [("/1/1", 1.0), ("/1/0", 1.5), ("/2/0", 4.25)]
+    at = go(begin(cues), cues, goals.read)
+    short: list[tuple[str, float]] = []
+    for _ in range(40):
+        at = advance(replace(at, done=()), cues, 0.25, goals.read)
+        short += done(at)
+    assert short == done(long)
+    assert at == long
+
+
+def test_go_lets_what_is_planned_happen_and_all_that_goes_elsewhere_drops_it() -> None:
+    cues = (sends("1", 0.0, 5.0), sends("2", 1.0))
+    goals = Goals()
+    first = go(begin(cues), cues, goals.read)
+    assert done(first) == [("/1/0", 0.0)]
+    second = go(first, cues, goals.read)
+    assert [one.action.what for one in second.planned] == ["/1/1", "/2/0"]
+    for elsewhere in (go_back(second), assert_look(second), go_to(second, cues, 1, goals.read, whole=True)):
+        assert "/1/1" not in [one.action.what for one in elsewhere.planned]
+    assert go_back(second).planned == ()
+    assert go_back(second).done == second.done  # nothing is sent again
+    assert edited(second, cues, ()).planned == second.planned
+
+
+def test_a_panic_takes_the_lines_of_its_characters_and_lets_others_be_told() -> None:
+    lines = tuple(CueAction("say", who, "Ho", 1.0) for who in ("a", "b", "*"))
+    cues = (cue("1", actions=(*lines, CueAction("osc", "desk:9000", "/go", 1.0))),)
+    at = drop_waiting(go(begin(cues), cues, Goals().read), ["a"])
+    assert [one.action.to for one in at.planned] == ["b", "desk:9000"]

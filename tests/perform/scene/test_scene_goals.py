@@ -4,12 +4,13 @@ import numpy as np
 import pytest
 
 from omote.model.cast import Cast
-from omote.perform.scene.goals import CHARACTER_PARTS, SCENE_PARTS, check_goal, split_part
+from omote.perform.layers.layer_names import LAYER_PARTS, LAYERS
+from omote.perform.scene.goals import CHARACTER_PARTS, SCENE_PARTS, Goal, Part, check_goal, is_setting, split_part
 from omote.perform.scene.scene import Scene
 from tests import synthetic
 
 PARTS = (*(f"one/{part}" for part in CHARACTER_PARTS), *(f"*/{part}" for part in SCENE_PARTS))
-GOALS = {
+GOALS: dict[Part, Goal] = {
     "one/face": {synthetic.FACES[1]: 0.75, synthetic.FACES[0]: 0.25},
     "one/expression": {"jawOpen": 1.0},
     **{f"one/{region}": {"jawOpen": 0.5, "neutral": 0.5} for region in ("brows", "eyes", "mouth", "rest")},
@@ -18,6 +19,8 @@ GOALS = {
     "one/place": {"x": 0.5, "depth": 1.0, "size": 2.0, "turn": -1.0},
     "one/presence": {"presence": 0.25},
     "one/motion": {"liveliness": 0.0, "blinks": 0.5, "gaze": 2.0, "breath": 0.0},
+    "one/look": {"yaw": 0.25, "pitch": -0.125},
+    **{f"one/layer:{layer}": {part: 0.5 + 0.05 * place for place, part in enumerate(LAYER_PARTS)} for layer in LAYERS},
     "*/light": {"flat": 0.75, "theatre": 0.25},
     "*/framing": {"one": 1.0},
     "*/black": {"black": 0.75},
@@ -36,7 +39,7 @@ def test_a_part_goes_where_it_is_called_from_where_it_was_and_nothing_else_moves
         assert check_goal(each, scene.goal_of(each)) == scene.goal_of(each) == before[each]
     scene.call_goal(part, GOALS[part], seconds=2.0)
     assert scene.goal_of(part) == GOALS[part]
-    assert part == "one/motion" or scene.shown_goal(part).keys() >= before[part].keys()
+    assert is_setting(split_part(part)[1]) or scene.shown_goal(part).keys() >= before[part].keys()
     scene.advance(1.0)
     scene.advance(1.0)
     assert scene.shown_goal(part) == pytest.approx(GOALS[part])
@@ -55,6 +58,9 @@ def test_what_cannot_be_called_changes_nothing(cast: Cast) -> None:
         ("one/eyes", {"nothing": 1.0}, "there is no expression 'nothing'"),
         ("*/light", {"dusk": 1.0}, "there is no light 'dusk'"),
         ("*/framing", {"two": 1.0}, "there is no character 'two'"),
+        ("one/look", {"character two": 1.0}, "there is no character 'two'"),
+        ("one/look", {"character one": 1.0}, "one cannot look at itself"),
+        ("one/look", {"gaze_point seat": 1.0}, "there is no gaze point 'seat'"),
     ):
         with pytest.raises(ValueError, match=reason):
             scene.call_goal(part, goal)
@@ -87,7 +93,7 @@ def test_a_part_that_is_called_on_its_way_goes_on_at_its_speed(cast: Cast) -> No
         assert np.abs(np.diff(speeds)).max() < 0.25 * np.abs(speeds).max(), part
 
 
-PACED = [part for part in PARTS if part != "one/motion"]  # which follows by its own filters
+PACED = [part for part in PARTS if not is_setting(split_part(part)[1])]  # which is followed by its own filters
 
 
 @pytest.mark.parametrize("part", PACED)

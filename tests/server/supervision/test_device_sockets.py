@@ -31,7 +31,12 @@ def parse(words: list[str]) -> DeviceOptions:
 
 def test_a_standby_reads_what_the_operator_asked_for() -> None:
     options = DeviceOptions(
-        universes=(1, 7), allow="10.0.0.0/8,any", bindings="a b.toml", listen="vmc:0", send="osc:10.0.0.5:9001"
+        universes=(1, 7),
+        allow="10.0.0.0/8,any",
+        bindings="a b.toml",
+        listen="vmc:0",
+        send="osc:10.0.0.5:9001",
+        show_control=5,
     )
     assert parse(options.words) == options
     assert parse([]) == DeviceOptions()

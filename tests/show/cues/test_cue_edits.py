@@ -48,6 +48,35 @@ def test_parts_that_are_named_are_recorded_alone(session: ShowSession) -> None:
     assert "there is no part 'one/nose'" in reason(session, wire.RecordCue("a2", parts=["one/nose"]))
 
 
+def test_what_eyes_look_at_and_how_much_of_a_layer_shows_are_recorded_and_tracked(session: ShowSession) -> None:
+    """What a new show has is left out of a first recording, and written where a cue before has left it otherwise."""
+    one = session.scene["one"]
+    session.receive("ana", wire.RecordCue("a1"), 0.0)
+    one.look_at("direction", yaw=0.25)
+    one.set_layer("tracker", influence=0.5)
+    session.receive("ana", wire.RecordCue("a2"), 0.0)
+    one.look_at("ahead")
+    one.set_layer("tracker", influence=1.0)
+    for call, parts in (("a3", []), ("a4", ["one"])):
+        session.receive("ana", wire.RecordCue(call, parts=parts), 0.0)
+    first, second, third, whole = session.cues.book.cues_of("main")
+    assert not [part for part in first.moves if part.endswith("/look") or "layer:" in part]
+    goals = [{part: dict(move.goal) for part, move in cue.moves.items()} for cue in (second, third)]
+    regions = ("brows", "eyes", "mouth", "rest", "head", "gaze")
+    assert goals == [
+        {"one/layer:tracker": dict.fromkeys(regions, 0.5), "one/look": {"yaw": 0.25, "pitch": 0.0}},
+        {"one/layer:tracker": dict.fromkeys(regions, 1.0), "one/look": {"ahead": 1.0}},
+    ]
+    assert "one/face" in whole.moves
+    assert not [part for part in whole.moves if "layer:" in part]  # as the third has left them
+    for call, cue in (("b1", "2"), ("b2", "3")):
+        session.receive("ana", wire.GoToCue(call, cue, whole=True), 1.0 + float(cue))
+        session.tick(1.0 + float(cue))
+    session.receive("ana", wire.GoBack("b3"), 9.0)
+    assert session.scene.goal_of("one/look") == {"yaw": 0.25, "pitch": 0.0}
+    assert session.scene.goal_of("one/layer:tracker") == dict.fromkeys(regions, 0.5)
+
+
 def test_an_update_writes_what_was_moved_by_hand_into_the_cue_that_was_called(session: ShowSession) -> None:
     session.receive("ana", wire.RecordCue("a1"), 0.0)
     assert "no cue has been called that could be updated" in reason(session, wire.UpdateCue("a2"))

@@ -9,6 +9,7 @@ from typing import Any
 
 import numpy as np
 
+from omote.perform.cues.cue_action import CueAction
 from omote.perform.lights import LIGHTS
 from omote.perform.snapshot import Playable
 from omote.show.declaration import ClientMessage
@@ -170,6 +171,11 @@ class RandomShow:
             lambda: SetLeases(new(), pick((True, False))),
         ]  # fmt: skip
 
+    def action(self) -> CueAction:
+        """Something that a cue does beside moving parts."""
+        line = CueAction("say", self.pick(("one", "two", "*")), "Good evening", delay=self.pick((0.0, 0.3)))
+        return self.pick((line, line, CueAction("osc", "127.0.0.1:9", "/cue/1/start")))
+
     def cue_messages(self) -> list[Callable[[], ClientMessage]]:
         """What plays and edits cues."""
         lists = self.session.cues
@@ -182,6 +188,7 @@ class RandomShow:
         return [
             lambda: cue_messages.PutCue(new(), goes_on=pick(("", "follow", "continue")), post_wait=0.5),
             lambda: cue_messages.PutMove(new(), pick(cues), part, aimed, self.number(0, 1), delay=pick((0.0, 0.4))),
+            lambda: cue_messages.PutCue(new(), cue=pick(cues), actions=[self.action()]),
             lambda: cue_messages.RecordCue(new()),
             lambda: cue_messages.DropCue(new(), pick(cues)),
             lambda: cue_messages.UndoCues(new()),

@@ -18,6 +18,7 @@ import { LOW, NARROW } from "./controls/screen_sizes";
 import type { TBar } from "./controls/t_bar";
 import type { Palette } from "./palette/palette";
 import type { Monitor } from "./panels/monitor";
+import type { StatusBar } from "./panels/status_bar";
 import type { CharacterRow } from "./scene/character_row";
 import type { MemoryRow } from "./scene/memory_row";
 import { type ConsoleView, VIEWS } from "./store/arrangement";
@@ -257,6 +258,7 @@ export class ConsolePage extends ConsoleElement {
     else if (command.do === "memory") this.#at<MemoryRow>("omote-memories")?.press(command.name);
     else if (command.do === "keep_memory") this.#at<MemoryRow>("omote-memories")?.keep();
     else if (command.do === "still") toggleStill(this.store);
+    else if (command.do === "go") this.#at<StatusBar>("omote-status")?.go();
     else if (command.do === "black") this.store.callBlack(command.seconds);
     else if (command.do === "take_over") this.context.leases.takeOverWanted();
     else if (command.do === "scene" || command.do === "layers") this.#toggle(command.do);

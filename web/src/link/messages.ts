@@ -233,7 +233,8 @@ export type ChooseCueList = { type: "choose_cue_list"; id: string; cue_list: str
 
 /**
  * Writes a new cue, or changes what is given of the one of an identity (`cue`). `number`: "" for the next free one;
- * `after`: the identity of the cue that a new one comes behind, "" for where its number belongs.
+ * `actions`: all that it sends and has said; `after`: the identity of the cue that a new one comes behind, "" for
+ * where its number belongs.
  */
 export type PutCue = {
   type: "put_cue";
@@ -247,6 +248,7 @@ export type PutCue = {
   post_wait?: number | null;
   goes_on?: "" | "continue" | "follow" | null;
   skip?: boolean | null;
+  actions?: CueAction[] | null;
   after?: string;
   cue_list?: string;
 };
@@ -507,8 +509,11 @@ export type InputLine = {
 /** What came in last, the oldest first, at most two hundred lines: complete, to pages that watch devices. */
 export type InputLog = { type: "input_log"; lines: InputLine[] };
 
-/** What a device is to be sent (MIDI): to the page that has it. */
-export type DeviceBytes = { type: "device_bytes"; device: string; data: Uint8Array };
+/**
+ * What a device is to be sent (MIDI): to the page that has it. `cue`: a cue sends it, so the page says where it
+ * does not arrive.
+ */
+export type DeviceBytes = { type: "device_bytes"; device: string; data: Uint8Array; cue: boolean };
 
 /** The weight of one channel (a blendshape weight; any expression's name), -0.5..1.5. */
 export type SetChannel = { type: "set_channel"; character: string; name: string; value: number };
@@ -1629,6 +1634,16 @@ export type Move = {
   delay: number;
 };
 
+/** What a cue does once when it is called: a message to another program, or a line that somebody says. */
+
+export type CueAction = {
+  does: "osc" | "midi" | "say";
+  to: string;
+  what: string;
+  delay: number;
+  voice: string;
+};
+
 /** What one GO plays: it says what it moves, and all else goes on as the cues before it have left it. */
 
 export type Cue = {
@@ -1642,4 +1657,5 @@ export type Cue = {
   post_wait: number;
   goes_on: "" | "continue" | "follow";
   skip: boolean;
+  actions: CueAction[];
 };

@@ -263,3 +263,13 @@ export function faderDrag({ knob, era, range, travelOf = same, valueAt = same, r
     },
   };
 }
+
+/** A press that plays counts as the finger comes down; by the keyboard as a click. */
+export const pressed = (act: () => void) => ({
+  down: (event: PointerEvent): void => {
+    if (event.button === 0) act();
+  },
+  click: (event: MouseEvent): void => {
+    if (event.detail === 0) act();
+  },
+});

@@ -15,6 +15,7 @@ from omote.inputs.page_devices.device_health import SourceCounts, SourceHealth
 from omote.inputs.page_devices.input_log import LineLog
 from omote.inputs.page_devices.plugged_device import PluggedDevice
 from omote.inputs.reading import Reading
+from omote.inputs.show_control_orders import is_meant, read_show_control
 from omote.inputs.trackers.tracker_protocols import TRACKER_TITLES
 from omote.show.declaration import DeviceMessage, Outgoing
 from omote.show.objects.bindings import Bind, ChooseBank, Learn, LoadPreset, RestoreBindings, SourceKind, Unbind
@@ -73,7 +74,7 @@ class NoSwitches:
 
 class PageDevices:
     """All devices of a show. bindings: play readings; commands: change bindings; probes: of other sources, such as OSC;
-    switches: what can be switched beside them."""
+    switches: what can be switched beside them; show_control: the device that the show is for MIDI Show Control."""
 
     def __init__(
         self,
@@ -83,6 +84,7 @@ class PageDevices:
         log: LineLog | None = None,
         probes: Callable[[], Iterable[Probe]] = tuple,
         switches: Switches | None = None,
+        show_control: int = 0,
     ) -> None:
         self._session = session
         self._bindings = bindings
@@ -90,6 +92,7 @@ class PageDevices:
         self.log = log or LineLog()
         self._probes = probes
         self._switches = switches or NoSwitches()
+        self._show_control = show_control
         self._sources: dict[Probe, SourceHealth] = {}
         self.devices: dict[str, PluggedDevice] = {}
         self._watching: set[str] = set()
@@ -154,7 +157,9 @@ class PageDevices:
                 self._unplug(self._device_of(who, device), now)
             case MidiBytes(device, data):
                 plugged = self._device_of(who, device)
-                return self._play(plugged, plugged.feed(data), now)
+                answers = self._play(plugged, plugged.feed(data), now)
+                self._play_cues(plugged, now)
+                return answers
             case Controls(device, values):
                 plugged = self._device_of(who, device)
                 return self._play(plugged, plugged.read(values), now)
@@ -183,6 +188,11 @@ class PageDevices:
                     self.devices[message.device].use(self._commands.greet(message.device, ""))
                 return [Outgoing(who, changed)]
         return []
+
+    def find_midi(self, name: str) -> PluggedDevice | None:
+        """The MIDI device of a name, in any case, that is at a page now; None where there is none."""
+        here = (device for device in self.devices.values() if device.who and device.kind == "midi")
+        return next((device for device in here if device.name.casefold() == name.casefold()), None)
 
     def _plug(self, who: str, message: Plug, now: float) -> None:
         name = message.device
@@ -257,6 +267,29 @@ class PageDevices:
         self._bindings.hear(wanted, now)
         self._note_rejections(device, self._bindings.osc.rejected - before, now)
         return [] if learned is None else [Outgoing(*learned)]
+
+    def _play_cues(self, device: PluggedDevice, now: float) -> None:
+        """Plays what has come of MIDI Show Control, where this show is meant; what is wrong with it stands in the
+        log."""
+        osc = self._bindings.osc
+        for control in device.take_show_control():
+            try:
+                if isinstance(control, str):
+                    raise ValueError(control)
+                if not is_meant(control, self._show_control):
+                    whom = f"device {control.device}, format {control.form:02X}"
+                    self.log.note(device.name, f"Show Control {control.command} for others ({whom})", now)
+                    continue
+                order = read_show_control(control, osc.next_call(), [*self._session().cues.book.orders])
+            except ValueError as error:
+                device.health.note(0, 1)
+                self.log.note(device.name, str(error), now, rejected=True)
+                continue
+            before = osc.rejected
+            osc.play((device.name, 0), order, now)
+            device.health.note()
+            self.log.note(device.name, f"Show Control {control.command} {control.number}".rstrip(), now)
+            self._note_rejections(device, osc.rejected - before, now)
 
     def _is_hand(self, device: PluggedDevice, reading: Reading, now: float) -> bool:
         """Whether a hand moved a control; one that stands where it was sent is noted."""

@@ -10,6 +10,7 @@ from omote.inputs.page_devices.device_feedback import DeviceFeedback
 from omote.inputs.page_devices.device_health import DeviceHealth
 from omote.inputs.presets.preset import Preset
 from omote.inputs.reading import Reading
+from omote.perform.cues.show_control import ShowControl
 from omote.show.objects.devices import DeviceKind, DeviceState
 
 KEY = "button"
@@ -67,6 +68,12 @@ class PluggedDevice:
         readings = self._decoder.feed(data)
         self.health.note(0, self._decoder.rejected - before)
         return readings
+
+    def take_show_control(self) -> list[ShowControl | str]:
+        """Returns and clears what has come of MIDI Show Control; a sentence for what of it is wrong."""
+        taken = [*self._decoder.show_control]
+        self._decoder.show_control.clear()
+        return taken
 
     def read(self, values: Mapping[str, float]) -> list[Reading]:
         """The readings of controls that stand elsewhere now; ValueError for a value that is no position."""

@@ -1,6 +1,7 @@
 """Cue lists as text (TOML), for any editor and for readable differences between two nights (docs/howto/cues.md).
 
-A cue is a table `[[cue]]`; its moves stand below it, a line each. What a cue has as all others have is left out.
+A cue is a table `[[cue]]`; its moves and actions stand below it, a line each. What a cue has as all others have is left
+out.
 """
 
 from __future__ import annotations
@@ -19,18 +20,23 @@ from typing import Any
 from omote.interchange.formats.atomic_file import write_whole
 from omote.interchange.formats.error_reasons import explain_error
 from omote.perform.cues.cue import Cue, CueList, Move, check_cues
-from omote.perform.scene.goals import WITH_FACE, Goal, Part, expression_of, ranges_of
+from omote.perform.cues.cue_action import CueAction, check_actions
+from omote.perform.scene.goals import WITH_FACE, Goal, Part, expression_of, ranges_of, takes_one_number
 
 CUE_FIELDS: Mapping[str, Field[Any]] = {
-    each.name: each for each in fields(Cue) if each.name not in ("identity", "moves")
+    each.name: each for each in fields(Cue) if each.name not in ("identity", "moves", "actions")
 }
 MOVE_FIELDS: Mapping[str, Field[Any]] = {each.name: each for each in fields(Move) if each.name != "goal"}
+ACTION_FIELDS: Mapping[str, Field[Any]] = {each.name: each for each in fields(CueAction)}
+TABLES = ("moves", "actions")
+"""What of a cue stands below it."""
 FACE = "face"
 """How the text says that a region goes with the whole face."""
 HEADING = "# Cues of an Omote show (docs/howto/cues.md)."
 RUNNING_ORDER = ("number", "label", "pre_wait", "goes_on", "post_wait", "note")
 """The columns of a running order."""
 
+_ACTION = re.compile(r"\s*\{")
 _CUE = re.compile(r"\s*\[\[\s*cue\s*\]\]")
 
 
@@ -145,10 +151,11 @@ def format_running_order(cues: Iterable[Cue]) -> str:
     """A running order as comma-separated values, a line for each cue that is not skipped, with a heading."""
     text = io.StringIO()
     table = csv.writer(text, lineterminator="\n")
-    table.writerow((*RUNNING_ORDER, "moves"))
+    table.writerow((*RUNNING_ORDER, *TABLES))
     for cue in cues:
         if not cue.skip:
-            table.writerow((*(getattr(cue, name) for name in RUNNING_ORDER), " ".join(cue.moves)))
+            actions = "; ".join(f"{action.does} {action.to} {action.what}" for action in cue.actions)
+            table.writerow((*(getattr(cue, name) for name in RUNNING_ORDER), " ".join(cue.moves), actions))
     return text.getvalue()
 
 
@@ -170,14 +177,22 @@ class _Lines:
         named = re.compile(rf"\s*(\[cue\.)?[\"']?{re.escape(key)}[\"']?\s*[=\]]")
         return next((at + 1 for at in range(begin, end) if named.match(self.lines[at])), begin + 1)
 
+    def of_action(self, cue: int, place: int) -> int:
+        """The line of an action of a cue, at its place from 0, where each has a line of its own; else that of all."""
+        first = self.of_key(cue, "actions")
+        begun = [at + 1 for at in range(first - 1, self.begins[cue + 1]) if _ACTION.match(self.lines[at])]
+        return begun[place] if place < len(begun) else first
+
 
 def _cue(row: Mapping[str, Any], lines: _Lines, place: int) -> tuple[list[Cue], list[str]]:
     """The cue of a table, and what is wrong with it, each with its line."""
     wrong = [
-        f"line {lines.of_key(place, key)}: a cue has no {key!r}; expected {', '.join((*CUE_FIELDS, 'moves'))}"
+        f"line {lines.of_key(place, key)}: a cue has no {key!r}; expected {', '.join((*CUE_FIELDS, *TABLES))}"
         for key in row
-        if key not in (*CUE_FIELDS, "moves")
+        if key not in (*CUE_FIELDS, *TABLES)
     ]
+    actions, errors = _actions(row.get("actions", []), lines, place)
+    wrong += errors
     written = row.get("moves", {})
     moves = {}
     for part, move in written.items() if isinstance(written, dict) else ():
@@ -198,7 +213,37 @@ def _cue(row: Mapping[str, Any], lines: _Lines, place: int) -> tuple[list[Cue], 
             wrong.append(f"line {lines.of_key(place, key)}: {error}")
     if "number" not in given:
         wrong.append(f'line {lines.of_key(place, "number")}: a cue has no number; write number = "1"')
-    return ([] if wrong else [Cue(identity=given["number"], moves=moves, **given)]), wrong
+    return ([] if wrong else [Cue(identity=given["number"], moves=moves, actions=actions, **given)]), wrong
+
+
+def _actions(written: Any, lines: _Lines, cue: int) -> tuple[tuple[CueAction, ...], list[str]]:
+    """The actions of the cue at a place, and what is wrong with them, each with its line."""
+    if not isinstance(written, list):
+        return (), [f"line {lines.of_key(cue, 'actions')}: the actions are {written!r}; expected a row of {{ ... }}"]
+    actions = []
+    wrong = []
+    for place, each in enumerate(written):
+        try:
+            actions.append(_action(each))
+        except (ValueError, TypeError) as error:
+            wrong.append(f"line {lines.of_action(cue, place)}: {error}")
+    try:
+        check_actions(actions)
+    except ValueError as error:
+        wrong.append(f"line {lines.of_key(cue, 'actions')}: {error}")
+    return tuple(actions), wrong
+
+
+def _action(written: Any) -> CueAction:
+    if not isinstance(written, dict) or not {"does", "to", "what"} <= written.keys():
+        raise ValueError(f'an action is {written!r}; expected {{ does = "osc", to = "10.0.0.2:53000", what = "/go" }}')
+    strange = [key for key in written if key not in ACTION_FIELDS]
+    if strange:
+        raise ValueError(f"an action has no {strange[0]!r}; expected {', '.join(ACTION_FIELDS)}")
+    texts = [name for name in ("does", "to", "what", "voice") if not isinstance(written.get(name, ""), str)]
+    if texts:
+        raise ValueError(f"the {texts[0]} of an action is {written[texts[0]]!r}; expected a text in quotes")
+    return CueAction(**written)
 
 
 def _move(part: Part, written: Any) -> Move:
@@ -215,7 +260,7 @@ def _goal(part: Part, to: Any) -> Goal:
     ranges = ranges_of(part)
     if isinstance(to, str) and ranges is None:
         return WITH_FACE if to == FACE and expression_of(part) else {to: 1.0}
-    if isinstance(to, int | float) and ranges is not None and len(ranges) == 1:
+    if isinstance(to, int | float) and ranges is not None and takes_one_number(part):
         return dict.fromkeys(ranges, to)
     if isinstance(to, dict):
         return to
@@ -228,6 +273,8 @@ def _goal(part: Part, to: Any) -> Goal:
 def _format_cue(cue: Cue) -> str:
     lines = ["[[cue]]"]
     lines += [f"{name} = {_value(getattr(cue, name))}" for name, each in CUE_FIELDS.items() if _differs(cue, each)]
+    if cue.actions:
+        lines += ["actions = [", *(f"  {_format_action(action)}," for action in cue.actions), "]"]
     if cue.moves:
         lines += ["[cue.moves]", *(f"{_value(part)} = {_format_move(part, move)}" for part, move in cue.moves.items())]
     return "\n".join(lines) + "\n"
@@ -239,11 +286,16 @@ def _format_move(part: Part, move: Move) -> str:
     return f"{{ {', '.join(f'{name} = {value}' for name, value in said.items())} }}"
 
 
+def _format_action(action: CueAction) -> str:
+    said = [f"{name} = {_value(getattr(action, name))}" for name, of in ACTION_FIELDS.items() if _differs(action, of)]
+    return f"{{ {', '.join(said)} }}"
+
+
 def _format_goal(part: Part, goal: Goal) -> str:
     if not goal:
         return _value(FACE)
     name, value = next(iter(goal.items()))
-    if len(goal) == 1 and ranges_of(part) is not None:
+    if takes_one_number(part) and set(goal.values()) == {value}:
         return _value(value)
     if goal == {name: 1.0} and ranges_of(part) is None and not (name == FACE and expression_of(part)):
         return _value(name)

@@ -8,6 +8,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from typing import Literal, get_args
 
+from omote.perform.cues.cue_action import CueAction, check_actions
 from omote.perform.easing import DEFAULT_EASING, find_easing
 from omote.perform.limits import LONGEST_CALL, check_known, check_switch, check_within
 from omote.perform.scene.goals import Goal, Part, check_goal, rank_of
@@ -95,6 +96,8 @@ class Cue:
         What comes after it by itself: nothing, the next cue after its begin, the next cue after its end.
     skip : bool
         Whether GO passes it by.
+    actions : tuple of CueAction
+        What it sends to others, and what is said.
 
     Raises
     ------
@@ -124,6 +127,7 @@ class Cue:
     post_wait: float = 0.0
     goes_on: GoesOn = ""
     skip: bool = False
+    actions: tuple[CueAction, ...] = ()
 
     def __post_init__(self) -> None:
         """Rejects numbers, times and texts that no cue has."""
@@ -135,6 +139,7 @@ class Cue:
         for name, most in LONGEST_TEXT.items():
             if len(getattr(self, name)) > most:
                 raise ValueError(f"the {name} of the cue {self.number} is longer than {most} characters; shorten it")
+        object.__setattr__(self, "actions", check_actions(self.actions))
         ordered = sorted(self.moves, key=rank_of)
         for part in ordered:
             check_goal(part, self.moves[part].goal)
@@ -142,8 +147,9 @@ class Cue:
 
     @property
     def length(self) -> float:
-        """Seconds from its begin until nothing of it moves."""
-        return max((move.length for move in self.moves.values()), default=0.0)
+        """Seconds from its begin until nothing of it moves, or is still to be done."""
+        lengths = (move.length for move in self.moves.values())
+        return max((*lengths, *(action.delay for action in self.actions)), default=0.0)
 
     @property
     def next_after(self) -> float | None:

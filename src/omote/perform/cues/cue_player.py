@@ -2,15 +2,21 @@
 
 from __future__ import annotations
 
+from collections import deque
 from collections.abc import Callable, Sequence
+from dataclasses import replace
 
 from omote.perform.cues import cue_state as of_list
 from omote.perform.cues.cue import Cue, CueList, check_cues
+from omote.perform.cues.cue_action import CueAction
 from omote.perform.cues.cue_state import CueState, place_of
 from omote.perform.limits import FOREVER, check_known, check_within
 from omote.perform.scene.goals import WITH_FACE, Goal, Part
 from omote.perform.scene.scene import Scene
 from omote.perform.scene.scene_frame import SceneFrame
+
+MOST_DONE = 256
+"""Actions that wait to be taken."""
 
 
 class CuePlayer:
@@ -55,6 +61,7 @@ class CuePlayer:
         """What could not be called by the last act, in sentences: one move that cannot costs that move."""
         self.pace = 1.0
         """At which it calls, 0 to 1 of the show's time (`Scene.set_pace`): what pauses is below 1."""
+        self._done: deque[of_list.Planned] = deque(maxlen=MOST_DONE)
         self._panics: dict[str, int] = {name: scene[name].panics for name in scene}
 
     @property
@@ -249,8 +256,8 @@ class CuePlayer:
         ()
         """
         self._drop_after_panics()
-        self.state = of_list.with_moving(of_list.advance(self.state, self.cues, dt, self._read))
         self.rejected = ()
+        self._note(of_list.advance(replace(self.state, done=()), self.cues, dt, self._read))
         return self.state.calls
 
     def forget_waiting(self, part: Part) -> None:
@@ -276,10 +283,38 @@ class CuePlayer:
     def _play(self, act: Callable[[CueState], CueState]) -> None:
         """Does an act on what a panic has left, and calls what it calls."""
         self._drop_after_panics()
-        self.state = of_list.with_moving(act(self.state))
         self.rejected = ()
+        self._note(act(replace(self.state, done=())))
         for call in self.state.calls:
             self.call(call)
+
+    def _note(self, state: CueState) -> None:
+        """Goes on from a state; what it has done is there to be taken."""
+        self.state = of_list.with_moving(state)
+        over = len(self._done) + len(state.done) - MOST_DONE
+        if state.done and over > 0:
+            self.rejected = (*self.rejected, f"{over} actions came at once and were left out: cues follow too fast")
+        self._done.extend(state.done)
+
+    def take_actions(self) -> list[tuple[str, CueAction]]:
+        """Returns and clears what cues have done beside moving parts, the newest 256, for whoever sends and speaks.
+
+        Returns
+        -------
+        list of tuple
+            The name of the cue, as "cue 1", and the action, the earliest first.
+
+        Examples
+        --------
+        >>> note = omote.CueAction("midi", "Desk", "90 3C 7F")
+        >>> player = omote.CuePlayer(omote.Scene.begun(cast), [omote.Cue("a", "1", actions=(note,))])
+        >>> player.go()
+        >>> player.take_actions()[0][1].meant.data.hex(" ")
+        '90 3c 7f'
+        """
+        done = [(self._name(each.cue).removesuffix(": "), each.action) for each in self._done]
+        self._done.clear()
+        return done
 
     def call(self, call: of_list.Call) -> None:
         """Calls a part, unless a character or a face of its move is gone by now: then `rejected` says so.

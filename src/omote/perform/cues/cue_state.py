@@ -11,7 +11,9 @@ from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, S
 from dataclasses import dataclass, field, replace
 
 from omote.perform.cues.cue import CueList, Move, is_of
+from omote.perform.cues.cue_action import CueAction, SpokenLine
 from omote.perform.cues.tracking import NOTHING_TRACKED, Tracked, tracked_after, tracked_at
+from omote.perform.scene.character_names import ALL
 from omote.perform.scene.goals import Goal, Part, rank_of, regions_of
 
 GAP_SECONDS = 0.25
@@ -42,6 +44,15 @@ class Waiting:
     cue: str
     part: Part
     move: Move
+    at: float
+
+
+@dataclass(frozen=True)
+class Planned:
+    """An action that waits. cue: the identity of its cue; at: when it is done, seconds of the state's clock."""
+
+    cue: str
+    action: CueAction
     at: float
 
 
@@ -90,8 +101,11 @@ class CueState:
     steps: tuple[Step, ...] = ()
     clock: float = 0.0
     moving: tuple[Moving, ...] = ()
+    planned: tuple[Planned, ...] = ()
     calls: tuple[Call, ...] = field(default=(), compare=False)
     """What the last act called, in order."""
+    done: tuple[Planned, ...] = field(default=(), compare=False)
+    """What it did beside, in order."""
 
 
 def place_of(cues: CueList, identity: str | None) -> int | None:
@@ -127,7 +141,7 @@ def go_to(state: CueState, cues: CueList, place: int, read: ReadGoal, *, whole: 
     tracked = tracked_at(cues, place)
     cue = cues[place]
     stands = {part: goal for part, goal in tracked.items() if whole and part not in cue.moves}
-    later = _called(replace(state, waiting=(), following=None), cues, place, state.clock, read)
+    later = _called(_waiting_for_nothing(state), cues, place, state.clock, read)
     moved = _taken((*stands, *cue.moves))
     steps = (*state.steps, _step(state, tracked, moved, read, cue.identity))[-MOST_STEPS:]
     calls = _face_first((*_returning(stands, state.clock), *later.calls))
@@ -143,7 +157,7 @@ def go_back(state: CueState) -> CueState:
     tracked = {part: goal for part, goal in stood.items() if goal is not None}
     goals = {part: tracked.get(part, step.before.get(part)) for part in step.moved}
     calls = _returning({part: goal for part, goal in goals.items() if goal is not None}, state.clock)
-    back = replace(state, current=step.current, standby=step.left, tracked=tracked, waiting=(), following=None)
+    back = replace(_waiting_for_nothing(state), current=step.current, standby=step.left, tracked=tracked)
     return replace(back, steps=state.steps[:-1], calls=calls)
 
 
@@ -159,7 +173,7 @@ def with_moving(state: CueState) -> CueState:
 def assert_look(state: CueState) -> CueState:
     """Calls all that the cues have left standing again, whoever has moved it since; nothing waits any more."""
     calls = _returning(state.tracked, state.clock)
-    return replace(state, waiting=(), following=None, calls=calls)
+    return replace(_waiting_for_nothing(state), calls=calls)
 
 
 def set_standby(state: CueState, identity: str) -> CueState:
@@ -173,7 +187,17 @@ def drop_waiting(state: CueState, characters: Sequence[str]) -> CueState:
     state: as it is; characters: their names.
     """
     waiting = tuple(one for one in state.waiting if not is_of(one.part, characters))
-    return replace(state, waiting=waiting, following=None, calls=())
+    planned = tuple(one for one in state.planned if not _says(one.action, characters))
+    return replace(state, waiting=waiting, planned=planned, following=None, calls=())
+
+
+def _says(action: CueAction, characters: Sequence[str]) -> bool:
+    meant = action.meant
+    return isinstance(meant, SpokenLine) and meant.character in (ALL, *characters)
+
+
+def _waiting_for_nothing(state: CueState) -> CueState:
+    return replace(state, waiting=(), planned=(), following=None)
 
 
 def without_parts(state: CueState, parts: Collection[Part]) -> CueState:
@@ -234,7 +258,7 @@ def advance(state: CueState, cues: CueList, dt: float, read: ReadGoal) -> CueSta
     Returns
     -------
     CueState
-        With its calls, the earliest first.
+        With its calls and what it has done, the earliest first.
     """
     end = state.clock + dt
     calls: list[Call] = []
@@ -250,7 +274,7 @@ def advance(state: CueState, cues: CueList, dt: float, read: ReadGoal) -> CueSta
 def _next_due(state: CueState) -> float:
     """When something is due next, infinite where nothing is: of what is due at once a cue comes before what waits."""
     following = math.inf if state.following is None else state.following.at
-    return min([following, *(one.at for one in state.waiting)])
+    return min([following, *(one.at for one in state.waiting), *(one.at for one in state.planned)])
 
 
 def _followed(state: CueState, cues: CueList, following: Following, read: ReadGoal) -> CueState:
@@ -262,10 +286,19 @@ def _followed(state: CueState, cues: CueList, following: Following, read: ReadGo
 
 
 def _called_waiting(state: CueState, due: float) -> CueState:
-    """What waits until then is called."""
+    """What waits until then is called, and done."""
     ready = tuple(Call(one.part, one.move, one.at, one.cue) for one in state.waiting if one.at <= due)
     left = tuple(one for one in state.waiting if one.at > due)
-    return replace(state, waiting=left, calls=_face_first(ready))
+    return _done_until(replace(state, waiting=left, calls=_face_first(ready)), due)
+
+
+def _done_until(state: CueState, due: float) -> CueState:
+    """The actions that wait until then are done, the earliest first."""
+    if not state.planned:
+        return state
+    ready = sorted((one for one in state.planned if one.at <= due), key=lambda one: one.at)
+    left = tuple(one for one in state.planned if one.at > due)
+    return replace(state, planned=left, done=(*state.done, *ready))
 
 
 def _called(state: CueState, cues: CueList, place: int, at: float, read: ReadGoal) -> CueState:
@@ -282,7 +315,9 @@ def _called(state: CueState, cues: CueList, place: int, at: float, read: ReadGoa
     tracked = tracked_after(state.tracked, cue)
     steps = (*state.steps, _step(state, tracked, moved, read, cue.identity))[-MOST_STEPS:]
     later = replace(state, current=cue.identity, standby=after, tracked=tracked, waiting=waiting, following=follows)
-    return replace(later, steps=steps, calls=ready)
+    actions = tuple(Planned(cue.identity, action, begun + action.delay) for action in cue.actions)
+    later = replace(later, steps=steps, calls=ready, planned=(*state.planned, *actions))
+    return _done_until(later, at)
 
 
 def _taken(parts: Iterable[Part]) -> tuple[Part, ...]:

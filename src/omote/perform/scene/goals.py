@@ -1,7 +1,7 @@
 """Goals: where a part of a character or of the scene goes, as plain numbers by name; cues and memories consist of them.
 
 A part is `kaori/face`, or `*/light` of the scene. A goal of it is a mix (`{"joy": 1.0}`) or numbers that it stands at
-(`{"yaw": 0.2, "pitch": 0.0, "roll": 0.0}`).
+(`{"yaw": 0.2, "pitch": 0.0, "roll": 0.0}`); of `look` what eyes look at (`look_goals.py`).
 """
 
 from __future__ import annotations
@@ -11,9 +11,11 @@ from collections.abc import Iterable, Mapping
 
 from omote.model.known_names import PLAY_REGIONS
 from omote.perform.frame import DETAIL_LIMIT, DETAILS
+from omote.perform.layers.layer_names import DEFAULT_SETTINGS, LAYER_PARTS, LAYERS, check_layer
 from omote.perform.limits import GAZE_LIMITS, HEAD_LIMITS, check_known, check_within
 from omote.perform.mix import HIGHEST, LOWEST
 from omote.perform.scene.character_names import ALL
+from omote.perform.scene.look_goals import AHEAD, goal_of_target, target_of_goal
 from omote.perform.scene.movement import Ranges
 from omote.perform.scene.scene_frame import PLACE_LIMITS
 from omote.perform.snapshot import ROUNDING
@@ -30,15 +32,19 @@ TURN_LIMITS: Mapping[str, Ranges] = {
 """Radians."""
 PRESENCE_LIMITS: Ranges = {"presence": (0.0, 1.0)}
 BLACK_LIMITS: Ranges = {"black": (0.0, 1.0)}
+LAYER_LIMITS: Ranges = dict.fromkeys(LAYER_PARTS, (0.0, 1.0))
+LAYER = "layer:"
+"""What the part of a layer begins with: `layer:tracker` is how much of it shows, by region."""
 MOTION_LIMITS: Ranges = {"liveliness": (0.0, 1.0), **dict.fromkeys(DETAILS, (0.0, DETAIL_LIMIT))}
 CHARACTER_NUMBERS: Mapping[str, Ranges] = {
     **TURN_LIMITS,
     "place": PLACE_LIMITS,
     "presence": PRESENCE_LIMITS,
     "motion": MOTION_LIMITS,
+    **{f"{LAYER}{layer}": LAYER_LIMITS for layer in LAYERS},
 }
-"""The parts of a character that are numbers, with the range of each; all else of it are mixes."""
-CHARACTER_PARTS = ("face", "expression", *PLAY_REGIONS, *CHARACTER_NUMBERS)
+"""The parts of a character that are numbers, with the range of each; all else of it but `look` are mixes."""
+CHARACTER_PARTS = ("face", "expression", *PLAY_REGIONS, *CHARACTER_NUMBERS, "look")
 SCENE_PARTS = ("light", "framing", "black")
 
 
@@ -72,12 +78,38 @@ def ranges_of(part: Part) -> Ranges | None:
     return CHARACTER_NUMBERS.get(name)
 
 
+def is_setting(name: str) -> bool:
+    """Whether a part of a character (by its name there) is set at once, and followed in its own time."""
+    return name in ("motion", "look") or name.startswith(LAYER)
+
+
+def takes_one_number(part: Part) -> bool:
+    """Whether one number says all of a part: it has no other, or all of them are of one kind, as of a layer."""
+    ranges = ranges_of(part)
+    return ranges is not None and (len(ranges) == 1 or ranges is LAYER_LIMITS)
+
+
+def first_goal(part: Part) -> Goal | None:
+    """Where a part stands in a new show, of those that nobody means to set there; None for all others."""
+    name = split_part(part)[1]
+    if expression_of(part):
+        return WITH_FACE
+    if name == "look":
+        return AHEAD
+    if name.startswith(LAYER):
+        influence = DEFAULT_SETTINGS[check_layer(name.removeprefix(LAYER))].influence
+        return {str(region): value for region, value in influence.items()}
+    return None
+
+
 def check_goal(part: Part, goal: Goal) -> Goal:
     """Returns a goal that a part can have, whoever is in the scene and the cast; ValueError, TypeError for another.
 
     part: `kaori/face`; goal: its mix, or all its numbers.
     """
     ranges = ranges_of(part)
+    if part.endswith("/look"):
+        return goal_of_target(target_of_goal(dict(goal)))
     if ranges is not None:
         if goal.keys() != ranges.keys():
             raise ValueError(f"the goal of {part} has {', '.join(goal) or 'nothing'}; expected {', '.join(ranges)}")

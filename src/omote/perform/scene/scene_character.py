@@ -19,19 +19,23 @@ from omote.perform.axis import (
 )
 from omote.perform.easing import DEFAULT_EASING
 from omote.perform.frame import Frame, Gaze, GazeTarget, Head, Held, MotionSettings, with_fields
+from omote.perform.layers.layer_names import check_layer
 from omote.perform.mix import Weights
 from omote.perform.motion.sight import NOTHING, Sight
 from omote.perform.panic import eased
 from omote.perform.performer import Performer
 from omote.perform.scene import movement
 from omote.perform.scene.goals import (
+    LAYER,
     MOTION_LIMITS,
     TURN_LIMITS,
     WITH_FACE,
     Goal,
     check_names,
     expression_of,
+    is_setting,
 )
+from omote.perform.scene.look_goals import goal_of_target, target_of_goal
 from omote.perform.scene.memories import Turning, turn_at
 from omote.perform.scene.movement import Movement, proceed, redirect
 from omote.perform.snapshot import Playable, Snapshot
@@ -142,6 +146,9 @@ class SceneCharacter(Performer):
             check_names(goal, self._cast.faces, "face")
         elif part.endswith("/expression") or expression_of(part):
             check_names(goal, self._cast.expressions, "expression")
+        elif part.endswith("/look"):
+            target = target_of_goal(dict(goal))
+            self._check_target(self, target.kind, target.name)
 
     def call_goal(self, name: str, goal: Goal, seconds: float, easing: str, pace: float | None = None) -> None:
         """Brings a part to a goal from whatever shows. name: as of `goal_of`; goal: checked; seconds: 0 cuts; easing:
@@ -153,8 +160,8 @@ class SceneCharacter(Performer):
 
         if name in TURN_LIMITS:
             self._turn_to(name, goal, seconds, easing, pace)
-        elif name == "motion":
-            self.set_motion(goal["liveliness"], blinks=goal["blinks"], gaze=goal["gaze"], breath=goal["breath"])
+        elif is_setting(name):
+            self._set(name, goal)
         elif name == "face":
             self._play(face=call(now.face))
         elif name == "expression":
@@ -168,12 +175,31 @@ class SceneCharacter(Performer):
         now = self._now
         if name in TURN_LIMITS:
             return dict(turned(name))
-        if name == "motion":
-            return {each: getattr(self.motion, each) for each in MOTION_LIMITS}
+        if is_setting(name):
+            return self._setting_of(name)
         if name in PLAY_REGIONS:
             own = now.regions.get(check_play_region(name))
             return WITH_FACE if own is None else dict(mix(own))
         return dict(mix(now.face if name == "face" else now.expression))
+
+    def _set(self, name: str, goal: Goal) -> None:
+        """Sets what is taken at once, and followed by filters of its own."""
+        if name == "motion":
+            self.set_motion(goal["liveliness"], blinks=goal["blinks"], gaze=goal["gaze"], breath=goal["breath"])
+        elif name == "look":
+            at = target_of_goal(dict(goal))
+            self.look_at(at.kind, at.name, yaw=at.yaw, pitch=at.pitch, x=at.x, y=at.y, z=at.z)
+        else:
+            for region, influence in goal.items():
+                self.set_layer(name.removeprefix(LAYER), region=region, influence=influence)
+
+    def _setting_of(self, name: str) -> Goal:
+        if name == "motion":
+            return {each: getattr(self.motion, each) for each in MOTION_LIMITS}
+        if name == "look":
+            return goal_of_target(self.motion.target)
+        influence = self._begun_layers().settings[check_layer(name.removeprefix(LAYER))].influence
+        return {str(region): value for region, value in influence.items()}
 
     def _way_of(self, part: str) -> Mapping[str, float]:
         """Where head or gaze go."""

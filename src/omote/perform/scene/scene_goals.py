@@ -48,7 +48,7 @@ class SceneGoals:
         ----------
         part : str
             Of a character, `kaori/face` (face, expression, brows, eyes, mouth, rest, head, gaze, place, presence,
-            motion), or of the scene, `*/light` (light, framing, black).
+            motion, look, layer:tracker and the other layers), or of the scene, `*/light` (light, framing, black).
 
         Returns
         -------

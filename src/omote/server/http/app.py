@@ -95,6 +95,7 @@ class ShowServer:
         self.authority: bytes | None = None
         self.embedders: tuple[str, ...] = ()
         self.tell_frame: Callable[[str], None] = lambda _: None
+        self.tell_crew: Callable[[str], None] = lambda _: None
         self._pages = pages
         self._cues = CueRoutes(session)
         self.recording = RecordingRoutes(session, documents, lambda: self.clock(), self._deliver)

@@ -61,7 +61,7 @@ class DeviceOptions:
     """What a server is told of devices: descriptors of sockets, and what the operator asked for, as it was typed.
 
     trackers: descriptors by the names of their protocols; listen: what was asked for of them; send: where faces
-    are sent.
+    are sent; show_control: the device that the show is for MIDI Show Control.
     """
 
     osc: int | None = None
@@ -74,12 +74,14 @@ class DeviceOptions:
     trackers: Mapping[str, int] = field(default_factory=dict)
     listen: str = ""
     send: str = ""
+    show_control: int = 0
 
     @property
     def words(self) -> list[str]:
         """The words of a standby's command line that say the same, but for descriptors."""
         universes = [word for number in self.universes for word in ("--universe", str(number))]
         named = {"--allow": self.allow, "--bindings": self.bindings, "--trackers": self.listen, "--send": self.send}
+        named |= {"--show-control": str(self.show_control)} if self.show_control else {}
         return universes + [word for name, value in named.items() if value for word in (name, value)]
 
 
@@ -95,6 +97,7 @@ def add_device_options(parser: argparse.ArgumentParser) -> None:
         parser.add_argument(OPTION + name, type=int, default=None)
     for name in ("--allow", "--bindings", "--trackers", "--send"):
         parser.add_argument(name, default="")
+    parser.add_argument("--show-control", type=int, default=0)
 
 
 def read_device_options(options: argparse.Namespace) -> DeviceOptions:
@@ -102,9 +105,9 @@ def read_device_options(options: argparse.Namespace) -> DeviceOptions:
     descriptors = (options.osc, options.osc_connections, options.sacn, options.artnet)
     handed = {name: getattr(options, f"{OPTION}{name}".strip("-").replace("-", "_")) for name in TRACKER_PROTOCOLS}
     trackers = {name: descriptor for name, descriptor in handed.items() if descriptor is not None}
-    return DeviceOptions(
-        *descriptors, tuple(options.universe), options.allow, options.bindings, trackers, options.trackers, options.send
-    )
+    typed = {"allow": options.allow, "bindings": options.bindings, "listen": options.trackers, "send": options.send}
+    universes = tuple(options.universe)
+    return DeviceOptions(*descriptors, universes, trackers=trackers, show_control=options.show_control, **typed)
 
 
 def read_universes(text: str) -> tuple[int, ...]:

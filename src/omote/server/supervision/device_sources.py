@@ -29,6 +29,7 @@ from omote.inputs.trackers.tracker_protocols import MEDIAPIPE_PATH, TRACKER_PROT
 from omote.interchange.formats.error_reasons import explain_error
 from omote.server.access.show_addresses import own_address
 from omote.server.camera.camera_link import CameraLinks
+from omote.server.devices.cue_sender import CueSender
 from omote.server.devices.device_source import DeviceSource
 from omote.server.devices.dmx_listener import DmxListener
 from omote.server.devices.face_output import FaceOutput
@@ -113,9 +114,11 @@ async def start_devices(
     sources = tuple(started)
     devices = PageDevices(
         opening.session, bindings, commands, LineLog(_wall() - server.clock()),
-        lambda: [probe for source in sources for probe in source.probes], switches,
+        lambda: [probe for source in sources for probe in source.probes], switches, options.show_control,
     )  # fmt: skip
-    started.append(PageDeviceSource(devices, opening.session, server.links.answer))
+    answer = server.links.answer
+    started.append(CueSender(opening.session, devices, answer, server.tell_crew))
+    started.append(PageDeviceSource(devices, opening.session, answer))
     asked = [*started, SourceReport(opening.session, report)]
     server.sources.extend(GuardedSource(source, report) for source in asked)
     return started

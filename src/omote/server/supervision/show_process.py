@@ -141,6 +141,7 @@ async def play(
     authored_work, reopen = open_reopenable_work(file, documents, tell, backup, gate, memory, opened.away)
     server = ShowServer(restore(documents.playing, file, order, tell), documents, material.pages)
     server.post(board.notices)
+    server.tell_crew = tell
     server.enable_editing(authored_work, reopen, tell)
     scans = ScanPreviews()
     enable_files(server, (lambda: kept.path, jobs.run) if kept and jobs else None, scans)

@@ -13,10 +13,9 @@ from omote.perform.scene.character_names import ALL
 from omote.perform.scene.goals import (
     CHARACTER_PARTS,
     SCENE_PARTS,
-    WITH_FACE,
     Goal,
     Part,
-    expression_of,
+    first_goal,
     split_part,
 )
 from omote.perform.scene.scene import Scene
@@ -61,7 +60,7 @@ class EditContext:
 def put_cue(context: EditContext, message: wire.PutCue) -> CueBook:
     """A new cue, or one with other fields. context: what it begins from; message: says which, and what is given of
     it."""
-    names = ("number", "label", "note", "colour", "pre_wait", "post_wait", "goes_on", "skip")
+    names = ("number", "label", "note", "colour", "pre_wait", "post_wait", "goes_on", "skip", "actions")
     given = {name: value for name in names if (value := getattr(message, name)) is not None}
     if message.cue:
         cue = context.cue(message.cue)
@@ -98,7 +97,7 @@ def record_cue(context: EditContext, message: wire.RecordCue) -> CueBook:
     cues = context.book.cues_of(context.chosen)
     place = place_number(context.book, context.chosen, check_cue_number(number))
     tracked = tracked_at(cues, place - 1) if place else NOTHING_TRACKED
-    goals = _chosen(context.scene, message.parts) if message.parts else differing(context.scene, tracked)
+    goals = _chosen(context.scene, tracked, message.parts) if message.parts else differing(context.scene, tracked)
     moves = {part: Move(goal, message.seconds) for part, goal in goals.items()}
     cue = Cue(new_identities(context.book, 1)[0], number, moves, label=message.label)
     return context.edit(f"record cue {number}", {cue.identity: cue}, _inserted(context, cue, None))
@@ -197,24 +196,25 @@ def shown_goals(scene: Scene) -> dict[Part, Goal]:
 
 
 def differing(scene: Scene, tracked: Tracked) -> dict[Part, Goal]:
-    """The parts that stand otherwise than cues leave them; a region that goes with its face, and was left so, does
-    not. scene: what shows; tracked: what the cues leave."""
+    """The parts that stand otherwise than cues leave them, or a new show has them where nobody means to set that: a
+    region goes with its face, eyes look ahead, layers show. scene: what shows; tracked: what the cues leave."""
     shown = shown_goals(scene)
-    return {part: goal for part, goal in shown.items() if goal != tracked.get(part, _untracked(part))}
+    return {part: goal for part, goal in shown.items() if goal != tracked.get(part, first_goal(part))}
 
 
-def _untracked(part: Part) -> Goal | None:
-    return WITH_FACE if expression_of(part) else None
-
-
-def _chosen(scene: Scene, wanted: Sequence[str]) -> dict[Part, Goal]:
+def _chosen(scene: Scene, tracked: Tracked, wanted: Sequence[str]) -> dict[Part, Goal]:
+    """The parts that are named, and of characters that are named all but what is as in a new show and was left so."""
     shown = shown_goals(scene)
     for each in wanted:
         if each not in scene:
             check_known(each, shown, "part")
     names = [each for each in wanted if each in scene]
     kept = {part: goal for part, goal in shown.items() if part in wanted or is_of(part, names)}
-    return {part: goal for part, goal in kept.items() if goal != WITH_FACE or part in wanted}
+    return {
+        part: goal
+        for part, goal in kept.items()
+        if part in wanted or (goal, tracked.get(part, goal)) != (first_goal(part), goal)
+    }
 
 
 def _inserted(context: EditContext, cue: Cue, after: str | None) -> dict[str, Sequence[str]]:

@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 import math
+from collections import deque
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from typing import Any
 
 from omote.perform.cues.cue import Cue
+from omote.perform.cues.cue_action import MidiSend, OscSend, SpokenLine
 from omote.perform.cues.cue_player import CuePlayer, advance_lists
 from omote.perform.cues.cue_state import GAP_SECONDS, CueState, edited
 from omote.perform.limits import check_known
@@ -24,6 +26,12 @@ PAUSE_SECONDS = 0.2
 """In which the time of cues comes to a stand, and goes on."""
 STEPS_KEPT = 20
 """That Back still undoes after a restart: the journal is written thirty times a second."""
+
+MOST_SENDS = 512
+"""That wait to be taken, the newest: a replay takes none."""
+MOST_REJECTED = 32
+
+Send = OscSend | MidiSend
 
 
 @dataclass(frozen=True)
@@ -93,6 +101,8 @@ class CueLists:
         self._offers = ("", "")
         self._edits_before = 0
         self._kept = self.book
+        self._lines: list[tuple[str, SpokenLine]] = []
+        self._sends: deque[tuple[str, Send]] = deque(maxlen=MOST_SENDS)
         self._play(self.book)
 
     # --- what is kept ---
@@ -118,7 +128,7 @@ class CueLists:
     def snapshot(self) -> CuesSnapshot:
         """How far each list is."""
         states = {
-            name: replace(player.state, steps=player.state.steps[-STEPS_KEPT:], calls=())
+            name: replace(player.state, steps=player.state.steps[-STEPS_KEPT:], calls=(), done=())
             for name, player in self._players.items()
             if player.cues
         }
@@ -126,7 +136,7 @@ class CueLists:
 
     def playing(self) -> CuesPlaying:
         """What the lists are beside their cues, for a recording."""
-        states = {name: replace(player.state, calls=()) for name, player in self._players.items()}
+        states = {name: replace(player.state, calls=(), done=()) for name, player in self._players.items()}
         return CuesPlaying(states, self._last_go, dict(self._pressed), self._ignored, self._rejected)
 
     def shown(self) -> CuesShown:
@@ -178,7 +188,7 @@ class CueLists:
             change = dt / PAUSE_SECONDS
             self._set_rate(max(0.0, self._rate - change) if self._paused else min(1.0, self._rate + change))
         frame = advance_lists(self._scene(), [*self._players.values()], dt)
-        self._note_rejected()
+        self._note_played()
         return frame
 
     def go(self, message: wire.Go, who: str, now: float) -> Sequence[Outgoing]:
@@ -238,6 +248,25 @@ class CueLists:
     def choose(self, name: str) -> None:
         """Chooses the list that is meant where none is named. name: of the list."""
         self.chosen = check_known(name, self.book.orders, "list of cues")
+
+    # --- what cues do beside ---
+
+    def take_lines(self) -> list[tuple[str, SpokenLine]]:
+        """Returns and clears what cues have somebody say, each with the name of its cue."""
+        lines = self._lines
+        self._lines = []
+        return lines
+
+    def take_sends(self) -> list[tuple[str, Send]]:
+        """Returns and clears what cues send, each with the name of its cue: a replay takes nothing, and sends
+        nothing."""
+        sends = [*self._sends]
+        self._sends.clear()
+        return sends
+
+    def reject(self, sentence: str) -> None:
+        """Tells consoles what of a cue could not be done."""
+        self._rejected = (*self._rejected, sentence)[-MOST_REJECTED:]
 
     # --- what edits ---
 
@@ -347,12 +376,20 @@ class CueLists:
         self._last_go = now
         self._pressed[name] = (now, self._name_of(who))
         self._rejected = ()
-        self._note_rejected()
+        self._note_played()
 
-    def _note_rejected(self) -> None:
+    def _note_played(self) -> None:
+        """Takes what the last act or step has sent and said, and what it could not call."""
         rejected = tuple(said for player in self._players.values() for said in player.rejected)
         if rejected:
             self._rejected = rejected
+        for player in self._players.values():
+            for cue, action in player.take_actions():
+                meant = action.meant
+                if isinstance(meant, SpokenLine):
+                    self._lines.append((cue, meant))
+                else:
+                    self._sends.append((cue, meant))
 
     def _check_open(self) -> None:
         if self.locked:

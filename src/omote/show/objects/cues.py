@@ -2,18 +2,20 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
-from typing import Annotated, ClassVar, Literal
+from collections.abc import Callable, Iterable, Sequence
+from typing import Annotated, Any, ClassVar, Literal
 
 import msgspec
 
 from omote.perform.cues.cue import LONGEST_TEXT, Cue, GoesOn
+from omote.perform.cues.cue_action import CueAction, SpokenLine
 from omote.perform.easing import DEFAULT_EASING
 from omote.perform.scene.character_names import ALL, names_in
 from omote.perform.scene.goals import Part, ranges_of, split_part
-from omote.show.declaration import CallId, ClientMessage, Name, Outgoing, Session
+from omote.perform.scene.look_goals import name_in
+from omote.show.declaration import SPEECH_LIMIT, CallId, ClientMessage, Name, Outgoing, Session
 from omote.show.objects.documents import Document
-from omote.show.osc import PRESS, Value, osc
+from omote.show.osc import PRESS, Argument, Osc, Value, osc
 
 CueNumber = Annotated[str, msgspec.Meta(max_length=9), Value("cue", name="cue")]
 StandbyNumber = Annotated[str, msgspec.Meta(max_length=9), Value("cue", default="", name="cue")]
@@ -71,17 +73,33 @@ class CueEdit(Document, frozen=True, omit_defaults=True):
 
 
 def _named_by(cue: Cue) -> Iterable[str]:
+    lines = [action.to for action in cue.actions if isinstance(action.meant, SpokenLine)]
+    yield from (character for character in lines if character != ALL)
     for part, move in cue.moves.items():
         character, name = split_part(part)
         if character != ALL:
             yield character
         if name == "framing":
             yield from (each for framing in move.goal for each in names_in(framing))
+        elif name == "look":
+            yield from [looked] if (looked := name_in(dict(move.goal))) else []
         elif ranges_of(part) is None and name != "light":
             yield from move.goal
 
 
 # --- what plays them ---
+
+
+def _of_cues(read: Callable[[CueStatus], Argument]) -> dict[str, Any]:
+    """What surfaces are told of the cues, once there is a list. read: the value of it."""
+    return {
+        "on_air": lambda state: () if state.cues is None else (read(state.cues),),
+        "reported": lambda state: () if state.cues is None else ((),),
+    }
+
+
+def _number_of(cue: CueName | None) -> str:
+    return "" if cue is None else cue.number
 
 
 class CuePlay(ClientMessage, frozen=True):
@@ -99,7 +117,15 @@ class Go(CuePlay, frozen=True):
     `cue_list`: of several lists; "" for the one that is chosen."""
 
     method = "go"
-    osc = (osc("go", "calls the cue that stands by, or that of a number", "cue", of_show=True),)
+    osc = (
+        Osc(
+            "go",
+            "calls the cue that stands by, or that of a number; told: the number of the one that was called last",
+            ("cue",),
+            of_show=True,
+            **_of_cues(lambda cues: _number_of(cues.lists[cues.chosen].current)),
+        ),
+    )
 
     id: CallId
     cue: StandbyNumber = ""
@@ -160,7 +186,15 @@ class AssertLook(CuePlay, frozen=True):
 class SetStandby(CuePlay, frozen=True):
     """Has another cue stand by; nothing moves."""
 
-    osc = (osc("standby", "has another cue stand by; nothing moves", "cue", of_show=True),)
+    osc = (
+        Osc(
+            "standby",
+            "has another cue stand by; nothing moves",
+            ("cue",),
+            of_show=True,
+            **_of_cues(lambda cues: _number_of(cues.lists[cues.chosen].standby)),
+        ),
+    )
 
     id: CallId
     cue: CueNumber
@@ -176,7 +210,15 @@ class PauseCues(CuePlay, frozen=True):
     """Pauses the cues of all lists, or lets them go on: their waits, what follows, and what they have called comes to a
     stand in .2 s. Hands, trackers and what moves by itself go on."""
 
-    osc = (osc("pause", "pauses the cues (1), or lets them go on (0)", "on", of_show=True),)
+    osc = (
+        Osc(
+            "pause",
+            "pauses the cues (1), or lets them go on (0)",
+            ("on",),
+            of_show=True,
+            **_of_cues(lambda cues: float(cues.rate < 1.0)),
+        ),
+    )
 
     id: CallId
     on: Annotated[bool, Value("switch", default=1.0)] = True
@@ -190,7 +232,15 @@ class PauseCues(CuePlay, frozen=True):
 class ChooseCueList(CuePlay, frozen=True):
     """Chooses the list that is meant where a message names none."""
 
-    osc = (osc("cue_list", "chooses the list of cues that GO plays", "cue_list", of_show=True),)
+    osc = (
+        Osc(
+            "cue_list",
+            "chooses the list of cues that GO plays",
+            ("cue_list",),
+            of_show=True,
+            **_of_cues(lambda cues: cues.chosen),
+        ),
+    )
 
     id: CallId
     cue_list: Annotated[Name, Value("text")]
@@ -219,7 +269,10 @@ class CueCommand(ClientMessage, frozen=True):
 
 class PutCue(CueCommand, frozen=True):
     """Writes a new cue, or changes what is given of the one of an identity (`cue`). `number`: "" for the next free one;
-    `after`: the identity of the cue that a new one comes behind, "" for where its number belongs."""
+    `actions`: all that it sends and has said; `after`: the identity of the cue that a new one comes behind, "" for
+    where its number belongs."""
+
+    longest = SPEECH_LIMIT
 
     id: CallId
     cue: OptionalIdentity = ""
@@ -231,6 +284,7 @@ class PutCue(CueCommand, frozen=True):
     post_wait: float | None = None
     goes_on: GoesOn | None = None
     skip: bool | None = None
+    actions: list[CueAction] | None = None
     after: OptionalIdentity = ""
     cue_list: ListName = ""
 

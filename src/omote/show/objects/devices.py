@@ -175,7 +175,9 @@ class InputLog(ServerMessage, frozen=True):
 
 
 class DeviceBytes(ServerMessage, frozen=True):
-    """What a device is to be sent (MIDI): to the page that has it."""
+    """What a device is to be sent (MIDI): to the page that has it. `cue`: a cue sends it, so the page says where it
+    does not arrive."""
 
     device: str
     data: bytes
+    cue: bool = False

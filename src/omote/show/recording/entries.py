@@ -118,6 +118,16 @@ class CuesEdited(Entry, frozen=True):
         session.cues.replay(self.shown)
 
 
+class LineRejected(Entry, frozen=True):
+    """A line of a cue was not said. said: why."""
+
+    said: str
+
+    def redo(self, session: ShowSession) -> None:
+        """Tells that again. session: the show."""
+        session.cues.reject(self.said)
+
+
 class Ticked(Entry, frozen=True):
     """A tick. now: seconds, monotonic; check: CRC-32 of the bytes of the state that was sent, None where none was."""
 
@@ -148,7 +158,9 @@ class Kept(Entry, frozen=True):
     book: CuesShown | None = None
 
 
-AnyEntry = Joined | Left | Sent | ChannelsSet | Routed | SoundsKnown | Recast | CuesEdited | Ticked | Kept
+AnyEntry = (
+    Joined | Left | Sent | ChannelsSet | Routed | SoundsKnown | Recast | CuesEdited | LineRejected | Ticked | Kept
+)
 
 _encoder = msgspec.msgpack.Encoder()
 _decoder = msgspec.msgpack.Decoder(list[AnyEntry])

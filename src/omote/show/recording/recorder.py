@@ -16,6 +16,7 @@ from omote.show.recording.entries import (
     Joined,
     Kept,
     Left,
+    LineRejected,
     Recast,
     Routed,
     Sent,
@@ -86,6 +87,10 @@ class Recorder:
     def note_recast(self, digest: str) -> None:
         """Notes that another cast plays. digest: of the cast."""
         self._note(Recast(digest))
+
+    def note_rejected(self, said: str) -> None:
+        """Notes why (said) a line of a cue was not said."""
+        self._note(LineRejected(said))
 
     def note_edit(self) -> None:
         """Notes the cues as an edit has left them: which cue stands by depends on each edit, not on the last alone."""

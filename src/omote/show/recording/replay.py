@@ -60,7 +60,9 @@ class Replay:
                 self._do(entry)
 
     def _tick(self, entry: Ticked) -> ReplayedTick:
+        self.session.cues.take_lines()  # what cues have said was recorded as what somebody says
         state = self.session.tick(entry.now)
+        self.session.cues.take_sends()  # a replay sends nothing
         self.session.texts.take()
         same = None if entry.check is None else zlib.crc32(encode(state)) == entry.check
         return ReplayedTick(entry.now, state, self.session.cast.digest, same)

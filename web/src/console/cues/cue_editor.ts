@@ -8,11 +8,13 @@ import type { Cue, Move } from "../../link/messages";
 import { base, flow } from "../../ui/theme";
 import { COLOURS, CueElement } from "./cue_element";
 import { secondsIn } from "./cue_field";
+import "./cue_actions";
 import "./cue_field";
 import { movedBehind } from "./cue_order";
 import type { CueTopic } from "./cue_store";
 import { partWords } from "./cue_words";
 import { CHARACTER_PARTS, firstGoal, goalText, kindOf, parseGoal, SCENE_PARTS } from "./goal_text";
+import { missingInMove } from "./missing_names";
 
 const style = css`
   :host {
@@ -96,6 +98,11 @@ const style = css`
   p {
     color: var(--dim);
   }
+  .missing {
+    grid-column: 1 / -1;
+    margin: 0;
+    color: var(--attention);
+  }
   .to-list,
   .closer {
     color: var(--text);
@@ -152,7 +159,9 @@ export class CueEditor extends CueElement {
       <h2>Moves</h2>
       ${Object.keys(cue.moves).length === 0 ? html`<p>It moves nothing yet.</p>` : nothing}
       ${Object.entries(cue.moves).map(([part, move]) => keyed(part, this.#move(cue, part, move)))}
-      ${this.#adder(cue)}`;
+      ${this.#adder(cue)}
+      <h2>Also does</h2>
+      <omote-cue-actions .cues=${this.cues} .cue=${cue}></omote-cue-actions>`;
   }
 
   #tools({ identity, number }: Cue) {
@@ -198,6 +207,8 @@ export class CueEditor extends CueElement {
     const time = (name: "seconds" | "delay", label: string) =>
       html`<omote-cue-field label=${label} kind="number" .value=${String(move[name])}
         .save=${(text: string, failed: (reason: string) => void) => put({ [name]: secondsIn(text) }, failed)}></omote-cue-field>`;
+    const { known } = this.cues;
+    const missing = known === null ? [] : missingInMove(part, Object.keys(move.goal), known);
     return html`<div class="move" data-part=${part}>
       <b title=${part}>${partWords(part, this.cues.labels)}</b>
       <button class="away" aria-label="Delete the move of ${part}" title="Delete this move"
@@ -207,6 +218,7 @@ export class CueEditor extends CueElement {
       ${time("seconds", "Seconds")}${time("delay", "Delay")}
       <omote-cue-field label="Easing" .choices=${EASINGS} .value=${move.easing}
         .save=${(text: string, failed: (reason: string) => void) => put({ easing: text }, failed)}></omote-cue-field>
+      ${missing.length === 0 ? nothing : html`<p class="missing">⚠ There is ${missing.join(", ")} in the show now: until it comes, GO leaves this move out.</p>`}
     </div>`;
   }
 
@@ -241,8 +253,22 @@ export class CueEditor extends CueElement {
     const kind = kindOf(part);
     if (firstGoal(part) !== "") return [firstGoal(part)];
     if (kind === "framing") return ["*", ...Object.keys(shown?.characters ?? {})];
+    if (kind === "look") return this.#looked(part);
     const documents = kind === "face" ? faces : kind === "light" ? lights : expressions;
     return documents.map(({ name }) => name);
+  }
+
+  /** What the eyes of a character can look at. */
+  #looked(part: string): readonly string[] {
+    const { state: shown } = this.cues.show;
+    const others = Object.keys(shown?.characters ?? {}).filter((name) => !part.startsWith(`${name}/`));
+    const points = Object.keys(shown?.gaze_points ?? {});
+    return [
+      "ahead",
+      "stage",
+      ...others.map((name) => `character ${name}`),
+      ...points.map((name) => `gaze_point ${name}`),
+    ];
   }
 }
 

@@ -19,16 +19,6 @@ export const COLOURS = ["red", "orange", "yellow", "green", "cyan", "blue", "vio
 /** The colour of a cue as a browser has it; nothing where that is no colour. */
 export const colourOf = (colour: string): string => (CSS.supports("color", colour) ? colour : "transparent");
 
-/** A press that plays counts as the finger comes down; by the keyboard as a click. */
-export const pressed = (act: () => void) => ({
-  down: (event: PointerEvent): void => {
-    if (event.button === 0) act();
-  },
-  click: (event: MouseEvent): void => {
-    if (event.detail === 0) act();
-  },
-});
-
 /** Words that want attention. */
 export const warning = css`
   .warning {

@@ -3,8 +3,9 @@
 import { css, html, nothing } from "lit";
 import { customElement } from "lit/decorators.js";
 import { styleMap } from "lit/directives/style-map.js";
+import { pressed } from "../../ui/gestures";
 import { base } from "../../ui/theme";
-import { CueElement, colourOf, pressed, warning } from "./cue_element";
+import { CueElement, colourOf, warning } from "./cue_element";
 import type { CueTopic } from "./cue_store";
 import { goesOnWords } from "./cue_words";
 

@@ -14,6 +14,7 @@ export type CueCommand =
   | "pause"
   | "assert"
   | "edit"
+  | "update"
   | "search"
   | "help"
   /** A key that is the page's own, but means nothing now: held down. */
@@ -28,6 +29,7 @@ const PLAIN: Readonly<Record<string, CueCommand>> = {
   KeyP: "pause",
   KeyA: "assert",
   KeyE: "edit",
+  KeyU: "update",
 };
 const ALT: Readonly<Record<string, CueCommand>> = { ArrowUp: "move_up", ArrowDown: "move_down" };
 
@@ -39,6 +41,7 @@ export const CUE_KEYS: readonly (readonly [string, string])[] = [
   ["P", "Pause, and go on"],
   ["A", "Assert: all that the cues have left standing, again"],
   ["E", "Editing, and back to playing"],
+  ["U", "While editing: Update, which writes what shows into the cue that is edited"],
   ["PgUp PgDn", "While editing: the cue before, the cue behind"],
   ["Alt ↑ ↓", "While editing: the cue one place up, down"],
   ["Ctrl Z, Ctrl Y", "Take the last edit of cues back, whoever made it; do it again"],

@@ -13,6 +13,7 @@ import { cueListStyle } from "./cue_list_style";
 import { isFound, movedBehind } from "./cue_order";
 import type { CueTopic } from "./cue_store";
 import { goesOnWords, movesWords, titleWords } from "./cue_words";
+import { missingInCue } from "./missing_names";
 import { lookOf, shownCharacter, type Tracked, trackedLooks } from "./tracked_looks";
 
 /** Where a cue that is dragged would come to lie. */
@@ -38,7 +39,7 @@ export class CueListView extends CueElement {
 
   static override styles = [base, cueListStyle];
 
-  protected override readonly topics: readonly CueTopic[] = ["list", "cues", "view", "link", "characters"];
+  protected override readonly topics: readonly CueTopic[] = ["list", "cues", "view", "link", "characters", "manifest"];
 
   /** Goes to the search. */
   search(): void {
@@ -74,7 +75,8 @@ export class CueListView extends CueElement {
       drop,
     ];
     const mark = isStandby ? "▶" : isCurrent ? "●" : "";
-    const { labels } = this.cues;
+    const { labels, known } = this.cues;
+    const missing = known === null ? [] : missingInCue(cue, known);
     return html`<li class=${classes.filter(Boolean).join(" ")} role="option" data-cue=${identity} aria-selected=${isStandby} title=${note}
       @click=${() => (editing ? this.cues.edit(identity) : this.cues.setStandby(cue))}>
       <span class="colour" style=${styleMap({ background: colourOf(colour) })}></span>
@@ -82,7 +84,7 @@ export class CueListView extends CueElement {
       <span class="number">${number}</span>
       <canvas width=${THUMBNAIL_SIZE.width} height=${THUMBNAIL_SIZE.height} aria-hidden="true" data-cue=${identity}></canvas>
       <span class="words"><span class="label">${label || html`<i>${titleWords(cue, labels)}</i>`}</span>
-        ${note === "" ? nothing : html`<span class="note">${note}</span>`}<span class="moves">${movesWords(cue, labels)}</span></span>
+        ${note === "" ? nothing : html`<span class="note">${note}</span>`}${missing.length === 0 ? nothing : html`<span class="missing" title="GO leaves this out while it is not in the show">⚠ ${missing.join(", ")}</span>`}<span class="moves">${movesWords(cue, labels)}</span></span>
       <span class="times">${timesOf(cue)}</span>
       ${editing ? this.#tools(cue) : nothing}
     </li>`;
@@ -177,9 +179,12 @@ interface Marks {
 
 /** Waits, and what goes on by itself. */
 function timesOf(cue: Cue) {
-  const { pre_wait, moves } = cue;
-  const seconds = Math.max(0, ...Object.values(moves).map((move) => move.seconds + move.delay));
+  const { pre_wait, moves, actions } = cue;
+  const ends = Object.values(moves).map((move) => move.seconds + move.delay);
+  const seconds = Math.max(0, ...ends, ...actions.map(({ delay }) => delay));
   return html`<span>${pre_wait > 0 ? `after ${pre_wait} s, ` : ""}${seconds} s</span>${
-    cue.goes_on === "" ? nothing : html`<b>↓ ${goesOnWords(cue)}</b>`
-  }`;
+    actions.length === 0
+      ? nothing
+      : html`<span class="does">⇢ ${[...new Set(actions.map(({ does }) => does))].join(", ")}</span>`
+  }${cue.goes_on === "" ? nothing : html`<b>↓ ${goesOnWords(cue)}</b>`}`;
 }

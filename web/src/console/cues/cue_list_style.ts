@@ -103,6 +103,11 @@ export const cueListStyle = css`
     display: block;
     color: var(--dim);
   }
+  .missing {
+    display: block;
+    color: var(--attention);
+    overflow-wrap: anywhere;
+  }
   .times {
     display: grid;
     gap: 2px;

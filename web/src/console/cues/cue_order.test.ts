@@ -13,6 +13,7 @@ const cue = (number: string, more: Partial<Cue> = {}): Cue => ({
   post_wait: 0,
   goes_on: "",
   skip: false,
+  actions: [],
   ...more,
 });
 const CUES = [cue("1"), cue("2", { skip: true }), cue("3"), cue("4")];

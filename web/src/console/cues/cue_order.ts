@@ -25,10 +25,11 @@ export function movedBehind(cues: readonly Cue[], identity: string, way: Way): s
   return way > 0 ? (cues[at + 1]?.identity ?? null) : (cues[at - 2]?.identity ?? "");
 }
 
-/** Whether every word of a search stands somewhere in a cue: number, label, note, parts, and where these go. */
+/** Whether every word of a search stands somewhere in a cue: number, label, note, parts, where these go, and what it does. */
 export function isFound(cue: Cue, search: string): boolean {
   const moves = Object.entries(cue.moves).flatMap(([part, { goal }]) => [part, ...Object.keys(goal)]);
-  const text = [cue.number, cue.label, cue.note, cue.colour, ...moves].join("\n").toLowerCase();
+  const actions = cue.actions.flatMap(({ does, to, what }) => [does, to, what]);
+  const text = [cue.number, cue.label, cue.note, cue.colour, ...moves, ...actions].join("\n").toLowerCase();
   return search
     .toLowerCase()
     .split(/\s+/)

@@ -14,6 +14,7 @@ const cue = (number: string, more: Partial<Cue> = {}): Cue => ({
   post_wait: 0,
   goes_on: "",
   skip: false,
+  actions: [],
   ...more,
 });
 const named = ({ identity, number, label, note, colour }: Cue): CueName => ({ identity, number, label, note, colour });

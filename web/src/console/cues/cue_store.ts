@@ -15,6 +15,7 @@ import type { ConsoleStore } from "../store/console_store";
 import type { Asked } from "../store/requests";
 import { standbyBeside } from "./cue_order";
 import { titleWords } from "./cue_words";
+import type { KnownNames } from "./missing_names";
 
 /** `cues`: who stands where; `time`: what counts, ten times a second; `list`: the cues; `view`: what this page shows. */
 export type CueTopic = "cues" | "time" | "list" | "view" | "link" | "notice" | "manifest" | "characters";
@@ -126,13 +127,27 @@ export class CueStore extends TopicStore<CueTopic> {
 
   /** What a cue is called, also one without a label. */
   titleOf({ identity, label }: CueName): string {
-    return titleWords(this.find(identity) ?? { label, moves: {} }, this.labels);
+    return titleWords(this.find(identity) ?? { label, moves: {}, actions: [] }, this.labels);
   }
 
   /** What people call each character. */
   get labels(): Readonly<Record<string, string>> {
     const characters = Object.entries(this.show.state?.characters ?? {});
     return Object.fromEntries(characters.map(([name, { label }]) => [name, label]));
+  }
+
+  /** The names that cues can call now; null until the cast is here. */
+  get known(): KnownNames | null {
+    const { faces, expressions, lights, state } = this.show;
+    if (faces.length === 0 || state === null) return null;
+    const names = (documents: readonly { name: string }[]) => new Set(documents.map(({ name }) => name));
+    return {
+      face: names(faces),
+      expression: names(expressions),
+      light: names(lights),
+      character: new Set(Object.keys(state.characters)),
+      "gaze point": new Set(Object.keys(state.gaze_points)),
+    };
   }
 
   /** Why nobody would hear a GO of this page; "" where the show hears it. */

@@ -26,9 +26,11 @@ it("calls a cue without a label by what it moves", () => {
   const moves = Object.fromEntries(
     ["*/light", "one/face", "one/head", "one/gaze", "*/black"].map((part) => [part, move]),
   );
-  expect(titleWords({ label: "Night", moves }, {})).toBe("Night");
-  expect(titleWords({ label: "", moves }, { one: "Kaori" })).toBe("light, Kaori face, Kaori head and 2 more");
-  expect(titleWords({ label: "", moves: {} }, {})).toBe("moves nothing");
+  expect(titleWords({ label: "Night", moves, actions: [] }, {})).toBe("Night");
+  expect(titleWords({ label: "", moves, actions: [] }, { one: "Kaori" })).toBe(
+    "light, Kaori face, Kaori head and 2 more",
+  );
+  expect(titleWords({ label: "", moves: {}, actions: [] }, {})).toBe("moves nothing");
 });
 
 it("says the moves of a running order", () => {
@@ -36,7 +38,16 @@ it("says the moves of a running order", () => {
     "kaori/face": { goal: { dog: 1 }, seconds: 2, easing: "smooth", delay: 0.5 },
     "*/light": { goal: { flat: 1 }, seconds: 0, easing: "smooth", delay: 0 },
   };
-  expect(movesWords({ moves }, { kaori: "Kaori" })).toBe("Kaori face → dog (2 s after 0.5 s); light → flat (0 s)");
+  expect(movesWords({ moves, actions: [] }, { kaori: "Kaori" })).toBe(
+    "Kaori face → dog (2 s after 0.5 s); light → flat (0 s)",
+  );
+  const actions = [
+    { does: "osc", to: "desk:9000", what: "/go 1", delay: 0.5, voice: "" },
+    { does: "say", to: "kaori", what: "Good evening.", delay: 0, voice: "de" },
+  ] as const;
+  expect(movesWords({ moves: {}, actions: [...actions] }, { kaori: "Kaori" })).toBe(
+    "osc desk:9000 /go 1 after 0.5 s; Kaori: “Good evening.”",
+  );
 });
 
 it("has a cue end with its last move, also one that waits", () => {

@@ -30,24 +30,32 @@ export function partWords(part: string, labels: Readonly<Record<string, string>>
 
 /** What a cue is called; one without a label by the parts that it moves. */
 export function titleWords(
-  { label, moves }: Pick<Cue, "label" | "moves">,
+  { label, moves, actions }: Pick<Cue, "label" | "moves" | "actions">,
   labels: Readonly<Record<string, string>>,
 ): string {
   const parts = Object.keys(moves);
   if (label !== "") return label;
   const more = parts.length > 3 ? ` and ${parts.length - 3} more` : "";
   const named = parts.slice(0, 3).map((part) => partWords(part, labels));
+  if (parts.length === 0 && actions.length > 0) return movesWords({ moves, actions: actions.slice(0, 1) }, labels);
   return parts.length === 0 ? "moves nothing" : `${named.join(", ")}${more}`;
 }
 
-/** All moves of a cue in a line, for a running order. */
-export function movesWords({ moves }: Pick<Cue, "moves">, labels: Readonly<Record<string, string>>): string {
-  return Object.entries(moves)
-    .map(([part, { goal, seconds, delay }]) => {
-      const late = delay === 0 ? "" : ` after ${delay} s`;
-      return `${partWords(part, labels)} → ${goalText(part, goal)} (${seconds} s${late})`;
-    })
-    .join("; ");
+const late = (delay: number): string => (delay === 0 ? "" : ` after ${delay} s`);
+
+/** All that a cue moves and does in a line, for a running order. */
+export function movesWords(
+  { moves, actions }: Pick<Cue, "moves" | "actions">,
+  labels: Readonly<Record<string, string>>,
+): string {
+  const moved = Object.entries(moves).map(
+    ([part, { goal, seconds, delay }]) =>
+      `${partWords(part, labels)} → ${goalText(part, goal)} (${seconds} s${late(delay)})`,
+  );
+  const done = actions.map(({ does, to, what, delay }) =>
+    does === "say" ? `${labels[to] || to}: “${what}”${late(delay)}` : `${does} ${to} ${what}${late(delay)}`,
+  );
+  return [...moved, ...done].join("; ");
 }
 
 /** Seconds until the cue that was called last has ended: its moves on their way, and those that wait yet. */

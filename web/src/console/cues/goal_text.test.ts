@@ -10,6 +10,9 @@ const BOTH: readonly (readonly [string, Goal, string])[] = [
   ["one/head", { yaw: -0.2, pitch: 1e-7, roll: 0 }, "yaw = -0.2, pitch = 1e-7, roll = 0"],
   ["one/presence", { presence: 0.1 }, "0.1"],
   ["*/black", { black: 1 }, "1"],
+  ["one/layer:tracker", { brows: 0.5, eyes: 0.5, mouth: 0.5, rest: 0.5, head: 0.5, gaze: 0.5 }, "0.5"],
+  ["one/look", { "character two": 1 }, "character two"],
+  ["one/look", { x: 1, y: 0, z: 2 }, "x = 1, y = 0, z = 2"],
   ["*/framing", { "*": 1 }, "*"],
   ["*/framing", { "ben+kaori": 0.25, "*": 0.75 }, '"ben+kaori" = 0.25, "*" = 0.75'],
   ["one/face", { 'a "b" = c, d': 1 }, '"a \\"b\\" = c, d" = 1'],
@@ -28,7 +31,7 @@ describe("goals as text", () => {
   });
 
   it("comes back from what it begins with", () => {
-    for (const part of ["one/head", "one/gaze", "one/place", "one/presence", "one/motion", "*/black"])
+    for (const part of ["one/head", "one/gaze", "one/place", "one/presence", "one/motion", "one/layer:lips", "*/black"])
       expect(goalText(part, parseGoal(part, firstGoal(part)))).toBe(firstGoal(part));
   });
 

@@ -1,6 +1,6 @@
 /** Goals of cues as people write them: as in the text files of docs/howto/cues.md, without their outer brackets. */
 
-import { PLAY_REGIONS } from "../../link/constants";
+import { LAYER_PARTS, LAYERS, PLAY_REGIONS } from "../../link/constants";
 
 export type Goal = Readonly<Record<string, number>>;
 
@@ -14,7 +14,9 @@ export const CHARACTER_PARTS = [
   "place",
   "presence",
   "motion",
-] as const;
+  "look",
+  ...LAYERS.map((layer) => `layer:${layer}`),
+];
 export const SCENE_PARTS = ["light", "framing", "black"] as const;
 
 /** How the text says that a region goes with the whole face. */
@@ -28,6 +30,9 @@ const NUMBERS: Readonly<Record<string, Goal>> = {
   presence: { presence: 1 },
   motion: { liveliness: 1, blinks: 1, gaze: 1, breath: 1 },
   black: { black: 1 },
+  ...Object.fromEntries(
+    LAYERS.map((layer) => [`layer:${layer}`, Object.fromEntries(LAYER_PARTS.map((part) => [part, 1]))]),
+  ),
 };
 
 /** The name of a part without whose it is. */
@@ -47,7 +52,7 @@ export function goalText(part: string, goal: Goal): string {
   const [first] = entries;
   if (first === undefined) return WITH_FACE;
   const numbers = kindOf(part) in NUMBERS;
-  if (entries.length === 1 && numbers) return String(first[1]);
+  if (numbers && takesOneNumber(part) && entries.every(([, value]) => value === first[1])) return String(first[1]);
   const plain = first[1] === 1 && !numbers && !/[=,{}"]/.test(first[0]) && first[0].trim() === first[0];
   if (entries.length === 1 && plain && !(first[0] === WITH_FACE && isRegion(part))) return first[0];
   return entries.map(([name, value]) => `${keyText(name)} = ${value}`).join(", ");
@@ -69,11 +74,13 @@ export function parseGoal(part: string, text: string): Record<string, number> {
   const numbers = NUMBERS[kindOf(part)];
   const name = unquoted(bare);
   if (numbers === undefined) return isRegion(part) && name === WITH_FACE ? {} : { [name]: 1 };
-  const [only, ...others] = Object.keys(numbers);
-  if (only === undefined || others.length > 0 || !NUMBER.test(bare))
-    throw new Error(`${part} goes to numbers: ${exampleOf(part)}.`);
-  return { [only]: Number(bare) };
+  if (!takesOneNumber(part) || !NUMBER.test(bare)) throw new Error(`${part} goes to numbers: ${exampleOf(part)}.`);
+  return Object.fromEntries(Object.keys(numbers).map((each) => [each, Number(bare)]));
 }
+
+/** Whether one number says all of a part: it has no other, or all are of one kind, as of a layer. */
+const takesOneNumber = (part: string): boolean =>
+  Object.keys(NUMBERS[kindOf(part)] ?? {}).length === 1 || kindOf(part).startsWith("layer:");
 
 function parseEntries(part: string, text: string): Record<string, number> {
   const goal: Record<string, number> = {};
@@ -98,4 +105,7 @@ function unquoted(text: string): string {
   }
 }
 
-const exampleOf = (part: string): string => firstGoal(part) || "a name, or weights such as joy = 0.7, neutral = 0.3";
+const exampleOf = (part: string): string =>
+  (kindOf(part) === "look" && "character two, stage, x = 0, y = 0, z = 2") ||
+  firstGoal(part) ||
+  "a name, or weights such as joy = 0.7, neutral = 0.3";

@@ -3,11 +3,12 @@
 import { html, nothing } from "lit";
 import { customElement, property, query, state } from "lit/decorators.js";
 import { keyed } from "lit/directives/keyed.js";
+import { pressed } from "../../ui/gestures";
 import { listenToKeys } from "../../ui/key_presses";
 import { base, palette, toolPage } from "../../ui/theme";
 import type { Thumbnails } from "../../ui/thumbnails";
 import { hearWhileShown, whileShown } from "../../ui/topic_element";
-import { CueElement, pressed, warning } from "../cues/cue_element";
+import { CueElement, warning } from "../cues/cue_element";
 import type { CueFormKind } from "../cues/cue_forms";
 import { type CueCommand, cueCommandOf } from "../cues/cue_keys";
 import type { CueListView } from "../cues/cue_list";
@@ -149,7 +150,8 @@ export class CuesPage extends CueElement {
   }
 
   #obeyEditing(command: CueCommand, edited: string): void {
-    if (command === "move_up" || command === "move_down") this.rows?.move(edited, command === "move_up" ? -1 : 1);
+    if (command === "update") this.cues.change({ type: "update_cue", cue: edited, cue_list: this.cues.name });
+    else if (command === "move_up" || command === "move_down") this.rows?.move(edited, command === "move_up" ? -1 : 1);
     else if (command === "edit_before" || command === "edit_behind") {
       const beside = cueBeside(this.cues.list, edited, command === "edit_before" ? -1 : 1);
       if (beside !== null) this.cues.edit(beside.identity);

@@ -66,6 +66,9 @@ const style = css`
 `;
 
 /** Tells `close` when it is done with. */
+/** What a control plays of the whole show. */
+const SHOW_PATHS = ["go", "back", "pause", "assert", "light", "memory", "black", "fade_to_black", "fade_up", "panic"];
+
 @customElement("omote-binding-form")
 export class BindingForm extends DevicesElement {
   @property({ attribute: false }) draft!: Draft;
@@ -182,10 +185,7 @@ export class BindingForm extends DevicesElement {
     const own = ["face", "expression", "head", "gaze", "fade/face", "fade/expression", "panic"];
     const channels = this.store.expressions.map(({ name }) => `channel/${name}`);
     const of = characters.flatMap((who) => [...own, ...channels].map((path) => `/omote/${who}/${path}`));
-    return [
-      ...of,
-      ...["light", "memory", "black", "fade_to_black", "fade_up", "panic"].map((path) => `/omote/${path}`),
-    ];
+    return [...of, ...SHOW_PATHS.map((path) => `/omote/${path}`)];
   }
 
   readonly #keep = (event: Event): void => {

@@ -55,6 +55,30 @@ const state = (name: string, plugged: boolean): DeviceState => ({
   advice: "",
 });
 
+it("asks for MIDI with Show Control, and without it where the browser keeps that back", async () => {
+  const asked: boolean[] = [];
+  const { browserDevices, browser } = devices();
+  const requestMidi = async (sysex: boolean): Promise<MIDIAccess> => {
+    asked.push(sysex);
+    if (sysex) throw new Error("not allowed");
+    return { ...(await browser.requestMidi?.(false)), sysexEnabled: false } as MIDIAccess;
+  };
+  const careful = devices({ requestMidi }).browserDevices;
+  await careful.hear("midi", true);
+  await browserDevices.hear("midi", true);
+  expect(asked).toEqual([true, false]);
+  expect([careful.hearing.midi, careful.showControl, browserDevices.showControl]).toEqual(["on", false, true]);
+});
+
+it("shows that what a cue sends to a device does not reach it", async () => {
+  const { browserDevices } = devices();
+  await browserDevices.hear("midi", true);
+  browserDevices.receiveBytes("Dial", Uint8Array.of(0xb0, 7, 1)); // a lamp that it has not
+  expect(browserDevices.here.get("Dial")?.unsent).toBeUndefined();
+  browserDevices.receiveBytes("Dial", Uint8Array.of(0xf0, 0x7f, 0xf7), true);
+  expect(browserDevices.here.get("Dial")?.unsent).toBe(true);
+});
+
 it("asks for MIDI when somebody wants it, and by itself the next time", async () => {
   const { browserDevices, kept, browser, store } = devices();
   await browserDevices.start();

@@ -13,7 +13,8 @@ import { type Hid, SpaceMice } from "./space_mice";
 export interface Browser {
   readonly secure: boolean;
   readonly store: BrowserStorage;
-  readonly requestMidi: (() => Promise<MIDIAccess>) | null;
+  /** `sysex`: with system exclusive, as MIDI Show Control is. */
+  readonly requestMidi: ((sysex: boolean) => Promise<MIDIAccess>) | null;
   readonly gamepads: (() => readonly (PadState | null)[]) | null;
   readonly hid: Hid | null;
   readonly now: () => number;
@@ -26,6 +27,8 @@ export type DeviceHearing = "off" | "asking" | "on" | "denied" | "missing" | "in
 interface Here {
   readonly kind: DeviceKind;
   refused: string | null;
+  /** Something that was sent to it did not reach it. */
+  unsent?: boolean;
 }
 
 const KEY = "omote devices";
@@ -34,6 +37,8 @@ export class BrowserDevices {
   readonly hearing: Record<DeviceKind, DeviceHearing>;
   /** What is plugged in at this browser, and for each that the show does not take from here the reason. */
   readonly here = new Map<string, Here>();
+  /** The browser lets MIDI Show Control through, where it lets MIDI. */
+  showControl = true;
   readonly #midi: MidiPorts;
   readonly #pads: Gamepads;
   readonly #mice: SpaceMice | null;
@@ -107,9 +112,13 @@ export class BrowserDevices {
         this.#plug(device, here.kind);
   }
 
-  /** The show sends something to a device. */
-  receiveBytes(device: string, data: Uint8Array): void {
-    this.#midi.send(device, data);
+  /** The show sends something to a device; where a cue does and it does not arrive, the page says so. */
+  receiveBytes(device: string, data: Uint8Array, cue = false): void {
+    const here = this.here.get(device);
+    const unsent = !this.#midi.send(device, data);
+    if (!cue || here === undefined || unsent === (here.unsent ?? false)) return;
+    here.unsent = unsent;
+    this.store.tell("browser_devices");
   }
 
   plugged(device: string, kind: DeviceKind): void {
@@ -151,10 +160,13 @@ export class BrowserDevices {
   };
 
   async #openMidi(): Promise<void> {
-    if (this.hearing.midi === "on" || this.browser.requestMidi === null) return;
+    const { requestMidi } = this.browser;
+    if (this.hearing.midi === "on" || requestMidi === null) return;
     this.#set("midi", "asking");
     try {
-      this.#midi.open(await this.browser.requestMidi());
+      const access = await requestMidi(true).catch(() => requestMidi(false));
+      this.showControl = access.sysexEnabled !== false;
+      this.#midi.open(access);
       this.#set("midi", "on");
     } catch {
       this.#set("midi", "denied");
@@ -189,7 +201,7 @@ export function thisBrowser(): Browser {
   return {
     secure: isSecureContext,
     store: () => localStorage,
-    requestMidi: midi ? () => navigator.requestMIDIAccess({ sysex: false }) : null,
+    requestMidi: midi ? (sysex) => navigator.requestMIDIAccess({ sysex }) : null,
     gamepads: "getGamepads" in navigator ? () => navigator.getGamepads() : null,
     hid: hid ?? null,
     now: () => performance.now(),

@@ -104,12 +104,15 @@ export class BrowserPorts extends DevicesElement {
   }
 
   override render() {
-    const { hearing, here } = this.#browser;
+    const { hearing, here, showControl } = this.#browser;
     return html`<h2>At this browser</h2>
       ${Object.values(hearing).includes("insecure") ? this.#insecure() : nothing}
       <div class="ports">${WORDS.map((words) => this.#port(words, hearing[words.kind]))}</div>
-      <ul>${[...here].map(([device, { refused }]) =>
-        refused === null ? nothing : html`<li class="attention" data-refused=${device}>${device}: ${refused}</li>`,
+      ${hearing.midi === "on" && !showControl ? html`<p class="attention">The browser keeps MIDI Show Control back: allow “MIDI devices, full control” for this page by the lock or the sliders beside its address, then stop and ask again.</p>` : nothing}
+      <ul>${[...here].map(([device, { refused, unsent }]) =>
+        refused === null && !unsent
+          ? nothing
+          : html`<li class="attention" data-refused=${device}>${device}: ${refused ?? "what was sent to it did not reach it. Does another program have it, has it no output, or is MIDI Show Control not allowed?"}</li>`,
       )}</ul>`;
   }
 

@@ -37,7 +37,7 @@ export class ConsoleDevices {
     browser: Browser = thisBrowser(),
   ) {
     this.browser = new BrowserDevices(browser, store, send);
-    store.hear("device_bytes", ({ device, data }) => this.browser.receiveBytes(device, data));
+    store.hear("device_bytes", ({ device, data, cue }) => this.browser.receiveBytes(device, data, cue));
     store.hear("bindings_changed", (change) => change.preset !== "" && this.#receivePreset(change));
     store.hear("devices", ({ devices }) => store.online && this.browser.receive(devices));
     store.listen("link", () => this.#relink());

@@ -11,7 +11,9 @@ import { UPRIGHT } from "../controls/screen_sizes";
 import type { Topic } from "../store/page_store";
 import { secondsLabel } from "../store/timing";
 import { HEARD_MS } from "../store/unheard_panic";
+import type { CueLine } from "./cue_line";
 import { offersStyle, viewOffers } from "./offers";
+import "./cue_line";
 import "./import_progress";
 import "./name_field";
 import "./note_line";
@@ -45,6 +47,7 @@ export class StatusBar extends ConsoleElement {
   } = {};
   #leave: (() => void)[] = [];
   @query(".messages") private messages!: HTMLElement;
+  @query("omote-cue-line") private cues!: CueLine;
   readonly #room = new ResizeObserver(() => this.#askRoom());
   #era = 0;
 
@@ -99,6 +102,11 @@ export class StatusBar extends ConsoleElement {
     this.#room.observe(this.messages);
   }
 
+  /** GO of the cues. */
+  go(): void {
+    this.cues.go();
+  }
+
   /** Tells how many pixels of the picture the words need that the bar has no room for. */
   #askRoom(): void {
     const height = CROWDED.matches ? this.messages.offsetHeight : 0;
@@ -137,6 +145,7 @@ export class StatusBar extends ConsoleElement {
         </div>
         ${none ? html`<omote-note .context=${this.context}></omote-note>` : nothing}
       </div>
+      <omote-cue-line .context=${this.context} .restricted=${this.restricted}></omote-cue-line>
       <slot name="seat"></slot>
       ${this.#steps()}
       <button class="log ${unread > 0 ? "unread" : ""}" title="What was said, and what can be taken back"

@@ -24,6 +24,7 @@ export type Command =
   | { do: "black"; seconds: 0 | null }
   | { do: "scene" }
   | { do: "layers" }
+  | { do: "go" }
   | { do: "region"; direction: -1 | 1 };
 
 /** Physical keys, so that they lie in two rows on every layout. */
@@ -56,6 +57,7 @@ const COMMANDS: Readonly<Record<string, Command>> = {
   Comma: { do: "leases" },
   Period: { do: "take_over" },
   KeyZ: { do: "learn" },
+  Backquote: { do: "go" },
 };
 
 /** With Shift: two keys on purpose, beside each other; in the time of a face's call where no seconds are given. */
@@ -91,6 +93,7 @@ export const HELP: readonly (readonly [string, string])[] = [
   ["L", "To the lights; then Tab and Enter"],
   ["Shift B", "Fade all stages to black in the seconds of a face call; again: up"],
   ["Shift V", "Blackout: all stages black at once; again: up at once. Panic leaves it as it is"],
+  ["`", "GO of the cues, the key left of 1: the cue that stands by, as the bar names it"],
   ["C", "Head and gaze to the centre"],
   ["X", "All channels to zero"],
   [",", "Leases: who holds what"],

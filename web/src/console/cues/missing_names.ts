@@ -1,0 +1,35 @@
+/** What cues name that is not in the show now: it may come later, so it is marked and not refused. */
+
+import { ALL, PLAY_REGIONS } from "../../link/constants";
+import type { Cue } from "../../link/messages";
+import { kindOf } from "./goal_text";
+
+/** The names that there are, by what they are of. */
+export type KnownNames = Readonly<
+  Record<"face" | "expression" | "light" | "character" | "gaze point", ReadonlySet<string>>
+>;
+
+/** What a move names that there is not, in words: `no face dgo`. */
+export function missingInMove(part: string, names: readonly string[], known: KnownNames): string[] {
+  const owner = part.slice(0, part.lastIndexOf("/"));
+  const kind = kindOf(part);
+  const lacks = (of: keyof KnownNames, name: string): string[] => (known[of].has(name) ? [] : [`no ${of} ${name}`]);
+  const whose = owner === ALL ? [] : lacks("character", owner);
+  if (kind === "face" || kind === "light") return [...whose, ...names.flatMap((name) => lacks(kind, name))];
+  if (kind === "expression" || (PLAY_REGIONS as readonly string[]).includes(kind))
+    return [...whose, ...names.flatMap((name) => lacks("expression", name))];
+  if (kind === "framing")
+    return names.flatMap((name) => name.split("+").flatMap((one) => (one === ALL ? [] : lacks("character", one))));
+  const [looked = "", at] = /^(?:character|gaze_point) (.+)$/.exec(names[0] ?? "") ?? [];
+  if (kind !== "look" || at === undefined) return whose;
+  return [...whose, ...lacks(looked.startsWith("character") ? "character" : "gaze point", at)];
+}
+
+/** What a cue names that there is not, each once. */
+export function missingInCue({ moves, actions }: Pick<Cue, "moves" | "actions">, known: KnownNames): string[] {
+  const moved = Object.entries(moves).flatMap(([part, { goal }]) => missingInMove(part, Object.keys(goal), known));
+  const said = actions.flatMap(({ does, to }) =>
+    does !== "say" || to === ALL || known.character.has(to) ? [] : [`no character ${to}`],
+  );
+  return [...new Set([...moved, ...said])];
+}
