@@ -174,7 +174,7 @@ class RandomShow:
     def action(self) -> CueAction:
         """Something that a cue does beside moving parts."""
         line = CueAction("say", self.pick(("one", "two", "*")), "Good evening", delay=self.pick((0.0, 0.3)))
-        return self.pick((line, line, CueAction("osc", "127.0.0.1:9", "/cue/1/start")))
+        return line if self.rng.random() < 0.7 else CueAction("osc", "127.0.0.1:9", "/cue/1/start")
 
     def cue_messages(self) -> list[Callable[[], ClientMessage]]:
         """What plays and edits cues."""
