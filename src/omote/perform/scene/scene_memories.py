@@ -19,7 +19,7 @@ class SceneMemories(SceneGoals):
 
     _memories: Memories
 
-    def keep_memory(self, name: str, *, key: str = "") -> None:
+    def keep_memory(self, name: str, *, key: str = "", of: SceneMemories | None = None) -> None:
         """Keeps what shows under a name: faces, expressions, head and gaze of all characters, light and framing.
 
         Channels, places, sources, black and what moves by itself are no part of it.
@@ -30,6 +30,8 @@ class SceneMemories(SceneGoals):
             1 to 40 letters; one of that name is kept anew.
         key : str
             What `restore_memory` finds the one before by; the name where none is given.
+        of : Scene, optional
+            The one whose look is kept, such as the preview's; this one's where none is given.
 
         Raises
         ------
@@ -46,10 +48,11 @@ class SceneMemories(SceneGoals):
         >>> dict(scene.advance(2.0).characters["one"].frame.faces)
         {'dog': 1.0}
         """
+        seen = of or self
         parts = [
-            f"{other}/{part}" for other in self._characters if not self._standings[other].leaves for part in REMEMBERED
+            f"{other}/{part}" for other in seen._characters if not seen._standings[other].leaves for part in REMEMBERED
         ]
-        goals = {part: self.shown_goal(part) for part in (*parts, f"{ALL}/light", f"{ALL}/framing")}
+        goals = {part: seen.shown_goal(part) for part in (*parts, f"{ALL}/light", f"{ALL}/framing")}
         memory = Memory({part: goal for part, goal in goals.items() if goal != WITH_FACE})
         self._memories = with_memory(self._memories, name, memory, key or name)
 

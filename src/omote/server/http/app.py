@@ -226,13 +226,21 @@ class ShowServer:
             self.voices.begin(self.session, self.clock)
         state = self._state = self.session.tick(now)
         self._deliver(self.session.hands_now(now))  # before the state, for which programs wait
-        self.links.broadcast(encode(state), now)
+        self._broadcast(state, now)
         for source in self.sources:
             source.tell(state, now)
         refused = self.session.texts.take_refused(lambda _: True)  # sources have taken theirs
         self._deliver([Outgoing(text.who, Refused(reason, text.message.id)) for text, reason in refused])
         self.documents.set_on_air(state)
         self._keep_cues()
+
+    def _broadcast(self, state: State, now: float) -> None:
+        """Sends what is on air to all links but those that look at the preview, which get that. state: on air."""
+        unseen = self.session.preview_state
+        others = set() if unseen is None else {who for who, each in self.session.crew.items() if each.bus == "preview"}
+        self.links.broadcast(encode(state), now, [link for link in self.links if link.who not in others])
+        if unseen is not None:
+            self.links.broadcast(encode(unseen), now, [link for link in self.links if link.who in others])
 
     def _keep_cues(self) -> None:
         """Writes what was edited of cues since the last tick into the show file, in one commit."""
