@@ -76,7 +76,8 @@ class Show:
         worn = [name for name, title in cast.titles.items() if title.kind == "performed"]
         now = frame / RATE
         for character in self.characters:
-            face, expression = str(rng.choice(list(cast.faces))), str(rng.choice(worn))
+            face = str(rng.choice(list(cast.faces)))
+            expression = str(rng.choice(worn))
             self.session.receive(who, CallFace(character, f"{who}f{frame}{character}", face, 2.0), now)
             self.session.receive(who, CallExpression(character, f"{who}e{frame}{character}", expression, 0.5), now)
 

@@ -159,10 +159,12 @@ class ShowServer:
         self.session.members.people = lambda: () if control is None else control.names()
         self.authority = authority
 
-    def on_air(self, character: str = "") -> OnAir:
-        """What a character has on air now, the first on the stage where none is named; `coming` includes what was
-        called since the last tick."""
-        on_air = read_on_air(self._state, character) if self._state else OnAir()
+    def on_air(self, character: str = "", who: str = "") -> OnAir:
+        """What a character shows now, the first on the stage where none is named; `coming` includes what was called
+        since the last tick. who: the client that sees it, on air or in preview; "" for an editor."""
+        unseen = self.session.preview_state if self.session.members.looks_at(who) == "preview" else None
+        state = unseen or self._state
+        on_air = read_on_air(state, character) if state else OnAir()
         return replace(on_air, coming=on_air.coming.union(*self.session.names_held()))
 
     def application(self, names: frozenset[str]) -> web.Application:
