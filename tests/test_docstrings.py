@@ -176,6 +176,7 @@ def wrong_calls(cast: omote.Cast) -> dict[tuple[str, type[Exception]], Callable[
         ("Scene.delete_gaze_point", ValueError): lambda: scene.delete_gaze_point("nowhere"),
         ("Scene.note_camera", ValueError): lambda: scene.note_camera("", (0.0, 0.0, 999.0)),
         ("Scene.note_camera", TypeError): lambda: scene.note_camera("", (0.0, 0.0, words)),
+        ("Scene.keep_look_of", ValueError): lambda: scene.keep_look_of(scene, " "),
         ("Scene.channels_of", ValueError): lambda: scene.channels_of("zoe"),
         ("Scene.call_channels", ValueError): lambda: scene.call_channels("one", {"jawOpn": 1.0}),
         ("Scene.call_channels", TypeError): lambda: scene.call_channels("one", {"jawOpen": words}),

@@ -336,8 +336,8 @@ class ShowSession:
         leases = self.leasing.tell(now)
         news = self.sources.news(consoles, self.scene, now)
         outgoing = self._sound_stage.tell(self.crew, now)
-        outgoing += [Outgoing(*pair) for by_client in (hands, leases) for pair in by_client.items()]
-        outgoing = [told for told in outgoing if self.members.looks_at(told.who) == "air"]  # hands and leases are its
+        on_air = [pair for told in (hands, leases) for pair in told.items() if self.members.looks_at(pair[0]) == "air"]
+        outgoing += [Outgoing(*pair) for pair in on_air]
         outgoing += [Outgoing(who, values) for who, values in self.sources.tell_watchers(now)]
         return outgoing if news is None else [*outgoing, *self.for_consoles(news)]
 

@@ -19,7 +19,7 @@ class SceneMemories(SceneGoals):
 
     _memories: Memories
 
-    def keep_memory(self, name: str, *, key: str = "", of: SceneMemories | None = None) -> None:
+    def keep_memory(self, name: str, *, key: str = "") -> None:
         """Keeps what shows under a name: faces, expressions, head and gaze of all characters, light and framing.
 
         Channels, places, sources, black and what moves by itself are no part of it.
@@ -30,8 +30,6 @@ class SceneMemories(SceneGoals):
             1 to 40 letters; one of that name is kept anew.
         key : str
             What `restore_memory` finds the one before by; the name where none is given.
-        of : Scene, optional
-            The one whose look is kept, such as the preview's; this one's where none is given.
 
         Raises
         ------
@@ -48,7 +46,33 @@ class SceneMemories(SceneGoals):
         >>> dict(scene.advance(2.0).characters["one"].frame.faces)
         {'dog': 1.0}
         """
-        seen = of or self
+        self.keep_look_of(self, name, key=key)
+
+    def keep_look_of(self, seen: SceneMemories, name: str, *, key: str = "") -> None:
+        """Keeps what another scene shows under a name, as `keep_memory` keeps what this one does.
+
+        Parameters
+        ----------
+        seen : Scene
+            The one whose look is kept, such as the preview's.
+        name, key : str
+            As of `keep_memory`.
+
+        Raises
+        ------
+        ValueError
+            On a name that none can have, and beyond thirty-two memories.
+
+        Examples
+        --------
+        >>> scene = omote.Scene.begun(cast)
+        >>> unseen = omote.Scene.restored(cast, scene.snapshot())
+        >>> unseen["one"].call_face("dog", seconds=0)
+        >>> scene.keep_look_of(unseen, "finale")
+        >>> scene.call_memory("finale", seconds=0)
+        >>> dict(scene.advance(0.0).characters["one"].frame.faces)
+        {'dog': 1.0}
+        """
         parts = [
             f"{other}/{part}" for other in seen._characters if not seen._standings[other].leaves for part in REMEMBERED
         ]

@@ -71,7 +71,7 @@ class EditorLinks:
 
     authored_work: None when nothing can be stored; reopen: reads it again from the file; on_air: what is seen now of a
     character, by a client; tell: sends a message to one console, announce: to every page of the show; notices: what the
-    crew must know; list_documents: tells all consoles the names of the documents of a kind; cancel: ends a long request.
+    crew must know; list_documents: tells consoles the names of the documents of a kind; cancel: ends a long request.
     """
 
     def __init__(

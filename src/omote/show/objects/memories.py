@@ -32,7 +32,7 @@ class KeepMemory(ClientMessage, frozen=True):
 
     def act(self, session: Session, who: str, now: float) -> tuple[Outgoing, ...]:
         """Keeps it. session: the show; who: the client; now: seconds, monotonic."""
-        session.scene.keep_memory(self.name, key=self.key, of=session.scene_of(who))
+        session.scene.keep_look_of(session.scene_of(who), self.name, key=self.key)
         return ()
 
 
