@@ -146,3 +146,14 @@ def cast() -> Cast:
     shapes = (points, points * [1.15, 0.95, 1.05], points * [0.95, 1.2, 1.0] + chin)
     faces = {name: Face(name, shape.astype(np.float32)) for name, shape in zip(FACES, shapes, strict=True)}
     return Cast(space(), faces, _expressions(faces["generic"]))
+
+
+class Recast:
+    """A cast with other names than the one it stands for."""
+
+    def __init__(self, cast: Cast, faces: list[str], expressions: list[str], digest: str = "other") -> None:
+        self.faces = {name: name for name in faces}
+        self.expressions = {name: cast.expressions.get(name, cast.expressions["smile"]) for name in expressions}
+        self.titles = cast.titles
+        self.face_labels = cast.face_labels
+        self.digest = digest

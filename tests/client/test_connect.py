@@ -49,6 +49,23 @@ async def test_a_program_under_asyncio_plays_and_hears(show_harness: ShowHarness
             await show.wait()
 
 
+@pytest.mark.asyncio
+async def test_a_program_builds_a_look_in_preview_and_takes_it(show_harness: ShowHarness) -> None:
+    url = str(show_harness.client.make_url("/"))
+    async with (
+        ticking(show_harness),
+        await omote.connect_async(url) as air,
+        await omote.connect_async(url, name="unseen", bus="preview") as preview,
+    ):
+        await preview["one"].call_face("broad", seconds=0)
+        assert (preview.state.bus, preview["one"].frame.faces) == ("preview", {"broad": 1.0})
+        await air.wait()
+        assert (air.state.bus, air["one"].frame.faces) == ("air", {"generic": 1.0})
+        await preview.take(seconds=0)
+        while air["one"].frame.faces != {"broad": 1.0}:
+            await air.wait()
+
+
 WRONG: dict[str, tuple[dict[str, Any], type[Exception], str]] = {
     "address": ({"url": "ftp://stage"}, ValueError, "no address of a show"),
     "no address": ({"url": 8090}, TypeError, "the address of a show is a int"),
@@ -56,6 +73,7 @@ WRONG: dict[str, tuple[dict[str, Any], type[Exception], str]] = {
     "no name": ({"name": " "}, ValueError, "give 1 to 24 letters"),
     "number as name": ({"name": 3}, TypeError, "the name of a program is a int"),
     "no time": ({"timeout": 0.0}, ValueError, "the time to wait for a show"),
+    "no bus": ({"bus": "blind"}, ValueError, "there is no bus 'blind'"),
     "text as time": ({"timeout": "long"}, TypeError, "the time to wait for a show"),
 }
 

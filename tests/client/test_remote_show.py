@@ -32,6 +32,7 @@ from tests.server.conftest import ShowHarness
 NO_CALLS = {
     "set_channels",  # of a session's own devices; a program sends a frame of many by `drive`
     *("goal_of", "shown_goal", "call_goal", "set_pace"),  # of cues and memories; a program has the call of each part
+    *("channels_of", "call_channels", "keep_look_of"),  # of the preview
     "advance",
     "recast",
     "restored",

@@ -108,7 +108,7 @@ def test_each_node_says_where_it_stands_and_what_may_be_done() -> None:
     for node in nodes(root):
         assert find_node(root, node["FULL_PATH"]) is node
         told = node.get("TYPE") not in (None, "I") and not node["FULL_PATH"].endswith(
-            ("/enter", "/leave", "/say", "/say/en", "/say/de", "/say/voice", "/fade_to_black", "/fade_up")
+            ("/enter", "/leave", "/say", "/say/en", "/say/de", "/say/voice", "/fade_to_black", "/fade_up", "/take")
         )
         assert node["ACCESS"] == (NO_ACCESS if "TYPE" not in node else READ_WRITE if told else WRITE)
         assert node["ACCESS"] != READ_WRITE or len(node["TYPE"]) == len(node["RANGE"])

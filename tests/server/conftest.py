@@ -23,7 +23,7 @@ from omote.server.supervision.show_process import open_reopenable_work
 from omote.show.declaration import ClientMessage, Message, ServerMessage
 from omote.show.messages import LINK_PATH, PROTOCOL_VERSION, STATE_RATE
 from omote.show.objects.faders import Hands
-from omote.show.objects.link import Hello, Ping, Pong, Role, Welcome
+from omote.show.objects.link import Bus, Hello, Ping, Pong, Role, Welcome
 from omote.show.objects.state import State
 from omote.show.session import ShowSession
 from omote.show.wire import decode_answer, encode
@@ -49,10 +49,10 @@ class ShowHarness:
     client: "TestClient[web.Request, web.Application]"
     clock: Clock = field(default_factory=Clock)
 
-    async def link(self, role: Role = "console") -> aiohttp.ClientWebSocketResponse:
+    async def link(self, role: Role = "console", *, bus: Bus = "air") -> aiohttp.ClientWebSocketResponse:
         """A link that has said hello and was welcomed."""
         socket = await self.client.ws_connect(LINK_PATH)
-        await socket.send_bytes(encode(Hello(role, PROTOCOL_VERSION)))
+        await socket.send_bytes(encode(Hello(role, PROTOCOL_VERSION, bus=bus)))
         assert isinstance(await answer(socket), Welcome)
         return socket
 

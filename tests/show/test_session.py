@@ -44,6 +44,7 @@ from omote.show.session_snapshot import SessionSnapshot
 from omote.show.state import EYE_SECONDS
 from omote.show.wire import encode
 from tests import synthetic
+from tests.synthetic import Recast
 
 FRAME = 1.0 / 60.0
 
@@ -405,17 +406,6 @@ def test_a_call_repeated_after_a_restart_still_executes_once(cast: Cast) -> None
     other.receive("a", Hello("console", PROTOCOL_VERSION), 0.0)
     other.receive("a", CallFace("one", "same", "broad", 1.0, "smooth"), 0.0)
     assert other.commands == 0
-
-
-class Recast:
-    """A cast with other names than the one it stands for."""
-
-    def __init__(self, cast: Cast, faces: list[str], expressions: list[str], digest: str = "other") -> None:
-        self.faces = {name: name for name in faces}
-        self.expressions = {name: cast.expressions.get(name, cast.expressions["smile"]) for name in expressions}
-        self.titles = cast.titles
-        self.face_labels = cast.face_labels
-        self.digest = digest
 
 
 @given(messages=st.lists(command, max_size=25), pause=st.floats(0.0, 2.0))

@@ -9,7 +9,7 @@ from contextlib import suppress
 from pathlib import Path
 from threading import Thread
 from types import TracebackType
-from typing import Any, NamedTuple, TypeVar
+from typing import Any, NamedTuple, TypeVar, get_args
 
 from omote.client.program_link import ProgramLink
 from omote.client.remote_show import RemoteShow
@@ -18,8 +18,9 @@ from omote.client.sounds import read_bytes
 from omote.client.trust import trusted_context
 from omote.client.utterance import AsyncUtterance, SpeechWatch, Utterance
 from omote.inputs.voices.spoken_text import WantedSpeech
-from omote.perform.limits import check_within
+from omote.perform.limits import check_known, check_within
 from omote.show.objects.leases import Leases
+from omote.show.objects.link import Bus
 from omote.show.objects.speech import Say
 from omote.show.objects.state import State
 
@@ -39,6 +40,7 @@ class _Wanted(NamedTuple):
     timeout: float
     token: str
     trusted: ssl.SSLContext | None
+    bus: Bus
 
 
 class ConnectedShow(RemoteShow[None, Utterance]):
@@ -156,6 +158,7 @@ def connect(
     timeout: float = DEFAULT_TIMEOUT,
     token: str | None = None,
     authority: str | Path | None = None,
+    bus: Bus = "air",
 ) -> ConnectedShow:
     """Connects this program to a running show, which it then plays with the calls of a performer.
 
@@ -175,6 +178,8 @@ def connect(
     authority : str or Path, optional
         A certificate (.pem) to trust over https: that which the show's `/certificate` gives. On the machine of the show
         it is known.
+    bus : {"air", "preview"}
+        What it looks at and plays: what is on air, or the preview, which `take` brings on air.
 
     Returns
     -------
@@ -204,7 +209,7 @@ def connect(
     ----------
     docs/architecture.md, "The way of the data".
     """
-    return ConnectedShow(_checked(url, name, timeout, token, authority))
+    return ConnectedShow(_checked(url, name, timeout, token, authority, bus))
 
 
 async def connect_async(
@@ -214,6 +219,7 @@ async def connect_async(
     timeout: float = DEFAULT_TIMEOUT,
     token: str | None = None,
     authority: str | Path | None = None,
+    bus: Bus = "air",
 ) -> AsyncConnectedShow:
     """Connects this program to a running show under asyncio: as `connect`, and every call is awaited.
 
@@ -230,6 +236,8 @@ async def connect_async(
     authority : str or Path, optional
         A certificate (.pem) to trust over https: that which the show's `/certificate` gives. On the machine of the show
         it is known.
+    bus : {"air", "preview"}
+        What it looks at and plays: what is on air, or the preview, which `take` brings on air.
 
     Returns
     -------
@@ -261,15 +269,16 @@ async def connect_async(
     ----------
     docs/architecture.md, "The way of the data".
     """
-    link = await _make(_checked(url, name, timeout, token, authority))
+    link = await _make(_checked(url, name, timeout, token, authority, bus))
     await link.open()
     return AsyncConnectedShow(link)
 
 
-def _checked(url: str, name: str, timeout: float, token: str | None, authority: str | Path | None) -> _Wanted:
+def _checked(url: str, name: str, timeout: float, token: str | None, authority: str | Path | None, bus: Bus) -> _Wanted:
     address = link_address(url)
     trusted = trusted_context(authority) if address.startswith("https:") else None
-    return _Wanted(address, _checked_name(name), _checked_timeout(timeout), check_token(token, url), trusted)
+    check_known(bus, get_args(Bus), "bus")
+    return _Wanted(address, _checked_name(name), _checked_timeout(timeout), check_token(token, url), trusted, bus)
 
 
 async def _make(wanted: _Wanted) -> ProgramLink:

@@ -20,7 +20,7 @@ from omote.inputs.voices.spoken_text import WantedSpeech
 from omote.show.declaration import ClientMessage
 from omote.show.messages import LINK_PATH, PROTOCOL_VERSION
 from omote.show.objects.leases import Leases
-from omote.show.objects.link import Hello, Ping, Pong, Refused, Welcome
+from omote.show.objects.link import Bus, Hello, Ping, Pong, Refused, Welcome
 from omote.show.objects.sources import Drive, Source, SourceIs
 from omote.show.objects.speech import Say
 from omote.show.objects.state import State
@@ -42,7 +42,13 @@ class ProgramLink:
     """
 
     def __init__(
-        self, address: str, name: str, timeout: float, token: str = "", trusted: ssl.SSLContext | None = None
+        self,
+        address: str,
+        name: str,
+        timeout: float,
+        token: str = "",
+        trusted: ssl.SSLContext | None = None,
+        bus: Bus = "air",
     ) -> None:
         self.state: State | None = None
         self.leases = Leases(on=False, held={}, seats=[], you=0)
@@ -54,6 +60,7 @@ class ProgramLink:
         self._trusted = True if trusted is None else trusted
         self._ends = aiohttp.ClientWSTimeout(ws_close=min(timeout, 10.0))
         self._page = uuid4().hex
+        self._bus = bus
         self._calls = self._pings = 0
         self._turn = asyncio.Lock()
         self._news = asyncio.Condition()
@@ -270,7 +277,7 @@ class ProgramLink:
             self._news.notify_all()
 
     async def _greet(self, socket: aiohttp.ClientWebSocketResponse) -> None:
-        hello = Hello("console", PROTOCOL_VERSION, self._name, self._page)
+        hello = Hello("console", PROTOCOL_VERSION, self._name, self._page, bus=self._bus)
         await socket.send_bytes(encode(hello))
 
     async def _hear(self, socket: aiohttp.ClientWebSocketResponse, message: aiohttp.WSMessage) -> None:
@@ -281,7 +288,7 @@ class ProgramLink:
                 self._hear_welcome(socket, welcome)
             case SourceIs(index=index, name=name):
                 self._indices[name] = index
-            case State() as state if self._is_newer(state):
+            case State() as state if state.bus == self._bus and self._is_newer(state):
                 self.state = state
                 self._said.note(state)
             case Leases() as leases:

@@ -80,6 +80,7 @@ class Session(Protocol):
     """What a command may change of the session of a show (`show/session.py`)."""
 
     scene: Scene
+    preview: Any
     cast: Playable
     members: Any
     sources: Any
@@ -123,13 +124,17 @@ class Session(Protocol):
     def forget_character(self, character: str) -> None:
         """Forgets what was of another character of the same name."""
 
+    def scene_of(self, who: str) -> Scene:
+        """The scene that a client looks at: on air, or in preview. who: the client."""
+
 
 class ClientMessage(Message, frozen=True):
     """A message of a client, with what the session must know of it before it acts.
 
     access: the role that it needs, the highest where nobody has thought of it. open_to: who may send it. plays: the
     part of a character or of the scene that it plays, or several, `*` for all of its character; None where it passes
-    whoever holds what. holds: whether who plays its part holds it from then on. hand: how a hand sends it. once:
+    whoever holds what. follows_bus: whether it acts on the scene that its sender looks at, air or preview, and not on
+    air whoever sends it. holds: whether who plays its part holds it from then on. hand: how a hand sends it. once:
     whether one that has an id executes once for it. recorded: whether a recording of the show keeps it: one that only
     concerns its sender's link, who may play, devices or the show file is not kept. longest: bytes. osc: its addresses
     of OSC. method: what `omote.connect` calls it, "" for its tag, None where a program has no method for it.
@@ -138,6 +143,7 @@ class ClientMessage(Message, frozen=True):
     access: ClassVar[AccessRole] = HIGHEST
     open_to: ClassVar[Literal["consoles", "everybody"]] = "consoles"
     plays: ClassVar[str | tuple[str, ...] | None] = None
+    follows_bus: ClassVar[bool] = False
     holds: ClassVar[bool] = True
     hand: ClassVar[Hand | None] = None
     once: ClassVar[bool] = True
@@ -168,6 +174,7 @@ class CharacterCommand(ClientMessage, frozen=True):
     """A command for one character, or `*` for all of them."""
 
     access = "operate"
+    follows_bus: ClassVar[bool] = True
     method: ClassVar[str | None] = ""
 
     character: CharacterName
@@ -188,6 +195,7 @@ class SceneCommand(ClientMessage, frozen=True):
     """A command for the scene."""
 
     access = "operate"
+    follows_bus: ClassVar[bool] = True
     method: ClassVar[str | None] = ""
 
     def act(self, session: Session, who: str, now: float) -> Sequence[Outgoing]:

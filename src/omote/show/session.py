@@ -38,13 +38,14 @@ from omote.show.objects.stages import CastChanged, Crew
 from omote.show.objects.state import State
 from omote.show.ownership.hands import HandReports, Panics
 from omote.show.ownership.leasing import HeldByOthersRefusal, LeaseSnapshot, Leasing
+from omote.show.preview_bus import PreviewBus
 from omote.show.session_snapshot import SessionSnapshot
 from omote.show.sources.open_sources import OpenSources
 from omote.show.sources.sources_snapshot import Route, SurfaceSubscription
 from omote.show.speech.known_sounds import KnownSounds
 from omote.show.speech.sound_stage import SoundStage
 from omote.show.speech.texts_to_speak import TextsToSpeak, TextToSpeak
-from omote.show.state import EyeOffset, offset_between, state_of
+from omote.show.state import EyeOffset, offset_between, preview_state, state_of
 from omote.show.validation import Refusal
 from omote.show.wire import decode, id_in
 
@@ -113,6 +114,9 @@ class ShowSession:
         self.sounds = KnownSounds()
         self.recorder: Recorder | None = None
         self.cues = CueLists(lambda: self.scene, lambda who: self.members[who].name, self._note_edit)
+        self.preview = PreviewBus(lambda: self.scene, lambda: self.cast)
+        self.preview_state: State | None = None
+        self.lost: list[str] = []
         self.texts = TextsToSpeak()
         self._sound_stage = SoundStage()
         self.recording_requests: list[KeepRequest] = []
@@ -131,6 +135,11 @@ class ShowSession:
         session.cues.restore(snapshot.cues)
         session.surfaces = snapshot.surfaces
         session._own(snapshot.leases)
+        if snapshot.preview is not None:
+            try:
+                session.preview.restore(snapshot.preview)
+            except (ValueError, TypeError) as error:
+                session._lose_preview(error)
         return session
 
     def _own(self, snapshot: LeaseSnapshot | None) -> None:
@@ -148,6 +157,7 @@ class ShowSession:
             self.notes,
             self.cues.snapshot(),
             self.surfaces,
+            self.preview.snapshot(),
         )
 
     def receive_bytes(self, who: str, data: bytes, now: float) -> list[Outgoing]:
@@ -175,19 +185,22 @@ class ShowSession:
         if self._is_executed(who, message):
             return []  # a retry or a bouncing key
         message = call_by_name(message, self.cast)
-        self._pass_hands(who, message, find_addressed(self.scene, message), now)
-        answers = self.act(who, message, now)
+        unseen = message.follows_bus and self.members.looks_at(who) == "preview"
+        if not unseen:
+            self._pass_hands(who, message, find_addressed(self.scene, message), now)
+        answers = self.act(who, message, now, unseen=unseen)
         self.commands += message.open_to == "consoles"
-        self._echo(who, message, now)
+        self._echo(who, message, now, unseen=unseen)
         return list(answers)
 
-    def act(self, who: str, message: ClientMessage, now: float) -> Sequence[Outgoing]:
+    def act(self, who: str, message: ClientMessage, now: float, *, unseen: bool = False) -> Sequence[Outgoing]:
         """Does what a message asks for that the gates have let through, and notes it; Refusal where it cannot be done.
-        who: the client; message: with the names of what it calls; now: seconds, monotonic."""
+        who: the client; message: with the names of what it calls; now: seconds, monotonic; unseen: in preview, of
+        which no recording is made."""
         with refuse_errors(message):
             check_ranges(message)
-            answers = message.act(self, who, now)
-        if self.recorder is not None and message.recorded:
+            answers = message.act(self.preview.session(self) if unseen else self, who, now)
+        if self.recorder is not None and message.recorded and not unseen:
             self.recorder.note_message(who, message, now)
         return answers
 
@@ -209,11 +222,13 @@ class ShowSession:
                 message.check_names(self)  # nobody is asked for parts for the sake of what there is not
             raise
 
-    def _echo(self, who: str, message: ClientMessage, now: float) -> None:
-        """What follows from a message that was obeyed: others see the hand, its part is held, its id is executed."""
-        characters = find_addressed(self.scene, message)
-        self._hands.note(who, message, characters, now)
-        self.leasing.note(who, message, characters)
+    def _echo(self, who: str, message: ClientMessage, now: float, *, unseen: bool) -> None:
+        """What follows from a message that was obeyed: others see the hand, its part is held, unless it was unseen; its
+        id is executed."""
+        if not unseen:
+            characters = find_addressed(self.scene, message)
+            self._hands.note(who, message, characters, now)
+            self.leasing.note(who, message, characters)
         call = id_of(message)
         if call:
             self._executed.note(self.members[who].seat, call)
@@ -278,7 +293,28 @@ class ShowSession:
         self._time = frame.time
         numbers = {"epoch": self.epoch, "number": self.number, "revision": self.revision}
         cues = self.cues.status(self._now or 0.0)
-        return state_of(self.cast, frame, self._eye_offsets, notes=self.notes, cues=cues, **numbers)
+        state = state_of(self.cast, frame, self._eye_offsets, notes=self.notes, cues=cues, **numbers)
+        self.preview_state = self._unseen(state) if self.members.any_in_preview else None
+        return state
+
+    def _unseen(self, air: State) -> State | None:
+        """The state of the preview at the time of the one on air; None where it cannot be played."""
+        looked_at = self.cues.name_of(self.preview.looked_at)
+        try:
+            return preview_state(self.cast, self.preview.advance(air.time), air, looked_at)
+        except Exception as error:  # whatever it is, the show goes on
+            self._lose_preview(error)
+            return None
+
+    def _lose_preview(self, error: Exception) -> None:
+        self.preview.forget()
+        self.lost.append(f"what was built up in preview cannot be played ({error}) and is forgotten.")
+
+    def take_lost(self) -> list[str]:
+        """Returns and clears what of the preview was lost, in sentences for the crew."""
+        lost = self.lost
+        self.lost = []
+        return lost
 
     def recast(self, cast: Playable) -> CastChanged:
         """Plays another cast from now on; returns the message for all pages. ValueError where it lacks what is on
@@ -287,8 +323,10 @@ class ShowSession:
         Stages ease what the skin does; the eyes, whose angles the state holds, ease here.
         """
         shown = self._state(0.0)
+        preview = self.preview.recast(cast)
         self.scene.recast(cast)
         self.cast = cast
+        self.preview.play(preview)
         self._eye_offsets = {}
         for name, wanted in self._state(0.0).characters.items():
             self._eye_offsets[name] = offset_between(shown.characters[name].eyes, wanted.eyes, shown.time)
@@ -298,8 +336,11 @@ class ShowSession:
         return CastChanged(self.revision, cast.digest)
 
     def names_held(self) -> tuple[frozenset[str], frozenset[str]]:
-        """The faces and the expressions that the cast must not lose: they are on air, called or going."""
-        return names_held_by(self.scene.snapshot())
+        """The faces and the expressions that the cast must not lose: they are on air or in preview, called or going."""
+        faces, expressions = names_held_by(self.scene.snapshot())
+        preview = self.preview.snapshot()
+        others = (frozenset[str](), frozenset[str]()) if preview is None else names_held_by(preview.scene)
+        return faces | others[0], expressions | others[1]
 
     def take_keep_requests(self) -> list[KeepRequest]:
         """Returns and clears the consoles' requests to keep something."""
@@ -344,6 +385,8 @@ class ShowSession:
         """Removes a client; T-bars and channels that it held stay as they are. lost: when its link broke, where its
         page was not closed. who: the client."""
         self.members.leave(who, lost=lost)
+        if not self.preview.touched and not self.members.any_in_preview:
+            self.preview.forget()
         self._hands.leave(who)
         self.sources.leave(who, self.scene)
         if self.recorder is not None:
@@ -385,7 +428,8 @@ class ShowSession:
             for source, route in taken.items():
                 self.recorder.note_routed(source, route)
         outgoing = self._sound_stage.tell(self.crew, now)
-        outgoing += [Outgoing(*pair) for by_client in (hands, leases) for pair in by_client.items()]
+        on_air = [pair for told in (hands, leases) for pair in told.items() if self.members.looks_at(pair[0]) == "air"]
+        outgoing += [Outgoing(*pair) for pair in on_air]
         outgoing += [Outgoing(who, values) for who, values in self.sources.tell_watchers(now)]
         return outgoing if news is None else [*outgoing, *self.for_consoles(news)]
 
@@ -402,6 +446,10 @@ class ShowSession:
         self.texts.drop(characters)
         self._hands.take_off(characters)
 
+    def scene_of(self, who: str) -> Scene:
+        """The scene that a client looks at: on air, or in preview. who: the client."""
+        return self.preview.scene() if self.members.looks_at(who) == "preview" else self.scene
+
     def ask_to_speak(self, who: str, message: SayByVoice, characters: Sequence[str]) -> None:
         """Has a voice speak a text for characters. who: the client; message: with the text; characters: their
         names."""
@@ -416,6 +464,7 @@ class ShowSession:
     def forget_character(self, character: str) -> None:
         """Forgets what was of another character of the same name, which is gone."""
         self.texts.drop([character])
+        self.preview.forget_character(character)
         self._panics.forget(character)
         self._eye_offsets.pop(character, None)
 

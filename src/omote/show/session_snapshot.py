@@ -14,12 +14,14 @@ from omote.show.cues.cue_lists import CuesSnapshot
 from omote.show.executed_calls import Executed
 from omote.show.objects.show_notes import ShowNotes
 from omote.show.ownership.leasing import LeaseSnapshot
+from omote.show.preview_bus import PreviewSnapshot
 from omote.show.sources.sources_snapshot import SourcesSnapshot, SurfaceSubscription
 
 
 class SessionSnapshot(msgspec.Struct, frozen=True):
     """The scene, the ids of messages already executed, who holds what, the routes and measures of sources, the notes of
-    the crew, how far its lists of cues are, and which surfaces are told what is on air."""
+    the crew, how far its lists of cues are, which surfaces are told what is on air, and the preview where it has a look
+    of its own."""
 
     scene: SceneSnapshot
     executed: Executed
@@ -28,6 +30,7 @@ class SessionSnapshot(msgspec.Struct, frozen=True):
     notes: ShowNotes = ShowNotes()
     cues: CuesSnapshot = CuesSnapshot()
     surfaces: tuple[SurfaceSubscription, ...] = ()
+    preview: PreviewSnapshot | None = None
 
 
 def read_session_snapshot(saved: object) -> tuple[SessionSnapshot, bool]:

@@ -8,12 +8,14 @@ from functools import lru_cache
 from types import MappingProxyType
 from typing import TYPE_CHECKING, Any
 
+import msgspec
+
 from omote.perform.channels import channels_of, eye_turns
 from omote.perform.easing import DEFAULT_EASING, EASINGS
 from omote.perform.frame import CallStatus, Frame, Gaze, Held, LayerStatus, MotionSettings
 from omote.perform.mix import mix_in
 from omote.perform.scene.scene_frame import CharacterFrame, SceneFrame
-from omote.show.objects.cues import CueStatus
+from omote.show.objects.cues import CueName, CueStatus
 from omote.show.objects.show_notes import ShowNotes
 from omote.show.objects.state import (
     CallState,
@@ -103,6 +105,25 @@ def state_of(
         began=notes.began,
         cues=cues,
     )
+
+
+def preview_state(cast: Playable, frame: SceneFrame, air: State, looked_at: CueName | None) -> State:
+    """The complete state of the preview: what is not of its frame is as on air, and so are panics and homes, which play
+    there alone.
+
+    cast: what plays; frame: of the preview; air: the state at that time; looked_at: the cue in preview.
+    """
+    notes = ShowNotes(air.note, air.began)
+    state = state_of(cast, frame, epoch=air.epoch, number=air.number, revision=air.revision, notes=notes, cues=air.cues)
+    characters = {name: _with_panics(each, air.characters.get(name)) for name, each in state.characters.items()}
+    return msgspec.structs.replace(state, time=air.time, characters=characters, bus="preview", looked_at=looked_at)
+
+
+def _with_panics(state: CharacterState, air: CharacterState | None) -> CharacterState:
+    if air is None:
+        return state
+    home = {name: getattr(air, name) for name in ("panics", "home_face", "home_seconds", "home_next")}
+    return msgspec.structs.replace(state, **home)
 
 
 def character_state(cast: Playable, character: CharacterFrame, eye_offset: EyeOffset) -> CharacterState:

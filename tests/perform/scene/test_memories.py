@@ -70,5 +70,6 @@ def test_head_and_gaze_stay_in_their_range_on_the_way(yaw: float, seconds: float
     for part, rest in (("head", Head()), ("gaze", Gaze())):
         way = redirect(Movement(vars(rest)), {**vars(rest), "yaw": yaw}, seconds, TURN_LIMITS[part])
         turned = turn_at(part, proceed(way, share * seconds))
+        assert isinstance(turned, Head | Gaze)
         assert min(0.0, yaw) - 1e-9 <= turned.yaw <= max(0.0, yaw) + 1e-9
         assert type(turned) is type(rest)

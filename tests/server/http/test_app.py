@@ -32,6 +32,20 @@ async def test_all_consoles_get_the_same_states(show_harness: ShowHarness) -> No
     assert states[0].characters["one"].channels == {"jawOpen": 0.5}
 
 
+async def test_each_link_gets_the_states_of_its_bus_alone(show_harness: ShowHarness) -> None:
+    wall = await show_harness.link("stage")
+    desk = await show_harness.link(bus="preview")
+    await send_and_wait(desk, CallFace("one", "1", "broad", 0.0))
+    late = await show_harness.link("stage", bus="preview")
+    for _ in range(3):
+        show_harness.tick()
+        air = await state(wall)
+        assert (air.bus, air.characters["one"].faces) == ("air", {"generic": 1.0})
+        for link in (desk, late):
+            unseen = await state(link)
+            assert (unseen.bus, unseen.characters["one"].faces) == ("preview", {"broad": 1.0})
+
+
 async def test_a_latecomer_needs_one_state(show_harness: ShowHarness) -> None:
     first = await show_harness.link()
     await send_and_wait(first, SetChannel("one", "smile", 1.5), SetGaze("one", 0.2, 0.1))

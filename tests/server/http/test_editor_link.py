@@ -24,7 +24,7 @@ from omote.show.objects.calls import CallExpression, CallFace
 from omote.show.objects.faders import SetChannel
 from omote.show.objects.items import DeleteItem, ItemChanged, KeepExpression, KeepFace, Kept, RestoreItem
 from omote.show.objects.layouts import DropLayout, Layout, Layouts, RenameLayout, SetLayout
-from omote.show.objects.link import Notice, Notices, Ping, Pong, Refused
+from omote.show.objects.link import Bus, Notice, Notices, Ping, Pong, Refused
 from omote.show.objects.stages import CastChanged
 from omote.show.objects.state import State
 from omote.show.wire import encode
@@ -153,8 +153,9 @@ async def test_an_own_face_is_served_by_its_content_and_is_in_the_cast_once_save
     assert response.status == 200
 
 
-async def test_a_console_keeps_what_is_on_air(edit_harness: EditHarness) -> None:
-    console = await edit_harness.link()
+@pytest.mark.parametrize("bus", ["air", "preview"])
+async def test_a_console_keeps_what_it_sees(edit_harness: EditHarness, cast: Cast, bus: Bus) -> None:
+    console = await edit_harness.link(bus=bus)
     await send_and_wait(console, CallFace("one", "1", "broad", 2.0, "smooth"), SetChannel("one", "jawOpen", 0.25))
     for _ in range(60):
         edit_harness.tick()
@@ -167,6 +168,13 @@ async def test_a_console_keeps_what_is_on_air(edit_harness: EditHarness) -> None
         kept += [said] if isinstance(said, Kept) else []
     assert [each.id for each in kept] == ["k", "l"]
     now = await manifest(edit_harness)
+    content = await (await edit_harness.client.get(now.faces[-1].url)).read()
+    asset = msgspec.msgpack.decode(content, type=ContentAsset)
+    points = np.frombuffer(asset.positions, "<f4").reshape(-1, 3)[: cast.space.vertex_count]
+    generic, broad = (cast.faces[name].positions for name in ("generic", "broad"))
+    assert (
+        np.abs(points - (generic + broad) / 2).max() < 0.05 * np.abs(broad - generic).max()
+    )  # half of the call's time
     assert [now.faces[-1].name, now.expressions[-1].name] == [each.name for each in kept]
     assert [now.faces[-1].label, now.expressions[-1].label] == [each.label for each in kept]
     for number, (asked, shown) in enumerate(((DeleteItem, False), (RestoreItem, True))):

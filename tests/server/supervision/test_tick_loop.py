@@ -14,7 +14,7 @@ from omote.server.supervision.tick_loop import APART, LATE_TICKS, RESTING_TICKS,
 from omote.show.messages import PROTOCOL_VERSION
 from omote.show.objects.calls import CallFace
 from omote.show.objects.faders import SetChannel
-from omote.show.objects.link import Hello
+from omote.show.objects.link import Bus, Hello
 from omote.show.session import ShowSession
 from omote.showfile.show_file import JournalEntry
 from tests.server.synthetic_server import PAGES, material
@@ -170,8 +170,10 @@ async def test_ticks_that_come_early_are_not_counted(played: tuple[ShowServer, K
 
 
 @pytest.mark.asyncio
-async def test_what_a_hand_does_is_kept_at_once(played: tuple[ShowServer, Kept, ShowTick, int]) -> None:
+@pytest.mark.parametrize("bus", ["air", "preview"])
+async def test_what_a_hand_does_is_kept_at_once(played: tuple[ShowServer, Kept, ShowTick, int], bus: Bus) -> None:
     show, journal, playing, _ = played
+    show.session.receive("a", Hello("console", PROTOCOL_VERSION, bus=bus), 0.0)
     for number in range(30):
         playing.tick(number)
     before = len(journal.entries)
@@ -207,6 +209,18 @@ async def test_a_show_without_a_journal_plays(cast: Cast) -> None:
     for number in range(5):
         ShowTick(show, [], near, NoticeBoard()).tick(number)
     assert session.number == 5
+    os.close(far)
+    os.close(near)
+
+
+@pytest.mark.asyncio
+async def test_a_preview_that_was_lost_is_said(cast: Cast) -> None:
+    board = NoticeBoard()
+    far, near = os.pipe()
+    show = ShowServer(ShowSession(cast), material().documents, PAGES)
+    show.session.lost.append("what was built up in preview is forgotten.")
+    ShowTick(show, [], near, board).tick(1)
+    assert [notice.text for notice in show.session.notices] == ["What was built up in preview is forgotten."]
     os.close(far)
     os.close(near)
 

@@ -42,6 +42,7 @@ from omote.show.objects.link import Hello
 from omote.show.objects.memories import CallMemory, DeleteMemory, KeepMemory, RestoreMemory
 from omote.show.objects.motion import LookAt, MakeGesture, SetMotion
 from omote.show.objects.pictures import CallBlack, CallFraming, CallLight
+from omote.show.objects.preview import PreviewCue, ResetPreview, Take
 from omote.show.objects.show_notes import BeginShow, SetNote
 from omote.show.objects.sources import CalibrateSource, Drive, RouteSource, Source, SourceIs, TuneSource
 from omote.show.objects.speech import Say, SayByVoice, StopSpeaking
@@ -74,7 +75,7 @@ class RandomShow:
         self.indices: dict[str, int] = {}
         self.states: list[bytes] = []
         for who in CONSOLES:
-            self.send(who, Hello("console", PROTOCOL_VERSION, who))
+            self.send(who, Hello("console", PROTOCOL_VERSION, who, bus="preview" if who == "di" else "air"))
         self.send("wall", Hello("stage", PROTOCOL_VERSION))
         self.recorder = Recorder(self.session)
         self.entries: list[AnyEntry] = []
@@ -199,6 +200,10 @@ class RandomShow:
             lambda: cue_messages.GoToCue(new(), number, whole=pick((True, False))),
             lambda: cue_messages.AssertLook(new()),
             lambda: cue_messages.SetStandby(new(), number),
+            lambda: Take(new(), self.number(0, 2)),
+            lambda: Take(new(), 1.0, parts=[pick(("one/face", "one/expression", "*/light", "two"))]),
+            lambda: PreviewCue(new(), number, run=pick((True, False))),
+            lambda: ResetPreview(new()),
             lambda: cue_messages.PauseCues(new(), on=pick((True, False))),
             lambda: cue_messages.SetShowMode(new(), on=bool(self.rng.random() < 0.1)),
         ]

@@ -16,7 +16,7 @@ from omote.show.recording.replay import ReplayError, replay
 from omote.show.wire import encode
 from tests import synthetic
 from tests.show.recording.random_show import RandomShow
-from tests.show.test_session import Recast
+from tests.synthetic import Recast
 
 CAST = synthetic.cast()
 OTHER = Recast(CAST, [*CAST.faces, "cousin"], [*CAST.expressions, "grin"])

@@ -18,6 +18,7 @@ import { LOW, NARROW } from "./controls/screen_sizes";
 import type { TBar } from "./controls/t_bar";
 import type { Palette } from "./palette/palette";
 import type { Monitor } from "./panels/monitor";
+import { changeBus } from "./panels/preview_bar";
 import type { StatusBar } from "./panels/status_bar";
 import type { CharacterRow } from "./scene/character_row";
 import type { MemoryRow } from "./scene/memory_row";
@@ -103,6 +104,7 @@ export class ConsolePage extends ConsoleElement {
 
   override render() {
     this.classList.toggle("lost", !this.store.online);
+    this.classList.toggle("preview", this.store.bus === "preview");
     this.classList.toggle("alone", this.store.arrangement.alone);
     this.classList.toggle("several", Object.keys(this.store.state?.characters ?? {}).length > 1);
     const context = this.context;
@@ -261,6 +263,7 @@ export class ConsolePage extends ConsoleElement {
     else if (command.do === "go") this.#at<StatusBar>("omote-status")?.go();
     else if (command.do === "black") this.store.callBlack(command.seconds);
     else if (command.do === "take_over") this.context.leases.takeOverWanted();
+    else if (command.do === "bus") changeBus(this.store);
     else if (command.do === "scene" || command.do === "layers") this.#toggle(command.do);
     else if (command.do === "region") this.store.chooseRegion(nextPlace(this.store.region, command.direction));
     else if (command.do === "focus")

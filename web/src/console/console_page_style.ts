@@ -9,7 +9,7 @@ import { low, narrow, upright } from "./controls/screen_sizes";
 export const style = css`
   :host {
     --finger: 40px;
-    height: 100dvh;
+    height: calc(100dvh - var(--bar, 0px));
     background: var(--ground);
     display: grid;
     gap: 6px;
@@ -21,6 +21,11 @@ export const style = css`
       "hands hands bank bank bank" minmax(220px, 31%) /
       minmax(228px, 0.8fr) 88px minmax(300px, 1.1fr) 88px minmax(330px, 1.15fr);
     overflow: hidden;
+  }
+  /* red is on air, and nothing of this page is */
+  :host(.preview) {
+    --air: #a596ff;
+    --air-deep: #33257f;
   }
   omote-status {
     grid-area: status;

@@ -37,7 +37,7 @@ export class Help extends ConsoleDialog {
       <h2>Keys</h2>
       <dl>${HELP.map(([keys, does]) => html`<dt>${keys}</dt><dd>${does}</dd>`)}</dl>
       <h2>Conventions</h2>
-      <p><b class="air">Red</b> is on air, <b class="coming">green</b> is coming, white is your hand, <b class="attention">yellow</b> wants attention.</p>
+      <p><b class="air">Red</b> is on air, <b class="coming">green</b> is coming, white is your hand, <b class="attention">yellow</b> wants attention. In preview, which is not on air, violet stands in the place of red.</p>
       <p>You look at the face: right on a pad is the character's left, so the face on screen turns towards your dot. R and L on faders and pads are the character's own sides.</p>
       <p>A T-bar takes a call over when its handle meets the call's value (pick-up). Drag with Shift for fine moves; twice on a control puts it to rest; the wheel steps.</p>
       <p>A name on a control is that of another console whose hand is on it, yellow where yours is too: who moved last has it. <i>Set-up</i> gives this console its name.</p>

@@ -2,6 +2,7 @@
 
 import { missingRole, readAccess } from "../access/page_access";
 import { Library } from "../link/assets";
+import { readBus } from "../link/bus";
 import { type LinkHandlers, ShowLink } from "../link/show_link";
 import { randomId } from "../ui/browser_storage";
 import { FramePainter } from "../ui/frame_painter";
@@ -17,6 +18,7 @@ import { ConsoleDevices } from "./devices/console_devices";
 import { ConsoleLeases } from "./leases/console_leases";
 import { seatToken } from "./leases/seat_token";
 import { ConsoleSources } from "./mixer/console_sources";
+import { showPreviewBar } from "./panels/preview_bar";
 import { keepChoice } from "./scene/choice_storage";
 import { FileImports } from "./show_file/file_imports";
 import { LayoutStorage, layoutName } from "./show_file/layout_storage";
@@ -30,6 +32,8 @@ import { openThumbnails } from "./thumbnail_drawing";
 const PAGE = randomId();
 /** Who sits here: the same through a reload of the tab. */
 const SEAT = seatToken(() => sessionStorage, randomId);
+
+const BUS = readBus(location.search);
 
 /** A screen's keyboard would cover what is played: it comes where somebody asks for it. */
 const FINGERS = matchMedia("(pointer: coarse)");
@@ -63,13 +67,14 @@ function connect({ store }: ConsoleContext): ShowLink {
     revoked: () => location.reload(), // the server then asks for another token
     trip: (seconds) => store.receiveTrip(seconds * 1000),
   };
-  return new ShowLink("console", handlers, ownName.read, PAGE, SEAT);
+  return new ShowLink("console", handlers, ownName.read, PAGE, SEAT, BUS);
 }
 
 /** All that the page's elements play with; `link` is there before any of it is used. */
 function contextOf(link: () => ShowLink): ConsoleContext {
   const clock = (): number => performance.now();
   const store = new ConsoleStore((message) => link().send(message), clock, PAGE);
+  store.bus = BUS;
   keepUndo(store, () => sessionStorage);
   keepChoice(store, () => sessionStorage);
   const rename = (name: string): void => {
@@ -102,6 +107,7 @@ async function start(): Promise<void> {
   page.notices = shown;
   shown.openLog = () => page.show("log");
   document.body.append(page);
+  showPreviewBar(store);
   void readAccess().then((access) => {
     page.restrict(missingRole(access, "operate", "playing"));
     context.leases.barred = missingRole(access, "admin", "switching leases on or off");

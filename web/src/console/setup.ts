@@ -3,6 +3,7 @@
 import { css, html, nothing } from "lit";
 import { customElement, state } from "lit/decorators.js";
 import { readAccess } from "../access/page_access";
+import { addressOn } from "../link/bus";
 import { EASING_NAMES } from "../link/constants";
 import { ACCEPTED, type ImportKind } from "../ui/file_import";
 import { base, entry } from "../ui/theme";
@@ -97,6 +98,7 @@ export class Setup extends ConsoleDialog {
       <h2>Cues</h2>
       <p>Whole looks in the order of a show, recorded here and called by GO.</p>
       <div class="row"><a href="/cues" target="omote-cues">Record and play cues</a></div>
+      <div class="row"><a class="bus" href=${addressOn(this.store.bus === "air" ? "preview" : "air", location)}>${this.store.bus === "air" ? "Build a look up in preview, not on air" : "Back to what is on air"} (Shift P)</a></div>
       <h2>Bring in files</h2>
       <p>Expressions (.json, .glb, .vrm, .obj) and heads of our topology (.glb, .obj) come under Own; the show goes on meanwhile.</p>
       <div class="row">${(["expression", "face"] as const).map((kind) => this.#files(kind))}</div>

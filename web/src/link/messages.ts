@@ -272,9 +272,9 @@ export type PutMove = {
 export type DropMove = { type: "drop_move"; id: string; cue: string; part: string };
 
 /**
- * Writes a new cue of what shows: the parts that stand otherwise than the cues before it leave them, or those that
- * `parts` names (`one/face`, `one` for all of a character). `number`: "" for the next free one behind the cue that was
- * called last.
+ * Writes a new cue of what shows to its sender, on air or in preview: the parts that stand otherwise than the cues
+ * before it leave them, or those that `parts` names (`one/face`, `one` for all of a character). `number`: "" for the
+ * next free one behind the cue that was called last, in preview behind the one that is looked at.
  */
 export type RecordCue = {
   type: "record_cue";
@@ -287,8 +287,8 @@ export type RecordCue = {
 };
 
 /**
- * Writes what shows into a cue (an identity; "" for the one that was called last): each part that stands otherwise
- * than the list leaves it there.
+ * Writes what shows to its sender, on air or in preview, into a cue (an identity; "" for the one that was called
+ * last, in preview for the one that is looked at): each part that stands otherwise than the list leaves it there.
  */
 export type UpdateCue = { type: "update_cue"; id: string; cue?: string; cue_list?: string };
 
@@ -685,7 +685,8 @@ export type LeaseClaim = { type: "lease_claim"; parts: string[]; by: SeatState; 
 /**
  * Opens a link; other messages are rejected before it. `name`: what a console's operator calls it, or what it was
  * called the last time; a second hello changes it. `page`: the same for each link of one page, another for each page.
- * `seat`: of the operator, whom a reload and a lost link do not change; without one it is the page's.
+ * `seat`: of the operator, whom a reload and a lost link do not change; without one it is the page's. `bus`: what it
+ * looks at: what is on air, or the preview, on which what it plays is not seen; a second hello changes that.
  */
 export type Hello = {
   type: "hello";
@@ -694,6 +695,7 @@ export type Hello = {
   name?: string;
   page?: string;
   seat?: string;
+  bus?: "air" | "preview";
 };
 
 /**
@@ -747,9 +749,9 @@ export type Notices = { type: "notices"; notices: Notice[] };
 export type Progress = { type: "progress"; request: string; done: number; total: number; what: string };
 
 /**
- * Keeps the whole look that shows under a name: faces, expressions, head and gaze of all characters, light and
- * framing. One of that name is kept anew; `restore_memory` with the `key` (the name without one) takes that back. It
- * is kept with the show. An `id` executes once, as of those below.
+ * Keeps the whole look that shows to its sender, on air or in preview, under a name: faces, expressions, head and
+ * gaze of all characters, light and framing. One of that name is kept anew; `restore_memory` with the `key` (the name
+ * without one) takes that back. It is kept with the show. An `id` executes once, as of those below.
  */
 export type KeepMemory = { type: "keep_memory"; id: string; name: string; key?: string };
 
@@ -834,6 +836,25 @@ export type CallFraming = {
  * blackout. A fader sends many values between, the newest wins.
  */
 export type CallBlack = { type: "call_black"; black: number; seconds?: number; easing?: string; id?: string };
+
+/**
+ * Brings on air, in `seconds` and from whatever shows, each part that goes otherwise in preview: afterwards both
+ * look the same. What eyes look at and how much of layers shows is set at once; gestures and speech are no part of it.
+ * `parts`: only these (`one/face`, `one` for all of a character). Where others hold one of them, it is rejected whole;
+ * it holds none of them afterwards. An `id` executes once, as of those below.
+ */
+export type Take = { type: "take"; id: string; seconds?: number; easing?: string; parts?: string[] };
+
+/** The preview is what is on air now; what was built up there is forgotten. */
+export type ResetPreview = { type: "reset_preview"; id: string };
+
+/**
+ * Shows a cue in preview as it will stand, with all that the cues before it leave: `update_cue` of somebody who
+ * looks at the preview then writes what is changed there into it, whatever runs on air. `run`: the cue's own moves go
+ * in their times. What was built up in preview is forgotten; what no cue of the list moves is as it goes on air.
+ * `cue_list`: as of `go`.
+ */
+export type PreviewCue = { type: "preview_cue"; id: string; cue: string; run?: boolean; cue_list?: string };
 
 /**
  * Marks this moment of the recording by a name, for whoever looks at it later. An `id` executes once, as of all
@@ -1066,6 +1087,7 @@ export type StopSpeaking = { type: "stop_speaking"; character: string; id?: stri
  * `blocked` until somebody clicks it, `ready`; `sound_here`: its address asks that it plays them. `dark`: seconds for
  * which it has had no graphics context, and so draws nothing. `awake`: whether its browser keeps the screen on:
  * `kept`, `refused`, `insecure` where the address is neither https nor of its own machine; "" before it has said.
+ * Nobody looks at the camera of a stage of the preview.
  */
 export type Drawing = {
   type: "drawing";
@@ -1235,6 +1257,8 @@ export type CharacterState = {
  * picture to black, 0..1; `black_goal`: where that goes. A record without them has the picture up. `memories`: the
  * names of the looks that were kept, in the order in which they were kept first. `note`: the line of notes of the
  * crew; `began`: when the show began, of `time`. `cues`: how far its lists of cues are, `None` where it has had none.
+ * `bus`: whose state it is; that of the preview has panics and homes of air. `looked_at`: the cue that is looked at in
+ * preview.
  */
 export type State = {
   type: "state";
@@ -1254,6 +1278,8 @@ export type State = {
   note: string;
   began: number;
   cues: CueStatus | null;
+  bus: "air" | "preview";
+  looked_at: CueName | null;
 };
 
 /** Colours of a face, each `#rrggbb`, the hair style, and the traits, plain numbers (`model.cast.Look`). */
@@ -1581,6 +1607,9 @@ export type FromClient =
   | CallLight
   | CallFraming
   | CallBlack
+  | Take
+  | ResetPreview
+  | PreviewCue
   | MarkMoment
   | KeepRecording
   | DeleteRecording

@@ -1,5 +1,6 @@
 /** The link of stages and consoles to the show. */
 
+import type { Bus } from "./bus";
 import { now, ServerClock } from "./clock";
 import type { FromClient, FromServer, Hello, Pong, State, Welcome } from "./messages";
 import { LINK_PATH, PROTOCOL_VERSION } from "./messages";
@@ -44,7 +45,10 @@ export type LinkHandlers = Omit<Hearing<FromServer>, "cast"> & {
 const SILENCE = 1.5; // seconds without any message after which a link counts as dead
 const PING_EVERY = 1.0;
 
-/** The link of a page to the show: says hello, keeps the server's clock, and lets only the newest state through. */
+/**
+ * The link of a page to the show: says hello, keeps the server's clock, and lets only the newest state of its own bus
+ * through.
+ */
 export class ShowLink {
   readonly clock = new ServerClock();
   readonly newest = new Newest();
@@ -59,6 +63,7 @@ export class ShowLink {
     private readonly name: () => string = () => "",
     private readonly page = "",
     private readonly seat = "",
+    private readonly bus: Bus = "air",
   ) {
     this.socket = new ReconnectingSocket(LINK_PATH, {
       silence: SILENCE,
@@ -82,10 +87,10 @@ export class ShowLink {
     return this.socket.send(message);
   }
 
-  /** Says who this is: when the link opens, and again under another name. */
+  /** Says who this is, and what it looks at: when the link opens, and again under another name. */
   introduce(): void {
-    const { role, page, seat } = this;
-    this.send({ type: "hello", role, version: PROTOCOL_VERSION, name: this.name(), page, seat });
+    const { role, page, seat, bus } = this;
+    this.send({ type: "hello", role, version: PROTOCOL_VERSION, name: this.name(), page, seat, bus });
   }
 
   /** Ends the link for good. */
@@ -99,7 +104,7 @@ export class ShowLink {
   }
 
   private obey(message: FromServer): void {
-    if (message.type === "state" && !this.newest.accept(message)) return;
+    if (message.type === "state" && (message.bus !== this.bus || !this.newest.accept(message))) return;
     this.handlers.every?.(message);
     if (message.type === "welcome") this.welcome(message);
     else if (message.type === "state") this.state(message);

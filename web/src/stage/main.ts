@@ -1,17 +1,19 @@
 /** The stage page. */
 
 import { Library } from "../link/assets";
+import { PREVIEW_WORDS } from "../link/bus";
 import { now } from "../link/clock";
 import { onFileDrop } from "../ui/file_import";
 import { WakeLock } from "../ui/wake_lock";
 import { ParameterError, readParameters, type StageParameters } from "./parameters";
-import { Stage } from "./stage";
+import { PREVIEW_FOOT, Stage } from "./stage";
 import { exposeProbe } from "./stage_probe";
 
 const notice = document.getElementById("notice") as HTMLElement;
 const canvas = document.getElementById("stage") as HTMLCanvasElement;
 
 async function open(parameters: StageParameters): Promise<void> {
+  if (parameters.bus === "preview") showPreview();
   document.documentElement.classList.toggle("transparent", parameters.transparent);
   const stage = await Stage.open(canvas, await Library.open(parameters.hair), parameters, new WakeLock());
   exposeProbe(stage);
@@ -22,7 +24,7 @@ async function open(parameters: StageParameters): Promise<void> {
     requestAnimationFrame(tick);
   };
   requestAnimationFrame(tick);
-  if (parameters.hud) showCounters(stage);
+  if (parameters.hud) showCounters(stage, parameters);
 }
 
 /** Says something over the picture; at its edge where there may be a face. */
@@ -30,6 +32,15 @@ function tell(text: string, atEdge: boolean): void {
   if (notice.textContent === text) return;
   notice.textContent = text;
   notice.classList.toggle("edge", atEdge);
+}
+
+/** Says below the picture that nobody in the house sees it; beside the page, which is dark while the picture is black. */
+function showPreview(): void {
+  document.title = `${PREVIEW_WORDS} · ${document.title}`;
+  document.documentElement.style.setProperty("--foot", `${PREVIEW_FOOT}px`);
+  const strip = document.documentElement.appendChild(document.createElement("div"));
+  strip.id = "preview";
+  strip.textContent = PREVIEW_WORDS;
 }
 
 /** Lets the page fill its screen, and no more, by F and by a double click, where its browser allows that. */
@@ -54,7 +65,8 @@ function missingNotice({ missing, characters }: Stage): string {
 }
 
 /** What a technician wants to see in a corner of the picture. */
-function showCounters(stage: Stage): void {
+function showCounters(stage: Stage, parameters: StageParameters): void {
+  const shows = parameters.bus === "air" ? "on air" : "preview";
   const hud = document.body.appendChild(document.createElement("pre"));
   hud.id = "hud";
   setInterval(() => {
@@ -62,7 +74,7 @@ function showCounters(stage: Stage): void {
     const faces = Object.values(stage.shown?.characters ?? {})
       .map((character) => Object.keys(character.faces).join(" + "))
       .join(", ");
-    hud.textContent = `${connected ? "on air" : "no server"}  ${fps} fps  ${level}  state ${number} (${received}, late ${ignored})\n${faces}`;
+    hud.textContent = `${connected ? shows : "no server"}  ${fps} fps  ${level}  state ${number} (${received}, late ${ignored})\n${faces}`;
   }, 500);
 }
 

@@ -14,6 +14,7 @@ describe("a stage's address", () => {
       hud: false,
       quality: "auto",
       tile: undefined,
+      bus: "air",
       character: undefined,
       name: "",
     });
@@ -82,6 +83,8 @@ describe("a stage's address", () => {
     ["?tile=0,0&of=3x3&bezel=99", "bezel=99"],
     ["?tile=0,0&of=3x3&bezel=1,2,3", "bezel=1,2,3"],
     ["?bezel=2", "tile="],
+    ["?bus=blind", "bus=blind"],
+    ["?bus=preview&tile=0,0&of=2x2", "a wall shows what is on air"],
   ])("refuses %s with a sentence that names it", (query, named) => {
     expect(() => readParameters(query)).toThrow(ParameterError);
     expect(() => readParameters(query)).toThrow(named);

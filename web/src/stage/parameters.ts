@@ -4,6 +4,7 @@ import type { WallTile } from "../face/framing";
 import type { Triple } from "../face/light/tone";
 import { decodeSrgb } from "../face/light/tone";
 import type { Level } from "../face/quality/quality_levels";
+import type { Bus } from "../link/bus";
 import { BACKGROUNDS, LEVELS, LIGHTS } from "../link/constants";
 import type { SoundWish } from "./stage_sound";
 
@@ -20,6 +21,8 @@ export interface StageParameters {
   /** What the picture may cost; "auto": as much as the machine draws in time. */
   quality: Level | "auto";
   tile: WallTile | undefined;
+  /** What it shows: what is on air, or the preview. */
+  bus: Bus;
   /** Whether this stage plays the sounds that characters speak with. */
   sound: SoundWish;
   /** The one character that is shown, alone; undefined: the scene. */
@@ -43,6 +46,7 @@ const PARAMETERS = [
   "character",
   "name",
   "sound",
+  "bus",
 ];
 const QUALITIES: readonly string[] = ["auto", ...LEVELS];
 
@@ -55,6 +59,10 @@ export function readParameters(query: string): StageParameters {
   for (const name of parameters.keys())
     if (!PARAMETERS.includes(name))
       throw new ParameterError(`There is no parameter "${name}"; a stage knows ${PARAMETERS.join(", ")}.`);
+  const tile = readTile(parameters);
+  const bus = readBusOf(parameters.get("bus"));
+  if (tile !== undefined && bus === "preview")
+    throw new ParameterError("bus=preview and tile exclude each other: a wall shows what is on air.");
   return {
     transparent: readSwitch(parameters, "transparent"),
     background: readBackground(parameters),
@@ -62,7 +70,8 @@ export function readParameters(query: string): StageParameters {
     hair: !parameters.has("hair") || readSwitch(parameters, "hair"),
     hud: readSwitch(parameters, "hud"),
     quality: readQuality(parameters.get("quality")),
-    tile: readTile(parameters),
+    tile,
+    bus,
     character: readCharacter(parameters.get("character")),
     sound: !parameters.has("sound") ? "may" : readSwitch(parameters, "sound") ? "here" : "never",
     name: readName(parameters.get("name")),
@@ -74,6 +83,11 @@ function readSwitch(parameters: URLSearchParams, name: string): boolean {
   if (value === null || value === "0") return false;
   if (value === "" || value === "1") return true;
   throw new ParameterError(`${name}=${value} is neither on nor off; write ${name}=1 or leave it out.`);
+}
+
+function readBusOf(value: string | null): Bus {
+  if (value === null || value === "air" || value === "preview") return value ?? "air";
+  throw new ParameterError(`bus=${value} is unknown; write air or preview.`);
 }
 
 function readCharacter(value: string | null): string | undefined {

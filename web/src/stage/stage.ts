@@ -12,7 +12,7 @@ import type { Level } from "../face/quality/quality_levels";
 import { Library } from "../link/assets";
 import { now } from "../link/clock";
 import type { CallState, State } from "../link/messages";
-import { ShowLink } from "../link/show_link";
+import { type LinkHandlers, ShowLink } from "../link/show_link";
 import type { WakeLock } from "../ui/wake_lock";
 import { Curtain } from "./curtain";
 import { FrameRate } from "./frame_rate";
@@ -21,6 +21,8 @@ import type { StageParameters } from "./parameters";
 import { RedrawPolicy } from "./redraw_policy";
 import { StageSound } from "./stage_sound";
 
+/** Pixels of the strip that says that a stage of the preview is not on air: below the picture, never over it. */
+export const PREVIEW_FOOT = 30;
 /** Seconds behind the server at most, of a stage alone. */
 const LONGEST_DELAY = 0.06;
 /** On a wall every tile draws the state of one common instant; the slowest of them must have it by then. */
@@ -83,6 +85,8 @@ export class Stage {
   shown: ScenePose | undefined;
   private held: ScenePose | undefined;
   private readonly curtain = new Curtain(dim);
+  /** Pixels at the foot of the page that are not the picture's. */
+  private readonly foot: number;
   /** No frame is drawn; somebody else draws with the view. */
   resting = false;
 
@@ -94,8 +98,9 @@ export class Stage {
   ) {
     if (parameters.quality === "auto") this.qualityController = new QualityController(view.level);
     this.frameHeadroom = new FrameHeadroom(view.context);
+    this.foot = parameters.bus === "preview" ? PREVIEW_FOOT : 0;
     this.sound = new StageSound(parameters.sound, () => this.heartbeat());
-    this.link = new ShowLink("stage", {
+    const handlers: LinkHandlers = {
       state: (state) => this.receive(state),
       plays_sound: ({ on }) => this.sound.choose(on),
       welcome: (welcome) => {
@@ -104,7 +109,8 @@ export class Stage {
         if (welcome.digest !== this.view.library.manifest.digest) void this.recast();
       },
       cast: () => void this.recast(),
-    });
+    };
+    this.link = new ShowLink("stage", handlers, () => "", "", "", parameters.bus);
     this.fit();
     addEventListener("resize", () => this.fit());
   }
@@ -307,7 +313,7 @@ export class Stage {
   }
 
   private fit(): void {
-    this.view.resize(innerWidth, innerHeight);
+    this.view.resize(innerWidth, innerHeight - this.foot);
     this.redraw.forget();
     this.qualityController?.forget();
   }

@@ -26,6 +26,13 @@ export const palette = css`
   }
 `;
 
+/** The declarations of what says that a page is not on air: no colour of the instrument, in stripes. */
+export const previewColours = css`
+  color: #fff;
+  background: repeating-linear-gradient(135deg, #4a35c4 0 14px, #3b29a3 14px 28px);
+  font: 600 14px/1.2 system-ui, sans-serif;
+`;
+
 /** The declarations of words that can be marked and copied. */
 export const selectable = css`
   user-select: text;

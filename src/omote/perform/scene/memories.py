@@ -6,14 +6,16 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 
 from omote.perform.frame import Gaze, Head
-from omote.perform.limits import check_known, check_within
+from omote.perform.limits import CHANNEL_HIGHEST, CHANNEL_LOWEST, check_known, check_within
 from omote.perform.scene.character_names import MOST_CHARACTERS
 from omote.perform.scene.goals import CHARACTER_PARTS, SCENE_PARTS, TURN_LIMITS, Goal, Part, check_goal
-from omote.perform.scene.movement import Movement, check_movement, values
+from omote.perform.scene.movement import Movement, Ranges, check_movement, values
 
 MOST_MEMORIES = 32
 LONGEST_MEMORY_NAME = 40
 MOST_PARTS = MOST_CHARACTERS * len(CHARACTER_PARTS) + len(SCENE_PARTS)
+CHANNELS = "channels"
+CHANNEL_LIMITS = (CHANNEL_LOWEST, CHANNEL_HIGHEST)
 MOST_REPLACED = 16
 """Memories that were kept anew or deleted and can be brought back."""
 
@@ -46,8 +48,8 @@ NO_MEMORIES = Memories()
 
 @dataclass(frozen=True)
 class Turning:
-    """Head and gaze on their way to where a memory has them, begun after so many panics; a hand that moves one ends its
-    way."""
+    """Head and gaze on their way to where a memory or a cue has them, channels to where preview had them, begun after
+    so many panics; a hand that moves one ends its way."""
 
     ways: Mapping[str, Movement]
     panics: int
@@ -99,10 +101,17 @@ def check_memory_name(name: object) -> str:
     return text
 
 
-def turn_at(part: str, way: Movement) -> Head | Gaze:
-    """Where a part is on its way. part: head or gaze; way: its numbers."""
-    angles = values(way, TURN_LIMITS[part])
-    return Head(**angles) if part == "head" else Gaze(**angles)
+def limits_of_way(part: str, way: Movement) -> Ranges:
+    """The range of each number of a way. part: head, gaze or channels; way: its numbers."""
+    return TURN_LIMITS.get(part) or dict.fromkeys(way.goal, CHANNEL_LIMITS)
+
+
+def turn_at(part: str, way: Movement) -> Head | Gaze | dict[str, float]:
+    """Where a part is on its way. part: head, gaze or channels; way: its numbers."""
+    at = values(way, limits_of_way(part, way))
+    if part == CHANNELS:
+        return {name: weight for name, weight in sorted(at.items()) if weight}
+    return Head(**at) if part == "head" else Gaze(**at)
 
 
 def check_memories(memories: Memories) -> None:
@@ -117,12 +126,11 @@ def check_memories(memories: Memories) -> None:
 
 
 def check_turning(turning: Turning | None) -> None:
-    """Rejects a way of head and gaze that none can be."""
+    """Rejects a way of head, gaze and channels that none can be."""
     if turning is not None:
         for part, way in turning.ways.items():
-            check_movement(
-                way, TURN_LIMITS[check_known(part, TURN_LIMITS, "part that turns")], f"the way of the {part}:"
-            )
+            check_known(part, (*TURN_LIMITS, CHANNELS), "part that turns")
+            check_movement(way, limits_of_way(part, way), f"the way of the {part}:")
 
 
 def _check_memory(name: str, memory: Memory) -> None:

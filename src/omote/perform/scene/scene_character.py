@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import replace
 from typing import Protocol
 
@@ -17,12 +17,13 @@ from omote.perform.axis import (
     weights,
     with_pace,
 )
+from omote.perform.channels import with_channels
 from omote.perform.easing import DEFAULT_EASING
 from omote.perform.frame import Frame, Gaze, GazeTarget, Head, Held, MotionSettings, with_fields
 from omote.perform.layers.layer_names import check_layer
 from omote.perform.mix import Weights
 from omote.perform.motion.sight import NOTHING, Sight
-from omote.perform.panic import eased
+from omote.perform.panic import eased, without_channels
 from omote.perform.performer import Performer
 from omote.perform.scene import movement
 from omote.perform.scene.goals import (
@@ -36,7 +37,7 @@ from omote.perform.scene.goals import (
     is_setting,
 )
 from omote.perform.scene.look_goals import goal_of_target, target_of_goal
-from omote.perform.scene.memories import Turning, turn_at
+from omote.perform.scene.memories import CHANNEL_LIMITS, CHANNELS, Turning, turn_at
 from omote.perform.scene.movement import Movement, proceed, redirect
 from omote.perform.snapshot import Playable, Snapshot
 
@@ -57,7 +58,7 @@ class CheckTarget(Protocol):
 
 class SceneCharacter(Performer):
     """A performer in a scene. sight: what its eyes look at, which the scene finds before each step of time; turning:
-    head and gaze on their way to a memory."""
+    head, gaze and channels on their way to where they were called."""
 
     _call_light: CallSceneLight
     _check_target: CheckTarget
@@ -234,6 +235,29 @@ class SceneCharacter(Performer):
             ways = {part: movement.repaced(way, pace) for part, way in self.turning.ways.items()}
             self.turning = replace(self.turning, ways=ways)
 
+    def check_channels(self, weights: Mapping[str, float]) -> Mapping[str, float]:
+        """Returns weights that channels can have; ValueError, TypeError for others."""
+        return with_channels({}, self._cast.expressions, weights)
+
+    @property
+    def channels_goal(self) -> Mapping[str, float]:
+        """Where the weights of the channels go, or stand: those that are not 0."""
+        ways = {} if self.turning is None else self._ways(self.turning)
+        goal = ways[CHANNELS].goal if CHANNELS in ways else self._now.channels
+        return {name: goal[name] for name in sorted(goal) if goal[name]}
+
+    def call_channels(self, weights: Mapping[str, float], seconds: float, easing: str) -> None:
+        """Brings all channels to these weights, others to 0, as hands would in time. seconds: 0 cuts; easing: the curve
+        of the way."""
+        under_way = {} if self.turning is None else self._ways(self.turning)
+        shown = eased(Held(self._now.channels, Head(), Gaze()), self._now.easing_to_rest).channels
+        names = {**under_way[CHANNELS].goal, **shown} if CHANNELS in under_way else shown
+        goal = {name: weights.get(name, 0.0) for name in sorted({*names, *weights})}
+        before = _widened(under_way.get(CHANNELS), shown, goal)
+        way = redirect(before, goal, seconds, dict.fromkeys(goal, CHANNEL_LIMITS), easing)
+        self._play(easing_to_rest=without_channels(self._now.easing_to_rest, goal))
+        self._set_turns({**under_way, CHANNELS: way}, self._now.panics)
+
     def _turn_to(self, part: str, goal: Goal, seconds: float, easing: str, pace: float | None) -> None:
         under_way = {} if self.turning is None else self._ways(self.turning)
         way = under_way.get(part, Movement(vars(getattr(self._turned_by_hands(), part))))
@@ -252,3 +276,15 @@ class SceneCharacter(Performer):
     def note_played(self) -> None:
         """Notes that an operator did something for the whole scene: the next panic is a first one again."""
         self._play()
+
+
+def _widened(way: Movement | None, shown: Mapping[str, float], names: Iterable[str]) -> Movement:
+    """A way of channels with all of some names: those that it has not stand where they show."""
+    if way is None:
+        return Movement({name: shown.get(name, 0.0) for name in names})
+    goal = {name: way.goal.get(name, 0.0) for name in names}
+    if way.way is None:
+        return Movement(goal)
+    start = {name: way.way.start.get(name, 0.0) for name in names}
+    velocity = {name: way.way.velocity.get(name, 0.0) for name in names}
+    return Movement(goal, replace(way.way, start=start, velocity=velocity))

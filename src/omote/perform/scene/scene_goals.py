@@ -189,6 +189,67 @@ class SceneGoals:
         else:
             self._characters[character].call_goal(name, checked, seconds, easing, pace)
 
+    def channels_of(self, name: str) -> Mapping[str, float]:
+        """Where the weights of a character's channels go, or stand.
+
+        Parameters
+        ----------
+        name : str
+            The character.
+
+        Returns
+        -------
+        mapping of float
+            By channel; those that are not 0.
+
+        Raises
+        ------
+        ValueError
+            On a character that there is not.
+
+        Examples
+        --------
+        >>> scene = omote.Scene.begun(cast)
+        >>> scene["one"].set_channel("jawOpen", 0.4)
+        >>> scene.channels_of("one")
+        {'jawOpen': 0.4}
+        """
+        return self._characters[check_known(name, self._characters, "character")].channels_goal
+
+    def call_channels(
+        self, name: str, weights: Mapping[str, float], *, seconds: float = 1.0, easing: str = DEFAULT_EASING
+    ) -> None:
+        """Brings all channels of a character to some weights, from whatever they are; a hand on one of them ends that.
+
+        Parameters
+        ----------
+        name : str
+            The character.
+        weights : mapping of float
+            By channel, -0.5 to 1.5; those that are not named go to 0.
+        seconds : float
+            How long it takes, 0 to 3600; 0 cuts.
+        easing : {"smooth", "gentle", "sharp", "early", "late"}
+            The curve of the way.
+
+        Raises
+        ------
+        ValueError
+            On names that there are not and numbers out of range; then nothing has changed.
+        TypeError
+            On what is no number.
+
+        Examples
+        --------
+        >>> scene = omote.Scene.begun(cast)
+        >>> scene.call_channels("one", {"jawOpen": 0.4}, seconds=1)
+        >>> round(scene.advance(0.5).characters["one"].frame.channels["jawOpen"], 3)
+        0.2
+        """
+        character = self._characters[check_known(name, self._characters, "character")]
+        find_easing(easing)
+        character.call_channels(character.check_channels(weights), check_call_seconds(seconds), easing)
+
     def set_pace(self, pace: float) -> None:
         """Lets the time of all that was called with a pace go faster or slower; what else moves goes on as it does.
 

@@ -46,10 +46,37 @@ class SceneMemories(SceneGoals):
         >>> dict(scene.advance(2.0).characters["one"].frame.faces)
         {'dog': 1.0}
         """
+        self.keep_look_of(self, name, key=key)
+
+    def keep_look_of(self, seen: SceneMemories, name: str, *, key: str = "") -> None:
+        """Keeps what another scene shows under a name, as `keep_memory` keeps what this one does.
+
+        Parameters
+        ----------
+        seen : Scene
+            The one whose look is kept, such as the preview's.
+        name, key : str
+            As of `keep_memory`.
+
+        Raises
+        ------
+        ValueError
+            On a name that none can have, and beyond thirty-two memories.
+
+        Examples
+        --------
+        >>> scene = omote.Scene.begun(cast)
+        >>> unseen = omote.Scene.restored(cast, scene.snapshot())
+        >>> unseen["one"].call_face("dog", seconds=0)
+        >>> scene.keep_look_of(unseen, "finale")
+        >>> scene.call_memory("finale", seconds=0)
+        >>> dict(scene.advance(0.0).characters["one"].frame.faces)
+        {'dog': 1.0}
+        """
         parts = [
-            f"{other}/{part}" for other in self._characters if not self._standings[other].leaves for part in REMEMBERED
+            f"{other}/{part}" for other in seen._characters if not seen._standings[other].leaves for part in REMEMBERED
         ]
-        goals = {part: self.shown_goal(part) for part in (*parts, f"{ALL}/light", f"{ALL}/framing")}
+        goals = {part: seen.shown_goal(part) for part in (*parts, f"{ALL}/light", f"{ALL}/framing")}
         memory = Memory({part: goal for part, goal in goals.items() if goal != WITH_FACE})
         self._memories = with_memory(self._memories, name, memory, key or name)
 

@@ -8,12 +8,12 @@ from dataclasses import dataclass, field, replace
 
 from omote.perform.axis import Axis
 from omote.perform.lights import FIRST_LIGHT, LIGHTS
-from omote.perform.limits import FOREVER, check_within
+from omote.perform.limits import FOREVER, check_known, check_within
 from omote.perform.motion.sight import Point
 from omote.perform.scene.character_names import ALL, MOST_CHARACTERS, check_character_name, framing_of, names_in
 from omote.perform.scene.gaze_targets import MOST_POINTS, check_point
 from omote.perform.scene.goals import BLACK_LIMITS, PRESENCE_LIMITS
-from omote.perform.scene.memories import NO_MEMORIES, Memories, Turning, check_memories, check_turning
+from omote.perform.scene.memories import CHANNELS, NO_MEMORIES, Memories, Turning, check_memories, check_turning
 from omote.perform.scene.movement import Movement, check_movement, proceed
 from omote.perform.scene.scene_frame import PLACE_LIMITS, Place
 from omote.perform.snapshot import ROUNDING, Playable, Snapshot, axis_names, check_axis, check_snapshot, names_held
@@ -43,7 +43,7 @@ def standing_after(standing: Standing, dt: float) -> Standing:
 
 @dataclass(frozen=True)
 class CharacterSnapshot:
-    """The state of one character. `turning`: head and gaze on their way to a memory."""
+    """The state of one character. `turning`: head, gaze and channels on their way to where they were called."""
 
     performer: Snapshot
     standing: Standing
@@ -95,6 +95,8 @@ def check_scene(snapshot: SceneSnapshot, cast: Playable) -> SceneSnapshot:
         check_character_name(name)
         check_standing(character.standing, name)
         check_turning(character.turning)
+        for channel in channels_coming(character):
+            check_known(channel, cast.expressions, "channel")
         performer = check_snapshot(character.performer, cast)
         if not math.isclose(performer.time, snapshot.time, rel_tol=ROUNDING, abs_tol=ROUNDING):
             raise ValueError(f"{name} is at {performer.time} seconds, its scene at {snapshot.time}; they must agree")
@@ -176,4 +178,11 @@ def without_time(snapshot: SceneSnapshot) -> SceneSnapshot:
 def names_held_by(snapshot: SceneSnapshot) -> tuple[frozenset[str], frozenset[str]]:
     """The faces and the expressions (channels are expressions too) that a scene cannot be played without."""
     held = [names_held(character.performer) for character in snapshot.characters.values()]
-    return frozenset().union(*(faces for faces, _ in held)), frozenset().union(*(others for _, others in held))
+    coming = map(channels_coming, snapshot.characters.values())
+    return frozenset().union(*(faces for faces, _ in held)), frozenset().union(*(others for _, others in held), *coming)
+
+
+def channels_coming(character: CharacterSnapshot) -> frozenset[str]:
+    """The channels that are on their way to weights of their own."""
+    ways = {} if character.turning is None else character.turning.ways
+    return frozenset(ways[CHANNELS].goal) if CHANNELS in ways else frozenset()

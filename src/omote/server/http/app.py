@@ -162,10 +162,12 @@ class ShowServer:
         self.session.members.people = lambda: () if control is None else control.names()
         self.authority = authority
 
-    def on_air(self, character: str = "") -> OnAir:
-        """What a character has on air now, the first on the stage where none is named; `coming` includes what was
-        called since the last tick."""
-        on_air = read_on_air(self._state, character) if self._state else OnAir()
+    def on_air(self, character: str = "", who: str = "") -> OnAir:
+        """What a character shows now, the first on the stage where none is named; `coming` includes what was called
+        since the last tick. who: the client that sees it, on air or in preview; "" for an editor."""
+        unseen = self.session.preview_state if self.session.members.looks_at(who) == "preview" else None
+        state = unseen or self._state
+        on_air = read_on_air(state, character) if state else OnAir()
         return replace(on_air, coming=on_air.coming.union(*self.session.names_held()))
 
     def application(self, names: frozenset[str]) -> web.Application:
@@ -232,13 +234,22 @@ class ShowServer:
         data = encode(state)
         self.recording.record(data)
         self._deliver(self.session.hands_now(now))  # before the state, for which programs wait
-        self.links.broadcast(data, now)
+        self._broadcast(data, now)
         for source in self.sources:
             source.tell(state, now)
         refused = self.session.texts.take_refused(lambda _: True)  # sources have taken theirs
         self._deliver([Outgoing(text.who, Refused(reason, text.message.id)) for text, reason in refused])
         self.documents.set_on_air(state)
         self._keep_cues()
+
+    def _broadcast(self, data: bytes, now: float) -> None:
+        """Sends what is on air to all links but those that look at the preview, which get that. data: the state on
+        air."""
+        unseen = self.session.preview_state
+        others = set() if unseen is None else {who for who, each in self.session.crew.items() if each.bus == "preview"}
+        self.links.broadcast(data, now, [link for link in self.links if link.who not in others])
+        if unseen is not None:
+            self.links.broadcast(encode(unseen), now, [link for link in self.links if link.who in others])
 
     def _keep_cues(self) -> None:
         """Writes what was edited of cues since the last tick into the show file, in one commit."""

@@ -69,9 +69,9 @@ class EditorPage:
 class EditorLinks:
     """Connects all editors with the edit session, the workshop, the show file and the playing cast.
 
-    authored_work: None when nothing can be stored; reopen: reads it again from the file; on_air: what is seen now;
-    tell: sends a message to one console, announce: to every page of the show; notices: what the crew must know;
-    list_documents: tells all consoles the names of the documents of a kind; cancel: ends a long request.
+    authored_work: None when nothing can be stored; reopen: reads it again from the file; on_air: what is seen now of a
+    character, by a client; tell: sends a message to one console, announce: to every page of the show; notices: what the
+    crew must know; list_documents: tells consoles the names of the documents of a kind; cancel: ends a long request.
     """
 
     def __init__(
@@ -81,7 +81,7 @@ class EditorLinks:
         cast_reload: CastReload,
         *,
         reopen: Callable[[], AuthoredWork | None],
-        on_air: Callable[[str], OnAir],
+        on_air: Callable[[str, str], OnAir],
         tell: Tell,
         announce: Callable[[ServerMessage], None],
         report: Callable[[str], None],
@@ -134,7 +134,7 @@ class EditorLinks:
         if self.authored_work is None:
             self._tell(request.who, Refused(NO_FILE, getattr(request.message, "id", "")))
         else:
-            on_air = self._on_air(getattr(request.message, "character", ""))
+            on_air = self._on_air(getattr(request.message, "character", ""), request.who)
             self._take(self.authored_work, partial(answer_console, request=request, on_air=on_air, wall=_wall()))
 
     async def add_items(self, adding: Adding) -> list[TakenIn] | str:
@@ -188,7 +188,7 @@ class EditorLinks:
             elif message.type is WSMsgType.BINARY and self.authored_work is None:
                 self._send(link.who, EditRefused(-1, NO_FILE))
             elif message.type is WSMsgType.BINARY and self.authored_work is not None:
-                now = partial(EditSession.receive_bytes, wall=_wall(), on_air=lambda: self._on_air(""))
+                now = partial(EditSession.receive_bytes, wall=_wall(), on_air=lambda: self._on_air("", ""))
                 self._take(self.authored_work, partial(now, who=link.who, data=message.data, visitor=link.visitor))
 
     def _take(self, authored_work: AuthoredWork, happens: Callable[[EditSession], Outcome]) -> None:

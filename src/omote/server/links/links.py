@@ -168,12 +168,12 @@ class Links:
         if who in self._links:
             self._links[who].send(data, ANSWER_LIMIT)
 
-    def broadcast(self, data: bytes, now: float) -> None:
+    def broadcast(self, data: bytes, now: float, links: Iterable[Link] | None = None) -> None:
         """Sends the same bytes to every link that keeps up; cuts links that have been behind for too long.
 
-        data: one message; now: seconds, monotonic.
+        data: one message; now: seconds, monotonic; links: those that get it, all where none are given.
         """
-        for link in list(self._links.values()):
+        for link in list(self) if links is None else links:
             if link.send(data, max(UNSENT_LIMIT, len(data))):  # a state of many characters may itself be more
                 link.behind_since = None
                 continue

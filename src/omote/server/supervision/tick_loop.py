@@ -93,12 +93,14 @@ class ShowTick:
         self._journals = journals
         self._pulse = pulse
         self._board = board
-        self._kept: tuple[SceneSnapshot, LeaseSnapshot, set[tuple[str, int]]] | None = None
+        self._kept: tuple[SceneSnapshot, SceneSnapshot | None, LeaseSnapshot, set[tuple[str, int]]] | None = None
 
     def tick(self, beat: int | None) -> None:
         """Broadcasts the state and notices; on a beat sends the heartbeat, writes the journal, broadcasts who is
         connected."""
         self._server.tick()
+        for sentence in self._server.session.take_lost():
+            self._board.post(sentence)
         for notice in self._board.take_new():
             self._server.post(self._board.notices)
             send_pulse(self._pulse, write_notice(notice))  # so that the next server knows it too
@@ -115,7 +117,9 @@ class ShowTick:
     def _keep(self, *, even_resting: bool) -> None:
         session = self._server.session
         surfaces = {(surface.host, surface.port) for surface in session.surfaces}
-        still = without_time(session.scene.snapshot()), session.leasing.snapshot(), surfaces
+        preview = session.preview.snapshot()
+        unseen = None if preview is None else without_time(preview.scene)
+        still = without_time(session.scene.snapshot()), unseen, session.leasing.snapshot(), surfaces
         if still != self._kept or even_resting:
             self._kept = still
             entry = journal_entry(session)

@@ -10,7 +10,7 @@ from typing import Literal
 
 from omote.show.access.people_list import ANYBODY, Visitor
 from omote.show.declaration import ClientMessage, tag_of
-from omote.show.objects.link import Hello, Role
+from omote.show.objects.link import Bus, Hello, Role
 from omote.show.objects.stages import Crew, Drawing, StageReport
 from omote.show.validation import DARK, FPS, Refusal, validate_number
 
@@ -33,7 +33,7 @@ class Member:
     """A connected client: its role, its last report with the time of it, and the name of a console or a source.
 
     claim: on that name, `OF_TOKEN` where its token has it, `ASKED_FOR`, else `GIVEN`; page: the page that the link
-    belongs to; seat: the operator at it, or the source itself; "" for a stage.
+    belongs to; seat: the operator at it, or the source itself; "" for a stage; bus: what it looks at.
     """
 
     role: Role | Literal["source"]
@@ -43,6 +43,7 @@ class Member:
     claim: int = GIVEN
     page: str = ""
     seat: str = ""
+    bus: Bus = "air"
 
 
 class Members:
@@ -65,6 +66,16 @@ class Members:
         if self[who].role == "stage":
             raise Refusal(f"{tag_of(type(message))} came from a stage, but only a console plays.")
 
+    def looks_at(self, who: str) -> Bus:
+        """The bus that a client (who) looks at, and plays on."""
+        member = self.present.get(who)
+        return "air" if member is None else member.bus
+
+    @property
+    def any_in_preview(self) -> bool:
+        """Whether anybody looks at the preview."""
+        return any(member.bus == "preview" for member in self.present.values())
+
     def identify(self, who: str, visitor: Visitor) -> None:
         """Notes who has opened a link, by their token; who is not noted is on this machine and may do all. who: the
         client; visitor: whose token it is."""
@@ -83,7 +94,7 @@ class Members:
         """Removes a client (who); lost: when its link broke, where its page was not closed."""
         member = self.present.pop(who, None)
         self._visitors.pop(who, None)
-        if member is not None and member.role == "stage" and lost is not None:
+        if member is not None and member.role == "stage" and member.bus == "air" and lost is not None:
             self._lost_stages.append(lost)
 
     def report(self, who: str, drawing: Drawing, now: float) -> None:
@@ -99,16 +110,16 @@ class Members:
         """Adds a client that says hello, or changes it; returns whose names are new: another's too, where that was
         given the name that a console claims. Links of the same page must have left. Whose token has a name is called so
         whatever the hello says, and nobody else is, who came before or comes after. who: the client."""
-        if hello.role == "stage" and who not in self.present:
+        if hello.role == "stage" and hello.bus == "air" and who not in self.present:
             del self._lost_stages[:1]  # one of them is back, or another in its place
         if hello.role != "console":
-            self.present[who] = Member(hello.role)
+            self.present[who] = Member(hello.role, bus=hello.bus)
             return [who]
         own = self.visitor(who).name
         name = own or hello.name.strip()
         claim = OF_TOKEN if own else ASKED_FOR if name else GIVEN
         seat = f"seat {hello.seat or hello.page or who}"
-        self.present[who] = Member("console", name=name, claim=claim, page=hello.page, seat=seat)
+        self.present[who] = Member("console", name=name, claim=claim, page=hello.page, seat=seat, bus=hello.bus)
         consoles = {client: (self.present[client].name, self.present[client].claim) for client in self.consoles()}
         names = name_apart(consoles, who, self.people())
         for client, name in names.items():
@@ -120,9 +131,10 @@ class Members:
         return [who for who, member in self.present.items() if page and member.page == page]
 
     def now(self, now: float) -> Crew:
-        """Who is connected, and what each stage draws."""
+        """Who is connected, and what each stage draws that shows what is on air."""
         members = list(self.present.values())
-        stages = [m.report if now - m.heard <= SILENCE else None for m in members if m.role == "stage"]
+        on_air = [m for m in members if m.role == "stage" and m.bus == "air"]
+        stages = [m.report if now - m.heard <= SILENCE else None for m in on_air]
         lost = sum(now - broke <= LOST_SECONDS for broke in self._lost_stages)
         return Crew(stages, sum(m.role == "console" for m in members), lost)
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from typing import Any
 
 from omote.perform.cues.cue import Cue, Move, check_cue_number, is_of, with_move
@@ -32,15 +32,30 @@ from omote.show.objects import cues as wire
 
 
 @dataclass(frozen=True)
+class LookedAt:
+    """A cue that is looked at in preview, and how all parts stood when that began. cue_list: its list; cue: by
+    identity, "" for none."""
+
+    cue_list: str = ""
+    cue: str = ""
+    goals: Mapping[Part, Goal] = field(default_factory=dict)
+
+
+ON_AIR = LookedAt()
+"""No cue is looked at: what is edited is what shows on air, or what was built up."""
+
+
+@dataclass(frozen=True)
 class EditContext:
     """What an edit begins from: the book, what shows, the list that is meant, the cue of it that was called last (by
-    identity), and who edits."""
+    identity), who edits, and the cue that is looked at instead."""
 
     book: CueBook
     scene: Scene
     chosen: str
     current: str | None
     by: str
+    looked_at: LookedAt = ON_AIR
 
     def edit(
         self,
@@ -97,7 +112,7 @@ def record_cue(context: EditContext, message: wire.RecordCue) -> CueBook:
     cues = context.book.cues_of(context.chosen)
     place = place_number(context.book, context.chosen, check_cue_number(number))
     tracked = tracked_at(cues, place - 1) if place else NOTHING_TRACKED
-    goals = _chosen(context.scene, tracked, message.parts) if message.parts else differing(context.scene, tracked)
+    goals = _chosen(context.scene, tracked, message.parts) if message.parts else _changed(context, tracked)
     moves = {part: Move(goal, message.seconds) for part, goal in goals.items()}
     cue = Cue(new_identities(context.book, 1)[0], number, moves, label=message.label)
     return context.edit(f"record cue {number}", {cue.identity: cue}, _inserted(context, cue, None))
@@ -112,7 +127,7 @@ def update_cue(context: EditContext, message: wire.UpdateCue) -> CueBook:
     cues = context.book.cues_of(context.book.list_of(cue.identity))
     tracked = tracked_at(cues, [each.identity for each in cues].index(cue.identity))
     changed = cue
-    for part, goal in differing(context.scene, tracked).items():
+    for part, goal in _changed(context, tracked).items():
         before = cue.moves.get(part, Move(goal))
         changed = with_move(changed, part, replace(before, goal=goal))
     return context.edit(f"update cue {cue.number}", {cue.identity: changed})
@@ -200,6 +215,14 @@ def differing(scene: Scene, tracked: Tracked) -> dict[Part, Goal]:
     region goes with its face, eyes look ahead, layers show. scene: what shows; tracked: what the cues leave."""
     shown = shown_goals(scene)
     return {part: goal for part, goal in shown.items() if goal != tracked.get(part, first_goal(part))}
+
+
+def _changed(context: EditContext, tracked: Tracked) -> dict[Part, Goal]:
+    """The parts that stand otherwise than cues leave them (tracked); of a cue that is looked at, what no cue moves only
+    where it was changed since."""
+    found = context.looked_at.goals
+    shown = differing(context.scene, tracked)
+    return {part: goal for part, goal in shown.items() if part in tracked or goal != found.get(part)}
 
 
 def _chosen(scene: Scene, tracked: Tracked, wanted: Sequence[str]) -> dict[Part, Goal]:

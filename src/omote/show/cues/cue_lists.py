@@ -8,7 +8,7 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from typing import Any
 
-from omote.perform.cues.cue import Cue
+from omote.perform.cues.cue import Cue, CueList
 from omote.perform.cues.cue_action import MidiSend, OscSend, SpokenLine
 from omote.perform.cues.cue_player import CuePlayer, advance_lists
 from omote.perform.cues.cue_state import GAP_SECONDS, CueState, edited
@@ -17,6 +17,7 @@ from omote.perform.scene.scene import Scene
 from omote.perform.scene.scene_frame import SceneFrame
 from omote.show.cues import cue_edits
 from omote.show.cues.cue_book import CueBook, changes_between, find_cue, redo, take_in_list, undo
+from omote.show.cues.cue_edits import ON_AIR, LookedAt
 from omote.show.declaration import Outgoing
 from omote.show.objects import cues as wire
 from omote.show.objects.link import Refused
@@ -270,19 +271,37 @@ class CueLists:
 
     # --- what edits ---
 
-    def edit(self, message: wire.CueCommand, who: str) -> None:
-        """Makes an edit; ValueError where it cannot be made, or the show mode is on. message: asks for it; who: the
-        client."""
+    def edit(self, message: wire.CueCommand, who: str, scene: Scene, looked_at: LookedAt = ON_AIR) -> None:
+        """Makes an edit; ValueError where it cannot be made, or the show mode is on.
+
+        message: asks for it; who: the client; scene: the one that it looks at; looked_at: the cue there.
+        """
         self._check_open()
         by = self._name_of(who)
         if isinstance(message, wire.UndoCues | wire.RedoCues):
             self._check_seen(message.seen)
             self._play((undo if isinstance(message, wire.UndoCues) else redo)(self.book, by))
             return
-        chosen = self._named(getattr(message, "cue_list", ""), new=isinstance(message, wire.AddCueList))
+        chosen = getattr(message, "cue_list", "") or looked_at.cue_list
+        chosen = self._named(chosen, new=isinstance(message, wire.AddCueList))
         state = self._players[chosen].state if chosen in self._players else CueState()
-        context = cue_edits.EditContext(self.book, self._scene(), chosen, state.current, by)
+        is_meant = looked_at.cue in self.book.orders.get(chosen, ())
+        looked_at = looked_at if is_meant else ON_AIR
+        current = looked_at.cue or state.current
+        context = cue_edits.EditContext(self.book, scene, chosen, current, by, looked_at)
         self._play(cue_edits.EDITS[type(message)](context, message))
+
+    def find(self, name: str, number: str) -> tuple[str, CueList, Cue]:
+        """A cue: the list that is meant, its cues, and the one of the number; ValueError where there is none.
+
+        name: of the list, "" for the one that is chosen; number: of the cue.
+        """
+        name = self._named(name)
+        return name, self._players[name].cues, find_cue(self.book, name, number)
+
+    def name_of(self, looked_at: LookedAt) -> wire.CueName | None:
+        """The cue that is looked at, as consoles name it; None where none is, or it is gone."""
+        return self._cue_name(looked_at.cue or None)
 
     def take_in(self, name: str, cues: Sequence[Cue], by: str) -> None:
         """Takes in a list as it comes from a text; ValueError where it cannot be, or the show mode is on.

@@ -173,6 +173,7 @@ class Panic(CharacterCommand, frozen=True):
     """The face on air goes neutral and holds still, now; while `CharacterState.home_next` is true it brings the home
     face. An `id` executes once: a page sends it again where its link breaks."""
 
+    follows_bus = False
     osc = (
         osc("panic", "holds it still and neutral; again, it brings its home face", PRESS),
         osc("panic", "holds all faces still and neutral; again, it brings the home face", PRESS, of_show=True),
@@ -194,6 +195,8 @@ class Panic(CharacterCommand, frozen=True):
 
 class SetHome(CharacterCommand, frozen=True):
     """The face that a second panic brings on air, and the seconds that it takes; it stays with the show."""
+
+    follows_bus = False
 
     face: Name
     seconds: float = 2.0

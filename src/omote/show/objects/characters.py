@@ -32,6 +32,7 @@ class AddCharacter(SceneCommand, frozen=True):
     `character`: its name for ever, lower case letters, digits, `_` and `-`; `label`: what people call it. `face` is its
     home face too. An `id` executes once, as of the messages below."""
 
+    follows_bus = False
     method = "add"
 
     id: CallId
@@ -68,6 +69,7 @@ class RemoveCharacter(SceneCommand, frozen=True):
     it is gone an `enter_character` keeps it. The last one stays. `key`: what `restore_character` finds it by, "" for
     its name."""
 
+    follows_bus = False
     method = "remove"
     plays = ALL
     holds = False
@@ -90,6 +92,7 @@ class RestoreCharacter(SceneCommand, frozen=True):
     """Brings back a character that was removed, one of the last sixteen: all that it had on air, its place, rank and
     shot, unless another was called since. It enters in `seconds`, if it was on the stage."""
 
+    follows_bus = False
     method = "restore"
 
     id: CallId
@@ -104,6 +107,7 @@ class RestoreCharacter(SceneCommand, frozen=True):
 class RenameCharacter(SceneCommand, frozen=True):
     """Gives a character another label."""
 
+    follows_bus = False
     method = "rename"
 
     id: CallId

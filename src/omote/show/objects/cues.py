@@ -263,7 +263,8 @@ class CueCommand(ClientMessage, frozen=True):
 
     def act(self, session: Session, who: str, now: float) -> Sequence[Outgoing]:
         """Edits the cues. session: the show; who: the client; now: seconds, monotonic."""
-        session.cues.edit(self, who)
+        looked_at = (session.preview.looked_at,) if session.members.looks_at(who) == "preview" else ()
+        session.cues.edit(self, who, session.scene_of(who), *looked_at)
         return ()
 
 
@@ -311,9 +312,9 @@ class DropMove(CueCommand, frozen=True):
 
 
 class RecordCue(CueCommand, frozen=True):
-    """Writes a new cue of what shows: the parts that stand otherwise than the cues before it leave them, or those that
-    `parts` names (`one/face`, `one` for all of a character). `number`: "" for the next free one behind the cue that was
-    called last."""
+    """Writes a new cue of what shows to its sender, on air or in preview: the parts that stand otherwise than the cues
+    before it leave them, or those that `parts` names (`one/face`, `one` for all of a character). `number`: "" for the
+    next free one behind the cue that was called last, in preview behind the one that is looked at."""
 
     osc = (osc("record_cue", "writes a new cue of what shows", "cue", of_show=True),)
 
@@ -326,8 +327,8 @@ class RecordCue(CueCommand, frozen=True):
 
 
 class UpdateCue(CueCommand, frozen=True):
-    """Writes what shows into a cue (an identity; "" for the one that was called last): each part that stands otherwise
-    than the list leaves it there."""
+    """Writes what shows to its sender, on air or in preview, into a cue (an identity; "" for the one that was called
+    last, in preview for the one that is looked at): each part that stands otherwise than the list leaves it there."""
 
     osc = (osc("update_cue", "writes what shows into the cue that was called last", PRESS, of_show=True),)
 

@@ -21,6 +21,7 @@ class SetGazePoint(SceneCommand, frozen=True):
     """Names a point of the house that eyes may look at, such as a seat, or moves it: metres as of `look_at`. It is kept
     with the show. An `id` executes once, as of the one below."""
 
+    follows_bus = False
     osc = (
         osc(
             "gaze_point",
@@ -47,6 +48,7 @@ class SetGazePoint(SceneCommand, frozen=True):
 class DeleteGazePoint(SceneCommand, frozen=True):
     """Forgets a gaze point; who looked at it looks ahead."""
 
+    follows_bus = False
     osc = (osc("delete_gaze_point", "forgets a named point of the house", "name", of_show=True),)
 
     id: CallId

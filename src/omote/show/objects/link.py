@@ -11,13 +11,15 @@ from omote.show.declaration import CallId, ClientMessage, Outgoing, ServerMessag
 from omote.show.validation import SENT, name_escapes, validate_number
 
 Role = Literal["stage", "console"]
+Bus = Literal["air", "preview"]
 ConsoleName = Annotated[str, msgspec.Meta(max_length=24)]
 
 
 class Hello(ClientMessage, frozen=True):
     """Opens a link; other messages are rejected before it. `name`: what a console's operator calls it, or what it was
     called the last time; a second hello changes it. `page`: the same for each link of one page, another for each page.
-    `seat`: of the operator, whom a reload and a lost link do not change; without one it is the page's.
+    `seat`: of the operator, whom a reload and a lost link do not change; without one it is the page's. `bus`: what it
+    looks at: what is on air, or the preview, on which what it plays is not seen; a second hello changes that.
     """
 
     access = "view"
@@ -29,6 +31,7 @@ class Hello(ClientMessage, frozen=True):
     name: ConsoleName = ""
     page: Annotated[str, msgspec.Meta(max_length=64)] = ""
     seat: Annotated[str, msgspec.Meta(max_length=64)] = ""
+    bus: Bus = "air"
 
     def act(self, session: Session, who: str, now: float) -> Sequence[Outgoing]:
         """Admits the client. session: the show; who: the client; now: seconds, monotonic."""

@@ -11,26 +11,29 @@ from omote.perform.limits import check_known
 from omote.perform.scene.character_names import ALL
 from omote.perform.scene.memories import LONGEST_MEMORY_NAME
 from omote.perform.scene.scene import Scene
-from omote.show.declaration import CallId, Name, OptionalCallId, SceneCommand, Seconds, Session
+from omote.show.declaration import CallId, ClientMessage, Name, OptionalCallId, Outgoing, SceneCommand, Seconds, Session
 from omote.show.osc import PRESS, Value, osc
 
 MemoryName = Annotated[str, msgspec.Meta(min_length=1, max_length=LONGEST_MEMORY_NAME), Value("text")]
 
 
-class KeepMemory(SceneCommand, frozen=True):
-    """Keeps the whole look that shows under a name: faces, expressions, head and gaze of all characters, light and
-    framing. One of that name is kept anew; `restore_memory` with the `key` (the name without one) takes that back. It
-    is kept with the show. An `id` executes once, as of those below."""
+class KeepMemory(ClientMessage, frozen=True):
+    """Keeps the whole look that shows to its sender, on air or in preview, under a name: faces, expressions, head and
+    gaze of all characters, light and framing. One of that name is kept anew; `restore_memory` with the `key` (the name
+    without one) takes that back. It is kept with the show. An `id` executes once, as of those below."""
 
+    access = "operate"
+    method = ""
     osc = (osc("keep_memory", "keeps the whole look that shows under this name", "name", of_show=True),)
 
     id: CallId
     name: MemoryName
     key: OptionalCallId = ""
 
-    def change(self, scene: Scene) -> None:
-        """Changes the scene."""
-        scene.keep_memory(self.name, key=self.key)
+    def act(self, session: Session, who: str, now: float) -> tuple[Outgoing, ...]:
+        """Keeps it. session: the show; who: the client; now: seconds, monotonic."""
+        session.scene.keep_look_of(session.scene_of(who), self.name, key=self.key)
+        return ()
 
 
 class CallMemory(SceneCommand, frozen=True):
@@ -63,6 +66,7 @@ class CallMemory(SceneCommand, frozen=True):
 class DeleteMemory(SceneCommand, frozen=True):
     """Forgets a memory; `restore_memory` with the `key` (the name without one) takes that back."""
 
+    follows_bus = False
     osc = (osc("delete_memory", "forgets the whole look of this name", "name", of_show=True),)
 
     id: CallId
@@ -76,6 +80,8 @@ class DeleteMemory(SceneCommand, frozen=True):
 
 class RestoreMemory(SceneCommand, frozen=True):
     """Takes back that a memory was kept or deleted under this `key`; asked again, it is as after that."""
+
+    follows_bus = False
 
     id: CallId
     key: Annotated[str, msgspec.Meta(min_length=1, max_length=64)]

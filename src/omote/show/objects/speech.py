@@ -27,11 +27,18 @@ MOST_MARKS = 1500
 """Words, characters or mouth shapes of one message."""
 
 
+def _refuse_unseen(session: Session, who: str) -> None:
+    """Refuses what would be heard in the house of a client (who) that looks at the preview."""
+    if session.members.looks_at(who) == "preview":
+        raise Refusal("speech is heard in the house, so it is not for the preview: look at what is on air to play it.")
+
+
 class SayByVoice(CharacterCommand, frozen=True):  # before `Say`, whose address with a language would take its own
     """A character says a text by a voice of the show (`GET /voices`), which speaks it first: the sound begins a moment
     later, on the stage that plays sounds, with lips in time. What it says meanwhile, a stop and a panic end the
     waiting. An `id` executes once. A program speaks by `say(voice=...)`, which tells it when it is over."""
 
+    follows_bus = False
     method = None
     longest = SPEECH_LIMIT
     osc = (
@@ -49,6 +56,7 @@ class SayByVoice(CharacterCommand, frozen=True):  # before `Say`, whose address 
 
     def act(self, session: Session, who: str, now: float) -> Sequence[Outgoing]:
         """Asks for it. session: the show; who: the client; now: seconds, monotonic."""
+        _refuse_unseen(session, who)
         session.ask_to_speak(who, self, characters_of(session.scene, self.character))
         return ()
 
@@ -62,6 +70,7 @@ class Say(CharacterCommand, frozen=True):
     mouth is later. `queue`: after all that is said already, else in its place. `key`: what to call it: the
     state's `speech.keys` have it until it is over, and `spoken` once it was said to its end. An `id` executes once."""
 
+    follows_bus = False
     longest = SPEECH_LIMIT
     osc = (
         osc(
@@ -89,6 +98,7 @@ class Say(CharacterCommand, frozen=True):
     def act(self, session: Session, who: str, now: float) -> Sequence[Outgoing]:
         """Speaks, for the length of its sound where it gives none; ValueError for a sound that is not there. session:
         the show; who: the client; now: seconds, monotonic."""
+        _refuse_unseen(session, who)
         answers = super(Say, session.sounds.complete(self)).act(session, who, now)
         session.texts.drop(characters_of(session.scene, self.character))
         return answers
@@ -115,6 +125,7 @@ class Say(CharacterCommand, frozen=True):
 class StopSpeaking(CharacterCommand, frozen=True):
     """Ends what a character says, and all that it would say after: its mouth goes to rest."""
 
+    follows_bus = False
     osc = (osc("stop_speaking", "ends what it says, and all that it would say after", PRESS),)
 
     id: RequestId = ""

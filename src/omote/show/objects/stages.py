@@ -20,7 +20,8 @@ class Drawing(ClientMessage, frozen=True):
     its address has it; `camera`: where that is, metres as of `look_at`. `sound`: whether it can play sounds: "" never,
     `blocked` until somebody clicks it, `ready`; `sound_here`: its address asks that it plays them. `dark`: seconds for
     which it has had no graphics context, and so draws nothing. `awake`: whether its browser keeps the screen on:
-    `kept`, `refused`, `insecure` where the address is neither https nor of its own machine; "" before it has said."""
+    `kept`, `refused`, `insecure` where the address is neither https nor of its own machine; "" before it has said.
+    Nobody looks at the camera of a stage of the preview."""
 
     access = "view"
     open_to = "everybody"
@@ -38,7 +39,8 @@ class Drawing(ClientMessage, frozen=True):
         """Notes what the stage draws, and where its camera is. session: the show; who: the client; now: seconds,
         monotonic."""
         session.members.report(who, self, now)
-        session.scene.note_camera(self.name, self.camera)
+        if session.members.looks_at(who) == "air":
+            session.scene.note_camera(self.name, self.camera)
         return ()
 
 

@@ -11,7 +11,8 @@ from omote.model.known_names import PlayRegion
 from omote.perform.frame import TargetKind
 from omote.perform.layers.layer_names import LayerName
 from omote.show.declaration import ServerMessage
-from omote.show.objects.cues import CueStatus
+from omote.show.objects.cues import CueName, CueStatus
+from omote.show.objects.link import Bus
 
 
 class CallState(msgspec.Struct, frozen=True):
@@ -161,6 +162,8 @@ class State(ServerMessage, frozen=True):
     picture to black, 0..1; `black_goal`: where that goes. A record without them has the picture up. `memories`: the
     names of the looks that were kept, in the order in which they were kept first. `note`: the line of notes of the
     crew; `began`: when the show began, of `time`. `cues`: how far its lists of cues are, `None` where it has had none.
+    `bus`: whose state it is; that of the preview has panics and homes of air. `looked_at`: the cue that is looked at in
+    preview.
     """
 
     epoch: int
@@ -179,6 +182,8 @@ class State(ServerMessage, frozen=True):
     note: str = ""
     began: float = 0.0
     cues: CueStatus | None = None
+    bus: Bus = "air"
+    looked_at: CueName | None = None
 
 
 def named_most(mix: Mapping[str, float], call: CallState | None) -> str:

@@ -7,11 +7,12 @@ from dataclasses import dataclass, field
 
 from omote.perform.limits import check_known
 from omote.perform.scene.character_names import ALL
+from omote.perform.scene.goals import Part
 from omote.show.crew.members import Members
 from omote.show.declaration import ClientMessage, Outgoing
 from omote.show.objects.leases import Lease, LeaseClaim, Leases, LeaseWish, ReleaseLease, SeatState
 from omote.show.ownership.ownership_table import OwnershipTable
-from omote.show.ownership.parts import describe_key, keys_of, keys_played
+from omote.show.ownership.parts import describe_key, keys_of, keys_of_part, keys_played
 from omote.show.ownership.seats import Seat, Seats
 from omote.show.validation import Refusal
 
@@ -66,6 +67,12 @@ class Leasing:
         """Refuses a message of a client (who) that plays what another seat holds, by HeldByOthersRefusal. characters:
         whom it is for."""
         keys = keys_played(message, characters) if self.table.on else ()
+        if keys:
+            self._refuse_foreign(who, keys)
+
+    def check_parts(self, who: str, parts: Collection[Part]) -> None:
+        """Refuses that a client (who) plays parts where another seat holds one, by HeldByOthersRefusal."""
+        keys = [key for part in parts for key in keys_of_part(part)] if self.table.on else []
         if keys:
             self._refuse_foreign(who, keys)
 

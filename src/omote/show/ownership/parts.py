@@ -8,6 +8,7 @@ from typing import get_args
 from omote.perform.limits import check_known
 from omote.perform.scene.character_names import ALL, describe_character
 from omote.perform.scene.goals import SCENE_PARTS as PLAYED_PARTS
+from omote.perform.scene.goals import Part
 from omote.show.declaration import ClientMessage
 from omote.show.objects.leases import LeasePart
 
@@ -68,6 +69,13 @@ def keys_played(message: ClientMessage, characters: Iterable[str]) -> tuple[str,
     whom = tuple(characters)
     parts = (plays,) if isinstance(plays, str) else plays
     return tuple(key for part in parts for key in keys_of(whom, part, whole_scene=part in SCENE_PARTS))
+
+
+def keys_of_part(part: Part) -> tuple[str, ...]:
+    """What the table of leases calls a part of a scene; nothing where whoever plays it passes."""
+    character, _, name = part.rpartition("/")
+    held = {"presence": "place", "rest": "expression"}.get(name, name)
+    return (key_of(character, held),) if held in (*PLAYED_PARTS, *CHARACTER_PARTS) else ()
 
 
 def regions_of(key: str) -> tuple[str, ...]:

@@ -14,6 +14,7 @@ import msgspec
 from omote.show.cues.cue_lists import CuesPlaying, CuesShown
 from omote.show.messages import CLIENT_MESSAGES
 from omote.show.objects.recordings import MarkMoment
+from omote.show.preview_bus import PreviewSnapshot
 from omote.show.session import ShowSession
 from omote.show.session_snapshot import SessionSnapshot
 from omote.show.sources.open_sources import SourcesPlaying
@@ -118,6 +119,19 @@ class CuesEdited(Entry, frozen=True):
         session.cues.replay(self.shown)
 
 
+class PreviewSet(Entry, frozen=True):
+    """The preview as it is: a take, which comes next, reads it. What is done in preview is not recorded else."""
+
+    preview: PreviewSnapshot | None
+
+    def redo(self, session: ShowSession) -> None:
+        """Sets the preview. session: the show."""
+        if self.preview is None:
+            session.preview.forget()
+        else:
+            session.preview.restore(self.preview)
+
+
 class LineRejected(Entry, frozen=True):
     """A line of a cue was not said. said: why."""
 
@@ -159,7 +173,18 @@ class Kept(Entry, frozen=True):
 
 
 AnyEntry = (
-    Joined | Left | Sent | ChannelsSet | Routed | SoundsKnown | Recast | CuesEdited | LineRejected | Ticked | Kept
+    Joined
+    | Left
+    | Sent
+    | ChannelsSet
+    | Routed
+    | SoundsKnown
+    | Recast
+    | CuesEdited
+    | PreviewSet
+    | LineRejected
+    | Ticked
+    | Kept
 )
 
 _encoder = msgspec.msgpack.Encoder()

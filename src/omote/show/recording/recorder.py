@@ -8,6 +8,7 @@ from dataclasses import replace
 import msgspec
 
 from omote.show.declaration import ClientMessage
+from omote.show.objects.preview import Take
 from omote.show.ownership.leasing import LeaseSnapshot
 from omote.show.recording.entries import (
     AnyEntry,
@@ -17,6 +18,7 @@ from omote.show.recording.entries import (
     Kept,
     Left,
     LineRejected,
+    PreviewSet,
     Recast,
     Routed,
     Sent,
@@ -63,6 +65,8 @@ class Recorder:
     def note_message(self, who: str, message: ClientMessage, now: float) -> None:
         """Notes a message of a client (who) that was obeyed. now: seconds, monotonic."""
         self._meet(who)
+        if isinstance(message, Take):
+            self._note(PreviewSet(self._session.preview.snapshot()))
         self._note(Sent(who, now, message))
 
     def note_channels(self, who: str, character: str, values: Mapping[str, float], now: float) -> None:
@@ -130,7 +134,7 @@ def snapshot_of(session: ShowSession, members: Mapping[str, tuple[str, str]], *,
     snapshot = session.snapshot()
     cues = replace(snapshot.cues, states={})  # `playing` has them whole
     return Kept(
-        session=msgspec.structs.replace(snapshot, executed={}, leases=LeaseSnapshot(), cues=cues),
+        session=msgspec.structs.replace(snapshot, executed={}, leases=LeaseSnapshot(), cues=cues, preview=None),
         now=session.now,
         number=session.number,
         epoch=session.epoch,

@@ -33,7 +33,8 @@ class SoundStage:
 
 def _is_able(member: Member, now: float) -> bool:
     report = member.report
-    return member.role == "stage" and report is not None and report.sound != "" and now - member.heard <= SILENCE
+    on_air = member.role == "stage" and member.bus == "air"
+    return on_air and report is not None and report.sound != "" and now - member.heard <= SILENCE
 
 
 def _rank(member: Member) -> tuple[bool, bool]:

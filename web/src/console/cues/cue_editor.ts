@@ -145,7 +145,7 @@ export class CueEditor extends CueElement {
     const cue = this.cues.find(this.cues.edited);
     if (cue === null)
       return html`<header><h2>Cue</h2>${this.#closer()}</header>
-        <p>Choose a cue of the list, record what is on air, or begin an empty one.</p>`;
+        <p>Choose a cue of the list, record what ${this.cues.show.bus === "air" ? "is on air" : "preview has"}, or begin an empty one.</p>`;
     return html`<header><h2>Cue ${cue.number}</h2>${this.#closer()}</header>${keyed(cue.identity, this.#cue(cue))}`;
   }
 
@@ -171,7 +171,8 @@ export class CueEditor extends CueElement {
     const moved = (after: string | null) => () =>
       after !== null && this.cues.change({ type: "move_cue", cue: identity, after });
     return html`<div class="tools">
-      <button title="Write what shows into cue ${number}" @click=${() => this.cues.change({ type: "update_cue", cue: identity, cue_list: this.cues.name })}>Update</button>
+      <button title="Write what ${this.cues.show.bus === "air" ? "is on air" : "preview has"} into cue ${number}" @click=${() => this.cues.change({ type: "update_cue", cue: identity, cue_list: this.cues.name })}>Update</button>
+      <button title="Shows cue ${number} in preview, whatever is on air" @click=${() => this.cues.lookAt(number)}>Preview</button>
       <button @click=${() => this.cues.add({ type: "copy_cue", cue: identity })}>Copy</button>
       <button aria-label="One place up" title="One place up (Alt ↑)" ?disabled=${up === null} @click=${moved(up)}>↑</button>
       <button aria-label="One place down" title="One place down (Alt ↓)" ?disabled=${down === null} @click=${moved(down)}>↓</button>

@@ -15,6 +15,7 @@ export type CueCommand =
   | "assert"
   | "edit"
   | "update"
+  | "bus"
   | "search"
   | "help"
   /** A key that is the page's own, but means nothing now: held down. */
@@ -30,6 +31,7 @@ const PLAIN: Readonly<Record<string, CueCommand>> = {
   KeyA: "assert",
   KeyE: "edit",
   KeyU: "update",
+  KeyV: "bus",
 };
 const ALT: Readonly<Record<string, CueCommand>> = { ArrowUp: "move_up", ArrowDown: "move_down" };
 
@@ -42,6 +44,8 @@ export const CUE_KEYS: readonly (readonly [string, string])[] = [
   ["A", "Assert: all that the cues have left standing, again"],
   ["E", "Editing, and back to playing"],
   ["U", "While editing: Update, which writes what shows into the cue that is edited"],
+  ["V", "Preview, and back to what is on air: what is recorded and updated is what this page looks at"],
+  ["Shift Enter", "In preview: take, in the seconds beside that button"],
   ["PgUp PgDn", "While editing: the cue before, the cue behind"],
   ["Alt ↑ ↓", "While editing: the cue one place up, down"],
   ["Ctrl Z, Ctrl Y", "Take the last edit of cues back, whoever made it; do it again"],

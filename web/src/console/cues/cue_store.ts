@@ -219,6 +219,12 @@ export class CueStore extends TopicStore<CueTopic> {
     this.play({ type: "assert_look", cue_list: this.name });
   }
 
+  /** Shows a cue in preview as it will stand; nothing moves on air. */
+  lookAt(number: string): void {
+    if (!this.play({ type: "preview_cue", cue: number, cue_list: this.name })) return;
+    this.show.say(`Cue ${number} is in preview: change it at the console there, and update it there.`, "done");
+  }
+
   /** Has a cue stand by; nothing moves. */
   setStandby({ identity, number }: Pick<Cue, "identity" | "number">): void {
     if (!this.play({ type: "set_standby", cue: number, cue_list: this.name })) return;

@@ -11,11 +11,11 @@ import { agoOf, countOf, goesOnWords, partWords, timeLeft } from "./cue_words";
 /** Sizes are those of a screen of 1280 by 800, whatever the screen is: 57 of its pixels are 16' of arc at two metres. */
 const style = css`
   :host {
-    --px: min(100vw / 1280, 100dvh / 800);
+    --px: min(100vw / 1280, (100dvh - var(--bar, 0px)) / 800);
     display: flex;
     flex-direction: column;
     gap: calc(4 * var(--px));
-    height: 100dvh;
+    height: calc(100dvh - var(--bar, 0px));
     padding: calc(8 * var(--px)) calc(24 * var(--px));
     overflow: hidden;
     font-size: calc(60 * var(--px));

@@ -15,6 +15,7 @@ import type { CueListView } from "../cues/cue_list";
 import { cueBeside } from "../cues/cue_order";
 import type { CueTopic } from "../cues/cue_store";
 import { offersOf, offersStyle } from "../panels/offers";
+import { changeBus } from "../panels/preview_bar";
 import { isPanic, stepOf } from "../store/keys";
 import { cuesPageStyle } from "./cues_page_style";
 import "../cues/cue_air";
@@ -65,7 +66,7 @@ export class CuesPage extends CueElement {
     const { cues } = this;
     const { notice, tone } = cues.show;
     return html`<header><div class="bar">
-      <h1>CUES <span>${cues.name}</span></h1><nav><a href="/console" target="omote-console">Console</a><a href="?far${cues.names.length > 1 ? `&list=${encodeURIComponent(cues.name)}` : ""}" target="_blank">Far</a></nav>
+      <h1>CUES <span>${cues.name}</span></h1><nav><a href="/console" target="omote-console">Console</a><a href="/console?bus=preview" target="omote-preview" title="The console of what is built up unseen">Preview</a><a href="?far${cues.names.length > 1 ? `&list=${encodeURIComponent(cues.name)}` : ""}" target="_blank">Far</a></nav>
       <omote-cue-tabs .cues=${cues} @add_list=${() => this.#open("add_list")} @rename_list=${() => this.#open("rename_list")}></omote-cue-tabs>
       <span class="notice ${tone}" role="status">${notice ?? ""} ${offersOf(cues.show)}</span>
       ${cues.editing ? html`${this.#step("undo", "↶", "Ctrl Z")}${this.#step("redo", "↷", "Ctrl Y")}` : nothing}
@@ -142,6 +143,7 @@ export class CuesPage extends CueElement {
     else if (command === "earlier" || command === "later") cues.stepStandby(command === "earlier" ? -1 : 1);
     else if (command === "pause") cues.pause();
     else if (command === "assert") cues.assertLook();
+    else if (command === "bus") changeBus(cues.show);
     else if (command === "help") this.#showHelp(!this.help);
     else if (command === "search") this.rows?.search();
     else if (command === "edit") {

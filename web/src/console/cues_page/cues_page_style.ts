@@ -8,7 +8,8 @@ export const cuesPageStyle = css`
     display: grid;
     grid-template: "head head" auto "form form" auto "list side" minmax(0, 1fr) "list go" auto / minmax(0, 1fr) 380px;
     gap: 6px;
-    height: 100dvh;
+    min-height: 0;
+    height: calc(100dvh - var(--bar, 0px));
     overflow: hidden;
   }
   :host([editing]) {

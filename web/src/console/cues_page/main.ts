@@ -2,6 +2,7 @@
 
 import { readAccess } from "../../access/page_access";
 import { Library } from "../../link/assets";
+import { readBus } from "../../link/bus";
 import { type LinkHandlers, ShowLink } from "../../link/show_link";
 import { randomId } from "../../ui/browser_storage";
 import { FramePainter } from "../../ui/frame_painter";
@@ -11,6 +12,7 @@ import { WakeLock } from "../../ui/wake_lock";
 import { ConsoleName } from "../console_name";
 import { CueStore } from "../cues/cue_store";
 import { seatToken } from "../leases/seat_token";
+import { showPreviewBar } from "../panels/preview_bar";
 import { ConsoleStore } from "../store/console_store";
 import { openThumbnails } from "../thumbnail_drawing";
 import { CuesPage } from "./cues_page";
@@ -33,7 +35,7 @@ function connect(store: ConsoleStore): ShowLink {
     connected: (up) => store.setOnline(up),
     revoked: () => location.reload(), // the server then asks for another token
   };
-  return new ShowLink("console", handlers, ownName.read, PAGE, SEAT);
+  return new ShowLink("console", handlers, ownName.read, PAGE, SEAT, store.bus);
 }
 
 /** The pictures of what cues leave standing; without them numbers and labels are enough to play. */
@@ -54,6 +56,7 @@ function start(): void {
     () => performance.now(),
     PAGE,
   );
+  store.bus = readBus(location.search);
   const parameters = new URLSearchParams(location.search);
   const page = new CuesPage();
   page.cues = new CueStore(store, parameters.get("list") ?? "");
@@ -63,6 +66,7 @@ function start(): void {
   const painter = new FramePainter();
   painter.add({ paint: () => store.flush() });
   document.body.append(page);
+  showPreviewBar(store);
   painter.start();
   new WakeLock(); // a tablet's screen stays on
   void readAccess().then((access) => page.cues.setAccess(access));

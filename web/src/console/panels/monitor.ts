@@ -6,7 +6,7 @@ import { FaceView } from "../../face/face_view";
 import type { PictureBox } from "../../face/framing";
 import { closeUp, type ScenePose, sceneIn, sceneKey } from "../../face/pose/scene_pose";
 import type { Library } from "../../link/assets";
-import { base, ellipsis } from "../../ui/theme";
+import { base, ellipsis, previewColours } from "../../ui/theme";
 import { AnimatedElement } from "../controls/console_element";
 import { low, narrow } from "../controls/screen_sizes";
 import type { Topic } from "../store/page_store";
@@ -42,6 +42,10 @@ const style = css`
     background: #b3261a;
     max-width: calc(100% - 20px);
     ${ellipsis}
+  }
+  .tally.preview {
+    ${previewColours}
+    font-size: 11px;
   }
   .tally.small {
     left: 4px;
@@ -100,14 +104,14 @@ export class Monitor extends AnimatedElement {
 
   override render() {
     return html`
-      <canvas aria-label="What is on air"></canvas>
+      <canvas aria-label=${this.store.bus === "air" ? "What is on air" : "What is in preview"}></canvas>
       ${this.drawn || this.wrong !== null ? this.#badge() : html`<div class="loading" role="status">The face on air is loading …</div>`}
       ${this.wrong === null ? "" : html`<div class="wrong">${this.wrong}</div>`}
     `;
   }
 
   #badge() {
-    return html`<div class="tally ${this.black === "" ? "" : "black"} ${this.#several ? "small" : ""}">${this.black || this.tally}</div>`;
+    return html`<div class="tally ${this.store.bus} ${this.black === "" ? "" : "black"} ${this.#several ? "small" : ""}">${this.black || this.tally}</div>`;
   }
 
   get #several(): boolean {
@@ -133,7 +137,7 @@ export class Monitor extends AnimatedElement {
   paint(now: number): void {
     const { state, played } = this.store;
     const alone = this.#several && this.store.arrangement.alone;
-    this.tally = played.tally(alone);
+    this.tally = this.store.bus === "air" ? played.tally(alone) : "PREVIEW";
     this.black = blackWords(state?.black ?? 0);
     if (this.#view === null || state === null || now - this.#last < PACE) return;
     this.#draw(this.#view, alone ? closeUp(sceneIn(state), played.lead) : sceneIn(state), now);

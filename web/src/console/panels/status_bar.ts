@@ -18,6 +18,7 @@ import "./import_progress";
 import "./name_field";
 import "./note_line";
 import "./show_clock";
+import { changeBus } from "./preview_bar";
 import { style } from "./status_bar_style";
 
 /** Stages that draw fewer frames a second than this are worth a look. */
@@ -150,6 +151,7 @@ export class StatusBar extends ConsoleElement {
       ${this.#steps()}
       <button class="log ${unread > 0 ? "unread" : ""}" title="What was said, and what can be taken back"
         @click=${() => this.tell("log")}>Log${unread > 0 ? html` <b>${unread}</b>` : nothing}</button>
+      ${this.store.bus === "air" ? html`<button class="bus" title="Build a look up that shows nowhere until it is taken (Shift P)" @click=${() => changeBus(this.store)}>Preview</button>` : nothing}
       <button class="learn" title="Bind controls of devices: touch a control here, move one there (Z)"
         @click=${() => this.tell("learn")}>Learn</button>
       <button class="setup" title="Home face and layouts" @click=${() => this.tell("setup")}>Set-up</button>

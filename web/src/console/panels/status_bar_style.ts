@@ -28,7 +28,7 @@ export const style = css`
     min-width: 0;
     overflow: hidden; /* nine slow screens give way, buttons and panic do not */
   }
-  :is(.log, .learn, .setup, .help, .step) {
+  :is(.log, .bus, .learn, .setup, .help, .step) {
     flex: none;
   }
   .item b {
@@ -199,6 +199,11 @@ export const style = css`
   @media (max-width: 767px) {
     omote-show-clock {
       display: none;
+    }
+  }
+  @media (max-width: 1250px) {
+    .bus {
+      display: none; /* it stands in the set-up too */
     }
   }
   @media (max-width: 940px) {

@@ -1,4 +1,5 @@
 import { describe, expect, it } from "vitest";
+import type { Bus } from "../../link/bus";
 import type { FromClient, Welcome } from "../../link/messages";
 import { ConsoleStore } from "../store/console_store";
 import { OwnItems } from "./own_items";
@@ -10,13 +11,14 @@ const GRIN = { kind: "expression", name: "grin", label: "Grin" } as const;
 const welcomeTo = (show: string): Welcome =>
   ({ type: "welcome", version: 7, epoch: 1, revision: 1, digest: "", name: "", show }) as const;
 
-function open(kept: Map<string, string>, show = "first") {
+function open(kept: Map<string, string>, show = "first", bus: Bus = "air") {
   const sent: FromClient[] = [];
   const store = new ConsoleStore(
     (message) => sent.push(message),
     () => 0,
     "me",
   );
+  store.bus = bus;
   keepUndo(store, () => ({
     getItem: (key) => kept.get(key) ?? null,
     setItem: (key, text) => void kept.set(key, text),
@@ -36,6 +38,7 @@ describe("the steps of a console", () => {
     first.store.offerUndo("", { what: "look", undo: [{ type: "look_at", character: "one", kind: "ahead" }], redo: [] });
     const second = open(kept);
     expect(second.store.history.steps).toEqual(first.store.history.steps);
+    expect(open(kept, "first", "preview").store.history.steps).toEqual({ undo: [], redo: [] });
     for (let count = 0; count < 3; count += 1) second.store.undo();
     expect(second.types()).toEqual(["look_at", "drop_layout", "delete_item"]);
     const third = open(kept);

@@ -32,13 +32,14 @@ function afterReload({ undo, redo }: Steps): Steps {
  * another show are forgotten: what they name may be something else here. `tab`: what stays with this tab alone.
  */
 export function keepUndo(store: ConsoleStore, tab: BrowserStorage): void {
-  let kept = readSteps(readKept(tab, KEY));
+  const key = store.bus === "air" ? KEY : `${KEY} ${store.bus}`; // what was done on one bus is not undone on the other
+  let kept = readSteps(readKept(tab, key));
   store.listen("show", () => {
     store.history.resume(kept !== null && kept.show === store.show ? afterReload(kept.steps) : NONE);
     kept = null;
   });
   store.listen("undo", () =>
-    keep(tab, KEY, JSON.stringify({ version: VERSION, show: store.show, ...store.history.steps })),
+    keep(tab, key, JSON.stringify({ version: VERSION, show: store.show, ...store.history.steps })),
   );
 }
 

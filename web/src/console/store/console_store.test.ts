@@ -50,6 +50,8 @@ const REST: State = {
   note: "",
   began: 0,
   cues: null,
+  bus: "air",
+  looked_at: null,
 };
 /** A state in which the first character has something else on air. */
 const withOne = (change: Partial<CharacterState>): State => ({ ...REST, characters: { one: { ...CALM, ...change } } });

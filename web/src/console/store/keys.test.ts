@@ -70,6 +70,11 @@ describe("a key", () => {
     expect(commandOf(press("b", "KeyB"), false)).toEqual({ do: "release", axis: "expression" });
   });
 
+  it("looks at the other bus with Shift alone, and opens the scene without", () => {
+    expect(commandOf(press("P", "KeyP", { shiftKey: true }), false)).toEqual({ do: "bus" });
+    expect(commandOf(press("p", "KeyP"), false)).toEqual({ do: "scene" });
+  });
+
   it("keeps what is on air", () => {
     expect(commandOf(press("n", "KeyN"), false)).toEqual({ do: "keep", axis: "face" });
     expect(commandOf(press("m", "KeyM"), false)).toEqual({ do: "keep", axis: "expression" });

@@ -25,6 +25,7 @@ export type Command =
   | { do: "scene" }
   | { do: "layers" }
   | { do: "go" }
+  | { do: "bus" }
   | { do: "region"; direction: -1 | 1 };
 
 /** Physical keys, so that they lie in two rows on every layout. */
@@ -60,10 +61,11 @@ const COMMANDS: Readonly<Record<string, Command>> = {
   Backquote: { do: "go" },
 };
 
-/** With Shift: two keys on purpose, beside each other; in the time of a face's call where no seconds are given. */
-const BLACK: Readonly<Record<string, Command>> = {
+/** With Shift: two keys on purpose; in the time of a face's call where no seconds are given. */
+const SHIFTED: Readonly<Record<string, Command>> = {
   KeyV: { do: "black", seconds: 0 },
   KeyB: { do: "black", seconds: null },
+  KeyP: { do: "bus" },
 };
 
 /** The lines of the help: keys, and what they do. */
@@ -94,6 +96,8 @@ export const HELP: readonly (readonly [string, string])[] = [
   ["Shift B", "Fade all stages to black in the seconds of a face call; again: up"],
   ["Shift V", "Blackout: all stages black at once; again: up at once. Panic leaves it as it is"],
   ["`", "GO of the cues, the key left of 1: the cue that stands by, as the bar names it"],
+  ["Shift P", "Preview: what is built up there shows nowhere until it is taken; again: back to what is on air"],
+  ["Shift Enter", "In preview: take, in the seconds beside that button"],
   ["C", "Head and gaze to the centre"],
   ["X", "All channels to zero"],
   [",", "Leases: who holds what"],
@@ -129,7 +133,7 @@ export function commandOf(press: KeyPress, typing: boolean): Command | null {
   if (face >= 0) return { do: "call", axis: "face", index: face };
   const expression = EXPRESSION_KEYS.indexOf(press.code);
   if (expression >= 0) return { do: "call", axis: "expression", index: expression };
-  if (press.shiftKey && press.code in BLACK) return BLACK[press.code] ?? null;
+  if (press.shiftKey && press.code in SHIFTED) return SHIFTED[press.code] ?? null;
   if (press.code === "KeyD") return { do: "region", direction: press.shiftKey ? -1 : 1 };
   return COMMANDS[press.code] ?? null;
 }

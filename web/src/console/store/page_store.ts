@@ -1,5 +1,6 @@
 /** What the console has whatever is on air: the cast, who listens to changes, the arrangement, the notice and what can be taken back. */
 
+import type { Bus } from "../../link/bus";
 import type {
   Crew,
   ExpressionDocument,
@@ -67,6 +68,8 @@ export abstract class PageStore extends MessageStore<FromServer, PageTopic> {
     (step, way, reason) => this.#offerToSkip(step, way, reason),
     () => this.tell("undo"),
   );
+  /** What this page looks at, and plays. */
+  bus: Bus = "air";
   /** Which show file is played; "" while it is not known. */
   show = "";
   manifest: Manifest | null = null;

@@ -15,6 +15,7 @@ export class PanicReturn {
   #text = "";
 
   constructor(private readonly store: ConsoleStore) {
+    if (store.bus !== "air") return; // what was taken off the air is not what this page sees
     let before = store.state;
     store.hear("state", (after) => {
       this.#receive(before, after);
