@@ -136,7 +136,8 @@ class ClientMessage(Message, frozen=True):
     whoever holds what. follows_bus: whether it acts on the scene that its sender looks at, air or preview, and not on
     air whoever sends it. holds: whether who plays its part holds it from then on. hand: how a hand sends it. once:
     whether one that has an id executes once for it. recorded: whether a recording of the show keeps it: one that only
-    concerns its sender's link, who may play, devices or the show file is not kept. longest: bytes. osc: its addresses
+    concerns its sender's link, who may play, devices or the show file is not kept. reads_preview: whether what it does
+    on air follows from the preview. longest: bytes. osc: its addresses
     of OSC. method: what `omote.connect` calls it, "" for its tag, None where a program has no method for it.
     """
 
@@ -148,6 +149,7 @@ class ClientMessage(Message, frozen=True):
     hand: ClassVar[Hand | None] = None
     once: ClassVar[bool] = True
     recorded: ClassVar[bool] = True
+    reads_preview: ClassVar[bool] = False
     longest: ClassVar[int] = MESSAGE_LIMIT
     osc: ClassVar[tuple[Osc, ...]] = ()
     method: ClassVar[str | None] = None

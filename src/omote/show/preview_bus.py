@@ -58,6 +58,11 @@ class PreviewBus:
         self._shared = shared
         return scene
 
+    @property
+    def is_there(self) -> bool:
+        """Whether it has been needed."""
+        return self._scene is not None
+
     def session(self, session: Session) -> Session:
         """What a command that is played in preview has before it: its session, with the scene of the preview. session:
         of the show."""

@@ -103,9 +103,9 @@ class RecordedShow:
         line: LogLine | None = None
         for entry in (entry for piece in self._entries(self._pieces(span, span.first)) for entry in piece):
             if isinstance(entry, Kept):
-                names |= {who: name for who, (name, _) in entry.members.items()}
+                names |= {who: called.name for who, called in entry.members.items()}
             if isinstance(entry, Joined):
-                names[entry.who] = entry.name
+                names[entry.who] = entry.called.name
             following = _line_of(entry, names)
             if following is None or not span.first <= following.at <= span.last:
                 continue

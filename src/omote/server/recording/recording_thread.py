@@ -171,7 +171,7 @@ class RecordingThread:
             self._begins = False
         if self._piece is None:
             return  # the disk has failed: it goes on with the next piece
-        self._members |= {entry.who: entry.name for entry in entries if isinstance(entry, Joined)}
+        self._members |= {entry.who: entry.called.name for entry in entries if isinstance(entry, Joined)}
         self._casts += [entry.digest for entry in entries if isinstance(entry, Recast)]
         marks = [
             (entry.now, entry.message.text, self._members.get(entry.who, ""))

@@ -24,6 +24,7 @@ class KeepMemory(ClientMessage, frozen=True):
 
     access = "operate"
     method = ""
+    reads_preview = True
     osc = (osc("keep_memory", "keeps the whole look that shows under this name", "name", of_show=True),)
 
     id: CallId

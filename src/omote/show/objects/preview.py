@@ -28,6 +28,7 @@ class Take(PreviewCommand, frozen=True):
     `parts`: only these (`one/face`, `one` for all of a character). Where others hold one of them, it is rejected whole;
     it holds none of them afterwards. An `id` executes once, as of those below."""
 
+    reads_preview = True
     osc = (osc("take", "brings what preview has on air", "seconds", of_show=True),)
 
     id: CallId

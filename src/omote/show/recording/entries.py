@@ -7,12 +7,15 @@ is not the same on two machines.
 
 from __future__ import annotations
 
+import dataclasses
 from typing import TYPE_CHECKING, Union
 
 import msgspec
 
+from omote.perform.scene.scene_snapshot import SceneSnapshot
 from omote.show.cues.cue_lists import CuesPlaying, CuesShown
 from omote.show.messages import CLIENT_MESSAGES
+from omote.show.objects.link import Bus
 from omote.show.objects.recordings import MarkMoment
 from omote.show.preview_bus import PreviewSnapshot
 from omote.show.session import ShowSession
@@ -34,16 +37,23 @@ class Entry(msgspec.Struct, frozen=True, array_like=True, tag=True):
         """Does it again; ValueError or LookupError where it cannot be done. session: the show."""
 
 
-class Joined(Entry, frozen=True):
-    """A client (who) is known from now on, or called otherwise. name: for people; seat: for whom it plays."""
+class Called(msgspec.Struct, frozen=True, array_like=True):
+    """A client as a session knows it. name: for people; seat: for whom it plays; bus: which it looks at."""
 
-    who: str
     name: str
     seat: str
+    bus: Bus = "air"
+
+
+class Joined(Entry, frozen=True):
+    """A client (who) is known from now on, or called otherwise."""
+
+    who: str
+    called: Called
 
     def redo(self, session: ShowSession) -> None:
         """Adds the client. session: the show."""
-        session.join(self.who, self.name, self.seat)
+        join(session, self.who, self.called)
 
 
 class Left(Entry, frozen=True):
@@ -120,16 +130,17 @@ class CuesEdited(Entry, frozen=True):
 
 
 class PreviewSet(Entry, frozen=True):
-    """The preview as it is: a take, which comes next, reads it. What is done in preview is not recorded else."""
+    """The preview as it is, None where nobody has needed it: what comes next reads it. What is done in preview is not
+    recorded else."""
 
-    preview: PreviewSnapshot | None
+    scene: SceneSnapshot | None
 
     def redo(self, session: ShowSession) -> None:
         """Sets the preview. session: the show."""
-        if self.preview is None:
+        if self.scene is None:
             session.preview.forget()
         else:
-            session.preview.restore(self.preview)
+            session.preview.restore(PreviewSnapshot(self.scene))
 
 
 class LineRejected(Entry, frozen=True):
@@ -153,7 +164,7 @@ class Kept(Entry, frozen=True):
     """The session as it is after a tick: a replay can begin here.
 
     session: what a restarted server needs too, without ids and leases; now: seconds, monotonic, None before the first
-    tick; number, epoch, revision: of the last state; digest: of the cast; members: name and seat by client; sources:
+    tick; number, epoch, revision: of the last state; digest: of the cast; members: by client; sources:
     those that are open; sounds: seconds by key; eyes: offsets by character; playing: of the cues. book: the cues
     themselves, where a piece of the recording begins here; else as the last entry has them.
     """
@@ -164,7 +175,7 @@ class Kept(Entry, frozen=True):
     epoch: int
     revision: int
     digest: str
-    members: dict[str, tuple[str, str]]
+    members: dict[str, Called]
     sources: SourcesPlaying
     sounds: dict[str, float]
     eyes: dict[str, EyeOffset]
@@ -186,6 +197,13 @@ AnyEntry = (
     | Ticked
     | Kept
 )
+
+
+def join(session: ShowSession, who: str, called: Called) -> None:
+    """Adds a client (who) to a session that replays, as a source: it hears nothing."""
+    session.join(who, called.name, called.seat)
+    session.members.present[who] = dataclasses.replace(session.members[who], bus=called.bus)
+
 
 _encoder = msgspec.msgpack.Encoder()
 _decoder = msgspec.msgpack.Decoder(list[AnyEntry])

@@ -8,10 +8,10 @@ from dataclasses import replace
 import msgspec
 
 from omote.show.declaration import ClientMessage
-from omote.show.objects.preview import Take
 from omote.show.ownership.leasing import LeaseSnapshot
 from omote.show.recording.entries import (
     AnyEntry,
+    Called,
     ChannelsSet,
     CuesEdited,
     Joined,
@@ -40,7 +40,7 @@ class Recorder:
     def __init__(self, session: ShowSession) -> None:
         self._session = session
         self._entries: list[AnyEntry] = []
-        self._known: dict[str, tuple[str, str]] = {}
+        self._known: dict[str, Called] = {}
         self._kept = 0
         self._kept_at: float | None = None
         self._tick: float | None = None
@@ -65,8 +65,9 @@ class Recorder:
     def note_message(self, who: str, message: ClientMessage, now: float) -> None:
         """Notes a message of a client (who) that was obeyed. now: seconds, monotonic."""
         self._meet(who)
-        if isinstance(message, Take):
-            self._note(PreviewSet(self._session.preview.snapshot()))
+        if message.reads_preview:
+            preview = self._session.preview
+            self._note(PreviewSet(preview.scene().snapshot() if preview.is_there else None))
         self._note(Sent(who, now, message))
 
     def note_channels(self, who: str, character: str, values: Mapping[str, float], now: float) -> None:
@@ -116,10 +117,10 @@ class Recorder:
 
     def _meet(self, who: str) -> None:
         member = self._session.members[who]
-        called = (member.name, member.seat)
+        called = Called(member.name, member.seat, member.bus)
         if self._known.get(who) != called:
             self._known[who] = called
-            self._note(Joined(who, *called))
+            self._note(Joined(who, called))
 
     def _keep(self) -> None:
         """Notes the session as it is."""
@@ -128,7 +129,7 @@ class Recorder:
         self._entries.append(snapshot_of(self._session, self._known, with_cues=begins))
 
 
-def snapshot_of(session: ShowSession, members: Mapping[str, tuple[str, str]], *, with_cues: bool) -> Kept:
+def snapshot_of(session: ShowSession, members: Mapping[str, Called], *, with_cues: bool) -> Kept:
     """The session as it is, for a replay to begin there. members: name and seat of those who have played, by client;
     with_cues: with the cues themselves."""
     snapshot = session.snapshot()

@@ -9,7 +9,7 @@ from dataclasses import dataclass
 from omote.perform.snapshot import Playable
 from omote.show.cues.cue_lists import CuesShown
 from omote.show.objects.state import State
-from omote.show.recording.entries import AnyEntry, CuesEdited, Kept, Recast, Ticked
+from omote.show.recording.entries import AnyEntry, CuesEdited, Kept, Recast, Ticked, join
 from omote.show.session import ShowSession
 from omote.show.wire import encode
 
@@ -47,8 +47,8 @@ class Replay:
         self.session.sources.replay(kept.sources)
         self.session.sounds.set(kept.sounds)
         self.session.cues.replay(book, kept.playing)
-        for who, (name, seat) in kept.members.items():
-            self.session.join(who, name, seat)
+        for who, called in kept.members.items():
+            join(self.session, who, called)
 
     def play(self, entries: Iterable[AnyEntry]) -> Iterator[ReplayedTick]:
         """Does what was recorded, tick by tick; ReplayError where an entry cannot be done again. entries: those behind
