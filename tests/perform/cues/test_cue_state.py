@@ -157,7 +157,8 @@ class Rehearsal:
         self.check_back(go_to(self.asserted(), self.cues, place, self.goals.read, whole=whole))
         later = go_to(self.at, self.cues, place, self.goals.read, whole=whole)
         assert dict(later.tracked) == dict(tracked_at(self.cues, place))
-        assert {one.cue for one in (*later.waiting, *later.planned, *later.done)} <= {self.cues[place].identity}
+        begun = {one.cue for one in later.waiting} | {one.cue for one in (*later.planned, *later.done)}
+        assert begun <= {self.cues[place].identity}
         called = [call.part for call in later.calls]
         assert len(called) == len(set(called))
         assert not whole or {*called, *(one.part for one in later.waiting)} == set(later.tracked)
