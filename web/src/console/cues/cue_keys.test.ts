@@ -18,6 +18,7 @@ it("plays by the space bar, and edits by Alt", () => {
   expect(cueCommandOf(press("Space", { shiftKey: true }), false)).toBe("back");
   expect(cueCommandOf(press("ArrowDown"), false)).toBe("later");
   expect(cueCommandOf(press("ArrowDown", { altKey: true }), false)).toBe("move_down");
+  expect(cueCommandOf(press("KeyV"), false)).toBe("bus");
   expect(cueCommandOf(press("KeyZ"), false)).toBeNull();
 });
 
