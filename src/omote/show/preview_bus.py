@@ -8,7 +8,7 @@ from typing import Any, cast
 
 from omote.perform.cues.cue import Cue, CueList
 from omote.perform.cues.cue_player import CuePlayer, advance_lists
-from omote.perform.cues.tracking import tracked_at
+from omote.perform.cues.tracking import tracked_at, tracked_through
 from omote.perform.scene.goals import Goal, Part, rank_of
 from omote.perform.scene.scene import Scene
 from omote.perform.scene.scene_frame import SceneFrame
@@ -117,7 +117,8 @@ class PreviewBus:
         self.touched = True
         self.looked_at = LookedAt(name, cue.identity, shown_goals(scene))
         if run:
-            call_at_once(scene, {**standing, **(tracked_at(cues, place - 1) if place else {})})
+            before = tracked_through(each for each in cues[:place] if not each.skip)
+            call_at_once(scene, {**standing, **before})
             player = CuePlayer(scene, (cue,))
             player.go_to(cue.number)
             self._players = (player,)

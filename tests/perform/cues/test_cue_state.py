@@ -75,7 +75,11 @@ class Rehearsal:
             post_wait=self.time(),
             goes_on=("", "", "continue", "follow")[self.rng.integers(4)],
             skip=bool(self.rng.random() < 0.2),
+            actions=tuple(self.new_action(place) for place in range(self.rng.integers(3))),
         )
+
+    def new_action(self, place: int) -> CueAction:
+        return CueAction("osc", "desk:9000", f"/{self.made}/{place}", self.time())
 
     def new_move(self) -> Move:
         return Move(GOALS[self.rng.integers(3)], self.time(), delay=self.time())
@@ -92,7 +96,10 @@ class Rehearsal:
                 self.end()
 
     def obey(self, later: CueState) -> None:
-        self.at = later
+        assert all(one.at > later.clock for one in later.planned)
+        assert all(one.at <= later.clock for one in later.done)
+        assert [one.at for one in later.done] == sorted(one.at for one in later.done)
+        self.at = replace(later, done=())
         self.goals.call(later.calls)
 
     def go(self) -> None:
@@ -112,6 +119,10 @@ class Rehearsal:
         called: list[Call | cue_states.Waiting] = [*new, *later.calls]
         assert {one.part: (one.move, one.at) for one in called} == planned
         assert all(one.at > before.clock for one in new)
+        actions = [(action, begun + action.delay) for action in cue.actions]
+        assert later.planned[: len(before.planned)] == before.planned
+        ours = [*later.done, *later.planned[len(before.planned) :]]
+        assert sorted((one.action.what, one.at) for one in ours) == sorted((each.what, at) for each, at in actions)
         assert dict(later.tracked) == dict(tracked_after(before.tracked, cue))
         assert later.standby == next_from(self.cues, place + 1)
         assert all(not each.skip for each in self.cues if each.identity == later.standby)
@@ -125,7 +136,7 @@ class Rehearsal:
         later = advance(short, self.cues, second, self.goals.read)
         calls = (*short.calls, *later.calls)
         long = advance(self.at, self.cues, first + second, self.goals.read)
-        assert (long, long.calls) == (later, calls)
+        assert (long, long.calls, long.done) == (later, calls, later.done)
         assert [call.at for call in calls] == sorted(call.at for call in calls)
         assert all(one.at > long.clock for one in long.waiting)
         follows = self.at.following
@@ -133,6 +144,7 @@ class Rehearsal:
             due = sorted((one.at, one.part, one.move.seconds) for one in self.at.waiting if one.at <= long.clock)
             assert sorted((call.at, call.part, call.move.seconds) for call in calls) == due
             assert long.current == self.at.current
+            assert len(long.done) + len(long.planned) == len(self.at.planned)
         elif (chosen := next_from(self.cues, place_of(self.cues, follows.cue) or 0)) is not None:
             assert chosen in [step.left for step in long.steps]
             assert long.steps != self.at.steps
@@ -145,18 +157,24 @@ class Rehearsal:
         self.check_back(go_to(self.asserted(), self.cues, place, self.goals.read, whole=whole))
         later = go_to(self.at, self.cues, place, self.goals.read, whole=whole)
         assert dict(later.tracked) == dict(tracked_at(self.cues, place))
-        assert {one.cue for one in later.waiting} <= {self.cues[place].identity}
+        begun = {one.cue for one in later.waiting} | {one.cue for one in (*later.planned, *later.done)}
+        assert begun <= {self.cues[place].identity}
         called = [call.part for call in later.calls]
         assert len(called) == len(set(called))
         assert not whole or {*called, *(one.part for one in later.waiting)} == set(later.tracked)
         self.obey(later)
 
     def go_back(self) -> None:
-        self.obey(go_back(self.at))
+        """What was sent is not sent again."""
+        later = go_back(self.at)
+        assert (later.planned, later.done) == (() if self.at.steps else self.at.planned, ())
+        self.obey(later)
 
     def asserted(self) -> CueState:
         """Where all that the list has left standing shows, nothing waits, and nobody has moved anything since."""
-        self.obey(assert_look(self.at))
+        later = assert_look(self.at)
+        assert (later.planned, later.done) == ((), ())
+        self.obey(later)
         return self.at
 
     def check_back(self, called: CueState) -> None:
@@ -178,12 +196,13 @@ class Rehearsal:
             "order": order,
             "another": [*self.cues, self.new_cue()],
             "fewer": [cue for cue in self.cues if self.rng.random() < 0.8] or order,
-            "moves": [replace(cue, moves={PARTS[0]: self.new_move()}) for cue in self.cues],
+            "moves": [replace(cue, moves={PARTS[0]: self.new_move()}, actions=()) for cue in self.cues],
         }
         cues = tuple(kinds[str(self.rng.choice(list(kinds)))])
         later = edited(self.at, self.cues, cues)
         assert later.calls == ()
         assert (later.current, later.tracked, later.waiting) == (self.at.current, self.at.tracked, self.at.waiting)
+        assert (later.planned, later.done) == (self.at.planned, ())
         assert go_back(later).calls == go_back(self.at).calls
         self.check_left(self.at.standby, later.standby, cues)
         for step, kept in zip(self.at.steps, later.steps, strict=True):
@@ -224,6 +243,13 @@ def test_random_acts_keep_what_each_promises(seed: int) -> None:
 
 
 KEPT_STEP = cue_states._step
+KEPT_DONE = cue_states._done_until
+
+
+def done_twice(before: CueState, after: CueState) -> CueState:
+    return replace(after, done=(*after.done, *after.done[len(before.done) :]))
+
+
 FAULTS: dict[str, tuple[str, object]] = {
     "regions stay where their whole expression is called": ("regions_of", lambda part: ()),
     "a region may be called before its face": ("rank_of", lambda part: (False, part)),
@@ -243,9 +269,21 @@ FAULTS: dict[str, tuple[str, object]] = {
     "a skipped cue stands by": ("next_from", lambda cues, at: cues[at].identity if at < len(cues) else None),
     "what waits is called at the end of a step": (
         "_called_waiting",
-        lambda at, due: replace(at, waiting=(), calls=tuple(Call(one.part, one.move, due) for one in at.waiting)),
+        lambda at, due: replace(
+            KEPT_DONE(at, due), waiting=(), calls=tuple(Call(one.part, one.move, due) for one in at.waiting)
+        ),
     ),
     "nothing follows by itself": ("_next_due", lambda at: min([one.at for one in at.waiting], default=np.inf)),
+    "what is done is done twice": ("_done_until", lambda at, due: done_twice(at, KEPT_DONE(at, due))),
+    "what waits to be done is done at once": ("_done_until", lambda at, due: KEPT_DONE(at, np.inf)),
+    "what was sent is sent again by Back": (
+        "_waiting_for_nothing",
+        lambda at: replace(at, waiting=(), following=None, done=at.planned, planned=()),
+    ),
+    "what waits to be done survives Back": (
+        "_waiting_for_nothing",
+        lambda at: replace(at, waiting=(), following=None),
+    ),
     "panic is deaf": ("is_of", lambda part, characters: False),
 }
 

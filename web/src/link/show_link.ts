@@ -104,7 +104,8 @@ export class ShowLink {
   }
 
   private obey(message: FromServer): void {
-    if (message.type === "state" && (message.bus !== this.bus || !this.newest.accept(message))) return;
+    // a server of before the preview says no bus
+    if (message.type === "state" && ((message.bus ?? "air") !== this.bus || !this.newest.accept(message))) return;
     this.handlers.every?.(message);
     if (message.type === "welcome") this.welcome(message);
     else if (message.type === "state") this.state(message);

@@ -19,6 +19,7 @@ it("plays by the space bar, and edits by Alt", () => {
   expect(cueCommandOf(press("ArrowDown"), false)).toBe("later");
   expect(cueCommandOf(press("ArrowDown", { altKey: true }), false)).toBe("move_down");
   expect(cueCommandOf(press("KeyU"), false)).toBe("update");
+  expect(cueCommandOf(press("KeyV"), false)).toBe("bus");
   expect(cueCommandOf(press("KeyZ"), false)).toBeNull();
 });
 
