@@ -19,7 +19,16 @@ from omote.interchange.formats.cue_toml import (
 )
 from omote.perform.cues.cue import Cue, CueList, Move
 from omote.perform.easing import EASINGS
-from omote.perform.scene.goals import CHARACTER_PARTS, SCENE_PARTS, WITH_FACE, Goal, Part, expression_of, ranges_of
+from omote.perform.scene.goals import (
+    CHARACTER_PARTS,
+    SCENE_PARTS,
+    WITH_FACE,
+    Goal,
+    Part,
+    expression_of,
+    passes,
+    ranges_of,
+)
 
 times = st.floats(0.0, 3600.0)
 words = st.text(st.characters(exclude_categories=["Cs"]), max_size=20)
@@ -34,8 +43,10 @@ def goals(draw: st.DrawFn, part: Part) -> Goal:
     ranges = ranges_of(part)
     if ranges is not None:
         return {name: draw(st.floats(low, high)) for name, (low, high) in ranges.items()}
-    if expression_of(part) and draw(st.booleans()):
+    if (expression_of(part) or passes(part)) and draw(st.booleans()):
         return WITH_FACE
+    if passes(part):
+        return {draw(words): 1.0}
     share = draw(st.sampled_from([1.0, 0.75, 1.05]))
     first, second = draw(st.lists(words, min_size=2, max_size=2, unique=True))
     return {first: 1.0} if share == 1.0 else {first: share, second: 1.0 - share}

@@ -17,6 +17,7 @@ from omote.perform.scene.goals import (
     Goal,
     Part,
     expression_of,
+    passes,
     split_part,
 )
 from omote.perform.scene.scene import Scene
@@ -204,7 +205,7 @@ def differing(scene: Scene, tracked: Tracked) -> dict[Part, Goal]:
 
 
 def _untracked(part: Part) -> Goal | None:
-    return WITH_FACE if expression_of(part) else None
+    return WITH_FACE if expression_of(part) or passes(part) else None
 
 
 def _chosen(scene: Scene, wanted: Sequence[str]) -> dict[Part, Goal]:
