@@ -43,7 +43,7 @@ def method_of(command: type[ClientMessage], name: str, filled: set[str]) -> Call
             inspect.Parameter(
                 argument_name(command, field.name),
                 inspect.Parameter.POSITIONAL_OR_KEYWORD if field in placed else inspect.Parameter.KEYWORD_ONLY,
-                default=inspect.Parameter.empty if field.default is NODEFAULT else field.default,
+                default=_default_of(field),
             )
             for field in sorted(fields, key=lambda field: field not in placed)
         ]
@@ -58,6 +58,12 @@ def method_of(command: type[ClientMessage], name: str, filled: set[str]) -> Call
     send.__doc__ = command.__doc__
     send.__signature__ = signature  # type: ignore[attr-defined]
     return send
+
+
+def _default_of(field: structs.FieldInfo) -> Any:
+    if field.default is not NODEFAULT:
+        return field.default
+    return inspect.Parameter.empty if field.default_factory is NODEFAULT else field.default_factory()
 
 
 def named(command: type[ClientMessage], next_id: Callable[[], str]) -> dict[str, str]:

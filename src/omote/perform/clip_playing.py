@@ -190,13 +190,13 @@ class ClipPlaying(CalledMix):
             ]
         )
 
-    def stop_clip(self, name: str | None = None, *, seconds: float | None = None) -> None:
+    def stop_clip(self, name: str = "", *, seconds: float | None = None) -> None:
         """Ends clips: what lies below shows again.
 
         Parameters
         ----------
-        name : str, optional
-            Of the clip; all that play without it.
+        name : str
+            Of the clip; "" for all that play.
         seconds : float, optional
             In which it goes, 0 (a cut) to 3600; as the clip says without it.
 
@@ -217,7 +217,7 @@ class ClipPlaying(CalledMix):
         >>> performer.advance(0.1).clips
         ()
         """
-        runs = tuple(stopped(run, seconds) if name in (None, run.clip) else run for run in self._now.clips)
+        runs = tuple(stopped(run, seconds) if name in ("", run.clip) else run for run in self._now.clips)
         self._play(clips=runs)
 
     def find_clips(self, clips: Mapping[str, Clip]) -> None:

@@ -88,6 +88,7 @@ class Session(Protocol):
     leasing: Any
     notes: Any
     cues: Any
+    clips: Any
     wishes: list[Any]
     cancelled: list[str]
 

@@ -13,6 +13,7 @@ from omote.perform.scene.scene import Scene
 from omote.perform.scene.scene_snapshot import names_held_by
 from omote.perform.snapshot import Playable
 from omote.show.access.access_role import explain_missing_role, role_allows
+from omote.show.clips.show_clips import ShowClips
 from omote.show.crew.members import Member, Members
 from omote.show.cues.cue_lists import CueLists
 from omote.show.declaration import (
@@ -72,12 +73,14 @@ class ShowSession:
         self._executed = ExecutedCalls()
         self._now: float | None = None
         self._time = self.scene.snapshot().time
+        self._told: list[Outgoing] = []
         self._eye_offsets: dict[str, EyeOffset] = {}
         self._panics = Panics()
         self.sources = OpenSources()
         self.surfaces: tuple[SurfaceSubscription, ...] = ()
         self.sounds = KnownSounds()
         self.cues = CueLists(lambda: self.scene, lambda who: self.members[who].name)
+        self.clips = ShowClips(lambda: self.scene, lambda: self.cast, self.list_documents)
         self.texts = TextsToSpeak()
         self._sound_stage = SoundStage()
         self._own(None)
@@ -205,6 +208,7 @@ class ShowSession:
     def _state(self, elapsed: float) -> State:
         frame = self.cues.advance(elapsed)
         self._time = frame.time
+        self._told += self.clips.note(frame)
         numbers = {"epoch": self.epoch, "number": self.number, "revision": self.revision}
         cues = self.cues.status(self._now or 0.0)
         return state_of(self.cast, frame, self._eye_offsets, notes=self.notes, cues=cues, **numbers)
@@ -293,7 +297,8 @@ class ShowSession:
         hands = self._hands.tell(consoles, now, sources)
         leases = self.leasing.tell(now)
         news = self.sources.news(consoles, self.scene, now)
-        outgoing = self._sound_stage.tell(self.crew, now)
+        outgoing = [*self._told, *self._sound_stage.tell(self.crew, now)]
+        self._told = []
         outgoing += [Outgoing(*pair) for by_client in (hands, leases) for pair in by_client.items()]
         outgoing += [Outgoing(who, values) for who, values in self.sources.tell_watchers(now)]
         return outgoing if news is None else [*outgoing, *self.for_consoles(news)]

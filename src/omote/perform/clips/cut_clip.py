@@ -2,16 +2,20 @@
 
 from __future__ import annotations
 
+from array import array
 from collections.abc import Iterable, Mapping, Sequence
 from typing import Any, Protocol
 
-from omote.model.known_names import NEUTRAL, PLAY_REGIONS, PlayRegion
+import numpy as np
+
+from omote.model.known_names import PLAY_REGIONS, PlayRegion
 from omote.model.space.expression import Title
 from omote.perform.channels import GAZE_UNITS
-from omote.perform.clips.motion_curve import NEAR, MotionCurve, make_curve
+from omote.perform.clips.motion_curve import NEAR, MotionCurve
+from omote.perform.clips.sample import AT_REST, CHANNEL, GAZE_COLUMNS, HEAD_COLUMNS, layout_of
 from omote.perform.frame import Frame
 from omote.perform.layers.columns import GAZE_PART
-from omote.perform.layers.layer_names import part_of_channel
+from omote.perform.layers.layer_names import LAYER_PARTS, WHOLE, check_part, part_of_channel
 from omote.perform.mix import mix_in
 
 
@@ -77,24 +81,70 @@ def cut_curve(shown: Iterable[tuple[float, Shown]], cast: HasTitles, *, start: f
     ValueError
         Where no frame lies between.
     """
-    frames = [(time - start, each) for time, each in shown if start - NEAR <= time <= stop + NEAR]
-    if not frames:
+    builder = CurveBuilder(cast)
+    for time, each in shown:
+        if start - NEAR <= time <= stop + NEAR:
+            builder.add(time - start, each)
+    if not builder.frames:
         raise ValueError(f"nothing was recorded between {start:g} s and {stop:g} s; choose other times")
-    names = sorted({name for _, each in frames for name in each.channels if name not in GAZE_UNITS})
-    return make_curve(
-        [time for time, _ in frames],
-        {name: [each.channels.get(name, 0.0) for _, each in frames] for name in names},
-        parts_by_channel(names, cast),
-        mixes={region: _mixes_in(region, [each for _, each in frames]) for region in PLAY_REGIONS},
-        head=[_angles(each.head, "yaw", "pitch", "roll") for _, each in frames],
-        gaze=[_angles(each.gaze, "yaw", "pitch") for _, each in frames],
-    )
+    return builder.curve()
+
+
+class CurveBuilder:
+    """Collects what shows of a character, frame by frame, at no more cost a frame than the frame has numbers.
+
+    cast: which says on which part of a face each channel acts.
+    """
+
+    def __init__(self, cast: HasTitles) -> None:
+        self._cast = cast
+        self._times = array("d")
+        self._columns: dict[str, array[float]] = {name: array("d") for name in (*HEAD_COLUMNS, *GAZE_COLUMNS, *AT_REST)}
+
+    @property
+    def frames(self) -> int:
+        """How many it has."""
+        return len(self._times)
+
+    def add(self, time: float, shown: Shown) -> None:
+        """Adds a frame. time: seconds, later than the last; shown: what shows of the character."""
+        before = len(self._times)
+        self._times.append(time)
+        values = dict(
+            zip((*HEAD_COLUMNS, *GAZE_COLUMNS), (*_turned(shown.head, 3), *_turned(shown.gaze, 2)), strict=True)
+        )
+        values |= {f"{CHANNEL}/{name}": value for name, value in shown.channels.items() if name not in GAZE_UNITS}
+        for region in PLAY_REGIONS:
+            mix = mix_in(region, shown.expressions, shown.regions)
+            values |= {f"{region}/{name}": weight for name, weight in mix.items()}
+        for name in values.keys() - self._columns.keys():
+            self._columns[name] = array("d", bytes(8 * before))
+        for name, column in self._columns.items():
+            column.append(values.get(name, 0.0))
+
+    def curve(self) -> MotionCurve:
+        """The curve of all frames; ValueError where there are none, or too many."""
+        names = tuple(sorted(self._columns))
+        layout = layout_of(names, tuple(self._place(name) for name in names))
+        table = np.column_stack([np.array(self._columns[name]) for name in names])
+        return MotionCurve(np.array(self._times), layout, table)
+
+    def _place(self, column: str) -> int:
+        part, _, name = column.partition("/")
+        return place_of_channel(name, self._cast) if part == CHANNEL else LAYER_PARTS.index(check_part(part))
+
+
+def place_of_channel(name: str, cast: HasTitles) -> int:
+    """The place of the part of a channel among `LAYER_PARTS`, `WHOLE` for the whole face. name: of it; cast: which
+    knows."""
+    if name in GAZE_UNITS:
+        return GAZE_PART
+    return part_of_channel(cast.titles[name].region) if name in cast.titles else WHOLE
 
 
 def parts_by_channel(names: Iterable[str], cast: HasTitles) -> dict[str, int]:
-    """The place of the part of each channel that a cast knows the part of. names: of the channels; cast: it."""
-    known = {name: part_of_channel(cast.titles[name].region) for name in names if name in cast.titles}
-    return known | {name: GAZE_PART for name in names if name in GAZE_UNITS}
+    """The place of the part of each channel. names: of the channels; cast: which knows."""
+    return {name: place_of_channel(name, cast) for name in names}
 
 
 def record(performer: Advances, cast: HasTitles, *, seconds: float, rate: int = 60) -> MotionCurve:
@@ -122,11 +172,6 @@ def record(performer: Advances, cast: HasTitles, *, seconds: float, rate: int = 
     return cut_curve(shown, cast, start=0.0, stop=seconds)
 
 
-def _mixes_in(region: PlayRegion, shown: Sequence[Shown]) -> dict[str, list[float]]:
-    mixes = [mix_in(region, each.expressions, each.regions) for each in shown]
-    names = sorted({NEUTRAL, *(name for mix in mixes for name in mix)})
-    return {name: [mix.get(name, 0.0) for mix in mixes] for name in names}
-
-
-def _angles(turn: Any, *names: str) -> tuple[float, ...]:
-    return tuple(turn) if isinstance(turn, tuple | list) else tuple(getattr(turn, name) for name in names)
+def _turned(turn: Any, count: int) -> Sequence[float]:
+    """The angles of a head or a gaze, however they come."""
+    return turn if isinstance(turn, tuple | list) else [*vars(turn).values()][:count]

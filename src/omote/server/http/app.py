@@ -22,6 +22,7 @@ from omote.server.access.phone_page import PHONE_PATH, PhonePage
 from omote.server.access.security import adding_headers, guard, silence_bad_requests
 from omote.server.http.cast_documents import CastDocuments
 from omote.server.http.cast_reload import CastReload
+from omote.server.http.clip_store import ClipStore
 from omote.server.http.cue_routes import CueRoutes
 from omote.server.http.document_routes import CACHE_FOREVER, NO_CACHE, DocumentRoutes
 from omote.server.http.downloads import Downloads
@@ -96,6 +97,7 @@ class ShowServer:
         self.tell_frame: Callable[[str], None] = lambda _: None
         self._pages = pages
         self._cues = CueRoutes(session)
+        self._clips = ClipStore(session)
         self.outside = ""
         self._state: State | None = None
 
@@ -127,6 +129,7 @@ class ShowServer:
         for kind in NAMES_OF:
             self.session.list_documents(kind, sorted(self.editing.documents(kind)))
         self._cues.load(self.editing.documents, report)
+        self._clips.load(self.editing.documents, report)
 
     def enable_files(self, show: Callable[[], Path], run_job: RunFileJob) -> None:
         """Adds imports and exports; show: where the show file lies; run_job: does a `FileJob`."""
@@ -235,10 +238,12 @@ class ShowServer:
         self._keep_cues()
 
     def _keep_cues(self) -> None:
-        """Writes what was edited of cues since the last tick into the show file, in one commit."""
+        """Writes what was edited of cues and clips since the last tick into the show file, each in one commit."""
         changes = self.session.cues.take_changes()
         if changes and self.editing is not None:
             self.editing.keep_documents(changes)
+        if self.editing is not None:
+            self._clips.keep(self.editing.keep_documents)
 
     def broadcast_crew(self) -> None:
         """Broadcasts who is connected, once a second; those whose token has ended are not any more."""
