@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import Any
 
@@ -217,15 +217,19 @@ class ShowClips:
         return self.clips[check_known(name, self.clips, "clip")]
 
     def _free(self, name: str, others: Mapping[str, Clip] | None = None) -> str:
-        text = " ".join(name.split())
-        if not 0 < len(text) <= LONGEST_CLIP_NAME or not text.isprintable():
-            raise ValueError(f"a clip cannot be called {name!r:.60}; give 1 to {LONGEST_CLIP_NAME} printable letters")
-        twin = next(
-            (each for each in (self.clips if others is None else others) if each.casefold() == text.casefold()), None
-        )
-        if twin is not None:
-            raise ValueError(f"there is a clip {twin!r} already; give another name")
-        return text
+        return check_clip_name(name, self.clips if others is None else others)
+
+
+def check_clip_name(name: str, others: Iterable[str]) -> str:
+    """Returns the name of a new clip without spaces around it; ValueError for none, for one that is too long, and for
+    one that another has, in any case. others: the names of the others."""
+    text = " ".join(name.split())
+    if not 0 < len(text) <= LONGEST_CLIP_NAME or not text.isprintable():
+        raise ValueError(f"a clip cannot be called {name!r:.60}; give 1 to {LONGEST_CLIP_NAME} printable letters")
+    twin = next((each for each in others if each.casefold() == text.casefold()), None)
+    if twin is not None:
+        raise ValueError(f"there is a clip {twin!r} already; give another name")
+    return text
 
 
 def _given(message: msgspec.Struct, names: Sequence[str]) -> dict[str, Any]:
