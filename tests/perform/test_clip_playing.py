@@ -175,6 +175,19 @@ def test_a_panic_ends_clips_and_all_eases_to_rest(people: Cast, seconds: float) 
     assert frames[-1].layers == {}
 
 
+def test_a_clip_that_is_called_while_a_panic_eases_comes_without_a_jump(people: Cast) -> None:
+    _, clip = perform(people)
+    performer = Performer(people)
+    performer.play_clip(clip, seconds=0.0)
+    frames = [performer.advance(DT) for _ in range(30)]
+    performer.panic()
+    frames += [performer.advance(DT) for _ in range(5)]
+    performer.play_clip(clip, seconds=0.2, start=0.5)
+    frames += [performer.advance(DT) for _ in range(30)]
+    assert max(farthest(one, other) for one, other in pairwise(frames[31:])) < 2.5 * DT / 0.2
+    assert frames[-1].clips[0].name == "clip"
+
+
 def test_what_the_cast_does_not_have_is_left_out_and_named(people: Cast) -> None:
     own = {"mine": [0.5, 0.5], "neutral": [0.5, 0.5]}
     curve = make_curve([0.0, 9.0], {"jawOpen": [0.5] * 2, "gone": [1.0] * 2}, {}, mixes={"mouth": own})
