@@ -56,6 +56,9 @@ def test_what_cannot_be_done_is_said(show: Path, tmp_path: Path) -> None:
         (("export", show, "line1", "-o", tmp_path / "a.fbx"), "end it with .csv, .glb, .vrma, .bvh"),
         (("export", show, "line1", "-o", tmp_path / "a.csv", "--rate", "30"), "60 frames a second, not 30"),
         (("export", show, "line1", "-o", tmp_path / "a.glb", "--face", "nobody"), "there is no face 'nobody'"),
+        (("render", show, "line1", "-o", tmp_path / "a.avi"), "end it with .mov or .webm, or name a folder"),
+        (("render", show, "line1", "-o", tmp_path), "is not empty; name another, or empty it"),
+        (("render", show, "line2", "-o", tmp_path / "frames"), "there is no clip 'line2' in this show"),
         (("import", show, tmp_path / "line1.csv"), "there is a clip 'line1' already"),
         (("import", show, tmp_path / "none.csv"), "none.csv cannot be used: it is not there"),
     ):

@@ -22,6 +22,8 @@ CSV = ".csv"
 GLB = ".glb"
 VRMA = ".vrma"
 BVH = ".bvh"
+EACH = 60
+"""Frames after which it is said how many are drawn."""
 FORMATS = {CSV: b"Timecode", GLB: b"glTF", VRMA: b"glTF", BVH: b"HIERARCHY"}
 """What a clip is written as, with how such a file begins."""
 clip_app = typer.Typer(help="The motion clips of a show file.", no_args_is_help=True)
@@ -103,6 +105,61 @@ def import_clip(
         clip = clip_of_take(read, load_cast(), lane=take.stem[:LONGEST_CLIP_NAME])
         show.apply([StoredDocument(StoredClip.kind, called, stored_clip(clip).encode())])
     say(escape_controls(f"{file} has the clip {called}, {clip.seconds:.2f} s."))
+
+
+@clip_app.command("render")
+def render_clip(
+    file: ShowFileArgument,
+    name: Annotated[str, typer.Argument(help="The clip (omote clip list).")],
+    output: Annotated[
+        Path,
+        typer.Option("--output", "-o", help="A folder for PNG pictures, or a film: .mov (ProRes 4444), .webm (VP9)."),
+    ],
+    face: Annotated[str, typer.Option(help="The face that wears it.")] = "generic",
+    rate: Annotated[float, typer.Option(min=1.0, max=240.0, help="Frames of a second.")] = 60.0,
+    size: Annotated[str, typer.Option(help="Width and height, pixels.")] = "640x720",
+    quality: Annotated[str, typer.Option(help="Of the stage: lowest, low, medium, good, high.")] = "high",
+    force: Annotated[bool, typer.Option("--force", help="Replaces a film that is there.")] = False,
+) -> None:
+    """Draws a clip with nothing behind the head: a picture for each frame at its exact time, or a film of them."""
+    from omote.export_commands import load_full_cast
+    from omote.interchange.formats.atomic_file import require_free
+    from omote.perform.limits import check_known
+    from omote.server.headless.clip_pictures import FILMS, ClipPictures, draw_clip, film_clip, find_ffmpeg
+    from omote.stage_data.full_cast import find_face
+    from omote.stage_data.picture_setting import read_size
+
+    kind = output.suffix.lower()
+    if kind and kind not in FILMS:
+        fail(f"{output.name!r} is no name of a film; end it with {' or '.join(FILMS)}, or name a folder.")
+    with exit_on_refusal():
+        if kind:
+            find_ffmpeg()
+        require_free(output, force=force)
+        if not kind and output.is_dir() and any(output.iterdir()):
+            raise FileExistsError(f"the folder {output} is not empty; name another, or empty it")
+        inspection = inspect(file)
+        clips = clips_in(inspection)
+        clip = clips[check_known(name, clips, "clip")]
+        cast = load_full_cast(inspection)
+        worn = find_face(cast, inspection.stored, face)
+        pixels = read_size(size)
+
+        def draw(folder: Path) -> ClipPictures:
+            return draw_clip(
+                cast, clip, folder, name=name, face=worn, rate=rate, size=pixels, quality=quality, tell=tell_drawn
+            )
+
+        drawn = film_clip(output, draw) if kind else draw(output)
+    if kind == ".webm":
+        say("ffmpeg's own decoder of VP9 shows no alpha: read it with -c:v libvpx-vp9.")
+    say(escape_controls(f"{output} holds {name}, {len(drawn.frames)} frames, {drawn.seconds:.2f} s."))
+
+
+def tell_drawn(done: int, count: int) -> None:
+    """Says how many frames are drawn, each second of a clip. count: of how many."""
+    if done % EACH == 0 and done < count:
+        say(f"{done} of {count} frames")
 
 
 def inspect(file: Path) -> Inspection:
