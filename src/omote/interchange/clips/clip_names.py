@@ -28,9 +28,9 @@ def gaze_weights(expressions: Mapping[str, Expression], gaze: Values) -> dict[st
 def quaternions_of(turns: Values) -> Values:
     """Rotations (n, 4: x, y, z, w) of heads or eyes that are turned by yaw about y, then by -pitch about x, then by
     -roll about z, as the stage turns them. turns: (n, 3), or (n, 2) without roll; radians."""
-    yaw, pitch = 0.5 * turns[:, 0], -0.5 * turns[:, 1]
-    roll = -0.5 * turns[:, 2] if turns.shape[1] > 2 else np.zeros(len(turns))
-    cy, sy, cp, sp, cr, sr = np.cos(yaw), np.sin(yaw), np.cos(pitch), np.sin(pitch), np.cos(roll), np.sin(roll)
+    half = 0.5 * np.column_stack([turns, np.zeros((len(turns), 3 - turns.shape[1]))]) * [1.0, -1.0, -1.0]
+    cy, cp, cr = np.cos(half).T
+    sy, sp, sr = np.sin(half).T
     return np.column_stack(
         [
             cy * sp * cr + sy * cp * sr,
