@@ -18,6 +18,7 @@ import pytest
 
 import omote
 from omote.model.space.similarity import Similarity
+from omote.perform.clips.cut_clip import record
 
 SECTIONS = ("Parameters", "Attributes", "Returns", "Raises", "Notes", "Examples", "References")
 ROOT = Path(omote.__file__).parent
@@ -85,7 +86,22 @@ def wrong_calls(cast: omote.Cast) -> dict[tuple[str, type[Exception]], Callable[
     scene["one"].call_face("old")
     scene.keep_memory("finale")
     player = omote.CuePlayer(scene, [])
+    lane = omote.Lane(record(omote.Performer(cast), cast, seconds=0.5))
+    clip = omote.Clip([lane])
+    performer.play_clip(clip)
+    scene.set_clips({"line1": clip})
     return {
+        ("Lane", ValueError): lambda: omote.Lane(lane.curve, weight=2.0),
+        ("Lane", TypeError): lambda: omote.Lane(lane.curve, muted=words),
+        ("Clip", ValueError): lambda: omote.Clip([]),
+        ("Clip", TypeError): lambda: omote.Clip([lane], speed=words),
+        ("Performer.play_clip", ValueError): lambda: performer.play_clip(clip, start=9.0),
+        ("Performer.play_clip", TypeError): lambda: performer.play_clip(words),
+        ("Performer.stop_clip", ValueError): lambda: performer.stop_clip(seconds=-1.0),
+        ("Performer.stop_clip", TypeError): lambda: performer.stop_clip(seconds=words),
+        ("Scene.set_clips", TypeError): lambda: scene.set_clips({"line1": words}),
+        ("Scene.play_clip", ValueError): lambda: scene.play_clip("one", "line2"),
+        ("Scene.play_clip", TypeError): lambda: scene.play_clip("one", "line1", seconds=words),
         ("Move", ValueError): lambda: omote.Move({}, seconds=-1.0),
         ("Move", TypeError): lambda: omote.Move({}, seconds=words),
         ("Cue", ValueError): lambda: omote.Cue("a", "1.10"),

@@ -35,6 +35,8 @@ if TYPE_CHECKING:
     from omote.model.transfer.compound import compound as compound
     from omote.perform.blending.evaluate import evaluate as evaluate
     from omote.perform.blending.evaluate import evaluate_parts as evaluate_parts
+    from omote.perform.clips.clip import Clip as Clip
+    from omote.perform.clips.clip import Lane as Lane
     from omote.perform.cues.cue import Cue as Cue
     from omote.perform.cues.cue import Move as Move
     from omote.perform.cues.cue_action import CueAction as CueAction
@@ -54,6 +56,7 @@ __version__ = "0.1.0"
 # second.
 _HOMES = {
     "Cast": "omote.model.cast",
+    "Clip": "omote.perform.clips.clip",
     "ControlNet": "omote.model.controls.control_net",
     "Cue": "omote.perform.cues.cue",
     "CueAction": "omote.perform.cues.cue_action",
@@ -65,6 +68,7 @@ _HOMES = {
     "Photograph": "omote.model.fitting.photographs.photograph",
     "PhotographFit": "omote.model.fitting.photographs.photograph_fit",
     "Gain": "omote.model.space.gain",
+    "Lane": "omote.perform.clips.clip",
     "Move": "omote.perform.cues.cue",
     "ParameterSpace": "omote.model.space.parameter_space",
     "Performer": "omote.perform.performer",

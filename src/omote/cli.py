@@ -13,6 +13,7 @@ import typer
 
 from omote.access_commands import access_app
 from omote.camera_commands import track
+from omote.clip_commands import clip_app
 from omote.export_commands import export
 from omote.face_commands import draw_random, face
 from omote.file_commands import file_app
@@ -32,6 +33,7 @@ app = typer.Typer(
     add_completion=False,
     pretty_exceptions_enable=False,
 )
+app.add_typer(clip_app, name="clip")
 app.add_typer(file_app, name="file")
 app.add_typer(access_app, name="access")
 app.add_typer(recording_app, name="recording")

@@ -15,6 +15,8 @@ from omote.client.remote_character import RemoteCharacter
 from omote.client.remote_show import RemoteShow
 from omote.inputs.voices.spoken_text import WantedSpeech
 from omote.model.cast import Cast
+from omote.perform.clips.clip import Clip, Lane
+from omote.perform.clips.motion_curve import make_curve
 from omote.perform.frame import Frame, LayerStatus, SpeechStatus
 from omote.perform.performer import Performer
 from omote.perform.scene.scene import Scene
@@ -42,6 +44,7 @@ NO_CALLS = {
     "leave_layer",
     "recalibrate_layer",
     "note_camera",  # stages say where theirs are
+    *("play_clip", "find_clips", "set_clips"),  # an engine is given clips, a program calls those of the show by name
 }
 """What is the server's, and the scene's."""
 
@@ -54,6 +57,7 @@ CALLS: dict[str, Callable[[Any], Any]] = {
         one.call_expression("smile", seconds=0, region="eyes"),
         one.call_expression("jawOpen", seconds=0.5, easing="sharp"),
     ),
+    "stop_clip": lambda one: one.stop_clip("line1", seconds=0.5),
     "fade_face": lambda one: (one.call_face("broad", seconds=math.inf), one.fade_face(0.5)),
     "fade_expression": lambda one: (one.call_expression("smile", seconds=math.inf), one.fade_expression(0.5)),
     "release_face": lambda one: (one.call_face("broad"), one.fade_face(0.5), one.release_face()),
@@ -162,6 +166,17 @@ def test_a_program_has_every_call_of_a_scene() -> None:
         theirs, ours = (inspect.signature(getattr(kind, name)) for kind in (Scene, RemoteShow))
         more = [("voice", "")] if name == "say" else []  # a show has voices, an engine starts no process
         assert [*map(asked, theirs.parameters.values()), *more] == list(map(asked, ours.parameters.values())), name
+
+
+def test_a_program_plays_a_clip_of_the_show_by_its_name(cast: Cast) -> None:
+    wired = Wired(cast)
+    clip = Clip([Lane(make_curve([0.0, 9.0], {"jawOpen": [0.9] * 2}, {}))])
+    wired.session.clips.load({"line1": clip})
+    wired.show["one"].play_clip("line1", seconds=0, weights={"mouth": 1.0})
+    performer = Performer(cast)
+    performer.play_clip(clip, name="line1", seconds=0, weights={"mouth": 1.0})
+    wired.later(0.4)
+    assert wired.show["one"].frame == performer.advance(0.4)
 
 
 def test_what_is_asked_of_all_or_of_a_text_is_refused_in_words(cast: Cast) -> None:

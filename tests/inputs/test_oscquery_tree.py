@@ -34,8 +34,8 @@ from omote.show.session import ShowSession
 from tests import synthetic
 
 CAST = synthetic.cast()
-OF_CUES = ("/omote/back", "/omote/assert", "/omote/update_cue")
-"""What needs a cue that has been called (tests/show/cues)."""
+OF_CUES = ("/omote/back", "/omote/assert", "/omote/update_cue", "/keep_pass")
+"""What needs a cue that has been called (tests/show/cues), or a pass that is recorded (tests/show/clips)."""
 
 
 @pytest.fixture
@@ -89,7 +89,7 @@ def test_every_address_and_every_name_of_the_cast_has_its_leaf() -> None:
             layered = address.path.startswith("layer")
             known: set[str] = {*LAYERS} if layered else set(CAST.expressions) - {"neutral"}
             known = {*GESTURES} if address.path.startswith("gesture") else known
-            known = set() if address.path.startswith("memory") else known  # whose names no cast has
+            known = set() if address.path.startswith(("memory", "clip")) else known  # whose names no cast has
             names = known if "{name}" in written or layered else {""}
             languages = LANGUAGES if "{language}" in written else [""]
             regions = (LAYER_PARTS if layered else PLAY_REGIONS) if "{region}" in written else [""]
@@ -108,7 +108,18 @@ def test_each_node_says_where_it_stands_and_what_may_be_done() -> None:
     for node in nodes(root):
         assert find_node(root, node["FULL_PATH"]) is node
         told = node.get("TYPE") not in (None, "I") and not node["FULL_PATH"].endswith(
-            ("/enter", "/leave", "/say", "/say/en", "/say/de", "/say/voice", "/fade_to_black", "/fade_up", "/take")
+            (
+                "/enter",
+                "/leave",
+                "/say",
+                "/say/en",
+                "/say/de",
+                "/say/voice",
+                "/fade_to_black",
+                "/fade_up",
+                "/take",
+                "/stop_clip",
+            )
         )
         assert node["ACCESS"] == (NO_ACCESS if "TYPE" not in node else READ_WRITE if told else WRITE)
         assert node["ACCESS"] != READ_WRITE or len(node["TYPE"]) == len(node["RANGE"])

@@ -6,6 +6,7 @@ import msgspec
 
 from omote.perform.frame import (
     CallStatus,
+    ClipStatus,
     Frame,
     Gaze,
     GazeTarget,
@@ -45,6 +46,10 @@ def frame_in(state: State, character: CharacterState) -> Frame:
         speech=None if character.speech is None else speech_status(character.speech),
         spoken=character.spoken,
         motion=None if character.motion is None else motion_settings(character.motion),
+        clips=tuple(
+            ClipStatus(clip.name, clip.elapsed, clip.seconds, clip.share, clip.loop, tuple(clip.missing))
+            for clip in character.clips
+        ),
     )
 
 

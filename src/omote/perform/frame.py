@@ -273,6 +273,20 @@ class LayerStatus:
 
 
 @dataclass(frozen=True)
+class ClipStatus:
+    """A clip that a character plays, for those who look on. name: of the clip; elapsed: seconds from its start, of
+    `seconds`; share: how much of it shows, 0 to 1; loop: whether it begins again; missing: expressions and channels of
+    it that the cast does not have, which are left out."""
+
+    name: str
+    elapsed: float
+    seconds: float
+    share: float
+    loop: bool
+    missing: tuple[str, ...] = ()
+
+
+@dataclass(frozen=True)
 class Frame:
     """The mixes of faces, expressions and lights (each sums to one), the channels, head and gaze, at `time` seconds.
 
@@ -282,7 +296,7 @@ class Frame:
     hold where layers mix it with what sources send, None where `channels`, `head` and `gaze` are theirs alone; layers
     mix the gaze as the channels that turn the eyes. `layers`: those that a source drives or that are set otherwise than
     at first. `motion`: what is set of the automatic motion, None where nothing is. `speech`: what is said, None where
-    nothing is; `spoken`: the key of what was said to its end last.
+    nothing is; `spoken`: the key of what was said to its end last. `clips`: those that play, the newest last.
     """
 
     faces: Mapping[str, float]
@@ -307,6 +321,7 @@ class Frame:
     motion: MotionSettings | None = None
     speech: SpeechStatus | None = None
     spoken: str = ""
+    clips: tuple[ClipStatus, ...] = ()
 
 
 def with_fields(frozen: Frozen, **changes: Any) -> Frozen:

@@ -7,10 +7,12 @@ from __future__ import annotations
 
 from collections.abc import Container, Mapping
 from dataclasses import dataclass, field, replace
+from typing import TypeVar
 
 from omote.perform.easing import find_easing, is_over
 from omote.perform.frame import Gaze, Head, Held
 
+Turned = TypeVar("Turned", Head, Gaze)
 PANIC_SECONDS = 0.25
 """From whatever shows to rest: soon enough to be at once, long enough not to be a jump."""
 PANIC_EASING = "early"
@@ -52,19 +54,29 @@ def without_channels(easing_to_rest: EasingToRest | None, names: Container[str])
 
 
 def eased(held: Held, easing_to_rest: EasingToRest | None) -> Held:
-    """What is on air of channels, head and gaze: as hands hold them, or what is left of what eases to rest.
+    """What is on air of channels, head and gaze: what holds them, with as much as is left of what eases to rest.
 
-    held: what hands hold; easing_to_rest: what a panic left, None where all is at rest.
+    held: what hands hold, or layers make since; easing_to_rest: what a panic left, None where all is at rest. Where
+    nothing holds, what is left alone; a clip that is called meanwhile comes without a jump.
     """
     if easing_to_rest is None:
         return held
     left = easing_to_rest
     share = 1.0 - find_easing(PANIC_EASING).value(left.elapsed / PANIC_SECONDS)
+    gone = 1.0 - share
     channels = held.channels
     if left.channels:
-        combined = {**channels, **{name: share * value for name, value in left.channels.items()}}
+        eases = {name: gone * channels.get(name, 0.0) + share * value for name, value in left.channels.items()}
+        combined = {**channels, **eases}
         channels = {name: combined[name] for name in sorted(combined)}
-    turn = left.head
-    head = held.head if turn == Head() else Head(share * turn.yaw, share * turn.pitch, share * turn.roll)
-    gaze = held.gaze if left.gaze == Gaze() else Gaze(share * left.gaze.yaw, share * left.gaze.pitch)
+    head = _eased(held.head, left.head, share)
+    gaze = _eased(held.gaze, left.gaze, share)
     return Held(channels, head, gaze)
+
+
+def _eased(turned: Turned, left: Turned, share: float) -> Turned:
+    """A head or a gaze with a share of what is left of another; itself where nothing was."""
+    if not any(vars(left).values()):
+        return turned
+    angles = vars(turned)
+    return type(turned)(**{name: (1.0 - share) * angles[name] + share * value for name, value in vars(left).items()})

@@ -5,10 +5,10 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
 
-from omote.model.known_names import GENERIC, NEUTRAL
+from omote.model.known_names import GENERIC, NEUTRAL, PLAY_REGIONS
 from omote.perform import axis
 from omote.perform.axis import Axis, advance_regions, call_regions
-from omote.perform.called_mix import CalledMix
+from omote.perform.clip_playing import ClipPlaying
 from omote.perform.easing import DEFAULT_EASING
 from omote.perform.frame import NO_TARGET, Frame, Gaze, GazeTarget, Head, Held, check_target_kind, with_fields
 from omote.perform.gestures import advance_gestures, begin_gesture, release_gestures, with_gestures
@@ -64,7 +64,7 @@ from omote.perform.speech.speech_timing import make_track
 from omote.perform.speech.visemes import speech_frame
 
 
-class Performer(CalledMix):
+class Performer(ClipPlaying):
     """Plays a cast: calls, T-bars, channels, head, gaze and light in; a frame for each step of time out.
 
     It owns no clock and no thread; the same commands and steps give the same frames.
@@ -99,6 +99,7 @@ class Performer(CalledMix):
         self._now = Snapshot(Axis(GENERIC), Axis(NEUTRAL))
         self._layers: Layers | None = None
         self._last_held = Held()
+        self._worn = {}
 
     @classmethod
     def restored(cls, cast: Playable, snapshot: Snapshot) -> Performer:
@@ -173,6 +174,7 @@ class Performer(CalledMix):
         """
         now = check_snapshot(self.snapshot(), cast)
         self._cast = cast
+        self._worn = {}
         self._go_on(now)
 
     def drive(
@@ -499,7 +501,7 @@ class Performer(CalledMix):
         """
         now = self._now
         if now.panicked is None:
-            now = self._without_layers(_at_rest(now))
+            now = self._without_layers(_at_rest(self._with_played_mixes(now)))
         elif is_home_next(now):
             now = replace(
                 now, face=axis.called(now.face, now.home.face, check_call_seconds(now.home.seconds), DEFAULT_EASING)
@@ -550,6 +552,7 @@ class Performer(CalledMix):
         )
         self._move(dt)
         self._speak(dt)
+        self._advance_clips(dt)
         self._layers = self._advance_layers(self._layers, dt)
         return self._frame()
 
@@ -673,10 +676,29 @@ class Performer(CalledMix):
         return None if is_at_rest(layers) else layers
 
     def _frame(self) -> Frame:
-        frame = _frame(self._now)
+        now = self._now
+        frame = _frame(now)
+        if now.clips:
+            frame = with_fields(frame, clips=self._clip_statuses())
         if self._layers is not None:
-            frame = with_layers(frame, self._layers, self._cast.expressions, self._held(), self._now.easing_to_rest)
-        return with_gestures(frame, self._now.gestures, self._cast.expressions, self._held())
+            frame = with_layers(
+                frame, self._layers, self._cast.expressions, self._held(), now.easing_to_rest, self._mixes
+            )
+        return with_gestures(frame, now.gestures, self._cast.expressions, self._held())
+
+    def _with_played_mixes(self, now: Snapshot) -> Snapshot:
+        """A panic where clips play: the mixes that show with theirs are what is called from now on. now: as it is."""
+        if not now.clips:
+            return now
+        if not self._mixes:
+            return replace(now, clips=())
+        frame = self._frame()
+
+        def at(mix: Mapping[str, float]) -> Axis:
+            return axis.called_to_mix(now.expression, axis.standing_mix(mix), 0.0, DEFAULT_EASING)
+
+        regions = {region: at(mix) for region, mix in frame.regions.items()}
+        return replace(now, expression=at(frame.expressions), regions=regions, clips=())
 
     def _without_layers(self, rested: Snapshot) -> Snapshot:
         """A panic where layers play: all that they had on air eases to rest, and sources are off."""
@@ -686,7 +708,9 @@ class Performer(CalledMix):
             return rested
         self._layers = layers
         frame = self._frame()
-        self._layers = switch_off(layers, kept_of_mix(layers, influences(layers)))
+        kept = [1.0] * len(PLAY_REGIONS) if self._mixes else kept_of_mix(layers, influences(layers))
+        self._layers = switch_off(layers, kept)
+        self._forget_clips()
         return replace(rested, easing_to_rest=EasingToRest(frame.channels, frame.head, frame.gaze))
 
 

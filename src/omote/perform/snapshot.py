@@ -11,6 +11,7 @@ from omote.model.known_names import PlayRegion, check_play_region
 from omote.model.space.expression import Expression, Title
 from omote.perform.axis import Axis, Call
 from omote.perform.channels import highest_weight, with_channel
+from omote.perform.clips.clip_runs import ClipRun, check_runs
 from omote.perform.easing import DECAY_SECONDS, Glide, find_easing
 from omote.perform.frame import Gaze, Head, Home
 from omote.perform.gestures import Gesture, check_gestures
@@ -67,7 +68,7 @@ class Snapshot:
     `regions`: the expressions of the regions that go their own way; all others go with `expression`. `layers`: None
     while nothing but calls and hands plays. `motion`: the automatic one, None while none has been set. `speaking`: what
     is said; `said` counts all that was, `spoken` is the key of what was said
-    to its end last. `gestures`: those that run.
+    to its end last. `gestures`: those that run. `clips`: those that play, the oldest first; `played` counts all.
     """
 
     face: Axis
@@ -88,6 +89,8 @@ class Snapshot:
     said: int = 0
     spoken: str = ""
     gestures: tuple[Gesture, ...] = ()
+    clips: tuple[ClipRun, ...] = ()
+    played: int = 0
 
 
 def refuse_no_cast(cast: object) -> None:
@@ -127,6 +130,7 @@ def check_snapshot(snapshot: Snapshot, cast: Playable) -> Snapshot:
     check_motion(snapshot.motion)
     check_speaking(snapshot.speaking)
     check_gestures(snapshot.gestures)
+    check_runs(snapshot.clips)
     check_known(snapshot.home.face, cast.faces, "face")
     check_within(snapshot.time, 0.0, FOREVER, "the snapshot's time (seconds)")
     if snapshot.easing_to_rest is not None:

@@ -89,6 +89,7 @@ class Session(Protocol):
     leasing: Any
     notes: Any
     cues: Any
+    clips: Any
     wishes: list[Any]
     recorder: Any
     recording_requests: list[Any]

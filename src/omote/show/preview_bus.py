@@ -56,6 +56,8 @@ class PreviewBus:
         elif shared != self._shared:
             scene = self._set_scene(follow(scene.snapshot(), air))
         self._shared = shared
+        if scene.clips is not self._air().clips:
+            scene.set_clips(self._air().clips)
         return scene
 
     @property

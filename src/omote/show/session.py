@@ -14,6 +14,7 @@ from omote.perform.scene.scene import Scene
 from omote.perform.scene.scene_snapshot import names_held_by
 from omote.perform.snapshot import Playable
 from omote.show.access.access_role import explain_missing_role, role_allows
+from omote.show.clips.show_clips import ShowClips
 from omote.show.crew.members import Member, Members
 from omote.show.cues.cue_lines import speak_lines
 from omote.show.cues.cue_lists import CueLists
@@ -78,6 +79,9 @@ class Recorder(Protocol):
     def note_rejected(self, said: str) -> None:
         """Notes why (said) a line of a cue was not said."""
 
+    def note_clips(self) -> None:
+        """Notes the clips as an edit has left them."""
+
     def note_edit(self) -> None:
         """Notes the cues as an edit has left them."""
 
@@ -107,6 +111,7 @@ class ShowSession:
         self._executed = ExecutedCalls()
         self._now: float | None = None
         self._time = self.scene.snapshot().time
+        self._told: list[Outgoing] = []
         self._eye_offsets: dict[str, EyeOffset] = {}
         self._panics = Panics()
         self.sources = OpenSources()
@@ -117,6 +122,13 @@ class ShowSession:
         self.preview = PreviewBus(lambda: self.scene, lambda: self.cast)
         self.preview_state: State | None = None
         self.lost: list[str] = []
+        self.clips = ShowClips(
+            lambda: self.scene,
+            lambda: self.cast,
+            self.list_documents,
+            lambda message: self.act("", message, self._now or 0.0),
+            self._note_clips,
+        )
         self.texts = TextsToSpeak()
         self._sound_stage = SoundStage()
         self.recording_requests: list[KeepRequest] = []
@@ -261,6 +273,7 @@ class ShowSession:
         self._now = now
         self.number += 1
         self.leasing.expire(tuple(self.scene), now)
+        self._told += self.clips.end_passes()
         speak_lines(self, now)
         state = self._state(elapsed)
         if self.recorder is not None:
@@ -273,6 +286,10 @@ class ShowSession:
         self._now = now
         self.number = number
         self._eye_offsets = dict(eye_offsets)
+
+    def _note_clips(self) -> None:
+        if self.recorder is not None:
+            self.recorder.note_clips()
 
     def _note_edit(self) -> None:
         if self.recorder is not None:
@@ -291,6 +308,7 @@ class ShowSession:
     def _state(self, elapsed: float) -> State:
         frame = self.cues.advance(elapsed)
         self._time = frame.time
+        self.clips.note(frame)
         numbers = {"epoch": self.epoch, "number": self.number, "revision": self.revision}
         cues = self.cues.status(self._now or 0.0)
         state = state_of(self.cast, frame, self._eye_offsets, notes=self.notes, cues=cues, **numbers)
@@ -427,7 +445,8 @@ class ShowSession:
         if self.recorder is not None:
             for source, route in taken.items():
                 self.recorder.note_routed(source, route)
-        outgoing = self._sound_stage.tell(self.crew, now)
+        outgoing = [*self._told, *self._sound_stage.tell(self.crew, now)]
+        self._told = []
         on_air = [pair for told in (hands, leases) for pair in told.items() if self.members.looks_at(pair[0]) == "air"]
         outgoing += [Outgoing(*pair) for pair in on_air]
         outgoing += [Outgoing(who, values) for who, values in self.sources.tell_watchers(now)]

@@ -20,6 +20,7 @@ from omote.show.objects.show_notes import ShowNotes
 from omote.show.objects.state import (
     CallState,
     CharacterState,
+    ClipState,
     GazeTargetState,
     HeldState,
     LayerSource,
@@ -173,11 +174,12 @@ def call_state_of(status: CallStatus) -> CallState:
 
 
 def _home(frame: Frame) -> dict[str, Any]:
-    """What a state tells of the home face and of speech, by field."""
+    """What a state tells of the home face, of speech and of clips, by field."""
     said = frame.speech
     speech = None if said is None else SpeechState(**{**vars(said), "keys": list(said.keys)})
     home = {"home_face": frame.home.face, "home_seconds": frame.home.seconds, "home_next": frame.home_next}
-    return {**home, "speech": speech, "spoken": frame.spoken}
+    clips = [ClipState(**{**vars(clip), "missing": list(clip.missing)}) for clip in frame.clips]
+    return {**home, "speech": speech, "spoken": frame.spoken, "clips": clips}
 
 
 def _layers(frame: Frame) -> dict[str, Any]:

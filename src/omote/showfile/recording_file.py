@@ -164,7 +164,7 @@ class RecordingFile:
         ticks : int
             How many.
         casts : iterable of str
-            The digests of all casts that the piece has played.
+            The digests of all casts that the piece has played, and the keys of clips.
         markers : sequence of (float, str, str)
             When, what and who.
         """
@@ -198,6 +198,11 @@ class RecordingFile:
             )
             self._connection.executemany("INSERT OR IGNORE INTO content VALUES (?, ?)", contents)
 
+    def keep_content(self, key: str, data: bytes) -> None:
+        """Keeps a content that a piece names among its casts, where it is not kept yet. key: of it; data: its bytes."""
+        with self._connection:
+            self._connection.execute("INSERT OR IGNORE INTO content VALUES (?, ?)", (key, data))
+
     def trim(self, seconds: float = RING_SECONDS) -> None:
         """Removes pieces that are older than so many seconds of playing, but those of kept recordings, and the casts
         that none plays any more."""
@@ -227,7 +232,7 @@ class RecordingFile:
         rows = self._connection.execute('SELECT digest, contents FROM "cast"').fetchall()
         unplayed = [(digest,) for digest, _ in rows if digest not in played]
         self._connection.executemany('DELETE FROM "cast" WHERE digest = ?', unplayed)
-        needed = {key for digest, contents in rows if digest in played for key in contents.split()}
+        needed = played | {key for digest, contents in rows if digest in played for key in contents.split()}
         keys = [key for (key,) in self._connection.execute("SELECT key FROM content")]
         self._connection.executemany("DELETE FROM content WHERE key = ?", [(key,) for key in keys if key not in needed])
 

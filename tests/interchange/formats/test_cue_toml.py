@@ -27,6 +27,7 @@ from omote.perform.scene.goals import (
     Goal,
     Part,
     expression_of,
+    passes,
     ranges_of,
     takes_one_number,
 )
@@ -51,8 +52,10 @@ def goals(draw: st.DrawFn, part: Part) -> Goal:
         return dict.fromkeys(ranges, draw(st.floats(0.0, 1.0)))
     if ranges is not None:
         return {name: draw(st.floats(low, high)) for name, (low, high) in ranges.items()}
-    if expression_of(part) and draw(st.booleans()):
+    if (expression_of(part) or passes(part)) and draw(st.booleans()):
         return WITH_FACE
+    if passes(part):
+        return {draw(words): 1.0}
     share = draw(st.sampled_from([1.0, 0.75, 1.05]))
     first, second = draw(st.lists(words, min_size=2, max_size=2, unique=True))
     return {first: 1.0} if share == 1.0 else {first: share, second: 1.0 - share}

@@ -8,14 +8,16 @@ import numpy as np
 import pytest
 
 from omote.model.cast import Cast
+from omote.perform.clips.clip import Clip, Lane
+from omote.perform.clips.motion_curve import make_curve
 from omote.perform.cues.cue import Cue, Move
 from omote.perform.cues.cue_player import CuePlayer
-from omote.perform.scene.goals import CHARACTER_PARTS, SCENE_PARTS, Goal, Part, is_setting, ranges_of
+from omote.perform.scene.goals import CHARACTER_PARTS, PASSING, SCENE_PARTS, Goal, Part, is_setting, ranges_of
 from omote.perform.scene.scene import Scene
 from omote.perform.scene.scene_frame import SceneFrame
 from tests import synthetic
 
-PARTS = (*(f"one/{part}" for part in CHARACTER_PARTS), *(f"*/{part}" for part in SCENE_PARTS))
+PARTS = (*(f"one/{part}" for part in CHARACTER_PARTS if part not in PASSING), *(f"*/{part}" for part in SCENE_PARTS))
 NAMES = {
     "face": synthetic.FACES,
     "light": ("theatre", "flat", "portrait"),
@@ -181,3 +183,31 @@ def test_an_edition_moves_nothing_and_is_played_from_then_on(cast: Cast) -> None
     player.set_standby("8")
     with pytest.raises(ValueError, match="two cues have the number 8"):
         player.edit([Cue("b", "8"), Cue("a", "8")])
+
+
+def test_a_cue_calls_a_clip_back_stops_it_and_a_look_does_not_begin_it_again(cast: Cast) -> None:
+    scene = begun(cast)
+    still = Clip([Lane(make_curve([0.0, 2.0], {"jawOpen": [0.9] * 2}, {}))])
+    scene.set_clips({"line1": still})
+    cues = [Cue("a", "1", {"one/clip": Move({"line1": 1.0}, 0.1)}), Cue("b", "2", {"*/light": Move({"flat": 1.0})})]
+    player = CuePlayer(scene, cues)
+
+    def playing() -> list[str]:
+        return [clip.name for clip in player.advance(0.5).characters["one"].frame.clips]
+
+    player.go()
+    assert playing() == ["line1"]
+    player.go()
+    player.advance(2.0)
+    player.assert_look()
+    assert playing() == []
+    player.go_to("2", whole=True)
+    assert playing() == []
+    player.go_to("1")
+    assert playing() == ["line1"]
+    player.go_back()
+    player.advance(1.0)
+    assert playing() == []
+    scene.set_clips({})
+    player.go_to("1")
+    assert len(player.rejected) == 1

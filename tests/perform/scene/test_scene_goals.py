@@ -5,11 +5,21 @@ import pytest
 
 from omote.model.cast import Cast
 from omote.perform.layers.layer_names import LAYER_PARTS, LAYERS
-from omote.perform.scene.goals import CHARACTER_PARTS, SCENE_PARTS, Goal, Part, check_goal, is_setting, split_part
+from omote.perform.scene.goals import (
+    CHARACTER_PARTS,
+    PASSING,
+    SCENE_PARTS,
+    Goal,
+    Part,
+    check_goal,
+    is_setting,
+    split_part,
+)
 from omote.perform.scene.scene import Scene
 from tests import synthetic
 
-PARTS = (*(f"one/{part}" for part in CHARACTER_PARTS), *(f"*/{part}" for part in SCENE_PARTS))
+PARTS = (*(f"one/{part}" for part in CHARACTER_PARTS if part not in PASSING), *(f"*/{part}" for part in SCENE_PARTS))
+"""All that come to a stand; of clips: `perform/clips/test_clip_playing.py`."""
 GOALS: dict[Part, Goal] = {
     "one/face": {synthetic.FACES[1]: 0.75, synthetic.FACES[0]: 0.25},
     "one/expression": {"jawOpen": 1.0},

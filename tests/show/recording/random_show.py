@@ -7,8 +7,10 @@ import zlib
 from collections.abc import Callable, Mapping
 from typing import Any
 
+import msgspec
 import numpy as np
 
+from omote.perform.clips.clip import Clip
 from omote.perform.cues.cue_action import CueAction
 from omote.perform.lights import LIGHTS
 from omote.perform.snapshot import Playable
@@ -34,6 +36,18 @@ from omote.show.objects.characters import (
     RenameCharacter,
     RestoreCharacter,
 )
+from omote.show.objects.clips import (
+    DropClip,
+    EditClip,
+    KeepPass,
+    PlayClip,
+    RecordClip,
+    RestoreClip,
+    StopClip,
+    StoredClip,
+    clip_of,
+    stored_clip,
+)
 from omote.show.objects.faders import SetChannel, SetGaze, SetHead
 from omote.show.objects.gaze_points import DeleteGazePoint, SetGazePoint
 from omote.show.objects.layers import SetLayer
@@ -47,7 +61,7 @@ from omote.show.objects.show_notes import BeginShow, SetNote
 from omote.show.objects.sources import CalibrateSource, Drive, RouteSource, Source, SourceIs, TuneSource
 from omote.show.objects.speech import Say, SayByVoice, StopSpeaking
 from omote.show.objects.stages import Drawing
-from omote.show.recording.entries import AnyEntry
+from omote.show.recording.entries import AnyEntry, decode_entries, encode_entries, name_clips
 from omote.show.recording.recorder import Recorder
 from omote.show.session import ShowSession
 from omote.show.wire import encode
@@ -170,6 +184,15 @@ class RandomShow:
             lambda: TuneSource(new(), pick(TRACKERS), mirror=pick((True, False)), curve=number(-1, 1)),
             lambda: CalibrateSource(new(), pick(TRACKERS), pick(("neutral", "range", "done", "reset"))),
             lambda: SetLeases(new(), pick((True, False))),
+            lambda: RecordClip(new(), pick(names), pick(("c1", "c2")), pick(([], ["mouth"]))),
+            lambda: KeepPass(new(), pick(names), keep=pick((True, True, False))),
+            lambda: KeepPass(new(), pick(names)),
+            lambda: PlayClip(who(), new(), pick(("c1", "c2")), pick((None, 0.2)), loop=pick((True, None))),
+            lambda: PlayClip(who(), new(), pick(("c1", "c2")), weights={"mouth": number(0, 1)}),
+            lambda: StopClip(who()),
+            lambda: EditClip(new(), pick(("c1", "c2")), blend_in=number(0, 0.5), speed=pick((0.5, 1.0))),
+            lambda: DropClip(new(), "c2"),
+            lambda: RestoreClip(new(), "c2"),
         ]  # fmt: skip
 
     def action(self) -> CueAction:
@@ -246,3 +269,13 @@ class RandomShow:
         """Plays for some seconds of ticks."""
         for _ in range(round(60 * seconds)):
             self.tick()
+
+
+def as_stored(entries: list[AnyEntry]) -> tuple[list[AnyEntry], dict[str, Clip]]:
+    """The entries as a file keeps them, and read again; and the clips by their keys."""
+    keys: dict[Clip, str] = {}
+    named = name_clips(entries, lambda clip: keys.setdefault(clip, f"clip-{len(keys)}"))
+    clips = {
+        key: clip_of(msgspec.json.decode(stored_clip(clip).encode(), type=StoredClip)) for clip, key in keys.items()
+    }
+    return decode_entries(encode_entries(named)), clips

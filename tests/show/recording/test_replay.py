@@ -11,11 +11,11 @@ from hypothesis import strategies as st
 
 from omote.perform.snapshot import Playable
 from omote.show.recording import recorder
-from omote.show.recording.entries import AnyEntry, Kept, Ticked, decode_entries, encode_entries
+from omote.show.recording.entries import AnyEntry, Kept, Ticked
 from omote.show.recording.replay import ReplayError, replay
 from omote.show.wire import encode
 from tests import synthetic
-from tests.show.recording.random_show import RandomShow
+from tests.show.recording.random_show import RandomShow, as_stored
 from tests.synthetic import Recast
 
 CAST = synthetic.cast()
@@ -34,8 +34,8 @@ def short_pieces(monkeypatch: pytest.MonkeyPatch) -> None:
 def test_every_state_of_a_random_show_comes_again_to_the_last_bit(seed: int) -> None:
     show = RandomShow(seed, CASTS)
     show.play(20.0)
-    entries = decode_entries(encode_entries(show.entries))
-    ticks = list(replay([entries], CASTS.__getitem__))
+    entries, clips = as_stored(show.entries)
+    ticks = list(replay([entries], CASTS.__getitem__, clips.__getitem__))
     different = [number for number, tick in enumerate(ticks) if encode(tick.state) != show.states[number]]
     assert (different[:1], len(ticks)) == ([], len(show.states))
     assert all(tick.same for tick in ticks)

@@ -200,6 +200,111 @@ export type EnterCharacter = { type: "enter_character"; id: string; character: s
 export type LeaveCharacter = { type: "leave_character"; id: string; character: string; seconds?: number };
 
 /**
+ * The names of all clips in the show file, sorted: complete, to consoles after the welcome and with each change.
+ * `GET /clips/NAME` gives one, its lanes with all that is set of them.
+ */
+export type Clips = { type: "clips"; names: string[] };
+
+/**
+ * A character plays a clip on the layer playback, from whatever shows, in `seconds` (`None`: as the clip says). It
+ * begins `start` seconds from its start; `speed` and `loop`: `None` as the clip says. `weights`: how much of it shows
+ * in brows, eyes, mouth, rest, head and gaze, 0..1; what is not named is left alone; all of it where none is. An `id`
+ * executes once. A clip that plays already makes way, and a panic ends it.
+ */
+export type PlayClip = {
+  type: "play_clip";
+  character: string;
+  id: string;
+  name: string;
+  seconds?: number | null;
+  start?: number;
+  speed?: number | null;
+  loop?: boolean | null;
+  weights?: Record<string, number>;
+};
+
+/** A character ends a clip (`name`; "": all that it plays) in `seconds` (`None`: as the clip says). */
+export type StopClip = { type: "stop_clip"; character: string; name?: string; seconds?: number | null; id?: string };
+
+/**
+ * Records a pass of what shows of a character from now on: some `parts` of it (none: all), as a new lane of a clip
+ * (`name`), which is made where there is none. What else the clip has plays meanwhile, from its start. It ends by
+ * `keep_pass`, and by itself after ten minutes. `lane`: what to call it.
+ */
+export type RecordClip = {
+  type: "record_clip";
+  id: string;
+  character: string;
+  name: string;
+  parts?: ("brows" | "eyes" | "mouth" | "rest" | "head" | "gaze")[];
+  lane?: string;
+};
+
+/** Ends the pass of a character and keeps it; `keep`: or forgets it. */
+export type KeepPass = { type: "keep_pass"; id: string; character: string; keep?: boolean };
+
+/**
+ * Changes what is given of a clip: where it begins and ends (seconds of its lanes), in how many seconds it comes
+ * and goes, whether it begins again at its end, and its speed.
+ */
+export type EditClip = {
+  type: "edit_clip";
+  id: string;
+  name: string;
+  start?: number | null;
+  stop?: number | null;
+  blend_in?: number | null;
+  blend_out?: number | null;
+  loop?: boolean | null;
+  speed?: number | null;
+};
+
+/**
+ * Changes what is given of a lane of a clip (`lane`: its name, or its number from 1): its name, its parts, how much
+ * of it shows, whether it is muted, and by how many seconds it comes later.
+ */
+export type EditLane = {
+  type: "edit_lane";
+  id: string;
+  name: string;
+  lane: string;
+  to?: string | null;
+  parts?: ("brows" | "eyes" | "mouth" | "rest" | "head" | "gaze")[] | null;
+  weight?: number | null;
+  muted?: boolean | null;
+  shift?: number | null;
+};
+
+/**
+ * Replaces a lane of a clip from `start` to `stop`, seconds of the clip, by another lane of it (`by`), which is no
+ * lane of its own any more.
+ */
+export type ReplaceSpan = {
+  type: "replace_span";
+  id: string;
+  name: string;
+  lane: string;
+  by: string;
+  start: number;
+  stop: number;
+};
+
+/** Takes a lane out of a clip; the last one stays. */
+export type DropLane = { type: "drop_lane"; id: string; name: string; lane: string };
+
+/** Gives a clip another name, which none has yet. Cues call it by its name: they are to be changed too. */
+export type RenameClip = { type: "rename_clip"; id: string; name: string; to: string };
+
+/** Copies a clip under another name, which none has yet. */
+export type CopyClip = { type: "copy_clip"; id: string; name: string; to: string };
+
+/** Takes a clip out of the show; `restore_clip` brings it back until the server restarts. */
+export type DropClip = { type: "drop_clip"; id: string; name: string };
+
+/** Brings back the clip that was dropped last under a name. */
+export type RestoreClip = { type: "restore_clip"; id: string; name: string };
+
+/**
  * Calls the cue that stands by, or the one of a number (`cue`), each once however often the message comes. `seen`:
  * the identity of the cue that its presser saw standing by; where another does, nothing is called, and every console
  * reads so. While cues are paused it lets them go on instead. An `id` executes once, as of all that follow.
@@ -1209,6 +1314,19 @@ export type SpeechState = {
 };
 
 /**
+ * A clip that a character plays: `elapsed` seconds from its start, of `seconds`; `share`: how much of it shows,
+ * 0..1; `loop`: whether it begins again; `missing`: expressions and channels of it that the cast does not have.
+ */
+export type ClipState = {
+  name: string;
+  elapsed: number;
+  seconds: number;
+  share: number;
+  loop: boolean;
+  missing: string[];
+};
+
+/**
  * All that a character has on air.
  * `head`: yaw, pitch, roll; `gaze`: yaw, pitch; `eyes`: left yaw, pitch, right yaw, pitch (radians), as the eyeballs
  * stand. `lids`: what the gaze adds to the channels. `face_fader`, `expression_fader`: where the T-bars stand, 0..1,
@@ -1218,7 +1336,7 @@ export type SpeechState = {
  * `region_calls`: their own calls. `layers`: those that a source drives or that are set otherwise than at first, the
  * lowest first; all else is what they make together. `held`: what hands hold, `None` where that is what is on air.
  * `motion`: what is set of its automatic motion, `None` where nothing was. `speech`: what it says, `None` while it
- * says nothing; `spoken`: the key of what it said to its end last.
+ * says nothing; `spoken`: the key of what it said to its end last. `clips`: those that it plays, the newest last.
  */
 export type CharacterState = {
   faces: Record<string, number>;
@@ -1247,6 +1365,7 @@ export type CharacterState = {
   motion: MotionState | null;
   speech: SpeechState | null;
   spoken: string;
+  clips: ClipState[];
 };
 
 /**
@@ -1547,6 +1666,18 @@ export type FromClient =
   | PlaceCharacter
   | EnterCharacter
   | LeaveCharacter
+  | PlayClip
+  | StopClip
+  | RecordClip
+  | KeepPass
+  | EditClip
+  | EditLane
+  | ReplaceSpan
+  | DropLane
+  | RenameClip
+  | CopyClip
+  | DropClip
+  | RestoreClip
   | Go
   | GoBack
   | GoToCue
@@ -1631,6 +1762,7 @@ export type FromClient =
 export type FromServer =
   | BindingList
   | BindingsChanged
+  | Clips
   | Devices
   | InputLog
   | DeviceBytes

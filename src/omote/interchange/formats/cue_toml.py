@@ -21,7 +21,7 @@ from omote.interchange.formats.atomic_file import write_whole
 from omote.interchange.formats.error_reasons import explain_error
 from omote.perform.cues.cue import Cue, CueList, Move, check_cues
 from omote.perform.cues.cue_action import CueAction, check_actions
-from omote.perform.scene.goals import WITH_FACE, Goal, Part, expression_of, ranges_of, takes_one_number
+from omote.perform.scene.goals import WITH_FACE, Goal, Part, expression_of, passes, ranges_of, takes_one_number
 
 CUE_FIELDS: Mapping[str, Field[Any]] = {
     each.name: each for each in fields(Cue) if each.name not in ("identity", "moves", "actions")
@@ -32,6 +32,8 @@ TABLES = ("moves", "actions")
 """What of a cue stands below it."""
 FACE = "face"
 """How the text says that a region goes with the whole face."""
+STOP = "stop"
+"""How it says that clips stop."""
 HEADING = "# Cues of an Omote show (docs/howto/cues.md)."
 RUNNING_ORDER = ("number", "label", "pre_wait", "goes_on", "post_wait", "note")
 """The columns of a running order."""
@@ -259,7 +261,7 @@ def _goal(part: Part, to: Any) -> Goal:
     """A goal as text has it: a name, a number where the part has one alone, or all weights or numbers by name."""
     ranges = ranges_of(part)
     if isinstance(to, str) and ranges is None:
-        return WITH_FACE if to == FACE and expression_of(part) else {to: 1.0}
+        return WITH_FACE if to == _nothing(part) else {to: 1.0}
     if isinstance(to, int | float) and ranges is not None and takes_one_number(part):
         return dict.fromkeys(ranges, to)
     if isinstance(to, dict):
@@ -268,6 +270,11 @@ def _goal(part: Part, to: Any) -> Goal:
         "a name, or weights by name" if ranges is None else f"{{ {', '.join(f'{name} = 0' for name in ranges)} }}"
     )
     raise ValueError(f"{part} goes to {to!r}; expected {expected}")
+
+
+def _nothing(part: Part) -> str | None:
+    """The word for a goal without names, where a part can have one."""
+    return FACE if expression_of(part) else STOP if passes(part) else None
 
 
 def _format_cue(cue: Cue) -> str:
@@ -293,11 +300,11 @@ def _format_action(action: CueAction) -> str:
 
 def _format_goal(part: Part, goal: Goal) -> str:
     if not goal:
-        return _value(FACE)
+        return _value(_nothing(part) or FACE)
     name, value = next(iter(goal.items()))
     if takes_one_number(part) and set(goal.values()) == {value}:
         return _value(value)
-    if goal == {name: 1.0} and ranges_of(part) is None and not (name == FACE and expression_of(part)):
+    if goal == {name: 1.0} and ranges_of(part) is None and name != _nothing(part):
         return _value(name)
     return f"{{ {', '.join(f'{_value(each)} = {_value(number)}' for each, number in goal.items())} }}"
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping
 
 from omote.perform.cues.cue import Cue, CueList
-from omote.perform.scene.goals import Goal, Part, regions_of
+from omote.perform.scene.goals import Goal, Part, passes, regions_of
 
 Tracked = Mapping[Part, Goal]
 NOTHING_TRACKED: Tracked = {}
@@ -15,6 +15,7 @@ def tracked_after(tracked: Tracked, cue: Cue) -> Tracked:
     """What stands once a cue has been called.
 
     An expression of the whole face takes its regions with it, as on air; what the cue says of regions comes after that.
+    Of clips nothing stands: they are over by themselves, and would begin again where a look is asserted.
 
     Parameters
     ----------
@@ -30,7 +31,7 @@ def tracked_after(tracked: Tracked, cue: Cue) -> Tracked:
     """
     taken = {region for part in cue.moves for region in regions_of(part)}
     kept = {part: goal for part, goal in tracked.items() if part not in taken}
-    return {**kept, **{part: move.goal for part, move in cue.moves.items()}}
+    return {**kept, **{part: move.goal for part, move in cue.moves.items() if not passes(part)}}
 
 
 def tracked_through(cues: Iterable[Cue]) -> Tracked:

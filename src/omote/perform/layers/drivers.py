@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from omote.perform.frame import with_fields
 from omote.perform.layers.columns import Columns
 from omote.perform.layers.layer_names import LAYER_PARTS, WHOLE, LayerName, LayerPart
-from omote.perform.layers.source_frame import AUTOMATIC, LOSS_SECONDS, SPEECH, SourceFrame
+from omote.perform.layers.source_frame import AUTOMATIC, CLIP, LOSS_SECONDS, SPEECH, SourceFrame
 
 Owners = tuple[str | None, ...]
 """Of each part, and of what acts on the whole face, the name of a source; None where none plays."""
@@ -26,7 +26,8 @@ class Driver:
     """What drives a layer: a source with its channels. silent: seconds since it was last found, no more than count.
 
     leaves: it has gone. steady: seconds since its frames come without a gap, no more than count. share: how much of its
-    layer it takes. route_number: of two that may play the same parts, the higher one has them.
+    layer it takes. route_number: of two that may play the same parts, the higher one has them. part_shares: as of a
+    frame.
     """
 
     source: str
@@ -40,6 +41,7 @@ class Driver:
     steady: float = 0.0
     share: float = 1.0
     route_number: int = 0
+    part_shares: tuple[float, ...] = ()
 
     @property
     def is_trusted(self) -> bool:
@@ -51,7 +53,7 @@ def driver_of(frame: SourceFrame) -> Driver:
     """What drives a layer by such frames."""
     return Driver(
         frame.source, frame.names, frame.head is not None, frame.gaze is not None, frame.parts,
-        smoothing=frame.smoothing, share=frame.share, route_number=frame.route_number,
+        smoothing=frame.smoothing, share=frame.share, route_number=frame.route_number, part_shares=frame.part_shares,
     )  # fmt: skip
 
 
@@ -72,12 +74,13 @@ def fits(driver: Driver, frame: SourceFrame) -> bool:
 
 
 def parts_of(driver: Driver, columns: Columns) -> tuple[LayerPart, ...]:
-    """The parts of the face that it plays: those where its channels act, as far as it may.
+    """The parts of the face that it plays: those where its channels act, as far as it may; one that plays expressions
+    too plays every region.
 
     driver: the one that is meant; columns: those of the character's layers.
     """
     places = {int(place) for place in columns.parts[columns.places(driver.names)]}
-    if WHOLE in places:
+    if WHOLE in places or driver.part_shares:
         places |= set(range(4))
     plays = {part for place, part in enumerate(LAYER_PARTS) if place in places}
     plays |= {"head"} if driver.head else set()
@@ -127,8 +130,8 @@ def replace_driver(drivers: Sequence[Driver], driver: Driver) -> tuple[Driver, .
 
 
 def advance_driver(driver: Driver, dt: float, layer: LayerName) -> Driver:
-    """A driver of a layer `dt` seconds later."""
-    silent = min(driver.silent + dt, LOSS_SECONDS)
+    """A driver of a layer `dt` seconds later; a clip is never lost, for it says when it is over."""
+    silent = 0.0 if driver.source == CLIP else min(driver.silent + dt, LOSS_SECONDS)
     gap = LIPS_GAP_SECONDS if layer == "lips" else GAP_SECONDS
     steady = min(driver.steady + dt, STEADY_SECONDS) if silent < gap else 0.0
     return with_fields(driver, silent=silent, steady=steady)

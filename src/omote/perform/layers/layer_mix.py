@@ -28,6 +28,7 @@ from omote.perform.layers.layer_names import (
     LayerPart,
 )
 from omote.perform.layers.layer_vectors import Layers, places_of_source, trust_of
+from omote.perform.layers.source_frame import CLIP
 from omote.perform.panic import EasingToRest, eased
 
 HEAD_RADIUS = 0.09
@@ -79,11 +80,14 @@ def _moves(expression: Expression, rows: NDArray[np.intp]) -> NDArray[np.float64
 Mix = Mapping[str, float]
 Mixes = Mapping[PlayRegion, Mix]
 
+NO_MIXES: Mixes = {}
 MOST_SHOWN = 3
 LEAST_SHOWN = 0.02
 """Channels by which a layer shows what it does now: the strongest few, none that can hardly be seen."""
 _DRIVEN_ROWS = [LAYERS.index(layer) for layer in DRIVEN]
 _EMOTION = LAYERS.index("emotion")
+CLIP_LAYER: LayerName = "playback"
+"""The layer that clips play."""
 _ABOVE_EMOTION = [LAYERS.index(layer) for layer in DRIVEN if RULES[layer] == "replace" and layer != "gaze"]
 UPRIGHT = Head()
 STRAIGHT = Gaze()
@@ -102,12 +106,19 @@ class Mixed:
 
 
 def mix_layers(
-    layers: Layers, shares: Values, expressions: Mapping[str, Expression], mix: Mix, regions: Mixes
+    layers: Layers,
+    shares: Values,
+    expressions: Mapping[str, Expression],
+    mix: Mix,
+    regions: Mixes,
+    played: Mixes = NO_MIXES,
 ) -> Mixed:
     """All layers mixed over the mix of called expressions; shares: how much of each layer shows; regions: of those that
-    go their own way."""
+    go their own way; played: the mixes of clips."""
     kept = kept_of_mix(layers, shares)
     face, own = _with_neutral(mix, regions, kept)
+    if played:
+        face, own = _with_played(face, own, played, _shares_of_clip(layers, shares))
     values = _mixed_values(layers, shares, _closed(layers, expressions, own.get("eyes", face)))
     numbers = values.tolist()  # all in range
     channels = {name: value for name, value in zip(layers.columns.names, numbers, strict=False) if value}
@@ -120,14 +131,19 @@ def mix_layers(
 
 
 def with_layers(
-    frame: Frame, layers: Layers, expressions: Mapping[str, Expression], held: Held, easing_to_rest: EasingToRest | None
+    frame: Frame,
+    layers: Layers,
+    expressions: Mapping[str, Expression],
+    held: Held,
+    easing_to_rest: EasingToRest | None,
+    played: Mixes = NO_MIXES,
 ) -> Frame:
     """A frame of calls and hands with all layers in; easing_to_rest: what a panic has left on its way to rest.
 
-    expressions: those of the cast, by name; held: what hands hold.
+    expressions: those of the cast, by name; held: what hands hold; played: the mixes of clips, by region.
     """
     shares = influences(layers)
-    mixed = mix_layers(layers, shares, expressions, frame.expressions, frame.regions)
+    mixed = mix_layers(layers, shares, expressions, frame.expressions, frame.regions, played)
     return with_fields(
         frame,
         expressions=mixed.expressions,
@@ -145,8 +161,10 @@ def influences(layers: Layers) -> Values:
     shares[_DRIVEN_ROWS] *= layers.columns.rows(layers.second, "trust")
     for layer, drivers in layers.drivers.items():
         for driver in drivers:
-            if driver.share != 1.0:
-                shares[LAYERS.index(layer)][places_of_source(layers, layer, driver.source)] *= driver.share
+            if driver.share != 1.0 or driver.part_shares:
+                where = places_of_source(layers, layer, driver.source)
+                by_part = np.array(driver.part_shares)[where] if driver.part_shares else 1.0
+                shares[LAYERS.index(layer)][where] *= driver.share * by_part
     return shares
 
 
@@ -278,6 +296,31 @@ def _with_neutral(mix: Mix, regions: Mixes, kept: Sequence[float]) -> tuple[Mix,
         if region in regions or share != face
     }
     return _kept(mix, face), own
+
+
+def _shares_of_clip(layers: Layers, shares: Values) -> list[float]:
+    """How much of the mixes of clips shows in each play region: as much as of their channels."""
+    followed = layers.followed.get(CLIP_LAYER, NOBODY)
+    row = shares[LAYERS.index(CLIP_LAYER)].tolist()
+    return [row[place] if followed[place] == CLIP else 0.0 for place in range(len(PLAY_REGIONS))]
+
+
+def _with_played(face: Mix, own: Mixes, played: Mixes, shares: Sequence[float]) -> tuple[Mix, Mixes]:
+    """The mixes of the face and of its regions, with those of clips in the place of as much neutral as they take."""
+    taken = {
+        region: _with_clip(own.get(region, face), played[region], share)
+        for region, share in zip(PLAY_REGIONS, shares, strict=True)
+    }
+    rest = taken["rest"]
+    return rest, {region: mix for region, mix in taken.items() if mix != rest}
+
+
+def _with_clip(mix: Mix, played: Mix, share: float) -> Mix:
+    if share == 0.0 or share == 1.0:
+        return played if share else mix
+    mixed = {name: mix.get(name, 0.0) + share * played.get(name, 0.0) for name in {**mix, **played}}
+    mixed[NEUTRAL] = mixed.get(NEUTRAL, 0.0) - share
+    return {name: mixed[name] for name in sorted(mixed) if mixed[name]}
 
 
 def _kept(mix: Mix, share: float) -> Mix:

@@ -143,12 +143,19 @@ def drive(cast: HasExpressions, layers: Layers, layer: LayerName, frame: SourceF
     driver = find_driver(layers.drivers.get(layer, ()), frame.source)
     if driver is None or driver.leaves or not fits(driver, frame):
         layers = _plugged(cast, layers, layer, frame)
-    elif driver.silent or (driver.smoothing, driver.share) != (frame.smoothing, frame.share):
-        heard = with_fields(driver, silent=0.0, smoothing=frame.smoothing, share=frame.share)
+    elif driver.silent or _pace(driver) != _pace(frame):
+        heard = with_fields(
+            driver, silent=0.0, smoothing=frame.smoothing, share=frame.share, part_shares=frame.part_shares
+        )
         layers = _with_drivers(layers, layer, replace_driver(layers.drivers[layer], heard))
         if not driver.is_trusted:
             layers = _owned(layers, layer)
     return _streamed(cast, layers, layer, frame)
+
+
+def _pace(sent: Driver | SourceFrame) -> tuple[float, float, tuple[float, ...]]:
+    """What each frame says anew of how its layer follows it."""
+    return sent.smoothing, sent.share, sent.part_shares
 
 
 def recalibrate(layers: Layers, layer: LayerName, source: str) -> Layers:
@@ -331,7 +338,7 @@ def _plugged(cast: HasExpressions, layers: Layers, layer: LayerName, frame: Sour
     drivers = layers.drivers.get(layer, ())
     before = find_driver(drivers, frame.source)
     layers = _with_drivers(layers, layer, with_driver(drivers, driver_of(frame)))
-    if before is not None and before.names != frame.names:
+    if before is not None and before.names != frame.names and not frame.direct:
         layers = recalibrate(layers, layer, frame.source)
     return _owned(layers, layer)
 
@@ -347,8 +354,8 @@ def _streamed(cast: HasExpressions, layers: Layers, layer: LayerName, frame: Sou
         return layers
     write_frame(cast, columns, columns.rows(goal, "streams")[row], own, frame)
     later = with_fields(layers, goal=goal, calm=False)
-    if frame.share == 0.0:  # nothing of it shows, so it can be trusted at once: a first word is whole
-        later = _trusted(later, layer, frame.source)
+    if frame.share == 0.0 or 0.0 in frame.part_shares:
+        later = _trusted(later, layer, frame)
     trust = trust_of(later, layer).tolist()
     unseen = tuple(
         name == frame.source and (frame.direct or part == 0.0) for name, part in zip(followed, trust, strict=True)
@@ -367,9 +374,12 @@ def _from_there(layers: Layers, row: int, where: NDArray[np.bool_]) -> Layers:
     return with_fields(layers, first=first, second=second)
 
 
-def _trusted(layers: Layers, layer: LayerName, source: str) -> Layers:
-    """The layers where what shows a source is trusted from now on."""
-    where = places_of_source(layers, layer, source)
+def _trusted(layers: Layers, layer: LayerName, frame: SourceFrame) -> Layers:
+    """The layers where what shows a source is trusted from now on wherever it takes nothing yet: so a first word is
+    whole."""
+    where = places_of_source(layers, layer, frame.source)
+    if frame.share and frame.part_shares:
+        where = where & (np.array(frame.part_shares) == 0.0)
     first = layers.first.copy()
     second = layers.second.copy()
     for vector in (first, second):

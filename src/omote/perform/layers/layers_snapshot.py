@@ -15,7 +15,7 @@ from omote.perform.layers.drivers import NOBODY, STEADY_SECONDS, Driver, Owners,
 from omote.perform.layers.layer_names import DRIVEN, LAYER_PARTS, LAYERS, LayerName, LayerSetting, check_driven
 from omote.perform.layers.layer_vectors import Layers, with_share_goal
 from omote.perform.layers.layers import recast
-from omote.perform.layers.source_frame import LOSS_SECONDS, check_share, check_smoothing
+from omote.perform.layers.source_frame import LOSS_SECONDS, check_part_shares, check_share, check_smoothing
 from omote.perform.limits import check_known, check_within
 
 SLACK = 1e-6
@@ -96,6 +96,7 @@ def _check_drivers(drivers: Mapping[LayerName, tuple[Driver, ...]], followed: Ma
         check_within(driver.steady, 0.0, STEADY_SECONDS, "the steady frames of a source (seconds)")
         check_smoothing(driver.smoothing)
         check_share(driver.share)
+        check_part_shares(driver.part_shares)
     for layer, names in followed.items():
         sources = {driver.source for driver in drivers.get(layer, ())}
         if len(names) != PLACES or not sources.issuperset(name for name in names if name is not None):

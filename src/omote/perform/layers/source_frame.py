@@ -14,7 +14,7 @@ from omote.arrays import Values
 from omote.model.known_names import NEUTRAL
 from omote.perform.channels import GAZE_UNITS
 from omote.perform.frame import Gaze, Head, with_fields
-from omote.perform.layers.layer_names import LAYER_PARTS, RANGES, RULES, LayerName, LayerPart
+from omote.perform.layers.layer_names import LAYER_PARTS, RANGES, RULES, WHOLE, LayerName, LayerPart
 from omote.perform.limits import CHANNEL_HIGHEST, CHANNEL_LOWEST, GAZE_LIMITS, HEAD_LIMITS, check_known, check_within
 
 LONGEST_SMOOTHING = 2.0
@@ -30,8 +30,9 @@ DEVICE_DOWN = math.radians(35.0)
 sends both, angles follow their coefficients by these slopes (correlation above .98)."""
 AUTOMATIC = "automatic"
 SPEECH = "speech"
-OWN_SOURCES = (AUTOMATIC, SPEECH)
-"""The sources of a character's own motion, and of what it says; no other has these names."""
+CLIP = "clip"
+OWN_SOURCES = (AUTOMATIC, SPEECH, CLIP)
+"""The sources of a character's own motion, of what it says and of the clips that it plays; no other has these names."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -42,7 +43,9 @@ class SourceFrame:
     parts: which parts of the face it may play. smoothing: seconds in which it is followed, 0 as its layer is. direct:
     it is smooth already and knows what comes, so it shows as it is. vergence: radians by which each eye turns in.
     share: of a direct one, how much of its layer it takes, 0 to 1: a voice that is silent takes none, and what lies
-    below shows. route_number: of two that may play the same parts, the higher one has them.
+    below shows. route_number: of two that may play the same parts, the higher one has them. part_shares: of a direct
+    one that plays expressions too, by regions, how much of each part it takes beside that, and of the whole face last;
+    () for all.
     """
 
     names: tuple[str, ...]
@@ -57,6 +60,7 @@ class SourceFrame:
     vergence: float = 0.0
     share: float = 1.0
     route_number: int = 0
+    part_shares: tuple[float, ...] = ()
 
 
 def check_frame(frame: SourceFrame, layer: LayerName) -> SourceFrame:
@@ -65,7 +69,8 @@ def check_frame(frame: SourceFrame, layer: LayerName) -> SourceFrame:
     if len(frame.values) != len(frame.names):
         raise ValueError(f"{len(frame.values)} values came for {len(frame.names)} channels; send one for each")
     check_share(frame.share)
-    if frame.share != 1.0 and not frame.direct:
+    check_part_shares(frame.part_shares)
+    if (frame.share != 1.0 or frame.part_shares) and not frame.direct:
         raise ValueError("only a source that is smooth already (direct) takes less than all of its layer")
     wrong = ~((frame.values >= low) & (frame.values <= high))
     if wrong.any():
@@ -138,6 +143,14 @@ def check_smoothing(seconds: object) -> float:
 def check_share(share: object) -> float:
     """Returns how much of its layer a source takes; ValueError and TypeError for what cannot be."""
     return check_within(share, 0.0, 1.0, "the share of its layer that a source takes")
+
+
+def check_part_shares(shares: tuple[float, ...]) -> None:
+    """Rejects shares by part that no source takes."""
+    if len(shares) not in (0, WHOLE + 1):
+        raise ValueError(f"a source takes {len(shares)} shares by part; expected {WHOLE + 1} or none")
+    for share in shares:
+        check_share(share)
 
 
 def check_names(names: Iterable[str], expressions: Mapping[str, object]) -> tuple[str, ...]:

@@ -23,7 +23,7 @@ from omote.perform.snapshot import ROUNDING
 Part = str
 Goal = Mapping[str, float]
 WITH_FACE: Goal = {}
-"""The goal of a region of the expression that goes with the whole face."""
+"""The goal of a region of the expression that goes with the whole face, and of a clip where none plays."""
 
 TURN_LIMITS: Mapping[str, Ranges] = {
     "head": {name: (-limit, limit) for name, limit in HEAD_LIMITS.items()},
@@ -44,7 +44,9 @@ CHARACTER_NUMBERS: Mapping[str, Ranges] = {
     **{f"{LAYER}{layer}": LAYER_LIMITS for layer in LAYERS},
 }
 """The parts of a character that are numbers, with the range of each; all else of it but `look` are mixes."""
-CHARACTER_PARTS = ("face", "expression", *PLAY_REGIONS, *CHARACTER_NUMBERS, "look")
+CHARACTER_PARTS = ("face", "expression", *PLAY_REGIONS, *CHARACTER_NUMBERS, "look", "clip")
+PASSING = ("clip",)
+"""Parts that come to an end by themselves: nothing of them is left standing, so cues do not track them."""
 SCENE_PARTS = ("light", "framing", "black")
 
 
@@ -70,6 +72,11 @@ def expression_of(part: Part) -> Part | None:
     return f"{character}/expression" if name in PLAY_REGIONS else None
 
 
+def passes(part: Part) -> bool:
+    """Whether what is called of a part is over by itself."""
+    return part.rpartition("/")[2] in PASSING
+
+
 def ranges_of(part: Part) -> Ranges | None:
     """The numbers of a part, with the range of each; None of a part that is a mix."""
     character, name = split_part(part)
@@ -92,7 +99,7 @@ def takes_one_number(part: Part) -> bool:
 def first_goal(part: Part) -> Goal | None:
     """Where a part stands in a new show, of those that nobody means to set there; None for all others."""
     name = split_part(part)[1]
-    if expression_of(part):
+    if expression_of(part) or passes(part):
         return WITH_FACE
     if name == "look":
         return AHEAD
@@ -114,8 +121,10 @@ def check_goal(part: Part, goal: Goal) -> Goal:
         if goal.keys() != ranges.keys():
             raise ValueError(f"the goal of {part} has {', '.join(goal) or 'nothing'}; expected {', '.join(ranges)}")
         return {name: check_within(goal[name], *ranges[name], f"{name} of {part}") for name in ranges}
-    if not goal and expression_of(part):
+    if not goal and (expression_of(part) or passes(part)):
         return WITH_FACE
+    if passes(part) and len(goal) > 1:
+        raise ValueError(f"the goal of {part} has {', '.join(goal)}; expected one clip, or nothing to stop what plays")
     mix = {name: check_within(weight, LOWEST, HIGHEST, f"{name} of {part}") for name, weight in goal.items()}
     if not abs(math.fsum(mix.values()) - 1.0) <= ROUNDING:
         raise ValueError(f"the weights of {part} sum to {math.fsum(mix.values()):g}; they must sum to 1")

@@ -99,6 +99,7 @@ class Scene(SceneMemories):
         self._framing = Axis(ALL)
         self._black = movement.Movement({"black": 0.0})
         self._memories = NO_MEMORIES
+        self._clips = {}
         self._time = 0.0
 
     @classmethod
@@ -374,6 +375,7 @@ class Scene(SceneMemories):
         self._refuse_one_more(name)
         snapshot = check_snapshot(replace(kept.performer, time=self._time), self._cast)
         character = SceneCharacter.of(self._cast, snapshot, self.call_light, self._check_target)
+        character.find_clips(self._clips)
         self._characters = insert_at_rank(self._characters, name, character, removal.before)
         self._standings = insert_at_rank(self._standings, name, kept.standing, removal.before)
 

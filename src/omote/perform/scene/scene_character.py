@@ -153,8 +153,11 @@ class SceneCharacter(Performer):
 
     def call_goal(self, name: str, goal: Goal, seconds: float, easing: str, pace: float | None = None) -> None:
         """Brings a part to a goal from whatever shows. name: as of `goal_of`; goal: checked; seconds: 0 cuts; easing:
-        the curve of the way; pace: as of `Scene.call_goal`."""
+        the curve of the way; pace: as of `Scene.call_goal`. A clip is stopped: the scene knows which it can play."""
         now = self._now
+        if name == "clip":
+            self.stop_clip(seconds=seconds)
+            return
 
         def call(on: Axis) -> Axis:
             return with_pace(called_to_mix(on, goal or goal_of(now.expression), seconds, easing), pace)
@@ -178,6 +181,8 @@ class SceneCharacter(Performer):
             return dict(turned(name))
         if is_setting(name):
             return self._setting_of(name)
+        if name == "clip":
+            return {run.clip: 1.0 for run in now.clips[-1:] if run.gone is None}
         if name in PLAY_REGIONS:
             own = now.regions.get(check_play_region(name))
             return WITH_FACE if own is None else dict(mix(own))
@@ -230,7 +235,8 @@ class SceneCharacter(Performer):
         now = self._now
         regions = {region: repaced(on, pace) for region, on in now.regions.items()}
         face = repaced(now.face, pace)
-        self._now = with_fields(now, face=face, expression=repaced(now.expression, pace), regions=regions)
+        clips = tuple(run if run.pace is None else replace(run, pace=pace) for run in now.clips)
+        self._now = with_fields(now, face=face, expression=repaced(now.expression, pace), regions=regions, clips=clips)
         if self.turning is not None:
             ways = {part: movement.repaced(way, pace) for part, way in self.turning.ways.items()}
             self.turning = replace(self.turning, ways=ways)

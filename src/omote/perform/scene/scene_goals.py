@@ -24,6 +24,7 @@ from omote.perform.scene.goals import (
 )
 from omote.perform.scene.removal import without_stay
 from omote.perform.scene.scene_character import SceneCharacter
+from omote.perform.scene.scene_clips import SceneClips
 from omote.perform.scene.scene_frame import PLACE_LIMITS
 from omote.perform.scene.scene_snapshot import Removal, Standing
 
@@ -31,7 +32,7 @@ STANDING: Mapping[str, movement.Ranges] = {"place": PLACE_LIMITS, "presence": PR
 """The parts that say how a character stands, by the field of `Standing`."""
 
 
-class SceneGoals:
+class SceneGoals(SceneClips):
     """Where the parts of a scene go: read, and called from whatever shows."""
 
     _characters: dict[str, SceneCharacter]
@@ -48,12 +49,13 @@ class SceneGoals:
         ----------
         part : str
             Of a character, `kaori/face` (face, expression, brows, eyes, mouth, rest, head, gaze, place, presence,
-            motion, look, layer:tracker and the other layers), or of the scene, `*/light` (light, framing, black).
+            motion, look, clip, layer:tracker and the other layers), or of the scene, `*/light` (light, framing, black).
 
         Returns
         -------
         mapping of float
-            A mix, or numbers by name, radians and metres; nothing for a region that goes with the whole face.
+            A mix, or numbers by name, radians and metres; nothing for a region that goes with the whole face, and for
+            a clip where none plays.
 
         Raises
         ------
@@ -121,6 +123,9 @@ class SceneGoals:
                 framing_of(names_in(framing), self._characters)
         elif name == "light":
             check_names(checked, LIGHTS, "light")
+        elif name == "clip":
+            check_known(character, self._characters, "character")
+            check_names(checked, self._clips, "clip")
         elif character != ALL:
             self._characters[check_known(character, self._characters, "character")].check_call(part, checked)
         return checked
@@ -186,6 +191,8 @@ class SceneGoals:
             leaves = self._standing(character).leaves and not stays
             self._move_presence(character, checked["presence"], seconds, leaves=leaves, easing=easing)
             self._stand(character, presence=movement.with_pace(self._standing(character).presence, pace))
+        elif name == "clip" and checked:
+            self.play_clip(character, *checked, seconds=seconds, pace=pace)
         else:
             self._characters[character].call_goal(name, checked, seconds, easing, pace)
 

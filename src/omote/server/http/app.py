@@ -22,6 +22,7 @@ from omote.server.access.phone_page import PHONE_PATH, PhonePage
 from omote.server.access.security import adding_headers, guard, silence_bad_requests
 from omote.server.http.cast_documents import CastDocuments
 from omote.server.http.cast_reload import CastReload
+from omote.server.http.clip_store import ClipStore
 from omote.server.http.cue_routes import CueRoutes
 from omote.server.http.document_routes import CACHE_FOREVER, NO_CACHE, DocumentRoutes
 from omote.server.http.downloads import Downloads
@@ -99,6 +100,7 @@ class ShowServer:
         self._pages = pages
         self._cues = CueRoutes(session)
         self.recording = RecordingRoutes(session, documents, lambda: self.clock(), self._deliver)
+        self._clips = ClipStore(session)
         self.outside = ""
         self._state: State | None = None
 
@@ -130,6 +132,7 @@ class ShowServer:
         for kind in NAMES_OF:
             self.session.list_documents(kind, sorted(self.editing.documents(kind)))
         self._cues.load(self.editing.documents, report)
+        self._clips.load(self.editing.documents, report)
 
     def enable_files(self, show: Callable[[], Path], run_job: RunFileJob) -> None:
         """Adds imports and exports; show: where the show file lies; run_job: does a `FileJob`."""
@@ -252,10 +255,12 @@ class ShowServer:
             self.links.broadcast(encode(unseen), now, [link for link in self.links if link.who in others])
 
     def _keep_cues(self) -> None:
-        """Writes what was edited of cues since the last tick into the show file, in one commit."""
+        """Writes what was edited of cues and clips since the last tick into the show file, each in one commit."""
         changes = self.session.cues.take_changes()
         if changes and self.editing is not None:
             self.editing.keep_documents(changes)
+        if self.editing is not None:
+            self._clips.keep(self.editing.keep_documents)
 
     def broadcast_crew(self) -> None:
         """Broadcasts who is connected, once a second; those whose token has ended are not any more."""

@@ -9,8 +9,10 @@ from dataclasses import dataclass
 import msgspec
 
 from omote.model.cast import Cast
+from omote.perform.clips.clip import Clip
 from omote.server.recording.recording_thread import read_entries
 from omote.show.declaration import ClientMessage, tag_of
+from omote.show.objects.clips import StoredClip, clip_of
 from omote.show.recording.entries import AnyEntry, ChannelsSet, Joined, Kept, Sent
 from omote.show.recording.replay import ReplayedTick, ReplayError, replay
 from omote.showfile.recording_file import Piece, RecordingFile
@@ -53,6 +55,7 @@ class RecordedShow:
         self._file = file
         self._base = base
         self._casts: dict[str, Cast | PlayingCast] = {base.digest: base}
+        self._clips: dict[str, Clip] = {}
         self._reader = ThreadPoolExecutor(max_workers=1, thread_name_prefix="recording")
 
     def find_span(self, name: str = "") -> Span:
@@ -82,6 +85,15 @@ class RecordedShow:
             self._casts[digest] = build_playing_cast(self._base, own, contents, check=False)
         return self._casts[digest]
 
+    def find_clip(self, key: str) -> Clip:
+        """The clip of a key; LookupError, with the reason, where it cannot be played any more."""
+        if key not in self._clips:
+            data = self._file.contents([key]).get(key)
+            if data is None:
+                raise LookupError("a clip that was played is not there any more")
+            self._clips[key] = clip_of(msgspec.json.decode(data, type=StoredClip))
+        return self._clips[key]
+
     def contents_of(self, digest: str) -> dict[str, bytes]:
         """The contents of a cast's own items, by key. digest: of the cast."""
         stored = self._file.casts().get(digest)
@@ -92,7 +104,7 @@ class RecordedShow:
         behind it, of which the first is there at once; None for all of the span."""
         since = span.first if after is None else max(after, span.first)
         begin = since if after is not None else since - 1e-6
-        for tick in replay(self._entries(self._pieces(span, since)), self.find_cast, after=begin):
+        for tick in replay(self._entries(self._pieces(span, since)), self.find_cast, self.find_clip, after=begin):
             if tick.now > span.last:
                 return
             yield tick

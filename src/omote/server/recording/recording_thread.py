@@ -2,18 +2,32 @@
 
 from __future__ import annotations
 
+import hashlib
 import sqlite3
 import threading
 import time
 from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
 from queue import Empty, SimpleQueue
+from weakref import WeakKeyDictionary
 
 import msgspec
 
 from omote.model.cast import Cast
+from omote.perform.clips.clip import Clip
+from omote.show.objects.clips import stored_clip
 from omote.show.objects.recordings import MarkedMoment, MarkMoment, RecordedSpan, RecordingsDocument
-from omote.show.recording.entries import AnyEntry, Joined, Kept, Recast, Sent, Ticked, decode_entries, encode_entries
+from omote.show.recording.entries import (
+    AnyEntry,
+    Joined,
+    Kept,
+    Recast,
+    Sent,
+    Ticked,
+    decode_entries,
+    encode_entries,
+    name_clips,
+)
 from omote.show.recording.packing import pack_entries, unpack_entries
 from omote.showfile.database_errors import explain_database_error
 from omote.showfile.recording_file import KeptRecording, RecordingFile, StoredCast, open_recording
@@ -51,6 +65,7 @@ class RecordingThread:
         self._piece: int | None = None
         self._begins = False
         self._casts: list[str] = []
+        self._clips: WeakKeyDictionary[Clip, str] = WeakKeyDictionary()
         self._members: dict[str, str] = {}
         self._pending: list[AnyEntry] = []
         self._full = False
@@ -178,9 +193,20 @@ class RecordingThread:
             for entry in entries
             if isinstance(entry, Sent) and isinstance(entry.message, MarkMoment)
         ]
-        data = encode_entries(entries)
+        data = encode_entries(name_clips(entries, self._keep_clip))
         casts = dict.fromkeys(self._casts)
         self._opened().add(self._piece, data, last=ticks[-1], ticks=len(ticks), casts=casts, markers=marks)
+
+    def _keep_clip(self, clip: Clip) -> str:
+        """Keeps a clip, and gives its key."""
+        key = self._clips.get(clip)
+        if key is None:
+            data = stored_clip(clip).encode()
+            key = "clip-" + hashlib.blake2b(data, digest_size=16).hexdigest()
+            self._opened().keep_content(key, data)
+            self._clips[clip] = key
+        self._casts.append(key)
+        return key
 
     def _pack(self) -> None:
         """Packs the piece that has ended, and makes room."""

@@ -111,6 +111,18 @@ class SpeechState(msgspec.Struct, frozen=True):
     keys: list[str] = []
 
 
+class ClipState(msgspec.Struct, frozen=True):
+    """A clip that a character plays: `elapsed` seconds from its start, of `seconds`; `share`: how much of it shows,
+    0..1; `loop`: whether it begins again; `missing`: expressions and channels of it that the cast does not have."""
+
+    name: str
+    elapsed: float
+    seconds: float
+    share: float
+    loop: bool = False
+    missing: list[str] = []
+
+
 class CharacterState(msgspec.Struct, frozen=True):
     """All that a character has on air.
 
@@ -122,7 +134,7 @@ class CharacterState(msgspec.Struct, frozen=True):
     `region_calls`: their own calls. `layers`: those that a source drives or that are set otherwise than at first, the
     lowest first; all else is what they make together. `held`: what hands hold, `None` where that is what is on air.
     `motion`: what is set of its automatic motion, `None` where nothing was. `speech`: what it says, `None` while it
-    says nothing; `spoken`: the key of what it said to its end last.
+    says nothing; `spoken`: the key of what it said to its end last. `clips`: those that it plays, the newest last.
     """
 
     faces: dict[str, float]
@@ -151,6 +163,7 @@ class CharacterState(msgspec.Struct, frozen=True):
     motion: MotionState | None = None
     speech: SpeechState | None = None
     spoken: str = ""
+    clips: list[ClipState] = []
 
 
 class State(ServerMessage, frozen=True):

@@ -8,10 +8,12 @@ is not the same on two machines.
 from __future__ import annotations
 
 import dataclasses
-from typing import TYPE_CHECKING, Union
+from collections.abc import Callable
+from typing import TYPE_CHECKING, Any, Union
 
 import msgspec
 
+from omote.perform.clips.clip import Clip
 from omote.perform.scene.scene_snapshot import SceneSnapshot
 from omote.show.cues.cue_lists import CuesPlaying, CuesShown
 from omote.show.messages import CLIENT_MESSAGES
@@ -129,6 +131,12 @@ class CuesEdited(Entry, frozen=True):
         session.cues.replay(self.shown)
 
 
+class ClipsEdited(Entry, frozen=True):
+    """The clips as an edit has left them, by name: themselves, or the keys by which `Replay` finds them."""
+
+    clips: dict[str, Any]
+
+
 class PreviewSet(Entry, frozen=True):
     """The preview as it is, None where nobody has needed it: what comes next reads it. What is done in preview is not
     recorded else."""
@@ -165,8 +173,9 @@ class Kept(Entry, frozen=True):
 
     session: what a restarted server needs too, without ids and leases; now: seconds, monotonic, None before the first
     tick; number, epoch, revision: of the last state; digest: of the cast; members: by client; sources:
-    those that are open; sounds: seconds by key; eyes: offsets by character; playing: of the cues. book: the cues
-    themselves, where a piece of the recording begins here; else as the last entry has them.
+    those that are open; sounds: seconds by key; eyes: offsets by character; playing: of the cues. book, clips: the
+    cues and the clips (as of `ClipsEdited`), where a piece of the recording begins here; else they are as the last
+    entry has them.
     """
 
     session: SessionSnapshot
@@ -181,6 +190,7 @@ class Kept(Entry, frozen=True):
     eyes: dict[str, EyeOffset]
     playing: CuesPlaying
     book: CuesShown | None = None
+    clips: dict[str, Any] | None = None
 
 
 AnyEntry = (
@@ -192,6 +202,7 @@ AnyEntry = (
     | SoundsKnown
     | Recast
     | CuesEdited
+    | ClipsEdited
     | PreviewSet
     | LineRejected
     | Ticked
@@ -203,6 +214,16 @@ def join(session: ShowSession, who: str, called: Called) -> None:
     """Adds a client (who) to a session that replays, as a source: it hears nothing."""
     session.join(who, called.name, called.seat)
     session.members.present[who] = dataclasses.replace(session.members[who], bus=called.bus)
+
+
+def name_clips(entries: list[AnyEntry], key_of: Callable[[Clip], str]) -> list[AnyEntry]:
+    """The entries with clips by their keys, as a file keeps them. key_of: keeps a clip and gives its key."""
+    return [
+        msgspec.structs.replace(entry, clips={name: key_of(clip) for name, clip in entry.clips.items()})
+        if isinstance(entry, ClipsEdited | Kept) and entry.clips is not None
+        else entry
+        for entry in entries
+    ]
 
 
 _encoder = msgspec.msgpack.Encoder()

@@ -13,6 +13,7 @@ from omote.show.recording.entries import (
     AnyEntry,
     Called,
     ChannelsSet,
+    ClipsEdited,
     CuesEdited,
     Joined,
     Kept,
@@ -64,7 +65,8 @@ class Recorder:
 
     def note_message(self, who: str, message: ClientMessage, now: float) -> None:
         """Notes a message of a client (who) that was obeyed. now: seconds, monotonic."""
-        self._meet(who)
+        if who:
+            self._meet(who)
         if message.reads_preview:
             preview = self._session.preview
             self._note(PreviewSet(preview.scene().snapshot() if preview.is_there else None))
@@ -96,6 +98,10 @@ class Recorder:
     def note_rejected(self, said: str) -> None:
         """Notes why (said) a line of a cue was not said."""
         self._note(LineRejected(said))
+
+    def note_clips(self) -> None:
+        """Notes the clips as an edit has left them."""
+        self._note(ClipsEdited(dict(self._session.clips.clips)))
 
     def note_edit(self) -> None:
         """Notes the cues as an edit has left them: which cue stands by depends on each edit, not on the last alone."""
@@ -147,4 +153,5 @@ def snapshot_of(session: ShowSession, members: Mapping[str, Called], *, with_cue
         eyes=session.eye_offsets,
         playing=session.cues.playing(),
         book=session.cues.shown() if with_cues else None,
+        clips=dict(session.clips.clips) if with_cues else None,
     )

@@ -3,18 +3,26 @@
 from __future__ import annotations
 
 import zlib
-from collections.abc import Callable, Iterable, Iterator
-from dataclasses import dataclass
+from collections.abc import Callable, Iterable, Iterator, Mapping
+from dataclasses import dataclass, replace
+from typing import Any
 
+from omote.perform.clips.clip import Clip
 from omote.perform.snapshot import Playable
 from omote.show.cues.cue_lists import CuesShown
 from omote.show.objects.state import State
-from omote.show.recording.entries import AnyEntry, CuesEdited, Kept, Recast, Ticked, join
+from omote.show.recording.entries import AnyEntry, ClipsEdited, CuesEdited, Kept, Recast, Ticked, join
 from omote.show.session import ShowSession
 from omote.show.wire import encode
 
 FindCast = Callable[[str], Playable]
 """The cast of a digest; LookupError where it is not there any more."""
+
+
+FindClip = Callable[[str], Clip]
+"""The clip of a key; LookupError where it is not there any more."""
+NO_CLIPS: FindClip = dict[str, Clip]().__getitem__
+"""Of entries that have their clips themselves."""
 
 
 class ReplayError(ValueError):
@@ -32,12 +40,23 @@ class ReplayedTick:
     same: bool | None
 
 
-class Replay:
-    """A session that does again what was recorded. kept: where it begins; book: the cues as they were then; find_cast:
-    finds casts. ReplayError where it cannot begin."""
+@dataclass(frozen=True)
+class Beginning:
+    """Where a replay begins: a snapshot, with the cues and the clips as they were then."""
 
-    def __init__(self, kept: Kept, book: CuesShown, find_cast: FindCast) -> None:
+    kept: Kept
+    book: CuesShown
+    clips: Mapping[str, Any]
+
+
+class Replay:
+    """A session that does again what was recorded. begin: where; find_cast, find_clip: find casts and clips.
+    ReplayError where it cannot begin."""
+
+    def __init__(self, begin: Beginning, find_cast: FindCast, find_clip: FindClip) -> None:
+        kept = begin.kept
         self._find_cast = find_cast
+        self._find_clip = find_clip
         cast = self._cast(kept.digest)
         try:
             self.session = ShowSession.restored(cast, kept.session, epoch=kept.epoch, revision=kept.revision)
@@ -46,7 +65,8 @@ class Replay:
         self.session.resume(kept.now, kept.number, kept.eyes)
         self.session.sources.replay(kept.sources)
         self.session.sounds.set(kept.sounds)
-        self.session.cues.replay(book, kept.playing)
+        self.session.cues.replay(begin.book, kept.playing)
+        self._set_clips(begin.clips)
         for who, called in kept.members.items():
             join(self.session, who, called)
 
@@ -71,12 +91,19 @@ class Replay:
         try:
             if isinstance(entry, Recast):
                 self.session.recast(self._cast(entry.digest))
+            elif isinstance(entry, ClipsEdited):
+                self._set_clips(entry.clips)
             else:
                 entry.redo(self.session)
         except ReplayError:
             raise
         except (ValueError, LookupError) as error:
             raise ReplayError(f"{type(entry).__name__} cannot be done again: {error}") from error
+
+    def _set_clips(self, clips: Mapping[str, Any]) -> None:
+        self.session.clips.load(
+            {name: clip if isinstance(clip, Clip) else self._find_clip(clip) for name, clip in clips.items()}
+        )
 
     def _cast(self, digest: str) -> Playable:
         try:
@@ -86,7 +113,11 @@ class Replay:
 
 
 def replay(
-    pieces: Iterable[Iterable[AnyEntry]], find_cast: FindCast, *, after: float | None = None
+    pieces: Iterable[Iterable[AnyEntry]],
+    find_cast: FindCast,
+    find_clip: FindClip = NO_CLIPS,
+    *,
+    after: float | None = None,
 ) -> Iterator[ReplayedTick]:
     """Replays pieces of a recording, one after the other, from the last snapshot of the first piece
     that is not behind a time.
@@ -96,8 +127,8 @@ def replay(
     pieces : iterable of iterable of entry
         Of one start of the show; each begins with a snapshot that has the cues. Where ticks are missing between two,
         the replay goes on from the snapshot of the next.
-    find_cast : callable
-        Finds a cast by its digest.
+    find_cast, find_clip : callable
+        Find a cast by its digest, and a clip by its key.
     after : float, optional
         Seconds, monotonic: ticks up to it are replayed, but not given; the replay begins near it.
 
@@ -113,33 +144,30 @@ def replay(
     """
     playing: Replay | None = None
     for piece in pieces:
-        begun, rest = _begin(list(piece), find_cast, playing, after)
-        playing = begun
+        entries = list(piece)
+        first = entries[0] if entries else None
+        if not isinstance(first, Kept) or first.book is None:
+            raise ReplayError("a replay begins with a snapshot that has the cues; there is none")
+        rest = entries[1:]
+        if playing is None or (playing.session.number, playing.session.epoch) != (first.number, first.epoch):
+            beginning, rest = _begin(entries, Beginning(first, first.book, first.clips or {}), after)
+            playing = Replay(beginning, find_cast, find_clip)
         for tick in playing.play(rest):
             if after is None or tick.now > after:
                 yield tick
 
 
-def _begin(
-    entries: list[AnyEntry], find_cast: FindCast, playing: Replay | None, after: float | None
-) -> tuple[Replay, list[AnyEntry]]:
-    """What replays a piece, and what of it is left to replay: where nothing is missing, what replayed the one before.
-
-    entries: of the piece; the others: as of `replay`.
-    """
-    first = entries[0] if entries else None
-    if not isinstance(first, Kept) or first.book is None:
-        raise ReplayError("a replay begins with a snapshot that has the cues; there is none")
-    if playing is not None and playing.session.number == first.number and playing.session.epoch == first.epoch:
-        return playing, entries[1:]
-    kept = first
-    book = shown = first.book
+def _begin(entries: list[AnyEntry], first: Beginning, after: float | None) -> tuple[Beginning, list[AnyEntry]]:
+    """Where in a piece a replay begins, and what of it is left then. entries: of the piece; first: its first snapshot;
+    after: as of `replay`."""
+    begun = shown = first
     place = 0
     for number, entry in enumerate(entries):
         if isinstance(entry, CuesEdited):
-            shown = entry.shown
+            shown = replace(shown, book=entry.shown)
+        elif isinstance(entry, ClipsEdited):
+            shown = replace(shown, clips=entry.clips)
         elif isinstance(entry, Kept) and after is not None and entry.now is not None and entry.now <= after:
-            kept = entry
-            book = shown
+            begun = replace(shown, kept=entry)
             place = number
-    return Replay(kept, book, find_cast), entries[place + 1 :]
+    return begun, entries[place + 1 :]

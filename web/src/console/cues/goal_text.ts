@@ -16,11 +16,14 @@ export const CHARACTER_PARTS = [
   "motion",
   "look",
   ...LAYERS.map((layer) => `layer:${layer}`),
+  "clip",
 ];
 export const SCENE_PARTS = ["light", "framing", "black"] as const;
 
 /** How the text says that a region goes with the whole face. */
 const WITH_FACE = "face";
+/** How it says that clips stop. */
+const STOP = "stop";
 
 /** What a goal of each part that is numbers looks like. */
 const NUMBERS: Readonly<Record<string, Goal>> = {
@@ -38,7 +41,12 @@ const NUMBERS: Readonly<Record<string, Goal>> = {
 /** The name of a part without whose it is. */
 export const kindOf = (part: string): string => part.slice(part.lastIndexOf("/") + 1);
 
-const isRegion = (part: string): boolean => (PLAY_REGIONS as readonly string[]).includes(kindOf(part));
+/** The word for a goal without names, where a part can have one. */
+function nothingOf(part: string): string | undefined {
+  const kind = kindOf(part);
+  if (kind === "clip") return STOP;
+  return (PLAY_REGIONS as readonly string[]).includes(kind) ? WITH_FACE : undefined;
+}
 
 /** A goal to begin with, as text; "" where a name has to be given. */
 export function firstGoal(part: string): string {
@@ -50,11 +58,11 @@ export function firstGoal(part: string): string {
 export function goalText(part: string, goal: Goal): string {
   const entries = Object.entries(goal);
   const [first] = entries;
-  if (first === undefined) return WITH_FACE;
+  if (first === undefined) return nothingOf(part) ?? WITH_FACE;
   const numbers = kindOf(part) in NUMBERS;
   if (numbers && takesOneNumber(part) && entries.every(([, value]) => value === first[1])) return String(first[1]);
   const plain = first[1] === 1 && !numbers && !/[=,{}"]/.test(first[0]) && first[0].trim() === first[0];
-  if (entries.length === 1 && plain && !(first[0] === WITH_FACE && isRegion(part))) return first[0];
+  if (entries.length === 1 && plain && first[0] !== nothingOf(part)) return first[0];
   return entries.map(([name, value]) => `${keyText(name)} = ${value}`).join(", ");
 }
 
@@ -73,7 +81,7 @@ export function parseGoal(part: string, text: string): Record<string, number> {
   if (bare.replace(/"(?:[^"\\]|\\.)*"/g, "").includes("=")) return parseEntries(part, bare);
   const numbers = NUMBERS[kindOf(part)];
   const name = unquoted(bare);
-  if (numbers === undefined) return isRegion(part) && name === WITH_FACE ? {} : { [name]: 1 };
+  if (numbers === undefined) return name === nothingOf(part) ? {} : { [name]: 1 };
   if (!takesOneNumber(part) || !NUMBER.test(bare)) throw new Error(`${part} goes to numbers: ${exampleOf(part)}.`);
   return Object.fromEntries(Object.keys(numbers).map((each) => [each, Number(bare)]));
 }

@@ -31,6 +31,7 @@ const CALM: CharacterState = {
   motion: null,
   speech: null,
   spoken: "",
+  clips: [],
 };
 const REST: State = {
   type: "state",

@@ -1,0 +1,227 @@
+"""The commands `omote clip ...`: the motion clips of a show file, out to other programs and in from recordings."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated
+
+import typer
+
+from omote.file_commands import JsonOption, ShowFileArgument, print_rows
+from omote.take_commands import read_take
+from omote.terminal import escape_controls, exit_on_refusal, fail, say
+
+if TYPE_CHECKING:
+    from omote.interchange.clips.clip_frames import ClipFrames
+    from omote.model.cast import Cast
+    from omote.perform.clips.clip import Clip
+    from omote.showfile.inspection import Inspection
+
+CSV = ".csv"
+GLB = ".glb"
+VRMA = ".vrma"
+BVH = ".bvh"
+EACH = 60
+"""Frames after which it is said how many are drawn."""
+FORMATS = {CSV: b"Timecode", GLB: b"glTF", VRMA: b"glTF", BVH: b"HIERARCHY"}
+"""What a clip is written as, with how such a file begins."""
+clip_app = typer.Typer(help="The motion clips of a show file.", no_args_is_help=True)
+
+
+@clip_app.command("list")
+def list_clips(file: ShowFileArgument, json: JsonOption = False) -> None:
+    """Lists the clips of a show file."""
+    with exit_on_refusal():
+        clips = clips_in(inspect(file))
+    rows = [
+        {"name": name, "seconds": round(clip.seconds, 3), "lanes": len(clip.lanes), "parts": " ".join(clip.parts)}
+        for name, clip in sorted(clips.items())
+    ]
+    print_rows(rows, json=json, none=f"{file} has no clips yet.")
+
+
+@clip_app.command("export")
+def export_clip(
+    file: ShowFileArgument,
+    name: Annotated[str, typer.Argument(help="The clip (omote clip list).")],
+    output: Annotated[
+        Path,
+        typer.Option(
+            "--output", "-o", help="What to write: .csv (Live Link Face), .glb (a head), .vrma, .bvh (head and eyes)."
+        ),
+    ],
+    face: Annotated[str, typer.Option(help="Of a GLB: the face that wears it.")] = "generic",
+    rate: Annotated[float, typer.Option(help="Frames of a second, 1 to 240; of a CSV 60.")] = 60.0,
+    force: Annotated[bool, typer.Option("--force", help="Replaces a file that is there.")] = False,
+) -> None:
+    """Writes a clip for other programs."""
+    from omote.interchange.formats.atomic_file import check_writable, require_free, write_whole
+    from omote.perform.limits import check_known
+
+    kind = output.suffix.lower()
+    if kind not in FORMATS:
+        fail(f"{output.name!r} is no name of a clip for other programs; end it with {', '.join(FORMATS)}.")
+    with exit_on_refusal():
+        check_writable(output, FORMATS[kind])
+        require_free(output, force=force)
+        inspection = inspect(file)
+        clips = clips_in(inspection)
+        clip = clips[check_known(name, clips, "clip")]
+        from omote.interchange.clips.clip_frames import sample_clip
+
+        frames = sample_clip(clip, rate=rate)
+        data, notes = encode_clip(inspection, frames, name, kind, face)
+        write_whole(output, data)
+    for note in notes:
+        say(escape_controls(f"{name}: {note}."))
+    say(escape_controls(f"{output} holds {name}, {len(frames.times)} frames, {clip.seconds / clip.speed:.2f} s."))
+
+
+@clip_app.command("import")
+def import_clip(
+    file: ShowFileArgument,
+    take: Annotated[
+        Path, typer.Argument(help="A recording: Live Link Face (.csv), packets (.pcap, .pcapng), VMC packets (.json).")
+    ],
+    name: Annotated[str, typer.Option(help="What to call the clip; as the file without it.")] = "",
+    protocol: Annotated[str, typer.Option(help="What packets are, as of omote play-take.")] = "",
+) -> None:
+    """Takes a recording into a show file that no show plays, as a clip."""
+    read = read_take(take, protocol)
+    from omote.builtin import load_cast
+    from omote.inputs.takes.take_clip import clip_of_take
+    from omote.perform.clips.clip_runs import LONGEST_CLIP_NAME
+    from omote.server.persistence.offline_show import open_offline_show
+    from omote.show.clips.show_clips import check_clip_name
+    from omote.show.objects.clips import MOST_CLIPS, StoredClip, stored_clip
+    from omote.showfile.changes import StoredDocument
+
+    with exit_on_refusal(), open_offline_show(file, new=True) as show:
+        there = show.stored().documents.get(StoredClip.kind, {})
+        called = check_clip_name(name or take.stem[:LONGEST_CLIP_NAME], there)
+        if len(there) >= MOST_CLIPS:
+            raise ValueError(f"there are {MOST_CLIPS} clips, which is as many as a show keeps; delete one")
+        clip = clip_of_take(read, load_cast(), lane=take.stem[:LONGEST_CLIP_NAME])
+        show.apply([StoredDocument(StoredClip.kind, called, stored_clip(clip).encode())])
+    say(escape_controls(f"{file} has the clip {called}, {clip.seconds:.2f} s."))
+
+
+@clip_app.command("render")
+def render_clip(
+    file: ShowFileArgument,
+    name: Annotated[str, typer.Argument(help="The clip (omote clip list).")],
+    output: Annotated[
+        Path,
+        typer.Option("--output", "-o", help="A folder for PNG pictures, or a film: .mov (ProRes 4444), .webm (VP9)."),
+    ],
+    face: Annotated[str, typer.Option(help="The face that wears it.")] = "generic",
+    rate: Annotated[float, typer.Option(min=1.0, max=240.0, help="Frames of a second.")] = 60.0,
+    size: Annotated[str, typer.Option(help="Width and height, pixels.")] = "640x720",
+    quality: Annotated[str, typer.Option(help="Of the stage: lowest, low, medium, good, high.")] = "high",
+    force: Annotated[bool, typer.Option("--force", help="Replaces a film that is there.")] = False,
+) -> None:
+    """Draws a clip with nothing behind the head: a picture for each frame at its exact time, or a film of them."""
+    from omote.export_commands import load_full_cast
+    from omote.interchange.formats.atomic_file import require_free
+    from omote.perform.limits import check_known
+    from omote.server.headless.clip_pictures import FILMS, ClipPictures, draw_clip, film_clip, find_ffmpeg
+    from omote.stage_data.full_cast import find_face
+    from omote.stage_data.picture_setting import read_size
+
+    kind = output.suffix.lower()
+    if kind and kind not in FILMS:
+        fail(f"{output.name!r} is no name of a film; end it with {' or '.join(FILMS)}, or name a folder.")
+    with exit_on_refusal():
+        if kind:
+            find_ffmpeg()
+        require_free(output, force=force)
+        if not kind and output.is_dir() and any(output.iterdir()):
+            raise FileExistsError(f"the folder {output} is not empty; name another, or empty it")
+        inspection = inspect(file)
+        clips = clips_in(inspection)
+        clip = clips[check_known(name, clips, "clip")]
+        cast = load_full_cast(inspection)
+        worn = find_face(cast, inspection.stored, face)
+        pixels = read_size(size)
+
+        def draw(folder: Path) -> ClipPictures:
+            return draw_clip(
+                cast, clip, folder, name=name, face=worn, rate=rate, size=pixels, quality=quality, tell=tell_drawn
+            )
+
+        drawn = film_clip(output, draw) if kind else draw(output)
+    if kind == ".webm":
+        say("ffmpeg's own decoder of VP9 shows no alpha: read it with -c:v libvpx-vp9.")
+    say(escape_controls(f"{output} holds {name}, {len(drawn.frames)} frames, {drawn.seconds:.2f} s."))
+
+
+def tell_drawn(done: int, count: int) -> None:
+    """Says how many frames are drawn, each second of a clip. count: of how many."""
+    if done % EACH == 0 and done < count:
+        say(f"{done} of {count} frames")
+
+
+def inspect(file: Path) -> Inspection:
+    """What a show file holds; errors of what cannot be one."""
+    from omote.showfile.inspection import inspect_show
+
+    return inspect_show(file)
+
+
+def clips_in(inspection: Inspection) -> Mapping[str, Clip]:
+    """The clips of a show file (inspection); of one that cannot be read a word."""
+    from omote.show.objects.clips import StoredClip, read_clips
+
+    clips, lost = read_clips(inspection.stored.documents.get(StoredClip.kind, {}))
+    for sentence in lost:
+        say(escape_controls(sentence))
+    return clips
+
+
+def encode_clip(
+    inspection: Inspection, frames: ClipFrames, name: str, kind: str, face: str
+) -> tuple[bytes, tuple[str, ...]]:
+    """A clip as the bytes of a file, and what of it the format cannot say, in sentences.
+
+    inspection: of its show file; frames: of the clip, which is called `name`; kind: the ending; face: of a GLB.
+    """
+    from omote.export_commands import load_full_cast
+
+    if kind == BVH:
+        from omote.interchange.clips.bvh_writer import bvh_text
+
+        return bvh_text(frames).encode(), ()
+    cast = load_full_cast(inspection)
+    if kind == CSV:
+        from omote.inputs.takes.live_link_writer import live_link_csv
+
+        text, notes = live_link_csv(frames, cast.expressions)
+        return text.encode(), notes
+    if kind == VRMA:
+        from omote.interchange.avatar.preset_expressions import custom_expressions
+        from omote.interchange.clips.glb_animation import vrm_animation
+
+        customs = {ours: theirs for theirs, ours in custom_expressions(cast, ()).items()}
+        return vrm_animation(frames, customs, name=name), frames.notes
+    return encode_head(inspection, cast, frames, name, face), frames.notes
+
+
+def encode_head(inspection: Inspection, cast: Cast, frames: ClipFrames, name: str, face: str) -> bytes:
+    """A head with a clip as its animation, a GLB.
+
+    inspection: of the show file; cast: the full one; frames: of the clip, which is called `name`; face: that wears it.
+    """
+    from omote.export_commands import shared_context
+    from omote.interchange.clips.glb_animation import animated_head, used_names
+    from omote.interchange.export_face import named_compound_meshes
+    from omote.perform.channels import GAZE_UNITS
+    from omote.stage_data.full_cast import find_face
+
+    worn = find_face(cast, inspection.stored, face)
+    turning = GAZE_UNITS if frames.gaze.any() else ()
+    names = dict.fromkeys(
+        (*used_names(frames, cast.expressions), *(unit for unit in turning if unit in cast.expressions))
+    )
+    poses = ((each, named_compound_meshes(cast, worn, each)) for each in names)
+    return animated_head(shared_context(cast), worn, poses, frames, name=name)

@@ -1,0 +1,1 @@
+"""Clips for other programs, and recordings of others as clips."""

@@ -1,0 +1,177 @@
+"""Cuts a motion curve out of what was on air of a character."""
+
+from __future__ import annotations
+
+from array import array
+from collections.abc import Iterable, Mapping, Sequence
+from typing import Any, Protocol
+
+import numpy as np
+
+from omote.model.known_names import PLAY_REGIONS, PlayRegion
+from omote.model.space.expression import Title
+from omote.perform.channels import GAZE_UNITS
+from omote.perform.clips.motion_curve import NEAR, MotionCurve
+from omote.perform.clips.sample import AT_REST, CHANNEL, GAZE_COLUMNS, HEAD_COLUMNS, layout_of
+from omote.perform.frame import Frame
+from omote.perform.layers.columns import GAZE_PART
+from omote.perform.layers.layer_names import LAYER_PARTS, WHOLE, check_part, part_of_channel
+from omote.perform.mix import mix_in
+
+
+class Shown(Protocol):
+    """What shows of a character at one instant: a frame of the engine, or its state on the wire."""
+
+    @property
+    def expressions(self) -> Mapping[str, float]:
+        """The mix of the face."""
+
+    @property
+    def regions(self) -> Mapping[PlayRegion, Mapping[str, float]]:
+        """The mixes of the regions that show another."""
+
+    @property
+    def channels(self) -> Mapping[str, float]:
+        """Weights by channel."""
+
+    @property
+    def head(self) -> Any:
+        """Yaw, pitch and roll, radians: numbers in this order, or by these names."""
+
+    @property
+    def gaze(self) -> Any:
+        """Yaw and pitch, radians."""
+
+
+class HasTitles(Protocol):
+    """A cast, or whatever says where expressions act."""
+
+    @property
+    def titles(self) -> Mapping[str, Title]:
+        """The titles of expressions, by name."""
+
+
+class Advances(Protocol):
+    """A performer."""
+
+    def advance(self, dt: float) -> Frame:
+        """What is on air some time later."""
+
+
+def cut_curve(shown: Iterable[tuple[float, Shown]], cast: HasTitles, *, start: float, stop: float) -> MotionCurve:
+    """The motion of a character from one time to another.
+
+    Parameters
+    ----------
+    shown : iterable of (float, Shown)
+        What shows of the character (`Frame`, `CharacterState`), each with its time in seconds, rising.
+    cast : Cast
+        Which says on which part of a face each channel acts.
+    start, stop : float
+        Seconds; frames from the one to the other are in it.
+
+    Returns
+    -------
+    MotionCurve
+        Its times count from `start`. Expressions by region, channels without the eight that turn the eyes, which the
+        gaze turns again, head and gaze.
+
+    Raises
+    ------
+    ValueError
+        Where no frame lies between.
+    """
+    builder = CurveBuilder(cast)
+    for time, each in shown:
+        if start - NEAR <= time <= stop + NEAR:
+            builder.add(time - start, each)
+    if not builder.frames:
+        raise ValueError(f"nothing was recorded between {start:g} s and {stop:g} s; choose other times")
+    return builder.curve()
+
+
+class CurveBuilder:
+    """Collects what shows of a character, frame by frame, at no more cost a frame than the frame has numbers.
+
+    cast: which says on which part of a face each channel acts.
+    """
+
+    def __init__(self, cast: HasTitles) -> None:
+        self._cast = cast
+        self._times = array("d")
+        self._columns: dict[str, array[float]] = {name: array("d") for name in (*HEAD_COLUMNS, *GAZE_COLUMNS, *AT_REST)}
+
+    @property
+    def frames(self) -> int:
+        """How many it has."""
+        return len(self._times)
+
+    def add(self, time: float, shown: Shown) -> None:
+        """Adds a frame. time: seconds, later than the last; shown: what shows of the character."""
+        before = len(self._times)
+        self._times.append(time)
+        values = dict(
+            zip((*HEAD_COLUMNS, *GAZE_COLUMNS), (*_turned(shown.head, 3), *_turned(shown.gaze, 2)), strict=True)
+        )
+        values |= {f"{CHANNEL}/{name}": value for name, value in shown.channels.items() if name not in GAZE_UNITS}
+        for region in PLAY_REGIONS:
+            mix = mix_in(region, shown.expressions, shown.regions)
+            values |= {f"{region}/{name}": weight for name, weight in mix.items()}
+        for name in values.keys() - self._columns.keys():
+            self._columns[name] = array("d", bytes(8 * before))
+        for name, column in self._columns.items():
+            column.append(values.get(name, 0.0))
+
+    def curve(self) -> MotionCurve:
+        """The curve of all frames; ValueError where there are none, or too many."""
+        names = tuple(sorted(self._columns))
+        layout = layout_of(names, tuple(self._place(name) for name in names))
+        table = np.column_stack([np.array(self._columns[name]) for name in names])
+        return MotionCurve(np.array(self._times), layout, table)
+
+    def _place(self, column: str) -> int:
+        part, _, name = column.partition("/")
+        return place_of_channel(name, self._cast) if part == CHANNEL else LAYER_PARTS.index(check_part(part))
+
+
+def place_of_channel(name: str, cast: HasTitles) -> int:
+    """The place of the part of a channel among `LAYER_PARTS`, `WHOLE` for the whole face. name: of it; cast: which
+    knows."""
+    if name in GAZE_UNITS:
+        return GAZE_PART
+    return part_of_channel(cast.titles[name].region) if name in cast.titles else WHOLE
+
+
+def parts_by_channel(names: Iterable[str], cast: HasTitles) -> dict[str, int]:
+    """The place of the part of each channel. names: of the channels; cast: which knows."""
+    return {name: place_of_channel(name, cast) for name in names}
+
+
+def record(performer: Advances, cast: HasTitles, *, seconds: float, rate: int = 60) -> MotionCurve:
+    """Lets a performer play and records it.
+
+    Parameters
+    ----------
+    performer : Performer
+        Which is that much further afterwards.
+    cast : Cast
+        What it plays.
+    seconds : float
+        How long.
+    rate : int
+        Frames of a second.
+
+    Returns
+    -------
+    MotionCurve
+        Of the frames from the first, at 0 s, to the last, at `seconds`.
+    """
+    count = round(seconds * rate)
+    shown = [(0.0, performer.advance(0.0))]
+    shown += [(place / rate, performer.advance(1.0 / rate)) for place in range(1, count + 1)]
+    return cut_curve(shown, cast, start=0.0, stop=seconds)
+
+
+def _turned(turn: Any, count: int) -> Sequence[float]:
+    """The angles of a head or a gaze, however they come."""
+    return turn if isinstance(turn, tuple | list) else [*vars(turn).values()][:count]

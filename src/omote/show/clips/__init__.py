@@ -1,0 +1,1 @@
+"""The clips of a show: kept, edited, recorded while others play."""

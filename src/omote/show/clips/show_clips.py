@@ -1,0 +1,263 @@
+"""The clips of a session: what plays is called by name, what is edited is written after the tick, as cues are."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from dataclasses import dataclass, replace
+from typing import Any
+
+import msgspec
+
+from omote.perform.clips.clip import Clip, Lane, find_lane, replace_span, with_changed_lane, with_lane
+from omote.perform.clips.clip_runs import LONGEST_CLIP_NAME
+from omote.perform.clips.cut_clip import CurveBuilder
+from omote.perform.clips.motion_curve import MotionCurve
+from omote.perform.clips.packed_motion import rounded
+from omote.perform.layers.layer_names import LAYER_PARTS, LayerPart
+from omote.perform.limits import check_known
+from omote.perform.scene.scene import Scene
+from omote.perform.scene.scene_frame import SceneFrame
+from omote.perform.snapshot import Playable
+from omote.show.declaration import ClientMessage, Outgoing
+from omote.show.objects import clips as wire
+
+LONGEST_PASS = 600.0
+"""Seconds; what is longer is cut into clips."""
+MEETING_SECONDS = 0.1
+"""In which the other lanes come when a pass begins."""
+
+
+@dataclass(frozen=True)
+class Pass:
+    """A pass that is recorded. name: of the clip; parts, lane: of the new lane; began: seconds of the scene; offset:
+    what the time of the clip is then."""
+
+    name: str
+    parts: tuple[LayerPart, ...]
+    lane: str
+    began: float
+    offset: float
+    builder: CurveBuilder
+
+
+class ShowClips:
+    """The clips of a show, by name.
+
+    scene, cast: those that the session has now; list_names: tells consoles the names of a kind of documents; play:
+    has a command played, as if somebody had sent it; edited: called after each edit.
+    """
+
+    def __init__(
+        self,
+        scene: Callable[[], Scene],
+        cast: Callable[[], Playable],
+        list_names: Callable[[str, list[str]], list[Outgoing]],
+        play: Callable[[ClientMessage], object],
+        edited: Callable[[], None],
+    ) -> None:
+        self._scene = scene
+        self._cast = cast
+        self._list_names = list_names
+        self._play = play
+        self._edited = edited
+        self.clips: Mapping[str, Clip] = {}
+        self._kept: Mapping[str, Clip] = {}
+        self._dropped = dict[str, Clip]()
+        self._passes = dict[str, Pass]()
+        self._over: list[str] = []
+        self._time = 0.0
+
+    def load(self, clips: Mapping[str, Clip]) -> None:
+        """Plays the clips of a show file."""
+        self.clips = dict(clips)
+        self._kept = self.clips
+        self._scene().set_clips(self.clips)
+        self._edited()
+
+    def take_changes(self) -> dict[str, Clip | None]:
+        """Returns what the show file does not have yet, by name; None for what is gone."""
+        before = self._kept
+        now = self.clips
+        if before is now:
+            return {}
+        self._kept = now
+        return {name: now.get(name) for name in {**before, **now} if now.get(name) is not before.get(name)}
+
+    @property
+    def passes(self) -> Mapping[str, Pass]:
+        """The passes that are recorded, by character."""
+        return self._passes
+
+    def note(self, frame: SceneFrame) -> None:
+        """Notes what shows, for those who record. frame: of the scene."""
+        self._time = frame.time
+        for character, running in self._passes.items():
+            shown = frame.characters.get(character)
+            if shown is None or frame.time - running.began > LONGEST_PASS:
+                self._over.append(character)
+            else:
+                running.builder.add(frame.time - running.began + running.offset, shown.frame)
+
+    def end_passes(self) -> list[Outgoing]:
+        """Ends passes that are over by themselves; returns what consoles are told of it."""
+        over = [character for character in dict.fromkeys(self._over) if character in self._passes]
+        self._over = []
+        return [told for character in over for told in self._end_pass(character, keep=True)]
+
+    def edit(self, message: wire.ClipCommand) -> Sequence[Outgoing]:
+        """Makes an edit; ValueError where it cannot be made. message: asks for it."""
+        return EDITS[type(message)](self, message)
+
+    def put(self, name: str, clip: Clip) -> list[Outgoing]:
+        """Keeps a clip under a name, new or in the place of the one of that name; ValueError where there are too many.
+        Returns what consoles are told."""
+        if name not in self.clips and len(self.clips) >= wire.MOST_CLIPS:
+            raise ValueError(f"there are {wire.MOST_CLIPS} clips, which is as many as a show keeps; delete one")
+        return self._with({**self.clips, name: clip})
+
+    def add_pass(
+        self, name: str, curve: MotionCurve, parts: Sequence[LayerPart] = (), lane: str = ""
+    ) -> list[Outgoing]:
+        """Keeps motion as a lane over the others of a clip, or as a new clip; returns what consoles are told.
+
+        name: of the clip; curve: in the time of the clip; parts: that it gives, none: all; lane: what to call it.
+        """
+        made = Lane(rounded(curve), lane, tuple(parts) or LAYER_PARTS)
+        clip = self.clips.get(name)
+        if clip is not None:
+            return self.put(name, with_lane(clip, made))
+        return self.put(self._free(name), Clip([made], start=curve.start))
+
+    # --- the edits ---
+
+    def record(self, message: wire.RecordClip) -> Sequence[Outgoing]:
+        """Begins a pass. message: says of whom."""
+        scene = self._scene()
+        character = check_known(message.character, [*scene], "character")
+        if character in self._passes:
+            raise ValueError(f"a pass of {character} is recorded already; keep it, or forget it, first")
+        parts = tuple(message.parts) or LAYER_PARTS
+        clip = self.clips.get(message.name)
+        name = message.name if clip is not None else self._free(message.name)
+        if clip is not None:
+            heard: dict[str, float] = {part: 1.0 for part in clip.parts if part not in parts}
+            if heard:
+                self._play(wire.PlayClip(character, name, name, MEETING_SECONDS, speed=1.0, loop=False, weights=heard))
+        offset = 0.0 if clip is None else clip.start
+        builder = CurveBuilder(self._cast())
+        self._passes[character] = Pass(name, parts, message.lane, self._time, offset, builder)
+        return ()
+
+    def end_pass(self, message: wire.KeepPass) -> Sequence[Outgoing]:
+        """Ends a pass. message: says of whom, and whether it is kept."""
+        if message.character not in self._passes:
+            raise ValueError(f"no pass of {message.character} is recorded; record one first")
+        return self._end_pass(message.character, keep=message.keep)
+
+    def _end_pass(self, character: str, *, keep: bool) -> list[Outgoing]:
+        ended = self._passes.pop(character)
+        scene = self._scene()
+        if character in scene:
+            self._play(wire.StopClip(character, ended.name))
+        if not keep:
+            return []
+        if ended.builder.frames < 2:
+            raise ValueError("the pass has no frames yet, so nothing is kept of it")
+        return self.add_pass(ended.name, ended.builder.curve(), ended.parts, ended.lane)
+
+    def edit_clip(self, message: wire.EditClip) -> Sequence[Outgoing]:
+        """A clip with other settings. message: says which."""
+        names = ("start", "stop", "blend_in", "blend_out", "loop", "speed")
+        return self.put(message.name, replace(self._named(message.name), **_given(message, names)))
+
+    def edit_lane(self, message: wire.EditLane) -> Sequence[Outgoing]:
+        """A clip with another lane. message: says which."""
+        clip = self._named(message.name)
+        changes = _given(message, ("parts", "weight", "muted", "shift"))
+        if message.to is not None:
+            changes["name"] = message.to
+        lane = replace(clip.lanes[find_lane(clip, message.lane)], **changes)
+        return self.put(message.name, with_changed_lane(clip, message.lane, lane))
+
+    def replace_span(self, message: wire.ReplaceSpan) -> Sequence[Outgoing]:
+        """A clip in which a lane shows another for a while. message: says which."""
+        clip = self._named(message.name)
+        lane = clip.lanes[find_lane(clip, message.lane)]
+        by = clip.lanes[find_lane(clip, message.by)]
+        if lane is by:
+            raise ValueError(f"the lane {message.lane} cannot be replaced by itself; name another")
+        moved = MotionCurve(by.curve.times + (by.shift - lane.shift), by.curve.layout, by.curve.table)
+        replaced = replace_span(lane, message.start - lane.shift, message.stop - lane.shift, moved)
+        lanes = [replaced if each is lane else each for each in clip.lanes if each is not by]
+        return self.put(message.name, replace(clip, lanes=lanes))
+
+    def drop_lane(self, message: wire.DropLane) -> Sequence[Outgoing]:
+        """A clip without a lane. message: says which."""
+        return self.put(message.name, with_changed_lane(self._named(message.name), message.lane, None))
+
+    def rename(self, message: wire.RenameClip) -> Sequence[Outgoing]:
+        """A clip under another name. message: says which."""
+        clip = self._named(message.name)
+        others = {name: each for name, each in self.clips.items() if name != message.name}
+        return self._with({**others, self._free(message.to, others): clip})
+
+    def copy(self, message: wire.CopyClip) -> Sequence[Outgoing]:
+        """A clip under one more name. message: says which."""
+        return self.put(self._free(message.to), self._named(message.name))
+
+    def drop(self, message: wire.DropClip) -> Sequence[Outgoing]:
+        """No clip of a name. message: says which."""
+        self._dropped[message.name] = self._named(message.name)
+        return self._with({name: clip for name, clip in self.clips.items() if name != message.name})
+
+    def restore(self, message: wire.RestoreClip) -> Sequence[Outgoing]:
+        """A clip that was dropped. message: says which."""
+        clip = self._dropped[check_known(message.name, self._dropped, "clip")]
+        return self.put(self._free(message.name), clip)
+
+    # --- within ---
+
+    def _with(self, clips: Mapping[str, Clip]) -> list[Outgoing]:
+        told = clips.keys() != self.clips.keys()
+        self.clips = clips
+        self._scene().set_clips(clips)
+        self._edited()
+        return self._list_names(wire.StoredClip.kind, sorted(clips)) if told else []
+
+    def _named(self, name: str) -> Clip:
+        return self.clips[check_known(name, self.clips, "clip")]
+
+    def _free(self, name: str, others: Mapping[str, Clip] | None = None) -> str:
+        return check_clip_name(name, self.clips if others is None else others)
+
+
+def check_clip_name(name: str, others: Iterable[str]) -> str:
+    """Returns the name of a new clip without spaces around it; ValueError for none, for one that is too long, and for
+    one that another has, in any case. others: the names of the others."""
+    text = " ".join(name.split())
+    if not 0 < len(text) <= LONGEST_CLIP_NAME or not text.isprintable():
+        raise ValueError(f"a clip cannot be called {name!r:.60}; give 1 to {LONGEST_CLIP_NAME} printable letters")
+    twin = next((each for each in others if each.casefold() == text.casefold()), None)
+    if twin is not None:
+        raise ValueError(f"there is a clip {twin!r} already; give another name")
+    return text
+
+
+def _given(message: msgspec.Struct, names: Sequence[str]) -> dict[str, Any]:
+    """What a message gives of some fields."""
+    return {name: value for name in names if (value := getattr(message, name)) is not None}
+
+
+EDITS: Mapping[type[wire.ClipCommand], Callable[[ShowClips, Any], Sequence[Outgoing]]] = {
+    wire.RecordClip: ShowClips.record,
+    wire.KeepPass: ShowClips.end_pass,
+    wire.EditClip: ShowClips.edit_clip,
+    wire.EditLane: ShowClips.edit_lane,
+    wire.ReplaceSpan: ShowClips.replace_span,
+    wire.DropLane: ShowClips.drop_lane,
+    wire.RenameClip: ShowClips.rename,
+    wire.CopyClip: ShowClips.copy,
+    wire.DropClip: ShowClips.drop,
+    wire.RestoreClip: ShowClips.restore,
+}
+"""What makes each edit."""

@@ -1,0 +1,93 @@
+"""Clips as pictures and films: exact times, and alpha that comes back."""
+
+from __future__ import annotations
+
+import shutil
+import subprocess
+from pathlib import Path
+
+import msgspec
+import numpy as np
+import pytest
+
+from omote.builtin import load_cast
+from omote.interchange.formats.png import png_bytes
+from omote.model.cast import Cast
+from omote.perform.clips.clip import Clip, Lane
+from omote.perform.clips.motion_curve import make_curve
+from omote.server.headless import clip_pictures
+from omote.server.headless.clip_pictures import (
+    ClipPictures,
+    count_frames,
+    draw_clip,
+    film_clip,
+    film_command,
+    play_frames,
+)
+
+RAMP = Clip([Lane(make_curve([0.0, 0.5, 1.0], {"jawOpen": [0.0, 0.5, 1.0]}, {}))], loop=True)
+SIZE = 64
+
+
+def test_each_frame_is_that_of_its_time(cast: Cast) -> None:
+    frames = [*play_frames(cast, RAMP, face="generic", rate=10.0)]
+    assert [time for time, _ in frames] == [place / 10 for place in range(10)]
+    shown = [frame.channels.get("jawOpen", 0.0) for _, frame in frames]
+    assert shown == pytest.approx([place / 10 for place in range(10)], abs=1e-12)
+
+
+def test_too_many_frames_and_a_face_that_is_not_there_are_refused(cast: Cast) -> None:
+    with pytest.raises(ValueError, match="at most 20000"):
+        count_frames(RAMP, 1e6)
+    with pytest.raises(ValueError, match="there is no face 'nobody'"):
+        next(play_frames(cast, RAMP, face="nobody", rate=10.0))
+
+
+def test_a_film_without_ffmpeg_says_what_to_do(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv("PATH", "")
+    with pytest.raises(FileNotFoundError, match="install it, or name a folder"):
+        film_clip(tmp_path / "a.mov", lambda _: pytest.fail("nothing is drawn"))
+
+
+def gradient(folder: Path) -> ClipPictures:
+    """Two pictures whose alpha goes from 0 to 255 smoothly, as a head's edge does over some pixels."""
+    alpha = np.tile(np.linspace(0.0, 255.0, SIZE).round(), (SIZE, 1))
+    picture = np.dstack([np.full((SIZE, SIZE, 3), 128.0), alpha]).astype(np.uint8)
+    for number in range(2):
+        (folder / f"{number:05}.png").write_bytes(png_bytes(picture))
+    drawn = ClipPictures("line1", "kaori", "digest", 25.0, 0.08, {"00000.png": 0.0, "00001.png": 0.04})
+    (folder / clip_pictures.SIDECAR).write_bytes(msgspec.json.encode(drawn))
+    return drawn
+
+
+@pytest.mark.skipif(shutil.which("ffmpeg") is None, reason="ffmpeg is not installed")
+def test_the_alpha_of_a_film_is_within_two_of_255(tmp_path: Path) -> None:
+    film = tmp_path / "line1.mov"
+    film_clip(film, gradient)
+    read = ["ffmpeg", "-v", "error", "-i", str(film), "-f", "rawvideo", "-pix_fmt", "rgba", "-"]
+    data = subprocess.run(read, capture_output=True, check=True).stdout
+    pictures = np.frombuffer(data, np.uint8).reshape(-1, SIZE, SIZE, 4)
+    assert len(pictures) == 2
+    wanted = np.linspace(0.0, 255.0, SIZE).round()
+    assert np.abs(pictures[:, :, :, 3] - wanted).max() <= 2
+    sidecar = msgspec.json.decode((tmp_path / "line1.frames.json").read_bytes(), type=ClipPictures)
+    assert sidecar.frames == {"00000.png": 0.0, "00001.png": 0.04}
+    assert {path.name for path in tmp_path.iterdir()} == {"line1.mov", "line1.frames.json"}
+
+
+def test_vp9_keeps_alpha_in_a_plane_of_its_own() -> None:
+    assert "yuva420p" in film_command("ffmpeg", Path("in"), Path("a.WEBM"), 60.0)
+
+
+def test_a_clip_is_drawn_as_pictures_with_their_times(tmp_path: Path) -> None:
+    clip = Clip([Lane(make_curve([0.0, 0.5], {"jawOpen": [0.0, 0.5]}, {}))])
+    told: list[tuple[int, int]] = []
+    drawn = draw_clip(
+        load_cast(), clip, tmp_path / "out", name="line1", face="kaori", rate=4.0, size=(SIZE, SIZE),
+        quality="lowest", tell=lambda *count: told.append(count),
+    )  # fmt: skip
+    assert told == [(1, 2), (2, 2)]
+    assert drawn.frames == {"00000.png": 0.0, "00001.png": 0.25}
+    assert msgspec.json.decode((tmp_path / "out" / "frames.json").read_bytes(), type=ClipPictures) == drawn
+    pictures = [(tmp_path / "out" / name).read_bytes() for name in drawn.frames]
+    assert pictures[0] != pictures[1]

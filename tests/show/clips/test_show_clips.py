@@ -1,0 +1,215 @@
+"""Clips of a session: recorded while others play, edited, kept, and played by message."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import msgspec
+import pytest
+
+from omote.model.cast import Cast
+from omote.show.clips import show_clips
+from omote.show.declaration import CharacterCommand, ClientMessage, Outgoing
+from omote.show.messages import PROTOCOL_VERSION
+from omote.show.objects import clips as wire
+from omote.show.objects.calls import CallExpression, Panic
+from omote.show.objects.faders import SetChannel
+from omote.show.objects.link import Hello, Refused
+from omote.show.session import ShowSession
+from omote.showfile.changes import StoredDocument
+
+DT = 1.0 / 60.0
+
+
+class Show:
+    """A session with one console, and its clock."""
+
+    def __init__(self, cast: Cast, session: ShowSession | None = None) -> None:
+        self.session = ShowSession(cast) if session is None else session
+        self.now = 0.0
+        self.calls = 0
+        self.session.receive("a", Hello("console", PROTOCOL_VERSION), 0.0)
+        self.session.tick(self.now)
+
+    def send(self, kind: type[ClientMessage], *values: Any, **named: Any) -> list[Outgoing]:
+        self.calls += 1
+        place = int(issubclass(kind, CharacterCommand))  # of the id
+        given = (*values[:place], f"call {self.calls}", *values[place:])
+        return self.session.receive("a", kind(*given, **named), self.now)
+
+    def run(self, seconds: float) -> list[dict[str, float]]:
+        shown = []
+        for _ in range(round(seconds / DT)):
+            self.now += DT
+            shown.append(dict(self.session.tick(self.now).characters["one"].channels))
+        return shown
+
+    def set(self, **channels: float) -> None:
+        for name, value in channels.items():
+            self.session.receive("a", SetChannel("one", name, value), self.now)
+
+    def playing(self) -> list[str]:
+        return [clip.name for clip in self.session.tick(self.now).characters["one"].clips]
+
+
+def reason(answers: list[Outgoing]) -> str:
+    (answer,) = answers
+    assert isinstance(answer.message, Refused)
+    return answer.message.reason
+
+
+def recorded(show: Show, name: str = "line1", seconds: float = 1.0, **channels: float) -> list[Outgoing]:
+    show.send(wire.RecordClip, "one", name)
+    show.set(**channels)
+    show.run(seconds)
+    show.set(**dict.fromkeys(channels, 0.0))
+    return show.send(wire.KeepPass, "one")
+
+
+def test_a_pass_is_recorded_kept_and_played_again(cast: Cast) -> None:
+    show = Show(cast)
+    told = recorded(show, jawOpen=0.5)
+    assert [each.message for each in told] == [wire.Clips(["line1"])]
+    assert show.session.clips.passes == {}
+    show.send(wire.PlayClip, "one", "line1", seconds=0.0)
+    assert [shown.get("jawOpen") for shown in show.run(0.5)] == [0.5] * 30
+    assert show.playing() == ["line1"]
+    show.session.receive("a", wire.StopClip("one", seconds=0.0), show.now)
+    assert show.run(DT) == [{}]
+
+
+def test_a_pass_of_one_part_is_recorded_while_the_others_play(cast: Cast) -> None:
+    show = Show(cast)
+    recorded(show, jawOpen=0.5)
+    show.send(wire.RecordClip, "one", "line1", ["brows"], "brows")
+    assert show.playing() == ["line1"]
+    show.run(1.5)
+    show.send(wire.KeepPass, "one")
+    clip = show.session.clips.clips["line1"]
+    assert [(lane.name, lane.parts) for lane in clip.lanes][1] == ("brows", ("brows",))
+    assert [lane.stop for lane in clip.lanes] == pytest.approx([1.0, 1.5 + DT], abs=1e-9)
+    assert clip.lanes[0].parts != clip.lanes[1].parts
+
+
+def test_a_pass_that_is_forgotten_leaves_nothing(cast: Cast) -> None:
+    show = Show(cast)
+    show.send(wire.RecordClip, "one", "line1")
+    show.run(0.5)
+    assert show.send(wire.KeepPass, "one", False) == []
+    assert (show.session.clips.clips, show.session.clips.passes) == ({}, {})
+
+
+def test_a_pass_ends_by_itself_after_ten_minutes(cast: Cast, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(show_clips, "LONGEST_PASS", 0.5)
+    show = Show(cast)
+    show.send(wire.RecordClip, "one", "line1")
+    show.run(1.0)
+    assert show.session.clips.clips["line1"].seconds == pytest.approx(0.5, abs=2 * DT)
+    assert wire.Clips(["line1"]) in [each.message for each in show.session.hands_now(show.now)]
+
+
+def test_lanes_are_muted_mixed_shifted_and_replaced(cast: Cast) -> None:
+    show = Show(cast)
+    recorded(show, jawOpen=0.5)
+    recorded(show, jawOpen=1.0)
+    assert [clip.weight for clip in show.session.clips.clips["line1"].lanes] == [1.0, 1.0]
+
+    def shows(at: float) -> float:
+        clip = show.session.clips.clips["line1"]
+        sample = clip.sample(at)
+        return float(sample.values[sample.layout.columns.index("channel/jawOpen")])
+
+    assert shows(0.5) == 1.0
+    show.send(wire.EditLane, "line1", "2", weight=0.5)
+    assert shows(0.5) == 0.75
+    show.send(wire.EditLane, "line1", "2", muted=True)
+    assert shows(0.5) == 0.5
+    show.send(wire.EditLane, "line1", "2", to="loud", muted=False, weight=1.0, shift=-2.0)
+    assert shows(0.5) == 0.5
+    show.send(wire.EditLane, "line1", "loud", shift=0.0)
+    show.send(wire.ReplaceSpan, "line1", "1", "loud", 0.25, 0.75)
+    assert [shows(at) for at in (0.2, 0.5, 0.8)] == [0.5, 1.0, 0.5]
+    assert len(show.session.clips.clips["line1"].lanes) == 1
+    assert "expected 1 to 16" in reason(show.send(wire.DropLane, "line1", "1"))
+    show.send(wire.EditClip, "line1", start=0.25, stop=0.75, loop=True, speed=2.0, blend_in=0.1, blend_out=0.0)
+    clip = show.session.clips.clips["line1"]
+    assert (clip.seconds, clip.loop, clip.speed, clip.blend_in, clip.blend_out) == (0.5, True, 2.0, 0.1, 0.0)
+
+
+def test_clips_are_renamed_copied_dropped_and_brought_back(cast: Cast) -> None:
+    show = Show(cast)
+    recorded(show, jawOpen=0.5)
+    clip = show.session.clips.clips["line1"]
+    assert [each.message for each in show.send(wire.CopyClip, "line1", "line 2")] == [wire.Clips(["line 2", "line1"])]
+    show.send(wire.RenameClip, "line1", "Line1")
+    assert show.session.clips.clips == {"line 2": clip, "Line1": clip}
+    show.send(wire.PlayClip, "one", "Line1")
+    show.send(wire.DropClip, "Line1")
+    assert show.playing() == ["Line1"]  # what plays goes on as it was called
+    assert show.session.documents["clip"] == ["line 2"]
+    show.send(wire.RestoreClip, "Line1")
+    assert show.session.clips.clips == {"line 2": clip, "Line1": clip}
+
+
+def test_the_show_file_follows_and_gives_the_same_clips_back(cast: Cast) -> None:
+    show = Show(cast)
+    recorded(show, jawOpen=0.3)
+    show.send(wire.CopyClip, "line1", "other")
+    show.send(wire.EditLane, "line1", "1", weight=0.5, to="mouth", parts=["mouth", "brows"])
+    changes = show.session.clips.take_changes()
+    assert changes.keys() == {"line1", "other"}
+    assert show.session.clips.take_changes() == {}
+    bodies = {name: wire.stored_clip(clip).encode() for name, clip in changes.items() if clip is not None}
+    clips, lost = wire.read_clips({**bodies, "damaged": b'{"lanes": []}'})
+    assert lost == ["the clip damaged cannot be read (a clip has 0 lanes; expected 1 to 16) and is left out."]
+    assert {name: wire.stored_clip(clip).encode() for name, clip in clips.items()} == bodies
+    show.send(wire.DropClip, "other")
+    assert show.session.clips.take_changes() == {"other": None}
+    stored = msgspec.json.decode(bodies["line1"], type=wire.StoredClip)
+    assert stored.names() == ["jawOpen"]
+    assert len(StoredDocument("clip", "line1", bodies["line1"]).body) < 4000
+
+
+def test_a_restarted_session_goes_on_with_its_clips(cast: Cast) -> None:
+    show = Show(cast)
+    recorded(show, jawOpen=0.3)
+    show.send(wire.PlayClip, "one", "line1", loop=True)
+    show.run(0.4)
+    again = Show(cast, ShowSession.restored(cast, show.session.snapshot(), epoch=2))
+    assert again.playing() == []  # before the file is read nothing is known of it
+    session = ShowSession.restored(cast, show.session.snapshot(), epoch=2)
+    session.clips.load(show.session.clips.clips)
+    assert [clip.name for clip in session.tick(0.0).characters["one"].clips] == ["line1"]
+
+
+def test_a_panic_ends_clips(cast: Cast) -> None:
+    show = Show(cast)
+    recorded(show, jawOpen=0.3)
+    show.send(wire.PlayClip, "one", "line1", loop=True)
+    show.run(0.4)
+    show.send(Panic, "one")
+    assert show.playing() == []
+    assert show.run(0.5)[-1] == {}
+
+
+def test_what_cannot_be_done_is_refused_and_changes_nothing(cast: Cast) -> None:
+    show = Show(cast)
+    recorded(show, jawOpen=0.3)
+    before = show.session.clips.clips
+    show.send(CallExpression, "one", "smile")
+    refused: dict[str, tuple[Any, ...]] = {
+        "there is no clip 'line2' in this show": (wire.PlayClip, "one", "line2"),
+        "the speed of a clip is 99": (wire.EditClip, "line1", None, None, None, None, None, 99.0),
+        "no lane of this clip 'brows'": (wire.EditLane, "line1", "brows"),
+        "cannot be replaced by itself": (wire.ReplaceSpan, "line1", "1", "1", 0.0, 1.0),
+        "there is a clip 'line1' already": (wire.CopyClip, "line1", " LINE1 "),
+        "a clip cannot be called": (wire.CopyClip, "line1", "\n"),
+        "no pass of one is recorded": (wire.KeepPass, "one"),
+        "there is no character 'two'": (wire.RecordClip, "two", "line2"),
+        "no region of a layer": (wire.EditLane, "line1", "1", None, ["nose"]),
+    }
+    for said, (kind, *values) in refused.items():
+        assert said in reason(show.send(kind, *values)), said
+    show.send(wire.RecordClip, "one", "line2")
+    assert "a pass of one is recorded already" in reason(show.send(wire.RecordClip, "one", "line3"))
+    assert show.session.clips.clips == before

@@ -1,0 +1,67 @@
+"""`omote clip ...`: in from recordings, listed, and out for other programs."""
+
+from __future__ import annotations
+
+import csv
+import json
+from pathlib import Path
+
+import pytest
+from typer.testing import CliRunner, Result
+
+from omote.cli import app
+from tests.inputs.takes.test_live_link_take import HEADER, row
+
+
+def run(*arguments: object) -> Result:
+    return CliRunner().invoke(app, ["clip", *map(str, arguments)])
+
+
+@pytest.fixture
+def show(tmp_path: Path) -> Path:
+    """A show file with the clip `line1`, of one second."""
+    take = tmp_path / "line1.csv"
+    rows = [row(f"00:00:00:{frame:02}.000", *[frame / 60] * 8) for frame in range(60)]
+    take.write_text(HEADER + "".join(rows))
+    done = run("import", tmp_path / "my.omote", take)
+    assert done.exit_code == 0, done.output
+    assert "has the clip line1, 0.98 s" in done.output
+    return tmp_path / "my.omote"
+
+
+def test_clips_are_listed(show: Path) -> None:
+    (listed,) = json.loads(run("list", show, "--json").stdout)
+    assert (listed["name"], listed["lanes"]) == ("line1", 1)
+    assert listed["seconds"] == pytest.approx(59 / 60, abs=1e-3)
+    told = CliRunner().invoke(app, ["file", "list", str(show), "--documents", "clip"])
+    assert "line1" in told.stdout
+
+
+@pytest.mark.parametrize("ending", [".csv", ".bvh", ".vrma"])
+def test_a_clip_goes_out(show: Path, ending: str) -> None:
+    output = show.with_name(f"out{ending}")
+    done = run("export", show, "line1", "-o", output)
+    assert done.exit_code == 0, done.output
+    assert "holds line1, 60 frames" in done.output
+    assert output.stat().st_size > 1000
+    assert run("export", show, "line1", "-o", output).exit_code == 1  # it is there
+    assert run("export", show, "line1", "-o", output, "--force").exit_code == 0
+    if ending == ".csv":
+        assert len([*csv.reader(output.read_text().splitlines())]) == 61
+
+
+def test_what_cannot_be_done_is_said(show: Path, tmp_path: Path) -> None:
+    for arguments, said in (
+        (("export", show, "line2", "-o", tmp_path / "a.bvh"), "there is no clip 'line2' in this show"),
+        (("export", show, "line1", "-o", tmp_path / "a.fbx"), "end it with .csv, .glb, .vrma, .bvh"),
+        (("export", show, "line1", "-o", tmp_path / "a.csv", "--rate", "30"), "60 frames a second, not 30"),
+        (("export", show, "line1", "-o", tmp_path / "a.glb", "--face", "nobody"), "there is no face 'nobody'"),
+        (("render", show, "line1", "-o", tmp_path / "a.avi"), "end it with .mov or .webm, or name a folder"),
+        (("render", show, "line1", "-o", tmp_path), "is not empty; name another, or empty it"),
+        (("render", show, "line2", "-o", tmp_path / "frames"), "there is no clip 'line2' in this show"),
+        (("import", show, tmp_path / "line1.csv"), "there is a clip 'line1' already"),
+        (("import", show, tmp_path / "none.csv"), "none.csv cannot be used: it is not there"),
+    ):
+        done = run(*arguments)
+        assert done.exit_code == 1, arguments
+        assert said in done.output, done.output
