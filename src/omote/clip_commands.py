@@ -157,7 +157,7 @@ def render_clip(
 
 
 def tell_drawn(done: int, count: int) -> None:
-    """Says how many frames are drawn, each second of a clip. count: of how many."""
+    """Says how many frames are drawn, each second of a clip. done: so many, count: of how many."""
     if done % EACH == 0 and done < count:
         say(f"{done} of {count} frames")
 

@@ -27,7 +27,7 @@ PRESETS = {
 
 
 def used_names(frames: ClipFrames, names: Iterable[str]) -> list[str]:
-    """The expressions and channels that a clip moves and that there are. names: those that there are."""
+    """The expressions and channels that a clip moves and that there are. frames: of it; names: those that there are."""
     there = set(names) - {NEUTRAL}
     return [name for name, values in frames.weights.items() if name in there and values.any()]
 

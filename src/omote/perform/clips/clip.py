@@ -189,7 +189,7 @@ class Clip:
         """How long it is, at the speed 1."""
         return self.end - self.start
 
-    @property
+    @cached_property
     def parts(self) -> tuple[LayerPart, ...]:
         """The parts that its lanes give which are not muted."""
         given = {part for lane in self.lanes if not lane.muted for part in lane.parts if part in lane.curve.parts}

@@ -5,6 +5,7 @@ from __future__ import annotations
 from bisect import bisect_right
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
+from functools import cached_property
 
 import numpy as np
 
@@ -95,7 +96,7 @@ class MotionCurve:
         """The time of the last frame, seconds."""
         return self._at[-1]
 
-    @property
+    @cached_property
     def parts(self) -> tuple[str, ...]:
         """The parts that it moves: the four regions, head and gaze where it has them."""
         held = set(self.layout.columns)
