@@ -119,6 +119,7 @@ def test_every_message_says_what_it_does_and_who_may_send_it() -> None:
     assert {kind.__name__ for kind in CLIENT_MESSAGES if kind.access == HIGHEST} == {
         "SetLeases",
         "AppointManager",
+        "DeleteRecording",
         "SetShowMode",
     }
 

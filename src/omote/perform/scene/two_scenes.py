@@ -15,6 +15,7 @@ from omote.perform.performer import Performer
 from omote.perform.scene.character_names import ALL
 from omote.perform.scene.goals import (
     CHARACTER_PARTS,
+    PASSING,
     SCENE_PARTS,
     WITH_FACE,
     Goal,
@@ -27,10 +28,10 @@ from omote.perform.scene.scene import Scene
 from omote.perform.scene.scene_snapshot import CharacterSnapshot, SceneSnapshot, known_framings
 from omote.perform.snapshot import axis_names
 
-SETTINGS = ("channels", "look_at", "layers")
-"""What a character has beside the parts that have goals: weights under hands, what the eyes look at, and how much of
-each layer shows."""
-TAKEN_PARTS = (*CHARACTER_PARTS, *SETTINGS)
+SETTINGS = ("channels", "switches")
+"""What a character has beside the parts that have goals: weights under hands, and what is on or off of it: its layers,
+and whether it moves while its tracker is lost."""
+TAKEN_PARTS = (*(part for part in CHARACTER_PARTS if part not in PASSING), *SETTINGS)
 """All of a character that one scene takes from another."""
 
 
@@ -124,22 +125,16 @@ def take_parts(
         elif name == "channels":
             weights = wanted.channels_of(character)
             shown.call_channels(character, weights, seconds=seconds, easing=easing)
-        elif name == "look_at":
-            motion = _motion_of(ours.characters[character])
-            shown[character].look_at(**vars(motion.target))
-            shown[character].set_motion(idle=motion.idle)
         else:
-            _take_layers(shown[character], ours.characters[character], theirs.characters[character])
+            _take_switches(shown[character], ours.characters[character], theirs.characters[character])
 
 
-def _take_layers(shown: Performer, wanted: CharacterSnapshot, before: CharacterSnapshot) -> None:
+def _take_switches(shown: Performer, wanted: CharacterSnapshot, before: CharacterSnapshot) -> None:
+    shown.set_motion(idle=_motion_of(wanted).idle)
     settings = _layers_of(before)
     for layer, setting in _layers_of(wanted).items():
         if setting.on != settings[layer].on:
             shown.set_layer(layer, on=setting.on)
-        for region, influence in setting.influence.items():
-            if influence != settings[layer].influence[region]:
-                shown.set_layer(layer, region=region, influence=influence)
 
 
 def _wanted(scene: Scene, snapshot: SceneSnapshot, part: Part) -> object:
@@ -152,7 +147,7 @@ def _wanted(scene: Scene, snapshot: SceneSnapshot, part: Part) -> object:
     if name == "channels":
         return scene.channels_of(character)
     own = snapshot.characters[character]
-    return (_motion_of(own).target, _motion_of(own).idle) if name == "look_at" else _layers_of(own)
+    return _motion_of(own).idle, {layer: setting.on for layer, setting in _layers_of(own).items()}
 
 
 def _goal(scene: Scene, snapshot: SceneSnapshot, part: Part) -> Goal:

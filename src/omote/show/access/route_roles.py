@@ -58,7 +58,7 @@ ROUTES: Mapping[tuple[str, str], AccessRole] = MappingProxyType(
         ("GET", "/microphone"): "view",
         ("GET", "/replay"): "view",
         ("GET", "/replay/transport"): "view",
-        ("POST", "/replay/transport"): "view",  # only served by `omote replay`, to this machine
+        ("POST", "/replay/transport"): "admin",  # served by `omote replay` alone, to this machine, without tokens
         ("GET", "/replay/moments"): "view",
         ("GET", "/{page}"): "view",
     }

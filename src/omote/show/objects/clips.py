@@ -15,6 +15,7 @@ from omote.perform.clips.motion_curve import MotionCurve
 from omote.perform.clips.packed_motion import PackedMotion, pack_motion, unpack_motion
 from omote.perform.clips.sample import CHANNEL
 from omote.perform.layers.layer_names import LAYER_PARTS, LayerPart
+from omote.perform.performer import Performer
 from omote.show.access.access_role import AccessRole
 from omote.show.declaration import (
     CallId,
@@ -161,7 +162,7 @@ class PlayClip(CharacterCommand, frozen=True):
     weights: dict[str, float] = {}
 
     def act(self, session: Session, who: str, now: float) -> Sequence[Outgoing]:
-        """Plays it. session: the show; who: the client; now: seconds, monotonic."""
+        """Plays it: the scene knows the clip of a name. session: the show; who: the client; now: seconds, monotonic."""
         for character in characters_of(session.scene, self.character):
             session.scene.play_clip(
                 character,
@@ -184,11 +185,9 @@ class StopClip(CharacterCommand, frozen=True):
     seconds: Annotated[float | None, Value("time", high=3600.0, unit="s")] = None
     id: RequestId = ""
 
-    def act(self, session: Session, who: str, now: float) -> Sequence[Outgoing]:
-        """Ends it. session: the show; who: the client; now: seconds, monotonic."""
-        for character in characters_of(session.scene, self.character):
-            session.scene[character].stop_clip(self.name, seconds=self.seconds)
-        return ()
+    def play(self, performer: Performer) -> None:
+        """Ends it."""
+        performer.stop_clip(self.name, seconds=self.seconds)
 
 
 # --- what records and edits them ---
