@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from omote.file_commands import JsonOption, ShowFileArgument, print_rows
-from omote.terminal import exit_on_refusal, fail, say
+from omote.terminal import escape_controls, exit_on_refusal, fail, say
 
 if TYPE_CHECKING:
     from omote.server.recording.recorded_show import RecordedShow, Span
@@ -124,6 +124,29 @@ def log(
             for line in show.log(span)
         ]  # fmt: skip
     print_rows(rows, json=json, none="nobody has done anything in this time.")
+
+
+@recording_app.command("clip")
+def cut_clip(
+    file: ShowFileArgument,
+    clip: Annotated[str, typer.Argument(help="What to call the clip; one that is there gets one more lane.")],
+    character: Annotated[str, typer.Option(help="Of whom, by name.")] = "one",
+    begin: FromOption = 0.0,
+    end: ToOption = None,
+    name: Annotated[str, typer.Option("--recording", help="A recording that was kept; else the last start.")] = "",
+    parts: Annotated[str, typer.Option(help="Only these: brows,eyes,mouth,rest,head,gaze.")] = "",
+    lane: Annotated[str, typer.Option(help="What to call the lane.")] = "",
+) -> None:
+    """Cuts a motion clip from what was recorded, into a show file that no show plays."""
+    from omote.perform.layers.layer_names import LAYER_PARTS
+    from omote.perform.limits import check_known
+    from omote.server.recording.recorded_clip import keep_clip
+
+    with opened(file) as (show, _):
+        span = cut(show, name, begin, end)
+        wanted = [check_known(part.strip(), LAYER_PARTS, "part") for part in parts.split(",") if part.strip()]
+        made = keep_clip(file, show, span, character, clip, parts=wanted, lane=lane)
+    say(escape_controls(f"{file} has the clip {clip}, {made.seconds:.2f} s, {len(made.lanes)} lanes."))
 
 
 @recording_app.command()

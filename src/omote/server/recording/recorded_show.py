@@ -53,7 +53,7 @@ class RecordedShow:
 
     def __init__(self, file: RecordingFile, base: Cast) -> None:
         self._file = file
-        self._base = base
+        self.base = base
         self._casts: dict[str, Cast | PlayingCast] = {base.digest: base}
         self._clips: dict[str, Clip] = {}
         self._reader = ThreadPoolExecutor(max_workers=1, thread_name_prefix="recording")
@@ -76,13 +76,13 @@ class RecordedShow:
             stored = self._file.casts().get(digest)
             if stored is None:
                 raise LookupError("it was not recorded")
-            if stored.base != self._base.digest:
+            if stored.base != self.base.digest:
                 raise LookupError("its built-in cast is of another version of Omote")
             contents = self._file.contents(stored.contents)
             if missing := [key for key in stored.contents if key not in contents]:
                 raise LookupError(f"{len(missing)} of its own faces or expressions were forgotten")
             own = msgspec.msgpack.decode(stored.own, type=tuple[Own, ...])
-            self._casts[digest] = build_playing_cast(self._base, own, contents, check=False)
+            self._casts[digest] = build_playing_cast(self.base, own, contents, check=False)
         return self._casts[digest]
 
     def find_clip(self, key: str) -> Clip:

@@ -1,0 +1,90 @@
+"""A motion clip of what was recorded: it is replayed, and what shows of a character is cut from the states."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from pathlib import Path
+
+from omote.perform.clips.clip import Clip, Lane, with_lane
+from omote.perform.clips.cut_clip import cut_curve
+from omote.perform.clips.packed_motion import rounded
+from omote.perform.layers.layer_names import LAYER_PARTS, LayerPart
+from omote.perform.limits import check_known
+from omote.server.persistence.offline_show import open_offline_show
+from omote.server.recording.recorded_show import RecordedShow, Span
+from omote.show.clips.show_clips import check_clip_name
+from omote.show.objects.clips import MOST_CLIPS, StoredClip, clip_of, stored_clip
+from omote.show.objects.documents import read_document
+from omote.show.objects.state import CharacterState
+from omote.showfile.changes import StoredDocument
+
+
+def keep_clip(
+    file: Path,
+    show: RecordedShow,
+    span: Span,
+    character: str,
+    name: str,
+    *,
+    parts: Sequence[LayerPart] = (),
+    lane: str = "",
+) -> Clip:
+    """Cuts a clip and keeps it in the show file.
+
+    Parameters
+    ----------
+    file : Path
+        The show file, which no show plays.
+    show : RecordedShow
+        Its recording.
+    span : Span
+        What is cut.
+    character : str
+        Of whom, by name.
+    name : str
+        Of the clip; one that is there gets one more lane, which begins where it begins.
+    parts : sequence of str
+        What the lane gives of brows, eyes, mouth, rest, head and gaze; none named: all.
+    lane : str
+        What to call it.
+
+    Returns
+    -------
+    Clip
+        As it is kept.
+
+    Raises
+    ------
+    ValueError
+        Where nobody of that name was on stage, on a name that no clip can have, and where there are too many clips.
+    ReplayError, ShowFileError, OSError, sqlite3.Error
+        Where the recording or the show file cannot be used.
+    """
+    shown = list(_shown(show, span, character))
+    curve = rounded(cut_curve(shown, show.base, start=shown[0][0], stop=shown[-1][0]))
+    made = Lane(curve, lane, tuple(parts) or LAYER_PARTS)
+    with open_offline_show(file) as opened:
+        there = opened.stored().documents.get(StoredClip.kind, {})
+        if name in there:
+            clip = with_lane(clip_of(read_document(StoredClip, there[name])), made)
+        elif len(there) >= MOST_CLIPS:
+            raise ValueError(f"there are {MOST_CLIPS} clips, which is as many as a show keeps; delete one")
+        else:
+            name = check_clip_name(name, there)
+            clip = Clip([made])
+        opened.apply([StoredDocument(StoredClip.kind, name, stored_clip(clip).encode())])
+    return clip
+
+
+def _shown(show: RecordedShow, span: Span, character: str) -> Iterator[tuple[float, CharacterState]]:
+    """What shows of a character, each with its time; ValueError where nobody of that name is there."""
+    found = False
+    names: dict[str, None] = {}
+    for tick in show.replay(span):
+        names |= dict.fromkeys(tick.state.characters)
+        state = tick.state.characters.get(character)
+        if state is not None:
+            found = True
+            yield tick.state.time, state
+    if not found:
+        check_known(character, names, "character")
