@@ -211,7 +211,8 @@ AnyEntry = (
 
 
 def join(session: ShowSession, who: str, called: Called) -> None:
-    """Adds a client (who) to a session that replays, as a source: it hears nothing."""
+    """Adds a client to a session that replays, as a source: it hears nothing. who: the client; called: as it was
+    known."""
     session.join(who, called.name, called.seat)
     session.members.present[who] = dataclasses.replace(session.members[who], bus=called.bus)
 

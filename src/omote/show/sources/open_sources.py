@@ -334,7 +334,7 @@ class OpenSources:
 
     def set_route(self, scene: Scene, name: str, route: Route) -> None:
         """Routes a source of a name. Characters that the source no longer drives, or drives on another layer, are let
-        go; of sources that play the same, it is the one that was told to."""
+        go; of sources that play the same, it is the one that was told to. scene: what is played; route: its new one."""
         before = self.route(name)
         gone = set(self._driven(scene, name))
         route = replace(route, number=1 + max((other.number for other in self._routes.values()), default=0))
