@@ -2,19 +2,25 @@
 
 from __future__ import annotations
 
+import asyncio
 from pathlib import Path
 
 import msgspec
 import pytest
 from aiohttp import ClientWebSocketResponse
 
+from omote.perform.layers.layer_names import LAYER_PARTS
 from omote.server.recording.recorded_show import RecordedShow
+from omote.server.recording.recording_jobs import cut_clip
 from omote.server.recording.recording_thread import RecordingThread
+from omote.server.workers.recorded_clip_job import CutRecordedClip
 from omote.show.declaration import ClientMessage, ServerMessage
 from omote.show.objects.calls import CallFace
+from omote.show.objects.faders import SetChannel
 from omote.show.objects.link import Refused
 from omote.show.objects.recordings import (
     DeleteRecording,
+    KeepClip,
     KeepRecording,
     MarkMoment,
     RecordingKept,
@@ -54,6 +60,31 @@ async def test_a_show_is_recorded_marked_and_kept(show_harness: ShowHarness, tmp
     assert all(tick.same for tick in ticks)
     reading.close()
     file.close()
+
+
+async def test_a_clip_is_kept_of_what_showed_while_the_show_plays(show_harness: ShowHarness, tmp_path: Path) -> None:
+    path = tmp_path / "a.omote-recording"
+    writer = RecordingThread(path, pytest.fail, "test")
+    jobs: list[CutRecordedClip] = []
+
+    async def run_job(job: bytes, _: object) -> bytes:
+        jobs.append(msgspec.msgpack.decode(job, type=CutRecordedClip))
+        return await asyncio.to_thread(cut_clip, jobs[-1], show_harness.show.documents.cast)
+
+    show_harness.show.recording.enable(writer, run_job)
+    link = await show_harness.link()
+    await send_and_wait(link, SetChannel("one", "jawOpen", 1.0))
+    for _ in range(30):
+        show_harness.tick()
+    assert isinstance(await asked(show_harness, link, KeepClip("3", "line", "one", 60.0)), RecordingKept)
+    assert isinstance(await asked(show_harness, link, KeepClip("4", "line", "one", 60.0, ["mouth"])), RecordingKept)
+    clip = show_harness.show.session.clips.clips["line"]
+    assert [lane.parts for lane in clip.lanes] == [LAYER_PARTS, ("mouth",)]
+    assert clip.lanes[0].curve.stop > 0.4
+    refused = await asked(show_harness, link, KeepClip("5", "other", "nobody"))
+    assert isinstance(refused, Refused)
+    assert len(jobs) == 2
+    writer.close()
 
 
 async def asked(harness: ShowHarness, link: ClientWebSocketResponse, message: ClientMessage) -> ServerMessage:

@@ -973,10 +973,24 @@ export type MarkMoment = { type: "mark_moment"; id: string; text: string };
  */
 export type KeepRecording = { type: "keep_recording"; id: string; name: string; minutes?: number };
 
+/**
+ * Keeps what showed of a character in the last `seconds` as a motion clip; one of that name gets one more lane, of
+ * `parts` (none: all), called `lane`. Answered with `recording_kept`, once it is cut.
+ */
+export type KeepClip = {
+  type: "keep_clip";
+  id: string;
+  name: string;
+  character: string;
+  seconds?: number;
+  parts?: ("brows" | "eyes" | "mouth" | "rest" | "head" | "gaze")[];
+  lane?: string;
+};
+
 /** Keeps a recording no longer. Answered with `recording_kept`. */
 export type DeleteRecording = { type: "delete_recording"; id: string; name: string };
 
-/** Answers keep_recording and delete_recording: it is done. `name`: of the recording. */
+/** Answers keep_recording, keep_clip and delete_recording: it is done. `name`: of the recording, or of the clip. */
 export type RecordingKept = { type: "recording_kept"; id: string; name: string };
 
 /**
@@ -1743,6 +1757,7 @@ export type FromClient =
   | PreviewCue
   | MarkMoment
   | KeepRecording
+  | KeepClip
   | DeleteRecording
   | SetNote
   | BeginShow

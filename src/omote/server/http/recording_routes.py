@@ -7,6 +7,7 @@ import sqlite3
 import zlib
 from collections.abc import Callable, Mapping, Sequence
 from contextlib import suppress
+from pathlib import Path
 from typing import Protocol
 
 import msgspec
@@ -15,11 +16,16 @@ from aiohttp import web
 from omote.model.cast import Cast
 from omote.server.http.cast_documents import CastDocuments
 from omote.server.http.document_routes import NO_CACHE
+from omote.server.http.uploads import RunFileJob
+from omote.server.workers.recorded_clip_job import CutRecordedClip
 from omote.show.declaration import KeepRequest, Outgoing
+from omote.show.objects.clips import StoredClip, clip_of
+from omote.show.objects.documents import read_document
 from omote.show.objects.link import Refused
 from omote.show.objects.recordings import (
     RECORDINGS_PATH,
     DeleteRecording,
+    KeepClip,
     KeepRecording,
     RecordingKept,
     RecordingsDocument,
@@ -46,6 +52,11 @@ class Recording(Protocol):
         """Keeps the last seconds under a name. now: seconds, monotonic; answer: told why it was refused, "" for done,
         on another thread."""
 
+    path: Path
+
+    def flush(self, answer: Callable[[str], None]) -> None:
+        """Writes what was queued so far. answer: as of `keep`."""
+
     def delete(self, name: str, answer: Callable[[str], None]) -> None:
         """Keeps a recording no longer. name: of it; answer: as of `keep`."""
 
@@ -66,11 +77,15 @@ class RecordingRoutes:
         self._deliver = deliver
         self._recording: Recording | None = None
         self._recorder: Recorder | None = None
+        self._run_job: RunFileJob | None = None
+        self._cutting: set[asyncio.Task[None]] = set()
         self._cast: Cast | PlayingCast | None = None
 
-    def enable(self, recording: Recording) -> None:
-        """Records what the session does from now on. recording: keeps it."""
+    def enable(self, recording: Recording, run_job: RunFileJob | None = None) -> None:
+        """Records what the session does from now on. recording: keeps it; run_job: does a `CutRecordedClip`, None where
+        nothing does."""
         self._recording = recording
+        self._run_job = run_job
         self._recorder = Recorder(self._session)
 
     def add_routes(self, application: web.Application) -> None:
@@ -108,8 +123,42 @@ class RecordingRoutes:
             recording.keep(message.name, 60.0 * message.minutes, self._clock(), answer)
         elif isinstance(message, DeleteRecording):
             recording.delete(message.name, self._answering(request.who, message))
+        elif isinstance(message, KeepClip):
+            task = asyncio.ensure_future(self._keep_clip(recording, request.who, message, self._clock()))
+            self._cutting.add(task)  # which nobody else holds
+            task.add_done_callback(self._cutting.discard)
 
-    def _answering(self, who: str, message: KeepRecording | DeleteRecording) -> Callable[[str], None]:
+    async def _keep_clip(self, recording: Recording, who: str, message: KeepClip, now: float) -> None:
+        """Has a clip cut in another process, and takes it in. who: the client; now: where it ends, seconds."""
+        try:
+            if self._run_job is None:
+                raise ValueError("no process of this show can cut clips")
+            await self._flushed(recording)
+            job = CutRecordedClip(str(recording.path), message.character, now - message.seconds, now)
+            stored = await self._run_job(msgspec.msgpack.encode(job), lambda *_: None)
+            loop = asyncio.get_running_loop()
+            clip = await loop.run_in_executor(None, lambda: clip_of(read_document(StoredClip, stored)))
+            curve = clip.lanes[0].curve
+            told = self._session.clips.add_pass(message.name, curve, message.parts, message.lane)
+        except (ValueError, OSError, RuntimeError) as error:
+            self._answering(who, message)(str(error).removesuffix("."))
+        else:
+            self._deliver(told)
+            self._answering(who, message)("")
+
+    async def _flushed(self, recording: Recording) -> None:
+        """Returns when what has happened so far can be read; ValueError where it cannot be written."""
+        loop = asyncio.get_running_loop()
+        written: asyncio.Future[str] = loop.create_future()
+
+        def answer(refusal: str) -> None:
+            loop.call_soon_threadsafe(written.set_result, refusal)
+
+        recording.flush(answer)
+        if refusal := await written:
+            raise ValueError(refusal)
+
+    def _answering(self, who: str, message: KeepRecording | DeleteRecording | KeepClip) -> Callable[[str], None]:
         """What tells a client (who), from any thread, what became of its message."""
         loop = asyncio.get_running_loop()
 

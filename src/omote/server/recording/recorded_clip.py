@@ -7,6 +7,7 @@ from pathlib import Path
 
 from omote.perform.clips.clip import Clip, Lane, with_lane
 from omote.perform.clips.cut_clip import cut_curve
+from omote.perform.clips.motion_curve import MotionCurve
 from omote.perform.clips.packed_motion import rounded
 from omote.perform.layers.layer_names import LAYER_PARTS, LayerPart
 from omote.perform.limits import check_known
@@ -60,9 +61,7 @@ def keep_clip(
     ReplayError, ShowFileError, OSError, sqlite3.Error
         Where the recording or the show file cannot be used.
     """
-    shown = list(_shown(show, span, character))
-    curve = rounded(cut_curve(shown, show.base, start=shown[0][0], stop=shown[-1][0]))
-    made = Lane(curve, lane, tuple(parts) or LAYER_PARTS)
+    made = Lane(curve_of(show, span, character), lane, tuple(parts) or LAYER_PARTS)
     with open_offline_show(file) as opened:
         there = opened.stored().documents.get(StoredClip.kind, {})
         if name in there:
@@ -76,6 +75,15 @@ def keep_clip(
     return clip
 
 
+def curve_of(show: RecordedShow, span: Span, character: str) -> MotionCurve:
+    """What a character did in a span of a recording, as a clip keeps it; ValueError where it was not on stage. show:
+    the recording; character: by name."""
+    shown = list(_shown(show, span, character))
+    if not shown:
+        raise ValueError("nothing was recorded then; choose other times")
+    return rounded(cut_curve(shown, show.base, start=shown[0][0], stop=shown[-1][0]))
+
+
 def _shown(show: RecordedShow, span: Span, character: str) -> Iterator[tuple[float, CharacterState]]:
     """What shows of a character, each with its time; ValueError where nobody of that name is there."""
     found = False
@@ -86,5 +94,5 @@ def _shown(show: RecordedShow, span: Span, character: str) -> Iterator[tuple[flo
         if state is not None:
             found = True
             yield tick.state.time, state
-    if not found:
+    if names and not found:
         check_known(character, names, "character")

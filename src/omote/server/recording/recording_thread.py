@@ -54,7 +54,7 @@ class RecordingThread:
     """
 
     def __init__(self, path: Path, report: Callable[[str], None], program: str) -> None:
-        self._path = path
+        self.path = path
         self._program = program
         self._report = report
         self._work: SimpleQueue[Callable[[], None] | None] = SimpleQueue()
@@ -94,13 +94,17 @@ class RecordingThread:
         """Keeps the last seconds under a name. now: seconds, monotonic; answer: told of it, on this thread."""
         self._work.put(lambda: self._carry_out(lambda file: self._keep(file, name, seconds, now), answer))
 
+    def flush(self, answer: Answer) -> None:
+        """Writes what was queued so far. answer: told of it, on this thread."""
+        self._work.put(lambda: self._carry_out(lambda _: None, answer))
+
     def delete(self, name: str, answer: Answer) -> None:
         """Keeps a recording no longer. name: of it; answer: told of it, on this thread."""
         self._work.put(lambda: self._carry_out(lambda file: file.delete(name), answer))
 
     def describe(self) -> RecordingsDocument:
         """What is recorded; sqlite3.Error or ShowFileError where it cannot be read. From any thread."""
-        file = open_recording(self._path)
+        file = open_recording(self.path)
         try:
             return describe_recordings(file)
         finally:
@@ -143,17 +147,17 @@ class RecordingThread:
             self._piece = None
             if not self._failing:
                 reason = str(error) if isinstance(error, ShowFileError) else explain_database_error(error)
-                self._report(f"the recording {self._path} cannot be written ({reason}): the show goes on without it.")
+                self._report(f"the recording {self.path} cannot be written ({reason}): the show goes on without it.")
             self._failing = True
         else:
             if self._failing and self._piece is not None:
-                self._report(f"the recording {self._path} is written again.")
+                self._report(f"the recording {self.path} is written again.")
                 self._failing = False
 
     def _opened(self) -> RecordingFile:
         """The file, which is opened now where it is not yet: pieces that a process left behind are packed."""
         if self._file is None:
-            file = open_recording(self._path, new=True)
+            file = open_recording(self.path, new=True)
             wall = time.time_ns() / 1e9
             for piece in file.unpacked():
                 file.pack(piece, pack_entries(read_entries(file, piece)))

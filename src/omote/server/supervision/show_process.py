@@ -38,6 +38,7 @@ from omote.server.persistence.memory_copy import MemoryCopy, find_copy
 from omote.server.persistence.restore import journal_entry, restore
 from omote.server.process.notice_board import NoticeBoard
 from omote.server.process.process_messages import Order, ShowMoved, write_notice
+from omote.server.recording.recording_jobs import run_job
 from omote.server.recording.recording_thread import RecordingThread
 from omote.server.scans.scan_previews import ScanPreviews
 from omote.server.scans.scan_routes import FileWork, ScanRoutes
@@ -45,7 +46,6 @@ from omote.server.supervision.device_sockets import NO_DEVICES, DeviceOptions
 from omote.server.supervision.device_sources import start_devices
 from omote.server.supervision.early_tick import EarlyTicks
 from omote.server.supervision.tick_loop import ShowTick, Tick, run_ticks, send_pulse
-from omote.server.workers.file_jobs import run_file_job
 from omote.server.workers.job_server import JobServer, open_job_server
 from omote.server.workers.workshop import open_workshop
 from omote.showfile.recording_file import recording_path
@@ -116,7 +116,7 @@ def start_processes(documents: CastDocuments, tell: Callable[[str], None]) -> Jo
     except OSError as error:
         tell(f"no process can be made that computes ({explain_error(error)}); the server computes by itself.")
     try:
-        return open_job_server(run_file_job)
+        return open_job_server(run_job)
     except OSError as error:
         tell(f"no process can be made for imports and exports ({explain_error(error)}); there are none in this show.")
         return None
@@ -147,7 +147,7 @@ async def play(
     enable_files(server, (lambda: kept.path, jobs.run) if kept and jobs else None, scans)
     recording = RecordingThread(recording_path(kept.path), tell, version("omote")) if kept else None
     if recording:
-        server.recording.enable(recording)
+        server.recording.enable(recording, jobs.run if jobs else None)
     journal = JournalWriter(kept, tell, gate, solved=tell) if kept else None
     watch = FileWatch(kept, gate, tell, partial(tell_moved, pipes.pulse)) if kept else None
     journals = [each for each in (journal, memory) if each]

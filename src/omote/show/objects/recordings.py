@@ -7,11 +7,24 @@ from typing import Annotated
 
 import msgspec
 
-from omote.perform.limits import check_within
-from omote.show.declaration import CallId, ClientMessage, KeepRequest, Name, Outgoing, ServerMessage, Session
+from omote.perform.clips.clip import LONGEST_LANE_NAME
+from omote.perform.layers.layer_names import LayerPart
+from omote.perform.limits import check_known, check_within
+from omote.show.declaration import (
+    CallId,
+    CharacterName,
+    ClientMessage,
+    KeepRequest,
+    Name,
+    Outgoing,
+    ServerMessage,
+    Session,
+)
 from omote.show.osc import Value, osc
 
 RECORDINGS_PATH = "/recordings"
+LONGEST_KEPT_CLIP = 600.0
+"""Seconds."""
 LONGEST_KEPT = 100.0
 """Minutes that are recorded: a night."""
 
@@ -66,6 +79,27 @@ class KeepRecording(RecordingRequest, frozen=True):
         return super().act(session, who, now)
 
 
+class KeepClip(RecordingRequest, frozen=True):
+    """Keeps what showed of a character in the last `seconds` as a motion clip; one of that name gets one more lane, of
+    `parts` (none: all), called `lane`. Answered with `recording_kept`, once it is cut."""
+
+    access = "edit"
+    method = ""
+    osc = (osc("keep_clip", "keeps what showed of it in the last seconds as a clip", "name", "seconds"),)
+
+    character: CharacterName
+    name: Annotated[Name, Value("text")]
+    seconds: Annotated[float, Value("time", low=0.1, high=LONGEST_KEPT_CLIP, unit="s", default=10.0)] = 10.0
+    parts: list[LayerPart] = []
+    lane: Annotated[str, msgspec.Meta(max_length=LONGEST_LANE_NAME)] = ""
+
+    def act(self, session: Session, who: str, now: float) -> Sequence[Outgoing]:
+        """Keeps the request; ValueError where nobody is called so. session: the show; who: the client; now: seconds,
+        monotonic."""
+        check_known(self.character, session.scene, "character")
+        return super().act(session, who, now)
+
+
 class DeleteRecording(RecordingRequest, frozen=True):
     """Keeps a recording no longer. Answered with `recording_kept`."""
 
@@ -74,7 +108,7 @@ class DeleteRecording(RecordingRequest, frozen=True):
 
 
 class RecordingKept(ServerMessage, frozen=True):
-    """Answers keep_recording and delete_recording: it is done. `name`: of the recording."""
+    """Answers keep_recording, keep_clip and delete_recording: it is done. `name`: of the recording, or of the clip."""
 
     id: str
     name: str
