@@ -35,6 +35,8 @@ from omote.show.wire import encode
 
 CUES = 600
 FOLLOW_SECONDS = 1.4
+BLEND_SECONDS = 0.2
+"""In which the loop of the clip goes over into its beginning: by that it is shorter than the clip."""
 APART = 0.03
 """Seconds that a wait, what follows or a clip may be off the show's time: two ticks, where what is due is called."""
 
@@ -83,7 +85,7 @@ async def begin(follower: CueFollower, http: aiohttp.ClientSession, address: str
     while (await follower.state(http)).time < begun + 2.0:
         pass
     await follower.send(KeepPass("clip 2", "one"), http)
-    await follower.send(PlayClip("one", "clip 3", "turn", 0.2, loop=True), http)
+    await follower.send(PlayClip("one", "clip 3", "turn", BLEND_SECONDS, loop=True), http)
     await follower.send(Go("go 1"), http)
     while (state := await follower.state(http)).cues is None or state.cues.lists["main"].current is None:
         pass
