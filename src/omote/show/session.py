@@ -273,7 +273,7 @@ class ShowSession:
         self._now = now
         self.number += 1
         self.leasing.expire(tuple(self.scene), now)
-        self._told += self.clips.end_passes()
+        self._told += self.clips.end_passes(self.lost.append)
         speak_lines(self, now)
         state = self._state(elapsed)
         if self.recorder is not None:

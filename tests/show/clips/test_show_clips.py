@@ -13,10 +13,12 @@ from omote.show.declaration import CharacterCommand, ClientMessage, Outgoing
 from omote.show.messages import PROTOCOL_VERSION
 from omote.show.objects import clips as wire
 from omote.show.objects.calls import CallExpression, Panic
+from omote.show.objects.characters import AddCharacter, RemoveCharacter
 from omote.show.objects.faders import SetChannel
 from omote.show.objects.link import Hello, Refused
 from omote.show.session import ShowSession
 from omote.showfile.changes import StoredDocument
+from tests import synthetic
 
 DT = 1.0 / 60.0
 
@@ -213,3 +215,44 @@ def test_what_cannot_be_done_is_refused_and_changes_nothing(cast: Cast) -> None:
     show.send(wire.RecordClip, "one", "line2")
     assert "a pass of one is recorded already" in reason(show.send(wire.RecordClip, "one", "line3"))
     assert show.session.clips.clips == before
+
+
+def test_a_pass_goes_on_through_a_change_of_the_cast_and_ticks_at_one_time(cast: Cast) -> None:
+    show = Show(cast)
+    show.send(wire.RecordClip, "one", "line1")
+    show.run(0.5)
+    show.session.recast(synthetic.Recast(cast, [*cast.faces], [*cast.expressions]))
+    show.session.tick(show.now)
+    show.run(0.5)
+    assert reason_or_none(show.send(wire.KeepPass, "one")) is None
+    assert show.session.clips.clips["line1"].seconds == pytest.approx(1.0, abs=2 * DT)
+
+
+@pytest.mark.parametrize("after", [0.0, 0.5])
+def test_who_leaves_in_a_pass_ends_it_and_costs_no_tick(cast: Cast, after: float) -> None:
+    show = Show(cast)
+    show.send(AddCharacter, "two", "Two", "generic")
+    show.run(0.1)
+    show.send(wire.RecordClip, "two", "line1")
+    show.run(after)
+    show.send(RemoveCharacter, "two", 0.0)
+    show.run(0.2)
+    assert show.session.clips.passes == {}
+    assert [*show.session.clips.clips] == (["line1"] if after else [])
+
+
+def test_a_pass_that_ends_by_itself_and_cannot_be_kept_is_told(cast: Cast, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(show_clips, "LONGEST_PASS", 0.3)
+    monkeypatch.setattr(wire, "MOST_CLIPS", 0)
+    show = Show(cast)
+    show.send(wire.RecordClip, "one", "line1")
+    show.run(1.0)
+    assert show.session.clips.clips == {}
+    (told,) = show.session.take_lost()
+    assert "the pass of one" in told
+    assert "0 clips" in told
+
+
+def reason_or_none(answers: list[Outgoing]) -> str | None:
+    refused = [answer.message.reason for answer in answers if isinstance(answer.message, Refused)]
+    return refused[0] if refused else None

@@ -23,6 +23,8 @@ from omote.show.objects import clips as wire
 
 LONGEST_PASS = 600.0
 """Seconds; what is longer is cut into clips."""
+FEWEST_FRAMES = 2
+"""Of a pass that is kept."""
 MEETING_SECONDS = 0.1
 """In which the other lanes come when a pass begins."""
 
@@ -89,7 +91,9 @@ class ShowClips:
         return self._passes
 
     def note(self, frame: SceneFrame) -> None:
-        """Notes what shows, for those who record. frame: of the scene."""
+        """Notes what shows, for those who record; once where no time has gone by. frame: of the scene."""
+        if frame.time <= self._time:
+            return
         self._time = frame.time
         for character, running in self._passes.items():
             shown = frame.characters.get(character)
@@ -98,11 +102,19 @@ class ShowClips:
             else:
                 running.builder.add(frame.time - running.began + running.offset, shown.frame)
 
-    def end_passes(self) -> list[Outgoing]:
-        """Ends passes that are over by themselves; returns what consoles are told of it."""
+    def end_passes(self, lose: Callable[[str], None]) -> list[Outgoing]:
+        """Ends passes that are over by themselves; returns what consoles are told of it. lose: told, in a sentence,
+        which could not be kept: a tick has nobody to refuse it to."""
         over = [character for character in dict.fromkeys(self._over) if character in self._passes]
         self._over = []
-        return [told for character in over for told in self._end_pass(character, keep=True)]
+        told: list[Outgoing] = []
+        for character in over:
+            begun = self._passes[character].builder.frames >= FEWEST_FRAMES
+            try:
+                told += self._end_pass(character, keep=begun)
+            except ValueError as error:
+                lose(f"the pass of {character} is over and could not be kept: {error}.")
+        return told
 
     def edit(self, message: wire.ClipCommand) -> Sequence[Outgoing]:
         """Makes an edit; ValueError where it cannot be made. message: asks for it."""
@@ -161,7 +173,7 @@ class ShowClips:
             self._play(wire.StopClip(character, ended.name))
         if not keep:
             return []
-        if ended.builder.frames < 2:
+        if ended.builder.frames < FEWEST_FRAMES:
             raise ValueError("the pass has no frames yet, so nothing is kept of it")
         return self.add_pass(ended.name, ended.builder.curve(), ended.parts, ended.lane)
 
