@@ -90,6 +90,16 @@ def test_no_command_moves_a_weight_or_changes_its_rate(history: list[Move], move
     )
 
 
+@given(histories, call_moves, st.floats(0.0, 1.0))
+def test_a_call_at_any_pace_takes_the_speed_over(history: list[Move], move: Move, pace: float) -> None:
+    """A cue that is called while cues are paused stopped at once what moved."""
+    axis = after(history)
+    following = with_pace(moved(axis, move), pace)
+    if following.call is not None and following.call.decay > 0.0:  # else there was no speed, or there is no room for it
+        names = dict.fromkeys(NAMES, 0.0)
+        assert {**names, **rates(following)} == pytest.approx({**names, **rates(axis)}, abs=1e-6, rel=1e-6)
+
+
 @given(histories, st.floats(0.01, 1.0))
 def test_rates_are_the_derivative_of_the_weights(history: list[Move], wait: float) -> None:
     axis = advanced(after(history), wait)

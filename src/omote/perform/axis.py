@@ -39,7 +39,9 @@ class Call:
     `seconds` None: only the T-bar moves it. `way` is the way of the T-bar, or the rest of the way after its release;
     without it the easing decides. `held`: the T-bar has picked it up. `goal`: the mix to come to a stand at, where that
     is not the target alone (`halted`). `pace`: how fast its time goes, 0..1 of the show's, where cues have called it
-    (`with_pace`); None: with the show's, whatever pauses.
+    (`with_pace`); None: with the show's, whatever pauses. `since`: seconds of the show since it has a pace, from its
+    elapsed time then, for the velocity dies out in the show's time: what moved comes to a stand in a pause and does not
+    stop at once. None: as elapsed.
     """
 
     target: str
@@ -53,6 +55,7 @@ class Call:
     held: bool = False
     goal: Mapping[str, float] | None = None
     pace: float | None = None
+    since: float | None = None
 
 
 @dataclass(frozen=True)
@@ -102,7 +105,7 @@ def slots(axis: Axis) -> Slots:
     if call is None:
         return REST
     y = _position(call)
-    return Slots(1.0 - y, y, call.decay * bump(call.elapsed / call.decay) * _share(call) if call.decay else 0.0)
+    return Slots(1.0 - y, y, call.decay * bump(_since(call) / call.decay) * _share(call) if call.decay else 0.0)
 
 
 def slot_rates(axis: Axis) -> Slots:
@@ -111,9 +114,9 @@ def slot_rates(axis: Axis) -> Slots:
     if call is None:
         return Slots(0.0, 0.0, 0.0)
     _, rate = progress(call)
-    carried = bump_rate(call.elapsed / call.decay) * _share(call) if call.decay else 0.0
+    carried = bump_rate(_since(call) / call.decay) * _share(call) if call.decay else 0.0
     pace = 1.0 if call.pace is None else call.pace
-    return Slots(-rate * pace, rate * pace, carried * pace)
+    return Slots(-rate * pace, rate * pace, carried)
 
 
 def weights(axis: Axis) -> dict[str, float]:
@@ -174,7 +177,8 @@ def called_to_mix(axis: Axis, mix: Weights, seconds: float, easing: str) -> Axis
 
 def with_pace(axis: Axis, pace: float | None) -> Axis:
     """The axis with its call at a pace, 0..1 of the show's time; None: with the show, whatever pauses."""
-    return axis if axis.call is None else replace(axis, call=replace(axis.call, pace=pace))
+    call = axis.call
+    return axis if call is None else replace(axis, call=replace(call, pace=pace, since=_since(call)))
 
 
 def repaced(axis: Axis, pace: float) -> Axis:
@@ -227,10 +231,11 @@ def advanced(axis: Axis, dt: float) -> Axis:
     """The axis `dt` seconds later; a call that has arrived leaves its target alone on air."""
     if axis.call is None:
         return axis
+    since = None if axis.call.since is None else axis.call.since + dt
     if axis.call.pace is not None:
         dt *= axis.call.pace
     way = None if axis.call.way is None else glide_after(axis.call.way, dt)
-    call = with_fields(axis.call, elapsed=axis.call.elapsed + dt, way=way)
+    call = with_fields(axis.call, elapsed=axis.call.elapsed + dt, way=way, since=since)
     if not _has_arrived(call):
         return with_fields(axis, call=call)
     stands = call.goal if call.goal is not None and len(call.goal) > 1 else None
@@ -261,7 +266,12 @@ def _share(call: Call) -> float:
     planned."""
     y = _position(call)
     base = combine(((1.0 - y, call.start), (y, _goal(call))))
-    return share_in_range(base, combine(((call.decay * bump(call.elapsed / call.decay), call.velocity),)))
+    return share_in_range(base, combine(((call.decay * bump(_since(call) / call.decay), call.velocity),)))
+
+
+def _since(call: Call) -> float:
+    """Seconds in which the velocity of a call has died out so far."""
+    return call.elapsed if call.since is None else call.since
 
 
 def _along(axis: Axis, position: float) -> float:
@@ -276,7 +286,7 @@ def _remaining(call: Call) -> float:
 
 
 def _has_arrived(call: Call) -> bool:
-    if not is_over(call.elapsed, call.decay):
+    if not is_over(_since(call), call.decay):
         return False
     if call.way is not None:
         return call.way.goal == 1.0 and is_over(call.way.elapsed, call.way.seconds)

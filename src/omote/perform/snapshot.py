@@ -197,6 +197,8 @@ def _check_call(call: Call, names: Mapping[str, object], what: str) -> None:
     _check_sum(call.velocity, 0.0, f"the velocities of the {what}s")
     check_within(call.decay, 0.0, DECAY_SECONDS, "the decay of a call (seconds)")
     check_within(call.elapsed, 0.0, FOREVER, "the elapsed time of a call (seconds)")
+    if call.since is not None:
+        check_within(call.since, 0.0, FOREVER, "the time in which the velocity of a call dies out (seconds)")
     if call.seconds is not None:
         check_within(call.seconds, SHORTEST_CALL, LONGEST_CALL, "the time of a call (seconds)")
     if call.way is not None:

@@ -9,7 +9,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from omote.perform.easing import EASINGS
-from omote.perform.scene.movement import Movement, Way, check_movement, proceed, rates, redirect, values
+from omote.perform.scene.movement import Movement, Way, check_movement, proceed, rates, redirect, values, with_pace
 
 RANGES = {"x": (-10.0, 10.0), "size": (0.25, 4.0)}
 goals = st.fixed_dictionaries({name: st.floats(*ends) for name, ends in RANGES.items()})
@@ -29,12 +29,12 @@ def after(sent: Sent) -> Movement:
     return movement
 
 
-@given(orders, goals, st.floats(0.05, 3.0))
+@given(orders, goals, st.floats(0.05, 3.0), st.one_of(st.none(), st.floats(0.0, 1.0)))
 def test_a_new_way_begins_where_the_old_one_is_and_at_its_speed(
-    sent: Sent, goal: dict[str, float], seconds: float
+    sent: Sent, goal: dict[str, float], seconds: float, pace: float | None
 ) -> None:
     movement = after(sent)
-    turned = redirect(movement, goal, seconds, RANGES)
+    turned = with_pace(redirect(movement, goal, seconds, RANGES), pace)
     assert values(turned, RANGES) == pytest.approx(values(movement, RANGES), abs=1e-9)
     if turned.way is not None and turned.way.decay > 0.0:
         assert rates(turned) == pytest.approx(rates(movement), rel=1e-9, abs=1e-9)

@@ -20,8 +20,8 @@ Ranges = Mapping[str, tuple[float, float]]
 
 @dataclass(frozen=True)
 class Way:
-    """The way of some numbers from `start`, where they moved at `velocity` per second; `elapsed` of `seconds`. pace: as
-    of `axis.Call`."""
+    """The way of some numbers from `start`, where they moved at `velocity` per second; `elapsed` of `seconds`. pace,
+    since: as of `axis.Call`."""
 
     start: Numbers
     velocity: Numbers
@@ -30,6 +30,7 @@ class Way:
     elapsed: float = 0.0
     easing: str = DEFAULT_EASING
     pace: float | None = None
+    since: float | None = None
 
 
 @dataclass(frozen=True)
@@ -49,7 +50,7 @@ def values(movement: Movement, ranges: Ranges) -> dict[str, float]:
     if way is None:
         return dict(movement.goal)
     y = find_easing(way.easing).value(min(1.0, way.elapsed / way.seconds))
-    carried = way.decay * bump(way.elapsed / way.decay) if way.decay else 0.0
+    carried = way.decay * bump(_since(way) / way.decay) if way.decay else 0.0
     at = {}
     for name, goal in movement.goal.items():
         low, high = ranges[name]
@@ -64,9 +65,9 @@ def rates(movement: Movement) -> dict[str, float]:
     if way is None:
         return dict.fromkeys(movement.goal, 0.0)
     rate = find_easing(way.easing).rate(min(1.0, way.elapsed / way.seconds)) / way.seconds
-    carried = bump_rate(way.elapsed / way.decay) if way.decay else 0.0
-    pace = 1.0 if way.pace is None else way.pace
-    return {n: ((goal - way.start[n]) * rate + way.velocity[n] * carried) * pace for n, goal in movement.goal.items()}
+    carried = bump_rate(_since(way) / way.decay) if way.decay else 0.0
+    rate *= 1.0 if way.pace is None else way.pace
+    return {n: (goal - way.start[n]) * rate + way.velocity[n] * carried for n, goal in movement.goal.items()}
 
 
 def redirect(
@@ -88,7 +89,8 @@ def redirect(
 
 def with_pace(movement: Movement, pace: float | None) -> Movement:
     """The movement with its way at a pace, as `axis.with_pace`."""
-    return movement if movement.way is None else Movement(movement.goal, replace(movement.way, pace=pace))
+    way = movement.way
+    return movement if way is None else Movement(movement.goal, replace(way, pace=pace, since=_since(way)))
 
 
 def repaced(movement: Movement, pace: float) -> Movement:
@@ -101,7 +103,8 @@ def proceed(movement: Movement, dt: float) -> Movement:
     if movement.way is None:
         return movement
     pace = 1.0 if movement.way.pace is None else movement.way.pace
-    way = replace(movement.way, elapsed=movement.way.elapsed + dt * pace)
+    since = None if movement.way.since is None else movement.way.since + dt
+    way = replace(movement.way, elapsed=movement.way.elapsed + dt * pace, since=since)
     return Movement(movement.goal, None if is_over(way.elapsed, way.seconds) else way)
 
 
@@ -120,6 +123,7 @@ def check_movement(movement: Movement, ranges: Ranges, what: str) -> None:
     check_within(way.decay, 0.0, DECAY_SECONDS, f"{what}: the decay of its speed (seconds)")
     check_within(way.elapsed, 0.0, way.seconds, f"{what}: the elapsed time of its way (seconds)")
     find_easing(way.easing)
+    check_within(_since(way), 0.0, FOREVER, f"{what}: the time of its speed (seconds)")
     if way.pace is not None:
         check_within(way.pace, 0.0, 1.0, f"{what}: the pace of its way")
 
@@ -129,6 +133,10 @@ def _check_numbers(numbers: Numbers, ranges: Ranges, what: str) -> None:
         raise ValueError(f"{what} has {', '.join(numbers) or 'no numbers'}; it must have {', '.join(ranges)}")
     for name, (low, high) in ranges.items():
         check_within(numbers[name], low, high, f"{what} {name}")
+
+
+def _since(way: Way) -> float:
+    return way.elapsed if way.since is None else way.since
 
 
 def _decay(way: Way, goal: Numbers, ranges: Ranges) -> float:
