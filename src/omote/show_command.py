@@ -100,6 +100,9 @@ def show(
             metavar="DEVICE", min=0, max=111, help="The device that this show is for MIDI Show Control; 127 means all."
         ),
     ] = 0,
+    record: Annotated[
+        bool, typer.Option("--record/--no-record", help="Record what the show does beside its file; see omote replay.")
+    ] = True,
     allow: Annotated[
         str,
         typer.Option(metavar="NETWORKS", help="Who may send beside this machine: 192.168.1.0/24,10.0.0.7 or any."),
@@ -125,7 +128,7 @@ def show(
     from omote.server.process.terminal_relay import relay_terminal
     from omote.server.supervision.supervisor import PROGRAM, Supervisor
 
-    options = replace(read_options(sacn, bindings, allow, listen, send), show_control=show_control)
+    options = replace(read_options(sacn, bindings, allow, listen, send), show_control=show_control, recorded=record)
     embedders = read_embedders(embed or [])
     tls = open_certificate(host, certificate, key, made=https)
     devices = open_devices(host, osc, options, OFF if artnet is None else artnet)

@@ -37,6 +37,7 @@ def test_a_standby_reads_what_the_operator_asked_for() -> None:
         listen="vmc:0",
         send="osc:10.0.0.5:9001",
         show_control=5,
+        recorded=False,
     )
     assert parse(options.words) == options
     assert parse([]) == DeviceOptions()

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import mimetypes
+from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -16,8 +17,9 @@ PAGES = {
     "/camera": "camera.html",
     "/editor": "editor.html",
     "/microphone": "microphone.html",
-    "/replay": "replay.html",
 }
+REPLAY_PAGES = {**PAGES, "/replay": "replay.html"}
+"""Those of `omote replay`."""
 TYPES = {".js": "text/javascript", ".mjs": "text/javascript", ".css": "text/css", ".html": "text/html"}
 
 
@@ -30,14 +32,15 @@ class Page:
     immutable: bool
 
 
-def read_pages(folder: Path = FOLDER) -> dict[str, Page]:
-    """Every page by its URL path; FileNotFoundError, with how to build them, when one is missing."""
-    missing = [name for name in PAGES.values() if not (folder / name).is_file()]
+def read_pages(folder: Path = FOLDER, pages: Mapping[str, str] = PAGES) -> dict[str, Page]:
+    """Every page by its URL path; FileNotFoundError, with how to build them, when one is missing. folder: where they
+    are; pages: their files."""
+    missing = [name for name in pages.values() if not (folder / name).is_file()]
     if missing:
         raise FileNotFoundError(f"the pages are not built ({', '.join(missing)} missing in {folder}): run `make web`.")
     files = sorted(path for path in folder.rglob("*") if path.is_file())
-    pages = {f"/{path.relative_to(folder).as_posix()}": _page(path, folder) for path in files}
-    return pages | {url: pages[f"/{name}"] for url, name in PAGES.items()}
+    built = {f"/{path.relative_to(folder).as_posix()}": _page(path, folder) for path in files}
+    return built | {url: built[f"/{name}"] for url, name in pages.items()}
 
 
 def _page(path: Path, folder: Path) -> Page:

@@ -18,7 +18,7 @@ from omote.server.access.security import own_names
 from omote.server.http.app import ShowServer
 from omote.server.http.cast_documents import CastDocuments, built_in_documents
 from omote.server.http.document_routes import NO_CACHE
-from omote.server.http.static_pages import Page, read_pages
+from omote.server.http.static_pages import REPLAY_PAGES, Page, read_pages
 from omote.server.recording.recorded_show import LogLine, RecordedShow, Span
 from omote.server.recording.replay_player import ReplayPlayer, TransportRequest
 from omote.show.declaration import ClientMessage, Outgoing
@@ -164,7 +164,7 @@ def serve(show: RecordedShow, span: Span, port: int, announce: Callable[[str], N
 
 async def _serve(show: RecordedShow, span: Span, port: int, announce: Callable[[str], None]) -> None:
     documents = built_in_documents()
-    replay = ReplayServer(show, span, documents, read_pages())
+    replay = ReplayServer(show, span, documents, read_pages(pages=REPLAY_PAGES))
     opened = listen(port)
     runner = web.AppRunner(replay.server.application(own_names()), access_log=None, shutdown_timeout=1.0)
     await runner.setup()

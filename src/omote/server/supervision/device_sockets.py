@@ -61,7 +61,7 @@ class DeviceOptions:
     """What a server is told of devices: descriptors of sockets, and what the operator asked for, as it was typed.
 
     trackers: descriptors by the names of their protocols; listen: what was asked for of them; send: where faces
-    are sent; show_control: the device that the show is for MIDI Show Control.
+    are sent; show_control: the device that the show is for MIDI Show Control; recorded: whether the show is recorded.
     """
 
     osc: int | None = None
@@ -75,6 +75,7 @@ class DeviceOptions:
     listen: str = ""
     send: str = ""
     show_control: int = 0
+    recorded: bool = True
 
     @property
     def words(self) -> list[str]:
@@ -82,7 +83,8 @@ class DeviceOptions:
         universes = [word for number in self.universes for word in ("--universe", str(number))]
         named = {"--allow": self.allow, "--bindings": self.bindings, "--trackers": self.listen, "--send": self.send}
         named |= {"--show-control": str(self.show_control)} if self.show_control else {}
-        return universes + [word for name, value in named.items() if value for word in (name, value)]
+        switches = [] if self.recorded else ["--no-record"]
+        return universes + switches + [word for name, value in named.items() if value for word in (name, value)]
 
 
 NO_DEVICES = DeviceOptions()
@@ -98,6 +100,7 @@ def add_device_options(parser: argparse.ArgumentParser) -> None:
     for name in ("--allow", "--bindings", "--trackers", "--send"):
         parser.add_argument(name, default="")
     parser.add_argument("--show-control", type=int, default=0)
+    parser.add_argument("--no-record", dest="recorded", action="store_false")
 
 
 def read_device_options(options: argparse.Namespace) -> DeviceOptions:
@@ -107,7 +110,14 @@ def read_device_options(options: argparse.Namespace) -> DeviceOptions:
     trackers = {name: descriptor for name, descriptor in handed.items() if descriptor is not None}
     typed = {"allow": options.allow, "bindings": options.bindings, "listen": options.trackers, "send": options.send}
     universes = tuple(options.universe)
-    return DeviceOptions(*descriptors, universes, trackers=trackers, show_control=options.show_control, **typed)
+    return DeviceOptions(
+        *descriptors,
+        universes,
+        trackers=trackers,
+        show_control=options.show_control,
+        recorded=options.recorded,
+        **typed,
+    )
 
 
 def read_universes(text: str) -> tuple[int, ...]:

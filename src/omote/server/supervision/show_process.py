@@ -145,7 +145,9 @@ async def play(
     server.enable_editing(authored_work, reopen, tell)
     scans = ScanPreviews()
     enable_files(server, (lambda: kept.path, jobs.run) if kept and jobs else None, scans)
-    recording = RecordingThread(recording_path(kept.path), tell, version("omote")) if kept else None
+    recording = (
+        RecordingThread(recording_path(kept.path), tell, version("omote")) if kept and pipes.devices.recorded else None
+    )
     if recording:
         server.recording.enable(recording, jobs.run if jobs else None)
     journal = JournalWriter(kept, tell, gate, solved=tell) if kept else None

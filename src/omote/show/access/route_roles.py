@@ -56,10 +56,6 @@ ROUTES: Mapping[tuple[str, str], AccessRole] = MappingProxyType(
         ("GET", "/devices"): "view",
         ("GET", "/camera"): "view",
         ("GET", "/microphone"): "view",
-        ("GET", "/replay"): "view",
-        ("GET", "/replay/transport"): "view",
-        ("POST", "/replay/transport"): "admin",  # served by `omote replay` alone, to this machine, without tokens
-        ("GET", "/replay/moments"): "view",
         ("GET", "/{page}"): "view",
     }
 )
