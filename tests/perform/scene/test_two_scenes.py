@@ -117,3 +117,20 @@ def test_a_hand_on_one_channel_ends_the_way_of_all(first: Scene) -> None:
     first.advance(0.5)
     first["one"].set_channel("smile", 0.0)
     assert first.advance(2.0).characters["one"].frame.channels == {"jawOpen": 0.5}
+
+
+def test_a_source_that_begins_to_play_leaves_ways_of_head_and_channels_as_they_go(first: Scene) -> None:
+    """Layers took what hands hold for the jump of a hand: a head on its way stopped when a clip or a tracker came."""
+    step = 1.0 / 240.0
+    at = []
+    for tick in range(300):
+        if tick == 10:
+            first.call_goal("one/head", {"yaw": 0.6, "pitch": 0.0, "roll": 0.0}, seconds=1.0)
+            first.call_channels("one", {"jawOpen": 0.5}, seconds=1.0)
+        if tick == 100:
+            first["one"].drive({"smile": 0.5}, layer="lips")
+        frame = first.advance(step).characters["one"].frame
+        at.append([frame.head.yaw, frame.channels.get("jawOpen", 0.0)])
+    bends = np.abs(np.diff(np.array(at), 2, axis=0)).max(axis=0) / step
+    assert bends.max() < 0.6 * 6.0 * step  # the smooth easing's largest acceleration is 5.8 of its way
+    assert at[-1] == pytest.approx([0.6, 0.5], abs=1e-9)

@@ -45,10 +45,11 @@ UPRIGHT = Head()
 STRAIGHT = Gaze()
 
 
-def hold_by(cast: HasExpressions, layers: Layers, held: Held) -> Layers:
+def hold_by(cast: HasExpressions, layers: Layers, held: Held, *, on_way: bool = False) -> Layers:
     """The layers under what hands hold now; what a hand lets go keeps its value while the hold goes.
 
-    cast: whose expressions there are; held: what hands hold.
+    cast: whose expressions there are; held: what hands hold; on_way: it has moved smoothly, so what was held already
+    moves along with it, where the jump of a hand is followed.
     """
     layers = with_names(cast, layers, held.channels)
     columns = layers.columns
@@ -61,7 +62,9 @@ def hold_by(cast: HasExpressions, layers: Layers, held: Held) -> Layers:
     first = layers.first.copy()
     second = layers.second.copy()
     free = layers.calm | ((first[hold] == 0.0) & (second[hold] == 0.0))
+    moved = np.where(layers.goal[hold] > 0.0, goal[hands] - layers.goal[hands], 0.0) if on_way else 0.0
     for vector in (first, second):
+        vector[hands] += moved
         np.copyto(vector[hands], goal[hands], where=free)
         if layers.calm:
             vector[hold] = holds

@@ -21,6 +21,7 @@ from omote.perform.channels import with_channels
 from omote.perform.easing import DEFAULT_EASING
 from omote.perform.frame import Frame, Gaze, GazeTarget, Head, Held, MotionSettings, with_fields
 from omote.perform.layers.layer_names import check_layer
+from omote.perform.layers.layers import hold_by
 from omote.perform.mix import Weights
 from omote.perform.motion.sight import NOTHING, Sight
 from omote.perform.panic import eased, without_channels
@@ -217,6 +218,8 @@ class SceneCharacter(Performer):
         turning = self.turning
         if turning is not None:
             self._set_turns({part: proceed(way, dt) for part, way in self._ways(turning).items()}, turning.panics)
+            if self._layers is not None:
+                self._layers = hold_by(self._cast, self._layers, self._held(), on_way=True)
         return super().advance(dt)
 
     def _turned_by_hands(self) -> Held:
