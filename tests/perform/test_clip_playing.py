@@ -229,3 +229,20 @@ def test_what_cannot_be_played_is_rejected_and_changes_nothing(people: Cast, rea
         performer.play_clip(clip)
     with pytest.raises(ValueError, match="8 clips play already"):
         performer.play_clip(clip)
+
+
+def test_a_panic_takes_over_the_speed_of_what_a_clip_shows(people: Cast) -> None:
+    """As of the calls that it was recorded of: it began from a stand."""
+    caller = Performer(people)
+    caller.call_expression("jawOpen", seconds=0.5)
+    shown = [(0.0, caller.advance(0.0)), *((tick * DT, caller.advance(DT)) for tick in range(1, 60))]
+    clip = Clip([Lane(cut_curve(shown, people, start=0.0, stop=59 * DT))])
+    called, played = Performer(people), Performer(people)
+    called.call_expression("jawOpen", seconds=0.5)
+    played.play_clip(clip, seconds=0)
+    for performer in (called, played):
+        performer.advance(0.25)
+        performer.panic()
+    for _ in range(20):
+        weights = [performer.advance(DT).expressions.get("jawOpen", 0.0) for performer in (called, played)]
+        assert weights[1] == pytest.approx(weights[0], abs=2e-3)
