@@ -229,3 +229,38 @@ def test_what_cannot_be_played_is_rejected_and_changes_nothing(people: Cast, rea
         performer.play_clip(clip)
     with pytest.raises(ValueError, match="8 clips play already"):
         performer.play_clip(clip)
+
+
+def test_a_panic_takes_over_the_speed_of_what_a_clip_shows(people: Cast) -> None:
+    """As of the calls that it was recorded of: it began from a stand."""
+    caller = Performer(people)
+    caller.call_expression("jawOpen", seconds=0.5)
+    shown = [(0.0, caller.advance(0.0)), *((tick * DT, caller.advance(DT)) for tick in range(1, 60))]
+    clip = Clip([Lane(cut_curve(shown, people, start=0.0, stop=59 * DT))])
+    called, played = Performer(people), Performer(people)
+    called.call_expression("jawOpen", seconds=0.5)
+    played.play_clip(clip, seconds=0)
+    for performer in (called, played):
+        performer.advance(0.25)
+        performer.panic()
+    for _ in range(20):
+        weights = [performer.advance(DT).expressions.get("jawOpen", 0.0) for performer in (called, played)]
+        assert weights[1] == pytest.approx(weights[0], abs=2e-3)
+
+
+@pytest.mark.parametrize("tick", [240, 360])
+def test_a_panic_takes_over_the_speed_of_channels(people: Cast, tick: int) -> None:
+    """What a clip moved at 2.5 a second stood at once; the easing of a panic alone changes it by half of that."""
+    step = 1.0 / 240.0
+    times = np.arange(0.0, 4.0, DT)
+    swings = 0.45 + 0.4 * np.sin(2.0 * np.pi * times)
+    performer = Performer(people)
+    performer.play_clip(
+        Clip([Lane(make_curve(times.tolist(), {"jawOpen": swings.tolist()}, {"jawOpen": 2}))]), seconds=0
+    )
+    shown = [performer.advance(step).channels.get("jawOpen", 0.0) for _ in range(tick)]
+    performer.panic()
+    shown += [performer.advance(step).channels.get("jawOpen", 0.0) for _ in range(80)]
+    assert np.abs(np.diff(np.array(shown), 2)).max() / step < 0.8
+    assert -0.1 <= min(shown) <= shown[-1] == 0.0
+    assert max(shown) < 1.0

@@ -12,6 +12,7 @@ from typing import NamedTuple
 
 from omote.model.known_names import PlayRegion
 from omote.perform.easing import (
+    DECAY_SECONDS,
     DEFAULT_EASING,
     HAND_SECONDS,
     Glide,
@@ -173,6 +174,12 @@ def called_to_mix(axis: Axis, mix: Weights, seconds: float, easing: str) -> Axis
     """The axis with a call to a whole mix, as of `called`. mix: what it comes to, one name or several; seconds: 0 cuts;
     easing: the curve of the way."""
     return called(axis, _heaviest(mix), seconds, easing, mix if len(mix) > 1 else None)
+
+
+def moving(mix: Weights, velocity: Weights) -> Axis:
+    """An axis that shows a mix which moves, per second, at a velocity that sums to nothing: for a call to take over."""
+    name = _heaviest(mix)
+    return Axis(name, Call(name, mix, velocity, DECAY_SECONDS, DEFAULT_EASING, DECAY_SECONDS))
 
 
 def with_pace(axis: Axis, pace: float | None) -> Axis:

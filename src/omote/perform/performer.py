@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from copy import copy
 from dataclasses import replace
 
 from omote.model.known_names import GENERIC, NEUTRAL, PLAY_REGIONS
@@ -36,6 +37,7 @@ from omote.perform.layers.source_frame import (
     with_gaze_of_units,
 )
 from omote.perform.limits import FOREVER, check_call_seconds, check_known, check_switch, check_within
+from omote.perform.mix import combine, mix_in
 from omote.perform.motion.automatic_motion import (
     MOTION_LAYERS,
     AutomaticMotion,
@@ -48,7 +50,7 @@ from omote.perform.motion.automatic_motion import (
     set_motion,
 )
 from omote.perform.motion.sight import Sight, sight_alone
-from omote.perform.panic import PANIC_EASING, PANIC_SECONDS, EasingToRest, ease_later, eased
+from omote.perform.panic import PANIC_EASING, PANIC_SECONDS, EasingToRest, at_speed, ease_later, eased
 from omote.perform.snapshot import Playable, Snapshot, check_snapshot, is_home_next, refuse_no_cast
 from omote.perform.speech.speaking import (
     advance_speaking,
@@ -62,6 +64,9 @@ from omote.perform.speech.speaking import (
 )
 from omote.perform.speech.speech_timing import make_track
 from omote.perform.speech.visemes import speech_frame
+
+MOMENT = 1e-4
+"""Seconds in which the speed of a mix is measured: no step of a show, and long beside rounding."""
 
 
 class Performer(ClipPlaying):
@@ -501,7 +506,11 @@ class Performer(ClipPlaying):
         """
         now = self._now
         if now.panicked is None:
-            now = self._without_layers(_at_rest(self._with_played_mixes(now)))
+            later = copy(self).advance(MOMENT)
+            now = self._without_layers(_at_rest(self._with_played_mixes(now, later)))
+            if now.easing_to_rest is not None:
+                on_air = Held(later.channels, later.head, later.gaze)
+                now = replace(now, easing_to_rest=at_speed(now.easing_to_rest, on_air, MOMENT))
         elif is_home_next(now):
             now = replace(
                 now, face=axis.called(now.face, now.home.face, check_call_seconds(now.home.seconds), DEFAULT_EASING)
@@ -686,19 +695,26 @@ class Performer(ClipPlaying):
             )
         return with_gestures(frame, now.gestures, self._cast.expressions, self._held())
 
-    def _with_played_mixes(self, now: Snapshot) -> Snapshot:
-        """A panic where clips play: the mixes that show with theirs are what is called from now on. now: as it is."""
+    def _with_played_mixes(self, now: Snapshot, later: Frame) -> Snapshot:
+        """A panic where clips play: what is called over from now on are the mixes that show with theirs, at their
+        speed. now: as it is; later: what would show a moment later."""
         if not now.clips:
             return now
         if not self._mixes:
             return replace(now, clips=())
         frame = self._frame()
 
-        def at(mix: Mapping[str, float]) -> Axis:
-            return axis.called_to_mix(now.expression, axis.standing_mix(mix), 0.0, DEFAULT_EASING)
+        def at(mix: Mapping[str, float], after: Mapping[str, float]) -> Axis:
+            return axis.moving(mix, combine(((1.0 / MOMENT, after), (-1.0 / MOMENT, mix))))
 
-        regions = {region: at(mix) for region, mix in frame.regions.items()}
-        return replace(now, expression=at(frame.expressions), regions=regions, clips=())
+        parts = {**frame.regions, **later.regions}
+        regions = {
+            region: at(
+                mix_in(region, frame.expressions, frame.regions), mix_in(region, later.expressions, later.regions)
+            )
+            for region in parts
+        }
+        return replace(now, expression=at(frame.expressions, later.expressions), regions=regions, clips=())
 
     def _without_layers(self, rested: Snapshot) -> Snapshot:
         """A panic where layers play: all that they had on air eases to rest, and sources are off."""
