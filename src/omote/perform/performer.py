@@ -50,7 +50,7 @@ from omote.perform.motion.automatic_motion import (
     set_motion,
 )
 from omote.perform.motion.sight import Sight, sight_alone
-from omote.perform.panic import PANIC_EASING, PANIC_SECONDS, EasingToRest, at_speed, ease_later, eased
+from omote.perform.panic import PANIC_EASING, PANIC_SECONDS, EasingToRest, ease_later, eased
 from omote.perform.snapshot import Playable, Snapshot, check_snapshot, is_home_next, refuse_no_cast
 from omote.perform.speech.speaking import (
     advance_speaking,
@@ -506,11 +506,7 @@ class Performer(ClipPlaying):
         """
         now = self._now
         if now.panicked is None:
-            later = copy(self).advance(MOMENT)
-            now = self._without_layers(_at_rest(self._with_played_mixes(now, later)))
-            if now.easing_to_rest is not None:
-                on_air = Held(later.channels, later.head, later.gaze)
-                now = replace(now, easing_to_rest=at_speed(now.easing_to_rest, on_air, MOMENT))
+            now = self._without_layers(_at_rest(self._with_played_mixes(now)))
         elif is_home_next(now):
             now = replace(
                 now, face=axis.called(now.face, now.home.face, check_call_seconds(now.home.seconds), DEFAULT_EASING)
@@ -695,14 +691,15 @@ class Performer(ClipPlaying):
             )
         return with_gestures(frame, now.gestures, self._cast.expressions, self._held())
 
-    def _with_played_mixes(self, now: Snapshot, later: Frame) -> Snapshot:
+    def _with_played_mixes(self, now: Snapshot) -> Snapshot:
         """A panic where clips play: what is called over from now on are the mixes that show with theirs, at their
-        speed. now: as it is; later: what would show a moment later."""
+        speed. now: as it is."""
         if not now.clips:
             return now
         if not self._mixes:
             return replace(now, clips=())
         frame = self._frame()
+        later = copy(self).advance(MOMENT)
 
         def at(mix: Mapping[str, float], after: Mapping[str, float]) -> Axis:
             return axis.moving(mix, combine(((1.0 / MOMENT, after), (-1.0 / MOMENT, mix))))

@@ -135,10 +135,6 @@ def check_snapshot(snapshot: Snapshot, cast: Playable) -> Snapshot:
     check_within(snapshot.time, 0.0, FOREVER, "the snapshot's time (seconds)")
     if snapshot.easing_to_rest is not None:
         check_within(snapshot.easing_to_rest.elapsed, 0.0, PANIC_SECONDS, "the elapsed time of a panic (seconds)")
-        check_within(snapshot.easing_to_rest.decay, 0.0, PANIC_SECONDS, "the decay of what a panic found (seconds)")
-        speed = snapshot.easing_to_rest.speed
-        for rate in (*speed.channels.values(), *vars(speed.head).values(), *vars(speed.gaze).values()):
-            check_within(rate, -FOREVER, FOREVER, "the speed of what a panic found (per second)")
     if snapshot.panicked is not None:
         check_within(snapshot.panicked, 0.0, snapshot.time, "the time of the last panic (seconds)")
     return snapshot
