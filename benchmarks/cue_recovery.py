@@ -96,7 +96,8 @@ def faults(before: State, after: State) -> tuple[str, ...]:
     passed = after.time - before.time
     if before.cues is None or after.cues is None:
         return ("no cues",)
-    was, came = before.cues.lists["main"], after.cues.lists["main"]
+    was = before.cues.lists["main"]
+    came = after.cues.lists["main"]
     found = [] if _has_gone_on(was, came, passed) else [f"cue {_number(was)} is {_number(came)} after {passed:.3f} s"]
     if _number(was) == _number(came):
         left = {wait.part: wait.seconds for wait in was.waits}

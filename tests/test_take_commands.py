@@ -8,6 +8,7 @@ import pytest
 from typer.testing import CliRunner
 
 from omote.cli import app
+from omote.client.connect import connect
 from omote.inputs.takes.packet_capture import Packet, encode_capture
 from omote.take_commands import _tell, read_take
 from tests.inputs.takes.test_live_link_take import HEADER, row
@@ -69,7 +70,7 @@ def test_a_file_that_is_no_take_is_said(tmp_path: Path, data: bytes | None, said
 def test_a_show_that_is_not_there_is_said(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(
         "omote.client.connect.connect.__kwdefaults__",
-        {"name": "x", "timeout": 0.2, "token": None, "authority": None},
+        {**(connect.__kwdefaults__ or {}), "timeout": 0.2},
     )
     path = tmp_path / "take.csv"
     path.write_text(HEADER + row("00:00:00:00", *[0.5] * 8))
