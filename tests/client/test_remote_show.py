@@ -44,7 +44,13 @@ NO_CALLS = {
     "leave_layer",
     "recalibrate_layer",
     "note_camera",  # stages say where theirs are
-    *("play_clip", "find_clips", "set_clips"),  # an engine is given clips, a program calls those of the show by name
+    *(
+        "play_clip",
+        "find_clips",
+        "set_clips",
+        "clips_playing",
+        "resume_clips",
+    ),  # an engine is given clips, a program calls those of the show by name
 }
 """What is the server's, and the scene's."""
 

@@ -242,6 +242,46 @@ class ClipPlaying(CalledMix):
         found = {run.number: clips[run.clip] for run in self._now.clips if run.clip in clips}
         self._clips = {**found, **self._clips}
 
+    def clips_playing(self) -> dict[int, Clip]:
+        """The clips that play, as they were called, whatever was edited since.
+
+        Returns
+        -------
+        dict of Clip
+            By the numbers of their runs.
+
+        Examples
+        --------
+        >>> from omote.perform.clips.cut_clip import record
+        >>> clip = omote.Clip([omote.Lane(record(omote.Performer(cast), cast, seconds=1.0))])
+        >>> performer = omote.Performer(cast)
+        >>> performer.play_clip(clip, name="line1")
+        >>> [*performer.clips_playing().values()] == [clip]
+        True
+        """
+        return {run.number: self._clips[run.number] for run in self._now.clips if run.number in self._clips}
+
+    def resume_clips(self, clips: Mapping[int, Clip]) -> None:
+        """Goes on with clips that were edited or dropped since they were called, before `find_clips` finds the others.
+
+        Parameters
+        ----------
+        clips : mapping of Clip
+            By the numbers of their runs.
+
+        Examples
+        --------
+        >>> from omote.perform.clips.cut_clip import record
+        >>> clip = omote.Clip([omote.Lane(record(omote.Performer(cast), cast, seconds=1.0))])
+        >>> performer = omote.Performer(cast)
+        >>> performer.play_clip(clip, name="line1")
+        >>> again = omote.Performer.restored(cast, performer.snapshot())
+        >>> again.resume_clips(performer.clips_playing())
+        >>> again.advance(0.1) == performer.advance(0.1)
+        True
+        """
+        self._clips = {**self._clips, **clips}
+
     def _advance_clips(self, dt: float) -> None:
         """Clips go on, and play their layer."""
         before = self._now.clips

@@ -10,6 +10,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from omote.perform.snapshot import Playable
+from omote.show.objects.clips import DropClip, KeepPass, PlayClip, RecordClip
 from omote.show.recording import recorder
 from omote.show.recording.entries import AnyEntry, Kept, Ticked
 from omote.show.recording.replay import ReplayError, replay
@@ -97,3 +98,20 @@ def test_what_cannot_be_replayed_is_said() -> None:
         list(replay([show.entries[1:]], CASTS.__getitem__))
     with pytest.raises(ReplayError, match="cast that played"):
         list(replay([show.entries], NO_CASTS.__getitem__))
+
+
+def test_a_seek_plays_a_clip_as_it_was_called_whatever_was_edited_since() -> None:
+    show = RandomShow(1, {CAST.digest: CAST})
+    show.calm = 1e9
+    show.send("ana", RecordClip("a", "one", "c1"))
+    show.play(1.0)
+    show.send("ana", KeepPass("b", "one"))
+    show.send("ana", PlayClip("one", "c", "c1", 0.0, loop=True))
+    show.play(0.5)
+    show.send("ana", DropClip("d", "c1"))
+    show.play(3.0)
+    stored, clips = as_stored(show.entries)
+    times = [entry.now for entry in stored if isinstance(entry, Ticked)]
+    ticks = list(replay([stored], CASTS.__getitem__, clips.__getitem__, after=times[200]))
+    assert [encode(tick.state) for tick in ticks] == show.states[201:]
+    assert [clip.name for clip in ticks[-1].state.characters["one"].clips] == ["c1"]

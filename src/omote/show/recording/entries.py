@@ -175,7 +175,7 @@ class Kept(Entry, frozen=True):
     tick; number, epoch, revision: of the last state; digest: of the cast; members: by client; sources:
     those that are open; sounds: seconds by key; eyes: offsets by character; playing: of the cues. book, clips: the
     cues and the clips (as of `ClipsEdited`), where a piece of the recording begins here; else they are as the last
-    entry has them.
+    entry has them. runs: clips that play but are not there so any more, by character and number of the run.
     """
 
     session: SessionSnapshot
@@ -191,6 +191,7 @@ class Kept(Entry, frozen=True):
     playing: CuesPlaying
     book: CuesShown | None = None
     clips: dict[str, Any] | None = None
+    runs: dict[str, dict[int, Any]] = {}
 
 
 AnyEntry = (
@@ -219,12 +220,19 @@ def join(session: ShowSession, who: str, called: Called) -> None:
 
 def name_clips(entries: list[AnyEntry], key_of: Callable[[Clip], str]) -> list[AnyEntry]:
     """The entries with clips by their keys, as a file keeps them. key_of: keeps a clip and gives its key."""
-    return [
-        msgspec.structs.replace(entry, clips={name: key_of(clip) for name, clip in entry.clips.items()})
-        if isinstance(entry, ClipsEdited | Kept) and entry.clips is not None
-        else entry
-        for entry in entries
-    ]
+
+    def keys(clips: dict[Any, Any]) -> dict[Any, str]:
+        return {name: key_of(clip) for name, clip in clips.items()}
+
+    named: list[AnyEntry] = []
+    for entry in entries:
+        if isinstance(entry, ClipsEdited | Kept) and entry.clips is not None:
+            entry = msgspec.structs.replace(entry, clips=keys(entry.clips))
+        if isinstance(entry, Kept) and entry.runs:
+            runs = {character: keys(clips) for character, clips in entry.runs.items()}
+            entry = msgspec.structs.replace(entry, runs=runs)
+        named.append(entry)
+    return named
 
 
 _encoder = msgspec.msgpack.Encoder()

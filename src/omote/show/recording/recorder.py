@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import replace
+from typing import Any
 
 import msgspec
 
@@ -154,4 +155,16 @@ def snapshot_of(session: ShowSession, members: Mapping[str, Called], *, with_cue
         playing=session.cues.playing(),
         book=session.cues.shown() if with_cues else None,
         clips=dict(session.clips.clips) if with_cues else None,
+        runs=_runs_of(session),
     )
+
+
+def _runs_of(session: ShowSession) -> dict[str, dict[int, Any]]:
+    """The clips that play and were edited since, or dropped, by character and number of the run."""
+    known = {id(clip) for clip in session.clips.clips.values()}
+    playing = {name: session.scene[name].clips_playing() for name in session.scene}
+    other = {
+        name: {number: clip for number, clip in clips.items() if id(clip) not in known}
+        for name, clips in playing.items()
+    }
+    return {name: clips for name, clips in other.items() if clips}

@@ -66,6 +66,8 @@ class Replay:
         self.session.sources.replay(kept.sources)
         self.session.sounds.set(kept.sounds)
         self.session.cues.replay(begin.book, kept.playing)
+        for name, runs in kept.runs.items():
+            self.session.scene[name].resume_clips({number: self._clip(clip) for number, clip in runs.items()})
         self._set_clips(begin.clips)
         for who, called in kept.members.items():
             join(self.session, who, called)
@@ -101,9 +103,13 @@ class Replay:
             raise ReplayError(f"{type(entry).__name__} cannot be done again: {error}") from error
 
     def _set_clips(self, clips: Mapping[str, Any]) -> None:
-        self.session.clips.load(
-            {name: clip if isinstance(clip, Clip) else self._find_clip(clip) for name, clip in clips.items()}
-        )
+        self.session.clips.load({name: self._clip(clip) for name, clip in clips.items()})
+
+    def _clip(self, clip: Any) -> Clip:
+        try:
+            return clip if isinstance(clip, Clip) else self._find_clip(clip)
+        except LookupError as error:
+            raise ReplayError(f"a clip that played is not there: {error}") from error
 
     def _cast(self, digest: str) -> Playable:
         try:
