@@ -203,9 +203,9 @@ class RecordingFile:
         with self._connection:
             self._connection.execute("INSERT OR IGNORE INTO content VALUES (?, ?)", (key, data))
 
-    def trim(self, seconds: float = RING_SECONDS) -> None:
+    def trim(self, seconds: float = RING_SECONDS) -> set[str]:
         """Removes pieces that are older than so many seconds of playing, but those of kept recordings, and the casts
-        that none plays any more."""
+        that none plays any more; returns the keys of the contents that went with them."""
         pieces = self.pieces()
         left = seconds
         gone: list[int] = []
@@ -218,14 +218,14 @@ class RecordingFile:
                 gone.append(piece.id)
             left -= piece.last - piece.first
         if not gone:
-            return
+            return set()
         with self._connection:
             self._connection.executemany("DELETE FROM piece WHERE id = ?", [(number,) for number in gone])
             self._connection.execute("DELETE FROM start WHERE id NOT IN (SELECT start FROM piece)")
-            self._forget_unplayed()
+            return self._forget_unplayed()
 
-    def _forget_unplayed(self) -> None:
-        """Removes the casts that no piece plays, and the contents that no cast has."""
+    def _forget_unplayed(self) -> set[str]:
+        """Removes the casts that no piece plays, and the contents that no cast has; returns the keys of these."""
         played = {
             digest for (casts,) in self._connection.execute("SELECT casts FROM piece") for digest in casts.split()
         }
@@ -233,8 +233,9 @@ class RecordingFile:
         unplayed = [(digest,) for digest, _ in rows if digest not in played]
         self._connection.executemany('DELETE FROM "cast" WHERE digest = ?', unplayed)
         needed = played | {key for digest, contents in rows if digest in played for key in contents.split()}
-        keys = [key for (key,) in self._connection.execute("SELECT key FROM content")]
-        self._connection.executemany("DELETE FROM content WHERE key = ?", [(key,) for key in keys if key not in needed])
+        keys = {str(key) for (key,) in self._connection.execute("SELECT key FROM content")} - needed
+        self._connection.executemany("DELETE FROM content WHERE key = ?", [(key,) for key in keys])
+        return keys
 
     # --- what is kept and read ---
 

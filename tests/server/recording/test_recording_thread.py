@@ -2,20 +2,27 @@
 
 from __future__ import annotations
 
+import sqlite3
+import threading
+import time
 import zlib
+from collections.abc import Callable
 from pathlib import Path
 
 import pytest
 
+from omote.server.recording import recording_thread
 from omote.server.recording.recorded_show import RecordedShow
-from omote.server.recording.recording_thread import RecordingThread
+from omote.server.recording.recording_thread import RecordingThread, read_entries
+from omote.show.objects.clips import DropClip, KeepPass, PlayClip, RecordClip, RestoreClip
 from omote.show.recording import recorder
-from omote.show.recording.entries import Ticked, encode_entries
+from omote.show.recording.entries import Kept, Ticked, encode_entries
 from omote.show.recording.recorder import Recorder
 from omote.show.session import ShowSession
 from omote.show.wire import encode
-from omote.showfile.recording_file import open_recording, recording_path
+from omote.showfile.recording_file import RecordingFile, open_recording, recording_path
 from tests import synthetic
+from tests.server.recording.test_recorded_show import record
 from tests.show.recording.random_show import RandomShow
 
 CAST = synthetic.cast()
@@ -57,3 +64,101 @@ def test_a_disk_that_fails_costs_the_recording_and_is_said_once(tmp_path: Path) 
     writer.close()
     assert len(said) == 1
     assert "goes on without it" in said[0]
+
+
+def test_a_minute_that_cannot_be_read_stays_as_it_is_and_costs_no_other(tmp_path: Path) -> None:
+    path = recording_path(tmp_path / "show.omote")
+    file = open_recording(path, new=True)
+    left = file.begin_piece(file.begin_start(1e9, 0.0, "another"), 0.0)
+    file.add(left, b"what another version wrote", last=1.0, ticks=1)
+    file.close()
+    show = record(path, 14, 2.0)
+    again = open_recording(path)
+    assert again.unpacked() == [left]
+    reading = RecordedShow(again, CAST)
+    assert [encode(tick.state) for tick in reading.replay(reading.find_span())] == show.states
+    reading.close()
+    again.close()
+
+
+def test_after_a_disk_that_failed_a_piece_begins_with_a_snapshot(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    path = recording_path(tmp_path / "show.omote")
+    begin = RecordingFile.begin_piece
+    failures = iter([True])
+
+    def fail_once(file: RecordingFile, start: int, first: float) -> int:
+        if next(failures, False):
+            raise sqlite3.OperationalError("disk I/O error")
+        return begin(file, start, first)
+
+    monkeypatch.setattr(RecordingFile, "begin_piece", fail_once)
+    monkeypatch.setattr(recording_thread, "ADD_SECONDS", 0.001)
+    said: list[str] = []
+    writer = RecordingThread(path, said.append, "test")
+    session = ShowSession(CAST)
+    notes = Recorder(session)
+    for number in range(400):
+        data = encode(session.tick(number / 60))
+        writer.note(notes.take(zlib.crc32(data)))
+        if number == 5:
+            wait_until(lambda: bool(said))
+    writer.close()
+    assert ["written again" in sentence for sentence in said] == [False, True]
+    file = open_recording(path)
+    pieces = [read_entries(file, piece.id) for piece in file.pieces()]
+    assert pieces
+    assert all(isinstance(entries[0], Kept) and entries[0].book is not None for entries in pieces)
+    file.close()
+
+
+def test_what_the_ring_has_lost_is_kept_anew_where_it_is_played_again(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(recording_thread, "RING_SECONDS", 1.0)
+    path = recording_path(tmp_path / "show.omote")
+    writer = RecordingThread(path, pytest.fail, "test")
+    writer.note_cast(CAST, {})
+    show = RandomShow(15, {CAST.digest: CAST}, calm=1e9)
+
+    def play(seconds: float) -> None:
+        for _ in range(round(60 * seconds)):
+            show.entries.clear()
+            show.tick()
+            writer.note(list(show.entries))
+
+    show.send("ana", RecordClip("a", "one", "line"))
+    play(1.0)
+    show.send("ana", KeepPass("b", "one"))
+    play(1.0)
+    show.send("ana", DropClip("c", "line"))
+    for _ in range(3):
+        play(3.0)
+        writer_is_idle(writer)
+    show.send("ana", RestoreClip("d", "line"))
+    show.send("ana", PlayClip("one", "e", "line"))
+    play(1.0)
+    writer.close()
+    file = open_recording(path)
+    reading = RecordedShow(file, CAST)
+    ticks = list(reading.replay(reading.find_span()))
+    assert [encode(tick.state) for tick in ticks] == show.states[-len(ticks) :]
+    assert len(ticks) < len(show.states)
+    reading.close()
+    file.close()
+
+
+def writer_is_idle(writer: RecordingThread) -> None:
+    """Returns when all that was noted is written."""
+    written = threading.Event()
+    writer.flush(lambda _: written.set())
+    assert written.wait(60.0)
+
+
+def wait_until(holds: Callable[[], bool]) -> None:
+    """Waits for what another thread brings about."""
+    until = time.monotonic() + 60.0
+    while not holds():
+        assert time.monotonic() < until
+        time.sleep(0.005)

@@ -7,6 +7,7 @@ import sqlite3
 import threading
 import time
 from collections.abc import Callable, Mapping, Sequence
+from contextlib import suppress
 from pathlib import Path
 from queue import Empty, SimpleQueue
 from weakref import WeakKeyDictionary
@@ -30,7 +31,7 @@ from omote.show.recording.entries import (
 )
 from omote.show.recording.packing import pack_entries, unpack_entries
 from omote.showfile.database_errors import explain_database_error
-from omote.showfile.recording_file import KeptRecording, RecordingFile, StoredCast, open_recording
+from omote.showfile.recording_file import RING_SECONDS, KeptRecording, RecordingFile, StoredCast, open_recording
 from omote.showfile.schema import ShowFileError
 from omote.stage_data.playing_cast import PlayingCast
 
@@ -65,6 +66,7 @@ class RecordingThread:
         self._piece: int | None = None
         self._begins = False
         self._casts: list[str] = []
+        self._cast: tuple[StoredCast, list[tuple[str, bytes]]] | None = None
         self._clips: WeakKeyDictionary[Clip, str] = WeakKeyDictionary()
         self._members: dict[str, str] = {}
         self._pending: list[AnyEntry] = []
@@ -88,7 +90,7 @@ class RecordingThread:
         keys = tuple(sorted({item.content for item in own}))
         stored = StoredCast(cast.digest, base, msgspec.msgpack.encode(own), keys)
         found = [(key, contents[key]) for key in keys if key in contents]
-        self._work.put(lambda: self._opened().keep_cast(stored, found))
+        self._work.put(lambda: self._keep_cast(stored, found))
 
     def keep(self, name: str, seconds: float, now: float, answer: Answer) -> None:
         """Keeps the last seconds under a name. now: seconds, monotonic; answer: told of it, on this thread."""
@@ -145,6 +147,7 @@ class RecordingThread:
             work()
         except (sqlite3.Error, OSError, ShowFileError, ValueError) as error:
             self._piece = None
+            self._begins = False  # what comes next has no snapshot before it
             if not self._failing:
                 reason = str(error) if isinstance(error, ShowFileError) else explain_database_error(error)
                 self._report(f"the recording {self.path} cannot be written ({reason}): the show goes on without it.")
@@ -160,7 +163,8 @@ class RecordingThread:
             file = open_recording(self.path, new=True)
             wall = time.time_ns() / 1e9
             for piece in file.unpacked():
-                file.pack(piece, pack_entries(read_entries(file, piece)))
+                with suppress(ValueError):  # another version wrote it: it stays as it is
+                    file.pack(piece, pack_entries(read_entries(file, piece)))
             self._start = file.begin_start(wall, time.monotonic(), self._program)
             self._file = file
         return self._file
@@ -188,6 +192,8 @@ class RecordingThread:
         if self._begins:
             self._piece = self._opened().begin_piece(self._start, ticks[0])
             self._begins = False
+            if self._cast is not None:  # the ring may have lost it: no piece named it yet
+                self._opened().keep_cast(*self._cast)
         if self._piece is None:
             return  # the disk has failed: it goes on with the next piece
         self._members |= {entry.who: entry.called.name for entry in entries if isinstance(entry, Joined)}
@@ -200,6 +206,10 @@ class RecordingThread:
         data = encode_entries(name_clips(entries, self._keep_clip))
         casts = dict.fromkeys(self._casts)
         self._opened().add(self._piece, data, last=ticks[-1], ticks=len(ticks), casts=casts, markers=marks)
+
+    def _keep_cast(self, cast: StoredCast, contents: list[tuple[str, bytes]]) -> None:
+        self._cast = (cast, contents)
+        self._opened().keep_cast(cast, contents)
 
     def _keep_clip(self, clip: Clip) -> str:
         """Keeps a clip, and gives its key."""
@@ -217,7 +227,9 @@ class RecordingThread:
         if self._piece is not None:
             file = self._opened()
             file.pack(self._piece, pack_entries(read_entries(file, self._piece)))
-            file.trim()
+            lost = file.trim(RING_SECONDS)
+            for clip in [clip for clip, key in self._clips.items() if key in lost]:
+                del self._clips[clip]
             self._piece = None
 
     def _carry_out(self, work: Callable[[RecordingFile], None], answer: Answer) -> None:
