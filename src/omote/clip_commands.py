@@ -93,15 +93,13 @@ def import_clip(
     from omote.inputs.takes.take_clip import clip_of_take
     from omote.perform.clips.clip_runs import LONGEST_CLIP_NAME
     from omote.server.persistence.offline_show import open_offline_show
-    from omote.show.clips.show_clips import check_clip_name
-    from omote.show.objects.clips import MOST_CLIPS, StoredClip, stored_clip
+    from omote.show.clips.show_clips import name_new_clip
+    from omote.show.objects.clips import StoredClip, stored_clip
     from omote.showfile.changes import StoredDocument
 
     with exit_on_refusal(), open_offline_show(file, new=True) as show:
         there = show.stored().documents.get(StoredClip.kind, {})
-        called = check_clip_name(name or take.stem[:LONGEST_CLIP_NAME], there)
-        if len(there) >= MOST_CLIPS:
-            raise ValueError(f"there are {MOST_CLIPS} clips, which is as many as a show keeps; delete one")
+        called = name_new_clip(name or take.stem[:LONGEST_CLIP_NAME], there)
         clip = clip_of_take(read, load_cast(), lane=take.stem[:LONGEST_CLIP_NAME])
         show.apply([StoredDocument(StoredClip.kind, called, stored_clip(clip).encode())])
     say(escape_controls(f"{file} has the clip {called}, {clip.seconds:.2f} s."))

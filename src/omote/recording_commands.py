@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import re
-import time
 import webbrowser
 from collections.abc import Iterator
 from contextlib import contextmanager
@@ -12,7 +11,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from omote.file_commands import JsonOption, ShowFileArgument, print_rows
+from omote.file_commands import JsonOption, ShowFileArgument, format_time, print_rows
 from omote.terminal import escape_controls, exit_on_refusal, fail, say
 
 if TYPE_CHECKING:
@@ -53,11 +52,11 @@ def list_recordings(file: ShowFileArgument, json: JsonOption = False) -> None:
         document = describe_recordings(recorded)
     begins = {span.start: span.written - span.first for span in document.spans}
     rows = [
-        {"what": "kept" if span.name else "ring", "name": span.name, "at": told_time(span.written),
+        {"what": "kept" if span.name else "ring", "name": span.name, "at": format_time(span.written),
          "length": told_length(span.seconds)}
         for span in (*document.spans, *document.kept)
     ] + [
-        {"what": "marker", "name": mark.name, "at": told_time(begins[mark.start] + mark.at), "length": ""}
+        {"what": "marker", "name": mark.name, "at": format_time(begins[mark.start] + mark.at), "length": ""}
         for mark in document.markers
     ]  # fmt: skip
     print_rows(rows, json=json, none=f"nothing of {file} is recorded yet.")
@@ -216,8 +215,3 @@ def told_length(seconds: float) -> str:
     minutes, rest = divmod(whole, 60)
     hours, minutes = divmod(minutes, 60)
     return f"{hours}:{minutes:02d}:{rest:02d}.{tenths}"
-
-
-def told_time(written: float) -> str:
-    """A time of day with its date, here. written: seconds since 1970."""
-    return time.strftime("%Y-%m-%d %H:%M:%S", time.localtime(written))

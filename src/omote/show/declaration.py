@@ -138,8 +138,8 @@ class ClientMessage(Message, frozen=True):
     air whoever sends it. holds: whether who plays its part holds it from then on. hand: how a hand sends it. once:
     whether one that has an id executes once for it. recorded: whether a recording of the show keeps it: one that only
     concerns its sender's link, who may play, devices or the show file is not kept. reads_preview: whether what it does
-    on air follows from the preview. longest: bytes. osc: its addresses
-    of OSC. method: what `omote.connect` calls it, "" for its tag, None where a program has no method for it.
+    on air follows from the preview. longest: bytes. osc: its addresses of OSC. method: what `omote.connect` calls it,
+    "" for its tag, None where a program has no method for it.
     """
 
     access: ClassVar[AccessRole] = HIGHEST

@@ -32,7 +32,7 @@ from omote.show.executed_calls import ExecutedCalls
 from omote.show.messages import PROTOCOL_VERSION
 from omote.show.objects.documents import NAMES_OF
 from omote.show.objects.faders import SetChannel
-from omote.show.objects.link import Hello, Notice, Notices, Refused, Welcome
+from omote.show.objects.link import Bus, Hello, Notice, Notices, Refused, Welcome
 from omote.show.objects.show_notes import ShowNotes
 from omote.show.objects.speech import SayByVoice
 from omote.show.objects.stages import CastChanged, Crew
@@ -329,7 +329,7 @@ class ShowSession:
         self.lost.append(f"what was built up in preview cannot be played ({error}) and is forgotten.")
 
     def take_lost(self) -> list[str]:
-        """Returns and clears what of the preview was lost, in sentences for the crew."""
+        """Returns and clears what of the preview and of passes was lost, in sentences for the crew."""
         lost = self.lost
         self.lost = []
         return lost
@@ -393,11 +393,11 @@ class ShowSession:
         """Who is connected."""
         return self.members.present
 
-    def join(self, who: str, name: str, seat: str = "") -> None:
+    def join(self, who: str, name: str, seat: str = "", bus: Bus = "air") -> None:
         """Adds a source, such as a sender of OSC: it plays as a console does, but hears nothing and needs no hello.
         seat: that of the member (`crew`) for whom it plays, where it plays not for itself. who: the client; name: what
-        it is called."""
-        self.members.join(who, name, seat)
+        it is called; bus: which it plays on."""
+        self.members.join(who, name, seat, bus)
 
     def leave(self, who: str, *, lost: float | None = None) -> None:
         """Removes a client; T-bars and channels that it held stay as they are. lost: when its link broke, where its

@@ -5,7 +5,7 @@ from __future__ import annotations
 from omote.show.messages import PROTOCOL_VERSION
 from omote.show.objects.calls import CallFace
 from omote.show.objects.link import Hello, Ping
-from omote.show.recording.entries import Joined, Kept, Left, Sent, Ticked
+from omote.show.recording.entries import Joined, Left, Sent, SnapshotTaken, Ticked
 from omote.show.recording.recorder import Recorder
 from omote.show.session import ShowSession
 from tests import synthetic
@@ -33,7 +33,7 @@ def test_what_is_refused_or_only_asks_is_not_noted() -> None:
     session.tick(0.5)
     session.leave("ana")
     kinds = [type(entry) for entry in recorder.take(7)]
-    assert kinds == [Kept, Joined, Sent, Ticked, Left]
+    assert kinds == [SnapshotTaken, Joined, Sent, Ticked, Left]
 
 
 def test_a_tick_has_the_check_of_the_state_that_was_sent() -> None:

@@ -12,7 +12,7 @@ from hypothesis import strategies as st
 from omote.perform.snapshot import Playable
 from omote.show.objects.clips import DropClip, KeepPass, PlayClip, RecordClip
 from omote.show.recording import recorder
-from omote.show.recording.entries import AnyEntry, Kept, Ticked
+from omote.show.recording.entries import AnyEntry, Ticked, begins_piece
 from omote.show.recording.replay import ReplayError, replay
 from omote.show.wire import encode
 from tests import synthetic
@@ -55,7 +55,7 @@ def test_a_seek_ends_at_the_same_states_from_any_tick_on(seed: int) -> None:
 def test_a_piece_needs_no_entry_before_it() -> None:
     show = RandomShow(7, CASTS)
     show.play(10.0)
-    begins = [place for place, entry in enumerate(show.entries) if isinstance(entry, Kept) and entry.book is not None]
+    begins = [place for place, entry in enumerate(show.entries) if begins_piece(entry)]
     assert len(begins) > 3
     for place in begins:
         ticks = list(replay([show.entries[place:]], CASTS.__getitem__))
@@ -63,7 +63,7 @@ def test_a_piece_needs_no_entry_before_it() -> None:
 
 
 def pieces_of(entries: list[AnyEntry]) -> list[list[AnyEntry]]:
-    begins = [place for place, entry in enumerate(entries) if isinstance(entry, Kept) and entry.book is not None]
+    begins = [place for place, entry in enumerate(entries) if begins_piece(entry)]
     return [entries[begin:end] for begin, end in zip(begins, [*begins[1:], len(entries)], strict=True)]
 
 

@@ -13,8 +13,8 @@ from omote.perform.layers.layer_names import LAYER_PARTS, LayerPart
 from omote.perform.limits import check_known
 from omote.server.persistence.offline_show import open_offline_show
 from omote.server.recording.recorded_show import RecordedShow, Span
-from omote.show.clips.show_clips import check_clip_name
-from omote.show.objects.clips import MOST_CLIPS, StoredClip, clip_of, stored_clip
+from omote.show.clips.show_clips import name_new_clip
+from omote.show.objects.clips import StoredClip, clip_of, stored_clip
 from omote.show.objects.documents import read_document
 from omote.show.objects.state import CharacterState
 from omote.showfile.changes import StoredDocument
@@ -66,10 +66,8 @@ def keep_clip(
         there = opened.stored().documents.get(StoredClip.kind, {})
         if name in there:
             clip = with_lane(clip_of(read_document(StoredClip, there[name])), made)
-        elif len(there) >= MOST_CLIPS:
-            raise ValueError(f"there are {MOST_CLIPS} clips, which is as many as a show keeps; delete one")
         else:
-            name = check_clip_name(name, there)
+            name = name_new_clip(name, there)
             clip = Clip([made])
         opened.apply([StoredDocument(StoredClip.kind, name, stored_clip(clip).encode())])
     return clip

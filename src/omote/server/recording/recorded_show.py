@@ -13,7 +13,7 @@ from omote.perform.clips.clip import Clip
 from omote.server.recording.recording_thread import read_entries
 from omote.show.declaration import ClientMessage, tag_of
 from omote.show.objects.clips import StoredClip, clip_of
-from omote.show.recording.entries import AnyEntry, ChannelsSet, Joined, Kept, Sent
+from omote.show.recording.entries import AnyEntry, ChannelsSet, Joined, Sent, SnapshotTaken
 from omote.show.recording.replay import ReplayedTick, ReplayError, replay
 from omote.showfile.recording_file import Piece, RecordingFile
 from omote.stage_data.playing_cast import Own, PlayingCast, build_playing_cast
@@ -114,10 +114,10 @@ class RecordedShow:
         names: dict[str, str] = {}
         line: LogLine | None = None
         for entry in (entry for piece in self._entries(self._pieces(span, span.first)) for entry in piece):
-            if isinstance(entry, Kept):
-                names |= {who: called.name for who, called in entry.members.items()}
+            if isinstance(entry, SnapshotTaken):
+                names |= {who: client.name for who, client in entry.members.items()}
             if isinstance(entry, Joined):
-                names[entry.who] = entry.called.name
+                names[entry.who] = entry.client.name
             following = _line_of(entry, names)
             if following is None or not span.first <= following.at <= span.last:
                 continue

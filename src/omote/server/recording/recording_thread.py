@@ -21,10 +21,10 @@ from omote.show.objects.recordings import MarkedMoment, MarkMoment, RecordedSpan
 from omote.show.recording.entries import (
     AnyEntry,
     Joined,
-    Kept,
     Recast,
     Sent,
     Ticked,
+    begins_piece,
     decode_entries,
     encode_entries,
     name_clips,
@@ -79,7 +79,7 @@ class RecordingThread:
         if self._ticks.qsize() > MOST_WAITING:
             self._full = True
             return
-        if not self._full or any(isinstance(entry, Kept) and entry.book is not None for entry in entries):
+        if not self._full or any(begins_piece(entry) for entry in entries):
             self._full = False  # after a gap it begins with a piece of its own
             self._ticks.put(entries)
 
@@ -175,7 +175,7 @@ class RecordingThread:
         self._pending = []
         while not self._ticks.empty():
             for entry in self._ticks.get():
-                if isinstance(entry, Kept) and entry.book is not None:
+                if begins_piece(entry):
                     self._write(entries)
                     entries = []
                     self._pack()
@@ -196,7 +196,7 @@ class RecordingThread:
                 self._opened().keep_cast(*self._cast)
         if self._piece is None:
             return  # the disk has failed: it goes on with the next piece
-        self._members |= {entry.who: entry.called.name for entry in entries if isinstance(entry, Joined)}
+        self._members |= {entry.who: entry.client.name for entry in entries if isinstance(entry, Joined)}
         self._casts += [entry.digest for entry in entries if isinstance(entry, Recast)]
         marks = [
             (entry.now, entry.message.text, self._members.get(entry.who, ""))

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import Any
 
@@ -123,8 +123,8 @@ class ShowClips:
     def put(self, name: str, clip: Clip) -> list[Outgoing]:
         """Keeps a clip under a name, new or in the place of the one of that name; ValueError where there are too many.
         Returns what consoles are told."""
-        if name not in self.clips and len(self.clips) >= wire.MOST_CLIPS:
-            raise ValueError(f"there are {wire.MOST_CLIPS} clips, which is as many as a show keeps; delete one")
+        if name not in self.clips:
+            check_room(self.clips)
         return self._with({**self.clips, name: clip})
 
     def add_pass(
@@ -241,6 +241,19 @@ class ShowClips:
 
     def _free(self, name: str, others: Mapping[str, Clip] | None = None) -> str:
         return check_clip_name(name, self.clips if others is None else others)
+
+
+def name_new_clip(name: str, others: Collection[str]) -> str:
+    """Returns the name of one more clip; ValueError as of `check_clip_name`, and where there are as many clips as a
+    show keeps. others: the names of the others."""
+    check_room(others)
+    return check_clip_name(name, others)
+
+
+def check_room(clips: Collection[str]) -> None:
+    """Raises ValueError where a show keeps no more clips than these, by name."""
+    if len(clips) >= wire.MOST_CLIPS:
+        raise ValueError(f"there are {wire.MOST_CLIPS} clips, which is as many as a show keeps; delete one")
 
 
 def check_clip_name(name: str, others: Iterable[str]) -> str:

@@ -85,10 +85,10 @@ class Members:
         """Who has opened a link."""
         return self._visitors.get(who, ANYBODY)
 
-    def join(self, who: str, name: str, seat: str = "") -> None:
+    def join(self, who: str, name: str, seat: str = "", bus: Bus = "air") -> None:
         """Adds a source: it hears nothing and needs no hello. seat: for whom it plays, where not for itself. who: the
-        client; name: what it is called."""
-        self.present[who] = Member("source", name=name, seat=seat or who)
+        client; name: what it is called; bus: which it plays on."""
+        self.present[who] = Member("source", name=name, seat=seat or who, bus=bus)
 
     def leave(self, who: str, *, lost: float | None = None) -> None:
         """Removes a client (who); lost: when its link broke, where its page was not closed."""

@@ -49,7 +49,7 @@ class CuesSnapshot:
 
 
 @dataclass(frozen=True)
-class CuesPlaying:
+class RecordedCueStates:
     """What cue lists are beside their cues. states: how far each list is, by name; last_go: when, seconds, monotonic;
     pressed: by list, when its last GO came and of whom; ignored: the last GO that was not obeyed; rejected: what of the
     last cue was not called."""
@@ -62,7 +62,7 @@ class CuesPlaying:
 
 
 @dataclass(frozen=True)
-class CuesShown:
+class RecordedCues:
     """Cues without the log of their edits. cues: of all lists; orders: by list, the identities of its cues; edits: how
     many there were so far; undo, redo: what would be taken back or done again."""
 
@@ -135,17 +135,17 @@ class CueLists:
         }
         return CuesSnapshot(states, self.chosen, self._rate, self._paused, self.locked, self._ignored_count)
 
-    def playing(self) -> CuesPlaying:
+    def playing(self) -> RecordedCueStates:
         """What the lists are beside their cues, for a recording."""
         states = {name: replace(player.state, calls=(), done=()) for name, player in self._players.items()}
-        return CuesPlaying(states, self._last_go, dict(self._pressed), self._ignored, self._rejected)
+        return RecordedCueStates(states, self._last_go, dict(self._pressed), self._ignored, self._rejected)
 
-    def shown(self) -> CuesShown:
+    def shown(self) -> RecordedCues:
         """The cues as they are, for a recording."""
         orders = {name: tuple(order) for name, order in self.book.orders.items()}
-        return CuesShown(tuple(self.book.cues.values()), orders, self.edit_count, *self._offers)
+        return RecordedCues(tuple(self.book.cues.values()), orders, self.edit_count, *self._offers)
 
-    def replay(self, shown: CuesShown, playing: CuesPlaying | None = None) -> None:
+    def replay(self, shown: RecordedCues, playing: RecordedCueStates | None = None) -> None:
         """Plays cues as they were recorded. shown: the cues; playing: what the lists were beside them, None where they
         go on as they are."""
         if playing is not None:

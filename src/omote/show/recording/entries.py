@@ -7,22 +7,21 @@ is not the same on two machines.
 
 from __future__ import annotations
 
-import dataclasses
 from collections.abc import Callable
-from typing import TYPE_CHECKING, Any, Union
+from typing import TYPE_CHECKING, Any, TypeGuard, Union
 
 import msgspec
 
 from omote.perform.clips.clip import Clip
 from omote.perform.scene.scene_snapshot import SceneSnapshot
-from omote.show.cues.cue_lists import CuesPlaying, CuesShown
+from omote.show.cues.cue_lists import RecordedCues, RecordedCueStates
 from omote.show.messages import CLIENT_MESSAGES
 from omote.show.objects.link import Bus
 from omote.show.objects.recordings import MarkMoment
 from omote.show.preview_bus import PreviewSnapshot
 from omote.show.session import ShowSession
 from omote.show.session_snapshot import SessionSnapshot
-from omote.show.sources.open_sources import SourcesPlaying
+from omote.show.sources.open_sources import RecordedSources
 from omote.show.sources.sources_snapshot import Route
 from omote.show.state import EyeOffset
 
@@ -39,7 +38,7 @@ class Entry(msgspec.Struct, frozen=True, array_like=True, tag=True):
         """Does it again; ValueError or LookupError where it cannot be done. session: the show."""
 
 
-class Called(msgspec.Struct, frozen=True, array_like=True):
+class Client(msgspec.Struct, frozen=True, array_like=True):
     """A client as a session knows it. name: for people; seat: for whom it plays; bus: which it looks at."""
 
     name: str
@@ -51,11 +50,11 @@ class Joined(Entry, frozen=True):
     """A client (who) is known from now on, or called otherwise."""
 
     who: str
-    called: Called
+    client: Client
 
     def redo(self, session: ShowSession) -> None:
         """Adds the client. session: the show."""
-        join(session, self.who, self.called)
+        session.join(self.who, self.client.name, self.client.seat, self.client.bus)
 
 
 class Left(Entry, frozen=True):
@@ -124,7 +123,7 @@ class Recast(Entry, frozen=True):
 class CuesEdited(Entry, frozen=True):
     """The cues as an edit has left them."""
 
-    shown: CuesShown
+    shown: RecordedCues
 
     def redo(self, session: ShowSession) -> None:
         """Plays the cues from now on. session: the show."""
@@ -168,7 +167,7 @@ class Ticked(Entry, frozen=True):
     check: int | None = None
 
 
-class Kept(Entry, frozen=True):
+class SnapshotTaken(Entry, frozen=True):
     """The session as it is after a tick: a replay can begin here.
 
     session: what a restarted server needs too, without ids and leases; now: seconds, monotonic, None before the first
@@ -184,12 +183,12 @@ class Kept(Entry, frozen=True):
     epoch: int
     revision: int
     digest: str
-    members: dict[str, Called]
-    sources: SourcesPlaying
+    members: dict[str, Client]
+    sources: RecordedSources
     sounds: dict[str, float]
     eyes: dict[str, EyeOffset]
-    playing: CuesPlaying
-    book: CuesShown | None = None
+    playing: RecordedCueStates
+    book: RecordedCues | None = None
     clips: dict[str, Any] | None = None
     runs: dict[str, dict[int, Any]] = {}
 
@@ -207,15 +206,13 @@ AnyEntry = (
     | PreviewSet
     | LineRejected
     | Ticked
-    | Kept
+    | SnapshotTaken
 )
 
 
-def join(session: ShowSession, who: str, called: Called) -> None:
-    """Adds a client to a session that replays, as a source: it hears nothing. who: the client; called: as it was
-    known."""
-    session.join(who, called.name, called.seat)
-    session.members.present[who] = dataclasses.replace(session.members[who], bus=called.bus)
+def begins_piece(entry: AnyEntry | None) -> TypeGuard[SnapshotTaken]:
+    """Whether a piece of a recording begins with an entry: a snapshot with the cues needs none before it."""
+    return isinstance(entry, SnapshotTaken) and entry.book is not None
 
 
 def name_clips(entries: list[AnyEntry], key_of: Callable[[Clip], str]) -> list[AnyEntry]:
@@ -226,9 +223,9 @@ def name_clips(entries: list[AnyEntry], key_of: Callable[[Clip], str]) -> list[A
 
     named: list[AnyEntry] = []
     for entry in entries:
-        if isinstance(entry, ClipsEdited | Kept) and entry.clips is not None:
+        if isinstance(entry, ClipsEdited | SnapshotTaken) and entry.clips is not None:
             entry = msgspec.structs.replace(entry, clips=keys(entry.clips))
-        if isinstance(entry, Kept) and entry.runs:
+        if isinstance(entry, SnapshotTaken) and entry.runs:
             runs = {character: keys(clips) for character, clips in entry.runs.items()}
             entry = msgspec.structs.replace(entry, runs=runs)
         named.append(entry)

@@ -12,18 +12,18 @@ from omote.show.declaration import ClientMessage
 from omote.show.ownership.leasing import LeaseSnapshot
 from omote.show.recording.entries import (
     AnyEntry,
-    Called,
     ChannelsSet,
+    Client,
     ClipsEdited,
     CuesEdited,
     Joined,
-    Kept,
     Left,
     LineRejected,
     PreviewSet,
     Recast,
     Routed,
     Sent,
+    SnapshotTaken,
     SoundsKnown,
     Ticked,
 )
@@ -42,7 +42,7 @@ class Recorder:
     def __init__(self, session: ShowSession) -> None:
         self._session = session
         self._entries: list[AnyEntry] = []
-        self._known: dict[str, Called] = {}
+        self._known: dict[str, Client] = {}
         self._kept = 0
         self._kept_at: float | None = None
         self._tick: float | None = None
@@ -124,7 +124,7 @@ class Recorder:
 
     def _meet(self, who: str) -> None:
         member = self._session.members[who]
-        called = Called(member.name, member.seat, member.bus)
+        called = Client(member.name, member.seat, member.bus)
         if self._known.get(who) != called:
             self._known[who] = called
             self._note(Joined(who, called))
@@ -136,12 +136,12 @@ class Recorder:
         self._entries.append(snapshot_of(self._session, self._known, with_cues=begins))
 
 
-def snapshot_of(session: ShowSession, members: Mapping[str, Called], *, with_cues: bool) -> Kept:
+def snapshot_of(session: ShowSession, members: Mapping[str, Client], *, with_cues: bool) -> SnapshotTaken:
     """The session as it is, for a replay to begin there. members: name and seat of those who have played, by client;
     with_cues: with the cues themselves."""
     snapshot = session.snapshot()
     cues = replace(snapshot.cues, states={})  # `playing` has them whole
-    return Kept(
+    return SnapshotTaken(
         session=msgspec.structs.replace(snapshot, executed={}, leases=LeaseSnapshot(), cues=cues, preview=None),
         now=session.now,
         number=session.number,

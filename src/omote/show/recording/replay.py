@@ -9,9 +9,9 @@ from typing import Any
 
 from omote.perform.clips.clip import Clip
 from omote.perform.snapshot import Playable
-from omote.show.cues.cue_lists import CuesShown
+from omote.show.cues.cue_lists import RecordedCues
 from omote.show.objects.state import State
-from omote.show.recording.entries import AnyEntry, ClipsEdited, CuesEdited, Kept, Recast, Ticked, join
+from omote.show.recording.entries import AnyEntry, ClipsEdited, CuesEdited, Recast, SnapshotTaken, Ticked, begins_piece
 from omote.show.session import ShowSession
 from omote.show.wire import encode
 
@@ -44,8 +44,8 @@ class ReplayedTick:
 class Beginning:
     """Where a replay begins: a snapshot, with the cues and the clips as they were then."""
 
-    kept: Kept
-    book: CuesShown
+    kept: SnapshotTaken
+    book: RecordedCues
     clips: Mapping[str, Any]
 
 
@@ -69,8 +69,8 @@ class Replay:
         for name, runs in kept.runs.items():
             self.session.scene[name].resume_clips({number: self._clip(clip) for number, clip in runs.items()})
         self._set_clips(begin.clips)
-        for who, called in kept.members.items():
-            join(self.session, who, called)
+        for who, client in kept.members.items():
+            self.session.join(who, client.name, client.seat, client.bus)
 
     def play(self, entries: Iterable[AnyEntry]) -> Iterator[ReplayedTick]:
         """Does what was recorded, tick by tick; ReplayError where an entry cannot be done again. entries: those behind
@@ -152,7 +152,7 @@ def replay(
     for piece in pieces:
         entries = list(piece)
         first = entries[0] if entries else None
-        if not isinstance(first, Kept) or first.book is None:
+        if not begins_piece(first) or first.book is None:
             raise ReplayError("a replay begins with a snapshot that has the cues; there is none")
         rest = entries[1:]
         if playing is None or (playing.session.number, playing.session.epoch) != (first.number, first.epoch):
@@ -173,7 +173,7 @@ def _begin(entries: list[AnyEntry], first: Beginning, after: float | None) -> tu
             shown = replace(shown, book=entry.shown)
         elif isinstance(entry, ClipsEdited):
             shown = replace(shown, clips=entry.clips)
-        elif isinstance(entry, Kept) and after is not None and entry.now is not None and entry.now <= after:
+        elif isinstance(entry, SnapshotTaken) and after is not None and entry.now is not None and entry.now <= after:
             begun = replace(shown, kept=entry)
             place = number
     return begun, entries[place + 1 :]

@@ -56,7 +56,7 @@ Kept = TypeVar("Kept")
 
 
 @dataclass(frozen=True)
-class OpenedSource:
+class RecordedSource:
     """A source that is open, as a recording keeps it: `OpenSource` without what follows from its performer's measure
     and what only consoles are told."""
 
@@ -77,10 +77,10 @@ class OpenedSource:
 
 
 @dataclass(frozen=True)
-class SourcesPlaying:
+class RecordedSources:
     """All sources that are open, as a recording keeps them. count: how many there were so far."""
 
-    opened: tuple[OpenedSource, ...] = ()
+    opened: tuple[RecordedSource, ...] = ()
     count: int = 0
 
 
@@ -102,10 +102,10 @@ class OpenSources:
         """What stays with the show."""
         return SourcesSnapshot(dict(self._routes), dict(self._calibrations))
 
-    def playing(self) -> SourcesPlaying:
+    def playing(self) -> RecordedSources:
         """The sources that are open, for a recording."""
-        return SourcesPlaying(tuple(
-            OpenedSource(
+        return RecordedSources(tuple(
+            RecordedSource(
                 index, source.name, source.kind, source.who, source.names, source.performer,
                 sent=_listed(source.sent), rest=_listed(source.rest), ranging=_listed(source.ranging),
                 ranged=source.ranged, found=source.found, smoothing=source.smoothing, direct=source.direct,
@@ -114,7 +114,7 @@ class OpenSources:
             for index, source in self._open.items()
         ), self._count)  # fmt: skip
 
-    def replay(self, playing: SourcesPlaying) -> None:
+    def replay(self, playing: RecordedSources) -> None:
         """Opens the sources as they were recorded. playing: those that were open."""
         self._count = playing.count
         for each in playing.opened:
