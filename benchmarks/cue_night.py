@@ -26,22 +26,16 @@ import numpy as np
 from rich.console import Console
 
 import omote
+from benchmarks.four_characters import RATE, begin_show, drive, track, tracked_names
 from benchmarks.pace import Pace
 from omote.perform.cues.cue import GoesOn
 from omote.perform.scene.goals import rank_of
 from omote.server.persistence.restore import journal_entry
 from omote.show.cues.cue_book import FIRST_LIST, CueBook, edit_cues
-from omote.show.messages import PROTOCOL_VERSION
-from omote.show.objects.characters import AddCharacter
 from omote.show.objects.cues import Go
-from omote.show.objects.link import Hello
-from omote.show.objects.sources import Drive, Source
-from omote.show.session import ShowSession
 from omote.show.wire import encode
 
-RATE = 60
 CUES = 300
-CONSOLES = ("ana", "bo", "cy", "di")
 BAR_SHARE = 1.25
 BAR_TICK = 4e-3
 """Processor seconds of a tick at the 99th percentile, where the pace is 1 (issue 31)."""
@@ -70,17 +64,9 @@ def make_cues(cast: omote.Cast, characters: list[str]) -> list[omote.Cue]:
 class Night:
     """One of the two shows, and the processor seconds of its ticks. played: its cues, where it has a list."""
 
-    def __init__(self, cast: omote.Cast, names: list[str], *, with_cues: bool) -> None:
-        self.session = ShowSession(cast)
-        for who in CONSOLES:
-            self.session.receive(who, Hello("console", PROTOCOL_VERSION, who), 0.0)
-        for number in range(1, 4):
-            self.session.receive("ana", AddCharacter(f"add{number}", f"c{number}", f"C{number}", "generic"), 0.0)
+    def __init__(self, cast: omote.Cast, *, with_cues: bool) -> None:
+        self.session = begin_show(cast)
         self.characters = list(self.session.scene)
-        for who in self.characters[:2]:
-            self.session.receive("ana", Source(f"tracker {who}", "tracker", names, [who]), 0.0)
-        for who in self.characters[2:]:
-            self.session.scene[who].set_motion(0.5)
         self.cues = make_cues(cast, self.characters)
         if with_cues:
             listed: dict[str, omote.Cue | None] = {cue.identity: cue for cue in self.cues}
@@ -103,9 +89,7 @@ class Night:
     def play(self, frame: int, values: list[bytes]) -> None:
         """One tick, after what has come since the last. values: of the trackers."""
         now = frame / RATE
-        for index, weights in enumerate(values):
-            drive = Drive(index + 1, weights, (0.1, 0.05, 0.0), (0.1, -0.1))
-            self.session.receive_bytes("ana", encode(drive), now)
+        drive(self.session, frame, values)
         begun = time.thread_time()
         ready = [one for one in self.due if one[0] <= now]
         self.due = self.due[len(ready) :]
@@ -123,16 +107,13 @@ def main() -> int:
     parser.add_argument("--minutes", type=float, default=1.0)
     minutes = parser.parse_args().minutes
     cast = omote.load_cast()
-    names = [name for name, title in cast.titles.items() if title.kind == "arkit"]
-    shows = [Night(cast, names, with_cues=with_cues) for with_cues in (False, True)]
+    channels = len(tracked_names(cast))
+    shows = [Night(cast, with_cues=with_cues) for with_cues in (False, True)]
     every = max(1, round(max(minutes * 60.0 / CUES, 6.0) * RATE))
     pace = Pace()
     rng = np.random.default_rng(5)
     for frame in range(round(minutes * 60 * RATE)):
-        phase = frame / RATE * 3.0 + np.arange(len(names))
-        tracked = [
-            (0.45 + 0.4 * np.sin(phase + n) + 0.03 * rng.random(len(names))).astype("<f4").tobytes() for n in (0, 1)
-        ]
+        tracked = track(frame, channels, rng)
         for turn in range(2):
             show = shows[(frame + turn) % 2]
             if frame % every == 0:

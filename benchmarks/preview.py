@@ -26,18 +26,14 @@ import numpy as np
 from rich.console import Console
 
 import omote
+from benchmarks.four_characters import RATE, begin_show, drive, track, tracked_names
 from omote.server.persistence.restore import journal_entry
 from omote.show.messages import PROTOCOL_VERSION
 from omote.show.objects.calls import CallExpression, CallFace
-from omote.show.objects.characters import AddCharacter
 from omote.show.objects.link import Bus, Hello
-from omote.show.objects.sources import Drive, Source
-from omote.show.session import ShowSession
 from omote.show.wire import encode
 
-RATE = 60
 CALL_FRAMES = 45
-CONSOLES = ("ana", "bo", "cy", "di")
 BARS = {"forgotten": 1.25, "looked at": 2.2}
 """Of a tick of a show without a preview, in the median (issue 31)."""
 
@@ -46,17 +42,9 @@ class Show:
     """One of the shows, and the processor seconds of its ticks. preview: whether a look was built up, and stays looked
     at."""
 
-    def __init__(self, cast: omote.Cast, names: list[str], preview: str) -> None:
-        self.session = ShowSession(cast)
-        for who in CONSOLES:
-            self.meet(who, "air")
-        for number in range(1, 4):
-            self.session.receive("ana", AddCharacter(f"add{number}", f"c{number}", f"C{number}", "generic"), 0.0)
+    def __init__(self, cast: omote.Cast, preview: str) -> None:
+        self.session = begin_show(cast)
         self.characters = list(self.session.scene)
-        for who in self.characters[:2]:
-            self.session.receive("ana", Source(f"tracker {who}", "tracker", names, [who]), 0.0)
-        for who in self.characters[2:]:
-            self.session.scene[who].set_motion(0.5)
         if preview != "none":
             self.meet("eve", "preview")
             self.call("eve", 0, cast)
@@ -84,9 +72,7 @@ class Show:
     def play(self, frame: int, values: list[bytes]) -> None:
         """One tick, after what has come since the last. values: of the trackers."""
         now = frame / RATE
-        for index, weights in enumerate(values):
-            drive = Drive(index + 1, weights, (0.1, 0.05, 0.0), (0.1, -0.1))
-            self.session.receive_bytes("ana", encode(drive), now)
+        drive(self.session, frame, values)
         begun = time.thread_time()
         state = encode(self.session.tick(now))
         unseen = self.session.preview_state
@@ -102,14 +88,11 @@ def main() -> int:
     parser.add_argument("--seconds", type=float, default=30.0)
     seconds = parser.parse_args().seconds
     cast = omote.load_cast()
-    names = [name for name, title in cast.titles.items() if title.kind == "arkit"]
-    shows = [Show(cast, names, preview) for preview in ("none", "forgotten", "looked at")]
+    channels = len(tracked_names(cast))
+    shows = [Show(cast, preview) for preview in ("none", "forgotten", "looked at")]
     rng = np.random.default_rng(5)
     for frame in range(round(seconds * RATE)):
-        phase = frame / RATE * 3.0 + np.arange(len(names))
-        tracked = [
-            (0.45 + 0.4 * np.sin(phase + n) + 0.03 * rng.random(len(names))).astype("<f4").tobytes() for n in (0, 1)
-        ]
+        tracked = track(frame, channels, rng)
         for turn in range(len(shows)):
             show = shows[(frame + turn) % len(shows)]
             if frame % CALL_FRAMES == 0:

@@ -29,7 +29,8 @@ import numpy as np
 from rich.console import Console
 
 import omote
-from benchmarks.cue_night import CUES, RATE, Night
+from benchmarks.cue_night import CUES, Night
+from benchmarks.four_characters import RATE, track, tracked_names
 from benchmarks.pace import Pace
 from omote.server.recording.recorded_show import RecordedShow
 from omote.server.recording.recording_thread import RecordingThread
@@ -48,8 +49,8 @@ SEEKS = 50
 class RecordedNight(Night):
     """A night that is recorded. path: of the recording."""
 
-    def __init__(self, cast: omote.Cast, names: list[str], path: Path) -> None:
-        super().__init__(cast, names, with_cues=True)
+    def __init__(self, cast: omote.Cast, path: Path) -> None:
+        super().__init__(cast, with_cues=True)
         self.recording = RecordingThread(path, lambda said: sys.exit(said), "benchmark")
         self.recording.note_cast(cast, {})
         self.recorder = Recorder(self.session)
@@ -114,16 +115,13 @@ def main() -> int:
 def record(path: Path, minutes: float) -> int:
     """Plays both nights, and prints what the recording cost; 1 where a bar is missed. path: of the recording."""
     cast = omote.load_cast()
-    names = [name for name, title in cast.titles.items() if title.kind == "arkit"]
-    recorded = RecordedNight(cast, names, path)
-    shows = [Night(cast, names, with_cues=True), recorded]
+    channels = len(tracked_names(cast))
+    recorded = RecordedNight(cast, path)
+    shows = [Night(cast, with_cues=True), recorded]
     every = round(6.0 * RATE)
     rng = np.random.default_rng(5)
     for frame in range(round(minutes * 60 * RATE)):
-        phase = frame / RATE * 3.0 + np.arange(len(names))
-        tracked = [
-            (0.45 + 0.4 * np.sin(phase + n) + 0.03 * rng.random(len(names))).astype("<f4").tobytes() for n in (0, 1)
-        ]
+        tracked = track(frame, channels, rng)
         for turn in range(2):
             show = shows[(frame + turn) % 2]
             if frame % every == 0:
