@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import base64
+import time
 
 import numpy as np
 from numpy.typing import NDArray
@@ -10,6 +11,9 @@ from playwright.sync_api import Error, Frame, Page
 
 PATIENCE = 360.0
 """Seconds after which a test has failed; nothing waits for them."""
+
+LEFT = "Execution context was destroyed"
+"""What Playwright says where a page went elsewhere while it was asked."""
 
 WAIT = """([patience]) => new Promise((done, fail) => {
     const tooLate = performance.now() + 1000 * patience;
@@ -37,16 +41,23 @@ NO_FRAMES = "() => { window.requestAnimationFrame = () => 0; }"
 
 
 def wait_until(page: Page | Frame, condition: str, given: str = "", told: str = "null") -> None:
-    """Waits until a JavaScript condition holds in the page; AssertionError after `PATIENCE`.
+    """Waits until a JavaScript condition holds in the page; AssertionError after `PATIENCE`. A page that goes
+    elsewhere meanwhile is waited for there.
 
     given: statements before the condition, which name what it speaks of; told: an expression that the error shows.
     Written out because Playwright's own wait evaluates strings in the page, which its content security policy forbids.
     """
-    try:
-        page.evaluate(WAIT % {"given": given, "condition": condition}, [PATIENCE])
-    except Error as error:
-        found = page.evaluate(f"() => {{ {given}; return JSON.stringify({told}); }}")
-        raise AssertionError(f"{condition} never came; there is {found}") from error
+    wait = WAIT % {"given": given, "condition": condition}
+    too_late = time.monotonic() + PATIENCE
+    while True:
+        try:
+            page.evaluate(wait, [too_late - time.monotonic()])
+        except Error as error:
+            if LEFT in error.message and time.monotonic() < too_late:
+                continue  # the page that is waited for has just come in place of the one that was asked
+            found = page.evaluate(f"() => {{ {given}; return JSON.stringify({told}); }}")
+            raise AssertionError(f"{condition} never came; there is {found}") from error
+        return
 
 
 def floats(page: Page, expression: str) -> NDArray[np.float64]:
