@@ -1,13 +1,13 @@
-"""What the preview costs a tick: four characters, two trackers, four consoles, with nobody in preview and with one.
+"""What cues, the recording and the preview cost a tick together: four characters, two trackers, four consoles.
 
-Three shows play the same calls at the same instants, tick by tick and by turns: one whose preview was never needed, one
-in whose preview somebody has built a look up and gone, one in whose preview somebody looks on. Timed is all that the
-server does once a tick, both buses' states encoded and the journal's entry each second tick included. Times are of the
-processor, of one thread.
+Four nights of `cue_night` play the same calls at the same instants, tick by tick and by turns: one without any of the
+three, one with cues that is recorded, one in whose preview somebody has built a look up and gone besides, and one in
+whose preview somebody looks on and calls. Timed is all that the server does once a tick, both buses' states encoded and
+the journal's entry each second tick included. Times are of the processor, of one thread.
 
-* where nobody looks, the median: at most 1.25 of a show without a preview (issue 31);
+* with cues and recording, and where nobody looks at the preview, the median: at most 1.25 of the first (issue 31);
 * where somebody looks: at most 2.2;
-* beside: bytes of both states and of the journal's entry.
+* beside: bytes of both states.
 
 `python -m benchmarks.preview [--seconds S]`.
 """
@@ -20,99 +20,102 @@ os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")  # read when NumPy is loaded
 
 import argparse
 import sys
+import tempfile
 import time
+from pathlib import Path
 
 import numpy as np
 from rich.console import Console
 
 import omote
-from benchmarks.four_characters import RATE, begin_show, drive, track, tracked_names
-from omote.server.persistence.restore import journal_entry
+from benchmarks.cue_night import CUES, Night
+from benchmarks.four_characters import RATE, track, tracked_names
+from benchmarks.recording import RecordedNight
 from omote.show.messages import PROTOCOL_VERSION
 from omote.show.objects.calls import CallExpression, CallFace
-from omote.show.objects.link import Bus, Hello
+from omote.show.objects.link import Hello
 from omote.show.wire import encode
 
-CALL_FRAMES = 45
-BARS = {"forgotten": 1.25, "looked at": 2.2}
-"""Of a tick of a show without a preview, in the median (issue 31)."""
+CALL_SECONDS = 6
+BARS = {"cues, recorded": 1.25, "and a preview left": 1.25, "and one looked at": 2.2}
+"""Of a tick of the same calls without cues, recording and preview, in the median (issue 31)."""
 
 
-class Show:
-    """One of the shows, and the processor seconds of its ticks. preview: whether a look was built up, and stays looked
-    at."""
+class PreviewNight(RecordedNight):
+    """A recorded night with a look in its preview. looks: whether somebody looks at it still."""
 
-    def __init__(self, cast: omote.Cast, preview: str) -> None:
-        self.session = begin_show(cast)
-        self.characters = list(self.session.scene)
-        if preview != "none":
-            self.meet("eve", "preview")
-            self.call("eve", 0, cast)
-        if preview == "forgotten":
+    def __init__(self, cast: omote.Cast, path: Path, *, looks: bool) -> None:
+        super().__init__(cast, path)
+        self.cast = cast
+        self.looks = looks
+        self.session.receive("eve", Hello("console", PROTOCOL_VERSION, "eve", bus="preview"), 0.0)
+        self.call(0)
+        if not looks:
             self.session.leave("eve")
-        self.preview = preview
-        self.processor = list[float]()
-        self.sizes = (0, 0, 0)
+        self.unseen = b""
 
-    def meet(self, who: str, bus: Bus) -> None:
-        """A console comes."""
-        self.session.receive(who, Hello("console", PROTOCOL_VERSION, who, bus=bus), 0.0)
-
-    def call(self, who: str, frame: int, cast: omote.Cast) -> None:
-        """A face and an expression for all, by a console."""
+    def call(self, frame: int) -> None:
+        """A face and an expression for all, in preview."""
         rng = np.random.default_rng(frame)
-        worn = [name for name, title in cast.titles.items() if title.kind == "performed"]
+        worn = [name for name, title in self.cast.titles.items() if title.kind == "performed"]
         now = frame / RATE
         for character in self.characters:
-            face = str(rng.choice(list(cast.faces)))
+            face = str(rng.choice(list(self.cast.faces)))
             expression = str(rng.choice(worn))
-            self.session.receive(who, CallFace(character, f"{who}f{frame}{character}", face, 2.0), now)
-            self.session.receive(who, CallExpression(character, f"{who}e{frame}{character}", expression, 0.5), now)
+            self.session.receive("eve", CallFace(character, f"f{frame}{character}", face, 2.0), now)
+            self.session.receive("eve", CallExpression(character, f"e{frame}{character}", expression, 0.5), now)
+
+    def go(self, number: int, frame: int) -> None:
+        """Plays a cue on air, and calls in preview where somebody looks."""
+        super().go(number, frame)
+        if self.looks:
+            self.call(frame)
 
     def play(self, frame: int, values: list[bytes]) -> None:
-        """One tick, after what has come since the last. values: of the trackers."""
-        now = frame / RATE
-        drive(self.session, frame, values)
+        """One tick with the preview's state; the time of both counts."""
+        super().play(frame, values)
         begun = time.thread_time()
-        state = encode(self.session.tick(now))
         unseen = self.session.preview_state
-        other = b"" if unseen is None else encode(unseen)
-        entry = journal_entry(self.session) if frame % 2 else None
-        self.processor.append(time.thread_time() - begun)
-        self.sizes = (len(state), len(other), self.sizes[2] if entry is None else len(entry.snapshot or b""))
+        self.unseen = b"" if unseen is None else encode(unseen)
+        self.processor[-1] += time.thread_time() - begun
 
 
 def main() -> int:
     """Measures and prints; 1 where a bar is missed."""
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--seconds", type=float, default=30.0)
+    parser.add_argument("--seconds", type=float, default=60.0)
     seconds = parser.parse_args().seconds
     cast = omote.load_cast()
     channels = len(tracked_names(cast))
-    shows = [Show(cast, preview) for preview in ("none", "forgotten", "looked at")]
     rng = np.random.default_rng(5)
-    for frame in range(round(seconds * RATE)):
-        tracked = track(frame, channels, rng)
-        for turn in range(len(shows)):
-            show = shows[(frame + turn) % len(shows)]
-            if frame % CALL_FRAMES == 0:
-                show.call("bo", frame, cast)
-                if show.preview == "looked at":
-                    show.call("eve", frame, cast)
-            show.play(frame, tracked)
+    with tempfile.TemporaryDirectory() as folder:
+        paths = [Path(folder) / f"{number}.omote-recording" for number in range(len(BARS))]
+        recorded = (
+            RecordedNight(cast, paths[0]),
+            PreviewNight(cast, paths[1], looks=False),
+            PreviewNight(cast, paths[2], looks=True),
+        )
+        shows: list[Night] = [Night(cast, with_cues=False), *recorded]
+        for frame in range(round(seconds * RATE)):
+            tracked = track(frame, channels, rng)
+            for turn in range(len(shows)):
+                show = shows[(frame + turn) % len(shows)]
+                if frame % (CALL_SECONDS * RATE) == 0:
+                    show.go(frame // (CALL_SECONDS * RATE) % CUES, frame)
+                show.play(frame, tracked)
+        for each in recorded:
+            each.recording.close()
     console = Console()
     alone = float(np.median(shows[0].processor))
+    console.print(f"none of the three: {alone * 1e3:.2f} ms")
     missed = 0
-    for show in shows:
+    for (name, bar), show in zip(BARS.items(), recorded, strict=True):
         median, high = np.quantile(show.processor, [0.5, 0.99]) * 1e3
         share = median * 1e-3 / alone
-        bar = BARS.get(show.preview, 1.0)
         missed += share > bar
-        air, unseen, journal = show.sizes
-        console.print(
-            f"{'ok    ' if share <= bar else 'MISSED'} preview {show.preview:9} {median:.2f} ms, 99 % {high:.2f}; "
-            f"{share:.2f} of {bar}; states {air} and {unseen}, journal {journal} bytes"
-        )
+        unseen = len(show.unseen) if isinstance(show, PreviewNight) else 0
+        told = f"{median:.2f} ms, 99 % {high:.2f}; {share:.2f} of {bar}; states {len(show.state)} and {unseen} bytes"
+        console.print(f"{'ok    ' if share <= bar else 'MISSED'} {name:18} {told}")
     return min(missed, 1)
 
 
