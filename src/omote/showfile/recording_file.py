@@ -341,7 +341,7 @@ class RecordingFile:
             )
 
     def rename_marker(self, number: int, name: str, by: str | None) -> None:
-        """Gives a marker other words. number: its id; by: who may change own markers alone, None for who may change
+        """Gives a marker other words. number: its id; name: the words; by: who may change own markers alone, None for who may change
         all. ValueError where there is none, or it is of another."""
         with self._connection:
             self._check_marker(number, by)

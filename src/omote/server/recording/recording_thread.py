@@ -86,7 +86,7 @@ class RecordingThread:
         self._thread.start()
 
     def note(self, entries: Sequence[AnyEntry], state: bytes = b"") -> None:
-        """Queues what happened up to a tick; returns at once. state: as it was sent, "" for no curves."""
+        """Queues what happened up to a tick (entries); returns at once. state: as it was sent, "" for no curves."""
         if self._ticks.qsize() > MOST_WAITING:
             self._full = True
             return

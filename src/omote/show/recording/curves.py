@@ -121,7 +121,8 @@ class Curves:
     names: tuple[str, ...] = ()
 
     def words(self, character: str, word: str) -> list[str]:
-        """The names of one of `WORDS` at each time, "" where the character was not there. character: by name."""
+        """The names of one of `WORDS` at each time, "" where the character was not there. character: by name;
+        word: which of them."""
         column = self.values[character][:, len(QUANTITIES) + WORDS.index(word)]
         return ["" if math.isnan(place) else self.names[int(place)] for place in column]
 
