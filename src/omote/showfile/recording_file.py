@@ -341,8 +341,8 @@ class RecordingFile:
             )
 
     def rename_marker(self, number: int, name: str, by: str | None) -> None:
-        """Gives a marker other words. number: its id; name: the words; by: who may change own markers alone, None for who may change
-        all. ValueError where there is none, or it is of another."""
+        """Gives a marker other words. number: its id; name: the words; by: who may change own markers alone,
+        None for who may change all. ValueError where there is none, or it is of another."""
         with self._connection:
             self._check_marker(number, by)
             self._connection.execute("UPDATE marker SET name = ? WHERE id = ?", (name, number))
