@@ -57,7 +57,7 @@ USED: dict[str, str] = {
     "console/cues_page": "link ui access console/store console/leases console/panels console console/cues",
     "microphone": "link ui access",
     "rehearsal": "link ui",
-    "rehearsal/notes": "link ui rehearsal",
+    "rehearsal/notes": "ui rehearsal",
     "rehearsal/runs": "link ui rehearsal",
     "replay": "ui rehearsal",
     "camera/session": "link face_mesh webcam",
