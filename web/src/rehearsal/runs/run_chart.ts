@@ -133,7 +133,7 @@ export class RunChart extends LitElement {
         scales: { x: { time: false }, y: { range: (_, low, high) => rangeOf(low, high, unit) } },
         axes: [
           { ...axis, size: 26, values: (_, splits) => splits.map((split) => sinceOf(split).replace(/^0:/, "")) },
-          { ...axis, size: 42, space: 24, values: (_, splits) => splits.map((split) => `${+split.toFixed(1)}${unit}`) },
+          { ...axis, size: 42, space: 24, values: (_, splits) => splits.map((split) => `${+split.toFixed(2)}${unit}`) },
         ],
         series: [
           {},
