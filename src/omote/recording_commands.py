@@ -46,7 +46,7 @@ ToOption = Annotated[
 @recording_app.command("list")
 def list_recordings(file: ShowFileArgument, json: JsonOption = False) -> None:
     """Lists what is recorded: the last 100 minutes, what is kept under a name, and markers."""
-    from omote.server.recording.recording_thread import describe_recordings
+    from omote.server.persistence.recorded_runs import describe_recordings
 
     with opened(file) as (_, recorded):
         document = describe_recordings(recorded)
@@ -125,6 +125,53 @@ def log(
     print_rows(rows, json=json, none="nobody has done anything in this time.")
 
 
+@recording_app.command()
+def curves(
+    file: ShowFileArgument,
+    output: Annotated[Path, typer.Option("-o", "--output", help="The table (.csv), which is not there yet.")],
+    name: NameArgument = "",
+    begin: FromOption = 0.0,
+    end: ToOption = None,
+) -> None:
+    """Writes what showed of each character, ten times a second, as a table (CSV), also while the show plays."""
+    from omote.server.persistence.recorded_runs import write_curves
+
+    with opened(file) as (show, recorded):
+        span = cut(show, name, begin, end)
+        with output.open("x", encoding="utf-8", newline="") as text:
+            rows = write_curves(recorded, span.start, span.first, span.last, text)
+        if rows == 0:
+            output.unlink()
+            fail("it was recorded without curves, by an older Omote.")
+    say(f"{output} has {rows} rows: {told_length(span.seconds)}.")
+
+
+@recording_app.command("notes")
+def list_notes(
+    file: ShowFileArgument,
+    output: Annotated[
+        Path | None, typer.Option("-o", "--output", help="A table (.csv), which is not there yet; else they are said.")
+    ] = None,
+    json: JsonOption = False,
+) -> None:
+    """Lists the notes (markers) of all that is recorded, with the cue that was called last then."""
+    from omote.server.persistence.recorded_runs import describe_recordings, write_markers
+
+    with opened(file) as (_, recorded):
+        document = describe_recordings(recorded)
+        if output is not None:
+            with output.open("x", encoding="utf-8", newline="") as text:
+                write_markers(document, text)
+    rows = [
+        {"day": format_time(mark.written), "cue": mark.cue, "who": mark.who, "note": mark.name}
+        for mark in document.markers
+    ]
+    if output is None:
+        print_rows(rows, json=json, none=f"nobody has noted anything of {file}.")
+    else:
+        say(f"{output} has {len(rows)} notes.")
+
+
 @recording_app.command("clip")
 def cut_clip(
     file: ShowFileArgument,
@@ -166,11 +213,15 @@ def replay(
     name: NameArgument = "",
     begin: FromOption = 0.0,
     end: ToOption = None,
+    beside: Annotated[
+        Path | None, typer.Option("--beside", help="Another show file, whose runs are compared with those of this one.")
+    ] = None,
     port: Annotated[int, typer.Option(min=0, max=65535, help="The port to listen on; 0 for any.")] = 8096,
     open_page: Annotated[bool, typer.Option("--open/--no-open", help="Opens the page in the browser.")] = True,
 ) -> None:
-    """Shows a recording again in the browser, with pause, seek, loop and markers, beside a show that plays."""
+    """Shows a recording again in the browser, with pause, seek, loop, notes and two runs compared."""
     from omote.server.recording import replay_server
+    from omote.showfile.recording_file import open_recording, recording_path
 
     def announce(address: str) -> None:
         say(f"the replay: {address} (Ctrl-C ends)")
@@ -178,7 +229,10 @@ def replay(
             webbrowser.open(address)
 
     with opened(file) as (show, _), exit_on_refusal():
-        replay_server.serve(show, cut(show, name, begin, end), port, announce)
+        files = [recording_path(path) for path in (file, beside) if path is not None]
+        for path in files[1:]:
+            open_recording(path).close()  # what cannot be read is said now
+        replay_server.serve(show, cut(show, name, begin, end), files, port, announce)
 
 
 @contextmanager

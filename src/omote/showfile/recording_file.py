@@ -23,6 +23,25 @@ RING_SECONDS = 6000.0
 SUFFIX = "-recording"
 BUSY_SECONDS = 5.0
 MOST_NAME = 80
+MOST_MARKERS = 5000
+MOST_BEFORE = 5.0
+"""Seconds that a marker may lie outside of what is written so far."""
+_CURVES = """
+CREATE TABLE IF NOT EXISTS curves (
+    id INTEGER PRIMARY KEY,
+    piece INTEGER NOT NULL REFERENCES piece (id) ON DELETE CASCADE,
+    data BLOB NOT NULL
+) STRICT;
+CREATE TABLE IF NOT EXISTS cue_call (
+    id INTEGER PRIMARY KEY,
+    piece INTEGER NOT NULL REFERENCES piece (id) ON DELETE CASCADE,
+    at REAL NOT NULL,
+    list TEXT NOT NULL,
+    number TEXT NOT NULL
+) STRICT;
+CREATE INDEX IF NOT EXISTS curves_of_pieces ON curves (piece);
+"""
+"""Recordings of before have none: a file gets these tables when it is opened."""
 _SCHEMA = """
 CREATE TABLE start (
     id INTEGER PRIMARY KEY,
@@ -98,8 +117,9 @@ class Piece:
 
 @dataclass(frozen=True)
 class Marker:
-    """A moment that somebody marked. start, at: when, as of `Piece`; name: what it is called; who: marked it."""
+    """A moment that somebody marked. start, at: when, as of `Piece`; name: what it says; who: marked it."""
 
+    id: int
     start: int
     at: float
     name: str
@@ -149,7 +169,8 @@ class RecordingFile:
 
     def add(
         self, piece: int, data: bytes, *, last: float, ticks: int, casts: Iterable[str] = (),
-        markers: Sequence[tuple[float, str, str]] = (),
+        markers: Sequence[tuple[float, str, str]] = (), curves: bytes = b"",
+        calls: Sequence[tuple[float, str, str]] = (),
     ) -> None:  # fmt: skip
         """Adds about a second to a piece.
 
@@ -167,6 +188,10 @@ class RecordingFile:
             The digests of all casts that the piece has played, and the keys of clips.
         markers : sequence of (float, str, str)
             When, what and who.
+        curves : bytes
+            Those of that second, "" for none.
+        calls : sequence of (float, str, str)
+            The cues that were called: when, of which list, by number.
         """
         with self._connection:
             self._connection.execute("INSERT INTO second (piece, data) VALUES (?, ?)", (piece, data))
@@ -178,12 +203,21 @@ class RecordingFile:
                 "INSERT INTO marker (piece, at, name, who) VALUES (?, ?, ?, ?)",
                 [(piece, *marker) for marker in markers],
             )
+            self._connection.executemany(
+                "INSERT INTO cue_call (piece, at, list, number) VALUES (?, ?, ?, ?)", [(piece, *call) for call in calls]
+            )
+            if curves:
+                self._connection.execute("INSERT INTO curves (piece, data) VALUES (?, ?)", (piece, curves))
 
-    def pack(self, piece: int, packed: bytes) -> None:
-        """Keeps a piece that nothing is added to any more as `packed` has it, in the place of its seconds."""
+    def pack(self, piece: int, packed: bytes, curves: bytes = b"") -> None:
+        """Keeps a piece that nothing is added to any more as `packed` has it, in the place of its seconds; `curves` in
+        the place of theirs, "" leaves them."""
         with self._connection:
             self._connection.execute("UPDATE piece SET packed = ? WHERE id = ?", (packed, piece))
             self._connection.execute("DELETE FROM second WHERE piece = ?", (piece,))
+            if curves:
+                self._connection.execute("DELETE FROM curves WHERE piece = ?", (piece,))
+                self._connection.execute("INSERT INTO curves (piece, data) VALUES (?, ?)", (piece, curves))
 
     def unpacked(self) -> list[int]:
         """The ids of the pieces that are not packed: the last one, and that of a process that died."""
@@ -280,6 +314,52 @@ class RecordingFile:
         self._connection.execute("PRAGMA wal_checkpoint(TRUNCATE)").fetchone()
         return float(sum(seconds for _, seconds in gone))
 
+    def mark(self, start: int | None, at: float, name: str, who: str) -> None:
+        """Marks a moment; ValueError where nothing was recorded then, and where there are too many.
+
+        Parameters
+        ----------
+        start : int or None
+            Of the show, None for the last one.
+        at : float
+            Seconds, monotonic.
+        name, who : str
+            What it says, and who says it.
+        """
+        pieces = self.pieces()
+        meant = pieces[-1].start if start is None and pieces else start
+        there = [piece for piece in pieces if piece.start == meant]
+        if not there or not there[0].first - MOST_BEFORE <= at <= there[-1].last + MOST_BEFORE:
+            raise ValueError("nothing was recorded then; mark a moment of the recording")
+        (count,) = self._connection.execute("SELECT count(*) FROM marker").fetchone()
+        if count >= MOST_MARKERS:
+            raise ValueError(f"there are {count} markers already; delete some")
+        piece = next((piece for piece in reversed(there) if piece.first <= at), there[0])
+        with self._connection:
+            self._connection.execute(
+                "INSERT INTO marker (piece, at, name, who) VALUES (?, ?, ?, ?)", (piece.id, at, name, who)
+            )
+
+    def rename_marker(self, number: int, name: str, by: str | None) -> None:
+        """Gives a marker other words. number: its id; name: the words; by: who may change own markers alone,
+        None for who may change all. ValueError where there is none, or it is of another."""
+        with self._connection:
+            self._check_marker(number, by)
+            self._connection.execute("UPDATE marker SET name = ? WHERE id = ?", (name, number))
+
+    def delete_marker(self, number: int, by: str | None) -> None:
+        """Removes a marker. number, by, ValueError: as of `rename_marker`."""
+        with self._connection:
+            self._check_marker(number, by)
+            self._connection.execute("DELETE FROM marker WHERE id = ?", (number,))
+
+    def _check_marker(self, number: int, by: str | None) -> None:
+        row = self._connection.execute("SELECT who FROM marker WHERE id = ?", (number,)).fetchone()
+        if row is None:
+            raise ValueError("that note is not there any more")
+        if by is not None and (by == "" or row[0] != by):
+            raise ValueError(f"that note is of {row[0] or 'another'}: only operators change what others have written")
+
     def kept(self) -> list[KeptRecording]:
         """The recordings that are kept, by name."""
         rows = self._connection.execute("SELECT name, start, first, last FROM kept ORDER BY name")
@@ -309,7 +389,7 @@ class RecordingFile:
     def markers(self) -> list[Marker]:
         """All markers, the oldest first."""
         rows = self._connection.execute(
-            "SELECT start, at, name, who FROM marker JOIN piece ON piece.id = piece ORDER BY marker.id"
+            "SELECT marker.id, start, at, name, who FROM marker JOIN piece ON piece.id = piece ORDER BY start, at"
         )
         return [Marker(*row) for row in rows]
 
@@ -323,6 +403,22 @@ class RecordingFile:
             return bytes(row[0])
         rows = self._connection.execute("SELECT data FROM second WHERE piece = ? ORDER BY id", (piece,))
         return [bytes(row[0]) for row in rows]
+
+    def curves(self, pieces: Iterable[int]) -> list[bytes]:
+        """The packed curves of pieces (by their ids), in the order of time; fewer where a piece was recorded
+        without."""
+        found: list[bytes] = []
+        for piece in pieces:
+            rows = self._connection.execute("SELECT data FROM curves WHERE piece = ? ORDER BY id", (piece,))
+            found += [bytes(row[0]) for row in rows]
+        return found
+
+    def cue_calls(self, start: int) -> list[tuple[float, str, str]]:
+        """The cues that were called in a start of the show, in their order: when, of which list, by number."""
+        rows = self._connection.execute(
+            "SELECT at, list, number FROM cue_call JOIN piece ON piece.id = piece WHERE start = ? ORDER BY at", (start,)
+        )
+        return [(float(at), str(name), str(number)) for at, name, number in rows]
 
     def casts(self) -> dict[str, StoredCast]:
         """The casts that were played, by digest."""
@@ -401,8 +497,11 @@ def _prepare(connection: sqlite3.Connection, path: Path) -> None:
     (tables,) = connection.execute("SELECT count(*) FROM sqlite_schema").fetchone()
     if (application, tables) == (0, 0):
         connection.executescript(
-            f"BEGIN; PRAGMA application_id = {APPLICATION_ID}; PRAGMA user_version = {VERSION}; {_SCHEMA} COMMIT;"
+            f"BEGIN; PRAGMA application_id = {APPLICATION_ID}; PRAGMA user_version = {VERSION}; {_SCHEMA}"
+            f"{_CURVES} COMMIT;"
         )
     elif (application, version) != (APPLICATION_ID, VERSION):
         what = f"of version {version}" if application == APPLICATION_ID else "no recording of a show"
         raise ShowFileError(f"{path} is {what}; this Omote reads version {VERSION}. Move it away to begin a new one.")
+    elif connection.execute("SELECT 1 FROM sqlite_schema WHERE name = 'curves'").fetchone() is None:
+        connection.executescript(f"BEGIN; {_CURVES} COMMIT;")

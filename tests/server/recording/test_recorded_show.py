@@ -36,7 +36,7 @@ def record(path: Path, seed: int, seconds: float) -> RandomShow:
             show.send("ana", MarkMoment("mark-1", "here"))
         show.entries.clear()
         show.tick()
-        writer.note(list(show.entries))
+        writer.note(list(show.entries), show.states[-1])
     writer.close()
     assert said == []
     return show

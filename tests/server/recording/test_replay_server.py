@@ -53,7 +53,7 @@ async def harness(cast: Cast, tmp_path: Path) -> AsyncIterator[Harness]:
     file = open_recording(path)
     reading = RecordedShow(file, cast)
     documents = CastDocuments(cast, meshes(cast), MASK)
-    replay = ReplayServer(reading, reading.find_span(), documents, PAGES)
+    replay = ReplayServer(reading, reading.find_span(), documents, PAGES, [path])
     sent = [decode_answer(data) for data in show.states]
     async with TestClient(TestServer(replay.server.application(own_names()))) as client:
         yield Harness(replay, client, [state for state in sent if isinstance(state, State)])

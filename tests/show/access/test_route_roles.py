@@ -18,6 +18,9 @@ def test_what_has_no_row_needs_the_highest_role_and_what_is_not_there_still_a_to
 
 def test_nothing_is_changed_by_those_who_only_look() -> None:
     assert [key for key, role in ROUTES.items() if key[0] != "GET" and role in ("view", "operate")] == [
+        ("POST", "/markers"),  # a director notes what has to be better, and moves nothing
+        ("POST", "/markers/{id}"),  # of own notes: others' ask for `operate`
+        ("DELETE", "/markers/{id}"),
         ("POST", "/sounds"),  # is kept in no file: what is played, as a call is
         ("POST", "/voices"),  # a sound of a text, kept in no file either
     ]

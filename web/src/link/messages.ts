@@ -999,14 +999,66 @@ export type RecordingKept = { type: "recording_kept"; id: string; name: string }
  */
 export type RecordedSpan = { start: number; first: number; written: number; seconds: number; name: string };
 
-/** A moment that somebody marked: when, seconds since 1970, and seconds of the clock of a start of the show. */
-export type MarkedMoment = { start: number; at: number; written: number; name: string; who: string };
+/**
+ * A moment that somebody (`who`) marked: when, seconds since 1970, and seconds of the clock of a start of the show;
+ * `name`: what it says; `cue`: the number of the cue that was called last then, "" for none. `id`: of the marker.
+ */
+export type MarkedMoment = {
+  id: number;
+  start: number;
+  at: number;
+  written: number;
+  name: string;
+  who: string;
+  cue: string;
+};
 
 /**
  * What is recorded, as `/recordings` returns it (JSON): the ring, what is kept of it, and markers; the oldest
- * first.
+ * first. `files`: the names of the show files; `?file=1` asks for what is recorded of the second. `name`: of who asks,
+ * as the show knows it; `role`: what it may do; `now`: seconds since 1970, where the show plays; `cue`: the one
+ * that was called last of all.
  */
-export type RecordingsDocument = { spans: RecordedSpan[]; kept: RecordedSpan[]; markers: MarkedMoment[] };
+export type RecordingsDocument = {
+  spans: RecordedSpan[];
+  kept: RecordedSpan[];
+  markers: MarkedMoment[];
+  files: string[];
+  name: string;
+  role: "view" | "operate" | "edit" | "admin";
+  now: number | null;
+  cue: string;
+};
+
+/**
+ * What a page asks of markers, as `/markers` takes it (JSON): a new one (POST), or other words for one that is
+ * there (POST to `/markers/ID`). `start` and `at`: when, as of `MarkedMoment`; left out, while the show plays, it
+ * is now, or `before` so many seconds. `who`: who marks it, where the show asks nobody for a token.
+ */
+export type MarkerRequest = { name: string; before: number; start: number; at: number; who: string };
+
+/** A cue that was called: when, seconds from the beginning of the run, of which list, by number. */
+export type CalledCue = { at: number; cue_list: string; number: string };
+
+/**
+ * What showed in a part of a recording, as `/curves?start=1&first=12.5&last=90` returns it (MessagePack): `start`,
+ * `first`, `seconds` as of `RecordedSpan`; the cues that were called; and the curves as they are kept, a piece a
+ * minute, which may have more than was asked for. None: it was recorded without.
+ * A piece is deflated (zlib), MessagePack, a list: seconds of its first sample; milliseconds between samples (unsigned,
+ * 32 bits, little endian, the first 0); names; by character the steps between samples (16 bits, little endian, which
+ * wrap; the first from 0), column by column: those of `quantities`, which says how many steps are one, then two places
+ * in the names, of the face and of the expression that showed most. A sum of -32768: it was not there. Weights are
+ * those of `face`, `expression`, and of the strongest expression or channel of a region; head and gaze are in degrees,
+ * `x` and `depth` in metres.
+ */
+export type RunDocument = {
+  start: number;
+  first: number;
+  seconds: number;
+  quantities: Record<string, number>;
+  pieces: Uint8Array[];
+  cues: CalledCue[];
+};
 
 /** The line of notes, and when the show began: seconds of its clock (`State.time`). */
 export type ShowNotes = { note: string; began: number };

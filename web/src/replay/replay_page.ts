@@ -2,12 +2,15 @@
 
 import { html, LitElement, nothing } from "lit";
 import { customElement, state } from "lit/decorators.js";
+import { NoteBook } from "../rehearsal/note_book";
+import type { TimedNote } from "../rehearsal/note_texts";
 import { listenToKeys } from "../ui/key_presses";
 import { sinceOf } from "../ui/show_times";
 import { base, palette } from "../ui/theme";
 import { whileShown } from "../ui/topic_element";
 import { pageStyle } from "./replay_page_style";
 import { type Asked, askedBy, type Moment, RATES, type Transport, within, wordsOf } from "./transport";
+import "../rehearsal/note_list";
 
 const TRANSPORT = "/replay/transport";
 const MOMENTS = "/replay/moments";
@@ -21,6 +24,10 @@ export class ReplayPage extends LitElement {
   @state() private accessor moments: Moment[] = [];
   @state() private accessor failure = "";
   @state() private accessor under: number | undefined;
+  /** Whether the notes stand beside the picture. */
+  @state() private accessor notes = false;
+  private readonly book = new NoteBook(this);
+  #momentsOf = "";
 
   constructor() {
     super();
@@ -29,14 +36,21 @@ export class ReplayPage extends LitElement {
       const polling = setInterval(() => void this.#ask(), POLL);
       return () => clearInterval(polling);
     });
+  }
+
+  /** Moments are read again where another start plays, and where notes have changed. */
+  protected override updated(): void {
+    const of = JSON.stringify([this.now?.start, this.now?.first, this.book.document.markers]);
+    if (this.now === undefined || of === this.#momentsOf) return;
+    this.#momentsOf = of;
     void this.#read<Moment[]>(MOMENTS).then((moments) => {
-      this.moments = moments ?? [];
+      this.moments = moments ?? this.moments;
     });
   }
 
   override render() {
     const now = this.now;
-    return html`<iframe src="/stage" title="The recording"></iframe>
+    return html`<div class="picture"><iframe src="/stage" title="The recording"></iframe>${this.notes ? this.#notes() : nothing}</div>
       <footer>
         <div class="row">
           <button class="play" aria-pressed=${now?.playing ?? false} title="Play or pause (space bar)"
@@ -50,11 +64,35 @@ export class ReplayPage extends LitElement {
           <button title="The loop begins here (I)" @click=${() => this.#do("KeyI")}>Loop from</button>
           <button title="The loop ends here (O)" @click=${() => this.#do("KeyO")}>to</button>
           <button title="No loop (L)" ?disabled=${!now?.loop.length} @click=${() => this.#do("KeyL")}>No loop</button>
+          <button title="Notes (N)" aria-pressed=${this.notes} @click=${() => this.#do("KeyN")}>Notes</button>
+          <a href="/runs" target="omote-runs" title="Compare it with another run">Runs</a>
           ${this.#said(now)}
         </div>
         ${now === undefined ? nothing : this.#line(now)}
       </footer>`;
   }
+
+  #notes() {
+    const { book } = this;
+    return html`<aside>
+      <form @submit=${this.#add}><input aria-label="A note of this moment" placeholder="A note of this moment" maxlength="400" autocomplete="off"><button>Note</button></form>
+      ${book.failure === "" ? nothing : html`<p class="wrong" role="alert">${book.failure}</p>`}
+      ${book.deleted === undefined ? nothing : html`<button @click=${() => book.restore()}>Bring back “${book.deleted.name}”</button>`}
+      <omote-note-list .notes=${book.notes(this.now?.start)} .mayChange=${book.mayChange} seeks
+        @seek=${(event: CustomEvent<TimedNote>) => book.seek(event.detail)}
+        @delete=${(event: CustomEvent<TimedNote>) => book.delete(event.detail)}
+        @rename=${(event: CustomEvent<{ note: TimedNote; name: string }>) => book.rename(event.detail.note, event.detail.name)}
+      ></omote-note-list>
+    </aside>`;
+  }
+
+  readonly #add = async (event: Event): Promise<void> => {
+    event.preventDefault();
+    const field = (event.target as HTMLFormElement).querySelector("input");
+    const { now } = this;
+    if (field === null || field.value.trim() === "" || now === undefined) return;
+    if (await this.book.addAt(field.value.trim(), now.start, now.first + now.position, "")) field.value = "";
+  };
 
   #said(now: Transport | undefined) {
     const wrong = this.failure || now?.failure || differenceOf(now);
@@ -106,6 +144,10 @@ export class ReplayPage extends LitElement {
   }
 
   #do(code: string, shiftKey = false): boolean {
+    if (code === "KeyN") {
+      this.notes = !this.notes;
+      return true;
+    }
     const asked = this.now && askedBy({ code, shiftKey }, this.now, this.moments);
     if (asked === undefined) return false;
     void this.#ask(asked);

@@ -1,14 +1,62 @@
 /** The look of the replay page: the picture over all, the line of time below it. */
 
 import { css } from "lit";
-import { ellipsis, emptyBar, flow } from "../ui/theme";
+import { ellipsis, emptyBar, entry, flow } from "../ui/theme";
 
 export const pageStyle = css`
   :host {
     display: grid;
-    grid-template-rows: minmax(0, 1fr) auto;
+    grid-template: minmax(0, 1fr) auto / minmax(0, 1fr);
     height: 100dvh;
     background: #000;
+  }
+  .picture {
+    display: grid;
+    grid-template-columns: minmax(0, 1fr) auto;
+    min-height: 0;
+  }
+  aside {
+    display: grid;
+    grid-template-rows: auto auto auto minmax(0, 1fr);
+    width: min(400px, 40vw);
+    min-height: 0;
+    padding: 8px 12px;
+    background: var(--panel);
+    border-left: 1px solid var(--line);
+  }
+  form {
+    display: flex;
+    gap: 6px;
+  }
+  input {
+    ${entry}
+    flex: 1;
+    min-height: 44px;
+    font-size: 16px;
+  }
+  omote-note-list {
+    grid-row: 4;
+    min-height: 0;
+    overflow: auto;
+  }
+  .row a {
+    display: grid;
+    place-content: center;
+    min-height: 44px;
+    padding: 0 6px;
+    color: var(--focus);
+  }
+  @media (max-width: 700px) {
+    .picture {
+      grid-template: minmax(0, 1fr) minmax(0, 1fr) / minmax(0, 1fr);
+    }
+    .picture iframe:only-child {
+      grid-row: 1 / -1;
+    }
+    aside {
+      width: auto;
+      border-left: 0;
+    }
   }
   iframe {
     width: 100%;

@@ -10,6 +10,8 @@ const now = (more: Partial<Transport> = {}): Transport => ({
   jumps: 1,
   different: null,
   failure: "",
+  start: 1,
+  first: 0,
   ...more,
 });
 const moment = (at: number): Moment => ({ at, what: "go", name: String(at), who: "ana" });

@@ -1,6 +1,9 @@
 /** How a recording is played: what the server says of it, and what a key or a press asks for. */
 
-/** How far it is, as `/replay/transport` says; times in seconds from the beginning. */
+/**
+ * How far it is, as `/replay/transport` says; times in seconds from the beginning, which is `first` of the clock of a
+ * start of the show.
+ */
 export interface Transport {
   playing: boolean;
   position: number;
@@ -10,6 +13,8 @@ export interface Transport {
   jumps: number;
   different: number | null;
   failure: string;
+  start: number;
+  first: number;
 }
 
 /** What is asked of it; what is left out stays. */

@@ -30,6 +30,7 @@ from omote.server.http.editor_link import NO_FILE, EditorLinks
 from omote.server.http.long_requests import LongRequests
 from omote.server.http.oscquery import OscQuery
 from omote.server.http.recording_routes import RecordingRoutes
+from omote.server.http.run_routes import RunRoutes
 from omote.server.http.static_pages import PAGES, Page
 from omote.server.http.touchosc import TOUCHOSC_PATH, TouchoscLayout
 from omote.server.http.uploads import RunFileJob, Uploads
@@ -99,7 +100,8 @@ class ShowServer:
         self.tell_crew: Callable[[str], None] = lambda _: None
         self._pages = pages
         self._cues = CueRoutes(session)
-        self.recording = RecordingRoutes(session, documents, lambda: self.clock(), self._deliver)
+        self.runs = RunRoutes(lambda: self.clock())
+        self.recording = RecordingRoutes(session, documents, lambda: self.clock(), self._deliver, self.runs)
         self._clips = ClipStore(session)
         self.outside = ""
         self._state: State | None = None
@@ -188,7 +190,7 @@ class ShowServer:
         for kind in NAMES_OF:
             application.router.add_get(address_of(kind), partial(self.document, kind))
         self._cues.add_routes(application)
-        self.recording.add_routes(application)
+        self.runs.add_routes(application)
         application.router.add_get("/exports/{file}", self.export)
         application.router.add_post("/imports/{file}", self.take_in)
         DocumentRoutes(self.documents).add_routes(application)

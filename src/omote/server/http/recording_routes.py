@@ -1,9 +1,8 @@
-"""The recording of a playing show: what its session did goes to the disk, and pages are told what there is."""
+"""The recording of a playing show: what its session did goes to the disk, and what is asked of it is carried out."""
 
 from __future__ import annotations
 
 import asyncio
-import sqlite3
 import zlib
 from collections.abc import Callable, Mapping, Sequence
 from contextlib import suppress
@@ -11,11 +10,10 @@ from pathlib import Path
 from typing import Protocol
 
 import msgspec
-from aiohttp import web
 
 from omote.model.cast import Cast
 from omote.server.http.cast_documents import CastDocuments
-from omote.server.http.document_routes import NO_CACHE
+from omote.server.http.run_routes import Alter, RunRoutes
 from omote.server.http.uploads import RunFileJob
 from omote.server.workers.recorded_clip_job import CutRecordedClip
 from omote.show.declaration import KeepRequest, Outgoing
@@ -23,17 +21,14 @@ from omote.show.objects.clips import StoredClip, clip_of
 from omote.show.objects.documents import read_document
 from omote.show.objects.link import Refused
 from omote.show.objects.recordings import (
-    RECORDINGS_PATH,
     DeleteRecording,
     KeepClip,
     KeepRecording,
     RecordingKept,
-    RecordingsDocument,
 )
 from omote.show.recording.entries import AnyEntry
 from omote.show.recording.recorder import Recorder
 from omote.show.session import ShowSession
-from omote.showfile.schema import ShowFileError
 from omote.stage_data.playing_cast import PlayingCast
 
 Deliver = Callable[[list[Outgoing]], None]
@@ -42,8 +37,8 @@ Deliver = Callable[[list[Outgoing]], None]
 class Recording(Protocol):
     """Keeps what a show does (`recording/recording_thread.py`)."""
 
-    def note(self, entries: Sequence[AnyEntry]) -> None:
-        """Queues what happened up to a tick (entries); returns at once."""
+    def note(self, entries: Sequence[AnyEntry], state: bytes = b"") -> None:
+        """Queues what happened up to a tick (entries); returns at once. state: as it was sent, for curves."""
 
     def note_cast(self, cast: Cast | PlayingCast, contents: Mapping[str, bytes]) -> None:
         """Queues a cast that is played. contents: of own items, by key."""
@@ -60,21 +55,31 @@ class Recording(Protocol):
     def delete(self, name: str, answer: Callable[[str], None]) -> None:
         """Keeps a recording no longer. name: of it; answer: as of `keep`."""
 
-    def describe(self) -> RecordingsDocument:
-        """What is recorded; sqlite3.Error or ShowFileError where it cannot be read."""
+    def alter(self, work: Alter, answer: Callable[[str], None]) -> None:
+        """Does some work on the file. answer: as of `keep`."""
+
+    @property
+    def paths(self) -> tuple[Path]:
+        """Where the recording lies."""
 
 
 class RecordingRoutes:
     """Records a session, once it is enabled. documents: of the cast that it plays; clock: seconds, monotonic; deliver:
-    answers."""
+    answers; runs: what pages read of it."""
 
     def __init__(
-        self, session: ShowSession, documents: CastDocuments, clock: Callable[[], float], deliver: Deliver
+        self,
+        session: ShowSession,
+        documents: CastDocuments,
+        clock: Callable[[], float],
+        deliver: Deliver,
+        runs: RunRoutes,
     ) -> None:
         self._session = session
         self._documents = documents
         self._clock = clock
         self._deliver = deliver
+        self._runs = runs
         self._recording: Recording | None = None
         self._recorder: Recorder | None = None
         self._run_job: RunFileJob | None = None
@@ -84,13 +89,10 @@ class RecordingRoutes:
     def enable(self, recording: Recording, run_job: RunFileJob | None = None) -> None:
         """Records what the session does from now on. recording: keeps it; run_job: does a `CutRecordedClip`, None where
         nothing does."""
+        self._runs.enable(recording, plays=True)
         self._recording = recording
         self._run_job = run_job
         self._recorder = Recorder(self._session)
-
-    def add_routes(self, application: web.Application) -> None:
-        """Adds the address that says what is recorded."""
-        application.router.add_get(RECORDINGS_PATH, self.respond)
 
     def record(self, data: bytes) -> None:
         """Hands over what happened up to a tick, and what is asked of the recording. data: the state as it is sent."""
@@ -100,21 +102,9 @@ class RecordingRoutes:
         if playing is not self._cast and playing.digest == self._session.cast.digest:
             self._cast = playing
             self._recording.note_cast(playing, self._documents.contents)
-        self._recording.note(self._recorder.take(zlib.crc32(data)))
+        self._recording.note(self._recorder.take(zlib.crc32(data)), data)
         for request in self._session.take_recording_requests():
             self._ask(self._recording, request)
-
-    async def respond(self, _: web.Request) -> web.Response:
-        """Responds with what is recorded (JSON); 204 where the show is not recorded."""
-        if self._recording is None:
-            return web.Response(status=204, headers={"Cache-Control": NO_CACHE})
-        loop = asyncio.get_running_loop()
-        try:
-            document = await loop.run_in_executor(None, self._recording.describe)
-        except (sqlite3.Error, ShowFileError) as error:
-            raise web.HTTPServiceUnavailable(text="the recording cannot be read now; try again.") from error
-        body = msgspec.json.encode(document)
-        return web.Response(body=body, content_type="application/json", headers={"Cache-Control": NO_CACHE})
 
     def _ask(self, recording: Recording, request: KeepRequest) -> None:
         message = request.message

@@ -13,6 +13,8 @@ PAGES = {
     "/stage": "stage.html",
     "/console": "console.html",
     "/cues": "cues.html",
+    "/notes": "notes.html",
+    "/runs": "runs.html",
     "/devices": "devices.html",
     "/camera": "camera.html",
     "/editor": "editor.html",

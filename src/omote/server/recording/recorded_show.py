@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
+from heapq import merge
 
 import msgspec
 
@@ -13,13 +14,15 @@ from omote.perform.clips.clip import Clip
 from omote.server.recording.recording_thread import read_entries
 from omote.show.declaration import ClientMessage, tag_of
 from omote.show.objects.clips import StoredClip, clip_of
+from omote.show.objects.recordings import MarkMoment
 from omote.show.recording.entries import AnyEntry, ChannelsSet, Joined, Sent, SnapshotTaken
 from omote.show.recording.replay import ReplayedTick, ReplayError, replay
-from omote.showfile.recording_file import Piece, RecordingFile
+from omote.showfile.recording_file import Marker, Piece, RecordingFile
 from omote.stage_data.playing_cast import Own, PlayingCast, build_playing_cast
 
-SILENT = ("drive", "drawing", "joined")
-"""What comes many times a second by itself, and who is there: a log of who did what leaves it out."""
+SILENT = ("drive", "drawing", "joined", "mark_moment")
+"""What comes many times a second by itself, and who is there: a log of who did what leaves it out. Markers are read
+where they can be changed."""
 
 
 @dataclass(frozen=True)
@@ -70,6 +73,13 @@ class RecordedShow:
         start = pieces[-1].start
         return Span(start, next(piece.first for piece in pieces if piece.start == start), pieces[-1].last)
 
+    def find_played(self, start: int) -> Span:
+        """All that is recorded of a start of the show; ValueError where nothing is."""
+        pieces = [piece for piece in self._file.pieces() if piece.start == start]
+        if not pieces:
+            raise ValueError("that start of the show is not recorded any more")
+        return Span(start, pieces[0].first, pieces[-1].last)
+
     def find_cast(self, digest: str) -> Cast | PlayingCast:
         """The cast of a digest with its own items; LookupError, with the reason, where it cannot be played any more."""
         if digest not in self._casts:
@@ -110,7 +120,17 @@ class RecordedShow:
             yield tick
 
     def log(self, span: Span) -> Iterator[LogLine]:
-        """Who did what in a span, in its order; what a hand sends again and again is one line."""
+        """Who did what in a span, in its order; what a hand sends again and again is one line. What was noted is as it
+        is written now."""
+        marks = (LogLine(mark.at, mark.who, tag_of(MarkMoment), mark.name) for mark in self.markers(span))
+        return merge(self._played(span), marks, key=lambda line: line.at)
+
+    def markers(self, span: Span) -> list[Marker]:
+        """What was marked in a span, in its order."""
+        marks = self._file.markers()
+        return [mark for mark in marks if mark.start == span.start and span.first <= mark.at <= span.last]
+
+    def _played(self, span: Span) -> Iterator[LogLine]:
         names: dict[str, str] = {}
         line: LogLine | None = None
         for entry in (entry for piece in self._entries(self._pieces(span, span.first)) for entry in piece):

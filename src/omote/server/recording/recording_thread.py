@@ -16,8 +16,17 @@ import msgspec
 
 from omote.model.cast import Cast
 from omote.perform.clips.clip import Clip
+from omote.show.messages import STATE_RATE
 from omote.show.objects.clips import stored_clip
-from omote.show.objects.recordings import MarkedMoment, MarkMoment, RecordedSpan, RecordingsDocument
+from omote.show.objects.cues import GoBack
+from omote.show.objects.recordings import MarkMoment
+from omote.show.recording.curves import (
+    CURVE_RATE,
+    CurveSampler,
+    join_curves,
+    pack_curves,
+    unpack_curves,
+)
 from omote.show.recording.entries import (
     AnyEntry,
     Joined,
@@ -40,8 +49,7 @@ ADD_SECONDS = 1.0
 MOST_WAITING = 3600
 """Ticks that wait for a disk: a minute. After that the recording has a gap."""
 CLOSE_SECONDS = 5.0
-APART = 1.0
-"""Seconds between two pieces of one span; more is a gap."""
+CURVE_TICKS = STATE_RATE // CURVE_RATE
 
 Answer = Callable[[str], None]
 """Told of a request: why it was refused, "" where it was done."""
@@ -59,7 +67,7 @@ class RecordingThread:
         self._program = program
         self._report = report
         self._work: SimpleQueue[Callable[[], None] | None] = SimpleQueue()
-        self._ticks: SimpleQueue[Sequence[AnyEntry]] = SimpleQueue()
+        self._ticks: SimpleQueue[tuple[Sequence[AnyEntry], bytes]] = SimpleQueue()
         self._file: RecordingFile | None = None
         self._failing = False
         self._start = 0
@@ -70,18 +78,22 @@ class RecordingThread:
         self._clips: WeakKeyDictionary[Clip, str] = WeakKeyDictionary()
         self._members: dict[str, str] = {}
         self._pending: list[AnyEntry] = []
+        self._count = 0
+        self._curves = CurveSampler()
+        self._backs: list[float] = []
         self._full = False
         self._thread = threading.Thread(target=self._run, name="recording", daemon=True)
         self._thread.start()
 
-    def note(self, entries: Sequence[AnyEntry]) -> None:
-        """Queues what happened up to a tick; returns at once."""
+    def note(self, entries: Sequence[AnyEntry], state: bytes = b"") -> None:
+        """Queues what happened up to a tick (entries); returns at once. state: as it was sent, "" for no curves."""
         if self._ticks.qsize() > MOST_WAITING:
             self._full = True
             return
         if not self._full or any(begins_piece(entry) for entry in entries):
             self._full = False  # after a gap it begins with a piece of its own
-            self._ticks.put(entries)
+            self._count += 1
+            self._ticks.put((entries, state if self._count % CURVE_TICKS == 0 else b""))
 
     def note_cast(self, cast: Cast | PlayingCast, contents: Mapping[str, bytes]) -> None:
         """Queues a cast that is played, before what is played with it. contents: of own items, by key."""
@@ -90,7 +102,7 @@ class RecordingThread:
         keys = tuple(sorted({item.content for item in own}))
         stored = StoredCast(cast.digest, base, msgspec.msgpack.encode(own), keys)
         found = [(key, contents[key]) for key in keys if key in contents]
-        self._work.put(lambda: self._keep_cast(stored, found))
+        self._work.put(lambda: self._keep_cast(stored, found, cast))
 
     def keep(self, name: str, seconds: float, now: float, answer: Answer) -> None:
         """Keeps the last seconds under a name. now: seconds, monotonic; answer: told of it, on this thread."""
@@ -104,13 +116,15 @@ class RecordingThread:
         """Keeps a recording no longer. name: of it; answer: told of it, on this thread."""
         self._work.put(lambda: self._carry_out(lambda file: file.delete(name), answer))
 
-    def describe(self) -> RecordingsDocument:
-        """What is recorded; sqlite3.Error or ShowFileError where it cannot be read. From any thread."""
-        file = open_recording(self.path)
-        try:
-            return describe_recordings(file)
-        finally:
-            file.close()
+    def alter(self, work: Callable[[RecordingFile], None], answer: Answer) -> None:
+        """Does some work on the file, which raises ValueError for what cannot be done. answer: told of it, on this
+        thread."""
+        self._work.put(lambda: self._carry_out(work, answer))
+
+    @property
+    def paths(self) -> tuple[Path]:
+        """Where the recording lies."""
+        return (self.path,)
 
     def close(self) -> None:
         """Writes what is left and closes the file; waits five seconds at most."""
@@ -164,7 +178,7 @@ class RecordingThread:
             wall = time.time_ns() / 1e9
             for piece in file.unpacked():
                 with suppress(ValueError):  # another version wrote it: it stays as it is
-                    file.pack(piece, pack_entries(read_entries(file, piece)))
+                    pack_piece(file, piece)
             self._start = file.begin_start(wall, time.monotonic(), self._program)
             self._file = file
         return self._file
@@ -174,7 +188,9 @@ class RecordingThread:
         entries = self._pending
         self._pending = []
         while not self._ticks.empty():
-            for entry in self._ticks.get():
+            noted, state = self._ticks.get()
+            self._sample(noted, state)
+            for entry in noted:
                 if begins_piece(entry):
                     self._write(entries)
                     entries = []
@@ -184,11 +200,20 @@ class RecordingThread:
                 entries.append(entry)
         self._write(entries)
 
+    def _sample(self, entries: Sequence[AnyEntry], state: bytes) -> None:
+        """Notes what curves need of a state, "" for none. entries: of its tick."""
+        self._backs += [entry.now for entry in entries if isinstance(entry, Sent) and isinstance(entry.message, GoBack)]
+        now = next((entry.now for entry in reversed(entries) if isinstance(entry, Ticked)), None)
+        if state and now is not None:
+            self._curves.note(now, state, self._backs)
+            self._backs = []
+
     def _write(self, entries: list[AnyEntry]) -> None:
         ticks = [entry.now for entry in entries if isinstance(entry, Ticked)]
         if not ticks:
             self._pending = entries
             return
+        curves, calls = self._curves.take()
         if self._begins:
             self._piece = self._opened().begin_piece(self._start, ticks[0])
             self._begins = False
@@ -205,10 +230,13 @@ class RecordingThread:
         ]
         data = encode_entries(name_clips(entries, self._keep_clip))
         casts = dict.fromkeys(self._casts)
-        self._opened().add(self._piece, data, last=ticks[-1], ticks=len(ticks), casts=casts, markers=marks)
+        self._opened().add(
+            self._piece, data, last=ticks[-1], ticks=len(ticks), casts=casts, markers=marks, curves=curves, calls=calls
+        )
 
-    def _keep_cast(self, cast: StoredCast, contents: list[tuple[str, bytes]]) -> None:
+    def _keep_cast(self, cast: StoredCast, contents: list[tuple[str, bytes]], titled: Cast | PlayingCast) -> None:
         self._cast = (cast, contents)
+        self._curves.cast = titled
         self._opened().keep_cast(cast, contents)
 
     def _keep_clip(self, clip: Clip) -> str:
@@ -226,7 +254,7 @@ class RecordingThread:
         """Packs the piece that has ended, and makes room."""
         if self._piece is not None:
             file = self._opened()
-            file.pack(self._piece, pack_entries(read_entries(file, self._piece)))
+            pack_piece(file, self._piece)
             lost = file.trim(RING_SECONDS)
             for clip in [clip for clip, key in self._clips.items() if key in lost]:
                 del self._clips[clip]
@@ -248,6 +276,14 @@ class RecordingThread:
         file.keep(KeptRecording(name, self._start, max(first, now - seconds), now))
 
 
+def pack_piece(file: RecordingFile, piece: int) -> None:
+    """Packs a piece that nothing is added to any more; ValueError where it cannot be read. file: the open recording;
+    piece: its id."""
+    entries = pack_entries(read_entries(file, piece))
+    parts = [unpack_curves(data) for data in file.curves([piece])]
+    file.pack(piece, entries, pack_curves(join_curves(parts)) if parts else b"")
+
+
 def read_entries(file: RecordingFile, piece: int) -> list[AnyEntry]:
     """The entries of a piece; ValueError where they are damaged, KeyError where it is not there any more. file: the
     open recording; piece: its id."""
@@ -255,26 +291,3 @@ def read_entries(file: RecordingFile, piece: int) -> list[AnyEntry]:
     if isinstance(data, bytes):
         return unpack_entries(data)
     return [entry for second in data for entry in decode_entries(second)]
-
-
-def describe_recordings(file: RecordingFile) -> RecordingsDocument:
-    """What a recording holds, for people; sqlite3.Error where it cannot be read. file: the open recording."""
-    pieces = file.pieces()
-    offsets = {piece.start: piece.written - piece.first for piece in pieces}
-    spans: list[RecordedSpan] = []
-    for piece in pieces:
-        before = spans[-1] if spans else None
-        if before is not None and before.start == piece.start and piece.first - before.first - before.seconds < APART:
-            spans[-1] = msgspec.structs.replace(before, seconds=piece.last - before.first)
-        else:
-            spans.append(RecordedSpan(piece.start, piece.first, piece.written, piece.last - piece.first))
-    kept = [
-        RecordedSpan(
-            each.start, each.first, offsets.get(each.start, 0.0) + each.first, each.last - each.first, each.name
-        )
-        for each in file.kept()
-    ]
-    markers = [
-        MarkedMoment(each.start, each.at, offsets[each.start] + each.at, each.name, each.who) for each in file.markers()
-    ]
-    return RecordingsDocument(spans, kept, markers)

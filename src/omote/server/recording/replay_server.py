@@ -5,8 +5,10 @@ from __future__ import annotations
 import asyncio
 import sqlite3
 import time
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
+from concurrent.futures import ThreadPoolExecutor
 from contextlib import suppress
+from pathlib import Path
 
 import msgspec
 from aiohttp import web
@@ -27,12 +29,16 @@ from omote.show.objects.stages import CastChanged
 from omote.show.objects.state import State
 from omote.show.session import ShowSession
 from omote.show.validation import Refusal
+from omote.showfile.database_errors import describe_error
+from omote.showfile.recording_file import RecordingFile, open_recording
+from omote.showfile.schema import ShowFileError
 from omote.stage_data.playing_cast import PlayingCast, build_playing_cast
 
 TRANSPORT_PATH = "/replay/transport"
 MOMENTS_PATH = "/replay/moments"
-ACTS = ("go", "go_back", "go_to_cue", "panic", "begin_show", "mark_moment")
-"""What is shown on the line of time: what a stage manager finds a moment by."""
+MARKED = "mark_moment"
+ACTS = ("go", "go_back", "go_to_cue", "panic", "begin_show")
+"""Beside markers, what is shown on the line of time: what a stage manager finds a moment by."""
 LONGEST_REQUEST = 4096
 
 
@@ -66,16 +72,23 @@ class ReplaySession(ShowSession):
 
 class ReplayServer:
     """The pages and the transport of a replay. show: the recording; span: what of it is played; documents: of the
-    built-in cast; pages: the built files."""
+    built-in cast; pages: the built files; files: the recordings that are compared, its own first."""
 
-    def __init__(self, show: RecordedShow, span: Span, documents: CastDocuments, pages: Mapping[str, Page]) -> None:
+    def __init__(
+        self,
+        show: RecordedShow,
+        span: Span,
+        documents: CastDocuments,
+        pages: Mapping[str, Page],
+        files: Sequence[Path],
+    ) -> None:
         self._show = show
-        self._span = span
         self._documents = documents
         self.player = ReplayPlayer(show, span)
-        self._moments: list[dict[str, object]] | None = None
+        self._moments: tuple[Span, list[LogLine]] | None = None
         self.server = ShowServer(ReplaySession(documents.playing, self.player), documents, pages)
         self.server.more_routes.append(self.add_routes)
+        self.server.runs.enable(ReplayedFiles(files), plays=False)
 
     def add_routes(self, application: web.Application) -> None:
         """Adds the addresses of the transport."""
@@ -99,13 +112,12 @@ class ReplayServer:
 
     async def list_moments(self, _: web.Request) -> web.Response:
         """Responds with the moments of the recording that people look for (JSON), in seconds from its beginning."""
-        if self._moments is None:
-            loop = asyncio.get_running_loop()
-            try:
-                self._moments = await loop.run_in_executor(None, self._read_moments)
-            except (sqlite3.Error, ValueError) as error:
-                raise web.HTTPServiceUnavailable(text=f"the recording cannot be read: {error}.") from error
-        return web.json_response(self._moments, headers={"Cache-Control": NO_CACHE})
+        loop = asyncio.get_running_loop()
+        try:
+            moments = await loop.run_in_executor(None, self._read_moments, self.player.span)
+        except (sqlite3.Error, ValueError) as error:
+            raise web.HTTPServiceUnavailable(text=f"the recording cannot be read: {error}.") from error
+        return web.json_response(moments, headers={"Cache-Control": NO_CACHE})
 
     async def tick(self) -> None:
         """Broadcasts the next state; where another cast plays then, its documents first."""
@@ -125,19 +137,47 @@ class ReplayServer:
         session.revision += 1
         self.server.announce(CastChanged(session.revision, digest))
 
-    def _read_moments(self) -> list[dict[str, object]]:
-        lines = [line for line in self._show.log(self._span) if line.what in ACTS]
+    def _read_moments(self, span: Span) -> list[dict[str, object]]:
+        """The moments of a span, of which what was played is read once, and markers each time."""
+        if self._moments is None or self._moments[0] != span:
+            self._moments = (span, [line for line in self._show.log(span) if line.what in ACTS])
+        marks = [LogLine(mark.at, mark.who, MARKED, mark.name) for mark in self._show.markers(span)]
+        lines = sorted((*self._moments[1], *marks), key=lambda line: line.at)
         return [
-            {"at": line.at - self._span.first, "what": line.what, "name": _name_of(line), "who": line.who}
-            for line in lines
+            {"at": line.at - span.first, "what": line.what, "name": _name_of(line), "who": line.who} for line in lines
         ]
 
 
+class ReplayedFiles:
+    """The recordings that a replay's pages look at. paths: where they lie; the first is the one that is marked."""
+
+    def __init__(self, paths: Sequence[Path]) -> None:
+        self.paths = paths
+        self._writer = ThreadPoolExecutor(max_workers=1, thread_name_prefix="markers")
+
+    def alter(self, work: Callable[[RecordingFile], None], answer: Callable[[str], None]) -> None:
+        """Does some work on the first file, which raises ValueError for what cannot be done. answer: told why it was
+        refused, "" for done, on another thread."""
+        self._writer.submit(self._alter, work, answer)
+
+    def _alter(self, work: Callable[[RecordingFile], None], answer: Callable[[str], None]) -> None:
+        try:
+            file = open_recording(self.paths[0])
+            try:
+                work(file)
+            finally:
+                file.close()
+        except (ValueError, OSError, sqlite3.Error, ShowFileError) as error:
+            answer(describe_error(error).removesuffix("."))
+        else:
+            answer("")
+
+
 def _name_of(line: LogLine) -> str:
-    return line.of if line.what in ("mark_moment", "go", "go_to_cue") else ""
+    return line.of if line.what in (MARKED, "go", "go_to_cue") else ""
 
 
-def serve(show: RecordedShow, span: Span, port: int, announce: Callable[[str], None]) -> None:
+def serve(show: RecordedShow, span: Span, files: Sequence[Path], port: int, announce: Callable[[str], None]) -> None:
     """Serves a replay until Ctrl-C.
 
     Parameters
@@ -146,6 +186,8 @@ def serve(show: RecordedShow, span: Span, port: int, announce: Callable[[str], N
         The recording.
     span : Span
         What of it is played.
+    files : sequence of Path
+        The recordings that are compared, its own first.
     port : int
         To listen on, on this machine alone; 0 for any.
     announce : callable
@@ -159,12 +201,14 @@ def serve(show: RecordedShow, span: Span, port: int, announce: Callable[[str], N
         Where nothing of it can be replayed.
     """
     with suppress(KeyboardInterrupt):
-        asyncio.run(_serve(show, span, port, announce))
+        asyncio.run(_serve(show, span, files, port, announce))
 
 
-async def _serve(show: RecordedShow, span: Span, port: int, announce: Callable[[str], None]) -> None:
+async def _serve(
+    show: RecordedShow, span: Span, files: Sequence[Path], port: int, announce: Callable[[str], None]
+) -> None:
     documents = built_in_documents()
-    replay = ReplayServer(show, span, documents, read_pages(pages=REPLAY_PAGES))
+    replay = ReplayServer(show, span, documents, read_pages(pages=REPLAY_PAGES), files)
     opened = listen(port)
     runner = web.AppRunner(replay.server.application(own_names()), access_log=None, shutdown_timeout=1.0)
     await runner.setup()

@@ -19,7 +19,11 @@ ROUTES: Mapping[tuple[str, str], AccessRole] = MappingProxyType(
         ("GET", "/people/{id}/code"): "admin",
         ("GET", "/cue_lists/{name}"): "view",
         ("POST", "/cue_lists/{name}"): "edit",
-        ("GET", "/recordings"): "operate",
+        ("GET", "/recordings"): "view",
+        ("GET", "/curves"): "view",
+        ("POST", "/markers"): "view",  # a director notes, and plays nothing
+        ("POST", "/markers/{id}"): "view",  # own ones: others' need operate
+        ("DELETE", "/markers/{id}"): "view",
         ("GET", "/exports/{file}"): "operate",
         ("POST", "/imports/{file}"): "edit",
         ("POST", "/photographs"): "edit",
@@ -53,6 +57,8 @@ ROUTES: Mapping[tuple[str, str], AccessRole] = MappingProxyType(
         ("GET", "/console"): "view",
         ("GET", "/editor"): "view",
         ("GET", "/cues"): "view",
+        ("GET", "/notes"): "view",
+        ("GET", "/runs"): "view",
         ("GET", "/devices"): "view",
         ("GET", "/camera"): "view",
         ("GET", "/microphone"): "view",
