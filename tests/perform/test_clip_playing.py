@@ -246,3 +246,33 @@ def test_a_panic_takes_over_the_speed_of_what_a_clip_shows(people: Cast) -> None
     for _ in range(20):
         weights = [performer.advance(DT).expressions.get("jawOpen", 0.0) for performer in (called, played)]
         assert weights[1] == pytest.approx(weights[0], abs=2e-3)
+
+
+@pytest.mark.parametrize("tick", [240, 360])
+def test_a_panic_takes_over_the_speed_of_channels(people: Cast, tick: int) -> None:
+    """What a clip moved at 2.5 a second stood at once; the easing of a panic alone changes it by half of that."""
+    step = 1.0 / 240.0
+    times = np.arange(0.0, 4.0, DT)
+    swings = 0.45 + 0.4 * np.sin(2.0 * np.pi * times)
+    performer = Performer(people)
+    performer.play_clip(
+        Clip([Lane(make_curve(times.tolist(), {"jawOpen": swings.tolist()}, {"jawOpen": 2}))]), seconds=0
+    )
+    shown = [performer.advance(step).channels.get("jawOpen", 0.0) for _ in range(tick)]
+    performer.panic()
+    restored = Performer.restored(people, performer.snapshot())
+    after = [performer.advance(step) for _ in range(80)]
+    assert [restored.advance(step) for _ in range(80)] == after
+    shown += [frame.channels.get("jawOpen", 0.0) for frame in after]
+    assert np.abs(np.diff(np.array(shown), 2)).max() / step < 0.8
+    assert -0.1 <= min(shown) <= shown[-1] == 0.0
+    assert max(shown) < 1.0
+
+
+def test_a_clip_that_cuts_after_a_panic_is_no_motion(people: Cast) -> None:
+    """Its first value would have shown with the next step: no speed is taken from that."""
+    still = Clip([Lane(make_curve([0.0, 9.0], {"jawOpen": [0.9] * 2}, {"jawOpen": 2}))])
+    performer = Performer(people)
+    performer.play_clip(still, seconds=0)
+    performer.panic()
+    assert all(performer.advance(0.004).channels.get("jawOpen", 0.0) == 0.0 for _ in range(30))

@@ -14,7 +14,7 @@ from omote.perform.easing import Glide
 from omote.perform.frame import Gaze, Home
 from omote.perform.lights import FIRST_LIGHT
 from omote.perform.limits import GAZE_LIMITS
-from omote.perform.panic import EasingToRest
+from omote.perform.panic import Carried, EasingToRest
 from omote.perform.performer import Performer
 from omote.perform.snapshot import Snapshot, check_snapshot, limit_gaze
 
@@ -74,6 +74,16 @@ BROKEN: dict[str, Callable[[Snapshot], Snapshot]] = {
     "there is no channel 'ear'": lambda snapshot: replace(snapshot, easing_to_rest=EasingToRest({"ear": 0.5})),
     r"the elapsed time of a panic \(seconds\) is 9.0": lambda snapshot: replace(
         snapshot, easing_to_rest=EasingToRest(elapsed=9.0)
+    ),
+    "the speed of jawOpen after a panic .* is no number": lambda snapshot: replace(
+        snapshot,
+        easing_to_rest=EasingToRest({"jawOpen": 0.5}, moving={"channels": {"jawOpen": Carried(math.nan, 0.1)}}),
+    ),
+    "the speed of yaw after a panic .* is 1000.0": lambda snapshot: replace(
+        snapshot, easing_to_rest=EasingToRest(moving={"gaze": {"yaw": Carried(1000.0, 0.1)}})
+    ),
+    "the decay of the speed of yaw after a panic .* is 9.0": lambda snapshot: replace(
+        snapshot, easing_to_rest=EasingToRest(moving={"head": {"yaw": Carried(1.0, 9.0)}})
     ),
     r"the time of the last panic \(seconds\) is 1000.0": lambda snapshot: replace(snapshot, panicked=1000.0),
     "the weights of the faces in the snapshot sum to 0.25": with_face(stands={"broad": 0.25}),

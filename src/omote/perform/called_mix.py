@@ -14,7 +14,7 @@ from omote.perform.easing import DEFAULT_EASING, find_easing
 from omote.perform.frame import Gaze, Head, Home, with_fields
 from omote.perform.lights import check_light
 from omote.perform.limits import check_call_seconds, check_known, check_within
-from omote.perform.panic import without_channels
+from omote.perform.panic import without_channels, without_turn
 from omote.perform.snapshot import Playable, Snapshot
 
 
@@ -302,8 +302,7 @@ class CalledMix:
         0.2
         """
         head = Head(yaw, pitch, roll)
-        easing_to_rest = self._now.easing_to_rest
-        self._play(head=head, easing_to_rest=None if easing_to_rest is None else replace(easing_to_rest, head=Head()))
+        self._play(head=head, easing_to_rest=without_turn(self._now.easing_to_rest, "head"))
 
     def set_gaze(self, yaw: float, pitch: float) -> None:
         """Turns the eyes relative to the head.
@@ -329,8 +328,7 @@ class CalledMix:
         -0.1
         """
         gaze = Gaze(yaw, pitch)
-        easing_to_rest = self._now.easing_to_rest
-        self._play(gaze=gaze, easing_to_rest=None if easing_to_rest is None else replace(easing_to_rest, gaze=Gaze()))
+        self._play(gaze=gaze, easing_to_rest=without_turn(self._now.easing_to_rest, "gaze"))
 
     def set_home(self, face: str, *, seconds: float = 2.0) -> None:
         """Chooses the face that a second panic brings on air.

@@ -13,6 +13,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
+from omote.arrays import Values
 from omote.perform.mix import HIGHEST, LOWEST, Weights
 
 DECAY_SECONDS = 0.33
@@ -92,20 +93,33 @@ def bump_rate(u: float) -> float:
 def decay_seconds(start: Weights, velocity: Weights, goal: Weights, seconds: float | None, easing: Easing) -> float:
     """The one time in which all velocities of an axis die out: short enough that no weight leaves its range.
 
-    A weight is at most base + velocity * decay * bump, and its base goes the way of the easing (by hand, `seconds`
-    None: anywhere between start and goal), so the longest decay is the least room over velocity * bump.
+    start, velocity, goal: the mixes, and their change per second; seconds, easing: as of `decays`.
     """
-    longest = DECAY_SECONDS if seconds is None else min(seconds, DECAY_SECONDS)
     names = [name for name, rate in velocity.items() if abs(rate) > STILL]
     if not names:
         return 0.0
-    rates = np.array([velocity[name] for name in names])[:, None]
-    starts = np.array([start.get(name, 0.0) for name in names])[:, None]
-    goals = np.array([goal.get(name, 0.0) for name in names])[:, None]
+    rates = np.array([velocity[name] for name in names])
+    starts = np.array([start.get(name, 0.0) for name in names])
+    goals = np.array([goal.get(name, 0.0) for name in names])
+    return float(decays(starts, rates, goals, seconds, easing).min())
+
+
+def decays(starts: Values, rates: Values, goals: Values, seconds: float | None, easing: Easing) -> Values:
+    """The time (n) in which each velocity dies out, if it were alone: short enough that its weight stays in range.
+
+    starts, goals: weights (n); rates: their change per second, not 0; seconds: of the call, None by hand; easing: the
+    curve of the way.
+
+    A weight is at most base + velocity * decay * bump, and its base goes the way of the easing (by hand: anywhere
+    between start and goal), so the longest decay is the least room over velocity * bump.
+    """
+    longest = DECAY_SECONDS if seconds is None else min(seconds, DECAY_SECONDS)
+    starts, rates, goals = starts[:, None], rates[:, None], goals[:, None]
     towards = (goals - starts) * rates > 0.0
     base = starts + np.where(towards, goals - starts, 0.0) * (1.0 if seconds is None else _sample_easing(easing))
     room = np.where(rates > 0.0, HIGHEST - base, base - LOWEST)
-    return float(min(longest, max(0.0, (room / (np.abs(rates) * _BUMPS)).min())))
+    longest_each: Values = (room / (np.abs(rates) * _BUMPS)).min(axis=1)
+    return np.minimum(longest, np.maximum(0.0, longest_each))
 
 
 def plan_glide(origin: float, rate: float, goal: float, seconds: float) -> Glide:

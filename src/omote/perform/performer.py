@@ -50,7 +50,7 @@ from omote.perform.motion.automatic_motion import (
     set_motion,
 )
 from omote.perform.motion.sight import Sight, sight_alone
-from omote.perform.panic import PANIC_EASING, PANIC_SECONDS, EasingToRest, ease_later, eased
+from omote.perform.panic import PANIC_EASING, PANIC_SECONDS, EasingToRest, at_speed, ease_later, eased
 from omote.perform.snapshot import Playable, Snapshot, check_snapshot, is_home_next, refuse_no_cast
 from omote.perform.speech.speaking import (
     advance_speaking,
@@ -66,7 +66,7 @@ from omote.perform.speech.speech_timing import make_track
 from omote.perform.speech.visemes import speech_frame
 
 MOMENT = 1e-4
-"""Seconds in which the speed of a mix is measured: no step of a show, and long beside rounding."""
+"""Seconds in which the speed of what shows is measured: no step of a show, and long beside rounding."""
 
 
 class Performer(ClipPlaying):
@@ -506,7 +506,10 @@ class Performer(ClipPlaying):
         """
         now = self._now
         if now.panicked is None:
-            now = self._without_layers(_at_rest(self._with_played_mixes(now)))
+            soon = self._show_soon()
+            now = self._without_layers(_at_rest(self._with_played_mixes(now, soon[0])))
+            if now.easing_to_rest is not None:
+                now = replace(now, easing_to_rest=at_speed(now.easing_to_rest, *soon, MOMENT))
         elif is_home_next(now):
             now = replace(
                 now, face=axis.called(now.face, now.home.face, check_call_seconds(now.home.seconds), DEFAULT_EASING)
@@ -681,6 +684,9 @@ class Performer(ClipPlaying):
         return None if is_at_rest(layers) else layers
 
     def _frame(self) -> Frame:
+        return with_gestures(self._frame_without_gestures(), self._now.gestures, self._cast.expressions, self._held())
+
+    def _frame_without_gestures(self) -> Frame:
         now = self._now
         frame = _frame(now)
         if now.clips:
@@ -689,17 +695,29 @@ class Performer(ClipPlaying):
             frame = with_layers(
                 frame, self._layers, self._cast.expressions, self._held(), now.easing_to_rest, self._mixes
             )
-        return with_gestures(frame, now.gestures, self._cast.expressions, self._held())
+        return frame
 
-    def _with_played_mixes(self, now: Snapshot) -> Snapshot:
+    def _show_soon(self) -> tuple[Frame, Frame]:
+        """What would show a moment and two moments later, beside gestures; what shows now where that cannot be told:
+        what stops a show must not depend on what moves."""
+        later = copy(self)
+        try:
+            later.advance(MOMENT)
+            soon = later._frame_without_gestures()
+            later.advance(MOMENT)
+            return soon, later._frame_without_gestures()
+        except Exception:  # whatever it is, a panic is what ends it
+            stands = self._frame_without_gestures()
+            return stands, stands
+
+    def _with_played_mixes(self, now: Snapshot, later: Frame) -> Snapshot:
         """A panic where clips play: what is called over from now on are the mixes that show with theirs, at their
-        speed. now: as it is."""
+        speed. now: as it is; later: what would show a moment later."""
         if not now.clips:
             return now
         if not self._mixes:
             return replace(now, clips=())
-        frame = self._frame()
-        later = copy(self).advance(MOMENT)
+        frame = self._frame_without_gestures()
 
         def at(mix: Mapping[str, float], after: Mapping[str, float]) -> Axis:
             return axis.moving(mix, combine(((1.0 / MOMENT, after), (-1.0 / MOMENT, mix))))
@@ -720,7 +738,7 @@ class Performer(ClipPlaying):
             self._layers = None
             return rested
         self._layers = layers
-        frame = self._frame()
+        frame = self._frame_without_gestures()  # which go on their own way
         kept = [1.0] * len(PLAY_REGIONS) if self._mixes else kept_of_mix(layers, influences(layers))
         self._layers = switch_off(layers, kept)
         self._forget_clips()

@@ -28,7 +28,7 @@ from omote.perform.limits import (
 )
 from omote.perform.mix import HIGHEST, LOWEST, Weights
 from omote.perform.motion.automatic_motion import AutomaticMotion, check_motion
-from omote.perform.panic import PANIC_SECONDS, SAME_PRESS, EasingToRest
+from omote.perform.panic import FASTEST, PANIC_SECONDS, SAME_PRESS, EasingToRest
 from omote.perform.speech.speaking import Speaking, check_speaking
 
 
@@ -123,9 +123,7 @@ def check_snapshot(snapshot: Snapshot, cast: Playable) -> Snapshot:
         check_axis(axis, cast.expressions, f"expression ({check_play_region(region)})")
     for name, value in snapshot.channels.items():
         with_channel({}, cast.expressions, name, value)
-    for name, value in () if snapshot.easing_to_rest is None else snapshot.easing_to_rest.channels.items():
-        with_channel({}, cast.expressions, name, 0.0)
-        check_within(value, CHANNEL_LOWEST, highest_weight(cast.expressions, name), f"the channel {name}")
+    _check_easing_to_rest(snapshot.easing_to_rest, cast)
     restored(cast, snapshot.layers)
     check_motion(snapshot.motion)
     check_speaking(snapshot.speaking)
@@ -133,11 +131,22 @@ def check_snapshot(snapshot: Snapshot, cast: Playable) -> Snapshot:
     check_runs(snapshot.clips)
     check_known(snapshot.home.face, cast.faces, "face")
     check_within(snapshot.time, 0.0, FOREVER, "the snapshot's time (seconds)")
-    if snapshot.easing_to_rest is not None:
-        check_within(snapshot.easing_to_rest.elapsed, 0.0, PANIC_SECONDS, "the elapsed time of a panic (seconds)")
     if snapshot.panicked is not None:
         check_within(snapshot.panicked, 0.0, snapshot.time, "the time of the last panic (seconds)")
     return snapshot
+
+
+def _check_easing_to_rest(left: EasingToRest | None, cast: Playable) -> None:
+    if left is None:
+        return
+    check_within(left.elapsed, 0.0, PANIC_SECONDS, "the elapsed time of a panic (seconds)")
+    for name, value in left.channels.items():
+        with_channel({}, cast.expressions, name, 0.0)
+        check_within(value, CHANNEL_LOWEST, highest_weight(cast.expressions, name), f"the channel {name}")
+    for part in left.moving.values():
+        for name, each in part.items():
+            check_within(each.speed, -FASTEST, FASTEST, f"the speed of {name} after a panic (per second)")
+            check_within(each.decay, 0.0, PANIC_SECONDS, f"the decay of the speed of {name} after a panic (seconds)")
 
 
 def limit_gaze(saved: object) -> bool:

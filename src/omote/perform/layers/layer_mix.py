@@ -41,7 +41,11 @@ _worn: WeakKeyDictionary[Expression, WeakKeyDictionary[Expression, float]] = Wea
 
 def worn_by(unit: Expression, mix: Mapping[str, float], expressions: Mapping[str, Expression]) -> float:
     """How much of a unit a mix of expressions wears, 0 to 1."""
-    worn = math.fsum(weight * worn_share(unit, expressions[name]) for name, weight in mix.items())
+    if len(mix) == 1:  # nearly always
+        ((name, weight),) = mix.items()
+        worn = weight * worn_share(unit, expressions[name])
+    else:
+        worn = math.fsum(weight * worn_share(unit, expressions[name]) for name, weight in mix.items())
     return FULL if worn > FULL else max(worn, 0.0)
 
 
@@ -85,7 +89,11 @@ MOST_SHOWN = 3
 LEAST_SHOWN = 0.02
 """Channels by which a layer shows what it does now: the strongest few, none that can hardly be seen."""
 _DRIVEN_ROWS = [LAYERS.index(layer) for layer in DRIVEN]
+_DRIVEN_RUNS = [(slice(0, 2), slice(0, 2)), (slice(2, 6), slice(3, 7))]
+"""Rows of `DRIVEN` and of `LAYERS` that follow one another in both."""
+_EACH_ROW = np.arange(len(DRIVEN))[:, None]
 _EMOTION = LAYERS.index("emotion")
+_HANDS = LAYERS.index("hands")
 CLIP_LAYER: LayerName = "playback"
 """The layer that clips play."""
 _ABOVE_EMOTION = [LAYERS.index(layer) for layer in DRIVEN if RULES[layer] == "replace" and layer != "gaze"]
@@ -158,7 +166,9 @@ def influences(layers: Layers) -> Values:
     """How much of each layer (8) shows on each part and on the whole face (7): influence and switch, and where a source
     drives it trust and the share that it takes."""
     shares: Values = layers.columns.rows(layers.second, "share").copy()
-    shares[_DRIVEN_ROWS] *= layers.columns.rows(layers.second, "trust")
+    trusts = layers.columns.rows(layers.second, "trust")
+    for driven, rows in _DRIVEN_RUNS:
+        shares[rows] *= trusts[driven]
     for layer, drivers in layers.drivers.items():
         for driver in drivers:
             if driver.share != 1.0 or driver.part_shares:
@@ -188,21 +198,25 @@ def statuses(layers: Layers, shares: Values) -> dict[str, LayerStatus]:
     """
     by_layer = dict[str, LayerStatus]()
     strongest = _strongest(layers)
+    trusts = layers.columns.rows(layers.second, "trust").tolist()
     most = shares[:, :WHOLE].max(axis=1).tolist()
     for row, layer in enumerate(LAYERS):
         setting = layers.settings[layer]
         first = DEFAULT_SETTINGS[layer]
         if layer in layers.drivers or (setting is not first and setting != first):
-            by_layer[layer] = _status(layers, layer, most[row], strongest.get(layer, {}))
+            trust = trusts[DRIVEN.index(layer)] if layer in layers.drivers else []
+            by_layer[layer] = _status(layers, layer, most[row], strongest.get(layer, {}), trust)
     return by_layer
 
 
-def _status(layers: Layers, layer: LayerName, share: float, strongest: Mapping[str, float]) -> LayerStatus:
+def _status(
+    layers: Layers, layer: LayerName, share: float, strongest: Mapping[str, float], trust: Sequence[float]
+) -> LayerStatus:
     setting = layers.settings[layer]
     if layer not in layers.drivers:
         return LayerStatus(setting.by_part, setting.on, 0.0 if layer in DRIVEN else 1.0, "", share, {})
-    sources = sources_of(layers, layer)
-    first = max(sources, key=lambda source: len(source.parts))
+    sources = _sources_trusted(layers, layer, trust)
+    first = sources[0] if len(sources) == 1 else max(sources, key=lambda source: len(source.parts))
     several = sources if len(sources) > 1 else ()
     return LayerStatus(setting.by_part, setting.on, first.trust, first.source, share, strongest, several)
 
@@ -212,9 +226,12 @@ def sources_of(layers: Layers, layer: LayerName) -> tuple[SourceStatus, ...]:
 
     layers: those of a character.
     """
+    return _sources_trusted(layers, layer, trust_of(layers, layer).tolist())
+
+
+def _sources_trusted(layers: Layers, layer: LayerName, trust: Sequence[float]) -> tuple[SourceStatus, ...]:
     followed = layers.followed.get(layer, NOBODY)
     owners = layers.owners.get(layer, NOBODY)
-    trust = trust_of(layers, layer).tolist()
     sources = []
     for driver in reversed(layers.drivers[layer]):
         shows = max([trust[place] for place in _places(followed, driver.source)], default=0.0)
@@ -237,7 +254,7 @@ def _strongest(layers: Layers) -> dict[LayerName, dict[str, float]]:
     names = layers.columns.names
     streams = layers.columns.rows(layers.second, "streams")[:, : len(names)]
     order = np.argsort(-np.abs(streams), axis=1, kind="stable")[:, :MOST_SHOWN]
-    values = np.take_along_axis(streams, order, axis=1).tolist()
+    values = streams[_EACH_ROW, order].tolist()
     places = order.tolist()
     return {
         layer: {names[place]: value for place, value in zip(*both, strict=True) if abs(value) >= LEAST_SHOWN}
@@ -251,10 +268,11 @@ def _mixed_values(layers: Layers, shares: Values, closed: Values | None) -> Valu
     columns = layers.columns
     streams = columns.rows(layers.second, "streams")
     mixed = np.zeros(columns.width)
+    by_column = shares[:, columns.parts]
     for row, layer in enumerate(DRIVEN):
         if layer not in layers.drivers:
             continue
-        part = shares[LAYERS.index(layer)][columns.parts]
+        part = by_column[_DRIVEN_ROWS[row]]
         value = streams[row]
         if RULES[layer] == "replace":
             mixed = (1.0 - part) * mixed + part * value
@@ -263,7 +281,7 @@ def _mixed_values(layers: Layers, shares: Values, closed: Values | None) -> Valu
         else:
             open_yet = 1.0 - mixed if closed is None else (1.0 - mixed) * (1.0 - closed)
             mixed = mixed + part * value * open_yet
-    part = shares[LAYERS.index("hands")][columns.parts] * columns.rows(layers.second, "hold")
+    part = by_column[_HANDS] * columns.rows(layers.second, "hold")
     return _in_range(layers, (1.0 - part) * mixed + part * columns.rows(layers.second, "hands"))
 
 

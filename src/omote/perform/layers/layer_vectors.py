@@ -46,8 +46,7 @@ def trust_of(layers: Layers, layer: LayerName) -> Values:
 
 def columns_of_source(layers: Layers, layer: LayerName, source: str) -> NDArray[np.bool_]:
     """The columns of a layer that show the frames of a source. layers: those of a character."""
-    followed = layers.followed.get(layer, NOBODY)
-    return layers.columns.in_parts(tuple(shown == source for shown in followed))
+    return layers.columns.in_parts(_switches(layers.followed.get(layer, NOBODY), source))
 
 
 def places_of_source(layers: Layers, layer: LayerName, source: str) -> NDArray[np.bool_]:
@@ -56,6 +55,11 @@ def places_of_source(layers: Layers, layer: LayerName, source: str) -> NDArray[n
     layers: those of a character.
     """
     return _places_in(layers.followed.get(layer, NOBODY), source)
+
+
+@lru_cache(maxsize=256)
+def _switches(followed: Owners, source: str) -> tuple[bool, ...]:
+    return tuple(shown == source for shown in followed)
 
 
 @lru_cache(maxsize=256)

@@ -398,10 +398,14 @@ def write_frame(
     cast: whose expressions there are; stream: the values of the layer's columns, written; own: which of them show the
     source.
     """
-    places = columns.places(frame.names)
     stream[own] = 0.0
     if len(frame.names):
-        stream[places] = np.where(own[places], frame.values, stream[places])
+        places = columns.places(frame.names)
+        shown = own[places]
+        if shown.all():
+            stream[places] = frame.values
+        else:
+            stream[places[shown]] = np.asarray(frame.values)[shown]
     if frame.head is not None and own[HEAD].all():
         stream[HEAD] = frame.head.yaw, frame.head.pitch, frame.head.roll
     if frame.gaze is not None and own[GAZE].all():
@@ -416,15 +420,18 @@ def drive_direct(cast: HasExpressions, layers: Layers, frames: Mapping[LayerName
 
     cast: whose expressions there are.
     """
-    for layer, frame in frames.items():
-        if _find_ready(layers, layer, frame) is None:
-            layers = drive(cast, layers, layer, frame)
+    ready = {layer: _find_ready(layers, layer, frame) for layer, frame in frames.items()}
+    if None in ready.values():
+        for layer, frame in frames.items():
+            if ready[layer] is None:
+                layers = drive(cast, layers, layer, frame)
+        ready = {layer: _find_ready(layers, layer, frame) for layer, frame in frames.items()}
     drivers = dict(layers.drivers)
     goal = layers.goal.copy()
     first = layers.first.copy()
     second = layers.second.copy()
     for layer, frame in frames.items():
-        driver = _find_ready(layers, layer, frame)
+        driver = ready[layer]
         if driver is None:
             continue
         drivers[layer] = replace_driver(drivers[layer], with_fields(driver, silent=0.0, smoothing=frame.smoothing))
@@ -433,8 +440,9 @@ def drive_direct(cast: HasExpressions, layers: Layers, frames: Mapping[LayerName
         own = columns_of_source(layers, layer, frame.source)
         stream = columns.rows(goal, "streams")[row]
         write_frame(cast, columns, stream, own, frame)
-        for vector in (first, second):
-            columns.rows(vector, "streams")[row][own] = stream[own]
+        now = stream[own]
+        columns.rows(first, "streams")[row][own] = now
+        columns.rows(second, "streams")[row][own] = now
     return with_fields(layers, goal=goal, first=first, second=second, drivers=drivers, calm=False)
 
 

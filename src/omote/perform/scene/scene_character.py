@@ -24,7 +24,7 @@ from omote.perform.layers.layer_names import check_layer
 from omote.perform.layers.layers import hold_by
 from omote.perform.mix import Weights
 from omote.perform.motion.sight import NOTHING, Sight
-from omote.perform.panic import eased, without_channels
+from omote.perform.panic import eased, without_channels, without_turn
 from omote.perform.performer import Performer
 from omote.perform.scene import movement
 from omote.perform.scene.goals import (
@@ -270,10 +270,7 @@ class SceneCharacter(Performer):
     def _turn_to(self, part: str, goal: Goal, seconds: float, easing: str, pace: float | None) -> None:
         under_way = {} if self.turning is None else self._ways(self.turning)
         way = under_way.get(part, Movement(vars(getattr(self._turned_by_hands(), part))))
-        rest = self._now.easing_to_rest
-        if rest is not None:
-            rest = replace(rest, head=Head()) if part == "head" else replace(rest, gaze=Gaze())
-        self._play(easing_to_rest=rest)
+        self._play(easing_to_rest=without_turn(self._now.easing_to_rest, "head" if part == "head" else "gaze"))
         ways = {**under_way, part: movement.with_pace(redirect(way, goal, seconds, TURN_LIMITS[part], easing), pace)}
         self._set_turns(ways, self._now.panics)
 
