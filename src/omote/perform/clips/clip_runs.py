@@ -26,7 +26,7 @@ class ClipRun:
     clip: its name; position: seconds from its start, at the speed 1; seconds: its length; weights: how much of it
     shows in each part; come: seconds since it was called; blend_in, blend_out: in which it comes and goes; gone:
     seconds since it was stopped, None while it was not, and `going`: in which it goes then; pace: at which its time
-    goes, None for that of the show; number: counts what the character has played.
+    goes, None for that of the show; number: counts what the character has played; start: where it began.
     """
 
     clip: str
@@ -42,6 +42,7 @@ class ClipRun:
     pace: float | None = None
     number: int = 0
     going: float = 0.0
+    start: float = 0.0
 
     @property
     def left(self) -> float:
@@ -105,6 +106,7 @@ def run_of(
         clip.loop if loop is None else loop,
         check_within(clip.speed if speed is None else speed, SLOWEST, FASTEST, "the speed of a clip"),
         number=number,
+        start=position,
     )
 
 
@@ -172,7 +174,8 @@ def check_runs(runs: tuple[ClipRun, ...]) -> tuple[ClipRun, ...]:
     if len(runs) > MOST_RUNS:
         raise ValueError(f"a snapshot plays {len(runs)} clips; expected at most {MOST_RUNS}")
     for run in runs:
-        check_within(run.position, 0.0, FOREVER, "the place in a clip (seconds)")
+        for place in (run.position, run.start):
+            check_within(place, 0.0, FOREVER, "the place in a clip (seconds)")
         check_within(run.seconds, 0.0, LONGEST_CURVE, "the length of a clip (seconds)")
         check_within(run.speed, SLOWEST, FASTEST, "the speed of a clip")
         check_weights({str(part): weight for part, weight in run.weights.items()}, LAYER_PARTS)

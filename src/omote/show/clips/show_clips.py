@@ -15,6 +15,7 @@ from omote.perform.clips.motion_curve import MotionCurve
 from omote.perform.clips.packed_motion import rounded
 from omote.perform.layers.layer_names import LAYER_PARTS, LayerPart
 from omote.perform.limits import check_known
+from omote.perform.scene.clip_goals import SETTING
 from omote.perform.scene.scene import Scene
 from omote.perform.scene.scene_frame import SceneFrame
 from omote.perform.snapshot import Playable
@@ -260,8 +261,10 @@ def check_clip_name(name: str, others: Iterable[str]) -> str:
     """Returns the name of a new clip without spaces around it; ValueError for none, for one that is too long, and for
     one that another has, in any case. others: the names of the others."""
     text = " ".join(name.split())
-    if not 0 < len(text) <= LONGEST_CLIP_NAME or not text.isprintable():
-        raise ValueError(f"a clip cannot be called {name!r:.60}; give 1 to {LONGEST_CLIP_NAME} printable letters")
+    if not 0 < len(text) <= LONGEST_CLIP_NAME or not text.isprintable() or text.startswith(SETTING):
+        raise ValueError(
+            f"a clip cannot be called {name!r:.60}; give 1 to {LONGEST_CLIP_NAME} printable letters, no {SETTING} first"
+        )
     twin = next((each for each in others if each.casefold() == text.casefold()), None)
     if twin is not None:
         raise ValueError(f"there is a clip {twin!r} already; give another name")

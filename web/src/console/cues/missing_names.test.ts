@@ -5,6 +5,7 @@ const KNOWN: KnownNames = {
   face: new Set(["dog"]),
   expression: new Set(["joy", "neutral"]),
   light: new Set(["flat"]),
+  clip: new Set(["line1"]),
   character: new Set(["one", "two"]),
   "gaze point": new Set(["seat"]),
 };
@@ -25,8 +26,11 @@ it.each([
   ["one/look", ["stage left"], []],
   ["one/layer:tracker", ["brows"], []],
   ["*/black", ["black"], []],
+  ["one/clip", ["line1", ":start"], []],
+  ["one/clip", ["line2", ":start"], ["no clip line2"]],
+  ["one/clip", [], []],
 ])("%s to %j lacks %j", (part, names, missing) => {
-  expect(missingInMove(part, names, KNOWN)).toEqual(missing);
+  expect(missingInMove(part, Object.fromEntries(names.map((name) => [name, 1])), KNOWN)).toEqual(missing);
 });
 
 it("says each thing of a cue once", () => {
