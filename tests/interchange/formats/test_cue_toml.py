@@ -84,6 +84,9 @@ actions = st.one_of(
     ),
     st.builds(CueAction, st.just("midi"), st.just("Pad"), st.sampled_from(["90 3C 7F", "msc 3 go 12.5"]), times),
     st.builds(CueAction, st.just("say"), words.filter(str.strip), words.filter(str.strip), times, words),
+    st.builds(
+        CueAction, st.just("say"), words.filter(str.strip), words, times, sound=words.filter(lambda key: key != "")
+    ),
 )
 
 

@@ -246,7 +246,7 @@ def _action(written: Any) -> CueAction:
     strange = [key for key in written if key not in ACTION_FIELDS]
     if strange:
         raise ValueError(f"an action has no {strange[0]!r}; expected {', '.join(ACTION_FIELDS)}")
-    texts = [name for name in ("does", "to", "what", "voice") if not isinstance(written.get(name, ""), str)]
+    texts = [name for name in ("does", "to", "what", "voice", "sound") if not isinstance(written.get(name, ""), str)]
     if texts:
         raise ValueError(f"the {texts[0]} of an action is {written[texts[0]]!r}; expected a text in quotes")
     return CueAction(**written)

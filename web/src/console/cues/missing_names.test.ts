@@ -36,7 +36,7 @@ it.each([
 it("says each thing of a cue once", () => {
   const move = { seconds: 1, easing: "smooth", delay: 0 };
   const moves = { "gone/face": { goal: { dgo: 1 }, ...move }, "gone/head": { goal: { yaw: 0 }, ...move } };
-  const say = { does: "say", to: "nobody", what: "Ho", delay: 0, voice: "" } as const;
+  const say = { does: "say", to: "nobody", what: "Ho", delay: 0, voice: "", sound: "" } as const;
   expect(missingInCue({ moves, actions: [say, { ...say, to: "*" }] }, KNOWN)).toEqual([
     "no character gone",
     "no face dgo",
