@@ -65,6 +65,35 @@ class ClipRun:
         return share
 
 
+@dataclass(frozen=True)
+class RunSound:
+    """What is heard of the sound of a clip that plays. sound: its key, "" for nothing; elapsed: seconds since its
+    begin; turn: how often the clip has begun again; silent: why nothing is heard of a clip that has a sound."""
+
+    sound: str = ""
+    elapsed: float = 0.0
+    turn: int = 0
+    silent: str = ""
+
+
+NO_SOUND = RunSound()
+
+
+def sound_of_run(run: ClipRun, clip: Clip | None) -> RunSound:
+    """What is heard of a run's clip: a sound has one speed, and is not heard where the clip is stopped or held. clip:
+    None where it is not there."""
+    if clip is None or not clip.sound:
+        return NO_SOUND
+    if run.speed != 1.0:
+        return RunSound(silent=f"the clip plays at the speed {run.speed:g}, its sound at 1 alone")
+    if run.gone is not None:
+        return RunSound(silent="the clip is stopped")
+    if run.pace not in (None, 1.0):
+        return RunSound(silent="the cues are paused")
+    turn = round((run.start + run.come - run.position) / (run.seconds - _seam_of(run))) if run.loop else 0
+    return RunSound(clip.sound, clip.start + run.position - clip.sound_at, turn)
+
+
 def check_weights(weights: Mapping[str, float] | None, parts: tuple[LayerPart, ...]) -> dict[LayerPart, float]:
     """The weight of each part of a clip, 0 to 1; ValueError and TypeError for parts that there are not, and for
     numbers out of range. weights: by part, None for all of them; parts: those that the clip has."""
