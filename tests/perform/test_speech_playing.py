@@ -6,7 +6,7 @@ import pytest
 
 from omote.model.cast import Cast
 from omote.perform.performer import Performer
-from omote.perform.speech.speaking import LEAD_SECONDS
+from omote.perform.speech.viseme_track import LEAD_SECONDS
 
 
 def test_a_sound_leaves_the_lips_to_who_plays_them_until_it_is_over(cast: Cast) -> None:
