@@ -269,3 +269,43 @@ def test_the_console_shows_the_cues_and_presses_go(open_page: OpenPage, width: i
     go.click()
     wait_until(cues, f"{CUES}.way.current?.number === '802'")
     expect(go).to_have_text("GO ")
+
+
+def test_a_cue_says_how_it_plays_a_clip(open_page: OpenPage) -> None:
+    page = cue_page(open_page)
+    call(page, {"type": "record_clip", "character": "one", "name": "line1"})
+    call(page, {"type": "add_cue_list", "cue_list": "with clips"})
+    wait_until(page, f"{CUES}.names.includes('with clips')")
+    page.evaluate(f"{CUES}.choose('with clips')")
+    call(page, {"type": "keep_pass", "character": "one"})
+    wait_until(page, f"{CUES}.clips.includes('line1')")
+    call(page, {"type": "put_cue", "number": "1", "cue_list": "with clips"})
+    wait_until(page, f"{NUMBERS} === '1'", told=NUMBERS)
+    page.keyboard.press("e")
+    page.locator("omote-cue-list li").first.click()
+    editor = page.locator("omote-cue-editor")
+    editor.get_by_label("Another part").select_option("one/clip")
+    adder = editor.get_by_label("goes to (Enter adds it)")
+    adder.fill("line1")
+    adder.press("Enter")
+    goal = f"JSON.stringify({CUES}.list[0].moves['one/clip']?.goal)"
+
+    def goes_to(**settings: float) -> None:
+        wanted = {"line1": 1, **{f":{name}": value for name, value in settings.items()}}
+        wait_until(page, f"{goal} === '{json.dumps(wanted, separators=(',', ':'))}'", told=goal)
+
+    goes_to()
+    move = editor.locator("[data-part='one/clip']")
+    move.get_by_label("From, s").fill("0,5")
+    move.get_by_label("Speed").fill("fast")
+    move.get_by_label("Speed").press("Enter")
+    goes_to(start=0.5)
+    move.get_by_label("It plays").select_option("again and again")
+    expect(move.get_by_role("alert")).to_contain_text('"fast" is no speed')
+    goes_to(start=0.5, loop=1)
+    parts = ["brows", "eyes", "mouth", "rest", "head", "gaze"]
+    for part in ("brows", "eyes", "rest", "head"):
+        move.get_by_label(part).click()
+        parts.remove(part)
+        goes_to(start=0.5, loop=1, **dict.fromkeys(parts, 1))
+    expect(page.locator("omote-cue-list")).not_to_contain_text("no clip")

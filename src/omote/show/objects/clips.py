@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import dataclasses
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Annotated, ClassVar
@@ -9,7 +10,7 @@ from typing import Annotated, ClassVar
 import msgspec
 
 from omote.model.known_names import NEUTRAL, PLAY_REGIONS
-from omote.perform.clips.clip import LONGEST_LANE_NAME, Clip, Lane, Span
+from omote.perform.clips.clip import LONGEST_LANE_NAME, LONGEST_SOUND_KEY, Clip, Lane, Span
 from omote.perform.clips.clip_runs import LONGEST_CLIP_NAME
 from omote.perform.clips.motion_curve import MotionCurve
 from omote.perform.clips.packed_motion import PackedMotion, pack_motion, unpack_motion
@@ -32,6 +33,7 @@ from omote.show.osc import PRESS, Value, osc
 
 ClipName = Annotated[str, msgspec.Meta(min_length=1, max_length=LONGEST_CLIP_NAME), Value("text")]
 LaneName = Annotated[str, msgspec.Meta(max_length=LONGEST_LANE_NAME)]
+SoundKey = Annotated[str, msgspec.Meta(max_length=LONGEST_SOUND_KEY)]
 MOST_CLIPS = 256
 
 
@@ -74,12 +76,18 @@ class StoredClip(Document, frozen=True):
     blend_out: float = 0.3
     loop: bool = False
     speed: float = 1.0
+    sound: str = ""
+    sound_at: float = 0.0
 
     def names(self) -> Iterable[str]:
         """The expressions and channels that it moves."""
         motions = [motion for lane in self.lanes for motion in (lane.motion, *(span.motion for span in lane.spans))]
         named = {column.partition("/")[::2] for motion in motions for column in motion.columns}
         return sorted({name for part, name in named if part in (CHANNEL, *PLAY_REGIONS)} - {NEUTRAL})
+
+
+CLIP_SETTINGS = tuple(each.name for each in dataclasses.fields(Clip) if each.init and each.name != "lanes")
+"""What is set of a clip beside its lanes."""
 
 
 def stored_clip(clip: Clip) -> StoredClip:
@@ -103,7 +111,7 @@ def stored_clip(clip: Clip) -> StoredClip:
         )
         for lane in clip.lanes
     )
-    return StoredClip(lanes, clip.start, clip.stop, clip.blend_in, clip.blend_out, clip.loop, clip.speed)
+    return StoredClip(lanes, **{name: getattr(clip, name) for name in CLIP_SETTINGS})
 
 
 def clip_of(stored: StoredClip) -> Clip:
@@ -120,7 +128,7 @@ def clip_of(stored: StoredClip) -> Clip:
         )
         for lane in stored.lanes
     ]
-    return Clip(lanes, stored.start, stored.stop, stored.blend_in, stored.blend_out, stored.loop, stored.speed)
+    return Clip(lanes, **{name: getattr(stored, name) for name in CLIP_SETTINGS})
 
 
 class Clips(DocumentNames, frozen=True):
@@ -208,8 +216,9 @@ class ClipCommand(ClientMessage, frozen=True):
 
 class RecordClip(ClipCommand, frozen=True):
     """Records a pass of what shows of a character from now on: some `parts` of it (none: all), as a new lane of a clip
-    (`name`), which is made where there is none. What else the clip has plays meanwhile, from its start. It ends by
-    `keep_pass`, and by itself after ten minutes. `lane`: what to call it."""
+    (`name`), which is made where there is none. What else the clip has plays meanwhile, from its start, and its sound
+    without lips. It ends by `keep_pass`, and by itself after ten minutes. `lane`: what to call it. `sound`: the key of
+    one that the clip has from this pass on, as of `edit_clip`; it begins in .4 s."""
 
     osc = (osc("record_clip", "records what shows as a pass of the clip of this name", "name"),)
 
@@ -218,6 +227,7 @@ class RecordClip(ClipCommand, frozen=True):
     name: ClipName
     parts: list[LayerPart] = []
     lane: LaneName = ""
+    sound: SoundKey = ""
 
 
 class KeepPass(ClipCommand, frozen=True):
@@ -232,7 +242,9 @@ class KeepPass(ClipCommand, frozen=True):
 
 class EditClip(ClipCommand, frozen=True):
     """Changes what is given of a clip: where it begins and ends (seconds of its lanes), in how many seconds it comes
-    and goes, whether it begins again at its end, and its speed."""
+    and goes, whether it begins again at its end, and its speed. `sound`: the key of one that was sent to `/sounds`,
+    which is heard with it, without lips, from `sound_at` on (seconds of its lanes); "": none. At another speed than 1
+    nothing is heard; the state's `clips` say why."""
 
     id: CallId
     name: ClipName
@@ -242,6 +254,8 @@ class EditClip(ClipCommand, frozen=True):
     blend_out: float | None = None
     loop: bool | None = None
     speed: float | None = None
+    sound: SoundKey | None = None
+    sound_at: float | None = None
 
 
 class EditLane(ClipCommand, frozen=True):
