@@ -206,6 +206,61 @@ export type LeaveCharacter = { type: "leave_character"; id: string; character: s
 export type Clips = { type: "clips"; names: string[] };
 
 /**
+ * A pass that is recorded. `name`: of the clip; `parts`, `lane`: of the new lane; `by`: who records it. It began at
+ * `began`, of `State.time`, where the time of the clip was `start`.
+ */
+export type ClipPass = {
+  character: string;
+  name: string;
+  parts: ("brows" | "eyes" | "mouth" | "rest" | "head" | "gaze")[];
+  lane: string;
+  by: string;
+  began: number;
+  start: number;
+};
+
+/**
+ * What is done with clips: complete, to consoles after the welcome and with each change. `passes`: those that are
+ * recorded; `edits`: changes with each edit of a clip, and `/clip_outlines/NAME` has it.
+ */
+export type ClipWork = { type: "clip_work"; passes: ClipPass[]; edits: number };
+
+/**
+ * A lane to be drawn: `start`, `stop`: seconds of the clip, with its shift; `spans`: from where to where another
+ * pass replaces it; `moves`: the few columns that it moves most, each at equal steps from start to stop, weights and
+ * parts of the most that head or gaze turn.
+ */
+export type LaneOutline = {
+  name: string;
+  parts: ("brows" | "eyes" | "mouth" | "rest" | "head" | "gaze")[];
+  weight: number;
+  muted: boolean;
+  shift: number;
+  start: number;
+  stop: number;
+  spans: [number, number][];
+  moves: Record<string, number[]>;
+};
+
+/**
+ * A clip to be drawn, as `/clip_outlines/NAME` returns it (JSON): as of `StoredClip`, but its lanes without their
+ * motion; `stop`: where it ends in any case, with its last lane where it is not `trimmed`. `edits`: as of
+ * `clip_work`.
+ */
+export type ClipOutline = {
+  name: string;
+  start: number;
+  stop: number;
+  trimmed: boolean;
+  blend_in: number;
+  blend_out: number;
+  loop: boolean;
+  speed: number;
+  lanes: LaneOutline[];
+  edits: number;
+};
+
+/**
  * A character plays a clip on the layer playback, from whatever shows, in `seconds` (`None`: as the clip says). It
  * begins `start` seconds from its start; `speed` and `loop`: `None` as the clip says. `weights`: how much of it shows
  * in brows, eyes, mouth, rest, head and gaze, 0..1; what is not named is left alone; all of it where none is. An `id`
@@ -228,8 +283,8 @@ export type StopClip = { type: "stop_clip"; character: string; name?: string; se
 
 /**
  * Records a pass of what shows of a character from now on: some `parts` of it (none: all), as a new lane of a clip
- * (`name`), which is made where there is none. What else the clip has plays meanwhile, from its start. It ends by
- * `keep_pass`, and by itself after ten minutes. `lane`: what to call it.
+ * (`name`), which is made where there is none. What else the clip has plays meanwhile, from its start, or from
+ * `start`, seconds of the clip. It ends by `keep_pass`, and by itself after ten minutes. `lane`: what to call it.
  */
 export type RecordClip = {
   type: "record_clip";
@@ -238,6 +293,7 @@ export type RecordClip = {
   name: string;
   parts?: ("brows" | "eyes" | "mouth" | "rest" | "head" | "gaze")[];
   lane?: string;
+  start?: number | null;
 };
 
 /** Ends the pass of a character and keeps it; `keep`: or forgets it. */
@@ -1778,6 +1834,7 @@ export type FromServer =
   | BindingList
   | BindingsChanged
   | Clips
+  | ClipWork
   | Devices
   | InputLog
   | DeviceBytes

@@ -188,6 +188,7 @@ class ShowServer:
         for kind in NAMES_OF:
             application.router.add_get(address_of(kind), partial(self.document, kind))
         self._cues.add_routes(application)
+        self._clips.add_routes(application)
         self.recording.add_routes(application)
         application.router.add_get("/exports/{file}", self.export)
         application.router.add_post("/imports/{file}", self.take_in)
