@@ -47,6 +47,7 @@ USED: dict[str, str] = {
     "console/scene": "link ui console/store console/controls",
     "console/learn": "link ui console/store console/controls console/devices console/mixer console/palette",
     "console/cues": "link ui access console/store",
+    "console/clips": "link ui access console/store console/controls",
     "console": (
         "link ui access face/pose face console/store console/controls console/show_file console/devices "
         "console/leases console/mixer console/palette console/panels console/scene console/learn"
@@ -55,6 +56,7 @@ USED: dict[str, str] = {
         "link ui access console/store console/show_file console/devices console/leases console/panels console"
     ),
     "console/cues_page": "link ui access console/store console/leases console/panels console console/cues",
+    "console/clips_page": "link ui access console/store console/leases console/panels console console/clips",
     "microphone": "link ui access",
     "replay": "ui",
     "camera/session": "link face_mesh webcam",

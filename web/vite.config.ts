@@ -4,10 +4,10 @@ import { defineConfig, type Plugin } from "vite";
 import { faceMeshAssets } from "./tools/face_mesh_assets.ts";
 
 /** Pages and their files; "/assets/" belongs to the cast, so the bundle's own files live under "/static/". */
-const PAGES = ["index", "stage", "console", "cues", "devices", "camera", "microphone", "editor", "replay"];
+const PAGES = ["index", "stage", "console", "cues", "clips", "devices", "camera", "microphone", "editor", "replay"];
 const page = (name: string): string => resolve(import.meta.dirname, `${name}.html`);
 
-/** What the heads of console, cues, devices and editor share. */
+/** What the heads of console, cues, clips, devices and editor share. */
 const toolHead: Plugin = {
   name: "tool head",
   transformIndexHtml: {

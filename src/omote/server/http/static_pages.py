@@ -13,6 +13,7 @@ PAGES = {
     "/stage": "stage.html",
     "/console": "console.html",
     "/cues": "cues.html",
+    "/clips": "clips.html",
     "/devices": "devices.html",
     "/camera": "camera.html",
     "/editor": "editor.html",

@@ -10,7 +10,7 @@ import type { Thumbnails } from "../../ui/thumbnails";
 import { hearWhileShown, whileShown } from "../../ui/topic_element";
 import { CueElement, warning } from "../cues/cue_element";
 import type { CueFormKind } from "../cues/cue_forms";
-import { type CueCommand, cueCommandOf } from "../cues/cue_keys";
+import { CUE_KEYS, type CueCommand, cueCommandOf } from "../cues/cue_keys";
 import type { CueListView } from "../cues/cue_list";
 import { cueBeside } from "../cues/cue_order";
 import type { CueTopic } from "../cues/cue_store";
@@ -25,7 +25,7 @@ import "../cues/cue_go";
 import "../cues/cue_list";
 import "../cues/cue_tabs";
 import "../cues/far_view";
-import "./cue_help";
+import "../../ui/keys_help";
 
 @customElement("omote-cues-page")
 export class CuesPage extends CueElement {
@@ -97,7 +97,9 @@ export class CuesPage extends CueElement {
   }
 
   #help() {
-    return this.help ? html`<omote-cue-help @close=${() => this.#showHelp(false)}></omote-cue-help>` : nothing;
+    return this.help
+      ? html`<omote-keys-help .keys=${CUE_KEYS} @close=${() => this.#showHelp(false)}></omote-keys-help>`
+      : nothing;
   }
 
   #showHelp(on: boolean): void {
