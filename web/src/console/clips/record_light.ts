@@ -73,6 +73,21 @@ const style = css`
       flex: none;
     }
   }
+  @media (max-width: 599px) {
+    :host {
+      min-width: 0;
+    }
+    .word {
+      display: none;
+    }
+    button {
+      gap: 6px;
+      padding: 0 8px;
+    }
+    time {
+      font-size: 15px;
+    }
+  }
 `;
 
 type LightContext = Pick<ConsoleContext, "store" | "painter">;
@@ -99,7 +114,7 @@ export class RecordLight extends AnimatedElement<LightContext> {
     }
     const words = passes.map((pass) => passWords(pass, labelOf(this.context, pass), LAYER_PARTS.length)).join("; ");
     return html`<button title="${words}: press to end it" aria-label="Recording: ${words}" aria-haspopup="dialog" @click=${() => this.#open(true)}>
-        <span class="lamp" aria-hidden="true"></span>REC <time></time>${passes.length > 1 ? html`<b>×${passes.length}</b>` : nothing}<span class="words">${words}</span></button>
+        <span class="lamp" aria-hidden="true"></span><span class="word">REC</span><time></time>${passes.length > 1 ? html`<b>×${passes.length}</b>` : nothing}<span class="words">${words}</span></button>
       <span hidden role="status">Recording: ${words}</span>
       ${this.opened ? html`<omote-passes .context=${this.context} @close=${() => this.#open(false)}></omote-passes>` : nothing}`;
   }

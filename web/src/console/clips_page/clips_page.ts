@@ -74,7 +74,7 @@ export class ClipsPage extends ClipElement {
     const { counting } = this.clips;
     return counting === null
       ? nothing
-      : html`<div class="count" role="alert">${counting}<small>Esc: not now</small></div>`;
+      : html`<div class="count" role="alert">${counting}<small>Esc or Discard: not now</small></div>`;
   }
 
   #showHelp(on: boolean): void {
