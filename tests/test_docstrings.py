@@ -156,6 +156,8 @@ def wrong_calls(cast: omote.Cast) -> dict[tuple[str, type[Exception]], Callable[
         ("Performer.fade_expression", TypeError): lambda: performer.fade_expression(words),
         ("Performer.fade_face", ValueError): lambda: performer.fade_face(-1),
         ("Performer.fade_face", TypeError): lambda: performer.fade_face(words),
+        ("Performer.play_sound", ValueError): lambda: performer.play_sound("bell", 601.0),
+        ("Performer.play_sound", TypeError): lambda: performer.play_sound("bell", words),
         ("Performer.recast", ValueError): lambda: performer.recast(without),
         ("Performer.restored", ValueError): lambda: omote.Performer.restored(
             without_face(cast, "old"), performer.snapshot()

@@ -26,7 +26,8 @@ CUT = """() => {
             const box = one.getBoundingClientRect();
             if (!one.matches("button, input, a, select, time") || box.width === 0) continue;
             if (root.host.localName === "omote-clip-settings") continue; // it scrolls on a phone
-            if (box.left < 0 || box.right > innerWidth + 1 || (one.matches("button") && one.scrollWidth > one.clientWidth + 1))
+            const narrow = one.matches("button") && one.scrollWidth > one.clientWidth + 1;
+            if (box.left < 0 || box.right > innerWidth + 1 || narrow)
                 found.push(`${one.className || one.localName} ${one.textContent.trim()} cut`);
             if (matchMedia("(pointer: coarse)").matches && one.matches("button, select") && (box.height < 43.9))
                 found.push(`${one.className || one.localName} ${one.textContent.trim()} ${box.height}`);

@@ -269,3 +269,35 @@ def test_the_console_shows_the_cues_and_presses_go(open_page: OpenPage, width: i
     go.click()
     wait_until(cues, f"{CUES}.way.current?.number === '802'")
     expect(go).to_have_text("GO ")
+
+
+def test_a_cue_says_how_it_plays_a_clip(open_page: OpenPage) -> None:
+    page = cue_page(open_page)
+    call(page, {"type": "record_clip", "character": "one", "name": "line1"})
+    call(page, {"type": "add_cue_list", "cue_list": "with clips"})
+    wait_until(page, f"{CUES}.names.includes('with clips')")
+    page.evaluate(f"{CUES}.choose('with clips')")
+    call(page, {"type": "keep_pass", "character": "one"})
+    wait_until(page, f"{CUES}.clips.includes('line1')")
+    call(page, {"type": "add_cue", "cue": "1", "cue_list": "with clips"})
+    wait_until(page, f"{NUMBERS} === '1'", told=NUMBERS)
+    page.keyboard.press("e")
+    page.locator("omote-cue-list li").first.click()
+    editor = page.locator("omote-cue-editor")
+    editor.get_by_label("Another part").select_option("one/clip")
+    adder = editor.get_by_label("goes to (Enter adds it)")
+    adder.fill("line1")
+    adder.press("Enter")
+    goal = f"JSON.stringify({CUES}.list[0].moves['one/clip']?.goal)"
+    wait_until(page, f"{goal} === '{json.dumps({'line1': 1}, separators=(',', ':'))}'", told=goal)
+    move = editor.locator("[data-part='one/clip']")
+    move.get_by_label("From, s").fill("0,5")
+    move.get_by_label("Speed").fill("fast")
+    move.get_by_label("It plays").select_option("again and again")
+    expect(move.get_by_role("alert")).to_contain_text('"fast" is no speed')
+    move.get_by_label("Speed").fill("0.5")
+    for part in ("brows", "eyes", "rest", "head"):
+        move.get_by_label(part).click()
+    gone = {"line1": 1, ":start": 0.5, ":speed": 0.5, ":loop": 1, ":mouth": 1, ":gaze": 1}
+    wait_until(page, f"{goal} === '{json.dumps(gone, separators=(',', ':'))}'", told=goal)
+    expect(page.locator("omote-cue-list")).not_to_contain_text("no clip")

@@ -18,6 +18,7 @@ from omote.perform.clips.clip_runs import (
     advance_runs,
     run_of,
     sample_runs,
+    sound_of_run,
     stopped,
 )
 from omote.perform.clips.sample import CHANNEL, GAZE_COLUMNS, HEAD_COLUMNS, PLACES, Layout, Sample
@@ -325,9 +326,22 @@ class ClipPlaying(CalledMix):
 
     def _clip_statuses(self) -> tuple[ClipStatus, ...]:
         """The clips that play, the newest last."""
-        return tuple(
-            ClipStatus(run.clip, run.position, run.seconds, run.share, run.loop, self._missing_of(run))
-            for run in self._now.clips
+        return tuple(self._clip_status(run) for run in self._now.clips)
+
+    def _clip_status(self, run: ClipRun) -> ClipStatus:
+        sound = sound_of_run(run, self._clips.get(run.number))
+        return ClipStatus(
+            run.clip,
+            run.position,
+            run.seconds,
+            run.share,
+            run.loop,
+            self._missing_of(run),
+            run.number,
+            sound.sound,
+            sound.elapsed,
+            sound.turn,
+            sound.silent,
         )
 
     def _missing_of(self, run: ClipRun) -> tuple[str, ...]:

@@ -276,7 +276,8 @@ class LayerStatus:
 class ClipStatus:
     """A clip that a character plays, for those who look on. name: of the clip; elapsed: seconds from its start, of
     `seconds`; share: how much of it shows, 0 to 1; loop: whether it begins again; missing: expressions and channels of
-    it that the cast does not have, which are left out."""
+    it that the cast does not have, which are left out; number: counts what the character has played; sound, heard,
+    turn, silent: as of `RunSound`."""
 
     name: str
     elapsed: float
@@ -284,6 +285,11 @@ class ClipStatus:
     share: float
     loop: bool
     missing: tuple[str, ...] = ()
+    number: int = 0
+    sound: str = ""
+    heard: float = 0.0
+    turn: int = 0
+    silent: str = ""
 
 
 @dataclass(frozen=True)

@@ -55,6 +55,7 @@ from omote.perform.snapshot import Playable, Snapshot, check_snapshot, is_home_n
 from omote.perform.speech.speaking import (
     advance_speaking,
     find_spoken,
+    make_sound,
     make_speech,
     mouth_of_speaking,
     say,
@@ -442,6 +443,43 @@ class Performer(ClipPlaying):
         after = check_switch(queue, "the switch queue")
         speech = make_speech(track, text=text, sound=sound, delay=delay, offset=offset, number=number, key=key)
         self._play(speaking=say(self._now.speaking, speech, queue=after), said=number)
+
+    def play_sound(self, sound: str, seconds: float, *, delay: float = 0.0, key: str = "") -> None:
+        """Has a sound heard without lips, in the place of what is said: who plays the mouth goes on.
+
+        Parameters
+        ----------
+        sound : str
+            The key of a sound that the stage plays.
+        seconds : float
+            How long it is, to 600.
+        delay : float
+            Seconds until it begins, -3600 to 3600; below 0 it has begun that long ago.
+        key : str
+            As of `say`.
+
+        Raises
+        ------
+        ValueError
+            On numbers out of range, and texts that are too long.
+        TypeError
+            On what is no number.
+
+        Examples
+        --------
+        >>> performer = omote.Performer(cast)
+        >>> performer.play_sound("a-key-of-a-sound", 2.0, delay=-0.5)
+        >>> frame = performer.advance(0.5)
+        >>> frame.speech.elapsed, dict(frame.channels)
+        (1.0, {})
+
+        References
+        ----------
+        docs/method.md, "Speech".
+        """
+        number = self._now.said + 1
+        speech = make_sound(sound, seconds, delay=delay, number=number, key=key)
+        self._play(speaking=say(self._now.speaking, speech, queue=False), said=number)
 
     def stop_speaking(self) -> None:
         """Stops what is said, and forgets what waits: the mouth goes to rest.

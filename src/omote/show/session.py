@@ -125,9 +125,11 @@ class ShowSession:
         self.clips = ShowClips(
             lambda: self.scene,
             lambda: self.cast,
+            lambda sound: self.sounds.check(sound),
             self.list_documents,
             lambda message: self.act("", message, self._now or 0.0),
             self._note_clips,
+            lambda said: self.lost.append(said),
         )
         self.texts = TextsToSpeak()
         self._sound_stage = SoundStage()
@@ -273,7 +275,7 @@ class ShowSession:
         self._now = now
         self.number += 1
         self.leasing.expire(tuple(self.scene), now)
-        self._told += self.clips.end_passes(self.lost.append)
+        self._told += self.clips.end_passes()
         speak_lines(self, now)
         state = self._state(elapsed)
         if self.recorder is not None:
@@ -311,7 +313,8 @@ class ShowSession:
         self.clips.note(frame)
         numbers = {"epoch": self.epoch, "number": self.number, "revision": self.revision}
         cues = self.cues.status(self._now or 0.0)
-        state = state_of(self.cast, frame, self._eye_offsets, notes=self.notes, cues=cues, **numbers)
+        sounds = self.sounds.keys
+        state = state_of(self.cast, frame, self._eye_offsets, notes=self.notes, cues=cues, sounds=sounds, **numbers)
         self.preview_state = self._unseen(state) if self.members.any_in_preview else None
         return state
 

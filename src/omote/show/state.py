@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Collection, Mapping
 from dataclasses import dataclass
 from functools import lru_cache
 from types import MappingProxyType
@@ -12,7 +12,7 @@ import msgspec
 
 from omote.perform.channels import channels_of, eye_turns
 from omote.perform.easing import DEFAULT_EASING, EASINGS
-from omote.perform.frame import CallStatus, Frame, Gaze, Held, LayerStatus, MotionSettings
+from omote.perform.frame import CallStatus, ClipStatus, Frame, Gaze, Held, LayerStatus, MotionSettings
 from omote.perform.mix import mix_in
 from omote.perform.scene.scene_frame import CharacterFrame, SceneFrame
 from omote.show.objects.cues import CueName, CueStatus
@@ -82,16 +82,18 @@ def state_of(
     revision: int,
     notes: ShowNotes = NO_NOTES,
     cues: CueStatus | None = None,
+    sounds: Collection[str] | None = None,
 ) -> State:
     """The complete state of a frame; eye_offsets: by character, what is added to the eyes that its frame has. cast:
-    what plays; epoch, number and revision: those of the state; notes: of the crew; cues: how far they are."""
+    what plays; epoch, number and revision: those of the state; notes: of the crew; cues: how far they are; sounds: the
+    keys of those that are there, None for any."""
     return State(
         epoch=epoch,
         number=number,
         time=frame.time,
         revision=revision,
         characters={
-            name: character_state(cast, character, eye_offsets.get(name, NO_OFFSET))
+            name: character_state(cast, character, eye_offsets.get(name, NO_OFFSET), sounds)
             for name, character in frame.characters.items()
         },
         light=dict(frame.light),
@@ -127,9 +129,11 @@ def _with_panics(state: CharacterState, air: CharacterState | None) -> Character
     return msgspec.structs.replace(state, **home)
 
 
-def character_state(cast: Playable, character: CharacterFrame, eye_offset: EyeOffset) -> CharacterState:
+def character_state(
+    cast: Playable, character: CharacterFrame, eye_offset: EyeOffset, sounds: Collection[str] | None = None
+) -> CharacterState:
     """The complete state of a character; `eyes` and `gaze_lids` are what the gaze makes of it. cast: what plays;
-    eye_offset: what is added to the eyes."""
+    eye_offset: what is added to the eyes; sounds: as of `state_of`."""
     frame = character.frame
     place = character.place
     channels = channels_of(cast.expressions, frame)
@@ -147,6 +151,7 @@ def character_state(cast: Playable, character: CharacterFrame, eye_offset: EyeOf
         expression_fader=frame.expression_fader,
         panics=frame.panics,
         **_home(frame),
+        clips=[_clip_state(clip, sounds) for clip in frame.clips],
         **_layers(frame),
         motion=None if frame.motion is None else _motion_state(frame.motion),
         label=character.label,
@@ -174,12 +179,18 @@ def call_state_of(status: CallStatus) -> CallState:
 
 
 def _home(frame: Frame) -> dict[str, Any]:
-    """What a state tells of the home face, of speech and of clips, by field."""
+    """What a state tells of the home face and of speech, by field."""
     said = frame.speech
     speech = None if said is None else SpeechState(**{**vars(said), "keys": list(said.keys)})
     home = {"home_face": frame.home.face, "home_seconds": frame.home.seconds, "home_next": frame.home_next}
-    clips = [ClipState(**{**vars(clip), "missing": list(clip.missing)}) for clip in frame.clips]
-    return {**home, "speech": speech, "spoken": frame.spoken, "clips": clips}
+    return {**home, "speech": speech, "spoken": frame.spoken}
+
+
+def _clip_state(clip: ClipStatus, sounds: Collection[str] | None) -> ClipState:
+    fields = {**vars(clip), "missing": list(clip.missing)}
+    if clip.sound and sounds is not None and clip.sound not in sounds:
+        fields |= {"sound": "", "heard": 0.0, "turn": 0, "silent": "its sound is not there any more"}
+    return ClipState(**fields)
 
 
 def _layers(frame: Frame) -> dict[str, Any]:

@@ -17,9 +17,12 @@ from omote.interchange.formats.cue_toml import (
     read_cues,
     write_cues,
 )
+from omote.perform.clips.clip import FASTEST, LONGEST_SHIFT, SLOWEST
 from omote.perform.cues.cue import Cue, CueList, Move
 from omote.perform.cues.cue_action import CueAction
 from omote.perform.easing import EASINGS
+from omote.perform.layers.layer_names import LAYER_PARTS
+from omote.perform.scene.clip_goals import SETTING, ClipCall, clip_of_goal, goal_of_clip
 from omote.perform.scene.goals import (
     CHARACTER_PARTS,
     SCENE_PARTS,
@@ -43,6 +46,16 @@ parts = st.one_of(
 LOOKS: tuple[Goal, ...] = ({"character two": 1.0}, {"stage": 1.0}, {"x": 1.0, "y": 0.0, "z": 2.0})
 
 
+clip_calls = st.builds(
+    ClipCall,
+    words.filter(lambda name: not name.startswith(SETTING)),
+    st.none() | st.floats(0.0, LONGEST_SHIFT),
+    st.none() | st.floats(SLOWEST, FASTEST),
+    st.none() | st.booleans(),
+    st.none() | st.dictionaries(st.sampled_from(LAYER_PARTS), st.sampled_from([0.0, 0.5, 1.0]), min_size=1),
+)
+
+
 @st.composite
 def goals(draw: st.DrawFn, part: Part) -> Goal:
     ranges = ranges_of(part)
@@ -55,7 +68,7 @@ def goals(draw: st.DrawFn, part: Part) -> Goal:
     if (expression_of(part) or passes(part)) and draw(st.booleans()):
         return WITH_FACE
     if passes(part):
-        return {draw(words): 1.0}
+        return goal_of_clip(draw(clip_calls))
     share = draw(st.sampled_from([1.0, 0.75, 1.05]))
     first, second = draw(st.lists(words, min_size=2, max_size=2, unique=True))
     return {first: 1.0} if share == 1.0 else {first: share, second: 1.0 - share}
@@ -71,6 +84,9 @@ actions = st.one_of(
     ),
     st.builds(CueAction, st.just("midi"), st.just("Pad"), st.sampled_from(["90 3C 7F", "msc 3 go 12.5"]), times),
     st.builds(CueAction, st.just("say"), words.filter(str.strip), words.filter(str.strip), times, words),
+    st.builds(
+        CueAction, st.just("say"), words.filter(str.strip), words, times, sound=words.filter(lambda key: key != "")
+    ),
 )
 
 
@@ -174,6 +190,57 @@ def test_an_action_is_a_line_and_what_is_wrong_with_it_is_said_there() -> None:
     assert [line.split(":")[0] for line in said] == ["line 3", "line 4", "line 6", "line 7", "line 8", "line 14"]
     assert "give a host and a port, such as 10.0.0.2:53000" in said[1]
     assert "an action has no 'loud'" in said[2]
+
+
+def test_a_clip_is_written_with_how_it_plays() -> None:
+    calls = {
+        "line1": ClipCall("line1"),
+        '{ clip = "line1", start = 12.4, loop = false }': ClipCall("line1", 12.4, loop=False),
+        '{ clip = "line1", speed = 0.5, parts = ["mouth", "head"] }': ClipCall(
+            "line1", speed=0.5, weights={"mouth": 1.0, "head": 1.0}
+        ),
+        '{ clip = "stop", parts = { brows = 0.5, head = 1.0 } }': ClipCall("stop", weights={"brows": 0.5, "head": 1.0}),
+    }
+    for text, call in calls.items():
+        cue = Cue("1", "1", {"one/clip": Move(goal_of_clip(call))})
+        assert clip_of_goal(cue.moves["one/clip"].goal) == call
+        written = format_cues([cue])
+        assert (f'"one/clip" = {{ to = {text} }}' in written) == (text != "line1")
+        assert parse_cues(written) == (cue,)
+
+
+WRONG_CLIPS = """[[cue]]
+number = "1"
+[cue.moves]
+"a/clip" = { to = { clip = "line1", begin = 3 } }
+"b/clip" = { to = { clip = "line1", speed = 99 } }
+"c/clip" = { to = { clip = "line1", loop = 1 } }
+"d/clip" = { to = { clip = "line1", parts = ["jaw"] } }
+"e/clip" = { to = { clip = "line1", parts = [] } }
+"f/clip" = { to = { clip = "line1", start = "12" } }
+"g/clip" = { to = { line1 = 0.5, line2 = 0.5 } }
+"h/face" = { to = { clip = "line1" } }
+"i/clip" = { to = { clip = "line1", parts = "mouth" } }
+"""
+
+
+def test_what_is_wrong_with_a_clip_is_said_at_its_line() -> None:
+    with pytest.raises(CueFileError) as error:
+        parse_cues(WRONG_CLIPS)
+    said = str(error.value).splitlines()
+    assert [line.split(":")[0] for line in said] == [f"line {line}" for line in range(4, 13)]
+    reasons = [
+        "a clip has no 'begin'; expected clip, start, speed, loop, parts",
+        "the speed of a clip is 99.0; give a number from 0.05 to 20",
+        "the loop of a clip is 1; expected true or false",
+        "jaw",
+        "the parts of a clip are {}",
+        "the start of a clip must be a number, not '12'",
+        "expected one clip, with the weight 1",
+        "h/face",
+        "the parts of a clip are 'mouth'",
+    ]
+    assert [reason for reason, line in zip(reasons, said, strict=True) if reason not in line] == []
 
 
 @pytest.mark.parametrize(

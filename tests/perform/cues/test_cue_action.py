@@ -52,6 +52,7 @@ def test_midi_is_bytes_or_show_control() -> None:
 
 def test_a_line_is_who_says_what() -> None:
     assert CueAction("say", "one", " Good evening. ", voice="de").meant == SpokenLine("one", "Good evening.", "de")
+    assert CueAction("say", "one", "", sound="bell").meant == SpokenLine("one", "", sound="bell")
 
 
 @pytest.mark.parametrize(
@@ -74,9 +75,11 @@ def test_a_line_is_who_says_what() -> None:
         (("midi", "Pad", "F0 7E"), "is no whole message"),
         (("midi", "Pad", "msc fire 1"), "no command of MIDI Show Control 'fire'"),
         (("midi", "Pad", "msc 200 go 1"), "the device of MIDI Show Control is 200"),
-        (("say", "one", " "), "a line has no text"),
+        (("say", "one", " "), "a line has nothing that is said"),
         (("say", "one", "Ho", -1.0), "the delay of an action"),
         (("osc", "a:9000", "/go", 0.0, "de"), "the voice 'de' speaks nothing"),
+        (("osc", "a:9000", "/go", 0.0, "", "bell"), "the sound 'bell' is not heard"),
+        (("say", "one", "Ho", 0.0, "de", "bell"), "the sound 'bell' is not heard"),
     ],
 )
 def test_what_cannot_be_done_is_rejected_in_words(wrong: tuple[Any, ...], reason: str) -> None:

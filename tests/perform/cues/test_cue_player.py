@@ -211,3 +211,30 @@ def test_a_cue_calls_a_clip_back_stops_it_and_a_look_does_not_begin_it_again(cas
     scene.set_clips({})
     player.go_to("1")
     assert len(player.rejected) == 1
+
+
+def test_a_cue_says_how_a_clip_plays_and_back_begins_it_again_so(cast: Cast) -> None:
+    scene = begun(cast)
+    moved = Clip([Lane(make_curve([0.0, 4.0], {"jawOpen": [0.9] * 2}, {}))], loop=True)
+    scene.set_clips({"line1": moved})
+    goal = {"line1": 1.0, ":start": 1.0, ":speed": 0.5, ":loop": 0.0, ":mouth": 0.5}
+    cues = [
+        Cue("a", "1", {"one/clip": Move(goal, 0.0)}),
+        Cue("b", "2", {"one/clip": Move({}, 0.0)}),
+        Cue("c", "3", {"one/clip": Move({"line1": 1.0, ":start": 4.0}, 0.0)}),
+        Cue("d", "4", {"one/clip": Move({"line1": 1.0}, 0.0)}),
+    ]
+    player = CuePlayer(scene, cues)
+    player.go()
+    run = player.advance(1.0).characters["one"].frame.clips[0]
+    assert (run.elapsed, run.share, run.loop) == (1.5, 1.0, False)
+    assert scene.goal_of("one/clip") == scene.shown_goal("one/clip") == goal
+    player.go()
+    assert player.advance(0.5).characters["one"].frame.clips == ()
+    player.go_back()
+    assert scene.goal_of("one/clip") == goal
+    assert player.advance(0.0).characters["one"].frame.clips[0].elapsed == 1.0
+    player.go_to("3")
+    assert "it cannot begin at 4 s" in player.rejected[0]
+    player.go_to("4")
+    assert scene.goal_of("one/clip") == {"line1": 1.0}

@@ -250,7 +250,7 @@ def test_what_cannot_be_done_is_refused_and_changes_nothing(cast: Cast) -> None:
         "a clip cannot be called": (wire.CopyClip, "line1", "\n"),
         "no pass of one is recorded": (wire.KeepPass, "one"),
         "there is no character 'two'": (wire.RecordClip, "two", "line2"),
-        "where a pass begins (seconds of the clip) is 9": (wire.RecordClip, "one", "line1", [], "", 9.0),
+        "where a pass begins (seconds of the clip) is 9": (wire.RecordClip, "one", "line1", [], "", "", 9.0),
         "no region of a layer": (wire.EditLane, "line1", "1", None, ["nose"]),
     }
     for said, (kind, *values) in refused.items():
@@ -299,3 +299,92 @@ def test_a_pass_that_ends_by_itself_and_cannot_be_kept_is_told(cast: Cast, monke
 def reason_or_none(answers: list[Outgoing]) -> str | None:
     refused = [answer.message.reason for answer in answers if isinstance(answer.message, Refused)]
     return refused[0] if refused else None
+
+
+def heard(show: Show) -> list[tuple[str, float, str]]:
+    state = show.session.tick(show.now).characters["one"]
+    return [(clip.sound, clip.heard, clip.silent) for clip in state.clips]
+
+
+def test_a_clip_is_recorded_along_with_a_sound_and_plays_it(cast: Cast) -> None:
+    show = Show(cast)
+    show.session.set_sounds({"line": 2.0})
+    show.send(wire.RecordClip, "one", "line1", sound="line")
+    show.run(DT)
+    speech = show.session.tick(show.now).characters["one"].speech
+    assert speech is not None
+    assert speech.sound == "line"
+    assert speech.elapsed == pytest.approx(DT - 0.4)
+    show.set(jawOpen=0.5)
+    show.run(0.5)
+    assert show.session.tick(show.now).characters["one"].channels["jawOpen"] == 0.5, "the lips are not taken"
+    show.run(0.5)
+    show.send(wire.KeepPass, "one")
+    assert show.session.tick(show.now).characters["one"].speech is None
+    clip = show.session.clips.clips["line1"]
+    assert (clip.sound, clip.sound_at) == ("line", 0.4)
+    show.send(wire.PlayClip, "one", "line1", start=0.5)
+    show.run(0.25)
+    ((sound, elapsed, silent),) = heard(show)
+    assert (sound, silent) == ("line", "")
+    assert elapsed == pytest.approx(clip.start + 0.35)
+    show.session.receive("a", wire.StopClip("one"), show.now)
+    assert heard(show) == [("", 0.0, "the clip is stopped")]
+
+
+def test_a_pass_is_played_along_with_the_sound_of_its_clip_from_its_start(cast: Cast) -> None:
+    show = Show(cast)
+    show.session.set_sounds({"line": 2.0})
+    recorded(show, jawOpen=0.5)
+    show.send(wire.EditClip, "line1", start=0.5, sound="line", sound_at=0.25)
+    show.send(wire.RecordClip, "one", "line1", parts=["brows"])
+    show.run(0.25)
+    state = show.session.tick(show.now).characters["one"]
+    assert state.speech is not None
+    assert state.speech.elapsed == pytest.approx(0.5)
+    assert [clip.heard for clip in state.clips] == [pytest.approx(0.5)], "a stage hears one sound of both"
+    show.send(wire.KeepPass, "one")
+    clip = show.session.clips.clips["line1"]
+    assert (clip.sound, clip.sound_at, len(clip.lanes)) == ("line", 0.25, 2)
+
+
+def test_a_sound_is_left_out_at_another_speed_and_begins_again_with_a_loop(cast: Cast) -> None:
+    show = Show(cast)
+    show.session.set_sounds({"line": 2.0})
+    recorded(show, jawOpen=0.5)
+    show.send(wire.EditClip, "line1", sound="line", blend_in=0.0, stop=0.5)
+    show.send(wire.PlayClip, "one", "line1", speed=0.5)
+    assert heard(show) == [("", 0.0, "the clip plays at the speed 0.5, its sound at 1 alone")]
+    show.send(wire.PlayClip, "one", "line1", seconds=0, loop=True)
+    show.run(1.25)
+    state = show.session.tick(show.now).characters["one"]
+    clip = show.session.clips.clips["line1"]
+    (playing,) = state.clips
+    assert (playing.sound, playing.turn) == ("line", 2)
+    assert playing.heard == pytest.approx(clip.start + 1.25 - 2 * clip.seconds)
+
+
+def test_a_clip_whose_sound_is_gone_plays_without_and_says_so(cast: Cast) -> None:
+    show = Show(cast)
+    show.session.set_sounds({"line": 2.0})
+    recorded(show, jawOpen=0.5)
+    show.send(wire.EditClip, "line1", sound="line")
+    show.session.set_sounds({})
+    show.send(wire.PlayClip, "one", "line1")
+    show.run(0.1)
+    assert heard(show) == [("", 0.0, "its sound is not there any more")]
+    show.send(wire.RecordClip, "one", "line1", parts=["brows"])
+    assert "is recorded without its sound: there is no sound 'line'" in show.session.lost[-1]
+    show.run(0.1)
+    show.send(wire.KeepPass, "one")
+    assert show.session.clips.clips["line1"].sound == "line"
+    for kind, values in ((wire.RecordClip, ("one", "line2")), (wire.EditClip, ("line1",))):
+        assert "there is no sound 'gong'" in reason(show.send(kind, *values, sound="gong"))
+    show.session.set_sounds({"line": 2.0})
+    show.send(wire.PlayClip, "one", "line1", seconds=0)
+    show.run(2 * DT)
+    show.send(wire.EditClip, "line1", sound="")
+    assert [sound for sound, *_ in heard(show)] == ["line"], "what plays goes on as it was called"
+    show.send(wire.PlayClip, "one", "line1", seconds=0)
+    show.run(2 * DT)
+    assert heard(show) == [("", 0.0, "")]

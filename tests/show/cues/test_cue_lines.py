@@ -73,6 +73,33 @@ def test_a_line_with_a_voice_is_asked_for_as_every_other() -> None:
     assert (text.who, text.message.text, text.message.voice, text.characters) == (CUES, "Guten Abend", "de", ("one",))
 
 
+def test_a_line_by_a_sound_has_lips_where_it_has_a_text() -> None:
+    session = session_with(
+        (CueAction("say", "one", "Good evening", sound="bell"),),
+        (CueAction("say", "one", "", sound="bell"),),
+        (CueAction("say", "one", "", sound="gong"),),
+    )
+    session.set_sounds({"bell": 2.0})
+    for place, lips in enumerate((True, False)):
+        begun = 1.0 + 10.0 * place
+        session.tick(begun)
+        session.receive("ana", wire.Go(f"g{place}"), begun)
+        session.tick(begun + 0.1)
+        session.tick(begun + 1.1)
+        state = session.tick(begun + 1.2)
+        speech = state.characters["one"].speech
+        assert speech is not None
+        assert (speech.sound, speech.seconds) == ("bell", 2.0)
+        assert ("lips" in state.characters["one"].layers) == lips
+        for later in (4.0, 6.0, 8.0):
+            session.tick(begun + later)
+    session.receive("ana", wire.Go("g3"), 30.0)
+    session.tick(30.1)
+    state = session.tick(30.2)
+    assert state.cues is not None
+    assert "there is no sound 'gong'" in state.cues.rejected[-1]
+
+
 def test_a_cue_that_presses_go_at_its_own_show_runs_no_faster_than_a_finger() -> None:
     """Two cues call each other by OSC: what comes back within the gap is ignored, and what waits longer goes on."""
     for delay, most in ((0.0, 1), (0.05, 1), (0.5, 20)):

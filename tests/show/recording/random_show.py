@@ -59,7 +59,7 @@ from omote.show.objects.pictures import CallBlack, CallFraming, CallLight
 from omote.show.objects.preview import PreviewCue, ResetPreview, Take
 from omote.show.objects.show_notes import BeginShow, SetNote
 from omote.show.objects.sources import CalibrateSource, Drive, RouteSource, Source, SourceIs, TuneSource
-from omote.show.objects.speech import Say, SayByVoice, StopSpeaking
+from omote.show.objects.speech import PlaySound, Say, SayByVoice, StopSpeaking
 from omote.show.objects.stages import Drawing
 from omote.show.recording.entries import AnyEntry, decode_entries, encode_entries, name_clips
 from omote.show.recording.recorder import Recorder
@@ -176,6 +176,7 @@ class RandomShow:
             lambda: LeaveCharacter(new(), who(), 1.0),
             lambda: Say(who(), new(), "Good evening everybody", seconds=number(0.5, 2), queue=pick((True, False))),
             lambda: Say(who(), new(), "ding", sound=pick(("bell", "gong"))),
+            lambda: PlaySound(who(), new(), pick(("bell", "gong")), number(-0.5, 0.5)),
             lambda: SayByVoice(who(), new(), "Good evening"),
             lambda: StopSpeaking(who()),
             lambda: SetNote(new(), f"note {self.sent}"),
@@ -185,12 +186,15 @@ class RandomShow:
             lambda: CalibrateSource(new(), pick(TRACKERS), pick(("neutral", "range", "done", "reset"))),
             lambda: SetLeases(new(), pick((True, False))),
             lambda: RecordClip(new(), pick(names), pick(("c1", "c2")), pick(([], ["mouth"]))),
+            lambda: RecordClip(new(), pick(names), pick(("c1", "c2")), sound=pick(("bell", "gong"))),
             lambda: KeepPass(new(), pick(names), keep=pick((True, True, False))),
             lambda: KeepPass(new(), pick(names)),
             lambda: PlayClip(who(), new(), pick(("c1", "c2")), pick((None, 0.2)), loop=pick((True, None))),
+            lambda: PlayClip(who(), new(), pick(("c1", "c2")), start=number(0, 0.5), speed=pick((0.5, 1.0))),
             lambda: PlayClip(who(), new(), pick(("c1", "c2")), weights={"mouth": number(0, 1)}),
             lambda: StopClip(who()),
             lambda: EditClip(new(), pick(("c1", "c2")), blend_in=number(0, 0.5), speed=pick((0.5, 1.0))),
+            lambda: EditClip(new(), pick(("c1", "c2")), sound=pick(("bell", "gong", "")), sound_at=number(-0.5, 0.5)),
             lambda: DropClip(new(), "c2"),
             lambda: RestoreClip(new(), "c2"),
         ]  # fmt: skip
@@ -198,6 +202,8 @@ class RandomShow:
     def action(self) -> CueAction:
         """Something that a cue does beside moving parts."""
         line = CueAction("say", self.pick(("one", "two", "*")), "Good evening", delay=self.pick((0.0, 0.3)))
+        if self.rng.random() < 0.2:
+            line = CueAction("say", "one", self.pick(("", "ding")), sound=self.pick(("bell", "gong")))
         return line if self.rng.random() < 0.7 else CueAction("osc", "127.0.0.1:9", "/cue/1/start")
 
     def cue_messages(self) -> list[Callable[[], ClientMessage]]:
@@ -206,8 +212,9 @@ class RandomShow:
         cues = [*lists.book.cues] or ["none"]
         number = lists.book.cues[self.pick(cues)].number if lists.book.cues else "1"
         new, pick = self.id, self.pick
-        part = pick(("one/face", "one/expression", "one/brows", "*/light", "*/black"))
+        part = pick(("one/face", "one/expression", "one/brows", "one/clip", "*/light", "*/black"))
         goal = {"face": {pick(self.faces): 1.0}, "light": {"flat": 1.0}, "black": {"black": 0.5}}
+        goal["clip"] = pick(({}, {"c1": 1.0}, {"c2": 1.0, ":start": 0.1, ":loop": 1.0, ":mouth": 0.5}))
         aimed = goal.get(part.rpartition("/")[2], {pick(self.expressions): 1.0})
         return [
             lambda: cue_messages.PutCue(new(), goes_on=pick(("", "follow", "continue")), post_wait=0.5),

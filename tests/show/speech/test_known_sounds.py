@@ -2,7 +2,7 @@
 
 import pytest
 
-from omote.show.objects.speech import Say
+from omote.show.objects.speech import PlaySound, Say
 from omote.show.speech.known_sounds import KnownSounds
 
 
@@ -16,6 +16,7 @@ def test_a_speech_has_the_length_of_its_sound_where_it_gives_none() -> None:
     assert sounds.complete(given) is given
     silent = Say("one", "3", "Hello")
     assert sounds.complete(silent) is silent
+    assert sounds.complete(PlaySound("one", "4", "a")).seconds == 2.5
 
 
 def test_rejects_a_sound_that_is_not_there_or_no_longer() -> None:
@@ -24,3 +25,4 @@ def test_rejects_a_sound_that_is_not_there_or_no_longer() -> None:
     sounds.set({"b": 1.0})
     with pytest.raises(ValueError, match="there is no sound 'a' any more, or not yet: send it to /sounds first"):
         sounds.complete(Say("one", "1", sound="a"))
+    assert [*sounds.keys] == ["b"]

@@ -256,6 +256,8 @@ export type ClipOutline = {
   blend_out: number;
   loop: boolean;
   speed: number;
+  sound: string;
+  sound_at: number;
   lanes: LaneOutline[];
   edits: number;
 };
@@ -284,7 +286,9 @@ export type StopClip = { type: "stop_clip"; character: string; name?: string; se
 /**
  * Records a pass of what shows of a character from now on: some `parts` of it (none: all), as a new lane of a clip
  * (`name`), which is made where there is none. What else the clip has plays meanwhile, from its start, or from
- * `start`, seconds of the clip. It ends by `keep_pass`, and by itself after ten minutes. `lane`: what to call it.
+ * `start`, seconds of the clip; and its sound without lips. It ends by `keep_pass`, and by itself after ten minutes.
+ * `lane`: what to call it. `sound`: the key of one that the clip has from this pass on, as of `edit_clip`; it begins
+ * in .4 s.
  */
 export type RecordClip = {
   type: "record_clip";
@@ -293,6 +297,7 @@ export type RecordClip = {
   name: string;
   parts?: ("brows" | "eyes" | "mouth" | "rest" | "head" | "gaze")[];
   lane?: string;
+  sound?: string;
   start?: number | null;
 };
 
@@ -301,7 +306,9 @@ export type KeepPass = { type: "keep_pass"; id: string; character: string; keep?
 
 /**
  * Changes what is given of a clip: where it begins and ends (seconds of its lanes), in how many seconds it comes
- * and goes, whether it begins again at its end, and its speed.
+ * and goes, whether it begins again at its end, and its speed. `sound`: the key of one that was sent to `/sounds`,
+ * which is heard with it, without lips, from `sound_at` on (seconds of its lanes); "": none. At another speed than 1
+ * nothing is heard; the state's `clips` say why.
  */
 export type EditClip = {
   type: "edit_clip";
@@ -313,6 +320,8 @@ export type EditClip = {
   blend_out?: number | null;
   loop?: boolean | null;
   speed?: number | null;
+  sound?: string | null;
+  sound_at?: number | null;
 };
 
 /**
@@ -1253,6 +1262,21 @@ export type Say = {
   key?: string;
 };
 
+/**
+ * A sound is heard without lips, in the place of what a character says: who plays its mouth goes on, so that it can
+ * be performed to a line. `sound`: the key of one that was sent to `/sounds`; `delay`: seconds until it begins, below
+ * 0: so long ago; `key`: as of `say`. `stop_speaking` and a panic end it. An `id` executes once.
+ */
+export type PlaySound = {
+  type: "play_sound";
+  character: string;
+  id: string;
+  sound: string;
+  delay?: number;
+  seconds?: number | null;
+  key?: string;
+};
+
 /** Ends what a character says, and all that it would say after: its mouth goes to rest. */
 export type StopSpeaking = { type: "stop_speaking"; character: string; id?: string };
 
@@ -1386,6 +1410,9 @@ export type SpeechState = {
 /**
  * A clip that a character plays: `elapsed` seconds from its start, of `seconds`; `share`: how much of it shows,
  * 0..1; `loop`: whether it begins again; `missing`: expressions and channels of it that the cast does not have.
+ * `number` counts what the character has played, `turn` how often this has begun again. `sound`: the key of what is
+ * heard with it, "" for nothing, `heard` seconds since the sound began (below 0: until then); `silent`: why a clip
+ * that has a sound is not heard.
  */
 export type ClipState = {
   name: string;
@@ -1394,6 +1421,11 @@ export type ClipState = {
   share: number;
   loop: boolean;
   missing: string[];
+  number: number;
+  sound: string;
+  heard: number;
+  turn: number;
+  silent: string;
 };
 
 /**
@@ -1827,6 +1859,7 @@ export type FromClient =
   | WatchSource
   | SayByVoice
   | Say
+  | PlaySound
   | StopSpeaking
   | Drawing;
 
@@ -1875,6 +1908,7 @@ export type CueAction = {
   what: string;
   delay: number;
   voice: string;
+  sound: string;
 };
 
 /** What one GO plays: it says what it moves, and all else goes on as the cues before it have left it. */

@@ -27,23 +27,30 @@ export interface WantedSound {
 /** Whether this stage may play sounds: never, where the show asks it to, or before all others. */
 export type SoundWish = "never" | "may" | "here";
 
-/** The sounds of a state; several characters that speak with one sound at once make one. `only`: the one that is shown. */
+/**
+ * The sounds of a state, of what is said and of clips; those that begin together with the same one, of several characters
+ * or of a clip and the pass that is played to it, make one. `only`: the character that is shown.
+ */
 export function wantedSounds(state: State, only: string | undefined): WantedSound[] {
   const sounds: WantedSound[] = [];
-  for (const [name, { speech }] of Object.entries(state.characters)) {
-    if (!speech || speech.sound === "" || (only !== undefined && only !== name)) continue;
-    const begin = state.time - speech.elapsed;
-    const twin = sounds.some((sound) => sound.key === speech.sound && Math.abs(sound.begin - begin) < TOGETHER);
-    if (!twin) sounds.push({ id: `${name} ${speech.number}`, key: speech.sound, begin });
+  const want = (id: string, key: string, begin: number): void => {
+    const twin = sounds.some((sound) => sound.key === key && Math.abs(sound.begin - begin) < TOGETHER);
+    if (key !== "" && !twin) sounds.push({ id, key, begin });
+  };
+  for (const [name, { speech, clips }] of Object.entries(state.characters)) {
+    if (only !== undefined && only !== name) continue;
+    if (speech) want(`${name} ${speech.number}`, speech.sound, state.time - speech.elapsed);
+    for (const clip of clips) want(`${name} clip ${clip.number} ${clip.turn}`, clip.sound, state.time - clip.heard);
   }
   return sounds;
 }
 
 /** The sounds that a state will need. */
 export function comingSounds(state: State): string[] {
-  const keys = Object.values(state.characters).flatMap(({ speech }) =>
-    speech ? [speech.sound, speech.next_sound] : [],
-  );
+  const keys = Object.values(state.characters).flatMap(({ speech, clips }) => [
+    ...(speech ? [speech.sound, speech.next_sound] : []),
+    ...clips.map(({ sound }) => sound),
+  ]);
   return keys.filter((key) => key !== "");
 }
 

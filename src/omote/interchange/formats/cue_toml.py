@@ -21,6 +21,8 @@ from omote.interchange.formats.atomic_file import write_whole
 from omote.interchange.formats.error_reasons import explain_error
 from omote.perform.cues.cue import Cue, CueList, Move, check_cues
 from omote.perform.cues.cue_action import CueAction, check_actions
+from omote.perform.layers.layer_names import check_part
+from omote.perform.scene.clip_goals import ClipCall, clip_of_goal, goal_of_clip
 from omote.perform.scene.goals import WITH_FACE, Goal, Part, expression_of, passes, ranges_of, takes_one_number
 
 CUE_FIELDS: Mapping[str, Field[Any]] = {
@@ -34,6 +36,8 @@ FACE = "face"
 """How the text says that a region goes with the whole face."""
 STOP = "stop"
 """How it says that clips stop."""
+CLIP_FIELDS = ("clip", "start", "speed", "loop", "parts")
+"""What it says of a clip that plays otherwise than the clip itself says."""
 HEADING = "# Cues of an Omote show (docs/howto/cues.md)."
 RUNNING_ORDER = ("number", "label", "pre_wait", "goes_on", "post_wait", "note")
 """The columns of a running order."""
@@ -242,7 +246,7 @@ def _action(written: Any) -> CueAction:
     strange = [key for key in written if key not in ACTION_FIELDS]
     if strange:
         raise ValueError(f"an action has no {strange[0]!r}; expected {', '.join(ACTION_FIELDS)}")
-    texts = [name for name in ("does", "to", "what", "voice") if not isinstance(written.get(name, ""), str)]
+    texts = [name for name in ("does", "to", "what", "voice", "sound") if not isinstance(written.get(name, ""), str)]
     if texts:
         raise ValueError(f"the {texts[0]} of an action is {written[texts[0]]!r}; expected a text in quotes")
     return CueAction(**written)
@@ -264,12 +268,34 @@ def _goal(part: Part, to: Any) -> Goal:
         return WITH_FACE if to == _nothing(part) else {to: 1.0}
     if isinstance(to, int | float) and ranges is not None and takes_one_number(part):
         return dict.fromkeys(ranges, to)
+    if isinstance(to, dict) and passes(part) and isinstance(to.get("clip"), str):
+        return _clip_goal(to)
     if isinstance(to, dict):
         return to
     expected = (
         "a name, or weights by name" if ranges is None else f"{{ {', '.join(f'{name} = 0' for name in ranges)} }}"
     )
     raise ValueError(f"{part} goes to {to!r}; expected {expected}")
+
+
+def _clip_goal(to: Mapping[str, Any]) -> Goal:
+    """A clip with how it plays: parts are named, or each with its weight."""
+    strange = [key for key in to if key not in CLIP_FIELDS]
+    if strange:
+        raise ValueError(f"a clip has no {strange[0]!r}; expected {', '.join(CLIP_FIELDS)}")
+    loop = to.get("loop")
+    if not isinstance(loop, bool | None):
+        raise TypeError(f"the loop of a clip is {loop!r}; expected true or false")
+    parts = to.get("parts")
+    if isinstance(parts, list) and all(isinstance(each, str) for each in parts):
+        parts = dict.fromkeys(parts, 1.0)
+    if not (parts is None or (isinstance(parts, dict) and parts)):
+        raise ValueError(
+            f'the parts of a clip are {parts!r}; expected ["mouth", "head"] or {{ mouth = 0.5, head = 1 }}'
+        )
+    for each in parts or ():
+        check_part(each)
+    return goal_of_clip(ClipCall(to["clip"], to.get("start"), to.get("speed"), loop, parts))
 
 
 def _nothing(part: Part) -> str | None:
@@ -304,9 +330,22 @@ def _format_goal(part: Part, goal: Goal) -> str:
     name, value = next(iter(goal.items()))
     if takes_one_number(part) and set(goal.values()) == {value}:
         return _value(value)
+    if passes(part) and len(goal) > 1:
+        return _format_clip(clip_of_goal(goal))
     if goal == {name: 1.0} and ranges_of(part) is None and name != _nothing(part):
         return _value(name)
     return f"{{ {', '.join(f'{_value(each)} = {_value(number)}' for each, number in goal.items())} }}"
+
+
+def _format_clip(call: ClipCall) -> str:
+    said = {"clip": call.name, "start": call.start, "speed": call.speed, "loop": call.loop}
+    written = {name: _value(value) for name, value in said.items() if value is not None}
+    weights = {} if call.weights is None else call.weights
+    if weights and set(weights.values()) == {1.0}:
+        written["parts"] = f"[{', '.join(_value(part) for part in weights)}]"
+    elif weights:
+        written["parts"] = f"{{ {', '.join(f'{part} = {_value(weight)}' for part, weight in weights.items())} }}"
+    return f"{{ {', '.join(f'{name} = {value}' for name, value in written.items())} }}"
 
 
 def _differs(of: object, each: Field[Any]) -> bool:

@@ -18,6 +18,7 @@ from omote.perform.limits import check_known, check_switch, check_within
 MOST_LANES = 16
 MOST_SPANS = 32
 LONGEST_SHIFT = 3600.0
+LONGEST_SOUND_KEY = 64
 LONGEST_BLEND = 10.0
 LONGEST_LANE_NAME = 40
 SLOWEST = 0.05
@@ -138,6 +139,10 @@ class Clip:
         Whether it begins again at its end; it blends over in `blend_in`.
     speed : float
         0.05 to 20; 1 is as it was recorded.
+    sound : str
+        The key of a sound that is heard with it, as of `say`; "" for none.
+    sound_at : float
+        When that sound begins, seconds of the lanes.
 
     Raises
     ------
@@ -167,6 +172,8 @@ class Clip:
     blend_out: float = USUAL_BLEND
     loop: bool = False
     speed: float = 1.0
+    sound: str = ""
+    sound_at: float = 0.0
     end: float = field(init=False)
 
     def __post_init__(self) -> None:
@@ -182,6 +189,9 @@ class Clip:
         check_within(self.blend_out, 0.0, LONGEST_BLEND, "the seconds in which a clip goes")
         check_switch(self.loop, "whether a clip begins again")
         check_within(self.speed, SLOWEST, FASTEST, "the speed of a clip")
+        if not isinstance(self.sound, str) or len(self.sound) > LONGEST_SOUND_KEY:
+            raise ValueError(f"the sound of a clip is {self.sound!r:.80}; give the key of a sound of the show")
+        check_within(self.sound_at, -LONGEST_SHIFT, LONGEST_SHIFT, "the begin of a clip's sound (seconds)")
         object.__setattr__(self, "end", float(end))
 
     @property
@@ -269,7 +279,8 @@ class Clip:
         """
         lanes = [replace(lane, shift=lane.shift + seconds) for lane in self.lanes]
         stop = None if self.stop is None else self.stop + seconds
-        return replace(self, lanes=lanes, start=self.start + seconds, stop=stop)
+        sound_at = self.sound_at + seconds if self.sound else self.sound_at
+        return replace(self, lanes=lanes, start=self.start + seconds, stop=stop, sound_at=sound_at)
 
 
 def _shares(lane: Lane, curve: MotionCurve, share: float) -> Values:

@@ -26,7 +26,7 @@ class ClipRun:
     clip: its name; position: seconds from its start, at the speed 1; seconds: its length; weights: how much of it
     shows in each part; come: seconds since it was called; blend_in, blend_out: in which it comes and goes; gone:
     seconds since it was stopped, None while it was not, and `going`: in which it goes then; pace: at which its time
-    goes, None for that of the show; number: counts what the character has played.
+    goes, None for that of the show; number: counts what the character has played; start: where it began.
     """
 
     clip: str
@@ -42,6 +42,7 @@ class ClipRun:
     pace: float | None = None
     number: int = 0
     going: float = 0.0
+    start: float = 0.0
 
     @property
     def left(self) -> float:
@@ -62,6 +63,35 @@ class ClipRun:
         if self.gone is not None:
             share *= 1.0 - blend_at(self.gone, self.going) if self.going else 0.0
         return share
+
+
+@dataclass(frozen=True)
+class RunSound:
+    """What is heard of the sound of a clip that plays. sound: its key, "" for nothing; elapsed: seconds since its
+    begin; turn: how often the clip has begun again; silent: why nothing is heard of a clip that has a sound."""
+
+    sound: str = ""
+    elapsed: float = 0.0
+    turn: int = 0
+    silent: str = ""
+
+
+NO_SOUND = RunSound()
+
+
+def sound_of_run(run: ClipRun, clip: Clip | None) -> RunSound:
+    """What is heard of a run's clip: a sound has one speed, and is not heard where the clip is stopped or held. clip:
+    None where it is not there."""
+    if clip is None or not clip.sound:
+        return NO_SOUND
+    if run.speed != 1.0:
+        return RunSound(silent=f"the clip plays at the speed {run.speed:g}, its sound at 1 alone")
+    if run.gone is not None:
+        return RunSound(silent="the clip is stopped")
+    if run.pace not in (None, 1.0):
+        return RunSound(silent="the cues are paused")
+    turn = round((run.start + run.come - run.position) / (run.seconds - _seam_of(run))) if run.loop else 0
+    return RunSound(clip.sound, clip.start + run.position - clip.sound_at, turn)
 
 
 def check_weights(weights: Mapping[str, float] | None, parts: tuple[LayerPart, ...]) -> dict[LayerPart, float]:
@@ -105,6 +135,7 @@ def run_of(
         clip.loop if loop is None else loop,
         check_within(clip.speed if speed is None else speed, SLOWEST, FASTEST, "the speed of a clip"),
         number=number,
+        start=position,
     )
 
 
@@ -172,7 +203,8 @@ def check_runs(runs: tuple[ClipRun, ...]) -> tuple[ClipRun, ...]:
     if len(runs) > MOST_RUNS:
         raise ValueError(f"a snapshot plays {len(runs)} clips; expected at most {MOST_RUNS}")
     for run in runs:
-        check_within(run.position, 0.0, FOREVER, "the place in a clip (seconds)")
+        for place in (run.position, run.start):
+            check_within(place, 0.0, FOREVER, "the place in a clip (seconds)")
         check_within(run.seconds, 0.0, LONGEST_CURVE, "the length of a clip (seconds)")
         check_within(run.speed, SLOWEST, FASTEST, "the speed of a clip")
         check_weights({str(part): weight for part, weight in run.weights.items()}, LAYER_PARTS)

@@ -15,6 +15,7 @@ from typing import Literal, get_args
 
 from omote.perform.cues.show_control import LIGHTING, ShowControl, encode_show_control
 from omote.perform.limits import LONGEST_CALL, check_known, check_within
+from omote.perform.speech.speaking import LONGEST_KEY
 
 Does = Literal["osc", "midi", "say"]
 LONGEST_TO = 120
@@ -57,11 +58,13 @@ class MidiSend:
 
 @dataclass(frozen=True)
 class SpokenLine:
-    """A text that a character (*: all) says; voice: who speaks it, "" where another plays the sound."""
+    """A text that a character (*: all) says; voice: who speaks it, "" where another plays the sound; sound: the key of
+    that which the stage plays, without lips where there is no text."""
 
     character: str
     text: str
     voice: str = ""
+    sound: str = ""
 
 
 @dataclass(frozen=True)
@@ -81,6 +84,9 @@ class CueAction:
         Seconds after the cue has begun, 0 to 3600.
     voice : str
         Who speaks the text, as of `GET /voices`; "": the lips move, and another plays the sound.
+    sound : str
+        The key of a sound of the show, which is heard instead of a voice; lips move to the text, for its length, and
+        are left to who plays the mouth where there is none.
 
     Raises
     ------
@@ -105,17 +111,20 @@ class CueAction:
     what: str
     delay: float = 0.0
     voice: str = ""
+    sound: str = ""
 
     def __post_init__(self) -> None:
         """Rejects what cannot be sent or said."""
         check_known(self.does, get_args(Does), "action of a cue")
         delay = check_within(self.delay, 0.0, LONGEST_CALL, "the delay of an action (seconds)")
         object.__setattr__(self, "delay", delay)
-        for name, most in (("to", LONGEST_TO), ("what", LONGEST_WHAT), ("voice", LONGEST_TO)):
+        for name, most in (("to", LONGEST_TO), ("what", LONGEST_WHAT), ("voice", LONGEST_TO), ("sound", LONGEST_KEY)):
             if len(getattr(self, name)) > most:
                 raise ValueError(f"{name!r} of an action has more than {most} characters; shorten it")
         if self.voice and self.does != "say":
             raise ValueError(f"the voice {self.voice[:40]!r} speaks nothing: only what is said has a voice")
+        if self.sound and (self.does != "say" or self.voice):
+            raise ValueError(f"the sound {self.sound!r} is not heard: only what is said without a voice has a sound")
         READERS[self.does](self)
 
     @property
@@ -216,9 +225,11 @@ def _read_midi(action: CueAction) -> MidiSend:
 
 
 def _read_line(action: CueAction) -> SpokenLine:
-    if not action.to.strip() or not action.what.strip():
-        raise ValueError("a line has no text or nobody who says it; give a character (* for all) and what it says")
-    return SpokenLine(action.to.strip(), action.what.strip(), action.voice.strip())
+    if not action.to.strip() or not (action.what.strip() or action.sound):
+        raise ValueError(
+            "a line has nothing that is said or nobody who says it; give a character (* for all) and a text or a sound"
+        )
+    return SpokenLine(action.to.strip(), action.what.strip(), action.voice.strip(), action.sound)
 
 
 READERS: Mapping[str, Callable[[CueAction], OscSend | MidiSend | SpokenLine]] = {

@@ -1,7 +1,8 @@
 """Goals: where a part of a character or of the scene goes, as plain numbers by name; cues and memories consist of them.
 
 A part is `kaori/face`, or `*/light` of the scene. A goal of it is a mix (`{"joy": 1.0}`) or numbers that it stands at
-(`{"yaw": 0.2, "pitch": 0.0, "roll": 0.0}`); of `look` what eyes look at (`look_goals.py`).
+(`{"yaw": 0.2, "pitch": 0.0, "roll": 0.0}`); of `look` what eyes look at (`look_goals.py`), of `clip` which and how it
+plays (`clip_goals.py`).
 """
 
 from __future__ import annotations
@@ -15,6 +16,7 @@ from omote.perform.layers.layer_names import DEFAULT_SETTINGS, LAYER_PARTS, LAYE
 from omote.perform.limits import GAZE_LIMITS, HEAD_LIMITS, check_known, check_within
 from omote.perform.mix import HIGHEST, LOWEST
 from omote.perform.scene.character_names import ALL
+from omote.perform.scene.clip_goals import clip_of_goal, goal_of_clip
 from omote.perform.scene.look_goals import AHEAD, goal_of_target, target_of_goal
 from omote.perform.scene.movement import Ranges
 from omote.perform.scene.scene_frame import PLACE_LIMITS
@@ -123,8 +125,8 @@ def check_goal(part: Part, goal: Goal) -> Goal:
         return {name: check_within(goal[name], *ranges[name], f"{name} of {part}") for name in ranges}
     if not goal and (expression_of(part) or passes(part)):
         return WITH_FACE
-    if passes(part) and len(goal) > 1:
-        raise ValueError(f"the goal of {part} has {', '.join(goal)}; expected one clip, or nothing to stop what plays")
+    if passes(part):
+        return goal_of_clip(clip_of_goal(goal))
     mix = {name: check_within(weight, LOWEST, HIGHEST, f"{name} of {part}") for name, weight in goal.items()}
     if not abs(math.fsum(mix.values()) - 1.0) <= ROUNDING:
         raise ValueError(f"the weights of {part} sum to {math.fsum(mix.values()):g}; they must sum to 1")

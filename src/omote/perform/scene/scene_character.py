@@ -27,6 +27,7 @@ from omote.perform.motion.sight import NOTHING, Sight
 from omote.perform.panic import eased, without_channels
 from omote.perform.performer import Performer
 from omote.perform.scene import movement
+from omote.perform.scene.clip_goals import call_of_run, goal_of_clip
 from omote.perform.scene.goals import (
     LAYER,
     MOTION_LIMITS,
@@ -183,11 +184,20 @@ class SceneCharacter(Performer):
         if is_setting(name):
             return self._setting_of(name)
         if name == "clip":
-            return {run.clip: 1.0 for run in now.clips[-1:] if run.gone is None}
+            return self._clip_goal()
         if name in PLAY_REGIONS:
             own = now.regions.get(check_play_region(name))
             return WITH_FACE if own is None else dict(mix(own))
         return dict(mix(now.face if name == "face" else now.expression))
+
+    def _clip_goal(self) -> Goal:
+        """What plays the newest clip again as it was called; nothing where none plays, or it is stopped already."""
+        run = self._now.clips[-1] if self._now.clips else None
+        return (
+            WITH_FACE
+            if run is None or run.gone is not None
+            else goal_of_clip(call_of_run(run, self._clips.get(run.number)))
+        )
 
     def _set(self, name: str, goal: Goal) -> None:
         """Sets what is taken at once, and followed by filters of its own."""

@@ -13,6 +13,7 @@ from omote.perform.lights import LIGHTS
 from omote.perform.limits import check_call_seconds, check_known, check_within
 from omote.perform.scene import movement
 from omote.perform.scene.character_names import ALL, framing_of, names_in
+from omote.perform.scene.clip_goals import clip_of_goal
 from omote.perform.scene.goals import (
     BLACK_LIMITS,
     PRESENCE_LIMITS,
@@ -125,7 +126,8 @@ class SceneGoals(SceneClips):
             check_names(checked, LIGHTS, "light")
         elif name == "clip":
             check_known(character, self._characters, "character")
-            check_names(checked, self._clips, "clip")
+            if checked:
+                check_known(clip_of_goal(checked).name, self._clips, "clip")
         elif character != ALL:
             self._characters[check_known(character, self._characters, "character")].check_call(part, checked)
         return checked
@@ -192,7 +194,17 @@ class SceneGoals(SceneClips):
             self._move_presence(character, checked["presence"], seconds, leaves=leaves, easing=easing)
             self._stand(character, presence=movement.with_pace(self._standing(character).presence, pace))
         elif name == "clip" and checked:
-            self.play_clip(character, *checked, seconds=seconds, pace=pace)
+            call = clip_of_goal(checked)
+            self.play_clip(
+                character,
+                call.name,
+                seconds=seconds,
+                start=call.start or 0.0,
+                speed=call.speed,
+                loop=call.loop,
+                weights=call.weights,
+                pace=pace,
+            )
         else:
             self._characters[character].call_goal(name, checked, seconds, easing, pace)
 

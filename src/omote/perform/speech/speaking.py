@@ -53,6 +53,8 @@ class Speech:
         Counts what the character has said.
     key : str
         What whoever said it calls it; "" for nothing.
+    lips : bool
+        Whether it moves the lips; else the sound is heard, and who plays the mouth goes on.
 
     Raises
     ------
@@ -69,6 +71,7 @@ class Speech:
     elapsed: float = -LEAD_SECONDS
     number: int = 0
     key: str = ""
+    lips: bool = True
 
     def __post_init__(self) -> None:
         """Rejects what is out of range."""
@@ -105,7 +108,7 @@ class Speaking:
     @property
     def takes_lips(self) -> bool:
         """Whether something is said, or about to be."""
-        return self.speech is not None and self.speech.elapsed > -ABOUT_TO_SPEAK
+        return self.speech is not None and self.speech.lips and self.speech.elapsed > -ABOUT_TO_SPEAK
 
     @property
     def ended(self) -> bool:
@@ -126,6 +129,16 @@ def make_speech(
     lead = max(SOUND_LEAD_SECONDS if sound else LEAD_SECONDS, wait)
     trim = check_within(offset, -LONGEST_OFFSET, LONGEST_OFFSET, "the offset of a speech (seconds)")
     return Speech(track, text, sound, trim, -max(lead, LEAD_SECONDS - trim), number, key)
+
+
+def make_sound(sound: str, seconds: float, *, delay: float, number: int, key: str = "") -> Speech:
+    """A sound that is heard without lips, and begins in `delay` seconds to the bit, -3600 to 3600: below 0 it has begun
+    that long ago. ValueError and TypeError for what is out of range.
+
+    sound: the key of what the stage plays; seconds: its length; number, key: as of `make_speech`.
+    """
+    wait = check_within(delay, -LONGEST_DELAY, LONGEST_DELAY, "the delay of a sound (seconds)")
+    return Speech(VisemeTrack((), (), seconds), "", sound, elapsed=-wait, number=number, key=key, lips=False)
 
 
 def say(speaking: Speaking | None, speech: Speech, *, queue: bool) -> Speaking:

@@ -15,11 +15,14 @@ from omote.perform.clips.motion_curve import MotionCurve
 from omote.perform.clips.packed_motion import rounded
 from omote.perform.layers.layer_names import LAYER_PARTS, LayerPart
 from omote.perform.limits import check_known, check_within
+from omote.perform.scene.clip_goals import SETTING
 from omote.perform.scene.scene import Scene
 from omote.perform.scene.scene_frame import SceneFrame
 from omote.perform.snapshot import Playable
+from omote.perform.speech.speaking import SOUND_LEAD_SECONDS
 from omote.show.declaration import ClientMessage, Outgoing
 from omote.show.objects import clips as wire
+from omote.show.objects.speech import PlaySound, StopSpeaking
 
 LONGEST_PASS = 600.0
 """Seconds; what is longer is cut into clips."""
@@ -34,7 +37,8 @@ NO_WORK = wire.ClipWork([], 0)
 @dataclass(frozen=True)
 class Pass:
     """A pass that is recorded. name: of the clip; parts, lane: of the new lane; began: seconds of the scene; offset:
-    what the time of the clip is then; by: who records it."""
+    what the time of the clip is then; by: who records it; sound: that the clip has from now on, "" for that which it
+    has."""
 
     name: str
     parts: tuple[LayerPart, ...]
@@ -43,28 +47,34 @@ class Pass:
     offset: float
     builder: CurveBuilder
     by: str = ""
+    sound: str = ""
 
 
 class ShowClips:
     """The clips of a show, by name.
 
-    scene, cast: those that the session has now; list_names: tells consoles the names of a kind of documents; play:
-    has a command played, as if somebody had sent it; edited: called after each edit.
+    scene, cast: those that the session has now; check_sound: raises ValueError for a sound that is not there;
+    list_names: tells consoles the names of a kind of documents; play: has a command played, as if somebody had sent
+    it; edited: called after each edit; lose: told, in a sentence, what there is nobody to refuse it to.
     """
 
     def __init__(
         self,
         scene: Callable[[], Scene],
         cast: Callable[[], Playable],
+        check_sound: Callable[[str], object],
         list_names: Callable[[str, list[str]], list[Outgoing]],
         play: Callable[[ClientMessage], object],
         edited: Callable[[], None],
+        lose: Callable[[str], None],
     ) -> None:
         self._scene = scene
         self._cast = cast
+        self._check_sound = check_sound
         self._list_names = list_names
         self._play = play
         self._edited = edited
+        self._lose = lose
         self.clips: Mapping[str, Clip] = {}
         self._kept: Mapping[str, Clip] = {}
         self._dropped = dict[str, Clip]()
@@ -107,9 +117,8 @@ class ShowClips:
             else:
                 running.builder.add(frame.time - running.began + running.offset, shown.frame)
 
-    def end_passes(self, lose: Callable[[str], None]) -> list[Outgoing]:
-        """Ends passes that are over by themselves; returns what consoles are told of it. lose: told, in a sentence,
-        which could not be kept: a tick has nobody to refuse it to."""
+    def end_passes(self) -> list[Outgoing]:
+        """Ends passes that are over by themselves; returns what consoles are told of it."""
         over = [character for character in dict.fromkeys(self._over) if character in self._passes]
         self._over = []
         told: list[Outgoing] = []
@@ -118,7 +127,7 @@ class ShowClips:
             try:
                 told += self._end_pass(character, keep=begun)
             except ValueError as error:
-                lose(f"the pass of {character} is over and could not be kept: {error}.")
+                self._lose(f"the pass of {character} is over and could not be kept: {error}.")
         return told
 
     @property
@@ -190,9 +199,24 @@ class ShowClips:
                     character, name, name, MEETING_SECONDS, start, speed=1.0, loop=False, weights=heard
                 )
                 self._play(again)
+        self._play_along(character, message.sound, clip, offset)
         builder = CurveBuilder(self._cast())
-        self._passes[character] = Pass(name, parts, message.lane, self._time, offset, builder, by)
+        self._passes[character] = Pass(name, parts, message.lane, self._time, offset, builder, by, message.sound)
         return ()
+
+    def _play_along(self, character: str, sound: str, clip: Clip | None, offset: float) -> None:
+        """Has the sound heard to which a pass is played: a new one a moment later, so that its beginning is heard; that
+        of the clip where the clip has it, if it is there. offset: what the time of the clip is."""
+        if sound:
+            self._check_sound(sound)
+            self._play(PlaySound(character, sound, sound, SOUND_LEAD_SECONDS))
+        elif clip is not None and clip.sound:
+            try:
+                self._check_sound(clip.sound)
+            except ValueError as error:
+                self._lose(f"a pass of {character} is recorded without its sound: {error}.")
+            else:
+                self._play(PlaySound(character, clip.sound, clip.sound, clip.sound_at - offset))
 
     def end_pass(self, message: wire.KeepPass) -> Sequence[Outgoing]:
         """Ends a pass. message: says of whom, and whether it is kept."""
@@ -203,18 +227,26 @@ class ShowClips:
     def _end_pass(self, character: str, *, keep: bool) -> list[Outgoing]:
         ended = self._passes.pop(character)
         scene = self._scene()
+        clip = self.clips.get(ended.name)
         if character in scene:
             self._play(wire.StopClip(character, ended.name))
+            if ended.sound or (clip is not None and clip.sound):
+                self._play(StopSpeaking(character))
         if not keep:
             return []
         if ended.builder.frames < FEWEST_FRAMES:
             raise ValueError("the pass has no frames yet, so nothing is kept of it")
-        return self.add_pass(ended.name, ended.builder.curve(), ended.parts, ended.lane)
+        told = self.add_pass(ended.name, ended.builder.curve(), ended.parts, ended.lane)
+        if not ended.sound:
+            return told
+        heard = replace(self._named(ended.name), sound=ended.sound, sound_at=ended.offset + SOUND_LEAD_SECONDS)
+        return [*told, *self.put(ended.name, heard)]
 
     def edit_clip(self, message: wire.EditClip) -> Sequence[Outgoing]:
         """A clip with other settings. message: says which."""
-        names = ("start", "stop", "blend_in", "blend_out", "loop", "speed")
-        return self.put(message.name, replace(self._named(message.name), **_given(message, names)))
+        if message.sound:
+            self._check_sound(message.sound)
+        return self.put(message.name, replace(self._named(message.name), **_given(message, wire.CLIP_SETTINGS)))
 
     def edit_lane(self, message: wire.EditLane) -> Sequence[Outgoing]:
         """A clip with another lane. message: says which."""
@@ -295,8 +327,10 @@ def check_clip_name(name: str, others: Iterable[str]) -> str:
     """Returns the name of a new clip without spaces around it; ValueError for none, for one that is too long, and for
     one that another has, in any case. others: the names of the others."""
     text = " ".join(name.split())
-    if not 0 < len(text) <= LONGEST_CLIP_NAME or not text.isprintable():
-        raise ValueError(f"a clip cannot be called {name!r:.60}; give 1 to {LONGEST_CLIP_NAME} printable letters")
+    if not 0 < len(text) <= LONGEST_CLIP_NAME or not text.isprintable() or text.startswith(SETTING):
+        raise ValueError(
+            f"a clip cannot be called {name!r:.60}; give 1 to {LONGEST_CLIP_NAME} printable letters, no {SETTING} first"
+        )
     twin = next((each for each in others if each.casefold() == text.casefold()), None)
     if twin is not None:
         raise ValueError(f"there is a clip {twin!r} already; give another name")

@@ -5,7 +5,7 @@ from __future__ import annotations
 from omote.perform.cues.cue_action import SpokenLine
 from omote.show.declaration import ClientMessage, Session
 from omote.show.objects.link import Refused
-from omote.show.objects.speech import Say, SayByVoice
+from omote.show.objects.speech import PlaySound, Say, SayByVoice
 
 CUES = "cues"
 """The client that speaks for cues: links are numbered, and senders have two words."""
@@ -25,4 +25,6 @@ def speak_lines(session: Session, now: float) -> None:
 def _message(line: SpokenLine, call: str) -> ClientMessage:
     if line.voice:
         return SayByVoice(line.character, call, line.text, line.voice)
-    return Say(line.character, call, line.text)
+    if line.sound and not line.text:
+        return PlaySound(line.character, call, line.sound)
+    return Say(line.character, call, line.text, sound=line.sound)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import dataclasses
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Annotated, ClassVar
@@ -9,7 +10,7 @@ from typing import Annotated, ClassVar
 import msgspec
 
 from omote.model.known_names import NEUTRAL, PLAY_REGIONS
-from omote.perform.clips.clip import LONGEST_LANE_NAME, Clip, Lane, Span
+from omote.perform.clips.clip import LONGEST_LANE_NAME, LONGEST_SOUND_KEY, Clip, Lane, Span
 from omote.perform.clips.clip_runs import LONGEST_CLIP_NAME
 from omote.perform.clips.motion_curve import MotionCurve
 from omote.perform.clips.outline import outline_lane
@@ -35,6 +36,7 @@ from omote.show.osc import PRESS, Value, osc
 CLIP_OUTLINE_PATH = "/clip_outlines/{name}"
 ClipName = Annotated[str, msgspec.Meta(min_length=1, max_length=LONGEST_CLIP_NAME), Value("text")]
 LaneName = Annotated[str, msgspec.Meta(max_length=LONGEST_LANE_NAME)]
+SoundKey = Annotated[str, msgspec.Meta(max_length=LONGEST_SOUND_KEY)]
 MOST_CLIPS = 256
 
 
@@ -77,12 +79,18 @@ class StoredClip(Document, frozen=True):
     blend_out: float = 0.3
     loop: bool = False
     speed: float = 1.0
+    sound: str = ""
+    sound_at: float = 0.0
 
     def names(self) -> Iterable[str]:
         """The expressions and channels that it moves."""
         motions = [motion for lane in self.lanes for motion in (lane.motion, *(span.motion for span in lane.spans))]
         named = {column.partition("/")[::2] for motion in motions for column in motion.columns}
         return sorted({name for part, name in named if part in (CHANNEL, *PLAY_REGIONS)} - {NEUTRAL})
+
+
+CLIP_SETTINGS = tuple(each.name for each in dataclasses.fields(Clip) if each.init and each.name != "lanes")
+"""What is set of a clip beside its lanes."""
 
 
 def stored_clip(clip: Clip) -> StoredClip:
@@ -106,7 +114,7 @@ def stored_clip(clip: Clip) -> StoredClip:
         )
         for lane in clip.lanes
     )
-    return StoredClip(lanes, clip.start, clip.stop, clip.blend_in, clip.blend_out, clip.loop, clip.speed)
+    return StoredClip(lanes, **{name: getattr(clip, name) for name in CLIP_SETTINGS})
 
 
 def clip_of(stored: StoredClip) -> Clip:
@@ -123,7 +131,7 @@ def clip_of(stored: StoredClip) -> Clip:
         )
         for lane in stored.lanes
     ]
-    return Clip(lanes, stored.start, stored.stop, stored.blend_in, stored.blend_out, stored.loop, stored.speed)
+    return Clip(lanes, **{name: getattr(stored, name) for name in CLIP_SETTINGS})
 
 
 class Clips(DocumentNames, frozen=True):
@@ -190,6 +198,8 @@ class ClipOutline(msgspec.Struct, frozen=True):
     blend_out: float
     loop: bool
     speed: float
+    sound: str
+    sound_at: float
     lanes: list[LaneOutline]
     edits: int
 
@@ -212,7 +222,7 @@ def outline_clip(name: str, clip: Clip, edits: int) -> ClipOutline:
     ]
     trimmed = clip.stop is not None
     shown = (clip.start, clip.end, trimmed, clip.blend_in, clip.blend_out, clip.loop, clip.speed)
-    return ClipOutline(name, *shown, lanes, edits)
+    return ClipOutline(name, *shown, clip.sound, clip.sound_at, lanes, edits)
 
 
 # --- what plays them ---
@@ -290,7 +300,9 @@ class ClipCommand(ClientMessage, frozen=True):
 class RecordClip(ClipCommand, frozen=True):
     """Records a pass of what shows of a character from now on: some `parts` of it (none: all), as a new lane of a clip
     (`name`), which is made where there is none. What else the clip has plays meanwhile, from its start, or from
-    `start`, seconds of the clip. It ends by `keep_pass`, and by itself after ten minutes. `lane`: what to call it."""
+    `start`, seconds of the clip; and its sound without lips. It ends by `keep_pass`, and by itself after ten minutes.
+    `lane`: what to call it. `sound`: the key of one that the clip has from this pass on, as of `edit_clip`; it begins
+    in .4 s."""
 
     osc = (osc("record_clip", "records what shows as a pass of the clip of this name", "name"),)
 
@@ -299,6 +311,7 @@ class RecordClip(ClipCommand, frozen=True):
     name: ClipName
     parts: list[LayerPart] = []
     lane: LaneName = ""
+    sound: SoundKey = ""
     start: float | None = None
 
 
@@ -314,7 +327,9 @@ class KeepPass(ClipCommand, frozen=True):
 
 class EditClip(ClipCommand, frozen=True):
     """Changes what is given of a clip: where it begins and ends (seconds of its lanes), in how many seconds it comes
-    and goes, whether it begins again at its end, and its speed."""
+    and goes, whether it begins again at its end, and its speed. `sound`: the key of one that was sent to `/sounds`,
+    which is heard with it, without lips, from `sound_at` on (seconds of its lanes); "": none. At another speed than 1
+    nothing is heard; the state's `clips` say why."""
 
     id: CallId
     name: ClipName
@@ -324,6 +339,8 @@ class EditClip(ClipCommand, frozen=True):
     blend_out: float | None = None
     loop: bool | None = None
     speed: float | None = None
+    sound: SoundKey | None = None
+    sound_at: float | None = None
 
 
 class EditLane(ClipCommand, frozen=True):

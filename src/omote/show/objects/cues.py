@@ -11,7 +11,8 @@ from omote.perform.cues.cue import LONGEST_TEXT, Cue, GoesOn
 from omote.perform.cues.cue_action import CueAction, SpokenLine
 from omote.perform.easing import DEFAULT_EASING
 from omote.perform.scene.character_names import ALL, names_in
-from omote.perform.scene.goals import Part, ranges_of, split_part
+from omote.perform.scene.clip_goals import clip_of_goal
+from omote.perform.scene.goals import Part, passes, ranges_of, split_part
 from omote.perform.scene.look_goals import name_in
 from omote.show.declaration import SPEECH_LIMIT, CallId, ClientMessage, Name, Outgoing, Session
 from omote.show.objects.documents import Document
@@ -83,6 +84,8 @@ def _named_by(cue: Cue) -> Iterable[str]:
             yield from (each for framing in move.goal for each in names_in(framing))
         elif name == "look":
             yield from [looked] if (looked := name_in(dict(move.goal))) else []
+        elif passes(part):
+            yield from [clip_of_goal(move.goal).name] if move.goal else []
         elif ranges_of(part) is None and name != "light":
             yield from move.goal
 

@@ -122,6 +122,33 @@ class Say(CharacterCommand, frozen=True):
         )
 
 
+class PlaySound(CharacterCommand, frozen=True):
+    """A sound is heard without lips, in the place of what a character says: who plays its mouth goes on, so that it can
+    be performed to a line. `sound`: the key of one that was sent to `/sounds`; `delay`: seconds until it begins, below
+    0: so long ago; `key`: as of `say`. `stop_speaking` and a panic end it. An `id` executes once."""
+
+    follows_bus = False
+    osc = (osc("play_sound", "has a sound heard without lips", "sound", "delay"),)
+
+    id: CallId
+    sound: Annotated[str, msgspec.Meta(min_length=1, max_length=64), Value("text")]
+    delay: Annotated[float, Value(low=-LONGEST_DELAY, high=LONGEST_DELAY, unit="s", default=0.0)] = 0.0
+    seconds: float | None = None
+    key: Annotated[str, msgspec.Meta(max_length=64)] = ""
+
+    def act(self, session: Session, who: str, now: float) -> Sequence[Outgoing]:
+        """Plays it, for its length; ValueError for a sound that is not there. session: the show; who: the client; now:
+        seconds, monotonic."""
+        _refuse_unseen(session, who)
+        answers = super(PlaySound, session.sounds.complete(self)).act(session, who, now)
+        session.texts.drop(characters_of(session.scene, self.character))
+        return answers
+
+    def play(self, performer: Performer) -> None:
+        """Plays it."""
+        performer.play_sound(self.sound, self.seconds or 0.0, delay=self.delay, key=self.key)
+
+
 class StopSpeaking(CharacterCommand, frozen=True):
     """Ends what a character says, and all that it would say after: its mouth goes to rest."""
 

@@ -113,7 +113,10 @@ class SpeechState(msgspec.Struct, frozen=True):
 
 class ClipState(msgspec.Struct, frozen=True):
     """A clip that a character plays: `elapsed` seconds from its start, of `seconds`; `share`: how much of it shows,
-    0..1; `loop`: whether it begins again; `missing`: expressions and channels of it that the cast does not have."""
+    0..1; `loop`: whether it begins again; `missing`: expressions and channels of it that the cast does not have.
+    `number` counts what the character has played, `turn` how often this has begun again. `sound`: the key of what is
+    heard with it, "" for nothing, `heard` seconds since the sound began (below 0: until then); `silent`: why a clip
+    that has a sound is not heard."""
 
     name: str
     elapsed: float
@@ -121,6 +124,11 @@ class ClipState(msgspec.Struct, frozen=True):
     share: float
     loop: bool = False
     missing: list[str] = []
+    number: int = 0
+    sound: str = ""
+    heard: float = 0.0
+    turn: int = 0
+    silent: str = ""
 
 
 class CharacterState(msgspec.Struct, frozen=True):

@@ -2,9 +2,14 @@
 
 from __future__ import annotations
 
+from collections.abc import Collection
+from typing import TypeVar
+
 from msgspec import structs
 
-from omote.show.objects.speech import Say
+from omote.show.objects.speech import PlaySound, Say
+
+Sounding = TypeVar("Sounding", Say, PlaySound)
 
 NO_SOUND = "there is no sound"
 """How the reason begins that a speech is rejected for, where its sound is not there."""
@@ -24,12 +29,22 @@ class KnownSounds:
         """The sounds that there are, with their seconds."""
         return dict(self._seconds)
 
-    def complete(self, message: Say) -> Say:
+    @property
+    def keys(self) -> Collection[str]:
+        """The keys of all sounds."""
+        return self._seconds.keys()
+
+    def check(self, key: str) -> str:
+        """Returns the key of a sound that is there; ValueError for another."""
+        if key not in self._seconds:
+            raise ValueError(f"{NO_SOUND} {key!r} any more, or not yet: send it to /sounds first")
+        return key
+
+    def complete(self, message: Sounding) -> Sounding:
         """A speech with the length of its sound, where it gives none; ValueError where that is not there."""
         if not message.sound:
             return message
-        if message.sound not in self._seconds:
-            raise ValueError(f"{NO_SOUND} {message.sound!r} any more, or not yet: send it to /sounds first")
+        self.check(message.sound)
         if message.seconds is not None:
             return message
         return structs.replace(message, seconds=self._seconds[message.sound])

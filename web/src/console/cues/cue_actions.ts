@@ -67,7 +67,7 @@ const style = css`
 export class CueActions extends CueElement {
   @property({ attribute: false }) cue: Cue | null = null;
   /** What is typed of another action, until it is whole. */
-  @state() private added: CueAction = { does: "osc", to: "", what: "", delay: 0, voice: "" };
+  @state() private added: CueAction = { does: "osc", to: "", what: "", delay: 0, voice: "", sound: "" };
 
   static override styles = [base, style];
 
@@ -93,7 +93,7 @@ export class CueActions extends CueElement {
       );
     const [to, what] = WORDS[action.does];
     const title = KINDS.find(([does]) => does === action.does)?.[1] ?? action.does;
-    const field = (name: "to" | "what" | "voice", label: string, look = "") =>
+    const field = (name: "to" | "what" | "voice" | "sound", label: string, look = "") =>
       html`<omote-cue-field class=${look} label=${label} .value=${action[name]} .offered=${name === "to" ? this.#offered(action.does) : []}
         .save=${(text: string, failed: Failed) => put({ [name]: text.trim() }, failed)}></omote-cue-field>`;
     return html`<div class="action" data-action=${place}>
@@ -103,7 +103,11 @@ export class CueActions extends CueElement {
       ${field("to", to)}${field("what", what)}
       <omote-cue-field class="delay" label="Delay" kind="number" .value=${String(action.delay)}
         .save=${(text: string, failed: Failed) => put({ delay: secondsIn(text) }, failed)}></omote-cue-field>
-      ${action.does === "say" ? field("voice", "Voice; none: lips alone", "wide") : nothing}
+      ${
+        action.does === "say"
+          ? html`${field("voice", "Voice; none: lips alone", "wide")}${field("sound", "Or a sound, by its key", "wide")}`
+          : nothing
+      }
     </div>`;
   }
 

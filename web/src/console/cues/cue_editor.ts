@@ -8,12 +8,14 @@ import type { Cue, Move } from "../../link/messages";
 import { base, flow } from "../../ui/theme";
 import { COLOURS, CueElement } from "./cue_element";
 import { secondsIn } from "./cue_field";
+import "./clip_fields";
+import { clipCallOf, goalOfClip } from "./clip_goal";
 import "./cue_actions";
 import "./cue_field";
 import { movedBehind } from "./cue_order";
 import type { CueTopic } from "./cue_store";
 import { partWords } from "./cue_words";
-import { CHARACTER_PARTS, firstGoal, goalText, kindOf, parseGoal, SCENE_PARTS } from "./goal_text";
+import { CHARACTER_PARTS, firstGoal, type Goal, goalText, kindOf, parseGoal, SCENE_PARTS } from "./goal_text";
 import { missingInMove } from "./missing_names";
 
 const style = css`
@@ -209,16 +211,22 @@ export class CueEditor extends CueElement {
       html`<omote-cue-field label=${label} kind="number" .value=${String(move[name])}
         .save=${(text: string, failed: (reason: string) => void) => put({ [name]: secondsIn(text) }, failed)}></omote-cue-field>`;
     const { known } = this.cues;
-    const missing = known === null ? [] : missingInMove(part, Object.keys(move.goal), known);
+    const missing = known === null ? [] : missingInMove(part, move.goal, known);
     return html`<div class="move" data-part=${part}>
       <b title=${part}>${partWords(part, this.cues.labels)}</b>
       <button class="away" aria-label="Delete the move of ${part}" title="Delete this move"
         @click=${() => this.cues.change({ type: "drop_move", cue: cue.identity, part })}>✕</button>
-      <omote-cue-field class="goal" label="Goes to" .value=${goalText(part, move.goal)} .offered=${this.#offered(part)}
-        .save=${(text: string, failed: (reason: string) => void) => put({ goal: parseGoal(part, text) }, failed)}></omote-cue-field>
+      <omote-cue-field class="goal" label="Goes to" .value=${goalText(part, nameOf(part, move.goal))} .offered=${this.#offered(part)}
+        .save=${(text: string, failed: (reason: string) => void) => put({ goal: goalAfter(part, move.goal, text) }, failed)}></omote-cue-field>
       ${time("seconds", "Seconds")}${time("delay", "Delay")}
       <omote-cue-field label="Easing" .choices=${EASINGS} .value=${move.easing}
         .save=${(text: string, failed: (reason: string) => void) => put({ easing: text }, failed)}></omote-cue-field>
+      ${
+        kindOf(part) === "clip"
+          ? html`<omote-clip-fields .cues=${this.cues} .goal=${move.goal}
+        .save=${(goal: Record<string, number>, failed: (reason: string) => void) => put({ goal }, failed)}></omote-clip-fields>`
+          : nothing
+      }
       ${missing.length === 0 ? nothing : html`<p class="missing">⚠ There is ${missing.join(", ")} in the show now: until it comes, GO leaves this move out.</p>`}
     </div>`;
   }
@@ -252,6 +260,7 @@ export class CueEditor extends CueElement {
   #offered(part: string): readonly string[] {
     const { faces, expressions, lights, state: shown } = this.cues.show;
     const kind = kindOf(part);
+    if (kind === "clip") return ["stop", ...this.cues.clips];
     if (firstGoal(part) !== "") return [firstGoal(part)];
     if (kind === "framing") return ["*", ...Object.keys(shown?.characters ?? {})];
     if (kind === "look") return this.#looked(part);
@@ -271,6 +280,20 @@ export class CueEditor extends CueElement {
       ...points.map((name) => `gaze_point ${name}`),
     ];
   }
+}
+
+/** The goal of a part without how a clip plays, which has fields of its own. */
+function nameOf(part: string, goal: Goal): Goal {
+  const call = kindOf(part) === "clip" ? clipCallOf(goal) : null;
+  return call === null ? goal : { [call.clip]: 1 };
+}
+
+/** The goal that a text says; another clip plays as the one before did. */
+function goalAfter(part: string, before: Goal, text: string): Record<string, number> {
+  const goal = parseGoal(part, text);
+  if (kindOf(part) !== "clip") return goal;
+  const [was, is] = [clipCallOf(before), clipCallOf(goal)];
+  return was === null || is === null ? goal : goalOfClip({ ...was, clip: is.clip });
 }
 
 const coloursWith = (colour: string): (readonly [string, string])[] => {

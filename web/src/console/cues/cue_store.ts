@@ -95,6 +95,7 @@ export class CueStore extends TopicStore<CueTopic> {
     show.hear("state", (state) => this.#receive(state));
     for (const topic of ["link", "notice", "manifest", "characters"] as const)
       show.listen(topic, () => this.tell(topic));
+    show.listen("clips", () => this.tell("manifest"));
   }
 
   // --- what shows ---
@@ -136,6 +137,11 @@ export class CueStore extends TopicStore<CueTopic> {
     return Object.fromEntries(characters.map(([name, { label }]) => [name, label]));
   }
 
+  /** The names of the clips of the show. */
+  get clips(): readonly string[] {
+    return this.show.newest("clips")?.names ?? [];
+  }
+
   /** The names that cues can call now; null until the cast is here. */
   get known(): KnownNames | null {
     const { faces, expressions, lights, state } = this.show;
@@ -145,6 +151,7 @@ export class CueStore extends TopicStore<CueTopic> {
       face: names(faces),
       expression: names(expressions),
       light: names(lights),
+      clip: new Set(this.clips),
       character: new Set(Object.keys(state.characters)),
       "gaze point": new Set(Object.keys(state.gaze_points)),
     };

@@ -42,8 +42,8 @@ it("says the moves of a running order", () => {
     "Kaori face → dog (2 s after 0.5 s); light → flat (0 s)",
   );
   const actions = [
-    { does: "osc", to: "desk:9000", what: "/go 1", delay: 0.5, voice: "" },
-    { does: "say", to: "kaori", what: "Good evening.", delay: 0, voice: "de" },
+    { does: "osc", to: "desk:9000", what: "/go 1", delay: 0.5, voice: "", sound: "" },
+    { does: "say", to: "kaori", what: "Good evening.", delay: 0, voice: "de", sound: "" },
   ] as const;
   expect(movesWords({ moves: {}, actions: [...actions] }, { kaori: "Kaori" })).toBe(
     "osc desk:9000 /go 1 after 0.5 s; Kaori: “Good evening.”",

@@ -52,8 +52,10 @@ export function movesWords(
     ([part, { goal, seconds, delay }]) =>
       `${partWords(part, labels)} → ${goalText(part, goal)} (${seconds} s${late(delay)})`,
   );
-  const done = actions.map(({ does, to, what, delay }) =>
-    does === "say" ? `${labels[to] || to}: “${what}”${late(delay)}` : `${does} ${to} ${what}${late(delay)}`,
+  const done = actions.map(({ does, to, what, delay, sound }) =>
+    does === "say"
+      ? `${labels[to] || to}: ${what === "" ? `sound ${sound}` : `“${what}”`}${late(delay)}`
+      : `${does} ${to} ${what}${late(delay)}`,
   );
   return [...moved, ...done].join("; ");
 }

@@ -1,6 +1,7 @@
 /** Goals of cues as people write them: as in the text files of docs/howto/cues.md, without their outer brackets. */
 
 import { LAYER_PARTS, LAYERS, PLAY_REGIONS } from "../../link/constants";
+import { clipCallOf, clipWords } from "./clip_goal";
 
 export type Goal = Readonly<Record<string, number>>;
 
@@ -54,11 +55,13 @@ export function firstGoal(part: string): string {
   return numbers === undefined ? "" : goalText(part, numbers);
 }
 
-/** A goal as text: a name, a number, or all weights or numbers by name. */
+/** A goal as text: a name, a number, or all weights or numbers by name; of a clip how it plays, in words. */
 export function goalText(part: string, goal: Goal): string {
   const entries = Object.entries(goal);
   const [first] = entries;
   if (first === undefined) return nothingOf(part) ?? WITH_FACE;
+  const clip = kindOf(part) === "clip" && entries.length > 1 ? clipCallOf(goal) : null;
+  if (clip !== null) return clipWords(clip);
   const numbers = kindOf(part) in NUMBERS;
   if (numbers && takesOneNumber(part) && entries.every(([, value]) => value === first[1])) return String(first[1]);
   const plain = first[1] === 1 && !numbers && !/[=,{}"]/.test(first[0]) && first[0].trim() === first[0];

@@ -5,6 +5,7 @@ const KNOWN: KnownNames = {
   face: new Set(["dog"]),
   expression: new Set(["joy", "neutral"]),
   light: new Set(["flat"]),
+  clip: new Set(["line1"]),
   character: new Set(["one", "two"]),
   "gaze point": new Set(["seat"]),
 };
@@ -25,14 +26,17 @@ it.each([
   ["one/look", ["stage left"], []],
   ["one/layer:tracker", ["brows"], []],
   ["*/black", ["black"], []],
+  ["one/clip", ["line1", ":start"], []],
+  ["one/clip", ["line2", ":start"], ["no clip line2"]],
+  ["one/clip", [], []],
 ])("%s to %j lacks %j", (part, names, missing) => {
-  expect(missingInMove(part, names, KNOWN)).toEqual(missing);
+  expect(missingInMove(part, Object.fromEntries(names.map((name) => [name, 1])), KNOWN)).toEqual(missing);
 });
 
 it("says each thing of a cue once", () => {
   const move = { seconds: 1, easing: "smooth", delay: 0 };
   const moves = { "gone/face": { goal: { dgo: 1 }, ...move }, "gone/head": { goal: { yaw: 0 }, ...move } };
-  const say = { does: "say", to: "nobody", what: "Ho", delay: 0, voice: "" } as const;
+  const say = { does: "say", to: "nobody", what: "Ho", delay: 0, voice: "", sound: "" } as const;
   expect(missingInCue({ moves, actions: [say, { ...say, to: "*" }] }, KNOWN)).toEqual([
     "no character gone",
     "no face dgo",

@@ -2,15 +2,17 @@
 
 import { ALL, PLAY_REGIONS } from "../../link/constants";
 import type { Cue } from "../../link/messages";
-import { kindOf } from "./goal_text";
+import { clipCallOf } from "./clip_goal";
+import { type Goal, kindOf } from "./goal_text";
 
 /** The names that there are, by what they are of. */
 export type KnownNames = Readonly<
-  Record<"face" | "expression" | "light" | "character" | "gaze point", ReadonlySet<string>>
+  Record<"face" | "expression" | "light" | "clip" | "character" | "gaze point", ReadonlySet<string>>
 >;
 
 /** What a move names that there is not, in words: `no face dgo`. */
-export function missingInMove(part: string, names: readonly string[], known: KnownNames): string[] {
+export function missingInMove(part: string, goal: Goal, known: KnownNames): string[] {
+  const names = Object.keys(goal);
   const owner = part.slice(0, part.lastIndexOf("/"));
   const kind = kindOf(part);
   const lacks = (of: keyof KnownNames, name: string): string[] => (known[of].has(name) ? [] : [`no ${of} ${name}`]);
@@ -18,6 +20,8 @@ export function missingInMove(part: string, names: readonly string[], known: Kno
   if (kind === "face" || kind === "light") return [...whose, ...names.flatMap((name) => lacks(kind, name))];
   if (kind === "expression" || (PLAY_REGIONS as readonly string[]).includes(kind))
     return [...whose, ...names.flatMap((name) => lacks("expression", name))];
+  const call = kind === "clip" ? clipCallOf(goal) : null;
+  if (call !== null) return [...whose, ...lacks("clip", call.clip)];
   if (kind === "framing")
     return names.flatMap((name) => name.split("+").flatMap((one) => (one === ALL ? [] : lacks("character", one))));
   const [looked = "", at] = /^(?:character|gaze_point) (.+)$/.exec(names[0] ?? "") ?? [];
@@ -27,7 +31,7 @@ export function missingInMove(part: string, names: readonly string[], known: Kno
 
 /** What a cue names that there is not, each once. */
 export function missingInCue({ moves, actions }: Pick<Cue, "moves" | "actions">, known: KnownNames): string[] {
-  const moved = Object.entries(moves).flatMap(([part, { goal }]) => missingInMove(part, Object.keys(goal), known));
+  const moved = Object.entries(moves).flatMap(([part, { goal }]) => missingInMove(part, goal, known));
   const said = actions.flatMap(({ does, to }) =>
     does !== "say" || to === ALL || known.character.has(to) ? [] : [`no character ${to}`],
   );
