@@ -92,11 +92,11 @@ def record_two_passes(page: Page, name: str) -> None:
     page.keyboard.press("k")
     wait_until(page, f"{CLIPS}.lanes.length === 1")
     arm_alone(page, "brows")
-    page.get_by_role("button", name="Record").click()
+    page.get_by_role("button", name="Record", exact=True).click()
     wait_until(page, f"{CLIPS}.pass?.parts.join() === 'brows'")
     play_channel(page, "browInnerUp", 0.75)
     play_channel(page, "browInnerUp", 0.0)
-    page.get_by_role("button", name="Keep").click()
+    page.get_by_role("button", name="Keep", exact=True).click()
     wait_until(page, f"{CLIPS}.lanes.length === 2")
 
 
@@ -139,7 +139,7 @@ def test_two_passes_are_recorded_played_muted_shifted_and_replaced(open_page: Op
     assert page.evaluate(f"[{CLIPS}.lane, {CLIPS}.span.from > 0]") == [0, True]
     page.get_by_role("button", name="Into the span").click()
     wait_until(page, f"{CLIPS}.lanes.length === 1 && {CLIPS}.lanes[0].spans.length === 1")
-    page.get_by_role("button", name="Undo").click()
+    page.get_by_role("button", name="Undo", exact=True).click()
     wait_until(page, f"{CLIPS}.lanes.length === 2 && {CLIPS}.lanes[0].spans.length === 0")
 
 
@@ -165,7 +165,7 @@ def test_a_span_is_recorded_again_and_every_console_has_the_light(open_page: Ope
     # What is recorded here is kept there; a tile plays the clip, and ends it.
     page.keyboard.press("r")
     light.click()
-    desk.get_by_role("button", name="Keep", exact=True).click()
+    desk.locator("omote-passes").get_by_role("button", name="Keep").click()
     wait_until(page, f"{CLIPS}.pass === null && {CLIPS}.lanes.length === 3")
     desk.evaluate(f"{DESK}.arrange({{ kind: 'clips', view: 'palettes' }})")
     tile = desk.locator("omote-clip-tiles [data-name='second']")

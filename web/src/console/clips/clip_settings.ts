@@ -17,6 +17,27 @@ const style = css`
   input {
     width: 62px;
   }
+  .file {
+    position: relative;
+    padding: 0 8px;
+    min-height: var(--finger, 32px);
+    color: var(--text);
+    background: var(--raised);
+    border: 1px solid var(--line);
+    border-radius: 4px;
+    cursor: pointer;
+  }
+  .file input {
+    position: absolute;
+    inset: 0;
+    width: 100%;
+    opacity: 0;
+    cursor: pointer;
+  }
+  .file:focus-within {
+    outline: 2px solid var(--focus);
+    outline-offset: 1px;
+  }
   b {
     overflow-wrap: anywhere;
     font-size: 15px;
@@ -60,7 +81,7 @@ export class ClipSettings extends ClipElement {
 
   override render() {
     const { outline, name, locked } = this.clips;
-    if (outline === null) return html`<b>${name}</b>`;
+    if (outline === null) return html`<b>${name}</b>${name === "" ? nothing : this.#sound()}`;
     return html`<b>${name}</b>${FIELDS.map(
       ([
         field,
@@ -70,10 +91,31 @@ export class ClipSettings extends ClipElement {
         .value=${shown(outline[field])} @change=${(event: Event) => this.#set(field, event)}></label>`,
     )}
       <button aria-pressed=${outline.loop} title=${locked || "Begins again at its end (L)"} ?disabled=${locked !== ""}
-        @click=${() => this.clips.editClip({ loop: !outline.loop })}>Loop</button>${nothing}`;
+        @click=${() => this.clips.editClip({ loop: !outline.loop })}>Loop</button>${this.#sound()}`;
   }
 
-  #set(field: (typeof FIELDS)[number][0], event: Event): void {
+  /** What is heard with it, to play along with. */
+  #sound() {
+    const { clips } = this;
+    const { outline, sound, locked } = clips;
+    const barred = locked !== "";
+    return html`<label class="file" title=${locked || "A sound (WAV, MP3, Ogg) that is heard with it, from the place that is marked on: passes are recorded along with it"}>${sound === "" ? "Sound …" : "Other sound …"}<input type="file" accept="audio/*" aria-label="Sound of the clip" ?disabled=${barred} @change=${this.#bring}></label>
+      ${
+        sound === ""
+          ? nothing
+          : html`${outline === null ? html`<span>♪ from the first pass on</span>` : html`<label title="Where the sound begins, seconds of the lanes">♪ at<input inputmode="decimal" aria-label="The sound begins at" ?disabled=${barred} .value=${shown(outline.sound_at)} @change=${(event: Event) => this.#set("sound_at", event)}></label>`}
+      <button aria-label="No sound" title="No sound" ?disabled=${barred} @click=${() => clips.setSound("")}>✕</button>`
+      }`;
+  }
+
+  readonly #bring = (event: Event): void => {
+    const field = event.target as HTMLInputElement;
+    const [file] = field.files ?? [];
+    field.value = "";
+    if (file !== undefined) void this.clips.bringSound(file);
+  };
+
+  #set(field: (typeof FIELDS)[number][0] | "sound_at", event: Event): void {
     const { outline } = this.clips;
     const number = numberIn(textOf(event));
     if (number !== null && number !== outline?.[field]) this.clips.editClip({ [field]: number });

@@ -13,6 +13,8 @@ const outline = (...names: string[]): ClipOutline => ({
   blend_out: 0.3,
   loop: false,
   speed: 1,
+  sound: "",
+  sound_at: 0,
   lanes: names.map((name) => ({ ...LANE, name })),
   edits: 1,
 });
@@ -51,6 +53,7 @@ beforeEach(async () => {
     "page",
   );
   const request = async (address: string) => {
+    if (address === "/sounds") return { ok: true, json: async () => ({ sound: "key", seconds: 4 }) } as Response;
     const found = stored[decodeURIComponent(address.replace("/clip_outlines/", ""))];
     return { ok: true, status: found ? 200 : 204, json: async () => found } as unknown as Response;
   };
@@ -159,6 +162,26 @@ describe("the store of clips", () => {
     clips.select(null);
     clips.mark("to");
     expect([clips.span, show.notice]).toEqual([null, expect.stringContaining("press I")]);
+  });
+
+  it("has a sound heard with the clip, and with a new one from its first pass on", async () => {
+    clips.seek(2);
+    await clips.bringSound(new Blob());
+    expect(last()).toMatchObject({ type: "edit_clip", sound: "key", sound_at: 2 });
+    clips.choose("new");
+    await clips.bringSound(new Blob());
+    clips.setCountIn(false);
+    clips.record();
+    expect(last()).toMatchObject({ type: "record_clip", name: "new", sound: "key", start: null });
+  });
+
+  it("says why a clip plays without its sound, once", () => {
+    const playing = [{ name: "line", elapsed: 1, seconds: 7, share: 1, silent: "no stage plays sounds." }];
+    tick(101, playing);
+    expect(show.notice).toContain("no stage plays sounds.");
+    show.say(null);
+    tick(102, playing);
+    expect(show.notice).toBeNull();
   });
 
   it("does nothing that its role may not do, and says why", () => {

@@ -58,6 +58,9 @@ export class ClipStore extends TopicStore<ClipTopic> {
   counting: number | null = null;
   search = "";
   access: AccessDocument = { role: "admin", name: "", asked: false };
+  /** The sound that a new clip has from its first pass on; "" for none. */
+  firstSound = "";
+  #silent = "";
   #chosen = "";
   #again: SpanAgain | null = null;
   #work: ClipWork = NO_WORK;
@@ -76,7 +79,10 @@ export class ClipStore extends TopicStore<ClipTopic> {
     super();
     show.hear("clips", () => this.#receiveNames());
     show.hear("clip_work", (work) => this.#receiveWork(work));
-    show.hear("state", () => this.#endSpan());
+    show.hear("state", () => {
+      this.#endSpan();
+      this.#hearSilence();
+    });
     show.listen("link", () => this.#relink());
     for (const topic of ["notice", "characters", "undo"] as const) show.listen(topic, () => this.tell(topic));
   }
@@ -151,7 +157,7 @@ export class ClipStore extends TopicStore<ClipTopic> {
   choose(name: string): void {
     this.name = name;
     [this.lane, this.span, this.begun, this.outline] = [0, null, null, null];
-    this.cursor = 0;
+    [this.cursor, this.firstSound] = [0, ""];
     this.tell("clips");
     void this.#read(true);
   }
@@ -313,7 +319,8 @@ export class ClipStore extends TopicStore<ClipTopic> {
       this.#again = null;
       this.show.say(reason);
     };
-    this.show.ask({ ...asked, parts: [...parts] }, { refused });
+    const sound = this.outline === null ? this.firstSound : "";
+    this.show.ask({ ...asked, parts: [...parts], sound }, { refused });
   }
 
   #end(how: "keep" | "discard"): void {
@@ -323,6 +330,13 @@ export class ClipStore extends TopicStore<ClipTopic> {
       [this.#ending, this.#again] = [how, null];
       this.show.ask({ type: "keep_pass", character: pass.character, keep: how === "keep" });
     }
+  }
+
+  /** Says why the sound of a clip that plays is not heard. */
+  #hearSilence(): void {
+    const silent = this.playing?.silent ?? "";
+    if (silent !== "" && silent !== this.#silent) this.show.say(`The clip plays without its sound: ${silent}`);
+    this.#silent = silent;
   }
 
   /** The span that is recorded again is over. */
@@ -379,6 +393,39 @@ export class ClipStore extends TopicStore<ClipTopic> {
       undo: [{ type: "edit_clip", name, ...before }],
       redo: [{ type: "edit_clip", name, ...change }],
     });
+  }
+
+  /** The key of the sound that is heard with the clip; "" for none. */
+  get sound(): string {
+    return this.outline === null ? this.firstSound : this.outline.sound;
+  }
+
+  /** Sends a file with a sound, which is heard with the clip from the place that is marked on; a new clip from its first pass on. */
+  async bringSound(file: Blob): Promise<void> {
+    if (!this.#may(this.locked)) return;
+    const { name, cursor } = this;
+    try {
+      const answer = await this.request("/sounds", { method: "POST", body: file });
+      if (!answer.ok) throw new Error(await answer.text());
+      const { sound, seconds } = (await answer.json()) as { sound: string; seconds: number };
+      if (name !== this.name) throw new Error(`Another clip is shown by now: ${name} has no other sound.`);
+      this.setSound(sound, cursor);
+      this.show.say(`${name} has a sound of ${clipTime(seconds)}; passes are recorded along with it.`, "done");
+    } catch (error) {
+      this.show.say(
+        error instanceof TypeError
+          ? "The show does not answer: the sound was not sent."
+          : `${(error as Error).message}`,
+      );
+    }
+  }
+
+  /** Has another sound heard with the clip, from a place on; "": none. */
+  setSound(sound: string, from = 0): void {
+    if (this.outline === null) {
+      this.firstSound = sound;
+      this.tell("view");
+    } else this.editClip(sound === "" ? { sound } : { sound, sound_at: from });
   }
 
   editLane(index: number, change: EditOf<EditLane>, what: string): void {

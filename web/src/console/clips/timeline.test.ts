@@ -22,6 +22,8 @@ const clip = (...lanes: LaneOutline[]): ClipOutline => ({
   blend_out: 0,
   loop: false,
   speed: 1,
+  sound: "",
+  sound_at: 0,
   lanes,
   edits: 1,
 });
