@@ -13,8 +13,10 @@ from typer.testing import CliRunner
 from omote.builtin import load_cast
 from omote.cli import app
 from omote.recording_commands import read_clock, told_length
+from omote.server.persistence.offline_show import open_offline_show
 from omote.server.recording.recording_thread import RecordingThread
 from omote.show.objects.recordings import MarkMoment
+from omote.show.objects.speech import PlaySound
 from omote.showfile.recording_file import open_recording, recording_path
 from omote.showfile.show_file import open_show
 from tests.show.recording.random_show import RandomShow
@@ -114,3 +116,21 @@ def test_what_is_no_time_is_refused(text: str) -> None:
 
 def test_a_length_is_told_as_people_write_it() -> None:
     assert told_length(3725.26) == "1:02:05.3"
+
+
+def test_a_sound_is_forgotten_once_no_show_plays_the_file(tmp_path: Path) -> None:
+    path = tmp_path / "a.omote"
+    open_show(path).close()
+    cast = load_cast()
+    show = RandomShow(5, {cast.digest: cast}, calm=1e9)
+    writer = RecordingThread(recording_path(path), pytest.fail, "test", {"bell": b"ding"}.get)
+    show.send("ana", PlaySound("one", "a", "bell"))
+    show.play(0.1)
+    writer.note(show.entries)
+    writer.close()
+    assert "there is no sound 'gong' in this recording" in said("forget", path, "bell", "gong", status=1)
+    with open_offline_show(path):
+        assert "plays" in said("forget", path, "bell", status=1)
+    assert "no recording of bell any more" in said("forget", path, "bell")
+    assert "there is no sound 'bell'" in said("forget", path, "bell", status=1)
+    assert b"ding" not in recording_path(path).read_bytes()

@@ -86,6 +86,23 @@ def delete(file: ShowFileArgument, name: Annotated[str, typer.Argument(help="The
     say(f"{name} is kept no longer; it goes when the ring needs its place.")
 
 
+@recording_app.command("forget")
+def forget_sounds(
+    file: ShowFileArgument,
+    sounds: Annotated[list[str], typer.Argument(help="Their keys, as of send_sound.")],
+) -> None:
+    """Removes sounds for good, with all that was recorded while they were needed; no show plays the file."""
+    from omote.server.persistence.offline_show import open_offline_show
+    from omote.showfile.recording_file import sound_key
+
+    with opened(file) as (_, recorded), open_offline_show(file):
+        missing = [sound for sound in sounds if not recorded.contents([sound_key(sound)])]
+        if missing:
+            fail(f"there is no sound {missing[0]!r} in this recording; nothing was removed.")
+        seconds = recorded.forget([sound_key(sound) for sound in sounds])
+    say(f"{file} has no recording of {', '.join(sounds)} any more: {told_length(seconds)} went with it.")
+
+
 @recording_app.command()
 def check(file: ShowFileArgument, name: NameArgument = "", begin: FromOption = 0.0, end: ToOption = None) -> None:
     """Replays a recording and says whether every state is the one that was sent."""

@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 
 from omote.show.recording import recorder
-from omote.showfile.recording_file import KeptRecording, open_recording, recording_path
+from omote.showfile.recording_file import KeptRecording, open_recording, recording_path, sound_key
 from omote.showfile.schema import ShowFileError
 from tests import synthetic
 from tests.server.recording.test_recorded_show import record
@@ -42,6 +42,20 @@ def test_the_ring_keeps_what_has_a_name(tmp_path: Path) -> None:
     assert file.casts() == {}
     with pytest.raises(ValueError, match="no recording 'opening'"):
         file.delete("opening")
+    file.close()
+
+
+def test_a_sound_is_forgotten_with_all_that_needed_it(tmp_path: Path) -> None:
+    file = open_recording(recording_path(tmp_path / "show.omote"), new=True)
+    start = file.begin_start(1e9, 0.0, "test")
+    for place, casts in enumerate((["a"], ["a", sound_key("bell")], ["a", sound_key("gong")])):
+        piece = file.begin_piece(start, 60.0 * place)
+        for key in casts[1:]:
+            file.keep_content(key, b"ding")
+        file.add(piece, b"", last=60.0 * place + 59.0, ticks=1, casts=casts)
+    assert file.forget([sound_key("bell")]) == 59.0
+    assert [piece.first for piece in file.pieces()] == [0.0, 120.0]
+    assert file.contents([sound_key("bell"), sound_key("gong")]) == {sound_key("gong"): b"ding"}
     file.close()
 
 

@@ -121,6 +121,11 @@ def recording_path(show: Path) -> Path:
     return show.with_name(show.name + SUFFIX)
 
 
+def sound_key(sound: str) -> str:
+    """Under which key a recording keeps a sound. sound: its key in the show."""
+    return f"sound-{sound}"
+
+
 class RecordingFile:
     """An open recording; made by `open_recording`."""
 
@@ -164,7 +169,7 @@ class RecordingFile:
         ticks : int
             How many.
         casts : iterable of str
-            The digests of all casts that the piece has played, and the keys of clips.
+            The digests of all casts that the piece has played, and the keys of clips and sounds.
         markers : sequence of (float, str, str)
             When, what and who.
         """
@@ -199,7 +204,8 @@ class RecordingFile:
             self._connection.executemany("INSERT OR IGNORE INTO content VALUES (?, ?)", contents)
 
     def keep_content(self, key: str, data: bytes) -> None:
-        """Keeps a content that a piece names among its casts, where it is not kept yet. key: of it; data: its bytes."""
+        """Keeps a clip or a sound that a piece names among its casts, where it is not kept yet. key: of it; data: its
+        bytes."""
         with self._connection:
             self._connection.execute("INSERT OR IGNORE INTO content VALUES (?, ?)", (key, data))
 
@@ -263,10 +269,10 @@ class RecordingFile:
                 raise ValueError(f"there is no recording {name!r}; there are {self._names()}")
 
     def forget(self, keys: Iterable[str]) -> float:
-        """Removes contents of own faces for good, with all that was recorded while the cast had them; returns the
-        seconds of that. keys: of the contents."""
+        """Removes contents of own faces, and clips and sounds, for good, with all that was recorded while the cast had
+        them, or they were needed; returns the seconds of that. keys: of the contents."""
         forgotten = set(keys)
-        casts = {digest for digest, cast in self.casts().items() if forgotten.intersection(cast.contents)}
+        casts = forgotten | {digest for digest, cast in self.casts().items() if forgotten.intersection(cast.contents)}
         rows = self._connection.execute("SELECT id, last - first, casts FROM piece").fetchall()
         gone = [(number, seconds) for number, seconds, played in rows if casts.intersection(played.split())]
         self._connection.execute("PRAGMA secure_delete = ON").fetchone()

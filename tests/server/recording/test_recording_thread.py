@@ -15,6 +15,7 @@ from omote.server.recording import recording_thread
 from omote.server.recording.recorded_show import RecordedShow
 from omote.server.recording.recording_thread import RecordingThread, read_entries
 from omote.show.objects.clips import DropClip, KeepPass, PlayClip, RecordClip, RestoreClip
+from omote.show.objects.speech import PlaySound
 from omote.show.recording import recorder
 from omote.show.recording.entries import Ticked, begins_piece, encode_entries
 from omote.show.recording.recorder import Recorder
@@ -147,6 +148,52 @@ def test_what_the_ring_has_lost_is_kept_anew_where_it_is_played_again(
     assert len(ticks) < len(show.states)
     reading.close()
     file.close()
+
+
+def test_a_sound_is_kept_once_while_the_ring_needs_it(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(recording_thread, "RING_SECONDS", 1.0)
+    path = recording_path(tmp_path / "show.omote")
+    asked: list[str] = []
+
+    def find(key: str) -> bytes | None:
+        asked.append(key)
+        return {"bell": b"ding"}.get(key)
+
+    writer = RecordingThread(path, pytest.fail, "test", find)
+    show = RandomShow(15, {CAST.digest: CAST}, calm=1e9)
+    show.session.set_sounds({"bell": 3.0, "gong": 2.0})
+
+    def play(seconds: float) -> None:
+        for _ in range(round(60 * seconds)):
+            show.entries.clear()
+            show.tick()
+            writer.note(list(show.entries))
+        writer_is_idle(writer)
+
+    def kept() -> bool:
+        file = open_recording(path)
+        reading = RecordedShow(file, CAST)
+        found = reading.find_sound("bell")
+        assert reading.find_sound("gong") is None
+        reading.close()
+        file.close()
+        assert found in (None, b"ding")
+        return found is not None
+
+    show.send("ana", PlaySound("one", "a", "bell"))
+    show.send("ana", PlaySound("two", "b", "gong"))
+    play(2.5)
+    assert kept(), "the second minute begins while it is heard"
+    assert asked.count("bell") == 1
+    play(9.0)
+    assert not kept()
+    show.send("ana", RecordClip("c", "one", "line", sound="bell"))
+    play(0.5)
+    show.send("ana", KeepPass("d", "one"))
+    play(9.0)
+    assert kept(), "a clip has it"
+    assert asked.count("bell") == 2
+    writer.close()
 
 
 def writer_is_idle(writer: RecordingThread) -> None:

@@ -101,6 +101,7 @@ class ShowServer:
         self._cues = CueRoutes(session)
         self.recording = RecordingRoutes(session, documents, lambda: self.clock(), self._deliver)
         self._clips = ClipStore(session)
+        self.sounds = Sounds(session.set_sounds)
         self.outside = ""
         self._state: State | None = None
 
@@ -207,9 +208,8 @@ class ShowServer:
 
     def _add_device_routes(self, application: web.Application) -> None:
         """Adds what surfaces read, where trackers and sounds are sent, and what others add."""
-        sounds = Sounds(self.session.set_sounds)
-        sounds.add_routes(application)
-        self.voices = Voices(sounds, lambda: self._run_job)
+        self.sounds.add_routes(application)
+        self.voices = Voices(self.sounds, lambda: self._run_job)
         self.voices.add_routes(application)
         layout = TouchoscLayout(lambda: (self.session.cast, tuple(self.session.scene)), self._build_layout)
         application.router.add_get(TOUCHOSC_PATH, layout.respond)

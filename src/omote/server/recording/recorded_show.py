@@ -15,7 +15,7 @@ from omote.show.declaration import ClientMessage, tag_of
 from omote.show.objects.clips import StoredClip, clip_of
 from omote.show.recording.entries import AnyEntry, ChannelsSet, Joined, Sent, SnapshotTaken
 from omote.show.recording.replay import ReplayedTick, ReplayError, replay
-from omote.showfile.recording_file import Piece, RecordingFile
+from omote.showfile.recording_file import Piece, RecordingFile, sound_key
 from omote.stage_data.playing_cast import Own, PlayingCast, build_playing_cast
 
 SILENT = ("drive", "drawing", "joined")
@@ -93,6 +93,11 @@ class RecordedShow:
                 raise LookupError("a clip that was played is not there any more")
             self._clips[key] = clip_of(msgspec.json.decode(data, type=StoredClip))
         return self._clips[key]
+
+    def find_sound(self, sound: str) -> bytes | None:
+        """The bytes of a sound that was recorded, None for another. sound: its key in the show."""
+        key = sound_key(sound)
+        return self._file.contents([key]).get(key)
 
     def contents_of(self, digest: str) -> dict[str, bytes]:
         """The contents of a cast's own items, by key. digest: of the cast."""

@@ -23,15 +23,24 @@ from omote.show.recording.entries import (
     Joined,
     Recast,
     Sent,
+    SoundsKnown,
     Ticked,
     begins_piece,
     decode_entries,
     encode_entries,
     name_clips,
+    sounds_of,
 )
 from omote.show.recording.packing import pack_entries, unpack_entries
 from omote.showfile.database_errors import explain_database_error
-from omote.showfile.recording_file import RING_SECONDS, KeptRecording, RecordingFile, StoredCast, open_recording
+from omote.showfile.recording_file import (
+    RING_SECONDS,
+    KeptRecording,
+    RecordingFile,
+    StoredCast,
+    open_recording,
+    sound_key,
+)
 from omote.showfile.schema import ShowFileError
 from omote.stage_data.playing_cast import PlayingCast
 
@@ -50,14 +59,23 @@ Answer = Callable[[str], None]
 class RecordingThread:
     """The recording of a show from now on.
 
-    path: of the recording; report: tells the operator; program: the version that records. Nothing raises; where the
-    disk fails, that is told once, and the recording goes on when the disk does.
+    path: of the recording; report: tells the operator; program: the version that records; find_sound: the bytes of a
+    sound by its key, None where it is not there, from any thread. Nothing raises; where the disk fails, that is told
+    once, and the recording goes on when the disk does.
     """
 
-    def __init__(self, path: Path, report: Callable[[str], None], program: str) -> None:
+    def __init__(
+        self,
+        path: Path,
+        report: Callable[[str], None],
+        program: str,
+        find_sound: Callable[[str], bytes | None] = lambda _: None,
+    ) -> None:
         self.path = path
         self._program = program
         self._report = report
+        self._find_sound = find_sound
+        self._sounds = set[str]()
         self._work: SimpleQueue[Callable[[], None] | None] = SimpleQueue()
         self._ticks: SimpleQueue[Sequence[AnyEntry]] = SimpleQueue()
         self._file: RecordingFile | None = None
@@ -203,6 +221,11 @@ class RecordingThread:
             for entry in entries
             if isinstance(entry, Sent) and isinstance(entry.message, MarkMoment)
         ]
+        for key in {key for entry in entries for key in sounds_of(entry)}:
+            self._keep_sound(key)
+        there = {key for entry in entries if isinstance(entry, SoundsKnown) for key in entry.seconds}
+        for key in there & {clip.sound for clip in self._clips}:  # which came after its clip
+            self._keep_sound(key)
         data = encode_entries(name_clips(entries, self._keep_clip))
         casts = dict.fromkeys(self._casts)
         self._opened().add(self._piece, data, last=ticks[-1], ticks=len(ticks), casts=casts, markers=marks)
@@ -220,7 +243,20 @@ class RecordingThread:
             self._opened().keep_content(key, data)
             self._clips[clip] = key
         self._casts.append(key)
+        if clip.sound:
+            self._keep_sound(clip.sound)
         return key
+
+    def _keep_sound(self, sound: str) -> None:
+        """Keeps a sound that the piece needs, once; one that is not there any more is not heard in a replay."""
+        key = sound_key(sound)
+        if key not in self._sounds:
+            data = self._find_sound(sound)
+            if data is None:
+                return
+            self._opened().keep_content(key, data)
+            self._sounds.add(key)
+        self._casts.append(key)
 
     def _pack(self) -> None:
         """Packs the piece that has ended, and makes room."""
@@ -230,6 +266,7 @@ class RecordingThread:
             lost = file.trim(RING_SECONDS)
             for clip in [clip for clip, key in self._clips.items() if key in lost]:
                 del self._clips[clip]
+            self._sounds -= lost
             self._piece = None
 
     def _carry_out(self, work: Callable[[RecordingFile], None], answer: Answer) -> None:

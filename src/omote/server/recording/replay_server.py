@@ -21,10 +21,11 @@ from omote.server.http.document_routes import NO_CACHE
 from omote.server.http.static_pages import REPLAY_PAGES, Page, read_pages
 from omote.server.recording.recorded_show import LogLine, RecordedShow, Span
 from omote.server.recording.replay_player import ReplayPlayer, TransportRequest
+from omote.server.sounds.sound_routes import Sounds
 from omote.show.declaration import ClientMessage, Outgoing
 from omote.show.messages import STATE_RATE
 from omote.show.objects.stages import CastChanged
-from omote.show.objects.state import State
+from omote.show.objects.state import CharacterState, State
 from omote.show.session import ShowSession
 from omote.show.validation import Refusal
 from omote.stage_data.playing_cast import PlayingCast, build_playing_cast
@@ -43,7 +44,7 @@ class ReplaySession(ShowSession):
         super().__init__(cast)
         self._player = player
         self._advanced: float | None = None
-        self._newest: State | None = None
+        self._jumps = 0
 
     def _obey(self, who: str, message: ClientMessage, now: float) -> list[Outgoing]:
         if message.access != "view":
@@ -58,10 +59,26 @@ class ReplaySession(ShowSession):
         shown = self._player.advance(elapsed)
         if shown is None:
             return super().tick(now)
-        epoch = self.epoch + self._player.transport().jumps
-        state = msgspec.structs.replace(shown, epoch=epoch, number=self.number, revision=self.revision)
+        played = self._player.transport()
+        is_heard = played.playing and played.rate == 1.0 and played.jumps == self._jumps
+        self._jumps = played.jumps  # a state without sounds ends those of before
+        epoch = self.epoch + played.jumps
+        heard = shown if is_heard else silenced(shown)
+        state = msgspec.structs.replace(heard, epoch=epoch, number=self.number, revision=self.revision)
         self._time = state.time
         return state
+
+
+def silenced(state: State) -> State:
+    """A state with nothing to be heard: sounds have one speed, and cannot stand."""
+    replace = msgspec.structs.replace
+
+    def silent(character: CharacterState) -> CharacterState:
+        said = character.speech
+        speech = None if said is None else replace(said, sound="", next_sound="")
+        return replace(character, speech=speech, clips=[replace(clip, sound="") for clip in character.clips])
+
+    return replace(state, characters={name: silent(each) for name, each in state.characters.items()})
 
 
 class ReplayServer:
@@ -75,6 +92,7 @@ class ReplayServer:
         self.player = ReplayPlayer(show, span)
         self._moments: list[dict[str, object]] | None = None
         self.server = ShowServer(ReplaySession(documents.playing, self.player), documents, pages)
+        self.server.sounds = Sounds(self.server.session.set_sounds, show.find_sound)
         self.server.more_routes.append(self.add_routes)
 
     def add_routes(self, application: web.Application) -> None:

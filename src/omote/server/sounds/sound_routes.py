@@ -15,11 +15,17 @@ KEPT = "private, max-age=31536000, immutable"
 
 
 class Sounds:
-    """Takes in sounds and gives them to stages; known: is told the keys of all that there are with their seconds."""
+    """Takes in sounds and gives them to stages; tell_lengths: is told the keys of all that there are, with their
+    seconds; find_other: the bytes of one that was not sent here, by its key, None where there is none."""
 
-    def __init__(self, tell_lengths: Callable[[dict[str, float]], None]) -> None:
+    def __init__(
+        self,
+        tell_lengths: Callable[[dict[str, float]], None],
+        find_other: Callable[[str], bytes | None] = lambda _: None,
+    ) -> None:
         self._sounds: dict[str, SoundFile] = {}
         self._tell_lengths = tell_lengths
+        self._find_other = find_other
 
     def add_routes(self, application: web.Application) -> None:
         """Adds where sounds are sent to, and where each is fetched."""
@@ -42,10 +48,18 @@ class Sounds:
 
     async def respond(self, request: web.Request) -> web.Response:
         """Responds with a sound by its key."""
-        sound = self._sounds.get(request.match_info["key"])
+        key = request.match_info["key"]
+        sound = self._sounds.get(key)
+        if sound is None and (other := self._find_other(key)) is not None:
+            sound = read_sound(other)
         if sound is None:
             raise web.HTTPNotFound(text="there is no such sound any more: send it to /sounds again.")
         return web.Response(body=sound.data, content_type=sound.type, headers={"Cache-Control": KEPT})
+
+    def find(self, key: str) -> bytes | None:
+        """The bytes of a sound by its key, None where it is not there."""
+        sound = self._sounds.get(key)
+        return None if sound is None else sound.data
 
     def keep(self, sound: SoundFile) -> None:
         """Keeps a sound as the newest, in the place of the oldest where there is no room."""

@@ -146,7 +146,9 @@ async def play(
     scans = ScanPreviews()
     enable_files(server, (lambda: kept.path, jobs.run) if kept and jobs else None, scans)
     recording = (
-        RecordingThread(recording_path(kept.path), tell, version("omote")) if kept and pipes.devices.recorded else None
+        RecordingThread(recording_path(kept.path), tell, version("omote"), server.sounds.find)
+        if kept and pipes.devices.recorded
+        else None
     )
     if recording:
         server.recording.enable(recording, jobs.run if jobs else None)

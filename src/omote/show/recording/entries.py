@@ -7,17 +7,19 @@ is not the same on two machines.
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from typing import TYPE_CHECKING, Any, TypeGuard, Union
 
 import msgspec
 
 from omote.perform.clips.clip import Clip
 from omote.perform.scene.scene_snapshot import SceneSnapshot
+from omote.perform.speech.speaking import speeches_of
 from omote.show.cues.cue_lists import RecordedCues, RecordedCueStates
 from omote.show.messages import CLIENT_MESSAGES
 from omote.show.objects.link import Bus
 from omote.show.objects.recordings import MarkMoment
+from omote.show.objects.speech import PlaySound, Say
 from omote.show.preview_bus import PreviewSnapshot
 from omote.show.session import ShowSession
 from omote.show.session_snapshot import SessionSnapshot
@@ -230,6 +232,17 @@ def name_clips(entries: list[AnyEntry], key_of: Callable[[Clip], str]) -> list[A
             entry = msgspec.structs.replace(entry, runs=runs)
         named.append(entry)
     return named
+
+
+def sounds_of(entry: AnyEntry) -> Iterable[str]:
+    """The keys of the sounds that an entry begins, or that are heard at a snapshot or wait then; those of clips are
+    theirs."""
+    if isinstance(entry, Sent) and isinstance(entry.message, Say | PlaySound) and entry.message.sound:
+        yield entry.message.sound
+    elif isinstance(entry, SnapshotTaken):
+        for character in entry.session.scene.characters.values():
+            said = character.performer.speaking
+            yield from () if said is None else (speech.sound for speech in speeches_of(said) if speech.sound)
 
 
 _encoder = msgspec.msgpack.Encoder()
