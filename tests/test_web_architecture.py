@@ -38,6 +38,7 @@ USED: dict[str, str] = {
     "stage": "link ui face/pose face/quality face/light face",
     "console/store": "link ui",
     "console/controls": "link ui console/store",
+    "console/clips": "link ui access console/store console/controls",
     "console/show_file": "link ui console/store console/controls",
     "console/devices": "link ui console/store console/controls",
     "console/leases": "link ui console/store console/controls",
@@ -49,7 +50,6 @@ USED: dict[str, str] = {
     "console/scene": "link ui console/store console/controls",
     "console/learn": "link ui console/store console/controls console/devices console/mixer console/palette",
     "console/cues": "link ui access console/store",
-    "console/clips": "link ui access console/store console/controls",
     "console": (
         "link ui access face/pose face console/store console/controls console/show_file console/devices "
         "console/leases console/mixer console/palette console/panels console/scene console/learn console/clips"
