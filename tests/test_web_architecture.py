@@ -38,23 +38,29 @@ USED: dict[str, str] = {
     "stage": "link ui face/pose face/quality face/light face",
     "console/store": "link ui",
     "console/controls": "link ui console/store",
+    "console/clips": "link ui access console/store console/controls",
     "console/show_file": "link ui console/store console/controls",
     "console/devices": "link ui console/store console/controls",
     "console/leases": "link ui console/store console/controls",
     "console/mixer": "link ui console/store console/controls",
-    "console/palette": "link ui console/store console/controls console/show_file",
-    "console/panels": "link ui face/pose face/quality face console/store console/controls console/show_file",
+    "console/palette": "link ui console/store console/controls console/show_file console/clips",
+    "console/panels": (
+        "link ui face/pose face/quality face console/store console/controls console/show_file console/clips"
+    ),
     "console/scene": "link ui console/store console/controls",
     "console/learn": "link ui console/store console/controls console/devices console/mixer console/palette",
     "console/cues": "link ui access console/store",
     "console": (
         "link ui access face/pose face console/store console/controls console/show_file console/devices "
-        "console/leases console/mixer console/palette console/panels console/scene console/learn"
+        "console/leases console/mixer console/palette console/panels console/scene console/learn console/clips"
     ),
     "console/devices_page": (
         "link ui access console/store console/show_file console/devices console/leases console/panels console"
     ),
-    "console/cues_page": "link ui access console/store console/leases console/panels console console/cues",
+    "console/cues_page": (
+        "link ui access console/store console/leases console/panels console console/cues console/clips"
+    ),
+    "console/clips_page": "link ui access console/store console/leases console/panels console console/clips",
     "microphone": "link ui access",
     "rehearsal": "link ui",
     "rehearsal/notes": "ui rehearsal",

@@ -14,7 +14,7 @@ from omote.perform.scene.scene import Scene
 from omote.perform.scene.scene_snapshot import names_held_by
 from omote.perform.snapshot import Playable
 from omote.show.access.access_role import explain_missing_role, role_allows
-from omote.show.clips.show_clips import ShowClips
+from omote.show.clips.show_clips import NO_WORK, ShowClips
 from omote.show.crew.members import Member, Members
 from omote.show.cues.cue_lines import speak_lines
 from omote.show.cues.cue_lists import CueLists
@@ -448,7 +448,9 @@ class ShowSession:
         if self.recorder is not None:
             for source, route in taken.items():
                 self.recorder.note_routed(source, route)
-        outgoing = [*self._told, *self._sound_stage.tell(self.crew, now)]
+        work = self.clips.news()
+        told = [] if work is None else self.for_consoles(work)
+        outgoing = [*self._told, *told, *self._sound_stage.tell(self.crew, now)]
         self._told = []
         on_air = [pair for told in (hands, leases) for pair in told.items() if self.members.looks_at(pair[0]) == "air"]
         outgoing += [Outgoing(*pair) for pair in on_air]
@@ -502,6 +504,8 @@ class ShowSession:
         welcomes = [self._welcomed(client) for client in self.members.admit(who, hello)]
         documents = self.documents.items() if hello.role == "console" else ()
         lists = [Outgoing(who, NAMES_OF[kind](names)) for kind, names in documents if names]
+        if hello.role == "console" and self.clips.work != NO_WORK:
+            lists.append(Outgoing(who, self.clips.work))
         return [*welcomes, *self.notices_for(who), *lists]
 
     def _welcomed(self, who: str) -> Outgoing:

@@ -132,7 +132,7 @@ async def test_sounds_are_heard_while_it_plays_in_their_time(cast: Cast, tmp_pat
     file = open_recording(path)
     reading = RecordedShow(file, cast)
     documents = CastDocuments(cast, meshes(cast), MASK)
-    replay = ReplayServer(reading, reading.find_span(), documents, PAGES)
+    replay = ReplayServer(reading, reading.find_span(), documents, PAGES, [path])
     async with TestClient(TestServer(replay.server.application(own_names()))) as client:
         fetched = await client.get(f"/sounds/{sound.key}")
         assert await fetched.read() == sound.data

@@ -93,6 +93,48 @@ def test_a_pass_of_one_part_is_recorded_while_the_others_play(cast: Cast) -> Non
     assert clip.lanes[0].parts != clip.lanes[1].parts
 
 
+def test_a_pass_of_a_span_begins_where_it_is_asked_for_with_the_others(cast: Cast) -> None:
+    show = Show(cast)
+    recorded(show, seconds=2.0, jawOpen=0.5)
+    show.send(wire.RecordClip, "one", "line1", ["brows"], "again", start=1.25)
+    (playing,) = show.session.tick(show.now).characters["one"].clips
+    assert playing.elapsed == pytest.approx(1.25 - show.session.clips.clips["line1"].start)
+    show.run(0.5)
+    show.send(wire.KeepPass, "one")
+    lane = show.session.clips.clips["line1"].lanes[1]
+    assert (lane.start, lane.stop) == pytest.approx((1.25, 1.75), abs=2 * DT)
+
+
+def test_consoles_are_told_who_records_what_and_that_a_clip_has_changed(cast: Cast) -> None:
+    show = Show(cast)
+
+    def told() -> list[wire.ClipWork]:
+        news = show.session.hands_now(show.now)
+        return [each.message for each in news if isinstance(each.message, wire.ClipWork)]
+
+    def welcomed() -> list[wire.ClipWork]:
+        answers = show.session.receive("b", Hello("console", PROTOCOL_VERSION), show.now)
+        show.session.leave("b")
+        return [each.message for each in answers if isinstance(each.message, wire.ClipWork)]
+
+    assert told() == welcomed() == []
+    name = show.session.members["a"].name
+    show.run(0.5)
+    show.send(wire.RecordClip, "one", "line1", ["brows"], "mine")
+    work = wire.ClipWork([wire.ClipPass("one", "line1", ["brows"], "mine", name, show.session.clock(show.now), 0.0)], 0)
+    assert told() == [work] == welcomed()
+    assert told() == []
+    show.run(0.5)
+    show.send(wire.KeepPass, "one")
+    assert told() == [wire.ClipWork([], 1)] == welcomed()
+    show.send(wire.EditLane, "line1", "1", weight=0.5)
+    assert told() == [wire.ClipWork([], 2)]
+    show.send(wire.RecordClip, "one", "line1")
+    told()
+    show.send(wire.KeepPass, "one", False)
+    assert told() == [wire.ClipWork([], 2)]
+
+
 def test_a_pass_that_is_forgotten_leaves_nothing(cast: Cast) -> None:
     show = Show(cast)
     show.send(wire.RecordClip, "one", "line1")
@@ -208,6 +250,7 @@ def test_what_cannot_be_done_is_refused_and_changes_nothing(cast: Cast) -> None:
         "a clip cannot be called": (wire.CopyClip, "line1", "\n"),
         "no pass of one is recorded": (wire.KeepPass, "one"),
         "there is no character 'two'": (wire.RecordClip, "two", "line2"),
+        "where a pass begins (seconds of the clip) is 9": (wire.RecordClip, "one", "line1", [], "", "", 9.0),
         "no region of a layer": (wire.EditLane, "line1", "1", None, ["nose"]),
     }
     for said, (kind, *values) in refused.items():

@@ -10,6 +10,7 @@ import { listenToKeys } from "../ui/key_presses";
 import type { ShowNoticesView } from "../ui/show_notices_view";
 import { base, palette } from "../ui/theme";
 import { hearWhileShown, whileShown } from "../ui/topic_element";
+import { markMoment } from "./clips/keep_dialog";
 import { style } from "./console_page_style";
 import { ConsoleElement } from "./controls/console_element";
 import type { LightRow } from "./controls/light_row";
@@ -55,7 +56,7 @@ import type { MenuRequest } from "./palette/tile_menu";
 import "./palette/tile_menu";
 import "./controls/t_bar";
 
-type Dialog = "devices" | "help" | "leases" | "log" | "setup";
+type Dialog = "devices" | "help" | "keep" | "leases" | "log" | "setup";
 
 /** The instrument: faces on the left, expressions on the right, what is on air between them, hands and faders below. */
 @customElement("omote-console")
@@ -118,6 +119,7 @@ export class ConsolePage extends ConsoleElement {
         @help=${() => this.show("help")}
         @setup=${() => this.show("setup")}
         @log=${() => this.show("log")}
+        @moments=${() => this.show("keep")}
         @learn=${this.#learn}
         @said=${this.#makeRoom}
         ><omote-seat slot="seat" .context=${context} @leases=${this.#openLeases}></omote-seat></omote-status
@@ -167,9 +169,10 @@ export class ConsolePage extends ConsoleElement {
       ${dialog === "devices" ? html`<omote-devices-dialog .context=${context} @close=${this.#close}></omote-devices-dialog>` : nothing}
       ${this.calibrated === "" ? nothing : html`<omote-calibration-dialog .context=${context} .name=${this.calibrated} @close=${this.#close}></omote-calibration-dialog>`}
       ${dialog === "help" ? html`<omote-help .context=${context} @close=${this.#close}></omote-help>` : nothing}
+      ${dialog === "keep" ? html`<omote-keep-dialog .context=${context} @close=${this.#close}></omote-keep-dialog>` : nothing}
       ${dialog === "leases" ? html`<omote-lease-dialog .context=${context} @close=${this.#close}></omote-lease-dialog>` : nothing}
       ${dialog === "log" ? html`<omote-message-log .context=${context} .notices=${this.notices.notices} @close=${this.#close}></omote-message-log>` : nothing}
-      ${dialog === "setup" ? html`<omote-setup .context=${context} @close=${this.#close} @help=${() => this.show("help")} @devices=${() => this.show("devices")} @learn=${this.#learn} @leases=${this.#openLeases}></omote-setup>` : nothing}
+      ${dialog === "setup" ? html`<omote-setup .context=${context} @close=${this.#close} @help=${() => this.show("help")} @devices=${() => this.show("devices")} @learn=${this.#learn} @leases=${this.#openLeases} @moments=${() => this.show("keep")}></omote-setup>` : nothing}
     `;
   }
 
@@ -254,6 +257,8 @@ export class ConsolePage extends ConsoleElement {
   #obey(command: Command): void {
     if (command.do === "help") this.show("help");
     else if (command.do === "learn") this.#learn();
+    else if (command.do === "moments") this.show("keep");
+    else if (command.do === "mark") markMoment(this.store, "");
     else if (command.do === "centre") this.store.centre();
     else if (command.do === "clear") this.store.clearChannels(Object.keys(this.store.air?.channels ?? {}));
     else if (command.do === "leases") this.show("leases");

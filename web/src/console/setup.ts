@@ -95,9 +95,10 @@ export class Setup extends ConsoleDialog {
         <button data-open="devices" @click=${() => this.tell("devices")}>Devices and bindings</button>
         <a href="/microphone" target="omote-microphone">Speak through a character by a microphone</a>
       </div>
-      <h2>Cues</h2>
+      <h2>Cues and clips</h2>
       <p>Whole looks in the order of a show, recorded here and called by GO.</p>
-      <div class="row"><a href="/cues" target="omote-cues">Record and play cues</a></div>
+      <div class="row"><a href="/cues" target="omote-cues">Record and play cues</a><a href="/clips" target="omote-clips">Record and edit motion clips</a>
+        <button data-open="moments" @click=${() => this.tell("moments")}>Mark and keep</button></div>
       <div class="row"><a class="bus" href=${addressOn(this.store.bus === "air" ? "preview" : "air", location)}>${this.store.bus === "air" ? "Build a look up in preview, not on air" : "Back to what is on air"} (Shift P)</a></div>
       <h2>Bring in files</h2>
       <p>Expressions (.json, .glb, .vrm, .obj) and heads of our topology (.glb, .obj) come under Own; the show goes on meanwhile.</p>

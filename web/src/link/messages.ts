@@ -206,6 +206,63 @@ export type LeaveCharacter = { type: "leave_character"; id: string; character: s
 export type Clips = { type: "clips"; names: string[] };
 
 /**
+ * A pass that is recorded. `name`: of the clip; `parts`, `lane`: of the new lane; `by`: who records it. It began at
+ * `began`, of `State.time`, where the time of the clip was `start`.
+ */
+export type ClipPass = {
+  character: string;
+  name: string;
+  parts: ("brows" | "eyes" | "mouth" | "rest" | "head" | "gaze")[];
+  lane: string;
+  by: string;
+  began: number;
+  start: number;
+};
+
+/**
+ * What is done with clips: complete, to consoles after the welcome and with each change. `passes`: those that are
+ * recorded; `edits`: changes with each edit of a clip, and `/clip_outlines/NAME` has it.
+ */
+export type ClipWork = { type: "clip_work"; passes: ClipPass[]; edits: number };
+
+/**
+ * A lane to be drawn: `start`, `stop`: seconds of the clip, with its shift; `spans`: from where to where another
+ * pass replaces it; `moves`: the few columns that it moves most, each at equal steps from start to stop, weights and
+ * parts of the most that head or gaze turn.
+ */
+export type LaneOutline = {
+  name: string;
+  parts: ("brows" | "eyes" | "mouth" | "rest" | "head" | "gaze")[];
+  weight: number;
+  muted: boolean;
+  shift: number;
+  start: number;
+  stop: number;
+  spans: [number, number][];
+  moves: Record<string, number[]>;
+};
+
+/**
+ * A clip to be drawn, as `/clip_outlines/NAME` returns it (JSON): as of `StoredClip`, but its lanes without their
+ * motion; `stop`: where it ends in any case, with its last lane where it is not `trimmed`. `edits`: as of
+ * `clip_work`.
+ */
+export type ClipOutline = {
+  name: string;
+  start: number;
+  stop: number;
+  trimmed: boolean;
+  blend_in: number;
+  blend_out: number;
+  loop: boolean;
+  speed: number;
+  sound: string;
+  sound_at: number;
+  lanes: LaneOutline[];
+  edits: number;
+};
+
+/**
  * A character plays a clip on the layer playback, from whatever shows, in `seconds` (`None`: as the clip says). It
  * begins `start` seconds from its start; `speed` and `loop`: `None` as the clip says. `weights`: how much of it shows
  * in brows, eyes, mouth, rest, head and gaze, 0..1; what is not named is left alone; all of it where none is. An `id`
@@ -228,9 +285,10 @@ export type StopClip = { type: "stop_clip"; character: string; name?: string; se
 
 /**
  * Records a pass of what shows of a character from now on: some `parts` of it (none: all), as a new lane of a clip
- * (`name`), which is made where there is none. What else the clip has plays meanwhile, from its start, and its sound
- * without lips. It ends by `keep_pass`, and by itself after ten minutes. `lane`: what to call it. `sound`: the key of
- * one that the clip has from this pass on, as of `edit_clip`; it begins in .4 s.
+ * (`name`), which is made where there is none. What else the clip has plays meanwhile, from its start, or from
+ * `start`, seconds of the clip; and its sound without lips. It ends by `keep_pass`, and by itself after ten minutes.
+ * `lane`: what to call it. `sound`: the key of one that the clip has from this pass on, as of `edit_clip`; it begins
+ * in .4 s.
  */
 export type RecordClip = {
   type: "record_clip";
@@ -240,6 +298,7 @@ export type RecordClip = {
   parts?: ("brows" | "eyes" | "mouth" | "rest" | "head" | "gaze")[];
   lane?: string;
   sound?: string;
+  start?: number | null;
 };
 
 /** Ends the pass of a character and keeps it; `keep`: or forgets it. */
@@ -1050,7 +1109,7 @@ export type CalledCue = { at: number; cue_list: string; number: string };
  * What showed in a part of a recording, as `/curves?start=1&first=12.5&last=90` returns it (MessagePack): `start`,
  * `first`, `seconds` as of `RecordedSpan`; the cues that were called; and the curves as they are kept, a piece a
  * minute, which may have more than was asked for. None: it was recorded without.
- * A piece is deflated (zlib), MessagePack, a list: seconds of its first sample; milliseconds between samples (unsigned,
+ * A piece is deflated (zlib), MessagePack, a list: seconds of its first sample; milliseconds between samples (unsigned
  * 32 bits, little endian, the first 0); names; by character the steps between samples (16 bits, little endian, which
  * wrap; the first from 0), column by column: those of `quantities`, which says how many steps are one, then two places
  * in the names, of the face and of the expression that showed most. A sum of -32768: it was not there. Weights are
@@ -1860,6 +1919,7 @@ export type FromServer =
   | BindingList
   | BindingsChanged
   | Clips
+  | ClipWork
   | Devices
   | InputLog
   | DeviceBytes

@@ -192,6 +192,7 @@ class ShowServer:
             application.router.add_get(address_of(kind), partial(self.document, kind))
         self._cues.add_routes(application)
         self.runs.add_routes(application)
+        self._clips.add_routes(application)
         application.router.add_get("/exports/{file}", self.export)
         application.router.add_post("/imports/{file}", self.take_in)
         DocumentRoutes(self.documents).add_routes(application)

@@ -1,12 +1,17 @@
-"""What the show file keeps of clips: read at the start, and written after each edit, packed beside the ticks."""
+"""What the show file keeps of clips: read at the start, and written after each edit, packed beside the ticks; and their
+outlines for pages, which are drawn there too."""
 
 from __future__ import annotations
 
 import asyncio
 from collections.abc import Callable, Mapping, Sequence
 
+import msgspec
+from aiohttp import web
+
 from omote.perform.clips.clip import Clip
-from omote.show.objects.clips import StoredClip, read_clips, stored_clip
+from omote.server.http.document_routes import NO_CACHE
+from omote.show.objects.clips import CLIP_OUTLINE_PATH, StoredClip, read_clips, stored_clip
 from omote.show.session import ShowSession
 from omote.showfile.changes import DocumentRemoval, StoredDocument
 
@@ -19,6 +24,19 @@ class ClipStore:
     def __init__(self, session: ShowSession) -> None:
         self.session = session
         self._last: asyncio.Future[None] | None = None
+
+    def add_routes(self, application: web.Application) -> None:
+        """Adds the address of the outlines."""
+        application.router.add_get(CLIP_OUTLINE_PATH, self.respond)
+
+    async def respond(self, request: web.Request) -> web.Response:
+        """Responds with what is drawn of a clip (JSON); 204 where there is none."""
+        outline = self.session.clips.outline(request.match_info["name"])
+        headers = {"Cache-Control": NO_CACHE}
+        if outline is None:
+            return web.Response(status=204, headers=headers)
+        drawn = await asyncio.get_running_loop().run_in_executor(None, outline)
+        return web.Response(body=msgspec.json.encode(drawn), content_type="application/json", headers=headers)
 
     def load(self, documents: Callable[[str], Mapping[str, bytes]], report: Callable[[str], None]) -> None:
         """Plays what the show file keeps. documents: of a kind, by name; report: tells the operator what of it cannot

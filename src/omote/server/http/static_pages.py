@@ -15,6 +15,7 @@ PAGES = {
     "/cues": "cues.html",
     "/notes": "notes.html",
     "/runs": "runs.html",
+    "/clips": "clips.html",
     "/devices": "devices.html",
     "/camera": "camera.html",
     "/editor": "editor.html",

@@ -24,6 +24,7 @@ ROUTES: Mapping[tuple[str, str], AccessRole] = MappingProxyType(
         ("POST", "/markers"): "view",  # a director notes, and plays nothing
         ("POST", "/markers/{id}"): "view",  # own ones: others' need operate
         ("DELETE", "/markers/{id}"): "view",
+        ("GET", "/clip_outlines/{name}"): "view",
         ("GET", "/exports/{file}"): "operate",
         ("POST", "/imports/{file}"): "edit",
         ("POST", "/photographs"): "edit",
@@ -59,6 +60,7 @@ ROUTES: Mapping[tuple[str, str], AccessRole] = MappingProxyType(
         ("GET", "/cues"): "view",
         ("GET", "/notes"): "view",
         ("GET", "/runs"): "view",
+        ("GET", "/clips"): "view",
         ("GET", "/devices"): "view",
         ("GET", "/camera"): "view",
         ("GET", "/microphone"): "view",

@@ -14,7 +14,7 @@ from omote.perform.clips.cut_clip import CurveBuilder
 from omote.perform.clips.motion_curve import MotionCurve
 from omote.perform.clips.packed_motion import rounded
 from omote.perform.layers.layer_names import LAYER_PARTS, LayerPart
-from omote.perform.limits import check_known
+from omote.perform.limits import check_known, check_within
 from omote.perform.scene.clip_goals import SETTING
 from omote.perform.scene.scene import Scene
 from omote.perform.scene.scene_frame import SceneFrame
@@ -30,12 +30,15 @@ FEWEST_FRAMES = 2
 """Of a pass that is kept."""
 MEETING_SECONDS = 0.1
 """In which the other lanes come when a pass begins."""
+NO_WORK = wire.ClipWork([], 0)
+"""No pass is recorded, and no clip was edited."""
 
 
 @dataclass(frozen=True)
 class Pass:
     """A pass that is recorded. name: of the clip; parts, lane: of the new lane; began: seconds of the scene; offset:
-    what the time of the clip is then; sound: that the clip has from now on, "" for that which it has."""
+    what the time of the clip is then; by: who records it; sound: that the clip has from now on, "" for that which it
+    has."""
 
     name: str
     parts: tuple[LayerPart, ...]
@@ -43,6 +46,7 @@ class Pass:
     began: float
     offset: float
     builder: CurveBuilder
+    by: str = ""
     sound: str = ""
 
 
@@ -77,6 +81,8 @@ class ShowClips:
         self._passes = dict[str, Pass]()
         self._over: list[str] = []
         self._time = 0.0
+        self._edits = 0
+        self._told = NO_WORK
 
     def load(self, clips: Mapping[str, Clip]) -> None:
         """Plays the clips of a show file."""
@@ -124,8 +130,32 @@ class ShowClips:
                 self._lose(f"the pass of {character} is over and could not be kept: {error}.")
         return told
 
-    def edit(self, message: wire.ClipCommand) -> Sequence[Outgoing]:
-        """Makes an edit; ValueError where it cannot be made. message: asks for it."""
+    @property
+    def work(self) -> wire.ClipWork:
+        """What is recorded, and how often clips were edited."""
+        passes = [
+            wire.ClipPass(character, each.name, list(each.parts), each.lane, each.by, each.began, each.offset)
+            for character, each in self._passes.items()
+        ]
+        return wire.ClipWork(passes, self._edits)
+
+    def news(self) -> wire.ClipWork | None:
+        """What consoles were not told yet of passes and edits; None where they know all."""
+        work = self.work
+        before = self._told
+        self._told = work
+        return None if work == before else work
+
+    def outline(self, name: str) -> Callable[[], wire.ClipOutline] | None:
+        """What draws a clip, away from the ticks; None where there is none of this name."""
+        clip = self.clips.get(name)
+        edits = self._edits
+        return None if clip is None else lambda: wire.outline_clip(name, clip, edits)
+
+    def edit(self, message: wire.ClipCommand, by: str) -> Sequence[Outgoing]:
+        """Makes an edit; ValueError where it cannot be made. message: asks for it; by: who does."""
+        if isinstance(message, wire.RecordClip):
+            return self.record(message, by)
         return EDITS[type(message)](self, message)
 
     def put(self, name: str, clip: Clip) -> list[Outgoing]:
@@ -150,8 +180,8 @@ class ShowClips:
 
     # --- the edits ---
 
-    def record(self, message: wire.RecordClip) -> Sequence[Outgoing]:
-        """Begins a pass. message: says of whom."""
+    def record(self, message: wire.RecordClip, by: str) -> Sequence[Outgoing]:
+        """Begins a pass. message: says of whom; by: who records it."""
         scene = self._scene()
         character = check_known(message.character, [*scene], "character")
         if character in self._passes:
@@ -159,19 +189,24 @@ class ShowClips:
         parts = tuple(message.parts) or LAYER_PARTS
         clip = self.clips.get(message.name)
         name = message.name if clip is not None else self._free(message.name)
-        offset = 0.0 if clip is None else clip.start
+        offset = 0.0 if clip is None else clip.start if message.start is None else message.start
         if clip is not None:
             heard: dict[str, float] = {part: 1.0 for part in clip.parts if part not in parts}
+            check_within(offset, clip.start, clip.end, "where a pass begins (seconds of the clip)")
             if heard:
-                self._play(wire.PlayClip(character, name, name, MEETING_SECONDS, speed=1.0, loop=False, weights=heard))
-        self._play_along(character, message.sound, clip)
+                start = offset - clip.start
+                again = wire.PlayClip(
+                    character, name, name, MEETING_SECONDS, start, speed=1.0, loop=False, weights=heard
+                )
+                self._play(again)
+        self._play_along(character, message.sound, clip, offset)
         builder = CurveBuilder(self._cast())
-        self._passes[character] = Pass(name, parts, message.lane, self._time, offset, builder, message.sound)
+        self._passes[character] = Pass(name, parts, message.lane, self._time, offset, builder, by, message.sound)
         return ()
 
-    def _play_along(self, character: str, sound: str, clip: Clip | None) -> None:
+    def _play_along(self, character: str, sound: str, clip: Clip | None, offset: float) -> None:
         """Has the sound heard to which a pass is played: a new one a moment later, so that its beginning is heard; that
-        of the clip where the clip has it, if it is there."""
+        of the clip where the clip has it, if it is there. offset: what the time of the clip is."""
         if sound:
             self._check_sound(sound)
             self._play(PlaySound(character, sound, sound, SOUND_LEAD_SECONDS))
@@ -181,7 +216,7 @@ class ShowClips:
             except ValueError as error:
                 self._lose(f"a pass of {character} is recorded without its sound: {error}.")
             else:
-                self._play(PlaySound(character, clip.sound, clip.sound, clip.sound_at - clip.start))
+                self._play(PlaySound(character, clip.sound, clip.sound, clip.sound_at - offset))
 
     def end_pass(self, message: wire.KeepPass) -> Sequence[Outgoing]:
         """Ends a pass. message: says of whom, and whether it is kept."""
@@ -263,6 +298,7 @@ class ShowClips:
     def _with(self, clips: Mapping[str, Clip]) -> list[Outgoing]:
         told = clips.keys() != self.clips.keys()
         self.clips = clips
+        self._edits += 1
         self._scene().set_clips(clips)
         self._edited()
         return self._list_names(wire.StoredClip.kind, sorted(clips)) if told else []
@@ -307,7 +343,6 @@ def _given(message: msgspec.Struct, names: Sequence[str]) -> dict[str, Any]:
 
 
 EDITS: Mapping[type[wire.ClipCommand], Callable[[ShowClips, Any], Sequence[Outgoing]]] = {
-    wire.RecordClip: ShowClips.record,
     wire.KeepPass: ShowClips.end_pass,
     wire.EditClip: ShowClips.edit_clip,
     wire.EditLane: ShowClips.edit_lane,
@@ -318,4 +353,4 @@ EDITS: Mapping[type[wire.ClipCommand], Callable[[ShowClips, Any], Sequence[Outgo
     wire.DropClip: ShowClips.drop,
     wire.RestoreClip: ShowClips.restore,
 }
-"""What makes each edit."""
+"""What makes each edit but the beginning of a pass."""

@@ -13,6 +13,7 @@ from omote.model.known_names import NEUTRAL, PLAY_REGIONS
 from omote.perform.clips.clip import LONGEST_LANE_NAME, LONGEST_SOUND_KEY, Clip, Lane, Span
 from omote.perform.clips.clip_runs import LONGEST_CLIP_NAME
 from omote.perform.clips.motion_curve import MotionCurve
+from omote.perform.clips.outline import outline_lane
 from omote.perform.clips.packed_motion import PackedMotion, pack_motion, unpack_motion
 from omote.perform.clips.sample import CHANNEL
 from omote.perform.layers.layer_names import LAYER_PARTS, LayerPart
@@ -25,12 +26,14 @@ from omote.show.declaration import (
     ClientMessage,
     Outgoing,
     RequestId,
+    ServerMessage,
     Session,
     characters_of,
 )
 from omote.show.objects.documents import NAMES_OF, READ_ROUTES, Document, DocumentNames, address_of
 from omote.show.osc import PRESS, Value, osc
 
+CLIP_OUTLINE_PATH = "/clip_outlines/{name}"
 ClipName = Annotated[str, msgspec.Meta(min_length=1, max_length=LONGEST_CLIP_NAME), Value("text")]
 LaneName = Annotated[str, msgspec.Meta(max_length=LONGEST_LANE_NAME)]
 SoundKey = Annotated[str, msgspec.Meta(max_length=LONGEST_SOUND_KEY)]
@@ -142,6 +145,86 @@ NAMES_OF[StoredClip.kind] = Clips
 READ_ROUTES[address_of(StoredClip.kind)] = "view"
 
 
+# --- what pages are told of them ---
+
+
+class ClipPass(msgspec.Struct, frozen=True):
+    """A pass that is recorded. `name`: of the clip; `parts`, `lane`: of the new lane; `by`: who records it. It began at
+    `began`, of `State.time`, where the time of the clip was `start`."""
+
+    character: str
+    name: str
+    parts: list[LayerPart]
+    lane: str
+    by: str
+    began: float
+    start: float
+
+
+class ClipWork(ServerMessage, frozen=True):
+    """What is done with clips: complete, to consoles after the welcome and with each change. `passes`: those that are
+    recorded; `edits`: changes with each edit of a clip, and `/clip_outlines/NAME` has it."""
+
+    passes: list[ClipPass]
+    edits: int
+
+
+class LaneOutline(msgspec.Struct, frozen=True):
+    """A lane to be drawn: `start`, `stop`: seconds of the clip, with its shift; `spans`: from where to where another
+    pass replaces it; `moves`: the few columns that it moves most, each at equal steps from start to stop, weights and
+    parts of the most that head or gaze turn."""
+
+    name: str
+    parts: list[LayerPart]
+    weight: float
+    muted: bool
+    shift: float
+    start: float
+    stop: float
+    spans: list[tuple[float, float]]
+    moves: dict[str, list[float]]
+
+
+class ClipOutline(msgspec.Struct, frozen=True):
+    """A clip to be drawn, as `/clip_outlines/NAME` returns it (JSON): as of `StoredClip`, but its lanes without their
+    motion; `stop`: where it ends in any case, with its last lane where it is not `trimmed`. `edits`: as of
+    `clip_work`."""
+
+    name: str
+    start: float
+    stop: float
+    trimmed: bool
+    blend_in: float
+    blend_out: float
+    loop: bool
+    speed: float
+    sound: str
+    sound_at: float
+    lanes: list[LaneOutline]
+    edits: int
+
+
+def outline_clip(name: str, clip: Clip, edits: int) -> ClipOutline:
+    """A clip to be drawn. name: of the clip; edits: how many there were of clips."""
+    lanes = [
+        LaneOutline(
+            lane.name,
+            list(lane.parts),
+            lane.weight,
+            lane.muted,
+            lane.shift,
+            lane.start,
+            lane.stop,
+            [(span.start + lane.shift, span.stop + lane.shift) for span in lane.spans],
+            outline_lane(lane),
+        )
+        for lane in clip.lanes
+    ]
+    trimmed = clip.stop is not None
+    shown = (clip.start, clip.end, trimmed, clip.blend_in, clip.blend_out, clip.loop, clip.speed)
+    return ClipOutline(name, *shown, clip.sound, clip.sound_at, lanes, edits)
+
+
 # --- what plays them ---
 
 
@@ -211,14 +294,15 @@ class ClipCommand(ClientMessage, frozen=True):
 
     def act(self, session: Session, who: str, now: float) -> Sequence[Outgoing]:
         """Edits the clips. session: the show; who: the client; now: seconds, monotonic."""
-        return session.clips.edit(self)  # type: ignore[no-any-return]
+        return session.clips.edit(self, session.members[who].name)  # type: ignore[no-any-return]
 
 
 class RecordClip(ClipCommand, frozen=True):
     """Records a pass of what shows of a character from now on: some `parts` of it (none: all), as a new lane of a clip
-    (`name`), which is made where there is none. What else the clip has plays meanwhile, from its start, and its sound
-    without lips. It ends by `keep_pass`, and by itself after ten minutes. `lane`: what to call it. `sound`: the key of
-    one that the clip has from this pass on, as of `edit_clip`; it begins in .4 s."""
+    (`name`), which is made where there is none. What else the clip has plays meanwhile, from its start, or from
+    `start`, seconds of the clip; and its sound without lips. It ends by `keep_pass`, and by itself after ten minutes.
+    `lane`: what to call it. `sound`: the key of one that the clip has from this pass on, as of `edit_clip`; it begins
+    in .4 s."""
 
     osc = (osc("record_clip", "records what shows as a pass of the clip of this name", "name"),)
 
@@ -228,6 +312,7 @@ class RecordClip(ClipCommand, frozen=True):
     parts: list[LayerPart] = []
     lane: LaneName = ""
     sound: SoundKey = ""
+    start: float | None = None
 
 
 class KeepPass(ClipCommand, frozen=True):

@@ -3,6 +3,7 @@
 import { html, nothing } from "lit";
 import { customElement, property, query, state } from "lit/decorators.js";
 import { keyed } from "lit/directives/keyed.js";
+import type { FramePainter } from "../../ui/frame_painter";
 import { pressed } from "../../ui/gestures";
 import { listenToKeys } from "../../ui/key_presses";
 import { base, palette, toolPage } from "../../ui/theme";
@@ -10,7 +11,7 @@ import type { Thumbnails } from "../../ui/thumbnails";
 import { hearWhileShown, whileShown } from "../../ui/topic_element";
 import { CueElement, warning } from "../cues/cue_element";
 import type { CueFormKind } from "../cues/cue_forms";
-import { type CueCommand, cueCommandOf } from "../cues/cue_keys";
+import { CUE_KEYS, type CueCommand, cueCommandOf } from "../cues/cue_keys";
 import type { CueListView } from "../cues/cue_list";
 import { cueBeside } from "../cues/cue_order";
 import type { CueTopic } from "../cues/cue_store";
@@ -18,6 +19,7 @@ import { offersOf, offersStyle } from "../panels/offers";
 import { changeBus } from "../panels/preview_bar";
 import { isPanic, stepOf } from "../store/keys";
 import { cuesPageStyle } from "./cues_page_style";
+import "../clips/record_light";
 import "../cues/cue_air";
 import "../cues/cue_editor";
 import "../cues/cue_forms";
@@ -25,11 +27,12 @@ import "../cues/cue_go";
 import "../cues/cue_list";
 import "../cues/cue_tabs";
 import "../cues/far_view";
-import "./cue_help";
+import "../../ui/keys_help";
 
 @customElement("omote-cues-page")
 export class CuesPage extends CueElement {
   @property({ attribute: false }) thumbnails!: Thumbnails;
+  @property({ attribute: false }) painter!: FramePainter;
   /** The view for two metres. */
   @property({ type: Boolean, reflect: true }) far = false;
   @state() private form: CueFormKind | null = null;
@@ -66,7 +69,8 @@ export class CuesPage extends CueElement {
     const { cues } = this;
     const { notice, tone } = cues.show;
     return html`<header><div class="bar">
-      <h1>CUES <span>${cues.name}</span></h1><nav><a href="/console" target="omote-console">Console</a><a href="/console?bus=preview" target="omote-preview" title="The console of what is built up unseen">Preview</a><a href="?far${cues.names.length > 1 ? `&list=${encodeURIComponent(cues.name)}` : ""}" target="_blank">Far</a></nav>
+      <h1>CUES <span>${cues.name}</span></h1><nav><a href="/console" target="omote-console">Console</a><a href="/clips" target="omote-clips">Clips</a><a href="/console?bus=preview" target="omote-preview" title="The console of what is built up unseen">Preview</a><a href="?far${cues.names.length > 1 ? `&list=${encodeURIComponent(cues.name)}` : ""}" target="_blank">Far</a></nav>
+      <omote-record-light .context=${{ store: cues.show, painter: this.painter }}></omote-record-light>
       <omote-cue-tabs .cues=${cues} @add_list=${() => this.#open("add_list")} @rename_list=${() => this.#open("rename_list")}></omote-cue-tabs>
       <span class="notice ${tone}" role="status">${notice ?? ""} ${offersOf(cues.show)}</span>
       ${cues.editing ? html`${this.#step("undo", "↶", "Ctrl Z")}${this.#step("redo", "↷", "Ctrl Y")}` : nothing}
@@ -97,7 +101,9 @@ export class CuesPage extends CueElement {
   }
 
   #help() {
-    return this.help ? html`<omote-cue-help @close=${() => this.#showHelp(false)}></omote-cue-help>` : nothing;
+    return this.help
+      ? html`<omote-keys-help .keys=${CUE_KEYS} @close=${() => this.#showHelp(false)}></omote-keys-help>`
+      : nothing;
   }
 
   #showHelp(on: boolean): void {

@@ -61,9 +61,10 @@ function start(): void {
   const page = new CuesPage();
   page.cues = new CueStore(store, parameters.get("list") ?? "");
   page.thumbnails = new Thumbnails();
+  page.painter = new FramePainter();
   page.far = parameters.has("far");
   const link = connect(store);
-  const painter = new FramePainter();
+  const { painter } = page;
   painter.add({ paint: () => store.flush() });
   document.body.append(page);
   showPreviewBar(store);

@@ -9,6 +9,7 @@ import { onHold, onRoam } from "../../ui/gestures";
 import { base } from "../../ui/theme";
 import { THUMBNAIL_SIZE, type ThumbnailSubject } from "../../ui/thumbnails";
 import { textOf } from "../../ui/topic_element";
+import { clipsFound, pressClip } from "../clips/clip_tiles";
 import { AnimatedElement } from "../controls/console_element";
 import type { OwnItem } from "../show_file/own_items";
 import { KINDS, type PaletteKind } from "../store/arrangement";
@@ -28,7 +29,13 @@ const LABELS: Readonly<Record<PaletteKind, string>> = {
   own: "Own",
   arkit: "ARKit",
   makehuman: "MakeHuman",
+  clips: "Clips",
 };
+const SEARCHED = {
+  face: "faces by name or tag",
+  expression: "expressions by name, region or tag",
+  clips: "clips by name",
+} as const;
 /** Without a keyboard no key needs to be named. */
 const FINGERS = matchMedia("(pointer: coarse)");
 
@@ -70,8 +77,18 @@ export class Palette extends AnimatedElement {
       : expressionGroups(this.store.expressions, this.kind);
   }
 
+  /** Motion clips stand in the place of expressions. */
+  get #isClips(): boolean {
+    return this.axis === "expression" && this.kind === "clips";
+  }
+
   /** Calls the tile at an index, as its hot key does. */
   callIndex(index: number): void {
+    if (this.#isClips) {
+      const clip = clipsFound(this.store, "")[index];
+      if (clip !== undefined) pressClip(this.store, clip);
+      return;
+    }
     const name = this.#keyed[index]?.name;
     if (name !== undefined) this.store.call(this.axis, name);
   }
@@ -83,7 +100,8 @@ export class Palette extends AnimatedElement {
   override render() {
     return html`
       <header>${this.axis === "face" ? this.#ownSwitch() : this.#tabs()} ${this.#searchField()}</header>
-      <div class="tiles" @scroll=${this.#hint} @contextmenu=${this.#menuAt} @keydown=${this.#tileKey}>${this.#tiles()}</div>
+      <div class="tiles" ?hidden=${this.#isClips} @scroll=${this.#hint} @contextmenu=${this.#menuAt} @keydown=${this.#tileKey}>${this.#isClips ? nothing : this.#tiles()}</div>
+      ${this.#isClips ? html`<omote-clip-tiles .context=${this.context} .search=${this.search}></omote-clip-tiles>` : nothing}
       ${this.axis === "face" ? nothing : html`<omote-regions .context=${this.context}></omote-regions>`}
       <omote-timing .context=${this.context} .axis=${this.axis}></omote-timing>
     `;
@@ -98,7 +116,7 @@ export class Palette extends AnimatedElement {
         (kind) => html`<button
           role="tab"
           data-kind=${kind}
-          aria-selected=${this.kind === kind && this.search === ""}
+          aria-selected=${this.kind === kind && (this.search === "" || kind === "clips")}
           @click=${() => this.#open(kind)}
         >
           ${LABELS[kind]}
@@ -131,7 +149,7 @@ export class Palette extends AnimatedElement {
   }
 
   #searchField() {
-    const what = this.axis === "face" ? "faces by name or tag" : "expressions by name, region or tag";
+    const what = SEARCHED[this.#isClips ? "clips" : this.axis];
     return html`<input
       type="search"
       placeholder=${this.axis === "face" || FINGERS.matches ? "search" : "search /"}
@@ -235,9 +253,12 @@ export class Palette extends AnimatedElement {
 
   /** Enter in the search calls what is found first, the arrow leads to it. */
   readonly #searchKey = (event: KeyboardEvent): void => {
+    const [clip] = this.#isClips ? clipsFound(this.store, this.search) : [];
     const [first] = this.shown;
-    if (this.search.trim() === "" || first === undefined || event.isComposing) return;
-    if (event.key === "Enter") this.store.call(this.axis, first.name);
+    if (this.search.trim() === "" || event.isComposing || (first === undefined && clip === undefined)) return;
+    if (this.#isClips && clip !== undefined && event.key === "Enter") pressClip(this.store, clip);
+    else if (first === undefined || this.#isClips) return;
+    else if (event.key === "Enter") this.store.call(this.axis, first.name);
     else if (event.key === "ArrowDown") this.tiles[0]?.focus();
     else return;
     event.preventDefault();

@@ -125,6 +125,12 @@ export const style = css`
     scrollbar-color: var(--edge) transparent;
     overscroll-behavior: contain;
   }
+  .tiles[hidden] {
+    display: none;
+  }
+  omote-clip-tiles {
+    grid-area: tiles;
+  }
   .tiles.more {
     mask-image: linear-gradient(#000 calc(100% - 34px), #0004);
   }

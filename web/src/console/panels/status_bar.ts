@@ -6,6 +6,7 @@ import { levelsOf } from "../../face/quality/quality_levels";
 import type { StageReport } from "../../link/messages";
 import type { ShowNotices } from "../../ui/show_notices";
 import { base } from "../../ui/theme";
+import { passesOf } from "../clips/clip_passes";
 import { ConsoleElement } from "../controls/console_element";
 import { UPRIGHT } from "../controls/screen_sizes";
 import type { Topic } from "../store/page_store";
@@ -13,6 +14,7 @@ import { secondsLabel } from "../store/timing";
 import { HEARD_MS } from "../store/unheard_panic";
 import type { CueLine } from "./cue_line";
 import { offersStyle, viewOffers } from "./offers";
+import "../clips/record_light";
 import "./cue_line";
 import "./import_progress";
 import "./name_field";
@@ -57,6 +59,7 @@ export class StatusBar extends ConsoleElement {
   protected override readonly topics: readonly Topic[] = [
     "manifest",
     "characters",
+    "clip_work",
     "crew",
     "leases",
     "link",
@@ -117,6 +120,7 @@ export class StatusBar extends ConsoleElement {
   /** What is to be answered has the room of what is to be watched. */
   protected override updated(): void {
     this.toggleAttribute("asks", this.#said.offers.length > 0);
+    this.toggleAttribute("records", passesOf(this.store).length > 0);
   }
 
   /** What this console says last, with the ways back of a panic; while it says nothing, what waits for an answer. */
@@ -135,6 +139,7 @@ export class StatusBar extends ConsoleElement {
     const none = text === null && this.context.items.naming === null; // the field for a name stands there too
     return html`
       <div class="mark">OMOTE</div>
+      <omote-record-light .context=${this.context}></omote-record-light>
       <omote-show-clock .context=${this.context}></omote-show-clock>
       ${this.store.online ? this.#crew() : html`<div class="lost" role="alert">LINK LOST – nothing is sent</div>`}
       <div class="messages">
@@ -152,6 +157,7 @@ export class StatusBar extends ConsoleElement {
       <button class="log ${unread > 0 ? "unread" : ""}" title="What was said, and what can be taken back"
         @click=${() => this.tell("log")}>Log${unread > 0 ? html` <b>${unread}</b>` : nothing}</button>
       ${this.store.bus === "air" ? html`<button class="bus" title="Build a look up that shows nowhere until it is taken (Shift P)" @click=${() => changeBus(this.store)}>Preview</button>` : nothing}
+      <button class="moments" title="Mark this moment of the recording, or keep what was played (Shift K)" @click=${() => this.tell("moments")}>Mark</button>
       <button class="learn" title="Bind controls of devices: touch a control here, move one there (Z)"
         @click=${() => this.tell("learn")}>Learn</button>
       <button class="setup" title="Home face and layouts" @click=${() => this.tell("setup")}>Set-up</button>

@@ -28,7 +28,7 @@ export const style = css`
     min-width: 0;
     overflow: hidden; /* nine slow screens give way, buttons and panic do not */
   }
-  :is(.log, .bus, .learn, .setup, .help, .step) {
+  :is(.log, .bus, .moments, .learn, .setup, .help, .step) {
     flex: none;
   }
   .item b {
@@ -98,6 +98,20 @@ export const style = css`
   }
   :host([asks]) slot[name="seat"] {
     --words: none;
+  }
+  /* the light has the room of what is to be watched */
+  @media (max-width: 1100px) {
+    :host([records]) :is(omote-show-clock, .item) {
+      display: none;
+    }
+  }
+  @media (max-width: 599px) {
+    :host([records]) .step {
+      display: none; /* it stands in the log too; panic keeps its corner */
+    }
+    :host([records]) .log {
+      margin-left: auto;
+    }
   }
   .notice.none {
     display: none;
@@ -202,8 +216,8 @@ export const style = css`
     }
   }
   @media (max-width: 1250px) {
-    .bus {
-      display: none; /* it stands in the set-up too */
+    :is(.bus, .moments) {
+      display: none; /* they stand in the set-up too */
     }
   }
   @media (max-width: 940px) {

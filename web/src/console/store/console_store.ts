@@ -61,7 +61,7 @@ export class ConsoleStore extends PageStore {
     this.#knobs = new Knobs(host, this.#outbox);
     this.hear("state", (state) => this.#receiveState(state));
     this.hear("refused", (message) => this.#receiveRefused(message));
-    for (const tag of ["kept", "item_changed", "bindings_changed"] as const)
+    for (const tag of ["kept", "item_changed", "bindings_changed", "recording_kept"] as const)
       this.hear(tag, (answer) => this.#requests.receive(answer));
   }
 

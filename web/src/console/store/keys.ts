@@ -25,6 +25,8 @@ export type Command =
   | { do: "scene" }
   | { do: "layers" }
   | { do: "go" }
+  | { do: "mark" }
+  | { do: "moments" }
   | { do: "bus" }
   | { do: "region"; direction: -1 | 1 };
 
@@ -66,6 +68,8 @@ const SHIFTED: Readonly<Record<string, Command>> = {
   KeyV: { do: "black", seconds: 0 },
   KeyB: { do: "black", seconds: null },
   KeyP: { do: "bus" },
+  KeyM: { do: "mark" },
+  KeyK: { do: "moments" },
 };
 
 /** The lines of the help: keys, and what they do. */
@@ -79,7 +83,7 @@ export const HELP: readonly (readonly [string, string])[] = [
   ["1 – 9", "Call one of the first nine faces"],
   ["Shift 1 – 9", "Call a memory: the whole look that was kept there, in the seconds of a face call"],
   ["\\", "Keep: the next memory pressed keeps the whole look that shows; again: not"],
-  ["Q – O", "Call one of the first nine expressions shown"],
+  ["Q – O", "Call one of the first nine expressions shown; of clips: play it, again: end it"],
   ["D", "Expressions are called on the whole face, the brows, the eyes, the mouth, the rest alone; Shift D: back"],
   ["[  ]", "Shorter, longer: seconds of a face call"],
   ["-  =", "Shorter, longer: seconds of an expression call"],
@@ -95,6 +99,8 @@ export const HELP: readonly (readonly [string, string])[] = [
   ["L", "To the lights; then Tab and Enter"],
   ["Shift B", "Fade all stages to black in the seconds of a face call; again: up"],
   ["Shift V", "Blackout: all stages black at once; again: up at once. Panic leaves it as it is"],
+  ["Shift M", "Mark this moment of the recording"],
+  ["Shift K", "Mark with a word; keep the last minutes of the recording, or the last seconds of a character as a clip"],
   ["`", "GO of the cues, the key left of 1: the cue that stands by, as the bar names it"],
   ["Shift P", "Preview: what is built up there shows nowhere until it is taken; again: back to what is on air"],
   ["Shift Enter", "In preview: take, in the seconds beside that button"],

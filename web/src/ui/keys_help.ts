@@ -1,11 +1,10 @@
-/** The keys of the cue page, over everything else. */
+/** The keys of a page, over everything else but its bar. */
 
 import { css, html, LitElement } from "lit";
-import { customElement } from "lit/decorators.js";
-import { closeOutside, curtainBelowBar, keysPage } from "../../ui/dialog_style";
-import { layerWhileShown } from "../../ui/key_presses";
-import { base } from "../../ui/theme";
-import { CUE_KEYS } from "../cues/cue_keys";
+import { customElement, property } from "lit/decorators.js";
+import { closeOutside, curtainBelowBar, keysPage } from "./dialog_style";
+import { layerWhileShown } from "./key_presses";
+import { base } from "./theme";
 
 const style = css`
   button {
@@ -15,8 +14,11 @@ const style = css`
 `;
 
 /** Tells `close`. */
-@customElement("omote-cue-help")
-export class CueHelp extends LitElement {
+@customElement("omote-keys-help")
+export class KeysHelp extends LitElement {
+  /** Keys, and what they do. */
+  @property({ attribute: false }) keys: readonly (readonly [string, string])[] = [];
+
   static override styles = [base, curtainBelowBar, keysPage, style];
 
   constructor() {
@@ -32,7 +34,7 @@ export class CueHelp extends LitElement {
   override render() {
     return html`<section class="panel" role="dialog" aria-modal="true" aria-label="Keys">
       <h2>Keys</h2>
-      <dl>${CUE_KEYS.map(([keys, does]) => html`<dt>${keys}</dt><dd>${does}</dd>`)}</dl>
+      <dl>${this.keys.map(([keys, does]) => html`<dt>${keys}</dt><dd>${does}</dd>`)}</dl>
       <button @click=${this.#close}>Close</button>
     </section>`;
   }

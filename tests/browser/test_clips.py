@@ -1,0 +1,184 @@
+"""The page of clips, in a real browser: passes are recorded by keys and clicks, played, muted, shifted and replaced."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable, Iterator
+from typing import Any
+
+import numpy as np
+import pytest
+from playwright.sync_api import Page, expect
+
+from tests.browser.conftest import playing
+from tests.browser.pictures import picture
+from tests.browser.waiting import wait_until
+
+OpenPage = Callable[..., Page]
+
+CLIPS = "document.querySelector('omote-clips-page').clips"
+DESK = "document.querySelector('omote-console').context.store"
+SIZES = [(1440, 900, False), (1024, 768, True), (768, 1024, True), (390, 844, True)]
+CUT = """() => {
+    const found = [];
+    const walk = (root) => {
+        for (const one of root.querySelectorAll("*")) {
+            if (one.shadowRoot) walk(one.shadowRoot);
+            const box = one.getBoundingClientRect();
+            if (!one.matches("button, input, a, select, time") || box.width === 0) continue;
+            if (root.host.localName === "omote-clip-settings") continue; // it scrolls on a phone
+            const narrow = one.matches("button") && one.scrollWidth > one.clientWidth + 1;
+            if (box.left < 0 || box.right > innerWidth + 1 || narrow)
+                found.push(`${one.className || one.localName} ${one.textContent.trim()} cut`);
+            if (matchMedia("(pointer: coarse)").matches && one.matches("button, select") && (box.height < 43.9))
+                found.push(`${one.className || one.localName} ${one.textContent.trim()} ${box.height}`);
+        }
+    };
+    walk(document.querySelector("omote-clips-page").shadowRoot);
+    if (document.documentElement.scrollWidth > innerWidth) found.push("the page");
+    return found;
+}"""
+
+
+@pytest.fixture(scope="module")
+def show(tmp_path_factory: pytest.TempPathFactory) -> Iterator[str]:
+    """A show of its own: others know no clip."""
+    yield from playing(tmp_path_factory.mktemp("clips") / "clips.omote")
+
+
+def clip_page(open_page: OpenPage, **options: Any) -> Page:
+    """The page of clips, once it has heard the show."""
+    page = open_page("/clips", pictures=False, **options)
+    wait_until(page, f"document.querySelector('omote-clips-page')?.clips.show.online && {CLIPS}.show.state")
+    return page
+
+
+def play_channel(page: Page, name: str, value: float) -> None:
+    """Sets a channel as a fader does, and waits until the pass has it for a while."""
+    message = f"{{ type: 'set_channel', character: 'one', name: {name!r}, value: {value} }}"
+    page.evaluate(f"{CLIPS}.show.put({name!r}, {message})")
+    wait_until(page, f"({CLIPS}.show.state.characters.one.channels[{name!r}] ?? 0) === {value}")
+    page.evaluate(f"window.since = {CLIPS}.show.state.time")
+    wait_until(page, f"{CLIPS}.show.state.time > since + 0.6")
+
+
+def begin_clip(page: Page, name: str) -> None:
+    """Begins a clip by keys, without a count."""
+    page.keyboard.press("c")
+    page.keyboard.press("n")
+    page.keyboard.type(name)
+    page.keyboard.press("Enter")
+
+
+def moved_most(page: Page, lane: int) -> Any:
+    """What the page draws first of a lane."""
+    return page.evaluate(f"Object.keys({CLIPS}.lanes[{lane}].moves)[0]")
+
+
+def arm_alone(page: Page, part: str) -> None:
+    """Arms one part by clicks."""
+    for button in page.locator("omote-clip-transport .arm").all():
+        if (button.get_attribute("aria-pressed") == "true") != (button.get_attribute("data-part") == part):
+            button.click()
+
+
+def record_two_passes(page: Page, name: str) -> None:
+    """The mouth by keys, then the brows by clicks."""
+    begin_clip(page, name)
+    arm_alone(page, "mouth")
+    page.keyboard.press("r")
+    wait_until(page, f"{CLIPS}.pass !== null")
+    play_channel(page, "jawOpen", 0.75)
+    play_channel(page, "jawOpen", 0.0)
+    page.keyboard.press("k")
+    wait_until(page, f"{CLIPS}.lanes.length === 1")
+    arm_alone(page, "brows")
+    page.get_by_role("button", name="Record", exact=True).click()
+    wait_until(page, f"{CLIPS}.pass?.parts.join() === 'brows'")
+    play_channel(page, "browInnerUp", 0.75)
+    play_channel(page, "browInnerUp", 0.0)
+    page.get_by_role("button", name="Keep", exact=True).click()
+    wait_until(page, f"{CLIPS}.lanes.length === 2")
+
+
+def test_two_passes_are_recorded_played_muted_shifted_and_replaced(open_page: OpenPage) -> None:
+    page = clip_page(open_page)
+    record_two_passes(page, "line")
+    assert [moved_most(page, lane) for lane in (0, 1)] == ["channel/jawOpen", "channel/browInnerUp"]
+    expect(page.locator("omote-clip-timeline .block path")).not_to_have_count(0)
+    expect(page.locator("[role=status].notice")).to_contain_text("lane brows, is a lane now")
+
+    # Both lanes play, from the start, and the line moves.
+    page.keyboard.press("Home")
+    page.keyboard.press("Space")
+    one = f"{CLIPS}.show.state.characters.one.channels"
+    wait_until(page, f"{one}.jawOpen > 0.7 && {one}.browInnerUp > 0")
+    wait_until(page, f"{CLIPS}.playing === null")
+
+    # Muted, shifted by the key and by the field, and taken back.
+    page.keyboard.press("ArrowUp")
+    page.keyboard.press("m")
+    wait_until(page, f"{CLIPS}.lanes[0].muted")
+    expect(page.get_by_role("button", name="Mute lane 1")).to_have_attribute("aria-pressed", "true")
+    page.keyboard.press("Alt+Shift+ArrowRight")
+    wait_until(page, f"{CLIPS}.lanes[0].shift === 0.1")
+    page.get_by_role("textbox", name="Shift of lane 2, seconds").fill("0,25")
+    page.get_by_role("textbox", name="Shift of lane 2, seconds").press("Enter")
+    wait_until(page, f"{CLIPS}.lanes[1].shift === 0.25")
+    page.keyboard.press("Escape")
+    page.keyboard.press("Control+z")
+    wait_until(page, f"{CLIPS}.lanes[1].shift === 0")
+
+    # A span of the first lane shows the second, which is no lane any more until that is taken back.
+    body = page.locator("omote-clip-timeline .lane .body").first
+    box = body.bounding_box()
+    assert box is not None
+    page.mouse.move(box["x"] + 30, box["y"] + 60)
+    page.mouse.down()
+    page.mouse.move(box["x"] + 110, box["y"] + 60, steps=4)
+    page.mouse.up()
+    assert page.evaluate(f"[{CLIPS}.lane, {CLIPS}.span.from > 0]") == [0, True]
+    page.get_by_role("button", name="Into the span").click()
+    wait_until(page, f"{CLIPS}.lanes.length === 1 && {CLIPS}.lanes[0].spans.length === 1")
+    page.get_by_role("button", name="Undo", exact=True).click()
+    wait_until(page, f"{CLIPS}.lanes.length === 2 && {CLIPS}.lanes[0].spans.length === 0")
+
+
+def test_a_span_is_recorded_again_and_every_console_has_the_light(open_page: OpenPage) -> None:
+    page = clip_page(open_page)
+    record_two_passes(page, "second")
+    desk = open_page("/console", pictures=False, width=390, height=844)
+    wait_until(desk, f"document.querySelector('omote-console')?.context.store.online && {DESK}.manifest")
+
+    # The span alone is another, and the pass no lane of its own.
+    page.keyboard.press("ArrowUp")
+    page.evaluate(f"{CLIPS}.select({{ from: 0.2, to: 0.8 }})")
+    page.keyboard.press("g")
+    wait_until(page, f"{CLIPS}.pass === null && {CLIPS}.lanes[0].spans.length === 1", told=f"{CLIPS}.lanes")
+    assert page.evaluate(f"{CLIPS}.lanes.length") == 2
+
+    # What is recorded here is seen and kept there; a tile plays the clip, and ends it.
+    page.keyboard.press("r")
+    light = desk.locator("omote-record-light button")
+    expect(light).to_have_attribute("aria-label", re.compile("records brows of"))
+    red = picture(desk)
+    assert np.count_nonzero((red[..., 0] > 180) & (red[..., 1] < 40)) > 1500
+    light.click()
+    desk.locator("omote-passes").get_by_role("button", name="Keep").click()
+    wait_until(page, f"{CLIPS}.pass === null && {CLIPS}.lanes.length === 3")
+    expect(light).to_have_count(0)
+    desk.evaluate(f"{DESK}.arrange({{ kind: 'clips', view: 'palettes' }})")
+    tile = desk.locator("omote-clip-tiles [data-name='second']")
+    tile.click()
+    expect(tile).to_have_attribute("aria-pressed", "true")
+    tile.click()
+    expect(tile).to_have_attribute("aria-pressed", "false")
+
+
+def test_nothing_is_cut_and_fingers_have_room(open_page: OpenPage) -> None:
+    record_two_passes(clip_page(open_page), "third")
+    for width, height, touch in SIZES:
+        fingers = {"has_touch": True, "is_mobile": True} if touch else {}
+        sized = clip_page(open_page, width=width, height=height, **fingers)
+        wait_until(sized, f"{CLIPS}.lanes.length > 0")
+        assert sized.evaluate(CUT) == [], (width, height)

@@ -1,0 +1,26 @@
+import { describe, expect, it } from "vitest";
+import { clipTime, passWords, positionOf } from "./clip_passes";
+
+describe("passes", () => {
+  it("are where the clip was when they began, and go on from there", () => {
+    expect(positionOf({ began: 100, start: 2.5 }, 101)).toBe(3.5);
+    expect(positionOf({ began: 100, start: 2.5 }, 99)).toBe(2.5); // a state from before
+  });
+
+  it("have times that never read sixty seconds", () => {
+    expect([0, 59.97, 64.25, -0.5].map(clipTime)).toEqual(["0:00.0", "1:00.0", "1:04.3", "−0:00.5"]);
+  });
+
+  it("say who records what of whom", () => {
+    const pass = {
+      by: "Anna",
+      parts: ["mouth" as const],
+      name: "line",
+      lane: "",
+      character: "one",
+      began: 0,
+      start: 0,
+    };
+    expect(passWords(pass, "Kaori", 6)).toBe("Anna records mouth of Kaori in line");
+  });
+});

@@ -1,0 +1,26 @@
+/** The passes that are recorded anywhere in the show, and what is said of them. */
+
+import type { ClipPass } from "../../link/messages";
+import type { ConsoleStore } from "../store/console_store";
+
+/** All passes that are recorded now. */
+export const passesOf = (show: ConsoleStore): readonly ClipPass[] => show.newest("clip_work")?.passes ?? [];
+
+/** Where in the time of its clip a pass is; `time`: of the show. */
+export const positionOf = (pass: Pick<ClipPass, "began" | "start">, time: number): number =>
+  pass.start + Math.max(0, time - pass.began);
+
+/** Minutes, seconds and tenths: `1:04.2`. */
+export function clipTime(seconds: number): string {
+  const tenths = Math.round(Math.abs(seconds) * 10);
+  const [minutes, rest] = [Math.floor(tenths / 600), (tenths % 600) / 10];
+  return `${seconds < 0 && tenths > 0 ? "−" : ""}${minutes}:${rest.toFixed(1).padStart(4, "0")}`;
+}
+
+/** What parts are called together; `all`: how many there are. */
+export const partsLabel = (parts: readonly string[], all: number): string =>
+  parts.length === all ? "all parts" : parts.join(", ");
+
+/** Who records what of whom; `label`: of the character. */
+export const passWords = ({ by, parts, name }: ClipPass, label: string, all: number): string =>
+  `${by === "" ? "A program" : by} records ${partsLabel(parts, all)} of ${label} in ${name}`;

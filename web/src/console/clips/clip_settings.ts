@@ -1,0 +1,128 @@
+/** How the shown clip is played: where it begins and ends, how it comes and goes, its speed, and whether it begins again. */
+
+import { css, html, nothing } from "lit";
+import { customElement } from "lit/decorators.js";
+import { base, flow } from "../../ui/theme";
+import { textOf } from "../../ui/topic_element";
+import { ClipElement, clipControls, numberIn } from "./clip_element";
+import type { ClipTopic } from "./clip_store";
+
+const style = css`
+  :host {
+    ${flow}
+    gap: 4px 12px;
+    min-height: 40px;
+    padding: 4px 8px;
+  }
+  input {
+    width: 62px;
+  }
+  .file {
+    position: relative;
+    padding: 0 8px;
+    min-height: var(--finger, 32px);
+    color: var(--text);
+    background: var(--raised);
+    border: 1px solid var(--line);
+    border-radius: 4px;
+    cursor: pointer;
+  }
+  .file input {
+    position: absolute;
+    inset: 0;
+    width: 100%;
+    opacity: 0;
+    cursor: pointer;
+  }
+  .file:focus-within {
+    outline: 2px solid var(--focus);
+    outline-offset: 1px;
+  }
+  b {
+    overflow-wrap: anywhere;
+    font-size: 15px;
+  }
+  @media (max-width: 899px) {
+    b {
+      display: none;
+    }
+    :host {
+      gap: 4px 8px;
+    }
+    input {
+      width: 56px;
+    }
+  }
+  @media (max-width: 599px) {
+    :host {
+      flex-wrap: nowrap;
+      overflow-x: auto;
+    }
+    label {
+      flex-wrap: nowrap;
+    }
+  }
+`;
+
+/** Each field: its name in messages, what people read, and what it is. */
+const FIELDS = [
+  ["start", "Start", "Where it begins, seconds of its lanes"],
+  ["stop", "Stop", "Where it ends, seconds of its lanes"],
+  ["blend_in", "In", "Seconds in which it comes"],
+  ["blend_out", "Out", "Seconds in which it goes"],
+  ["speed", "Speed", "1 is as it was recorded"],
+] as const;
+
+@customElement("omote-clip-settings")
+export class ClipSettings extends ClipElement {
+  static override styles = [base, clipControls, style];
+
+  protected override readonly topics: readonly ClipTopic[] = ["clips", "view", "link"];
+
+  override render() {
+    const { outline, name, locked } = this.clips;
+    if (outline === null) return html`<b>${name}</b>${name === "" ? nothing : this.#sound()}`;
+    return html`<b>${name}</b>${FIELDS.map(
+      ([
+        field,
+        label,
+        title,
+      ]) => html`<label title=${title}>${label}<input inputmode="decimal" ?disabled=${locked !== ""}
+        .value=${shown(outline[field])} @change=${(event: Event) => this.#set(field, event)}></label>`,
+    )}
+      <button aria-pressed=${outline.loop} title=${locked || "Begins again at its end (L)"} ?disabled=${locked !== ""}
+        @click=${() => this.clips.editClip({ loop: !outline.loop })}>Loop</button>${this.#sound()}`;
+  }
+
+  /** What is heard with it, to play along with. */
+  #sound() {
+    const { clips } = this;
+    const { outline, sound, locked } = clips;
+    const barred = locked !== "";
+    return html`<label class="file" title=${locked || "A sound (WAV, MP3, Ogg) that is heard with it, from the place that is marked on: passes are recorded along with it"}>${sound === "" ? "Sound …" : "Other sound …"}<input type="file" accept="audio/*" aria-label="Sound of the clip" ?disabled=${barred} @change=${this.#bring}></label>
+      ${
+        sound === ""
+          ? nothing
+          : html`${outline === null ? html`<span>♪ from the first pass on</span>` : html`<label title="Where the sound begins, seconds of the lanes">♪ at<input inputmode="decimal" aria-label="The sound begins at" ?disabled=${barred} .value=${shown(outline.sound_at)} @change=${(event: Event) => this.#set("sound_at", event)}></label>`}
+      <button aria-label="No sound" title="No sound" ?disabled=${barred} @click=${() => clips.setSound("")}>✕</button>`
+      }`;
+  }
+
+  readonly #bring = (event: Event): void => {
+    const field = event.target as HTMLInputElement;
+    const [file] = field.files ?? [];
+    field.value = "";
+    if (file !== undefined) void this.clips.bringSound(file);
+  };
+
+  #set(field: (typeof FIELDS)[number][0] | "sound_at", event: Event): void {
+    const { outline } = this.clips;
+    const number = numberIn(textOf(event));
+    if (number !== null && number !== outline?.[field]) this.clips.editClip({ [field]: number });
+    if (number !== null || outline === null) return;
+    (event.target as HTMLInputElement).value = shown(outline[field]);
+    this.clips.show.say("Give a number, as 1.5.");
+  }
+}
+
+const shown = (number: number): string => String(Math.round(number * 1000) / 1000);

@@ -1,0 +1,195 @@
+import { beforeEach, describe, expect, it } from "vitest";
+import type { ClipOutline, ClipPass, FromClient, State } from "../../link/messages";
+import { ConsoleStore } from "../store/console_store";
+import { ClipStore } from "./clip_store";
+
+const LANE = { parts: ["mouth" as const], weight: 1, muted: false, shift: 0, start: 0, stop: 8, spans: [], moves: {} };
+const outline = (...names: string[]): ClipOutline => ({
+  name: "line",
+  start: 0.5,
+  stop: 8,
+  trimmed: true,
+  blend_in: 0.3,
+  blend_out: 0.3,
+  loop: false,
+  speed: 1,
+  sound: "",
+  sound_at: 0,
+  lanes: names.map((name) => ({ ...LANE, name })),
+  edits: 1,
+});
+
+let [sent, number, time]: [FromClient[], number, number] = [[], 0, 0];
+let stored: Record<string, ClipOutline>;
+let waiting: (() => void)[];
+let show: ConsoleStore;
+let clips: ClipStore;
+
+const tick = (at: number, playing: object[] = []): void => {
+  number += 1;
+  time = at;
+  const one = { panics: 0, label: "Kaori", face_call: null, expression_call: null, home_face: "", clips: playing };
+  show.receive({ type: "state", epoch: 1, number, time, characters: { one, two: one } } as unknown as State);
+};
+const work = (edits: number, ...passes: Partial<ClipPass>[]): void =>
+  show.receive({ type: "clip_work", edits, passes: passes as ClipPass[] });
+const settle = async (): Promise<void> => {
+  for (let turn = 0; turn < 6; turn += 1) await Promise.resolve();
+};
+const kinds = (): string[] => {
+  show.flush();
+  return sent.map(({ type }) => type);
+};
+const last = (): FromClient | undefined => {
+  show.flush();
+  return sent.at(-1);
+};
+
+beforeEach(async () => {
+  [sent, stored, waiting] = [[], { line: outline("mouth", "brows") }, []];
+  show = new ConsoleStore(
+    (message) => sent.push(message),
+    () => 0,
+    "page",
+  );
+  const request = async (address: string) => {
+    if (address === "/sounds") return { ok: true, json: async () => ({ sound: "key", seconds: 4 }) } as Response;
+    const found = stored[decodeURIComponent(address.replace("/clip_outlines/", ""))];
+    return { ok: true, status: found ? 200 : 204, json: async () => found } as unknown as Response;
+  };
+  clips = new ClipStore(show, "page", request as typeof fetch, (act) => waiting.push(act));
+  show.setOnline(true);
+  tick(100);
+  show.receive({ type: "clips", names: ["line"] });
+  await settle();
+});
+
+describe("the store of clips", () => {
+  it("shows the first clip from its start, and reads it again after each edit", async () => {
+    expect([clips.name, clips.cursor, clips.lanes.length]).toEqual(["line", 0.5, 2]);
+    stored.line = outline("mouth", "brows", "head");
+    work(2);
+    await settle();
+    expect([clips.lanes.length, clips.lane]).toEqual([3, 2]); // what is new is chosen
+  });
+
+  it("plays from the place that is marked, goes on from another, and stops", () => {
+    clips.seek(2.5);
+    clips.togglePlay();
+    expect(last()).toMatchObject({ type: "play_clip", character: "one", name: "line", start: 2 });
+    tick(101, [{ name: "line", elapsed: 3, seconds: 7.5, share: 1 }]);
+    expect(clips.position).toBe(3.5);
+    clips.seek(6);
+    expect(last()).toMatchObject({ type: "play_clip", start: 5.5 });
+    clips.togglePlay();
+    expect(last()).toMatchObject({ type: "stop_clip", name: "line" });
+  });
+
+  it("records what is armed after three seconds, which can be called off", () => {
+    for (const part of ["brows", "eyes", "rest", "head", "gaze"] as const) clips.arm(part);
+    clips.record();
+    expect([clips.counting, kinds()]).toEqual([3, []]);
+    clips.discard();
+    for (const act of waiting.splice(0)) act();
+    expect([clips.counting, kinds()]).toEqual([null, []]);
+    clips.record();
+    for (let second = 0; second < 3; second += 1) for (const act of waiting.splice(0)) act();
+    expect(last()).toMatchObject({ type: "record_clip", name: "line", parts: ["mouth"], lane: "mouth 2", start: 0.5 });
+  });
+
+  it("keeps and discards the pass, and says which", () => {
+    const pass = {
+      character: "one",
+      name: "line",
+      lane: "mouth 2",
+      parts: ["mouth" as const],
+      by: "Anna",
+      began: 100,
+      start: 0.5,
+    };
+    work(1, pass);
+    tick(102);
+    expect(clips.position).toBe(2.5);
+    clips.togglePlay();
+    expect(last()).toMatchObject({ type: "keep_pass", character: "one", keep: true });
+    work(2);
+    expect(show.notice).toContain("Kept in line: mouth, lane mouth 2, is a lane now");
+    work(2, pass);
+    clips.discard();
+    expect(last()).toMatchObject({ type: "keep_pass", keep: false });
+    work(2);
+    expect(show.notice).toBe("The pass is discarded.");
+  });
+
+  it("records a span of a lane again from before it, and puts the pass in its place", () => {
+    clips.setCountIn(false);
+    clips.select({ from: 3, to: 5 });
+    clips.recordAgain();
+    expect(last()).toMatchObject({ type: "record_clip", parts: ["mouth"], lane: "again", start: 1 });
+    work(1, { character: "one", name: "line", lane: "again", parts: ["mouth"], by: "", began: 100, start: 1 });
+    tick(103.9);
+    expect(last()).toMatchObject({ type: "record_clip" });
+    tick(104.2);
+    expect(kinds().slice(1)).toEqual(["keep_pass", "copy_clip", "drop_clip", "replace_span"]);
+    expect(last()).toMatchObject({ lane: "1", by: "again", start: 3, stop: 5 });
+  });
+
+  it("takes back what no message takes back by the clip as it was", () => {
+    clips.dropLane(1);
+    expect(kinds()).toEqual(["copy_clip", "drop_clip", "drop_lane"]);
+    sent = [];
+    show.undo();
+    expect(kinds()).toEqual(["drop_clip", "restore_clip", "rename_clip"]);
+    expect(last()).toMatchObject({ to: "line" });
+  });
+
+  it("takes edits of lanes and deleted clips back", () => {
+    clips.shift(1, 0.25);
+    expect(last()).toMatchObject({ type: "edit_lane", lane: "2", shift: 0.25 });
+    show.undo();
+    expect(last()).toMatchObject({ type: "edit_lane", lane: "2", shift: 0 });
+    clips.drop();
+    show.undo();
+    expect(last()).toMatchObject({ type: "restore_clip", name: "line" });
+  });
+
+  it("marks a span by its ends, and none that ends before it begins", () => {
+    clips.seek(2);
+    clips.mark("from");
+    clips.seek(4);
+    clips.mark("to");
+    expect(clips.span).toEqual({ from: 2, to: 4 });
+    clips.select(null);
+    clips.mark("to");
+    expect([clips.span, show.notice]).toEqual([null, expect.stringContaining("press I")]);
+  });
+
+  it("has a sound heard with the clip, and with a new one from its first pass on", async () => {
+    clips.seek(2);
+    await clips.bringSound(new Blob());
+    expect(last()).toMatchObject({ type: "edit_clip", sound: "key", sound_at: 2 });
+    clips.choose("new");
+    await clips.bringSound(new Blob());
+    clips.setCountIn(false);
+    clips.record();
+    expect(last()).toMatchObject({ type: "record_clip", name: "new", sound: "key", start: null });
+  });
+
+  it("says why a clip plays without its sound, once", () => {
+    const playing = [{ name: "line", elapsed: 1, seconds: 7, share: 1, silent: "no stage plays sounds." }];
+    tick(101, playing);
+    expect(show.notice).toContain("no stage plays sounds.");
+    show.say(null);
+    tick(102, playing);
+    expect(show.notice).toBeNull();
+  });
+
+  it("does nothing that its role may not do, and says why", () => {
+    clips.setAccess({ role: "operate", name: "Anna", asked: true });
+    clips.record();
+    clips.shift(0, 1);
+    expect([kinds(), show.notice]).toEqual([[], expect.stringContaining('needs "edit"')]);
+    clips.togglePlay();
+    expect(last()).toMatchObject({ type: "play_clip" });
+  });
+});

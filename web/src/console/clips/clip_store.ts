@@ -1,0 +1,581 @@
+/** What the page of clips knows of them, and what it may do with them. Nothing here touches the page. */
+
+import { missingRole } from "../../access/page_access";
+import { LAYER_PARTS } from "../../link/constants";
+import type {
+  AccessDocument,
+  ClipOutline,
+  ClipPass,
+  ClipState,
+  ClipWork,
+  EditClip,
+  EditLane,
+  LaneOutline,
+} from "../../link/messages";
+import { TopicStore } from "../../link/topics";
+import type { ConsoleStore } from "../store/console_store";
+import type { Change } from "../store/undo_history";
+import { clipTime, partsLabel, passesOf, positionOf } from "./clip_passes";
+import { freeLaneName, laneKey, type Span } from "./timeline";
+
+export type Part = (typeof LAYER_PARTS)[number];
+/** `clips`: their names and the one that is shown; `work`: what is recorded; `view`: what this page marks and arms. */
+export type ClipTopic = "clips" | "work" | "view" | "link" | "notice" | "characters" | "undo";
+
+/** Seconds that are counted in. */
+const COUNT_IN = 3;
+/** Seconds that are played before a span that is recorded again, and recorded after it. */
+const RUN_UP = 2;
+const RUN_OUT = 0.1;
+/** Seconds in which playing begins and ends by the keys of a transport. */
+const BLEND = 0.1;
+const AGAIN_MS = 500;
+const NO_WORK: ClipWork = { type: "clip_work", passes: [], edits: 0 };
+
+/** A span of a lane that is recorded again: `by` is the pass, which replaces it once it is over. */
+interface SpanAgain extends Span {
+  readonly lane: string;
+  readonly by: string;
+}
+
+type EditOf<Message> = Partial<Omit<Message, "type" | "id" | "name" | "lane">>;
+
+export class ClipStore extends TopicStore<ClipTopic> {
+  /** The clip that is shown; one that has no pass yet is in no list. */
+  name = "";
+  outline: ClipOutline | null = null;
+  /** The lane that is chosen, from 0. */
+  lane = 0;
+  /** The place from which is played and recorded, seconds of the clip. */
+  cursor = 0;
+  span: Span | null = null;
+  /** Where a span begins that has no end yet. */
+  begun: number | null = null;
+  /** The parts that are recorded next. */
+  armed: ReadonlySet<Part> = new Set(LAYER_PARTS);
+  countsIn = true;
+  /** Seconds until the pass begins; null while none is counted in. */
+  counting: number | null = null;
+  search = "";
+  access: AccessDocument = { role: "admin", name: "", asked: false };
+  /** The sound that a new clip has from its first pass on; "" for none. */
+  firstSound = "";
+  #silent = "";
+  #chosen = "";
+  #again: SpanAgain | null = null;
+  #work: ClipWork = NO_WORK;
+  #ending: "keep" | "discard" | null = null;
+  #reading = 0;
+  #count = 0;
+  #counts = 0;
+
+  /** `page`: a name that no other page has; `later`: calls after some milliseconds. */
+  constructor(
+    readonly show: ConsoleStore,
+    private readonly page: string,
+    private readonly request: typeof fetch = (...of) => fetch(...of),
+    private readonly later: (act: () => void, milliseconds: number) => unknown = (act, wait) => setTimeout(act, wait),
+  ) {
+    super();
+    show.hear("clips", () => this.#receiveNames());
+    show.hear("clip_work", (work) => this.#receiveWork(work));
+    show.hear("state", () => {
+      this.#endSpan();
+      this.#hearSilence();
+    });
+    show.listen("link", () => this.#relink());
+    for (const topic of ["notice", "characters", "undo"] as const) show.listen(topic, () => this.tell(topic));
+  }
+
+  // --- what shows ---
+
+  get names(): readonly string[] {
+    return this.show.newest("clips")?.names ?? [];
+  }
+
+  get found(): readonly string[] {
+    const words = this.search.toLowerCase().split(/\s+/).filter(Boolean);
+    return this.names.filter((name) => words.every((word) => name.toLowerCase().includes(word)));
+  }
+
+  get lanes(): readonly LaneOutline[] {
+    return this.outline?.lanes ?? [];
+  }
+
+  get chosenLane(): LaneOutline | null {
+    return this.lanes[this.lane] ?? null;
+  }
+
+  /** The character that plays and is recorded here. */
+  get character(): string {
+    const names = Object.keys(this.show.state?.characters ?? {});
+    return names.includes(this.#chosen) ? this.#chosen : (names[0] ?? "");
+  }
+
+  labelOf(character: string): string {
+    return this.show.state?.characters[character]?.label || character;
+  }
+
+  /** The pass that is recorded of the character that is chosen. */
+  get pass(): ClipPass | null {
+    return passesOf(this.show).find(({ character }) => character === this.character) ?? null;
+  }
+
+  /** The shown clip as the character plays it; null while it does not. */
+  get playing(): ClipState | null {
+    const clips = this.show.state?.characters[this.character]?.clips ?? [];
+    return clips.findLast(({ name }) => name === this.name) ?? null;
+  }
+
+  /** Where the clip is now, seconds of it. */
+  get position(): number {
+    const { pass, playing } = this;
+    if (pass !== null && pass.name === this.name) return positionOf(pass, this.show.state?.time ?? 0);
+    return playing === null ? this.cursor : playing.elapsed + (this.outline?.start ?? 0);
+  }
+
+  /** Why nobody would hear this page play; "" where the show hears it. */
+  get unheard(): string {
+    if (!this.show.online) return "Link lost: the show does not hear this page.";
+    return missingRole(this.access, "operate", "playing clips") ?? "";
+  }
+
+  /** Why this page records and edits nothing; "" where it may. */
+  get locked(): string {
+    if (!this.show.online) return this.unheard;
+    return missingRole(this.access, "edit", "recording and editing clips") ?? "";
+  }
+
+  setAccess(access: AccessDocument): void {
+    this.access = access;
+    this.tell("view");
+  }
+
+  // --- what this page marks ---
+
+  /** Shows another clip, or a new one that its first pass makes. */
+  choose(name: string): void {
+    this.name = name;
+    [this.lane, this.span, this.begun, this.outline] = [0, null, null, null];
+    [this.cursor, this.firstSound] = [0, ""];
+    this.tell("clips");
+    void this.#read(true);
+  }
+
+  chooseCharacter(name: string): void {
+    this.#chosen = name;
+    this.tell("view");
+  }
+
+  chooseLane(index: number): void {
+    this.lane = Math.max(0, Math.min(this.lanes.length - 1, index));
+    this.tell("view");
+  }
+
+  searchFor(text: string): void {
+    this.search = text;
+    this.tell("view");
+  }
+
+  /** Marks a place; what plays goes on from there. */
+  seek(seconds: number): void {
+    const { start = 0, stop = Number.POSITIVE_INFINITY } = this.outline ?? {};
+    this.cursor = Math.max(start, Math.min(stop, seconds));
+    if (this.playing !== null && this.pass === null) this.#playFrom(this.cursor);
+    this.tell("view");
+  }
+
+  select(span: Span | null): void {
+    [this.span, this.begun] = [span, null];
+    this.tell("view");
+  }
+
+  /** A span begins or ends at the place where the clip is. */
+  mark(end: "from" | "to"): void {
+    const here = this.position;
+    const other = end === "from" ? (this.span?.to ?? null) : (this.span?.from ?? this.begun);
+    if (other !== null && (end === "from" ? here < other : here > other))
+      this.select(end === "from" ? { from: here, to: other } : { from: other, to: here });
+    else if (end === "from") [this.span, this.begun] = [null, here];
+    else this.show.say("The span ends before it begins: press I where it is to begin, then O.");
+    this.tell("view");
+  }
+
+  arm(part: Part): void {
+    const armed = new Set(this.armed);
+    if (!armed.delete(part)) armed.add(part);
+    this.armed = armed;
+    this.tell("view");
+  }
+
+  setCountIn(on: boolean): void {
+    this.countsIn = on;
+    this.tell("view");
+  }
+
+  // --- what plays ---
+
+  /** Plays from the place that is marked, or stops; ends a pass that is recorded, and keeps it. */
+  togglePlay(): void {
+    if (this.counting !== null) this.#cancel();
+    else if (this.pass !== null) this.keep();
+    else if (this.playing !== null) this.stop();
+    else this.#playFrom(this.cursor);
+  }
+
+  stop(): void {
+    if (this.#may(this.unheard))
+      this.show.ask({ type: "stop_clip", character: this.character, name: this.name, seconds: BLEND });
+  }
+
+  #playFrom(seconds: number): void {
+    const { outline } = this;
+    if (outline === null) this.show.say("Nothing to play yet: choose a clip, or record a pass.");
+    else if (this.#may(this.unheard)) {
+      const at = seconds - outline.start;
+      const start = at < outline.stop - outline.start - 0.05 ? Math.max(0, at) : 0;
+      this.show.ask({ type: "play_clip", character: this.character, name: this.name, seconds: BLEND, start });
+    }
+  }
+
+  // --- what is recorded ---
+
+  /** Records a pass of what is armed, after the count; ends and keeps the one that is recorded. */
+  record(): void {
+    if (this.counting !== null) this.#cancel();
+    else if (this.pass !== null) this.keep();
+    else if (this.#mayRecord() && this.armed.size === 0)
+      this.show.say("No part is armed: press 1 to 6, or touch what is to be recorded.");
+    else if (this.#mayRecord()) this.#countIn(() => this.#begin());
+  }
+
+  /** Records a span of the chosen lane again, from a little before it. */
+  recordAgain(): void {
+    const { span, chosenLane: lane, outline } = this;
+    if (!this.#mayRecord()) return;
+    if (span === null || lane === null || outline === null)
+      this.show.say("Select a span of a lane first: drag over it, or I and O.");
+    else if (this.pass !== null) this.show.say("A pass is recorded already: keep it, or discard it, first.");
+    else {
+      const by = freeLaneName(this.lanes, "again");
+      const start = Math.min(outline.stop, Math.max(outline.start, span.from - RUN_UP));
+      this.#countIn(() => {
+        this.#again = { ...span, lane: laneKey(this.lanes, this.lane), by };
+        this.#send(lane.parts, by, start);
+      });
+    }
+  }
+
+  /** Ends the pass and keeps it. */
+  keep(): void {
+    if (this.#again !== null) this.#replaceAgain(Math.min(this.#again.to, this.position));
+    else this.#end("keep");
+  }
+
+  /** Ends the pass without a trace; without one, forgets what is selected. */
+  discard(): void {
+    if (this.counting !== null) this.#cancel();
+    else if (this.pass !== null) this.#end("discard");
+    else this.select(null);
+  }
+
+  #mayRecord(): boolean {
+    if (this.name === "") this.show.say("Choose a clip, or begin a new one (N), before you record.");
+    return this.name !== "" && this.#may(this.locked);
+  }
+
+  #countIn(then: () => void): void {
+    this.#counts += 1;
+    const begun = this.#counts;
+    const step = (left: number): void => {
+      if (left < COUNT_IN && (this.counting === null || begun !== this.#counts)) return; // it was called off
+      this.counting = left > 0 ? left : null;
+      if (left > 0) this.later(() => step(left - 1), 1000);
+      else then();
+      this.tell("view");
+    };
+    if (this.countsIn) step(COUNT_IN);
+    else then();
+  }
+
+  #cancel(): void {
+    this.counting = null;
+    this.show.say("Nothing is recorded.", "done");
+    this.tell("view");
+  }
+
+  #begin(): void {
+    const parts = LAYER_PARTS.filter((part) => this.armed.has(part));
+    const called = parts.length === LAYER_PARTS.length ? "all" : parts.join("+");
+    const start = this.outline === null ? null : Math.max(this.outline.start, Math.min(this.outline.stop, this.cursor));
+    this.#send(parts, freeLaneName(this.lanes, called), start);
+  }
+
+  #send(parts: readonly Part[], lane: string, start: number | null): void {
+    this.#ending = null;
+    this.show.say(null);
+    const asked = { type: "record_clip", character: this.character, name: this.name, lane, start } as const;
+    const refused = ({ reason }: { reason: string }): void => {
+      this.#again = null;
+      this.show.say(reason);
+    };
+    const sound = this.outline === null ? this.firstSound : "";
+    this.show.ask({ ...asked, parts: [...parts], sound }, { refused });
+  }
+
+  #end(how: "keep" | "discard"): void {
+    const { pass } = this;
+    if (pass === null) this.show.say("No pass is recorded.");
+    else if (this.#may(this.locked)) {
+      [this.#ending, this.#again] = [how, null];
+      this.show.ask({ type: "keep_pass", character: pass.character, keep: how === "keep" });
+    }
+  }
+
+  /** Says why the sound of a clip that plays is not heard. */
+  #hearSilence(): void {
+    const silent = this.playing?.silent ?? "";
+    if (silent !== "" && silent !== this.#silent) this.show.say(`The clip plays without its sound: ${silent}`);
+    this.#silent = silent;
+  }
+
+  /** The span that is recorded again is over. */
+  #endSpan(): void {
+    const again = this.#again;
+    if (again !== null && this.pass?.lane === again.by && this.position >= again.to + RUN_OUT)
+      this.#replaceAgain(again.to);
+  }
+
+  #replaceAgain(to: number): void {
+    const again = this.#again;
+    const { pass } = this;
+    this.#end("keep");
+    if (again === null || pass === null || to - again.from < 0.05) return; // what was recorded stays, as a lane
+    const { lane, by, from } = again;
+    const done = `Recorded again from ${clipTime(from)} to ${clipTime(to)}.`;
+    this.#change(done, "span recorded again", [
+      { type: "replace_span", name: pass.name, lane, by, start: from, stop: to },
+    ]);
+  }
+
+  #receiveWork(work: ClipWork): void {
+    const before = this.#work;
+    this.#work = work;
+    this.tell("work");
+    if (before.edits !== work.edits) void this.#read(false);
+    const ended = before.passes.find((pass) => pass.character === this.character && pass.name === this.name);
+    if (ended !== undefined && !work.passes.some(({ character }) => character === ended.character))
+      this.#say(ended, before.edits !== work.edits);
+  }
+
+  /** Says what has become of a pass of this page. */
+  #say({ name, lane, parts }: ClipPass, kept: boolean): void {
+    const how = this.#ending;
+    [this.#ending, this.#again] = [null, null];
+    const what = `${partsLabel(parts, LAYER_PARTS.length)}${lane === "" ? "" : `, lane ${lane},`}`;
+    if (kept)
+      this.show.say(
+        `Kept in ${name}: ${what} ${how === null ? "by another hand or after ten minutes" : "is a lane now"}.`,
+        "done",
+      );
+    else if (how === "discard") this.show.say("The pass is discarded.", "done");
+  }
+
+  // --- what is edited ---
+
+  editClip(change: EditOf<EditClip>): void {
+    const { outline, name } = this;
+    if (outline === null || !this.#may(this.locked)) return;
+    const before = Object.fromEntries(Object.keys(change).map((key) => [key, outline[key as keyof typeof change]]));
+    const what = Object.keys(change).join(", ").replaceAll("_", " ");
+    this.show.act(`${name}: ${what} changed.`, {
+      what: `${what} of ${name}`,
+      undo: [{ type: "edit_clip", name, ...before }],
+      redo: [{ type: "edit_clip", name, ...change }],
+    });
+  }
+
+  /** The key of the sound that is heard with the clip; "" for none. */
+  get sound(): string {
+    return this.outline === null ? this.firstSound : this.outline.sound;
+  }
+
+  /** Sends a file with a sound, which is heard with the clip from the place that is marked on; a new clip from its first pass on. */
+  async bringSound(file: Blob): Promise<void> {
+    if (!this.#may(this.locked)) return;
+    const { name, cursor } = this;
+    try {
+      const answer = await this.request("/sounds", { method: "POST", body: file });
+      if (!answer.ok) throw new Error(await answer.text());
+      const { sound, seconds } = (await answer.json()) as { sound: string; seconds: number };
+      if (name !== this.name) throw new Error(`Another clip is shown by now: ${name} has no other sound.`);
+      this.setSound(sound, cursor);
+      this.show.say(`${name} has a sound of ${clipTime(seconds)}; passes are recorded along with it.`, "done");
+    } catch (error) {
+      this.show.say(
+        error instanceof TypeError
+          ? "The show does not answer: the sound was not sent."
+          : `${(error as Error).message}`,
+      );
+    }
+  }
+
+  /** Has another sound heard with the clip, from a place on; "": none. */
+  setSound(sound: string, from = 0): void {
+    if (this.outline === null) {
+      this.firstSound = sound;
+      this.tell("view");
+    } else this.editClip(sound === "" ? { sound } : { sound, sound_at: from });
+  }
+
+  editLane(index: number, change: EditOf<EditLane>, what: string): void {
+    const [lane, name] = [this.lanes[index], this.name];
+    if (lane === undefined || !this.#may(this.locked)) return;
+    const { to, ...rest } = change;
+    const before: EditOf<EditLane> = Object.fromEntries(
+      Object.keys(rest).map((key) => [key, lane[key as keyof typeof rest]]),
+    );
+    const renamed = this.lanes.map((each, place) => (place === index && to != null ? { name: to } : each));
+    const [old, now] = [laneKey(this.lanes, index), laneKey(renamed, index)];
+    this.show.act(`${what}.`, {
+      what,
+      undo: [{ type: "edit_lane", name, lane: now, ...before, ...(to == null ? {} : { to: lane.name }) }],
+      redo: [{ type: "edit_lane", name, lane: old, ...change }],
+    });
+  }
+
+  /** A part is of a lane, or not. */
+  togglePart(index: number, part: Part): void {
+    const lane = this.lanes[index];
+    if (lane === undefined) return;
+    const has = lane.parts.includes(part);
+    const parts = LAYER_PARTS.filter((each) => (each === part ? !has : lane.parts.includes(each)));
+    this.editLane(index, { parts }, `Lane ${index + 1} ${has ? "without" : "with"} ${part}`);
+  }
+
+  toggleMute(index: number): void {
+    const lane = this.lanes[index];
+    if (lane !== undefined)
+      this.editLane(index, { muted: !lane.muted }, `Lane ${index + 1} ${lane.muted ? "plays again" : "is mute"}`);
+  }
+
+  shift(index: number, seconds: number): void {
+    const lane = this.lanes[index];
+    const shift = Math.round(((lane?.shift ?? 0) + seconds) * 1000) / 1000;
+    if (lane !== undefined && seconds !== 0)
+      this.editLane(index, { shift }, `Lane ${index + 1} ${Math.abs(shift)} s ${shift < 0 ? "earlier" : "later"}`);
+  }
+
+  dropLane(index: number): void {
+    if (this.lanes[index] === undefined || !this.#may(this.locked)) return;
+    const lane = laneKey(this.lanes, index);
+    this.#change(`Lane ${index + 1} is deleted.`, "deleted lane", [{ type: "drop_lane", name: this.name, lane }]);
+  }
+
+  /** Another lane takes the place of the chosen one within the span, and is no lane of its own any more. */
+  replaceBy(index: number): void {
+    const { span, lanes, lane } = this;
+    if (span === null || lanes[index] === undefined || index === lane) {
+      this.show.say("Select a span of a lane first, then the lane that is to show there.");
+      return;
+    }
+    if (!this.#may(this.locked)) return;
+    const [of, by] = [laneKey(lanes, lane), laneKey(lanes, index)];
+    this.#change(`Lane ${index + 1} shows from ${clipTime(span.from)} to ${clipTime(span.to)}.`, "replaced span", [
+      { type: "replace_span", name: this.name, lane: of, by, start: span.from, stop: span.to },
+    ]);
+  }
+
+  rename(to: string): void {
+    const name = this.name;
+    if (to === name || to === "" || !this.#may(this.locked)) return;
+    const [undo, redo] = [[{ type: "rename_clip", name: to, to: name }], [{ type: "rename_clip", name, to }]] as const;
+    if (
+      this.show.act(`${name} is called ${to}; cues that call it are to be changed too.`, {
+        what: `name ${to}`,
+        undo,
+        redo,
+      })
+    )
+      this.choose(to);
+  }
+
+  copy(): void {
+    const { name } = this;
+    if (!this.names.includes(name) || !this.#may(this.locked)) return;
+    const to = freeLaneName(
+      this.names.map((each) => ({ name: each })),
+      `${name.slice(0, 34)} copy`,
+    );
+    const [undo, redo] = [[{ type: "drop_clip", name: to }], [{ type: "copy_clip", name, to }]] as const;
+    if (this.show.act(`${to} is a copy of ${name}.`, { what: `copy of ${name}`, undo, redo })) this.choose(to);
+  }
+
+  drop(name = this.name): void {
+    if (!this.names.includes(name) || !this.#may(this.locked)) return;
+    const [undo, redo] = [[{ type: "restore_clip", name }], [{ type: "drop_clip", name }]] as const;
+    this.show.act(`${name} is deleted.`, { what: `deleted clip ${name}`, undo, redo });
+  }
+
+  /** A change that no message takes back: the clip as it was is laid aside, and comes again in its place. */
+  #change(done: string, what: string, changes: readonly Change[]): void {
+    const { name } = this;
+    this.#count += 1;
+    const aside = `before ${this.page.slice(0, 8)} ${this.#count}`;
+    this.show.act(done, {
+      what: `${what} of ${name}`,
+      undo: [
+        { type: "drop_clip", name },
+        { type: "restore_clip", name: aside },
+        { type: "rename_clip", name: aside, to: name },
+      ],
+      redo: [{ type: "copy_clip", name, to: aside }, { type: "drop_clip", name: aside }, ...changes],
+    });
+  }
+
+  // --- within ---
+
+  /** Whether something is in the way, which is then said. */
+  #may(barred: string): boolean {
+    if (barred !== "") this.show.say(barred);
+    return barred === "";
+  }
+
+  #receiveNames(): void {
+    const [first] = this.names;
+    if (this.name === "" && first !== undefined) this.choose(first);
+    else void this.#read(false);
+    this.tell("clips");
+  }
+
+  #relink(): void {
+    [this.counting, this.#again] = [null, null];
+    if (this.show.online) void this.#read(false);
+    this.tell("link");
+  }
+
+  /** Reads what is drawn of the shown clip; `from_start`: the place that is marked is its start. */
+  async #read(fromStart: boolean): Promise<void> {
+    this.#reading += 1;
+    const [reading, name] = [this.#reading, this.name];
+    try {
+      const answer = this.names.includes(name)
+        ? await this.request(`/clip_outlines/${encodeURIComponent(name)}`)
+        : null;
+      if (answer !== null && !answer.ok) throw new Error(await answer.text());
+      const outline = answer === null || answer.status === 204 ? null : ((await answer.json()) as ClipOutline);
+      if (reading !== this.#reading) return; // another is asked for by now
+      this.#show(outline, fromStart);
+    } catch {
+      if (reading === this.#reading) this.later(() => void this.#read(fromStart), AGAIN_MS);
+    }
+  }
+
+  #show(outline: ClipOutline | null, fromStart: boolean): void {
+    const more = outline !== null && this.outline !== null && outline.lanes.length > this.outline.lanes.length;
+    if (outline !== null && (fromStart || this.outline === null)) this.cursor = outline.start;
+    this.outline = outline;
+    this.lane = more ? outline.lanes.length - 1 : Math.max(0, Math.min(this.lane, this.lanes.length - 1));
+    this.tell("clips");
+  }
+}
