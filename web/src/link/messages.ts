@@ -1682,6 +1682,7 @@ export type CorrectivesDocument = {
   cornea: number;
   deep: number;
   kept: number;
+  sliver: number;
   rows: Uint8Array;
   triangles: Uint8Array;
   crossings: CrossingDocument[];
