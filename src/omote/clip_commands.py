@@ -190,12 +190,12 @@ def encode_clip(
         from omote.interchange.clips.bvh_writer import bvh_text
 
         return bvh_text(frames).encode(), ()
-    cast = load_full_cast(inspection)
     if kind == CSV:
         from omote.inputs.takes.live_link_writer import live_link_csv
 
-        text, notes = live_link_csv(frames, cast.expressions)
+        text, notes = live_link_csv(frames)
         return text.encode(), notes
+    cast = load_full_cast(inspection)
     if kind == VRMA:
         from omote.interchange.avatar.preset_expressions import custom_expressions
         from omote.interchange.clips.glb_animation import vrm_animation
