@@ -36,6 +36,15 @@ def test_speed_and_trim_count_and_a_muted_clip_is_at_rest(cast: Cast) -> None:
     assert not still.head.any()
 
 
+def test_the_last_frame_has_the_end() -> None:
+    """Of 30 rows of a take whose times are no frames: its length comes back within one."""
+    times = np.arange(30) / 30.0 * 0.9999
+    clip = Clip([Lane(make_curve(times, {"jawOpen": times}, {}))])
+    frames = sample_clip(clip)
+    assert 0.0 <= frames.times[-1] - clip.seconds < 1.0 / 60.0
+    assert frames.weights["jawOpen"][-1] == times[-1]
+
+
 def test_an_expression_of_some_regions_alone_is_said() -> None:
     curve = make_curve([0.0, 1.0], {}, {}, mixes={"mouth": {"joy": [0.8, 0.8], "neutral": [0.2, 0.2]}})
     frames = sample_clip(Clip([Lane(curve)]), rate=1.0)

@@ -41,7 +41,8 @@ class ClipFrames:
 
 
 def sample_clip(clip: Clip, *, rate: float = USUAL_RATE) -> ClipFrames:
-    """The frames of a clip, from its start to its end.
+    """The frames of a clip, from its start to its end or, where no frame falls on it, the first after it, which has
+    what the end has.
 
     Parameters
     ----------
@@ -61,7 +62,7 @@ def sample_clip(clip: Clip, *, rate: float = USUAL_RATE) -> ClipFrames:
         On a rate out of range.
     """
     check_within(rate, 1.0, MOST_RATE, "the frames of a second")
-    count = math.floor(clip.seconds / clip.speed * rate + 1e-6) + 1
+    count = math.ceil(clip.seconds / clip.speed * rate - 1e-6) + 1
     times = np.arange(count) / rate
     layout = clip.layout
     samples = [clip.sample(min(time * clip.speed, clip.seconds)) for time in times.tolist()]
