@@ -53,6 +53,16 @@ def test_dropped_frames_and_angles_that_were_not_recorded_are_left_out() -> None
     assert (len(take.times), take.head(0), take.gaze(0)) == (1, None, None)
 
 
+def test_rows_without_a_face_are_counted_but_not_one_that_is_cut_off() -> None:
+    faces = [row(f"00:00:00:{frame:02}", *[0.5] * 8) for frame in range(60)]
+    none = ["00:00:01:30.000,0\n", "00:00:01:31.000,0,,,,,,,,\n"]
+    take = read_live_link_take(HEADER + "".join([*faces, *none, row("00:00:02:00", *[0.5] * 8)]) + "00:00:03:00,6")
+    assert len(take.times) == 61
+    assert list(take.notes) == [
+        "2 rows have no face (the first at 1.5 s); the motion goes on from the row before to the row after"
+    ]
+
+
 @pytest.mark.parametrize(
     ("text", "why"),
     [

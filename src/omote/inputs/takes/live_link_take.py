@@ -2,8 +2,9 @@
 
 `Timecode` is `hours:minutes:seconds:frame.part`. The app counts frames at 60 a second, whatever rate it records at; a
 time code of its own or of a Tentacle counts at 24, 25, 30 or others, and drops numbers with `;` (SMPTE 12M). So the
-rate is read from where the seconds change, and is 60 where they do not. Rows of dropped frames have no values; they are
-left out. Spreadsheets of some countries write semicolons between columns and commas before decimals.
+rate is read from where the seconds change, and is 60 where they do not. Rows without a face, and of dropped frames,
+have no values; they are left out and counted. Spreadsheets of some countries write semicolons between columns and
+commas before decimals.
 """
 
 from __future__ import annotations
@@ -12,6 +13,7 @@ import csv
 import re
 from collections import deque
 from collections.abc import Iterable, Iterator, Mapping, Sequence
+from dataclasses import replace
 from itertools import pairwise
 from typing import NamedTuple, TypeVar
 
@@ -45,6 +47,7 @@ def read_live_link_take(text: str) -> Take:
         raise ValueError(f"the file has no column {TIME} or none of ARKit's; expected one of Live Link Face")
     codes = list[TimeCode]()
     frames = list[TrackerFrame]()
+    faceless = list[str]()
     notes = TakeNotes()
     for number, row in enumerate(rows, 2):
         if number > MOST_ROWS:
@@ -53,7 +56,9 @@ def read_live_link_take(text: str) -> Take:
             notes.add("commas", f"row {number} is left out: its commas stand between columns and before decimals")
             continue
         if len(row) < len(header) or not any(row[column] for column in names):
-            continue  # it is cut off, or of a dropped frame
+            if len(row) > 1 and set([*row.values()][1:]) <= {"", "0"}:
+                faceless.append(row.get(time, ""))
+            continue  # it is cut off, or has no face
         try:
             codes.append(read_time_code(row[time]))
         except ValueError as error:
@@ -65,7 +70,11 @@ def read_live_link_take(text: str) -> Take:
     if not frames and (said := notes.sentences()):
         raise ValueError(f"the file has no frame: {said[0]}")
     rate = find_rate(codes)
-    return _make_take(tuple(dict.fromkeys(names.values())), [code.at(rate) for code in codes], frames, notes)
+    take = _make_take(tuple(dict.fromkeys(names.values())), [code.at(rate) for code in codes], frames, notes)
+    if faceless and codes:
+        said = _tell_faceless(faceless, codes[0].at(rate), rate)
+        return replace(take, notes=(said, *take.notes))
+    return take
 
 
 def read_table(text: str) -> tuple[list[str], Iterator[dict[str, str]]]:
@@ -156,8 +165,7 @@ def _make_take(names: tuple[str, ...], times: list[float], frames: list[TrackerF
     values = [tuple((weights := {**weights, **frame.weights})[name] for name in names) for frame in frames]
     since = [0.0]
     for before, now in pairwise(times):
-        step = now - before if now - before > -DAY / 2 else now - before + DAY  # over midnight
-        since.append(since[-1] + max(0.0, step))
+        since.append(since[-1] + _since(before, now))
     heads = _fill([frame.head for frame in frames], (0.0, 0.0, 0.0))
     gazes = _fill([frame.gaze for frame in frames], (0.0, 0.0))
     return Take(
@@ -168,6 +176,22 @@ def _make_take(names: tuple[str, ...], times: list[float], frames: list[TrackerF
         gazes if any(map(any, gazes)) else (),
         notes.sentences(),
     )
+
+
+def _since(before: float, now: float) -> float:
+    """Seconds from one time of the day to a later one, over midnight too; 0 to an earlier one."""
+    return max(0.0, now - before if now - before > -DAY / 2 else now - before + DAY)
+
+
+def _tell_faceless(times: Sequence[str], began: float, rate: int) -> str:
+    """How many rows have no face, and when the first has none. times: time codes as they are written; began: when the
+    recording does, seconds of the day."""
+    count = "1 row has" if len(times) == 1 else f"{len(times)} rows have"
+    try:
+        first = f" (the first at {_since(began, read_time_code(times[0]).at(rate)):.1f} s)"
+    except ValueError:
+        first = ""
+    return f"{count} no face{first}; the motion goes on from the row before to the row after"
 
 
 def _fill(angles: Iterable[T | None], before: T) -> list[T]:
