@@ -388,3 +388,15 @@ def test_a_clip_whose_sound_is_gone_plays_without_and_says_so(cast: Cast) -> Non
     show.send(wire.PlayClip, "one", "line1", seconds=0)
     show.run(2 * DT)
     assert heard(show) == [("", 0.0, "")]
+
+
+def test_a_clip_is_not_trimmed_to_beyond_its_lanes(cast: Cast) -> None:
+    show = Show(cast)
+    recorded(show, jawOpen=0.5)
+    (lane,) = show.session.clips.clips["line1"].lanes
+    for trim in ({"stop": 500.0}, {"start": 400.0}):
+        (what,) = trim
+        said = reason(show.send(wire.EditClip, "line1", **trim))
+        assert said.startswith(f"the {what} of the clip line1 is {trim[what]:g} s, but its lanes end at {lane.stop:.3f}")
+    show.send(wire.EditClip, "line1", stop=lane.stop)
+    assert show.session.clips.clips["line1"].end == lane.stop

@@ -26,6 +26,8 @@ from omote.show.objects.speech import PlaySound, StopSpeaking
 
 LONGEST_PASS = 600.0
 """Seconds; what is longer is cut into clips."""
+TRIM_ROUNDS = 1e-3
+"""Seconds by which pages round where a clip begins and ends."""
 FEWEST_FRAMES = 2
 """Of a pass that is kept."""
 MEETING_SECONDS = 0.1
@@ -246,7 +248,15 @@ class ShowClips:
         """A clip with other settings. message: says which."""
         if message.sound:
             self._check_sound(message.sound)
-        return self.put(message.name, replace(self._named(message.name), **_given(message, wire.CLIP_SETTINGS)))
+        clip = self._named(message.name)
+        last = max(lane.stop for lane in clip.lanes)
+        for what, time in (("start", message.start), ("stop", message.stop)):
+            if time is not None and time > last + TRIM_ROUNDS:
+                raise ValueError(
+                    f"the {what} of the clip {message.name} is {time:g} s, but its lanes end at {last:.3f} s; give that "
+                    "at most"
+                )
+        return self.put(message.name, replace(clip, **_given(message, wire.CLIP_SETTINGS)))
 
     def edit_lane(self, message: wire.EditLane) -> Sequence[Outgoing]:
         """A clip with another lane. message: says which."""

@@ -253,7 +253,8 @@ export class ClipTimeline extends AnimatedClipElement {
   }
 
   #trimTo(of: "start" | "stop", seconds: number): void {
-    const at = Math.round(seconds * 1000) / 1000;
+    const last = Math.max(...(this.clips.outline?.lanes ?? []).map((lane) => lane.stop));
+    const at = Math.round(Math.min(seconds, last) * 1000) / 1000;
     this.clips.editClip(of === "start" ? { start: at } : { stop: at });
   }
 
