@@ -119,11 +119,17 @@ def render_clip(
     quality: Annotated[str, typer.Option(help="Of the stage: lowest, low, medium, good, high.")] = "high",
     force: Annotated[bool, typer.Option("--force", help="Replaces a film that is there.")] = False,
 ) -> None:
-    """Draws a clip with nothing behind the head: a picture for each frame at its exact time, or a film of them."""
+    """Draws a clip with nothing behind the head: a picture for each frame at its exact time, or a film of them.
+
+    Where it was stopped in a folder, the same command goes on.
+    """
+    import hashlib
+
     from omote.export_commands import load_full_cast
     from omote.interchange.formats.atomic_file import require_free
     from omote.perform.limits import check_known
     from omote.server.headless.clip_pictures import FILMS, ClipPictures, draw_clip, film_clip, find_ffmpeg
+    from omote.show.objects.clips import StoredClip
     from omote.stage_data.full_cast import find_face
     from omote.stage_data.picture_setting import read_size
 
@@ -134,30 +140,37 @@ def render_clip(
         if kind:
             find_ffmpeg()
         require_free(output, force=force)
-        if not kind and output.is_dir() and any(output.iterdir()):
-            raise FileExistsError(f"the folder {output} is not empty; name another, or empty it")
         inspection = inspect(file)
         clips = clips_in(inspection)
         clip = clips[check_known(name, clips, "clip")]
         cast = load_full_cast(inspection)
         worn = find_face(cast, inspection.stored, face)
         pixels = read_size(size)
+        motion = hashlib.sha256(inspection.stored.documents[StoredClip.kind][name]).hexdigest()
+        counts = list[tuple[int, int]]()
+
+        def tell(done: int, count: int) -> None:
+            if not counts and done:
+                say(f"{done} of {count} frames were drawn before, and stay.")
+            elif done % EACH == 0 and 0 < done < count:
+                say(f"{done} of {count} frames")
+            counts.append((done, count))
 
         def draw(folder: Path) -> ClipPictures:
             return draw_clip(
-                cast, clip, folder, name=name, face=worn, rate=rate, size=pixels, quality=quality, tell=tell_drawn
-            )
+                cast, clip, folder, name=name, motion=motion, face=worn, rate=rate, size=pixels, quality=quality,
+                tell=tell,
+            )  # fmt: skip
 
-        drawn = film_clip(output, draw) if kind else draw(output)
+        try:
+            drawn = film_clip(output, draw) if kind else draw(output)
+        except KeyboardInterrupt:
+            if counts and not kind:
+                say(f"{counts[-1][0]} of {counts[-1][1]} frames were drawn; the same command goes on.")
+            raise
     if kind == ".webm":
         say("ffmpeg's own decoder of VP9 shows no alpha: read it with -c:v libvpx-vp9.")
     say(escape_controls(f"{output} holds {name}, {len(drawn.frames)} frames, {drawn.seconds:.2f} s."))
-
-
-def tell_drawn(done: int, count: int) -> None:
-    """Says how many frames are drawn, each second of a clip. done: so many, count: of how many."""
-    if done % EACH == 0 and done < count:
-        say(f"{done} of {count} frames")
 
 
 def inspect(file: Path) -> Inspection:

@@ -2,9 +2,12 @@
 
 from __future__ import annotations
 
+import hashlib
 import shutil
 import subprocess
+from collections.abc import Callable
 from pathlib import Path
+from typing import Any
 
 import msgspec
 import numpy as np
@@ -18,10 +21,12 @@ from omote.perform.clips.motion_curve import make_curve
 from omote.server.headless import clip_pictures
 from omote.server.headless.clip_pictures import (
     ClipPictures,
+    begin_pictures,
     count_frames,
     draw_clip,
     film_clip,
     play_frames,
+    write_sidecar,
 )
 
 RAMP = Clip([Lane(make_curve([0.0, 0.5, 1.0], {"jawOpen": [0.0, 0.5, 1.0]}, {}))], loop=True)
@@ -52,12 +57,21 @@ ALPHA = 255.0 - np.clip(np.hypot(*np.indices((SIZE, SIZE)) - SIZE / 2) - SIZE / 
 """Of a disc, whose edge is a pixel wide as a head's is."""
 
 
+def request(**others: Any) -> ClipPictures:
+    """What lies beside pictures of a clip."""
+    given = {
+        "omote": "0", "clip": "line1", "motion": "m", "face": "kaori", "cast": "c", "rate": 25.0,
+        "seconds": 0.08, "size": (SIZE, SIZE), "quality": "low", "frames": {"00000.png": 0.0},
+    }  # fmt: skip
+    return ClipPictures(**{**given, **others})
+
+
 def edge(folder: Path) -> ClipPictures:
     """Two pictures of a disc."""
     picture = np.dstack([np.full((SIZE, SIZE, 3), 128.0), ALPHA]).round().astype(np.uint8)
     for number in range(2):
         (folder / f"{number:05}.png").write_bytes(png_bytes(picture))
-    drawn = ClipPictures("line1", "kaori", "digest", 25.0, 0.08, {"00000.png": 0.0, "00001.png": 0.04})
+    drawn = request(frames={"00000.png": 0.0, "00001.png": 0.04})
     (folder / clip_pictures.SIDECAR).write_bytes(msgspec.json.encode(drawn))
     return drawn
 
@@ -72,20 +86,62 @@ def test_the_alpha_of_a_film_is_within_two_of_255(tmp_path: Path, ending: str, d
     pictures = np.frombuffer(data, np.uint8).reshape(-1, SIZE, SIZE, 4)
     assert len(pictures) == 2
     assert np.abs(pictures[:, :, :, 3] - ALPHA).max() <= 2
-    sidecar = msgspec.json.decode((tmp_path / "line1.frames.json").read_bytes(), type=ClipPictures)
+    sidecar = msgspec.json.decode((tmp_path / f"{film.name}.frames.json").read_bytes(), type=ClipPictures)
     assert sidecar.frames == {"00000.png": 0.0, "00001.png": 0.04}
-    assert {path.name for path in tmp_path.iterdir()} == {film.name, "line1.frames.json"}
+    assert {path.name for path in tmp_path.iterdir()} == {film.name, f"{film.name}.frames.json"}
 
 
-def test_a_clip_is_drawn_as_pictures_with_their_times(tmp_path: Path) -> None:
+def test_a_folder_goes_on_for_the_same_request_alone(tmp_path: Path) -> None:
+    folder = tmp_path / "out"
+    assert begin_pictures(folder, request()) == {}
+    (folder / "00000.png").write_bytes(b"drawn")
+    hashes = begin_pictures(folder, request())
+    assert hashes == {"00000.png": hashlib.sha256(b"drawn").hexdigest()}
+    write_sidecar(folder, request(pictures=hashes))
+    assert begin_pictures(folder, request()) == hashes
+    (folder / "00000.png").write_bytes(b"changed")
+    assert begin_pictures(folder, request()) == {}
+    for field, other in (("motion", "n"), ("size", (8, 8)), ("quality", "high"), ("face", "old"), ("omote", "1")):
+        with pytest.raises(FileExistsError, match=rf"pictures of another request \({field}: "):
+            begin_pictures(folder, request(**{field: other}))
+    (folder / clip_pictures.SIDECAR).write_text("{}")
+    with pytest.raises(FileExistsError, match="is not empty"):
+        begin_pictures(folder, request())
+
+
+def test_a_folder_is_made_in_one_that_is_there_alone(tmp_path: Path) -> None:
+    with pytest.raises(FileNotFoundError, match=r"there is no folder .*/no; make it, or write somewhere else"):
+        begin_pictures(tmp_path / "no" / "m04", request())
+    assert not (tmp_path / "no").exists()
+
+
+def test_a_clip_is_drawn_as_pictures_and_goes_on_where_it_was_stopped(tmp_path: Path) -> None:
     clip = Clip([Lane(make_curve([0.0, 0.5], {"jawOpen": [0.0, 0.5]}, {}))])
     told: list[tuple[int, int]] = []
-    drawn = draw_clip(
-        load_cast(), clip, tmp_path / "out", name="line1", face="kaori", rate=4.0, size=(SIZE, SIZE),
-        quality="lowest", tell=lambda *count: told.append(count),
-    )  # fmt: skip
+    folder = tmp_path / "out"
+
+    def stop(done: int, count: int) -> None:
+        if done == 1:
+            raise KeyboardInterrupt
+
+    def draw(tell: Callable[[int, int], None]) -> ClipPictures:
+        return draw_clip(
+            load_cast(), clip, folder, name="line1", motion="m", face="kaori", rate=4.0, size=(SIZE, SIZE),
+            quality="lowest", tell=tell,
+        )  # fmt: skip
+
+    with pytest.raises(KeyboardInterrupt):
+        draw(stop)
+    first = (folder / "00000.png").stat().st_mtime_ns
+    drawn = draw(lambda *count: told.append(count))
     assert told == [(1, 2), (2, 2)]
+    assert (folder / "00000.png").stat().st_mtime_ns == first
     assert drawn.frames == {"00000.png": 0.0, "00001.png": 0.25}
-    assert msgspec.json.decode((tmp_path / "out" / "frames.json").read_bytes(), type=ClipPictures) == drawn
-    pictures = [(tmp_path / "out" / name).read_bytes() for name in drawn.frames]
+    assert (drawn.size, drawn.quality, drawn.motion) == ((SIZE, SIZE), "lowest", "m")
+    assert msgspec.json.decode((folder / "frames.json").read_bytes(), type=ClipPictures) == drawn
+    pictures = [(folder / name).read_bytes() for name in drawn.frames]
     assert pictures[0] != pictures[1]
+    assert [*drawn.pictures.values()] == [hashlib.sha256(picture).hexdigest() for picture in pictures]
+    told.clear()
+    assert draw(lambda *count: told.append(count)) == drawn
+    assert told == [(2, 2)]

@@ -397,6 +397,8 @@ def test_a_clip_is_not_trimmed_to_beyond_its_lanes(cast: Cast) -> None:
     for trim in ({"stop": 500.0}, {"start": 400.0}):
         (what,) = trim
         said = reason(show.send(wire.EditClip, "line1", **trim))
-        assert said.startswith(f"the {what} of the clip line1 is {trim[what]:g} s, but its lanes end at {lane.stop:.3f}")
+        assert said.startswith(
+            f"the {what} of the clip line1 is {trim[what]:g} s, but its lanes end at {lane.stop:.3f}"
+        )
     show.send(wire.EditClip, "line1", stop=lane.stop)
     assert show.session.clips.clips["line1"].end == lane.stop

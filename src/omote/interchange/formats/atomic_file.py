@@ -37,13 +37,19 @@ def check_writable(path: Path, begin: bytes = b"") -> None:
     """
     if path.is_dir():
         raise IsADirectoryError(f"{path} is a folder; give the name of a file in it")
-    folder = locate(path).parent
-    if not folder.is_dir():
-        raise FileNotFoundError(f"there is no folder {folder}; make it, or write somewhere else")
+    folder = require_parent(path)
     if path.exists():
         _refuse_other_kind(path, begin)
     if not os.access(folder, os.W_OK):
         raise PermissionError(f"nothing can be written into {folder}; choose another folder")
+
+
+def require_parent(path: Path) -> Path:
+    """Returns the folder that a path really lies in; FileNotFoundError with a message where there is none."""
+    folder = locate(path).parent
+    if not folder.is_dir():
+        raise FileNotFoundError(f"there is no folder {folder}; make it, or write somewhere else")
+    return folder
 
 
 def require_free(path: Path, *, force: bool) -> None:

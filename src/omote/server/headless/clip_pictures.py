@@ -12,13 +12,15 @@ from tempfile import TemporaryDirectory
 
 import msgspec
 
-from omote.interchange.formats.atomic_file import write_whole
+from omote import __version__
+from omote.interchange.formats.atomic_file import require_parent, write_whole
 from omote.model.cast import Cast
 from omote.perform.clips.clip import Clip
 from omote.perform.frame import Frame
 from omote.perform.limits import check_known
 from omote.perform.performer import Performer
 from omote.server.headless.picture_renderer import Renderer
+from omote.stage_data.picture_sidecar import hash_picture
 
 FILMS = {
     ".mov": ("-c:v", "prores_ks", "-profile:v", "4444", "-pix_fmt", "yuva444p10le", "-alpha_bits", "16"),
@@ -30,16 +32,25 @@ SIDECAR = "frames.json"
 MOST_FRAMES = 20_000
 
 
-class ClipPictures(msgspec.Struct, frozen=True):
-    """What lies beside the pictures: the clip, who wears it, the digest of the cast, the frames of a second, and the
-    time (s) of each picture from the clip's start, by its file."""
+class ClipPictures(msgspec.Struct, frozen=True, kw_only=True):
+    """What lies beside the pictures of a clip: what they were made from, and of each, by its file, its time and hash.
 
+    omote: the version; clip, face: by name; motion: the SHA-256 of the clip as the show file has it; cast: the digest
+    of the faces; rate: frames of a second; seconds: of the whole; size: pixels; quality: of the stage; frames: seconds
+    from the clip's start; pictures: SHA-256, none until all are drawn.
+    """
+
+    omote: str
     clip: str
+    motion: str
     face: str
     cast: str
     rate: float
     seconds: float
+    size: tuple[int, int]
+    quality: str
     frames: dict[str, float]
+    pictures: dict[str, str] = msgspec.field(default_factory=dict)
 
 
 def play_frames(cast: Cast, clip: Clip, *, face: str, rate: float) -> Iterator[tuple[float, Frame]]:
@@ -72,6 +83,7 @@ def draw_clip(
     folder: Path,
     *,
     name: str,
+    motion: str,
     face: str,
     rate: float,
     size: tuple[int, int],
@@ -80,21 +92,63 @@ def draw_clip(
 ) -> ClipPictures:
     """Draws a clip into a folder, a PNG with alpha for each frame, and `frames.json` with their times beside them.
 
-    cast: with the face; folder: made where it is not there; name: of the clip; face: that wears it; rate: frames of a
-    second; size: width and height, pixels; quality: of the stage; tell: how many are drawn, of how many.
+    What a run of the same that was stopped has drawn stays. FileExistsError for a folder of anything else.
+
+    cast: with the face; folder: made where it is not there; name: of the clip; motion: SHA-256 of what the show file
+    has of it; face: that wears it; rate: frames of a second; size: width and height, pixels; quality: of the stage;
+    tell: how many are drawn, of how many, at the beginning and after each.
     """
-    folder.mkdir(parents=True, exist_ok=True)
     count = count_frames(clip, rate)
-    times = dict[str, float]()
-    with Renderer(cast, size=size, transparent=True, quality=quality) as draw:
-        for number, (time, frame) in enumerate(play_frames(cast, clip, face=face, rate=rate)):
-            file = f"{number:05}.png"
-            draw(frame, path=folder / file)
-            times[file] = time
-            tell(number + 1, count)
-    drawn = ClipPictures(name, face, cast.digest, rate, clip.seconds / clip.speed, times)
-    write_whole(folder / SIDECAR, msgspec.json.format(msgspec.json.encode(drawn), indent=2))
+    wanted = ClipPictures(
+        omote=__version__, clip=name, motion=motion, face=face, cast=cast.digest, rate=rate,
+        seconds=clip.seconds / clip.speed, size=size, quality=quality,
+        frames={f"{number:05}.png": number / rate for number in range(count)},
+    )  # fmt: skip
+    hashes = begin_pictures(folder, wanted)
+    tell(len(hashes), count)
+    if len(hashes) < count:
+        with Renderer(cast, size=size, transparent=True, quality=quality) as draw:
+            for file, (_, frame) in zip(wanted.frames, play_frames(cast, clip, face=face, rate=rate), strict=True):
+                if file not in hashes:
+                    draw(frame, path=folder / file)
+                    hashes[file] = hash_picture((folder / file).read_bytes())
+                    tell(len(hashes), count)
+    drawn = msgspec.structs.replace(wanted, pictures={file: hashes[file] for file in wanted.frames})
+    write_sidecar(folder, drawn)
     return drawn
+
+
+def begin_pictures(folder: Path, wanted: ClipPictures) -> dict[str, str]:
+    """Begins a folder of pictures with their sidecar, so that a run that is stopped goes on; returns the hashes of
+    those that are there, by file.
+
+    FileExistsError where something else is in the folder, FileNotFoundError where it would lie in none. wanted: what
+    will be drawn, without hashes.
+    """
+    require_parent(folder)
+    if not folder.is_dir() or not any(folder.iterdir()):
+        folder.mkdir(exist_ok=True)
+        write_sidecar(folder, wanted)
+        return {}
+    try:
+        begun = msgspec.json.decode((folder / SIDECAR).read_bytes(), type=ClipPictures)
+    except (FileNotFoundError, msgspec.DecodeError, UnicodeDecodeError):
+        raise FileExistsError(f"the folder {folder} is not empty; name another, or empty it") from None
+    for what in wanted.__struct_fields__:
+        there, asked = getattr(begun, what), getattr(wanted, what)
+        if what != "pictures" and there != asked:
+            raise FileExistsError(
+                f"the folder {folder} has pictures of another request ({what}: {there!s:.40}, not {asked!s:.40}); name "
+                "another, or empty it"
+            )
+    paths = [folder / file for file in wanted.frames]
+    hashes = {path.name: hash_picture(path.read_bytes()) for path in paths if path.is_file()}
+    return {file: value for file, value in hashes.items() if begun.pictures.get(file, value) == value}
+
+
+def write_sidecar(folder: Path, pictures: ClipPictures) -> None:
+    """Writes what lies beside pictures into their folder."""
+    write_whole(folder / SIDECAR, msgspec.json.format(msgspec.json.encode(pictures), indent=2))
 
 
 def find_ffmpeg() -> str:
@@ -113,17 +167,18 @@ def film_command(ffmpeg: str, folder: Path, film: Path, rate: float) -> list[str
 
 
 def film_clip(film: Path, draw: Callable[[Path], ClipPictures]) -> ClipPictures:
-    """Makes a film of a clip, with the sidecar of its frames beside it (`NAME.frames.json`).
+    """Makes a film of a clip, with the sidecar of its frames beside it (`NAME.mov.frames.json`).
 
     film: what is written; draw: draws the pictures into a folder. RuntimeError with what ffmpeg says where it fails.
     """
     ffmpeg = find_ffmpeg()
+    require_parent(film)
     with TemporaryDirectory(dir=film.parent) as made:
         drawn = draw(Path(made))
         whole = Path(made) / f"film{film.suffix.lower()}"
         done = subprocess.run(film_command(ffmpeg, Path(made), whole, drawn.rate), capture_output=True, check=False)
         if done.returncode:
             raise RuntimeError(f"ffmpeg could not write {film}: {done.stderr.decode(errors='replace')[-300:].strip()}")
-        film.with_name(f"{film.stem}.{SIDECAR}").write_bytes((Path(made) / SIDECAR).read_bytes())
+        film.with_name(f"{film.name}.{SIDECAR}").write_bytes((Path(made) / SIDECAR).read_bytes())
         whole.replace(film)
     return drawn

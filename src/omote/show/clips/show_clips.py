@@ -253,8 +253,8 @@ class ShowClips:
         for what, time in (("start", message.start), ("stop", message.stop)):
             if time is not None and time > last + TRIM_ROUNDS:
                 raise ValueError(
-                    f"the {what} of the clip {message.name} is {time:g} s, but its lanes end at {last:.3f} s; give that "
-                    "at most"
+                    f"the {what} of the clip {message.name} is {time:g} s, but its lanes end at {last:.3f} s; "
+                    "give that at most"
                 )
         return self.put(message.name, replace(clip, **_given(message, wire.CLIP_SETTINGS)))
 
