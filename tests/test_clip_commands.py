@@ -4,12 +4,15 @@ from __future__ import annotations
 
 import csv
 import json
+import os
 from pathlib import Path
 
 import pytest
 from typer.testing import CliRunner, Result
 
 from omote.cli import app
+from omote.clip_commands import telling
+from omote.server.persistence.lock import lock_show
 from tests.inputs.takes.test_live_link_take import HEADER, row
 
 
@@ -65,3 +68,29 @@ def test_what_cannot_be_done_is_said(show: Path, tmp_path: Path) -> None:
         done = run(*arguments)
         assert done.exit_code == 1, arguments
         assert said in done.output, done.output
+
+
+def test_into_a_show_that_runs_nothing_is_imported(show: Path) -> None:
+    lock = lock_show(show)
+    done = run("import", show, show.with_name("line1.csv"), "--name", "line2")
+    os.close(lock)
+    assert done.exit_code == 1
+    assert "End that show first. While it runs, play the recording into it" in done.output
+
+
+def test_how_far_pictures_are_is_said(capsys: pytest.CaptureFixture[str]) -> None:
+    def stop_at(done: int) -> None:
+        with telling(goes_on=True) as tell:
+            tell(0, 30)
+            tell(done, 30)
+            raise KeyboardInterrupt
+
+    with pytest.raises(KeyboardInterrupt):
+        stop_at(9)
+    with telling(goes_on=True) as tell:
+        tell(9, 30)
+        tell(10, 30)
+    assert capsys.readouterr().err.splitlines() == [
+        "omote: 9 of 30 frames were drawn; the same command goes on.",
+        "omote: 9 of 30 frames were drawn before, and stay.",
+    ]

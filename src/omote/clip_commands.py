@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Iterator, Mapping
+from contextlib import contextmanager
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
@@ -26,6 +27,9 @@ EACH = 60
 """Frames after which it is said how many are drawn."""
 FORMATS = {CSV: b"Timecode", GLB: b"glTF", VRMA: b"glTF", BVH: b"HIERARCHY"}
 """What a clip is written as, with how such a file begins."""
+WHILE_IT_RUNS = (
+    "While it runs, play the recording into it and record a pass of that (omote play-take, the page /clips)."
+)
 clip_app = typer.Typer(help="The motion clips of a show file.", no_args_is_help=True)
 
 
@@ -97,7 +101,7 @@ def import_clip(
     from omote.show.objects.clips import StoredClip, stored_clip
     from omote.showfile.changes import StoredDocument
 
-    with exit_on_refusal(), open_offline_show(file, new=True) as show:
+    with exit_on_refusal(), open_offline_show(file, new=True, instead=WHILE_IT_RUNS) as show:
         there = show.stored().documents.get(StoredClip.kind, {})
         called = name_new_clip(name or take.stem[:LONGEST_CLIP_NAME], there)
         clip = clip_of_take(read, load_cast(), lane=take.stem[:LONGEST_CLIP_NAME])
@@ -147,30 +151,41 @@ def render_clip(
         worn = find_face(cast, inspection.stored, face)
         pixels = read_size(size)
         motion = hashlib.sha256(inspection.stored.documents[StoredClip.kind][name]).hexdigest()
-        counts = list[tuple[int, int]]()
-
-        def tell(done: int, count: int) -> None:
-            if not counts and done:
-                say(f"{done} of {count} frames were drawn before, and stay.")
-            elif done % EACH == 0 and 0 < done < count:
-                say(f"{done} of {count} frames")
-            counts.append((done, count))
 
         def draw(folder: Path) -> ClipPictures:
-            return draw_clip(
-                cast, clip, folder, name=name, motion=motion, face=worn, rate=rate, size=pixels, quality=quality,
-                tell=tell,
-            )  # fmt: skip
+            with telling(goes_on=not kind) as tell:
+                return draw_clip(
+                    cast, clip, folder, name=name, motion=motion, face=worn, rate=rate, size=pixels, quality=quality,
+                    tell=tell,
+                )  # fmt: skip
 
-        try:
-            drawn = film_clip(output, draw) if kind else draw(output)
-        except KeyboardInterrupt:
-            if counts and not kind:
-                say(f"{counts[-1][0]} of {counts[-1][1]} frames were drawn; the same command goes on.")
-            raise
+        drawn = film_clip(output, draw) if kind else draw(output)
     if kind == ".webm":
         say("ffmpeg's own decoder of VP9 shows no alpha: read it with -c:v libvpx-vp9.")
     say(escape_controls(f"{output} holds {name}, {len(drawn.frames)} frames, {drawn.seconds:.2f} s."))
+
+
+@contextmanager
+def telling(*, goes_on: bool) -> Iterator[Callable[[int, int], None]]:
+    """Gives what says how many frames are drawn, of how many: those that were before, and each second of a clip.
+
+    goes_on: whether it is said, where Ctrl-C ends it, that the same command goes on.
+    """
+    counts = list[tuple[int, int]]()
+
+    def tell(done: int, count: int) -> None:
+        if done and not counts:
+            say(f"{done} of {count} frames were drawn before, and stay.")
+        elif done % EACH == 0 and 0 < done < count:
+            say(f"{done} of {count} frames")
+        counts.append((done, count))
+
+    try:
+        yield tell
+    except KeyboardInterrupt:
+        if counts and goes_on:
+            say(f"{counts[-1][0]} of {counts[-1][1]} frames were drawn; the same command goes on.")
+        raise
 
 
 def inspect(file: Path) -> Inspection:

@@ -56,8 +56,7 @@ def read_live_link_take(text: str) -> Take:
             notes.add("commas", f"row {number} is left out: its commas stand between columns and before decimals")
             continue
         if len(row) < len(header) or not any(row[column] for column in names):
-            if len(row) > 1 and set([*row.values()][1:]) <= {"", "0"}:
-                faceless.append(row.get(time, ""))
+            faceless += _faceless_times(row, time)
             continue  # it is cut off, or has no face
         try:
             codes.append(read_time_code(row[time]))
@@ -70,11 +69,8 @@ def read_live_link_take(text: str) -> Take:
     if not frames and (said := notes.sentences()):
         raise ValueError(f"the file has no frame: {said[0]}")
     rate = find_rate(codes)
-    take = _make_take(tuple(dict.fromkeys(names.values())), [code.at(rate) for code in codes], frames, notes)
-    if faceless and codes:
-        said = _tell_faceless(faceless, codes[0].at(rate), rate)
-        return replace(take, notes=(said, *take.notes))
-    return take
+    made = _make_take(tuple(dict.fromkeys(names.values())), [code.at(rate) for code in codes], frames, notes)
+    return replace(made, notes=(*_tell_faceless(faceless, codes, rate), *made.notes))
 
 
 def read_table(text: str) -> tuple[list[str], Iterator[dict[str, str]]]:
@@ -183,15 +179,24 @@ def _since(before: float, now: float) -> float:
     return max(0.0, now - before if now - before > -DAY / 2 else now - before + DAY)
 
 
-def _tell_faceless(times: Sequence[str], began: float, rate: int) -> str:
-    """How many rows have no face, and when the first has none. times: time codes as they are written; began: when the
-    recording does, seconds of the day."""
+def _faceless_times(row: Mapping[str, str], time: str) -> list[str]:
+    """The time code of a row whose other cells say nothing, as it is written; none of one that is cut off. time: its
+    column."""
+    cells = [cell for column, cell in row.items() if column != time]
+    return [row.get(time, "")] if cells and set(cells) <= {"", "0"} else []
+
+
+def _tell_faceless(times: Sequence[str], codes: Sequence[TimeCode], rate: int) -> list[str]:
+    """How many rows have no face, and when the first has none, in a sentence; none where all have one. times: their
+    time codes, as they are written; codes: of the others."""
+    if not times or not codes:
+        return []
     count = "1 row has" if len(times) == 1 else f"{len(times)} rows have"
     try:
-        first = f" (the first at {_since(began, read_time_code(times[0]).at(rate)):.1f} s)"
+        first = f" (the first at {_since(codes[0].at(rate), read_time_code(times[0]).at(rate)):.1f} s)"
     except ValueError:
         first = ""
-    return f"{count} no face{first}; the motion goes on from the row before to the row after"
+    return [f"{count} no face{first}; the motion goes on from the row before to the row after"]
 
 
 def _fill(angles: Iterable[T | None], before: T) -> list[T]:

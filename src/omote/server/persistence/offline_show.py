@@ -16,14 +16,16 @@ from omote.showfile.inspection import what_opens
 from omote.showfile.recovery import is_lost
 from omote.showfile.show_file import CorruptShowFileError, ShowFile, ShowFileError, open_show
 
+BY_PAGES = "While it runs, files are taken in by its console and its editor."
+
 
 @contextmanager
-def open_offline_show(path: Path, *, new: bool = False) -> Iterator[ShowFile]:
+def open_offline_show(path: Path, *, new: bool = False, instead: str = BY_PAGES) -> Iterator[ShowFile]:
     """The show file, ours alone until the end; new: made where there is none, and backed up at the end.
 
     FileNotFoundError where there is none, ShowLockedError where a show plays it, ShowFileError where it cannot be used.
 
-    path: of the show file; links are followed.
+    path: of the show file; links are followed; instead: what can be done while a show plays it, in a sentence.
     """
     path = locate_show(path)
     if not new and not path.exists():
@@ -33,7 +35,7 @@ def open_offline_show(path: Path, *, new: bool = False) -> Iterator[ShowFile]:
             f"{path} is not there or empty, but its good copies are: open it with `omote show {path}`, which brings "
             "them back, then repeat this."
         )
-    lock = _lock_idle(path)
+    lock = _lock_idle(path, instead)
     if (copy := find_copy(path)) is not None:
         remove_copy(copy)  # left by a show whose processes were all killed
     try:
@@ -49,12 +51,11 @@ def open_offline_show(path: Path, *, new: bool = False) -> Iterator[ShowFile]:
         release_lock(path, lock)
 
 
-def _lock_idle(path: Path) -> int:
+def _lock_idle(path: Path, instead: str) -> int:
     try:
         return lock_show(path)
     except ShowLockedError as error:
-        instead = "End that show first; while it runs, files are taken in by its console and its editor."
-        raise ShowLockedError(f"{error} {instead}") from error
+        raise ShowLockedError(f"{error} End that show first. {instead}") from error
 
 
 def _open_whole(path: Path) -> ShowFile:
