@@ -70,6 +70,14 @@ def test_what_cannot_be_done_is_said(show: Path, tmp_path: Path) -> None:
         assert said in done.output, done.output
 
 
+def test_several_clips_are_cut_out_of_one_take(show: Path) -> None:
+    for name, begin, end in (("a", "0", "0.5"), ("b", "0:00.5", "0.75")):
+        done = run("import", show, show.with_name("line1.csv"), "--name", name, "--from", begin, "--to", end)
+        assert done.exit_code == 0, done.output
+    listed = json.loads(run("list", show, "--json").stdout)
+    assert {clip["name"]: clip["seconds"] for clip in listed} == {"a": 0.5, "b": 0.25, "line1": 0.983}
+
+
 def test_into_a_show_that_runs_nothing_is_imported(show: Path) -> None:
     lock = lock_show(show)
     done = run("import", show, show.with_name("line1.csv"), "--name", "line2")

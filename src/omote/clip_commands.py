@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from omote.file_commands import JsonOption, ShowFileArgument, print_rows
+from omote.recording_commands import FromOption, ToOption
 from omote.take_commands import read_take
 from omote.terminal import escape_controls, exit_on_refusal, fail, say
 
@@ -89,9 +90,11 @@ def import_clip(
         Path, typer.Argument(help="A recording: Live Link Face (.csv), packets (.pcap, .pcapng), VMC packets (.json).")
     ],
     name: Annotated[str, typer.Option(help="What to call the clip; as the file without it.")] = "",
+    begin: FromOption = 0.0,
+    end: ToOption = None,
     protocol: Annotated[str, typer.Option(help="What packets are, as of omote play-take.")] = "",
 ) -> None:
-    """Takes a recording into a show file that no show plays, as a clip."""
+    """Takes a recording, or a part of it, into a show file that no show plays, as a clip."""
     read = read_take(take, protocol)
     from omote.builtin import load_cast
     from omote.inputs.takes.take_clip import clip_of_take
@@ -104,7 +107,7 @@ def import_clip(
     with exit_on_refusal(), open_offline_show(file, new=True, instead=WHILE_IT_RUNS) as show:
         there = show.stored().documents.get(StoredClip.kind, {})
         called = name_new_clip(name or take.stem[:LONGEST_CLIP_NAME], there)
-        clip = clip_of_take(read, load_cast(), lane=take.stem[:LONGEST_CLIP_NAME])
+        clip = clip_of_take(read, load_cast(), lane=take.stem[:LONGEST_CLIP_NAME], start=begin, stop=end)
         show.apply([StoredDocument(StoredClip.kind, called, stored_clip(clip).encode())])
     say(escape_controls(f"{file} has the clip {called}, {clip.seconds:.2f} s."))
 
