@@ -172,6 +172,68 @@ describe("what a page of cues edits", () => {
     expect(show.notice).toBeNull();
   });
 
+  it("begins another edit of a move from the one that is on its way, until the show rejects it or has it", async () => {
+    const move = { goal: { dog: 1 }, seconds: 2, easing: "smooth", delay: 0 };
+    documents.main = [cue("1", { moves: { "one/face": move } })];
+    heard({ edits: 4 });
+    await settled();
+    const shown = cues.list[0] as Cue;
+    const newest = () => cues.newest(shown).moves["one/face"];
+    cues.change({ type: "put_move", cue: "id1", part: "one/face", ...move, goal: { cat: 1 } });
+    expect(newest()).toEqual({ ...move, goal: { cat: 1 } });
+    heard({ edits: 5 }); // another's edit
+    await settled();
+    cues.change({ type: "put_move", cue: "id1", part: "one/face", ...(newest() ?? move), seconds: 5 });
+    const sent = { ...move, goal: { cat: 1 }, seconds: 5 };
+    expect(last()).toMatchObject(sent);
+    documents.main = [cue("1", { moves: { "one/face": sent } })];
+    heard({ edits: 7 });
+    await settled();
+    documents.main = [cue("1", { moves: { "one/face": move } })]; // taken back
+    heard({ edits: 8 });
+    await settled();
+    expect(newest()).toEqual(move);
+    cues.change({ type: "put_move", cue: "id1", part: "one/face", ...move, goal: { dgo: 1 } }, () => undefined);
+    show.receive({ type: "refused", reason: "no", id: (last() as { id: string }).id, held: [] });
+    expect(newest()).toEqual(move);
+  });
+
+  it("believes an edit that never comes for five seconds alone", () => {
+    cues.change({ type: "put_cue", cue: "id1", actions: [] });
+    const action = { does: "osc", to: "desk:9000", what: "/go 1", delay: 0, voice: "", sound: "" } as const;
+    cues.change({ type: "put_cue", cue: "id1", actions: [action] });
+    const first = cues.list[0] as Cue;
+    expect(cues.newest(first).actions).toEqual([action]);
+    now = 5000;
+    expect(cues.newest(first)).toEqual(first);
+  });
+
+  it("puts the cursor into the label of an empty cue that was begun here, and of no other", async () => {
+    cues.setEditing(true);
+    cues.edit("id3");
+    cues.begin();
+    expect([last(), cues.edited]).toMatchObject([{ type: "put_cue", after: "id3" }, null]);
+    documents.main = [cue("1"), cue("2"), cue("3"), cue("4")];
+    heard({ edits: 4 });
+    await settled();
+    expect([cues.edited, cues.begun]).toEqual(["id4", "id4"]);
+    [cues.begun, documents.main] = [null, [...documents.main, cue("5")]];
+    heard({ edits: 5 });
+    await settled();
+    expect([cues.edited, cues.begun]).toEqual(["id4", null]);
+  });
+
+  it("lets keys play while editing until a field is entered", () => {
+    cues.setEditing(true);
+    cues.letKeysPlay(true);
+    cues.setTyping(true);
+    cues.setTyping(false);
+    expect(cues.keysPlay).toBe(false);
+    cues.letKeysPlay(true);
+    cues.setEditing(false);
+    expect(cues.keysPlay).toBe(false);
+  });
+
   it("stops editing while the show mode is on", () => {
     cues.setEditing(true);
     heard({ locked: true });

@@ -14,6 +14,7 @@ import { TopicStore } from "../../link/topics";
 import type { ConsoleStore } from "../store/console_store";
 import type { Asked } from "../store/requests";
 import { standbyBeside } from "./cue_order";
+import { LocalEdits } from "./local_edits";
 import { titleWords } from "./cue_words";
 import type { KnownNames } from "./missing_names";
 
@@ -70,6 +71,12 @@ export class CueStore extends TopicStore<CueTopic> {
   /** The cue that is edited, by identity. */
   edited: string | null = null;
   search = "";
+  /** Keys play although cues are edited here. */
+  keysPlay = false;
+  /** A field has the focus: keys are its own. */
+  typing = false;
+  /** An empty cue that has just come, by identity: the cursor goes into its label. */
+  begun: string | null = null;
   /** An ignored GO that is still in sight; "" for none. */
   ignored = "";
   access: AccessDocument = { role: "admin", name: "", asked: false };
@@ -77,11 +84,12 @@ export class CueStore extends TopicStore<CueTopic> {
   /** What `list` is. */
   #read = "";
   #reading = false;
+  readonly #local = new LocalEdits();
   #wanted: { readonly identity: string; readonly until: number } | null = null;
   #ignoredCount: number | null = null;
   #ignoredUntil = 0;
   /** What is recorded, copied or begun here is edited once it is there. */
-  #expects = false;
+  #expects: "" | "filled" | "empty" = "";
 
   /** `asked`: the list that is to be shown, "" for the chosen one; `now`: milliseconds. */
   constructor(
@@ -124,6 +132,11 @@ export class CueStore extends TopicStore<CueTopic> {
 
   find(identity: string | null): Cue | null {
     return this.list.find((cue) => cue.identity === identity) ?? null;
+  }
+
+  /** A cue with what was sent of it and is not in the list yet: another edit begins from there. */
+  newest(cue: Cue): Cue {
+    return this.#local.over(this.find(cue.identity) ?? cue, this.now());
   }
 
   /** What a cue is called, also one without a label. */
@@ -181,7 +194,7 @@ export class CueStore extends TopicStore<CueTopic> {
   /** Shows another list. */
   choose(name: string): void {
     this.name = name;
-    [this.edited, this.#wanted, this.#expects] = [null, null, false];
+    [this.edited, this.#wanted, this.#expects] = [null, null, ""];
     this.list = [];
     this.tell("view");
     void this.#readList();
@@ -191,7 +204,22 @@ export class CueStore extends TopicStore<CueTopic> {
   setEditing(on: boolean): void {
     if (on && this.locked !== "") this.show.say(this.locked);
     this.editing = on && this.locked === "";
+    this.keysPlay = false;
     if (this.editing) this.edited ??= this.standby?.identity ?? this.way.current?.identity ?? null;
+    this.tell("view");
+  }
+
+  /** Lets keys play while cues are edited, until a field is entered. */
+  letKeysPlay(on: boolean): void {
+    this.keysPlay = on;
+    this.tell("view");
+  }
+
+  /** Takes note of whether a field has the focus. */
+  setTyping(on: boolean): void {
+    if (on === this.typing) return;
+    this.typing = on;
+    if (on) this.keysPlay = false;
     this.tell("view");
   }
 
@@ -254,16 +282,33 @@ export class CueStore extends TopicStore<CueTopic> {
 
   /** Asks for an edit; `failed` is told why it was not made, without it the page is. */
   change(asked: Asked, failed?: (reason: string) => void): boolean {
-    return this.#ask(this.locked, asked, failed);
+    const say = failed ?? ((reason: string) => this.show.say(reason));
+    let forget = (): void => undefined;
+    const sent = this.#ask(this.locked, asked, (reason) => {
+      forget();
+      say(reason);
+    });
+    if (sent) forget = this.#local.add(asked, this.now());
+    return sent;
   }
 
   /** The same, and what is new by it is edited next. */
   add(asked: Asked, failed?: (reason: string) => void): void {
-    this.#expects = this.change(asked, (reason) => {
-      this.#expects = false;
+    const sent = this.change(asked, (reason) => {
+      this.#expects = "";
       if (failed === undefined) this.show.say(reason);
       else failed(reason);
     });
+    if (sent) this.#expects = "filled";
+  }
+
+  /** Begins an empty cue behind the one that is edited. Until it is there no other takes what is typed. */
+  begin(): void {
+    const after = this.edited ?? "";
+    this.add({ type: "put_cue", number: "", after, cue_list: this.name });
+    if (this.#expects === "") return;
+    this.#expects = "empty";
+    this.edit(null);
   }
 
   undo(way: "undo" | "redo"): void {
@@ -378,10 +423,12 @@ export class CueStore extends TopicStore<CueTopic> {
     const known = new Set(this.list.map(({ identity }) => identity));
     const fresh = cues.find(({ identity }) => !known.has(identity));
     this.list = cues;
+    this.#local.settle(cues, this.now());
     this.#read = wanted;
-    if (this.#expects && fresh !== undefined) {
-      this.#expects = false;
+    if (this.#expects !== "" && fresh !== undefined) {
       if (this.editing) this.edited = fresh.identity;
+      if (this.editing && this.#expects === "empty") this.begun = fresh.identity;
+      this.#expects = "";
     }
     if (this.find(this.edited) === null) this.edited = null;
     this.tell("list");

@@ -5,7 +5,7 @@ import { customElement, property, query, state } from "lit/decorators.js";
 import { keyed } from "lit/directives/keyed.js";
 import type { FramePainter } from "../../ui/frame_painter";
 import { pressed } from "../../ui/gestures";
-import { listenToKeys } from "../../ui/key_presses";
+import { focusedElement, hasFieldFocus, isBox, listenToKeys } from "../../ui/key_presses";
 import { base, palette, toolPage } from "../../ui/theme";
 import type { Thumbnails } from "../../ui/thumbnails";
 import { hearWhileShown, whileShown } from "../../ui/topic_element";
@@ -48,6 +48,9 @@ export class CuesPage extends CueElement {
     const everywhere = (event: KeyboardEvent): boolean => isPanic(event) && this.#panic(event.repeat);
     whileShown(this, () => listenToKeys({ everywhere, page: this.#key }));
     hearWhileShown<KeyboardEvent>(this, window, ["keyup"], this.#spaceUp, true);
+    // where the focus moves inside one element no page hears of it but by the key or press that moved it
+    const noteFocus = (): void => this.cues.setTyping(hasFieldFocus());
+    hearWhileShown(this, window, ["focusin", "focusout", "keyup", "pointerup"], noteFocus);
   }
 
   override render() {
@@ -58,7 +61,7 @@ export class CuesPage extends CueElement {
     return html`${this.#header()}
       ${this.form === null ? nothing : keyed(this.form, html`<omote-cue-form class="panel form" .cues=${this.cues} .kind=${this.form} @close=${this.#closeForm}></omote-cue-form>`)}
       <omote-cue-list class="panel" .cues=${this.cues} .thumbnails=${this.thumbnails}>
-        ${editing ? html`<button @click=${() => this.#open("record")}>Record</button><button title="An empty cue behind the one that is edited" @click=${this.#new}>New</button><button @click=${() => this.#open("renumber")}>Renumber</button>` : nothing}
+        ${editing ? html`<button @click=${() => this.#open("record")}>Record</button><button title="An empty cue behind the one that is edited" @click=${() => this.cues.begin()}>New</button><button @click=${() => this.#open("renumber")}>Renumber</button>` : nothing}
         <button @click=${() => this.#open("go_to")}>Go to…</button>
       </omote-cue-list>
       ${editing ? html`<omote-cue-editor class="panel" .cues=${this.cues}></omote-cue-editor>` : html`<omote-cue-air class="panel" .cues=${this.cues}></omote-cue-air>`}
@@ -96,7 +99,7 @@ export class CuesPage extends CueElement {
     const { cues } = this;
     const { locked } = cues.status;
     const lock = (): void => void cues.play({ type: "set_show_mode", on: !locked });
-    return html`<button class="edit" title=${cues.locked || "Record and edit cues (E)"} aria-pressed=${cues.editing} ?disabled=${cues.locked !== ""} @click=${() => cues.setEditing(!cues.editing)}>${locked ? "Locked" : "Edit"}</button>
+    return html`<button class="edit" title=${cues.locked || (cues.editing ? "Back to playing (Esc)" : "Record and edit cues (E)")} aria-pressed=${cues.editing} ?disabled=${cues.locked !== ""} @click=${() => cues.setEditing(!cues.editing)}>${locked ? "Locked" : "Edit"}</button>
       ${cues.mayLock ? html`<button class="lock" title="Show mode: nobody edits cues" aria-pressed=${locked} @click=${lock}>Show mode</button>` : locked ? html`<span class="locked">SHOW MODE</span>` : nothing}`;
   }
 
@@ -118,11 +121,6 @@ export class CuesPage extends CueElement {
     this.form = null;
   };
 
-  readonly #new = (): void => {
-    const after = this.cues.edited ?? "";
-    this.cues.add({ type: "put_cue", number: "", after, cue_list: this.cues.name });
-  };
-
   readonly #key = (event: KeyboardEvent, typing: boolean): void => {
     const step = typing ? null : stepOf(event);
     if (step !== null) {
@@ -130,11 +128,16 @@ export class CuesPage extends CueElement {
       if (!event.repeat) this.cues.undo(step);
       return;
     }
-    const command = cueCommandOf(event, typing || isChecked(event));
+    const place = typing || (event.key !== "Escape" && event.composedPath().some(isBox)) ? "field" : this.#place;
+    const command = cueCommandOf(event, place, this.cues.keysPlay);
     if (command === null) return;
     event.preventDefault();
     this.#obey(command);
   };
+
+  get #place(): "playing" | "editing" {
+    return this.cues.editing ? "editing" : "playing";
+  }
 
   /** The space bar is GO alone: the button in focus is not pressed by it too. */
   readonly #spaceUp = (event: KeyboardEvent): void => {
@@ -152,9 +155,18 @@ export class CuesPage extends CueElement {
     else if (command === "bus") changeBus(cues.show);
     else if (command === "help") this.#showHelp(!this.help);
     else if (command === "search") this.rows?.search();
+    else if (command === "leave") this.#leave();
     else if (command === "edit") {
       if (!this.far) cues.setEditing(!cues.editing);
     } else if (cues.editing && cues.edited !== null) this.#obeyEditing(command, cues.edited);
+  }
+
+  /** Out of what is innermost: a box that has the focus, the form, editing. */
+  #leave(): void {
+    const focused = focusedElement();
+    if (focused !== null && isBox(focused)) focused.blur();
+    else if (this.form !== null) this.#closeForm();
+    else this.cues.setEditing(false);
   }
 
   #obeyEditing(command: CueCommand, edited: string): void {
@@ -172,7 +184,3 @@ export class CuesPage extends CueElement {
     return true;
   }
 }
-
-/** A box that is ticked is a field too: the space bar is its own. */
-const isChecked = (event: Event): boolean =>
-  event.composedPath().some((target) => target instanceof HTMLInputElement && target.type === "checkbox");
