@@ -16,7 +16,7 @@ import "./cue_field";
 import { movedBehind } from "./cue_order";
 import type { CueTopic } from "./cue_store";
 import { partWords } from "./cue_words";
-import { CHARACTER_PARTS, firstGoal, type Goal, goalText, kindOf, parseGoal, SCENE_PARTS } from "./goal_text";
+import { CHARACTER_PARTS, firstGoal, type Goal, goalText, kindOf, parseGoal, partsInOrder, SCENE_PARTS } from "./goal_text";
 import { missingInMove } from "./missing_names";
 
 const style = css`
@@ -169,9 +169,9 @@ export class CueEditor extends CueElement {
       <h2>Moves</h2>
       ${Object.keys(cue.moves).length === 0 ? html`<p>It moves nothing yet.</p>` : nothing}
       ${repeat(
-        Object.entries(cue.moves),
-        ([part]) => part,
-        ([part, move]) => this.#move(cue, part, move),
+        partsInOrder(Object.keys(cue.moves), Object.keys(this.cues.labels)),
+        (part) => part,
+        (part) => this.#move(cue, part, cue.moves[part] as Move),
       )}
       ${this.#adder(cue)}
       <h2>Also does</h2>
@@ -302,7 +302,7 @@ function nameOf(part: string, goal: Goal): Goal {
 
 /** The goal that a text says; another clip plays as the one before did. */
 function goalAfter(part: string, before: Goal, text: string): Record<string, number> {
-  const goal = parseGoal(part, text);
+  const goal = parseGoal(part, text, before);
   if (kindOf(part) !== "clip") return goal;
   const [was, is] = [clipCallOf(before), clipCallOf(goal)];
   return was === null || is === null ? goal : goalOfClip({ ...was, clip: is.clip });
