@@ -257,6 +257,34 @@ def test_what_is_typed_while_editing_plays_nothing(open_page: OpenPage) -> None:
     expect(armed).to_contain_text("off")
 
 
+def test_a_page_that_opens_late_shows_the_cue_that_stands_by(open_page: OpenPage) -> None:
+    """The row is in sight, *Go to* has its number, and a recorded cue leaves an empty form."""
+    page = cue_page(open_page)
+    call(page, {"type": "add_cue_list", "cue_list": "long"})
+    wait_until(page, f"{CUES}.names.includes('long')")
+    for number in range(1, 41):
+        call(page, {"type": "put_cue", "number": str(number), "cue_list": "long"})
+    call(page, {"type": "set_standby", "cue": "36", "cue_list": "long"})
+    late = cue_page(open_page, "?list=long")
+    wait_until(late, f"{CUES}.list.length === 40 && {STANDBY} === '36'", told=STANDBY)
+    expect(late.locator("omote-cue-list li.standby")).to_be_in_viewport()
+    late.get_by_role("button", name="Go to…").click()
+    form = late.locator("omote-cue-form")
+    expect(form.get_by_label("Number")).to_have_value("36")
+    expect(form.get_by_role("checkbox")).to_be_checked()
+    form.get_by_role("button", name="Go to").click()
+    wait_until(late, f"{CUES}.way.current?.number === '36'")
+    late.keyboard.press("Escape")
+    late.keyboard.press("e")
+    late.get_by_role("button", name="Record").click()
+    form.get_by_label("Label").fill("Later")
+    form.get_by_role("checkbox", name="One").check()
+    form.get_by_role("button", name="Record").click()
+    wait_until(late, f"{CUES}.list.some(({{ label }}) => label === 'Later')")
+    expect(form.get_by_label("Label")).to_have_value("")
+    expect(form.get_by_role("checkbox", name="One")).not_to_be_checked()
+
+
 @pytest.mark.parametrize(("view", "width", "height", "query"), SIZES, ids=[view for view, *_ in SIZES])
 def test_nothing_is_cut_on_any_screen(open_page: OpenPage, view: str, width: int, height: int, query: str) -> None:
     touch = {"has_touch": True} if view in ("tablet", "phone") else {}

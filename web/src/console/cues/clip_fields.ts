@@ -61,7 +61,8 @@ export class ClipFields extends CueElement {
   override render() {
     const call = clipCallOf(this.goal);
     if (call === null) return html``;
-    const put = (change: Partial<ClipCall>, failed: Failed) => this.save(goalOfClip({ ...(clipCallOf(this.newest()) ?? call), ...change }), failed);
+    const put = (change: Partial<ClipCall>, failed: Failed) =>
+      this.save(goalOfClip({ ...(clipCallOf(this.newest()) ?? call), ...change }), failed);
     return html`<omote-cue-field label="From, s" kind="number" .value=${String(call.start)}
         .save=${(text: string, failed: Failed) => put({ start: secondsIn(text) }, failed)}></omote-cue-field>
       <omote-cue-field label="Speed" kind="number" .value=${call.speed === null ? "" : String(call.speed)}

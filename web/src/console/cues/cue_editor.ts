@@ -16,7 +16,16 @@ import "./cue_field";
 import { movedBehind } from "./cue_order";
 import type { CueTopic } from "./cue_store";
 import { partWords } from "./cue_words";
-import { CHARACTER_PARTS, firstGoal, type Goal, goalText, kindOf, parseGoal, partsInOrder, SCENE_PARTS } from "./goal_text";
+import {
+  CHARACTER_PARTS,
+  firstGoal,
+  type Goal,
+  goalText,
+  kindOf,
+  parseGoal,
+  partsInOrder,
+  SCENE_PARTS,
+} from "./goal_text";
 import { missingInMove } from "./missing_names";
 
 const style = css`

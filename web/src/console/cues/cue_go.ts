@@ -89,6 +89,7 @@ const style = css`
   }
   .go.typing span {
     font: 600 13px / 1.2 system-ui, sans-serif;
+    text-align: center;
   }
   .go.paused {
     background: var(--attention);
@@ -100,6 +101,16 @@ const style = css`
   .go.paused small {
     font-size: 0.7em;
     letter-spacing: 0;
+  }
+  .panicked {
+    display: grid;
+    grid-template-columns: minmax(0, 1fr) auto;
+    gap: 6px;
+  }
+  .panicked button {
+    color: inherit;
+    background: none;
+    border: 0;
   }
   :host([compact]) {
     grid-template-columns: minmax(0, 5fr) minmax(0, 4fr);
@@ -160,9 +171,10 @@ export class CueGo extends CueElement {
   protected override readonly topics: readonly CueTopic[] = ["cues", "list", "view", "link"];
 
   override render() {
-    const { ignored, unheard, editing, keysPlay } = this.cues;
+    const { ignored, unheard, editing, keysPlay, panicked } = this.cues;
     this.toggleAttribute("compact", editing);
     return html`${this.#next()}
+      ${panicked === "" ? nothing : html`<div class="warning panicked" role="alert">${panicked}<button aria-label="Dismiss" title="I have read it" @click=${() => this.cues.forgetPanic()}>✕</button></div>`}
       ${ignored === "" ? nothing : html`<div class="warning ignored" role="alert">${ignored}</div>`}
       ${unheard === "" ? nothing : html`<div class="warning deaf" role="alert">${unheard}</div>`}
       ${editing ? html`<button class="arm" aria-pressed=${keysPlay} title="Lets Space, Shift Space, P, A and ↑ ↓ play while cues are edited, until a field is entered" @click=${() => this.cues.letKeysPlay(!keysPlay)}>Keys play: ${keysPlay ? "ON, Space is GO" : "off while editing"}</button>` : nothing}
@@ -172,7 +184,7 @@ export class CueGo extends CueElement {
   #next() {
     const { standby } = this.cues;
     if (standby === null)
-      return html`<div class="next">${this.cues.list.length === 0 ? "No cue stands by." : "The end of the list: no cue stands by."}</div>`;
+      return html`<div class="next">${this.cues.list.length === 0 ? "No cues yet: press New or Record." : "The end of the list: no cue stands by."}</div>`;
     const after = goesOnWords(this.cues.find(standby.identity) ?? { goes_on: "", post_wait: 0 });
     return html`<div class="next" style=${styleMap({ borderColor: colourOf(standby.colour) })}><b>${standby.number} ${this.cues.titleOf(standby)}</b>
       ${after === "" ? nothing : html`<div class="by-itself">${after}</div>`}<div class="note">${standby.note}</div></div>`;

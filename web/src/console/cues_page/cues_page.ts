@@ -29,6 +29,9 @@ import "../cues/cue_tabs";
 import "../cues/far_view";
 import "../../ui/keys_help";
 
+/** The parameter of the address that says which cue is edited once the page is there. */
+export const EDITED = "edited";
+
 @customElement("omote-cues-page")
 export class CuesPage extends CueElement {
   @property({ attribute: false }) thumbnails!: Thumbnails;
@@ -37,6 +40,7 @@ export class CuesPage extends CueElement {
   @property({ type: Boolean, reflect: true }) far = false;
   @state() private form: CueFormKind | null = null;
   @state() private help = false;
+  @state() private printed = "";
   @query("omote-cue-list") private rows!: CueListView | null;
 
   static override styles = [palette, base, toolPage, warning, offersStyle, cuesPageStyle];
@@ -61,7 +65,7 @@ export class CuesPage extends CueElement {
     return html`${this.#header()}
       ${this.form === null ? nothing : keyed(this.form, html`<omote-cue-form class="panel form" .cues=${this.cues} .kind=${this.form} @close=${this.#closeForm}></omote-cue-form>`)}
       <omote-cue-list class="panel" .cues=${this.cues} .thumbnails=${this.thumbnails}>
-        ${editing ? html`<button @click=${() => this.#open("record")}>Record</button><button title="An empty cue behind the one that is edited" @click=${() => this.cues.begin()}>New</button><button @click=${() => this.#open("renumber")}>Renumber</button>` : nothing}
+        ${editing ? html`<button @click=${() => this.#open("record")}>Record</button><button title="An empty cue behind the one that is edited" @click=${() => this.cues.begin()}>New</button><button @click=${() => this.#open("renumber")}>Renumber</button><button title="Takes a list in as text (TOML)" @click=${() => this.#open("take_in")}>Import</button>` : nothing}
         <button @click=${() => this.#open("go_to")}>Go to…</button>
       </omote-cue-list>
       ${editing ? html`<omote-cue-editor class="panel" .cues=${this.cues}></omote-cue-editor>` : html`<omote-cue-air class="panel" .cues=${this.cues}></omote-cue-air>`}
@@ -72,16 +76,23 @@ export class CuesPage extends CueElement {
     const { cues } = this;
     const { notice, tone } = cues.show;
     return html`<header><div class="bar">
-      <h1>CUES <span>${cues.name}</span></h1><nav><a href="/console" target="omote-console">Console</a><a href="/clips" target="omote-clips">Clips</a><a href="/console?bus=preview" target="omote-preview" title="The console of what is built up unseen">Preview</a><a href="?far${cues.names.length > 1 ? `&list=${encodeURIComponent(cues.name)}` : ""}" target="_blank">Far</a></nav>
+      <h1>CUES <span>${cues.name}</span></h1><span class="printed">${this.printed}</span><nav><a href="/console" target="omote-console">Console</a><a href="/clips" target="omote-clips">Clips</a><a href="/console?bus=preview" target="omote-preview" title="The console of what is built up unseen">Preview</a><a href="?far${cues.names.length > 1 ? `&list=${encodeURIComponent(cues.name)}` : ""}" target="_blank">Far</a></nav>
       <omote-record-light .context=${{ store: cues.show, painter: this.painter }}></omote-record-light>
       <omote-cue-tabs .cues=${cues} @add_list=${() => this.#open("add_list")} @rename_list=${() => this.#open("rename_list")}></omote-cue-tabs>
       <span class="notice ${tone}" role="status">${notice ?? ""} ${offersOf(cues.show)}</span>
       ${cues.editing ? html`${this.#step("undo", "↶", "Ctrl Z")}${this.#step("redo", "↷", "Ctrl Y")}` : nothing}
       ${this.#modes()}
       <button class="help" aria-label="Keys" title="Keys (?)" @click=${() => this.#showHelp(true)}>?</button>
-      <button class="print" title="Print the running order" @click=${() => print()}>Print</button>
+      <button class="print" title="Print the running order" @click=${this.#print}>Print</button>
       </div>${this.#panicKey()}</header>`;
   }
+
+  /** What stands on paper beside the name of the list: another print is another day's. */
+  readonly #print = (): void => {
+    const date = new Intl.DateTimeFormat(undefined, { dateStyle: "long", timeStyle: "short" }).format(new Date());
+    this.printed = [...Object.values(this.cues.labels), date].join(" · ");
+    void this.updateComplete.then(() => print());
+  };
 
   #panicKey() {
     const panic = pressed(() => this.#panic());
@@ -152,13 +163,22 @@ export class CuesPage extends CueElement {
     else if (command === "earlier" || command === "later") cues.stepStandby(command === "earlier" ? -1 : 1);
     else if (command === "pause") cues.pause();
     else if (command === "assert") cues.assertLook();
-    else if (command === "bus") changeBus(cues.show);
+    else if (command === "bus") this.#changeBus();
     else if (command === "help") this.#showHelp(!this.help);
     else if (command === "search") this.rows?.search();
     else if (command === "leave") this.#leave();
     else if (command === "edit") {
       if (!this.far) cues.setEditing(!cues.editing);
     } else if (cues.editing && cues.edited !== null) this.#obeyEditing(command, cues.edited);
+  }
+
+  /** The page that comes for the other bus goes on editing where this one did. */
+  #changeBus(): void {
+    const { editing, edited, show } = this.cues;
+    const address = new URL(location.href);
+    if (editing) address.searchParams.set(EDITED, edited ?? "");
+    history.replaceState(null, "", address);
+    changeBus(show);
   }
 
   /** Out of what is innermost: a box that has the focus, the form, editing. */
@@ -178,9 +198,8 @@ export class CuesPage extends CueElement {
     }
   }
 
-  /** Of all characters: this page plays none of them alone. */
   #panic(held = false): boolean {
-    if (!held) this.cues.show.panic(true);
+    if (!held) this.cues.panic();
     return true;
   }
 }
