@@ -15,7 +15,9 @@ from omote.perform.scene.goals import (
     SCENE_PARTS,
     Goal,
     Part,
+    expression_of,
     first_goal,
+    ranges_of,
     split_part,
 )
 from omote.perform.scene.scene import Scene
@@ -41,6 +43,8 @@ class LookedAt:
     goals: Mapping[Part, Goal] = field(default_factory=dict)
 
 
+DECIMALS = 4
+"""Of the numbers that are recorded: a tenth of a millimetre, and less than a hundredth of a degree."""
 ON_AIR = LookedAt()
 """No cue is looked at: what is edited is what shows on air, or what was built up."""
 
@@ -112,7 +116,7 @@ def record_cue(context: EditContext, message: wire.RecordCue) -> CueBook:
     cues = context.book.cues_of(context.chosen)
     place = place_number(context.book, context.chosen, check_cue_number(number))
     tracked = tracked_at(cues, place - 1) if place else NOTHING_TRACKED
-    goals = _chosen(context.scene, tracked, message.parts) if message.parts else _changed(context, tracked)
+    goals = _chosen(context.scene, message.parts) if message.parts else _changed(context, tracked)
     moves = {part: Move(goal, message.seconds) for part, goal in goals.items()}
     cue = Cue(new_identities(context.book, 1)[0], number, moves, label=message.label)
     return context.edit(f"record cue {number}", {cue.identity: cue}, _inserted(context, cue, None))
@@ -205,16 +209,32 @@ EDITS: Mapping[type[wire.CueCommand], Callable[[EditContext, Any], CueBook]] = {
 
 
 def shown_goals(scene: Scene) -> dict[Part, Goal]:
-    """Where every part of a scene stands, but for who is leaving it."""
+    """Where every part of a scene stands, but for who is leaving it, as cues keep it."""
     parts = [f"{name}/{part}" for name in scene for part in CHARACTER_PARTS]
-    return {part: scene.shown_goal(part) for part in (*parts, *(f"{ALL}/{part}" for part in SCENE_PARTS))}
+    parts += [f"{ALL}/{part}" for part in SCENE_PARTS]
+    return {part: _rounded(part, scene.shown_goal(part)) for part in parts}
 
 
 def differing(scene: Scene, tracked: Tracked) -> dict[Part, Goal]:
     """The parts that stand otherwise than cues leave them, or a new show has them where nobody means to set that: a
     region goes with its face, eyes look ahead, layers show. scene: what shows; tracked: what the cues leave."""
     shown = shown_goals(scene)
-    return {part: goal for part, goal in shown.items() if goal != tracked.get(part, first_goal(part))}
+    return {part: goal for part, goal in shown.items() if goal != _left_by(tracked, part)}
+
+
+def _left_by(tracked: Tracked, part: Part) -> Goal | None:
+    """Where cues (tracked) leave a part, as `shown_goals` has it; as a new show where they say nothing of it."""
+    return _rounded(part, tracked[part]) if part in tracked else first_goal(part)
+
+
+def _rounded(part: Part, goal: Goal) -> Goal:
+    """A goal with the numbers that its part stands at as a text shows them: a hand and a tracker give sixteen
+    digits."""
+    ranges = ranges_of(part)
+    if ranges is None:
+        return goal
+    limits = {name: ranges[name] for name in goal}
+    return {name: min(max(round(goal[name], DECIMALS), low), high) for name, (low, high) in limits.items()}
 
 
 def _changed(context: EditContext, tracked: Tracked) -> dict[Part, Goal]:
@@ -225,19 +245,16 @@ def _changed(context: EditContext, tracked: Tracked) -> dict[Part, Goal]:
     return {part: goal for part, goal in shown.items() if part in tracked or goal != found.get(part)}
 
 
-def _chosen(scene: Scene, tracked: Tracked, wanted: Sequence[str]) -> dict[Part, Goal]:
-    """The parts that are named, and of characters that are named all but what is as in a new show and was left so."""
+def _chosen(scene: Scene, wanted: Sequence[str]) -> dict[Part, Goal]:
+    """The parts that are named, and of characters that are named all: whatever plays before, their cue brings back what
+    shows. Regions go with the whole expression, unless they stand by themselves."""
     shown = shown_goals(scene)
     for each in wanted:
         if each not in scene:
             check_known(each, shown, "part")
     names = [each for each in wanted if each in scene]
     kept = {part: goal for part, goal in shown.items() if part in wanted or is_of(part, names)}
-    return {
-        part: goal
-        for part, goal in kept.items()
-        if part in wanted or (goal, tracked.get(part, goal)) != (first_goal(part), goal)
-    }
+    return {part: goal for part, goal in kept.items() if part in wanted or goal or expression_of(part) not in kept}
 
 
 def _inserted(context: EditContext, cue: Cue, after: str | None) -> dict[str, Sequence[str]]:
