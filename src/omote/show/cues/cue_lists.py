@@ -271,8 +271,11 @@ class CueLists:
 
     # --- what edits ---
 
-    def edit(self, message: wire.CueCommand, who: str, scene: Scene, looked_at: LookedAt = ON_AIR) -> None:
-        """Makes an edit; ValueError where it cannot be made, or the show mode is on.
+    def edit(
+        self, message: wire.CueCommand, who: str, scene: Scene, looked_at: LookedAt = ON_AIR
+    ) -> LookedAt | None:
+        """Makes an edit, and returns the cue that was recorded, as it is looked at then; None of other edits.
+        ValueError where it cannot be made, or the show mode is on.
 
         message: asks for it; who: the client; scene: the one that it looks at; looked_at: the cue there.
         """
@@ -281,7 +284,7 @@ class CueLists:
         if isinstance(message, wire.UndoCues | wire.RedoCues):
             self._check_seen(message.seen)
             self._play((undo if isinstance(message, wire.UndoCues) else redo)(self.book, by))
-            return
+            return None
         chosen = getattr(message, "cue_list", "") or looked_at.cue_list
         chosen = self._named(chosen, new=isinstance(message, wire.AddCueList))
         state = self._players[chosen].state if chosen in self._players else CueState()
@@ -289,7 +292,12 @@ class CueLists:
         looked_at = looked_at if is_meant else ON_AIR
         current = looked_at.cue or state.current
         context = cue_edits.EditContext(self.book, scene, chosen, current, by, looked_at)
+        before = self.book.cues
         self._play(cue_edits.EDITS[type(message)](context, message))
+        if not isinstance(message, wire.RecordCue):
+            return None
+        (recorded,) = self.book.cues.keys() - before.keys()
+        return LookedAt(chosen, recorded, cue_edits.shown_goals(scene))
 
     def find(self, name: str, number: str) -> tuple[str, CueList, Cue]:
         """A cue: the list that is meant, its cues, and the one of the number; ValueError where there is none.
