@@ -51,6 +51,12 @@ def test_parts_that_are_named_are_recorded_alone(session: ShowSession) -> None:
     assert "there is no part 'one/nose'" in reason(session, wire.RecordCue("a2", parts=["one/nose"]))
 
 
+def test_a_record_that_finds_nothing_is_refused(session: ShowSession) -> None:
+    session.receive("ana", wire.RecordCue("a1"), 0.0)
+    assert "nothing to record" in reason(session, wire.RecordCue("a2"))
+    assert len(session.cues.book.cues) == 1
+
+
 def test_a_cue_of_all_of_a_character_brings_all_of_it_back_whatever_was_played_since(session: ShowSession) -> None:
     """Also what is as in a new show, which a preset is recorded from; regions go with the whole expression."""
     session.receive("ana", wire.RecordCue("a1", parts=["one"]), 0.0)

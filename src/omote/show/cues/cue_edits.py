@@ -117,6 +117,11 @@ def record_cue(context: EditContext, message: wire.RecordCue) -> CueBook:
     place = place_number(context.book, context.chosen, check_cue_number(number))
     tracked = tracked_at(cues, place - 1) if place else NOTHING_TRACKED
     goals = _chosen(context.scene, message.parts) if message.parts else _changed(context, tracked)
+    if not goals:
+        raise ValueError(
+            "there is nothing to record: all stands as the cues before it leave it; change something first, or name "
+            "what is recorded"
+        )
     moves = {part: Move(goal, message.seconds) for part, goal in goals.items()}
     cue = Cue(new_identities(context.book, 1)[0], number, moves, label=message.label)
     return context.edit(f"record cue {number}", {cue.identity: cue}, _inserted(context, cue, None))
