@@ -101,6 +101,8 @@ class CueLists:
         self._rejected: tuple[str, ...] = ()
         self._offers = ("", "")
         self._edits_before = 0
+        self.last_edit = ("", "")
+        """By whom and what, while `edited` is told of it."""
         self._kept = self.book
         self._lines: list[tuple[str, SpokenLine]] = []
         self._sends: deque[tuple[str, Send]] = deque(maxlen=MOST_SENDS)
@@ -283,7 +285,7 @@ class CueLists:
         by = self._name_of(who)
         if isinstance(message, wire.UndoCues | wire.RedoCues):
             self._check_seen(message.seen)
-            self._play((undo if isinstance(message, wire.UndoCues) else redo)(self.book, by))
+            self._change((undo if isinstance(message, wire.UndoCues) else redo)(self.book, by))
             return None
         chosen = getattr(message, "cue_list", "") or looked_at.cue_list
         chosen = self._named(chosen, new=isinstance(message, wire.AddCueList))
@@ -293,7 +295,7 @@ class CueLists:
         current = looked_at.cue or state.current
         context = cue_edits.EditContext(self.book, scene, chosen, current, by, looked_at)
         before = self.book.cues
-        self._play(cue_edits.EDITS[type(message)](context, message))
+        self._change(cue_edits.EDITS[type(message)](context, message))
         if not isinstance(message, wire.RecordCue):
             return None
         (recorded,) = self.book.cues.keys() - before.keys()
@@ -317,7 +319,7 @@ class CueLists:
         name: of the list, which may be new; cues: in the order of GO; by: who brings them.
         """
         self._check_open()
-        self._play(take_in_list(self.book, name, cues, by))
+        self._change(take_in_list(self.book, name, cues, by))
 
     # --- what is told ---
 
@@ -427,6 +429,14 @@ class CueLists:
             last = self.book.edits[-1] if self.book.edits else None
             who = "" if last is None else f": {last.by} has done since: {last.what}"
             raise ValueError(f"the cues have been edited since you pressed{who}")
+
+    def _change(self, book: CueBook) -> None:
+        """Plays the lists as an edit has left them."""
+        if len(book.edits) > len(self.book.edits):
+            edit = book.edits[-1]
+            self.last_edit = (edit.by, edit.what if edit.does == "edit" else f"{edit.does}: {edit.what}")
+        self._play(book)
+        self.last_edit = ("", "")
 
     def _play(self, book: CueBook) -> None:
         """Plays the lists as they are in a book; what is on its way goes on."""
