@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import time
 from collections.abc import Iterator
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
@@ -21,6 +22,7 @@ from omote.show.recording.replay import ReplayedTick, ReplayError, replay
 from omote.show.recording.show_log import LogLine, tell_log
 from omote.showfile.recording_file import Marker, Piece, RecordingFile, sound_key
 from omote.stage_data.playing_cast import Own, PlayingCast, build_playing_cast
+
 
 @dataclass(frozen=True)
 class Span:
@@ -46,24 +48,31 @@ class RecordedShow:
         self._clips: dict[str, Clip] = {}
         self._reader = ThreadPoolExecutor(max_workers=1, thread_name_prefix="recording")
 
-    def find_span(self, name: str = "") -> Span:
-        """What was recorded since the last start of the show, or what is kept under a name; ValueError where there is
-        none."""
+    def find_span(self, name: str = "", start: int | None = None) -> Span:
+        """What is kept under a name, else all that is recorded of a start of the show, of the last where none is given;
+        ValueError where there is none, or both are named."""
+        if name and start is not None:
+            raise ValueError(f"{name!r} is of one start already; give a name or --start, not both")
         if name:
             kept = self._file.kept_named(name)
             return Span(kept.start, kept.first, kept.last)
         pieces = self._file.pieces()
         if not pieces:
             raise ValueError("nothing is recorded yet")
-        start = pieces[-1].start
-        return Span(start, next(piece.first for piece in pieces if piece.start == start), pieces[-1].last)
+        return self.find_played(pieces[-1].start if start is None else start)
 
     def find_played(self, start: int) -> Span:
-        """All that is recorded of a start of the show; ValueError where nothing is."""
-        pieces = [piece for piece in self._file.pieces() if piece.start == start]
-        if not pieces:
-            raise ValueError("that start of the show is not recorded any more")
-        return Span(start, pieces[0].first, pieces[-1].last)
+        """All that is recorded of a start of the show; ValueError, with those that there are, where nothing is."""
+        pieces = self._file.pieces()
+        played = [piece for piece in pieces if piece.start == start]
+        if not played:
+            begins = {piece.start: piece.written for piece in reversed(pieces)}
+            there = ", ".join(
+                f"{number} ({time.strftime('%Y-%m-%d %H:%M', time.localtime(begins[number]))})"
+                for number in sorted(begins)
+            )
+            raise ValueError(f"nothing is recorded (any more) of the start {start} of the show; there are {there}")
+        return Span(start, played[0].first, played[-1].last)
 
     def find_cast(self, digest: str) -> Cast | PlayingCast:
         """The cast of a digest with its own items; LookupError, with the reason, where it cannot be played any more."""
