@@ -2,8 +2,12 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import pytest
 
+from omote.perform.cues.cue import Cue, Move
+from omote.perform.cues.cue_action import CueAction
 from omote.perform.limits import HEAD_LIMITS
 from omote.show.cues.cue_edits import shown_goals
 from omote.show.messages import PROTOCOL_VERSION
@@ -86,6 +90,32 @@ def test_numbers_are_recorded_with_four_decimals_and_within_their_ranges(session
     assert second.moves["one/head"].goal == pytest.approx(highest, abs=1e-4)
     session.receive("ana", wire.UpdateCue("a3", second.identity), 0.0)
     assert session.cues.book.cues[second.identity] == second
+
+
+def test_characters_are_called_by_their_labels_in_every_edit(session: ShowSession) -> None:
+    """Also in a text that is taken in, and in a show file of one; nobody of a label is refused with all that are."""
+    session.scene.rename("one", "Anna")
+    session.receive("ana", wire.RecordCue("a1", parts=["Anna", "*/light"]), 0.0)
+    (identity,) = session.cues.book.cues
+    session.receive("ana", wire.PutMove("a2", identity, "anna/face", {FACE: 1.0}), 0.0)
+    session.receive("ana", wire.PutCue("a3", identity, actions=[CueAction("say", "Anna", "Hello")]), 0.0)
+    cue = session.cues.book.cues[identity]
+    assert {part.rpartition("/")[0] for part in cue.moves} == {"one", "*"}
+    assert (cue.moves["one/face"].goal, cue.actions[0].to) == ({FACE: 1.0}, "one")
+    session.receive("ana", wire.DropMove("a4", identity, "Anna/face"), 0.0)
+    assert "one/face" not in session.cues.book.cues[identity].moves
+    taken = Cue("b", "1", {"Anna/face": Move({FACE: 1.0})})
+    session.cues.take_in("other", [taken], "a file")
+    session.cues.load(
+        replace(
+            session.cues.book,
+            cues={**session.cues.book.cues, identity: replace(cue, moves={"Anna/face": Move({FACE: 1.0})})},
+        )
+    )
+    assert [list(cue.moves) for cue in session.cues.book.cues.values()] == [["one/face"]] * 2
+    assert "there is no character 'Carl' in this scene, which has one (Anna)" in reason(
+        session, wire.RecordCue("a5", parts=["Carl"])
+    )
 
 
 def test_what_eyes_look_at_and_how_much_of_a_layer_shows_are_recorded_and_tracked(session: ShowSession) -> None:

@@ -7,9 +7,10 @@ from dataclasses import dataclass, field, replace
 from typing import Any
 
 from omote.perform.cues.cue import Cue, Move, check_cue_number, is_of, with_move
+from omote.perform.cues.cue_names import named_cue, named_part
 from omote.perform.cues.tracking import NOTHING_TRACKED, Tracked, tracked_at
 from omote.perform.limits import check_known
-from omote.perform.scene.character_names import ALL
+from omote.perform.scene.character_names import ALL, find_character
 from omote.perform.scene.goals import (
     CHARACTER_PARTS,
     SCENE_PARTS,
@@ -68,7 +69,9 @@ class EditContext:
         orders: Mapping[str, Sequence[str] | None] | None = None,
     ) -> CueBook:
         """The book after an edit. what: is done; cues, orders: as of `edit_cues`."""
-        return edit_cues(self.book, what, self.by, cues, orders or {})
+        labels = self.scene.labels
+        named = {identity: None if cue is None else named_cue(cue, labels) for identity, cue in cues.items()}
+        return edit_cues(self.book, what, self.by, named, orders or {})
 
     def cue(self, identity: str) -> Cue:
         """The cue of an identity; ValueError where it is gone."""
@@ -96,16 +99,18 @@ def put_cue(context: EditContext, message: wire.PutCue) -> CueBook:
 def put_move(context: EditContext, message: wire.PutMove) -> CueBook:
     """A cue with a move of a part. context: what it begins from; message: says which."""
     cue = context.cue(message.cue)
-    split_part(message.part)
+    part = named_part(message.part, context.scene.labels)
+    split_part(part)
     move = Move(message.goal, message.seconds, message.easing, message.delay)
-    return context.edit(f"{message.part} in cue {cue.number}", {cue.identity: with_move(cue, message.part, move)})
+    return context.edit(f"{part} in cue {cue.number}", {cue.identity: with_move(cue, part, move)})
 
 
 def drop_move(context: EditContext, message: wire.DropMove) -> CueBook:
     """A cue without the move of a part. context: what it begins from; message: says which."""
     cue = context.cue(message.cue)
-    check_known(message.part, cue.moves, "part of this cue")
-    return context.edit(f"no {message.part} in cue {cue.number}", {cue.identity: with_move(cue, message.part, None)})
+    named = named_part(message.part, context.scene.labels)
+    part = check_known(message.part if message.part in cue.moves else named, cue.moves, "part of this cue")
+    return context.edit(f"no {part} in cue {cue.number}", {cue.identity: with_move(cue, part, None)})
 
 
 def record_cue(context: EditContext, message: wire.RecordCue) -> CueBook:
@@ -254,12 +259,22 @@ def _chosen(scene: Scene, wanted: Sequence[str]) -> dict[Part, Goal]:
     """The parts that are named, and of characters that are named all: whatever plays before, their cue brings back what
     shows. Regions go with the whole expression, unless they stand by themselves."""
     shown = shown_goals(scene)
+    wanted = [_wanted(each, scene.labels) for each in wanted]
     for each in wanted:
         if each not in scene:
             check_known(each, shown, "part")
     names = [each for each in wanted if each in scene]
     kept = {part: goal for part, goal in shown.items() if part in wanted or is_of(part, names)}
     return {part: goal for part, goal in kept.items() if part in wanted or goal or expression_of(part) not in kept}
+
+
+def _wanted(written: str, labels: Mapping[str, str]) -> str:
+    """A part, or all of a character, that is to be recorded, by the name of that character; ValueError where there is
+    none. labels: what people call each, by name."""
+    character, _, name = written.rpartition("/")
+    if character == ALL:
+        return written
+    return f"{find_character(character, labels)}/{name}" if character else find_character(written, labels)
 
 
 def _inserted(context: EditContext, cue: Cue, after: str | None) -> dict[str, Sequence[str]]:

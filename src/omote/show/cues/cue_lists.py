@@ -10,6 +10,7 @@ from typing import Any
 
 from omote.perform.cues.cue import Cue, CueList
 from omote.perform.cues.cue_action import MidiSend, OscSend, SpokenLine
+from omote.perform.cues.cue_names import named_cue, named_cues
 from omote.perform.cues.cue_player import CuePlayer, advance_lists
 from omote.perform.cues.cue_state import GAP_SECONDS, CueState, edited
 from omote.perform.limits import check_known
@@ -114,7 +115,8 @@ class CueLists:
         """Plays the lists of a show file, each as far as the snapshot had it. book: what the file keeps."""
         self._kept = book
         self._players = {}
-        self._play(book)
+        labels = self._scene().labels
+        self._play(replace(book, cues={identity: named_cue(cue, labels) for identity, cue in book.cues.items()}))
         self._states = {}
         if self._chosen_before in book.orders:
             self.chosen = self._chosen_before
@@ -273,9 +275,7 @@ class CueLists:
 
     # --- what edits ---
 
-    def edit(
-        self, message: wire.CueCommand, who: str, scene: Scene, looked_at: LookedAt = ON_AIR
-    ) -> LookedAt | None:
+    def edit(self, message: wire.CueCommand, who: str, scene: Scene, looked_at: LookedAt = ON_AIR) -> LookedAt | None:
         """Makes an edit, and returns the cue that was recorded, as it is looked at then; None of other edits.
         ValueError where it cannot be made, or the show mode is on.
 
@@ -319,7 +319,7 @@ class CueLists:
         name: of the list, which may be new; cues: in the order of GO; by: who brings them.
         """
         self._check_open()
-        self._change(take_in_list(self.book, name, cues, by))
+        self._change(take_in_list(self.book, name, named_cues(cues, self._scene().labels), by))
 
     # --- what is told ---
 
