@@ -124,7 +124,7 @@ def test_what_is_written_is_read_back_as_it_was(cues: CueList) -> None:
 def test_what_all_cues_have_is_left_out() -> None:
     cue = Cue("1", "1", {"one/face": Move({"dog": 1.0}), "*/black": Move({"black": 1.0}, 0.0)})
     assert format_cues([cue]) == HEADING + (
-        '\n[[cue]]\nnumber = "1"\n[cue.moves]\n"*/black" = { to = 1.0, seconds = 0.0 }\n"one/face" = { to = "dog" }\n'
+        '\n[[cue]]\nnumber = "1"\n[cue.moves]\n"one/face" = { to = "dog" }\n"*/black" = { to = 1.0, seconds = 0.0 }\n'
     )
 
 

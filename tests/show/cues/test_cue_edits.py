@@ -118,6 +118,16 @@ def test_characters_are_called_by_their_labels_in_every_edit(session: ShowSessio
     )
 
 
+def test_moves_stand_character_by_character_in_the_order_of_the_show(session: ShowSession) -> None:
+    session.scene.add("aki")
+    session.receive("ana", wire.PutCue("a1", number="1"), 0.0)
+    (identity,) = session.cues.book.cues
+    goals = {"aki/face": {FACE: 1.0}, "*/black": {"black": 1.0}, "one/brows": {}, "one/expression": {EXPRESSION: 1.0}}
+    for call, (part, goal) in enumerate(goals.items()):
+        session.receive("ana", wire.PutMove(f"b{call}", identity, part, goal), 0.0)
+    assert list(session.cues.book.cues[identity].moves) == ["one/expression", "one/brows", "aki/face", "*/black"]
+
+
 def test_what_eyes_look_at_and_how_much_of_a_layer_shows_are_recorded_and_tracked(session: ShowSession) -> None:
     """What a new show has is left out of a first recording, and written where a cue before has left it otherwise."""
     one = session.scene["one"]

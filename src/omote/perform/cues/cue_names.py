@@ -62,7 +62,7 @@ def named_cue(cue: Cue, labels: Labels) -> Cue:
 
 
 def named_cues(cues: Sequence[Cue], labels: Labels) -> tuple[Cue, ...]:
-    """Cues as `named_cue` has each."""
+    """Cues as `named_cue` has each. cues: as they are; labels: as of `named_character`."""
     return tuple(named_cue(cue, labels) for cue in cues)
 
 

@@ -6,7 +6,7 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from typing import Any
 
-from omote.perform.cues.cue import Cue, Move, check_cue_number, is_of, with_move
+from omote.perform.cues.cue import Cue, Move, check_cue_number, in_order, is_of, with_move
 from omote.perform.cues.cue_names import named_cue, named_part
 from omote.perform.cues.tracking import NOTHING_TRACKED, Tracked, tracked_at
 from omote.perform.limits import check_known
@@ -69,9 +69,13 @@ class EditContext:
         orders: Mapping[str, Sequence[str] | None] | None = None,
     ) -> CueBook:
         """The book after an edit. what: is done; cues, orders: as of `edit_cues`."""
-        labels = self.scene.labels
-        named = {identity: None if cue is None else named_cue(cue, labels) for identity, cue in cues.items()}
+        named = {identity: None if cue is None else self._as_shown(cue) for identity, cue in cues.items()}
         return edit_cues(self.book, what, self.by, named, orders or {})
+
+    def _as_shown(self, cue: Cue) -> Cue:
+        """A cue with its characters by name, in the order of the show."""
+        named = named_cue(cue, self.scene.labels)
+        return replace(named, moves={part: named.moves[part] for part in in_order(named.moves, self.scene)})
 
     def cue(self, identity: str) -> Cue:
         """The cue of an identity; ValueError where it is gone."""
